@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "accel/accelerator.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <utility>
+
+#include "accel/backends.h"
+#include "core/checked_ray.h"
+#include "core/error.h"
+
+namespace twinray {
+namespace {
+
+Hit scaled_back(Hit hit, const CheckedRay& ray) {
+  hit.t *= ray.t_scale;
+  return hit;
+}
+
+constexpr std::array<std::pair<Backend, const char*>, 4> backend_names{
+    {{Backend::bvh, "bvh"},
+     {Backend::embree, "embree"},
+     {Backend::embree_native, "embree-native"},
+     {Backend::brute_force, "brute-force"}}};
+
+void check_range(const char* name, double value, double least, double most) {
+  if (!(value >= least && value <= most))
+    throw Error(fmt::format("{} is {}; it must lie in [{}, {}]", name, value, least, most));
+}
+
+void check_options(const BuildOptions& options) {
+  check_range("the number of threads", options.threads, 0, 65536);
+  check_range("the number of BVH bins", options.bvh_bins, 2, 256);
+  check_range("the maximum leaf size", options.max_leaf_size, 1, 255);
+  check_range("the traversal cost", options.traversal_cost, 1e-6, 1e6);
+  check_range("the intersection cost", options.intersection_cost, 1e-6, 1e6);
+}
+
+}  // namespace
+
+Hit Accelerator::closest_hit(const Ray& ray) const noexcept {
+  CheckedRay checked;
+  return load_ray(ray, checked) ? scaled_back(trace_closest(checked), checked) : Hit{};
+}
+
+bool Accelerator::any_hit(const Ray& ray) const noexcept {
+  CheckedRay checked;
+  return load_ray(ray, checked) && trace_any(checked);
+}
+
+Hit Accelerator::closest_hit(const Ray& ray, QueryCounts& counts) const noexcept {
+  CheckedRay checked;
+  return load_ray(ray, checked) ? scaled_back(count_closest(checked, counts), checked) : Hit{};
+}
+
+bool Accelerator::any_hit(const Ray& ray, QueryCounts& counts) const noexcept {
+  CheckedRay checked;
+  return load_ray(ray, checked) && count_any(checked, counts);
+}
+
+void Accelerator::closest_hits(std::span<const Ray> rays, std::span<Hit> answers) const noexcept {
+  for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = closest_hit(rays[i]);
+}
+
+void Accelerator::any_hits(std::span<const Ray> rays, std::span<std::uint8_t> answers) const noexcept {
+  for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = any_hit(rays[i]);
+}
+
+std::unique_ptr<Accelerator> build_accelerator(Backend backend, std::shared_ptr<const Geometry> geometry,
+                                               const BuildOptions& options) {
+  check_options(options);
+  switch (backend) {
+    case Backend::bvh:
+      return build_bvh(std::move(geometry), options);
+    case Backend::brute_force:
+      return build_brute_force(std::move(geometry), options);
+#ifdef TWINRAY_WITH_EMBREE
+    case Backend::embree:
+      return build_embree(std::move(geometry), options);
+    case Backend::embree_native:
+      return build_embree_native(std::move(geometry), options);
+#else
+    default:
+      break;
+#endif
+  }
+  throw Error(fmt::format("the engine {} is not part of this build", backend_name(backend)));
+}
+
+std::vector<Backend> available_backends() {
+#ifdef TWINRAY_WITH_EMBREE
+  return {Backend::embree, Backend::bvh, Backend::embree_native, Backend::brute_force};
+#else
+  return {Backend::bvh, Backend::brute_force};
+#endif
+}
+
+Backend default_backend() { return available_backends().front(); }
+
+std::string backend_name(Backend backend) {
+  for (const auto& [value, name] : backend_names)
+    if (value == backend) return name;
+  return "unknown";
+}
+
+Backend parse_backend(const std::string& name) {
+  std::vector<std::string> valid;
+  for (const Backend backend : available_backends()) {
+    valid.push_back(backend_name(backend));
+    if (valid.back() == name) return backend;
+  }
+  throw Error(
+      fmt::format("there is no engine \"{}\" in this build; valid are {}", name, fmt::join(valid, ", ")));
+}
+
+}  // namespace twinray

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+
+namespace twinray {
+
+/// How a binary BVH divides the primitives of a node.
+enum class BvhSplit {
+  sah,       ///< The cheapest of the binned candidates on three axes, or none (Wald 2007).
+  median,    ///< Half of the primitives each, by centroid along the longest axis.
+  midpoint,  ///< The middle of the centroids' box on its longest axis.
+  mean,      ///< The mean of the centroids on that axis.
+};
+
+enum class EmbreeMode { robust, fast };
+
+/// Which ray-triangle test the hand-written engines run.
+enum class TriangleTest { woop, moller_trumbore };
+
+/// How an accelerator is built. Each backend reads what concerns it.
+struct BuildOptions {
+  int threads = 0;  ///< 0: as many as the process may use. The tree does not depend on it.
+
+  BvhSplit bvh_split = BvhSplit::sah;
+  int bvh_bins = 32;               ///< 2 to 256.
+  int max_leaf_size = 4;           ///< 1 to 255 primitives.
+  double traversal_cost = 1.0;     ///< SAH cost of a node step, > 0.
+  double intersection_cost = 1.0;  ///< SAH cost of a primitive test, > 0.
+  TriangleTest triangle_test =
+      TriangleTest::woop;  ///< moller_trumbore: brute force and bvh only; leaves the promise of equal bits.
+
+  EmbreeMode embree_mode = EmbreeMode::robust;  ///< embree_native only.
+  std::string embree_isa =
+      "avx2";  ///< embree_native only: what Embree's max_isa takes: sse2, sse4.2, avx, avx2, avx512.
+};
+
+}  // namespace twinray

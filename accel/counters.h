@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+
+namespace twinray {
+
+/// What one query, or the sum of many, did. Boxes and nodes belong to the hand-written trees; primitives are
+/// those whose own test ran: by the canonical counting traversal, or by our leaf inside of Embree.
+struct QueryCounts {
+  std::uint64_t nodes = 0;       ///< Inner nodes whose children were looked at.
+  std::uint64_t boxes = 0;       ///< Boxes tested.
+  std::uint64_t leaves = 0;      ///< Leaves whose primitives were tested.
+  std::uint64_t primitives = 0;  ///< Triangles and spheres tested.
+
+  QueryCounts& operator+=(const QueryCounts& other) {
+    nodes += other.nodes;
+    boxes += other.boxes;
+    leaves += other.leaves;
+    primitives += other.primitives;
+    return *this;
+  }
+  friend bool operator==(const QueryCounts&, const QueryCounts&) = default;
+};
+
+}  // namespace twinray

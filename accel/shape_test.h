@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: the canonical test of one primitive of a geometry, named by its ids.
+#pragma once
+#include <cstdint>
+
+#include "core/checked_ray.h"
+#include "core/geometry.h"
+#include "core/hit.h"
+#include "core/sphere.h"
+#include "core/triangle.h"
+
+namespace twinray {
+
+/// A primitive by its ids: shape and index within the shape.
+struct PrimitiveId {
+  std::uint32_t mesh, primitive;
+};
+
+/// Tests one primitive against [ray.t_min, best.t] (a miss in `best` means ray.t_max) and keeps the lesser
+/// hit.
+inline void test_primitive(const Geometry& geometry, const CheckedRay& ray, PrimitiveId id, Hit& best) {
+  const float t_max = std::min(ray.t_max, best.t);
+  ShapeHit found;
+  if (const Mesh* mesh = geometry.mesh(id.mesh)) {
+    const auto [a, b, c] = mesh->triangles[id.primitive];
+    if (!intersect_triangle(ray, mesh->positions[a], mesh->positions[b], mesh->positions[c], t_max, found))
+      return;
+  } else {
+    if (!intersect_sphere(ray, geometry.sphere_set(id.mesh)->spheres[id.primitive], t_max, found)) return;
+  }
+  const Hit hit{found.t, found.u, found.v, id.primitive, id.mesh, no_instance};
+  if (precedes(hit, best)) best = hit;
+}
+
+}  // namespace twinray

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: Apache-2.0
+# Compiler settings: what the library promises (its users inherit that), and what only its developers want.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+set(TWINRAY_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize takes them")
+option(TWINRAY_WERROR "Treat warnings as errors" OFF)
+
+# Warnings and sanitizers: linked PRIVATE by every target of ours, never installed.
+add_library(twinray_developer INTERFACE)
+target_compile_options(twinray_developer INTERFACE -Wall -Wextra -Wshadow -Wno-missing-field-initializers
+                       $<$<BOOL:${TWINRAY_WERROR}>:-Werror>)
+if(TWINRAY_SANITIZE)
+  target_compile_options(twinray_developer INTERFACE -fsanitize=${TWINRAY_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(twinray_developer INTERFACE -fsanitize=${TWINRAY_SANITIZE})
+endif()
+
+# twinray_library(NAME file...): the static library twinray::NAME, with includes from the root of the tree.
+function(twinray_library name)
+  add_library(twinray_${name} STATIC ${ARGN})
+  add_library(twinray::${name} ALIAS twinray_${name})
+  set_target_properties(twinray_${name} PROPERTIES EXPORT_NAME ${name} CXX_EXTENSIONS OFF
+                        POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(twinray_${name} PUBLIC cxx_std_20)
+  target_include_directories(twinray_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                             $<INSTALL_INTERFACE:include/twinray>)
+  target_link_libraries(twinray_${name} PRIVATE $<BUILD_INTERFACE:twinray_developer>)
+endfunction()

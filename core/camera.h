@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <limits>
+
+#include "core/ray.h"
+#include "core/vec.h"
+
+namespace twinray {
+
+/// A camera with a thin lens; with lens_radius 0 a pinhole. The three axes are orthonormal.
+struct Camera {
+  Vec3 position{0, 0, 0};
+  Vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
+  float tan_half_width = 0.5f, tan_half_height = 0.375f;  ///< Half the frame, in units of the distance to it.
+  float clip_near = 0;  ///< Depths along `forward`: nearer and farther things
+  float clip_far = std::numeric_limits<float>::infinity();  ///< are not seen by camera rays.
+  float lens_radius = 0;
+  float focal_distance = 1;  ///< Depth of the plane in focus, > 0; it matters for lens_radius > 0 only.
+};
+
+/// The camera widened on one axis, so that an image of this size has square pixels and shows the whole frame.
+Camera fit_frame(const Camera& camera, int width, int height);
+
+/// The ray through a point of the frame, (0, 0) top left and (1, 1) bottom right, and a point of the lens in
+/// the unit disc. Its direction has length 1 along `forward`, so t counts depth.
+Ray camera_ray(const Camera& camera, Vec2 frame, Vec2 lens);
+
+}  // namespace twinray

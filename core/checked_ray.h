@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: the one door through which rays reach an accelerator.
+//
+// A ray is checked against the domain of core/ray.h and everything is derived here that the canonical tests
+// (slab.h, triangle.h, sphere.h) need of it, so that every backend computes with the same bits. A direction
+// whose largest component lies outside [2^-40, 2^40] is scaled by a power of two, and t with it; t is scaled
+// back on a hit.
+#pragma once
+#include "core/ray.h"
+#include "core/vec.h"
+
+namespace twinray {
+
+struct CheckedRay {
+  Vec3 origin;
+  Vec3 direction;  ///< Scaled: its largest component lies in [2^-40, 2^40].
+  float t_min,
+      t_max;      ///< In units of the scaled direction; t_max is finite, so an infinite t is never accepted.
+  float t_scale;  ///< Multiplies a t of the scaled ray into a t of the caller's ray; a power of two.
+
+  // Slab test: the origin moved by its share of the rounding bound, and the reciprocal scaled by its own.
+  Vec3 near_origin, far_origin;
+  Vec3 near_inverse, far_inverse;
+  bool is_negative[3];  ///< The direction's sign bits; -0.0 counts as negative.
+
+  // Woop's shear: the axes turned so that kz is the dominant one, and the direction brought to (0, 0, 1).
+  int kx, ky, kz;
+  float sx, sy, sz;
+};
+
+/// Fills `checked`; false for an invalid ray, which is a miss.
+bool load_ray(const Ray& ray, CheckedRay& checked) noexcept;
+
+/// The relative bound by which the slab test widens boxes, origins and reciprocals: eight units in the last
+/// place.
+///
+/// Woop's test rounds each sheared vertex by up to u (2 |a - o| + 4 |a_z - o_z|) with u = 2^-24, at most 6 u
+/// of the coordinates of box and origin; widening the box (1 u of it for its own rounding) and the origin by
+/// 8 u each keeps whatever that test accepts inside of the box. The reciprocal's, the difference's and the
+/// product's rounding come to 4 u; it is scaled by 8 u.
+inline constexpr float slab_margin = 0x1p-21f;
+
+}  // namespace twinray

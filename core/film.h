@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// The image while it is being made: exact sums, so that no order and no partition of the samples changes a
+// bit.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/rgb.h"
+
+namespace twinray {
+
+/// A sum of floats in 128-bit fixed point, unit 2^-60: addition is exact, so it has neither order nor
+/// rounding.
+class FixedSum {
+ public:
+  /// Adds x, rounded toward zero to the unit. |x| <= 2^44; the sum of up to 2^22 such numbers does not
+  /// overflow.
+  void add(double x);
+  FixedSum& operator+=(const FixedSum& other);
+  /// The sum, rounded to double.
+  double value() const;
+  friend bool operator==(const FixedSum&, const FixedSum&) = default;
+
+ private:
+  __extension__ __int128 units_ = 0;
+};
+
+/// What a pixel of one layer has gathered.
+struct PixelSums {
+  FixedSum r, g, b;
+  FixedSum luminance_squared;  ///< Second moment of the luminance.
+  std::uint32_t count = 0;     ///< Accepted samples.
+
+  Rgb mean() const;  ///< Black without samples.
+  double luminance_mean() const;
+  /// Unbiased (1 / (n - 1)) variance of the luminance of one sample; 0 for fewer than two. Never negative.
+  double luminance_variance() const;
+  PixelSums& operator+=(const PixelSums& other);
+  friend bool operator==(const PixelSums&, const PixelSums&) = default;
+};
+
+/// A sample that was not accepted: not finite, or beyond the range of the sums.
+struct RejectedSample {
+  int x = 0, y = 0;
+  std::uint32_t index = 0;
+};
+
+/// A rectangle of pixels: x in [x0, x1), y in [y0, y1).
+struct PixelRect {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  int width() const { return x1 - x0; }
+  int height() const { return y1 - y0; }
+  friend bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+
+/// A full frame, of which `window` is rendered, with named layers ("color" first; albedo, normal, ... when
+/// asked for). Pixels count from the top left. Different threads may add to different pixels at the same
+/// time.
+class Film {
+ public:
+  /// A component may lie in [-max_value, max_value].
+  static constexpr float max_value = 0x1p22f;
+  static constexpr std::uint32_t max_samples = 1u << 22;
+
+  /// Throws Error for a frame outside [1, 65536]^2 or a window that is empty or not within it.
+  Film(int frame_width, int frame_height, PixelRect window, std::vector<std::string> layers = {"color"});
+
+  int frame_width() const { return frame_width_; }
+  int frame_height() const { return frame_height_; }
+  const PixelRect& window() const { return window_; }
+  const std::vector<std::string>& layers() const { return layers_; }
+
+  /// Adds one sample to a pixel of the window. False, and only counted, where it is not finite or out of
+  /// range.
+  bool add(std::size_t layer, int x, int y, std::uint32_t sample_index, const Rgb& value);
+
+  const PixelSums& pixel(std::size_t layer, int x, int y) const;
+  std::uint64_t rejected_count() const;
+  /// The first rejected sample in the order (y, x, index), so that it does not depend on threads; none if
+  /// count is 0.
+  RejectedSample first_rejected() const;
+
+  /// Adds the samples of a film of the same frame and layers whose window lies within this one. Throws Error
+  /// otherwise.
+  void merge(const Film& other);
+
+ private:
+  std::size_t offset(std::size_t layer, int x, int y) const;
+
+  int frame_width_, frame_height_;
+  PixelRect window_;
+  std::vector<std::string> layers_;
+  std::vector<PixelSums> pixels_;  ///< Layer after layer, row by row.
+  // Rejections are kept by pixel, so that threads need no lock: count and least sample index of each
+  // row-major pixel.
+  std::vector<std::uint32_t> rejected_, rejected_index_;
+};
+
+}  // namespace twinray

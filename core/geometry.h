@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shapes that rays meet: triangle meshes and sets of spheres, plain data that is checked once and then
+// constant.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/aabb.h"
+#include "core/vec.h"
+
+namespace twinray {
+
+/// Three indices into an array of vertices (or normals, or texture coordinates), in winding order.
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// A triangle mesh. The front of a triangle is where its vertices appear counter-clockwise.
+struct Mesh {
+  std::string name;
+  std::vector<Vec3> positions;
+  std::vector<Triangle> triangles;
+  std::vector<Vec3> normals;             ///< Unit shading normals, or empty: the mesh shades flat.
+  std::vector<Triangle> normal_indices;  ///< One for each triangle where there are normals.
+  std::vector<Vec2> uvs;                 ///< Texture coordinates, or empty.
+  std::vector<Triangle> uv_indices;      ///< One for each triangle where there are uvs.
+};
+
+struct Sphere {
+  Vec3 center;
+  float radius = 1;  ///< > 0; a sphere without radius is never hit.
+};
+
+struct SphereSet {
+  std::string name;
+  std::vector<Sphere> spheres;
+};
+
+using Shape = std::variant<Mesh, SphereSet>;
+
+/// Takes the triangles out that have no area or a corner that is not finite; returns how many.
+std::size_t drop_degenerate_triangles(Mesh& mesh);
+
+/// The coordinates that a scene may have: up to +-10^12.
+inline constexpr float max_coordinate = 1e12f;
+
+/// All shapes of a scene. A Hit's `mesh` is an index into shapes(), its `primitive` one into that shape.
+class Geometry {
+ public:
+  Geometry() = default;
+  /// Throws Error, naming the shape and the element, for an index out of range, a coordinate that is not
+  /// finite or beyond max_coordinate, normals or uvs whose indices do not match the triangles, a negative
+  /// radius.
+  explicit Geometry(std::vector<Shape> shapes);
+
+  const std::vector<Shape>& shapes() const { return shapes_; }
+  const Mesh* mesh(std::uint32_t shape) const { return std::get_if<Mesh>(&shapes_[shape]); }
+  const SphereSet* sphere_set(std::uint32_t shape) const { return std::get_if<SphereSet>(&shapes_[shape]); }
+  /// The box of everything; empty without shapes.
+  const Aabb& bounds() const { return bounds_; }
+  std::size_t triangle_count() const { return triangle_count_; }
+  std::size_t sphere_count() const { return sphere_count_; }
+  std::size_t primitive_count() const { return triangle_count_ + sphere_count_; }
+
+ private:
+  std::vector<Shape> shapes_;
+  Aabb bounds_;
+  std::size_t triangle_count_ = 0, sphere_count_ = 0;
+};
+
+/// The box of one primitive, rounded outward where it is not exact.
+inline Aabb triangle_bounds(const Vec3& a, const Vec3& b, const Vec3& c) {
+  Aabb box;
+  box.extend(a);
+  box.extend(b);
+  box.extend(c);
+  return box;
+}
+Aabb sphere_bounds(const Sphere& sphere);
+
+}  // namespace twinray

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random numbers as a pure function of (seed, pixel, sample index, path vertex, purpose).
+//
+// A draw depends on nothing else: not on the draws before it, the tile, the thread or the number of samples.
+// So images can be split, resumed and merged, and a new purpose leaves all others' numbers as they are.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "core/vec.h"
+
+namespace twinray {
+
+/// What a draw is for. The values are part of the image format of a seed: never renumber, only append.
+/// Grouped in sets of four dimensions (value / 4): the members of a set are stratified against each other.
+enum class Purpose : std::uint32_t {
+  // Set 0, two pairs.
+  light_point = 0,  ///< 2D: where on a light.
+  direction = 2,    ///< 2D: which way a path goes on.
+  // Set 1, single draws.
+  light_pick = 4,  ///< 1D: which light.
+  lobe = 5,        ///< 1D: which lobe of a material.
+  roulette = 6,    ///< 1D: whether a path goes on.
+  alpha = 7,       ///< 1D: cut-outs.
+  // Set 2: camera.
+  pixel = 8,  ///< 2D: where in the pixel.
+  lens = 10,  ///< 2D: where on the lens.
+  // Set 3.
+  time = 12,    ///< 1D: when.
+  medium = 13,  ///< 1D: how far in a volume.
+};
+
+enum class SamplerKind { sobol, independent };
+
+/// One sample of one pixel; x and y count in the full frame, whatever part of it is rendered.
+struct SampleKey {
+  std::uint64_t seed = 0;
+  std::uint32_t x = 0, y = 0;
+  std::uint32_t index = 0;
+};
+
+/// The draws of one vertex of one sample's path: vertex 0 is the camera, 1 the first surface, ...
+///
+/// `independent` hashes; `sobol` takes Owen-scrambled, shuffled Sobol points (Burley, "Practical Hash-based
+/// Owen Scrambling", JCGT 9(4), 2020), where the samples of a pixel are stratified against each other. A set
+/// of four dimensions is computed when its first member is drawn and kept, so repeated draws of a vertex are
+/// cheap; the same purpose always gives the same number.
+class VertexSampler {
+ public:
+  VertexSampler(SamplerKind kind, const SampleKey& key, std::uint32_t vertex);
+
+  float draw_1d(Purpose purpose);  ///< In [0, 1).
+  Vec2 draw_2d(Purpose purpose);   ///< In [0, 1)^2.
+
+  /// The draw for sub-sample `part` of `parts` (1 to 2^16): sample index x parts + part of a sequence of its
+  /// own for each `stream` (such as the index of a light). With parts = 1 and stream = 0 it is draw_2d.
+  Vec2 draw_2d(Purpose purpose, std::uint32_t part, std::uint32_t parts, std::uint32_t stream);
+
+ private:
+  using Set = std::array<float, 4>;
+  const Set& set(std::uint32_t number);
+
+  SamplerKind kind_;
+  std::uint32_t index_;
+  std::uint64_t key_;             ///< Hash of seed, pixel and vertex.
+  std::uint32_t known_sets_ = 0;  ///< Bit n: sets_[n] has been computed.
+  std::array<Set, 4> sets_;
+};
+
+/// "sobol", "independent"; parse throws Error that lists them.
+std::string sampler_name(SamplerKind kind);
+SamplerKind parse_sampler(const std::string& name);
+
+}  // namespace twinray

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/camera.h"
+#include "core/geometry.h"
+#include "core/light.h"
+#include "core/material.h"
+
+namespace twinray {
+
+inline constexpr std::uint32_t no_light = 0xffffffff;
+
+/// What a shape is made of and, where it emits, which light it is: indices into Scene's materials and lights.
+struct ShapeBinding {
+  std::uint32_t material = 0;
+  std::uint32_t light = no_light;
+};
+
+/// A whole scene: values, linked by index.
+struct Scene {
+  std::shared_ptr<const Geometry> geometry = std::make_shared<const Geometry>();
+  std::vector<ShapeBinding> bindings;  ///< One for each of the geometry's shapes.
+  std::vector<Material> materials;
+  std::vector<Light> lights;
+  Camera camera;
+};
+
+/// Throws Error where an index points nowhere or a light's shape is not of the light's kind.
+void check_scene(const Scene& scene);
+
+}  // namespace twinray

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: the canonical box test.
+//
+// One function serves the boxes of shapes and of tree nodes. It is monotone, bit for bit: a box that contains
+// another has a near that is smaller or equal and a far that is larger or equal, because every step (padding,
+// subtraction, multiplication, minimum and maximum) is monotone in floating point. So a node culled by it
+// cannot hold an accepted hit. The widening (slab_margin) makes it conservative against the rounding of
+// triangle.h.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "core/aabb.h"
+#include "core/checked_ray.h"
+
+namespace twinray {
+
+/// The parameters at which a ray enters and leaves a box; near > far where it misses.
+struct SlabInterval {
+  float near, far;
+};
+
+/// The box widened by its share of the rounding bound; an empty box stays empty.
+inline Aabb padded(const Aabb& box) {
+  if (box.is_empty()) return box;
+  const float pad = std::max(max_abs(box.lower), max_abs(box.upper)) * slab_margin;
+  return {box.lower - Vec3{pad, pad, pad}, box.upper + Vec3{pad, pad, pad}};
+}
+
+/// The slab test of a box that padded() has widened.
+inline SlabInterval intersect_slab(const CheckedRay& ray, const Aabb& box) {
+  const auto near_at = [&](int axis) {
+    const float plane = ray.is_negative[axis] ? box.upper[axis] : box.lower[axis];
+    return (plane - ray.near_origin[axis]) * ray.near_inverse[axis];
+  };
+  const auto far_at = [&](int axis) {
+    const float plane = ray.is_negative[axis] ? box.lower[axis] : box.upper[axis];
+    return (plane - ray.far_origin[axis]) * ray.far_inverse[axis];
+  };
+  return {std::max(near_at(0), std::max(near_at(1), near_at(2))),
+          std::min(far_at(0), std::min(far_at(1), far_at(2)))};
+}
+
+/// Gives a shape's hit at `t` its canonical parameter: at least the near of the shape's own box, so that no
+/// tree can cull the box and keep the hit. False where the box is missed or the closed interval [t_min,
+/// t_max] is.
+inline bool clamp_to_box(const CheckedRay& ray, const Aabb& bounds, float t_max, float& t) {
+  const SlabInterval interval = intersect_slab(ray, padded(bounds));
+  if (interval.near > interval.far || interval.far < ray.t_min) return false;
+  t = std::max(t, interval.near);
+  return t >= ray.t_min && t <= t_max;
+}
+
+}  // namespace twinray

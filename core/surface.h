@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The step after a query: what the small Hit means.
+#pragma once
+#include "core/geometry.h"
+#include "core/hit.h"
+#include "core/vec.h"
+
+namespace twinray {
+
+/// A point of a surface.
+struct SurfacePoint {
+  Vec3 position;  ///< From the hit's weights, not from the ray: within position_error of the exact surface.
+  Vec3 geometric_normal;  ///< Unit; out of the front of a triangle, outward for a sphere.
+  Vec3 shading_normal;    ///< Unit; on the geometric normal's side.
+  Vec2 uv;                ///< Texture coordinates; a mesh without has the hit's weights.
+  float offset =
+      0;  ///< How far along the geometric normal a ray must start to leave the surface (core/offset.h).
+  std::uint32_t shape = 0;
+};
+
+/// Expands a hit (not a miss) of this geometry.
+SurfacePoint surface_at(const Geometry& geometry, const Hit& hit);
+
+/// A point of a triangle by the weights of its second and third vertex; the same as surface_at gives.
+SurfacePoint triangle_point(const Geometry& geometry, std::uint32_t shape, std::uint32_t triangle, float u,
+                            float v);
+/// A point of a sphere by its unit normal.
+SurfacePoint sphere_point(const Sphere& sphere, std::uint32_t shape, const Vec3& normal);
+
+}  // namespace twinray

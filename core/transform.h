@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Affine transforms in double: scene files compose long chains of them before a float vertex comes out.
+#pragma once
+#include "core/vec.h"
+
+namespace twinray {
+
+/// x -> A x + b: the upper three rows of a 4x4 matrix that acts on columns. Default: the identity.
+struct Transform {
+  double m[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+
+  /// This transform after the other: (a * b)(x) = a(b(x)).
+  Transform operator*(const Transform& other) const;
+  Vec3 point(const Vec3& p) const;
+  /// A direction: the translation does not take part.
+  Vec3 vector(const Vec3& v) const;
+  /// A normal, by the cofactors of A, so that it stays perpendicular to its surface; not of unit length, and
+  /// turned with the orientation of transformed triangles where A mirrors.
+  Vec3 normal(const Vec3& n) const;
+  /// The determinant of A: negative where the transform mirrors, 0 where it flattens.
+  double determinant() const;
+
+  static Transform translation(double x, double y, double z);
+  static Transform scaling(double x, double y, double z);
+  /// A turn about an axis (of any length but 0), counter-clockwise looking against the axis.
+  static Transform rotation(const Vec3& axis, double angle_degrees);
+};
+
+}  // namespace twinray
