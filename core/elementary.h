@@ -10,18 +10,22 @@ struct SinCos {
   float sin, cos;
 };
 
-/// Sine and cosine of 2 pi turns, turns in [0, 1].
+/// Sine and cosine of 2 pi turns, turns in [0, 1]. Absolute error below 2^-23; exact, without a -0, at the
+/// quarter turns.
 SinCos sincos_turns(float turns);
 
-/// In double, for set-up work (cameras, scene files). |x| up to 10^4 radians.
+/// In double, for set-up work (cameras, scene files). |x| up to 10^4 radians, NaN beyond. Relative error
+/// below 4e-16 for sine and cosine, 8e-16 for the tangent, also beside their zeros and poles.
 double sin_radians(double x);
 double cos_radians(double x);
 double tan_radians(double x);
 
-/// log2 of a finite x > 0; 2^x for x in [-1000, 1000].
+/// log2 of a finite x > 0: relative error below 2e-16. -infinity at 0, NaN below.
 double log2_of(double x);
+/// 2^x for finite x: relative error below 2e-16 in [-1000, 1000]. Beyond, down to 0 and up to infinity.
 double exp2_of(double x);
-/// x^y for finite x >= 0 and finite y; 0^0 is 1, 0^y is 0 for y > 0.
+/// x^y for finite x >= 0 and finite y: relative error below 8e-15 where the result lies in [2^-1000, 2^1000];
+/// beyond, down to 0 and up to infinity. 0^0 is 1, 0^y is 0 for y > 0 and infinity for y < 0. NaN for x < 0.
 double pow_of(double x, double y);
 
 }  // namespace twinray
