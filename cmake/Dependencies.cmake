@@ -7,6 +7,7 @@ function(twinray_require package debian)
   endif()
 endfunction()
 
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 twinray_require(fmt libfmt-dev)
 twinray_require(TBB libtbb-dev)
 twinray_require(OpenImageIO libopenimageio-dev)
