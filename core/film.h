@@ -78,6 +78,8 @@ class Film {
 
   const PixelSums& pixel(std::size_t layer, int x, int y) const;
   std::uint64_t rejected_count() const;
+  /// How many samples of this pixel were rejected, in all layers.
+  std::uint32_t rejected_count(int x, int y) const;
   /// The first rejected sample in the order (y, x, index), so that it does not depend on threads; none if
   /// count is 0.
   RejectedSample first_rejected() const;

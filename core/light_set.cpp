@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/light_set.h"
+
+#include <cmath>
+
+#include "core/elementary.h"
+#include "core/frame.h"
+#include "core/offset.h"
+#include "core/warp.h"
+
+namespace twinray {
+namespace {
+
+double triangle_area(const Mesh& mesh, const Triangle& triangle) {
+  const Vec3 &a = mesh.positions[triangle[0]], &b = mesh.positions[triangle[1]],
+             &c = mesh.positions[triangle[2]];
+  const double ux = double(b.x) - a.x, uy = double(b.y) - a.y, uz = double(b.z) - a.z;
+  const double vx = double(c.x) - a.x, vy = double(c.y) - a.y, vz = double(c.z) - a.z;
+  const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+  return 0.5 * std::sqrt(x * x + y * y + z * z);
+}
+
+Distribution triangles_by_area(const Mesh& mesh) {
+  std::vector<double> areas;
+  areas.reserve(mesh.triangles.size());
+  for (const Triangle& triangle : mesh.triangles) areas.push_back(triangle_area(mesh, triangle));
+  return Distribution(areas);
+}
+
+/// Radiance of a mesh light seen from the side that cos_front = cos(front normal, direction to the viewer)
+/// names.
+Rgb radiance_of_side(const MeshLight& light, float cos_front) {
+  const bool emits =
+      light.side == EmissionSide::both || (light.side == EmissionSide::front) == (cos_front > 0);
+  return emits && cos_front != 0 ? light.radiance : Rgb{};
+}
+
+struct Connection {
+  Vec3 direction;
+  float distance_squared;
+};
+
+/// The unit direction and squared distance between two points; none where they coincide.
+std::optional<Connection> connection(const Vec3& from, const Vec3& to) {
+  const Vec3 towards = to - from;
+  const float squared = length_squared(towards);
+  if (!(squared > 0) || !std::isfinite(squared)) return std::nullopt;
+  return Connection{towards / std::sqrt(squared), squared};
+}
+
+/// Density per solid angle of a point chosen with density 1 / area, seen under cos(theta) at a squared
+/// distance.
+float area_to_solid_angle(double area, float distance_squared, float cos_theta) {
+  return float(distance_squared / (std::fabs(cos_theta) * area));
+}
+
+float falloff(const Attenuation& a, float distance) {
+  return 1 / (a.constant + a.linear * distance + a.quadratic * distance * distance);
+}
+
+std::optional<LightSample> sample_mesh(const MeshLight& light, const Geometry& geometry,
+                                       const Distribution& triangles, const SurfacePoint& from, Vec2 u) {
+  if (triangles.total() == 0) return std::nullopt;
+  const Distribution::Choice choice = triangles.sample(u.x);
+  const Vec2 weights = square_to_triangle({choice.remainder, u.y});
+  const SurfacePoint to = triangle_point(geometry, light.shape, choice.index, weights.x, weights.y);
+  const auto link = connection(from.position, to.position);
+  if (!link) return std::nullopt;
+  const float cos_front = -dot(to.geometric_normal, link->direction);
+  const Rgb radiance = radiance_of_side(light, cos_front);
+  if (is_black(radiance)) return std::nullopt;
+  return LightSample{link->direction, radiance,
+                     area_to_solid_angle(triangles.total(), link->distance_squared, cos_front),
+                     connect(from, to)};
+}
+
+/// 1 - cos of the half-angle under which a sphere is seen from a distance; 0 from inside of it.
+float visible_cone(const Sphere& sphere, float distance_squared) {
+  const double sin_squared = double(sphere.radius) * sphere.radius / distance_squared;
+  return sin_squared < 1 ? float(sin_squared / (1 + std::sqrt(1 - sin_squared))) : 0;
+}
+
+/// The sphere's outward normal where the ray from `from` along a unit direction enters it, or comes closest
+/// to it.
+Vec3 entry_normal(const Sphere& sphere, const Vec3& from, const Vec3& direction) {
+  const double dx = direction.x, dy = direction.y, dz = direction.z;
+  const double ox = double(from.x) - sphere.center.x, oy = double(from.y) - sphere.center.y,
+               oz = double(from.z) - sphere.center.z;
+  const double closest = -(ox * dx + oy * dy + oz * dz) / (dx * dx + dy * dy + dz * dz);
+  const double cx = ox + closest * dx, cy = oy + closest * dy, cz = oz + closest * dz;
+  const double room = double(sphere.radius) * sphere.radius - (cx * cx + cy * cy + cz * cz);
+  const double h = room > 0 ? std::sqrt(room) : 0;
+  const double x = cx - h * dx, y = cy - h * dy, z = cz - h * dz;
+  const double length = std::sqrt(x * x + y * y + z * z);
+  return {float(x / length), float(y / length), float(z / length)};
+}
+
+std::optional<LightSample> sample_sphere(const SphereLight& light, const Geometry& geometry,
+                                         const SurfacePoint& from, Vec2 u) {
+  const Sphere& sphere = geometry.sphere_set(light.shape)->spheres[0];
+  const auto axis = connection(from.position, sphere.center);
+  if (!axis) return std::nullopt;
+  const float one_minus_cos = visible_cone(sphere, axis->distance_squared);
+  if (!(one_minus_cos > 0)) return std::nullopt;
+  const Vec3 direction = Frame(axis->direction).to_world(square_to_uniform_cone(u, one_minus_cos));
+  const SurfacePoint to = sphere_point(sphere, light.shape, entry_normal(sphere, from.position, direction));
+  return LightSample{direction, light.radiance, uniform_cone_pdf(one_minus_cos), connect(from, to)};
+}
+
+std::optional<LightSample> sample_position(const Vec3& position, const Rgb& intensity,
+                                           const Attenuation& attenuation, const SurfacePoint& from) {
+  const auto link = connection(from.position, position);
+  if (!link) return std::nullopt;
+  const Rgb irradiance = intensity * falloff(attenuation, std::sqrt(link->distance_squared));
+  return LightSample{link->direction, irradiance, 1, connect(from, position)};
+}
+
+std::optional<LightSample> sample_spot(const SpotLight& light, const SurfacePoint& from) {
+  auto sample = sample_position(light.position, light.intensity, light.attenuation, from);
+  if (!sample) return std::nullopt;
+  const double cosine = -dot(light.direction, sample->direction);
+  constexpr double radians_per_degree = 3.14159265358979323846 / 180;
+  if (cosine < cos_radians(0.5 * light.falloff_angle_degrees * radians_per_degree)) return std::nullopt;
+  if (light.falloff_exponent > 0)
+    sample->radiance = sample->radiance * float(pow_of(std::max(cosine, 0.0), light.falloff_exponent));
+  return sample;
+}
+
+std::optional<LightSample> sample_ambient(const AmbientLight& light, const SurfacePoint& from, Vec2 u) {
+  const Vec3 direction = Frame(light.up).to_world(square_to_uniform_hemisphere(u));
+  return LightSample{direction, light.radiance, uniform_hemisphere_pdf(), spawn_ray(from, direction)};
+}
+
+}  // namespace
+
+LightSet::LightSet(const Scene& scene)
+    : lights_(scene.lights),
+      bindings_(scene.bindings),
+      geometry_(*scene.geometry),
+      triangles_(scene.lights.size()) {
+  for (std::size_t i = 0; i < lights_.size(); ++i)
+    if (const auto* light = std::get_if<MeshLight>(&lights_[i].source))
+      triangles_[i] = triangles_by_area(*geometry_.mesh(light->shape));
+}
+
+bool LightSet::is_delta(std::uint32_t light) const {
+  const LightSource& source = lights_[light].source;
+  return std::holds_alternative<PointLight>(source) || std::holds_alternative<SpotLight>(source) ||
+         std::holds_alternative<DirectionalLight>(source);
+}
+
+std::optional<LightSample> LightSet::sample(std::uint32_t light, const SurfacePoint& from, Vec2 u) const {
+  const LightSource& source = lights_[light].source;
+  if (const auto* mesh = std::get_if<MeshLight>(&source))
+    return sample_mesh(*mesh, geometry_, triangles_[light], from, u);
+  if (const auto* sphere = std::get_if<SphereLight>(&source))
+    return sample_sphere(*sphere, geometry_, from, u);
+  if (const auto* point = std::get_if<PointLight>(&source))
+    return sample_position(point->position, point->intensity, point->attenuation, from);
+  if (const auto* spot = std::get_if<SpotLight>(&source)) return sample_spot(*spot, from);
+  if (const auto* ambient = std::get_if<AmbientLight>(&source)) return sample_ambient(*ambient, from, u);
+  const auto& directional = std::get<DirectionalLight>(source);
+  return LightSample{-directional.direction, directional.irradiance, 1,
+                     spawn_ray(from, -directional.direction)};
+}
+
+float LightSet::pdf(std::uint32_t light, const SurfacePoint& from, const SurfacePoint& on_light) const {
+  const LightSource& source = lights_[light].source;
+  if (const auto* sphere = std::get_if<SphereLight>(&source)) {
+    const Sphere& shape = geometry_.sphere_set(sphere->shape)->spheres[0];
+    const float cone = visible_cone(shape, length_squared(shape.center - from.position));
+    return cone > 0 ? uniform_cone_pdf(cone) : 0;
+  }
+  const auto link = connection(from.position, on_light.position);
+  if (!std::holds_alternative<MeshLight>(source) || !link) return 0;
+  const float cosine = dot(on_light.geometric_normal, link->direction);
+  return cosine == 0 ? 0 : area_to_solid_angle(triangles_[light].total(), link->distance_squared, cosine);
+}
+
+Rgb LightSet::emitted(const SurfacePoint& point, const Vec3& wo) const {
+  const std::uint32_t light = bindings_[point.shape].light;
+  if (light == no_light) return {};
+  const float cos_front = dot(point.geometric_normal, wo);
+  if (const auto* mesh = std::get_if<MeshLight>(&lights_[light].source))
+    return radiance_of_side(*mesh, cos_front);
+  const auto* sphere = std::get_if<SphereLight>(&lights_[light].source);
+  return sphere && cos_front > 0 ? sphere->radiance : Rgb{};
+}
+
+Rgb LightSet::escaped(const Vec3& direction) const {
+  Rgb radiance;
+  for (const Light& light : lights_)
+    if (const auto* ambient = std::get_if<AmbientLight>(&light.source))
+      if (dot(ambient->up, direction) > 0) radiance += ambient->radiance;
+  return radiance;
+}
+
+}  // namespace twinray

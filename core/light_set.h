@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lights of a scene, prepared for sampling.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/distribution.h"
+#include "core/ray.h"
+#include "core/scene.h"
+#include "core/surface.h"
+
+namespace twinray {
+
+/// Light that may arrive at a surface from one light, before anything is in its way.
+struct LightSample {
+  Vec3 direction;  ///< Unit, from the surface to the light.
+  Rgb radiance;    ///< Arriving; for a delta light, irradiance on a surface that faces it.
+  float pdf = 1;   ///< Per solid angle; 1 for a delta light.
+  Ray connection;  ///< What must be free for the light to arrive.
+};
+
+/// All lights of one scene; it keeps a reference to the scene's data, which must outlive it.
+class LightSet {
+ public:
+  explicit LightSet(const Scene& scene);
+
+  std::uint32_t size() const { return std::uint32_t(lights_.size()); }
+  /// Whether the light is a point or a direction, which no ray can meet by chance: one sample says all.
+  bool is_delta(std::uint32_t light) const;
+
+  /// Light of one source at a point; none where no light of this sample can arrive. u in [0, 1)^2.
+  std::optional<LightSample> sample(std::uint32_t light, const SurfacePoint& from, Vec2 u) const;
+  /// The density, per solid angle at `from`, with which sample() chooses a point of an emissive surface.
+  float pdf(std::uint32_t light, const SurfacePoint& from, const SurfacePoint& on_light) const;
+
+  /// Radiance that an emissive surface sends along the unit direction wo; black for all other surfaces.
+  Rgb emitted(const SurfacePoint& point, const Vec3& wo) const;
+  /// Radiance that a bounce ray meets when it leaves the scene along a unit direction.
+  Rgb escaped(const Vec3& direction) const;
+
+ private:
+  std::span<const Light> lights_;
+  std::span<const ShapeBinding> bindings_;
+  const Geometry& geometry_;
+  std::vector<Distribution> triangles_;  ///< By area; one for each light, empty where it is not a mesh.
+};
+
+}  // namespace twinray

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrators/interaction.h"
+
+#include <cmath>
+
+namespace twinray {
+namespace {
+
+Vec3 facing(const Vec3& normal, bool flipped) { return flipped ? -normal : normal; }
+
+Vec3 usable_shading_normal(const SurfacePoint& point, const Vec3& wo, bool flipped) {
+  const Vec3 shading = facing(point.shading_normal, flipped);
+  return dot(shading, wo) > 0 ? shading : facing(point.geometric_normal, flipped);
+}
+
+}  // namespace
+
+Interaction::Interaction(const Scene& scene, const SurfacePoint& point, const Vec3& wo)
+    : point_(point),
+      wo_(wo),
+      facing_normal_(facing(point.geometric_normal, dot(point.geometric_normal, wo) < 0)),
+      frame_(usable_shading_normal(point, wo, dot(point.geometric_normal, wo) < 0)),
+      wo_local_(frame_.to_local(wo)),
+      bsdf_(scene.materials[scene.bindings[point.shape].material]) {}
+
+bool Interaction::is_consistent(const Vec3& wi) const {
+  return (dot(facing_normal_, wi) > 0) == (dot(frame_.normal, wi) > 0);
+}
+
+Rgb Interaction::scattered(const Vec3& wi) const {
+  if (!is_consistent(wi)) return {};
+  const Vec3 local = to_local(wi);
+  return bsdf_.evaluate(wo_local_, local) * std::fabs(local.z);
+}
+
+}  // namespace twinray

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "core/bsdf.h"
+#include "core/frame.h"
+#include "core/scene.h"
+#include "core/surface.h"
+
+namespace twinray {
+
+/// A surface point together with the direction it is seen from: what scattering needs.
+///
+/// Both normals are turned to the viewer's side. Where interpolated normals contradict the geometry (the
+/// viewer lies behind the shading normal), the geometric one shades.
+class Interaction {
+ public:
+  /// `wo` is a unit vector to the viewer.
+  Interaction(const Scene& scene, const SurfacePoint& point, const Vec3& wo);
+
+  const SurfacePoint& point() const { return point_; }
+  const Bsdf& bsdf() const { return bsdf_; }
+  const Vec3& wo() const { return wo_; }              ///< World space.
+  const Vec3& wo_local() const { return wo_local_; }  ///< z > 0.
+  const Vec3& normal() const { return frame_.normal; }
+
+  Vec3 to_local(const Vec3& v) const { return frame_.to_local(v); }
+  Vec3 to_world(const Vec3& v) const { return frame_.to_world(v); }
+  /// f(wo, wi) |cos(wi)| for a unit direction in world space; black where wi leaves on another side of the
+  /// surface than of its shading normal, so that no light leaks through.
+  Rgb scattered(const Vec3& wi) const;
+  /// Whether a direction lies on one side of both the shading and the geometric normal.
+  bool is_consistent(const Vec3& wi) const;
+
+ private:
+  SurfacePoint point_;
+  Vec3 wo_;
+  Vec3 facing_normal_;  ///< The geometric normal on the viewer's side.
+  Frame frame_;
+  Vec3 wo_local_;
+  Bsdf bsdf_;
+};
+
+}  // namespace twinray

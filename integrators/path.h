@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <limits>
+
+#include "core/light_set.h"
+#include "core/scene.h"
+#include "integrators/direct_light.h"
+#include "integrators/integrator.h"
+
+namespace twinray {
+
+/// When a path is given up at random (and its weight raised, so that the mean stays).
+struct Roulette {
+  /// A fixed probability of going on, in (0, 1]; 0 stands for the path's largest throughput component, up
+  /// to 1.
+  float continuation = 0;
+};
+
+struct PathOptions {
+  int max_depth = 5;  ///< Scattering events: 0 emission only, 1 direct light, ...; 0 to 100.
+  /// Only light that was scattered first_depth to last_depth times is added up (within max_depth).
+  int first_depth = 0, last_depth = std::numeric_limits<int>::max();
+  DirectMethod direct = DirectMethod::lights;
+  std::uint32_t samples_per_light = 1;  ///< 1 to 65536.
+  Roulette roulette;
+};
+
+/// Unidirectional path tracing with light sampling at each vertex (Kajiya, "The Rendering Equation", 1986).
+///
+/// A path is a loop over an explicit state. At vertex d the light scattered d + 1 times is estimated by
+/// direct_light; emission that a bounce ray meets has been counted there, so it is added for the camera ray
+/// and behind delta surfaces only. The first bounce is always made; from then on roulette decides.
+class PathIntegrator final : public Integrator {
+ public:
+  /// The scene must outlive the integrator. Throws Error for options out of range.
+  PathIntegrator(const Scene& scene, const PathOptions& options);
+  Rgb radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key, Tracer& tracer) const override;
+
+ private:
+  struct State;
+  bool counts(int depth) const { return depth >= options_.first_depth && depth <= options_.last_depth; }
+  void add_direct(State& state, const Interaction& at, VertexSampler& sampler, Tracer& tracer) const;
+  /// Chooses where the path goes on; false where it ends.
+  bool scatter(State& state, const Interaction& at, VertexSampler& sampler) const;
+  bool survives_roulette(State& state, VertexSampler& sampler) const;
+
+  const Scene& scene_;
+  PathOptions options_;
+  LightSet lights_;
+};
+
+}  // namespace twinray

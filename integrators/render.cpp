@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrators/render.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <vector>
+
+#include "core/camera.h"
+#include "core/error.h"
+#include "core/parallel.h"
+#include "integrators/tiles.h"
+
+namespace twinray {
+namespace {
+
+constexpr int tile_size = 16;
+/// Passes grow to this many samples a pixel: a preview is there early, and a tile stays long enough in the
+/// caches.
+constexpr std::uint32_t longest_pass = 16;
+
+void check(const RenderOptions& options) {
+  if (options.samples < 1 || options.samples > Film::max_samples)
+    throw Error(fmt::format("{} samples per pixel; valid are 1 to {}", options.samples, Film::max_samples));
+  if (!options.adaptive) return;
+  if (options.adaptive->batch < 2)
+    throw Error(
+        fmt::format("a batch of {} samples; adaptive sampling needs at least 2", options.adaptive->batch));
+  if (!(options.adaptive->tolerance >= 0) || !std::isfinite(options.adaptive->tolerance))
+    throw Error(
+        fmt::format("a tolerance of {}; it must be finite and not negative", options.adaptive->tolerance));
+}
+
+PixelRect window_of(const RenderOptions& options) {
+  return options.window.value_or(PixelRect{0, 0, options.width, options.height});
+}
+
+/// One render in progress. Threads take tiles from a counter; a tile's pixels belong to one thread during a
+/// pass.
+class Renderer {
+ public:
+  Renderer(const Scene& scene, const Accelerator& accelerator, const Integrator& integrator,
+           const RenderOptions& options, const std::function<void(const RenderProgress&)>& progress)
+      : accelerator_(accelerator),
+        integrator_(integrator),
+        options_(options),
+        report_(progress),
+        camera_(fit_frame(scene.camera, options.width, options.height)),
+        film_(options.width, options.height, window_of(options)),
+        tiles_(spiral_tiles(film_.window(), tile_size)) {
+    progress_.samples_total =
+        std::uint64_t(film_.window().width()) * std::uint64_t(film_.window().height()) * options.samples;
+  }
+
+  RenderResult run() {
+    const auto start = std::chrono::steady_clock::now();
+    const int threads = options_.threads > 0 ? options_.threads : available_threads();
+    for (std::uint32_t begin = 0; begin < options_.samples;) {
+      const std::uint32_t length = std::clamp(begin, 1u, longest_pass);
+      const std::uint32_t end = std::min(begin + length, options_.samples);
+      render_pass(begin, end, threads);
+      begin = end;
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    return {std::move(film_), rays_, seconds.count()};
+  }
+
+ private:
+  void render_pass(std::uint32_t begin, std::uint32_t end, int threads) {
+    std::atomic<std::size_t> next = 0;
+    parallel_for(std::size_t(threads), 1, threads, [&](std::size_t, std::size_t) {
+      for (std::size_t i = next++; i < tiles_.size(); i = next++) {
+        Tracer tracer(accelerator_, options_.counting);
+        render_tile(tiles_[i], begin, end, tracer);
+        finish_tile(tiles_[i], end - begin, tracer.counts());
+      }
+    });
+  }
+
+  void render_tile(const PixelRect& tile, std::uint32_t begin, std::uint32_t end, Tracer& tracer) {
+    for (int y = tile.y0; y < tile.y1; ++y)
+      for (int x = tile.x0; x < tile.x1; ++x)
+        for (std::uint32_t index = begin; index < end && !is_converged(x, y, index); ++index)
+          film_.add(0, x, y, index, sample(x, y, index, tracer));
+  }
+
+  /// Whether sampling stops before sample `index`. A function of the samples at multiples of the batch alone,
+  /// so that a resumed render decides alike: a pixel that has stopped has fewer samples than its next index.
+  bool is_converged(int x, int y, std::uint32_t index) const {
+    if (!options_.adaptive || index == 0) return false;
+    const PixelSums& pixel = film_.pixel(0, x, y);
+    if (pixel.count + film_.rejected_count(x, y) < index) return true;
+    if (index % options_.adaptive->batch != 0 || pixel.count < 2) return false;
+    const double half_width = 1.96 * std::sqrt(pixel.luminance_variance() / pixel.count);
+    return half_width <= options_.adaptive->tolerance * pixel.luminance_mean();
+  }
+
+  Rgb sample(int x, int y, std::uint32_t index, Tracer& tracer) const {
+    const SampleKey key{options_.seed, std::uint32_t(x), std::uint32_t(y), index};
+    VertexSampler sampler(options_.sampler, key, 0);
+    const Vec2 in_pixel = options_.samples == 1 ? Vec2{0.5f, 0.5f} : sampler.draw_2d(Purpose::pixel);
+    const Vec2 lens = camera_.lens_radius > 0 ? sampler.draw_2d(Purpose::lens) : Vec2{};
+    const Vec2 frame{(float(x) + in_pixel.x) / float(options_.width),
+                     (float(y) + in_pixel.y) / float(options_.height)};
+    return integrator_.radiance(camera_ray(camera_, frame, lens), options_.sampler, key, tracer);
+  }
+
+  void finish_tile(const PixelRect& tile, std::uint32_t samples, const RayCounts& rays) {
+    const std::lock_guard lock(mutex_);
+    rays_ += rays;
+    progress_.rays = rays_.total();
+    progress_.samples_done += std::uint64_t(tile.width()) * std::uint64_t(tile.height()) * samples;
+    if (report_) report_(progress_);
+  }
+
+  const Accelerator& accelerator_;
+  const Integrator& integrator_;
+  const RenderOptions& options_;
+  const std::function<void(const RenderProgress&)>& report_;
+  Camera camera_;
+  Film film_;
+  std::vector<PixelRect> tiles_;
+  std::mutex mutex_;
+  RenderProgress progress_;
+  RayCounts rays_;
+};
+
+}  // namespace
+
+RenderResult render(const Scene& scene, const Accelerator& accelerator, const Integrator& integrator,
+                    const RenderOptions& options,
+                    const std::function<void(const RenderProgress&)>& progress) {
+  check(options);
+  return Renderer(scene, accelerator, integrator, options, progress).run();
+}
+
+}  // namespace twinray

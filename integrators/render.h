@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Passes x tiles x samples -> film.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "accel/accelerator.h"
+#include "core/film.h"
+#include "core/sampler.h"
+#include "core/scene.h"
+#include "integrators/integrator.h"
+
+namespace twinray {
+
+/// Stops sampling a pixel once it is known well enough: every `batch` samples, with n so far, mean m and
+/// variance s^2 of their luminance, when 1.96 s / sqrt(n) <= tolerance m (the 95 % confidence interval of the
+/// mean).
+struct AdaptiveSampling {
+  std::uint32_t batch = 32;  ///< >= 2.
+  double tolerance = 0.05;   ///< >= 0.
+};
+
+struct RenderOptions {
+  int width = 800, height = 600;    ///< Of the full frame, in pixels.
+  std::optional<PixelRect> window;  ///< The part of it to render; all if not set.
+  std::uint32_t samples = 16;       ///< Per pixel; the most per pixel where sampling is adaptive.
+  std::optional<AdaptiveSampling> adaptive;
+  SamplerKind sampler = SamplerKind::sobol;
+  std::uint64_t seed = 0;
+  int threads = 0;        ///< 0: as many as the process may use.
+  bool counting = false;  ///< Count what each ray does in the accelerator; slower.
+};
+
+struct RenderProgress {
+  std::uint64_t samples_done = 0;  ///< Pixel samples, those that adaptive sampling saved included.
+  std::uint64_t samples_total = 0;
+  std::uint64_t rays = 0;
+};
+
+struct RenderResult {
+  Film film;
+  RayCounts rays;
+  double seconds = 0;  ///< Wall-clock time of the sampling alone.
+};
+
+/// Renders the scene as its camera sees it. The film depends on scene, integrator and options alone: not on
+/// threads, nor on the accelerator (but for embree_native). One sample goes through the pixel's centre,
+/// several through random points of it. `progress`, if set, is called from one thread at a time, after each
+/// tile. Throws Error for options out of range.
+RenderResult render(const Scene& scene, const Accelerator& accelerator, const Integrator& integrator,
+                    const RenderOptions& options,
+                    const std::function<void(const RenderProgress&)>& progress = {});
+
+}  // namespace twinray

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+
+#include "accel/accelerator.h"
+#include "core/rgb.h"
+
+namespace twinray {
+
+/// Rays traced, by kind, and what they did in the accelerator where that was asked for.
+struct RayCounts {
+  std::uint64_t camera = 0;
+  std::uint64_t shadow = 0;  ///< Connections to lights.
+  std::uint64_t bounce = 0;  ///< Scattered directions, those of hemisphere sampling included.
+  QueryCounts queries;       ///< Zero unless counted.
+
+  std::uint64_t total() const { return camera + shadow + bounce; }
+  RayCounts& operator+=(const RayCounts& other) {
+    camera += other.camera;
+    shadow += other.shadow;
+    bounce += other.bounce;
+    queries += other.queries;
+    return *this;
+  }
+  friend bool operator==(const RayCounts&, const RayCounts&) = default;
+};
+
+/// An integrator's only way to rays: asks an accelerator and keeps the counts of one thread's work.
+class Tracer {
+ public:
+  /// With `counting`, each query goes through the slower counting traversal.
+  Tracer(const Accelerator& accelerator, bool counting) : accelerator_(accelerator), counting_(counting) {}
+
+  Hit camera_hit(const Ray& ray) {
+    ++counts_.camera;
+    return closest(ray);
+  }
+  Hit bounce_hit(const Ray& ray) {
+    ++counts_.bounce;
+    return closest(ray);
+  }
+  /// How much of the light passes along a connection (core/offset.h), per channel: white where nothing is in
+  /// the way.
+  Rgb visibility(const Ray& connection) {
+    ++counts_.shadow;
+    const bool blocked =
+        counting_ ? accelerator_.any_hit(connection, counts_.queries) : accelerator_.any_hit(connection);
+    return blocked ? Rgb{} : Rgb{1, 1, 1};
+  }
+  const RayCounts& counts() const { return counts_; }
+
+ private:
+  Hit closest(const Ray& ray) {
+    return counting_ ? accelerator_.closest_hit(ray, counts_.queries) : accelerator_.closest_hit(ray);
+  }
+
+  const Accelerator& accelerator_;
+  bool counting_;
+  RayCounts counts_;
+};
+
+}  // namespace twinray
