@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/transform.h"
+
+#include <cmath>
+
+#include "core/elementary.h"
+
+namespace twinray {
+namespace {
+
+constexpr double radians_per_degree = 0.017453292519943295;
+
+/// Row `row` of A times v.
+double row_times(const double (&m)[3][4], int row, const Vec3& v) {
+  return m[row][0] * v.x + m[row][1] * v.y + m[row][2] * v.z;
+}
+
+/// The determinant of A without this row and this column, with its sign.
+double cofactor(const double (&m)[3][4], int row, int column) {
+  const int r1 = (row + 1) % 3, r2 = (row + 2) % 3;
+  const int c1 = (column + 1) % 3, c2 = (column + 2) % 3;
+  return m[r1][c1] * m[r2][c2] - m[r1][c2] * m[r2][c1];
+}
+
+}  // namespace
+
+Transform Transform::operator*(const Transform& other) const {
+  Transform product;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column) {
+      double sum = column == 3 ? m[row][3] : 0;
+      for (int k = 0; k < 3; ++k) sum += m[row][k] * other.m[k][column];
+      product.m[row][column] = sum;
+    }
+  return product;
+}
+
+Vec3 Transform::point(const Vec3& p) const {
+  return {float(row_times(m, 0, p) + m[0][3]), float(row_times(m, 1, p) + m[1][3]),
+          float(row_times(m, 2, p) + m[2][3])};
+}
+
+Vec3 Transform::vector(const Vec3& v) const {
+  return {float(row_times(m, 0, v)), float(row_times(m, 1, v)), float(row_times(m, 2, v))};
+}
+
+Vec3 Transform::normal(const Vec3& n) const {
+  Vec3 result;
+  for (int row = 0; row < 3; ++row)
+    result[row] = float(cofactor(m, row, 0) * n.x + cofactor(m, row, 1) * n.y + cofactor(m, row, 2) * n.z);
+  return result;
+}
+
+double Transform::determinant() const {
+  return m[0][0] * cofactor(m, 0, 0) + m[0][1] * cofactor(m, 0, 1) + m[0][2] * cofactor(m, 0, 2);
+}
+
+Transform Transform::translation(double x, double y, double z) {
+  return {{{1, 0, 0, x}, {0, 1, 0, y}, {0, 0, 1, z}}};
+}
+
+Transform Transform::scaling(double x, double y, double z) {
+  return {{{x, 0, 0, 0}, {0, y, 0, 0}, {0, 0, z, 0}}};
+}
+
+Transform Transform::rotation(const Vec3& axis, double angle_degrees) {
+  const double ax = axis.x, ay = axis.y, az = axis.z;
+  const double length = std::sqrt(ax * ax + ay * ay + az * az);
+  const double x = ax / length, y = ay / length, z = az / length;
+  // Whole turns go first: fmod is exact, and the angle stays within the range of our sine.
+  const double angle = std::fmod(angle_degrees, 360.0) * radians_per_degree;
+  const double s = sin_radians(angle), c = cos_radians(angle), d = 1 - c;
+  return {{{c + x * x * d, x * y * d - z * s, x * z * d + y * s, 0},
+           {y * x * d + z * s, c + y * y * d, y * z * d - x * s, 0},
+           {z * x * d - y * s, z * y * d + x * s, c + z * z * d, 0}}};
+}
+
+}  // namespace twinray
