@@ -6,9 +6,20 @@ find_library(OpenImageIO_LIBRARY OpenImageIO)
 find_library(OpenImageIO_UTIL_LIBRARY OpenImageIO_Util)
 mark_as_advanced(OpenImageIO_INCLUDE_DIR OpenImageIO_LIBRARY OpenImageIO_UTIL_LIBRARY)
 
+if(OpenImageIO_INCLUDE_DIR)
+  set(OpenImageIO_VERSION "")
+  foreach(part MAJOR MINOR PATCH)
+    file(STRINGS ${OpenImageIO_INCLUDE_DIR}/OpenImageIO/oiioversion.h line
+         REGEX "^#define OIIO_VERSION_${part} +[0-9]+")
+    string(REGEX MATCH "[0-9]+" number "${line}")
+    list(APPEND OpenImageIO_VERSION ${number})
+  endforeach()
+  list(JOIN OpenImageIO_VERSION "." OpenImageIO_VERSION)
+endif()
+
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(OpenImageIO REQUIRED_VARS OpenImageIO_LIBRARY OpenImageIO_UTIL_LIBRARY
-                                  OpenImageIO_INCLUDE_DIR)
+                                  OpenImageIO_INCLUDE_DIR VERSION_VAR OpenImageIO_VERSION)
 
 if(OpenImageIO_FOUND AND NOT TARGET OpenImageIO::OpenImageIO)
   add_library(OpenImageIO::OpenImageIO UNKNOWN IMPORTED)

@@ -1,1 +1,37 @@
 # SPDX-License-Identifier: Apache-2.0
+# What an installed twinray is: the program, the static libraries, the public headers under include/twinray, and
+# a CMake package of which find_package(twinray) gives twinray::core, ::accel, ::integrators and ::io.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+# Headers that are not installed: users would compile the canonical tests with flags of their own. Each opens
+# with "// Private"; a test compares, and sees that no public header includes one of them.
+set(private_headers
+  accel/backends.h
+  accel/exact.h
+  accel/shape_test.h
+  core/checked_ray.h
+  core/slab.h
+  core/sphere.h
+  core/triangle.h)
+list(TRANSFORM private_headers REPLACE "\\." "\\\\." OUTPUT_VARIABLE private_patterns)
+list(JOIN private_patterns "|" private_patterns)
+
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/twinray)
+foreach(target twinray twinray_core twinray_accel twinray_integrators twinray_io)
+  if(TARGET ${target})
+    list(APPEND targets ${target})
+  endif()
+endforeach()
+install(TARGETS ${targets} EXPORT twinrayTargets
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY core accel integrators io DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/twinray
+        FILES_MATCHING PATTERN "*.h" REGEX "/(${private_patterns})$" EXCLUDE)
+install(EXPORT twinrayTargets NAMESPACE twinray:: DESTINATION ${package_folder})
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/twinrayConfig.cmake.in twinrayConfig.cmake
+                              INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(twinrayConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/twinrayConfig.cmake ${PROJECT_BINARY_DIR}/twinrayConfigVersion.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/FindOpenImageIO.cmake
+        DESTINATION ${package_folder})

@@ -1,0 +1,285 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Checks the house's rules on every source file: rules.py ROOT prints what breaks one, and then exits with 1.
+
+A rule is a function of the tree (file name -> text) that yields findings: (file, line, message).
+rules_test.py plants a violation of each rule and sees it found.
+"""
+import re
+import sys
+from pathlib import Path
+
+# Folder -> the folders whose headers it may include. Tests may include anything.
+MAY_INCLUDE = {
+    "core": {"core"},
+    "accel": {"accel", "core"},
+    "integrators": {"integrators", "accel", "core"},
+    "io": {"io", "core"},
+    "cli": {"cli", "io", "integrators", "accel", "core"},
+    "bench": {"bench", "io", "integrators", "accel", "core"},
+}
+LIBRARIES = ("core", "accel", "integrators", "io")
+SOURCE_FOLDERS = (*MAY_INCLUDE, "tests")
+
+# Outside library: its headers, and the one file or folder that may include them.
+DOORS = {
+    "Embree": (r"embree[34]?/", r"accel/embree/"),
+    "Highway and intrinsics": (r"hwy/|\w+intrin\.h", r"accel/|core/parallel\.cpp"),  # parallel: FTZ and DAZ
+    "oneTBB": (r"tbb/|oneapi/", r"core/parallel\.cpp"),
+    "OpenImageIO": (r"OpenImageIO/", r"io/image_file\.cpp"),
+    "tinyxml2": (r"tinyxml2\.h", r"io/xml_reader\.(h|cpp)"),
+    "CLI11": (r"CLI/", r"cli/"),
+    "nlohmann/json": (r"nlohmann/", r"cli/report\.cpp"),
+    "Catch2": (r"catch2/", r"tests/support/catch\.h"),
+    "Google Benchmark": (r"benchmark/", r"bench/"),
+}
+
+# libm differs from machine to machine. sqrt, fma, floor and the like are exact or correctly rounded.
+LIBM = re.compile(r"(?<![\w.>])(?:std::|::)?(?:a?(?:sin|cos|tan)h?|atan2|sincos|exp[2m]?1?|"
+                  r"log(?:2|10|1p|b)?|pow|cbrt|hypot|erfc?|[tl]gamma)[fl]?\s*\(")
+# What the standard leaves to the implementation.
+UNSPECIFIED_RANDOM = re.compile(r"\b(?:std::)?s?rand\s*\(|"
+                                r"std::(?:random_device|shuffle|\w+_distribution)\b")
+# Errors are thrown, values are returned; only cli/ talks to people or ends the process.
+TALKS = re.compile(r"\b(?:std::c(?:out|err|log)\b|(?:std::)?f?printf\s*\(|(?:std::)?f?puts\s*\(|fmt::print\b|"
+                   r"(?:std::)?(?:exit|abort|terminate|quick_exit)\s*\()")
+
+LEFT_OPEN = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|X" r"XX|HA" r"CK)\b")
+NATIVE = "-march=" + "native"
+MACHINE_PATH = re.compile(r"(?<![\w.}])/(?:ho" r"me|ro" r"ot|wo" r"rk)/")
+NOT_COUNTED = re.compile(r"\bSKIP\s*\(|\[!(?:mayfail|shouldfail)\]|\[\.[\w]*\]|\bDISABLED_|\bWILL_FAIL\b")
+
+MAX_LINES = 450
+MAX_COLUMNS = 110
+
+
+def is_header(name):
+    return name.endswith(".h")
+
+
+def is_cpp(name):
+    return name.endswith((".h", ".cpp"))
+
+
+def is_source(name):
+    others = name.endswith((".py", ".cmake", ".cmake.in", "CMakeLists.txt")) or name in ("run", ".ci/run")
+    return others or is_cpp(name)
+
+
+def folder(name):
+    return name.split("/", 1)[0]
+
+
+def lines(text):
+    return enumerate(text.splitlines(), 1)
+
+
+def without_comments(text):
+    """The same lines, with nothing in place of // comments, and so of what they mention."""
+    return re.sub(r"//.*", "", text)
+
+
+def includes(text):
+    """(line, header, whether it is written in quotes) of each #include."""
+    for number, line in lines(text):
+        if match := re.match(r'\s*#\s*include\s*(["<])([^">]+)', line):
+            yield number, match[2], match[1] == '"'
+
+
+def is_private(text):
+    """Whether a header says so in its opening comment."""
+    return any(line.startswith("// Private") for line in text.splitlines()[:3])
+
+
+def private_headers(tree):
+    return {name for name, text in tree.items() if is_header(name) and is_private(text)}
+
+
+def layers(tree):
+    for name, text in tree.items():
+        allowed = MAY_INCLUDE.get(folder(name))
+        if not is_cpp(name) or allowed is None:
+            continue
+        for number, header, quoted in includes(text):
+            if quoted and folder(header) not in allowed:
+                yield name, number, f"{folder(name)}/ must not include {header}"
+
+
+def includes_from_root(tree):
+    for name, text in tree.items():
+        if not is_cpp(name) or folder(name) not in SOURCE_FOLDERS:
+            continue
+        for number, header, quoted in includes(text):
+            ours = folder(header) in SOURCE_FOLDERS and "/" in header
+            if quoted and (header not in tree or ".." in header) and not name.startswith("tests/consumer/"):
+                yield name, number, f'"{header}" is not a file of the tree, written from its root'
+            elif not quoted and ours and header in tree:
+                yield name, number, f"<{header}> is ours: write it in quotes"
+
+
+def doors(tree):
+    for name, text in tree.items():
+        if not is_cpp(name):
+            continue
+        for number, header, _ in includes(text):
+            for library, (headers, door) in DOORS.items():
+                if re.match(headers, header) and not re.match(door, name):
+                    place = door.replace("\\", "")
+                    yield name, number, f"{library} is included here, but its only door is {place}"
+
+
+def privacy(tree):
+    private = private_headers(tree)
+    for name, text in tree.items():
+        if not is_cpp(name):
+            continue
+        for number, header, _ in includes(text):
+            if header not in private:
+                continue
+            if folder(name) not in ("core", "accel", "tests", folder(header)):
+                yield name, number, f"{header} is private to core/ and accel/"
+            elif is_header(name) and name not in private and folder(name) != "tests":
+                yield name, number, f"{header} is private, so a public header must not include it"
+
+
+def installed_headers(tree):
+    text = tree.get("cmake/Install.cmake", "")
+    listed = set(re.findall(r"^  ([\w/]+\.h)\b", text, re.MULTILINE))
+    private = {name for name in private_headers(tree) if folder(name) in LIBRARIES}
+    for name in sorted(private - listed):
+        yield name, 1, "says that it is private, but cmake/Install.cmake would install it"
+    for name in sorted(listed - private):
+        yield "cmake/Install.cmake", 1, f"{name} is listed as private, but its first lines do not say so"
+
+
+def public_headers(tree):
+    """A user's compiler finds the standard library and ours, nothing else."""
+    private = private_headers(tree)
+    for name, text in tree.items():
+        if not is_header(name) or folder(name) not in LIBRARIES or name in private:
+            continue
+        for number, header, quoted in includes(text):
+            if not quoted and ("/" in header or header.endswith((".h", ".hpp"))):
+                yield name, number, f"a public header must not include <{header}>"
+
+
+def headers_guarded(tree):
+    for name, text in tree.items():
+        if is_header(name) and "\n#pragma once\n" not in text:
+            yield name, 1, "a header needs #pragma once"
+
+
+def licensed(tree):
+    for name, text in tree.items():
+        mark = "// " if is_cpp(name) else "# "
+        if is_source(name) and mark + "SPDX-License-Identifier: Apache-2.0" not in text.splitlines()[:2]:
+            yield name, 1, f"the first line must be {mark}SPDX-License-Identifier: Apache-2.0"
+
+
+def sizes(tree):
+    for name, text in tree.items():
+        if not is_source(name):
+            continue
+        count = len(text.splitlines())
+        if count > MAX_LINES:
+            yield name, MAX_LINES + 1, f"{count} lines; more than {MAX_LINES} are more than one idea"
+        for number, line in lines(text):
+            if len(line) > MAX_COLUMNS and "cmake" not in name.lower():
+                yield name, number, f"{len(line)} columns; at most {MAX_COLUMNS} are read with ease"
+
+
+def pattern_rule(pattern, applies, message, code_only):
+    """A rule against whatever matches the pattern in the files for which applies(name) holds."""
+    def rule(tree):
+        for name, text in tree.items():
+            if not applies(name):
+                continue
+            for number, line in lines(without_comments(text) if code_only else text):
+                if match := re.search(pattern, line):
+                    yield name, number, message.format(match[0].strip(" ("))
+    return rule
+
+
+def in_libraries(name):
+    return is_cpp(name) and folder(name) in LIBRARIES
+
+
+def in_program(name):
+    return is_cpp(name) and folder(name) in (*LIBRARIES, "cli")
+
+
+def is_written(name):
+    return is_source(name) or name.endswith(".md")
+
+
+def in_portable_build(name):
+    return is_source(name) and not name.startswith("tests/consumer/")
+
+
+def in_tests(name):
+    return folder(name) == "tests" and not name.endswith(".py")
+
+
+same_bits = pattern_rule(
+    LIBM, in_program, "{} differs between machines: use core/elementary.h", code_only=True)
+random_numbers = pattern_rule(
+    UNSPECIFIED_RANDOM, is_cpp, "{} gives other numbers elsewhere: use core/sampler.h", code_only=True)
+quiet_libraries = pattern_rule(
+    TALKS, in_libraries, "{}: a library throws Error or returns a value", code_only=True)
+nothing_left_open = pattern_rule(
+    LEFT_OPEN, is_written, "{}: finish it, or say in the documentation what is missing", code_only=False)
+no_machine_paths = pattern_rule(
+    MACHINE_PATH, is_written, "{} is a path of one machine", code_only=False)
+portable_builds = pattern_rule(
+    NATIVE, in_portable_build, "{}: what users build must run on every x86-64", code_only=False)
+every_test_counts = pattern_rule(
+    NOT_COUNTED, in_tests, "{}: a test that may not count", code_only=False)
+
+
+def all_listed(tree):
+    """A file that no CMakeLists.txt names is not compiled: a test in it passes always."""
+    for name in tree:
+        if not name.endswith(".cpp") or folder(name) not in SOURCE_FOLDERS:
+            continue
+        parents = [str(parent) for parent in Path(name).parents if str(parent) != "."]
+        if not any(re.search(r"(?<![\w/])" + re.escape(str(Path(name).relative_to(parent))) + r"(?!\w)",
+                             tree.get(parent + "/CMakeLists.txt", "")) for parent in parents):
+            yield name, 1, "no CMakeLists.txt lists this file"
+
+
+RULES = (layers, includes_from_root, doors, privacy, installed_headers, public_headers, headers_guarded,
+         licensed, sizes, same_bits, random_numbers, quiet_libraries, nothing_left_open, no_machine_paths,
+         portable_builds, every_test_counts, all_listed)
+
+
+def read_tree(root):
+    """All text files that belong to the project; built, hidden and scene files do not."""
+    tree = {}
+    tops = [root / name for name in (*SOURCE_FOLDERS, "cmake", ".ci", "docs")]
+    files = [path for top in tops for path in top.rglob("*")] + list(root.iterdir())
+    for path in files:
+        name = path.relative_to(root).as_posix()
+        if path.is_file() and (is_source(name) or name.endswith(".md")):
+            tree[name] = path.read_text(encoding="utf-8")
+    return tree
+
+
+def findings(tree):
+    return [f"{name}:{line}: {message}" for rule in RULES for name, line, message in rule(tree)]
+
+
+def main(arguments):
+    if len(arguments) != 1:
+        print("usage: rules.py ROOT", file=sys.stderr)
+        return 2
+    tree = read_tree(Path(arguments[0]))
+    if not any(folder(name) == "core" for name in tree):
+        print(f"{arguments[0]} holds no source files", file=sys.stderr)
+        return 1
+    found = findings(tree)
+    print("\n".join(found) if found else f"{len(tree)} files keep all rules")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Every rule of rules.py can fail: each test writes a small tree that keeps all rules, plants one violation
+in it and expects that finding, and no other."""
+import tempfile
+import unittest
+from pathlib import Path
+
+import rules
+
+CPP = "// SPDX-License-Identifier: Apache-2.0\n"
+HEADER = CPP + "#pragma once\n"
+PRIVATE = CPP + "// Private: a test of this tree.\n#pragma once\n"
+SHELL = "# SPDX-License-Identifier: Apache-2.0\n"
+
+CLEAN = {
+    "core/CMakeLists.txt": SHELL + "twinray_library(core\n  vec.cpp)\n",
+    "core/vec.h": HEADER + "#include <cmath>\n",
+    "core/vec.cpp": CPP + '#include "core/slab.h"\n#include "core/vec.h"\n// Not sin(x), nor a std::cout.\n',
+    "core/slab.h": PRIVATE + '#include "core/vec.h"\n',
+    "accel/bvh.h": HEADER + '#include "core/vec.h"\n',
+    "cmake/Install.cmake": SHELL + "set(private_headers\n  core/slab.h)\n",
+    "README.md": "# A title\n",
+}
+
+
+class Rules(unittest.TestCase):
+    def findings(self, planted):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in {**CLEAN, **planted}.items():
+                path = Path(folder, name)
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text, encoding="utf-8")
+            return rules.findings(rules.read_tree(Path(folder)))
+
+    def expect(self, planted, *expected):
+        found = self.findings(planted)
+        self.assertEqual(len(found), len(expected), found)
+        for finding, part in zip(found, expected):
+            self.assertIn(part, finding)
+
+    def test_a_clean_tree_has_no_findings(self):
+        self.expect({})
+
+    def test_a_folder_includes_only_what_lies_below_it(self):
+        self.expect({"core/low.h": HEADER + '#include "accel/bvh.h"\n'},
+                    "core/low.h:3: core/ must not include")
+        self.expect({"io/file.h": HEADER + '#include "accel/bvh.h"\n'}, "io/file.h:3: io/ must not include")
+        self.expect({"cli/x.h": HEADER, "bench/y.h": HEADER + '#include "cli/x.h"\n'},
+                    "bench/ must not include")
+        self.expect({"tests/t.h": HEADER + '#include "accel/bvh.h"\n'})
+
+    def test_includes_are_written_from_the_root(self):
+        self.expect({"core/a.h": HEADER + '#include "../core/vec.h"\n'},
+                    "core/ must not include", "is not a file of the tree")
+        self.expect({"tests/b.h": HEADER + '#include "vec.h"\n'}, "is not a file of the tree")
+        self.expect({"tests/c.h": HEADER + "#include <core/vec.h>\n"}, "write it in quotes")
+
+    def test_an_outside_library_has_one_door(self):
+        for header in ("embree3/rtcore.h", "hwy/highway.h", "immintrin.h", "tbb/parallel_for.h", "tinyxml2.h",
+                       "OpenImageIO/imageio.h", "CLI/CLI.hpp", "nlohmann/json.hpp", "catch2/catch.hpp",
+                       "benchmark/benchmark.h"):
+            self.expect({"tests/far.h": HEADER + f"#include <{header}>\n"}, "its only door")
+        listed = CLEAN["cmake/Install.cmake"].replace(")", "\n  accel/embree/leaf.h)")
+        self.expect({"accel/embree/leaf.h": PRIVATE + "#include <embree3/rtcore.h>\n",
+                     "cmake/Install.cmake": listed})
+
+    def test_private_headers_stay_in_core_and_accel(self):
+        self.expect({"cli/a.h": HEADER + '#include "core/slab.h"\n'}, "private to core/ and accel/")
+        self.expect({"accel/a.h": HEADER + '#include "core/slab.h"\n'}, "a public header must not include it")
+        self.expect({"tests/a.h": HEADER + '#include "core/slab.h"\n'})
+
+    def test_private_headers_are_not_installed(self):
+        self.expect({"core/box.h": PRIVATE}, "core/box.h:1: says that it is private")
+        self.expect({"core/slab.h": HEADER}, "core/slab.h is listed as private")
+
+    def test_public_headers_need_the_standard_library_alone(self):
+        self.expect({"core/text.h": HEADER + "#include <fmt/format.h>\n"}, "must not include <fmt/format.h>")
+        self.expect({"core/text.h": HEADER + "#include <unistd.h>\n"}, "must not include <unistd.h>")
+
+    def test_headers_have_a_guard(self):
+        self.expect({"core/a.h": CPP + "struct A {};\n"}, "#pragma once")
+
+    def test_files_name_their_licence(self):
+        self.expect({"core/a.h": "#pragma once\n\n#pragma once\n"}, "the first line must be // SPDX")
+        self.expect({"run": "#!/bin/sh\n"}, "the first line must be # SPDX")
+        self.expect({"tests/a.py": '"""Nothing."""\n'}, "the first line must be # SPDX")
+
+    def test_files_and_lines_stay_short(self):
+        self.expect({"core/a.h": HEADER + "\n" * (rules.MAX_LINES - 2)})
+        self.expect({"core/a.h": HEADER + "\n" * (rules.MAX_LINES - 1)}, "451 lines")
+        self.expect({"core/a.h": HEADER + "//" + "x" * 108 + "\n"})
+        self.expect({"core/a.h": HEADER + "//" + "x" * 109 + "\n"}, "core/a.h:3: 111 columns")
+
+    def test_libm_stays_out_of_what_reaches_a_pixel(self):
+        for call in ("std::sin(x)", "cosf(x)", "std::atan2(y, x)", "::exp(x)", "log1p(x)", "std::powf(x, y)",
+                     "hypot(x, y)", "std::exp2 (x)"):
+            self.expect({"integrators/a.h": HEADER + f"float f = {call};\n"}, "differs between machines")
+        for call in ("std::sqrt(x)", "std::fma(x, y, z)", "pow_of(x, y)", "sincos_turns(x)", "curve.log(x)",
+                     "expect(x)", "std::floor(x)"):
+            self.expect({"integrators/a.h": HEADER + f"inline float f = {call};\n"})
+        self.expect({"tests/a.h": HEADER + "inline float f = std::sin(x);\n"})
+
+    def test_random_numbers_come_from_the_sampler(self):
+        for call in ("std::random_device d;", "std::uniform_int_distribution<int> d;", "int x = rand();"):
+            self.expect({"tests/a.h": HEADER + call + "\n"}, "gives other numbers elsewhere")
+
+    def test_libraries_do_not_talk(self):
+        for call in ("std::cout << 1;", 'std::printf("");', 'fmt::print("");', "std::exit(1);", "abort();"):
+            self.expect({"io/a.h": HEADER + call + "\n"}, "a library throws Error")
+            self.expect({"cli/a.h": HEADER + call + "\n"})
+
+    def test_nothing_is_left_open(self):
+        for word in ("TO" "DO", "FIX" "ME", "X" "XX", "HA" "CK"):
+            self.expect({"core/a.h": HEADER + f"// {word}: later\n"}, "core/a.h:3: " + word)
+            self.expect({"README.md": f"{word}\n"}, word)
+
+    def test_no_path_of_one_machine_is_written_down(self):
+        self.expect({"README.md": "cd /ho" "me/me/twinray\n"}, "path of one machine")
+        self.expect({"README.md": "cd ${top}/work/twinray, or https://example.org/home\n"})
+
+    def test_builds_are_portable(self):
+        flag = "-march=" + "native"
+        self.expect({"cmake/Settings.cmake": SHELL + f"add_compile_options({flag})\n"}, flag)
+        self.expect({"tests/consumer/CMakeLists.txt": SHELL + f"add_compile_options({flag})\n"})
+
+    def test_every_test_counts(self):
+        for mark in ("[!mayfail]", "[!shouldfail]", "[.]", "[.slow]"):
+            self.expect({"tests/a.h": HEADER + f'TEST_CASE("a", "{mark}")\n'}, "a test that may not count")
+        self.expect({"tests/a.h": HEADER + 'SKIP("no");\n'}, "a test that may not count")
+
+    def test_every_source_file_is_compiled(self):
+        self.expect({"core/lost.cpp": CPP}, "core/lost.cpp:1: no CMakeLists.txt lists this file")
+        self.expect({"core/ec.cpp": CPP}, "core/ec.cpp:1: no CMakeLists.txt lists this file")
+        self.expect({"tests/CMakeLists.txt": SHELL + "twinray_test(x SOURCES core/vec_test.cpp)\n",
+                     "tests/core/vec_test.cpp": CPP})
+
+
+if __name__ == "__main__":
+    unittest.main()
