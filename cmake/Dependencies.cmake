@@ -30,3 +30,9 @@ endif()
 if(TWINRAY_BENCH)
   twinray_require(benchmark libbenchmark-dev)
 endif()
+
+# Names and versions, for --version and for benchmark records.
+set(twinray_libraries "OpenImageIO ${OpenImageIO_VERSION}, oneTBB ${TBB_VERSION}, fmt ${fmt_VERSION}")
+if(TWINRAY_EMBREE)
+  string(PREPEND twinray_libraries "Embree ${EMBREE_VERSION}, ")
+endif()

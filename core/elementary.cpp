@@ -92,6 +92,21 @@ double sin_shifted(double x, int right_angles) {
   return quadrant & 2 ? -value : value;
 }
 
+/// atan(x) / (2 pi) for x in [0, 1], from its power series around 0 or, by the addition theorem, around 1/4,
+/// 1/2, 3/4 or 1: the argument of the series is at most 1/8.
+double atan_turns(double x) {
+  constexpr double atan_of_quarters[] = {0, 0.24497866312686415, 0.46364760900080612, 0.64350110879328439,
+                                         0.78539816339744831};
+  constexpr double turns_per_radian = 0.15915494309189534;
+  const int nearest = int(4 * x + 0.5);
+  const double center = 0.25 * nearest;
+  const double t = (x - center) / (1 + x * center);
+  const double z = t * t;
+  double series = 1.0 / 17;
+  for (int odd = 15; odd >= 1; odd -= 2) series = 1.0 / odd - z * series;
+  return (atan_of_quarters[nearest] + t * series) * turns_per_radian;
+}
+
 /// log2 of a finite x > 0 to about 2^-57 of itself.
 Sum2 log2_wide(double x) {
   constexpr double smallest_normal = std::numeric_limits<double>::min();
@@ -169,6 +184,14 @@ double sin_radians(double x) { return sin_shifted(x, 0); }
 double cos_radians(double x) { return sin_shifted(x, 1); }
 
 double tan_radians(double x) { return sin_radians(x) / cos_radians(x); }
+
+double atan2_turns(double y, double x) {
+  const double ax = std::fabs(x), ay = std::fabs(y);
+  if (ax == 0 && ay == 0) return 0;
+  const double eighth = ay <= ax ? atan_turns(ay / ax) : 0.25 - atan_turns(ax / ay);
+  const double half = x < 0 ? 0.5 - eighth : eighth;
+  return y < 0 ? 1 - half : half;
+}
 
 double log2_of(double x) {
   if (!(x > 0)) return x == 0 ? -infinity : nan;

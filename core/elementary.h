@@ -20,6 +20,10 @@ double sin_radians(double x);
 double cos_radians(double x);
 double tan_radians(double x);
 
+/// The angle of the point (x, y), counter-clockwise from +x, in turns in [0, 1]: absolute error below 2e-16.
+/// The origin has the angle 0.
+double atan2_turns(double y, double x);
+
 /// log2 of a finite x > 0: relative error below 2e-16. -infinity at 0, NaN below.
 double log2_of(double x);
 /// 2^x for finite x: relative error below 2e-16 in [-1000, 1000]. Beyond, down to 0 and up to infinity.

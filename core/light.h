@@ -2,9 +2,11 @@
 // Sources of light, as a scene describes them: plain values. core/light_set.h samples them.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 
+#include "core/image.h"
 #include "core/rgb.h"
 #include "core/vec.h"
 
@@ -62,8 +64,13 @@ struct AmbientLight {
   Rgb radiance;
 };
 
-using LightSource =
-    std::variant<MeshLight, SphereLight, PointLight, SpotLight, DirectionalLight, AmbientLight>;
+/// Light from all around, as a picture: latitude-longitude, the top row towards +y.
+struct EnvironmentLight {
+  std::shared_ptr<const Image> map;  ///< Never null, at least one pixel, radiance.
+};
+
+using LightSource = std::variant<MeshLight, SphereLight, PointLight, SpotLight, DirectionalLight,
+                                 AmbientLight, EnvironmentLight>;
 
 struct Light {
   std::string name;

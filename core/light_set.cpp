@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/elementary.h"
+#include "core/environment.h"
 #include "core/frame.h"
 #include "core/offset.h"
 #include "core/warp.h"
@@ -131,6 +132,13 @@ std::optional<LightSample> sample_ambient(const AmbientLight& light, const Surfa
   return LightSample{direction, light.radiance, uniform_hemisphere_pdf(), spawn_ray(from, direction)};
 }
 
+std::optional<LightSample> sample_environment(const EnvironmentLight& light, const SurfacePoint& from,
+                                              Vec2 u) {
+  const Vec3 direction = square_to_uniform_sphere(u);
+  return LightSample{direction, environment_radiance(*light.map, direction), uniform_sphere_pdf(),
+                     spawn_ray(from, direction)};
+}
+
 }  // namespace
 
 LightSet::LightSet(const Scene& scene)
@@ -159,6 +167,8 @@ std::optional<LightSample> LightSet::sample(std::uint32_t light, const SurfacePo
     return sample_position(point->position, point->intensity, point->attenuation, from);
   if (const auto* spot = std::get_if<SpotLight>(&source)) return sample_spot(*spot, from);
   if (const auto* ambient = std::get_if<AmbientLight>(&source)) return sample_ambient(*ambient, from, u);
+  if (const auto* environment = std::get_if<EnvironmentLight>(&source))
+    return sample_environment(*environment, from, u);
   const auto& directional = std::get<DirectionalLight>(source);
   return LightSample{-directional.direction, directional.irradiance, 1,
                      spawn_ray(from, -directional.direction)};
@@ -188,10 +198,18 @@ Rgb LightSet::emitted(const SurfacePoint& point, const Vec3& wo) const {
 }
 
 Rgb LightSet::escaped(const Vec3& direction) const {
-  Rgb radiance;
+  Rgb radiance = background(direction);
   for (const Light& light : lights_)
     if (const auto* ambient = std::get_if<AmbientLight>(&light.source))
       if (dot(ambient->up, direction) > 0) radiance += ambient->radiance;
+  return radiance;
+}
+
+Rgb LightSet::background(const Vec3& direction) const {
+  Rgb radiance;
+  for (const Light& light : lights_)
+    if (const auto* environment = std::get_if<EnvironmentLight>(&light.source))
+      radiance += environment_radiance(*environment->map, direction);
   return radiance;
 }
 

@@ -39,6 +39,8 @@ class LightSet {
   Rgb emitted(const SurfacePoint& point, const Vec3& wo) const;
   /// Radiance that a bounce ray meets when it leaves the scene along a unit direction.
   Rgb escaped(const Vec3& direction) const;
+  /// Radiance that a camera ray meets then: the environment alone, an ambient light is not seen.
+  Rgb background(const Vec3& direction) const;
 
  private:
   std::span<const Light> lights_;

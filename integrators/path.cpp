@@ -35,7 +35,10 @@ Rgb PathIntegrator::radiance(const Ray& camera_ray, SamplerKind kind, const Samp
   State state{.ray = camera_ray};
   for (;;) {
     const Hit hit = state.depth == 0 ? tracer.camera_hit(state.ray) : tracer.bounce_hit(state.ray);
-    if (hit.is_miss()) break;
+    if (hit.is_miss()) {
+      add_escaped(state);
+      break;
+    }
     const SurfacePoint point = surface_at(*scene_.geometry, hit);
     const Vec3 wo = -normalize(state.ray.direction);
     if (state.meets_emission && counts(state.depth))
@@ -48,6 +51,13 @@ Rgb PathIntegrator::radiance(const Ray& camera_ray, SamplerKind kind, const Samp
     if (!scatter(state, at, sampler)) break;
   }
   return state.radiance;
+}
+
+void PathIntegrator::add_escaped(State& state) const {
+  if (!state.meets_emission || !counts(state.depth)) return;
+  const Vec3 direction = normalize(state.ray.direction);
+  state.radiance +=
+      state.throughput * (state.depth == 0 ? lights_.background(direction) : lights_.escaped(direction));
 }
 
 void PathIntegrator::add_direct(State& state, const Interaction& at, VertexSampler& sampler,

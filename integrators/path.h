@@ -40,6 +40,7 @@ class PathIntegrator final : public Integrator {
  private:
   struct State;
   bool counts(int depth) const { return depth >= options_.first_depth && depth <= options_.last_depth; }
+  void add_escaped(State& state) const;
   void add_direct(State& state, const Interaction& at, VertexSampler& sampler, Tracer& tracer) const;
   /// Chooses where the path goes on; false where it ends.
   bool scatter(State& state, const Interaction& at, VertexSampler& sampler) const;
