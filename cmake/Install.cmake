@@ -11,6 +11,7 @@ set(private_headers
   accel/exact.h
   accel/shape_test.h
   core/checked_ray.h
+  core/fork_join.h
   core/slab.h
   core/sphere.h
   core/triangle.h)

@@ -14,6 +14,8 @@
 #include <immintrin.h>
 #endif
 
+#include "core/fork_join.h"
+
 namespace twinray {
 namespace {
 
@@ -35,7 +37,9 @@ void parallel_for(std::size_t count, std::size_t grain, int threads,
   if (count == 0) return;
   const std::size_t size = std::max<std::size_t>(grain, 1);
   const std::size_t parts = (count - 1) / size + 1;
+  ForkJoin work;
   const auto run_parts = [&](const tbb::blocked_range<std::size_t>& range) {
+    const ForkJoin::Part ordered(work);
     const KeepDenormals keep;
     for (std::size_t part = range.begin(); part < range.end(); ++part)
       body(part * size, std::min(count - part * size, size) + part * size);
@@ -46,7 +50,9 @@ void parallel_for(std::size_t count, std::size_t grain, int threads,
 }
 
 void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b) {
-  const auto kept = [](const std::function<void()>& body) {
+  ForkJoin work;
+  const auto kept = [&](const std::function<void()>& body) {
+    const ForkJoin::Part ordered(work);
     const KeepDenormals keep;
     body();
   };
@@ -54,7 +60,9 @@ void parallel_invoke(const std::function<void()>& a, const std::function<void()>
 }
 
 void with_threads(int threads, const std::function<void()>& body) {
+  ForkJoin work;
   run_with(threads, [&] {
+    const ForkJoin::Part ordered(work);
     const KeepDenormals keep;
     body();
   });
