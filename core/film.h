@@ -15,7 +15,7 @@ namespace twinray {
 /// rounding.
 class FixedSum {
  public:
-  /// Adds x, rounded toward zero to the unit. |x| <= 2^44; the sum of up to 2^22 such numbers does not
+  /// Adds x, rounded toward zero to the unit. |x| < 2^45; the sum of up to 2^22 such numbers does not
   /// overflow.
   void add(double x);
   FixedSum& operator+=(const FixedSum& other);
@@ -64,7 +64,7 @@ class Film {
   static constexpr float max_value = 0x1p22f;
   static constexpr std::uint32_t max_samples = 1u << 22;
 
-  /// Throws Error for a frame outside [1, 65536]^2 or a window that is empty or not within it.
+  /// Throws Error for a frame outside [1, 65536]^2, a window that is empty or not within it, or no layer.
   Film(int frame_width, int frame_height, PixelRect window, std::vector<std::string> layers = {"color"});
 
   int frame_width() const { return frame_width_; }
@@ -72,8 +72,8 @@ class Film {
   const PixelRect& window() const { return window_; }
   const std::vector<std::string>& layers() const { return layers_; }
 
-  /// Adds one sample to a pixel of the window. False, and only counted, where it is not finite or out of
-  /// range.
+  /// Adds one sample to a pixel of the window, the max_samples-th at most. False, and only counted, where it
+  /// is not finite or out of range.
   bool add(std::size_t layer, int x, int y, std::uint32_t sample_index, const Rgb& value);
 
   const PixelSums& pixel(std::size_t layer, int x, int y) const;
@@ -85,11 +85,18 @@ class Film {
   RejectedSample first_rejected() const;
 
   /// Adds the samples of a film of the same frame and layers whose window lies within this one. Throws Error
-  /// otherwise.
+  /// otherwise, or where a pixel would have more than max_samples, and leaves this film as it was.
   void merge(const Film& other);
 
  private:
   std::size_t offset(std::size_t layer, int x, int y) const;
+  void check_mergeable(const Film& other) const;
+  template <class Visit>
+  void for_each_sum(const Visit& visit) const {
+    for (std::size_t layer = 0; layer < layers_.size(); ++layer)
+      for (int y = window_.y0; y < window_.y1; ++y)
+        for (int x = window_.x0; x < window_.x1; ++x) visit(layer, x, y, pixel(layer, x, y));
+  }
 
   int frame_width_, frame_height_;
   PixelRect window_;

@@ -11,8 +11,10 @@ inline constexpr float pi = 3.14159265358979323846f;
 /// per area: 1 / pi.
 Vec2 square_to_disc(Vec2 u);
 
-/// Unit directions around +z with density cos(theta) / pi per solid angle (Malley's method).
+/// Unit directions around +z with density cos(theta) / pi per solid angle (Malley's method). On the edge of
+/// the square z, and the density, are 0.
 Vec3 square_to_cosine_hemisphere(Vec2 u);
+/// 0 below the horizon.
 float cosine_hemisphere_pdf(float cos_theta);
 
 /// Unit directions around +z with the constant density 1 / (2 pi) per solid angle.
@@ -29,7 +31,8 @@ float uniform_sphere_pdf();
 Vec3 square_to_uniform_cone(Vec2 u, float one_minus_cos);
 float uniform_cone_pdf(float one_minus_cos);
 
-/// Weights (of the second and the third vertex) of points of a triangle, uniform by area.
+/// Weights (of the second and the third vertex) of points of a triangle, uniform by area (Heitz, "A
+/// Low-Distortion Map Between Triangle and Square", 2019). Both >= 0, their sum at most 1.
 Vec2 square_to_triangle(Vec2 u);
 
 }  // namespace twinray

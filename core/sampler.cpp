@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// A set is a point of a 4D sequence with its own order of the index and its own digit scrambles (Burley
+// 2020).
+//
+// Dimensions 0 and 1 are Sobol's first two: identity and Pascal's triangle modulo 2, a (0,2)-sequence.
+// Sobol's next two are not one, so we continue instead over the field of four elements {0, 1, w, w^2}:
+// matrices binomial(c, r) a^(c - r) with a = 0, 1, w, w^2 (Niederreiter 1987), each element written as 2 x 2
+// bits. All four together are a (0,4)-sequence in base 4, and dimensions 2 and 3 a (0,2)-sequence in base 2
+// again (as in Ahmed et al., "SZ Sequences: Binary-Based (0, 2^q)-Sequences", 2024, with matrices found by
+// our own search).
+//
+// All words are kept with their bits reversed, the first binary digit of a number in bit 0: there a product
+// carries from a digit to the later ones only, which is what a nested (Owen) scramble may do.
+#include "core/sampler.h"
+
+#include <bit>
+#include <cassert>
+
+#include "core/error.h"
+
+namespace twinray {
+namespace {
+
+/// The finalizer of SplitMix64 (Steele, Lea and Flood 2014), a bijection.
+std::uint64_t mix(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+// Odd steps between the inputs of `mix`, one for each kind of input.
+constexpr std::uint64_t step = 0x9e3779b97f4a7c15u;
+constexpr std::uint64_t vertex_step = 0xd6e8feb86659fd93u;
+constexpr std::uint64_t index_step = 0xa0761d6478bd642fu;
+constexpr std::uint64_t stream_step = 0xe7037ed1a0b428dbu;
+
+using Lanes = std::array<std::uint32_t, 4>;
+
+constexpr std::uint32_t reversed(std::uint32_t x) {
+  x = (x >> 16) | (x << 16);
+  x = ((x & 0xff00ff00u) >> 8) | ((x & 0x00ff00ffu) << 8);
+  x = ((x & 0xf0f0f0f0u) >> 4) | ((x & 0x0f0f0f0fu) << 4);
+  x = ((x & 0xccccccccu) >> 2) | ((x & 0x33333333u) << 2);
+  return ((x & 0xaaaaaaaau) >> 1) | ((x & 0x55555555u) << 1);
+}
+
+/// A nested scramble of reversed words: Laine and Karras 2011, with the constants of Vegdahl 2021.
+std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
+  x ^= x * 0x3d20adeau;
+  x += seed;
+  x *= (seed >> 16) | 1;
+  x ^= x * 0x05526c56u;
+  return x ^ (x * 0x53a22864u);
+}
+
+/// Each digit of two bits (t, b) as an element t + b w of the field, times w: w^2 = w + 1.
+constexpr std::uint32_t times_w(std::uint32_t x) {
+  const std::uint32_t t = x & 0x55555555u, b = (x >> 1) & 0x55555555u;
+  return b | ((t ^ b) << 1);
+}
+
+/// Column `number` of the matrix of a dimension, reversed: row r in bit r.
+constexpr std::uint32_t matrix_column(int dimension, int number) {
+  std::uint32_t column = 1u << (number % 2);
+  for (int i = 0; i < number / 2; ++i) {  // Pascal's rule; multiplied by a = 0, 1, w or w^2.
+    std::uint32_t product = dimension == 0 ? 0 : column;
+    for (int power = 1; power < dimension; ++power) product = times_w(product);
+    column = (column << 2) ^ product;
+  }
+  // A digit scramble that makes each pair of dimensions a (0,2)-sequence.
+  const bool plain = dimension == 0 || dimension == 3;
+  return plain ? column : column ^ ((column >> 1) & 0x55555555u);
+}
+
+/// table[k][v]: what the four bits v from bit 4k on of a reversed index contribute to each dimension.
+using Table = std::array<std::array<Lanes, 16>, 8>;
+constexpr Table make_table() {
+  Table table{};
+  for (int bit = 0; bit < 32; ++bit)
+    for (int dimension = 0; dimension < 4; ++dimension) {
+      const std::uint32_t column = matrix_column(dimension, 31 - bit);
+      for (std::size_t v = 0; v < 16; ++v)
+        if (v >> (bit % 4) & 1) table[std::size_t(bit / 4)][v][std::size_t(dimension)] ^= column;
+    }
+  return table;
+}
+constexpr Table table = make_table();
+
+/// The upper 24 bits as a number in [0, 1).
+float to_unit(std::uint32_t x) { return float(std::int32_t(x >> 8)) * 0x1p-24f; }
+
+std::array<float, 4> independent_set(std::uint64_t key, std::uint64_t index, std::uint32_t number) {
+  const std::uint64_t start = mix(key + (index + 1) * index_step);
+  const std::uint64_t a = mix(start + (2 * number + 1) * step);
+  const std::uint64_t b = mix(start + (2 * number + 2) * step);
+  return {to_unit(std::uint32_t(a)), to_unit(std::uint32_t(a >> 32)), to_unit(std::uint32_t(b)),
+          to_unit(std::uint32_t(b >> 32))};
+}
+
+std::array<float, 4> sobol_set(std::uint64_t key, std::uint32_t index, std::uint32_t number) {
+  const std::uint64_t a = mix(key + (3 * number + 1) * step);
+  const std::uint64_t b = mix(key + (3 * number + 2) * step);
+  const std::uint64_t c = mix(key + (3 * number + 3) * step);
+  const Lanes seeds = {std::uint32_t(b), std::uint32_t(b >> 32), std::uint32_t(c), std::uint32_t(c >> 32)};
+  const std::uint32_t shuffled = scrambled(reversed(index), std::uint32_t(a >> 32));
+  Lanes x{};
+  for (std::size_t nibble = 0; nibble < 8; ++nibble)
+    for (std::size_t i = 0; i < 4; ++i) x[i] ^= table[nibble][shuffled >> (4 * nibble) & 15][i];
+  std::array<float, 4> set;
+  for (std::size_t i = 0; i < 4; ++i) set[i] = to_unit(reversed(scrambled(x[i], seeds[i])));
+  return set;
+}
+
+/// A set of the sample `index` of the sequence `key`; sobol has one sequence for each 2^32 of them.
+std::array<float, 4> make_set(SamplerKind kind, std::uint64_t key, std::uint64_t index,
+                              std::uint32_t number) {
+  if (kind == SamplerKind::independent) return independent_set(key, index, number);
+  if (index >> 32 != 0) key = mix(key + (index >> 32) * index_step);
+  return sobol_set(key, std::uint32_t(index), number);
+}
+
+std::size_t member(Purpose purpose) { return std::size_t(purpose) % 4; }
+
+std::size_t even_member(Purpose purpose) {
+  assert(member(purpose) % 2 == 0);
+  return member(purpose);
+}
+
+}  // namespace
+
+VertexSampler::VertexSampler(SamplerKind kind, const SampleKey& key, std::uint32_t vertex)
+    : kind_(kind), index_(key.index) {
+  const std::uint64_t pixel = std::uint64_t(key.y) << 32 | key.x;
+  key_ = mix(mix(mix(key.seed + step) + pixel) + (vertex + std::uint64_t(1)) * vertex_step);
+}
+
+const VertexSampler::Set& VertexSampler::set(std::uint32_t number) {
+  assert(number < sets_.size());
+  Set& set = sets_[number];
+  if ((known_sets_ >> number & 1) == 0) {
+    set = make_set(kind_, key_, index_, number);
+    known_sets_ |= 1u << number;
+  }
+  return set;
+}
+
+float VertexSampler::draw_1d(Purpose purpose) { return set(std::uint32_t(purpose) / 4)[member(purpose)]; }
+
+Vec2 VertexSampler::draw_2d(Purpose purpose) {
+  const std::size_t first = even_member(purpose);
+  const Set& values = set(std::uint32_t(purpose) / 4);
+  return {values[first], values[first + 1]};
+}
+
+Vec2 VertexSampler::draw_2d(Purpose purpose, std::uint32_t part, std::uint32_t parts, std::uint32_t stream) {
+  assert(part < parts && parts <= 1u << 16);
+  if (parts == 1 && stream == 0) return draw_2d(purpose);
+  const std::uint64_t key = stream == 0 ? key_ : mix(key_ + stream * stream_step);
+  const std::uint64_t index = std::uint64_t(index_) * parts + part;
+  const Set values = make_set(kind_, key, index, std::uint32_t(purpose) / 4);
+  const std::size_t first = even_member(purpose);
+  return {values[first], values[first + 1]};
+}
+
+std::string sampler_name(SamplerKind kind) { return kind == SamplerKind::sobol ? "sobol" : "independent"; }
+
+SamplerKind parse_sampler(const std::string& name) {
+  for (const SamplerKind kind : {SamplerKind::sobol, SamplerKind::independent})
+    if (name == sampler_name(kind)) return kind;
+  throw Error("unknown sampler \"" + name + "\"; valid are: sobol, independent");
+}
+
+}  // namespace twinray
