@@ -15,7 +15,7 @@ namespace twinray {
 namespace {
 
 Hit scaled_back(Hit hit, const CheckedRay& ray) {
-  hit.t *= ray.t_scale;
+  hit.t = float(hit.t * ray.t_scale);
   return hit;
 }
 

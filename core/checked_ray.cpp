@@ -27,13 +27,13 @@ void load_direction(const Ray& ray, CheckedRay& checked) {
   checked.direction = ray.direction;
   checked.t_min = ray.t_min;
   checked.t_max = std::min(ray.t_max, infinite);
-  checked.t_scale = 1.0f;
+  checked.t_scale = 1;
   if (largest >= 0x1p-40f && largest <= 0x1p40f) return;
   const int k = std::ilogb(largest);
   for (int axis = 0; axis < 3; ++axis) checked.direction[axis] = std::ldexp(ray.direction[axis], -k);
   checked.t_min = std::ldexp(checked.t_min, k);
   checked.t_max = std::min(std::ldexp(checked.t_max, k), infinite);
-  checked.t_scale = std::ldexp(1.0f, -k);
+  checked.t_scale = std::ldexp(1.0, -k);
 }
 
 void load_slab(CheckedRay& checked) {

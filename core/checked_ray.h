@@ -14,9 +14,11 @@ namespace twinray {
 struct CheckedRay {
   Vec3 origin;
   Vec3 direction;  ///< Scaled: its largest component lies in [2^-40, 2^40].
-  float t_min,
-      t_max;      ///< In units of the scaled direction; t_max is finite, so an infinite t is never accepted.
-  float t_scale;  ///< Multiplies a t of the scaled ray into a t of the caller's ray; a power of two.
+  /// In units of the scaled direction; a t up to t_max is finite, here and for the caller.
+  float t_min, t_max;
+  /// Multiplies a t of the scaled ray into a t of the caller's ray: a power of two, as a double because those
+  /// of float end before the directions do.
+  double t_scale;
 
   // Slab test: the origin moved by its share of the rounding bound, and the reciprocal scaled by its own.
   Vec3 near_origin, far_origin;
