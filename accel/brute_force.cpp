@@ -6,6 +6,7 @@
 namespace twinray {
 namespace {
 
+template <TriangleTest triangle_test>
 class BruteForce final : public Accelerator {
  public:
   explicit BruteForce(std::shared_ptr<const Geometry> geometry) : geometry_(std::move(geometry)) {}
@@ -25,7 +26,7 @@ class BruteForce final : public Accelerator {
   Hit count_closest(const CheckedRay& ray, QueryCounts& counts) const noexcept override {
     Hit best;
     visit(counts, [&](PrimitiveId id) {
-      test_primitive(*geometry_, ray, id, best);
+      test_primitive<triangle_test>(*geometry_, ray, id, best);
       return false;
     });
     return best;
@@ -33,7 +34,7 @@ class BruteForce final : public Accelerator {
   bool count_any(const CheckedRay& ray, QueryCounts& counts) const noexcept override {
     Hit found;
     return visit(counts, [&](PrimitiveId id) {
-      test_primitive(*geometry_, ray, id, found);
+      test_primitive<triangle_test>(*geometry_, ray, id, found);
       return !found.is_miss();
     });
   }
@@ -59,8 +60,10 @@ class BruteForce final : public Accelerator {
 }  // namespace
 
 std::unique_ptr<Accelerator> build_brute_force(std::shared_ptr<const Geometry> geometry,
-                                               const BuildOptions&) {
-  return std::make_unique<BruteForce>(std::move(geometry));
+                                               const BuildOptions& options) {
+  if (options.triangle_test == TriangleTest::moller_trumbore)
+    return std::make_unique<BruteForce<TriangleTest::moller_trumbore>>(std::move(geometry));
+  return std::make_unique<BruteForce<TriangleTest::woop>>(std::move(geometry));
 }
 
 }  // namespace twinray
