@@ -8,10 +8,20 @@ include(CMakePackageConfigHelpers)
 # with "// Private"; a test compares, and sees that no public header includes one of them.
 set(private_headers
   accel/backends.h
+  accel/bvh/build.h
+  accel/bvh/cost_model.h
+  accel/bvh/invariants.h
+  accel/bvh/node.h
+  accel/bvh/split.h
+  accel/bvh/statistics.h
+  accel/bvh/traversal.h
   accel/exact.h
+  accel/lanes.h
   accel/shape_test.h
+  accel/triangle_block.h
   core/checked_ray.h
   core/fork_join.h
+  core/moller_trumbore.h
   core/slab.h
   core/sphere.h
   core/triangle.h)

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: from a geometry to a finished tree.
+#pragma once
+#include <vector>
+
+#include "accel/accelerator.h"
+#include "accel/bvh/node.h"
+#include "accel/bvh/split.h"
+
+namespace twinray {
+
+/// A binary tree over an array of primitives before it is laid out for traversal.
+struct BuildTree {
+  struct Node {
+    Aabb box;
+    std::uint32_t first = 0;  ///< Leaf: its first primitive. Inner: its first child; the second follows.
+    std::uint32_t count = 0;  ///< Leaf: its primitives. Inner: 0.
+  };
+  /// The root is nodes[0]. Not every entry is a node: the pair of children that part the primitives before
+  /// index i from those behind is nodes[2 i - 1] and nodes[2 i]. So each pair has a place of its own,
+  /// whatever thread makes it.
+  std::vector<Node> nodes;
+  std::vector<BuildPrimitive> primitives;  ///< In the order of the leaves.
+};
+
+/// All primitives of a geometry, in the order of their ids. Throws Error for more than 2^30.
+std::vector<BuildPrimitive> collect_primitives(const Geometry& geometry);
+
+/// Divides until every node is a leaf; on as many threads as with_threads allows. The same tree on any number
+/// of them.
+BuildTree build_tree(std::vector<BuildPrimitive> primitives, const BuildOptions& options);
+
+/// Lays a tree out for traversal: pads boxes, copies vertices into blocks.
+Bvh lay_out(const BuildTree& tree, const Geometry& geometry);
+
+/// All three steps on options.threads threads; adds how long each took to `phases`.
+Bvh make_bvh(const Geometry& geometry, const BuildOptions& options, std::vector<BuildPhase>& phases);
+
+}  // namespace twinray

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: the surface area heuristic (MacDonald and Booth, "Heuristics for Ray Tracing Using Space
+// Subdivision", 1990): a ray that meets a convex box meets a box inside of it with the ratio of their areas
+// as probability.
+#pragma once
+#include <cstddef>
+
+#include "accel/build_options.h"
+#include "core/aabb.h"
+
+namespace twinray {
+
+class CostModel {
+ public:
+  explicit CostModel(const BuildOptions& options)
+      : traversal_(options.traversal_cost), intersection_(options.intersection_cost) {}
+
+  double leaf(std::size_t primitives) const { return intersection_ * double(primitives); }
+  /// The cost of a box with area `area` and two leaves: `weighted_area` is the sum of their areas times their
+  /// counts. Inside of a box without area every child is met.
+  double split(double area, double weighted_area, std::size_t primitives) const {
+    return traversal_ + (area > 0 ? intersection_ * (weighted_area / area) : leaf(primitives));
+  }
+  double traversal() const { return traversal_; }
+
+ private:
+  double traversal_, intersection_;
+};
+
+}  // namespace twinray

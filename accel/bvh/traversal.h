@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: the way of one ray through a binary BVH, nearer child first.
+//
+// Both boxes of a pair are tested at once by core/slab.h's operations: of each axis, two lanes hold the near
+// planes of both children and two the far ones, the latter with their sign turned, so that one maximum serves
+// both. The bits of near and far are those of intersect_slab, so what its monotony promises holds: no box is
+// culled that holds an accepted hit.
+#pragma once
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "accel/bvh/node.h"
+#include "accel/counters.h"
+#include "accel/lanes.h"
+
+namespace twinray {
+
+/// Where a ray enters both children, at least t_min, and leaves them, at most t_max; a child whose entry lies
+/// behind its exit is missed.
+struct PairIntervals {
+  Float4 entry_and_exit;  ///< Entry of the first and second child, then minus their exits.
+
+  float first_entry() const { return entry_and_exit[0]; }
+  float second_entry() const { return entry_and_exit[1]; }
+  /// Not zero in its lower half where the first child is met, in its upper half where the second is.
+  std::uint64_t met() const {
+    const Int4 mask = entry_and_exit <= -__builtin_shuffle(entry_and_exit, Int4{2, 3, 0, 1});
+    return std::uint64_t(Long2(mask)[0]);
+  }
+};
+
+/// A ray as the pair test wants it: in lanes, with its octant as offsets into a row of planes.
+class PairRay {
+ public:
+  explicit PairRay(const CheckedRay& ray) : t_min_(ray.t_min) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const float near = ray.near_origin[axis], far = ray.far_origin[axis];
+      const float near_inverse = ray.near_inverse[axis], far_inverse = -ray.far_inverse[axis];
+      origin_[axis] = Float4{near, near, far, far};
+      inverse_[axis] = Float4{near_inverse, near_inverse, far_inverse, far_inverse};
+      near_offset_[axis] = ray.is_negative[axis] ? 2 : 0;
+    }
+  }
+  PairIntervals intersect(const NodePair& pair, float t_max) const {
+    const Float4 bounds{t_min_, t_min_, -t_max, -t_max};
+    return {max(max(planes(pair, 0), planes(pair, 1)), max(planes(pair, 2), bounds))};
+  }
+
+ private:
+  Float4 planes(const NodePair& pair, int axis) const {
+    const float* const row = pair.planes[axis];
+    std::int64_t near, far;
+    std::memcpy(&near, row + near_offset_[axis], sizeof near);
+    std::memcpy(&far, row + (2 - near_offset_[axis]), sizeof far);
+    return (Float4(Long2{near, far}) - origin_[axis]) * inverse_[axis];
+  }
+
+  Float4 origin_[3], inverse_[3];
+  std::ptrdiff_t near_offset_[3];
+  float t_min_;
+};
+
+/// What a traversal reports its steps to where nobody counts.
+struct NoCounts {
+  void visit_pair() {}
+  void visit_leaf() {}
+  void test_box() {}
+  void test_block(const TriangleBlock&) {}
+};
+
+/// Adds steps to the counts of a query.
+struct Counting {
+  QueryCounts& counts;
+
+  void visit_pair() {
+    ++counts.nodes;
+    counts.boxes += 2;
+  }
+  void visit_leaf() { ++counts.leaves; }
+  void test_box() { ++counts.boxes; }
+  void test_block(const TriangleBlock& block) { counts.primitives += block.count; }
+};
+
+/// The siblings that a traversal has still to visit; at most one a level.
+class TraversalStack {
+ public:
+  void push(const NodeRef& node, float entry) {
+    entries_[size_] = entry;
+    nodes_[size_++] = std::bit_cast<std::uint64_t>(node);
+  }
+  /// Takes the latest node that the ray enters at t_max or before; false where there is none.
+  bool pop(float t_max, NodeRef& node) {
+    while (size_ > 0) {
+      --size_;
+      if (entries_[size_] > t_max) continue;
+      node = std::bit_cast<NodeRef>(nodes_[size_]);
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  int size_ = 0;
+  float entries_[max_bvh_depth];
+  std::uint64_t nodes_[max_bvh_depth];  ///< NodeRefs; as numbers they need not be initialised.
+};
+
+/// Calls `test(block)` for the blocks of all leaves whose boxes the ray meets between ray.t_min and t_max,
+/// about front to back; `test` may lower t_max, and ends the traversal by returning true.
+template <typename Test, typename Counts>
+void traverse(const Bvh& bvh, const CheckedRay& ray, const float& t_max, Counts counts, Test&& test) {
+  counts.test_box();
+  const SlabInterval root = intersect_slab(ray, bvh.box);
+  if (root.near > root.far || root.near > t_max || root.far < ray.t_min) return;
+  const PairRay pair_ray(ray);
+  TraversalStack stack;
+  NodeRef node = bvh.root;
+  do {
+    while (!node.is_leaf()) {
+      counts.visit_pair();
+      const NodePair& pair = bvh.pairs[node.first];
+      const PairIntervals intervals = pair_ray.intersect(pair, t_max);
+      const std::uint64_t met = intervals.met();
+      const bool is_first_met = std::uint32_t(met) != 0, is_second_met = met >> 32 != 0;
+      if (is_first_met && is_second_met) {
+        const float first = intervals.first_entry(), second = intervals.second_entry();
+        const int nearer = second < first;
+        stack.push(pair.children[1 - nearer], std::max(first, second));
+        node = pair.children[nearer];
+      } else if (met != 0) {
+        node = pair.children[is_second_met];
+      } else {
+        if (!stack.pop(t_max, node)) return;
+      }
+    }
+    counts.visit_leaf();
+    for (std::uint32_t i = 0; i < node.count; ++i) {
+      const TriangleBlock& block = bvh.blocks[node.first + i];
+      counts.test_block(block);
+      if (test(block)) return;
+    }
+  } while (stack.pop(t_max, node));
+}
+
+}  // namespace twinray

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: the leaf that the hand-written BVH and Embree share.
+//
+// A block holds up to four primitives. Filter, then confirm: a branch-free filter runs over the four lanes at
+// once and rejects what the canonical test would reject by the signs of its edge functions; each lane left is
+// confirmed by the canonical test itself. So a block gives canonical bits by construction, whatever the
+// filter lets through, as long as it never rejects what the canonical test accepts.
+#pragma once
+#include <bit>
+#include <cstdint>
+#include <span>
+
+#include "accel/lanes.h"
+#include "accel/shape_test.h"
+
+namespace twinray {
+
+/// Up to four primitives: the corners of triangles as a structure of arrays, everything else by its ids.
+struct alignas(64) TriangleBlock {
+  static constexpr int width = 4;
+
+  float corners[3][3][width] = {};  ///< [corner][axis][lane]; zero in lanes without a triangle.
+  PrimitiveId ids[width] = {};
+  std::uint32_t count = 0;      ///< Lanes in use, from lane 0 on.
+  std::uint32_t triangles = 0;  ///< Bit i: lane i is a triangle.
+
+  Vec3 corner(int index, int lane) const {
+    return {corners[index][0][lane], corners[index][1][lane], corners[index][2][lane]};
+  }
+  std::uint32_t lanes() const { return (1u << count) - 1; }
+};
+static_assert(sizeof(TriangleBlock) == 192, "three cache lines");
+
+/// The block of up to four primitives of a geometry.
+inline TriangleBlock make_block(const Geometry& geometry, std::span<const PrimitiveId> ids) {
+  TriangleBlock block;
+  for (const PrimitiveId id : ids) {
+    const std::uint32_t lane = block.count++;
+    block.ids[lane] = id;
+    const Mesh* mesh = geometry.mesh(id.mesh);
+    if (!mesh) continue;
+    block.triangles |= 1u << lane;
+    for (int corner = 0; corner < 3; ++corner)
+      for (int axis = 0; axis < 3; ++axis)
+        block.corners[corner][axis][lane] = mesh->positions[mesh->triangles[id.primitive][corner]][axis];
+  }
+  return block;
+}
+
+/// What the filter needs of a ray, in every lane: its shear, and its origin turned as the shear turns it.
+struct LaneRay {
+  Float4 ox, oy, oz, sx, sy;
+  int kx, ky, kz;
+
+  explicit LaneRay(const CheckedRay& ray)
+      : ox(splat(ray.origin[ray.kx])),
+        oy(splat(ray.origin[ray.ky])),
+        oz(splat(ray.origin[ray.kz])),
+        sx(splat(ray.sx)),
+        sy(splat(ray.sy)),
+        kx(ray.kx),
+        ky(ray.ky),
+        kz(ray.kz) {}
+};
+
+/// Bit i: the canonical test may accept lane i. The edge functions are computed by the operations of
+/// core/triangle.h in their order, and a lane is rejected exactly where that test rejects it for their signs.
+inline std::uint32_t filter_lanes(const LaneRay& ray, const TriangleBlock& block) {
+  Float4 x[3], y[3];
+  for (int corner = 0; corner < 3; ++corner) {
+    const Float4 z = load(block.corners[corner][ray.kz]) - ray.oz;
+    x[corner] = (load(block.corners[corner][ray.kx]) - ray.ox) - ray.sx * z;
+    y[corner] = (load(block.corners[corner][ray.ky]) - ray.oy) - ray.sy * z;
+  }
+  const Float4 a = x[2] * y[1] - y[2] * x[1];
+  const Float4 b = x[0] * y[2] - y[0] * x[2];
+  const Float4 c = x[1] * y[0] - y[1] * x[0];
+  const Float4 largest_x = max(abs(x[0]), max(abs(x[1]), abs(x[2])));
+  const Float4 largest_y = max(abs(y[0]), max(abs(y[1]), abs(y[2])));
+  const Float4 error = edge_margin * (largest_x * largest_y) + edge_underflow;
+  const Int4 outside = (min(a, min(b, c)) < -error) & (max(a, max(b, c)) > error);
+  return (mask_bits(~outside) | ~block.triangles) & block.lanes();
+}
+
+/// Tests one lane by the primitive's own test and keeps the lesser hit.
+template <TriangleTest test = TriangleTest::woop>
+inline void test_lane(const Geometry& geometry, const CheckedRay& ray, const TriangleBlock& block, int lane,
+                      Hit& best) {
+  const PrimitiveId id = block.ids[lane];
+  if (!(block.triangles >> lane & 1)) return test_primitive(geometry, ray, id, best);
+  ShapeHit found;
+  if (!intersect<test>(ray, block.corner(0, lane), block.corner(1, lane), block.corner(2, lane),
+                       std::min(ray.t_max, best.t), found))
+    return;
+  const Hit hit{found.t, found.u, found.v, id.primitive, id.mesh, no_instance};
+  if (precedes(hit, best)) best = hit;
+}
+
+/// Tests all primitives of a block against [ray.t_min, best.t] and keeps the least hit.
+template <TriangleTest test = TriangleTest::woop>
+inline void test_block(const Geometry& geometry, const CheckedRay& ray, const LaneRay& lane_ray,
+                       const TriangleBlock& block, Hit& best) {
+  std::uint32_t left = test == TriangleTest::woop ? filter_lanes(lane_ray, block) : block.lanes();
+  for (; left != 0; left &= left - 1) test_lane<test>(geometry, ray, block, std::countr_zero(left), best);
+}
+
+}  // namespace twinray

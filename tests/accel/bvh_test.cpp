@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstring>
+
+#include "accel/bvh/build.h"
+#include "accel/bvh/cost_model.h"
+#include "accel/bvh/invariants.h"
+#include "accel/bvh/traversal.h"
+#include "core/checked_ray.h"
+#include "core/error.h"
+#include "core/slab.h"
+#include "tests/support/catch.h"
+#include "tests/support/shapes.h"
+
+using namespace twinray;
+using namespace twinray::test;
+
+namespace {
+
+constexpr BvhSplit all_splits[] = {BvhSplit::sah, BvhSplit::median, BvhSplit::midpoint, BvhSplit::mean};
+
+Bvh build(const Geometry& geometry, const BuildOptions& options = {}) {
+  std::vector<BuildPhase> phases;
+  return make_bvh(geometry, options, phases);
+}
+
+std::string fault(const Geometry& geometry, const BuildOptions& options) {
+  return find_fault(build(geometry, options), geometry, options.max_leaf_size);
+}
+
+/// Primitives that are unit cubes around points of the x axis.
+std::vector<BuildPrimitive> cubes_at(const std::vector<float>& places) {
+  std::vector<BuildPrimitive> primitives;
+  for (const float x : places)
+    primitives.push_back(
+        {{{x - 0.5f, -0.5f, -0.5f}, {x + 0.5f, 0.5f, 0.5f}}, {0, std::uint32_t(primitives.size())}});
+  return primitives;
+}
+
+/// The ids of the first `count` primitives, sorted.
+std::vector<std::uint32_t> first_ids(const std::vector<BuildPrimitive>& primitives, std::size_t count) {
+  std::vector<std::uint32_t> ids;
+  for (std::size_t i = 0; i < count; ++i) ids.push_back(primitives[i].id.primitive);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+using Ids = std::vector<std::uint32_t>;
+
+/// Triangles whose distance from the origin doubles from one to the next, through 160 powers of two.
+Mesh exponential_triangles() {
+  Mesh mesh;
+  for (int i = -120; i < 39; ++i) {
+    const float x = std::ldexp(1.0f, i);
+    add_triangle(mesh, {x, 0, 0}, {x, x, 0}, {x, 0, x});
+  }
+  return mesh;
+}
+
+bool same_trees(const Bvh& a, const Bvh& b) {
+  const auto same_block = [](const TriangleBlock& x, const TriangleBlock& y) {
+    return std::memcmp(x.corners, y.corners, sizeof x.corners) == 0 &&
+           std::memcmp(x.ids, y.ids, sizeof x.ids) == 0 && x.count == y.count && x.triangles == y.triangles;
+  };
+  return a.box == b.box && a.root == b.root && a.pairs.size() == b.pairs.size() &&
+         std::memcmp(a.pairs.data(), b.pairs.data(), a.pairs.size() * sizeof(NodePair)) == 0 &&
+         std::equal(a.blocks.begin(), a.blocks.end(), b.blocks.begin(), b.blocks.end(), same_block);
+}
+
+}  // namespace
+
+TEST_CASE("every split and leaf size gives a tree without a fault") {
+  const auto geometry = share({soup(700, 0.1f, 1), random_spheres(60, 0.2f, 2), soup(300, 1.0f, 3)});
+  for (const BvhSplit split : all_splits)
+    for (const int leaf : {1, 2, 3, 4, 5, 8, 255}) {
+      CAPTURE(int(split), leaf);
+      CHECK(fault(*geometry, {.bvh_split = split, .max_leaf_size = leaf}) == "");
+    }
+  for (const int bins : {2, 3, 256}) CHECK(fault(*geometry, {.bvh_bins = bins}) == "");
+}
+
+TEST_CASE("the invariants name what is wrong with a tree") {
+  const auto geometry = share({soup(40, 1, 1)});
+  const Bvh good = build(*geometry);
+  CHECK(find_fault(good, *geometry, 4) == "");
+  CHECK(find_fault(good, *geometry, 1).find("a leaf holds ") == 0);
+
+  Bvh bad = good;
+  bad.pairs.back().planes[0][0] = -10;
+  CHECK(find_fault(bad, *geometry, 4).find("leaves its parent") != std::string::npos);
+  bad = good;
+  bad.blocks[0].ids[0].primitive = 40;
+  CHECK(find_fault(bad, *geometry, 4) == "there is no primitive 40 of shape 0");
+  bad = good;
+  bad.blocks[0].ids[0] = bad.blocks[1].ids[0];
+  CHECK(find_fault(bad, *geometry, 4) != "");
+  bad = good;
+  bad.root = {0, 1};
+  CHECK(find_fault(bad, *geometry, 4).find("lies in 0 leaves") != std::string::npos);
+}
+
+TEST_CASE("the tree has the same bits on any number of threads") {
+  const auto geometry = share({soup(90000, 0.02f, 7)});
+  REQUIRE(geometry->primitive_count() > parallel_range);
+  for (const BvhSplit split : all_splits) {
+    CAPTURE(int(split));
+    const Bvh one = build(*geometry, {.threads = 1, .bvh_split = split});
+    CHECK(same_trees(one, build(*geometry, {.threads = 2, .bvh_split = split})));
+    CHECK(same_trees(one, build(*geometry, {.threads = 7, .bvh_split = split})));
+  }
+}
+
+TEST_CASE("degenerate geometry builds") {
+  Mesh coincident, flat, line;
+  for (int i = 0; i < 1000; ++i) {
+    const float x = float(i);
+    add_triangle(coincident, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    add_triangle(flat, {x, 0, 0}, {x + 1, 0, 0}, {x, 0, 1});
+    add_triangle(line, {x, 0, 0}, {x + 1, 0, 0}, {x + 2, 0, 0});
+  }
+  const std::vector<std::shared_ptr<const Geometry>> geometries{share({}),
+                                                                share({Mesh{}, SphereSet{}}),
+                                                                share({soup(1, 1, 1)}),
+                                                                share({coincident}),
+                                                                share({flat}),
+                                                                share({line}),
+                                                                share({random_spheres(1, 1, 1)}),
+                                                                share({soup(2, 1, 1)}),
+                                                                share({random_spheres(500, 0.1f, 1)})};
+  for (const auto& geometry : geometries)
+    for (const BvhSplit split : all_splits) {
+      CAPTURE(geometry->primitive_count(), int(split));
+      CHECK(fault(*geometry, {.bvh_split = split, .max_leaf_size = 2}) == "");
+    }
+}
+
+TEST_CASE("coincident centres are divided by halves") {
+  Mesh mesh;
+  for (int i = 0; i < 64; ++i) add_triangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  const auto geometry = share({mesh});
+  const auto bvh = build_accelerator(Backend::bvh, geometry, {.max_leaf_size = 1});
+  CHECK(bvh->stats().depth == 6);
+  CHECK(bvh->stats().leaves == 64);
+}
+
+TEST_CASE("no tree is deeper than the stack") {
+  const auto geometry = share({exponential_triangles()});
+  for (const BvhSplit split : all_splits) {
+    CAPTURE(int(split));
+    CHECK(fault(*geometry, {.bvh_split = split, .max_leaf_size = 1}) == "");
+  }
+  // Without the bound the midpoints would part one triangle after the other.
+  const auto midpoint =
+      build_accelerator(Backend::bvh, geometry, {.bvh_split = BvhSplit::midpoint, .max_leaf_size = 1});
+  CHECK(midpoint->stats().depth > free_bvh_depth);
+  CHECK(midpoint->stats().depth <= max_bvh_depth);
+}
+
+TEST_CASE("median parts halves by centre along the longest axis") {
+  std::vector<BuildPrimitive> primitives = cubes_at({9, 1, 100, 3, 2});
+  CHECK(divide_by_median(NodeRange(primitives)) == 2);
+  CHECK(first_ids(primitives, 2) == Ids{1, 4});
+  for (BuildPrimitive& primitive : primitives)
+    for (Vec3* corner : {&primitive.box.lower, &primitive.box.upper}) std::swap(corner->x, corner->z);
+  CHECK(NodeRange(primitives).longest_axis() == 2);
+  CHECK(divide_by_median(NodeRange(primitives)) == 2);
+  CHECK(first_ids(primitives, 2) == Ids{1, 4});
+}
+
+TEST_CASE("midpoint parts at the middle of the centres' box") {
+  std::vector<BuildPrimitive> primitives = cubes_at({9, 1, 100, 3, 2});
+  CHECK(divide_by_midpoint(NodeRange(primitives)) == 4);
+  CHECK(first_ids(primitives, 4) == Ids{0, 1, 3, 4});
+}
+
+TEST_CASE("midpoint halves where no float lies between the centres") {
+  const float x = 1, next = std::nextafter(1.0f, 2.0f);
+  std::vector<BuildPrimitive> primitives;
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    const float p = i < 5 ? x : next;
+    primitives.push_back({{{p, 0, 0}, {p, 0, 0}}, {0, i}});
+  }
+  const NodeRange range(primitives);
+  REQUIRE(!range.is_coincident());
+  const std::size_t count = divide_by_midpoint(range);
+  CHECK(count > 0);
+  CHECK(count < 6);
+}
+
+TEST_CASE("mean parts at the mean of the centres") {
+  std::vector<BuildPrimitive> primitives = cubes_at({9, 1, 100, 30, 2});
+  CHECK(divide_by_mean(NodeRange(primitives)) == 3);
+  CHECK(first_ids(primitives, 3) == Ids{0, 1, 4});
+}
+
+TEST_CASE("sah parts two clusters between them") {
+  std::vector<BuildPrimitive> primitives = cubes_at({0, 100, 1, 101, 2, 102, 103});
+  const BuildOptions options{.max_leaf_size = 1};
+  CHECK(divide_by_sah(NodeRange(primitives), options) == 3);
+  CHECK(first_ids(primitives, 3) == Ids{0, 2, 4});
+}
+
+TEST_CASE("a leaf is kept when every split costs more") {
+  // Two cubes that overlap by nine tenths: each half is almost as large as the whole.
+  std::vector<BuildPrimitive> primitives = cubes_at({0, 0.1f});
+  CHECK(divide(NodeRange(primitives), {}) == 0);
+  // Where a leaf of two is not allowed, they are divided all the same.
+  CHECK(divide(NodeRange(primitives), {.max_leaf_size = 1}) == 1);
+  // Where looking at a box costs next to nothing, parting the two pays.
+  CHECK(divide(NodeRange(primitives), {.traversal_cost = 1e-3}) == 1);
+  // Two cubes far apart are divided unless primitives are cheap.
+  primitives = cubes_at({0, 100});
+  CHECK(divide(NodeRange(primitives), {.traversal_cost = 0.5}) == 1);
+  CHECK(divide(NodeRange(primitives), {.traversal_cost = 4}) == 0);
+}
+
+TEST_CASE("the sah cost of a tree is the expected cost of a ray") {
+  const auto one = build_accelerator(Backend::bvh, share({soup(1, 1, 1)}), {.intersection_cost = 3});
+  CHECK(one->stats().sah_cost == 3);
+  // A root with two leaves of one: traversal, and each child by its share of the area.
+  Mesh mesh;
+  add_triangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  add_triangle(mesh, {3, 0, 0}, {4, 0, 0}, {3, 1, 0});
+  const auto two = build_accelerator(Backend::bvh, share({mesh}), {.max_leaf_size = 1});
+  CHECK(two->stats().nodes == 3);
+  CHECK(two->stats().leaves == 2);
+  CHECK(two->stats().depth == 1);
+  constexpr double padding = 1e-5;  // The boxes are widened by 2^-21 of their coordinates.
+  CHECK(two->stats().sah_cost == Approx(1 + 2 * 0.25).epsilon(padding));
+}
+
+TEST_CASE("both boxes of a pair are tested with the bits of the canonical box test") {
+  Random random(5);
+  for (int i = 0; i < 20000; ++i) {
+    NodePair pair;
+    Aabb boxes[2];
+    for (int child = 0; child < 2; ++child) {
+      boxes[child].extend(random.in_cube());
+      boxes[child].extend(random.in_cube());
+      pair.set_box(child, padded(boxes[child]));
+    }
+    Ray ray{.origin = random.in_cube(2), .direction = random.in_cube()};
+    if (random.below(3) == 0) ray.direction[random.below(3)] = random.below(2) ? -0.0f : 0.0f;
+    CheckedRay checked;
+    if (!load_ray(ray, checked)) continue;
+    const PairIntervals intervals = PairRay(checked).intersect(pair, checked.t_max);
+    for (int child = 0; child < 2; ++child) {
+      const SlabInterval interval = intersect_slab(checked, padded(boxes[child]));
+      const float entry = child == 0 ? intervals.first_entry() : intervals.second_entry();
+      const bool met = std::uint32_t(intervals.met() >> (32 * child)) != 0;
+      REQUIRE(entry == std::max(interval.near, 0.0f));
+      REQUIRE(-intervals.entry_and_exit[2 + child] == interval.far);
+      REQUIRE(met == (interval.near <= interval.far && interval.far >= 0));
+    }
+  }
+}
+
+TEST_CASE("the filter rejects no triangle that the canonical test accepts") {
+  const Mesh mesh = soup(400, 0.7f, 11);
+  const auto geometry = share({mesh});
+  const auto rays = random_rays(300, geometry->bounds(), 12);
+  int accepted = 0, rejected = 0;
+  for (std::uint32_t first = 0; first < 400; first += 4) {
+    const PrimitiveId ids[] = {{0, first}, {0, first + 1}, {0, first + 2}, {0, first + 3}};
+    const TriangleBlock block = make_block(*geometry, ids);
+    for (const Ray& ray : rays) {
+      CheckedRay checked;
+      REQUIRE(load_ray(ray, checked));
+      const std::uint32_t kept = filter_lanes(LaneRay(checked), block);
+      for (int lane = 0; lane < 4; ++lane) {
+        Hit hit;
+        test_primitive(*geometry, checked, ids[lane], hit);
+        const bool is_kept = kept >> lane & 1;
+        if (hit) REQUIRE(is_kept);
+        accepted += bool(hit);
+        rejected += !is_kept;
+      }
+    }
+  }
+  CHECK(accepted > 1000);
+  CHECK(rejected > 1000);
+}
+
+TEST_CASE("lanes of a block that are not in use are never candidates") {
+  const auto geometry = share({soup(3, 1, 1), random_spheres(1, 1, 1)});
+  const PrimitiveId ids[] = {{0, 0}, {1, 0}};
+  const TriangleBlock block = make_block(*geometry, ids);
+  CHECK(block.count == 2);
+  CHECK(block.triangles == 1);
+  for (const Ray& ray : random_rays(200, geometry->bounds(), 3)) {
+    CheckedRay checked;
+    REQUIRE(load_ray(ray, checked));
+    const std::uint32_t kept = filter_lanes(LaneRay(checked), block);
+    CHECK((kept & ~3u) == 0);
+    CHECK((kept & 2u) == 2);
+  }
+}
+
+TEST_CASE("counting changes no answer and counts what was done") {
+  const auto geometry = share({soup(500, 0.2f, 1), random_spheres(20, 0.2f, 2)});
+  const auto bvh = build_accelerator(Backend::bvh, geometry);
+  QueryCounts closest, any;
+  const auto rays = random_rays(500, geometry->bounds(), 4);
+  for (const Ray& ray : rays) {
+    CHECK(bvh->closest_hit(ray, closest) == bvh->closest_hit(ray));
+    CHECK(bvh->any_hit(ray, any) == bvh->any_hit(ray));
+  }
+  CHECK(closest.boxes == rays.size() + 2 * closest.nodes);
+  CHECK(closest.leaves > 0);
+  CHECK(closest.primitives >= closest.leaves);
+  CHECK(closest.primitives <= 4 * closest.leaves);
+  CHECK(any.nodes < closest.nodes);
+}
+
+TEST_CASE("a tree has statistics") {
+  const auto geometry = share({soup(500, 0.2f, 1)});
+  const AccelStats stats = build_accelerator(Backend::bvh, geometry)->stats();
+  CHECK(stats.primitives == 500);
+  CHECK(stats.nodes == 2 * stats.leaves - 1);
+  CHECK(stats.bytes > 500 * sizeof(Triangle));
+  CHECK(stats.depth > 5);
+  CHECK(stats.sah_cost > 1);
+  REQUIRE(stats.phases.size() == 3);
+  CHECK(stats.phases[1].name == "tree");
+}
