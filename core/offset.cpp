@@ -7,19 +7,17 @@
 namespace twinray {
 namespace {
 
-constexpr float eight_roundings = 8 * 0x1p-24f;
+constexpr float ten_roundings = 10 * 0x1p-24f;
 
 }  // namespace
 
 float triangle_offset(const Vec3& a, const Vec3& b, const Vec3& c) {
   const float coordinate = std::max(max_abs(a), std::max(max_abs(b), max_abs(c)));
   const float edge = std::max(max_abs(b - a), std::max(max_abs(c - a), max_abs(c - b)));
-  return eight_roundings * (coordinate + edge);
+  return ten_roundings * (coordinate + edge);
 }
 
-float sphere_offset(const Sphere& sphere) {
-  return eight_roundings * (max_abs(sphere.center) + sphere.radius);
-}
+float sphere_offset(const Sphere& sphere) { return ten_roundings * (max_abs(sphere.center) + sphere.radius); }
 
 Vec3 leave_surface(const SurfacePoint& point, const Vec3& direction) {
   const float side = dot(point.geometric_normal, direction) < 0 ? -point.offset : point.offset;

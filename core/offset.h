@@ -8,11 +8,13 @@
 namespace twinray {
 
 /// How far from its computed position a ray must start, along the normal of a triangle, so that the canonical
-/// test cannot find the triangle again. With u = 2^-24, M the largest coordinate of the triangle and E its
-/// largest edge: interpolation and this shift itself are off by at most 6 u M; the test sees each vertex
-/// within 7 u of its distance from the origin, at most 7 u E. Both are rounded up to 8.
+/// test cannot find the triangle again: 10 u (M + E), with u = 2^-24, M the largest coordinate of the
+/// triangle and E its largest edge. Interpolation is off by up to 4 u M in each component and the shift
+/// itself by u M, 8.7 u M along the normal. The test sees each vertex within 6 u E in the two sheared
+/// components and 3 u E in depth, 10 u E along the normal.
 float triangle_offset(const Vec3& a, const Vec3& b, const Vec3& c);
-/// The same for a sphere: its position is off by up to 4 u of |centre| + radius, the test works in double.
+/// The same for a sphere, 10 u (|centre| + radius): position and shift are off by up to 4 u of that in each
+/// component, 7 u along the normal; the test works in double.
 float sphere_offset(const Sphere& sphere);
 
 /// The point from which a ray along `direction` leaves the surface: moved to that side of it.

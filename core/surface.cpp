@@ -10,21 +10,52 @@
 namespace twinray {
 namespace {
 
-/// The unit normal of a triangle with area; in double, because a small triangle's cross product underflows in
+/// The plane of a triangle with area; in double, because a small triangle's cross product underflows in
 /// float.
-Vec3 face_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+struct Face {
+  Vec3 normal;
+  double doubled_area;
+};
+
+Face face_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double ux = double(b.x) - a.x, uy = double(b.y) - a.y, uz = double(b.z) - a.z;
   const double vx = double(c.x) - a.x, vy = double(c.y) - a.y, vz = double(c.z) - a.z;
   const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
   const double length = std::sqrt(x * x + y * y + z * z);
-  return {float(x / length), float(y / length), float(z / length)};
+  return {{float(x / length), float(y / length), float(z / length)}, length};
+}
+
+/// Weights of the three corners.
+struct Weights {
+  float a, b, c;
+};
+
+// How many offsets a point keeps from the edges, and what part of the triangle's height that may cost.
+constexpr double edge_offsets = 8;
+constexpr float most_inward = 0x1p-6f;
+
+/// Moves a point that lies closer to an edge than edge_offsets times `offset` to that distance (given
+/// divided by the doubled area). In a corner
+/// where two walls meet at the angle theta, a point at the distance s from the edge that is then moved off
+/// its wall by the offset stands in front of the other wall by s sin(theta) - offset cos(theta). That is one
+/// offset or more, which is what a ray needs to meet that wall, for s = cot(theta / 2) offset: 8 offsets do
+/// for angles from 14.3 degrees. In a triangle too small for that a point moves by most_inward of a height,
+/// no more.
+Weights inward(const Vec3& a, const Vec3& b, const Vec3& c, const Weights& weights, double distance_by_area) {
+  const auto least = [&](const Vec3& edge) {  // the distance over the height of that edge
+    return float(std::min(distance_by_area * length(edge), double(most_inward)));
+  };
+  const float wa = std::max(weights.a, least(c - b));
+  const float wb = std::max(weights.b, least(a - c));
+  const float wc = std::max(weights.c, least(b - a));
+  const float sum = wa + wb + wc;
+  return {1 - wb / sum - wc / sum, wb / sum, wc / sum};
 }
 
 /// Interpolates, and stays within the box of the corners: a point of a wall never lies behind the wall beside
 /// it because of rounding.
-Vec3 interpolate(const Vec3& a, const Vec3& b, const Vec3& c, float u, float v) {
-  const float w = 1 - u - v;
-  Vec3 p = a * w + b * u + c * v;
+Vec3 interpolate(const Vec3& a, const Vec3& b, const Vec3& c, const Weights& weights) {
+  Vec3 p = a * weights.a + b * weights.b + c * weights.c;
   for (int axis = 0; axis < 3; ++axis)
     p[axis] = std::clamp(p[axis], std::min(a[axis], std::min(b[axis], c[axis])),
                          std::max(a[axis], std::max(b[axis], c[axis])));
@@ -55,11 +86,13 @@ SurfacePoint triangle_point(const Geometry& geometry, std::uint32_t shape, std::
   const auto [ia, ib, ic] = mesh.triangles[triangle];
   const Vec3 &a = mesh.positions[ia], &b = mesh.positions[ib], &c = mesh.positions[ic];
   SurfacePoint point;
-  point.position = interpolate(a, b, c, u, v);
-  point.geometric_normal = face_normal(a, b, c);
+  const Face face = face_of(a, b, c);
+  point.offset = triangle_offset(a, b, c);
+  const double distance_by_area = edge_offsets * point.offset / face.doubled_area;
+  point.position = interpolate(a, b, c, inward(a, b, c, {1 - u - v, u, v}, distance_by_area));
+  point.geometric_normal = face.normal;
   point.shading_normal = shading_normal(mesh, triangle, u, v, point.geometric_normal);
   point.uv = texture_coordinates(mesh, triangle, u, v);
-  point.offset = triangle_offset(a, b, c);
   point.shape = shape;
   return point;
 }

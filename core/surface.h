@@ -9,7 +9,9 @@ namespace twinray {
 
 /// A point of a surface.
 struct SurfacePoint {
-  Vec3 position;  ///< From the hit's weights, not from the ray: within position_error of the exact surface.
+  /// From the hit's weights, not from the ray: on the exact surface but for rounding, which `offset` covers.
+  /// Within the triangle, at least 8 offsets away from its edges where it has room (core/surface.cpp).
+  Vec3 position;
   Vec3 geometric_normal;  ///< Unit; out of the front of a triangle, outward for a sphere.
   Vec3 shading_normal;    ///< Unit; on the geometric normal's side.
   Vec2 uv;                ///< Texture coordinates; a mesh without has the hit's weights.
