@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/collada_camera.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/elementary.h"
+#include "core/geometry.h"
+
+namespace twinray {
+namespace {
+
+constexpr double radians_per_degree = 0.017453292519943295;
+/// Where a file gives one angle only, the other one's tangent is this part of it: below that of any image, so
+/// that fit_frame() widens it to the image's shape.
+constexpr double open_side = 0x1p-20;
+
+double tan_half_angle(const XmlElement& angle) {
+  return tan_radians(number_in(angle, 1e-3, 179.9) * radians_per_degree / 2);
+}
+
+void read_field(const XmlElement& lens, Camera& camera, ColladaDocument& document) {
+  const auto xfov = lens.child("xfov"), yfov = lens.child("yfov"), aspect = lens.child("aspect_ratio");
+  if (!xfov && !yfov) lens.fail("<perspective> needs <xfov>, <yfov> or both, in degrees");
+  const double ratio = aspect ? number_in(*aspect, 1e-4, 1e4) : 0;
+  double width = xfov ? tan_half_angle(*xfov) : 0, height = yfov ? tan_half_angle(*yfov) : 0;
+  if (xfov && yfov && aspect)
+    document.warn(*aspect, "<aspect_ratio> beside both <xfov> and <yfov> says too much; it is left out");
+  if (!yfov) height = aspect ? width / ratio : width * open_side;
+  if (!xfov) width = aspect ? height * ratio : height * open_side;
+  camera.tan_half_width = float(width);
+  camera.tan_half_height = float(height);
+}
+
+void read_clip(const XmlElement& lens, Camera& camera) {
+  constexpr double most = 1e30;
+  if (const auto near = lens.child("znear")) camera.clip_near = float(number_in(*near, 0, most));
+  if (const auto far = lens.child("zfar")) camera.clip_far = float(number_in(*far, 0, most));
+  if (!(camera.clip_near < camera.clip_far))
+    lens.fail(fmt::format("<znear> is {:g} and <zfar> {:g}; znear must be the smaller one", camera.clip_near,
+                          camera.clip_far));
+}
+
+struct Axis {
+  double x, y, z;
+
+  double length() const { return std::sqrt(x * x + y * y + z * z); }
+  double dot(const Axis& b) const { return x * b.x + y * b.y + z * b.z; }
+  Axis cross(const Axis& b) const { return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x}; }
+  Axis minus(const Axis& b, double s) const { return {x - s * b.x, y - s * b.y, z - s * b.z}; }
+  Axis unit() const { return {x / length(), y / length(), z / length()}; }
+  Vec3 vec() const { return {float(x), float(y), float(z)}; }
+};
+
+/// Gram and Schmidt's way: the direction of view stays, then up. Where a flat transform leaves no up (as in
+/// CS184's CBgems.dae) it is made of the other two.
+void orient(const XmlElement& element, const Transform& t, Camera& camera, ColladaDocument& document) {
+  constexpr double flat = 1e-6;
+  const auto column = [&](int c) { return Axis{t.m[0][c], t.m[1][c], t.m[2][c]}; };
+  const Axis x = column(0), y = column(1), z = column(2);
+  if (!(z.length() > 0) || !std::isfinite(x.length() + y.length() + z.length()))
+    element.fail("the transform of this camera's node gives it no direction: it flattens the z axis");
+  const Axis back = z.unit();
+  Axis up = y.minus(back, y.dot(back));
+  Axis right = x.minus(back, x.dot(back));
+  const bool has_up = up.length() > flat * y.length(), has_right = right.length() > flat * x.length();
+  if (!has_up && !has_right) element.fail("the transform of this camera's node leaves it no up direction");
+  if (!has_up) {
+    document.warn(
+        element,
+        "the transform of this camera's node flattens its up direction; it is made of the other two");
+    up = back.cross(right);
+  }
+  up = up.unit();
+  const Axis across = up.cross(back);
+  const double side = has_right && across.dot(right) < 0 ? -1 : 1;  // a mirrored camera stays mirrored
+  camera.up = up.vec();
+  camera.right = Axis{side * across.x, side * across.y, side * across.z}.vec();
+  camera.forward = Axis{-back.x, -back.y, -back.z}.vec();
+}
+
+}  // namespace
+
+Camera read_camera(const XmlElement& element, const Transform& to_world, ColladaDocument& document) {
+  const XmlElement common = element.required_child("optics").required_child("technique_common");
+  if (const auto other = common.child("orthographic"))
+    other->fail("orthographic cameras are not rendered; valid is <perspective>");
+  const XmlElement lens = common.required_child("perspective");
+  Camera camera;
+  read_field(lens, camera, document);
+  read_clip(lens, camera);
+  orient(element, to_world, camera, document);
+  camera.position = to_world.point({0, 0, 0});
+  if (!is_finite(camera.position) || max_abs(camera.position) > max_coordinate)
+    element.fail("the transform of this camera's node puts it too far away");
+  return camera;
+}
+
+Camera default_camera(const Aabb& bounds) {
+  constexpr double half_field = 25 * radians_per_degree;
+  const Vec3 extent = bounds.extent();
+  const double radius =
+      std::sqrt(double(extent.x) * extent.x + double(extent.y) * extent.y + double(extent.z) * extent.z) / 2;
+  const double distance = (radius > 0 ? radius : 1) / sin_radians(half_field);
+  const Axis back = Axis{0, 0.25, 1}.unit();
+  const Vec3 center = bounds.is_empty() ? Vec3{0, 0, 0} : bounds.center();
+  Camera camera;
+  camera.position = {center.x, float(center.y + distance * back.y), float(center.z + distance * back.z)};
+  camera.forward = Axis{-back.x, -back.y, -back.z}.vec();
+  camera.up = back.cross({1, 0, 0}).vec();
+  camera.tan_half_width = camera.tan_half_height = float(tan_radians(half_field));
+  return camera;
+}
+
+}  // namespace twinray

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/collada_instance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twinray {
+namespace {
+
+/// A part of the vertices may not be finite; those are dropped with their triangles.
+void transform_positions(Mesh& mesh, const Transform& to_world, const XmlElement& instance) {
+  for (Vec3& p : mesh.positions) {
+    p = to_world.point(p);
+    if (is_finite(p) && max_abs(p) > max_coordinate)
+      instance.fail(
+          fmt::format("a vertex of \"{}\" comes to ({:g}, {:g}, {:g}); coordinates must lie within +-{:g}",
+                      mesh.name, p.x, p.y, p.z, max_coordinate));
+  }
+}
+
+/// The transform with its linear part scaled to about 1, so that its cofactors neither overflow nor vanish.
+Transform of_unit_size(const Transform& t) {
+  double largest = 0;
+  for (const auto& row : t.m)
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::fabs(row[c]));
+  Transform result = t;
+  if (largest > 0)
+    for (auto& row : result.m)
+      for (int c = 0; c < 3; ++c) row[c] /= largest;
+  return result;
+}
+
+/// The unit vector, or 0 0 0 where there is none.
+Vec3 unit_or_zero(const Vec3& n) {
+  const double x = n.x, y = n.y, z = n.z, length = std::sqrt(x * x + y * y + z * z);
+  if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0};
+  return {float(x / length), float(y / length), float(z / length)};
+}
+
+void transform_normals(Mesh& mesh, const Transform& to_world) {
+  const Transform unit_size = of_unit_size(to_world);
+  // The cofactors turn normals with the winding; where that is turned back, so are they.
+  const float sign = to_world.determinant() < 0 ? -1.0f : 1.0f;
+  for (Vec3& n : mesh.normals) n = unit_or_zero(unit_size.normal(unit_or_zero(n)) * sign);
+}
+
+void turn_winding(Mesh& mesh) {
+  for (auto* indices : {&mesh.triangles, &mesh.normal_indices, &mesh.uv_indices})
+    for (Triangle& triangle : *indices) std::swap(triangle[1], triangle[2]);
+}
+
+void drop_unused_vertices(Mesh& mesh) {
+  constexpr std::uint32_t unused = 0xffffffff;
+  std::vector<std::uint32_t> moved(mesh.positions.size(), unused);
+  for (const Triangle& triangle : mesh.triangles)
+    for (const std::uint32_t i : triangle) moved[i] = 0;
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    if (moved[i] == unused) continue;
+    moved[i] = count;
+    mesh.positions[count++] = mesh.positions[i];
+  }
+  mesh.positions.resize(count);
+  for (Triangle& triangle : mesh.triangles)
+    for (std::uint32_t& i : triangle) i = moved[i];
+}
+
+Vec3 face_normal(const Mesh& mesh, const Triangle& triangle) {
+  const Vec3 &a = mesh.positions[triangle[0]], &b = mesh.positions[triangle[1]],
+             &c = mesh.positions[triangle[2]];
+  const double ux = double(b.x) - a.x, uy = double(b.y) - a.y, uz = double(b.z) - a.z;
+  const double vx = double(c.x) - a.x, vy = double(c.y) - a.y, vz = double(c.z) - a.z;
+  const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+  const double length = std::sqrt(x * x + y * y + z * z);
+  return {float(x / length), float(y / length), float(z / length)};
+}
+
+std::size_t fill_zero_normals(Mesh& mesh) {
+  std::size_t filled = 0;
+  for (std::size_t t = 0; t < mesh.normal_indices.size(); ++t)
+    for (std::uint32_t& i : mesh.normal_indices[t]) {
+      if (max_abs(mesh.normals[i]) > 0) continue;
+      mesh.normals.push_back(face_normal(mesh, mesh.triangles[t]));
+      i = std::uint32_t(mesh.normals.size() - 1);
+      ++filled;
+    }
+  return filled;
+}
+
+}  // namespace
+
+PlacedMesh place_mesh(const Mesh& local, const Transform& to_world, const XmlElement& instance) {
+  PlacedMesh placed{local};
+  Mesh& mesh = placed.mesh;
+  drop_unused_vertices(mesh);
+  transform_positions(mesh, to_world, instance);
+  transform_normals(mesh, to_world);
+  if (to_world.determinant() < 0) turn_winding(mesh);
+  placed.dropped = drop_degenerate_triangles(mesh);
+  drop_unused_vertices(mesh);
+  placed.without_normals = fill_zero_normals(mesh);
+  return placed;
+}
+
+Sphere place_sphere(float radius, const Transform& to_world, const XmlElement& instance,
+                    ColladaDocument& document) {
+  constexpr double evenness = 1e-4;
+  double lengths[3], mean = 0;
+  for (int c = 0; c < 3; ++c) {
+    lengths[c] = std::sqrt(to_world.m[0][c] * to_world.m[0][c] + to_world.m[1][c] * to_world.m[1][c] +
+                           to_world.m[2][c] * to_world.m[2][c]);
+    mean += lengths[c] / 3;
+  }
+  bool even = true;
+  for (int c = 0; c < 3; ++c) {
+    const int d = (c + 1) % 3;
+    double dot = 0;
+    for (int row = 0; row < 3; ++row) dot += to_world.m[row][c] * to_world.m[row][d];
+    even =
+        even && std::fabs(lengths[c] - mean) <= evenness * mean && std::fabs(dot) <= evenness * mean * mean;
+  }
+  if (!even)
+    document.warn(
+        instance,
+        fmt::format(
+            "a sphere must be scaled evenly, and is scaled by {:.4g}, {:.4g} and {:.4g}; the mean is used",
+            lengths[0], lengths[1], lengths[2]));
+  const Sphere sphere{to_world.point({0, 0, 0}), float(radius * mean)};
+  if (!is_finite(sphere.center) || !(max_abs(sphere.center) <= max_coordinate) ||
+      !(sphere.radius <= max_coordinate))
+    instance.fail(fmt::format("this sphere comes to lie beyond +-{:g}", max_coordinate));
+  return sphere;
+}
+
+}  // namespace twinray

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <optional>
+#include <variant>
+
+#include "core/geometry.h"
+#include "core/light.h"
+#include "core/transform.h"
+#include "io/collada_document.h"
+
+namespace twinray {
+
+/// An area light where it stands: the unit square [-1/2, 1/2]^2 of its node's x and y, facing the node's -z.
+struct AreaLight {
+  std::string name;
+  Vec3 corners[4];  ///< In order around the rectangle; counter-clockwise from where the light goes.
+  Rgb radiance;
+};
+
+/// The rectangle as a mesh of two triangles whose fronts emit.
+Mesh area_light_mesh(const AreaLight& light);
+
+using PlacedLight = std::variant<AreaLight, Light>;
+
+/// Reads a <light>, from its CGL technique if it has one, else from <technique_common>, and places it by its
+/// node's transform. Point, spot and directional lights look along the node's -z. Nothing, with a warning,
+/// for an area light without area. Throws Error for colors below 0, an attenuation that is 0, a missing type.
+std::optional<PlacedLight> read_light(const XmlElement& light, const Transform& to_world,
+                                      ColladaDocument& document);
+
+}  // namespace twinray

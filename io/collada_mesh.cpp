@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+// The primitive elements of a <mesh>. Their <p> lists hold, for each corner, one index for each offset that
+// the inputs name; several inputs may share an offset.
+#include "io/collada_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/collada_source.h"
+#include "io/polygon.h"
+
+namespace twinray {
+namespace {
+
+/// A semantic that is used, where its index stands among those of a corner, and what it points into.
+struct Input {
+  XmlElement source;
+  std::size_t offset = 0;
+  SourceValues values;
+};
+
+struct Inputs {
+  std::size_t stride = 1;  ///< Indices of a corner.
+  std::optional<Input> position, normal, uv;
+};
+
+constexpr std::size_t width_of(std::string_view semantic) { return semantic == "TEXCOORD" ? 2 : 3; }
+
+class PartReader {
+ public:
+  PartReader(const XmlElement& element, const std::string& name, ColladaDocument& document)
+      : document_(document), part_{element, element.attribute("material").value_or(""), {}} {
+    part_.mesh.name = name;
+  }
+
+  ColladaPart read() {
+    read_inputs();
+    copy_values();
+    if (part_.element.is("polylist"))
+      read_polylist();
+    else
+      for (const XmlElement& p : part_.element.children("p")) read_p(p);
+    check_count();
+    return std::move(part_);
+  }
+
+ private:
+  void read_inputs();
+  void add_vertices(const XmlElement& vertices, std::size_t offset);
+  void add_input(const XmlElement& input, const std::string& semantic, std::size_t offset);
+  void copy_values();
+
+  void read_polylist();
+  void read_p(const XmlElement& p);
+  std::vector<std::uint32_t> read_indices(const XmlElement& p) const;
+  void check_indices(const XmlElement& p, const std::vector<std::uint32_t>& indices) const;
+  void check_count() const;
+
+  void add_polygon(std::span<const std::uint32_t> indices);
+  void add_triangle(const std::uint32_t* a, const std::uint32_t* b, const std::uint32_t* c);
+
+  ColladaDocument& document_;
+  ColladaPart part_;
+  Inputs inputs_;
+  std::size_t polygons_ = 0;
+};
+
+void PartReader::read_inputs() {
+  std::optional<XmlElement> vertices;
+  std::size_t vertex_offset = 0;
+  for (const XmlElement& input : part_.element.children("input")) {
+    const std::string semantic = input.required_attribute("semantic");
+    const std::size_t offset = input.required_index_attribute("offset");
+    constexpr std::size_t most_offsets = 64;
+    if (offset >= most_offsets)
+      throw error_at(input.attribute_place("offset"),
+                     fmt::format("offset {} is out of range; it must be below {}", offset, most_offsets));
+    inputs_.stride = std::max(inputs_.stride, offset + 1);
+    if (semantic == "VERTEX") {
+      vertices = document_.resolve(input, "source", "vertices");
+      vertex_offset = offset;
+    } else {
+      add_input(input, semantic, offset);
+    }
+  }
+  if (!vertices)
+    part_.element.fail(
+        fmt::format("<{}> has no <input semantic=\"VERTEX\">, which it needs", part_.element.name()));
+  add_vertices(*vertices, vertex_offset);
+}
+
+void PartReader::add_vertices(const XmlElement& vertices, std::size_t offset) {
+  for (const XmlElement& input : vertices.children("input"))
+    add_input(input, input.required_attribute("semantic"), offset);
+  if (!inputs_.position) vertices.fail("<vertices> has no <input semantic=\"POSITION\">, which it needs");
+}
+
+void PartReader::add_input(const XmlElement& input, const std::string& semantic, std::size_t offset) {
+  static constexpr std::string_view known[] = {"POSITION", "NORMAL", "TEXCOORD", "VERTEX"};
+  static constexpr std::string_view unused[] = {"COLOR",      "TANGENT",     "BINORMAL",
+                                                "TEXTANGENT", "TEXBINORMAL", "UV"};
+  std::optional<Input>* slot = semantic == "POSITION"   ? &inputs_.position
+                               : semantic == "NORMAL"   ? &inputs_.normal
+                               : semantic == "TEXCOORD" ? &inputs_.uv
+                                                        : nullptr;
+  if (slot && !*slot) {
+    const XmlElement source = document_.resolve(input, "source", "source");
+    *slot = Input{source, offset, read_source(source, width_of(semantic), document_)};
+  }
+  if (slot || std::find(std::begin(unused), std::end(unused), semantic) != std::end(unused)) return;
+  const std::string nearest = nearest_name(semantic, known);
+  document_.warn([&] { return input.attribute_place("semantic"); },
+                 fmt::format("the semantic \"{}\" is not known, and is left out{}", semantic,
+                             nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
+}
+
+void PartReader::copy_values() {
+  const auto vectors = [](const SourceValues& source) {
+    std::vector<Vec3> result;
+    for (std::size_t i = 0; i < source.values.size(); i += 3)
+      result.push_back({source.values[i], source.values[i + 1], source.values[i + 2]});
+    return result;
+  };
+  part_.mesh.positions = vectors(inputs_.position->values);
+  if (inputs_.normal) part_.mesh.normals = vectors(inputs_.normal->values);
+  if (!inputs_.uv) return;
+  const auto& uv = inputs_.uv->values.values;
+  for (std::size_t i = 0; i < uv.size(); i += 2) part_.mesh.uvs.push_back({uv[i], uv[i + 1]});
+}
+
+void PartReader::check_indices(const XmlElement& p, const std::vector<std::uint32_t>& indices) const {
+  for (const auto* input : {&inputs_.position, &inputs_.normal, &inputs_.uv}) {
+    if (!*input) continue;
+    const std::size_t count = (*input)->values.count();
+    for (std::size_t i = (*input)->offset; i < indices.size(); i += inputs_.stride)
+      if (indices[i] >= count)
+        throw error_at(
+            p.number_place(i),
+            fmt::format("the index {} is out of range: <source id=\"{}\"> has {} elements, numbered from 0",
+                        indices[i], (*input)->source.attribute("id").value_or(""), count));
+  }
+}
+
+std::vector<std::uint32_t> PartReader::read_indices(const XmlElement& p) const {
+  std::vector<std::uint32_t> indices = p.indices();
+  if (indices.size() % inputs_.stride != 0)
+    p.fail(fmt::format("<p> has {} indices; with {} for each corner, their number must be a multiple of {}",
+                       indices.size(), inputs_.stride, inputs_.stride));
+  check_indices(p, indices);
+  return indices;
+}
+
+void PartReader::read_polylist() {
+  const auto vcount = part_.element.child("vcount");
+  const auto p = part_.element.child("p");
+  if (!vcount && !p && part_.element.required_index_attribute("count") == 0) return;
+  const auto counts = part_.element.required_child("vcount").indices();
+  const auto indices = read_indices(part_.element.required_child("p"));
+  std::size_t begin = 0;
+  for (const std::uint32_t count : counts) {
+    const std::size_t length = count * inputs_.stride;
+    if (length > indices.size() - begin) break;
+    add_polygon(std::span(indices).subspan(begin, length));
+    begin += length;
+  }
+  std::size_t corners = 0;
+  for (const std::uint32_t count : counts) corners += count;
+  if (corners * inputs_.stride != indices.size())
+    p->fail(fmt::format("<vcount> asks for {} corners of {} indices, and <p> has {} indices", corners,
+                        inputs_.stride, indices.size()));
+}
+
+void PartReader::read_p(const XmlElement& p) {
+  const auto indices = read_indices(p);
+  const std::size_t stride = inputs_.stride, corners = indices.size() / stride;
+  const auto at = [&](std::size_t corner) { return indices.data() + corner * stride; };
+  if (part_.element.is("polygons")) return add_polygon(indices);
+  if (part_.element.is("triangles")) {
+    if (corners % 3 != 0)
+      p.fail(fmt::format("<p> has {} corners; that of <triangles> needs a multiple of 3", corners));
+    for (std::size_t i = 0; i + 2 < corners; i += 3) add_triangle(at(i), at(i + 1), at(i + 2));
+    polygons_ += corners / 3;
+    return;
+  }
+  const bool is_fan = part_.element.is("trifans");
+  for (std::size_t i = 2; i < corners; ++i) {
+    if (is_fan)
+      add_triangle(at(0), at(i - 1), at(i));
+    else
+      add_triangle(at(i - 2), at(i % 2 == 0 ? i - 1 : i), at(i % 2 == 0 ? i : i - 1));
+  }
+  ++polygons_;
+}
+
+void PartReader::check_count() const {
+  const std::size_t count = part_.element.required_index_attribute("count");
+  if (count != polygons_)
+    throw error_at(part_.element.attribute_place("count"),
+                   fmt::format("count says {}, and <{}> has {}", count, part_.element.name(), polygons_));
+}
+
+void PartReader::add_polygon(std::span<const std::uint32_t> indices) {
+  ++polygons_;
+  const std::size_t corners = indices.size() / inputs_.stride;
+  const auto at = [&](std::size_t corner) { return indices.data() + corner * inputs_.stride; };
+  if (corners == 3) return add_triangle(at(0), at(1), at(2));
+  if (corners < 3)
+    return document_.warn(part_.element, "a polygon has fewer than 3 corners, and is left out");
+  if (corners > max_polygon_corners)
+    part_.element.fail(fmt::format("polygon {} has {} corners; the most that is read is {}", polygons_ - 1,
+                                   corners, max_polygon_corners));
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < corners; ++i)
+    points.push_back(part_.mesh.positions[at(i)[inputs_.position->offset]]);
+  for (const auto& [a, b, c] : triangulate(points)) add_triangle(at(a), at(b), at(c));
+}
+
+void PartReader::add_triangle(const std::uint32_t* a, const std::uint32_t* b, const std::uint32_t* c) {
+  const auto add = [&](const std::optional<Input>& input, std::vector<Triangle>& to) {
+    if (input) to.push_back({a[input->offset], b[input->offset], c[input->offset]});
+  };
+  add(inputs_.position, part_.mesh.triangles);
+  add(inputs_.normal, part_.mesh.normal_indices);
+  add(inputs_.uv, part_.mesh.uv_indices);
+}
+
+bool is_primitive(const XmlElement& element) {
+  for (const char* name : {"triangles", "polylist", "polygons", "tristrips", "trifans"})
+    if (element.is(name)) return true;
+  return false;
+}
+
+}  // namespace
+
+ColladaGeometry read_geometry(const XmlElement& geometry, ColladaDocument& document) {
+  ColladaGeometry result;
+  const auto technique = cgl_technique(geometry);
+  const auto sphere = technique ? technique->child("sphere") : std::nullopt;
+  const auto mesh = geometry.child("mesh");
+  if (sphere && mesh)
+    document.warn(*sphere, "a geometry with a <mesh> cannot be a sphere too; the sphere is left out");
+  if (mesh) {
+    for (const XmlElement& element : mesh->children())
+      if (is_primitive(element))
+        result.parts.push_back(PartReader(element, display_name(geometry), document).read());
+    if (result.parts.empty()) document.warn(*mesh, "this <mesh> has no triangles or polygons");
+  } else if (sphere) {
+    result.sphere_radius = float(number_in(sphere->required_child("radius"), 0, max_coordinate));
+  } else {
+    document.warn(geometry, "this <geometry> has no <mesh> and is no CGL <sphere>; it is left out");
+  }
+  return result;
+}
+
+}  // namespace twinray

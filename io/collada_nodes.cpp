@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/collada_nodes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/collada_camera.h"
+#include "io/collada_instance.h"
+#include "io/collada_transform.h"
+
+namespace twinray {
+namespace {
+
+std::string instance_name(const XmlElement& node, const XmlElement& geometry) {
+  const std::string name = display_name(node);
+  return name == "unnamed" ? display_name(geometry) : name;
+}
+
+}  // namespace
+
+void ColladaNodes::walk(const XmlElement& visual_scene, const Transform& to_world) {
+  for (const XmlElement& node : visual_scene.children("node")) visit(node, to_world);
+}
+
+void ColladaNodes::enter(const XmlElement& node) {
+  if (std::find(path_.begin(), path_.end(), node) != path_.end())
+    node.fail("this node instances itself, by way of <instance_node>; nodes must form no circle");
+  if (path_.size() >= max_depth) node.fail(fmt::format("nodes are nested more than {} deep", max_depth));
+  if (++nodes_ > max_nodes)
+    node.fail(fmt::format("the scene has more than {} nodes, instances included", max_nodes));
+  path_.push_back(node);
+}
+
+void ColladaNodes::visit(const XmlElement& node, const Transform& parent) {
+  enter(node);
+  const Transform to_world = parent * read_node_transform(node, document_);
+  for (const XmlElement& child : node.children()) {
+    if (child.is("instance_geometry")) add_geometry(node, child, to_world);
+    if (child.is("instance_light")) add_light(child, to_world);
+    if (child.is("instance_camera")) add_camera(child, to_world);
+    if (child.is("instance_node")) visit(document_.resolve(child, "url", "node"), to_world);
+    if (child.is("node")) visit(child, to_world);
+  }
+  path_.pop_back();
+}
+
+const ColladaGeometry& ColladaNodes::geometry(const XmlElement& element) {
+  const auto known = geometries_.find(element);
+  if (known != geometries_.end()) return known->second;
+  return geometries_.emplace(element, read_geometry(element, document_)).first->second;
+}
+
+void ColladaNodes::add_geometry(const XmlElement& node, const XmlElement& instance,
+                                const Transform& to_world) {
+  const XmlElement element = document_.resolve(instance, "url", "geometry");
+  const ColladaGeometry& shape = geometry(element);
+  const std::string name = instance_name(node, element);
+  if (shape.sphere_radius) add_sphere(*shape.sphere_radius, name, instance, to_world);
+  for (const ColladaPart& part : shape.parts)
+    add_part(part, shape.parts.size() > 1 && !part.symbol.empty() ? name + "/" + part.symbol : name, instance,
+             to_world);
+}
+
+void ColladaNodes::add_part(const ColladaPart& part, const std::string& name, const XmlElement& instance,
+                            const Transform& to_world) {
+  PlacedMesh placed = place_mesh(part.mesh, to_world, instance);
+  dropped_triangles += placed.dropped;
+  triangles_ += placed.mesh.triangles.size();
+  if (triangles_ > max_triangles)
+    instance.fail(fmt::format("the scene has more than {} triangles, instances included", max_triangles));
+  if (placed.without_normals > 0)
+    document_.warn(part.element,
+                   fmt::format("{} corners have the normal 0 0 0; they take that of their triangle",
+                               placed.without_normals));
+  if (placed.mesh.triangles.empty()) {
+    document_.warn(part.element, fmt::format("<{}> holds no triangle that has an area; it is left out",
+                                             part.element.name()));
+    return;
+  }
+  placed.mesh.name = name;
+  const ColladaMaterial material = materials_.bound(instance, part.symbol);
+  parts.shapes.push_back(
+      {std::move(placed.mesh), material.index, material.radiance, EmissionSide::both, name});
+}
+
+void ColladaNodes::add_sphere(float radius, const std::string& name, const XmlElement& instance,
+                              const Transform& to_world) {
+  const Sphere sphere = place_sphere(radius, to_world, instance, document_);
+  const ColladaMaterial material = materials_.bound(instance, "");
+  parts.shapes.push_back(
+      {SphereSet{name, {sphere}}, material.index, material.radiance, EmissionSide::front, name});
+}
+
+void ColladaNodes::add_light(const XmlElement& instance, const Transform& to_world) {
+  auto light = read_light(document_.resolve(instance, "url", "light"), to_world, document_);
+  if (!light) return;
+  if (auto* area = std::get_if<AreaLight>(&*light)) parts.area_lights.push_back(*area);
+  if (auto* other = std::get_if<Light>(&*light)) parts.lights.push_back(*other);
+}
+
+void ColladaNodes::add_camera(const XmlElement& instance, const Transform& to_world) {
+  const XmlElement element = document_.resolve(instance, "url", "camera");
+  if (camera) {
+    document_.warn(instance,
+                   fmt::format("the camera \"{}\" is left out; the scene is seen by the first one, \"{}\"",
+                               display_name(element), camera_name));
+    return;
+  }
+  camera = read_camera(element, to_world, document_);
+  camera_name = display_name(element);
+}
+
+}  // namespace twinray

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/camera.h"
+#include "io/collada_material.h"
+#include "io/collada_mesh.h"
+#include "io/collada_parts.h"
+
+namespace twinray {
+
+/// Walks the nodes of a visual scene and gathers what they instance, in world space.
+class ColladaNodes {
+ public:
+  ColladaNodes(ColladaDocument& document, ColladaMaterials& materials)
+      : document_(document), materials_(materials) {}
+
+  /// Throws Error for references that lead nowhere, for <instance_node>s in a circle, for more than max_depth
+  /// nodes below each other and for more than max_nodes in all, instanced ones counted each time.
+  void walk(const XmlElement& visual_scene, const Transform& to_world);
+
+  static constexpr std::size_t max_depth = 200, max_nodes = 1'000'000, max_triangles = std::size_t(1) << 28;
+
+  SceneParts parts;
+  std::optional<Camera> camera;  ///< The first one.
+  std::string camera_name;
+  std::size_t dropped_triangles = 0;
+
+ private:
+  void visit(const XmlElement& node, const Transform& parent);
+  void enter(const XmlElement& node);
+  void add_geometry(const XmlElement& node, const XmlElement& instance, const Transform& to_world);
+  void add_part(const ColladaPart& part, const std::string& name, const XmlElement& instance,
+                const Transform& to_world);
+  void add_sphere(float radius, const std::string& name, const XmlElement& instance,
+                  const Transform& to_world);
+  void add_light(const XmlElement& instance, const Transform& to_world);
+  void add_camera(const XmlElement& instance, const Transform& to_world);
+  const ColladaGeometry& geometry(const XmlElement& element);
+
+  ColladaDocument& document_;
+  ColladaMaterials& materials_;
+  std::map<XmlElement, ColladaGeometry> geometries_;
+  std::vector<XmlElement> path_;  ///< From the root to the node being visited.
+  std::size_t nodes_ = 0, triangles_ = 0;
+};
+
+}  // namespace twinray

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "core/transform.h"
+#include "io/collada_document.h"
+
+namespace twinray {
+
+/// The transform of a <node>: its <matrix>, <translate>, <rotate>, <scale>, <lookat> and <skew>, of any
+/// number and order, each after those that follow it. Throws Error for wrong counts, and for what is no
+/// affine transform. A <matrix> of 12 to 15 numbers, as CS184's CBgems.dae has one, is taken with a warning.
+Transform read_node_transform(const XmlElement& node, ColladaDocument& document);
+
+}  // namespace twinray

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/number_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace twinray {
+namespace {
+
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+/// Calls visit(token, offset) for each token.
+template <typename Visit>
+void for_each_token(std::string_view text, const Visit& visit) {
+  std::size_t i = 0;
+  while (true) {
+    while (i < text.size() && is_space(text[i])) ++i;
+    if (i == text.size()) return;
+    const std::size_t begin = i;
+    while (i < text.size() && !is_space(text[i])) ++i;
+    visit(text.substr(begin, i - begin), begin);
+  }
+}
+
+std::string shown(std::string_view token) {
+  constexpr std::size_t longest = 32;
+  return token.size() <= longest ? std::string(token) : std::string(token.substr(0, longest)) + "...";
+}
+
+/// What keeps a token that from_chars did not take from being a number.
+std::string problem(std::string_view token) {
+  if (token.find(',') != std::string_view::npos)
+    return fmt::format("\"{}\" is not a number: decimals have a point, and numbers are separated by spaces",
+                       shown(token));
+  return fmt::format("\"{}\" is not a number; valid are decimal numbers such as -1.5 or 2e-3", shown(token));
+}
+
+/// from_chars says "out of range" for numbers too small as well as too large.
+bool is_tiny(std::string_view token) {
+  constexpr std::size_t longest = 64;  // so that the digits cannot outweigh the exponent
+  const std::size_t e = token.find_first_of("eE");
+  return token.size() <= longest && e != std::string_view::npos && e + 1 < token.size() &&
+         token[e + 1] == '-';
+}
+
+template <typename Real>
+Real parse_real(std::string_view token, std::size_t offset) {
+  std::string_view digits = token;
+  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-' && digits[1] != '+') digits.remove_prefix(1);
+  Real value = 0;
+  const char* end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, value);
+  if (stop != end || error == std::errc::invalid_argument) throw NumberError{offset, problem(token)};
+  if (error == std::errc::result_out_of_range) {
+    if (is_tiny(digits)) return 0;
+    throw NumberError{offset, fmt::format("\"{}\" is too large; numbers lie within +-{:.2g}", shown(token),
+                                          std::numeric_limits<Real>::max())};
+  }
+  if (!std::isfinite(value))
+    throw NumberError{offset, fmt::format("\"{}\" is not finite; every number must be", shown(token))};
+  return value;
+}
+
+template <typename Real>
+std::vector<Real> parse_reals(std::string_view text) {
+  std::vector<Real> values;
+  for_each_token(text, [&](std::string_view token, std::size_t offset) {
+    values.push_back(parse_real<Real>(token, offset));
+  });
+  return values;
+}
+
+}  // namespace
+
+std::vector<double> parse_doubles(std::string_view text) { return parse_reals<double>(text); }
+std::vector<float> parse_floats(std::string_view text) { return parse_reals<float>(text); }
+
+std::vector<std::uint32_t> parse_indices(std::string_view text) {
+  std::vector<std::uint32_t> values;
+  for_each_token(text, [&](std::string_view token, std::size_t offset) {
+    std::uint32_t value = 0;
+    const char* end = token.data() + token.size();
+    const auto [stop, error] = std::from_chars(token.data(), end, value);
+    if (stop != end || error != std::errc())
+      throw NumberError{offset, fmt::format("\"{}\" is not an index; valid are whole numbers from 0 to {}",
+                                            shown(token), std::numeric_limits<std::uint32_t>::max())};
+    values.push_back(value);
+  });
+  return values;
+}
+
+std::size_t token_offset(std::string_view text, std::size_t index) {
+  std::size_t found = text.size(), count = 0;
+  for_each_token(text, [&](std::string_view, std::size_t offset) {
+    if (count++ == index) found = offset;
+  });
+  return found;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+}  // namespace twinray

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "io/collada.h"
+#include "io/xml_reader.h"
+
+namespace twinray {
+
+LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return char(std::tolower(static_cast<unsigned char>(c))); });
+  std::error_code error;
+  const bool is_file = std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error);
+  if (is_file && extension != ".dae")
+    throw Error(fmt::format("{}: \"{}\" is not the extension of a scene file; valid is .dae (COLLADA)", path,
+                            extension));
+  return read_collada(*XmlDocument::load(path), options);
+}
+
+std::vector<std::string> scene_extensions() { return {".dae"}; }
+
+}  // namespace twinray

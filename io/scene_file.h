@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scene files by their extension: the one door for whoever wants a scene.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/scene.h"
+#include "io/diagnostic.h"
+#include "io/scene_summary.h"
+
+namespace twinray {
+
+struct LoadOptions {
+  bool strict = false;           ///< Whatever would be a warning is an Error.
+  bool keep_both_lamps = false;  ///< Undoes the one-lamp rule (io/collada_lamp.h).
+};
+
+struct LoadedScene {
+  Scene scene;  ///< Checked by check_scene().
+  std::vector<Diagnostic> warnings;
+  SceneSummary summary;
+};
+
+/// Reads a scene file: COLLADA 1.4 (.dae). Throws Error, with the place in the file and what would be valid.
+LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
+
+/// The extensions that load_scene reads, with their dots.
+std::vector<std::string> scene_extensions();
+
+}  // namespace twinray

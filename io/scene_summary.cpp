@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/scene_summary.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/warp.h"
+
+namespace twinray {
+namespace {
+
+double mesh_area(const Mesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
+    const double ux = double(q.x) - p.x, uy = double(q.y) - p.y, uz = double(q.z) - p.z;
+    const double vx = double(r.x) - p.x, vy = double(r.y) - p.y, vz = double(r.z) - p.z;
+    const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+    sum += std::sqrt(x * x + y * y + z * z) / 2;
+  }
+  return sum;
+}
+
+/// Fills all but the name.
+struct Summarize {
+  const Geometry& geometry;
+
+  LightSummary operator()(const MeshLight& light) const {
+    const double sides = light.side == EmissionSide::both ? 2 : 1;
+    const double factor = sides * pi * mesh_area(*geometry.mesh(light.shape));
+    return {"", sides == 2 ? "mesh, both sides" : "mesh, one side", "radiance", light.radiance,
+            light.radiance * float(factor)};
+  }
+  LightSummary operator()(const SphereLight& light) const {
+    const float radius = geometry.sphere_set(light.shape)->spheres[0].radius;
+    return {"", "sphere", "radiance", light.radiance, light.radiance * (4 * pi * pi * radius * radius)};
+  }
+  LightSummary operator()(const PointLight& light) const {
+    return {"", "point", "intensity", light.intensity, {}};
+  }
+  LightSummary operator()(const SpotLight& light) const {
+    return {"", "spot", "intensity", light.intensity, {}};
+  }
+  LightSummary operator()(const DirectionalLight& light) const {
+    return {"", "directional", "irradiance", light.irradiance, {}};
+  }
+  LightSummary operator()(const AmbientLight& light) const {
+    return {"", "ambient, the hemisphere around up", "radiance", light.radiance, {}};
+  }
+};
+
+std::string plural(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string rgb_text(const Rgb& c) { return fmt::format("{:.4g} {:.4g} {:.4g}", c.r, c.g, c.b); }
+
+}  // namespace
+
+void count_scene(const Scene& scene, SceneSummary& summary) {
+  summary.triangles = scene.geometry->triangle_count();
+  summary.spheres = scene.geometry->sphere_count();
+  for (const Shape& shape : scene.geometry->shapes()) summary.meshes += std::holds_alternative<Mesh>(shape);
+  summary.materials = scene.materials.size();
+  for (const Light& light : scene.lights) {
+    summary.lights.push_back(std::visit(Summarize{*scene.geometry}, light.source));
+    summary.lights.back().name = light.name;
+  }
+}
+
+std::vector<std::string> summary_lines(const SceneSummary& summary) {
+  std::vector<std::string> lines;
+  lines.push_back(fmt::format("unit: {} ({:g} m), kept as it is; up axis: {}{}", summary.unit_name,
+                              summary.unit_meters, summary.up_axis,
+                              summary.up_axis == 'Y' ? "" : ", turned to Y"));
+  lines.push_back(summary.camera.empty()
+                      ? "camera: none in the file; a default one looks at the whole scene from +Z"
+                      : fmt::format("camera: \"{}\"", summary.camera));
+  std::string shapes = fmt::format("shapes: {}, {}, {}", plural(summary.meshes, "mesh", "meshes"),
+                                   plural(summary.triangles, "triangle", "triangles"),
+                                   plural(summary.spheres, "sphere", "spheres"));
+  if (summary.dropped_triangles > 0)
+    shapes += fmt::format("; {} dropped",
+                          plural(summary.dropped_triangles, "degenerate triangle", "degenerate triangles"));
+  lines.push_back(shapes + "; " + plural(summary.materials, "material", "materials"));
+  if (summary.lights.empty()) lines.push_back("lights: none");
+  for (const LightSummary& light : summary.lights) {
+    std::string line = fmt::format("light \"{}\": {}, {} {}", light.name, light.kind, light.quantity,
+                                   rgb_text(light.amount));
+    if (!is_black(light.power)) line += fmt::format(", power {}", rgb_text(light.power));
+    lines.push_back(line);
+  }
+  for (const std::string& note : summary.notes) lines.push_back("note: " + note);
+  return lines;
+}
+
+}  // namespace twinray

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a reader understood of a scene file: for the user to check, since a wrong unit, axis or light shows
+// late.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/scene.h"
+
+namespace twinray {
+
+struct LightSummary {
+  std::string name;
+  std::string kind;      ///< "mesh, one side", "sphere", "point", ...
+  std::string quantity;  ///< What `amount` is: "radiance", "intensity", "irradiance".
+  Rgb amount;
+  Rgb power;  ///< Of mesh and sphere lights, in radiance x scene units squared; 0 for the others.
+};
+
+struct SceneSummary {
+  std::string unit_name = "meter";
+  double unit_meters = 1;  ///< Coordinates stay in this unit.
+  char up_axis = 'Y';      ///< Of the file: X, Y or Z. The scene itself has Y up.
+  std::string camera;      ///< Its name; "" where the file has none and a default one was made.
+  std::size_t meshes = 0, triangles = 0, dropped_triangles = 0, spheres = 0, materials = 0;
+  std::vector<LightSummary> lights;
+  std::vector<std::string> notes;  ///< Decisions of the reader, such as the one-lamp rule.
+};
+
+/// Counts the scene's shapes, materials and lights into the summary.
+void count_scene(const Scene& scene, SceneSummary& summary);
+
+/// The summary as lines of text, without line ends.
+std::vector<std::string> summary_lines(const SceneSummary& summary);
+
+}  // namespace twinray

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/xml_reader.h"
+
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "io/number_list.h"
+
+namespace twinray {
+namespace {
+
+constexpr std::size_t npos = std::string_view::npos;
+
+Place whole_file(const std::string& file) {
+  Place place;
+  place.file = file;
+  return place;
+}
+
+std::string read_file(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw error_at(whole_file(path), "there is no such file");
+  if (std::filesystem::is_directory(status))
+    throw error_at(whole_file(path), "this is a directory; a scene file is needed");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw error_at(whole_file(path), "the file cannot be opened; may it be read?");
+  std::string text;
+  char block[1 << 16];
+  while (stream.read(block, sizeof block) || stream.gcount() > 0) {
+    text.append(block, std::size_t(stream.gcount()));
+    if (text.size() > XmlDocument::max_bytes)
+      throw error_at(whole_file(path), fmt::format("the file is larger than {} MiB, the most that is read",
+                                                   XmlDocument::max_bytes >> 20));
+  }
+  if (stream.bad()) throw error_at(whole_file(path), "the file cannot be read to its end");
+  return text;
+}
+
+bool starts_at(std::string_view text, std::size_t i, std::string_view what) {
+  return text.substr(i, what.size()) == what;
+}
+
+/// The offset behind the next `what`; the end of the text where there is none.
+std::size_t behind(std::string_view text, std::size_t from, std::string_view what) {
+  const std::size_t found = text.find(what, from);
+  return found == npos ? text.size() : found + what.size();
+}
+
+/// The offset behind the '>' that ends the tag at `i`; a '>' within quotes does not.
+std::size_t behind_tag(std::string_view text, std::size_t i) {
+  while (i < text.size() && text[i] != '>') {
+    if (text[i] == '"' || text[i] == '\'') i = std::min(text.find(text[i], i + 1), text.size());
+    if (i < text.size()) ++i;
+  }
+  return std::min(i + 1, text.size());
+}
+
+/// The offset of the next start tag's '<' at or after `i`; npos where there is none.
+std::size_t next_start_tag(std::string_view text, std::size_t i) {
+  while ((i = text.find('<', i)) != npos) {
+    if (starts_at(text, i, "<?"))
+      i = behind(text, i, "?>");
+    else if (starts_at(text, i, "<!--"))
+      i = behind(text, i, "-->");
+    else if (starts_at(text, i, "<![CDATA["))
+      i = behind(text, i, "]]>");
+    else if (starts_at(text, i, "<!") || starts_at(text, i, "</"))
+      i = behind(text, i, ">");
+    else
+      return i;
+  }
+  return npos;
+}
+
+/// The element after this one in the order of their start tags.
+tinyxml2::XMLElement* next_element(tinyxml2::XMLElement* element) {
+  if (element->FirstChildElement()) return element->FirstChildElement();
+  while (element && !element->NextSiblingElement())
+    element = element->Parent() ? element->Parent()->ToElement() : nullptr;
+  return element ? element->NextSiblingElement() : nullptr;
+}
+
+void blank(std::string& text, std::size_t begin, std::size_t end) {
+  std::fill(text.begin() + std::ptrdiff_t(begin), text.begin() + std::ptrdiff_t(end), ' ');
+}
+
+/// Comments and the brackets of CDATA sections become spaces, so that every offset stays.
+void blank_markup(std::string& text) {
+  std::size_t i = 0;
+  while ((i = text.find('<', i)) != npos) {
+    if (starts_at(text, i, "<![CDATA[")) {
+      const std::size_t end = std::min(text.find("]]>", i), text.size());
+      blank(text, i, i + 9);
+      blank(text, end, std::min(end + 3, text.size()));
+      i = end;
+    } else if (starts_at(text, i, "<!--")) {
+      const std::size_t end = behind(text, i, "-->");
+      blank(text, i, end);
+      i = end;
+    } else {
+      ++i;
+    }
+  }
+}
+
+/// The end of the contents that start at `begin`: the next tag that is neither a comment nor CDATA.
+std::size_t content_end(std::string_view text, std::size_t begin) {
+  std::size_t i = begin;
+  while ((i = text.find('<', i)) != npos) {
+    if (starts_at(text, i, "<!--"))
+      i = behind(text, i, "-->");
+    else if (starts_at(text, i, "<![CDATA["))
+      i = behind(text, i, "]]>");
+    else
+      return i;
+  }
+  return text.size();
+}
+
+}  // namespace
+
+XmlDocument::XmlDocument(std::string text, std::string file)
+    : text_(std::move(text)), file_(std::move(file)), document_(std::make_unique<tinyxml2::XMLDocument>()) {}
+
+XmlDocument::~XmlDocument() = default;
+
+std::unique_ptr<XmlDocument> XmlDocument::load(const std::string& path) {
+  return parse(read_file(path), path);
+}
+
+std::unique_ptr<XmlDocument> XmlDocument::parse(std::string text, const std::string& name) {
+  if (trimmed(text).empty()) throw error_at(whole_file(name), "the file is empty");
+  const std::size_t zero = text.find('\0');
+  if (zero != npos)
+    throw error_at(whole_file(name),
+                   fmt::format("not XML in UTF-8: byte {} is zero (is it compressed, or UTF-16?)", zero));
+  std::unique_ptr<XmlDocument> document(new XmlDocument(std::move(text), name));
+  if (document->document_->Parse(document->text_.data(), document->text_.size()) != tinyxml2::XML_SUCCESS)
+    document->fail_parse();
+  if (!document->document_->RootElement())
+    throw error_at(whole_file(name), "not XML: there is no element in it");
+  document->index_tags();
+  return document;
+}
+
+void XmlDocument::fail_parse() const {
+  const int line = std::max(document_->ErrorLineNum(), 1);
+  std::size_t offset = 0;
+  for (int i = 1; i < line && offset < text_.size(); ++i) offset = behind(text_, offset, "\n");
+  while (offset < text_.size() && (text_[offset] == ' ' || text_[offset] == '\t')) ++offset;
+  const Place place = place_of(file_, text_, offset);
+  switch (document_->ErrorID()) {
+    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+      throw error_at(place, fmt::format("elements are nested more than {} deep, the most that tinyxml2 reads",
+                                        TINYXML2_MAX_ELEMENT_DEPTH));
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      throw error_at(
+          place, "not XML: an element that starts here or before it is not closed, or in the wrong order");
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      throw error_at(place, "not XML: an attribute of this element is not of the form name=\"value\"");
+    case tinyxml2::XML_ERROR_PARSING_COMMENT:
+      throw error_at(place, "not XML: a comment that starts here is not closed by -->");
+    case tinyxml2::XML_ERROR_PARSING_CDATA:
+      throw error_at(place, "not XML: a CDATA section that starts here is not closed by ]]>");
+    default:
+      throw error_at(place, "not XML: what stands here is neither an element nor text within one");
+  }
+}
+
+void XmlDocument::index_tags() {
+  std::size_t offset = 0;
+  for (tinyxml2::XMLElement* e = document_->RootElement(); e; e = next_element(e)) {
+    offset = next_start_tag(text_, offset);
+    if (offset == npos || !starts_at(text_, offset + 1, e->Name()))
+      throw error_at(place_of(file_, text_, offset), "not XML: this tag cannot be read");
+    e->SetUserData(reinterpret_cast<void*>(offset));
+    offset = behind_tag(text_, offset);
+  }
+}
+
+XmlElement XmlDocument::root() const { return XmlElement(*this, *document_->RootElement()); }
+
+std::string XmlElement::name() const { return element_->Name(); }
+bool XmlElement::is(std::string_view name) const { return name == element_->Name(); }
+
+std::vector<XmlElement> XmlElement::children() const {
+  std::vector<XmlElement> result;
+  for (auto* e = element_->FirstChildElement(); e; e = e->NextSiblingElement())
+    result.emplace_back(*document_, *e);
+  return result;
+}
+
+std::vector<XmlElement> XmlElement::children(std::string_view name) const {
+  std::vector<XmlElement> result;
+  for (const XmlElement& e : children())
+    if (e.is(name)) result.push_back(e);
+  return result;
+}
+
+std::optional<XmlElement> XmlElement::child(std::string_view name) const {
+  for (auto* e = element_->FirstChildElement(); e; e = e->NextSiblingElement())
+    if (name == e->Name()) return XmlElement(*document_, *e);
+  return std::nullopt;
+}
+
+XmlElement XmlElement::required_child(std::string_view wanted) const {
+  if (const auto found = child(wanted)) return *found;
+  fail(fmt::format("<{}> has no <{}>, which it needs", name(), wanted));
+}
+
+std::vector<std::string> XmlElement::attribute_names() const {
+  std::vector<std::string> names;
+  for (auto* a = element_->FirstAttribute(); a; a = a->Next()) names.emplace_back(a->Name());
+  return names;
+}
+
+std::optional<std::string> XmlElement::attribute(const char* wanted) const {
+  const char* value = element_->Attribute(wanted);
+  return value ? std::optional<std::string>(value) : std::nullopt;
+}
+
+std::string XmlElement::required_attribute(const char* wanted) const {
+  const auto value = attribute(wanted);
+  if (!value) fail(fmt::format("<{}> has no attribute \"{}\", which it needs", name(), wanted));
+  if (value->empty())
+    throw error_at(attribute_place(wanted), fmt::format("the attribute \"{}\" is empty", wanted));
+  return *value;
+}
+
+std::uint32_t XmlElement::index_attribute(const char* wanted, std::uint32_t fallback) const {
+  return attribute(wanted) ? required_index_attribute(wanted) : fallback;
+}
+
+std::uint32_t XmlElement::required_index_attribute(const char* wanted) const {
+  const std::string value = required_attribute(wanted);
+  try {
+    const auto numbers = parse_indices(value);
+    if (numbers.size() == 1) return numbers[0];
+    throw NumberError{0, fmt::format("the attribute \"{}\" must be one whole number", wanted)};
+  } catch (const NumberError& error) {
+    throw error_at(attribute_place(wanted), error.message);
+  }
+}
+
+std::string XmlElement::text() const { return std::string(trimmed(content().text)); }
+
+template <typename Parse>
+auto XmlElement::parse_numbers(const Parse& parse) const {
+  const Content all = content();
+  try {
+    return parse(all.text);
+  } catch (const NumberError& error) {
+    throw error_at(place_of(document_->file(), document_->text(), all.offset + error.offset), error.message);
+  }
+}
+
+std::vector<double> XmlElement::doubles() const { return parse_numbers(parse_doubles); }
+std::vector<float> XmlElement::floats() const { return parse_numbers(parse_floats); }
+std::vector<std::uint32_t> XmlElement::indices() const { return parse_numbers(parse_indices); }
+
+std::vector<double> XmlElement::doubles(std::size_t count) const {
+  std::vector<double> values = doubles();
+  if (values.size() != count)
+    fail(fmt::format("<{}> needs {} number{}, and has {}", name(), count, count == 1 ? "" : "s",
+                     values.size()));
+  return values;
+}
+
+Place XmlElement::place() const { return place_of(document_->file(), document_->text(), offset()); }
+
+Place XmlElement::attribute_place(std::string_view wanted) const {
+  const std::string_view text = document_->text();
+  const std::string_view tag = text.substr(offset(), behind_tag(text, offset()) - offset());
+  std::size_t i = tag.find(wanted);
+  const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
+  while (i != npos &&
+         !(i > 0 && is_space(tag[i - 1]) && tag.find_first_of("= \t\r\n", i) == i + wanted.size()))
+    i = tag.find(wanted, i + 1);
+  return i == npos ? place() : place_of(document_->file(), text, offset() + i);
+}
+
+Place XmlElement::number_place(std::size_t index) const {
+  const Content all = content();
+  return place_of(document_->file(), document_->text(), all.offset + token_offset(all.text, index));
+}
+
+void XmlElement::fail(const std::string& message) const { throw error_at(place(), message); }
+
+std::size_t XmlElement::offset() const { return reinterpret_cast<std::size_t>(element_->GetUserData()); }
+
+XmlElement::Content XmlElement::content() const {
+  const std::string_view text = document_->text();
+  const std::size_t begin = behind_tag(text, offset());
+  if (begin >= 2 && text[begin - 2] == '/') return {"", begin};
+  Content result{std::string(text.substr(begin, content_end(text, begin) - begin)), begin};
+  if (result.text.find('<') != npos) blank_markup(result.text);
+  return result;
+}
+
+}  // namespace twinray
