@@ -48,6 +48,16 @@ struct Summarize {
   LightSummary operator()(const AmbientLight& light) const {
     return {"", "ambient, the hemisphere around up", "radiance", light.radiance, {}};
   }
+  LightSummary operator()(const EnvironmentLight& light) const {
+    double r = 0, g = 0, b = 0;
+    for (const Rgb& pixel : light.map->pixels) r += pixel.r, g += pixel.g, b += pixel.b;
+    const double n = double(light.map->pixels.size());
+    return {"",
+            fmt::format("environment, {} x {} pixels", light.map->width, light.map->height),
+            "mean of pixels",
+            Rgb{float(r / n), float(g / n), float(b / n)},
+            {}};
+  }
 };
 
 std::string plural(std::size_t count, const char* one, const char* many) {
