@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/film.h"
+
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include "core/error.h"
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+
+namespace twinray {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+FixedSum sum_of(std::initializer_list<double> values) {
+  FixedSum sum;
+  for (const double value : values) sum.add(value);
+  return sum;
+}
+
+struct Sample {
+  int x, y;
+  std::uint32_t index;
+  Rgb value;
+};
+
+/// Samples of every size and sign, a few of them not acceptable.
+std::vector<Sample> random_samples(int width, int height, std::uint32_t count) {
+  test::Random random(23);
+  const auto component = [&] {
+    const float mantissa = random.uniform(-1, 1);
+    return std::ldexp(mantissa, random.between(-40, 22));
+  };
+  std::vector<Sample> samples;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (std::uint32_t index = 0; index < count; ++index) {
+        const float r = component();
+        const float g = component();
+        const float b = random.below(50) == 0 ? not_a_number : component();
+        samples.push_back({x, y, index, {r, g, b}});
+      }
+  return samples;
+}
+
+void add(Film& film, const Sample& sample) { film.add(0, sample.x, sample.y, sample.index, sample.value); }
+
+void check_equal(const Film& a, const Film& b) {
+  for (int y = a.window().y0; y < a.window().y1; ++y)
+    for (int x = a.window().x0; x < a.window().x1; ++x) {
+      CAPTURE(x, y);
+      CHECK(a.pixel(0, x, y) == b.pixel(0, x, y));
+      CHECK(a.rejected_count(x, y) == b.rejected_count(x, y));
+    }
+  CHECK(a.rejected_count() == b.rejected_count());
+  CHECK(a.first_rejected().x == b.first_rejected().x);
+  CHECK(a.first_rejected().y == b.first_rejected().y);
+  CHECK(a.first_rejected().index == b.first_rejected().index);
+}
+
+}  // namespace
+
+TEST_CASE("a fixed sum is exact for numbers that its unit divides") {
+  CHECK(sum_of({}).value() == 0);
+  CHECK(sum_of({1.5, -0.25, 1024}).value() == 1025.25);
+  CHECK(sum_of({0x1p44, 0x1p-60, -0x1p44}).value() == 0x1p-60);
+  CHECK(sum_of({-3.75}).value() == -3.75);
+  CHECK(sum_of({0.0, -0.0}) == FixedSum());
+}
+
+TEST_CASE("a fixed sum rounds each number toward zero to its unit") {
+  CHECK(sum_of({0x1.8p-60}).value() == 0x1p-60);
+  CHECK(sum_of({-0x1.8p-60}).value() == -0x1p-60);
+  CHECK(sum_of({0x1.fffffffffffffp-61}).value() == 0);
+  CHECK(sum_of({-0x1.fffffffffffffp-61}).value() == 0);
+  CHECK(sum_of({5e-324, 1e-300}).value() == 0);
+  CHECK(sum_of({0x1.0000000000001p-8}).value() == 0x1.0000000000001p-8);
+  CHECK(sum_of({0x1.0000000000001p-9}).value() == 0x1p-9);
+}
+
+TEST_CASE("a fixed sum of the largest numbers does not overflow") {
+  for (const double sign : {1.0, -1.0}) {
+    FixedSum sum = sum_of({sign * 0x1.fffffffffffffp44});
+    for (int doubling = 0; doubling < 22; ++doubling) sum += FixedSum(sum);
+    CHECK(sum.value() == sign * 0x1.fffffffffffffp66);
+  }
+}
+
+TEST_CASE("a fixed sum has no order") {
+  test::Random random(5);
+  std::vector<double> values;
+  for (int i = 0; i < 10000; ++i) {
+    const double mantissa = random.uniform(-1, 1) + random.unit() * 0x1p-25;
+    values.push_back(std::ldexp(mantissa, random.between(-70, 44)));
+  }
+  FixedSum forward, backward, halves, rest;
+  for (const double value : values) forward.add(value);
+  for (std::size_t i = values.size(); i-- > 0;) backward.add(values[i]);
+  for (std::size_t i = 0; i < values.size(); ++i) (i % 3 == 0 ? halves : rest).add(values[i]);
+  halves += rest;
+  CHECK(forward == backward);
+  CHECK(forward == halves);
+}
+
+TEST_CASE("mean and variance agree with a two-pass computation") {
+  constexpr int count = 1000;
+  test::Random random(9);
+  Film film(1, 1, {0, 0, 1, 1});
+  std::vector<double> luminances;
+  double r_sum = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const float r = random.unit(), g = random.unit() * 3, b = random.unit() * 10;
+    film.add(0, 0, 0, i, {r, g, b});
+    luminances.push_back(0.2126 * r + 0.7152 * g + 0.0722 * b);
+    r_sum += r;
+  }
+  double mean = 0, variance = 0;
+  for (const double l : luminances) mean += l / count;
+  for (const double l : luminances) variance += (l - mean) * (l - mean) / (count - 1);
+  const PixelSums& pixel = film.pixel(0, 0, 0);
+  constexpr double tolerance = 1e-12;  // Rounding of a few sums of 1000 doubles.
+  CHECK(pixel.count == count);
+  CHECK(pixel.mean().r == float(r_sum / count));
+  CHECK(pixel.luminance_mean() == Approx(mean).epsilon(tolerance));
+  CHECK(pixel.luminance_variance() == Approx(variance).epsilon(tolerance));
+}
+
+TEST_CASE("the variance of a constant is nothing but rounding, and never negative") {
+  test::Random random(31);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Rgb value = {random.unit(), random.unit(), random.unit()};
+    Film film(1, 1, {0, 0, 1, 1});
+    for (std::uint32_t i = 0; i < 50; ++i) film.add(0, 0, 0, i, value);
+    REQUIRE(film.pixel(0, 0, 0).luminance_variance() >= 0);
+    REQUIRE(film.pixel(0, 0, 0).luminance_variance() < 1e-15);
+  }
+}
+
+TEST_CASE("a pixel without samples is black, and one sample has no variance") {
+  Film film(2, 1, {0, 0, 2, 1});
+  CHECK(film.pixel(0, 0, 0).mean() == Rgb{});
+  CHECK(film.pixel(0, 0, 0).luminance_mean() == 0);
+  CHECK(film.pixel(0, 0, 0).luminance_variance() == 0);
+  CHECK(film.add(0, 1, 0, 0, {1, 2, 3}));
+  CHECK(film.pixel(0, 1, 0).mean() == Rgb{1, 2, 3});
+  CHECK(film.pixel(0, 1, 0).luminance_variance() == 0);
+}
+
+TEST_CASE("as many of the largest samples as a pixel may have do not overflow; one more is refused") {
+  for (const float value : {Film::max_value, -Film::max_value}) {
+    Film film(1, 1, {0, 0, 1, 1});
+    CHECK(film.add(0, 0, 0, 0, {value, value, value}));
+    for (int doubling = 0; doubling < 22; ++doubling) film.merge(Film(film));
+    const PixelSums full = film.pixel(0, 0, 0);
+    CHECK(full.count == Film::max_samples);
+    CHECK(full.mean() == Rgb{value, value, value});
+    CHECK(full.luminance_mean() == Approx(value));
+    CHECK(full.luminance_variance() >= 0);
+    CHECK_THROWS_WITH(film.merge(Film(film)), "merged, pixel (0, 0) has more than 4194304 samples");
+    CHECK(film.pixel(0, 0, 0) == full);
+  }
+}
+
+TEST_CASE("any order and partition of the samples merges to the same bits") {
+  const std::vector<Sample> samples = random_samples(7, 5, 40);
+  Film whole(20, 10, {0, 0, 7, 5}), reversed = whole, merged = whole;
+  for (const Sample& sample : samples) add(whole, sample);
+  for (std::size_t i = samples.size(); i-- > 0;) add(reversed, samples[i]);
+  Film left(20, 10, {0, 0, 3, 5}), right(20, 10, {3, 0, 7, 5}), even = right;
+  for (const Sample& sample : samples)
+    add(sample.x < 3 ? left : sample.index % 2 == 0 ? even : right, sample);
+  merged.merge(right);
+  merged.merge(left);
+  merged.merge(even);
+  CHECK(whole.rejected_count() > 0);
+  check_equal(whole, reversed);
+  check_equal(whole, merged);
+}
+
+TEST_CASE("threads may add to different pixels at the same time") {
+  const std::vector<Sample> samples = random_samples(8, 8, 200);
+  Film one(8, 8, {0, 0, 8, 8}), several = one;
+  for (const Sample& sample : samples) add(one, sample);
+  std::vector<std::thread> threads;
+  for (int part = 0; part < 4; ++part)
+    threads.emplace_back([&, part] {
+      for (const Sample& sample : samples)
+        if ((sample.x + sample.y) % 4 == part) add(several, sample);
+    });
+  for (std::thread& thread : threads) thread.join();
+  check_equal(one, several);
+}
+
+TEST_CASE("samples that are not finite or out of range are counted and nothing else") {
+  Film film(10, 10, {2, 3, 8, 9});
+  const float beyond = std::nextafter(Film::max_value, infinity);
+  CHECK(film.rejected_count() == 0);
+  CHECK_FALSE(film.add(0, 5, 6, 9, {not_a_number, 0, 0}));
+  CHECK_FALSE(film.add(0, 5, 6, 4, {0, infinity, 0}));
+  CHECK_FALSE(film.add(0, 5, 6, 7, {0, 0, -infinity}));
+  CHECK_FALSE(film.add(0, 2, 7, 0, {beyond, 0, 0}));
+  CHECK_FALSE(film.add(0, 7, 6, 1, {0, -beyond, 0}));
+  CHECK(film.add(0, 5, 6, 5, {Film::max_value, -Film::max_value, 0}));
+  CHECK(film.rejected_count() == 5);
+  CHECK(film.rejected_count(5, 6) == 3);
+  CHECK(film.rejected_count(4, 6) == 0);
+  CHECK(film.pixel(0, 5, 6).count == 1);
+  CHECK(film.pixel(0, 2, 7).count == 0);
+}
+
+TEST_CASE("the first rejected sample is the least of (y, x, index), in whatever order they came") {
+  const std::vector<Sample> samples = {{5, 6, 9, {}}, {5, 6, 4, {}}, {2, 7, 0, {}}, {7, 6, 1, {}}};
+  Film forward(10, 10, {2, 3, 8, 9}), backward = forward, merged = forward;
+  const Rgb bad = {not_a_number, 0, 0};
+  for (const Sample& s : samples) forward.add(0, s.x, s.y, s.index, bad);
+  for (std::size_t i = samples.size(); i-- > 0;)
+    backward.add(0, samples[i].x, samples[i].y, samples[i].index, bad);
+  merged.merge(backward);
+  for (const Film* film : {&forward, &backward, &merged}) {
+    const RejectedSample first = film->first_rejected();
+    CHECK(first.x == 5);
+    CHECK(first.y == 6);
+    CHECK(first.index == 4);
+  }
+}
+
+TEST_CASE("layers are kept apart and merged by name") {
+  Film film(2, 2, {0, 0, 2, 2}, {"color", "albedo"});
+  film.add(1, 1, 1, 0, {1, 2, 3});
+  CHECK(film.pixel(1, 1, 1).mean() == Rgb{1, 2, 3});
+  CHECK(film.pixel(0, 1, 1).count == 0);
+  Film other = film;
+  film.merge(other);
+  CHECK(film.pixel(1, 1, 1).count == 2);
+  CHECK(film.pixel(0, 1, 1).count == 0);
+  CHECK_THROWS_WITH(film.merge(Film(2, 2, {0, 0, 2, 2}, {"color", "normal"})),
+                    "films of different layers cannot be merged: color, albedo and color, normal");
+}
+
+TEST_CASE("a film that does not fit is not merged") {
+  Film film(8, 6, {1, 1, 5, 5});
+  CHECK_THROWS_WITH(film.merge(Film(8, 7, {1, 1, 5, 5})),
+                    "films of different frames cannot be merged: 8 x 6 and 8 x 7 pixels");
+  CHECK_THROWS_WITH(film.merge(Film(8, 6, {1, 1, 6, 5})),
+                    "the window x 1 to 6, y 1 to 5 cannot be merged into the smaller x 1 to 5, y 1 to 5");
+}
+
+TEST_CASE("frames and windows out of range are refused") {
+  CHECK_THROWS_WITH(Film(0, 5, {0, 0, 1, 1}), "a frame of 0 x 5 pixels: each side must lie in 1 to 65536");
+  CHECK_THROWS_AS(Film(5, 65537, {0, 0, 1, 1}), Error);
+  CHECK_THROWS_WITH(Film(8, 6, {2, 0, 2, 6}),
+                    "the window x 2 to 2, y 0 to 6 is empty or not within the frame of 8 x 6 pixels");
+  for (const PixelRect& window : {PixelRect{-1, 0, 4, 4}, PixelRect{0, -1, 4, 4}, PixelRect{0, 0, 9, 4},
+                                  PixelRect{0, 0, 4, 7}, PixelRect{0, 3, 4, 3}, PixelRect{3, 0, 2, 4}})
+    CHECK_THROWS_AS(Film(8, 6, window), Error);
+  CHECK_THROWS_WITH(Film(8, 6, {0, 0, 8, 6}, {}), "a film without layers");
+}
+
+}  // namespace twinray

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/sampler.h"
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "core/error.h"
+#include "tests/support/catch.h"
+#include "tests/support/chi_square.h"
+#include "tests/support/statistics.h"
+
+namespace twinray {
+namespace {
+
+constexpr SamplerKind kinds[] = {SamplerKind::sobol, SamplerKind::independent};
+constexpr int dimensions = 16;  // The sets' members, named by a purpose or not yet.
+
+float draw(SamplerKind kind, const SampleKey& key, std::uint32_t vertex, int dimension) {
+  return VertexSampler(kind, key, vertex).draw_1d(Purpose(dimension));
+}
+
+/// Aligned blocks of 2^log_count samples: the whole of a small render, a later pass, and far out.
+std::vector<SampleKey> blocks(int log_count) {
+  return {{.seed = 1, .x = 3, .y = 4, .index = 0},
+          {.seed = 1, .x = 700, .y = 2, .index = 5u << log_count},
+          {.seed = 0, .x = 0, .y = 0, .index = 0xfffffc00u}};
+}
+
+/// Whether each cell (of cells[i] equal parts of dimension first + i) holds one of the block's samples.
+bool one_in_each_cell(const SampleKey& start, int first, const std::vector<int>& cells) {
+  std::size_t count = 1;
+  for (const int parts : cells) count *= std::size_t(parts);
+  std::vector<int> taken(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    SampleKey key = start;
+    key.index += i;
+    VertexSampler sampler(SamplerKind::sobol, key, 2);
+    std::size_t cell = 0;
+    for (std::size_t d = 0; d < cells.size(); ++d) {
+      const float u = sampler.draw_1d(Purpose(first + int(d)));
+      cell = cell * std::size_t(cells[d]) + std::size_t(u * float(cells[d]));
+    }
+    if (taken[cell]++ != 0) return false;
+  }
+  return true;
+}
+
+/// Chi-square of pairs of draws over a region of pixels: one p-value for "independent of each other".
+double pairs_p_value(const std::function<std::pair<float, float>(std::uint32_t x, std::uint32_t y)>& pair) {
+  constexpr std::uint32_t side = 256;
+  test::Grid grid(16, 16);
+  for (std::uint32_t y = 0; y < side; ++y)
+    for (std::uint32_t x = 0; x < side; ++x) {
+      const auto [a, b] = pair(x, y);
+      grid.add(a, b);
+    }
+  return test::chi_square_uniform(grid.counts()).p_value;
+}
+
+}  // namespace
+
+TEST_CASE("every dimension of sobol is stratified over blocks of 2^k samples") {
+  for (int k = 1; k <= 10; ++k)
+    for (const SampleKey& start : blocks(k))
+      for (int dimension = 0; dimension < dimensions; ++dimension) {
+        CAPTURE(k, start.x, start.index, dimension);
+        CHECK(one_in_each_cell(start, dimension, {1 << k}));
+      }
+}
+
+TEST_CASE("every pair of sobol is a (0,2)-sequence in base 2") {
+  for (int k = 1; k <= 10; ++k)
+    for (const SampleKey& start : blocks(k))
+      for (int first = 0; first < dimensions; first += 2)
+        for (int split = 0; split <= k; ++split) {
+          CAPTURE(k, start.x, start.index, first, split);
+          CHECK(one_in_each_cell(start, first, {1 << split, 1 << (k - split)}));
+        }
+}
+
+TEST_CASE("every set of sobol is a (0,4)-sequence in base 4") {
+  constexpr int log_count = 8;  // 4^4 samples.
+  for (const SampleKey& start : blocks(log_count))
+    for (int set = 0; set < 4; ++set)
+      for (int a = 0; a <= 4; ++a)
+        for (int b = 0; a + b <= 4; ++b)
+          for (int c = 0; a + b + c <= 4; ++c) {
+            CAPTURE(start.x, start.index, set, a, b, c);
+            const int d = 4 - a - b - c;
+            CHECK(one_in_each_cell(start, 4 * set, {1 << 2 * a, 1 << 2 * b, 1 << 2 * c, 1 << 2 * d}));
+          }
+}
+
+TEST_CASE("a draw does not depend on the draws before it") {
+  for (const SamplerKind kind : kinds) {
+    const SampleKey key = {.seed = 7, .x = 10, .y = 20, .index = 30};
+    VertexSampler forward(kind, key, 1), backward(kind, key, 1);
+    float values[dimensions];
+    for (int d = 0; d < dimensions; ++d) values[d] = forward.draw_1d(Purpose(d));
+    for (int d = dimensions; d-- > 0;) {
+      CHECK(backward.draw_1d(Purpose(d)) == values[d]);
+      CHECK(backward.draw_1d(Purpose(d)) == values[d]);
+      CHECK(draw(kind, key, 1, d) == values[d]);
+    }
+    for (int d = 0; d < dimensions; d += 2)
+      CHECK(backward.draw_2d(Purpose(d)) == Vec2{values[d], values[d + 1]});
+  }
+}
+
+TEST_CASE("draws are uniform multiples of 2^-24 in [0, 1)") {
+  const double level = test::sidak_level(2 * dimensions);
+  for (const SamplerKind kind : kinds)
+    for (int d = 0; d < dimensions; ++d) {
+      test::Grid grid(256, 1);
+      for (std::uint32_t i = 0; i < 1 << 16; ++i) {
+        const float u = draw(kind, {.seed = 3, .x = i & 255, .y = i >> 8, .index = i % 37}, d % 5, d);
+        REQUIRE(u >= 0);
+        REQUIRE(u < 1);
+        REQUIRE(u * 0x1p24f == std::floor(u * 0x1p24f));
+        grid.add(u, 0);
+      }
+      CAPTURE(sampler_name(kind), d);
+      CHECK(test::chi_square_uniform(grid.counts()).p_value > level);
+    }
+}
+
+TEST_CASE("two purposes of a vertex are independent of each other") {
+  const double level = test::sidak_level(2 * dimensions * (dimensions - 1) / 2);
+  for (const SamplerKind kind : kinds)
+    for (int a = 0; a < dimensions; ++a)
+      for (int b = a + 1; b < dimensions; ++b) {
+        CAPTURE(sampler_name(kind), a, b);
+        CHECK(pairs_p_value([&](auto x, auto y) {
+                VertexSampler sampler(kind, {.seed = 0, .x = x, .y = y, .index = 5}, 1);
+                const float first = sampler.draw_1d(Purpose(a));
+                const float second = sampler.draw_1d(Purpose(b));
+                return std::pair(first, second);
+              }) > level);
+      }
+}
+
+TEST_CASE("neighbouring pixels, vertices and seeds are independent of each other") {
+  struct Change {
+    std::uint64_t seed;
+    std::uint32_t x, y, vertex;
+  };
+  const Change changes[] = {{0, 1, 0, 0},          {0, 0, 1, 0},          {0, 0, 0, 1}, {1, 0, 0, 0},
+                            {1ull << 32, 0, 0, 0}, {1ull << 63, 0, 0, 0}, {0, 2, 0, 0}, {0, 256, 0, 0},
+                            {0, 0, 0x8000, 0},     {0, 0, 0, 1u << 31},   {1, 1, 1, 1}};
+  const int members[] = {0, 3, 8, 15};
+  const double level = test::sidak_level(2 * int(std::size(changes)) * int(std::size(members)));
+  for (const SamplerKind kind : kinds)
+    for (const Change& change : changes)
+      for (const int d : members) {
+        CAPTURE(sampler_name(kind), change.seed, change.x, change.y, change.vertex, d);
+        CHECK(
+            pairs_p_value([&](auto x, auto y) {
+              const SampleKey a = {.seed = 4, .x = x, .y = y, .index = 2},
+                              b = {.seed = 4 + change.seed, .x = x + change.x, .y = y + change.y, .index = 2};
+              return std::pair(draw(kind, a, 1, d), draw(kind, b, 1 + change.vertex, d));
+            }) > level);
+      }
+}
+
+TEST_CASE("samples of the independent kind are independent of each other") {
+  const std::uint32_t distances[] = {1, 2, 64, 1u << 31};
+  for (const std::uint32_t distance : distances)
+    CHECK(pairs_p_value([&](auto x, auto y) {
+            const SampleKey a = {.seed = 4, .x = 9, .y = 9, .index = y << 8 | x};
+            SampleKey b = a;
+            b.index += distance;
+            return std::pair(draw(SamplerKind::independent, a, 1, 0),
+                             draw(SamplerKind::independent, b, 1, 0));
+          }) > test::sidak_level(int(std::size(distances))));
+}
+
+TEST_CASE("sub-samples continue the sequence of the samples") {
+  const SampleKey key = {.seed = 2, .x = 5, .y = 6, .index = 11};
+  for (const SamplerKind kind : kinds) {
+    VertexSampler sampler(kind, key, 3);
+    CHECK(sampler.draw_2d(Purpose::lens, 0, 1, 0) == sampler.draw_2d(Purpose::lens));
+    for (std::uint32_t part = 0; part < 5; ++part) {
+      SampleKey other = key;
+      other.index = key.index * 5 + part;
+      CHECK(sampler.draw_2d(Purpose::lens, part, 5, 0) ==
+            VertexSampler(kind, other, 3).draw_2d(Purpose::lens));
+    }
+  }
+}
+
+TEST_CASE("streams of sub-samples are independent of each other and of the samples") {
+  for (const SamplerKind kind : kinds)
+    for (const std::uint32_t stream : {1u, 2u, 0xffffffffu}) {
+      CAPTURE(sampler_name(kind), stream);
+      CHECK(pairs_p_value([&](auto x, auto y) {
+              VertexSampler sampler(kind, {.seed = 0, .x = x, .y = y, .index = 5}, 1);
+              const Vec2 first = sampler.draw_2d(Purpose::light_point, 1, 4, stream);
+              const Vec2 second = sampler.draw_2d(Purpose::light_point, 1, 4, stream - 1);
+              return std::pair(first.x, second.x);
+            }) > test::sidak_level(6));
+    }
+}
+
+TEST_CASE("sub-samples do not repeat beyond 2^32") {
+  // 2^16 parts: sample 0x10003 is 2^32 draws after sample 3.
+  for (const SamplerKind kind : kinds) {
+    VertexSampler low(kind, {.index = 3}, 1), high(kind, {.index = 0x10003}, 1);
+    CHECK_FALSE(low.draw_2d(Purpose::lens, 7, 1 << 16, 0) == high.draw_2d(Purpose::lens, 7, 1 << 16, 0));
+  }
+}
+
+TEST_CASE("the numbers of a seed never change") {
+  struct Frozen {
+    SampleKey key;
+    std::uint32_t vertex;
+    int dimension;
+    float sobol, independent;
+  };
+  const Frozen table[] = {
+      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x0u, 8, 0x1.838b8cp-2f, 0x1.4cd028p-1f},
+      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x0u, 9, 0x1.1f42cep-1f, 0x1.cc828p-3f},
+      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x1u}, 0x0u, 8, 0x1.eb7936p-1f, 0x1.2d6a44p-1f},
+      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 0, 0x1.adb47p-2f, 0x1.78b62ap-1f},
+      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 1, 0x1.732dcp-6f, 0x1.25a4fap-1f},
+      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 2, 0x1.2bc774p-2f, 0x1.73bcp-5f},
+      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 3, 0x1.d5f23ep-1f, 0x1.15576p-3f},
+      {{.seed = 0x1u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 4, 0x1.4b0454p-2f, 0x1.5c5e22p-1f},
+      {{.seed = 0x0u, .x = 1, .y = 0, .index = 0x0u}, 0x1u, 5, 0x1.b72c72p-1f, 0x1.9c1208p-1f},
+      {{.seed = 0x0u, .x = 0, .y = 1, .index = 0x0u}, 0x1u, 6, 0x1.a125ep-4f, 0x1.0ea3b8p-1f},
+      {{.seed = 0x123456789abcdefu, .x = 1919, .y = 1079, .index = 0xfffu},
+       0x7u,
+       13,
+       0x1.afa44p-1f,
+       0x1.26ce5ep-1f},
+      {{.seed = 0xffffffffffffffffu, .x = 65535, .y = 65535, .index = 0xffffffffu},
+       0xffffffffu,
+       15,
+       0x1.798f6cp-2f,
+       0x1.85339ep-1f}};
+  for (const Frozen& row : table) {
+    CAPTURE(row.key.seed, row.key.x, row.key.y, row.key.index, row.vertex, row.dimension);
+    CHECK(draw(SamplerKind::sobol, row.key, row.vertex, row.dimension) == row.sobol);
+    CHECK(draw(SamplerKind::independent, row.key, row.vertex, row.dimension) == row.independent);
+  }
+}
+
+TEST_CASE("samplers are known by their names") {
+  for (const SamplerKind kind : kinds) CHECK(parse_sampler(sampler_name(kind)) == kind);
+  CHECK(sampler_name(SamplerKind::sobol) == "sobol");
+  CHECK_THROWS_WITH(parse_sampler("halton"), "unknown sampler \"halton\"; valid are: sobol, independent");
+  CHECK_THROWS_AS(parse_sampler(""), Error);
+}
+
+}  // namespace twinray
