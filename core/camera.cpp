@@ -1,7 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/camera.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace twinray {
+namespace {
+
+constexpr float margin = 1.04f;
+
+std::array<Vec3, 8> corners_of(const Aabb& box) {
+  std::array<Vec3, 8> corners;
+  for (int i = 0; i < 8; ++i)
+    corners[i] = {i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y,
+                  i & 4 ? box.upper.z : box.lower.z};
+  return corners;
+}
+
+}  // namespace
+
+Camera view_whole(const Camera& camera, const Aabb& box) {
+  if (box.is_empty()) return camera;
+  float distance = 0;  // of the box's centre, such that |x| <= tan_half depth for each corner
+  for (const Vec3& corner : corners_of(box)) {
+    const Vec3 p = corner - box.center();
+    const float across = std::max(std::fabs(dot(p, camera.right)) / camera.tan_half_width,
+                                  std::fabs(dot(p, camera.up)) / camera.tan_half_height);
+    distance = std::max(distance, margin * across - dot(p, camera.forward));
+  }
+  Camera moved = camera;
+  moved.position = box.center() - camera.forward * distance;
+  moved.clip_near = 0;
+  moved.clip_far = std::numeric_limits<float>::infinity();
+  return moved;
+}
+
+bool sees_whole(const Camera& camera, const Aabb& box) {
+  for (const Vec3& corner : corners_of(box)) {
+    const Vec3 p = corner - camera.position;
+    const float depth = dot(p, camera.forward);
+    if (depth < camera.clip_near || depth > camera.clip_far ||
+        std::fabs(dot(p, camera.right)) > camera.tan_half_width * depth ||
+        std::fabs(dot(p, camera.up)) > camera.tan_half_height * depth)
+      return false;
+  }
+  return true;
+}
 
 Camera fit_frame(const Camera& camera, int width, int height) {
   Camera fitted = camera;

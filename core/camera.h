@@ -2,6 +2,7 @@
 #pragma once
 #include <limits>
 
+#include "core/aabb.h"
 #include "core/ray.h"
 #include "core/vec.h"
 
@@ -20,6 +21,13 @@ struct Camera {
 
 /// The camera widened on one axis, so that an image of this size has square pixels and shows the whole frame.
 Camera fit_frame(const Camera& camera, int width, int height);
+
+/// The camera moved, without a turn and without clip distances, to where a box just fits into its frame (with
+/// a margin of 4 %), in the middle. An empty box leaves it where it is.
+Camera view_whole(const Camera& camera, const Aabb& box);
+
+/// Whether all of a box lies within the frame of the camera.
+bool sees_whole(const Camera& camera, const Aabb& box);
 
 /// The ray through a point of the frame, (0, 0) top left and (1, 1) bottom right, and a point of the lens in
 /// the unit disc. Its direction has length 1 along `forward`, so t counts depth.

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "integrators/render.h"
+
+namespace twinray {
+
+/// One line on stderr that shows how far a render is: rewritten several times a second on a terminal, a line
+/// of its own every few seconds elsewhere.
+class ProgressLine {
+ public:
+  /// `enabled` false: prints nothing.
+  explicit ProgressLine(bool enabled);
+  /// Shows the state, if the last time was long enough ago.
+  void show(const RenderProgress& progress);
+  /// Clears the line on a terminal.
+  void finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool enabled_, is_terminal_, is_shown_ = false;
+  Clock::time_point start_, last_;
+};
+
+/// "42 % · 1.2 M of 2.9 M samples · 3.1 M rays/s · 12 s, 17 s left".
+std::string progress_text(const RenderProgress& progress, double elapsed_seconds);
+
+/// "3 s", "2 min 5 s", "1 h 4 min".
+std::string duration_text(double seconds);
+
+}  // namespace twinray

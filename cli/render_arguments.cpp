@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/render_arguments.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "cli/version.h"
+#include "core/error.h"
+
+namespace twinray {
+namespace {
+
+constexpr int max_frame = 65536;
+
+template <typename T>
+using Choices = std::vector<std::pair<std::string, T>>;
+
+template <typename T>
+std::vector<std::string> names_of(const Choices<T>& choices) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : choices) names.push_back(name);
+  return names;
+}
+
+/// An option whose value is one of a few words.
+template <typename T>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, T& target, const Choices<T>& choices,
+                        const std::string& description) {
+  const std::function<void(const std::string&)> choose = [&target, choices, name](const std::string& word) {
+    for (const auto& [valid, value] : choices)
+      if (valid == word) {
+        target = value;
+        return;
+      }
+    throw CLI::ValidationError(
+        fmt::format("{}: there is no \"{}\"; valid are {}", name, word, fmt::join(names_of(choices), ", ")));
+  };
+  return app.add_option_function<std::string>(name, choose, description)
+      ->type_name(fmt::format("{}", fmt::join(names_of(choices), "|")));
+}
+
+Choices<Backend> backend_choices() {
+  Choices<Backend> choices;
+  for (const Backend backend : available_backends()) choices.emplace_back(backend_name(backend), backend);
+  return choices;
+}
+
+/// Help without the ranges and counts that CLI11 appends to an option's value: the descriptions say what is
+/// needed.
+class BriefFormatter final : public CLI::Formatter {
+ public:
+  BriefFormatter() { column_width(41); }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string type = option->get_type_size() == 0 ? "" : option->get_type_name();
+    return type.empty() ? "" : " " + type.substr(0, type.find(':'));
+  }
+  std::string make_group(std::string group, bool is_positional,
+                         std::vector<const CLI::Option*> options) const override {
+    std::string text = is_positional ? "" : group + ":\n";
+    for (const CLI::Option* option : options) text += make_option(option, is_positional);
+    return is_positional ? text + "\n" : text;
+  }
+};
+
+/// Options whose values are only understood together with others, or after all have been read.
+struct RawArguments {
+  std::vector<int> resolution{480, 360};
+  std::vector<int> crop;
+  std::vector<double> adaptive;
+  std::string roulette = "throughput";
+  bool hemisphere = false;
+  enum class Bounces { all, direct, indirect, last } bounces = Bounces::all;
+};
+
+void add_picture_options(CLI::App& app, RenderArguments& arguments, RawArguments& raw) {
+  app.add_option("-o,--output,-f", arguments.output, "The picture: .png, or .exr for linear floats")
+      ->type_name("FILE")
+      ->group("Picture");
+  app.add_option("-r,--resolution", raw.resolution, "Width and height in pixels (480 360)")
+      ->expected(2)
+      ->type_name("W H")
+      ->group("Picture");
+  app.add_option("-p,--crop", raw.crop, "Only this part of the frame, from its top left")
+      ->expected(4)
+      ->type_name("X Y W H")
+      ->group("Picture");
+  add_choice<View>(app, "--view", arguments.view, {{"file", View::file}, {"whole", View::whole}},
+                   "As the file's camera sees it, or all of it (file)")
+      ->group("Picture");
+  app.add_option("-c,--camera", arguments.camera_file, "Camera settings file of CS184's program")
+      ->type_name("FILE")
+      ->group("Picture");
+}
+
+void add_light_options(CLI::App& app, RenderArguments& arguments, RawArguments& raw) {
+  const char* group = "Light";
+  add_choice<IntegratorKind>(app, "--integrator", arguments.integrator,
+                             {{"path", IntegratorKind::path},
+                              {"direct", IntegratorKind::direct},
+                              {"normals", IntegratorKind::normals}},
+                             "What is computed (path)")
+      ->group(group);
+  app.add_option("-m,--max-depth", arguments.path.max_depth,
+                 "Bounces of light: 0 emission, 1 direct, ... (5)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 100))
+      ->group(group);
+  add_choice<DirectMethod>(app, "--direct", arguments.path.direct,
+                           {{"lights", DirectMethod::lights}, {"hemisphere", DirectMethod::hemisphere}},
+                           "How direct light is sampled (lights)")
+      ->group(group);
+  app.add_flag("-H,--hemisphere", raw.hemisphere, "The same as --direct=hemisphere")->group(group);
+  app.add_option("-l,--light-samples", arguments.path.samples_per_light,
+                 "Samples of each area light at a hit (1)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 65536))
+      ->group(group);
+  add_choice<RawArguments::Bounces>(app, "--bounces", raw.bounces,
+                                    {{"all", RawArguments::Bounces::all},
+                                     {"direct", RawArguments::Bounces::direct},
+                                     {"indirect", RawArguments::Bounces::indirect},
+                                     {"last", RawArguments::Bounces::last}},
+                                    "Which light is shown (all)")
+      ->group(group);
+  app.add_option("--roulette", raw.roulette, "Going on: a probability, or by throughput")
+      ->type_name("throughput|P")
+      ->group(group);
+  app.add_option("-e,--environment", arguments.environment, "Light from a latitude-longitude .exr or .hdr")
+      ->type_name("FILE")
+      ->group(group);
+  app.add_flag("--keep-both-lamps", arguments.load.keep_both_lamps, "Keep a lamp's rectangle beside its mesh")
+      ->group(group);
+}
+
+void add_sampling_options(CLI::App& app, RenderArguments& arguments, RawArguments& raw) {
+  const char* group = "Sampling";
+  app.add_option("-s,--samples", arguments.render.samples, "Samples per pixel (32)")
+      ->type_name("N")
+      ->check(CLI::Range(1u, Film::max_samples))
+      ->group(group);
+  app.add_option("-a,--adaptive", raw.adaptive, "Stop a pixel early: batch size, tolerance (32 0.05)")
+      ->expected(2)
+      ->type_name("N T")
+      ->group(group);
+  add_choice<SamplerKind>(app, "--sampler", arguments.render.sampler,
+                          {{"sobol", SamplerKind::sobol}, {"independent", SamplerKind::independent}},
+                          "Random numbers (sobol)")
+      ->group(group);
+  app.add_option("--seed", arguments.render.seed, "Another seed, another noise (0)")
+      ->type_name("N")
+      ->group(group);
+}
+
+void add_engine_options(CLI::App& app, RenderArguments& arguments) {
+  const char* group = "Ray engine";
+  BuildOptions& build = arguments.build;
+  add_choice<Backend>(app, "--accel", arguments.backend, backend_choices(),
+                      fmt::format("The engine ({})", backend_name(default_backend())))
+      ->group(group);
+  add_choice<BvhSplit>(app, "--bvh-split", build.bvh_split,
+                       {{"sah", BvhSplit::sah},
+                        {"median", BvhSplit::median},
+                        {"midpoint", BvhSplit::midpoint},
+                        {"mean", BvhSplit::mean}},
+                       "How nodes are split (sah)")
+      ->group(group);
+  app.add_option("--bvh-bins", build.bvh_bins, "Bins of each axis, for sah (32)")
+      ->type_name("N")
+      ->check(CLI::Range(2, 256))
+      ->group(group);
+  app.add_option("--max-leaf-size", build.max_leaf_size, "Primitives of a leaf (4)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 255))
+      ->group(group);
+  app.add_option("--traversal-cost", build.traversal_cost, "Cost of a node, for sah (1)")
+      ->type_name("C")
+      ->check(CLI::Range(1e-6, 1e6))
+      ->group(group);
+  app.add_option("--intersection-cost", build.intersection_cost, "Cost of a primitive, for sah (1)")
+      ->type_name("C")
+      ->check(CLI::Range(1e-6, 1e6))
+      ->group(group);
+  add_choice<TriangleTest>(app, "--triangle-test", build.triangle_test,
+                           {{"woop", TriangleTest::woop}, {"moller-trumbore", TriangleTest::moller_trumbore}},
+                           "bvh, brute-force (woop)")
+      ->group(group);
+#ifdef TWINRAY_WITH_EMBREE
+  add_choice<EmbreeMode>(app, "--embree-mode", build.embree_mode,
+                         {{"robust", EmbreeMode::robust}, {"fast", EmbreeMode::fast}},
+                         "embree-native (robust)")
+      ->group(group);
+  app.add_option("--embree-isa", build.embree_isa, "embree-native: sse2, sse4.2, avx, avx2, avx512")
+      ->type_name("ISA")
+      ->group(group);
+#endif
+}
+
+void add_run_options(CLI::App& app, RenderArguments& arguments) {
+  const char* group = "Run";
+  app.add_option("-t,--threads", arguments.render.threads, "Threads (all of the machine)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024))
+      ->group(group);
+  app.add_flag("--count", arguments.render.counting, "Count nodes and primitives per ray (slower)")
+      ->group(group);
+  app.add_option("--stats", arguments.stats_file, "Write all figures as JSON")
+      ->type_name("FILE")
+      ->group(group);
+  app.add_flag("--strict", arguments.load.strict, "What a scene file says must all be understood")
+      ->group(group);
+  app.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only")->group(group);
+}
+
+PixelRect window_of(const std::vector<int>& crop, int width, int height) {
+  const PixelRect window{crop[0], crop[1], crop[0] + crop[2], crop[1] + crop[3]};
+  if (crop[0] < 0 || crop[1] < 0 || crop[2] < 1 || crop[3] < 1 || crop[2] > width - crop[0] ||
+      crop[3] > height - crop[1])
+    throw UsageError(fmt::format("--crop: {} {} {} {} (X Y W H) is not a part of {} x {} pixels", crop[0],
+                                 crop[1], crop[2], crop[3], width, height));
+  return window;
+}
+
+Roulette parse_roulette(const std::string& word) {
+  if (word == "throughput") return {};
+  float probability = 0;
+  if (!CLI::detail::lexical_cast(word, probability) || !(probability > 0 && probability <= 1))
+    throw UsageError(
+        fmt::format("--roulette: \"{}\"; valid are throughput and a probability in (0, 1]", word));
+  return {probability};
+}
+
+AdaptiveSampling parse_adaptive(const std::vector<double>& words) {
+  if (!(words[0] >= 2 && words[0] <= Film::max_samples && words[0] == double(std::uint32_t(words[0]))))
+    throw UsageError(fmt::format("--adaptive: a batch of {}; it must be a whole number from 2 to {}",
+                                 words[0], Film::max_samples));
+  if (!(words[1] >= 0 && words[1] <= std::numeric_limits<float>::max()))
+    throw UsageError(
+        fmt::format("--adaptive: a tolerance of {}; it must be finite and not negative", words[1]));
+  return {std::uint32_t(words[0]), words[1]};
+}
+
+void choose_bounces(RawArguments::Bounces bounces, PathOptions& path) {
+  if (bounces == RawArguments::Bounces::direct) path.last_depth = 1;
+  if (bounces == RawArguments::Bounces::indirect) path.first_depth = 2;
+  if (bounces == RawArguments::Bounces::last) path.first_depth = path.last_depth = path.max_depth;
+}
+
+void resolve(const RawArguments& raw, RenderArguments& arguments) {
+  RenderOptions& render = arguments.render;
+  render.width = raw.resolution[0];
+  render.height = raw.resolution[1];
+  if (render.width < 1 || render.width > max_frame || render.height < 1 || render.height > max_frame)
+    throw UsageError(fmt::format("--resolution: {} x {}; each side must have 1 to {} pixels", render.width,
+                                 render.height, max_frame));
+  if (!raw.crop.empty()) render.window = window_of(raw.crop, render.width, render.height);
+  if (!raw.adaptive.empty()) render.adaptive = parse_adaptive(raw.adaptive);
+  if (raw.hemisphere) arguments.path.direct = DirectMethod::hemisphere;
+  if (arguments.integrator == IntegratorKind::direct)
+    arguments.path.max_depth = std::min(arguments.path.max_depth, 1);
+  arguments.path.roulette = parse_roulette(raw.roulette);
+  choose_bounces(raw.bounces, arguments.path);
+  arguments.build.threads = render.threads;
+  if (arguments.build.triangle_test == TriangleTest::moller_trumbore && arguments.backend != Backend::bvh &&
+      arguments.backend != Backend::brute_force)
+    throw UsageError("--triangle-test=moller-trumbore goes with --accel=bvh and --accel=brute-force");
+}
+
+}  // namespace
+
+std::string usage_line() {
+  return "usage: twinray [render] SCENE.dae [options]; all options: twinray --help";
+}
+
+std::optional<RenderArguments> parse_render_arguments(const std::vector<std::string>& words) {
+  RenderArguments arguments;
+  arguments.render.samples = 32;
+  RawArguments raw;
+  CLI::App app("Renders a COLLADA scene by path tracing.", "twinray");
+  app.formatter(std::make_shared<BriefFormatter>());
+  app.option_defaults()->take_last()->always_capture_default(false);
+  app.add_option("SCENE", arguments.scene, "The scene, a COLLADA file (.dae)")->required()->type_name("");
+  add_picture_options(app, arguments, raw);
+  add_light_options(app, arguments, raw);
+  add_sampling_options(app, arguments, raw);
+  add_engine_options(app, arguments);
+  add_run_options(app, arguments);
+  app.set_version_flag("--version", version_text(), "Print versions, engines, instruction sets")
+      ->group("Run");
+  app.set_help_flag("-h,--help", "Print this help")->group("Run");
+  try {
+    app.parse(
+        std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the words last one first
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", app.help());
+    return std::nullopt;
+  } catch (const CLI::CallForVersion&) {
+    fmt::print("{}", version_text());
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+  resolve(raw, arguments);
+  return arguments;
+}
+
+}  // namespace twinray

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/image_file.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "core/elementary.h"
+#include "core/error.h"
+
+namespace twinray {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t max_pixels = std::uint64_t(1) << 28;
+
+std::string extension_of(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension;
+}
+
+/// Removes the unfinished file unless it was moved to its place.
+class UnfinishedFile {
+ public:
+  explicit UnfinishedFile(const std::string& target) : target_(target), path_(temporary_path(target)) {}
+  ~UnfinishedFile() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove(path_, ignored);
+  }
+  UnfinishedFile(const UnfinishedFile&) = delete;
+  UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+
+  const std::string& path() const { return path_; }
+  void move_to_target() {
+    std::error_code error;
+    fs::rename(path_, target_, error);
+    if (error) throw Error(fmt::format("{}: cannot be written: {}", target_, error.message()));
+    path_.clear();
+  }
+
+ private:
+  std::string target_, path_;
+};
+
+void write(const std::string& path, const char* format, OIIO::ImageSpec spec, const void* pixels,
+           const ImageMetadata& metadata) {
+  UnfinishedFile file(path);
+  for (const auto& [name, value] : metadata) spec.attribute(name, value);
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
+  if (!output)
+    throw Error(fmt::format("{}: OpenImageIO cannot write {}: {}", path, format, OIIO::geterror()));
+  if (!output->open(file.path(), spec) || !output->write_image(spec.format, pixels) || !output->close())
+    throw Error(fmt::format("{}: cannot be written: {}", path, output->geterror()));
+  file.move_to_target();
+}
+
+/// The reader of a file by its ending: never by its contents, so that only well-tried readers see a
+/// stranger's file.
+const char* reader_for(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".exr") return "openexr";
+  if (extension == ".hdr") return "hdr";
+  if (extension == ".png") return "png";
+  if (extension == ".jpg" || extension == ".jpeg") return "jpeg";
+  throw Error(
+      fmt::format("{}: not a picture that can be read; valid endings are .exr, .hdr, .png, .jpg", path));
+}
+
+float decode_srgb(float encoded) {
+  return encoded <= 0.04045f ? encoded / 12.92f : float(pow_of((double(encoded) + 0.055) / 1.055, 2.4));
+}
+
+/// Gathers interleaved channels into colours.
+Image to_image(const OIIO::ImageSpec& spec, const std::vector<float>& values) {
+  Image image(spec.width, spec.height);
+  const std::size_t channels = std::size_t(spec.nchannels);
+  const bool encoded = spec.format.basesize() == 1;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const float* v = &values[i * channels];
+    Rgb color = channels >= 3 ? Rgb{v[0], v[1], v[2]} : Rgb{v[0], v[0], v[0]};
+    if (encoded) color = {decode_srgb(color.r), decode_srgb(color.g), decode_srgb(color.b)};
+    image.pixels[i] = color;
+  }
+  return image;
+}
+
+}  // namespace
+
+std::string temporary_path(const std::string& path) {
+  const fs::path target(path);
+  return (target.parent_path() / fmt::format(".{}.{}.part", target.filename().string(), getpid())).string();
+}
+
+void check_image_output(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension != ".png" && extension != ".exr")
+    throw Error(fmt::format("{}: a picture's name must end in .png or .exr", path));
+  const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
+  if (!fs::is_directory(folder)) throw Error(fmt::format("{}: there is no folder {}", path, folder.string()));
+  if (fs::is_directory(path)) throw Error(fmt::format("{}: cannot be written: it is a folder", path));
+  const UnfinishedFile probe(path);
+  if (!std::ofstream(probe.path()))
+    throw Error(fmt::format("{}: the folder {} is not writable", path, folder.string()));
+}
+
+void write_png(const std::string& path, const ByteImage& image, const ImageMetadata& metadata) {
+  const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
+  write(path, "png", spec, image.bytes.data(), metadata);
+}
+
+void write_exr(const std::string& path, const Image& image, const ImageMetadata& metadata) {
+  static_assert(sizeof(Rgb) == 3 * sizeof(float));
+  const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::FLOAT);
+  write(path, "openexr", spec, image.pixels.data(), metadata);
+}
+
+void write_image(const std::string& path, const Image& image, ToneCurve curve,
+                 const ImageMetadata& metadata) {
+  if (extension_of(path) == ".exr")
+    write_exr(path, image, metadata);
+  else
+    write_png(path, encode(curve, image), metadata);
+}
+
+Image read_image(const std::string& path) {
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(reader_for(path));
+  if (!fs::is_regular_file(path)) throw Error(fmt::format("{}: there is no such file", path));
+  OIIO::ImageSpec spec;
+  if (!input || !input->open(path, spec))
+    throw Error(fmt::format("{}: cannot be read: {}", path, input ? input->geterror() : OIIO::geterror()));
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.nchannels > 64 ||
+      std::uint64_t(spec.width) * std::uint64_t(spec.height) > max_pixels)
+    throw Error(
+        fmt::format("{}: {} x {} pixels of {} channels; valid are up to 2^28 pixels of up to 64 channels",
+                    path, spec.width, spec.height, spec.nchannels));
+  std::vector<float> values(std::size_t(spec.width) * std::size_t(spec.height) * std::size_t(spec.nchannels));
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
+    throw Error(fmt::format("{}: cannot be read: {}", path, input->geterror()));
+  return to_image(spec, values);
+}
+
+}  // namespace twinray

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program as a whole: exit codes, messages, files.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "io/image_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/process.h"
+
+namespace twinray::test {
+namespace {
+
+const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
+const std::string small = " -r 24 18 -s 2 -q ";
+
+std::string quoted(const std::string& path) { return "'" + path + "'"; }
+
+}  // namespace
+
+TEST_CASE("a wrong command line ends with 2, the reason and the usage") {
+  const ProcessResult result = run_program("--bvh-split=none " + box);
+  CHECK(result.exit_code == 2);
+  CHECK(result.out.empty());
+  CHECK(result.err ==
+        "twinray: --bvh-split: there is no \"none\"; valid are sah, median, midpoint, mean\n"
+        "usage: twinray [render] SCENE.dae [options]; all options: twinray --help\n");
+  CHECK(run_program("").exit_code == 2);
+}
+
+TEST_CASE("help fits a screen of 60 lines and 100 columns, and version names engines") {
+  const ProcessResult help = run_program("--help");
+  CHECK(help.exit_code == 0);
+  std::size_t lines = 0, widest = 0, width = 0;
+  for (const char c : help.out) {
+    width = c == '\n' ? 0 : width + 1;
+    widest = std::max(widest, width);
+    lines += c == '\n';
+  }
+  CHECK(lines <= 60);
+  CHECK(widest <= 100);
+  const ProcessResult version = run_program("--version");
+  CHECK(version.exit_code == 0);
+  CHECK(version.out.find("brute-force") != std::string::npos);
+}
+
+TEST_CASE("a scene that is not there, or an output that cannot be written, ends with 1 before rendering") {
+  const TemporaryFolder folder;
+  const ProcessResult missing = run_program("no-such-scene.dae -q -o " + quoted(folder.file("a.png")));
+  CHECK(missing.exit_code == 1);
+  CHECK(missing.err.find("no-such-scene.dae") != std::string::npos);
+  const ProcessResult nowhere = run_program(box + small + "-o " + quoted(folder.file("none/a.png")));
+  CHECK(nowhere.exit_code == 1);
+  CHECK(nowhere.err ==
+        fmt::format("twinray: {}: there is no folder {}\n", folder.file("none/a.png"), folder.file("none")));
+  const ProcessResult ending = run_program(box + small + "-o " + quoted(folder.file("a.gif")));
+  CHECK(ending.exit_code == 1);
+  CHECK(ending.err ==
+        fmt::format("twinray: {}: a picture's name must end in .png or .exr\n", folder.file("a.gif")));
+  CHECK(folder.file_count() == 0);
+}
+
+TEST_CASE("a picture is written whole, and nothing else beside it") {
+  const TemporaryFolder folder;
+  REQUIRE(run_program(box + small + "-o " + quoted(folder.file("a.exr"))).exit_code == 0);
+  CHECK(folder.file_count() == 1);
+  const Image image = read_image(folder.file("a.exr"));
+  CHECK(image.width == 24);
+  CHECK(image.height == 18);
+}
+
+TEST_CASE("render is the subcommand that may be left out") {
+  const TemporaryFolder folder;
+  REQUIRE(run_program("render " + box + small + "-o " + quoted(folder.file("a.exr"))).exit_code == 0);
+  REQUIRE(run_program(box + small + "-o " + quoted(folder.file("b.exr"))).exit_code == 0);
+  CHECK(read_image(folder.file("a.exr")).pixels == read_image(folder.file("b.exr")).pixels);
+}
+
+TEST_CASE("adaptive sampling writes its sample rates beside the picture") {
+  const TemporaryFolder folder;
+  REQUIRE(run_program(box + small + "-s 64 -a 8 0.5 -o " + quoted(folder.file("a.png"))).exit_code == 0);
+  CHECK(folder.file_count() == 2);
+  CHECK(read_image(folder.file("a_rate.png")).width == 24);
+}
+
+TEST_CASE("statistics are JSON, and brute force tests each primitive for each ray of normal shading") {
+  const TemporaryFolder folder;
+  const std::string stats = folder.file("stats.json");
+  REQUIRE(run_program(box + " -r 24 18 -s 1 -q --integrator=normals --count --accel=brute-force --stats " +
+                      quoted(stats) + " -o " + quoted(folder.file("a.png")))
+              .exit_code == 0);
+  const nlohmann::json json = nlohmann::json::parse(read_text(stats));
+  CHECK(json["rays"]["total"] == 24 * 18);
+  CHECK(json["rays"]["camera"] == 24 * 18);
+  CHECK(json["per_ray"]["primitives"] == json["build"]["primitives"]);
+}
+
+TEST_CASE("an old picture survives an interruption, and no unfinished file stays") {
+  const TemporaryFolder folder;
+  const std::string output = folder.file("a.png");
+  write_text(output, "the old picture");
+  const std::string command = fmt::format("timeout --preserve-status -s INT 0.5 '{}' {} -q -s 100000 -o '{}'",
+                                          TWINRAY_PROGRAM, box, output);
+  const int status = std::system(command.c_str());
+  CHECK(WEXITSTATUS(status) == 130);
+  CHECK(read_text(output) == "the old picture");
+  CHECK(folder.file_count() == 1);
+}
+
+}  // namespace twinray::test

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/render_arguments.h"
+
+#include "core/error.h"
+#include "tests/support/catch.h"
+
+namespace twinray::test {
+namespace {
+
+RenderArguments parse(std::vector<std::string> words) {
+  words.push_back("scene.dae");
+  return *parse_render_arguments(words);
+}
+
+std::string message_of(std::vector<std::string> words) {
+  try {
+    parse(std::move(words));
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("CS184's options take the same arguments") {
+  const RenderArguments arguments = parse({"-s",       "64", "-l",  "4",  "-t",  "2",   "-m", "7",       "-H",
+                                           "-a",       "16", "0.1", "-r", "320", "240", "-e", "sky.exr", "-c",
+                                           "cam.info", "-p", "10",  "20", "30",  "40",  "-f", "out.png"});
+  CHECK(arguments.scene == "scene.dae");
+  CHECK(arguments.render.samples == 64);
+  CHECK(arguments.path.samples_per_light == 4);
+  CHECK(arguments.render.threads == 2);
+  CHECK(arguments.path.max_depth == 7);
+  CHECK(arguments.path.direct == DirectMethod::hemisphere);
+  REQUIRE(arguments.render.adaptive);
+  CHECK(arguments.render.adaptive->batch == 16);
+  CHECK(arguments.render.adaptive->tolerance == 0.1);
+  CHECK(arguments.render.width == 320);
+  CHECK(arguments.render.height == 240);
+  CHECK(arguments.environment == "sky.exr");
+  CHECK(arguments.camera_file == "cam.info");
+  CHECK(arguments.render.window == PixelRect{10, 20, 40, 60});
+  CHECK(arguments.output == "out.png");
+}
+
+TEST_CASE("options may follow the scene, and long names mean the same") {
+  const auto arguments =
+      parse_render_arguments({"scene.dae", "--samples=8", "--light-samples=2", "--max-depth=0",
+                              "--resolution", "10", "12", "--output=x.exr"});
+  REQUIRE(arguments);
+  CHECK(arguments->render.samples == 8);
+  CHECK(arguments->path.samples_per_light == 2);
+  CHECK(arguments->path.max_depth == 0);
+  CHECK(arguments->render.height == 12);
+  CHECK(arguments->output == "x.exr");
+}
+
+TEST_CASE(
+    "without options a picture of 480 x 360 with 32 samples and depth 5 is made, without adaptive sampling") {
+  const RenderArguments arguments = parse({});
+  CHECK(arguments.render.width == 480);
+  CHECK(arguments.render.height == 360);
+  CHECK(arguments.render.samples == 32);
+  CHECK(arguments.path.max_depth == 5);
+  CHECK_FALSE(arguments.render.adaptive);
+  CHECK(arguments.backend == default_backend());
+}
+
+TEST_CASE("the bounces that are shown are ranges of depth") {
+  CHECK(parse({"--bounces=direct"}).path.last_depth == 1);
+  CHECK(parse({"--bounces=indirect"}).path.first_depth == 2);
+  const RenderArguments last = parse({"--bounces=last", "-m", "3"});
+  CHECK(last.path.first_depth == 3);
+  CHECK(last.path.last_depth == 3);
+  CHECK(parse({"--integrator=direct"}).path.max_depth == 1);
+}
+
+TEST_CASE("roulette takes a probability or the word throughput") {
+  CHECK(parse({"--roulette=0.7"}).path.roulette.continuation == 0.7f);
+  CHECK(parse({"--roulette=throughput"}).path.roulette.continuation == 0);
+  CHECK(message_of({"--roulette=2"}) ==
+        "--roulette: \"2\"; valid are throughput and a probability in (0, 1]");
+}
+
+TEST_CASE("a wrong word of a choice names the right ones") {
+  CHECK(message_of({"--bvh-split=sahh"}) ==
+        "--bvh-split: there is no \"sahh\"; valid are sah, median, midpoint, mean");
+  CHECK(message_of({"--integrator=photon"}) ==
+        "--integrator: there is no \"photon\"; valid are path, direct, normals");
+}
+
+TEST_CASE("values out of range say what is valid") {
+  CHECK(message_of({"-r", "0", "10"}) == "--resolution: 0 x 10; each side must have 1 to 65536 pixels");
+  CHECK(message_of({"-a", "1", "0.05"}) ==
+        "--adaptive: a batch of 1; it must be a whole number from 2 to 4194304");
+  CHECK(message_of({"-a", "32", "-1"}) ==
+        "--adaptive: a tolerance of -1; it must be finite and not negative");
+  CHECK(message_of({"-p", "0", "0", "481", "10"}) ==
+        "--crop: 0 0 481 10 (X Y W H) is not a part of 480 x 360 pixels");
+  CHECK(message_of({"-s", "0"}) != "accepted");
+  CHECK(message_of({"-s", "many"}) != "accepted");
+  CHECK(message_of({"-m", "101"}) != "accepted");
+  CHECK(message_of({"--no-such-option"}) != "accepted");
+  CHECK(message_of({"-r", "64"}) != "accepted");
+  CHECK(message_of({"other.dae"}) != "accepted");
+  CHECK(message_of({"--accel=brute-force", "--triangle-test=moller-trumbore"}) == "accepted");
+}
+
+}  // namespace twinray::test

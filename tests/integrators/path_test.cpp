@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrators/path.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/estimate.h"
+#include "tests/support/scenes.h"
+
+namespace twinray::test {
+namespace {
+
+RenderOptions options(std::uint32_t samples, SamplerKind sampler = SamplerKind::independent) {
+  return {.width = 12, .height = 10, .samples = samples, .sampler = sampler, .seed = 3, .threads = 2};
+}
+
+Rgb pixel_mean(const Film& film, int x, int y) { return film.pixel(0, x, y).mean(); }
+
+}  // namespace
+
+TEST_CASE("at equal seed no greater depth takes light away from any pixel") {
+  const Scene scene = small_room();
+  RenderResult before = render_with(scene, PathIntegrator(scene, {.max_depth = 0}), options(4));
+  for (int depth = 1; depth <= 6; ++depth) {
+    const RenderResult after = render_with(scene, PathIntegrator(scene, {.max_depth = depth}), options(4));
+    for (int y = 0; y < 10; ++y)
+      for (int x = 0; x < 12; ++x) {
+        CHECK(pixel_mean(after.film, x, y).r >= pixel_mean(before.film, x, y).r);
+        CHECK(pixel_mean(after.film, x, y).b >= pixel_mean(before.film, x, y).b);
+      }
+    before = after;
+  }
+}
+
+TEST_CASE("the mean does not depend on roulette, sampler or samples per light") {
+  const Scene scene = small_room();
+  const Estimate without = estimate(scene, {.max_depth = 8, .roulette = {1}}, options(256));
+  CHECK(z_score(without, estimate(scene, {.max_depth = 8}, options(256))) <= z_limit);
+  CHECK(z_score(without, estimate(scene, {.max_depth = 8, .roulette = {0.7f}}, options(256))) <= z_limit);
+  CHECK(z_score(without, estimate(scene, {.max_depth = 8, .roulette = {0.4f}}, options(256))) <= z_limit);
+  CHECK(z_score(without, estimate(scene, {.max_depth = 8, .roulette = {1}},
+                                  options(256, SamplerKind::sobol))) <= z_limit);
+  CHECK(z_score(without, estimate(scene, {.max_depth = 8, .samples_per_light = 4, .roulette = {1}},
+                                  options(128))) <= z_limit);
+}
+
+TEST_CASE("hemisphere and light sampling have the same mean where no light is a delta") {
+  const Scene scene = small_room();
+  const Estimate by_lights = estimate(scene, {.max_depth = 3}, options(256));
+  const Estimate by_directions = estimate(
+      scene, {.max_depth = 3, .direct = DirectMethod::hemisphere, .samples_per_light = 8}, options(512));
+  CHECK(z_score(by_lights, by_directions) <= z_limit);
+}
+
+TEST_CASE("direct and indirect light add up to all of it, and the last bounces to the whole as well") {
+  const Scene scene = small_room();
+  const auto mean_of = [&](int first, int last) {
+    const PathOptions path{.max_depth = 4, .first_depth = first, .last_depth = last, .roulette = {0.7f}};
+    return render_with(scene, PathIntegrator(scene, path), options(16)).film;
+  };
+  const Film all = mean_of(0, 100), direct = mean_of(0, 1), indirect = mean_of(2, 100);
+  const Film bounce[5] = {mean_of(0, 0), mean_of(1, 1), mean_of(2, 2), mean_of(3, 3), mean_of(4, 4)};
+  // A sum of a few floats in another order.
+  constexpr double rounding = 1e-5;
+  for (int y = 0; y < 10; ++y)
+    for (int x = 0; x < 12; ++x) {
+      const double whole = pixel_mean(all, x, y).g;
+      CHECK(pixel_mean(direct, x, y).g + pixel_mean(indirect, x, y).g == Approx(whole).epsilon(rounding));
+      double sum = 0;
+      for (const Film& film : bounce) sum += pixel_mean(film, x, y).g;
+      CHECK(sum == Approx(whole).epsilon(rounding));
+    }
+}
+
+TEST_CASE("options out of range are refused") {
+  const Scene scene = small_room();
+  const auto message_of = [&](const PathOptions& path) -> std::string {
+    try {
+      PathIntegrator(scene, path);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  CHECK(message_of({.max_depth = 101}) == "the maximum depth is 101; it must lie in [0, 100]");
+  CHECK(message_of({.max_depth = -1}) == "the maximum depth is -1; it must lie in [0, 100]");
+  CHECK(message_of({.samples_per_light = 0}) == "0 samples per light; valid are 1 to 65536");
+  CHECK(message_of({.roulette = {1.5f}}) == "the probability of going on is 1.5; it must lie in (0, 1]");
+  CHECK(message_of({}) == "accepted");
+}
+
+}  // namespace twinray::test

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrators/render.h"
+
+#include <cmath>
+
+#include "integrators/normals.h"
+#include "tests/support/catch.h"
+#include "tests/support/estimate.h"
+#include "tests/support/scenes.h"
+
+namespace twinray::test {
+namespace {
+
+RenderOptions options(std::uint32_t samples, int threads) {
+  return {.width = 40, .height = 30, .samples = samples, .seed = 11, .threads = threads};
+}
+
+std::vector<Backend> canonical_backends() {
+  std::vector<Backend> backends;
+  for (const Backend backend : available_backends())
+    if (backend != Backend::embree_native) backends.push_back(backend);
+  return backends;
+}
+
+/// A path integrator that spoils the samples of one pixel.
+class SpoiledIntegrator final : public Integrator {
+ public:
+  Rgb radiance(const Ray&, SamplerKind, const SampleKey& key, Tracer&) const override {
+    if (key.x == 3 && key.y == 2 && key.index >= 1) return {NAN, 0, 0};
+    return {1, 1, 1};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("pictures and ray counts have the same bits on every engine and with 1, 2 and 7 threads") {
+  const Scene scene = small_room();
+  for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent}) {
+    const PathIntegrator path(scene, {.max_depth = 4});
+    RenderOptions first = options(4, 1);
+    first.sampler = sampler;
+    const RenderResult reference = render_with(scene, path, first, Backend::brute_force);
+    for (const Backend backend : canonical_backends())
+      for (const int threads : {1, 2, 7}) {
+        RenderOptions other = first;
+        other.threads = threads;
+        const RenderResult result = render_with(scene, path, other, backend);
+        INFO(backend_name(backend) << " with " << threads << " threads");
+        CHECK(same_bits(result.film, reference.film));
+        CHECK(result.rays == reference.rays);
+      }
+  }
+}
+
+TEST_CASE("a part of the frame has the pixels of the whole") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, {.max_depth = 3});
+  const RenderResult whole = render_with(scene, path, options(4, 2));
+  RenderOptions part_options = options(4, 2);
+  part_options.window = PixelRect{7, 5, 29, 22};
+  const RenderResult part = render_with(scene, path, part_options);
+  for (int y = 5; y < 22; ++y)
+    for (int x = 7; x < 29; ++x) CHECK(part.film.pixel(0, x, y) == whole.film.pixel(0, x, y));
+}
+
+TEST_CASE("normal shading traces one ray a sample and shows (n + 1) / 2") {
+  const Scene scene = scene_of(floor_square(50, 0), {0.5f, 0.5f, 0.5f}, {0, 1, 0}, {0, 0, 0});
+  const RenderResult result = render_with(scene, NormalsIntegrator(scene), options(1, 2));
+  CHECK(result.rays.camera == 40 * 30);
+  CHECK(result.rays.total() == 40 * 30);
+  CHECK(result.film.pixel(0, 20, 15).mean() == Rgb{0.5f, 1, 0.5f});
+}
+
+TEST_CASE("one sample goes through the centre of its pixel") {
+  // A floor that covers exactly the right half of an odd-sized frame: the middle column's centre lies on its
+  // edge.
+  Scene scene = scene_of(floor_square(1, 0), {0.5f, 0.5f, 0.5f}, {0, 4, 0}, {0, 0, 0});
+  const RenderResult result =
+      render_with(scene, NormalsIntegrator(scene), {.width = 9, .height = 9, .samples = 1});
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < 9; ++x) {
+      const Camera& camera = scene.camera;
+      const double px = ((2 * (x + 0.5) / 9) - 1) * camera.tan_half_width * 4;
+      const double py = ((2 * (y + 0.5) / 9) - 1) * camera.tan_half_height * 4;
+      const bool covered = std::fabs(px) < 1 && std::fabs(py) < 1;
+      CHECK((result.film.pixel(0, x, y).mean().g > 0.9f) == covered);
+    }
+}
+
+TEST_CASE("samples that are not finite are counted, and the first can be found again") {
+  const Scene scene = small_room();
+  const RenderResult result =
+      render_with(scene, SpoiledIntegrator(), {.width = 8, .height = 8, .samples = 4});
+  CHECK(result.film.rejected_count() == 3);
+  CHECK(result.film.first_rejected().x == 3);
+  CHECK(result.film.first_rejected().y == 2);
+  CHECK(result.film.first_rejected().index == 1);
+  CHECK(result.film.pixel(0, 3, 2).count == 1);
+}
+
+TEST_CASE(
+    "adaptive sampling stops at whole batches, sooner where the picture is calm, and rejected samples "
+    "count") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, {.max_depth = 3});
+  RenderOptions adaptive = options(256, 2);
+  adaptive.adaptive = AdaptiveSampling{16, 0.1};
+  const RenderResult result = render_with(scene, path, adaptive);
+  std::uint64_t taken = 0;
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x) {
+      const std::uint32_t count = result.film.pixel(0, x, y).count;
+      CHECK(count % 16 == 0);
+      CHECK(count >= 16);
+      taken += count;
+    }
+  CHECK(taken < 256 * 40 * 30);
+  CHECK(taken == result.rays.camera);
+  RenderOptions spoiled{.width = 8, .height = 8, .samples = 64, .adaptive = AdaptiveSampling{8, 0.1}};
+  const RenderResult calm = render_with(scene, SpoiledIntegrator(), spoiled);
+  CHECK(calm.film.pixel(0, 0, 0).count == 8);
+  CHECK(calm.film.pixel(0, 3, 2).count == 1);
+}
+
+TEST_CASE("adaptive pictures do not depend on threads either") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, {.max_depth = 2});
+  RenderOptions one = options(96, 1);
+  one.adaptive = AdaptiveSampling{8, 0.2};
+  RenderOptions seven = one;
+  seven.threads = 7;
+  CHECK(same_bits(render_with(scene, path, one).film, render_with(scene, path, seven).film));
+}
+
+TEST_CASE("render options out of range are refused") {
+  const Scene scene = small_room();
+  const NormalsIntegrator normals(scene);
+  CHECK_THROWS_WITH(render_with(scene, normals, {.samples = 0}),
+                    "0 samples per pixel; valid are 1 to 4194304");
+  CHECK_THROWS_WITH(render_with(scene, normals, {.samples = 4, .adaptive = AdaptiveSampling{1, 0.1}}),
+                    "a batch of 1 samples; adaptive sampling needs at least 2");
+  CHECK_THROWS_WITH(render_with(scene, normals, {.samples = 4, .adaptive = AdaptiveSampling{8, -1}}),
+                    "a tolerance of -1; it must be finite and not negative");
+}
+
+}  // namespace twinray::test
