@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/collada_camera.h"
 #include "io/collada_lamp.h"
 #include "io/collada_nodes.h"
@@ -55,10 +57,7 @@ XmlElement find_visual_scene(const ColladaDocument& document) {
   return document.resolve(scene.required_child("instance_visual_scene"), "url", "visual_scene");
 }
 
-}  // namespace
-
-LoadedScene read_collada(const XmlDocument& xml, const LoadOptions& options) {
-  ColladaDocument document(xml, options.strict);
+LoadedScene read_document(ColladaDocument& document, const LoadOptions& options) {
   check_names(document);
   const XmlElement visual_scene = find_visual_scene(document);
   ColladaMaterials materials(document);
@@ -82,6 +81,26 @@ LoadedScene read_collada(const XmlDocument& xml, const LoadOptions& options) {
   count_scene(loaded.scene, summary);
   loaded.warnings = document.warnings();
   return loaded;
+}
+
+/// A mistyped name is often why something seems to be missing.
+std::string with_warnings(const Error& error, const std::vector<Diagnostic>& warnings) {
+  constexpr std::size_t most = 3;
+  std::string text = error.what();
+  for (std::size_t i = 0; i < std::min(warnings.size(), most); ++i)
+    text += "\nnoticed before: " + warnings[i].text();
+  return text;
+}
+
+}  // namespace
+
+LoadedScene read_collada(const XmlDocument& xml, const LoadOptions& options) {
+  ColladaDocument document(xml, options.strict);
+  try {
+    return read_document(document, options);
+  } catch (const Error& error) {
+    throw Error(with_warnings(error, document.warnings()));
+  }
 }
 
 }  // namespace twinray

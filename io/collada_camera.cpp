@@ -55,20 +55,20 @@ struct Axis {
 
 /// Gram and Schmidt's way: the direction of view stays, then up. Where a flat transform leaves no up (as in
 /// CS184's CBgems.dae) it is made of the other two.
-void orient(const XmlElement& element, const Transform& t, Camera& camera, ColladaDocument& document) {
+void orient(const XmlElement& instance, const Transform& t, Camera& camera, ColladaDocument& document) {
   constexpr double flat = 1e-6;
   const auto column = [&](int c) { return Axis{t.m[0][c], t.m[1][c], t.m[2][c]}; };
   const Axis x = column(0), y = column(1), z = column(2);
   if (!(z.length() > 0) || !std::isfinite(x.length() + y.length() + z.length()))
-    element.fail("the transform of this camera's node gives it no direction: it flattens the z axis");
+    instance.fail("the transform of this camera's node gives it no direction: it flattens the z axis");
   const Axis back = z.unit();
   Axis up = y.minus(back, y.dot(back));
   Axis right = x.minus(back, x.dot(back));
   const bool has_up = up.length() > flat * y.length(), has_right = right.length() > flat * x.length();
-  if (!has_up && !has_right) element.fail("the transform of this camera's node leaves it no up direction");
+  if (!has_up && !has_right) instance.fail("the transform of this camera's node leaves it no up direction");
   if (!has_up) {
     document.warn(
-        element,
+        instance,
         "the transform of this camera's node flattens its up direction; it is made of the other two");
     up = back.cross(right);
   }
@@ -82,7 +82,8 @@ void orient(const XmlElement& element, const Transform& t, Camera& camera, Colla
 
 }  // namespace
 
-Camera read_camera(const XmlElement& element, const Transform& to_world, ColladaDocument& document) {
+Camera read_camera(const XmlElement& element, const XmlElement& instance, const Transform& to_world,
+                   ColladaDocument& document) {
   const XmlElement common = element.required_child("optics").required_child("technique_common");
   if (const auto other = common.child("orthographic"))
     other->fail("orthographic cameras are not rendered; valid is <perspective>");
@@ -90,10 +91,10 @@ Camera read_camera(const XmlElement& element, const Transform& to_world, Collada
   Camera camera;
   read_field(lens, camera, document);
   read_clip(lens, camera);
-  orient(element, to_world, camera, document);
+  orient(instance, to_world, camera, document);
   camera.position = to_world.point({0, 0, 0});
   if (!is_finite(camera.position) || max_abs(camera.position) > max_coordinate)
-    element.fail("the transform of this camera's node puts it too far away");
+    instance.fail("the transform of this camera's node puts it too far away");
   return camera;
 }
 

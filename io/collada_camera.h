@@ -7,11 +7,12 @@
 
 namespace twinray {
 
-/// Reads a perspective <camera> and places it by its node's transform, whose axes are made orthonormal: it
-/// looks along -z, with y up. Legal are xfov, yfov or both, and an aspect_ratio beside one of them; with one
-/// angle alone the shape of the image decides the other. Throws Error for an orthographic camera, which is
-/// not rendered, and for numbers out of range.
-Camera read_camera(const XmlElement& camera, const Transform& to_world, ColladaDocument& document);
+/// Reads a perspective <camera> that an <instance_camera> places by its node's transform, whose axes are made
+/// orthonormal: it looks along -z, with y up. Legal are xfov, yfov or both, and an aspect_ratio beside one of
+/// them; with one angle alone the shape of the image decides the other. Throws Error for an orthographic
+/// camera, which is not rendered, and for numbers out of range.
+Camera read_camera(const XmlElement& camera, const XmlElement& instance, const Transform& to_world,
+                   ColladaDocument& document);
 
 /// A camera that sees the whole box, from +Z and slightly above, with a field of 50 degrees.
 Camera default_camera(const Aabb& bounds);

@@ -77,13 +77,19 @@ XmlElement ColladaDocument::resolve(const XmlElement& from, const char* attribut
   if (found != ids_.end())
     throw error_at(place(),
                    fmt::format("\"{}\" is a <{}>; a <{}> is needed", url, found->second.name(), kind));
+  throw error_at(
+      place(), fmt::format("no <{}> has the id \"{}\"{}", kind, url.substr(1), suggest(url.substr(1), kind)));
+}
+
+std::string ColladaDocument::suggest(std::string_view wanted, std::string_view kind) const {
   std::vector<std::string_view> known;
   for (const auto& [id, element] : ids_)
     if (element.is(kind)) known.push_back(id);
-  const std::string nearest = nearest_name(std::string_view(url).substr(1), known);
-  throw error_at(place(),
-                 fmt::format("no <{}> has the id \"{}\"{}", kind, url.substr(1),
-                             nearest.empty() ? "" : fmt::format("; did you mean \"#{}\"?", nearest)));
+  const std::string nearest = nearest_name(wanted, known);
+  if (!nearest.empty()) return fmt::format("; did you mean \"#{}\"?", nearest);
+  constexpr std::size_t most_listed = 8;
+  if (known.empty()) return "; the file has none";
+  return known.size() > most_listed ? "" : fmt::format("; there is {}", list_names(known));
 }
 
 std::string display_name(const XmlElement& element) {

@@ -42,6 +42,7 @@ class ColladaDocument {
  private:
   void index_ids(const XmlElement& element);
   void read_asset();
+  std::string suggest(std::string_view wanted, std::string_view kind) const;
 
   XmlElement root_;
   WarningList warnings_;

@@ -92,14 +92,27 @@ std::optional<Plane> plane_of(const Mesh& mesh) {
   return Plane{a, x, cross(normal, x), normal};
 }
 
+/// Whether a point of the mesh's plane lies in one of its triangles.
+bool lies_within(const Vec3& point, const Mesh& mesh, const Vec3& normal) {
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& triangle) {
+    int left = 0, right = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 &a = mesh.positions[triangle[k]], &b = mesh.positions[triangle[(k + 1) % 3]];
+      const float side = dot(cross(b - a, point - a), normal);
+      left += side >= 0;
+      right += side <= 0;
+    }
+    return left == 3 || right == 3;
+  });
+}
+
 bool lies_in(const Vec3& point, const Mesh& mesh) {
   const auto plane = plane_of(mesh);
   if (!plane) return false;
   const Aabb box = local_box(mesh, *plane);
-  const Vec3 p = plane->to_local(point);
   const float slack = plane_tolerance * std::max(box.extent().x, box.extent().y);
-  return std::max(-box.lower.z, box.upper.z) <= slack && std::fabs(p.z) <= slack && p.x >= box.lower.x &&
-         p.x <= box.upper.x && p.y >= box.lower.y && p.y <= box.upper.y;
+  return std::max(-box.lower.z, box.upper.z) <= slack && std::fabs(plane->to_local(point).z) <= slack &&
+         lies_within(point, mesh, plane->normal);
 }
 
 bool merge_point_light(const Light& light, SceneParts& parts) {

@@ -45,24 +45,26 @@ Attenuation read_attenuation(const XmlElement& kind) {
 }
 
 /// The unit vector along which the node's -z points.
-Vec3 direction_of(const XmlElement& light, const Transform& to_world) {
+Vec3 direction_of(const XmlElement& instance, const Transform& to_world) {
   const double x = -to_world.m[0][2], y = -to_world.m[1][2], z = -to_world.m[2][2];
   const double length = std::sqrt(x * x + y * y + z * z);
   if (!(length > 0) || !std::isfinite(length))
-    light.fail("the transform of this light's node gives it no direction: it flattens the z axis");
+    instance.fail("the transform of this light's node gives it no direction: it flattens the z axis");
   return {float(x / length), float(y / length), float(z / length)};
 }
 
-Vec3 position_of(const XmlElement& light, const Transform& to_world) {
+Vec3 position_of(const XmlElement& instance, const Transform& to_world) {
   const Vec3 position = to_world.point({0, 0, 0});
   if (!is_finite(position) || max_abs(position) > max_coordinate)
-    light.fail(fmt::format("this light stands at ({}, {}, {}); coordinates must be finite and within +-{:g}",
-                           position.x, position.y, position.z, max_coordinate));
+    instance.fail(
+        fmt::format("this light stands at ({}, {}, {}); coordinates must be finite and within +-{:g}",
+                    position.x, position.y, position.z, max_coordinate));
   return position;
 }
 
-std::optional<PlacedLight> place_area(const XmlElement& light, const XmlElement& kind,
-                                      const Transform& to_world, ColladaDocument& document) {
+std::optional<PlacedLight> place_area(const XmlElement& light, const XmlElement& instance,
+                                      const XmlElement& kind, const Transform& to_world,
+                                      ColladaDocument& document) {
   AreaLight area;
   area.name = display_name(light);
   area.radiance = read_color(kind.required_child("color"), most_light);
@@ -71,17 +73,17 @@ std::optional<PlacedLight> place_area(const XmlElement& light, const XmlElement&
   std::transform(std::begin(square), std::end(square), area.corners,
                  [&](const Vec3& p) { return to_world.point(p); });
   if (to_world.determinant() < 0) std::swap(area.corners[1], area.corners[3]);
-  position_of(light, to_world);
+  position_of(instance, to_world);
   Mesh mesh = area_light_mesh(area);
   if (drop_degenerate_triangles(mesh) == 0) return area;
-  document.warn(light, "the transform of this area light's node leaves it no area; it is left out");
+  document.warn(instance, "the transform of this area light's node leaves it no area; it is left out");
   return std::nullopt;
 }
 
-SpotLight read_spot(const XmlElement& light, const XmlElement& kind, const Transform& to_world) {
+SpotLight read_spot(const XmlElement& instance, const XmlElement& kind, const Transform& to_world) {
   SpotLight spot;
-  spot.position = position_of(light, to_world);
-  spot.direction = direction_of(light, to_world);
+  spot.position = position_of(instance, to_world);
+  spot.direction = direction_of(instance, to_world);
   spot.intensity = read_color(kind.required_child("color"), most_light);
   spot.attenuation = read_attenuation(kind);
   if (const auto angle = kind.child("falloff_angle"))
@@ -91,11 +93,11 @@ SpotLight read_spot(const XmlElement& light, const XmlElement& kind, const Trans
   return spot;
 }
 
-LightSource read_source_light(const XmlElement& light, const XmlElement& kind, const Transform& to_world) {
-  if (kind.is("spot")) return read_spot(light, kind, to_world);
+LightSource read_source_light(const XmlElement& instance, const XmlElement& kind, const Transform& to_world) {
+  if (kind.is("spot")) return read_spot(instance, kind, to_world);
   const Rgb color = read_color(kind.required_child("color"), most_light);
-  if (kind.is("point")) return PointLight{position_of(light, to_world), color, read_attenuation(kind)};
-  if (kind.is("directional")) return DirectionalLight{direction_of(light, to_world), color};
+  if (kind.is("point")) return PointLight{position_of(instance, to_world), color, read_attenuation(kind)};
+  if (kind.is("directional")) return DirectionalLight{direction_of(instance, to_world), color};
   return AmbientLight{{0, 1, 0}, color};
 }
 
@@ -109,11 +111,11 @@ Mesh area_light_mesh(const AreaLight& light) {
   return mesh;
 }
 
-std::optional<PlacedLight> read_light(const XmlElement& light, const Transform& to_world,
-                                      ColladaDocument& document) {
+std::optional<PlacedLight> read_light(const XmlElement& light, const XmlElement& instance,
+                                      const Transform& to_world, ColladaDocument& document) {
   const XmlElement kind = kind_of(light);
-  if (kind.is("area")) return place_area(light, kind, to_world, document);
-  return Light{display_name(light), read_source_light(light, kind, to_world)};
+  if (kind.is("area")) return place_area(light, instance, kind, to_world, document);
+  return Light{display_name(light), read_source_light(instance, kind, to_world)};
 }
 
 }  // namespace twinray

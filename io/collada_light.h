@@ -22,10 +22,11 @@ Mesh area_light_mesh(const AreaLight& light);
 
 using PlacedLight = std::variant<AreaLight, Light>;
 
-/// Reads a <light>, from its CGL technique if it has one, else from <technique_common>, and places it by its
-/// node's transform. Point, spot and directional lights look along the node's -z. Nothing, with a warning,
-/// for an area light without area. Throws Error for colors below 0, an attenuation that is 0, a missing type.
-std::optional<PlacedLight> read_light(const XmlElement& light, const Transform& to_world,
-                                      ColladaDocument& document);
+/// Reads a <light> that an <instance_light> places, from its CGL technique if it has one, else from
+/// <technique_common>, and puts it where the node's transform says. Point, spot and directional lights look
+/// along the node's -z. Nothing, with a warning, for an area light without area. Throws Error for colors
+/// below 0, an attenuation that is 0, a missing type.
+std::optional<PlacedLight> read_light(const XmlElement& light, const XmlElement& instance,
+                                      const Transform& to_world, ColladaDocument& document);
 
 }  // namespace twinray

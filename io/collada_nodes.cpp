@@ -93,7 +93,7 @@ void ColladaNodes::add_sphere(float radius, const std::string& name, const XmlEl
 }
 
 void ColladaNodes::add_light(const XmlElement& instance, const Transform& to_world) {
-  auto light = read_light(document_.resolve(instance, "url", "light"), to_world, document_);
+  auto light = read_light(document_.resolve(instance, "url", "light"), instance, to_world, document_);
   if (!light) return;
   if (auto* area = std::get_if<AreaLight>(&*light)) parts.area_lights.push_back(*area);
   if (auto* other = std::get_if<Light>(&*light)) parts.lights.push_back(*other);
@@ -107,7 +107,7 @@ void ColladaNodes::add_camera(const XmlElement& instance, const Transform& to_wo
                                display_name(element), camera_name));
     return;
   }
-  camera = read_camera(element, to_world, document_);
+  camera = read_camera(element, instance, to_world, document_);
   camera_name = display_name(element);
 }
 

@@ -9,7 +9,7 @@
 namespace twinray {
 namespace {
 
-constexpr int excerpt_before = 50, excerpt_after = 45;  // characters of a long line around a place
+constexpr std::size_t excerpt_length = 100, excerpt_before = 60;  // bytes, of a long line around a place
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
@@ -32,11 +32,11 @@ std::size_t at_character(std::string_view text, std::size_t i) {
 }
 
 void take_excerpt(std::string_view line, std::size_t at, Place& place) {
-  const bool cut = at > excerpt_before;
+  const bool cut = line.size() > excerpt_length && at > excerpt_before;
   std::size_t begin = cut ? at_character(line, at - excerpt_before) : 0;
-  const std::size_t end = at_character(line, std::min(line.size(), at + excerpt_after));
   if (!cut)
     while (begin < at && (line[begin] == ' ' || line[begin] == '\t')) ++begin;
+  const std::size_t end = at_character(line, std::min(line.size(), begin + excerpt_length));
   const std::string head = cut ? "..." : "";
   const std::string tail = end < line.size() ? "..." : "";
   place.excerpt = head + printable(line.substr(begin, end - begin)) + tail;

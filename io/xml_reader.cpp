@@ -77,6 +77,19 @@ std::size_t next_start_tag(std::string_view text, std::size_t i) {
   return npos;
 }
 
+/// Whether the root element has a start, but no end.
+bool is_cut_off(std::string_view text) {
+  const std::size_t start = next_start_tag(text, 0);
+  if (start == npos) return false;
+  const std::string_view name = text.substr(start + 1, text.find_first_of(" \t\r\n/>", start) - start - 1);
+  return text.rfind(fmt::format("</{}", name)) == npos && text[behind_tag(text, start) - 2] != '/';
+}
+
+std::size_t trimmed_end(std::string_view text) {
+  const std::string_view inner = trimmed(text);
+  return std::size_t(inner.data() - text.data()) + inner.size();
+}
+
 /// The element after this one in the order of their start tags.
 tinyxml2::XMLElement* next_element(tinyxml2::XMLElement* element) {
   if (element->FirstChildElement()) return element->FirstChildElement();
@@ -168,6 +181,9 @@ void XmlDocument::fail_parse() const {
     case tinyxml2::XML_ERROR_PARSING_CDATA:
       throw error_at(place, "not XML: a CDATA section that starts here is not closed by ]]>");
     default:
+      if (is_cut_off(text_))
+        throw error_at(place_of(file_, text_, trimmed_end(text_)),
+                       "not XML: the file is cut off; its root element does not end");
       throw error_at(place, "not XML: what stands here is neither an element nor text within one");
   }
 }

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/collada_camera.h"
+
+#include <cmath>
+
+#include "tests/support/catch.h"
+#include "tests/support/collada_text.h"
+
+namespace twinray {
+namespace {
+
+constexpr float tolerance = 1e-6f;
+
+LoadedScene load_camera(const std::string& lens, const std::string& transform = "") {
+  return load_collada(collada_text(
+      collada_triangle() +
+          "<library_cameras><camera id=\"eye\" name=\"Eye\"><optics><technique_common><perspective>" + lens +
+          "</perspective></technique_common></optics></camera></library_cameras>",
+      "<node><instance_geometry url=\"#shape\"/></node><node>" + transform +
+          "<instance_camera url=\"#eye\"/></node>"));
+}
+
+Camera lens(const std::string& elements) { return load_camera(elements).scene.camera; }
+
+void check_near(const Vec3& a, const Vec3& b) {
+  CAPTURE(a.x, a.y, a.z, b.x, b.y, b.z);
+  CHECK(max_abs(a - b) <= tolerance);
+}
+
+}  // namespace
+
+TEST_CASE("each legal pair of field and aspect gives the frame") {
+  const Camera by_x = lens("<xfov>90</xfov><aspect_ratio>2</aspect_ratio>");
+  CHECK(by_x.tan_half_width == Approx(1));
+  CHECK(by_x.tan_half_height == Approx(0.5));
+  const Camera by_y = lens("<yfov>90</yfov><aspect_ratio>2</aspect_ratio>");
+  CHECK(by_y.tan_half_width == Approx(2));
+  CHECK(by_y.tan_half_height == Approx(1));
+  const Camera both = lens("<xfov>90</xfov><yfov>53.13010235</yfov>");
+  CHECK(both.tan_half_width == Approx(1));
+  CHECK(both.tan_half_height == Approx(0.5));
+}
+
+TEST_CASE("with one field alone the image's shape decides the other") {
+  const Camera wide = fit_frame(lens("<xfov>90</xfov>"), 400, 100);
+  CHECK(wide.tan_half_width == Approx(1));
+  CHECK(wide.tan_half_height == Approx(0.25));
+  const Camera tall = fit_frame(lens("<yfov>90</yfov>"), 400, 100);
+  CHECK(tall.tan_half_height == Approx(1));
+  CHECK(tall.tan_half_width == Approx(4));
+}
+
+TEST_CASE("a camera stands and turns with its node") {
+  const Camera camera =
+      load_camera("<xfov>40</xfov>",
+                  "<translate>1 2 3</translate><rotate>0 1 0 90</rotate><scale>3 2 5</scale>")
+          .scene.camera;
+  CHECK(camera.position == Vec3{1, 2, 3});
+  check_near(camera.forward, {-1, 0, 0});
+  check_near(camera.up, {0, 1, 0});
+  check_near(camera.right, {0, 0, -1});
+}
+
+TEST_CASE("a camera's axes are orthonormal under a skew, and keep their view") {
+  const Camera camera =
+      load_camera("<xfov>40</xfov>", "<matrix>1 0.25 0 0  0 1 0.5 0  0 0 1 0  0 0 0 1</matrix>").scene.camera;
+  CHECK(std::fabs(dot(camera.up, camera.forward)) < tolerance);
+  CHECK(std::fabs(dot(camera.right, camera.forward)) < tolerance);
+  CHECK(std::fabs(dot(camera.right, camera.up)) < tolerance);
+  check_near(camera.forward, normalize(Vec3{0, -0.5f, -1}));
+  check_near(cross(camera.right, camera.up), -camera.forward);
+}
+
+TEST_CASE("a mirrored camera stays mirrored") {
+  const Camera camera = load_camera("<xfov>40</xfov>", "<scale>-1 1 1</scale>").scene.camera;
+  check_near(camera.right, {-1, 0, 0});
+  check_near(camera.up, {0, 1, 0});
+  check_near(camera.forward, {0, 0, -1});
+}
+
+TEST_CASE("clip distances are read, and without them nothing is clipped") {
+  const Camera clipped = lens("<xfov>40</xfov><znear>0.5</znear><zfar>20</zfar>");
+  CHECK(clipped.clip_near == 0.5f);
+  CHECK(clipped.clip_far == 20);
+  const Camera open = lens("<xfov>40</xfov>");
+  CHECK(open.clip_near == 0);
+  CHECK(std::isinf(open.clip_far));
+}
+
+TEST_CASE("without a camera a default one sees all of the scene") {
+  const LoadedScene loaded = load_collada(collada_text(
+      collada_triangle(), "<node><translate>50 60 70</translate><instance_geometry url=\"#shape\"/></node>"));
+  const Camera& camera = loaded.scene.camera;
+  for (const Vec3& p : mesh_of(loaded).positions) {
+    const Vec3 d = p - camera.position;
+    const float depth = dot(d, camera.forward);
+    CHECK(depth > 0);
+    CHECK(std::fabs(dot(d, camera.right)) < depth * camera.tan_half_width);
+    CHECK(std::fabs(dot(d, camera.up)) < depth * camera.tan_half_height);
+  }
+  check_near(cross(camera.right, camera.up), -camera.forward);
+  CHECK(loaded.summary.camera.empty());
+  CHECK(summary_lines(loaded.summary)[1] ==
+        "camera: none in the file; a default one looks at the whole scene from +Z");
+}
+
+}  // namespace twinray

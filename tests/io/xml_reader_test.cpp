@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/xml_reader.h"
+
+#include "tests/support/catch.h"
+
+namespace twinray {
+namespace {
+
+std::unique_ptr<XmlDocument> parse(const std::string& text) { return XmlDocument::parse(text, "a.xml"); }
+
+std::string parse_error(const std::string& text) {
+  try {
+    parse(text);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+template <typename Action>
+std::string error_of(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("elements and attributes know their line and column") {
+  const auto xml = parse(
+      "<?xml version=\"1.0\"?>\n<!-- <a> -->\n<root><a x='>' y=\"2\"/>\n  <a  y = "
+      "'3'/><![CDATA[<a>]]></root>");
+  const auto as = xml->root().children("a");
+  REQUIRE(as.size() == 2);
+  CHECK(as[0].place().line == 3);
+  CHECK(as[0].place().column == 7);
+  CHECK(as[0].attribute_place("y").column == 16);
+  CHECK(as[1].place().line == 4);
+  CHECK(as[1].place().column == 3);
+  CHECK(as[1].attribute_place("y").column == 7);
+  CHECK(as[1].attribute("y") == "3");
+  CHECK(!as[1].attribute("x"));
+}
+
+TEST_CASE("numbers run on past comments and within CDATA, and keep their places") {
+  const auto xml = parse("<p>1 2<!-- 9 9 -->\n3 <![CDATA[4 x]]> 5</p>");
+  CHECK(error_of([&] { xml->root().floats(); }) ==
+        "a.xml:2:14: \"x\" is not a number; valid are decimal numbers such as -1.5 or 2e-3\n"
+        "  3 <![CDATA[4 x]]> 5</p>\n"
+        "               ^");
+  CHECK(parse("<p>1 2<!-- 9 9 -->\n3 <![CDATA[4 ]]> 5</p>")->root().floats() ==
+        std::vector<float>{1, 2, 3, 4, 5});
+}
+
+TEST_CASE("an empty element has no numbers and no text") {
+  CHECK(parse("<p/>")->root().floats().empty());
+  CHECK(parse("<p></p>")->root().text().empty());
+  CHECK(parse("<p> a b\n</p>")->root().text() == "a b");
+}
+
+TEST_CASE("what is needed and missing is named") {
+  const auto xml = parse("<p count='' n='x'>1 2</p>");
+  const XmlElement root = xml->root();
+  CHECK(error_of([&] { root.required_child("q"); }) ==
+        "a.xml:1:1: <p> has no <q>, which it needs\n  <p count='' n='x'>1 2</p>\n  ^");
+  CHECK(error_of([&] {
+          root.required_attribute("count");
+        }).find("a.xml:1:4: the attribute \"count\" is empty") == 0);
+  CHECK(error_of([&] { root.required_index_attribute("n"); }).find("a.xml:1:13: \"x\" is not an index") == 0);
+  CHECK(error_of([&] { root.doubles(3); }).find("a.xml:1:1: <p> needs 3 numbers, and has 2") == 0);
+  CHECK(root.index_attribute("set", 7) == 7);
+}
+
+TEST_CASE("nesting too deep for the parser is said so") {
+  std::string text;
+  for (int i = 0; i < 2000; ++i) text += "<a>";
+  CHECK(parse_error(text).find("elements are nested more than") != std::string::npos);
+}
+
+TEST_CASE("bytes that are no text are refused") {
+  CHECK(parse_error(std::string("<a>\0</a>", 8)) ==
+        "a.xml: not XML in UTF-8: byte 3 is zero (is it compressed, or UTF-16?)");
+  CHECK(parse_error("<!-- nothing -->") == "a.xml: not XML: there is no element in it");
+}
+
+TEST_CASE("a byte order mark is no part of the document") {
+  CHECK(parse("\xef\xbb\xbf<a>1</a>")->root().number() == 1);
+}
+
+}  // namespace twinray
