@@ -36,10 +36,12 @@ bool load_ray(const Ray& ray, CheckedRay& checked) noexcept;
 /// The relative bound by which the slab test widens boxes, origins and reciprocals: eight units in the last
 /// place.
 ///
-/// Woop's test rounds each sheared vertex by up to u (2 |a - o| + 4 |a_z - o_z|) with u = 2^-24, at most 6 u
-/// of the coordinates of box and origin; widening the box (1 u of it for its own rounding) and the origin by
-/// 8 u each keeps whatever that test accepts inside of the box. The reciprocal's, the difference's and the
-/// product's rounding come to 4 u; it is scaled by 8 u.
+/// With u = 2^-24 and D the largest component of vertex - origin, Woop's test rounds each sheared vertex by
+/// up to u (2 |a - o| + 4 |a_z - o_z|), at most 6 u D in each of its two components; the point of its weights
+/// is beside the ray by no more. D is at most the largest coordinate of the box plus the origin's. Widening
+/// the box and the origin by 8 u each, 7 u after the rounding of that step, keeps whatever the test accepts
+/// inside of the box. The reciprocal's, the difference's and the product's rounding come to 4 u; the
+/// reciprocal is scaled by 8 u, outward where t >= 0. (Where t < 0 that is inward, and a hit there is none.)
 inline constexpr float slab_margin = 0x1p-21f;
 
 }  // namespace twinray
