@@ -17,7 +17,7 @@ inline Hit trace_all(const Geometry& geometry, const Ray& ray) {
     const std::size_t count = mesh ? mesh->triangles.size() : geometry.sphere_set(shape)->spheres.size();
     for (std::uint32_t i = 0; i < count; ++i) test_primitive(geometry, checked, {shape, i}, best);
   }
-  best.t *= checked.t_scale;
+  best.t = float(best.t * checked.t_scale);
   return best;
 }
 
@@ -26,7 +26,7 @@ inline std::optional<ShapeHit> trace_triangle(const Ray& ray, const Vec3& a, con
   CheckedRay checked;
   ShapeHit hit;
   if (!load_ray(ray, checked) || !intersect_triangle(checked, a, b, c, checked.t_max, hit)) return {};
-  hit.t *= checked.t_scale;
+  hit.t = float(hit.t * checked.t_scale);
   return hit;
 }
 
@@ -35,7 +35,7 @@ inline std::optional<ShapeHit> trace_sphere(const Ray& ray, const Sphere& sphere
   CheckedRay checked;
   ShapeHit hit;
   if (!load_ray(ray, checked) || !intersect_sphere(checked, sphere, checked.t_max, hit)) return {};
-  hit.t *= checked.t_scale;
+  hit.t = float(hit.t * checked.t_scale);
   return hit;
 }
 
