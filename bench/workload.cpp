@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "io/scene_file.h"
 
@@ -46,7 +47,10 @@ std::vector<Engine> engines() {
 }
 
 const Scene& Workload::scene() {
-  if (!scene_) scene_ = std::make_unique<Scene>(load_scene(path_, {}).scene);
+  if (!scene_) {
+    scene_ = std::make_unique<Scene>(load_scene(path_, {}).scene);
+    scene_->camera = view_whole(fit_frame(scene_->camera, 4, 3), scene_->geometry->bounds());
+  }
   return *scene_;
 }
 

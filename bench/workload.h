@@ -22,7 +22,7 @@ struct Engine {
 /// Every backend of this build and every split method; brute force last.
 std::vector<Engine> engines();
 
-/// A scene, loaded when first asked for and kept.
+/// A scene, loaded when first asked for and kept; seen as a whole (view_whole), in 4 : 3.
 class Workload {
  public:
   Workload(std::string name, std::string path) : name_(std::move(name)), path_(std::move(path)) {}

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # Outside libraries, by find_package only; a missing one names the Debian package that has it.
-function(twinray_require package debian)
+macro(twinray_require package debian)
   find_package(${package} QUIET ${ARGN})
   if(NOT ${package}_FOUND)
     message(FATAL_ERROR "${package} was not found. On Debian or Ubuntu: apt-get install ${debian}")
   endif()
-endfunction()
+endmacro()
 
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 twinray_require(fmt libfmt-dev)

@@ -32,6 +32,8 @@ class Bsdf {
   std::optional<BsdfSample> sample(const Vec3& wo, float lobe, Vec2 u) const;
   /// Whether all of it are delta lobes: then light sampling is in vain.
   bool is_delta() const { return false; }
+  /// Whether any of it is a delta lobe: then emission may be met that light sampling cannot count.
+  bool has_delta() const { return false; }
 
  private:
   Rgb reflectance_;

@@ -21,8 +21,8 @@ Face face_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double ux = double(b.x) - a.x, uy = double(b.y) - a.y, uz = double(b.z) - a.z;
   const double vx = double(c.x) - a.x, vy = double(c.y) - a.y, vz = double(c.z) - a.z;
   const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-  const double length = std::sqrt(x * x + y * y + z * z);
-  return {{float(x / length), float(y / length), float(z / length)}, length};
+  const double length = std::sqrt(x * x + y * y + z * z), inverse = 1 / length;
+  return {{float(x * inverse), float(y * inverse), float(z * inverse)}, length};
 }
 
 /// Weights of the three corners.
@@ -34,14 +34,14 @@ struct Weights {
 constexpr double edge_offsets = 8;
 constexpr float most_inward = 0x1p-6f;
 
-/// Moves a point that lies closer to an edge than edge_offsets times `offset` to that distance (given
-/// divided by the doubled area). In a corner
-/// where two walls meet at the angle theta, a point at the distance s from the edge that is then moved off
-/// its wall by the offset stands in front of the other wall by s sin(theta) - offset cos(theta). That is one
-/// offset or more, which is what a ray needs to meet that wall, for s = cot(theta / 2) offset: 8 offsets do
-/// for angles from 14.3 degrees. In a triangle too small for that a point moves by most_inward of a height,
-/// no more.
+/// Moves a point that lies closer to an edge than `distance` to that distance, which is given divided by the
+/// doubled area. In a corner where two walls meet at the angle theta, a point at the distance s from the edge
+/// that is then moved off its wall by the offset stands in front of the other wall by s sin(theta) - offset
+/// cos(theta). That is one offset or more, which is what a ray needs to meet that wall, for s = cot(theta /
+/// 2) offset: 8 offsets do for angles from 14.3 degrees. In a triangle too small for that a point moves by
+/// most_inward of a height, no more.
 Weights inward(const Vec3& a, const Vec3& b, const Vec3& c, const Weights& weights, double distance_by_area) {
+  if (std::min(weights.a, std::min(weights.b, weights.c)) >= most_inward) return weights;
   const auto least = [&](const Vec3& edge) {  // the distance over the height of that edge
     return float(std::min(distance_by_area * length(edge), double(most_inward)));
   };
@@ -68,8 +68,7 @@ Vec3 shading_normal(const Mesh& mesh, std::uint32_t triangle, float u, float v, 
   const Vec3 n = mesh.normals[a] * (1 - u - v) + mesh.normals[b] * u + mesh.normals[c] * v;
   const float squared = length_squared(n);
   if (!(squared > 1e-12f) || !std::isfinite(squared)) return geometric;
-  const Vec3 unit = n / std::sqrt(squared);
-  return dot(unit, geometric) < 0 ? -unit : unit;
+  return n / std::sqrt(squared);
 }
 
 Vec2 texture_coordinates(const Mesh& mesh, std::uint32_t triangle, float u, float v) {

@@ -13,8 +13,9 @@ struct SurfacePoint {
   /// Within the triangle, at least 8 offsets away from its edges where it has room (core/surface.cpp).
   Vec3 position;
   Vec3 geometric_normal;  ///< Unit; out of the front of a triangle, outward for a sphere.
-  Vec3 shading_normal;    ///< Unit; on the geometric normal's side.
-  Vec2 uv;                ///< Texture coordinates; a mesh without has the hit's weights.
+  Vec3 shading_normal;  ///< Unit; the file's, interpolated, on whichever side that has it, else the geometric
+                        ///< one.
+  Vec2 uv;              ///< Texture coordinates; a mesh without has the hit's weights.
   float offset =
       0;  ///< How far along the geometric normal a ray must start to leave the surface (core/offset.h).
   std::uint32_t shape = 0;

@@ -6,11 +6,12 @@
 namespace twinray {
 namespace {
 
-Vec3 facing(const Vec3& normal, bool flipped) { return flipped ? -normal : normal; }
+/// The normal, or its opposite, on the side of another vector.
+Vec3 facing(const Vec3& normal, const Vec3& side) { return dot(normal, side) < 0 ? -normal : normal; }
 
-Vec3 usable_shading_normal(const SurfacePoint& point, const Vec3& wo, bool flipped) {
-  const Vec3 shading = facing(point.shading_normal, flipped);
-  return dot(shading, wo) > 0 ? shading : facing(point.geometric_normal, flipped);
+Vec3 usable_shading_normal(const SurfacePoint& point, const Vec3& wo, const Vec3& facing_normal) {
+  const Vec3 shading = facing(point.shading_normal, facing_normal);
+  return dot(shading, wo) > 0 ? shading : facing_normal;
 }
 
 }  // namespace
@@ -18,8 +19,8 @@ Vec3 usable_shading_normal(const SurfacePoint& point, const Vec3& wo, bool flipp
 Interaction::Interaction(const Scene& scene, const SurfacePoint& point, const Vec3& wo)
     : point_(point),
       wo_(wo),
-      facing_normal_(facing(point.geometric_normal, dot(point.geometric_normal, wo) < 0)),
-      frame_(usable_shading_normal(point, wo, dot(point.geometric_normal, wo) < 0)),
+      facing_normal_(facing(point.geometric_normal, wo)),
+      frame_(usable_shading_normal(point, wo, facing_normal_)),
       wo_local_(frame_.to_local(wo)),
       bsdf_(scene.materials[scene.bindings[point.shape].material]) {}
 

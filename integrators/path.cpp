@@ -68,12 +68,13 @@ void PathIntegrator::add_direct(State& state, const Interaction& at, VertexSampl
 }
 
 bool PathIntegrator::scatter(State& state, const Interaction& at, VertexSampler& sampler) const {
+  // The ray behind the last surface could only meet emission that direct light has counted.
+  const bool is_last = state.depth + 1 >= std::min(options_.max_depth, options_.last_depth);
+  if (is_last && !at.bsdf().has_delta()) return false;
   const float lobe = sampler.draw_1d(Purpose::lobe);
   const Vec2 direction = sampler.draw_2d(Purpose::direction);
   const auto sample = at.bsdf().sample(at.wo_local(), lobe, direction);
-  if (!sample) return false;
-  // The ray behind the last surface could only meet emission that direct light has counted.
-  if (state.depth + 1 >= std::min(options_.max_depth, options_.last_depth) && !sample->is_delta) return false;
+  if (!sample || (is_last && !sample->is_delta)) return false;
   const Vec3 wi = at.to_world(sample->wi);
   if (!at.is_consistent(wi)) return false;
   state.throughput = state.throughput * sample->value * (std::fabs(sample->wi.z) / sample->pdf);
