@@ -89,7 +89,7 @@ constexpr Table table = make_table();
 /// The upper 24 bits as a number in [0, 1).
 float to_unit(std::uint32_t x) { return float(std::int32_t(x >> 8)) * 0x1p-24f; }
 
-std::array<float, 4> independent_set(std::uint64_t key, std::uint64_t index, std::uint32_t number) {
+inline std::array<float, 4> independent_set(std::uint64_t key, std::uint64_t index, std::uint32_t number) {
   const std::uint64_t start = mix(key + (index + 1) * index_step);
   const std::uint64_t a = mix(start + (2 * number + 1) * step);
   const std::uint64_t b = mix(start + (2 * number + 2) * step);
@@ -97,7 +97,7 @@ std::array<float, 4> independent_set(std::uint64_t key, std::uint64_t index, std
           to_unit(std::uint32_t(b >> 32))};
 }
 
-std::array<float, 4> sobol_set(std::uint64_t key, std::uint32_t index, std::uint32_t number) {
+inline std::array<float, 4> sobol_set(std::uint64_t key, std::uint32_t index, std::uint32_t number) {
   const std::uint64_t a = mix(key + (3 * number + 1) * step);
   const std::uint64_t b = mix(key + (3 * number + 2) * step);
   const std::uint64_t c = mix(key + (3 * number + 3) * step);
@@ -112,8 +112,8 @@ std::array<float, 4> sobol_set(std::uint64_t key, std::uint32_t index, std::uint
 }
 
 /// A set of the sample `index` of the sequence `key`; sobol has one sequence for each 2^32 of them.
-std::array<float, 4> make_set(SamplerKind kind, std::uint64_t key, std::uint64_t index,
-                              std::uint32_t number) {
+inline std::array<float, 4> make_set(SamplerKind kind, std::uint64_t key, std::uint64_t index,
+                                     std::uint32_t number) {
   if (kind == SamplerKind::independent) return independent_set(key, index, number);
   if (index >> 32 != 0) key = mix(key + (index >> 32) * index_step);
   return sobol_set(key, std::uint32_t(index), number);

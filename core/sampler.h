@@ -42,16 +42,19 @@ struct SampleKey {
 
 /// The draws of one vertex of one sample's path: vertex 0 is the camera, 1 the first surface, ...
 ///
-/// `independent` hashes; `sobol` takes Owen-scrambled, shuffled Sobol points (Burley, "Practical Hash-based
-/// Owen Scrambling", JCGT 9(4), 2020), where the samples of a pixel are stratified against each other. A set
-/// of four dimensions is computed when its first member is drawn and kept, so repeated draws of a vertex are
-/// cheap; the same purpose always gives the same number.
+/// `independent` hashes. `sobol` takes shuffled, Owen-scrambled points (Burley, "Practical Hash-based Owen
+/// Scrambling", JCGT 9(4), 2020), so that the samples of a pixel are stratified against each other: in each
+/// aligned block of 2^k indices, every pair of dimensions 0 and 1 or 2 and 3 of a set has one sample in each
+/// elementary interval (as Sobol's first two dimensions have); of 4^k, the four together have one in each
+/// with sides of powers of 1/4. Different sets are independent. A set of four dimensions is computed when its
+/// first member is drawn and kept, so repeated draws of a vertex are cheap; the same purpose always gives the
+/// same number.
 class VertexSampler {
  public:
   VertexSampler(SamplerKind kind, const SampleKey& key, std::uint32_t vertex);
 
   float draw_1d(Purpose purpose);  ///< In [0, 1).
-  Vec2 draw_2d(Purpose purpose);   ///< In [0, 1)^2.
+  Vec2 draw_2d(Purpose purpose);   ///< In [0, 1)^2; the purpose is an even member of its set.
 
   /// The draw for sub-sample `part` of `parts` (1 to 2^16): sample index x parts + part of a sequence of its
   /// own for each `stream` (such as the index of a light). With parts = 1 and stream = 0 it is draw_2d.
