@@ -47,6 +47,19 @@ inline TriangleBlock make_block(const Geometry& geometry, std::span<const Primit
   return block;
 }
 
+/// The box of a block's primitives.
+inline Aabb block_bounds(const Geometry& geometry, const TriangleBlock& block) {
+  Aabb box;
+  for (std::uint32_t lane = 0; lane < block.count; ++lane) {
+    if (block.triangles >> lane & 1)
+      for (int corner = 0; corner < 3; ++corner) box.extend(block.corner(corner, int(lane)));
+    else
+      box.extend(
+          sphere_bounds(geometry.sphere_set(block.ids[lane].mesh)->spheres[block.ids[lane].primitive]));
+  }
+  return box;
+}
+
 /// What the filter needs of a ray, in every lane: its shear, and its origin turned as the shear turns it.
 struct LaneRay {
   Float4 ox, oy, oz, sx, sy;

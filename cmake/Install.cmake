@@ -15,8 +15,13 @@ set(private_headers
   accel/bvh/split.h
   accel/bvh/statistics.h
   accel/bvh/traversal.h
+  accel/embree/api.h
+  accel/embree/bounds.h
+  accel/embree/device.h
+  accel/embree/ray.h
   accel/exact.h
   accel/lanes.h
+  accel/phase_timer.h
   accel/shape_test.h
   accel/triangle_block.h
   core/checked_ray.h

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <chrono>
 
+#include "accel/phase_timer.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/slab.h"
@@ -93,14 +93,6 @@ TriangleBlock make_block(const BuildTree& tree, const BlockRange& range, const G
   std::array<PrimitiveId, TriangleBlock::width> ids;
   for (std::uint32_t i = 0; i < range.count; ++i) ids[i] = tree.primitives[range.first + i].id;
   return make_block(geometry, std::span(ids).first(range.count));
-}
-
-/// Runs `work` and adds its time to `phases`.
-void timed(const char* name, std::vector<BuildPhase>& phases, const auto& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-  phases.push_back({name, passed.count()});
 }
 
 }  // namespace

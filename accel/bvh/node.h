@@ -53,6 +53,10 @@ struct Bvh {
   std::vector<NodePair> pairs;  ///< In depth-first order.
   std::vector<TriangleBlock>
       blocks;  ///< In the order of the leaves; only a leaf's last one may be part full.
+
+  std::size_t bytes() const {
+    return pairs.size() * sizeof(NodePair) + blocks.size() * sizeof(TriangleBlock);
+  }
 };
 
 }  // namespace twinray

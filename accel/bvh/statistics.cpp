@@ -43,7 +43,7 @@ class Survey {
 }  // namespace
 
 void add_statistics(const Bvh& bvh, const BuildOptions& options, AccelStats& stats) {
-  stats.bytes = bvh.pairs.size() * sizeof(NodePair) + bvh.blocks.size() * sizeof(TriangleBlock);
+  stats.bytes = bvh.bytes();
   if (bvh.blocks.empty()) return;
   Survey(bvh, CostModel(options), stats).visit(bvh.root, 1, bvh.box.half_area(), 0);
 }

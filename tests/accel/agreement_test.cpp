@@ -153,7 +153,7 @@ TEST_CASE("engines agree on coplanar layers and duplicates, where the lowest id 
 }
 
 TEST_CASE("engines agree on rays through the vertices and edges of a closed mesh") {
-  const Mesh sphere = icosphere(3);
+  const Mesh sphere = icosphere_mesh(3);
   const Rays rays = concatenate(feature_rays(sphere, {0, 0, 0}, 1200, 41),
                                 concatenate(feature_rays(sphere, {2, 0.3f, -0.4f}, 1200, 42),
                                             feature_rays(sphere, {0.3f, 0.999f, 0.01f}, 600, 43)));
@@ -229,7 +229,7 @@ TEST_CASE("engines agree on fine detail at large coordinates") {
 TEST_CASE("engines agree that an invalid ray is a miss") {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   constexpr float infinity = std::numeric_limits<float>::infinity();
-  const auto geometry = share({icosphere(1)});
+  const auto geometry = share({icosphere_mesh(1)});
   const Rays rays{{.origin = {nan, 0, 0}, .direction = {1, 0, 0}},
                   {.origin = {0, infinity, 0}, .direction = {1, 0, 0}},
                   {.origin = {0, 0, 2e18f}, .direction = {0, 0, -1}},
@@ -275,7 +275,7 @@ TEST_CASE("engines agree on directions of any length") {
 }
 
 TEST_CASE("any hit and closest hit agree where the parameter leaves the range of float") {
-  const auto geometry = share({icosphere(1)});
+  const auto geometry = share({icosphere_mesh(1)});
   // The sphere lies at t = 10^44, which no Hit can name.
   const Ray ray{.origin = {0.1f, 0.2f, 0.3f}, .direction = {1e-44f, 0, 0}};
   CHECK(check_agreement(geometry, {ray}) == 0);

@@ -41,7 +41,7 @@ std::vector<Backend> canonical_backends() {
 }  // namespace
 
 TEST_CASE("a closed sphere leaks no ray of a million") {
-  const Mesh mesh = icosphere(5);
+  const Mesh mesh = icosphere_mesh(6);
   const auto geometry = share({mesh});
   for (const Backend backend : canonical_backends()) {
     const int count = backend == Backend::brute_force ? 500 : 1000000;
@@ -53,7 +53,7 @@ TEST_CASE("a closed sphere leaks no ray of a million") {
 TEST_CASE("a closed sphere far from the origin leaks no ray") {
   // There the vertices lie on a grid of 2^-6, about an eighth of an edge: an uneven, but still closed mesh.
   const Vec3 center{148376, 1234, -223423};
-  Mesh mesh = icosphere(4);
+  Mesh mesh = icosphere_mesh(5);
   for (Vec3& p : mesh.positions) p = center + p * 2;
   drop_degenerate_triangles(mesh);
   const auto geometry = share({mesh});

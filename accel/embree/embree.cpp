@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// Embree's tree and traversal with our leaf: canonical bits at Embree's speed.
+//
+// To Embree the scene is one geometry of user type, whose primitives are blocks of up to four triangles that
+// lie together. Its callback runs the canonical test and keeps the best hit in an extended context; the tfar
+// that Embree goes by lies a little behind it, so that Embree's rounding culls no box with a hit of the same
+// t. The blocks are the leaves of a binary BVH, which groups them well, and which answers for the rays that
+// start so far outside of the scene that no fixed widening of the boxes covers their rounding.
+#include <bit>
+
+#include "accel/backends.h"
+#include "accel/bvh/build.h"
+#include "accel/bvh/traversal.h"
+#include "accel/embree/bounds.h"
+#include "accel/embree/device.h"
+#include "accel/embree/ray.h"
+#include "accel/phase_timer.h"
+
+namespace twinray {
+namespace {
+
+/// By how much tfar lies behind a hit, and tnear before t_min: far above the 32 u (u = 2^-24) to which
+/// Embree's and the canonical parameters of one plane differ relatively.
+constexpr float slack = 0x1p-14f;
+
+/// A query on its way through Embree.
+struct Query : embree::Context {
+  const Bvh& bvh;
+  const Geometry& geometry;
+  const CheckedRay& ray;
+  const LaneRay lane_ray;
+  float t_far_scale;  ///< Multiplies a hit's t into a tfar.
+  Hit best;
+  QueryCounts* counts;
+
+  void test(unsigned block) {
+    if (counts) {
+      ++counts->leaves;
+      counts->primitives += bvh.blocks[block].count;
+    }
+    test_block(geometry, ray, lane_ray, bvh.blocks[block], best);
+  }
+};
+
+void intersect_block(const RTCIntersectFunctionNArguments* arguments) {
+  Query& query = *static_cast<Query*>(arguments->context);
+  const float before = query.best.t;
+  query.test(arguments->primID);
+  if (query.best.t < before)
+    reinterpret_cast<RTCRayHit*>(arguments->rayhit)->ray.tfar = query.best.t * query.t_far_scale + 0.0f;
+}
+
+void occlude_block(const RTCOccludedFunctionNArguments* arguments) {
+  Query& query = *static_cast<Query*>(arguments->context);
+  query.test(arguments->primID);
+  if (query.best) reinterpret_cast<RTCRay*>(arguments->ray)->tfar = -Aabb::infinity;
+}
+
+/// Leaves of one block each.
+BuildOptions block_options(const BuildOptions& options) {
+  return {.threads = options.threads, .max_leaf_size = TriangleBlock::width};
+}
+
+class EmbreeAccelerator final : public Accelerator {
+ public:
+  EmbreeAccelerator(std::shared_ptr<const Geometry> geometry, const BuildOptions& options)
+      : geometry_(std::move(geometry)),
+        device_(embree::thread_configuration(options.threads)),
+        scene_(rtcNewScene(device_.get())) {
+    bvh_ = make_bvh(*geometry_, block_options(options), stats_.phases);
+    scene_size_ = embree::scene_size(*geometry_);
+    timed("embree", stats_.phases, [&] { build(options.threads); });
+    stats_.primitives = geometry_->primitive_count();
+    stats_.bytes = bvh_.bytes() + device_.bytes();
+  }
+
+  Aabb bounds() const noexcept override { return geometry_->bounds(); }
+  AccelStats stats() const override { return stats_; }
+
+ private:
+  void build(int threads) {
+    embree::GeometryOwner blocks(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER));
+    rtcSetGeometryUserPrimitiveCount(blocks.get(), unsigned(bvh_.blocks.size()));
+    rtcSetGeometryUserData(blocks.get(), this);
+    rtcSetGeometryBoundsFunction(blocks.get(), bound_block, nullptr);
+    rtcSetGeometryIntersectFunction(blocks.get(), intersect_block);
+    rtcSetGeometryOccludedFunction(blocks.get(), occlude_block);
+    embree::attach(scene_.get(), std::move(blocks), 0);
+    embree::commit(device_, scene_.get(), threads);
+  }
+
+  static void bound_block(const RTCBoundsFunctionArguments* arguments) {
+    const auto& self = *static_cast<const EmbreeAccelerator*>(arguments->geometryUserPtr);
+    const TriangleBlock& block = self.bvh_.blocks[arguments->primID];
+    *arguments->bounds_o = embree::widened(block_bounds(*self.geometry_, block), self.scene_size_);
+  }
+
+  Hit trace_closest(const CheckedRay& ray) const noexcept override { return closest(ray, nullptr); }
+  bool trace_any(const CheckedRay& ray) const noexcept override { return any(ray, nullptr); }
+  Hit count_closest(const CheckedRay& ray, QueryCounts& counts) const noexcept override {
+    return closest(ray, &counts);
+  }
+  bool count_any(const CheckedRay& ray, QueryCounts& counts) const noexcept override {
+    return any(ray, &counts);
+  }
+
+  Hit closest(const CheckedRay& ray, QueryCounts* counts) const {
+    if (is_far(ray)) return far_hit<false>(ray, counts);
+    const float scale = length_scale(ray);
+    Query query = start(ray, scale, counts);
+    RTCRayHit ray_hit = embree::without_hit(embree_ray(ray, scale));
+    embree::intersect(scene_.get(), query, ray_hit);
+    return query.best;
+  }
+
+  bool any(const CheckedRay& ray, QueryCounts* counts) const {
+    if (is_far(ray)) return bool(far_hit<true>(ray, counts));
+    const float scale = length_scale(ray);
+    Query query = start(ray, scale, counts);
+    RTCRay occlusion_ray = embree_ray(ray, scale);
+    embree::occluded(scene_.get(), query, occlusion_ray);
+    return bool(query.best);
+  }
+
+  bool is_far(const CheckedRay& ray) const { return max_abs(ray.origin) > scene_size_ * embree::reach; }
+
+  /// A power of two, at most the direction's largest component and more than half of it. Embree gets a
+  /// direction divided by it, for it takes components below 10^-18 for 10^-18.
+  static float length_scale(const CheckedRay& ray) {
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(max_abs(ray.direction)) & 0xff800000u);
+  }
+  static RTCRay embree_ray(const CheckedRay& ray, float scale) {
+    return embree::make_ray(ray.origin, ray.direction * (1 / scale), ray.t_min * scale * (1 - slack),
+                            ray.t_max * scale * (1 + slack));
+  }
+
+  Query start(const CheckedRay& ray, float scale, QueryCounts* counts) const {
+    Query query{{}, bvh_, *geometry_, ray, LaneRay(ray), scale * (1 + slack), {}, counts};
+    embree::initialize(query);
+    return query;
+  }
+
+  /// The answer of our own tree; `any`: whatever hit comes first.
+  template <bool any>
+  Hit far_hit(const CheckedRay& ray, QueryCounts* counts) const {
+    Query query = start(ray, 1, counts);
+    float t_max = ray.t_max;
+    traverse(bvh_, ray, t_max, NoCounts{}, [&](const TriangleBlock& block) {
+      query.test(unsigned(&block - bvh_.blocks.data()));
+      if (!any) t_max = std::min(t_max, query.best.t);
+      return any && query.best;
+    });
+    return query.best;
+  }
+
+  std::shared_ptr<const Geometry> geometry_;
+  Bvh bvh_;
+  float scene_size_ = 0;  ///< The largest coordinate of the scene.
+  AccelStats stats_;
+  embree::Device device_;
+  embree::Scene scene_;
+};
+
+}  // namespace
+
+std::unique_ptr<Accelerator> build_embree(std::shared_ptr<const Geometry> geometry,
+                                          const BuildOptions& options) {
+  return std::make_unique<EmbreeAccelerator>(std::move(geometry), options);
+}
+
+}  // namespace twinray

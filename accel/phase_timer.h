@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: how long the phases of a build take.
+#pragma once
+#include <chrono>
+#include <vector>
+
+#include "accel/accelerator.h"
+
+namespace twinray {
+
+/// Runs `work` and adds its wall-clock time to `phases`.
+template <typename Work>
+void timed(const char* name, std::vector<BuildPhase>& phases, Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  phases.push_back({name, passed.count()});
+}
+
+}  // namespace twinray

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is Embree's own: its triangles as a witness, and its errors. tests/accel/agreement_test.cpp holds
+// Embree with our leaf to the oracle. The file is compiled where Embree is part of the build.
+#include "accel/accelerator.h"
+#include "core/error.h"
+#include "tests/support/catch.h"
+#include "tests/support/shapes.h"
+
+using namespace twinray;
+using namespace twinray::test;
+
+namespace {
+
+/// Robust triangles of Embree and the canonical ones see t alike to about this many parts of t and of the
+/// scene's size.
+constexpr double t_tolerance = 1e-4;
+
+std::unique_ptr<Accelerator> native(const std::shared_ptr<const Geometry>& geometry,
+                                    const BuildOptions& options = {}) {
+  return build_accelerator(Backend::embree_native, geometry, options);
+}
+
+}  // namespace
+
+TEST_CASE("embree-native finds what the canonical engines find on generic rays") {
+  const auto geometry = share({soup(300, 0.3f, 1), random_spheres(20, 0.2f, 2), soup(300, 0.2f, 3)});
+  const auto canonical = build_accelerator(Backend::bvh, geometry);
+  const auto witness = native(geometry);
+  int hits = 0;
+  for (const Ray& ray : random_rays(5000, geometry->bounds(), 4)) {
+    const Hit expected = canonical->closest_hit(ray), found = witness->closest_hit(ray);
+    REQUIRE(bool(found) == bool(expected));
+    REQUIRE(witness->any_hit(ray) == bool(found));
+    if (!found) continue;
+    ++hits;
+    REQUIRE(found.mesh == expected.mesh);
+    REQUIRE(found.primitive == expected.primitive);
+    REQUIRE(found.instance == no_instance);
+    REQUIRE(found.t == Approx(expected.t).margin(t_tolerance));
+    REQUIRE(found.u == Approx(expected.u).margin(0.01));
+    REQUIRE(found.v == Approx(expected.v).margin(0.01));
+  }
+  CHECK(hits > 2000);
+}
+
+TEST_CASE("embree-native gives a sphere's canonical hit") {
+  const auto geometry = share({random_spheres(50, 0.3f, 5)});
+  const auto canonical = build_accelerator(Backend::brute_force, geometry);
+  const auto witness = native(geometry);
+  for (const Ray& ray : random_rays(2000, geometry->bounds(), 6)) {
+    REQUIRE(witness->closest_hit(ray) == canonical->closest_hit(ray));
+    REQUIRE(witness->any_hit(ray) == canonical->any_hit(ray));
+  }
+}
+
+TEST_CASE("embree-native runs in both modes and with every instruction set") {
+  const auto geometry = share({icosphere_mesh(3)});
+  const Ray ray{.origin = {0.1f, 0.2f, 3}, .direction = {0, 0, -1}};
+  for (const EmbreeMode mode : {EmbreeMode::robust, EmbreeMode::fast})
+    for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512"}) {
+      CAPTURE(isa);
+      const auto witness = native(geometry, {.threads = 1, .embree_mode = mode, .embree_isa = isa});
+      CHECK(witness->closest_hit(ray).t == Approx(2.025).margin(0.01));
+    }
+}
+
+TEST_CASE("an unknown instruction set is an error that lists the valid ones") {
+  CHECK_THROWS_WITH(native(share({}), {.embree_isa = "avx3"}),
+                    "Embree has no instruction set \"avx3\"; valid are sse2, sse4.2, avx, avx2, avx512");
+}
+
+TEST_CASE("Embree builds geometry without primitives") {
+  for (const Backend backend : {Backend::embree, Backend::embree_native})
+    for (const auto& geometry : {share({}), share({Mesh{}, SphereSet{}})}) {
+      const auto accelerator = build_accelerator(backend, geometry);
+      CHECK(!accelerator->closest_hit({.origin = {}, .direction = {1, 0, 0}}));
+      CHECK(!accelerator->any_hit({.origin = {}, .direction = {1, 0, 0}}));
+    }
+}
+
+TEST_CASE("Embree reads no vertex beyond the last") {
+  // The address sanitizer watches: vertices fill their array to its end.
+  for (const int count : {1, 4, 5, 16}) {
+    const auto geometry = share({soup(count, 1, 7)});
+    const auto canonical = build_accelerator(Backend::brute_force, geometry);
+    const auto witness = native(geometry);
+    int hits = 0, found = 0;
+    for (const Ray& ray : random_rays(200, geometry->bounds(), 8)) {
+      hits += canonical->any_hit(ray);
+      found += witness->any_hit(ray);
+    }
+    CHECK(found == hits);
+  }
+}
+
+TEST_CASE("Embree's memory and build time are reported") {
+  const auto geometry = share({icosphere_mesh(4)});
+  for (const Backend backend : {Backend::embree, Backend::embree_native}) {
+    const AccelStats stats = build_accelerator(backend, geometry)->stats();
+    CHECK(stats.primitives == geometry->primitive_count());
+    CHECK(stats.bytes > 16 * geometry->primitive_count());
+    CHECK(stats.phases.back().name == "embree");
+  }
+}
+
+TEST_CASE("embree counts the primitives that its leaves test") {
+  const auto geometry = share({soup(500, 0.1f, 9)});
+  const auto embree = build_accelerator(Backend::embree, geometry);
+  QueryCounts counts;
+  for (const Ray& ray : random_rays(500, geometry->bounds(), 10))
+    CHECK(embree->closest_hit(ray, counts) == embree->closest_hit(ray));
+  CHECK(counts.leaves > 0);
+  CHECK(counts.primitives >= counts.leaves);
+  CHECK(counts.primitives <= 4 * counts.leaves);
+  CHECK(counts.primitives < 500 * 500 / 10);
+}
