@@ -92,12 +92,15 @@ inline Vec3 hostile_origin(Random& random, const Corners& v, const Vec3& target)
       if (random.below(2)) origin[random.below(3)] += size * random.uniform(-4, 4);
       return origin;
     }
-    case 1:  // nearly or quite in the plane
-      return nudged(random,
-                    v[0] + (v[1] - v[0]) * random.uniform(-3, 3) + (v[2] - v[0]) * random.uniform(-3, 3),
-                    random.below(4));
-    case 2:  // far away
-      return target + random.in_ball() * std::ldexp(1.0f, random.between(10, 59));
+    case 1: {  // nearly or quite in the plane
+      const Vec3 along = (v[1] - v[0]) * random.uniform(-3, 3);
+      const Vec3 across = (v[2] - v[0]) * random.uniform(-3, 3);
+      return nudged(random, v[0] + along + across, 2);
+    }
+    case 2: {  // far away
+      const Vec3 away = random.in_ball();
+      return target + away * std::ldexp(1.0f, random.between(10, 59));
+    }
     case 3:  // close to the target
       return target + random.in_cube(std::ldexp(size, -random.between(1, 20)));
     default:
