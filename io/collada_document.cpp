@@ -60,8 +60,8 @@ void ColladaDocument::read_asset() {
 }
 
 Transform ColladaDocument::to_y_up() const {
-  if (up_axis_ == 'Z') return {{{1, 0, 0, 0}, {0, 0, 1, 0}, {0, -1, 0, 0}}};
-  if (up_axis_ == 'X') return {{{0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}}};
+  if (up_axis_ == 'Z') return {{{-1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}}};
+  if (up_axis_ == 'X') return {{{0, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, -1, 0}}};
   return {};
 }
 

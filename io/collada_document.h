@@ -33,8 +33,8 @@ class ColladaDocument {
 
   /// X, Y or Z; where the file does not say, Y.
   char up_axis() const { return up_axis_; }
-  /// The turn that brings the file's up axis to Y: Z_UP (x, y, z) -> (x, z, -y), X_UP (x, y, z) -> (-y, x,
-  /// z).
+  /// The turn that brings the file's up axis to Y, as CS184's program has it: Z_UP (x, y, z) -> (-x, z, y),
+  /// X_UP (x, y, z) -> (y, x, -z).
   Transform to_y_up() const;
   std::string unit_name() const { return unit_name_; }
   double unit_meters() const { return unit_meters_; }

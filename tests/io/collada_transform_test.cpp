@@ -95,8 +95,8 @@ TEST_CASE("a node instanced twice gives two meshes, each where it belongs") {
 TEST_CASE("each up axis is turned to Y") {
   const std::string node = "<node><translate>1 2 3</translate>" + triangle_instance + "</node>";
   CHECK(second_vertex(node, "Y_UP") == Vec3{2, 2, 3});
-  CHECK(second_vertex(node, "Z_UP") == Vec3{2, 3, -2});
-  CHECK(second_vertex(node, "X_UP") == Vec3{-2, 2, 3});
+  CHECK(second_vertex(node, "Z_UP") == Vec3{-2, 3, 2});
+  CHECK(second_vertex(node, "X_UP") == Vec3{2, 2, -3});
 }
 
 TEST_CASE("turning the up axis keeps the front of a triangle the front") {
