@@ -34,13 +34,9 @@ list(TRANSFORM private_headers REPLACE "\\." "\\\\." OUTPUT_VARIABLE private_pat
 list(JOIN private_patterns "|" private_patterns)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/twinray)
-foreach(target twinray twinray_core twinray_accel twinray_integrators twinray_io)
-  if(TARGET ${target})
-    list(APPEND targets ${target})
-  endif()
-endforeach()
-install(TARGETS ${targets} EXPORT twinrayTargets
-        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS twinray RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS twinray_core twinray_accel twinray_integrators twinray_io EXPORT twinrayTargets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY core accel integrators io DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/twinray
         FILES_MATCHING PATTERN "*.h" REGEX "/(${private_patterns})$" EXCLUDE)
 install(EXPORT twinrayTargets NAMESPACE twinray:: DESTINATION ${package_folder})
