@@ -112,6 +112,9 @@ def includes_from_root(tree):
             continue
         for number, header, quoted in includes(text):
             ours = folder(header) in SOURCE_FOLDERS and "/" in header
+            beside = str(Path(name).parent / header)  # data of one file, which goes where that file goes
+            if quoted and header.endswith(".inc") and beside in tree:
+                continue
             if quoted and (header not in tree or ".." in header) and not name.startswith("tests/consumer/"):
                 yield name, number, f'"{header}" is not a file of the tree, written from its root'
             elif not quoted and ours and header in tree:
@@ -259,7 +262,7 @@ def read_tree(root):
     files = [path for top in tops for path in top.rglob("*")] + list(root.iterdir())
     for path in files:
         name = path.relative_to(root).as_posix()
-        if path.is_file() and (is_source(name) or name.endswith(".md")):
+        if path.is_file() and (is_source(name) or name.endswith((".md", ".inc"))):
             tree[name] = path.read_text(encoding="utf-8")
     return tree
 

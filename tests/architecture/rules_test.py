@@ -54,6 +54,8 @@ class Rules(unittest.TestCase):
         self.expect({"core/a.h": HEADER + '#include "../core/vec.h"\n'},
                     "core/ must not include", "is not a file of the tree")
         self.expect({"tests/b.h": HEADER + '#include "vec.h"\n'}, "is not a file of the tree")
+        self.expect({"tests/d.h": HEADER + '#include "d.inc"\n'}, "is not a file of the tree")
+        self.expect({"tests/d.h": HEADER + '#include "d.inc"\n', "tests/d.inc": "1, 2\n"})
         self.expect({"tests/c.h": HEADER + "#include <core/vec.h>\n"}, "write it in quotes")
 
     def test_an_outside_library_has_one_door(self):

@@ -7,6 +7,7 @@
 #include "io/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
 namespace {

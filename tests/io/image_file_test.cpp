@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "tests/support/catch.h"
-#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
 namespace {
@@ -38,8 +38,10 @@ TEST_CASE("the tone curve is sRGB's, clipped and rounded") {
   CHECK(encode(ToneCurve::srgb, 0.0f) == 0);
   CHECK(encode(ToneCurve::srgb, -1.0f) == 0);
   CHECK(encode(ToneCurve::srgb, NAN) == 0);
-  CHECK(encode(ToneCurve::srgb, 0.0025f) == 8);       // 255 * 12.92 * 0.0025 = 8.24
-  CHECK(encode(ToneCurve::srgb, 0.2140411f) == 128);  // the middle byte's radiance, by IEC 61966-2-1
+  CHECK(encode(ToneCurve::srgb, 0.0025f) == 8);  // 255 * 12.92 * 0.0025 = 8.24
+  // 127.5 stands for ((0.5 + 0.055) / 1.055)^2.4 = 0.21404114, by IEC 61966-2-1.
+  CHECK(encode(ToneCurve::srgb, 0.2140411f) == 127);
+  CHECK(encode(ToneCurve::srgb, 0.2140412f) == 128);
   CHECK(encode(ToneCurve::srgb, 1.0f) == 255);
   CHECK(encode(ToneCurve::srgb, 50.0f) == 255);
 }
