@@ -62,12 +62,6 @@ Aabb check(const SphereSet& set, const std::string& label) {
   return bounds;
 }
 
-bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double ux = double(b.x) - a.x, uy = double(b.y) - a.y, uz = double(b.z) - a.z;
-  const double vx = double(c.x) - a.x, vy = double(c.y) - a.y, vz = double(c.z) - a.z;
-  return uy * vz - uz * vy != 0 || uz * vx - ux * vz != 0 || ux * vy - uy * vx != 0;
-}
-
 }  // namespace
 
 std::size_t drop_degenerate_triangles(Mesh& mesh) {

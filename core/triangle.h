@@ -80,7 +80,8 @@ inline bool intersect_triangle(const CheckedRay& ray, const Vec3& a, const Vec3&
   const EdgeFunctions<float> edges(p, q, r);
   const float error = edge_error(p, q, r);
   if (edges.least() < -error && edges.largest() > error) return false;
-  return EdgeFunctions<double>(p, q, r).interpolate(p, q, r, hit) &&
+  // Rounding gives a degenerate triangle some area in the ray's frame; it is never hit all the same.
+  return EdgeFunctions<double>(p, q, r).interpolate(p, q, r, hit) && has_area(a, b, c) &&
          clamp_to_box(ray, triangle_bounds(a, b, c), t_max, hit.t);
 }
 

@@ -267,6 +267,22 @@ TEST_CASE("a triangle with coincident vertices is never hit") {
   }
 }
 
+TEST_CASE("a triangle of three points on a line is never hit, however the ray is aimed") {
+  Random random(91);
+  for (int i = 0; i < 100000; ++i) {
+    // Corners p, p + d, p + k d with few bits each: exactly on a line.
+    Vec3 p, d;
+    for (int k = 0; k < 3; ++k) {
+      p[k] = float(random.between(-1000, 1000)) * 0x1p-6f;
+      d[k] = float(random.between(-1000, 1000)) * 0x1p-6f;
+    }
+    const Vec3 far = p + d * float(random.between(2, 9));
+    const Vec3 target = p + d * random.uniform(0, 2);
+    const Vec3 origin = random.in_cube(20);
+    CHECK_FALSE(test::trace_triangle({.origin = origin, .direction = target - origin}, p, p + d, far));
+  }
+}
+
 TEST_CASE("a hit's t, u and v are those of plain geometry where nothing rounds") {
   const auto hit =
       test::trace_triangle({.origin = {1, 2, 8}, .direction = {0, 0, -2}}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0});
