@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scenes of this project: each loads without a word, and is what its comment says.
+#include <map>
+#include <utility>
+
+#include "io/scene_file.h"
+#include "tests/support/catch.h"
+
+namespace twinray {
+namespace {
+
+LoadedScene load(const std::string& name) {
+  return load_scene(std::string(TWINRAY_SOURCE_DIR) + "/scenes/" + name, {.strict = true});
+}
+
+const Mesh& mesh_named(const Scene& scene, const std::string& name) {
+  for (const Shape& shape : scene.geometry->shapes())
+    if (const auto* mesh = std::get_if<Mesh>(&shape); mesh && mesh->name == name) return *mesh;
+  throw Error("no mesh of this name");
+}
+
+/// Each edge is used once in each direction.
+bool is_closed(const Mesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (const auto& [a, b, c] : mesh.triangles) ++edges[{a, b}], ++edges[{b, c}], ++edges[{c, a}];
+  for (const auto& [edge, count] : edges)
+    if (const auto back = edges.find({edge.second, edge.first}); count != 1 || back == edges.end())
+      return false;
+  return true;
+}
+
+/// Positive where the triangles' fronts are outside.
+double volume(const Mesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    sum += dot(mesh.positions[a], cross(mesh.positions[b], mesh.positions[c])) / 6;
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("the scenes of this project load in strict mode, with nothing dropped") {
+  const std::map<std::string, std::pair<std::size_t, std::size_t>> triangles_and_spheres{
+      {"box.dae", {12, 0}},
+      {"spheres.dae", {12, 2}},
+      {"furnace.dae", {24, 1}},
+      {"lights.dae", {6, 5}},
+      {"cornell-bunny.dae", {10060, 0}}};
+  for (const auto& [name, counts] : triangles_and_spheres) {
+    INFO(name);
+    const LoadedScene loaded = load(name);
+    CHECK(loaded.scene.geometry->triangle_count() == counts.first);
+    CHECK(loaded.scene.geometry->sphere_count() == counts.second);
+    CHECK(loaded.summary.dropped_triangles == 0);
+    CHECK(loaded.summary.camera == "camera");
+  }
+}
+
+TEST_CASE("the lamp of the box shines down") {
+  const LoadedScene loaded = load("box.dae");
+  const Mesh& lamp = mesh_named(loaded.scene, "lamp");
+  const auto [a, b, c] = lamp.triangles[0];
+  CHECK(cross(lamp.positions[b] - lamp.positions[a], lamp.positions[c] - lamp.positions[a]).y < 0);
+}
+
+TEST_CASE("the creature is a closed mesh with unit normals on its outside") {
+  const LoadedScene loaded = load("cornell-bunny.dae");
+  const Mesh& mesh = mesh_named(loaded.scene, "creature");
+  CHECK(is_closed(mesh));
+  CHECK(volume(mesh) > 0.05);
+  REQUIRE(mesh.normals.size() == mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto [a, b, c] = mesh.triangles[i];
+    const Vec3 n = cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
+    if (dot(n, mesh.normals[mesh.normal_indices[i][0]]) <= 0) FAIL("triangle " << i);
+  }
+}
+
+TEST_CASE("the furnace is closed, and its equation has the radiance 1") {
+  const LoadedScene loaded = load("furnace.dae");
+  const Mesh& enclosure = mesh_named(loaded.scene, "enclosure");
+  CHECK(is_closed(enclosure));
+  CHECK(volume(enclosure) == Approx(-64));
+  CHECK(is_closed(mesh_named(loaded.scene, "block")));
+  const auto& light = std::get<MeshLight>(loaded.scene.lights.at(0).source);
+  const auto& binding = loaded.scene.bindings[light.shape];
+  const Rgb albedo = std::get<Lambert>(loaded.scene.materials[binding.material].model).reflectance;
+  CHECK(light.radiance.r / (1 - albedo.r) == 1);
+}
+
+TEST_CASE("the scene of lights has one of each kind") {
+  const LoadedScene loaded = load("lights.dae");
+  std::vector<std::string> lines = summary_lines(loaded.summary);
+  CHECK(lines == std::vector<std::string>{
+                     "unit: meter (1 m), kept as it is; up axis: Y", "camera: \"camera\"",
+                     "shapes: 3 meshes, 6 triangles, 5 spheres; 4 materials",
+                     "light \"sign\": mesh, both sides, radiance 2 0.5 2, power 2.513 0.6283 2.513",
+                     "light \"ember\": sphere, radiance 6 3 1, power 5.33 2.665 0.8883",
+                     "light \"panel\": mesh, one side, radiance 3 3 3, power 4.524 4.524 4.524",
+                     "light \"point\": point, intensity 0.6 0.2 0.1",
+                     "light \"faded\": point, intensity 0.1 0.2 0.6", "light \"spot\": spot, intensity 4 4 3",
+                     "light \"sun\": directional, irradiance 0.4 0.4 0.35",
+                     "light \"sky\": ambient, the hemisphere around up, radiance 0.08 0.1 0.14"});
+}
+
+}  // namespace twinray
