@@ -187,6 +187,7 @@ class NameCheck {
       }
       const char mark = entries[std::size_t(found - known.begin())][0];
       if (mark == '!') check_unsupported(child);
+      if (name == "asset" && mark == '-') check_inner_asset(child, element);
       if (mark == '-' || mark == '!') continue;
       if (name == "extra") owner_ = element.name();
       if (name == "technique" && context != "profile_COMMON")
@@ -200,6 +201,14 @@ class NameCheck {
   void check_unsupported(const XmlElement& element) {
     if (element.name().rfind("library_", 0) == 0 && element.children().empty()) return;
     document_.warn(element, fmt::format("<{}> is not supported, and is left out", element.name()));
+  }
+
+  void check_inner_asset(const XmlElement& asset, const XmlElement& owner) {
+    for (const char* name : {"unit", "up_axis"})
+      if (const auto setting = asset.child(name))
+        document_.warn(
+            *setting, fmt::format("<{}> is read from the <asset> of <COLLADA> only; that of <{}> is left out",
+                                  name, owner.name()));
   }
 
   void check_technique(const XmlElement& technique, const XmlElement& parent) {

@@ -97,8 +97,12 @@ void WarningList::add(const std::function<Place()>& where, const std::string& me
       std::find_if(items_.begin(), items_.end(), [&](const Diagnostic& d) { return d.message == message; });
   if (known != items_.end())
     ++known->count;
-  else
+  else if (items_.size() < most_kept)
     items_.push_back({where(), message});
+  else if (items_.size() == most_kept)
+    items_.push_back({where(), "from here on further warnings are counted only"});
+  else
+    ++items_.back().count;
 }
 
 std::string nearest_name(std::string_view name, std::span<const std::string_view> known) {

@@ -40,13 +40,16 @@ struct Diagnostic {
   std::string text() const;
 };
 
-/// Gathers warnings; the same message is kept once and counted. Strict: the first one is thrown as an Error.
+/// Gathers warnings; the same message is kept once and counted, and so are all beyond most_kept different
+/// ones. Strict: the first one is thrown as an Error.
 class WarningList {
  public:
   explicit WarningList(bool strict) : strict_(strict) {}
   /// `where` is asked for only when the message is new.
   void add(const std::function<Place()>& where, const std::string& message);
   const std::vector<Diagnostic>& items() const { return items_; }
+
+  static constexpr std::size_t most_kept = 100;
 
  private:
   bool strict_;

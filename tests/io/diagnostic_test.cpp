@@ -60,6 +60,15 @@ TEST_CASE("a warning that repeats is kept once, and counted") {
   CHECK(list.items()[1].text() == "f:1:2: other\n  ab\n   ^");
 }
 
+TEST_CASE("beyond a hundred different warnings the rest is counted") {
+  WarningList list(false);
+  for (int i = 0; i < 150; ++i) list.add([] { return place_of("f", "ab", 0); }, std::to_string(i));
+  REQUIRE(list.items().size() == WarningList::most_kept + 1);
+  CHECK(list.items()[99].message == "99");
+  CHECK(list.items().back().text() ==
+        "f:1:1: from here on further warnings are counted only (50 times)\n  ab\n  ^");
+}
+
 TEST_CASE("a strict list throws what would be a warning") {
   WarningList list(true);
   CHECK_THROWS_WITH(list.add([] { return place_of("f", "ab", 0); }, "odd"), "f:1:1: odd\n  ab\n  ^");
