@@ -16,7 +16,7 @@ inline Float4 splat(float a) { return Float4{a, a, a, a}; }
 inline Float4 load(const float* from) { return *reinterpret_cast<const Float4*>(from); }
 inline Float4 min(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 max(Float4 a, Float4 b) { return a > b ? a : b; }
-inline Float4 abs(Float4 a) { return max(a, -a); }
+inline Float4 abs(Float4 a) { return Float4(Int4(a) & 0x7fffffff); }
 
 /// Bit i: lane i of a comparison is true.
 inline std::uint32_t mask_bits(Int4 mask) {

@@ -18,6 +18,14 @@ struct PrimitiveId {
   std::uint32_t mesh, primitive;
 };
 
+/// The box of one primitive.
+inline Aabb primitive_bounds(const Geometry& geometry, PrimitiveId id) {
+  const Mesh* mesh = geometry.mesh(id.mesh);
+  if (!mesh) return sphere_bounds(geometry.sphere_set(id.mesh)->spheres[id.primitive]);
+  const auto [a, b, c] = mesh->triangles[id.primitive];
+  return triangle_bounds(mesh->positions[a], mesh->positions[b], mesh->positions[c]);
+}
+
 /// The triangle test of the options; woop is the canonical one.
 template <TriangleTest test>
 inline bool intersect(const CheckedRay& ray, const Vec3& a, const Vec3& b, const Vec3& c, float t_max,

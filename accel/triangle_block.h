@@ -22,11 +22,12 @@ struct alignas(64) TriangleBlock {
   float corners[3][3][width] = {};  ///< [corner][axis][lane]; zero in lanes without a triangle.
   PrimitiveId ids[width] = {};
   std::uint32_t count = 0;      ///< Lanes in use, from lane 0 on.
-  std::uint32_t triangles = 0;  ///< Bit i: lane i is a triangle.
+  std::uint32_t triangles = 0;  ///< Bit i: lane i is a triangle with an area.
 
   Vec3 corner(int index, int lane) const {
     return {corners[index][0][lane], corners[index][1][lane], corners[index][2][lane]};
   }
+  Aabb bounds(int lane) const { return triangle_bounds(corner(0, lane), corner(1, lane), corner(2, lane)); }
   std::uint32_t lanes() const { return (1u << count) - 1; }
 };
 static_assert(sizeof(TriangleBlock) == 192, "three cache lines");
@@ -39,10 +40,12 @@ inline TriangleBlock make_block(const Geometry& geometry, std::span<const Primit
     block.ids[lane] = id;
     const Mesh* mesh = geometry.mesh(id.mesh);
     if (!mesh) continue;
+    const auto [a, b, c] = mesh->triangles[id.primitive];
+    const Vec3 corners[3] = {mesh->positions[a], mesh->positions[b], mesh->positions[c]};
+    if (!has_area(corners[0], corners[1], corners[2])) continue;
     block.triangles |= 1u << lane;
     for (int corner = 0; corner < 3; ++corner)
-      for (int axis = 0; axis < 3; ++axis)
-        block.corners[corner][axis][lane] = mesh->positions[mesh->triangles[id.primitive][corner]][axis];
+      for (int axis = 0; axis < 3; ++axis) block.corners[corner][axis][lane] = corners[corner][axis];
   }
   return block;
 }
@@ -50,60 +53,65 @@ inline TriangleBlock make_block(const Geometry& geometry, std::span<const Primit
 /// The box of a block's primitives.
 inline Aabb block_bounds(const Geometry& geometry, const TriangleBlock& block) {
   Aabb box;
-  for (std::uint32_t lane = 0; lane < block.count; ++lane) {
-    if (block.triangles >> lane & 1)
-      for (int corner = 0; corner < 3; ++corner) box.extend(block.corner(corner, int(lane)));
-    else
-      box.extend(
-          sphere_bounds(geometry.sphere_set(block.ids[lane].mesh)->spheres[block.ids[lane].primitive]));
-  }
+  for (std::uint32_t lane = 0; lane < block.count; ++lane)
+    box.extend(primitive_bounds(geometry, block.ids[lane]));
   return box;
 }
 
-/// What the filter needs of a ray, in every lane: its shear, and its origin turned as the shear turns it.
+/// What a block's test needs of a ray, in every lane: its shear, and its origin turned as the shear turns it.
 struct LaneRay {
-  Float4 ox, oy, oz, sx, sy;
+  Float4 ox, oy, oz, sx, sy, sz;
   int kx, ky, kz;
 
   explicit LaneRay(const CheckedRay& ray)
-      : ox(splat(ray.origin[ray.kx])),
-        oy(splat(ray.origin[ray.ky])),
-        oz(splat(ray.origin[ray.kz])),
-        sx(splat(ray.sx)),
-        sy(splat(ray.sy)),
-        kx(ray.kx),
-        ky(ray.ky),
-        kz(ray.kz) {}
+      : sx(splat(ray.sx)), sy(splat(ray.sy)), sz(splat(ray.sz)), kx(ray.kx), ky(ray.ky), kz(ray.kz) {
+    const float origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
+    ox = splat(origin[kx]);
+    oy = splat(origin[ky]);
+    oz = splat(origin[kz]);
+  }
 };
 
-/// Bit i: the canonical test may accept lane i. The edge functions are computed by the operations of
-/// core/triangle.h in their order, and a lane is rejected exactly where that test rejects it for their signs.
-inline std::uint32_t filter_lanes(const LaneRay& ray, const TriangleBlock& block) {
-  Float4 x[3], y[3];
-  for (int corner = 0; corner < 3; ++corner) {
-    const Float4 z = load(block.corners[corner][ray.kz]) - ray.oz;
-    x[corner] = (load(block.corners[corner][ray.kx]) - ray.ox) - ray.sx * z;
-    y[corner] = (load(block.corners[corner][ray.ky]) - ray.oy) - ray.sy * z;
+/// The corners of all lanes in the ray's frame: the bits of shear().
+struct ShearedLanes {
+  Float4 x[3], y[3], z[3];
+
+  ShearedLanes(const LaneRay& ray, const TriangleBlock& block) {
+    for (int corner = 0; corner < 3; ++corner) {
+      z[corner] = load(block.corners[corner][ray.kz]) - ray.oz;
+      x[corner] = (load(block.corners[corner][ray.kx]) - ray.ox) - ray.sx * z[corner];
+      y[corner] = (load(block.corners[corner][ray.ky]) - ray.oy) - ray.sy * z[corner];
+      z[corner] = ray.sz * z[corner];
+    }
   }
+  ShearedVertex corner(int index, int lane) const { return {x[index][lane], y[index][lane], z[index][lane]}; }
+};
+
+/// Bit i: lane i is a triangle beside the ray. This is is_beside() of each lane, by its operations.
+inline std::uint32_t lanes_beside(const ShearedLanes& lanes) {
+  const Float4 *const x = lanes.x, *const y = lanes.y;
   const Float4 a = x[2] * y[1] - y[2] * x[1];
   const Float4 b = x[0] * y[2] - y[0] * x[2];
   const Float4 c = x[1] * y[0] - y[1] * x[0];
   const Float4 largest_x = max(abs(x[0]), max(abs(x[1]), abs(x[2])));
   const Float4 largest_y = max(abs(y[0]), max(abs(y[1]), abs(y[2])));
   const Float4 error = edge_margin * (largest_x * largest_y) + edge_underflow;
-  const Int4 outside = (min(a, min(b, c)) < -error) & (max(a, max(b, c)) > error);
-  return (mask_bits(~outside) | ~block.triangles) & block.lanes();
+  return mask_bits((min(a, min(b, c)) < -error) & (max(a, max(b, c)) > error));
 }
 
-/// Tests one lane by the primitive's own test and keeps the lesser hit.
-template <TriangleTest test = TriangleTest::woop>
-inline void test_lane(const Geometry& geometry, const CheckedRay& ray, const TriangleBlock& block, int lane,
-                      Hit& best) {
+/// Bit i: the canonical test may accept lane i.
+inline std::uint32_t filter_lanes(const ShearedLanes& lanes, const TriangleBlock& block) {
+  return (~lanes_beside(lanes) | ~block.triangles) & block.lanes();
+}
+
+/// Tests one lane by what is left of the canonical test and keeps the lesser hit.
+inline void confirm_lane(const Geometry& geometry, const CheckedRay& ray, const ShearedLanes& lanes,
+                         const TriangleBlock& block, int lane, Hit& best) {
   const PrimitiveId id = block.ids[lane];
   if (!(block.triangles >> lane & 1)) return test_primitive(geometry, ray, id, best);
   ShapeHit found;
-  if (!intersect<test>(ray, block.corner(0, lane), block.corner(1, lane), block.corner(2, lane),
-                       std::min(ray.t_max, best.t), found))
+  if (!intersect_sheared(ray, lanes.corner(0, lane), lanes.corner(1, lane), lanes.corner(2, lane),
+                         block.bounds(lane), std::min(ray.t_max, best.t), found))
     return;
   const Hit hit{found.t, found.u, found.v, id.primitive, id.mesh, no_instance};
   if (precedes(hit, best)) best = hit;
@@ -113,8 +121,14 @@ inline void test_lane(const Geometry& geometry, const CheckedRay& ray, const Tri
 template <TriangleTest test = TriangleTest::woop>
 inline void test_block(const Geometry& geometry, const CheckedRay& ray, const LaneRay& lane_ray,
                        const TriangleBlock& block, Hit& best) {
-  std::uint32_t left = test == TriangleTest::woop ? filter_lanes(lane_ray, block) : block.lanes();
-  for (; left != 0; left &= left - 1) test_lane<test>(geometry, ray, block, std::countr_zero(left), best);
+  if constexpr (test == TriangleTest::woop) {
+    const ShearedLanes lanes(lane_ray, block);
+    for (std::uint32_t left = filter_lanes(lanes, block); left != 0; left &= left - 1)
+      confirm_lane(geometry, ray, lanes, block, std::countr_zero(left), best);
+  } else {
+    for (std::uint32_t lane = 0; lane < block.count; ++lane)
+      test_primitive<test>(geometry, ray, block.ids[lane], best);
+  }
 }
 
 }  // namespace twinray

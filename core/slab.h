@@ -29,13 +29,14 @@ inline Aabb padded(const Aabb& box) {
 
 /// The slab test of a box that padded() has widened.
 inline SlabInterval intersect_slab(const CheckedRay& ray, const Aabb& box) {
+  // Read by index: a branch on a direction's sign is mispredicted for every other bounce ray.
+  const float planes[3][2] = {
+      {box.lower.x, box.upper.x}, {box.lower.y, box.upper.y}, {box.lower.z, box.upper.z}};
   const auto near_at = [&](int axis) {
-    const float plane = ray.is_negative[axis] ? box.upper[axis] : box.lower[axis];
-    return (plane - ray.near_origin[axis]) * ray.near_inverse[axis];
+    return (planes[axis][ray.is_negative[axis]] - ray.near_origin[axis]) * ray.near_inverse[axis];
   };
   const auto far_at = [&](int axis) {
-    const float plane = ray.is_negative[axis] ? box.lower[axis] : box.upper[axis];
-    return (plane - ray.far_origin[axis]) * ray.far_inverse[axis];
+    return (planes[axis][!ray.is_negative[axis]] - ray.far_origin[axis]) * ray.far_inverse[axis];
   };
   return {std::max(near_at(0), std::max(near_at(1), near_at(2))),
           std::min(far_at(0), std::min(far_at(1), far_at(2)))};

@@ -73,16 +73,27 @@ inline float edge_error(const ShearedVertex& p, const ShearedVertex& q, const Sh
   return edge_margin * (x * y) + edge_underflow;
 }
 
+/// Whether the float edge functions leave no doubt that the ray passes beside the triangle.
+inline bool is_beside(const ShearedVertex& p, const ShearedVertex& q, const ShearedVertex& r) {
+  const EdgeFunctions<float> edges(p, q, r);
+  const float error = edge_error(p, q, r);
+  return edges.least() < -error && edges.largest() > error;
+}
+
+/// The hit with a triangle that has an area and is not beside the ray, of box `bounds`, in [ray.t_min,
+/// t_max].
+inline bool intersect_sheared(const CheckedRay& ray, const ShearedVertex& p, const ShearedVertex& q,
+                              const ShearedVertex& r, const Aabb& bounds, float t_max, ShapeHit& hit) {
+  return EdgeFunctions<double>(p, q, r).interpolate(p, q, r, hit) && clamp_to_box(ray, bounds, t_max, hit.t);
+}
+
 /// The hit of a ray with the triangle a, b, c in the closed interval [ray.t_min, t_max]; false for none.
 inline bool intersect_triangle(const CheckedRay& ray, const Vec3& a, const Vec3& b, const Vec3& c,
                                float t_max, ShapeHit& hit) {
   const ShearedVertex p = shear(ray, a), q = shear(ray, b), r = shear(ray, c);
-  const EdgeFunctions<float> edges(p, q, r);
-  const float error = edge_error(p, q, r);
-  if (edges.least() < -error && edges.largest() > error) return false;
   // Rounding gives a degenerate triangle some area in the ray's frame; it is never hit all the same.
-  return EdgeFunctions<double>(p, q, r).interpolate(p, q, r, hit) && has_area(a, b, c) &&
-         clamp_to_box(ray, triangle_bounds(a, b, c), t_max, hit.t);
+  return !is_beside(p, q, r) && has_area(a, b, c) &&
+         intersect_sheared(ray, p, q, r, triangle_bounds(a, b, c), t_max, hit);
 }
 
 }  // namespace twinray

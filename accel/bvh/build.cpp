@@ -104,15 +104,10 @@ std::vector<BuildPrimitive> collect_primitives(const Geometry& geometry) {
   std::vector<BuildPrimitive> primitives;
   primitives.reserve(geometry.primitive_count());
   for (std::uint32_t shape = 0; shape < geometry.shapes().size(); ++shape) {
-    std::uint32_t index = 0;
-    if (const Mesh* mesh = geometry.mesh(shape)) {
-      for (const auto [a, b, c] : mesh->triangles)
-        primitives.push_back(
-            {triangle_bounds(mesh->positions[a], mesh->positions[b], mesh->positions[c]), {shape, index++}});
-    } else {
-      for (const Sphere& sphere : geometry.sphere_set(shape)->spheres)
-        primitives.push_back({sphere_bounds(sphere), {shape, index++}});
-    }
+    const Mesh* mesh = geometry.mesh(shape);
+    const std::size_t count = mesh ? mesh->triangles.size() : geometry.sphere_set(shape)->spheres.size();
+    for (std::uint32_t i = 0; i < count; ++i)
+      primitives.push_back({primitive_bounds(geometry, {shape, i}), {shape, i}});
   }
   return primitives;
 }

@@ -10,13 +10,6 @@
 namespace twinray {
 namespace {
 
-Aabb padded_bounds(const Geometry& geometry, PrimitiveId id) {
-  const Mesh* mesh = geometry.mesh(id.mesh);
-  if (!mesh) return padded(sphere_bounds(geometry.sphere_set(id.mesh)->spheres[id.primitive]));
-  const auto [a, b, c] = mesh->triangles[id.primitive];
-  return padded(triangle_bounds(mesh->positions[a], mesh->positions[b], mesh->positions[c]));
-}
-
 class Inspection {
  public:
   Inspection(const Bvh& bvh, const Geometry& geometry, int max_leaf_size)
@@ -68,7 +61,7 @@ class Inspection {
     if (id.mesh >= seen_.size() || id.primitive >= seen_[id.mesh].size())
       return report("there is no primitive {} of shape {}", id.primitive, id.mesh);
     ++seen_[id.mesh][id.primitive];
-    if (!box.contains(padded_bounds(geometry_, id)))
+    if (!box.contains(padded(primitive_bounds(geometry_, id))))
       report("primitive {} of shape {} leaves its leaf's box", id.primitive, id.mesh);
   }
 

@@ -62,8 +62,8 @@ bool Device::on_memory(void* state, ssize_t bytes, bool) noexcept {
   return true;
 }
 
-std::string thread_configuration(int threads) {
-  return threads > 0 ? fmt::format("threads={}", threads) : std::string();
+std::string configuration(const std::string& instruction_set, int threads) {
+  return fmt::format("max_isa={}{}", instruction_set, threads > 0 ? fmt::format(",threads={}", threads) : "");
 }
 
 void attach(RTCScene scene, GeometryOwner geometry, unsigned id) {

@@ -45,8 +45,8 @@ class Device {
   std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release> device_;
 };
 
-/// "threads=N", or nothing where threads is 0.
-std::string thread_configuration(int threads);
+/// The words for an upper bound of the instruction set, and a number of threads (0: Embree's choice).
+std::string configuration(const std::string& instruction_set, int threads);
 
 /// Commits a geometry and makes it number `id` of a scene, which keeps it.
 void attach(RTCScene scene, GeometryOwner geometry, unsigned id);

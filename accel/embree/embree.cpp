@@ -56,16 +56,20 @@ void occlude_block(const RTCOccludedFunctionNArguments* arguments) {
   if (query.best) reinterpret_cast<RTCRay*>(arguments->ray)->tfar = -Aabb::infinity;
 }
 
-/// Leaves of one block each.
+/// Leaves of one block each, rather full than tight: fewer blocks, hence less memory, for a few tests more.
+/// 2.5 was the fastest of 0.7 to 6 on a million triangles, and one of the fastest on a hundred thousand.
 BuildOptions block_options(const BuildOptions& options) {
-  return {.threads = options.threads, .max_leaf_size = TriangleBlock::width};
+  return {.threads = options.threads, .max_leaf_size = TriangleBlock::width, .traversal_cost = 2.5};
 }
+
+/// Embree's traversal of user geometry was 3 % faster with AVX2 than with AVX-512.
+constexpr const char* instruction_set = "avx2";
 
 class EmbreeAccelerator final : public Accelerator {
  public:
   EmbreeAccelerator(std::shared_ptr<const Geometry> geometry, const BuildOptions& options)
       : geometry_(std::move(geometry)),
-        device_(embree::thread_configuration(options.threads)),
+        device_(embree::configuration(instruction_set, options.threads)),
         scene_(rtcNewScene(device_.get())) {
     bvh_ = make_bvh(*geometry_, block_options(options), stats_.phases);
     scene_size_ = embree::scene_size(*geometry_);
@@ -127,10 +131,14 @@ class EmbreeAccelerator final : public Accelerator {
   /// A power of two, at most the direction's largest component and more than half of it. Embree gets a
   /// direction divided by it, for it takes components below 10^-18 for 10^-18.
   static float length_scale(const CheckedRay& ray) {
-    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(max_abs(ray.direction)) & 0xff800000u);
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(max_abs(ray.direction)) & 0x7f800000u);
+  }
+  /// 1 / a power of two: the exponent of one is 127.
+  static float inverse_power(float power) {
+    return std::bit_cast<float>((2 * 127u << 23) - std::bit_cast<std::uint32_t>(power));
   }
   static RTCRay embree_ray(const CheckedRay& ray, float scale) {
-    return embree::make_ray(ray.origin, ray.direction * (1 / scale), ray.t_min * scale * (1 - slack),
+    return embree::make_ray(ray.origin, ray.direction * inverse_power(scale), ray.t_min * scale * (1 - slack),
                             ray.t_max * scale * (1 + slack));
   }
 
@@ -140,9 +148,9 @@ class EmbreeAccelerator final : public Accelerator {
     return query;
   }
 
-  /// The answer of our own tree; `any`: whatever hit comes first.
+  /// The answer of our own tree; `any`: whatever hit comes first. Apart, for its stack is large.
   template <bool any>
-  Hit far_hit(const CheckedRay& ray, QueryCounts* counts) const {
+  [[gnu::noinline]] Hit far_hit(const CheckedRay& ray, QueryCounts* counts) const {
     Query query = start(ray, 1, counts);
     float t_max = ray.t_max;
     traverse(bvh_, ray, t_max, NoCounts{}, [&](const TriangleBlock& block) {

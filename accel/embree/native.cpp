@@ -27,8 +27,7 @@ std::string configuration(const BuildOptions& options) {
       instruction_sets.end())
     throw Error(fmt::format("Embree has no instruction set \"{}\"; valid are {}", options.embree_isa,
                             fmt::join(instruction_sets, ", ")));
-  const std::string threads = embree::thread_configuration(options.threads);
-  return fmt::format("max_isa={}{}{}", options.embree_isa, threads.empty() ? "" : ",", threads);
+  return embree::configuration(options.embree_isa, options.threads);
 }
 
 struct Query : embree::Context {

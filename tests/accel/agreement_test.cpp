@@ -130,6 +130,20 @@ TEST_CASE("engines agree on slivers") {
   CHECK(check_agreement(share({mesh}), rays) > 500);
 }
 
+TEST_CASE("engines agree that a triangle without area is never hit") {
+  Mesh mesh = soup(100, 0.5f, 25);
+  Random random(26);
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 a = random.in_cube(), along = random.in_cube();
+    add_triangle(mesh, a, a, a + along);
+    add_triangle(mesh, {a.x, 0, 0}, {a.y, 0, 0}, {a.z, 0, 0});
+  }
+  const auto geometry = share({mesh});
+  const Rays rays = concatenate(random_rays(1000, geometry->bounds(), 27),
+                                feature_rays(mesh, {0.5f, 0.7f, -0.2f}, 1000, 28));
+  CHECK(check_agreement(geometry, rays) > 300);
+}
+
 TEST_CASE("engines agree on coplanar layers and duplicates, where the lowest id wins") {
   Mesh mesh;
   for (int layer = 0; layer < 5; ++layer)

@@ -266,7 +266,7 @@ TEST_CASE("the filter rejects no triangle that the canonical test accepts") {
     for (const Ray& ray : rays) {
       CheckedRay checked;
       REQUIRE(load_ray(ray, checked));
-      const std::uint32_t kept = filter_lanes(LaneRay(checked), block);
+      const std::uint32_t kept = filter_lanes(ShearedLanes(LaneRay(checked), block), block);
       for (int lane = 0; lane < 4; ++lane) {
         Hit hit;
         test_primitive(*geometry, checked, ids[lane], hit);
@@ -290,7 +290,7 @@ TEST_CASE("lanes of a block that are not in use are never candidates") {
   for (const Ray& ray : random_rays(200, geometry->bounds(), 3)) {
     CheckedRay checked;
     REQUIRE(load_ray(ray, checked));
-    const std::uint32_t kept = filter_lanes(LaneRay(checked), block);
+    const std::uint32_t kept = filter_lanes(ShearedLanes(LaneRay(checked), block), block);
     CHECK((kept & ~3u) == 0);
     CHECK((kept & 2u) == 2);
   }
