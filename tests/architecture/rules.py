@@ -50,6 +50,9 @@ NATIVE = "-march=" + "native"
 MACHINE_PATH = re.compile(r"(?<![\w.}])/(?:ho" r"me|ro" r"ot|wo" r"rk)/")
 NOT_COUNTED = re.compile(r"\bSKIP\s*\(|\[!(?:mayfail|shouldfail)\]|\[\.[\w]*\]|\bDISABLED_|\bWILL_FAIL\b")
 
+# ctest's list of tests takes a bracket or a semicolon apart: the tests that follow are lost without a word.
+BROKEN_NAME = re.compile(r'TEST_CASE\(\s*"[^"]*[][;\\]')
+
 MAX_LINES = 450
 MAX_COLUMNS = 110
 
@@ -240,6 +243,10 @@ every_test_counts = pattern_rule(
     NOT_COUNTED, in_tests, "{}: a test that may not count", code_only=False)
 
 
+whole_names = pattern_rule(
+    BROKEN_NAME, in_tests, "a test's name must not hold brackets, semicolons or backslashes", code_only=False)
+
+
 def all_listed(tree):
     """A file that no CMakeLists.txt names is not compiled: a test in it passes always."""
     listed = {normpath(Path(name).parent / file)
@@ -252,7 +259,7 @@ def all_listed(tree):
 
 RULES = (layers, includes_from_root, doors, privacy, installed_headers, public_headers, headers_guarded,
          licensed, sizes, same_bits, random_numbers, quiet_libraries, nothing_left_open, no_machine_paths,
-         portable_builds, every_test_counts, all_listed)
+         portable_builds, every_test_counts, whole_names, all_listed)
 
 
 def read_tree(root):

@@ -131,6 +131,12 @@ class Rules(unittest.TestCase):
             self.expect({"tests/a.h": HEADER + f'TEST_CASE("a", "{mark}")\n'}, "a test that may not count")
         self.expect({"tests/a.h": HEADER + 'SKIP("no");\n'}, "a test that may not count")
 
+    def test_names_reach_ctest_whole(self):
+        for name in ("x in [0, 1)", "x; y", "a\\\\b"):
+            self.expect({"tests/a.h": HEADER + f'TEST_CASE("{name}", "[tag]")\n'},
+                        "a test's name must not hold")
+        self.expect({"tests/a.h": HEADER + 'TEST_CASE("x, from 0 to 1", "[tag]")\n'})
+
     def test_every_source_file_is_compiled(self):
         self.expect({"core/lost.cpp": CPP}, "core/lost.cpp:1: no CMakeLists.txt lists this file")
         self.expect({"core/ec.cpp": CPP}, "core/ec.cpp:1: no CMakeLists.txt lists this file")

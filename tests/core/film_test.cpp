@@ -149,7 +149,7 @@ TEST_CASE("a pixel without samples is black, and one sample has no variance") {
   CHECK(film.pixel(0, 1, 0).luminance_variance() == 0);
 }
 
-TEST_CASE("as many of the largest samples as a pixel may have do not overflow; one more is refused") {
+TEST_CASE("as many of the largest samples as a pixel may have do not overflow, and one more is refused") {
   for (const float value : {Film::max_value, -Film::max_value}) {
     Film film(1, 1, {0, 0, 1, 1});
     CHECK(film.add(0, 0, 0, 0, {value, value, value}));

@@ -108,7 +108,7 @@ TEST_CASE("a draw does not depend on the draws before it") {
   }
 }
 
-TEST_CASE("draws are uniform multiples of 2^-24 in [0, 1)") {
+TEST_CASE("draws are uniform multiples of 2^-24, at least 0 and below 1") {
   const double level = test::sidak_level(2 * dimensions);
   for (const SamplerKind kind : kinds)
     for (int d = 0; d < dimensions; ++d) {
