@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "cli/options.h"
 #include "cli/version.h"
 #include "core/error.h"
 
@@ -50,23 +51,6 @@ Choices<Backend> backend_choices() {
   return choices;
 }
 
-/// Help without the ranges and counts that CLI11 appends to an option's value: the descriptions say what is
-/// needed.
-class BriefFormatter final : public CLI::Formatter {
- public:
-  BriefFormatter() { column_width(41); }
-  std::string make_option_opts(const CLI::Option* option) const override {
-    const std::string type = option->get_type_size() == 0 ? "" : option->get_type_name();
-    return type.empty() ? "" : " " + type.substr(0, type.find(':'));
-  }
-  std::string make_group(std::string group, bool is_positional,
-                         std::vector<const CLI::Option*> options) const override {
-    std::string text = is_positional ? "" : group + ":\n";
-    for (const CLI::Option* option : options) text += make_option(option, is_positional);
-    return is_positional ? text + "\n" : text;
-  }
-};
-
 /// Options whose values are only understood together with others, or after all have been read.
 struct RawArguments {
   std::vector<int> resolution{480, 360};
@@ -81,12 +65,12 @@ void add_picture_options(CLI::App& app, RenderArguments& arguments, RawArguments
   app.add_option("-o,--output,-f", arguments.output, "The picture: .png, or .exr for linear floats")
       ->type_name("FILE")
       ->group("Picture");
-  app.add_option("-r,--resolution", raw.resolution, "Width and height in pixels (480 360)")
-      ->expected(2)
+  add_numbers(app, "-r,--resolution", raw.resolution, 2)
+      ->description("Width and height in pixels (480 360)")
       ->type_name("W H")
       ->group("Picture");
-  app.add_option("-p,--crop", raw.crop, "Only this part of the frame, from its top left")
-      ->expected(4)
+  add_numbers(app, "-p,--crop", raw.crop, 4)
+      ->description("Only this part of the frame, from its top left")
       ->type_name("X Y W H")
       ->group("Picture");
   add_choice<View>(app, "--view", arguments.view, {{"file", View::file}, {"whole", View::whole}},
@@ -143,8 +127,8 @@ void add_sampling_options(CLI::App& app, RenderArguments& arguments, RawArgument
       ->type_name("N")
       ->check(CLI::Range(1u, Film::max_samples))
       ->group(group);
-  app.add_option("-a,--adaptive", raw.adaptive, "Stop a pixel early: batch size, tolerance (32 0.05)")
-      ->expected(2)
+  add_numbers(app, "-a,--adaptive", raw.adaptive, 2)
+      ->description("Stop a pixel early: batch size, tolerance (32 0.05)")
       ->type_name("N T")
       ->group(group);
   add_choice<SamplerKind>(app, "--sampler", arguments.render.sampler,
@@ -282,6 +266,7 @@ std::optional<RenderArguments> parse_render_arguments(const std::vector<std::str
   RawArguments raw;
   CLI::App app("Renders a COLLADA scene by path tracing.", "twinray");
   app.formatter(std::make_shared<BriefFormatter>());
+  app.footer("Another command compares all engines, bit for bit: twinray agreement --help");
   app.option_defaults()->take_last()->always_capture_default(false);
   app.add_option("SCENE", arguments.scene, "The scene, a COLLADA file (.dae)")->required()->type_name("");
   add_picture_options(app, arguments, raw);

@@ -83,6 +83,15 @@ TEST_CASE("roulette takes a probability or the word throughput") {
         "--roulette: \"2\"; valid are throughput and a probability in (0, 1]");
 }
 
+TEST_CASE("the scene may stand between the options, and the last of equal ones counts") {
+  const RenderArguments arguments =
+      *parse_render_arguments({"-r", "8", "6", "scene.dae", "-r", "16", "12", "-s", "1", "-s", "3"});
+  CHECK(arguments.scene == "scene.dae");
+  CHECK(arguments.render.width == 16);
+  CHECK(arguments.render.height == 12);
+  CHECK(arguments.render.samples == 3);
+}
+
 TEST_CASE("a wrong word of a choice names the right ones") {
   CHECK(message_of({"--bvh-split=sahh"}) ==
         "--bvh-split: there is no \"sahh\"; valid are sah, median, midpoint, mean");
@@ -102,7 +111,7 @@ TEST_CASE("values out of range say what is valid") {
   CHECK(message_of({"-s", "many"}) != "accepted");
   CHECK(message_of({"-m", "101"}) != "accepted");
   CHECK(message_of({"--no-such-option"}) != "accepted");
-  CHECK(message_of({"-r", "64"}) != "accepted");
+  CHECK(message_of({"-r", "64"}) == "-r,--resolution: 2 numbers are needed, not 1");
   CHECK(message_of({"other.dae"}) != "accepted");
   CHECK(message_of({"--accel=brute-force", "--triangle-test=moller-trumbore"}) == "accepted");
 }
