@@ -12,6 +12,7 @@
 #include "cli/progress.h"
 #include "cli/render_arguments.h"
 #include "cli/report.h"
+#include "cli/scene_warnings.h"
 #include "cli/version.h"
 #include "core/error.h"
 #include "integrators/normals.h"
@@ -51,6 +52,7 @@ LoadedScene load(const RenderArguments& arguments) {
     auto map = std::make_shared<const Image>(read_image(arguments.environment));
     loaded.scene.lights.push_back({"environment", EnvironmentLight{std::move(map)}});
   }
+  for (const std::string& warning : scene_warnings(loaded.scene, arguments)) warn(warning);
   return loaded;
 }
 

@@ -6,6 +6,7 @@
 
 #include "io/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/collada_text.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -94,6 +95,42 @@ TEST_CASE("statistics are JSON, and brute force tests each primitive for each ra
   CHECK(json["rays"]["total"] == 24 * 18);
   CHECK(json["rays"]["camera"] == 24 * 18);
   CHECK(json["per_ray"]["primitives"] == json["build"]["primitives"]);
+}
+
+TEST_CASE("what hemisphere sampling leaves out is a warning on stderr, in quiet runs too") {
+  const TemporaryFolder folder;
+  const std::string lights = TWINRAY_SOURCE_DIR "/scenes/lights.dae" + small;
+  const ProcessResult result = run_program(lights + "-H -o " + quoted(folder.file("a.png")));
+  CHECK(result.exit_code == 0);
+  CHECK(result.out.empty());
+  CHECK(result.err ==
+        "warning: hemisphere sampling cannot meet light from a point or a single direction: \"point\", "
+        "\"faded\", \"spot\", \"sun\" add nothing to the picture; --direct=lights would show them\n");
+  CHECK(run_program(lights + "-o " + quoted(folder.file("b.png"))).err.empty());
+}
+
+TEST_CASE("a scene without a light, and a material that is not rendered as it is, are warnings") {
+  const TemporaryFolder folder;
+  const std::string materials =
+      "<library_effects><effect id=\"effect\"><extra><technique profile=\"CGL\"><mirror><reflectance>1 1 1"
+      "</reflectance></mirror></technique></extra></effect></library_effects>\n"
+      "<library_materials><material id=\"silver\" name=\"silver\"><instance_effect url=\"#effect\"/>"
+      "</material></library_materials>\n";
+  const std::string bind =
+      "<bind_material><technique_common><instance_material symbol=\"silver\" target=\"#silver\"/>"
+      "</technique_common></bind_material>";
+  const std::string ball =
+      "<library_geometries><geometry id=\"ball\"><extra><technique profile=\"CGL\"><sphere><radius>1"
+      "</radius></sphere></technique></extra></geometry></library_geometries>\n";
+  write_text(folder.file("dark.dae"),
+             collada_text(materials + ball, "<node id=\"node\"><instance_geometry url=\"#ball\">" + bind +
+                                                "</instance_geometry></node>\n"));
+  const ProcessResult result =
+      run_program(quoted(folder.file("dark.dae")) + small + "-o " + quoted(folder.file("a.png")));
+  CHECK(result.exit_code == 0);
+  CHECK(result.err ==
+        "warning: the scene has no light: the picture will be black\n"
+        "warning: mirror is rendered as Lambert of its reflectance: \"silver\"\n");
 }
 
 TEST_CASE("an old picture survives an interruption, and no unfinished file stays") {

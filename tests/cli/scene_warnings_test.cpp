@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/scene_warnings.h"
+
+#include "tests/support/catch.h"
+
+namespace twinray::test {
+namespace {
+
+using Warnings = std::vector<std::string>;
+
+Warnings warnings_of(const Scene& scene, const std::vector<std::string>& options = {}) {
+  std::vector<std::string> words = options;
+  words.push_back("scene.dae");
+  return scene_warnings(scene, *parse_render_arguments(words));
+}
+
+Scene lit_scene() {
+  Scene scene;
+  scene.lights.push_back({"sky", AmbientLight{}});
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a scene of Lambert materials under a light that can be met has no warnings") {
+  Scene scene = lit_scene();
+  scene.materials.push_back({"clay", Lambert{}});
+  CHECK(warnings_of(scene).empty());
+  CHECK(warnings_of(scene, {"-H"}).empty());
+}
+
+TEST_CASE("a scene without a light is warned of, once, and not where normals are asked for") {
+  CHECK(warnings_of(Scene{}) == Warnings{"the scene has no light: the picture will be black"});
+  CHECK(warnings_of(Scene{}, {"--direct=hemisphere"}).size() == 1);
+  CHECK(warnings_of(Scene{}, {"--integrator=normals"}).empty());
+}
+
+TEST_CASE("hemisphere sampling names the delta lights that it cannot meet") {
+  Scene scene = lit_scene();
+  scene.lights.push_back({"sun", DirectionalLight{}});
+  CHECK(warnings_of(scene).empty());
+  const Warnings one{
+      "hemisphere sampling cannot meet light from a point or a single direction: \"sun\" adds nothing to the "
+      "picture; --direct=lights would show it"};
+  CHECK(warnings_of(scene, {"-H"}) == one);
+  CHECK(warnings_of(scene, {"--direct=hemisphere"}) == one);
+  CHECK(warnings_of(scene, {"-H", "--integrator=normals"}).empty());
+  scene.lights.push_back({"bulb", PointLight{}});
+  scene.lights.push_back({"torch", SpotLight{}});
+  CHECK(warnings_of(scene, {"-H"}) ==
+        Warnings{"hemisphere sampling cannot meet light from a point or a single direction: \"sun\", "
+                 "\"bulb\", \"torch\" add nothing to the picture; --direct=lights would show them"});
+}
+
+TEST_CASE("each kind of material that is rendered as Lambert is warned of once, with the names") {
+  Scene scene = lit_scene();
+  scene.materials = {{"silver", Mirror{}}, {"clay", Lambert{}},     {"window", Glass{}},
+                     {"lens", Glass{}},    {"water", Refraction{}}, {"copper", Microfacet{}}};
+  CHECK(warnings_of(scene) ==
+        Warnings{"mirror is rendered as Lambert of its reflectance: \"silver\"",
+                 "refraction is rendered as Lambert of its transmittance: \"water\"",
+                 "glass is rendered as Lambert of its transmittance: \"window\", \"lens\"",
+                 "microfacet is rendered as Lambert of its reflectance at normal incidence: \"copper\""});
+  CHECK(warnings_of(scene, {"--integrator=normals"}).empty());
+}
+
+}  // namespace twinray::test
