@@ -7,18 +7,36 @@
 #include <string>
 #include <vector>
 
+#include "cli/agreement_command.h"
 #include "cli/render_arguments.h"
 #include "cli/render_command.h"
 #include "core/error.h"
 
+namespace {
+
+int run(const std::string& command, const std::vector<std::string>& words) {
+  if (command == "agreement") return twinray::agreement_command(words);
+  twinray::render_command(words);
+  return 0;
+}
+
+std::string usage_line(const std::string& command) {
+  return command == "agreement" ? twinray::agreement_usage_line() : twinray::usage_line();
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
-  if (!words.empty() && words.front() == "render") words.erase(words.begin());
+  std::string command = "render";  // may be left out
+  if (!words.empty() && (words.front() == "render" || words.front() == "agreement")) {
+    command = words.front();
+    words.erase(words.begin());
+  }
   try {
-    twinray::render_command(words);
-    return 0;
+    return run(command, words);
   } catch (const twinray::UsageError& error) {
-    fmt::print(stderr, "twinray: {}\n{}\n", error.what(), twinray::usage_line());
+    fmt::print(stderr, "twinray: {}\n{}\n", error.what(), usage_line(command));
     return 2;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "twinray: out of memory\n");

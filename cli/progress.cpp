@@ -36,14 +36,20 @@ std::string progress_text(const RenderProgress& progress, double elapsed_seconds
 ProgressLine::ProgressLine(bool enabled)
     : enabled_(enabled), is_terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
 
+bool ProgressLine::is_due() const {
+  const std::chrono::duration<double> since_last = Clock::now() - last_;
+  return enabled_ && since_last.count() >= (is_terminal_ ? terminal_interval_seconds : log_interval_seconds);
+}
+
 void ProgressLine::show(const RenderProgress& progress) {
-  const Clock::time_point now = Clock::now();
-  const std::chrono::duration<double> since_last = now - last_, elapsed = now - start_;
-  if (!enabled_ || since_last.count() < (is_terminal_ ? terminal_interval_seconds : log_interval_seconds))
-    return;
-  last_ = now;
+  const std::chrono::duration<double> elapsed = Clock::now() - start_;
+  if (is_due()) show(progress_text(progress, elapsed.count()));
+}
+
+void ProgressLine::show(const std::string& text) {
+  if (!is_due()) return;
+  last_ = Clock::now();
   is_shown_ = true;
-  const std::string text = progress_text(progress, elapsed.count());
   if (is_terminal_)
     fmt::print(stderr, "\r{}\x1b[K", text);
   else

@@ -8,18 +8,21 @@
 
 namespace twinray {
 
-/// One line on stderr that shows how far a render is: rewritten several times a second on a terminal, a line
+/// One line on stderr that shows how far the work is: rewritten several times a second on a terminal, a line
 /// of its own every few seconds elsewhere.
 class ProgressLine {
  public:
   /// `enabled` false: prints nothing.
   explicit ProgressLine(bool enabled);
-  /// Shows the state, if the last time was long enough ago.
+  /// Shows the state of a render, if the last time was long enough ago.
   void show(const RenderProgress& progress);
+  /// The same for a text of one line.
+  void show(const std::string& text);
   /// Clears the line on a terminal.
   void finish();
 
  private:
+  bool is_due() const;
   using Clock = std::chrono::steady_clock;
   bool enabled_, is_terminal_, is_shown_ = false;
   Clock::time_point start_, last_;

@@ -9,10 +9,11 @@
 
 namespace twinray::test {
 
-ProcessResult run_program(const std::string& arguments) {
+ProcessResult run_program(const std::string& arguments, const std::string& environment) {
   const TemporaryFolder folder;
   const std::string out = folder.file("out"), err = folder.file("err");
-  const std::string command = "'" TWINRAY_PROGRAM "' " + arguments + " >'" + out + "' 2>'" + err + "'";
+  const std::string command =
+      environment + " '" TWINRAY_PROGRAM "' " + arguments + " >'" + out + "' 2>'" + err + "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(out), read_text(err)};
 }

@@ -10,7 +10,8 @@ struct ProcessResult {
   std::string out, err;
 };
 
-/// Runs the program that was built beside the tests; `arguments` goes through the shell.
-ProcessResult run_program(const std::string& arguments);
+/// Runs the program that was built beside the tests; `arguments` goes through the shell, after
+/// `environment` ("NAME=value ...").
+ProcessResult run_program(const std::string& arguments, const std::string& environment = "");
 
 }  // namespace twinray::test

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/agreement_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "core/error.h"
+#include "io/scene_file.h"
+
+namespace twinray {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SceneFile {
+  std::string label, path;
+};
+
+struct Row {
+  std::string label;
+  SceneAgreement found;
+};
+
+/// All scene files of a folder, in the order of their names; labels are relative to `top`.
+template <typename Iterator>
+std::vector<SceneFile> scene_files(const fs::path& folder, const fs::path& top) {
+  std::vector<SceneFile> files;
+  if (folder.empty() || !fs::is_directory(folder)) return files;
+  const std::vector<std::string> valid = scene_extensions();
+  for (const fs::directory_entry& entry : Iterator(folder)) {
+    const std::string extension = entry.path().extension().string();
+    if (entry.is_regular_file() && std::find(valid.begin(), valid.end(), extension) != valid.end())
+      files.push_back({entry.path().lexically_relative(top).string(), entry.path().string()});
+  }
+  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.label < b.label; });
+  return files;
+}
+
+/// Where the well-known scenes are: the environment's TWINRAY_SCENES, else the build's, else where
+/// scenes/fetch puts them.
+fs::path well_known_folder() {
+  if (const char* chosen = std::getenv("TWINRAY_SCENES"); chosen && *chosen) {
+    if (!fs::is_directory(chosen)) throw Error(fmt::format("TWINRAY_SCENES is not a folder: {}", chosen));
+    return chosen;
+  }
+  const fs::path of_build = TWINRAY_SCENES;
+  return of_build.empty() ? fs::path(TWINRAY_OWN_SCENES) / "well-known" : of_build;
+}
+
+std::vector<SceneFile> chosen_scenes(const std::vector<std::string>& named) {
+  std::vector<SceneFile> files;
+  for (const std::string& path : named) files.push_back({path, path});
+  if (!named.empty()) return files;
+  const fs::path own = TWINRAY_OWN_SCENES, well_known = well_known_folder();
+  files = scene_files<fs::directory_iterator>(own, own.parent_path());
+  for (SceneFile& file : scene_files<fs::recursive_directory_iterator>(well_known, well_known))
+    files.push_back(std::move(file));
+  if (files.empty()) throw Error(fmt::format("there is no scene in {}; name one", own.string()));
+  return files;
+}
+
+Scene load(const SceneFile& file, const AgreementArguments& arguments) {
+  LoadedScene loaded = load_scene(file.path);
+  if (!arguments.quiet)
+    for (const Diagnostic& warning : loaded.warnings) fmt::print(stderr, "warning: {}\n", warning.text());
+  if (arguments.view == View::whole) {
+    const AgreementOptions& options = arguments.options;
+    const Camera fitted = fit_frame(loaded.scene.camera, options.width, options.height);
+    loaded.scene.camera = view_whole(fitted, loaded.scene.geometry->bounds());
+  }
+  return std::move(loaded.scene);
+}
+
+std::vector<Row> compare_all(const std::vector<SceneFile>& files, const AgreementArguments& arguments) {
+  std::vector<Row> rows;
+  ProgressLine line(!arguments.quiet);
+  for (const SceneFile& file : files) {
+    const Scene scene = load(file, arguments);
+    const auto progress = [&](std::size_t done, std::size_t all) {
+      line.show(fmt::format("scene {} of {} | {} | {} of {} renders", rows.size() + 1, files.size(),
+                            file.label, done, all));
+    };
+    rows.push_back({file.label, compare_engines(scene, arguments.options, progress)});
+  }
+  line.finish();
+  return rows;
+}
+
+void print_table(const std::vector<Row>& rows, const AgreementOptions& options) {
+  std::size_t widest = 5;
+  for (const Row& row : rows) widest = std::max(widest, row.label.size());
+  fmt::print("{:{}}  {:>7}  {:>9}  {:>11}  {:>11}  {:>9}\n", "scene", widest, "renders", "pixels", "rays",
+             "brute force", "different");
+  for (const Row& row : rows) {
+    const SceneAgreement& found = row.found;
+    fmt::print("{:{}}  {:>7}  {:>9}  {:>11}  {:>8} px  {:>9}  {}\n", row.label, widest, found.renders,
+               found.pixels, found.rays, found.brute_force_pixels, found.differences.size(),
+               found.differences.empty() ? "same bits" : "NOT THE SAME");
+  }
+  fmt::print(
+      "Each picture has {} x {} pixels, {} samples each; of large scenes brute force renders the middle.\n",
+      options.width, options.height, options.samples);
+}
+
+/// Prints which renders differ, and the verdict; whether all agree.
+bool print_verdict(const std::vector<Row>& rows) {
+  std::size_t renders = 0, different = 0;
+  std::uint64_t rays = 0;
+  for (const Row& row : rows) {
+    renders += row.found.renders;
+    rays += row.found.rays;
+    different += row.found.differences.size();
+    for (const std::string& difference : row.found.differences) fmt::print("{}: {}\n", row.label, difference);
+  }
+  const std::string what = fmt::format("{} renders of {} scenes ({} rays)", renders, rows.size(), rays);
+  if (different == 0)
+    fmt::print("{}: all the same, bit for bit\n", what);
+  else
+    fmt::print("{}: {} differ\n", what, different);
+  return different == 0;
+}
+
+void add_options(CLI::App& app, AgreementArguments& arguments, std::vector<int>& resolution, bool& plant) {
+  AgreementOptions& options = arguments.options;
+  app.add_option("SCENE", arguments.scenes,
+                 "Scene files; without any, all of the source tree and of the folder\nTWINRAY_SCENES")
+      ->expected(0, -1)
+      ->type_name("");
+  add_numbers(app, "-r,--resolution", resolution, 2)
+      ->description("Width and height in pixels (48 36)")
+      ->check(CLI::Range(1, 65536))
+      ->type_name("W H");
+  app.add_option("-s,--samples", options.samples, "Samples per pixel (2)")
+      ->type_name("N")
+      ->check(CLI::Range(1u, Film::max_samples));
+  app.add_option("--seed", options.seed, "Another seed, other rays (0)")->type_name("N");
+  app.add_option_function<std::string>(
+         "--view",
+         [&arguments](const std::string& word) {
+           arguments.view = word == "whole" ? View::whole : View::file;
+         },
+         "As the file's camera sees it, or all of it (file)")
+      ->type_name("file|whole")
+      ->check(CLI::IsMember({"file", "whole"}));
+  app.add_flag("--plant-difference", plant,
+               "Add an engine with another triangle test: the command must then fail");
+  app.add_flag("-q,--quiet", arguments.quiet, "Print the verdict only, and what differs");
+}
+
+}  // namespace
+
+std::string agreement_usage_line() {
+  return "usage: twinray agreement [SCENE.dae]... [options]; all options: twinray agreement --help";
+}
+
+std::optional<AgreementArguments> parse_agreement_arguments(const std::vector<std::string>& words) {
+  AgreementArguments arguments;
+  std::vector<int> resolution{arguments.options.width, arguments.options.height};
+  bool plant = false;
+  CLI::App app(
+      "Renders scenes small by every engine, split method, integrator, sampler and number of threads,\n"
+      "and compares all pictures and ray counts bit for bit. Exit code 1 if any differs.",
+      "twinray agreement");
+  app.formatter(std::make_shared<BriefFormatter>());
+  app.option_defaults()->take_last();
+  add_options(app, arguments, resolution, plant);
+  app.set_help_flag("-h,--help", "Print this help");
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", app.help());
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+  arguments.options.width = resolution[0];
+  arguments.options.height = resolution[1];
+  if (plant) arguments.options.engines.push_back(differing_engine());
+  return arguments;
+}
+
+int agreement_command(const std::vector<std::string>& words) {
+  const std::optional<AgreementArguments> arguments = parse_agreement_arguments(words);
+  if (!arguments) return 0;
+  const std::vector<Row> rows = compare_all(chosen_scenes(arguments->scenes), *arguments);
+  if (!arguments->quiet) print_table(rows, arguments->options);
+  return print_verdict(rows) ? 0 : 1;
+}
+
+}  // namespace twinray
