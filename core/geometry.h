@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/aabb.h"
+#include "core/area_vector.h"
 #include "core/vec.h"
 
 namespace twinray {
@@ -70,12 +71,8 @@ class Geometry {
   std::size_t triangle_count_ = 0, sphere_count_ = 0;
 };
 
-/// Whether a triangle has any area: the cross product of two of its edges, in double, is not zero.
-inline bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double ux = double(b.x) - a.x, uy = double(b.y) - a.y, uz = double(b.z) - a.z;
-  const double vx = double(c.x) - a.x, vy = double(c.y) - a.y, vz = double(c.z) - a.z;
-  return uy * vz - uz * vy != 0 || uz * vx - ux * vz != 0 || ux * vy - uy * vx != 0;
-}
+/// Whether a triangle has any area, as far as double arithmetic can tell.
+inline bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) { return !AreaVector(a, b, c).is_zero(); }
 
 /// The box of one primitive, rounded outward where it is not exact.
 inline Aabb triangle_bounds(const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -12,19 +12,11 @@
 namespace twinray {
 namespace {
 
-double triangle_area(const Mesh& mesh, const Triangle& triangle) {
-  const Vec3 &a = mesh.positions[triangle[0]], &b = mesh.positions[triangle[1]],
-             &c = mesh.positions[triangle[2]];
-  const double ux = double(b.x) - a.x, uy = double(b.y) - a.y, uz = double(b.z) - a.z;
-  const double vx = double(c.x) - a.x, vy = double(c.y) - a.y, vz = double(c.z) - a.z;
-  const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-  return 0.5 * std::sqrt(x * x + y * y + z * z);
-}
-
 Distribution triangles_by_area(const Mesh& mesh) {
   std::vector<double> areas;
   areas.reserve(mesh.triangles.size());
-  for (const Triangle& triangle : mesh.triangles) areas.push_back(triangle_area(mesh, triangle));
+  for (const auto& [a, b, c] : mesh.triangles)
+    areas.push_back(0.5 * AreaVector(mesh.positions[a], mesh.positions[b], mesh.positions[c]).length());
   return Distribution(areas);
 }
 

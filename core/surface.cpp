@@ -10,21 +10,6 @@
 namespace twinray {
 namespace {
 
-/// The plane of a triangle with area; in double, because a small triangle's cross product underflows in
-/// float.
-struct Face {
-  Vec3 normal;
-  double doubled_area;
-};
-
-Face face_of(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double ux = double(b.x) - a.x, uy = double(b.y) - a.y, uz = double(b.z) - a.z;
-  const double vx = double(c.x) - a.x, vy = double(c.y) - a.y, vz = double(c.z) - a.z;
-  const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-  const double length = std::sqrt(x * x + y * y + z * z), inverse = 1 / length;
-  return {{float(x * inverse), float(y * inverse), float(z * inverse)}, length};
-}
-
 /// Weights of the three corners.
 struct Weights {
   float a, b, c;
@@ -85,11 +70,11 @@ SurfacePoint triangle_point(const Geometry& geometry, std::uint32_t shape, std::
   const auto [ia, ib, ic] = mesh.triangles[triangle];
   const Vec3 &a = mesh.positions[ia], &b = mesh.positions[ib], &c = mesh.positions[ic];
   SurfacePoint point;
-  const Face face = face_of(a, b, c);
+  const AreaVector area(a, b, c);
   point.offset = triangle_offset(a, b, c);
-  const double distance_by_area = edge_offsets * point.offset / face.doubled_area;
+  const double distance_by_area = edge_offsets * point.offset / area.length();
   point.position = interpolate(a, b, c, inward(a, b, c, {1 - u - v, u, v}, distance_by_area));
-  point.geometric_normal = face.normal;
+  point.geometric_normal = area.normal();
   point.shading_normal = shading_normal(mesh, triangle, u, v, point.geometric_normal);
   point.uv = texture_coordinates(mesh, triangle, u, v);
   point.shape = shape;

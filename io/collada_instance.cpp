@@ -68,13 +68,8 @@ void drop_unused_vertices(Mesh& mesh) {
 }
 
 Vec3 face_normal(const Mesh& mesh, const Triangle& triangle) {
-  const Vec3 &a = mesh.positions[triangle[0]], &b = mesh.positions[triangle[1]],
-             &c = mesh.positions[triangle[2]];
-  const double ux = double(b.x) - a.x, uy = double(b.y) - a.y, uz = double(b.z) - a.z;
-  const double vx = double(c.x) - a.x, vy = double(c.y) - a.y, vz = double(c.z) - a.z;
-  const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-  const double length = std::sqrt(x * x + y * y + z * z);
-  return {float(x / length), float(y / length), float(z / length)};
+  const auto [a, b, c] = triangle;
+  return AreaVector(mesh.positions[a], mesh.positions[b], mesh.positions[c]).normal();
 }
 
 std::size_t fill_zero_normals(Mesh& mesh) {

@@ -12,13 +12,8 @@ namespace {
 
 double mesh_area(const Mesh& mesh) {
   double sum = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
-    const double ux = double(q.x) - p.x, uy = double(q.y) - p.y, uz = double(q.z) - p.z;
-    const double vx = double(r.x) - p.x, vy = double(r.y) - p.y, vz = double(r.z) - p.z;
-    const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-    sum += std::sqrt(x * x + y * y + z * z) / 2;
-  }
+  for (const auto& [a, b, c] : mesh.triangles)
+    sum += AreaVector(mesh.positions[a], mesh.positions[b], mesh.positions[c]).length() / 2;
   return sum;
 }
 
