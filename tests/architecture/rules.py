@@ -66,7 +66,8 @@ def is_cpp(name):
 
 
 def is_source(name):
-    others = name.endswith((".py", ".cmake", ".cmake.in", "CMakeLists.txt")) or name in ("run", ".ci/run")
+    scripts = ("run", ".ci/run", "scenes/fetch")
+    others = name.endswith((".py", ".cmake", ".cmake.in", "CMakeLists.txt")) or name in scripts
     return others or is_cpp(name)
 
 
@@ -266,7 +267,7 @@ def read_tree(root):
     """All text files that belong to the project; built, hidden and scene files do not."""
     tree = {}
     tops = [root / name for name in (*SOURCE_FOLDERS, "cmake", ".ci", "docs")]
-    files = [path for top in tops for path in top.rglob("*")] + list(root.iterdir())
+    files = [path for top in tops for path in top.rglob("*")] + [*root.iterdir(), root / "scenes" / "fetch"]
     for path in files:
         name = path.relative_to(root).as_posix()
         if path.is_file() and (is_source(name) or name.endswith((".md", ".inc"))):
