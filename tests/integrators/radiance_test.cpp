@@ -96,6 +96,18 @@ TEST_CASE("an ambient light lights a floor under its hemisphere by its radiance 
   }
 }
 
+TEST_CASE("a uniform environment lights a floor by its radiance times the reflectance, and fills the sky") {
+  for (const DirectMethod method : {DirectMethod::lights, DirectMethod::hemisphere}) {
+    Scene scene = floor_scene();
+    auto map = std::make_shared<Image>(8, 4);
+    for (Rgb& pixel : map->pixels) pixel = {2, 2, 2};
+    add_light(scene, EnvironmentLight{map});
+    check_radiance(scene, reflectance * 2, method);
+    scene.camera = camera_at({0, 1, 0}, {0, 2, 0.5f});
+    CHECK(estimate(scene, {.max_depth = 0}, options(1)).mean == Approx(2).epsilon(rounding));
+  }
+}
+
 TEST_CASE("a square lamp lights a floor by its form factor, from its emitting side only") {
   for (const DirectMethod method : {DirectMethod::lights, DirectMethod::hemisphere}) {
     for (const EmissionSide side : {EmissionSide::front, EmissionSide::back, EmissionSide::both}) {

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/bsdf.h"
+
+#include "core/frame.h"
+#include "core/warp.h"
+#include "tests/support/catch.h"
+#include "tests/support/chi_square.h"
+#include "tests/support/random.h"
+#include "tests/support/statistics.h"
+
+namespace twinray {
+namespace {
+
+Bsdf lambert(float reflectance) { return Bsdf({"", Lambert{{reflectance, reflectance, reflectance}}}); }
+
+Vec3 random_direction(test::Random& random) {
+  const float u = random.unit();
+  const float v = random.unit();
+  return square_to_uniform_sphere({u, v});
+}
+
+}  // namespace
+
+TEST_CASE("a Lambert surface scatters reflectance / pi on the viewer's side, and is reciprocal") {
+  test::Random random(1);
+  const Bsdf bsdf = lambert(0.6f);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 wo = random_direction(random);
+    const Vec3 wi = random_direction(random);
+    const bool same_side = wo.z * wi.z > 0;
+    CHECK(bsdf.evaluate(wo, wi).g == (same_side ? 0.6f * (1 / pi) : 0.0f));
+    CHECK(bsdf.evaluate(wo, wi) == bsdf.evaluate(wi, wo));
+  }
+}
+
+TEST_CASE("sampled directions have the stated density, from both sides") {
+  const Bsdf bsdf = lambert(0.6f);
+  const double level = test::sidak_level(2);
+  for (const float side : {1.0f, -1.0f}) {
+    test::Random random(2);
+    test::Grid grid(12, 12);  // cos^2 and azimuth are uniform under a cosine density
+    const Vec3 wo{0.6f, 0, 0.8f * side};
+    for (int i = 0; i < 100000; ++i) {
+      const float u = random.unit();
+      const float v = random.unit();
+      const auto sample = bsdf.sample(wo, 0.5f, {u, v});
+      REQUIRE(sample);
+      REQUIRE(sample->wi.z * side > 0);
+      REQUIRE(sample->pdf == bsdf.pdf(wo, sample->wi));
+      REQUIRE(sample->value == bsdf.evaluate(wo, sample->wi));
+      grid.add(double(sample->wi.z) * sample->wi.z,
+               std::atan2(sample->wi.y, sample->wi.x) / (2 * M_PI) + 0.5);
+    }
+    CHECK(test::chi_square_uniform(grid.counts()).p_value > level);
+  }
+}
+
+TEST_CASE("the models that are not rendered yet stand in as Lambert of their main colour") {
+  CHECK(lambert_reflectance(Mirror{{0.9f, 0.8f, 0.7f}}) == Rgb{0.9f, 0.8f, 0.7f});
+  CHECK(lambert_reflectance(Glass{{0.5f, 0.6f, 0.7f}, {1, 1, 1}, 0, 1.5f}) == Rgb{0.5f, 0.6f, 0.7f});
+  CHECK(lambert_reflectance(Refraction{{0.1f, 0.2f, 0.3f}, 0, 1.5f}) == Rgb{0.1f, 0.2f, 0.3f});
+  // Normal incidence: ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2); eta = 3, k = 0 gives 1/4, k -> infinity
+  // gives 1.
+  CHECK(lambert_reflectance(Microfacet{0.5f, {3, 3, 3}, {0, 0, 1e4f}}).r == Approx(0.25));
+  CHECK(lambert_reflectance(Microfacet{0.5f, {3, 3, 3}, {0, 0, 1e4f}}).b == Approx(1).epsilon(1e-6));
+}
+
+TEST_CASE("a frame is orthonormal around any normal, and maps back and forth") {
+  test::Random random(3);
+  // A few roundings of unit vectors.
+  constexpr float rounding = 1e-6f;
+  for (int i = 0; i < 10000; ++i) {
+    const Vec3 n = i < 6 ? Vec3{i % 3 == 0 ? 1.0f : 0, i % 3 == 1 ? 1.0f : 0, i % 3 == 2 ? 1.0f : 0} *
+                               (i < 3 ? 1.0f : -1.0f)
+                         : normalize(random.in_ball());
+    const Frame frame(n);
+    CHECK(std::fabs(dot(frame.tangent, n)) <= rounding);
+    CHECK(std::fabs(dot(frame.tangent, frame.bitangent)) <= rounding);
+    CHECK(length(cross(frame.tangent, frame.bitangent) - n) <= rounding);
+    const Vec3 v = normalize(random.in_ball());
+    CHECK(length(frame.to_world(frame.to_local(v)) - v) <= rounding);
+  }
+}
+
+}  // namespace twinray

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/camera.h"
+
+#include "tests/support/catch.h"
+
+namespace twinray {
+namespace {
+
+/// Directions are products of a few floats.
+constexpr double rounding = 1e-6;
+
+Camera tilted() {
+  Camera camera;
+  camera.position = {1, 2, 3};
+  camera.forward = {0, -0.6f, -0.8f};
+  camera.right = {1, 0, 0};
+  camera.up = {0, 0.8f, -0.6f};
+  camera.tan_half_width = 0.6f;
+  camera.tan_half_height = 0.3f;
+  return camera;
+}
+
+}  // namespace
+
+TEST_CASE("the frame's corners are the field of view's, the top left first") {
+  const Camera camera = tilted();
+  const Ray ray = camera_ray(camera, {0, 0}, {});
+  CHECK(ray.origin == camera.position);
+  CHECK(dot(ray.direction, camera.forward) == Approx(1).epsilon(rounding));
+  CHECK(dot(ray.direction, camera.right) == Approx(-0.6).epsilon(rounding));
+  CHECK(dot(ray.direction, camera.up) == Approx(0.3).epsilon(rounding));
+  CHECK(camera_ray(camera, {0.5f, 0.5f}, {}).direction == camera.forward);
+}
+
+TEST_CASE("t counts depth, so clipping is by planes across the view") {
+  Camera camera = tilted();
+  camera.clip_near = 2;
+  camera.clip_far = 9;
+  const Ray ray = camera_ray(camera, {0.1f, 0.9f}, {});
+  CHECK(ray.t_min == 2);
+  CHECK(ray.t_max == 9);
+  CHECK(dot(ray.direction * 7, camera.forward) == Approx(7).epsilon(rounding));
+}
+
+TEST_CASE("a lens blurs all but the plane in focus") {
+  Camera camera = tilted();
+  camera.lens_radius = 0.25f;
+  camera.focal_distance = 5;
+  const Ray center = camera_ray(camera, {0.3f, 0.6f}, {0, 0}),
+            edge = camera_ray(camera, {0.3f, 0.6f}, {1, 0});
+  CHECK(length(edge.origin - center.origin) == Approx(0.25));
+  const Vec3 a = center.origin + center.direction * 5, b = edge.origin + edge.direction * 5;
+  CHECK(length(a - b) <= 1e-5f);
+  CHECK(length((center.origin + center.direction * 9) - (edge.origin + edge.direction * 9)) > 0.1f);
+}
+
+TEST_CASE("a picture of another shape shows more on one side and never less of the frame") {
+  const Camera camera = tilted();  // 2 : 1
+  const Camera wider = fit_frame(camera, 400, 100), narrower = fit_frame(camera, 100, 100);
+  CHECK(wider.tan_half_height == camera.tan_half_height);
+  CHECK(wider.tan_half_width == Approx(1.2));
+  CHECK(narrower.tan_half_width == camera.tan_half_width);
+  CHECK(narrower.tan_half_height == Approx(0.6));
+  const Camera same = fit_frame(camera, 200, 100);
+  CHECK(same.tan_half_width == Approx(0.6));
+  CHECK(same.tan_half_height == Approx(0.3));
+}
+
+TEST_CASE("the view of the whole keeps the direction and has the box just within its frame") {
+  const Aabb box{{-3, -1, 2}, {5, 4, 8}};
+  const Camera moved = view_whole(tilted(), box);
+  CHECK(moved.forward == tilted().forward);
+  CHECK(sees_whole(moved, box));
+  Camera closer = moved;
+  closer.position += moved.forward * (0.1f * length(box.extent()));
+  CHECK_FALSE(sees_whole(closer, box));
+  CHECK(view_whole(tilted(), {}).position == tilted().position);
+}
+
+}  // namespace twinray

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/light_set.h"
+
+#include <cmath>
+
+#include "accel/accelerator.h"
+#include "core/environment.h"
+#include "core/warp.h"
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+#include "tests/support/scenes.h"
+#include "tests/support/statistics.h"
+
+namespace twinray::test {
+namespace {
+
+/// Densities are products and quotients of a few floats.
+constexpr double rounding = 1e-4;
+
+SurfacePoint below() {
+  SurfacePoint point;
+  point.position = {0.2f, -1, 0.3f};
+  point.geometric_normal = point.shading_normal = {0, 1, 0};
+  return point;
+}
+
+Scene scene_with(Shape lamp) {
+  Scene scene = scene_of(floor_square(5, -1), {0.5f, 0.5f, 0.5f}, {0, 1, 5}, {0, 0, 0});
+  add_lamp(scene, std::move(lamp), {3, 2, 1}, EmissionSide::both);
+  return scene;
+}
+
+Vec2 draw(Random& random) {
+  const float u = random.unit();
+  const float v = random.unit();
+  return {u, v};
+}
+
+/// 1 / density averaged over samples is the solid angle of what is sampled.
+SampleMean inverse_density(const Scene& scene, int seed) {
+  const LightSet lights(scene);
+  Random random{std::uint64_t(seed)};
+  SampleMean mean;
+  for (int i = 0; i < 100000; ++i)
+    if (const auto sample = lights.sample(0, below(), draw(random))) mean.add(1 / double(sample->pdf));
+  return mean;
+}
+
+}  // namespace
+
+TEST_CASE("a sphere is sampled within the solid angle it covers, and uniformly") {
+  const Scene scene = scene_with(SphereSet{"", {{{0.2f, 2, 0.3f}, 1}}});
+  const double solid_angle = 2 * M_PI * (1 - std::sqrt(1 - 1.0 / 9));
+  CHECK(inverse_density(scene, 1).mean() == Approx(solid_angle).epsilon(rounding));
+}
+
+TEST_CASE("a mesh lamp is sampled by area: the mean of 1 / density is its solid angle") {
+  Mesh square = floor_square(1, 1);  // seen from two below its centre line
+  for (Vec3& p : square.positions) p = p + Vec3{0.2f, 0, 0.3f};
+  const SampleMean mean = inverse_density(scene_with(square), 2);
+  // Of a square of half-width a at height h: 4 asin(a^2 / (a^2 + h^2)).
+  CHECK(z_test(mean, 4 * std::asin(1.0 / 5)) > sidak_level(1));
+}
+
+TEST_CASE("the density of a sample is the density that is asked for") {
+  for (const bool sphere : {false, true}) {
+    const Scene scene = sphere ? scene_with(SphereSet{"", {{{1, 2, 0}, 0.7f}}}) : scene_with(icosphere(2));
+    const LightSet lights(scene);
+    Random random(3);
+    int checked = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const auto sample = lights.sample(0, below(), draw(random));
+      if (!sample) continue;
+      // The end of the connection lies just off the lamp; the surface there is where a ray on from it would
+      // hit.
+      const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
+      const Ray on{
+          .origin = below().position, .direction = sample->direction, .t_min = 0.01f};  // off the floor
+      const Hit hit = engine->closest_hit(on);
+      if (hit.is_miss() || scene.bindings[hit.mesh].light != 0) continue;
+      const SurfacePoint seen = surface_at(*scene.geometry, hit);
+      const Vec3 end = sample->connection.origin + sample->connection.direction;
+      if (length(seen.position - end) > 1e-4f) continue;  // another part of the lamp stands in front
+      CHECK(lights.pdf(0, below(), seen) == Approx(sample->pdf).epsilon(1e-3));
+      ++checked;
+    }
+    CHECK(checked > 300);
+  }
+}
+
+TEST_CASE("a lamp shows its radiance on its sides, and other surfaces show none") {
+  Scene scene = scene_of(floor_square(5, -1), {0.5f, 0.5f, 0.5f}, {0, 1, 5}, {0, 0, 0});
+  const std::uint32_t lamp = add_lamp(scene, floor_square(1, 1), {3, 2, 1}, EmissionSide::front);
+  const LightSet lights(scene);
+  const SurfacePoint on_lamp = triangle_point(*scene.geometry, lamp, 0, 0.3f, 0.3f);
+  CHECK(lights.emitted(on_lamp, {0, 1, 0}) == Rgb{3, 2, 1});
+  CHECK(lights.emitted(on_lamp, {0, -1, 0}) == Rgb{});
+  CHECK(lights.emitted(triangle_point(*scene.geometry, 0, 0, 0.3f, 0.3f), {0, 1, 0}) == Rgb{});
+}
+
+TEST_CASE("the camera sees an environment but no ambient light; bounces meet both") {
+  Scene scene = scene_of(floor_square(5, -1), {0.5f, 0.5f, 0.5f}, {0, 1, 5}, {0, 0, 0});
+  add_light(scene, AmbientLight{{0, 1, 0}, {1, 1, 1}});
+  auto map = std::make_shared<Image>(4, 2);
+  for (Rgb& pixel : map->pixels) pixel = {0.25f, 0.5f, 2};
+  add_light(scene, EnvironmentLight{map});
+  const LightSet lights(scene);
+  CHECK(lights.background({0, 1, 0}) == Rgb{0.25f, 0.5f, 2});
+  CHECK(lights.escaped({0, 1, 0}) == Rgb{1.25f, 1.5f, 3});
+  CHECK(lights.escaped({0, -1, 0}) == Rgb{0.25f, 0.5f, 2});
+}
+
+TEST_CASE("an environment's rows run from up to down, its columns once around") {
+  Image map(8, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 8; ++x) map.at(x, y) = {float(x), float(y), 1};
+  // The poles: the first and the last row.
+  CHECK(environment_radiance(map, {0, 1, 0}).g == 0);
+  CHECK(environment_radiance(map, {0, -1, 0}).g == 3);
+  // On the horizon, between the rows 1 and 2; +x is the middle column line, -z a quarter turn on, -x the
+  // seam.
+  CHECK(environment_radiance(map, {1, 0, 0}) == Rgb{3.5f, 1.5f, 1});
+  CHECK(environment_radiance(map, {0, 0, -1}) == Rgb{5.5f, 1.5f, 1});
+  CHECK(environment_radiance(map, {0, 0, 1}) == Rgb{1.5f, 1.5f, 1});
+  CHECK(environment_radiance(map, {-1, 0, 0}) ==
+        Rgb{3.5f, 1.5f, 1});  // half of column 7 and half of column 0
+}
+
+}  // namespace twinray::test
