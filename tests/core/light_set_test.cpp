@@ -64,8 +64,12 @@ TEST_CASE("a mesh lamp is sampled by area: the mean of 1 / density is its solid 
 
 TEST_CASE("the density of a sample is the density that is asked for") {
   for (const bool sphere : {false, true}) {
-    const Scene scene = sphere ? scene_with(SphereSet{"", {{{1, 2, 0}, 0.7f}}}) : scene_with(icosphere(2));
+    Mesh ball = icosphere(2);
+    for (Vec3& p : ball.positions) p = p + Vec3{0, 2, 0};
+    const Scene scene =
+        scene_with(sphere ? Shape{SphereSet{"", {{{1, 2, 0}, 0.7f}}}} : Shape{std::move(ball)});
     const LightSet lights(scene);
+    const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
     Random random(3);
     int checked = 0;
     for (int i = 0; i < 1000; ++i) {
@@ -73,7 +77,6 @@ TEST_CASE("the density of a sample is the density that is asked for") {
       if (!sample) continue;
       // The end of the connection lies just off the lamp; the surface there is where a ray on from it would
       // hit.
-      const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
       const Ray on{
           .origin = below().position, .direction = sample->direction, .t_min = 0.01f};  // off the floor
       const Hit hit = engine->closest_hit(on);
