@@ -101,7 +101,7 @@ TEST_CASE("a lamp shows its radiance on its sides, and other surfaces show none"
   CHECK(lights.emitted(triangle_point(*scene.geometry, 0, 0, 0.3f, 0.3f), {0, 1, 0}) == Rgb{});
 }
 
-TEST_CASE("the camera sees an environment but no ambient light; bounces meet both") {
+TEST_CASE("the camera sees an environment but no ambient light, and bounces meet both") {
   Scene scene = scene_of(floor_square(5, -1), {0.5f, 0.5f, 0.5f}, {0, 1, 5}, {0, 0, 0});
   add_light(scene, AmbientLight{{0, 1, 0}, {1, 1, 1}});
   auto map = std::make_shared<Image>(4, 2);
