@@ -126,6 +126,10 @@ TriangleJudgement triangle_judgement(const TriangleSigns<Real>& signs, const Ray
   const Bounded direction_squared = squared(vector<Bounded>(ray.direction));
   judgement.cosine =
       std::fabs(slope.value) / std::sqrt(bounded(signs.normal_squared).value * direction_squared.value);
+  double longest_squared = 0;
+  for (const auto& edge : {difference<Bounded>(b, a), difference<Bounded>(c, b), difference<Bounded>(a, c)})
+    longest_squared = std::max(longest_squared, squared(edge).value);
+  judgement.conditioning = std::fabs(slope.value) / std::sqrt(direction_squared.value) / longest_squared;
   return judgement;
 }
 

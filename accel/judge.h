@@ -43,6 +43,9 @@ struct TriangleJudgement {
   double edge_distance = 0;
   double scale = 0;   ///< The largest component of vertex - origin: the size on which float tests round.
   double cosine = 0;  ///< |cos| of the angle between ray and normal, to about 2^-30; small where it grazes.
+  /// |d . n| / (|d| L^2), with n the cross product of two edges and L the longest edge, to about 2^-30: small
+  /// for slivers and grazing rays. Float tests lose the reciprocal of it in t and the weights.
+  double conditioning = 0;
 
   // For an edge-on triangle only position and scale have a meaning.
 
