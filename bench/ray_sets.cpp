@@ -1,54 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/ray_sets.h"
 
-#include "core/checked_ray.h"
 #include "integrators/path.h"
-#include "integrators/render.h"
 
 namespace twinray::bench {
 namespace {
 
-/// Hands every query on to another accelerator and writes the ray down. For one thread only.
-class Recorder final : public Accelerator {
- public:
-  Recorder(std::unique_ptr<Accelerator> engine, const Vec3& eye) : engine_(std::move(engine)), eye_(eye) {}
-
-  Aabb bounds() const noexcept override { return engine_->bounds(); }
-  AccelStats stats() const override { return engine_->stats(); }
-  std::vector<RecordedRay> take() { return std::move(recorded_); }
-
- private:
-  /// A checked ray as its caller gave it; path tracing never leaves the range in which directions are not
-  /// scaled.
-  static Ray original(const CheckedRay& ray) {
-    return {.origin = ray.origin, .direction = ray.direction, .t_min = ray.t_min, .t_max = ray.t_max};
-  }
-  Hit trace_closest(const CheckedRay& ray) const noexcept override {
-    recorded_.push_back({original(ray), ray.origin == eye_ ? RayKind::camera : RayKind::bounce});
-    return engine_->closest_hit(recorded_.back().ray);
-  }
-  bool trace_any(const CheckedRay& ray) const noexcept override {
-    recorded_.push_back({original(ray), RayKind::shadow});
-    return engine_->any_hit(recorded_.back().ray);
-  }
-  Hit count_closest(const CheckedRay& ray, QueryCounts&) const noexcept override {
-    return trace_closest(ray);
-  }
-  bool count_any(const CheckedRay& ray, QueryCounts&) const noexcept override { return trace_any(ray); }
-
-  std::unique_ptr<Accelerator> engine_;
-  Vec3 eye_;
-  mutable std::vector<RecordedRay> recorded_;
-};
+/// The middle of a pixel where it has one sample, else a point of it.
+Vec2 point_in_pixel(const Recording& recording, const SampleKey& key) {
+  if (recording.samples == 1) return {0.5f, 0.5f};
+  return VertexSampler(SamplerKind::independent, key, 0).draw_2d(Purpose::pixel);
+}
 
 }  // namespace
 
 std::vector<RecordedRay> record_rays(const Scene& scene, const Recording& recording) {
-  Recorder recorder(build_accelerator(Backend::bvh, scene.geometry), scene.camera.position);
+  const auto accelerator = build_accelerator(Backend::bvh, scene.geometry);
   const PathIntegrator path(scene, {.max_depth = recording.max_depth});
-  render(scene, recorder, path,
-         {.width = recording.width, .height = recording.height, .samples = recording.samples, .threads = 1});
-  return recorder.take();
+  const Camera camera = fit_frame(scene.camera, recording.width, recording.height);
+  std::vector<RecordedRay> rays;
+  for (int y = 0; y < recording.height; ++y)
+    for (int x = 0; x < recording.width; ++x)
+      for (std::uint32_t index = 0; index < recording.samples; ++index) {
+        const SampleKey key{0, std::uint32_t(x), std::uint32_t(y), index};
+        const Vec2 in_pixel = point_in_pixel(recording, key);
+        const Vec2 frame{(float(x) + in_pixel.x) / float(recording.width),
+                         (float(y) + in_pixel.y) / float(recording.height)};
+        record_sample(path, camera, *accelerator, frame, key, rays);
+      }
+  return rays;
 }
 
 std::vector<Ray> rays_of_kind(const std::vector<RecordedRay>& recorded, RayKind kind) {

@@ -3,17 +3,10 @@
 #pragma once
 #include <vector>
 
-#include "accel/accelerator.h"
 #include "core/scene.h"
+#include "integrators/recorded_rays.h"
 
 namespace twinray::bench {
-
-enum class RayKind { camera, shadow, bounce };
-
-struct RecordedRay {
-  Ray ray;
-  RayKind kind = RayKind::camera;
-};
 
 /// How much of a render is recorded: CS184's usual picture, thinned out.
 struct Recording {
@@ -22,8 +15,8 @@ struct Recording {
   int max_depth = 5;
 };
 
-/// All rays of a path-traced picture of the scene (one light sample a hit), in the order in which one thread
-/// traced them. The same on every machine.
+/// All rays of a path-traced picture of the scene (one light sample a hit), row by row. The same on every
+/// machine.
 std::vector<RecordedRay> record_rays(const Scene& scene, const Recording& recording = {});
 
 /// The rays of one kind.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "accel/accelerator.h"
 #include "core/rgb.h"
@@ -25,24 +26,36 @@ struct RayCounts {
   friend bool operator==(const RayCounts&, const RayCounts&) = default;
 };
 
+enum class RayKind { camera, shadow, bounce };
+
+struct RecordedRay {
+  Ray ray;
+  RayKind kind = RayKind::camera;
+};
+
 /// An integrator's only way to rays: asks an accelerator and keeps the counts of one thread's work.
 class Tracer {
  public:
-  /// With `counting`, each query goes through the slower counting traversal.
-  Tracer(const Accelerator& accelerator, bool counting) : accelerator_(accelerator), counting_(counting) {}
+  /// With `counting`, each query goes through the slower counting traversal. Where `record` is given, each
+  /// ray is appended to it; it must outlive the tracer.
+  Tracer(const Accelerator& accelerator, bool counting, std::vector<RecordedRay>* record = nullptr)
+      : accelerator_(accelerator), counting_(counting), record_(record) {}
 
   Hit camera_hit(const Ray& ray) {
     ++counts_.camera;
+    note(ray, RayKind::camera);
     return closest(ray);
   }
   Hit bounce_hit(const Ray& ray) {
     ++counts_.bounce;
+    note(ray, RayKind::bounce);
     return closest(ray);
   }
   /// How much of the light passes along a connection (core/offset.h), per channel: white where nothing is in
   /// the way.
   Rgb visibility(const Ray& connection) {
     ++counts_.shadow;
+    note(connection, RayKind::shadow);
     const bool blocked =
         counting_ ? accelerator_.any_hit(connection, counts_.queries) : accelerator_.any_hit(connection);
     return blocked ? Rgb{} : Rgb{1, 1, 1};
@@ -50,12 +63,16 @@ class Tracer {
   const RayCounts& counts() const { return counts_; }
 
  private:
+  void note(const Ray& ray, RayKind kind) {
+    if (record_) record_->push_back({ray, kind});
+  }
   Hit closest(const Ray& ray) {
     return counting_ ? accelerator_.closest_hit(ray, counts_.queries) : accelerator_.closest_hit(ray);
   }
 
   const Accelerator& accelerator_;
   bool counting_;
+  std::vector<RecordedRay>* record_;
   RayCounts counts_;
 };
 
