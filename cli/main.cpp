@@ -2,41 +2,59 @@
 // The program: exceptions become messages and exit codes here, and nowhere else.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
 
 #include "cli/agreement_command.h"
+#include "cli/crosscheck_arguments.h"
+#include "cli/crosscheck_command.h"
 #include "cli/render_arguments.h"
 #include "cli/render_command.h"
 #include "core/error.h"
 
 namespace {
 
-int run(const std::string& command, const std::vector<std::string>& words) {
-  if (command == "agreement") return twinray::agreement_command(words);
+using Words = std::vector<std::string>;
+
+struct Command {
+  const char* name;
+  int (*run)(const Words&);
+  std::string (*usage_line)();
+};
+
+int render(const Words& words) {
   twinray::render_command(words);
   return 0;
 }
 
-std::string usage_line(const std::string& command) {
-  return command == "agreement" ? twinray::agreement_usage_line() : twinray::usage_line();
+constexpr std::array commands{
+    Command{"render", render, twinray::usage_line},  // may be left out
+    Command{"agreement", twinray::agreement_command, twinray::agreement_usage_line},
+    Command{"crosscheck", twinray::crosscheck_command, twinray::crosscheck_usage_line}};
+
+/// The command that the first word names, which is taken away; render where it names none.
+const Command& take_command(Words& words) {
+  const auto named = std::find_if(commands.begin(), commands.end(), [&](const Command& command) {
+    return !words.empty() && words.front() == command.name;
+  });
+  if (named == commands.end()) return commands.front();
+  words.erase(words.begin());
+  return *named;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<std::string> words(argv + 1, argv + argc);
-  std::string command = "render";  // may be left out
-  if (!words.empty() && (words.front() == "render" || words.front() == "agreement")) {
-    command = words.front();
-    words.erase(words.begin());
-  }
+  Words words(argv + 1, argv + argc);
+  const Command& command = take_command(words);
   try {
-    return run(command, words);
+    return command.run(words);
   } catch (const twinray::UsageError& error) {
-    fmt::print(stderr, "twinray: {}\n{}\n", error.what(), usage_line(command));
+    fmt::print(stderr, "twinray: {}\n{}\n", error.what(), command.usage_line());
     return 2;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "twinray: out of memory\n");

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "integrators/scene_crosscheck.h"
+
+namespace twinray {
+
+/// What a crosscheck command line asks for.
+struct CrosscheckArguments {
+  std::string scene;
+  CrosscheckOptions options;
+  std::optional<Ray> ray;  ///< Only this one is shot, and everything about it said.
+  Placement placement = Placement::file;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// Reads the words after "crosscheck". None: the help was printed, and that is all. Throws UsageError with
+/// the reason.
+std::optional<CrosscheckArguments> parse_crosscheck_arguments(const std::vector<std::string>& words);
+
+/// One line: how the command is called.
+std::string crosscheck_usage_line();
+
+}  // namespace twinray

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/crosscheck_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "cli/crosscheck_arguments.h"
+#include "cli/crosscheck_report.h"
+#include "cli/progress.h"
+#include "io/scene_file.h"
+
+namespace twinray {
+namespace {
+
+Scene load(const CrosscheckArguments& arguments) {
+  LoadedScene loaded = load_scene(arguments.scene);
+  if (!arguments.quiet)
+    for (const Diagnostic& warning : loaded.warnings) fmt::print(stderr, "warning: {}\n", warning.text());
+  return std::move(loaded.scene);
+}
+
+int check_one_ray(const CrosscheckArguments& arguments, const Scene& scene) {
+  const RayCrosscheck result = crosscheck_ray(scene, *arguments.ray, arguments.placement, arguments.options);
+  fmt::print("{}", ray_crosscheck_text(result));
+  return std::any_of(result.rows.begin(), result.rows.end(),
+                     [](const RayCrosscheck::Row& row) { return row.difference == Difference::unexplained; });
+}
+
+int check_scene(const CrosscheckArguments& arguments, const Scene& scene) {
+  ProgressLine line(!arguments.quiet);
+  const auto start = std::chrono::steady_clock::now();
+  const SceneCrosscheck result = crosscheck_scene(scene, arguments.options, [&](std::uint64_t done) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    const double fraction = std::min(1.0, double(done) / double(arguments.options.rays));
+    line.show(fmt::format("{:3.0f} % | {:.2f} of {:.2f} M rays | {}, {} left", 100 * fraction,
+                          1e-6 * double(done), 1e-6 * double(arguments.options.rays),
+                          duration_text(elapsed.count()),
+                          duration_text(elapsed.count() * (1 - fraction) / fraction)));
+  });
+  line.finish();
+  fmt::print("{}", arguments.json ? crosscheck_json(result, arguments.scene)
+                                  : crosscheck_text(result, arguments.scene));
+  return is_passed(result.report) ? 0 : 1;
+}
+
+}  // namespace
+
+int crosscheck_command(const std::vector<std::string>& words) {
+  const std::optional<CrosscheckArguments> arguments = parse_crosscheck_arguments(words);
+  if (!arguments) return 0;
+  const Scene scene = load(*arguments);
+  return arguments->ray ? check_one_ray(*arguments, scene) : check_scene(*arguments, scene);
+}
+
+}  // namespace twinray

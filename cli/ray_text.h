@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// A ray as one word of text that keeps every bit.
+#pragma once
+#include <string>
+
+#include "core/ray.h"
+
+namespace twinray {
+
+/// "ox,oy,oz,dx,dy,dz,t_min,t_max" in hexadecimal floats ("0x1.8p+0", "-0x0p+0", "inf").
+std::string ray_text(const Ray& ray);
+/// The ray of such a text; decimal numbers are taken as well. Throws UsageError.
+Ray parse_ray(const std::string& text);
+
+}  // namespace twinray
