@@ -41,7 +41,9 @@ int main(int argc, char** argv) {
     twinray::bench::register_build(workloads);
     twinray::bench::register_render(workloads);
     benchmark::AddCustomContext("compiler", __VERSION__);
-    benchmark::AddCustomContext("libraries", TWINRAY_LIBRARIES);
+    benchmark::AddCustomContext("flags", TWINRAY_FLAGS);
+    benchmark::AddCustomContext("threads", "1, but for build/");
+    benchmark::AddCustomContext("libraries", TWINRAY_LIBRARIES " (Debian builds its Embree with assertions)");
     benchmark::RunSpecifiedBenchmarks();
     return 0;
   } catch (const std::exception& error) {

@@ -89,6 +89,7 @@ std::string Workload::check(const Engine& engine, const Accelerator& accelerator
 std::vector<std::shared_ptr<Workload>> workloads(const std::string& own_scenes, const std::string& folder) {
   std::vector<std::shared_ptr<Workload>> all;
   all.push_back(std::make_shared<Workload>("box", own_scenes + "/cornell-bunny.dae"));
+  all.push_back(std::make_shared<Workload>("spheres", own_scenes + "/spheres.dae"));
   for (const auto& [name, path] : {std::pair{"cow", "cs184/meshedit/cow.dae"},
                                    {"CBbunny", "cs184/sky/CBbunny.dae"},
                                    {"CBlucy", "cs184/sky/CBlucy.dae"},

@@ -46,7 +46,7 @@ class Workload {
       expected_;  ///< The BVH's answers, proved on a sample by brute force; t = 0 stands for occluded.
 };
 
-/// Our own box, and where `folder` holds them cow, CBbunny, CBlucy and CBdragon.
+/// Our own box with a mesh and with spheres, and where `folder` holds them cow, CBbunny, CBlucy and CBdragon.
 std::vector<std::shared_ptr<Workload>> workloads(const std::string& own_scenes, const std::string& folder);
 
 /// Each registers its benchmarks for all workloads and engines.

@@ -33,8 +33,8 @@ struct AgreementOptions {
   std::uint32_t samples = 2;    ///< Per pixel.
   std::uint64_t seed = 0;
   std::vector<AgreementEngine> engines = agreement_engines();  ///< At least one.
-  /// Primitive tests that brute force may make, roughly: half a minute.
-  double brute_force_tests = 2e9;
+  /// Primitive tests that brute force may make, roughly: some ten seconds.
+  double brute_force_tests = 1e9;
 };
 
 /// What the comparison of one scene found.

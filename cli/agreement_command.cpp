@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <utility>
 
 #include "cli/options.h"
 #include "cli/progress.h"
@@ -27,6 +29,14 @@ struct Row {
   std::string label;
   SceneAgreement found;
 };
+
+void add(const SceneAgreement& part, SceneAgreement& sum) {
+  sum.renders += part.renders;
+  sum.pixels += part.pixels;
+  sum.rays += part.rays;
+  sum.brute_force_pixels = part.brute_force_pixels;
+  sum.differences.insert(sum.differences.end(), part.differences.begin(), part.differences.end());
+}
 
 /// All scene files of a folder, in the order of their names; labels are relative to `top`.
 template <typename Iterator>
@@ -66,28 +76,39 @@ std::vector<SceneFile> chosen_scenes(const std::vector<std::string>& named) {
   return files;
 }
 
-Scene load(const SceneFile& file, const AgreementArguments& arguments) {
+Scene load(const SceneFile& file, bool quiet) {
   LoadedScene loaded = load_scene(file.path);
-  if (!arguments.quiet)
+  if (!quiet)
     for (const Diagnostic& warning : loaded.warnings) fmt::print(stderr, "warning: {}\n", warning.text());
-  if (arguments.view == View::whole) {
-    const AgreementOptions& options = arguments.options;
-    const Camera fitted = fit_frame(loaded.scene.camera, options.width, options.height);
-    loaded.scene.camera = view_whole(fitted, loaded.scene.geometry->bounds());
-  }
   return std::move(loaded.scene);
+}
+
+/// The scene as its file's camera sees it, or all of it.
+Scene seen_as(Scene scene, View view, const AgreementOptions& options) {
+  const Camera fitted = fit_frame(scene.camera, options.width, options.height);
+  if (view == View::whole) scene.camera = view_whole(fitted, scene.geometry->bounds());
+  return scene;
 }
 
 std::vector<Row> compare_all(const std::vector<SceneFile>& files, const AgreementArguments& arguments) {
   std::vector<Row> rows;
   ProgressLine line(!arguments.quiet);
   for (const SceneFile& file : files) {
-    const Scene scene = load(file, arguments);
-    const auto progress = [&](std::size_t done, std::size_t all) {
-      line.show(fmt::format("scene {} of {} | {} | {} of {} renders", rows.size() + 1, files.size(),
-                            file.label, done, all));
-    };
-    rows.push_back({file.label, compare_engines(scene, arguments.options, progress)});
+    const Scene scene = load(file, arguments.quiet);
+    SceneAgreement found;
+    for (const View view : arguments.views) {
+      const char* view_name = view == View::file ? "file" : "whole";
+      const auto progress = [&](std::size_t done, std::size_t all) {
+        line.show(fmt::format("scene {} of {} | {}, view {} | {} of {} renders", rows.size() + 1,
+                              files.size(), file.label, view_name, done, all));
+      };
+      SceneAgreement part =
+          compare_engines(seen_as(scene, view, arguments.options), arguments.options, progress);
+      for (std::string& difference : part.differences)
+        difference = fmt::format("view {}, {}", view_name, difference);
+      add(part, found);
+    }
+    rows.push_back({file.label, std::move(found)});
   }
   line.finish();
   return rows;
@@ -141,14 +162,13 @@ void add_options(CLI::App& app, AgreementArguments& arguments, std::vector<int>&
       ->type_name("N")
       ->check(CLI::Range(1u, Film::max_samples));
   app.add_option("--seed", options.seed, "Another seed, other rays (0)")->type_name("N");
-  app.add_option_function<std::string>(
-         "--view",
-         [&arguments](const std::string& word) {
-           arguments.view = word == "whole" ? View::whole : View::file;
-         },
-         "As the file's camera sees it, or all of it (file)")
-      ->type_name("file|whole")
-      ->check(CLI::IsMember({"file", "whole"}));
+  const std::function<void(const std::string&)> choose = [&arguments](const std::string& word) {
+    if (word == "file") arguments.views = {View::file};
+    if (word == "whole") arguments.views = {View::whole};
+  };
+  app.add_option_function("--view", choose, "As the file's camera sees it, all of it, or both (both)")
+      ->type_name("file|whole|both")
+      ->check(CLI::IsMember({"file", "whole", "both"}));
   app.add_flag("--plant-difference", plant,
                "Add an engine with another triangle test: the command must then fail");
   app.add_flag("-q,--quiet", arguments.quiet, "Print the verdict only, and what differs");

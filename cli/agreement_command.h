@@ -13,7 +13,7 @@ namespace twinray {
 struct AgreementArguments {
   std::vector<std::string> scenes;  ///< Empty: our own, and the well-known ones where they are.
   AgreementOptions options;
-  View view = View::file;
+  std::vector<View> views{View::file, View::whole};  ///< Each scene is compared in each of them.
   bool quiet = false;
 };
 

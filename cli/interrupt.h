@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <string>
+#include <vector>
 
 namespace twinray {
 
@@ -8,7 +9,7 @@ namespace twinray {
 /// removing the unfinished file; whatever stood at the output's place stays. One at a time.
 class InterruptGuard {
  public:
-  explicit InterruptGuard(const std::string& unfinished_file);
+  explicit InterruptGuard(const std::vector<std::string>& files);
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;

@@ -2,10 +2,8 @@
 #include "cli/render_command.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <cstdio>
-#include <fstream>
 #include <memory>
 
 #include "cli/interrupt.h"
@@ -19,6 +17,7 @@
 #include "integrators/path.h"
 #include "io/camera_file.h"
 #include "io/image_file.h"
+#include "io/output_file.h"
 
 namespace twinray {
 namespace {
@@ -72,16 +71,27 @@ std::string rate_path(const std::string& output) {
   return output.substr(0, output.find_last_of('.')) + "_rate.png";
 }
 
+/// All files that this render writes: the picture first.
+std::vector<std::string> output_files(const RenderArguments& arguments) {
+  std::vector<std::string> files{arguments.output};
+  if (arguments.render.adaptive) files.push_back(rate_path(arguments.output));
+  if (!arguments.stats_file.empty()) files.push_back(arguments.stats_file);
+  return files;
+}
+
+void check_outputs(const RenderArguments& arguments) {
+  check_image_output(arguments.output);
+  for (const std::string& file : output_files(arguments)) check_output(file);
+}
+
 void write_outputs(const RenderArguments& arguments, const AccelStats& accel, const RenderResult& result,
                    const ImageMetadata& metadata) {
   write_image(arguments.output, mean_image(result.film), arguments.tone_curve, metadata);
   if (arguments.render.adaptive)
     write_png(rate_path(arguments.output), sample_rate_image(result.film, arguments.render.samples),
               metadata);
-  if (arguments.stats_file.empty()) return;
-  std::ofstream file(arguments.stats_file);
-  if (!(file << figures_json(arguments, accel, result)).flush())
-    throw Error(fmt::format("{}: cannot be written", arguments.stats_file));
+  if (!arguments.stats_file.empty())
+    write_text_file(arguments.stats_file, figures_json(arguments, accel, result));
 }
 
 }  // namespace
@@ -90,8 +100,8 @@ void render_command(const std::vector<std::string>& words) {
   const std::optional<RenderArguments> parsed = parse_render_arguments(words);
   if (!parsed) return;
   const RenderArguments& arguments = *parsed;
-  const InterruptGuard guard(temporary_path(arguments.output));
-  check_image_output(arguments.output);
+  const InterruptGuard guard(output_files(arguments));
+  check_outputs(arguments);
   const LoadedScene loaded = load(arguments);
   const auto accelerator = build_accelerator(arguments.backend, loaded.scene.geometry, arguments.build);
   const auto integrator = make_integrator(arguments, loaded.scene);

@@ -3,17 +3,15 @@
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "core/elementary.h"
 #include "core/error.h"
+#include "io/output_file.h"
 
 namespace twinray {
 namespace {
@@ -29,39 +27,16 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-/// Removes the unfinished file unless it was moved to its place.
-class UnfinishedFile {
- public:
-  explicit UnfinishedFile(const std::string& target) : target_(target), path_(temporary_path(target)) {}
-  ~UnfinishedFile() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove(path_, ignored);
-  }
-  UnfinishedFile(const UnfinishedFile&) = delete;
-  UnfinishedFile& operator=(const UnfinishedFile&) = delete;
-
-  const std::string& path() const { return path_; }
-  void move_to_target() {
-    std::error_code error;
-    fs::rename(path_, target_, error);
-    if (error) throw Error(fmt::format("{}: cannot be written: {}", target_, error.message()));
-    path_.clear();
-  }
-
- private:
-  std::string target_, path_;
-};
-
 void write(const std::string& path, const char* format, OIIO::ImageSpec spec, const void* pixels,
            const ImageMetadata& metadata) {
-  UnfinishedFile file(path);
+  OutputFile file(path);
   for (const auto& [name, value] : metadata) spec.attribute(name, value);
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
   if (!output)
     throw Error(fmt::format("{}: OpenImageIO cannot write {}: {}", path, format, OIIO::geterror()));
   if (!output->open(file.path(), spec) || !output->write_image(spec.format, pixels) || !output->close())
     throw Error(fmt::format("{}: cannot be written: {}", path, output->geterror()));
-  file.move_to_target();
+  file.finish();
 }
 
 /// The reader of a file by its ending: never by its contents, so that only well-tried readers see a
@@ -96,21 +71,11 @@ Image to_image(const OIIO::ImageSpec& spec, const std::vector<float>& values) {
 
 }  // namespace
 
-std::string temporary_path(const std::string& path) {
-  const fs::path target(path);
-  return (target.parent_path() / fmt::format(".{}.{}.part", target.filename().string(), getpid())).string();
-}
-
 void check_image_output(const std::string& path) {
   const std::string extension = extension_of(path);
   if (extension != ".png" && extension != ".exr")
     throw Error(fmt::format("{}: a picture's name must end in .png or .exr", path));
-  const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
-  if (!fs::is_directory(folder)) throw Error(fmt::format("{}: there is no folder {}", path, folder.string()));
-  if (fs::is_directory(path)) throw Error(fmt::format("{}: cannot be written: it is a folder", path));
-  const UnfinishedFile probe(path);
-  if (!std::ofstream(probe.path()))
-    throw Error(fmt::format("{}: the folder {} is not writable", path, folder.string()));
+  check_output(path);
 }
 
 void write_png(const std::string& path, const ByteImage& image, const ImageMetadata& metadata) {

@@ -12,8 +12,8 @@ namespace twinray {
 /// Names and values that are stored in the file beside the pixels.
 using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 
-/// Throws Error unless a file of this name could be written: the ending must be .png or .exr, the folder must
-/// exist and be writable, the name must not be a folder's. Nothing is left behind.
+/// Throws Error unless a picture of this name could be written (check_output): the ending must be .png or
+/// .exr.
 void check_image_output(const std::string& path);
 
 /// 8-bit PNG; throws Error where it cannot be written. The file is written beside its place and then renamed:
@@ -24,9 +24,6 @@ void write_exr(const std::string& path, const Image& image, const ImageMetadata&
 /// By the name's ending: EXR keeps the linear values, PNG goes through the tone curve.
 void write_image(const std::string& path, const Image& image, ToneCurve curve,
                  const ImageMetadata& metadata = {});
-
-/// Where a picture is while it is being written.
-std::string temporary_path(const std::string& path);
 
 /// Reads an EXR, HDR, PNG or JPEG picture of up to 2^28 pixels as linear colours: the first three channels,
 /// or the first one as grey; 8-bit files are taken as sRGB. Throws Error.

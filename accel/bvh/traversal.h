@@ -27,7 +27,7 @@ struct PairIntervals {
   float second_entry() const { return entry_and_exit[1]; }
   /// Not zero in its lower half where the first child is met, in its upper half where the second is.
   std::uint64_t met() const {
-    const Int4 mask = entry_and_exit <= -__builtin_shuffle(entry_and_exit, Int4{2, 3, 0, 1});
+    const Int4 mask = entry_and_exit <= -__builtin_shufflevector(entry_and_exit, entry_and_exit, 2, 3, 0, 1);
     return std::uint64_t(Long2(mask)[0]);
   }
 };

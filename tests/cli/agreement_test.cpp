@@ -76,8 +76,9 @@ TEST_CASE("the agreement command ends with 1 and names what differs") {
   const ProcessResult result =
       run_program("agreement --plant-difference -q -r 8 6 " + scenes + "cornell-bunny.dae");
   CHECK(result.exit_code == 1);
-  CHECK(result.out.find("cornell-bunny.dae: path, sobol, bvh moller-trumbore, threads 7: pixel ") !=
-        std::string::npos);
+  CHECK(
+      result.out.find("cornell-bunny.dae: view whole, path, sobol, bvh moller-trumbore, threads 7: pixel ") !=
+      std::string::npos);
   CHECK(result.out.find(" differ\n") != std::string::npos);
 }
 

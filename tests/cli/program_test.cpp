@@ -59,6 +59,11 @@ TEST_CASE("a scene that is not there, or an output that cannot be written, ends 
   CHECK(ending.exit_code == 1);
   CHECK(ending.err ==
         fmt::format("twinray: {}: a picture's name must end in .png or .exr\n", folder.file("a.gif")));
+  const ProcessResult stats = run_program(box + small + "-o " + quoted(folder.file("a.png")) + " --stats " +
+                                          quoted(folder.file("none/s")));
+  CHECK(stats.exit_code == 1);
+  CHECK(stats.err ==
+        fmt::format("twinray: {}: there is no folder {}\n", folder.file("none/s"), folder.file("none")));
   CHECK(folder.file_count() == 0);
 }
 
