@@ -59,12 +59,15 @@ void testify_triangle(const Ray& ray, const Mesh& mesh, Testimony testimony, std
   testimony.standing = standing_of(judgement);
   if (testimony.standing == Standing::firm && !judgement.crosses()) return;
   testimony.is_met = judgement.hits();
-  if (judgement.position == LinePosition::edge_on) {
+  const double longest = longest_edge(a, b, c);
+  const bool is_tiny =
+      testimony.standing != Standing::firm && longest < rounding_ulps * ulp * judgement.scale;
+  if (is_tiny) testimony.standing = Standing::tiny;
+  if (is_tiny || judgement.position == LinePosition::edge_on) {
     testimony.t = nan;
     all.push_back(testimony);
     return;
   }
-  const double longest = longest_edge(a, b, c);
   testimony.t = judgement.t.value;
   testimony.t_ulp =
       ulp * judgement.scale / (length_of(ray.direction) * judgement.conditioning) + float_ulp(testimony.t);
@@ -133,6 +136,8 @@ Difference difference_of(Standing standing) {
       return Difference::grazing;
     case Standing::interval_end:
       return Difference::interval_end;
+    case Standing::tiny:
+      return Difference::tiny;
     default:
       return Difference::unexplained;
   }
@@ -152,9 +157,9 @@ bool is_below_rounding(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3&
 }  // namespace
 
 std::string difference_name(Difference difference) {
-  constexpr const char* names[difference_count] = {"identical",    "rounding",  "tie",
-                                                   "overlap",      "edge",      "grazing",
-                                                   "interval end", "underflow", "unexplained"};
+  constexpr const char* names[difference_count] = {"identical", "rounding",   "tie",          "overlap",
+                                                   "edge",      "grazing",    "interval end", "tiny",
+                                                   "underflow", "unexplained"};
   return names[std::size_t(difference)];
 }
 
@@ -240,7 +245,8 @@ Difference Oracle::classify_same_shape(const Ray& ray, const Hit& a, const Hit& 
       if (has_true_weights(a) && has_true_weights(b)) return Difference::rounding;
       if (is_triangle && truth.divisor < smallest_divisor) return Difference::underflow;
     }
-    if (truth.standing == Standing::grazing) return Difference::grazing;
+    if (truth.standing == Standing::grazing || truth.standing == Standing::tiny)
+      return difference_of(truth.standing);
   }
   return Difference::unexplained;
 }

@@ -25,10 +25,11 @@ enum class Difference {
   edge,          ///< The ray passes within rounding_ulps of an edge, vertex or outline of the disputed shape.
   grazing,       ///< |cos| < grazing_cosine at the disputed shape.
   interval_end,  ///< The disputed hit lies within rounding_ulps of t_min or t_max (or the largest float).
-  underflow,     ///< As rounding but for u and v: 2 |d . n| < smallest_divisor, n the product of two edges.
+  tiny,       ///< The disputed shape is shorter than rounding_ulps: from so far no float test sees its form.
+  underflow,  ///< As rounding but for u and v: 2 |d . n| < smallest_divisor, n the product of two edges.
   unexplained
 };
-inline constexpr std::size_t difference_count = 9;
+inline constexpr std::size_t difference_count = 10;
 
 /// "identical", "interval end", ...
 std::string difference_name(Difference difference);
@@ -45,12 +46,12 @@ struct Bvh;
 
 /// What the exact ray does with one primitive, seen with that allowance.
 struct Testimony {
-  enum class Standing { edge, grazing, interval_end, firm };
+  enum class Standing { edge, grazing, interval_end, tiny, firm };
 
   std::uint32_t mesh = 0, primitive = 0;
   Standing standing = Standing::firm;  ///< Why a test may miss it; firm: it may not.
   bool is_met = false;                 ///< By the exact ray, within its closed interval.
-  double t = 0, t_ulp = 0;  ///< t is NaN for a triangle seen edge-on and at the outline of a sphere: any.
+  double t = 0, t_ulp = 0;  ///< t is NaN, any, for tiny triangles, those seen edge-on, and outlines.
   double weights[3] = {0, 0, 0}, weight_ulp = 0;  ///< Of a triangle's vertices.
   double divisor = 0;  ///< 2 |d . n| of a triangle, d as engines take it (core/checked_ray.h).
 };

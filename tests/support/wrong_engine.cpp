@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/wrong_engine.h"
+
+#include <algorithm>
+
+#include "accel/shape_test.h"
+#include "core/slab.h"
+
+namespace twinray::test {
+namespace {
+
+struct Primitive {
+  Aabb box;
+  PrimitiveId id;
+};
+
+struct Node {
+  Aabb box;
+  std::size_t first = 0, count = 0;  ///< Of a leaf.
+  std::unique_ptr<Node> children[2];
+};
+
+std::vector<Primitive> primitives_of(const Geometry& geometry) {
+  std::vector<Primitive> all;
+  for (std::uint32_t shape = 0; shape < geometry.shapes().size(); ++shape) {
+    if (const Mesh* mesh = geometry.mesh(shape)) {
+      for (std::uint32_t i = 0; i < mesh->triangles.size(); ++i) {
+        const auto [a, b, c] = mesh->triangles[i];
+        all.push_back(
+            {triangle_bounds(mesh->positions[a], mesh->positions[b], mesh->positions[c]), {shape, i}});
+      }
+    } else {
+      const std::vector<Sphere>& spheres = geometry.sphere_set(shape)->spheres;
+      for (std::uint32_t i = 0; i < spheres.size(); ++i)
+        all.push_back({sphere_bounds(spheres[i]), {shape, i}});
+    }
+  }
+  return all;
+}
+
+class WrongEngine final : public Accelerator {
+ public:
+  WrongEngine(std::shared_ptr<const Geometry> geometry, Defect defect)
+      : geometry_(std::move(geometry)), defect_(defect), primitives_(primitives_of(*geometry_)) {
+    if (defect_ == Defect::last_primitive_lost) primitives_.pop_back();
+    root_ = build(0, primitives_.size());
+  }
+
+  Aabb bounds() const noexcept override { return geometry_->bounds(); }
+  AccelStats stats() const override { return {}; }
+
+ private:
+  std::unique_ptr<Node> build(std::size_t first, std::size_t count) {
+    auto node = std::make_unique<Node>();
+    for (std::size_t i = first; i < first + count; ++i) node->box.extend(primitives_[i].box);
+    if (count <= 2) {
+      node->first = first;
+      node->count = count;
+      return node;
+    }
+    const Vec3 extent = node->box.extent();
+    const int axis = extent.x >= std::max(extent.y, extent.z) ? 0 : extent.y >= extent.z ? 1 : 2;
+    const auto begin = primitives_.begin() + std::ptrdiff_t(first);
+    std::sort(begin, begin + std::ptrdiff_t(count), [&](const Primitive& a, const Primitive& b) {
+      const float p = a.box.center()[axis], q = b.box.center()[axis];
+      if (p != q) return p < q;
+      return a.id.mesh != b.id.mesh ? a.id.mesh < b.id.mesh : a.id.primitive < b.id.primitive;
+    });
+    node->children[0] = build(first, count / 2);
+    node->children[1] = build(first + count / 2, count - count / 2);
+    return node;
+  }
+
+  Hit trace_closest(const CheckedRay& ray) const noexcept override {
+    Hit best;
+    visit<false>(*root_, seen(ray), best);
+    return best;
+  }
+  bool trace_any(const CheckedRay& ray) const noexcept override {
+    Hit found;
+    return visit<true>(*root_, seen(ray), found);
+  }
+  Hit count_closest(const CheckedRay& ray, QueryCounts&) const noexcept override {
+    return trace_closest(ray);
+  }
+  bool count_any(const CheckedRay& ray, QueryCounts&) const noexcept override { return trace_any(ray); }
+
+  /// The ray as this engine sees it.
+  CheckedRay seen(CheckedRay ray) const {
+    if (defect_ != Defect::minus_zero_ignored) return ray;
+    for (int axis = 0; axis < 3; ++axis) ray.is_negative[axis] = ray.direction[axis] < 0;
+    return ray;
+  }
+
+  bool meets(const Aabb& bounds, const CheckedRay& ray, float t_max) const {
+    Aabb box = padded(bounds);
+    if (defect_ == Defect::box_rounds_inward) {
+      const Vec3 inward = bounds.extent() * 1e-6f;
+      box = {bounds.lower + inward, bounds.upper - inward};
+    }
+    const SlabInterval interval = intersect_slab(ray, box);
+    if (defect_ == Defect::equal_node_culled && std::max(interval.near, ray.t_min) >= t_max) return false;
+    return interval.near <= interval.far && interval.near <= t_max && interval.far >= ray.t_min;
+  }
+
+  bool replaces(const Hit& hit, const Hit& best) const {
+    if (defect_ == Defect::t_max_lags) return true;
+    if (defect_ == Defect::flipped_comparison && hit.t == best.t) return precedes(best, hit);
+    return precedes(hit, best);
+  }
+
+  /// Whether a hit was found; any: stops there.
+  template <bool any>
+  bool visit(const Node& node, const CheckedRay& ray, Hit& best) const {
+    if (!meets(node.box, ray, std::min(ray.t_max, best.t))) return false;
+    if (!node.children[0]) return test_leaf<any>(node, ray, best);
+    const bool left = visit<any>(*node.children[0], ray, best);
+    if (any && (left || defect_ == Defect::right_never_looked_at)) return left;
+    if (defect_ == Defect::skipped_child && &node == root_.get()->children[1].get()) return left;
+    return visit<any>(*node.children[1], ray, best) || left;
+  }
+
+  template <bool any>
+  bool test_leaf(const Node& node, const CheckedRay& ray, Hit& best) const {
+    bool found = false;
+    for (std::size_t i = node.first; i < node.first + node.count; ++i) {
+      Hit hit;
+      test_primitive(*geometry_, ray, primitives_[i].id, hit);
+      if (hit.is_miss() || !replaces(hit, best)) continue;
+      best = hit;
+      found = true;
+      if (any) return true;
+    }
+    return found;
+  }
+
+  std::shared_ptr<const Geometry> geometry_;
+  Defect defect_;
+  std::vector<Primitive> primitives_;
+  std::unique_ptr<Node> root_;
+};
+
+}  // namespace
+
+const char* defect_name(Defect defect) {
+  constexpr const char* names[] = {
+      "none",       "box rounds inward",   "flipped comparison", "skipped child",    "right never looked at",
+      "t_max lags", "last primitive lost", "minus zero ignored", "equal node culled"};
+  return names[std::size_t(defect)];
+}
+
+std::unique_ptr<Accelerator> build_wrong_engine(std::shared_ptr<const Geometry> geometry, Defect defect) {
+  return std::make_unique<WrongEngine>(std::move(geometry), defect);
+}
+
+}  // namespace twinray::test
