@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/crosscheck_arguments.h"
+#include "cli/crosscheck_report.h"
+#include "cli/ray_text.h"
+#include "core/error.h"
+#include "tests/support/catch.h"
+#include "tests/support/process.h"
+
+namespace twinray::test {
+namespace {
+
+const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
+
+/// A report with one unexplained ray among a thousand.
+SceneCrosscheck with_one_unexplained() {
+  SceneCrosscheck result{{"bvh", "embree"}, CrosscheckReport(2), 1.5};
+  for (int i = 0; i < 999; ++i) result.report.add_explained(1, RayClass::moved, Difference::identical);
+  const Ray ray{.origin = {1, -0.0f, 0.1f}, .direction = {0, 0, -1}, .t_max = 2};
+  const Answer hit{{.t = 1.5f, .u = 0.25f, .v = 0.5f, .primitive = 7, .mesh = 3}, true};
+  result.report.add({.ray_class = RayClass::moved, .number = 42, .engine = 1, .ray = ray, .reference = hit},
+                    true);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a ray's text keeps every bit") {
+  const Ray ray{.origin = {-0.0f, 0x1p-149f, 0x1.fffffep127f},
+                .direction = {0.1f, -1 / 3.0f, 0},
+                .t_min = 0x1.8p-100f,
+                .t_max = INFINITY};
+  const Ray read = parse_ray(ray_text(ray));
+  CHECK(read.origin == ray.origin);
+  CHECK(std::signbit(read.origin.x));
+  CHECK(read.direction == ray.direction);
+  CHECK(read.t_min == ray.t_min);
+  CHECK(read.t_max == ray.t_max);
+  CHECK(parse_ray("1,2.5,-3e2,0,0,1,0,inf").origin == Vec3{1, 2.5f, -300});
+}
+
+TEST_CASE("a text that is no ray is refused") {
+  for (const char* text : {"", "1,2,3", "1,2,3,4,5,6,7", "1,2,3,4,5,6,7,8,9", "1,2,3,4,5,6,7,",
+                           "a,2,3,4,5,6,7,8", "1,2,3,4,5,6,7,8x", "--1,2,3,4,5,6,7,8", "0x,2,3,4,5,6,7,8"})
+    CHECK_THROWS_AS(parse_ray(text), UsageError);
+}
+
+TEST_CASE("an unexplained ray is printed as the command that shoots it again") {
+  const SceneCrosscheck result = with_one_unexplained();
+  CHECK_FALSE(is_passed(result.report));
+  const std::string text = crosscheck_text(result, "a b.dae");
+  CHECK(text.find("embree, moved 42, unexplained: bvh sees t 0x1.8p+0 u 0x1p-2 v 0x1p-1 of 3:7; embree sees "
+                  "nothing\n  twinray crosscheck 'a b.dae' --placement=moved "
+                  "--ray=0x1p+0,-0x0p+0,0x1.99999ap-4,0x0p+0,0x0p+0,-0x1p+0,0x0p+0,0x1p+1\n") !=
+        std::string::npos);
+  CHECK(text.ends_with("1 unexplained; 1.5 s\n"));
+  const auto json = nlohmann::json::parse(crosscheck_json(result, "a b.dae"));
+  CHECK(json["passed"] == false);
+  CHECK(json["unexplained"] == 1);
+  CHECK(json["engines"]["embree"]["moved"]["rays"] == 1000);
+  CHECK(json["findings"][0]["number"] == 42);
+}
+
+TEST_CASE("crosscheck ends with 0 where engines agree, and prints a table") {
+  const ProcessResult result = run_program("crosscheck " + box + " --rays=5000 -q");
+  CHECK(result.exit_code == 0);
+  CHECK(result.err.empty());
+  CHECK(result.out.find(" against ") != std::string::npos);
+  CHECK(result.out.find("\nbox faces") != std::string::npos);
+  const ProcessResult json =
+      run_program("crosscheck " + box + " --rays=2000 -q --json --engines=bvh,brute-force");
+  CHECK(json.exit_code == 0);
+  CHECK(nlohmann::json::parse(json.out)["passed"] == true);
+}
+
+TEST_CASE("one ray is shot again by its text") {
+  const ProcessResult result =
+      run_program("crosscheck " + box + " -q --engines=bvh,brute-force --ray=0,0.1,0.2,0,0,-1,0,inf");
+  CHECK(result.exit_code == 0);
+  CHECK(result.out.find("bvh ") == 0);
+  CHECK(result.out.find("brute-force    t 0x1.") != std::string::npos);
+  CHECK(result.out.find("exact          t ") != std::string::npos);
+}
+
+TEST_CASE("a wrong crosscheck command line ends with 2 and its own usage") {
+  const ProcessResult result = run_program("crosscheck " + box + " --engines=bvh,octree");
+  CHECK(result.exit_code == 2);
+  CHECK(result.err.find("there is no engine \"octree\"") != std::string::npos);
+  CHECK(result.err.find("usage: twinray crosscheck SCENE.dae") != std::string::npos);
+  CHECK(run_program("crosscheck").exit_code == 2);
+  CHECK(run_program("crosscheck " + box + " --ray=1,2").exit_code == 2);
+  CHECK(run_program("crosscheck " + box + " --placement=gone").exit_code == 2);
+  CHECK(run_program("crosscheck --help").exit_code == 0);
+}
+
+}  // namespace twinray::test

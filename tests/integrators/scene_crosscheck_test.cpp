@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrators/scene_crosscheck.h"
+
+#include "accel/crosscheck/ceilings.h"
+#include "core/error.h"
+#include "integrators/recorded_rays.h"
+#include "tests/support/catch.h"
+#include "tests/support/scenes.h"
+
+namespace twinray::test {
+namespace {
+
+CrosscheckOptions options(std::uint64_t rays, int threads) {
+  return {.engines = available_backends(), .rays = rays, .threads = threads};
+}
+
+}  // namespace
+
+TEST_CASE("all classes of rays are shot through all engines, and nothing is unexplained") {
+  const SceneCrosscheck result = crosscheck_scene(small_room(), options(40000, 0));
+  CHECK(result.report.unexplained() == 0);
+  CHECK(passed_ceilings(result.report).empty());
+  REQUIRE(result.engines.size() == available_backends().size());
+  for (std::size_t engine = 0; engine < result.engines.size(); ++engine) {
+    std::uint64_t rays = 0;
+    for (std::size_t i = 0; i < ray_class_count; ++i) {
+      const Tally& tally = result.report.tally(engine, RayClass(i));
+      INFO(result.engines[engine] << " " << ray_class_name(RayClass(i)));
+      CHECK(tally.rays > 0);
+      rays += tally.rays;
+    }
+    CHECK(rays == (result.engines[engine] == "brute-force" ? 10000 : 40000));
+  }
+}
+
+TEST_CASE("a crosscheck does not depend on the number of threads") {
+  const Scene scene = small_room();
+  const SceneCrosscheck one = crosscheck_scene(scene, options(30000, 1));
+  const SceneCrosscheck three = crosscheck_scene(scene, options(30000, 3));
+  for (std::size_t engine = 0; engine < one.engines.size(); ++engine)
+    for (std::size_t i = 0; i < ray_class_count; ++i) {
+      CHECK(one.report.tally(engine, RayClass(i)) == three.report.tally(engine, RayClass(i)));
+      const auto &a = one.report.findings(engine, RayClass(i)),
+                 &b = three.report.findings(engine, RayClass(i));
+      REQUIRE(a.size() == b.size());
+      for (std::size_t k = 0; k < a.size(); ++k) CHECK(a[k].number == b[k].number);
+    }
+}
+
+TEST_CASE("another seed gives other rays") {
+  const Scene scene = small_room();
+  const auto accelerator = build_accelerator(Backend::bvh, scene.geometry);
+  const auto a = PathRays(scene, *accelerator, 0).batch(3, 100);
+  const auto b = PathRays(scene, *accelerator, 1).batch(3, 100);
+  const auto again = PathRays(scene, *accelerator, 0).batch(3, 100);
+  int equal = 0;
+  for (int i = 0; i < 100; ++i) {
+    CHECK(a[i].ray.direction == again[i].ray.direction);
+    equal += a[i].ray.direction == b[i].ray.direction;
+  }
+  CHECK(equal == 0);
+}
+
+TEST_CASE("one ray is told with every engine's answer and the truth") {
+  const Scene scene = small_room();
+  const Ray ray{.origin = {0, 0, 0}, .direction = {0, 0.1f, -1}};
+  const RayCrosscheck result = crosscheck_ray(scene, ray, Placement::file, options(1, 1));
+  CHECK(result.rows.size() == available_backends().size());
+  REQUIRE_FALSE(result.truth.empty());
+  for (const RayCrosscheck::Row& row : result.rows) {
+    CHECK(row.difference <= Difference::rounding);
+    CHECK(row.answer.closest.t == Approx(result.truth[0].t.value));
+    CHECK(row.answer.closest.primitive == result.truth[0].primitive);
+  }
+}
+
+TEST_CASE("a crosscheck without a fast canonical engine, or without rays, is refused") {
+  const Scene scene = small_room();
+  CHECK_THROWS_WITH(crosscheck_scene(scene, {.engines = {Backend::bvh}}),
+                    "a crosscheck needs two engines, one of them bvh or embree");
+  CHECK_THROWS_WITH(crosscheck_scene(scene, {.engines = {Backend::brute_force, Backend::brute_force}}),
+                    "a crosscheck needs two engines, one of them bvh or embree");
+  CHECK_THROWS_WITH(crosscheck_scene(scene, options(0, 0)), "the number of rays must lie in [1, 10^12]");
+}
+
+TEST_CASE("ceilings allow a ten-thousandth of the common rays and no leak through an edge") {
+  CHECK(ceiling_of(RayClass::camera, 100000)->most == 10);
+  CHECK(ceiling_of(RayClass::bounce, 1)->most == 1);
+  CHECK(ceiling_of(RayClass::edges, 100000)->most == 0);
+  CHECK(ceiling_of(RayClass::vertices, 1000)->most == 5);
+  CHECK_FALSE(ceiling_of(RayClass::grazing, 1000));
+  CrosscheckReport report(2);
+  Finding leak{.ray_class = RayClass::edges, .engine = 1, .difference = Difference::edge, .is_leak = true};
+  report.add(leak, true);
+  REQUIRE(passed_ceilings(report).size() == 1);
+  CHECK(passed_ceilings(report)[0].engine == 1);
+  CHECK(passed_ceilings(report)[0].found == 1);
+}
+
+}  // namespace twinray::test
