@@ -36,7 +36,7 @@ std::vector<Backend> ordered(std::vector<Backend> engines) {
 class LineUp {
  public:
   LineUp(std::shared_ptr<const Geometry> geometry, const std::vector<Backend>& backends,
-        const CrosscheckOptions& options)
+         const CrosscheckOptions& options)
       : geometry_(std::move(geometry)), crosscheck_(geometry_, build(backends, options)) {}
 
   const Crosscheck& crosscheck() const { return crosscheck_; }
