@@ -30,6 +30,8 @@ class Bsdf {
   /// A direction, from a draw for the lobe and two for the direction within it; none where nothing is
   /// scattered.
   std::optional<BsdfSample> sample(const Vec3& wo, float lobe, Vec2 u) const;
+  /// Whether sample() uses its draw for the lobe.
+  bool has_lobes() const { return false; }
   /// Whether all of it are delta lobes: then light sampling is in vain.
   bool is_delta() const { return false; }
   /// Whether any of it is a delta lobe: then emission may be met that light sampling cannot count.

@@ -19,14 +19,15 @@ struct Weights {
 constexpr double edge_offsets = 8;
 constexpr float most_inward = 0x1p-6f;
 
-/// Moves a point that lies closer to an edge than `distance` to that distance, which is given divided by the
-/// doubled area. In a corner where two walls meet at the angle theta, a point at the distance s from the edge
-/// that is then moved off its wall by the offset stands in front of the other wall by s sin(theta) - offset
-/// cos(theta). That is one offset or more, which is what a ray needs to meet that wall, for s = cot(theta /
-/// 2) offset: 8 offsets do for angles from 14.3 degrees. In a triangle too small for that a point moves by
-/// most_inward of a height, no more.
-Weights inward(const Vec3& a, const Vec3& b, const Vec3& c, const Weights& weights, double distance_by_area) {
+/// Moves a point that lies closer to an edge than `distance` to that distance. In a corner where two walls
+/// meet at the angle theta, a point at the distance s from the edge that is then moved off its wall by the
+/// offset stands in front of the other wall by s sin(theta) - offset cos(theta). That is one offset or more,
+/// which is what a ray needs to meet that wall, for s = cot(theta / 2) offset: 8 offsets do for angles
+/// from 14.3 degrees. In a triangle too small for that a point moves by most_inward of a height, no more.
+Weights inward(const Vec3& a, const Vec3& b, const Vec3& c, const Weights& weights, double distance,
+               double doubled_area) {
   if (std::min(weights.a, std::min(weights.b, weights.c)) >= most_inward) return weights;
+  const double distance_by_area = distance / doubled_area;
   const auto least = [&](const Vec3& edge) {  // the distance over the height of that edge
     return float(std::min(distance_by_area * length(edge), double(most_inward)));
   };
@@ -72,11 +73,10 @@ SurfacePoint triangle_point(const Geometry& geometry, std::uint32_t shape, std::
   SurfacePoint point;
   const AreaVector area(a, b, c);
   point.offset = triangle_offset(a, b, c);
-  const double distance_by_area = edge_offsets * point.offset / area.length();
-  point.position = interpolate(a, b, c, inward(a, b, c, {1 - u - v, u, v}, distance_by_area));
-  point.geometric_normal = area.normal();
-  point.shading_normal = shading_normal(mesh, triangle, u, v, point.geometric_normal);
-  point.uv = texture_coordinates(mesh, triangle, u, v);
+  point.position =
+      interpolate(a, b, c, inward(a, b, c, {1 - u - v, u, v}, edge_offsets * point.offset, area.length()));
+  point.geometric_normal = point.shading_normal = area.normal();
+  point.uv = {u, v};
   point.shape = shape;
   return point;
 }
@@ -92,7 +92,12 @@ SurfacePoint sphere_point(const Sphere& sphere, std::uint32_t shape, const Vec3&
 }
 
 SurfacePoint surface_at(const Geometry& geometry, const Hit& hit) {
-  if (geometry.mesh(hit.mesh)) return triangle_point(geometry, hit.mesh, hit.primitive, hit.u, hit.v);
+  if (const Mesh* mesh = geometry.mesh(hit.mesh)) {
+    SurfacePoint point = triangle_point(geometry, hit.mesh, hit.primitive, hit.u, hit.v);
+    point.shading_normal = shading_normal(*mesh, hit.primitive, hit.u, hit.v, point.geometric_normal);
+    point.uv = texture_coordinates(*mesh, hit.primitive, hit.u, hit.v);
+    return point;
+  }
   const Sphere& sphere = geometry.sphere_set(hit.mesh)->spheres[hit.primitive];
   SurfacePoint point = sphere_point(sphere, hit.mesh, octahedral_decode(hit.u, hit.v));
   point.uv = {hit.u, hit.v};

@@ -24,7 +24,8 @@ struct SurfacePoint {
 /// Expands a hit (not a miss) of this geometry.
 SurfacePoint surface_at(const Geometry& geometry, const Hit& hit);
 
-/// A point of a triangle by the weights of its second and third vertex; the same as surface_at gives.
+/// A point of a triangle by the weights of its second and third vertex, without the mesh's normals and
+/// texture coordinates: for the rest, the same as surface_at gives.
 SurfacePoint triangle_point(const Geometry& geometry, std::uint32_t shape, std::uint32_t triangle, float u,
                             float v);
 /// A point of a sphere by its unit normal.

@@ -71,7 +71,7 @@ bool PathIntegrator::scatter(State& state, const Interaction& at, VertexSampler&
   // The ray behind the last surface could only meet emission that direct light has counted.
   const bool is_last = state.depth + 1 >= std::min(options_.max_depth, options_.last_depth);
   if (is_last && !at.bsdf().has_delta()) return false;
-  const float lobe = sampler.draw_1d(Purpose::lobe);
+  const float lobe = at.bsdf().has_lobes() ? sampler.draw_1d(Purpose::lobe) : 0;
   const Vec2 direction = sampler.draw_2d(Purpose::direction);
   const auto sample = at.bsdf().sample(at.wo_local(), lobe, direction);
   if (!sample || (is_last && !sample->is_delta)) return false;

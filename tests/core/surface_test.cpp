@@ -63,7 +63,8 @@ TEST_CASE("a shading normal is the file's, on whichever side that has it") {
 }
 
 TEST_CASE("without normals and uvs a point has the geometric normal and the weights") {
-  const SurfacePoint point = triangle_point(single({Vec3{0, 0, 0}, {0, 2, 0}, {0, 0, 2}}), 0, 0, 0.5f, 0.25f);
+  const SurfacePoint point =
+      surface_at(single({Vec3{0, 0, 0}, {0, 2, 0}, {0, 0, 2}}), {.t = 1, .u = 0.5f, .v = 0.25f});
   CHECK(point.shading_normal == Vec3{1, 0, 0});
   CHECK(point.uv == Vec2{0.5f, 0.25f});
 }
@@ -72,7 +73,7 @@ TEST_CASE("normals that cancel leave the geometric one") {
   Mesh mesh{.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}};
   mesh.normals = {{1, 0, 0}, {-1, 0, 0}};
   mesh.normal_indices = {{0, 1, 0}};
-  CHECK(triangle_point(Geometry({mesh}), 0, 0, 0.5f, 0.25f).shading_normal == Vec3{0, 0, 1});
+  CHECK(surface_at(Geometry({mesh}), {.t = 1, .u = 0.5f, .v = 0.25f}).shading_normal == Vec3{0, 0, 1});
 }
 
 TEST_CASE("a triangle of 10^-18 has a unit normal") {
