@@ -14,9 +14,9 @@
 namespace twinray {
 namespace {
 
-Hit scaled_back(Hit hit, const CheckedRay& ray) {
-  hit.t = float(hit.t * ray.t_scale);
-  return hit;
+// Member by member: copying what was just written in parts stalls.
+Hit scaled_back(const Hit& hit, const CheckedRay& ray) {
+  return {float(hit.t * ray.t_scale), hit.u, hit.v, hit.primitive, hit.mesh, hit.instance};
 }
 
 constexpr std::array<std::pair<Backend, const char*>, 4> backend_names{
@@ -42,7 +42,8 @@ void check_options(const BuildOptions& options) {
 
 Hit Accelerator::closest_hit(const Ray& ray) const noexcept {
   CheckedRay checked;
-  return load_ray(ray, checked) ? scaled_back(trace_closest(checked), checked) : Hit{};
+  if (!load_ray(ray, checked)) return {};
+  return scaled_back(trace_closest(checked), checked);
 }
 
 bool Accelerator::any_hit(const Ray& ray) const noexcept {
@@ -52,7 +53,8 @@ bool Accelerator::any_hit(const Ray& ray) const noexcept {
 
 Hit Accelerator::closest_hit(const Ray& ray, QueryCounts& counts) const noexcept {
   CheckedRay checked;
-  return load_ray(ray, checked) ? scaled_back(count_closest(checked, counts), checked) : Hit{};
+  if (!load_ray(ray, checked)) return {};
+  return scaled_back(count_closest(checked, counts), checked);
 }
 
 bool Accelerator::any_hit(const Ray& ray, QueryCounts& counts) const noexcept {

@@ -2,12 +2,13 @@
 // Private: the leaf that the hand-written BVH and Embree share.
 //
 // A block holds up to four primitives. Filter, then confirm: a branch-free filter runs over the four lanes at
-// once and rejects what the canonical test would reject by the signs of its edge functions; each lane left is
-// confirmed by the canonical test itself. So a block gives canonical bits by construction, whatever the
-// filter lets through, as long as it never rejects what the canonical test accepts.
+// once and rejects what the canonical test would reject by the signs of its edge functions or by t; each lane
+// left is confirmed by the canonical test itself. So a block gives canonical bits by construction, whatever
+// the filter lets through, as long as it never rejects what the canonical test accepts.
 #pragma once
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "accel/lanes.h"
@@ -87,44 +88,101 @@ struct ShearedLanes {
   ShearedVertex corner(int index, int lane) const { return {x[index][lane], y[index][lane], z[index][lane]}; }
 };
 
-/// Bit i: lane i is a triangle beside the ray. This is is_beside() of each lane, by its operations.
-inline std::uint32_t lanes_beside(const ShearedLanes& lanes) {
-  const Float4 *const x = lanes.x, *const y = lanes.y;
-  const Float4 a = x[2] * y[1] - y[2] * x[1];
-  const Float4 b = x[0] * y[2] - y[0] * x[2];
-  const Float4 c = x[1] * y[0] - y[1] * x[0];
-  const Float4 largest_x = max(abs(x[0]), max(abs(x[1]), abs(x[2])));
-  const Float4 largest_y = max(abs(y[0]), max(abs(y[1]), abs(y[2])));
-  const Float4 error = edge_margin * (largest_x * largest_y) + edge_underflow;
-  return mask_bits((min(a, min(b, c)) < -error) & (max(a, max(b, c)) > error));
+/// The float edge functions of all lanes, and the bound of their rounding errors: the bits of
+/// EdgeFunctions<float> and edge_error().
+struct LaneEdges {
+  Float4 a, b, c, error;
+
+  explicit LaneEdges(const ShearedLanes& lanes) {
+    const Float4 *const x = lanes.x, *const y = lanes.y;
+    a = x[2] * y[1] - y[2] * x[1];
+    b = x[0] * y[2] - y[0] * x[2];
+    c = x[1] * y[0] - y[1] * x[0];
+    const Float4 largest_x = max(abs(x[0]), max(abs(x[1]), abs(x[2])));
+    const Float4 largest_y = max(abs(y[0]), max(abs(y[1]), abs(y[2])));
+    error = edge_margin * (largest_x * largest_y) + edge_underflow;
+  }
+  /// The lanes of triangles beside the ray: is_beside() of each.
+  Int4 beside() const { return (min(a, min(b, c)) < -error) & (max(a, max(b, c)) > error); }
+};
+
+/// On which side of a given t the lanes' canonical hits are, if they have any.
+///
+/// A hit's t is T / D, with D the sum of the edge functions and T that of their products with z; t lies
+/// before `limit` where the sum of the products with z - limit has the sign against D. With u = 2^-24 and m
+/// the largest |x| times the largest |y|, LaneEdges::error is at least 8 u m, an edge function is off by half
+/// of that and at most 2 m. So the float D is off by at most 3 * 4 u m and 10 u m for two sums; the other
+/// sum, by 3 * 4 u m, 3 * 4 u m for differences and products and 10 u m for two sums, times the largest |z -
+/// limit|: both by less than 5 errors. Beyond that the t of a rejected hit must stand apart from `limit` by
+/// more than its own rounding.
+struct LaneDepths {
+  Float4 distance;  ///< (t - limit) |D|
+  Float4 error;
+  Int4 is_certain;  ///< Whether the sign of D is.
+
+  // 2^-80 keeps t apart from zero and, unlike the least normal number, costs no denormal products: 8 %.
+  LaneDepths(const ShearedLanes& lanes, const LaneEdges& edges, float limit) {
+    const Float4 x = lanes.z[0] - limit, y = lanes.z[1] - limit, z = lanes.z[2] - limit;
+    constexpr std::int32_t sign_bit = std::numeric_limits<std::int32_t>::min();
+    const Float4 determinant = edges.a + edges.b + edges.c;
+    const Float4 sum = edges.a * x + edges.b * y + edges.c * z;
+    distance = Float4(Int4(sum) ^ (Int4(determinant) & sign_bit));
+    const Float4 margin = 5.0f * edges.error;
+    const float rounding = 0x1p-23f * limit + 0x1p-80f;
+    error = margin * max(abs(x), max(abs(y), abs(z))) + rounding * abs(determinant) + edge_underflow;
+    is_certain = (abs(determinant) > margin) & (abs(sum) <= std::numeric_limits<float>::max());
+  }
+  /// Lanes surely not hit at `limit` or beyond, and at `limit` or before.
+  Int4 before() const { return is_certain & (distance < -error); }
+  Int4 beyond() const { return is_certain & (distance > error); }
+};
+
+/// What a query asks for.
+enum class QueryKind { closest, any };
+
+/// Bit i: the canonical test may accept lane i in [ray.t_min, ray.t_max]. The line of a bounce or shadow ray
+/// passes through the triangle on which the ray starts, and often through its neighbours, just before t_min;
+/// that of a shadow ray through the light just beyond t_max.
+template <QueryKind kind>
+inline std::uint32_t filter_lanes(const CheckedRay& ray, const ShearedLanes& lanes,
+                                  const TriangleBlock& block) {
+  const LaneEdges edges(lanes);
+  Int4 rejected = edges.beside() | LaneDepths(lanes, edges, ray.t_min).before();
+  if constexpr (kind == QueryKind::any) rejected |= LaneDepths(lanes, edges, ray.t_max).beyond();
+  return (~mask_bits(rejected) | ~block.triangles) & block.lanes();
 }
 
-/// Bit i: the canonical test may accept lane i.
-inline std::uint32_t filter_lanes(const ShearedLanes& lanes, const TriangleBlock& block) {
-  return (~lanes_beside(lanes) | ~block.triangles) & block.lanes();
+/// test_primitive(), out of the way of the triangles' code.
+[[gnu::noinline, gnu::cold]] inline void test_other(const Geometry& geometry, const CheckedRay& ray,
+                                                    PrimitiveId id, Hit& best) {
+  test_primitive(geometry, ray, id, best);
 }
 
 /// Tests one lane by what is left of the canonical test and keeps the lesser hit.
 inline void confirm_lane(const Geometry& geometry, const CheckedRay& ray, const ShearedLanes& lanes,
                          const TriangleBlock& block, int lane, Hit& best) {
   const PrimitiveId id = block.ids[lane];
-  if (!(block.triangles >> lane & 1)) return test_primitive(geometry, ray, id, best);
+  if (!(block.triangles >> lane & 1)) return test_other(geometry, ray, id, best);
   ShapeHit found;
   if (!intersect_sheared(ray, lanes.corner(0, lane), lanes.corner(1, lane), lanes.corner(2, lane),
-                         block.bounds(lane), std::min(ray.t_max, best.t), found))
+                         std::min(ray.t_max, best.t), found) ||
+      !is_within_box(ray, block.bounds(lane), found.t))
     return;
   const Hit hit{found.t, found.u, found.v, id.primitive, id.mesh, no_instance};
   if (precedes(hit, best)) best = hit;
 }
 
-/// Tests all primitives of a block against [ray.t_min, best.t] and keeps the least hit.
-template <TriangleTest test = TriangleTest::woop>
+/// Tests the primitives of a block against [ray.t_min, best.t] and keeps the least hit; QueryKind::any ends
+/// with the first.
+template <QueryKind kind, TriangleTest test = TriangleTest::woop>
 inline void test_block(const Geometry& geometry, const CheckedRay& ray, const LaneRay& lane_ray,
                        const TriangleBlock& block, Hit& best) {
   if constexpr (test == TriangleTest::woop) {
     const ShearedLanes lanes(lane_ray, block);
-    for (std::uint32_t left = filter_lanes(lanes, block); left != 0; left &= left - 1)
+    for (std::uint32_t left = filter_lanes<kind>(ray, lanes, block); left != 0; left &= left - 1) {
       confirm_lane(geometry, ray, lanes, block, std::countr_zero(left), best);
+      if (kind == QueryKind::any && best) return;
+    }
   } else {
     for (std::uint32_t lane = 0; lane < block.count; ++lane)
       test_primitive<test>(geometry, ray, block.ids[lane], best);

@@ -76,8 +76,7 @@ inline bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) { return !Area
 
 /// The box of one primitive, rounded outward where it is not exact.
 inline Aabb triangle_bounds(const Vec3& a, const Vec3& b, const Vec3& c) {
-  Aabb box;
-  box.extend(a);
+  Aabb box{a, a};
   box.extend(b);
   box.extend(c);
   return box;

@@ -2,9 +2,9 @@
 // Private: the ray-triangle test of Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection",
 // Journal of Graphics Tools 2(1), 1997.
 //
-// For comparison only: it is not watertight, and its hits are not the canonical ones of triangle.h. As there,
-// the hit's parameter is clamped to the triangle's own box, so that no tree loses what brute force finds by
-// the same test.
+// For comparison only: it is not watertight, and its hits are not the canonical ones of triangle.h. As in
+// sphere.h, the hit's parameter is clamped to the triangle's own box, so that no tree loses what brute force
+// finds by the same test.
 #pragma once
 #include "core/triangle.h"
 

@@ -20,12 +20,14 @@ struct SlabInterval {
   float near, far;
 };
 
-/// The box widened by its share of the rounding bound; an empty box stays empty.
-inline Aabb padded(const Aabb& box) {
-  if (box.is_empty()) return box;
+/// A box that is not empty, widened by its share of the rounding bound.
+inline Aabb padded_full(const Aabb& box) {
   const float pad = std::max(max_abs(box.lower), max_abs(box.upper)) * slab_margin;
   return {box.lower - Vec3{pad, pad, pad}, box.upper + Vec3{pad, pad, pad}};
 }
+
+/// The same of any box; an empty one stays empty.
+inline Aabb padded(const Aabb& box) { return box.is_empty() ? box : padded_full(box); }
 
 /// The slab test of a box that padded() has widened.
 inline SlabInterval intersect_slab(const CheckedRay& ray, const Aabb& box) {
@@ -50,6 +52,13 @@ inline bool clamp_to_box(const CheckedRay& ray, const Aabb& bounds, float t_max,
   if (interval.near > interval.far) return false;
   t = std::min(std::max(t, interval.near), interval.far);
   return t >= ray.t_min && t <= t_max;
+}
+
+/// Whether a triangle's hit at `t` lies within [near, far] of its own box, so that no tree can cull the box
+/// and keep the hit. By the derivation of slab_margin it always does; this makes it so by construction.
+inline bool is_within_box(const CheckedRay& ray, const Aabb& bounds, float t) {
+  const SlabInterval interval = intersect_slab(ray, padded_full(bounds));
+  return (interval.near <= t) & (t <= interval.far);
 }
 
 }  // namespace twinray

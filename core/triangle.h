@@ -80,11 +80,11 @@ inline bool is_beside(const ShearedVertex& p, const ShearedVertex& q, const Shea
   return edges.least() < -error && edges.largest() > error;
 }
 
-/// The hit with a triangle that has an area and is not beside the ray, of box `bounds`, in [ray.t_min,
-/// t_max].
+/// The hit with a triangle that has an area and is not beside the ray, in [ray.t_min, t_max]; it remains to
+/// ask is_within_box().
 inline bool intersect_sheared(const CheckedRay& ray, const ShearedVertex& p, const ShearedVertex& q,
-                              const ShearedVertex& r, const Aabb& bounds, float t_max, ShapeHit& hit) {
-  return EdgeFunctions<double>(p, q, r).interpolate(p, q, r, hit) && clamp_to_box(ray, bounds, t_max, hit.t);
+                              const ShearedVertex& r, float t_max, ShapeHit& hit) {
+  return EdgeFunctions<double>(p, q, r).interpolate(p, q, r, hit) && hit.t >= ray.t_min && hit.t <= t_max;
 }
 
 /// The hit of a ray with the triangle a, b, c in the closed interval [ray.t_min, t_max]; false for none.
@@ -92,8 +92,8 @@ inline bool intersect_triangle(const CheckedRay& ray, const Vec3& a, const Vec3&
                                float t_max, ShapeHit& hit) {
   const ShearedVertex p = shear(ray, a), q = shear(ray, b), r = shear(ray, c);
   // Rounding gives a degenerate triangle some area in the ray's frame; it is never hit all the same.
-  return !is_beside(p, q, r) && has_area(a, b, c) &&
-         intersect_sheared(ray, p, q, r, triangle_bounds(a, b, c), t_max, hit);
+  return !is_beside(p, q, r) && has_area(a, b, c) && intersect_sheared(ray, p, q, r, t_max, hit) &&
+         is_within_box(ray, triangle_bounds(a, b, c), hit.t);
 }
 
 }  // namespace twinray

@@ -37,7 +37,7 @@ class BvhAccelerator final : public Accelerator {
     float t_max = ray.t_max;
     const LaneRay lane_ray(ray);
     traverse(bvh_, ray, t_max, counts, [&](const TriangleBlock& block) {
-      test_block<test>(*geometry_, ray, lane_ray, block, best);
+      test_block<QueryKind::closest, test>(*geometry_, ray, lane_ray, block, best);
       t_max = std::min(t_max, best.t);
       return false;
     });
@@ -49,7 +49,7 @@ class BvhAccelerator final : public Accelerator {
     Hit found;
     const LaneRay lane_ray(ray);
     traverse(bvh_, ray, ray.t_max, counts, [&](const TriangleBlock& block) {
-      test_block<test>(*geometry_, ray, lane_ray, block, found);
+      test_block<QueryKind::any, test>(*geometry_, ray, lane_ray, block, found);
       return !found.is_miss();
     });
     return !found.is_miss();

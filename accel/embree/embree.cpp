@@ -29,30 +29,44 @@ struct Query : embree::Context {
   const Geometry& geometry;
   const CheckedRay& ray;
   const LaneRay lane_ray;
-  float t_far_scale;  ///< Multiplies a hit's t into a tfar.
-  Hit best;
-  QueryCounts* counts;
+  const float t_far_scale;  ///< Multiplies a hit's t into a tfar.
+  QueryCounts* const counts;
+  Hit& best;
 
+  // A constructor, for an aggregate is filled with zeros first.
+  Query(const Bvh& tree, const Geometry& shapes, const CheckedRay& checked, float scale, QueryCounts* sums,
+        Hit& hit)
+      : bvh(tree),
+        geometry(shapes),
+        ray(checked),
+        lane_ray(checked),
+        t_far_scale(scale),
+        counts(sums),
+        best(hit) {
+    embree::initialize(*this);
+  }
+
+  template <QueryKind kind>
   void test(unsigned block) {
     if (counts) {
       ++counts->leaves;
       counts->primitives += bvh.blocks[block].count;
     }
-    test_block(geometry, ray, lane_ray, bvh.blocks[block], best);
+    test_block<kind>(geometry, ray, lane_ray, bvh.blocks[block], best);
   }
 };
 
 void intersect_block(const RTCIntersectFunctionNArguments* arguments) {
   Query& query = *static_cast<Query*>(arguments->context);
   const float before = query.best.t;
-  query.test(arguments->primID);
+  query.test<QueryKind::closest>(arguments->primID);
   if (query.best.t < before)
     reinterpret_cast<RTCRayHit*>(arguments->rayhit)->ray.tfar = query.best.t * query.t_far_scale + 0.0f;
 }
 
 void occlude_block(const RTCOccludedFunctionNArguments* arguments) {
   Query& query = *static_cast<Query*>(arguments->context);
-  query.test(arguments->primID);
+  query.test<QueryKind::any>(arguments->primID);
   if (query.best) reinterpret_cast<RTCRay*>(arguments->ray)->tfar = -Aabb::infinity;
 }
 
@@ -108,22 +122,31 @@ class EmbreeAccelerator final : public Accelerator {
     return any(ray, &counts);
   }
 
+  // The hit is written where it is returned: copying what was just written in parts stalls.
   Hit closest(const CheckedRay& ray, QueryCounts* counts) const {
-    if (is_far(ray)) return far_hit<false>(ray, counts);
+    Hit best;
+    if (is_far(ray)) {
+      far_hit<QueryKind::closest>(ray, counts, best);
+      return best;
+    }
     const float scale = length_scale(ray);
-    Query query = start(ray, scale, counts);
+    Query query(bvh_, *geometry_, ray, scale * (1 + slack), counts, best);
     RTCRayHit ray_hit = embree::without_hit(embree_ray(ray, scale));
     embree::intersect(scene_.get(), query, ray_hit);
-    return query.best;
+    return best;
   }
 
   bool any(const CheckedRay& ray, QueryCounts* counts) const {
-    if (is_far(ray)) return bool(far_hit<true>(ray, counts));
+    Hit found;
+    if (is_far(ray)) {
+      far_hit<QueryKind::any>(ray, counts, found);
+      return bool(found);
+    }
     const float scale = length_scale(ray);
-    Query query = start(ray, scale, counts);
+    Query query(bvh_, *geometry_, ray, scale * (1 + slack), counts, found);
     RTCRay occlusion_ray = embree_ray(ray, scale);
     embree::occluded(scene_.get(), query, occlusion_ray);
-    return bool(query.best);
+    return bool(found);
   }
 
   bool is_far(const CheckedRay& ray) const { return max_abs(ray.origin) > scene_size_ * embree::reach; }
@@ -142,23 +165,16 @@ class EmbreeAccelerator final : public Accelerator {
                             ray.t_max * scale * (1 + slack));
   }
 
-  Query start(const CheckedRay& ray, float scale, QueryCounts* counts) const {
-    Query query{{}, bvh_, *geometry_, ray, LaneRay(ray), scale * (1 + slack), {}, counts};
-    embree::initialize(query);
-    return query;
-  }
-
-  /// The answer of our own tree; `any`: whatever hit comes first. Apart, for its stack is large.
-  template <bool any>
-  [[gnu::noinline]] Hit far_hit(const CheckedRay& ray, QueryCounts* counts) const {
-    Query query = start(ray, 1, counts);
+  /// The answer of our own tree. Apart, for its stack is large.
+  template <QueryKind kind>
+  [[gnu::noinline]] void far_hit(const CheckedRay& ray, QueryCounts* counts, Hit& best) const {
+    Query query(bvh_, *geometry_, ray, 1, counts, best);
     float t_max = ray.t_max;
     traverse(bvh_, ray, t_max, NoCounts{}, [&](const TriangleBlock& block) {
-      query.test(unsigned(&block - bvh_.blocks.data()));
-      if (!any) t_max = std::min(t_max, query.best.t);
-      return any && query.best;
+      query.test<kind>(unsigned(&block - bvh_.blocks.data()));
+      if (kind == QueryKind::closest) t_max = std::min(t_max, best.t);
+      return kind == QueryKind::any && best;
     });
-    return query.best;
   }
 
   std::shared_ptr<const Geometry> geometry_;
