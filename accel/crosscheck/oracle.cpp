@@ -148,10 +148,18 @@ Difference difference_of(const Testimony& nearer, const Testimony& other) {
   return difference_of(nearer.standing != Standing::firm ? nearer.standing : other.standing);
 }
 
-/// Whether a triangle is so small, compared with its distance, that the ray passes near its edges anyhow; a
-/// lower bound of the distance is enough.
-bool is_below_rounding(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
-  return longest_edge(a, b, c) < rounding_ulps * ulp * max_abs(a - ray.origin);
+/// Whether a look in double is enough to see that a triangle is not firm: it is smaller than the rounding at
+/// its distance, or the ray passes clearly beside it (a vertex is farther away than the longest edge).
+bool is_surely_not_firm(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
+  constexpr double margin = 1e-6, distance_error = 1e-12;
+  const double longest = longest_edge(a, b, c);
+  const double x = double(a.x) - ray.origin.x, y = double(a.y) - ray.origin.y, z = double(a.z) - ray.origin.z;
+  const double scale = std::max(std::fabs(x), std::max(std::fabs(y), std::fabs(z)));
+  if (longest < rounding_ulps * ulp * scale) return true;
+  const double dx = ray.direction.x, dy = ray.direction.y, dz = ray.direction.z;
+  const double mx = dy * z - dz * y, my = dz * x - dx * z, mz = dx * y - dy * x;
+  const double beside = std::sqrt((mx * mx + my * my + mz * mz) / (dx * dx + dy * dy + dz * dz));
+  return beside > longest * (1 + margin) + distance_error * scale;
 }
 
 }  // namespace
@@ -192,8 +200,8 @@ std::vector<Testimony> Oracle::firm_testimonies(const Ray& ray, float t_max) con
   traverse(*tree_, checked, checked.t_max, NoCounts{}, [&](const TriangleBlock& block) {
     for (std::uint32_t lane = 0; lane < block.count; ++lane) {
       const bool is_triangle = block.triangles >> lane & 1;
-      if (is_triangle && is_below_rounding(ray, block.corner(0, int(lane)), block.corner(1, int(lane)),
-                                           block.corner(2, int(lane))))
+      if (is_triangle && is_surely_not_firm(ray, block.corner(0, int(lane)), block.corner(1, int(lane)),
+                                            block.corner(2, int(lane))))
         continue;
       testify(*geometry_, ray, block.ids[lane], all);
     }
