@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "accel/accelerator.h"
-#include "bench/ray_sets.h"
 #include "core/scene.h"
+#include "integrators/recorded_rays.h"
 
 namespace twinray::bench {
 

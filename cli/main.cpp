@@ -14,6 +14,7 @@
 #include "cli/crosscheck_command.h"
 #include "cli/render_arguments.h"
 #include "cli/render_command.h"
+#include "cli/stats_command.h"
 #include "core/error.h"
 
 namespace {
@@ -34,7 +35,8 @@ int render(const Words& words) {
 constexpr std::array commands{
     Command{"render", render, twinray::usage_line},  // may be left out
     Command{"agreement", twinray::agreement_command, twinray::agreement_usage_line},
-    Command{"crosscheck", twinray::crosscheck_command, twinray::crosscheck_usage_line}};
+    Command{"crosscheck", twinray::crosscheck_command, twinray::crosscheck_usage_line},
+    Command{"stats", twinray::stats_command, twinray::stats_usage_line}};
 
 /// The command that the first word names, which is taken away; render where it names none.
 const Command& take_command(Words& words) {

@@ -16,6 +16,20 @@ namespace twinray {
 void record_sample(const Integrator& integrator, const Camera& camera, const Accelerator& accelerator,
                    Vec2 frame, const SampleKey& key, std::vector<RecordedRay>& rays);
 
+/// How much of a picture is recorded: by default CS184's usual one, thinned out.
+struct Recording {
+  int width = 160, height = 120;  ///< Pixels, >= 1.
+  std::uint32_t samples = 1;      ///< Per pixel, >= 1; a single one goes through the pixel's centre.
+  int max_depth = 5;
+};
+
+/// All rays of a path-traced picture of the scene (one light sample a hit), row by row. The same on every
+/// machine. Throws Error for a depth out of range.
+std::vector<RecordedRay> record_rays(const Scene& scene, const Recording& recording = {});
+
+/// The rays of one kind, in their order.
+std::vector<Ray> rays_of_kind(const std::vector<RecordedRay>& recorded, RayKind kind);
+
 /// Rays of light paths without end, in batches that any thread may make. Half of the paths start at the
 /// scene's camera, half where its view shows the whole scene.
 class PathRays {

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/stats.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/stats_command.h"
+#include "cli/stats_report.h"
+#include "core/error.h"
+#include "io/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
+
+/// One pass over the rays of 8 x 6 pixels.
+StatsOptions tiny(int threads = 1) {
+  return {.recording = {.width = 8, .height = 6}, .threads = threads, .least_seconds = 0};
+}
+
+SceneFigures figures_of(const std::string& path, const StatsOptions& options = tiny()) {
+  return measure_engines(load_scene(path).scene, options);
+}
+
+const EngineFigures& engine(const SceneFigures& figures, const std::string& name) {
+  for (const EngineFigures& entry : figures.engines)
+    if (entry.name == name) return entry;
+  throw Error("there is no " + name);
+}
+
+std::string counts_text(const EngineFigures& figures) {
+  std::string text;
+  for (const RayFigures& rays : figures.rays)
+    text += fmt::format("{} {} {} {} {}; ", rays.rays, rays.counts.nodes, rays.counts.boxes,
+                        rays.counts.leaves, rays.counts.primitives);
+  return text;
+}
+
+std::string quoted(const std::string& path) { return "'" + path + "'"; }
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("the counts of a small box are exact") {
+  const SceneFigures figures = figures_of(box);
+  CHECK(figures.engines.size() == stats_engines().size());
+  CHECK(counts_text(engine(figures, "bvh sah")) ==
+        "48 198 444 48 96; 80 400 880 80 160; 65 285 635 52 104; ");
+  CHECK(counts_text(engine(figures, "bvh median")) ==
+        "48 144 336 156 468; 80 240 560 320 960; 65 195 455 229 687; ");
+  // Twelve triangles by halves: four leaves of three.
+  const AccelStats& median = engine(figures, "bvh median").build;
+  CHECK(median.nodes == 7);
+  CHECK(median.leaves == 4);
+  CHECK(median.depth == 2);
+  const EngineFigures& all = engine(figures, "brute-force");
+  CHECK(all.rays[0].counts.primitives == 12 * all.rays[0].rays);
+  CHECK(all.rays[1].counts.primitives <= 12 * all.rays[1].rays);
+  CHECK(all.rays[2].counts.primitives == 12 * all.rays[2].rays);
+}
+
+TEST_CASE("all engines get the same rays, and their counts do not depend on threads") {
+  const SceneFigures one = figures_of(box), three = figures_of(box, tiny(3));
+  REQUIRE(one.engines.size() == three.engines.size());
+  for (std::size_t i = 0; i < one.engines.size(); ++i) {
+    CAPTURE(one.engines[i].name);
+    CHECK(counts_text(one.engines[i]) == counts_text(three.engines[i]));
+    for (std::size_t kind = 0; kind < ray_kinds.size(); ++kind)
+      CHECK(one.engines[i].rays[kind].rays == one.engines[0].rays[kind].rays);
+  }
+  CHECK(one.engines[0].rays[0].rays == 8 * 6);
+}
+
+TEST_CASE("what an engine does not tell is a dash, an empty field, and null") {
+  const SceneFigures figures{{{.name = "some", .has_primitives = true}, {.name = "none"}}};
+  const std::string text = stats_text({}, figures);
+  const std::string some = text.substr(text.find("\nsome") + 1, text.find("\nnone") - text.find("\nsome"));
+  CHECK(count_of(some, " -") == 3 + 3);
+  CHECK(count_of(text, " -") == 3 + 3 + 3 + 6);
+  const std::string csv = stats_csv(figures);
+  CHECK(csv.find("\nsome,0,0,,,,,0,camera,0,,,0,0,0\n") != std::string::npos);
+  CHECK(csv.find("\nnone,0,0,,,,,0,bounce,0,,,,,0\n") != std::string::npos);
+  const auto json = nlohmann::json::parse(stats_json({}, figures));
+  CHECK(json["engines"][0]["sah_cost"].is_null());
+  CHECK(json["engines"][0]["camera"]["nodes"].is_null());
+  CHECK(json["engines"][0]["camera"]["primitives"] == 0);
+  CHECK(json["engines"][1]["camera"]["primitives_per_ray"].is_null());
+}
+
+TEST_CASE("brute force is left out where it would take too long") {
+  StatsOptions options = tiny();
+  CHECK_FALSE(figures_of(box, options).is_brute_force_left_out);
+  options.brute_force_tests = 100;
+  const SceneFigures figures = figures_of(box, options);
+  CHECK(figures.is_brute_force_left_out);
+  CHECK(figures.engines.size() + 1 == stats_engines().size());
+  CHECK(stats_text({}, figures).find("Brute force is left out") != std::string::npos);
+}
+
+TEST_CASE("a scene without shapes has figures") {
+  const SceneFigures figures = figures_of(TWINRAY_SOURCE_DIR "/tests/bad/warning_no_shapes.dae");
+  CHECK(counts_text(engine(figures, "bvh sah")).find("48 0 ") == 0);
+  CHECK(counts_text(engine(figures, "brute-force")) == "48 0 0 0 0; 0 0 0 0 0; 0 0 0 0 0; ");
+}
+
+TEST_CASE("the stats command prints a row for each engine and writes both files") {
+  const TemporaryFolder folder;
+  const std::string csv = folder.file("a.csv"), json = folder.file("a.json");
+  const ProcessResult result =
+      run_program("stats -r 8 6 -t 1 " + box + " --csv " + quoted(csv) + " --json " + quoted(json));
+  CHECK(result.exit_code == 0);
+  CHECK(folder.file_count() == 2);
+  CHECK(result.out.find("\nengine ") != std::string::npos);
+  CHECK(result.out.find("\n12 primitives. ") != std::string::npos);
+  CHECK(result.out.find("\nof 8 x 6 pixels, 1 sample each, view whole: 48 camera, ") != std::string::npos);
+  for (const AgreementEngine& entry : stats_engines())
+    CHECK(result.out.find("\n" + entry.name + " ") != std::string::npos);
+  CHECK(count_of(read_text(csv), "\n") == 1 + 3 * stats_engines().size());
+  const auto parsed = nlohmann::json::parse(read_text(json));
+  CHECK(parsed["resolution"] == nlohmann::json({8, 6}));
+  CHECK(parsed["threads"] == 1);
+  CHECK(parsed["engines"].size() == stats_engines().size());
+  CHECK(parsed["engines"][1]["camera"]["rays"] == 48);
+}
+
+TEST_CASE("a wrong stats command line ends with 2, and a file that is not there or not writable with 1") {
+  const ProcessResult unknown = run_program("stats --none " + box);
+  CHECK(unknown.exit_code == 2);
+  CHECK(unknown.err ==
+        "twinray: The following argument was not expected: --none\n"
+        "usage: twinray stats SCENE.dae [options]; all options: twinray stats --help\n");
+  CHECK_THROWS_AS(parse_stats_arguments({}), UsageError);
+  CHECK_THROWS_AS(parse_stats_arguments({"a.dae", "-r", "0", "1"}), UsageError);
+  CHECK_THROWS_AS(parse_stats_arguments({"a.dae", "-s", "0"}), UsageError);
+  CHECK_THROWS_AS(parse_stats_arguments({"a.dae", "--view", "both"}), UsageError);
+  CHECK(parse_stats_arguments({"a.dae"})->view == View::whole);
+  CHECK(parse_stats_arguments({"a.dae", "--view=file"})->view == View::file);
+  CHECK(run_program("stats -q no-such-scene.dae").exit_code == 1);
+  const TemporaryFolder folder;
+  const std::string nowhere = folder.file("none/a.csv");
+  const ProcessResult refused = run_program("stats -q " + box + " --csv " + quoted(nowhere));
+  CHECK(refused.exit_code == 1);
+  CHECK(refused.out.empty());
+  CHECK(refused.err == fmt::format("twinray: {}: there is no folder {}\n", nowhere, folder.file("none")));
+  const ProcessResult help = run_program("stats --help");
+  CHECK(help.exit_code == 0);
+  CHECK(help.out.find("--csv") != std::string::npos);
+}
+
+}  // namespace twinray::test
