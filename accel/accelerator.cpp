@@ -25,6 +25,11 @@ constexpr std::array<std::pair<Backend, const char*>, 4> backend_names{
      {Backend::embree_native, "embree-native"},
      {Backend::brute_force, "brute-force"}}};
 
+constexpr std::array<std::pair<BvhBuilder, const char*>, 3> builder_names{
+    {{BvhBuilder::own, "own"},
+     {BvhBuilder::embree_low, "embree-low"},
+     {BvhBuilder::embree_medium, "embree-medium"}}};
+
 void check_range(const char* name, double value, double least, double most) {
   if (!(value >= least && value <= most))
     throw Error(fmt::format("{} is {}; it must lie in [{}, {}]", name, value, least, most));
@@ -104,6 +109,20 @@ Backend default_backend() { return available_backends().front(); }
 std::string backend_name(Backend backend) {
   for (const auto& [value, name] : backend_names)
     if (value == backend) return name;
+  return "unknown";
+}
+
+std::vector<BvhBuilder> available_builders() {
+#ifdef TWINRAY_WITH_EMBREE
+  return {BvhBuilder::own, BvhBuilder::embree_low, BvhBuilder::embree_medium};
+#else
+  return {BvhBuilder::own};
+#endif
+}
+
+std::string builder_name(BvhBuilder builder) {
+  for (const auto& [value, name] : builder_names)
+    if (value == builder) return name;
   return "unknown";
 }
 

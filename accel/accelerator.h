@@ -96,4 +96,9 @@ std::string backend_name(Backend backend);
 /// The backend of a name; throws Error that lists the valid names of this build.
 Backend parse_backend(const std::string& name);
 
+/// The builders of BVHs of this build, our own first.
+std::vector<BvhBuilder> available_builders();
+/// "own", "embree-low", "embree-medium".
+std::string builder_name(BvhBuilder builder);
+
 }  // namespace twinray

@@ -12,6 +12,13 @@ enum class BvhSplit {
   mean,      ///< The mean of the centroids on that axis.
 };
 
+/// Who makes the binary tree of the bvh engine.
+enum class BvhBuilder {
+  own,            ///< Our builder, by bvh_split.
+  embree_low,     ///< Embree's, quality LOW: along a curve of Morton codes.
+  embree_medium,  ///< Embree's, quality MEDIUM: binned SAH.
+};
+
 enum class EmbreeMode { robust, fast };
 
 /// Which ray-triangle test the hand-written engines run.
@@ -22,10 +29,11 @@ struct BuildOptions {
   int threads = 0;  ///< 0: as many as the process may use. The tree does not depend on it.
 
   BvhSplit bvh_split = BvhSplit::sah;
-  int bvh_bins = 32;               ///< 2 to 256.
-  int max_leaf_size = 4;           ///< 1 to 255 primitives.
-  double traversal_cost = 1.0;     ///< SAH cost of a node step, > 0.
-  double intersection_cost = 1.0;  ///< SAH cost of a primitive test, > 0.
+  int bvh_bins = 32;                         ///< 2 to 256.
+  BvhBuilder bvh_builder = BvhBuilder::own;  ///< bvh only; split and bins apply to `own` alone.
+  int max_leaf_size = 4;                     ///< 1 to 255 primitives; to 32 by Embree's builders.
+  double traversal_cost = 1.0;               ///< SAH cost of a node step, > 0.
+  double intersection_cost = 1.0;            ///< SAH cost of a primitive test, > 0.
   TriangleTest triangle_test =
       TriangleTest::woop;  ///< moller_trumbore: brute force and bvh only; leaves the promise of equal bits.
 

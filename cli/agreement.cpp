@@ -141,6 +141,10 @@ std::vector<AgreementEngine> agreement_engines() {
                                     {"bvh midpoint", BvhSplit::midpoint},
                                     {"bvh mean", BvhSplit::mean}})
     engines.push_back({name, Backend::bvh, {.bvh_split = split}});
+  for (const BvhBuilder builder : available_builders())
+    if (builder != BvhBuilder::own)
+      engines.push_back(
+          {fmt::format("bvh {}", builder_name(builder)), Backend::bvh, {.bvh_builder = builder}});
   for (const Backend backend : available_backends())
     if (backend == Backend::embree) engines.push_back({backend_name(backend), backend, {}});
   engines.push_back({backend_name(Backend::brute_force), Backend::brute_force, {}});

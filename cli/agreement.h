@@ -20,8 +20,8 @@ struct AgreementEngine {
   BuildOptions build;
 };
 
-/// All engines of this build that promise the same bits: the hand-written BVH with each split method, embree,
-/// and brute force, which comes last. The first is what all are compared with.
+/// All engines of this build that promise the same bits: the hand-written BVH with each split method and
+/// builder, embree, and brute force, which comes last. The first is what all are compared with.
 std::vector<AgreementEngine> agreement_engines();
 
 /// The BVH with Moeller and Trumbore's test, which does not make the promise: a comparison that is worth

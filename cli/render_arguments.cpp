@@ -51,6 +51,12 @@ Choices<Backend> backend_choices() {
   return choices;
 }
 
+Choices<BvhBuilder> builder_choices() {
+  Choices<BvhBuilder> choices;
+  for (const BvhBuilder builder : available_builders()) choices.emplace_back(builder_name(builder), builder);
+  return choices;
+}
+
 /// Options whose values are only understood together with others, or after all have been read.
 struct RawArguments {
   std::vector<int> resolution{480, 360};
@@ -153,6 +159,9 @@ void add_engine_options(CLI::App& app, RenderArguments& arguments) {
                         {"mean", BvhSplit::mean}},
                        "How nodes are split (sah)")
       ->group(group);
+  add_choice<BvhBuilder>(app, "--bvh-builder", build.bvh_builder, builder_choices(),
+                         "Who builds the bvh (own)")
+      ->group(group);
   app.add_option("--bvh-bins", build.bvh_bins, "Bins of each axis, for sah (32)")
       ->type_name("N")
       ->check(CLI::Range(2, 256))
@@ -234,6 +243,16 @@ void choose_bounces(RawArguments::Bounces bounces, PathOptions& path) {
   if (bounces == RawArguments::Bounces::last) path.first_depth = path.last_depth = path.max_depth;
 }
 
+void check_builder(const RenderArguments& arguments) {
+  const BuildOptions& build = arguments.build;
+  if (build.bvh_builder == BvhBuilder::own) return;
+  if (arguments.backend != Backend::bvh) throw UsageError("--bvh-builder goes with --accel=bvh");
+  if (build.bvh_split != BvhSplit::sah || build.bvh_bins != BuildOptions{}.bvh_bins)
+    throw UsageError("--bvh-split and --bvh-bins go with --bvh-builder=own");
+  if (build.max_leaf_size > 32)
+    throw UsageError("--max-leaf-size: Embree's builders make leaves of up to 32 primitives");
+}
+
 void resolve(const RawArguments& raw, RenderArguments& arguments) {
   RenderOptions& render = arguments.render;
   render.width = raw.resolution[0];
@@ -249,6 +268,7 @@ void resolve(const RawArguments& raw, RenderArguments& arguments) {
   arguments.path.roulette = parse_roulette(raw.roulette);
   choose_bounces(raw.bounces, arguments.path);
   arguments.build.threads = render.threads;
+  check_builder(arguments);
   if (arguments.build.triangle_test == TriangleTest::moller_trumbore && arguments.backend != Backend::bvh &&
       arguments.backend != Backend::brute_force)
     throw UsageError("--triangle-test=moller-trumbore goes with --accel=bvh and --accel=brute-force");

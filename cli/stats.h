@@ -28,7 +28,7 @@ struct StatsOptions {
   int threads = 0;             ///< For building and for the rays; 0: as many as the process may use.
   double least_seconds = 0.1;  ///< The rays of a kind are shot until this has passed, at least once.
   /// Primitive tests that one pass of brute force may make; beyond, it is left out.
-  double brute_force_tests = 2e8;
+  double brute_force_tests = 5e7;
 };
 
 /// What the rays of one kind did in an engine.

@@ -17,6 +17,7 @@ set(private_headers
   accel/bvh/traversal.h
   accel/embree/api.h
   accel/embree/bounds.h
+  accel/embree/builder.h
   accel/embree/device.h
   accel/embree/ray.h
   accel/exact.h

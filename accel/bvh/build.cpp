@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "accel/embree/builder.h"
 #include "accel/phase_timer.h"
 #include "core/error.h"
 #include "core/parallel.h"
@@ -89,6 +90,15 @@ class Layout {
   std::vector<BlockRange> block_ranges_;
 };
 
+BuildTree build_by(std::vector<BuildPrimitive> primitives, const BuildOptions& options) {
+  if (options.bvh_builder == BvhBuilder::own) return build_tree(std::move(primitives), options);
+#ifdef TWINRAY_WITH_EMBREE
+  return build_tree_by_embree(std::move(primitives), options);
+#else
+  throw Error(fmt::format("the builder {} is not part of this build", builder_name(options.bvh_builder)));
+#endif
+}
+
 TriangleBlock make_block(const BuildTree& tree, const BlockRange& range, const Geometry& geometry) {
   std::array<PrimitiveId, TriangleBlock::width> ids;
   for (std::uint32_t i = 0; i < range.count; ++i) ids[i] = tree.primitives[range.first + i].id;
@@ -122,6 +132,11 @@ BuildTree build_tree(std::vector<BuildPrimitive> primitives, const BuildOptions&
   return tree;
 }
 
+void halve_subtree(BuildTree& tree, const BuildOptions& options, std::uint32_t index, std::size_t first,
+                   std::size_t count) {
+  TreeBuilder(tree, options).build(index, first, count, free_bvh_depth);
+}
+
 Bvh lay_out(const BuildTree& tree, const Geometry& geometry) {
   Bvh bvh;
   if (tree.primitives.empty()) return bvh;
@@ -143,7 +158,7 @@ Bvh make_bvh(const Geometry& geometry, const BuildOptions& options, std::vector<
     std::vector<BuildPrimitive> primitives;
     BuildTree tree;
     timed("boxes", phases, [&] { primitives = collect_primitives(geometry); });
-    timed("tree", phases, [&] { tree = build_tree(std::move(primitives), options); });
+    timed("tree", phases, [&] { tree = build_by(std::move(primitives), options); });
     timed("layout", phases, [&] { bvh = lay_out(tree, geometry); });
   });
   return bvh;

@@ -30,10 +30,16 @@ std::vector<BuildPrimitive> collect_primitives(const Geometry& geometry);
 /// of them.
 BuildTree build_tree(std::vector<BuildPrimitive> primitives, const BuildOptions& options);
 
+/// Makes node `index` of a tree, which lies at the depth free_bvh_depth, over the primitives
+/// [first, first + count), and all below it: halves down to leaves of up to options.max_leaf_size.
+void halve_subtree(BuildTree& tree, const BuildOptions& options, std::uint32_t index, std::size_t first,
+                   std::size_t count);
+
 /// Lays a tree out for traversal: pads boxes, copies vertices into blocks.
 Bvh lay_out(const BuildTree& tree, const Geometry& geometry);
 
-/// All three steps on options.threads threads; adds how long each took to `phases`.
+/// All three steps, with the builder of the options, on options.threads threads; adds how long each took to
+/// `phases`. Throws Error where the builder is not part of this build.
 Bvh make_bvh(const Geometry& geometry, const BuildOptions& options, std::vector<BuildPhase>& phases);
 
 }  // namespace twinray

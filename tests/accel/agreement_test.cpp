@@ -37,6 +37,10 @@ std::vector<Engine> canonical_engines(const std::shared_ptr<const Geometry>& geo
   add("bvh median", Backend::bvh, {.bvh_split = BvhSplit::median, .max_leaf_size = 2});
   add("bvh midpoint", Backend::bvh, {.bvh_split = BvhSplit::midpoint, .max_leaf_size = 1});
   add("bvh mean", Backend::bvh, {.bvh_split = BvhSplit::mean});
+  for (const BvhBuilder builder : available_builders())
+    for (const int leaf : {1, 4})
+      if (builder != BvhBuilder::own)
+        add("bvh " + builder_name(builder), Backend::bvh, {.bvh_builder = builder, .max_leaf_size = leaf});
   for (const Backend backend : available_backends())
     if (backend == Backend::embree) add("embree", backend, {});
   return engines;

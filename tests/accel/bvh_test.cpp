@@ -25,6 +25,15 @@ Bvh build(const Geometry& geometry, const BuildOptions& options = {}) {
   return make_bvh(geometry, options, phases);
 }
 
+/// Every split method, and every other builder of this build.
+std::vector<BuildOptions> all_builds(int max_leaf_size) {
+  std::vector<BuildOptions> all;
+  for (const BvhSplit split : all_splits) all.push_back({.bvh_split = split, .max_leaf_size = max_leaf_size});
+  for (const BvhBuilder builder : available_builders())
+    if (builder != BvhBuilder::own) all.push_back({.bvh_builder = builder, .max_leaf_size = max_leaf_size});
+  return all;
+}
+
 std::string fault(const Geometry& geometry, const BuildOptions& options) {
   return find_fault(build(geometry, options), geometry, options.max_leaf_size);
 }
@@ -72,12 +81,41 @@ bool same_trees(const Bvh& a, const Bvh& b) {
 
 TEST_CASE("every split and leaf size gives a tree without a fault") {
   const auto geometry = share({soup(700, 0.1f, 1), random_spheres(60, 0.2f, 2), soup(300, 1.0f, 3)});
-  for (const BvhSplit split : all_splits)
-    for (const int leaf : {1, 2, 3, 4, 5, 8, 255}) {
-      CAPTURE(int(split), leaf);
-      CHECK(fault(*geometry, {.bvh_split = split, .max_leaf_size = leaf}) == "");
+  for (const int leaf : {1, 2, 3, 4, 5, 8, 32})
+    for (const BuildOptions& options : all_builds(leaf)) {
+      CAPTURE(int(options.bvh_split), int(options.bvh_builder), leaf);
+      CHECK(fault(*geometry, options) == "");
     }
+  for (const BvhSplit split : all_splits)
+    CHECK(fault(*geometry, {.bvh_split = split, .max_leaf_size = 255}) == "");
   for (const int bins : {2, 3, 256}) CHECK(fault(*geometry, {.bvh_bins = bins}) == "");
+}
+
+TEST_CASE("every split, builder and leaf size is what it says") {
+  const auto geometry = share({soup(2000, 0.1f, 21)});
+  std::vector<std::size_t> nodes;
+  for (const BuildOptions& options : all_builds(4)) {
+    const AccelStats stats = build_accelerator(Backend::bvh, geometry, options)->stats();
+    CHECK(stats.primitives == 2000);
+    CHECK(stats.nodes == 2 * stats.leaves - 1);
+    nodes.push_back(stats.nodes);
+  }
+  std::sort(nodes.begin(), nodes.end());
+  CHECK(std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end());
+}
+
+TEST_CASE("a builder that is not part of the build is refused, and so are leaves beyond its own bound") {
+  const auto geometry = share({soup(20, 0.1f, 22)});
+#ifdef TWINRAY_WITH_EMBREE
+  CHECK(available_builders().size() == 3);
+  CHECK_THROWS_WITH(build_accelerator(Backend::bvh, geometry,
+                                      {.bvh_builder = BvhBuilder::embree_medium, .max_leaf_size = 33}),
+                    "Embree's builders make leaves of up to 32 primitives");
+#else
+  CHECK(available_builders() == std::vector{BvhBuilder::own});
+  CHECK_THROWS_WITH(build_accelerator(Backend::bvh, geometry, {.bvh_builder = BvhBuilder::embree_low}),
+                    "the builder embree-low is not part of this build");
+#endif
 }
 
 TEST_CASE("the invariants name what is wrong with a tree") {
@@ -103,11 +141,14 @@ TEST_CASE("the invariants name what is wrong with a tree") {
 TEST_CASE("the tree has the same bits on any number of threads") {
   const auto geometry = share({soup(90000, 0.02f, 7)});
   REQUIRE(geometry->primitive_count() > parallel_range);
-  for (const BvhSplit split : all_splits) {
-    CAPTURE(int(split));
-    const Bvh one = build(*geometry, {.threads = 1, .bvh_split = split});
-    CHECK(same_trees(one, build(*geometry, {.threads = 2, .bvh_split = split})));
-    CHECK(same_trees(one, build(*geometry, {.threads = 7, .bvh_split = split})));
+  for (BuildOptions options : all_builds(4)) {
+    CAPTURE(int(options.bvh_split), int(options.bvh_builder));
+    options.threads = 1;
+    const Bvh one = build(*geometry, options);
+    for (const int threads : {2, 7}) {
+      options.threads = threads;
+      CHECK(same_trees(one, build(*geometry, options)));
+    }
   }
 }
 
@@ -129,9 +170,9 @@ TEST_CASE("degenerate geometry builds") {
                                                                 share({soup(2, 1, 1)}),
                                                                 share({random_spheres(500, 0.1f, 1)})};
   for (const auto& geometry : geometries)
-    for (const BvhSplit split : all_splits) {
-      CAPTURE(geometry->primitive_count(), int(split));
-      CHECK(fault(*geometry, {.bvh_split = split, .max_leaf_size = 2}) == "");
+    for (const BuildOptions& options : all_builds(2)) {
+      CAPTURE(geometry->primitive_count(), int(options.bvh_split), int(options.bvh_builder));
+      CHECK(fault(*geometry, options) == "");
     }
 }
 
@@ -146,9 +187,9 @@ TEST_CASE("coincident centres are divided by halves") {
 
 TEST_CASE("no tree is deeper than the stack") {
   const auto geometry = share({exponential_triangles()});
-  for (const BvhSplit split : all_splits) {
-    CAPTURE(int(split));
-    CHECK(fault(*geometry, {.bvh_split = split, .max_leaf_size = 1}) == "");
+  for (const BuildOptions& options : all_builds(1)) {
+    CAPTURE(int(options.bvh_split), int(options.bvh_builder));
+    CHECK(fault(*geometry, options) == "");
   }
   // Without the bound the midpoints would part one triangle after the other.
   const auto midpoint =

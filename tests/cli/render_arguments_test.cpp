@@ -44,6 +44,26 @@ TEST_CASE("CS184's options take the same arguments") {
   CHECK(arguments.output == "out.png");
 }
 
+TEST_CASE("Embree's builders go with the bvh engine, and exclude the options of our own") {
+  CHECK(parse({"--accel=bvh"}).build.bvh_builder == BvhBuilder::own);
+#ifdef TWINRAY_WITH_EMBREE
+  CHECK(parse({"--accel=bvh", "--bvh-builder=embree-low", "--max-leaf-size=8"}).build.bvh_builder ==
+        BvhBuilder::embree_low);
+  CHECK(message_of({"--accel=embree", "--bvh-builder=embree-low"}) == "--bvh-builder goes with --accel=bvh");
+  CHECK(message_of({"--accel=bvh", "--bvh-builder=embree-medium", "--bvh-split=mean"}) ==
+        "--bvh-split and --bvh-bins go with --bvh-builder=own");
+  CHECK(message_of({"--accel=bvh", "--bvh-builder=embree-medium", "--bvh-bins=8"}) ==
+        "--bvh-split and --bvh-bins go with --bvh-builder=own");
+  CHECK(message_of({"--accel=bvh", "--bvh-builder=embree-low", "--max-leaf-size=33"}) ==
+        "--max-leaf-size: Embree's builders make leaves of up to 32 primitives");
+  CHECK(message_of({"--bvh-builder=embree-high"}) ==
+        "--bvh-builder: there is no \"embree-high\"; valid are own, embree-low, embree-medium");
+#else
+  CHECK(message_of({"--bvh-builder=embree-low"}) ==
+        "--bvh-builder: there is no \"embree-low\"; valid are own");
+#endif
+}
+
 TEST_CASE("options may follow the scene, and long names mean the same") {
   const auto arguments =
       parse_render_arguments({"scene.dae", "--samples=8", "--light-samples=2", "--max-depth=0",
