@@ -39,6 +39,7 @@ void check_options(const BuildOptions& options) {
   check_range("the number of threads", options.threads, 0, 65536);
   check_range("the number of BVH bins", options.bvh_bins, 2, 256);
   check_range("the maximum leaf size", options.max_leaf_size, 1, 255);
+  check_range("the leaf block", options.leaf_block, 1, 255);
   check_range("the traversal cost", options.traversal_cost, 1e-6, 1e6);
   check_range("the intersection cost", options.intersection_cost, 1e-6, 1e6);
 }

@@ -32,8 +32,10 @@ struct BuildOptions {
   int bvh_bins = 32;                         ///< 2 to 256.
   BvhBuilder bvh_builder = BvhBuilder::own;  ///< bvh only; split and bins apply to `own` alone.
   int max_leaf_size = 4;                     ///< 1 to 255 primitives; to 32 by Embree's builders.
-  double traversal_cost = 1.0;               ///< SAH cost of a node step, > 0.
-  double intersection_cost = 1.0;            ///< SAH cost of a primitive test, > 0.
+  /// The SAH cost counts primitives rounded up to a multiple of this, 1 to 255; bvh_builder `own` alone.
+  int leaf_block = 1;
+  double traversal_cost = 1.0;     ///< SAH cost of a node step, > 0.
+  double intersection_cost = 1.0;  ///< SAH cost of a primitive test, > 0.
   TriangleTest triangle_test =
       TriangleTest::woop;  ///< moller_trumbore: brute force and bvh only; leaves the promise of equal bits.
 

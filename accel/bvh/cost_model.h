@@ -13,9 +13,13 @@ namespace twinray {
 class CostModel {
  public:
   explicit CostModel(const BuildOptions& options)
-      : traversal_(options.traversal_cost), intersection_(options.intersection_cost) {}
+      : traversal_(options.traversal_cost),
+        intersection_(options.intersection_cost),
+        block_(std::size_t(options.leaf_block)) {}
 
-  double leaf(std::size_t primitives) const { return intersection_ * double(primitives); }
+  /// As how many primitives so many count: a block that is not full takes as long as a full one.
+  double counted(std::size_t primitives) const { return double((primitives + block_ - 1) / block_ * block_); }
+  double leaf(std::size_t primitives) const { return intersection_ * counted(primitives); }
   /// The cost of a box with area `area` and two leaves: `weighted_area` is the sum of their areas times their
   /// counts. Inside of a box without area every child is met.
   double split(double area, double weighted_area, std::size_t primitives) const {
@@ -25,6 +29,7 @@ class CostModel {
 
  private:
   double traversal_, intersection_;
+  std::size_t block_;
 };
 
 }  // namespace twinray

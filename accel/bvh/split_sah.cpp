@@ -26,7 +26,7 @@ struct Bin {
     box.extend(other.box);
     count += other.count;
   }
-  double weighted_area() const { return box.half_area() * double(count); }
+  double weighted_area(const CostModel& cost) const { return box.half_area() * cost.counted(count); }
 };
 
 /// Which bin a centre falls into, on each axis. In double: an extent of 10^12 and one of 10^-40 both have a
@@ -82,22 +82,23 @@ struct Candidate {
   double weighted_area = std::numeric_limits<double>::infinity();
 };
 
-void sweep(const std::array<Bin, max_bins>& bins, int count, int axis, Candidate& best) {
+void sweep(const std::array<Bin, max_bins>& bins, int count, int axis, const CostModel& cost,
+           Candidate& best) {
   std::array<double, max_bins> right;
   Bin side;
   for (int i = count - 1; i > 0; --i) {
     side.extend(bins[std::size_t(i)]);
-    right[std::size_t(i)] = side.count > 0 ? side.weighted_area() : Candidate{}.weighted_area;
+    right[std::size_t(i)] = side.count > 0 ? side.weighted_area(cost) : Candidate{}.weighted_area;
   }
   side = {};
   for (int i = 1; i < count; ++i) {
     side.extend(bins[std::size_t(i - 1)]);
-    const double sum = side.weighted_area() + right[std::size_t(i)];
+    const double sum = side.weighted_area(cost) + right[std::size_t(i)];
     if (side.count > 0 && sum < best.weighted_area) best = {axis, i, sum};
   }
 }
 
-Candidate cheapest(const NodeRange& range, const Binning& binning) {
+Candidate cheapest(const NodeRange& range, const Binning& binning, const CostModel& cost) {
   Bins bins;
   if (range.primitives.size() < parallel_range)
     fill(bins, binning, range.primitives);
@@ -105,7 +106,7 @@ Candidate cheapest(const NodeRange& range, const Binning& binning) {
     fill_in_parallel(bins, binning, range.primitives);
   Candidate best;
   for (int axis = 0; axis < 3; ++axis)
-    if (!binning.is_flat(axis)) sweep(bins[std::size_t(axis)], binning.bins(), axis, best);
+    if (!binning.is_flat(axis)) sweep(bins[std::size_t(axis)], binning.bins(), axis, cost, best);
   return best;
 }
 
@@ -115,8 +116,8 @@ std::size_t divide_by_sah(const NodeRange& range, const BuildOptions& options) {
   const std::size_t count = range.primitives.size();
   // A small node needs few bins: four for each primitive part almost all centres that differ.
   const Binning binning(range.centers, int(std::min<std::size_t>(std::size_t(options.bvh_bins), 4 * count)));
-  const Candidate best = cheapest(range, binning);
   const CostModel cost(options);
+  const Candidate best = cheapest(range, binning, cost);
   if (count <= std::size_t(options.max_leaf_size) &&
       cost.leaf(count) <= cost.split(range.box.half_area(), best.weighted_area, count))
     return 0;

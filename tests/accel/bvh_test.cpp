@@ -256,6 +256,24 @@ TEST_CASE("a leaf is kept when every split costs more") {
   CHECK(divide(NodeRange(primitives), {.traversal_cost = 4}) == 0);
 }
 
+TEST_CASE("a cost by blocks fills leaves") {
+  // By primitives three and two lie tightest; by blocks of four, which take the same for any number of
+  // primitives, four and one.
+  std::vector<BuildPrimitive> primitives = cubes_at({0, 1, 2, 4, 7});
+  CHECK(divide_by_sah(NodeRange(primitives), {.max_leaf_size = 4}) == 3);
+  CHECK(divide_by_sah(NodeRange(primitives), {.max_leaf_size = 4, .leaf_block = 4}) == 4);
+  // Even far apart, two in one block are cheaper than two blocks.
+  primitives = cubes_at({0, 100});
+  CHECK(divide(NodeRange(primitives), {.leaf_block = 1, .traversal_cost = 0.5}) == 1);
+  CHECK(divide(NodeRange(primitives), {.leaf_block = 4, .traversal_cost = 8}) == 0);
+  const auto geometry = share({icosphere_mesh(4)});
+  const auto blocks = [&](int block) {
+    return double(build(*geometry, {.leaf_block = block}).blocks.size());
+  };
+  CHECK(blocks(4) < 0.75 * blocks(1));
+  CHECK(fault(*geometry, {.leaf_block = 4}) == "");
+}
+
 TEST_CASE("the sah cost of a tree is the expected cost of a ray") {
   const auto one = build_accelerator(Backend::bvh, share({soup(1, 1, 1)}), {.intersection_cost = 3});
   CHECK(one->stats().sah_cost == 3);
