@@ -37,6 +37,8 @@ void check_range(const char* name, double value, double least, double most) {
 
 void check_options(const BuildOptions& options) {
   check_range("the number of threads", options.threads, 0, 65536);
+  if (options.bvh_width != 2 && options.bvh_width != 8)
+    throw Error(fmt::format("the width of the BVH is {}; it must be 2 or 8", options.bvh_width));
   check_range("the number of BVH bins", options.bvh_bins, 2, 256);
   check_range("the maximum leaf size", options.max_leaf_size, 1, 255);
   check_range("the leaf block", options.leaf_block, 1, 255);
@@ -81,7 +83,8 @@ std::unique_ptr<Accelerator> build_accelerator(Backend backend, std::shared_ptr<
   check_options(options);
   switch (backend) {
     case Backend::bvh:
-      return build_bvh(std::move(geometry), options);
+      return options.bvh_width == 8 ? build_wide_bvh(std::move(geometry), options)
+                                    : build_bvh(std::move(geometry), options);
     case Backend::brute_force:
       return build_brute_force(std::move(geometry), options);
 #ifdef TWINRAY_WITH_EMBREE

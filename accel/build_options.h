@@ -28,10 +28,11 @@ enum class TriangleTest { woop, moller_trumbore };
 struct BuildOptions {
   int threads = 0;  ///< 0: as many as the process may use. The tree does not depend on it.
 
+  int bvh_width = 2;  ///< bvh only: children of a node, 2 or 8. 2: the readable tree; 8: the fast one.
   BvhSplit bvh_split = BvhSplit::sah;
   int bvh_bins = 32;                         ///< 2 to 256.
   BvhBuilder bvh_builder = BvhBuilder::own;  ///< bvh only; split and bins apply to `own` alone.
-  int max_leaf_size = 4;                     ///< 1 to 255 primitives; to 32 by Embree's builders.
+  int max_leaf_size = 4;  ///< 1 to 255 primitives; to 32 by Embree's builders; above 4, 4 with a width of 8.
   /// The SAH cost counts primitives rounded up to a multiple of this, 1 to 255; bvh_builder `own` alone.
   int leaf_block = 1;
   double traversal_cost = 1.0;     ///< SAH cost of a node step, > 0.

@@ -35,6 +35,7 @@ std::vector<Engine> engines() {
   std::vector<Engine> all;
   for (const Backend backend : available_backends())
     if (backend != Backend::brute_force) all.push_back({backend_name(backend), backend, {}});
+  all.push_back({"bvh-wide", Backend::bvh, {.bvh_width = 8}});
   for (const auto& [name, split] : {std::pair{"bvh-median", BvhSplit::median},
                                     {"bvh-midpoint", BvhSplit::midpoint},
                                     {"bvh-mean", BvhSplit::mean}}) {

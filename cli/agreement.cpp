@@ -145,6 +145,7 @@ std::vector<AgreementEngine> agreement_engines() {
     if (builder != BvhBuilder::own)
       engines.push_back(
           {fmt::format("bvh {}", builder_name(builder)), Backend::bvh, {.bvh_builder = builder}});
+  engines.push_back({"bvh 8-wide", Backend::bvh, {.bvh_width = 8}});
   for (const Backend backend : available_backends())
     if (backend == Backend::embree) engines.push_back({backend_name(backend), backend, {}});
   engines.push_back({backend_name(Backend::brute_force), Backend::brute_force, {}});

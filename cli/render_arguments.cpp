@@ -152,6 +152,8 @@ void add_engine_options(CLI::App& app, RenderArguments& arguments) {
   add_choice<Backend>(app, "--accel", arguments.backend, backend_choices(),
                       fmt::format("The engine ({})", backend_name(default_backend())))
       ->group(group);
+  add_choice<int>(app, "--bvh-width", build.bvh_width, {{"2", 2}, {"8", 8}}, "bvh: children of a node (2)")
+      ->group(group);
   add_choice<BvhSplit>(app, "--bvh-split", build.bvh_split,
                        {{"sah", BvhSplit::sah},
                         {"median", BvhSplit::median},

@@ -9,6 +9,7 @@ endmacro()
 
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 twinray_require(fmt libfmt-dev)
+twinray_require(hwy libhwy-dev)
 twinray_require(TBB libtbb-dev)
 twinray_require(OpenImageIO libopenimageio-dev)
 twinray_require(tinyxml2 libtinyxml2-dev)
@@ -32,7 +33,7 @@ if(TWINRAY_BENCH)
 endif()
 
 # Names and versions, for --version and for benchmark records.
-set(twinray_libraries "OpenImageIO ${OpenImageIO_VERSION}, oneTBB ${TBB_VERSION}, fmt ${fmt_VERSION}")
+set(twinray_libraries "OpenImageIO ${OpenImageIO_VERSION}, oneTBB ${TBB_VERSION}, Highway ${hwy_VERSION}, fmt ${fmt_VERSION}")
 if(TWINRAY_EMBREE)
   string(PREPEND twinray_libraries "Embree ${EMBREE_VERSION}, ")
 endif()

@@ -25,6 +25,13 @@ set(private_headers
   accel/phase_timer.h
   accel/shape_test.h
   accel/triangle_block.h
+  accel/wide/build.h
+  accel/wide/collapse.h
+  accel/wide/invariants.h
+  accel/wide/kernel.h
+  accel/wide/node.h
+  accel/wide/scalar.h
+  accel/wide/statistics.h
   core/checked_ray.h
   core/fork_join.h
   core/moller_trumbore.h

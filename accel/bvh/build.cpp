@@ -90,15 +90,6 @@ class Layout {
   std::vector<BlockRange> block_ranges_;
 };
 
-BuildTree build_by(std::vector<BuildPrimitive> primitives, const BuildOptions& options) {
-  if (options.bvh_builder == BvhBuilder::own) return build_tree(std::move(primitives), options);
-#ifdef TWINRAY_WITH_EMBREE
-  return build_tree_by_embree(std::move(primitives), options);
-#else
-  throw Error(fmt::format("the builder {} is not part of this build", builder_name(options.bvh_builder)));
-#endif
-}
-
 TriangleBlock make_block(const BuildTree& tree, const BlockRange& range, const Geometry& geometry) {
   std::array<PrimitiveId, TriangleBlock::width> ids;
   for (std::uint32_t i = 0; i < range.count; ++i) ids[i] = tree.primitives[range.first + i].id;
@@ -135,6 +126,15 @@ BuildTree build_tree(std::vector<BuildPrimitive> primitives, const BuildOptions&
 void halve_subtree(BuildTree& tree, const BuildOptions& options, std::uint32_t index, std::size_t first,
                    std::size_t count) {
   TreeBuilder(tree, options).build(index, first, count, free_bvh_depth);
+}
+
+BuildTree build_by(std::vector<BuildPrimitive> primitives, const BuildOptions& options) {
+  if (options.bvh_builder == BvhBuilder::own) return build_tree(std::move(primitives), options);
+#ifdef TWINRAY_WITH_EMBREE
+  return build_tree_by_embree(std::move(primitives), options);
+#else
+  throw Error(fmt::format("the builder {} is not part of this build", builder_name(options.bvh_builder)));
+#endif
 }
 
 Bvh lay_out(const BuildTree& tree, const Geometry& geometry) {

@@ -35,6 +35,9 @@ BuildTree build_tree(std::vector<BuildPrimitive> primitives, const BuildOptions&
 void halve_subtree(BuildTree& tree, const BuildOptions& options, std::uint32_t index, std::size_t first,
                    std::size_t count);
 
+/// The same by the builder of the options. Throws Error where that is not part of this build.
+BuildTree build_by(std::vector<BuildPrimitive> primitives, const BuildOptions& options);
+
 /// Lays a tree out for traversal: pads boxes, copies vertices into blocks.
 Bvh lay_out(const BuildTree& tree, const Geometry& geometry);
 

@@ -6,6 +6,7 @@
 #include "accel/accelerator.h"
 #include "tests/support/catch.h"
 #include "tests/support/shapes.h"
+#include "tests/support/wide_engine.h"
 
 using namespace twinray;
 using namespace twinray::test;
@@ -41,6 +42,10 @@ std::vector<Engine> canonical_engines(const std::shared_ptr<const Geometry>& geo
     for (const int leaf : {1, 4})
       if (builder != BvhBuilder::own)
         add("bvh " + builder_name(builder), Backend::bvh, {.bvh_builder = builder, .max_leaf_size = leaf});
+  add("bvh 8-wide, leaves of 1", Backend::bvh, {.bvh_width = 8, .max_leaf_size = 1});
+  add("bvh 8-wide median", Backend::bvh, {.bvh_width = 8, .bvh_split = BvhSplit::median});
+  for (const WideKernel& kernel : wide_kernels(TriangleTest::woop))
+    engines.push_back({"bvh 8-wide, " + kernel.name, std::make_unique<WideEngine>(geometry, kernel)});
   for (const Backend backend : available_backends())
     if (backend == Backend::embree) add("embree", backend, {});
   return engines;
@@ -303,9 +308,11 @@ TEST_CASE("brute force and every tree agree on Moeller and Trumbore's test") {
   const auto geometry = share({soup(400, 0.3f, 101), random_spheres(10, 0.2f, 102)});
   const auto oracle =
       build_accelerator(Backend::brute_force, geometry, {.triangle_test = TriangleTest::moller_trumbore});
-  for (const int leaf : {1, 4, 7}) {
-    const auto bvh = build_accelerator(
-        Backend::bvh, geometry, {.max_leaf_size = leaf, .triangle_test = TriangleTest::moller_trumbore});
+  for (const BuildOptions& options :
+       {BuildOptions{.max_leaf_size = 1}, {.max_leaf_size = 4}, {.max_leaf_size = 7}, {.bvh_width = 8}}) {
+    BuildOptions other = options;
+    other.triangle_test = TriangleTest::moller_trumbore;
+    const auto bvh = build_accelerator(Backend::bvh, geometry, other);
     for (const Ray& ray : random_rays(1000, geometry->bounds(), 103)) {
       const Hit hit = oracle->closest_hit(ray);
       REQUIRE(same_bits(bvh->closest_hit(ray), hit));

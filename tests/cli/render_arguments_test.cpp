@@ -115,6 +115,7 @@ TEST_CASE("the scene may stand between the options, and the last of equal ones c
 TEST_CASE("a wrong word of a choice names the right ones") {
   CHECK(message_of({"--bvh-split=sahh"}) ==
         "--bvh-split: there is no \"sahh\"; valid are sah, median, midpoint, mean");
+  CHECK(message_of({"--bvh-width=4"}) == "--bvh-width: there is no \"4\"; valid are 2, 8");
   CHECK(message_of({"--integrator=photon"}) ==
         "--integrator: there is no \"photon\"; valid are path, direct, normals");
 }

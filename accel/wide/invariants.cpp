@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "accel/wide/invariants.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "core/slab.h"
+
+namespace twinray {
+namespace {
+
+class Inspection {
+ public:
+  Inspection(const WideBvh& bvh, const Geometry& geometry)
+      : bvh_(bvh), geometry_(geometry), nodes_(bvh.nodes.size()), blocks_(bvh.blocks.size()) {
+    for (std::uint32_t shape = 0; shape < geometry.shapes().size(); ++shape) {
+      const Mesh* mesh = geometry.mesh(shape);
+      primitives_.emplace_back(mesh ? mesh->triangles.size() : geometry.sphere_set(shape)->spheres.size());
+    }
+  }
+
+  std::string fault() {
+    constexpr float everywhere = Aabb::infinity;
+    if (!bvh_.root.is_none())
+      visit(bvh_.root, {{-everywhere, -everywhere, -everywhere}, {everywhere, everywhere, everywhere}}, 0);
+    check_seen_once("node", nodes_);
+    check_seen_once("block", blocks_);
+    for (const std::vector<int>& shape : primitives_) check_seen_once("primitive", shape);
+    return fault_;
+  }
+
+ private:
+  template <typename... Values>
+  void report(fmt::format_string<Values...> text, Values&&... values) {
+    if (fault_.empty()) fault_ = fmt::format(text, std::forward<Values>(values)...);
+  }
+
+  void check_seen_once(const char* what, const std::vector<int>& seen) {
+    for (std::size_t i = 0; i < seen.size(); ++i)
+      if (seen[i] != 1) report("{} {} is found {} times", what, i, seen[i]);
+  }
+
+  void visit(const WideRef& ref, const Aabb& box, int depth) {
+    if (depth > max_wide_depth) return report("a node is {} deep; the stack holds {}", depth, max_wide_depth);
+    const std::size_t count = ref.is_block() ? blocks_.size() : nodes_.size();
+    if (ref.index() >= count)
+      return report("{} {} is named, of {}", ref.is_block() ? "block" : "node", ref.index(), count);
+    if (ref.is_block()) return visit_block(ref.index(), box);
+    ++nodes_[ref.index()];
+    const WideNode& node = bvh_.nodes[ref.index()];
+    const int children = node.count();
+    if (children < 2) report("node {} has {} children", ref.index(), children);
+    for (int child = 0; child < WideNode::width; ++child) {
+      if (!box.contains(node.box(child))) report("child {} of node {} leaves its parent", child, ref.index());
+      if (child < children)
+        visit(node.children[child], node.box(child), depth + 1);
+      else if (!node.children[child].is_none() || !node.box(child).is_empty())
+        report("child {} of node {}, which has {}, can be met", child, ref.index(), children);
+    }
+  }
+
+  void visit_block(std::uint32_t index, const Aabb& box) {
+    ++blocks_[index];
+    const TriangleBlock& block = bvh_.blocks[index];
+    if (block.count == 0 || block.count > std::uint32_t(TriangleBlock::width))
+      return report("block {} holds {} primitives", index, block.count);
+    for (std::uint32_t lane = 0; lane < block.count; ++lane) visit_primitive(block.ids[lane], box);
+  }
+
+  void visit_primitive(PrimitiveId id, const Aabb& box) {
+    if (id.mesh >= primitives_.size() || id.primitive >= primitives_[id.mesh].size())
+      return report("there is no primitive {} of shape {}", id.primitive, id.mesh);
+    ++primitives_[id.mesh][id.primitive];
+    if (!box.contains(padded(primitive_bounds(geometry_, id))))
+      report("primitive {} of shape {} leaves its leaf's box", id.primitive, id.mesh);
+  }
+
+  const WideBvh& bvh_;
+  const Geometry& geometry_;
+  std::vector<int> nodes_, blocks_;
+  std::vector<std::vector<int>> primitives_;
+  std::string fault_;
+};
+
+}  // namespace
+
+std::string find_fault(const WideBvh& bvh, const Geometry& geometry) {
+  return Inspection(bvh, geometry).fault();
+}
+
+}  // namespace twinray

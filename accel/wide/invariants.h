@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: what is true of every finished eight-wide tree, for the tests.
+#pragma once
+#include <string>
+
+#include "accel/wide/node.h"
+#include "core/geometry.h"
+
+namespace twinray {
+
+/// What is wrong with a tree over a geometry, in one sentence; empty where all holds: every primitive lies in
+/// exactly one block, every block and node has exactly one parent (or is the root), nodes have two children
+/// at least and those come first, each box contains those of its children and of its primitives, what is no
+/// child has an empty box, and no leaf is deeper than max_wide_depth.
+std::string find_fault(const WideBvh& bvh, const Geometry& geometry);
+
+}  // namespace twinray

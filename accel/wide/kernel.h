@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: the traversals of the eight-wide BVH: one for each instruction set, and a scalar one, their
+// oracle. All give the same bits.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "accel/build_options.h"
+#include "accel/wide/node.h"
+#include "core/checked_ray.h"
+#include "core/geometry.h"
+#include "core/hit.h"
+
+namespace twinray {
+
+/// The two queries over a tree of a geometry; t in the hit is that of the scaled ray.
+struct WideKernel {
+  std::string name;  ///< Of the instruction set: "AVX3", "AVX2", "SSE4", "scalar".
+  Hit (*closest)(const WideBvh&, const Geometry&, const CheckedRay&);
+  bool (*any)(const WideBvh&, const Geometry&, const CheckedRay&);
+  /// The box test alone. Bit i: the ray meets the box of child i within [ray.t_min, t_max]; it enters it at
+  /// entries[i], at least t_min.
+  std::uint32_t (*meet)(const WideNode&, const CheckedRay&, float t_max, float entries[WideNode::width]);
+};
+
+/// The kernels that this machine can run, the fastest first and the scalar one last.
+std::vector<WideKernel> wide_kernels(TriangleTest test);
+
+}  // namespace twinray

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: the way of one ray through an eight-wide BVH, the obvious way: one box after the other by the
+// canonical test, the nearest child first. It is the oracle of the fast kernels, and it counts.
+#pragma once
+#include <algorithm>
+
+#include "accel/counters.h"
+#include "accel/wide/node.h"
+#include "core/slab.h"
+
+namespace twinray {
+
+/// Bit i: the ray meets the box of child i within [ray.t_min, t_max]; it enters it at entries[i], at least
+/// t_min.
+inline std::uint32_t scalar_meet(const WideNode& node, const CheckedRay& ray, float t_max,
+                                 float entries[WideNode::width]) {
+  std::uint32_t met = 0;
+  for (int child = 0; child < WideNode::width; ++child) {
+    const SlabInterval interval = intersect_slab(ray, node.box(child));
+    entries[child] = std::max(interval.near, ray.t_min);
+    met |= std::uint32_t(entries[child] <= std::min(interval.far, t_max)) << child;
+  }
+  return met;
+}
+
+/// Calls `test(block)` for the blocks whose boxes the ray meets between ray.t_min and t_max, about front to
+/// back; `test` may lower t_max, and ends the traversal by returning true.
+template <typename Test>
+void traverse_scalar(const WideBvh& bvh, const CheckedRay& ray, const float& t_max, QueryCounts& counts,
+                     Test&& test) {
+  struct Waiting {
+    float entry;
+    std::uint32_t ref;
+  };
+  Waiting stack[wide_stack_size];
+  int size = 0;
+  if (!bvh.root.is_none()) stack[size++] = {ray.t_min, bvh.root.bits};
+  while (size > 0) {
+    const Waiting next = stack[--size];
+    const WideRef ref{next.ref};
+    if (next.entry > t_max) continue;
+    if (ref.is_block()) {
+      const TriangleBlock& block = bvh.blocks[ref.index()];
+      ++counts.leaves;
+      counts.primitives += block.count;
+      if (test(block)) return;
+      continue;
+    }
+    ++counts.nodes;
+    const WideNode& node = bvh.nodes[ref.index()];
+    counts.boxes += std::uint64_t(node.count());
+    float entries[WideNode::width];
+    const std::uint32_t met = scalar_meet(node, ray, t_max, entries);
+    Waiting* const children = stack + size;
+    for (int child = 0; child < WideNode::width; ++child)
+      if (met >> child & 1) stack[size++] = {entries[child], node.children[child].bits};
+    std::sort(children, stack + size, [](const Waiting& a, const Waiting& b) { return a.entry > b.entry; });
+  }
+}
+
+/// The least accepted hit, or a miss; what it took is added to `counts`.
+template <TriangleTest test>
+Hit scalar_closest(const WideBvh& bvh, const Geometry& geometry, const CheckedRay& ray, QueryCounts& counts) {
+  Hit best;
+  float t_max = ray.t_max;
+  const LaneRay lane_ray(ray);
+  traverse_scalar(bvh, ray, t_max, counts, [&](const TriangleBlock& block) {
+    test_block<QueryKind::closest, test>(geometry, ray, lane_ray, block, best);
+    t_max = std::min(t_max, best.t);
+    return false;
+  });
+  return best;
+}
+
+/// Whether scalar_closest would find a hit.
+template <TriangleTest test>
+bool scalar_any(const WideBvh& bvh, const Geometry& geometry, const CheckedRay& ray, QueryCounts& counts) {
+  Hit found;
+  const LaneRay lane_ray(ray);
+  traverse_scalar(bvh, ray, ray.t_max, counts, [&](const TriangleBlock& block) {
+    test_block<QueryKind::any, test>(geometry, ray, lane_ray, block, found);
+    return !found.is_miss();
+  });
+  return !found.is_miss();
+}
+
+}  // namespace twinray

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The hand-written eight-wide BVH as an accelerator.
+#include "accel/backends.h"
+#include "accel/wide/build.h"
+#include "accel/wide/kernel.h"
+#include "accel/wide/scalar.h"
+#include "accel/wide/statistics.h"
+
+namespace twinray {
+namespace {
+
+/// `test`: which triangle test the leaves run.
+template <TriangleTest test>
+class WideAccelerator final : public Accelerator {
+ public:
+  WideAccelerator(std::shared_ptr<const Geometry> geometry, const BuildOptions& options)
+      : geometry_(std::move(geometry)), kernel_(wide_kernels(test).front()) {
+    bvh_ = make_wide_bvh(*geometry_, options, stats_.phases);
+    add_statistics(bvh_, options, stats_);
+  }
+
+  Aabb bounds() const noexcept override { return geometry_->bounds(); }
+  AccelStats stats() const override { return stats_; }
+
+ private:
+  Hit trace_closest(const CheckedRay& ray) const noexcept override {
+    return kernel_.closest(bvh_, *geometry_, ray);
+  }
+  bool trace_any(const CheckedRay& ray) const noexcept override { return kernel_.any(bvh_, *geometry_, ray); }
+  Hit count_closest(const CheckedRay& ray, QueryCounts& counts) const noexcept override {
+    return scalar_closest<test>(bvh_, *geometry_, ray, counts);
+  }
+  bool count_any(const CheckedRay& ray, QueryCounts& counts) const noexcept override {
+    return scalar_any<test>(bvh_, *geometry_, ray, counts);
+  }
+
+  std::shared_ptr<const Geometry> geometry_;
+  WideKernel kernel_;  ///< Chosen once: that of the best instruction set of this machine.
+  WideBvh bvh_;
+  AccelStats stats_;
+};
+
+}  // namespace
+
+std::unique_ptr<Accelerator> build_wide_bvh(std::shared_ptr<const Geometry> geometry,
+                                            const BuildOptions& options) {
+  if (options.triangle_test == TriangleTest::moller_trumbore)
+    return std::make_unique<WideAccelerator<TriangleTest::moller_trumbore>>(std::move(geometry), options);
+  return std::make_unique<WideAccelerator<TriangleTest::woop>>(std::move(geometry), options);
+}
+
+}  // namespace twinray

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "accel/wide/collapse.h"
+#include "accel/wide/invariants.h"
+#include "accel/wide/scalar.h"
+#include "core/error.h"
+#include "tests/support/catch.h"
+#include "tests/support/shapes.h"
+#include "tests/support/wide_engine.h"
+
+using namespace twinray;
+using namespace twinray::test;
+
+namespace {
+
+constexpr BvhSplit all_splits[] = {BvhSplit::sah, BvhSplit::median, BvhSplit::midpoint, BvhSplit::mean};
+
+std::string fault(const Geometry& geometry, const BuildOptions& options = {}) {
+  return find_fault(build_wide(geometry, options), geometry);
+}
+
+bool same_trees(const WideBvh& a, const WideBvh& b) {
+  const auto same_node = [](const WideNode& x, const WideNode& y) {
+    return std::memcmp(x.planes, y.planes, sizeof x.planes) == 0 &&
+           std::equal(std::begin(x.children), std::end(x.children), std::begin(y.children));
+  };
+  const auto same_block = [](const TriangleBlock& x, const TriangleBlock& y) {
+    return std::memcmp(x.corners, y.corners, sizeof x.corners) == 0 &&
+           std::memcmp(x.ids, y.ids, sizeof x.ids) == 0 && x.count == y.count && x.triangles == y.triangles;
+  };
+  return a.root == b.root &&
+         std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_node) &&
+         std::equal(a.blocks.begin(), a.blocks.end(), b.blocks.begin(), b.blocks.end(), same_block);
+}
+
+/// A node of `count` random boxes, some of them flat, some far away.
+WideNode random_node(Random& random, int count) {
+  WideNode node;
+  for (int child = 0; child < count; ++child) {
+    const float size = random.below(4) == 0 ? 1e12f : 1;
+    Aabb box;
+    box.extend(random.in_cube(size));
+    box.extend(random.in_cube(size));
+    if (random.below(4) == 0) box.lower[child % 3] = box.upper[child % 3];
+    node.set_box(child, padded(box));
+    node.children[child] = WideRef::block(std::size_t(child));
+  }
+  return node;
+}
+
+/// Rays with zeros of both signs, from inside and outside of the unit cube, some of them short or far off.
+Ray random_ray(Random& random) {
+  Ray ray{.origin = random.in_cube(2), .direction = random.in_cube()};
+  if (random.below(3) == 0) ray.direction[random.below(3)] = random.below(2) ? -0.0f : 0.0f;
+  if (random.below(3) == 0) ray.origin = ray.origin * 1e7f;
+  ray.t_min = random.below(2) ? -0.0f : random.unit();
+  if (random.below(2)) ray.t_max = ray.t_min + random.unit() * 2;
+  return ray;
+}
+
+/// The least cost of a binary subtree: over every cut through it, by trying all.
+class Exhaustive {
+ public:
+  Exhaustive(const BuildTree& tree, const CollapsePlan& plan) : tree_(tree), plan_(plan) {}
+
+  double least_cost(std::uint32_t node) const {
+    double cost = std::numeric_limits<double>::infinity();
+    if (primitives(node) <= 4) cost = CollapsePlan::leaf_cost * plan_.probability(node);
+    if (tree_.nodes[node].count > 0) return cost;
+    const double inner = CollapsePlan::node_cost * plan_.probability(node);
+    const std::uint32_t child = tree_.nodes[node].first;
+    return std::min(cost, inner + least_cut({child, child + 1}, 0));
+  }
+
+ private:
+  using Cut = std::vector<std::uint32_t>;
+
+  /// Of the cuts that keep the first `fixed` nodes of this one.
+  double least_cut(Cut cut, std::size_t fixed) const {
+    double least = 0;
+    for (const std::uint32_t node : cut) least += least_cost(node);
+    if (cut.size() == WideNode::width) return least;
+    for (std::size_t i = fixed; i < cut.size(); ++i) {
+      const BuildTree::Node& node = tree_.nodes[cut[i]];
+      if (node.count > 0) continue;
+      Cut finer = cut;
+      finer[i] = node.first;
+      finer.push_back(node.first + 1);
+      least = std::min(least, least_cut(finer, i));
+    }
+    return least;
+  }
+  std::uint32_t primitives(std::uint32_t node) const {
+    const BuildTree::Node& n = tree_.nodes[node];
+    return n.count > 0 ? n.count : primitives(n.first) + primitives(n.first + 1);
+  }
+
+  const BuildTree& tree_;
+  const CollapsePlan& plan_;
+};
+
+/// The cost of the tree that the plan makes.
+double planned_cost(const CollapsePlan& plan, std::uint32_t node) {
+  if (plan.is_leaf(node)) return CollapsePlan::leaf_cost * plan.probability(node);
+  double cost = CollapsePlan::node_cost * plan.probability(node);
+  const CollapsePlan::Children children = plan.children(node);
+  for (int child = 0; child < children.count; ++child) cost += planned_cost(plan, children.nodes[child]);
+  return cost;
+}
+
+}  // namespace
+
+TEST_CASE("every split and leaf size gives a wide tree without a fault") {
+  const auto geometry = share({soup(700, 0.1f, 1), random_spheres(60, 0.2f, 2), soup(300, 1.0f, 3)});
+  for (const BvhSplit split : all_splits)
+    for (const int leaf : {1, 2, 3, 4, 5, 255}) {
+      CAPTURE(int(split), leaf);
+      CHECK(fault(*geometry, {.bvh_split = split, .max_leaf_size = leaf}) == "");
+    }
+  for (const BvhBuilder builder : available_builders())
+    CHECK(fault(*geometry, {.bvh_builder = builder}) == "");
+}
+
+TEST_CASE("a wide tree's leaves hold no more than the largest leaf size") {
+  const auto geometry = share({soup(500, 0.1f, 1)});
+  for (const int leaf : {1, 2, 3, 4}) {
+    const WideBvh bvh = build_wide(*geometry, {.max_leaf_size = leaf, .traversal_cost = 10});
+    std::uint32_t largest = 0;
+    for (const TriangleBlock& block : bvh.blocks) largest = std::max(largest, block.count);
+    CHECK(largest == std::uint32_t(leaf));
+  }
+}
+
+TEST_CASE("the invariants name what is wrong with a wide tree") {
+  const auto geometry = share({soup(60, 1, 1)});
+  const WideBvh good = build_wide(*geometry);
+  REQUIRE(good.nodes.size() > 1);
+  CHECK(find_fault(good, *geometry) == "");
+
+  WideBvh bad = good;
+  bad.nodes.back().planes[0][0][0] = -10;
+  CHECK(find_fault(bad, *geometry).find("leaves its parent") != std::string::npos);
+  bad = good;
+  bad.blocks[0].ids[0].primitive = 60;
+  CHECK(find_fault(bad, *geometry) == "there is no primitive 60 of shape 0");
+  bad = good;
+  bad.blocks[0].ids[0] = bad.blocks[1].ids[0];
+  CHECK(find_fault(bad, *geometry) != "");
+  bad = good;
+  bad.blocks[0].count = 5;
+  CHECK(find_fault(bad, *geometry) == "block 0 holds 5 primitives");
+  bad = good;
+  bad.nodes[0].children[0] = WideRef::node(good.nodes.size());
+  CHECK(find_fault(bad, *geometry).find("is named, of") != std::string::npos);
+  bad = good;
+  bad.nodes[0].children[1] = {};
+  CHECK(find_fault(bad, *geometry).find("node 0 has 1 children") == 0);
+  bad = good;
+  bad.root = WideRef::block(0);
+  CHECK(find_fault(bad, *geometry) == "node 0 is found 0 times");
+}
+
+TEST_CASE("the wide tree has the same bits on any number of threads") {
+  const auto geometry = share({soup(40000, 0.02f, 7)});
+  for (const BvhSplit split : {BvhSplit::sah, BvhSplit::median}) {
+    const WideBvh one = build_wide(*geometry, {.threads = 1, .bvh_split = split});
+    CHECK(same_trees(one, build_wide(*geometry, {.threads = 2, .bvh_split = split})));
+    CHECK(same_trees(one, build_wide(*geometry, {.threads = 7, .bvh_split = split})));
+  }
+}
+
+TEST_CASE("degenerate geometry builds a wide tree") {
+  Mesh coincident, flat, line;
+  for (int i = 0; i < 1000; ++i) {
+    const float x = float(i);
+    add_triangle(coincident, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    add_triangle(flat, {x, 0, 0}, {x + 1, 0, 0}, {x, 0, 1});
+    add_triangle(line, {x, 0, 0}, {x + 1, 0, 0}, {x + 2, 0, 0});
+  }
+  const std::vector<std::shared_ptr<const Geometry>> geometries{share({}),
+                                                                share({Mesh{}, SphereSet{}}),
+                                                                share({soup(1, 1, 1)}),
+                                                                share({coincident}),
+                                                                share({flat}),
+                                                                share({line}),
+                                                                share({random_spheres(1, 1, 1)}),
+                                                                share({soup(5, 1, 1)}),
+                                                                share({random_spheres(500, 0.1f, 1)})};
+  for (const auto& geometry : geometries)
+    for (const BvhSplit split : all_splits) {
+      CAPTURE(geometry->primitive_count(), int(split));
+      CHECK(fault(*geometry, {.bvh_split = split, .max_leaf_size = 2}) == "");
+    }
+}
+
+TEST_CASE("no wide tree is deeper than its stack, and the deepest is traversed") {
+  // Triangles whose distance from the origin doubles from one to the next, through 160 powers of two.
+  Mesh mesh;
+  for (int i = -120; i < 39; ++i) {
+    const float x = std::ldexp(1.0f, i);
+    add_triangle(mesh, {x, 0, 0}, {x, x, 0}, {x, 0, x});
+  }
+  const auto geometry = share({mesh});
+  const BuildOptions options{.bvh_split = BvhSplit::midpoint, .max_leaf_size = 1};
+  CHECK(fault(*geometry, options) == "");
+  const WideBvh bvh = build_wide(*geometry, options);
+  for (const WideKernel& kernel : wide_kernels(TriangleTest::woop)) {
+    CAPTURE(kernel.name);
+    CheckedRay ray;
+    REQUIRE(load_ray({.origin = {}, .direction = {1, 0.25f, 0.25f}}, ray));
+    CHECK(kernel.closest(bvh, *geometry, ray).primitive == 0);
+    REQUIRE(load_ray({.origin = {-1, -1, -1}, .direction = {0, 1, 0}}, ray));
+    CHECK(!kernel.any(bvh, *geometry, ray));
+  }
+}
+
+TEST_CASE("the collapse costs the least of all") {
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    const auto geometry = share({soup(13, seed % 2 ? 0.1f : 0.7f, seed)});
+    const BuildTree tree = build_tree(collect_primitives(*geometry), {.max_leaf_size = 1});
+    const CollapsePlan plan(tree, 4);
+    constexpr double rounding = 1e-5;  // The plan adds in float.
+    CHECK(plan.cost() == Approx(Exhaustive(tree, plan).least_cost(0)).epsilon(rounding));
+    CHECK(plan.cost() == Approx(planned_cost(plan, 0)).epsilon(rounding));
+  }
+}
+
+TEST_CASE("each kernel has the instruction set of its name, and the last one is scalar") {
+  const std::vector<WideKernel> kernels = wide_kernels(TriangleTest::woop);
+  for (const WideKernel& kernel : kernels)
+    CHECK(
+        (kernel.name == "AVX3" || kernel.name == "AVX2" || kernel.name == "SSE4" || kernel.name == "scalar"));
+  CHECK(kernels.back().name == "scalar");
+}
+
+TEST_CASE("every kernel tests eight boxes with the bits of the canonical box test") {
+  const std::vector<WideKernel> kernels = wide_kernels(TriangleTest::woop);
+  Random random(5);
+  int met = 0, missed = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const WideNode node = random_node(random, 2 + random.below(7));
+    CheckedRay ray;
+    REQUIRE(load_ray(random_ray(random), ray));
+    for (const WideKernel& kernel : kernels) {
+      float entries[WideNode::width];
+      const std::uint32_t found = kernel.meet(node, ray, ray.t_max, entries);
+      for (int child = 0; child < WideNode::width; ++child) {
+        const SlabInterval interval = intersect_slab(ray, node.box(child));
+        const bool is_met = interval.near <= interval.far && interval.near <= ray.t_max &&
+                            interval.far >= ray.t_min && child < node.count();
+        if ((found >> child & 1) != is_met || !(entries[child] == std::max(interval.near, ray.t_min)))
+          FAIL(kernel.name << " differs on child " << child << " of node " << i);
+        (is_met ? met : missed) += 1;
+      }
+    }
+  }
+  CHECK(met > 10000);
+  CHECK(missed > 20000);
+}
+
+TEST_CASE("a fast kernel never takes -0 for an entry, which its order would put last") {
+  WideNode node;
+  for (int child = 0; child < WideNode::width; ++child) {
+    node.set_box(child, {{0, -1, -1}, {1, 1, 1}});
+    node.children[child] = WideRef::block(std::size_t(child));
+  }
+  for (const WideKernel& kernel : wide_kernels(TriangleTest::woop)) {
+    if (kernel.name == "scalar") continue;
+    CheckedRay ray;
+    REQUIRE(load_ray({.origin = {}, .direction = {-1, 0.5f, 0.5f}, .t_min = -0.0f}, ray));
+    float entries[WideNode::width];
+    CHECK(kernel.meet(node, ray, ray.t_max, entries) == 0xff);
+    for (const float entry : entries) CHECK((entry >= 0 && !std::signbit(entry)));
+  }
+}
+
+TEST_CASE("counting changes no answer of a wide tree and counts what was done") {
+  const auto geometry = share({soup(500, 0.2f, 1), random_spheres(20, 0.2f, 2)});
+  const auto bvh = build_accelerator(Backend::bvh, geometry, {.bvh_width = 8});
+  QueryCounts closest, any;
+  for (const Ray& ray : random_rays(500, geometry->bounds(), 4)) {
+    CHECK(bvh->closest_hit(ray, closest) == bvh->closest_hit(ray));
+    CHECK(bvh->any_hit(ray, any) == bvh->any_hit(ray));
+  }
+  CHECK(closest.boxes > 2 * closest.nodes);
+  CHECK(closest.boxes <= 8 * closest.nodes);
+  CHECK(closest.primitives >= closest.leaves);
+  CHECK(closest.primitives <= 4 * closest.leaves);
+  CHECK(any.nodes < closest.nodes);
+}
+
+TEST_CASE("a wide tree has statistics") {
+  const auto geometry = share({soup(500, 0.2f, 1)});
+  const AccelStats stats = build_accelerator(Backend::bvh, geometry, {.bvh_width = 8})->stats();
+  const WideBvh bvh = build_wide(*geometry);
+  CHECK(stats.primitives == 500);
+  CHECK(stats.leaves == bvh.blocks.size());
+  CHECK(stats.nodes == bvh.nodes.size() + bvh.blocks.size());
+  CHECK(stats.bytes == bvh.bytes());
+  CHECK(stats.depth > 2);
+  CHECK(stats.sah_cost > 1);
+  REQUIRE(stats.phases.size() == 3);
+  CHECK(stats.phases[2].name == "collapse");
+}
+
+TEST_CASE("a BVH has two or eight children a node") {
+  const auto geometry = share({soup(5, 1, 1)});
+  for (const int width : {0, 1, 4, 16})
+    CHECK_THROWS_AS(build_accelerator(Backend::bvh, geometry, {.bvh_width = width}), Error);
+}
