@@ -64,6 +64,7 @@ struct RawArguments {
   std::vector<double> adaptive;
   std::string roulette = "throughput";
   bool hemisphere = false;
+  std::optional<CostKind> cost;
   enum class Bounces { all, direct, indirect, last } bounces = Bounces::all;
 };
 
@@ -92,8 +93,13 @@ void add_light_options(CLI::App& app, RenderArguments& arguments, RawArguments& 
   add_choice<IntegratorKind>(app, "--integrator", arguments.integrator,
                              {{"path", IntegratorKind::path},
                               {"direct", IntegratorKind::direct},
-                              {"normals", IntegratorKind::normals}},
+                              {"normals", IntegratorKind::normals},
+                              {"cost", IntegratorKind::cost}},
                              "What is computed (path)")
+      ->group(group);
+  add_choice<std::optional<CostKind>>(app, "--cost", raw.cost,
+                                      {{"nodes", CostKind::nodes}, {"primitives", CostKind::primitives}},
+                                      "Of a camera ray, for cost (nodes if counted)")
       ->group(group);
   app.add_option("-m,--max-depth", arguments.path.max_depth,
                  "Bounces of light: 0 emission, 1 direct, ... (5)")
@@ -245,6 +251,24 @@ void choose_bounces(RawArguments::Bounces bounces, PathOptions& path) {
   if (bounces == RawArguments::Bounces::last) path.first_depth = path.last_depth = path.max_depth;
 }
 
+/// Chooses what the integrator cost shows, which only counting queries tell.
+void choose_cost(const std::optional<CostKind>& chosen, RenderArguments& arguments) {
+  if (arguments.integrator != IntegratorKind::cost) {
+    if (chosen) throw UsageError("--cost goes with --integrator=cost");
+    return;
+  }
+  const bool has_nodes = arguments.backend == Backend::bvh;
+  if (arguments.backend == Backend::embree_native)
+    throw UsageError("--integrator=cost: embree-native counts nothing");
+  if (chosen == CostKind::nodes && !has_nodes)
+    throw UsageError(
+        fmt::format("--cost=nodes: {} has no nodes that could be counted; valid are "
+                    "--cost=primitives, or --accel=bvh",
+                    backend_name(arguments.backend)));
+  arguments.cost = chosen.value_or(has_nodes ? CostKind::nodes : CostKind::primitives);
+  arguments.render.counting = true;
+}
+
 void check_builder(const RenderArguments& arguments) {
   const BuildOptions& build = arguments.build;
   if (build.bvh_builder == BvhBuilder::own) return;
@@ -271,6 +295,7 @@ void resolve(const RawArguments& raw, RenderArguments& arguments) {
   choose_bounces(raw.bounces, arguments.path);
   arguments.build.threads = render.threads;
   check_builder(arguments);
+  choose_cost(raw.cost, arguments);
   if (arguments.build.triangle_test == TriangleTest::moller_trumbore && arguments.backend != Backend::bvh &&
       arguments.backend != Backend::brute_force)
     throw UsageError("--triangle-test=moller-trumbore goes with --accel=bvh and --accel=brute-force");

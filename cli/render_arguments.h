@@ -7,6 +7,7 @@
 
 #include "accel/accelerator.h"
 #include "core/image.h"
+#include "integrators/cost.h"
 #include "integrators/path.h"
 #include "integrators/render.h"
 #include "io/scene_file.h"
@@ -19,7 +20,7 @@ enum class View {
   whole,  ///< The same direction and field of view, from where the whole scene is seen.
 };
 
-enum class IntegratorKind { path, direct, normals };
+enum class IntegratorKind { path, direct, normals, cost };
 
 /// What a render command line asks for.
 struct RenderArguments {
@@ -33,6 +34,7 @@ struct RenderArguments {
   Backend backend = default_backend();
   BuildOptions build;
   IntegratorKind integrator = IntegratorKind::path;
+  CostKind cost = CostKind::nodes;  ///< Of the integrator cost; something that the backend counts.
   PathOptions path;
   RenderOptions render;
   ToneCurve tone_curve = ToneCurve::srgb;

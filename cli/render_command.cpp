@@ -12,6 +12,7 @@
 #include "cli/report.h"
 #include "cli/scene_warnings.h"
 #include "cli/version.h"
+#include "core/color_scale.h"
 #include "core/error.h"
 #include "integrators/normals.h"
 #include "integrators/path.h"
@@ -23,6 +24,7 @@ namespace twinray {
 namespace {
 
 std::unique_ptr<Integrator> make_integrator(const RenderArguments& arguments, const Scene& scene) {
+  if (arguments.integrator == IntegratorKind::cost) return std::make_unique<CostIntegrator>(arguments.cost);
   if (arguments.integrator == IntegratorKind::normals) return std::make_unique<NormalsIntegrator>(scene);
   return std::make_unique<PathIntegrator>(scene, arguments.path);
 }
@@ -70,11 +72,15 @@ ImageMetadata metadata_of(const RenderArguments& arguments, const std::vector<st
 std::string rate_path(const std::string& output) {
   return output.substr(0, output.find_last_of('.')) + "_rate.png";
 }
+std::string legend_path(const std::string& output) {
+  return output.substr(0, output.find_last_of('.')) + "_legend.png";
+}
 
 /// All files that this render writes: the picture first.
 std::vector<std::string> output_files(const RenderArguments& arguments) {
   std::vector<std::string> files{arguments.output};
   if (arguments.render.adaptive) files.push_back(rate_path(arguments.output));
+  if (arguments.integrator == IntegratorKind::cost) files.push_back(legend_path(arguments.output));
   if (!arguments.stats_file.empty()) files.push_back(arguments.stats_file);
   return files;
 }
@@ -84,9 +90,22 @@ void check_outputs(const RenderArguments& arguments) {
   for (const std::string& file : output_files(arguments)) check_output(file);
 }
 
+/// Costs as colours with their legend; EXR keeps the numbers.
+void write_costs(const RenderArguments& arguments, const Image& costs, const ImageMetadata& metadata) {
+  const std::uint32_t end = scale_end(costs);
+  if (is_linear_output(arguments.output))
+    write_exr(arguments.output, costs, metadata);
+  else
+    write_png(arguments.output, scaled_image(costs, end), metadata);
+  write_png(legend_path(arguments.output), legend_image(end), metadata);
+}
+
 void write_outputs(const RenderArguments& arguments, const AccelStats& accel, const RenderResult& result,
                    const ImageMetadata& metadata) {
-  write_image(arguments.output, mean_image(result.film), arguments.tone_curve, metadata);
+  if (arguments.integrator == IntegratorKind::cost)
+    write_costs(arguments, mean_image(result.film), metadata);
+  else
+    write_image(arguments.output, mean_image(result.film), arguments.tone_curve, metadata);
   if (arguments.render.adaptive)
     write_png(rate_path(arguments.output), sample_rate_image(result.film, arguments.render.samples),
               metadata);

@@ -45,7 +45,8 @@ std::string stand_in(const Scene& scene, std::size_t model) {
 }  // namespace
 
 std::vector<std::string> scene_warnings(const Scene& scene, const RenderArguments& arguments) {
-  if (arguments.integrator == IntegratorKind::normals) return {};
+  if (arguments.integrator == IntegratorKind::normals || arguments.integrator == IntegratorKind::cost)
+    return {};
   std::vector<std::string> warnings;
   const auto add = [&warnings](std::string warning) {
     if (!warning.empty()) warnings.push_back(std::move(warning));

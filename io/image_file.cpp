@@ -83,6 +83,8 @@ void write_png(const std::string& path, const ByteImage& image, const ImageMetad
   write(path, "png", spec, image.bytes.data(), metadata);
 }
 
+bool is_linear_output(const std::string& path) { return extension_of(path) == ".exr"; }
+
 void write_exr(const std::string& path, const Image& image, const ImageMetadata& metadata) {
   static_assert(sizeof(Rgb) == 3 * sizeof(float));
   const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::FLOAT);
@@ -91,7 +93,7 @@ void write_exr(const std::string& path, const Image& image, const ImageMetadata&
 
 void write_image(const std::string& path, const Image& image, ToneCurve curve,
                  const ImageMetadata& metadata) {
-  if (extension_of(path) == ".exr")
+  if (is_linear_output(path))
     write_exr(path, image, metadata);
   else
     write_png(path, encode(curve, image), metadata);

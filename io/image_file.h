@@ -16,6 +16,9 @@ using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 /// .exr.
 void check_image_output(const std::string& path);
 
+/// Whether a picture of this name keeps linear floats: its ending is .exr.
+bool is_linear_output(const std::string& path);
+
 /// 8-bit PNG; throws Error where it cannot be written. The file is written beside its place and then renamed:
 /// an old file of that name survives until the new one is complete.
 void write_png(const std::string& path, const ByteImage& image, const ImageMetadata& metadata = {});

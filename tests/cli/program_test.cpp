@@ -76,6 +76,20 @@ TEST_CASE("a picture is written whole, and nothing else beside it") {
   CHECK(image.height == 18);
 }
 
+TEST_CASE("costs are colours with a legend beside the picture, and numbers in an .exr") {
+  const TemporaryFolder folder;
+  const std::string options = box + small + "--accel=brute-force --integrator=cost -o ";
+  REQUIRE(run_program(options + quoted(folder.file("a.EXR"))).exit_code == 0);
+  CHECK(folder.file_count() == 2);
+  for (const Rgb& pixel : read_image(folder.file("a.EXR")).pixels) CHECK(pixel == Rgb{12, 12, 12});
+  CHECK(read_image(folder.file("a_legend.png")).height == 221);
+  REQUIRE(run_program(options + quoted(folder.file("b.png"))).exit_code == 0);
+  CHECK(folder.file_count() == 4);
+  const Image colors = read_image(folder.file("b.png"));
+  CHECK(colors.width == 24);
+  CHECK(colors.at(0, 0).g > colors.at(0, 0).r);  // 12 of 20 is green
+}
+
 TEST_CASE("render is the subcommand that may be left out") {
   const TemporaryFolder folder;
   REQUIRE(run_program("render " + box + small + "-o " + quoted(folder.file("a.exr"))).exit_code == 0);

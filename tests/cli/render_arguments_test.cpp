@@ -64,6 +64,26 @@ TEST_CASE("Embree's builders go with the bvh engine, and exclude the options of 
 #endif
 }
 
+TEST_CASE("cost shows what the engine counts: nodes of the bvh, else primitives") {
+  const RenderArguments nodes = parse({"--integrator=cost", "--accel=bvh"});
+  CHECK(nodes.cost == CostKind::nodes);
+  CHECK(nodes.render.counting);
+  CHECK(parse({"--integrator=cost", "--accel=bvh", "--cost=primitives"}).cost == CostKind::primitives);
+  CHECK(parse({"--integrator=cost", "--accel=brute-force"}).cost == CostKind::primitives);
+  CHECK(message_of({"--integrator=cost", "--accel=brute-force", "--cost=nodes"}) ==
+        "--cost=nodes: brute-force has no nodes that could be counted; valid are --cost=primitives, or "
+        "--accel=bvh");
+  CHECK(message_of({"--cost=nodes"}) == "--cost goes with --integrator=cost");
+#ifdef TWINRAY_WITH_EMBREE
+  CHECK(parse({"--integrator=cost", "--accel=embree"}).cost == CostKind::primitives);
+  CHECK(message_of({"--integrator=cost", "--accel=embree", "--cost=nodes"}) ==
+        "--cost=nodes: embree has no nodes that could be counted; valid are --cost=primitives, or "
+        "--accel=bvh");
+  CHECK(message_of({"--integrator=cost", "--accel=embree-native"}) ==
+        "--integrator=cost: embree-native counts nothing");
+#endif
+}
+
 TEST_CASE("options may follow the scene, and long names mean the same") {
   const auto arguments =
       parse_render_arguments({"scene.dae", "--samples=8", "--light-samples=2", "--max-depth=0",
