@@ -313,7 +313,7 @@ std::optional<RenderArguments> parse_render_arguments(const std::vector<std::str
   RawArguments raw;
   CLI::App app("Renders a COLLADA scene by path tracing.", "twinray");
   app.formatter(std::make_shared<BriefFormatter>());
-  app.footer("Another command compares all engines, bit for bit: twinray agreement --help");
+  app.footer("Other commands: twinray agreement, crosscheck and stats; each has its --help.");
   app.option_defaults()->take_last()->always_capture_default(false);
   app.add_option("SCENE", arguments.scene, "The scene, a COLLADA file (.dae)")->required()->type_name("");
   add_picture_options(app, arguments, raw);

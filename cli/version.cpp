@@ -31,7 +31,7 @@ std::string version_name() { return "twinray " TWINRAY_VERSION; }
 
 std::string version_text() {
   std::string engines;
-  for (const Backend backend : available_backends()) engines += " " + backend_name(backend);
+  for (const Backend backend : available_backends()) engines.append(" ").append(backend_name(backend));
   return fmt::format(
       "{}\nengines:         {}\nlibraries:        {}\ncompiler:         {}\nmachine:          {}\n",
       version_name(), engines, TWINRAY_LIBRARIES, __VERSION__, instruction_sets());
