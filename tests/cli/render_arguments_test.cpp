@@ -137,7 +137,7 @@ TEST_CASE("a wrong word of a choice names the right ones") {
         "--bvh-split: there is no \"sahh\"; valid are sah, median, midpoint, mean");
   CHECK(message_of({"--bvh-width=4"}) == "--bvh-width: there is no \"4\"; valid are 2, 8");
   CHECK(message_of({"--integrator=photon"}) ==
-        "--integrator: there is no \"photon\"; valid are path, direct, normals");
+        "--integrator: there is no \"photon\"; valid are path, direct, normals, cost");
 }
 
 TEST_CASE("values out of range say what is valid") {
