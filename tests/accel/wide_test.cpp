@@ -173,23 +173,7 @@ TEST_CASE("the wide tree has the same bits on any number of threads") {
 }
 
 TEST_CASE("degenerate geometry builds a wide tree") {
-  Mesh coincident, flat, line;
-  for (int i = 0; i < 1000; ++i) {
-    const float x = float(i);
-    add_triangle(coincident, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    add_triangle(flat, {x, 0, 0}, {x + 1, 0, 0}, {x, 0, 1});
-    add_triangle(line, {x, 0, 0}, {x + 1, 0, 0}, {x + 2, 0, 0});
-  }
-  const std::vector<std::shared_ptr<const Geometry>> geometries{share({}),
-                                                                share({Mesh{}, SphereSet{}}),
-                                                                share({soup(1, 1, 1)}),
-                                                                share({coincident}),
-                                                                share({flat}),
-                                                                share({line}),
-                                                                share({random_spheres(1, 1, 1)}),
-                                                                share({soup(5, 1, 1)}),
-                                                                share({random_spheres(500, 0.1f, 1)})};
-  for (const auto& geometry : geometries)
+  for (const auto& geometry : degenerate_geometries())
     for (const BvhSplit split : all_splits) {
       CAPTURE(geometry->primitive_count(), int(split));
       CHECK(fault(*geometry, {.bvh_split = split, .max_leaf_size = 2}) == "");

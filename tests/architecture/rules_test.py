@@ -119,7 +119,7 @@ class Rules(unittest.TestCase):
 
     def test_no_path_of_one_machine_is_written_down(self):
         self.expect({"README.md": "cd /ho" "me/me/twinray\n"}, "path of one machine")
-        self.expect({"README.md": "cd ${top}/work/twinray, or https://example.org/home\n"})
+        self.expect({"README.md": "cd ${top}/wo" "rk/twinray, or https://example.org/home\n"})
 
     def test_builds_are_portable(self):
         flag = "-march=" + "native"

@@ -60,4 +60,25 @@ inline std::vector<Ray> random_rays(int count, const Aabb& box, std::uint64_t se
   return rays;
 }
 
+/// Geometries that are hard to divide: none, one primitive, a thousand coincident, in one plane, on one line;
+/// and two ordinary small ones.
+inline std::vector<std::shared_ptr<const Geometry>> degenerate_geometries() {
+  Mesh coincident, flat, line;
+  for (int i = 0; i < 1000; ++i) {
+    const float x = float(i);
+    add_triangle(coincident, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    add_triangle(flat, {x, 0, 0}, {x + 1, 0, 0}, {x, 0, 1});
+    add_triangle(line, {x, 0, 0}, {x + 1, 0, 0}, {x + 2, 0, 0});
+  }
+  return {share({}),
+          share({Mesh{}, SphereSet{}}),
+          share({soup(1, 1, 1)}),
+          share({coincident}),
+          share({flat}),
+          share({line}),
+          share({random_spheres(1, 1, 1)}),
+          share({soup(2, 1, 1)}),
+          share({random_spheres(500, 0.1f, 1)})};
+}
+
 }  // namespace twinray::test
