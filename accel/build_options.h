@@ -33,7 +33,8 @@ struct BuildOptions {
   int bvh_bins = 32;                         ///< 2 to 256.
   BvhBuilder bvh_builder = BvhBuilder::own;  ///< bvh only; split and bins apply to `own` alone.
   int max_leaf_size = 4;  ///< 1 to 255 primitives; to 32 by Embree's builders; above 4, 4 with a width of 8.
-  /// The SAH cost counts primitives rounded up to a multiple of this, 1 to 255; bvh_builder `own` alone.
+  /// The SAH cost counts primitives rounded up to a multiple of this, 1 to 255; bvh_builder `own` alone. A
+  /// width of 8 takes 4 instead.
   int leaf_block = 1;
   double traversal_cost = 1.0;     ///< SAH cost of a node step, > 0.
   double intersection_cost = 1.0;  ///< SAH cost of a primitive test, > 0.

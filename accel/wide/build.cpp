@@ -60,10 +60,10 @@ class Layout {
   std::vector<Leaf> leaves_;
 };
 
-/// What the binary tree is built with: leaves that fit into a block. With the default costs the wide tree is
-/// the same as from leaves of one, for where the binary tree keeps a leaf, dividing it does not pay here.
+/// What the binary tree is built with: leaves that fit into a block, and costs that fill them.
 BuildOptions binary_options(BuildOptions options) {
   options.max_leaf_size = std::min(options.max_leaf_size, TriangleBlock::width);
+  options.leaf_block = TriangleBlock::width;
   return options;
 }
 

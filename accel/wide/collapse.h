@@ -30,8 +30,8 @@ class CollapsePlan {
   /// without area.
   float probability(std::uint32_t node) const;
 
-  /// What a ray that meets the root pays for a wide node that it meets, and for a leaf and its block of four
-  /// triangles: measured.
+  /// What a ray pays for a wide node that it meets, and for a leaf and its block of up to four primitives.
+  /// Any leaf_cost from 0.6 to 3 gave the same speed within the noise.
   static constexpr float node_cost = 1, leaf_cost = 0.9f;
 
   /// The expected cost of such a ray for the whole tree.
