@@ -28,7 +28,8 @@ enum class TriangleTest { woop, moller_trumbore };
 struct BuildOptions {
   int threads = 0;  ///< 0: as many as the process may use. The tree does not depend on it.
 
-  int bvh_width = 2;  ///< bvh only: children of a node, 2 or 8. 2: the readable tree; 8: the fast one.
+  /// bvh only: children of a node, 2 or 8. 8: the fast tree; 2: the readable one, whose counts compare.
+  int bvh_width = 8;
   BvhSplit bvh_split = BvhSplit::sah;
   int bvh_bins = 32;                         ///< 2 to 256.
   BvhBuilder bvh_builder = BvhBuilder::own;  ///< bvh only; split and bins apply to `own` alone.

@@ -35,11 +35,12 @@ std::vector<Engine> engines() {
   std::vector<Engine> all;
   for (const Backend backend : available_backends())
     if (backend != Backend::brute_force) all.push_back({backend_name(backend), backend, {}});
-  all.push_back({"bvh-wide", Backend::bvh, {.bvh_width = 8}});
+  all.push_back({"bvh-2", Backend::bvh, {.bvh_width = 2}});
   for (const auto& [name, split] : {std::pair{"bvh-median", BvhSplit::median},
                                     {"bvh-midpoint", BvhSplit::midpoint},
                                     {"bvh-mean", BvhSplit::mean}}) {
     BuildOptions options;
+    options.bvh_width = 2;
     options.bvh_split = split;
     all.push_back({name, Backend::bvh, options});
   }

@@ -140,11 +140,12 @@ std::vector<AgreementEngine> agreement_engines() {
                                     {"bvh median", BvhSplit::median},
                                     {"bvh midpoint", BvhSplit::midpoint},
                                     {"bvh mean", BvhSplit::mean}})
-    engines.push_back({name, Backend::bvh, {.bvh_split = split}});
+    engines.push_back({name, Backend::bvh, {.bvh_width = 2, .bvh_split = split}});
   for (const BvhBuilder builder : available_builders())
     if (builder != BvhBuilder::own)
-      engines.push_back(
-          {fmt::format("bvh {}", builder_name(builder)), Backend::bvh, {.bvh_builder = builder}});
+      engines.push_back({fmt::format("bvh {}", builder_name(builder)),
+                         Backend::bvh,
+                         {.bvh_width = 2, .bvh_builder = builder}});
   engines.push_back({"bvh 8-wide", Backend::bvh, {.bvh_width = 8}});
   for (const Backend backend : available_backends())
     if (backend == Backend::embree) engines.push_back({backend_name(backend), backend, {}});

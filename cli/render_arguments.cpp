@@ -65,6 +65,7 @@ struct RawArguments {
   std::string roulette = "throughput";
   bool hemisphere = false;
   std::optional<CostKind> cost;
+  std::optional<int> bvh_width;
   enum class Bounces { all, direct, indirect, last } bounces = Bounces::all;
 };
 
@@ -152,13 +153,14 @@ void add_sampling_options(CLI::App& app, RenderArguments& arguments, RawArgument
       ->group(group);
 }
 
-void add_engine_options(CLI::App& app, RenderArguments& arguments) {
+void add_engine_options(CLI::App& app, RenderArguments& arguments, RawArguments& raw) {
   const char* group = "Ray engine";
   BuildOptions& build = arguments.build;
   add_choice<Backend>(app, "--accel", arguments.backend, backend_choices(),
                       fmt::format("The engine ({})", backend_name(default_backend())))
       ->group(group);
-  add_choice<int>(app, "--bvh-width", build.bvh_width, {{"2", 2}, {"8", 8}}, "bvh: children of a node (2)")
+  add_choice<std::optional<int>>(app, "--bvh-width", raw.bvh_width, {{"2", 2}, {"8", 8}},
+                                 "bvh: children of a node (8; 2 to count)")
       ->group(group);
   add_choice<BvhSplit>(app, "--bvh-split", build.bvh_split,
                        {{"sah", BvhSplit::sah},
@@ -269,6 +271,15 @@ void choose_cost(const std::optional<CostKind>& chosen, RenderArguments& argumen
   arguments.render.counting = true;
 }
 
+/// Counts are those of the binary tree, which compare among all trees, unless another is asked for.
+void choose_width(const std::optional<int>& chosen, RenderArguments& arguments) {
+  BuildOptions& build = arguments.build;
+  if (arguments.render.counting) build.bvh_width = 2;
+  build.bvh_width = chosen.value_or(build.bvh_width);
+  if (arguments.backend == Backend::bvh && build.bvh_width == 8 && build.max_leaf_size > 4)
+    throw UsageError("--max-leaf-size: a BVH of width 8 has leaves of up to 4; --bvh-width=2 takes more");
+}
+
 void check_builder(const RenderArguments& arguments) {
   const BuildOptions& build = arguments.build;
   if (build.bvh_builder == BvhBuilder::own) return;
@@ -296,6 +307,7 @@ void resolve(const RawArguments& raw, RenderArguments& arguments) {
   arguments.build.threads = render.threads;
   check_builder(arguments);
   choose_cost(raw.cost, arguments);
+  choose_width(raw.bvh_width, arguments);
   if (arguments.build.triangle_test == TriangleTest::moller_trumbore && arguments.backend != Backend::bvh &&
       arguments.backend != Backend::brute_force)
     throw UsageError("--triangle-test=moller-trumbore goes with --accel=bvh and --accel=brute-force");
@@ -319,7 +331,7 @@ std::optional<RenderArguments> parse_render_arguments(const std::vector<std::str
   add_picture_options(app, arguments, raw);
   add_light_options(app, arguments, raw);
   add_sampling_options(app, arguments, raw);
-  add_engine_options(app, arguments);
+  add_engine_options(app, arguments, raw);
   add_run_options(app, arguments);
   app.set_version_flag("--version", version_text(), "Print versions, engines, instruction sets")
       ->group("Run");

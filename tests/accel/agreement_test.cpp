@@ -32,16 +32,17 @@ std::vector<Engine> canonical_engines(const std::shared_ptr<const Geometry>& geo
   const auto add = [&](const std::string& label, Backend backend, const BuildOptions& options) {
     engines.push_back({label, build_accelerator(backend, geometry, options)});
   };
-  add("bvh sah", Backend::bvh, {});
-  add("bvh sah, leaves of 1", Backend::bvh, {.max_leaf_size = 1});
-  add("bvh sah, leaves of 9", Backend::bvh, {.max_leaf_size = 9, .traversal_cost = 4});
-  add("bvh median", Backend::bvh, {.bvh_split = BvhSplit::median, .max_leaf_size = 2});
-  add("bvh midpoint", Backend::bvh, {.bvh_split = BvhSplit::midpoint, .max_leaf_size = 1});
-  add("bvh mean", Backend::bvh, {.bvh_split = BvhSplit::mean});
+  add("bvh sah", Backend::bvh, {.bvh_width = 2});
+  add("bvh sah, leaves of 1", Backend::bvh, {.bvh_width = 2, .max_leaf_size = 1});
+  add("bvh sah, leaves of 9", Backend::bvh, {.bvh_width = 2, .max_leaf_size = 9, .traversal_cost = 4});
+  add("bvh median", Backend::bvh, {.bvh_width = 2, .bvh_split = BvhSplit::median, .max_leaf_size = 2});
+  add("bvh midpoint", Backend::bvh, {.bvh_width = 2, .bvh_split = BvhSplit::midpoint, .max_leaf_size = 1});
+  add("bvh mean", Backend::bvh, {.bvh_width = 2, .bvh_split = BvhSplit::mean});
   for (const BvhBuilder builder : available_builders())
     for (const int leaf : {1, 4})
       if (builder != BvhBuilder::own)
-        add("bvh " + builder_name(builder), Backend::bvh, {.bvh_builder = builder, .max_leaf_size = leaf});
+        add("bvh " + builder_name(builder), Backend::bvh,
+            {.bvh_width = 2, .bvh_builder = builder, .max_leaf_size = leaf});
   add("bvh 8-wide, leaves of 1", Backend::bvh, {.bvh_width = 8, .max_leaf_size = 1});
   add("bvh 8-wide median", Backend::bvh, {.bvh_width = 8, .bvh_split = BvhSplit::median});
   for (const WideKernel& kernel : wide_kernels(TriangleTest::woop))
@@ -308,8 +309,9 @@ TEST_CASE("brute force and every tree agree on Moeller and Trumbore's test") {
   const auto geometry = share({soup(400, 0.3f, 101), random_spheres(10, 0.2f, 102)});
   const auto oracle =
       build_accelerator(Backend::brute_force, geometry, {.triangle_test = TriangleTest::moller_trumbore});
-  for (const BuildOptions& options :
-       {BuildOptions{.max_leaf_size = 1}, {.max_leaf_size = 4}, {.max_leaf_size = 7}, {.bvh_width = 8}}) {
+  for (const BuildOptions& options : {BuildOptions{.bvh_width = 2, .max_leaf_size = 1},
+                                      {.bvh_width = 2, .max_leaf_size = 7},
+                                      {.bvh_width = 8}}) {
     BuildOptions other = options;
     other.triangle_test = TriangleTest::moller_trumbore;
     const auto bvh = build_accelerator(Backend::bvh, geometry, other);

@@ -28,9 +28,11 @@ Bvh build(const Geometry& geometry, const BuildOptions& options = {}) {
 /// Every split method, and every other builder of this build.
 std::vector<BuildOptions> all_builds(int max_leaf_size) {
   std::vector<BuildOptions> all;
-  for (const BvhSplit split : all_splits) all.push_back({.bvh_split = split, .max_leaf_size = max_leaf_size});
+  for (const BvhSplit split : all_splits)
+    all.push_back({.bvh_width = 2, .bvh_split = split, .max_leaf_size = max_leaf_size});
   for (const BvhBuilder builder : available_builders())
-    if (builder != BvhBuilder::own) all.push_back({.bvh_builder = builder, .max_leaf_size = max_leaf_size});
+    if (builder != BvhBuilder::own)
+      all.push_back({.bvh_width = 2, .bvh_builder = builder, .max_leaf_size = max_leaf_size});
   return all;
 }
 
@@ -108,9 +110,10 @@ TEST_CASE("a builder that is not part of the build is refused, and so are leaves
   const auto geometry = share({soup(20, 0.1f, 22)});
 #ifdef TWINRAY_WITH_EMBREE
   CHECK(available_builders().size() == 3);
-  CHECK_THROWS_WITH(build_accelerator(Backend::bvh, geometry,
-                                      {.bvh_builder = BvhBuilder::embree_medium, .max_leaf_size = 33}),
-                    "Embree's builders make leaves of up to 32 primitives");
+  CHECK_THROWS_WITH(
+      build_accelerator(Backend::bvh, geometry,
+                        {.bvh_width = 2, .bvh_builder = BvhBuilder::embree_medium, .max_leaf_size = 33}),
+      "Embree's builders make leaves of up to 32 primitives");
 #else
   CHECK(available_builders() == std::vector{BvhBuilder::own});
   CHECK_THROWS_WITH(build_accelerator(Backend::bvh, geometry, {.bvh_builder = BvhBuilder::embree_low}),
@@ -164,7 +167,7 @@ TEST_CASE("coincident centres are divided by halves") {
   Mesh mesh;
   for (int i = 0; i < 64; ++i) add_triangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   const auto geometry = share({mesh});
-  const auto bvh = build_accelerator(Backend::bvh, geometry, {.max_leaf_size = 1});
+  const auto bvh = build_accelerator(Backend::bvh, geometry, {.bvh_width = 2, .max_leaf_size = 1});
   CHECK(bvh->stats().depth == 6);
   CHECK(bvh->stats().leaves == 64);
 }
@@ -176,8 +179,8 @@ TEST_CASE("no tree is deeper than the stack") {
     CHECK(fault(*geometry, options) == "");
   }
   // Without the bound the midpoints would part one triangle after the other.
-  const auto midpoint =
-      build_accelerator(Backend::bvh, geometry, {.bvh_split = BvhSplit::midpoint, .max_leaf_size = 1});
+  const auto midpoint = build_accelerator(
+      Backend::bvh, geometry, {.bvh_width = 2, .bvh_split = BvhSplit::midpoint, .max_leaf_size = 1});
   CHECK(midpoint->stats().depth > free_bvh_depth);
   CHECK(midpoint->stats().depth <= max_bvh_depth);
 }
@@ -259,13 +262,14 @@ TEST_CASE("a cost by blocks fills leaves") {
 }
 
 TEST_CASE("the sah cost of a tree is the expected cost of a ray") {
-  const auto one = build_accelerator(Backend::bvh, share({soup(1, 1, 1)}), {.intersection_cost = 3});
+  const auto one =
+      build_accelerator(Backend::bvh, share({soup(1, 1, 1)}), {.bvh_width = 2, .intersection_cost = 3});
   CHECK(one->stats().sah_cost == 3);
   // A root with two leaves of one: traversal, and each child by its share of the area.
   Mesh mesh;
   add_triangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   add_triangle(mesh, {3, 0, 0}, {4, 0, 0}, {3, 1, 0});
-  const auto two = build_accelerator(Backend::bvh, share({mesh}), {.max_leaf_size = 1});
+  const auto two = build_accelerator(Backend::bvh, share({mesh}), {.bvh_width = 2, .max_leaf_size = 1});
   CHECK(two->stats().nodes == 3);
   CHECK(two->stats().leaves == 2);
   CHECK(two->stats().depth == 1);
@@ -397,7 +401,7 @@ TEST_CASE("lanes of a block that are not in use are never candidates") {
 
 TEST_CASE("counting changes no answer and counts what was done") {
   const auto geometry = share({soup(500, 0.2f, 1), random_spheres(20, 0.2f, 2)});
-  const auto bvh = build_accelerator(Backend::bvh, geometry);
+  const auto bvh = build_accelerator(Backend::bvh, geometry, {.bvh_width = 2});
   QueryCounts closest, any;
   const auto rays = random_rays(500, geometry->bounds(), 4);
   for (const Ray& ray : rays) {
@@ -413,7 +417,7 @@ TEST_CASE("counting changes no answer and counts what was done") {
 
 TEST_CASE("a tree has statistics") {
   const auto geometry = share({soup(500, 0.2f, 1)});
-  const AccelStats stats = build_accelerator(Backend::bvh, geometry)->stats();
+  const AccelStats stats = build_accelerator(Backend::bvh, geometry, {.bvh_width = 2})->stats();
   CHECK(stats.primitives == 500);
   CHECK(stats.nodes == 2 * stats.leaves - 1);
   CHECK(stats.bytes > 500 * sizeof(Triangle));

@@ -20,14 +20,18 @@ template <Backend backend>
 std::unique_ptr<Accelerator> make(std::shared_ptr<const Geometry> geometry) {
   return build_accelerator(backend, std::move(geometry));
 }
+std::unique_ptr<Accelerator> make_binary(std::shared_ptr<const Geometry> geometry) {
+  return build_accelerator(Backend::bvh, std::move(geometry), {.bvh_width = 2});
+}
 std::unique_ptr<Accelerator> make_median(std::shared_ptr<const Geometry> geometry) {
   return build_accelerator(Backend::bvh, std::move(geometry),
-                           {.bvh_split = BvhSplit::median, .max_leaf_size = 1});
+                           {.bvh_width = 2, .bvh_split = BvhSplit::median, .max_leaf_size = 1});
 }
 
 /// Every engine of this build.
 std::vector<EngineMaker> all_engines() {
-  std::vector<EngineMaker> makers{{"bvh", make<Backend::bvh>}, {"bvh median", make_median}};
+  std::vector<EngineMaker> makers{
+      {"bvh", make<Backend::bvh>}, {"bvh 2-wide", make_binary}, {"bvh median", make_median}};
 #ifdef TWINRAY_WITH_EMBREE
   makers.push_back({"embree", make<Backend::embree>});
   makers.push_back({"embree-native", make<Backend::embree_native>, false});
@@ -133,6 +137,7 @@ TEST_CASE("each planted defect is found, and its rays are named") {
   const auto geometry = share({layers(), layers(), icosphere_mesh(3)});
   const std::vector<EngineMaker> sound{
       {"bvh", make<Backend::bvh>},
+      {"bvh 2-wide", make_binary},
       {"plain", [](auto g) { return build_wrong_engine(std::move(g), Defect::none); }}};
   CHECK(crosscheck(geometry, sound, rays_of_a_class).unexplained() == 0);
 

@@ -50,7 +50,7 @@ struct Engine {
 
 /// Every engine that promises canonical bits.
 std::vector<Engine> canonical_engines() {
-  std::vector<Engine> engines{{Backend::bvh, {.bvh_width = 8}}};
+  std::vector<Engine> engines{{Backend::bvh, {.bvh_width = 2}}};
   for (const Backend backend : available_backends())
     if (backend != Backend::embree_native) engines.push_back({backend, {}});
   return engines;

@@ -263,7 +263,7 @@ TEST_CASE("a fast kernel never takes -0 for an entry, which its order would put 
 
 TEST_CASE("counting changes no answer of a wide tree and counts what was done") {
   const auto geometry = share({soup(500, 0.2f, 1), random_spheres(20, 0.2f, 2)});
-  const auto bvh = build_accelerator(Backend::bvh, geometry, {.bvh_width = 8});
+  const auto bvh = build_accelerator(Backend::bvh, geometry);
   QueryCounts closest, any;
   for (const Ray& ray : random_rays(500, geometry->bounds(), 4)) {
     CHECK(bvh->closest_hit(ray, closest) == bvh->closest_hit(ray));
@@ -278,7 +278,7 @@ TEST_CASE("counting changes no answer of a wide tree and counts what was done") 
 
 TEST_CASE("a wide tree has statistics") {
   const auto geometry = share({soup(500, 0.2f, 1)});
-  const AccelStats stats = build_accelerator(Backend::bvh, geometry, {.bvh_width = 8})->stats();
+  const AccelStats stats = build_accelerator(Backend::bvh, geometry)->stats();
   const WideBvh bvh = build_wide(*geometry);
   CHECK(stats.primitives == 500);
   CHECK(stats.leaves == bvh.blocks.size());

@@ -47,8 +47,8 @@ TEST_CASE("CS184's options take the same arguments") {
 TEST_CASE("Embree's builders go with the bvh engine, and exclude the options of our own") {
   CHECK(parse({"--accel=bvh"}).build.bvh_builder == BvhBuilder::own);
 #ifdef TWINRAY_WITH_EMBREE
-  CHECK(parse({"--accel=bvh", "--bvh-builder=embree-low", "--max-leaf-size=8"}).build.bvh_builder ==
-        BvhBuilder::embree_low);
+  CHECK(parse({"--accel=bvh", "--bvh-builder=embree-low", "--bvh-width=2", "--max-leaf-size=8"})
+            .build.bvh_builder == BvhBuilder::embree_low);
   CHECK(message_of({"--accel=embree", "--bvh-builder=embree-low"}) == "--bvh-builder goes with --accel=bvh");
   CHECK(message_of({"--accel=bvh", "--bvh-builder=embree-medium", "--bvh-split=mean"}) ==
         "--bvh-split and --bvh-bins go with --bvh-builder=own");
@@ -62,6 +62,17 @@ TEST_CASE("Embree's builders go with the bvh engine, and exclude the options of 
   CHECK(message_of({"--bvh-builder=embree-low"}) ==
         "--bvh-builder: there is no \"embree-low\"; valid are own");
 #endif
+}
+
+TEST_CASE("the bvh is eight wide, but two wide for counts, unless a width is named") {
+  CHECK(parse({"--accel=bvh"}).build.bvh_width == 8);
+  CHECK(parse({"--accel=bvh", "--count"}).build.bvh_width == 2);
+  CHECK(parse({"--accel=bvh", "--integrator=cost"}).build.bvh_width == 2);
+  CHECK(parse({"--accel=bvh", "--count", "--bvh-width=8"}).build.bvh_width == 8);
+  CHECK(parse({"--accel=bvh", "--bvh-width=2"}).build.bvh_width == 2);
+  CHECK(parse({"--accel=bvh", "--bvh-width=2", "--max-leaf-size=5"}).build.max_leaf_size == 5);
+  CHECK(message_of({"--accel=bvh", "--max-leaf-size=5"}) ==
+        "--max-leaf-size: a BVH of width 8 has leaves of up to 4; --bvh-width=2 takes more");
 }
 
 TEST_CASE("cost shows what the engine counts: nodes of the bvh, else primitives") {

@@ -10,8 +10,9 @@ using namespace twinray::test;
 
 namespace {
 
-RenderResult render_cost(const Scene& scene, Backend backend, CostKind kind, bool counting = true) {
-  const auto accelerator = build_accelerator(backend, scene.geometry);
+RenderResult render_cost(const Scene& scene, Backend backend, CostKind kind, bool counting = true,
+                         int bvh_width = 2) {
+  const auto accelerator = build_accelerator(backend, scene.geometry, {.bvh_width = bvh_width});
   return render(scene, *accelerator, CostIntegrator(kind),
                 {.width = 9, .height = 7, .samples = 2, .threads = 2, .counting = counting});
 }
@@ -35,14 +36,17 @@ TEST_CASE("the cost by brute force is the number of primitives, everywhere") {
 
 TEST_CASE("the costs of all pixels add up to the counts of the render") {
   const Scene scene = small_room();
-  const RenderResult nodes = render_cost(scene, Backend::bvh, CostKind::nodes);
-  CHECK(nodes.rays.camera == 9 * 7 * 2);
-  CHECK(nodes.rays.total() == nodes.rays.camera);
-  CHECK(nodes.rays.queries.nodes > nodes.rays.camera);
-  CHECK(sum_of(nodes.film) == double(nodes.rays.queries.nodes));
-  const RenderResult primitives = render_cost(scene, Backend::bvh, CostKind::primitives);
-  CHECK(primitives.rays.queries == nodes.rays.queries);
-  CHECK(sum_of(primitives.film) == double(primitives.rays.queries.primitives));
+  for (const int width : {2, 8}) {
+    CAPTURE(width);
+    const RenderResult nodes = render_cost(scene, Backend::bvh, CostKind::nodes, true, width);
+    CHECK(nodes.rays.camera == 9 * 7 * 2);
+    CHECK(nodes.rays.total() == nodes.rays.camera);
+    CHECK(nodes.rays.queries.nodes > nodes.rays.camera);
+    CHECK(sum_of(nodes.film) == double(nodes.rays.queries.nodes));
+    const RenderResult primitives = render_cost(scene, Backend::bvh, CostKind::primitives, true, width);
+    CHECK(primitives.rays.queries == nodes.rays.queries);
+    CHECK(sum_of(primitives.film) == double(primitives.rays.queries.primitives));
+  }
 }
 
 TEST_CASE("without counting every cost is 0") {

@@ -71,7 +71,8 @@ PixelRect affordable_middle(const Scene& scene, const RenderOptions& options) {
 }
 
 double primitives_per_ray(const Scene& scene, BvhSplit split, const RenderOptions& options) {
-  const auto accelerator = build_accelerator(Backend::bvh, scene.geometry, {.bvh_split = split});
+  const auto accelerator =
+      build_accelerator(Backend::bvh, scene.geometry, {.bvh_width = 2, .bvh_split = split});
   const RayCounts rays = render(scene, *accelerator, PathIntegrator(scene, {}), options).rays;
   return double(rays.queries.primitives) / double(rays.total());
 }
