@@ -96,6 +96,10 @@ std::string backend_name(Backend backend);
 /// The backend of a name; throws Error that lists the valid names of this build.
 Backend parse_backend(const std::string& name);
 
+/// The names that BuildOptions::simd may have on this machine: "best", then from the fastest on "avx512",
+/// "avx2" and "sse4" where it has them, and "scalar".
+std::vector<std::string> available_instruction_sets();
+
 /// The builders of BVHs of this build, our own first.
 std::vector<BvhBuilder> available_builders();
 /// "own", "embree-low", "embree-medium".

@@ -18,7 +18,6 @@
 namespace twinray {
 namespace {
 
-constexpr std::array thread_counts{1, 2, 7};
 constexpr std::array<std::pair<const char*, SamplerKind>, 2> samplers{
     {{"sobol", SamplerKind::sobol}, {"independent", SamplerKind::independent}}};
 
@@ -41,7 +40,7 @@ NamedIntegrators integrators_of(const Scene& scene) {
 /// The middle of the frame, as large as brute force can afford; at least one pixel.
 PixelRect affordable_window(const Scene& scene, const AgreementOptions& options) {
   const double primitives = double(scene.geometry->primitive_count());
-  const double renders_of_each = double(samplers.size() * thread_counts.size());
+  const double renders_of_each = double(samplers.size() * AgreementEngine{}.threads.size());
   const double tests_per_pixel = primitives * options.samples * rays_per_sample * renders_of_each;
   const double affordable = options.brute_force_tests / std::max(1.0, tests_per_pixel);
   const double all = double(options.width) * options.height,
@@ -63,7 +62,9 @@ class Comparison {
 
   SceneAgreement run() {
     const NamedIntegrators integrators = integrators_of(scene_);
-    renders_in_all_ = integrators.size() * samplers.size() * options_.engines.size() * thread_counts.size();
+    std::size_t renders_of_a_kind = 0;
+    for (const AgreementEngine& engine : options_.engines) renders_of_a_kind += engine.threads.size();
+    renders_in_all_ = integrators.size() * samplers.size() * renders_of_a_kind;
     for (const auto& [integrator_name, integrator] : integrators)
       for (const auto& [sampler_name, sampler] : samplers)
         compare_all(*integrator, sampler, fmt::format("{}, {}", integrator_name, sampler_name));
@@ -74,7 +75,7 @@ class Comparison {
   void compare_all(const Integrator& integrator, SamplerKind sampler, const std::string& kind) {
     std::optional<RenderResult> first;
     for (std::size_t engine = 0; engine < options_.engines.size(); ++engine)
-      for (const int threads : thread_counts) {
+      for (const int threads : options_.engines[engine].threads) {
         RenderResult found = render_once(engine, integrator, sampler, threads);
         if (first)
           compare(*first, found, integrator, sampler,
@@ -132,6 +133,14 @@ class Comparison {
   SceneAgreement result_;
 };
 
+/// Embree as it is, and with the other instruction sets that it may be given.
+void add_embree(std::vector<AgreementEngine>& engines) {
+  engines.push_back({"embree", Backend::embree, {}});
+  for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512"})
+    if (isa != BuildOptions{}.embree_isa)
+      engines.push_back({fmt::format("embree {}", isa), Backend::embree, {.embree_isa = isa}, {2}});
+}
+
 }  // namespace
 
 std::vector<AgreementEngine> agreement_engines() {
@@ -147,8 +156,11 @@ std::vector<AgreementEngine> agreement_engines() {
                          Backend::bvh,
                          {.bvh_width = 2, .bvh_builder = builder}});
   engines.push_back({"bvh 8-wide", Backend::bvh, {.bvh_width = 8}});
+  for (const std::string& simd : available_instruction_sets())
+    if (simd != BuildOptions{}.simd)
+      engines.push_back({"bvh 8-wide " + simd, Backend::bvh, {.bvh_width = 8, .simd = simd}, {2}});
   for (const Backend backend : available_backends())
-    if (backend == Backend::embree) engines.push_back({backend_name(backend), backend, {}});
+    if (backend == Backend::embree) add_embree(engines);
   engines.push_back({backend_name(Backend::brute_force), Backend::brute_force, {}});
   return engines;
 }

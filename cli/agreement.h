@@ -18,10 +18,12 @@ struct AgreementEngine {
   std::string name;
   Backend backend = Backend::bvh;
   BuildOptions build;
+  std::vector<int> threads{1, 2, 7};  ///< It renders everything on each of these numbers of threads.
 };
 
 /// All engines of this build that promise the same bits: the hand-written BVH with each split method and
-/// builder, embree, and brute force, which comes last. The first is what all are compared with.
+/// builder, the wide one and embree with each instruction set of this machine (those that are not the default
+/// on two threads only), and brute force, which comes last. The first is what all are compared with.
 std::vector<AgreementEngine> agreement_engines();
 
 /// The BVH with Moeller and Trumbore's test, which does not make the promise: a comparison that is worth

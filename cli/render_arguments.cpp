@@ -57,6 +57,12 @@ Choices<BvhBuilder> builder_choices() {
   return choices;
 }
 
+Choices<std::string> simd_choices() {
+  Choices<std::string> choices;
+  for (const std::string& name : available_instruction_sets()) choices.emplace_back(name, name);
+  return choices;
+}
+
 /// Options whose values are only understood together with others, or after all have been read.
 struct RawArguments {
   std::vector<int> resolution{480, 360};
@@ -162,6 +168,7 @@ void add_engine_options(CLI::App& app, RenderArguments& arguments, RawArguments&
   add_choice<std::optional<int>>(app, "--bvh-width", raw.bvh_width, {{"2", 2}, {"8", 8}},
                                  "bvh: children of a node (8; 2 to count)")
       ->group(group);
+  add_choice<std::string>(app, "--simd", build.simd, simd_choices(), "bvh of width 8 (best)")->group(group);
   add_choice<BvhSplit>(app, "--bvh-split", build.bvh_split,
                        {{"sah", BvhSplit::sah},
                         {"median", BvhSplit::median},
@@ -197,7 +204,7 @@ void add_engine_options(CLI::App& app, RenderArguments& arguments, RawArguments&
                          {{"robust", EmbreeMode::robust}, {"fast", EmbreeMode::fast}},
                          "embree-native (robust)")
       ->group(group);
-  app.add_option("--embree-isa", build.embree_isa, "embree-native: sse2, sse4.2, avx, avx2, avx512")
+  app.add_option("--embree-isa", build.embree_isa, "embree*: up to sse2, sse4.2, avx, avx2 or avx512")
       ->type_name("ISA")
       ->group(group);
 #endif
@@ -308,6 +315,8 @@ void resolve(const RawArguments& raw, RenderArguments& arguments) {
   check_builder(arguments);
   choose_cost(raw.cost, arguments);
   choose_width(raw.bvh_width, arguments);
+  if (arguments.build.simd != "best" && (arguments.backend != Backend::bvh || arguments.build.bvh_width != 8))
+    throw UsageError("--simd goes with --accel=bvh and --bvh-width=8");
   if (arguments.build.triangle_test == TriangleTest::moller_trumbore && arguments.backend != Backend::bvh &&
       arguments.backend != Backend::brute_force)
     throw UsageError("--triangle-test=moller-trumbore goes with --accel=bvh and --accel=brute-force");

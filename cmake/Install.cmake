@@ -19,6 +19,7 @@ set(private_headers
   accel/embree/bounds.h
   accel/embree/builder.h
   accel/embree/device.h
+  accel/embree/embree.h
   accel/embree/ray.h
   accel/exact.h
   accel/lanes.h

@@ -2,7 +2,10 @@
 #include "accel/embree/device.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "core/error.h"
@@ -10,6 +13,8 @@
 
 namespace twinray::embree {
 namespace {
+
+constexpr std::array<const char*, 5> instruction_sets{"sse2", "sse4.2", "avx", "avx2", "avx512"};
 
 const char* describe(RTCError code) {
   switch (code) {
@@ -62,8 +67,13 @@ bool Device::on_memory(void* state, ssize_t bytes, bool) noexcept {
   return true;
 }
 
-std::string configuration(const std::string& instruction_set, int threads) {
-  return fmt::format("max_isa={}{}", instruction_set, threads > 0 ? fmt::format(",threads={}", threads) : "");
+std::string configuration(const BuildOptions& options) {
+  const std::string& isa = options.embree_isa;
+  if (std::find(instruction_sets.begin(), instruction_sets.end(), isa) == instruction_sets.end())
+    throw Error(fmt::format("Embree has no instruction set \"{}\"; valid are {}", isa,
+                            fmt::join(instruction_sets, ", ")));
+  return fmt::format("max_isa={}{}", isa,
+                     options.threads > 0 ? fmt::format(",threads={}", options.threads) : "");
 }
 
 void attach(RTCScene scene, GeometryOwner geometry, unsigned id) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <type_traits>
 
+#include "accel/build_options.h"
 #include "accel/embree/api.h"
 
 namespace twinray::embree {
@@ -45,8 +46,9 @@ class Device {
   std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release> device_;
 };
 
-/// The words for an upper bound of the instruction set, and a number of threads (0: Embree's choice).
-std::string configuration(const std::string& instruction_set, int threads);
+/// The words for options.embree_isa, an upper bound of the instruction set, and the number of threads (0:
+/// Embree's choice). Throws Error that lists the instruction sets that Embree knows.
+std::string configuration(const BuildOptions& options);
 
 /// Commits a geometry and makes it number `id` of a scene, which keeps it.
 void attach(RTCScene scene, GeometryOwner geometry, unsigned id);

@@ -13,6 +13,7 @@
 #include "accel/bvh/traversal.h"
 #include "accel/embree/bounds.h"
 #include "accel/embree/device.h"
+#include "accel/embree/embree.h"
 #include "accel/embree/ray.h"
 #include "accel/phase_timer.h"
 
@@ -76,17 +77,15 @@ BuildOptions block_options(const BuildOptions& options) {
       .threads = options.threads, .max_leaf_size = TriangleBlock::width, .leaf_block = TriangleBlock::width};
 }
 
-/// Embree's traversal of user geometry was 3 % faster with AVX2 than with AVX-512.
-constexpr const char* instruction_set = "avx2";
-
 class EmbreeAccelerator final : public Accelerator {
  public:
-  EmbreeAccelerator(std::shared_ptr<const Geometry> geometry, const BuildOptions& options)
+  EmbreeAccelerator(std::shared_ptr<const Geometry> geometry, const BuildOptions& options, float widening)
       : geometry_(std::move(geometry)),
-        device_(embree::configuration(instruction_set, options.threads)),
+        device_(embree::configuration(options)),
         scene_(rtcNewScene(device_.get())) {
     bvh_ = make_bvh(*geometry_, block_options(options), stats_.phases);
     scene_size_ = embree::scene_size(*geometry_);
+    widened_size_ = scene_size_ * widening;
     timed("embree", stats_.phases, [&] { build(options.threads); });
     stats_.primitives = geometry_->primitive_count();
     stats_.bytes = bvh_.bytes() + device_.bytes();
@@ -110,7 +109,7 @@ class EmbreeAccelerator final : public Accelerator {
   static void bound_block(const RTCBoundsFunctionArguments* arguments) {
     const auto& self = *static_cast<const EmbreeAccelerator*>(arguments->geometryUserPtr);
     const TriangleBlock& block = self.bvh_.blocks[arguments->primID];
-    *arguments->bounds_o = embree::widened(block_bounds(*self.geometry_, block), self.scene_size_);
+    *arguments->bounds_o = embree::widened(block_bounds(*self.geometry_, block), self.widened_size_);
   }
 
   Hit trace_closest(const CheckedRay& ray) const noexcept override { return closest(ray, nullptr); }
@@ -179,7 +178,8 @@ class EmbreeAccelerator final : public Accelerator {
 
   std::shared_ptr<const Geometry> geometry_;
   Bvh bvh_;
-  float scene_size_ = 0;  ///< The largest coordinate of the scene.
+  float scene_size_ = 0;    ///< The largest coordinate of the scene.
+  float widened_size_ = 0;  ///< The same, as the widening of the blocks' boxes takes it.
   AccelStats stats_;
   embree::Device device_;
   embree::Scene scene_;
@@ -189,7 +189,12 @@ class EmbreeAccelerator final : public Accelerator {
 
 std::unique_ptr<Accelerator> build_embree(std::shared_ptr<const Geometry> geometry,
                                           const BuildOptions& options) {
-  return std::make_unique<EmbreeAccelerator>(std::move(geometry), options);
+  return build_embree_widened(std::move(geometry), options, 1);
+}
+
+std::unique_ptr<Accelerator> build_embree_widened(std::shared_ptr<const Geometry> geometry,
+                                                  const BuildOptions& options, float widening) {
+  return std::make_unique<EmbreeAccelerator>(std::move(geometry), options, widening);
 }
 
 }  // namespace twinray

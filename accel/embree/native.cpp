@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Embree with its own triangles: an independent witness of the canonical engines, outside of their promise.
 // The ends of a ray's interval are Embree's own.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <array>
 #include <cstring>
 
 #include "accel/backends.h"
@@ -14,21 +9,10 @@
 #include "accel/embree/ray.h"
 #include "accel/phase_timer.h"
 #include "core/checked_ray.h"
-#include "core/error.h"
 #include "core/sphere.h"
 
 namespace twinray {
 namespace {
-
-constexpr std::array<const char*, 5> instruction_sets{"sse2", "sse4.2", "avx", "avx2", "avx512"};
-
-std::string configuration(const BuildOptions& options) {
-  if (std::find(instruction_sets.begin(), instruction_sets.end(), options.embree_isa) ==
-      instruction_sets.end())
-    throw Error(fmt::format("Embree has no instruction set \"{}\"; valid are {}", options.embree_isa,
-                            fmt::join(instruction_sets, ", ")));
-  return embree::configuration(options.embree_isa, options.threads);
-}
 
 struct Query : embree::Context {
   const CheckedRay& ray;
@@ -99,7 +83,9 @@ embree::GeometryOwner make_geometry(RTCDevice device, SphereGeometry& spheres) {
 class EmbreeNative final : public Accelerator {
  public:
   EmbreeNative(std::shared_ptr<const Geometry> geometry, const BuildOptions& options)
-      : geometry_(std::move(geometry)), device_(configuration(options)), scene_(rtcNewScene(device_.get())) {
+      : geometry_(std::move(geometry)),
+        device_(embree::configuration(options)),
+        scene_(rtcNewScene(device_.get())) {
     timed("embree", stats_.phases, [&] {
       if (options.embree_mode == EmbreeMode::robust) rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
       add_shapes();

@@ -47,8 +47,10 @@ std::vector<Engine> canonical_engines(const std::shared_ptr<const Geometry>& geo
   add("bvh 8-wide median", Backend::bvh, {.bvh_width = 8, .bvh_split = BvhSplit::median});
   for (const WideKernel& kernel : wide_kernels(TriangleTest::woop))
     engines.push_back({"bvh 8-wide, " + kernel.name, std::make_unique<WideEngine>(geometry, kernel)});
-  for (const Backend backend : available_backends())
-    if (backend == Backend::embree) add("embree", backend, {});
+#ifdef TWINRAY_WITH_EMBREE
+  for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512"})
+    add(std::string("embree ") + isa, Backend::embree, {.threads = 1, .embree_isa = isa});
+#endif
   return engines;
 }
 

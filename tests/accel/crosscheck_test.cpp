@@ -141,7 +141,7 @@ TEST_CASE("each planted defect is found, and its rays are named") {
       {"plain", [](auto g) { return build_wrong_engine(std::move(g), Defect::none); }}};
   CHECK(crosscheck(geometry, sound, rays_of_a_class).unexplained() == 0);
 
-  for (const Defect defect : all_defects) {
+  for (const Defect defect : all_defects()) {
     INFO(defect_name(defect));
     const auto reference = build_accelerator(Backend::bvh, geometry);
     const auto wrong = build_wrong_engine(geometry, defect);

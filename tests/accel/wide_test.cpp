@@ -220,6 +220,22 @@ TEST_CASE("each kernel has the instruction set of its name, and the last one is 
   CHECK(kernels.back().name == "scalar");
 }
 
+TEST_CASE(
+    "the instruction set of a wide tree is chosen by name, and others are refused with the valid names") {
+  const auto geometry = share({soup(50, 0.3f, 1)});
+  const std::vector<std::string> names = available_instruction_sets();
+  REQUIRE(names.size() == wide_kernels(TriangleTest::woop).size() + 1);
+  CHECK(names.front() == "best");
+  CHECK(names.back() == "scalar");
+  std::string valid;
+  for (const std::string& name : names) {
+    valid += (valid.empty() ? "" : ", ") + name;
+    CHECK(build_accelerator(Backend::bvh, geometry, {.bvh_width = 8, .simd = name}));
+  }
+  CHECK_THROWS_WITH(build_accelerator(Backend::bvh, geometry, {.bvh_width = 8, .simd = "AVX2"}),
+                    "there is no instruction set \"AVX2\" on this machine; valid are " + valid);
+}
+
 TEST_CASE("every kernel tests eight boxes with the bits of the canonical box test") {
   const std::vector<WideKernel> kernels = wide_kernels(TriangleTest::woop);
   Random random(5);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/agreement_command.h"
 #include "core/error.h"
 #include "io/scene_file.h"
@@ -14,8 +16,12 @@ namespace twinray::test {
 namespace {
 
 const std::string scenes = TWINRAY_SOURCE_DIR "/scenes/";
-/// Integrators, samplers and numbers of threads.
-constexpr std::size_t renders_of_an_engine = 4 * 2 * 3;
+/// By four integrators and two samplers, on each of the engines' numbers of threads.
+std::size_t renders_of(const std::vector<AgreementEngine>& engines) {
+  std::size_t renders = 0;
+  for (const AgreementEngine& engine : engines) renders += 4 * 2 * engine.threads.size();
+  return renders;
+}
 
 AgreementOptions tiny() { return {.width = 8, .height = 6, .samples = 2}; }
 
@@ -25,17 +31,31 @@ TEST_CASE("all engines give the same bits for the box and for a mesh") {
   for (const char* name : {"box.dae", "cornell-bunny.dae"}) {
     const Scene scene = load_scene(scenes + name).scene;
     const SceneAgreement found = compare_engines(scene, tiny());
-    CHECK(found.renders == renders_of_an_engine * agreement_engines().size());
+    CHECK(found.renders == renders_of(agreement_engines()));
     CHECK(found.rays > found.pixels);
     CHECK(found.differences.empty());
   }
+}
+
+TEST_CASE("engines are compared with every instruction set of the machine") {
+  std::vector<std::string> names;
+  for (const AgreementEngine& engine : agreement_engines()) names.push_back(engine.name);
+  const auto has = [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (const std::string& simd : available_instruction_sets())
+    if (simd != "best") CHECK(has("bvh 8-wide " + simd));
+#ifdef TWINRAY_WITH_EMBREE
+  for (const char* isa : {"embree", "embree sse2", "embree sse4.2", "embree avx", "embree avx512"})
+    CHECK(has(isa));
+#endif
 }
 
 TEST_CASE("an engine that gives other bits is found, with the first pixel and both values") {
   AgreementOptions options = tiny();
   options.engines.push_back(differing_engine());
   const SceneAgreement found = compare_engines(load_scene(scenes + "cornell-bunny.dae").scene, options);
-  CHECK(found.renders == renders_of_an_engine * options.engines.size());
+  CHECK(found.renders == renders_of(options.engines));
   REQUIRE_FALSE(found.differences.empty());
   for (const std::string& difference : found.differences) {
     CHECK(difference.find(", bvh moller-trumbore, threads ") != std::string::npos);

@@ -75,6 +75,18 @@ TEST_CASE("the bvh is eight wide, but two wide for counts, unless a width is nam
         "--max-leaf-size: a BVH of width 8 has leaves of up to 4; --bvh-width=2 takes more");
 }
 
+TEST_CASE("the instruction set is that of the wide bvh, and a wrong one names the right ones") {
+  CHECK(parse({}).build.simd == "best");
+  CHECK(parse({"--accel=bvh", "--simd=scalar"}).build.simd == "scalar");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"--simd=scalar", "--accel=brute-force"},
+        {"--simd=scalar", "--accel=bvh", "--bvh-width=2"},
+        {"--simd=scalar", "--accel=bvh", "--count"}})
+    CHECK(message_of(words) == "--simd goes with --accel=bvh and --bvh-width=8");
+  CHECK(message_of({"--accel=bvh", "--simd=none"}).find("--simd: there is no \"none\"; valid are best, ") ==
+        0);
+}
+
 TEST_CASE("cost shows what the engine counts: nodes of the bvh, else primitives") {
   const RenderArguments nodes = parse({"--integrator=cost", "--accel=bvh"});
   CHECK(nodes.cost == CostKind::nodes);

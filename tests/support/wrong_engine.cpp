@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "accel/embree/embree.h"
 #include "accel/shape_test.h"
 #include "core/slab.h"
 
@@ -143,13 +144,34 @@ class WrongEngine final : public Accelerator {
 }  // namespace
 
 const char* defect_name(Defect defect) {
-  constexpr const char* names[] = {
-      "none",       "box rounds inward",   "flipped comparison", "skipped child",    "right never looked at",
-      "t_max lags", "last primitive lost", "minus zero ignored", "equal node culled"};
+  constexpr const char* names[] = {"none",
+                                   "box rounds inward",
+                                   "flipped comparison",
+                                   "skipped child",
+                                   "right never looked at",
+                                   "t_max lags",
+                                   "last primitive lost",
+                                   "minus zero ignored",
+                                   "equal node culled",
+                                   "embree bounds unpadded"};
   return names[std::size_t(defect)];
 }
 
+std::vector<Defect> all_defects() {
+  std::vector<Defect> defects{Defect::box_rounds_inward,  Defect::flipped_comparison,
+                              Defect::skipped_child,      Defect::right_never_looked_at,
+                              Defect::t_max_lags,         Defect::last_primitive_lost,
+                              Defect::minus_zero_ignored, Defect::equal_node_culled};
+#ifdef TWINRAY_WITH_EMBREE
+  defects.push_back(Defect::embree_bounds_unpadded);
+#endif
+  return defects;
+}
+
 std::unique_ptr<Accelerator> build_wrong_engine(std::shared_ptr<const Geometry> geometry, Defect defect) {
+#ifdef TWINRAY_WITH_EMBREE
+  if (defect == Defect::embree_bounds_unpadded) return build_embree_widened(std::move(geometry), {}, 0);
+#endif
   return std::make_unique<WrongEngine>(std::move(geometry), defect);
 }
 
