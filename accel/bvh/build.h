@@ -17,8 +17,8 @@ struct BuildTree {
     std::uint32_t count = 0;  ///< Leaf: its primitives. Inner: 0.
   };
   /// The root is nodes[0]. Not every entry is a node: the pair of children that part the primitives before
-  /// index i from those behind is nodes[2 i - 1] and nodes[2 i]. So each pair has a place of its own,
-  /// whatever thread makes it.
+  /// index i from those behind is nodes[2 i - 1] and nodes[2 i], before subtrees are reinserted. So each
+  /// pair has a place of its own, whatever thread makes it.
   std::vector<Node> nodes;
   std::vector<BuildPrimitive> primitives;  ///< In the order of the leaves.
 };

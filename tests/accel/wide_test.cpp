@@ -302,8 +302,9 @@ TEST_CASE("a wide tree has statistics") {
   CHECK(stats.bytes == bvh.bytes());
   CHECK(stats.depth > 2);
   CHECK(stats.sah_cost > 1);
-  REQUIRE(stats.phases.size() == 3);
-  CHECK(stats.phases[2].name == "collapse");
+  REQUIRE(stats.phases.size() == 4);
+  CHECK(stats.phases[2].name == "reinsertion");
+  CHECK(stats.phases[3].name == "collapse");
 }
 
 TEST_CASE("a BVH has two or eight children a node") {
