@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes made in code, of any size: nothing to download, the same bits on every machine. Lengths are metres,
+// +y is up.
+#pragma once
+#include <cstddef>
+#include <span>
+
+#include "core/scene.h"
+
+namespace twinray::bench {
+
+/// A furnished room, closed all around, lit through blinds and by a lamp: huge walls and hair-thin pile,
+/// slats, chairs, a draped cloth, curtains, books, thousands of little facets on balls. 40,000 triangles at
+/// least.
+Scene make_room(std::size_t triangles);
+
+/// A sphere in a closed box, displaced by fractal noise: triangles of equal size, all over one surface. 1,000
+/// triangles at least.
+Scene make_ball(std::size_t triangles);
+
+/// Trees and grass on rough ground under a sky: leaves and blades that overlap without order, in a forest
+/// that grows with its size. 10,000 triangles at least.
+Scene make_forest(std::size_t triangles);
+
+/// A maker of scenes, and the size that benchmarks take where none is asked for.
+struct GeneratedScene {
+  const char* name;
+  std::size_t triangles;
+  /// Gives that many triangles, within 2 %; throws Error for fewer than the least, or more than 2^28.
+  Scene (*make)(std::size_t triangles);
+};
+
+/// All of them.
+std::span<const GeneratedScene> generated_scenes();
+
+}  // namespace twinray::bench

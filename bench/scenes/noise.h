@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "core/vec.h"
+
+namespace twinray::bench {
+
+/// Smooth noise in [-1, 1]: random numbers at the integer points of space (a function of the seed alone),
+/// blended between them. Coordinates up to 2^20.
+float noise(const Vec3& p, unsigned seed);
+
+/// The sum of octaves of noise, each of twice the frequency of the one before and half of its size; in
+/// (-2, 2).
+float fractal_noise(const Vec3& p, int octaves, unsigned seed);
+
+}  // namespace twinray::bench

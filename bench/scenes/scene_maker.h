@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/scene.h"
+
+namespace twinray::bench {
+
+/// Gathers shapes, what they are made of, and lamps, until they are a scene.
+class SceneMaker {
+ public:
+  /// A mesh of a matt colour.
+  void add(Mesh mesh, const Rgb& reflectance);
+  void add(Mesh mesh, const SurfaceModel& model);
+  /// A black mesh that emits from its front.
+  void add_lamp(Mesh mesh, const Rgb& radiance);
+  void add_light(const std::string& name, LightSource source);
+
+  std::size_t triangles() const { return triangles_; }
+  /// Ends the making. Throws Error for shapes that are not valid.
+  Scene finish(const Camera& camera);
+
+ private:
+  Scene scene_;
+  std::vector<Shape> shapes_;
+  std::size_t triangles_ = 0;
+};
+
+/// Where a camera stands and what it looks at.
+struct View {
+  Vec3 eye, target;
+  float tan_half_width = 0.6f;
+};
+/// A camera of 4 : 3 with +y up; it must not look straight up or down.
+Camera camera_of(const View& view);
+
+/// Throws Error unless the number of triangles lies in [least, 2^28].
+void check_size(const std::string& scene, std::size_t triangles, std::size_t least);
+
+}  // namespace twinray::bench
