@@ -21,6 +21,13 @@ enum class BvhBuilder {
 
 enum class EmbreeMode { robust, fast };
 
+/// How well Embree builds the trees of embree_native, by its own names. Robust mode makes of `high` what it
+/// makes of `medium`.
+enum class EmbreeQuality {
+  medium,  ///< Binned SAH: Embree's default.
+  high,    ///< SAH with spatial splits.
+};
+
 /// Which ray-triangle test the hand-written engines run.
 enum class TriangleTest { woop, moller_trumbore };
 
@@ -44,9 +51,10 @@ struct BuildOptions {
   TriangleTest triangle_test =
       TriangleTest::woop;  ///< moller_trumbore: brute force and bvh only; leaves the promise of equal bits.
 
-  EmbreeMode embree_mode = EmbreeMode::robust;  ///< embree_native only.
-  /// embree and embree_native: the most that Embree may use: sse2, sse4.2, avx, avx2, avx512. Its traversal
-  /// of user geometry was 3 % faster with AVX2 than with AVX-512.
+  EmbreeMode embree_mode = EmbreeMode::robust;           ///< embree_native only.
+  EmbreeQuality embree_quality = EmbreeQuality::medium;  ///< embree_native only.
+  /// embree and embree_native: the most that Embree may use: sse2, sse4.2, avx, avx2, avx512; or default:
+  /// what it chooses itself. Its traversal of user geometry was 3 % faster with AVX2 than with AVX-512.
   std::string embree_isa = "avx2";
 };
 

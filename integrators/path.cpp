@@ -39,6 +39,7 @@ Rgb PathIntegrator::radiance(const Ray& camera_ray, SamplerKind kind, const Samp
       add_escaped(state);
       break;
     }
+    tracer.arrive();
     const SurfacePoint point = surface_at(*scene_.geometry, hit);
     const Vec3 wo = -normalize(state.ray.direction);
     if (state.meets_emission && counts(state.depth))

@@ -46,6 +46,13 @@ std::vector<Ray> rays_of_kind(const std::vector<RecordedRay>& recorded, RayKind 
   return rays;
 }
 
+std::vector<Ray> rays_of_kind(const std::vector<RecordedRay>& recorded, RayKind kind, int vertex) {
+  std::vector<Ray> rays;
+  for (const RecordedRay& entry : recorded)
+    if (entry.kind == kind && entry.vertex == vertex) rays.push_back(entry.ray);
+  return rays;
+}
+
 PathRays::PathRays(const Scene& scene, const Accelerator& accelerator, std::uint64_t seed)
     : accelerator_(accelerator),
       seed_(seed),

@@ -29,6 +29,8 @@ std::vector<RecordedRay> record_rays(const Scene& scene, const Recording& record
 
 /// The rays of one kind, in their order.
 std::vector<Ray> rays_of_kind(const std::vector<RecordedRay>& recorded, RayKind kind);
+/// Those of them that start at one vertex of their paths.
+std::vector<Ray> rays_of_kind(const std::vector<RecordedRay>& recorded, RayKind kind, int vertex);
 
 /// Rays of light paths without end, in batches that any thread may make. Half of the paths start at the
 /// scene's camera, half where its view shows the whole scene.

@@ -31,6 +31,7 @@ enum class RayKind { camera, shadow, bounce };
 struct RecordedRay {
   Ray ray;
   RayKind kind = RayKind::camera;
+  int vertex = 0;  ///< The path's vertex where it starts: 0 the camera, 1 the first surface, ...
 };
 
 /// An integrator's only way to rays: asks an accelerator and keeps the counts of one thread's work.
@@ -41,7 +42,9 @@ class Tracer {
   Tracer(const Accelerator& accelerator, bool counting, std::vector<RecordedRay>* record = nullptr)
       : accelerator_(accelerator), counting_(counting), record_(record) {}
 
+  /// A new path begins.
   Hit camera_hit(const Ray& ray) {
+    vertex_ = 0;
     ++counts_.camera;
     note(ray, RayKind::camera);
     return closest(ray);
@@ -60,11 +63,13 @@ class Tracer {
         counting_ ? accelerator_.any_hit(connection, counts_.queries) : accelerator_.any_hit(connection);
     return blocked ? Rgb{} : Rgb{1, 1, 1};
   }
+  /// The path has come to its next surface: rays start there from now on.
+  void arrive() { ++vertex_; }
   const RayCounts& counts() const { return counts_; }
 
  private:
   void note(const Ray& ray, RayKind kind) {
-    if (record_) record_->push_back({ray, kind});
+    if (record_) record_->push_back({ray, kind, vertex_});
   }
   Hit closest(const Ray& ray) {
     return counting_ ? accelerator_.closest_hit(ray, counts_.queries) : accelerator_.closest_hit(ray);
@@ -73,6 +78,7 @@ class Tracer {
   const Accelerator& accelerator_;
   bool counting_;
   std::vector<RecordedRay>* record_;
+  int vertex_ = 0;
   RayCounts counts_;
 };
 

@@ -14,7 +14,7 @@
 namespace twinray::embree {
 namespace {
 
-constexpr std::array<const char*, 5> instruction_sets{"sse2", "sse4.2", "avx", "avx2", "avx512"};
+constexpr std::array<const char*, 6> instruction_sets{"sse2", "sse4.2", "avx", "avx2", "avx512", "default"};
 
 const char* describe(RTCError code) {
   switch (code) {
@@ -72,8 +72,9 @@ std::string configuration(const BuildOptions& options) {
   if (std::find(instruction_sets.begin(), instruction_sets.end(), isa) == instruction_sets.end())
     throw Error(fmt::format("Embree has no instruction set \"{}\"; valid are {}", isa,
                             fmt::join(instruction_sets, ", ")));
-  return fmt::format("max_isa={}{}", isa,
-                     options.threads > 0 ? fmt::format(",threads={}", options.threads) : "");
+  std::string words = isa == "default" ? "" : "max_isa=" + isa;
+  if (options.threads > 0) words += fmt::format("{}threads={}", words.empty() ? "" : ",", options.threads);
+  return words;
 }
 
 void attach(RTCScene scene, GeometryOwner geometry, unsigned id) {

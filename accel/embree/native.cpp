@@ -88,6 +88,9 @@ class EmbreeNative final : public Accelerator {
         scene_(rtcNewScene(device_.get())) {
     timed("embree", stats_.phases, [&] {
       if (options.embree_mode == EmbreeMode::robust) rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+      rtcSetSceneBuildQuality(scene_.get(), options.embree_quality == EmbreeQuality::high
+                                                ? RTC_BUILD_QUALITY_HIGH
+                                                : RTC_BUILD_QUALITY_MEDIUM);
       add_shapes();
       embree::commit(device_, scene_.get(), options.threads);
     });

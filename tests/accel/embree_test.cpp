@@ -57,16 +57,29 @@ TEST_CASE("embree-native runs in both modes and with every instruction set") {
   const auto geometry = share({icosphere_mesh(3)});
   const Ray ray{.origin = {0.1f, 0.2f, 3}, .direction = {0, 0, -1}};
   for (const EmbreeMode mode : {EmbreeMode::robust, EmbreeMode::fast})
-    for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512"}) {
+    for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512", "default"}) {
       CAPTURE(isa);
       const auto witness = native(geometry, {.threads = 1, .embree_mode = mode, .embree_isa = isa});
       CHECK(witness->closest_hit(ray).t == Approx(2.025).margin(0.01));
     }
 }
 
+TEST_CASE("Embree's quality high splits triangles in fast mode") {
+  const auto geometry = share({soup(3000, 1.0f, 9)});
+  const auto bytes = [&](EmbreeMode mode, EmbreeQuality quality) {
+    return native(geometry, {.threads = 1, .embree_mode = mode, .embree_quality = quality})->stats().bytes;
+  };
+  CHECK(bytes(EmbreeMode::fast, EmbreeQuality::high) > bytes(EmbreeMode::fast, EmbreeQuality::medium));
+  const auto canonical = build_accelerator(Backend::bvh, geometry);
+  const auto witness = native(geometry, {.threads = 1, .embree_quality = EmbreeQuality::high});
+  for (const Ray& ray : random_rays(500, geometry->bounds(), 10))
+    REQUIRE(bool(witness->closest_hit(ray)) == bool(canonical->closest_hit(ray)));
+}
+
 TEST_CASE("an unknown instruction set is an error that lists the valid ones") {
-  CHECK_THROWS_WITH(native(share({}), {.embree_isa = "avx3"}),
-                    "Embree has no instruction set \"avx3\"; valid are sse2, sse4.2, avx, avx2, avx512");
+  CHECK_THROWS_WITH(
+      native(share({}), {.embree_isa = "avx3"}),
+      "Embree has no instruction set \"avx3\"; valid are sse2, sse4.2, avx, avx2, avx512, default");
 }
 
 TEST_CASE("Embree builds geometry without primitives") {

@@ -46,3 +46,22 @@ TEST_CASE("a recorded picture has as many rays as the render that traces them") 
   CHECK(rays_of_kind(recorded, RayKind::shadow).size() == result.rays.shadow);
   CHECK(rays_of_kind(recorded, RayKind::bounce).size() == result.rays.bounce);
 }
+
+TEST_CASE("a recorded ray knows the vertex of its path where it starts") {
+  const Scene scene = small_room();
+  const std::vector<RecordedRay> recorded = record_rays(scene, {.width = 12, .height = 9, .max_depth = 3});
+  int vertex = 0;
+  bool is_under_way = false;  // Whether the last ray went to the next surface.
+  for (const RecordedRay& entry : recorded) {
+    if (entry.kind == RayKind::camera)
+      vertex = 0;
+    else if (is_under_way)
+      ++vertex;
+    REQUIRE(entry.vertex == vertex);
+    is_under_way = entry.kind != RayKind::shadow;
+  }
+  for (const int start : {1, 2, 3}) CHECK(rays_of_kind(recorded, RayKind::shadow, start).size() > 20);
+  CHECK(rays_of_kind(recorded, RayKind::bounce, 1).size() <= 12 * 9);
+  CHECK(rays_of_kind(recorded, RayKind::camera, 1).empty());
+  CHECK(rays_of_kind(recorded, RayKind::bounce, 3).empty());
+}
