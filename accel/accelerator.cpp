@@ -2,7 +2,6 @@
 #include "accel/accelerator.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <array>
 #include <utility>
@@ -128,16 +127,6 @@ std::string builder_name(BvhBuilder builder) {
   for (const auto& [value, name] : builder_names)
     if (value == builder) return name;
   return "unknown";
-}
-
-Backend parse_backend(const std::string& name) {
-  std::vector<std::string> valid;
-  for (const Backend backend : available_backends()) {
-    valid.push_back(backend_name(backend));
-    if (valid.back() == name) return backend;
-  }
-  throw Error(
-      fmt::format("there is no engine \"{}\" in this build; valid are {}", name, fmt::join(valid, ", ")));
 }
 
 }  // namespace twinray

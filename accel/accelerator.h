@@ -93,8 +93,6 @@ std::vector<Backend> available_backends();
 Backend default_backend();
 /// "bvh", "embree", "embree-native", "brute-force".
 std::string backend_name(Backend backend);
-/// The backend of a name; throws Error that lists the valid names of this build.
-Backend parse_backend(const std::string& name);
 
 /// The names that BuildOptions::simd may have on this machine: "best", then from the fastest on "avx512",
 /// "avx2" and "sse4" where it has them, and "scalar".

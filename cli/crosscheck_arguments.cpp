@@ -14,24 +14,18 @@
 namespace twinray {
 namespace {
 
-std::string names_of(const std::vector<Backend>& engines) {
-  std::vector<std::string> names;
-  for (const Backend engine : engines) names.push_back(backend_name(engine));
-  return fmt::format("{}", fmt::join(names, ","));
-}
-
-std::vector<Backend> parse_engines(const std::string& text) {
-  std::vector<Backend> engines;
+std::vector<std::string> parse_engines(const std::string& text) {
+  std::vector<std::string> engines;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    engines.push_back(parse_backend(text.substr(begin, end - begin)));
+    engines.push_back(named_engine(text.substr(begin, end - begin)).name);
     begin = end + 1;
   }
   return engines;
 }
 
 struct RawArguments {
-  std::string engines = names_of(default_crosscheck_engines());
+  std::string engines = fmt::format("{}", fmt::join(default_crosscheck_engines(), ","));
   std::string ray, placement = "file";
 };
 

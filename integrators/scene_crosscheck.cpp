@@ -16,18 +16,24 @@ namespace {
 
 constexpr std::size_t batch_size = 4096;
 constexpr std::uint64_t brute_force_rays = 10000;
-/// Of 100 rays, how many are of light paths and how many random; 5 for each other class.
-constexpr std::uint64_t path_share = 30, random_share = 10, other_share = 5;
+/// Of 100 rays, how many are of light paths, how many random, and how many of a scene that was moved: there
+/// no tree is of much use, since all boxes are widened by more than their size. 5 for each other class.
+constexpr std::uint64_t path_share = 34, random_share = 10, moved_share = 1, other_share = 5;
 
-bool is_canonical(Backend backend) { return backend != Backend::embree_native; }
+std::uint64_t share_of(RayClass ray_class) {
+  if (ray_class == RayClass::random) return random_share;
+  return ray_class == RayClass::moved ? moved_share : other_share;
+}
 
 /// The engines with a reference first that can be asked for every ray.
-std::vector<Backend> ordered(std::vector<Backend> engines) {
-  const auto reference = std::find_if(engines.begin(), engines.end(), [](Backend backend) {
-    return backend == Backend::bvh || backend == Backend::embree;
+std::vector<Engine> ordered(const CrosscheckOptions& options) {
+  std::vector<Engine> engines;
+  for (const std::string& name : options.engines) engines.push_back(named_engine(name, options.build));
+  const auto reference = std::find_if(engines.begin(), engines.end(), [](const Engine& engine) {
+    return engine.is_canonical() && engine.backend != Backend::brute_force;
   });
   if (engines.size() < 2 || reference == engines.end())
-    throw Error("a crosscheck needs two engines, one of them bvh or embree");
+    throw Error("a crosscheck needs two engines, one of them bvh, bvh-2 or embree");
   std::rotate(engines.begin(), reference, reference + 1);
   return engines;
 }
@@ -35,24 +41,24 @@ std::vector<Backend> ordered(std::vector<Backend> engines) {
 /// All engines, built over one placement of a geometry.
 class LineUp {
  public:
-  LineUp(std::shared_ptr<const Geometry> geometry, const std::vector<Backend>& backends,
-         const CrosscheckOptions& options)
-      : geometry_(std::move(geometry)), crosscheck_(geometry_, build(backends, options)) {}
+  /// Brute force is asked for some of `rays` only.
+  LineUp(std::shared_ptr<const Geometry> geometry, const std::vector<Engine>& engines, std::uint64_t rays)
+      : geometry_(std::move(geometry)), crosscheck_(geometry_, build(engines, rays)) {}
 
   const Crosscheck& crosscheck() const { return crosscheck_; }
   const Accelerator& reference() const { return *owned_.front(); }
   const std::shared_ptr<const Geometry>& geometry() const { return geometry_; }
 
  private:
-  std::vector<CheckedEngine> build(const std::vector<Backend>& backends, const CrosscheckOptions& options) {
-    std::vector<CheckedEngine> engines;
-    for (const Backend backend : backends) {
-      owned_.push_back(build_accelerator(backend, geometry_, options.build));
+  std::vector<CheckedEngine> build(const std::vector<Engine>& engines, std::uint64_t rays) {
+    std::vector<CheckedEngine> checked;
+    for (const Engine& engine : engines) {
+      owned_.push_back(build_accelerator(engine.backend, geometry_, engine.build));
       const std::uint64_t every =
-          backend == Backend::brute_force ? (options.rays - 1) / brute_force_rays + 1 : 1;
-      engines.push_back({backend_name(backend), owned_.back().get(), is_canonical(backend), every});
+          engine.backend == Backend::brute_force ? (rays - 1) / brute_force_rays + 1 : 1;
+      checked.push_back({engine.name, owned_.back().get(), engine.is_canonical(), every});
     }
-    return engines;
+    return checked;
   }
 
   std::shared_ptr<const Geometry> geometry_;
@@ -78,9 +84,9 @@ class Run {
       const std::function<void(std::uint64_t)>& progress)
       : scene_(scene),
         options_(options),
-        backends_(ordered(options.engines)),
+        engines_(ordered(options)),
         progress_(progress),
-        report_(backends_.size(), options.kept) {}
+        report_(engines_.size(), options.kept) {}
 
   SceneCrosscheck run() {
     const auto start = std::chrono::steady_clock::now();
@@ -88,13 +94,13 @@ class Run {
       check(placement);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::vector<std::string> names;
-    for (const Backend backend : backends_) names.push_back(backend_name(backend));
+    for (const Engine& engine : engines_) names.push_back(engine.name);
     return {std::move(names), std::move(report_), seconds.count()};
   }
 
  private:
   void check(Placement placement) {
-    const LineUp line_up(placed_geometry(scene_.geometry, placement), backends_, options_);
+    const LineUp line_up(placed_geometry(scene_.geometry, placement), engines_, options_.rays);
     if (placement == Placement::file) check_paths(line_up);
     const ShapeRays rays(line_up.geometry(), line_up.reference(), options_.seed);
     for (std::size_t i = std::size_t(RayClass::random); i < ray_class_count; ++i)
@@ -111,11 +117,11 @@ class Run {
   }
 
   void check_shape_rays(const LineUp& line_up, const ShapeRays& rays, RayClass ray_class) {
-    const std::uint64_t count = share(ray_class == RayClass::random ? random_share : other_share);
-    in_batches(count, [&](std::uint64_t first, std::size_t length, CrosscheckReport& report) {
-      for (std::uint64_t i = first; i < first + length; ++i)
-        line_up.crosscheck().check(rays.ray(ray_class, i), ray_class, i, report);
-    });
+    in_batches(share(share_of(ray_class)),
+               [&](std::uint64_t first, std::size_t length, CrosscheckReport& report) {
+                 for (std::uint64_t i = first; i < first + length; ++i)
+                   line_up.crosscheck().check(rays.ray(ray_class, i), ray_class, i, report);
+               });
   }
 
   std::uint64_t share(std::uint64_t percent) const { return (options_.rays * percent + 99) / 100; }
@@ -123,7 +129,7 @@ class Run {
   template <typename Check>
   void in_batches(std::uint64_t count, const Check& check) {
     parallel_for(count, batch_size, options_.threads, [&](std::size_t begin, std::size_t end) {
-      CrosscheckReport report(backends_.size(), options_.kept);
+      CrosscheckReport report(engines_.size(), options_.kept);
       check(begin, end - begin, report);
       const std::lock_guard lock(mutex_);
       report_ += report;
@@ -134,7 +140,7 @@ class Run {
 
   const Scene& scene_;
   const CrosscheckOptions& options_;
-  const std::vector<Backend> backends_;
+  const std::vector<Engine> engines_;
   const std::function<void(std::uint64_t)>& progress_;
   CrosscheckReport report_;
   std::uint64_t done_ = 0;
@@ -143,9 +149,11 @@ class Run {
 
 }  // namespace
 
-std::vector<Backend> default_crosscheck_engines() {
-  std::vector<Backend> engines = available_backends();
-  if (engines.size() > 2) std::erase(engines, Backend::brute_force);
+std::vector<std::string> default_crosscheck_engines() {
+  std::vector<std::string> engines = engine_names();
+  const auto bvh = std::find(engines.begin(), engines.end(), backend_name(Backend::bvh));
+  std::rotate(engines.begin(), bvh, bvh + 1);
+  if (default_backend() == Backend::embree) std::erase(engines, backend_name(Backend::brute_force));
   return engines;
 }
 
@@ -158,13 +166,14 @@ SceneCrosscheck crosscheck_scene(const Scene& scene, const CrosscheckOptions& op
 
 RayCrosscheck crosscheck_ray(const Scene& scene, const Ray& ray, Placement placement,
                              const CrosscheckOptions& options) {
-  std::vector<Backend> backends = ordered(options.engines);
-  if (std::find(backends.begin(), backends.end(), Backend::brute_force) == backends.end())
-    backends.push_back(Backend::brute_force);
-  const LineUp line_up(placed_geometry(scene.geometry, placement), backends, options);
+  std::vector<Engine> engines = ordered(options);
+  if (std::none_of(engines.begin(), engines.end(),
+                   [](const Engine& engine) { return engine.backend == Backend::brute_force; }))
+    engines.push_back(named_engine(backend_name(Backend::brute_force), options.build));
+  const LineUp line_up(placed_geometry(scene.geometry, placement), engines, 1);
   RayCrosscheck result;
   const Answer reference = ask(line_up.reference(), ray);
-  for (std::size_t i = 0; i < backends.size(); ++i) {
+  for (std::size_t i = 0; i < engines.size(); ++i) {
     const CheckedEngine& engine = line_up.crosscheck().engines()[i];
     const Answer answer = ask(*engine.accelerator, ray);
     result.rows.push_back({engine.name, answer, line_up.crosscheck().compare(i, ray, reference, answer)});

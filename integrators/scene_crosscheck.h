@@ -6,14 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "accel/accelerator.h"
 #include "accel/crosscheck/crosscheck.h"
+#include "accel/engine.h"
 #include "core/scene.h"
 
 namespace twinray {
 
 struct CrosscheckOptions {
-  std::vector<Backend> engines;  ///< In any order; at least two, bvh or embree among them.
+  /// By their names (accel/engine.h), in any order; at least two, bvh, bvh-2 or embree among them.
+  std::vector<std::string> engines;
   BuildOptions build;
   std::uint64_t rays = 1000000;  ///< Of all classes together; brute force takes 10^4 of them at most.
   std::uint64_t seed = 0;
@@ -28,8 +29,8 @@ struct SceneCrosscheck {
 };
 
 /// The engines that are checked where none are named: all of this build but brute force, which is in only
-/// where the bvh would be alone.
-std::vector<Backend> default_crosscheck_engines();
+/// where there is no Embree. bvh is the first.
+std::vector<std::string> default_crosscheck_engines();
 
 /// Shoots the rays. The report depends on scene, engines, rays and seed alone, and memory on the scene alone.
 /// `progress`, if set, is called with the rays done so far, from one thread at a time. Throws Error for

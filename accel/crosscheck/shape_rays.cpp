@@ -182,9 +182,12 @@ Ray ShapeRays::direction_ray(Random& random) const {
 }
 
 Ray ShapeRays::far_ray(Random& random) const {
-  constexpr float distances[] = {5, 20, 1e3f, 1e5f, 1e7f};
+  // From 10^5 sizes on the rounding of the ray is as large as the scene and every box is met: few such rays.
+  constexpr float near[] = {5, 20, 1e3f, 1e4f};
+  const int kind = random.below(64);
+  const float sizes = kind == 0 ? 1e7f : kind < 4 ? 1e5f : near[kind % 4];
   const Vec3 away = random.in_ball();
-  const float distance = std::min(distances[random.below(5)] * size_, 0x1p58f);
+  const float distance = std::min(sizes * size_, 0x1p58f);
   const Vec3 target = random.below(2) ? point(random, 1) : corners(random)[0];
   return through(target + away * distance, target);
 }

@@ -11,7 +11,7 @@ namespace twinray::test {
 namespace {
 
 CrosscheckOptions options(std::uint64_t rays, int threads) {
-  return {.engines = available_backends(), .rays = rays, .threads = threads};
+  return {.engines = engine_names(), .rays = rays, .threads = threads};
 }
 
 }  // namespace
@@ -20,7 +20,7 @@ TEST_CASE("all classes of rays are shot through all engines, and nothing is unex
   const SceneCrosscheck result = crosscheck_scene(small_room(), options(40000, 0));
   CHECK(result.report.unexplained() == 0);
   CHECK(passed_ceilings(result.report).empty());
-  REQUIRE(result.engines.size() == available_backends().size());
+  REQUIRE(result.engines.size() == engine_names().size());
   for (std::size_t engine = 0; engine < result.engines.size(); ++engine) {
     std::uint64_t rays = 0;
     for (std::size_t i = 0; i < ray_class_count; ++i) {
@@ -31,6 +31,16 @@ TEST_CASE("all classes of rays are shot through all engines, and nothing is unex
     }
     CHECK(rays == (result.engines[engine] == "brute-force" ? 10000 : 40000));
   }
+}
+
+TEST_CASE("a crosscheck takes both widths of the bvh and Embree, or brute force, unless told otherwise") {
+#ifdef TWINRAY_WITH_EMBREE
+  CHECK(default_crosscheck_engines() == std::vector<std::string>{"bvh", "embree", "bvh-2", "embree-native"});
+#else
+  CHECK(default_crosscheck_engines() == std::vector<std::string>{"bvh", "bvh-2", "brute-force"});
+#endif
+  CHECK(named_engine("bvh").build.bvh_width == 8);
+  CHECK(named_engine("bvh-2").build.bvh_width == 2);
 }
 
 TEST_CASE("a crosscheck does not depend on the number of threads") {
@@ -65,7 +75,7 @@ TEST_CASE("one ray is told with every engine's answer and the truth") {
   const Scene scene = small_room();
   const Ray ray{.origin = {0, 0, 0}, .direction = {0, 0.1f, -1}};
   const RayCrosscheck result = crosscheck_ray(scene, ray, Placement::file, options(1, 1));
-  CHECK(result.rows.size() == available_backends().size());
+  CHECK(result.rows.size() == engine_names().size());
   REQUIRE_FALSE(result.truth.empty());
   for (const RayCrosscheck::Row& row : result.rows) {
     CHECK(row.difference <= Difference::rounding);
@@ -76,10 +86,10 @@ TEST_CASE("one ray is told with every engine's answer and the truth") {
 
 TEST_CASE("a crosscheck without a fast canonical engine, or without rays, is refused") {
   const Scene scene = small_room();
-  CHECK_THROWS_WITH(crosscheck_scene(scene, {.engines = {Backend::bvh}}),
-                    "a crosscheck needs two engines, one of them bvh or embree");
-  CHECK_THROWS_WITH(crosscheck_scene(scene, {.engines = {Backend::brute_force, Backend::brute_force}}),
-                    "a crosscheck needs two engines, one of them bvh or embree");
+  CHECK_THROWS_WITH(crosscheck_scene(scene, {.engines = {"bvh"}}),
+                    "a crosscheck needs two engines, one of them bvh, bvh-2 or embree");
+  CHECK_THROWS_WITH(crosscheck_scene(scene, {.engines = {"brute-force", "brute-force"}}),
+                    "a crosscheck needs two engines, one of them bvh, bvh-2 or embree");
   CHECK_THROWS_WITH(crosscheck_scene(scene, options(0, 0)), "the number of rays must lie in [1, 10^12]");
 }
 
