@@ -47,6 +47,8 @@ void add_options(CLI::App& app, CrosscheckArguments& arguments, RawArguments& ra
   app.add_option("--ray", raw.ray, "Shoot this ray alone and say everything about it")->type_name("RAY");
   app.add_option("--placement", raw.placement, "Of --ray: file, moved, shrunk or grown (file)")
       ->type_name("PLACE");
+  app.add_flag("--keep-both-lamps", arguments.load.keep_both_lamps,
+               "Keep a lamp's rectangle beside its mesh");
   app.add_flag("--json", arguments.json, "Print JSON instead of the table");
   app.add_flag("-q,--quiet", arguments.quiet, "No progress, no warnings of the scene");
 }

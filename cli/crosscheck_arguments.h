@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "integrators/scene_crosscheck.h"
+#include "io/scene_file.h"
 
 namespace twinray {
 
 /// What a crosscheck command line asks for.
 struct CrosscheckArguments {
   std::string scene;
+  LoadOptions load;
   CrosscheckOptions options;
   std::optional<Ray> ray;  ///< Only this one is shot, and everything about it said.
   Placement placement = Placement::file;

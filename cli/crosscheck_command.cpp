@@ -16,7 +16,7 @@ namespace twinray {
 namespace {
 
 Scene load(const CrosscheckArguments& arguments) {
-  LoadedScene loaded = load_scene(arguments.scene);
+  LoadedScene loaded = load_scene(arguments.scene, arguments.load);
   if (!arguments.quiet)
     for (const Diagnostic& warning : loaded.warnings) fmt::print(stderr, "warning: {}\n", warning.text());
   return std::move(loaded.scene);
@@ -41,8 +41,9 @@ int check_scene(const CrosscheckArguments& arguments, const Scene& scene) {
                           duration_text(elapsed.count() * (1 - fraction) / fraction)));
   });
   line.finish();
-  fmt::print("{}", arguments.json ? crosscheck_json(result, arguments.scene)
-                                  : crosscheck_text(result, arguments.scene));
+  const std::string replay = replay_command(arguments.scene, arguments.load);
+  fmt::print("{}", arguments.json ? crosscheck_json(result, arguments.scene, replay)
+                                  : crosscheck_text(result, replay));
   return is_passed(result.report) ? 0 : 1;
 }
 

@@ -19,19 +19,26 @@ std::string answer_text(const Answer& answer) {
   return answer.is_consistent() ? text : text + (answer.any ? ", but any hit" : ", but no any hit");
 }
 
-std::string command_text(const Finding& finding, const std::string& scene) {
+std::string command_text(const Finding& finding, const std::string& replay) {
   const Placement placement = placement_of(finding.ray_class);
   const std::string option =
       placement == Placement::file ? "" : fmt::format(" --placement={}", placement_name(placement));
-  return fmt::format("twinray crosscheck '{}'{} --ray={}", scene, option, ray_text(finding.ray));
+  return fmt::format("{}{} --ray={}", replay, option, ray_text(finding.ray));
 }
 
-std::string finding_text(const Finding& finding, const SceneCrosscheck& result, const std::string& scene) {
-  return fmt::format("{}, {} {}, {}{}: {} sees {}; {} sees {}\n  {}\n", result.engines[finding.engine],
-                     ray_class_name(finding.ray_class), finding.number, difference_name(finding.difference),
-                     finding.is_leak ? " (leak)" : "", result.engines[0], answer_text(finding.reference),
-                     result.engines[finding.engine], answer_text(finding.found),
-                     command_text(finding, scene));
+/// "t 1.5 of 0:17", "nothing"; empty for what was not judged.
+std::string exact_text(const Finding& finding) {
+  if (!finding.is_judged) return "";
+  if (!finding.exact) return "nothing";
+  return fmt::format("t {:.9g} of {}:{}", finding.exact->t.value, finding.exact->mesh,
+                     finding.exact->primitive);
+}
+
+std::string finding_text(const Finding& finding, const SceneCrosscheck& result, const std::string& label) {
+  return fmt::format("{}, {}, {}{}: {} sees {}; {} sees {}{}\n", result.engines[finding.engine], label,
+                     difference_name(finding.difference), finding.is_leak ? " (leak)" : "", result.engines[0],
+                     answer_text(finding.reference), result.engines[finding.engine],
+                     answer_text(finding.found), finding.is_judged ? "; exact " + exact_text(finding) : "");
 }
 
 bool is_unexplained(const Finding& finding) { return finding.difference == Difference::unexplained; }
@@ -93,17 +100,30 @@ bool is_passed(const CrosscheckReport& report) {
   return report.unexplained() == 0 && passed_ceilings(report).empty();
 }
 
-std::string crosscheck_text(const SceneCrosscheck& result, const std::string& scene) {
+std::string replay_command(const std::string& scene, const LoadOptions& load) {
+  return fmt::format("twinray crosscheck '{}'{}", scene, load.keep_both_lamps ? " --keep-both-lamps" : "");
+}
+
+std::string ray_label(const Finding& finding) {
+  return fmt::format("{} {}", ray_class_name(finding.ray_class), finding.number);
+}
+
+std::string crosscheck_text(const SceneCrosscheck& result, const std::string& replay,
+                            const std::function<std::string(const Finding&)>& label) {
   std::string text;
   for (std::size_t engine = 1; engine < result.engines.size(); ++engine) text += table_text(result, engine);
-  visit_wrong(result.report, [&](const Finding& finding) { text += finding_text(finding, result, scene); });
+  visit_wrong(result.report, [&](const Finding& finding) {
+    text += finding_text(finding, result, label(finding));
+    text += fmt::format("  {}\n", command_text(finding, replay));
+  });
   for (const PassedCeiling& passed : passed_ceilings(result.report)) text += ceiling_text(passed, result);
   const std::uint64_t unexplained = result.report.unexplained();
   return text + fmt::format("{} unexplained; {:.1f} s\n",
                             unexplained == 0 ? "nothing" : fmt::format("{}", unexplained), result.seconds);
 }
 
-std::string crosscheck_json(const SceneCrosscheck& result, const std::string& scene) {
+std::string crosscheck_json(const SceneCrosscheck& result, const std::string& scene,
+                            const std::string& replay) {
   nlohmann::ordered_json json{{"scene", scene},
                               {"passed", is_passed(result.report)},
                               {"unexplained", result.report.unexplained()},
@@ -121,7 +141,8 @@ std::string crosscheck_json(const SceneCrosscheck& result, const std::string& sc
                                     {"leak", finding.is_leak},
                                     {"reference", answer_text(finding.reference)},
                                     {"found", answer_text(finding.found)},
-                                    {"command", command_text(finding, scene)}});
+                                    {"exact", exact_text(finding)},
+                                    {"command", command_text(finding, replay)}});
     }
   }
   for (const PassedCeiling& passed : passed_ceilings(result.report))

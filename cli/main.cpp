@@ -27,13 +27,8 @@ struct Command {
   std::string (*usage_line)();
 };
 
-int render(const Words& words) {
-  twinray::render_command(words);
-  return 0;
-}
-
 constexpr std::array commands{
-    Command{"render", render, twinray::usage_line},  // may be left out
+    Command{"render", twinray::render_command, twinray::usage_line},  // may be left out
     Command{"agreement", twinray::agreement_command, twinray::agreement_usage_line},
     Command{"crosscheck", twinray::crosscheck_command, twinray::crosscheck_usage_line},
     Command{"stats", twinray::stats_command, twinray::stats_usage_line}};

@@ -45,9 +45,19 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, T& target, const
       ->type_name(fmt::format("{}", fmt::join(names_of(choices), "|")));
 }
 
-Choices<Backend> backend_choices() {
-  Choices<Backend> choices;
+/// No backend: check.
+Choices<std::optional<Backend>> engine_choices() {
+  Choices<std::optional<Backend>> choices;
   for (const Backend backend : available_backends()) choices.emplace_back(backend_name(backend), backend);
+  choices.emplace_back("check", std::nullopt);
+  return choices;
+}
+
+/// What the bvh can be checked with, the usual one first.
+Choices<std::string> check_choices() {
+  Choices<std::string> choices;
+  for (const std::string& name : engine_names())
+    if (name != backend_name(Backend::bvh)) choices.emplace_back(name, name);
   return choices;
 }
 
@@ -72,6 +82,8 @@ struct RawArguments {
   bool hemisphere = false;
   std::optional<CostKind> cost;
   std::optional<int> bvh_width;
+  std::optional<Backend> backend = default_backend();  ///< None: check.
+  std::string check_with;                              ///< Empty: the usual one.
   enum class Bounces { all, direct, indirect, last } bounces = Bounces::all;
 };
 
@@ -162,8 +174,17 @@ void add_sampling_options(CLI::App& app, RenderArguments& arguments, RawArgument
 void add_engine_options(CLI::App& app, RenderArguments& arguments, RawArguments& raw) {
   const char* group = "Ray engine";
   BuildOptions& build = arguments.build;
-  add_choice<Backend>(app, "--accel", arguments.backend, backend_choices(),
-                      fmt::format("The engine ({})", backend_name(default_backend())))
+  add_choice<std::optional<Backend>>(
+      app, "--accel", raw.backend, engine_choices(),
+      fmt::format("The engine ({}); check: bvh and another", backend_name(default_backend())))
+      ->group(group);
+  add_choice<std::string>(
+      app, "--check-with", raw.check_with, check_choices(),
+      fmt::format("The other ({}); NAME_differences.png shows\nthe pixels of rays that differ",
+                  check_choices().front().first))
+      ->group(group);
+  app.add_flag("--plant-difference", arguments.plant_difference,
+               "check: with another triangle test; it must be found")
       ->group(group);
   add_choice<std::optional<int>>(app, "--bvh-width", raw.bvh_width, {{"2", 2}, {"8", 8}},
                                  "bvh: children of a node (8; 2 to count)")
@@ -298,6 +319,33 @@ void check_builder(const RenderArguments& arguments) {
     throw UsageError("--max-leaf-size: Embree's builders make leaves of up to 32 primitives");
 }
 
+void choose_backend(const RawArguments& raw, RenderArguments& arguments) {
+  const bool is_check = !raw.backend;
+  if (!is_check && (!raw.check_with.empty() || arguments.plant_difference))
+    throw UsageError("--check-with and --plant-difference go with --accel=check");
+  if (!raw.check_with.empty() && arguments.plant_difference)
+    throw UsageError("--plant-difference is an engine of its own; it does not go with --check-with");
+  arguments.backend = raw.backend.value_or(Backend::bvh);
+}
+
+/// Chooses what the bvh is checked with, once its own options are known.
+void choose_check(const RawArguments& raw, RenderArguments& arguments) {
+  if (raw.backend) return;
+  if (arguments.build.triangle_test != TriangleTest::woop)
+    throw UsageError("--triangle-test=moller-trumbore does not go with --accel=check");
+  if (arguments.plant_difference) {
+    arguments.check_with = {"bvh moller-trumbore", Backend::bvh, arguments.build};
+    arguments.check_with->build.triangle_test = TriangleTest::moller_trumbore;
+    return;
+  }
+  const std::string name = raw.check_with.empty() ? check_choices().front().first : raw.check_with;
+  arguments.check_with = named_engine(name, arguments.build);
+  if (arguments.check_with->backend == Backend::bvh &&
+      arguments.check_with->build.bvh_width == arguments.build.bvh_width)
+    throw UsageError(
+        fmt::format("--check-with={}: that is the engine which is checked; render with --bvh-width=8", name));
+}
+
 void resolve(const RawArguments& raw, RenderArguments& arguments) {
   RenderOptions& render = arguments.render;
   render.width = raw.resolution[0];
@@ -313,11 +361,13 @@ void resolve(const RawArguments& raw, RenderArguments& arguments) {
   arguments.path.roulette = parse_roulette(raw.roulette);
   choose_bounces(raw.bounces, arguments.path);
   arguments.build.threads = render.threads;
+  choose_backend(raw, arguments);
   check_builder(arguments);
   choose_cost(raw.cost, arguments);
   choose_width(raw.bvh_width, arguments);
   if (arguments.build.simd != "best" && (arguments.backend != Backend::bvh || arguments.build.bvh_width != 8))
     throw UsageError("--simd goes with --accel=bvh and --bvh-width=8");
+  choose_check(raw, arguments);
   if (arguments.build.triangle_test == TriangleTest::moller_trumbore && arguments.backend != Backend::bvh &&
       arguments.backend != Backend::brute_force)
     throw UsageError("--triangle-test=moller-trumbore goes with --accel=bvh and --accel=brute-force");

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "accel/accelerator.h"
+#include "accel/engine.h"
 #include "core/image.h"
 #include "integrators/cost.h"
 #include "integrators/path.h"
@@ -33,6 +33,9 @@ struct RenderArguments {
   LoadOptions load;
   Backend backend = default_backend();
   BuildOptions build;
+  /// --accel=check: the engine that is asked for each ray of the bvh as well.
+  std::optional<Engine> check_with;
+  bool plant_difference = false;  ///< check_with breaks the promise of equal bits, and is held to it.
   IntegratorKind integrator = IntegratorKind::path;
   CostKind cost = CostKind::nodes;  ///< Of the integrator cost; something that the backend counts.
   PathOptions path;

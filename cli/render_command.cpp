@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/crosscheck_report.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "cli/render_arguments.h"
@@ -16,6 +17,7 @@
 #include "core/error.h"
 #include "integrators/normals.h"
 #include "integrators/path.h"
+#include "integrators/render_check.h"
 #include "io/camera_file.h"
 #include "io/image_file.h"
 #include "io/output_file.h"
@@ -76,11 +78,16 @@ std::string legend_path(const std::string& output) {
   return output.substr(0, output.find_last_of('.')) + "_legend.png";
 }
 
+std::string differences_path(const std::string& output) {
+  return output.substr(0, output.find_last_of('.')) + "_differences.png";
+}
+
 /// All files that this render writes: the picture first.
 std::vector<std::string> output_files(const RenderArguments& arguments) {
   std::vector<std::string> files{arguments.output};
   if (arguments.render.adaptive) files.push_back(rate_path(arguments.output));
   if (arguments.integrator == IntegratorKind::cost) files.push_back(legend_path(arguments.output));
+  if (arguments.check_with) files.push_back(differences_path(arguments.output));
   if (!arguments.stats_file.empty()) files.push_back(arguments.stats_file);
   return files;
 }
@@ -100,8 +107,46 @@ void write_costs(const RenderArguments& arguments, const Image& costs, const Ima
   write_png(legend_path(arguments.output), legend_image(end), metadata);
 }
 
+/// The other engine of --accel=check, and what is found.
+class Check {
+ public:
+  Check(const RenderArguments& arguments, const Scene& scene, const Accelerator& accelerator)
+      : other_(build_accelerator(arguments.check_with->backend, scene.geometry, arguments.check_with->build)),
+        names_{backend_name(arguments.backend), arguments.check_with->name},
+        account_(scene.geometry, {.name = names_[0], .accelerator = &accelerator},
+                 {.name = names_[1],
+                  .accelerator = other_.get(),
+                  .is_canonical = arguments.plant_difference || arguments.check_with->is_canonical()},
+                 arguments.render) {}
+
+  /// The options of a render whose rays come here.
+  RenderOptions observed(RenderOptions options) {
+    options.observe = [this](const PixelSample& sample, std::span<const RecordedRay> rays) {
+      account_.observe(sample, rays);
+    };
+    return options;
+  }
+  Image picture(const Image& rendered) const { return account_.picture(rendered); }
+  SceneCrosscheck found(double seconds) const { return {names_, account_.report(), seconds}; }
+  /// "camera ray of pixel 3 4, sample 5"
+  std::string label(const Finding& finding) const {
+    const PixelSample sample = account_.sample_of(finding);
+    return fmt::format("{} ray of pixel {} {}, sample {}", ray_class_name(finding.ray_class), sample.x,
+                       sample.y, sample.index);
+  }
+
+ private:
+  std::unique_ptr<const Accelerator> other_;
+  std::vector<std::string> names_;
+  RenderCheck account_;
+};
+
+std::string check_json(const RenderArguments& arguments, const SceneCrosscheck& found) {
+  return crosscheck_json(found, arguments.scene, replay_command(arguments.scene, arguments.load));
+}
+
 void write_outputs(const RenderArguments& arguments, const AccelStats& accel, const RenderResult& result,
-                   const ImageMetadata& metadata) {
+                   const std::optional<SceneCrosscheck>& found, const ImageMetadata& metadata) {
   if (arguments.integrator == IntegratorKind::cost)
     write_costs(arguments, mean_image(result.film), metadata);
   else
@@ -110,30 +155,52 @@ void write_outputs(const RenderArguments& arguments, const AccelStats& accel, co
     write_png(rate_path(arguments.output), sample_rate_image(result.film, arguments.render.samples),
               metadata);
   if (!arguments.stats_file.empty())
-    write_text_file(arguments.stats_file, figures_json(arguments, accel, result));
+    write_text_file(arguments.stats_file,
+                    figures_json(arguments, accel, result, found ? check_json(arguments, *found) : ""));
+}
+
+/// Prints the table, and what is wrong; the exit code.
+int report(const Check& check, const SceneCrosscheck& found, const RenderArguments& arguments) {
+  const bool is_good = is_passed(found.report);
+  if (!arguments.quiet) fmt::print("Differences    {}\n\n", differences_path(arguments.output));
+  if (!arguments.quiet || !is_good)
+    fmt::print("{}", crosscheck_text(found, replay_command(arguments.scene, arguments.load),
+                                     [&](const Finding& finding) { return check.label(finding); }));
+  return is_good ? 0 : 1;
 }
 
 }  // namespace
 
-void render_command(const std::vector<std::string>& words) {
+int render_command(const std::vector<std::string>& words) {
   const std::optional<RenderArguments> parsed = parse_render_arguments(words);
-  if (!parsed) return;
+  if (!parsed) return 0;
   const RenderArguments& arguments = *parsed;
   const InterruptGuard guard(output_files(arguments));
   check_outputs(arguments);
   const LoadedScene loaded = load(arguments);
   const auto accelerator = build_accelerator(arguments.backend, loaded.scene.geometry, arguments.build);
   const auto integrator = make_integrator(arguments, loaded.scene);
+  std::optional<Check> check;
+  if (arguments.check_with) check.emplace(arguments, loaded.scene, *accelerator);
 
   ProgressLine line(!arguments.quiet);
-  const RenderResult result = render(loaded.scene, *accelerator, *integrator, arguments.render,
+  const RenderResult result = render(loaded.scene, *accelerator, *integrator,
+                                     check ? check->observed(arguments.render) : arguments.render,
                                      [&](const RenderProgress& progress) { line.show(progress); });
   line.finish();
   if (const std::string rejected = rejection_text(result.film); !rejected.empty()) warn(rejected);
-  write_outputs(arguments, accelerator->stats(), result, metadata_of(arguments, words));
+  std::optional<SceneCrosscheck> found;
+  const ImageMetadata metadata = metadata_of(arguments, words);
+  if (check) {
+    found = check->found(result.seconds);
+    write_image(differences_path(arguments.output), check->picture(mean_image(result.film)),
+                arguments.tone_curve, metadata);
+  }
+  write_outputs(arguments, accelerator->stats(), result, found, metadata);
   if (!arguments.quiet)
     fmt::print("{}Picture        {}\n", figures_text(accelerator->stats(), result, arguments.render.counting),
                arguments.output);
+  return check ? report(*check, *found, arguments) : 0;
 }
 
 }  // namespace twinray

@@ -5,7 +5,8 @@
 
 namespace twinray {
 
-/// twinray [render] SCENE [options]: loads, builds, renders, writes. Throws Error.
-void render_command(const std::vector<std::string>& words);
+/// twinray [render] SCENE [options]: loads, builds, renders, writes. Returns the exit code: 0, but 1 where
+/// engines were checked and differ as they may not. Throws Error.
+int render_command(const std::vector<std::string>& words);
 
 }  // namespace twinray

@@ -40,7 +40,7 @@ std::string figures_text(const AccelStats& accel, const RenderResult& result, bo
 }
 
 std::string figures_json(const RenderArguments& arguments, const AccelStats& accel,
-                         const RenderResult& result) {
+                         const RenderResult& result, const std::string& check) {
   using nlohmann::ordered_json;
   ordered_json phases = ordered_json::array();
   for (const BuildPhase& phase : accel.phases)
@@ -75,6 +75,7 @@ std::string figures_json(const RenderArguments& arguments, const AccelStats& acc
                        {"leaves", per_ray(q.leaves, rays)},
                        {"primitives", per_ray(q.primitives, rays)}};
   }
+  if (!check.empty()) json["check"] = ordered_json::parse(check);
   return json.dump(2) + "\n";
 }
 

@@ -39,6 +39,17 @@ std::vector<RecordedRay> record_rays(const Scene& scene, const Recording& record
   return rays;
 }
 
+RayClass class_of(RayKind kind) {
+  switch (kind) {
+    case RayKind::camera:
+      return RayClass::camera;
+    case RayKind::shadow:
+      return RayClass::shadow;
+    default:
+      return RayClass::bounce;
+  }
+}
+
 std::vector<Ray> rays_of_kind(const std::vector<RecordedRay>& recorded, RayKind kind) {
   std::vector<Ray> rays;
   for (const RecordedRay& entry : recorded)

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "accel/crosscheck/ray_class.h"
 #include "core/camera.h"
 #include "integrators/integrator.h"
 #include "integrators/path.h"
@@ -26,6 +27,9 @@ struct Recording {
 /// All rays of a path-traced picture of the scene (one light sample a hit), row by row. The same on every
 /// machine. Throws Error for a depth out of range.
 std::vector<RecordedRay> record_rays(const Scene& scene, const Recording& recording = {});
+
+/// As what a crosscheck counts rays of a kind.
+RayClass class_of(RayKind kind);
 
 /// The rays of one kind, in their order.
 std::vector<Ray> rays_of_kind(const std::vector<RecordedRay>& recorded, RayKind kind);

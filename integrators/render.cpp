@@ -74,18 +74,25 @@ class Renderer {
     std::atomic<std::size_t> next = 0;
     parallel_for(std::size_t(threads), 1, threads, [&](std::size_t, std::size_t) {
       for (std::size_t i = next++; i < tiles_.size(); i = next++) {
-        Tracer tracer(accelerator_, options_.counting);
-        render_tile(tiles_[i], begin, end, tracer);
+        std::vector<RecordedRay> rays;
+        Tracer tracer(accelerator_, options_.counting, options_.observe ? &rays : nullptr);
+        render_tile(tiles_[i], begin, end, [&](const PixelSample& sample) {
+          film_.add(0, sample.x, sample.y, sample.index, radiance(sample, tracer));
+          if (options_.observe) options_.observe(sample, rays);
+          rays.clear();
+        });
         finish_tile(tiles_[i], end - begin, tracer.counts());
       }
     });
   }
 
-  void render_tile(const PixelRect& tile, std::uint32_t begin, std::uint32_t end, Tracer& tracer) {
+  /// Calls `take(sample)` for the samples that the tile's pixels need.
+  template <typename Take>
+  void render_tile(const PixelRect& tile, std::uint32_t begin, std::uint32_t end, const Take& take) {
     for (int y = tile.y0; y < tile.y1; ++y)
       for (int x = tile.x0; x < tile.x1; ++x)
         for (std::uint32_t index = begin; index < end && !is_converged(x, y, index); ++index)
-          film_.add(0, x, y, index, sample(x, y, index, tracer));
+          take(PixelSample{x, y, index});
   }
 
   /// Whether sampling stops before sample `index`. A function of the samples at multiples of the batch alone,
@@ -99,13 +106,13 @@ class Renderer {
     return half_width <= options_.adaptive->tolerance * pixel.luminance_mean();
   }
 
-  Rgb sample(int x, int y, std::uint32_t index, Tracer& tracer) const {
-    const SampleKey key{options_.seed, std::uint32_t(x), std::uint32_t(y), index};
+  Rgb radiance(const PixelSample& sample, Tracer& tracer) const {
+    const SampleKey key{options_.seed, std::uint32_t(sample.x), std::uint32_t(sample.y), sample.index};
     VertexSampler sampler(options_.sampler, key, 0);
     const Vec2 in_pixel = options_.samples == 1 ? Vec2{0.5f, 0.5f} : sampler.draw_2d(Purpose::pixel);
     const Vec2 lens = camera_.lens_radius > 0 ? sampler.draw_2d(Purpose::lens) : Vec2{};
-    const Vec2 frame{(float(x) + in_pixel.x) / float(options_.width),
-                     (float(y) + in_pixel.y) / float(options_.height)};
+    const Vec2 frame{(float(sample.x) + in_pixel.x) / float(options_.width),
+                     (float(sample.y) + in_pixel.y) / float(options_.height)};
     return integrator_.radiance(camera_ray(camera_, frame, lens), options_.sampler, key, tracer);
   }
 

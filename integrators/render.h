@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "accel/accelerator.h"
 #include "core/film.h"
@@ -21,6 +22,12 @@ struct AdaptiveSampling {
   double tolerance = 0.05;   ///< >= 0.
 };
 
+/// One sample of a picture: its pixel, and its number within it.
+struct PixelSample {
+  int x = 0, y = 0;
+  std::uint32_t index = 0;
+};
+
 struct RenderOptions {
   int width = 800, height = 600;    ///< Of the full frame, in pixels.
   std::optional<PixelRect> window;  ///< The part of it to render; all if not set.
@@ -30,6 +37,9 @@ struct RenderOptions {
   std::uint64_t seed = 0;
   int threads = 0;        ///< 0: as many as the process may use.
   bool counting = false;  ///< Count what each ray does in the accelerator; slower.
+  /// If set, gets the rays of each sample once it is done: from any thread, those of one pixel one after the
+  /// other.
+  std::function<void(const PixelSample&, std::span<const RecordedRay>)> observe;
 };
 
 struct RenderProgress {

@@ -66,17 +66,6 @@ class LineUp {
   Crosscheck crosscheck_;
 };
 
-RayClass class_of(RayKind kind) {
-  switch (kind) {
-    case RayKind::camera:
-      return RayClass::camera;
-    case RayKind::shadow:
-      return RayClass::shadow;
-    default:
-      return RayClass::bounce;
-  }
-}
-
 /// One crosscheck in progress.
 class Run {
  public:
@@ -105,6 +94,7 @@ class Run {
     const ShapeRays rays(line_up.geometry(), line_up.reference(), options_.seed);
     for (std::size_t i = std::size_t(RayClass::random); i < ray_class_count; ++i)
       if (placement_of(RayClass(i)) == placement) check_shape_rays(line_up, rays, RayClass(i));
+    report_.judge(*line_up.geometry(), placement);
   }
 
   void check_paths(const LineUp& line_up) {

@@ -61,6 +61,19 @@ void CrosscheckReport::add(const Finding& finding, bool is_hit_or_miss) {
   keep(c, finding);
 }
 
+void CrosscheckReport::judge(const Geometry& geometry, Placement placement) {
+  for (Cell& cell : cells_)
+    for (Finding& finding : cell.findings) {
+      const Ray& ray = finding.ray;
+      if (finding.difference != Difference::unexplained || placement_of(finding.ray_class) != placement ||
+          !is_finite(ray.origin) || !is_finite(ray.direction) || max_abs(ray.direction) == 0)
+        continue;
+      const std::vector<JudgedHit> hits = judge_all(geometry, ray);
+      finding.is_judged = true;
+      if (!hits.empty()) finding.exact = hits.front();
+    }
+}
+
 void CrosscheckReport::keep(Cell& cell, const Finding& finding) const {
   const auto at = std::upper_bound(cell.findings.begin(), cell.findings.end(), finding, comes_before);
   if (at - cell.findings.begin() >= std::ptrdiff_t(kept_)) return;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,8 @@ struct Finding {
   Difference difference = Difference::unexplained;
   bool is_leak = false;
   Answer reference, found;
+  bool is_judged = false;
+  std::optional<JudgedHit> exact;  ///< Where it is judged: the first primitive that the exact ray meets.
 };
 
 /// What came of a crosscheck. Reports of parts add up to the same report in any order.
@@ -63,6 +66,9 @@ class CrosscheckReport {
   std::uint64_t unexplained() const;
 
   void add(const Finding& finding, bool is_hit_or_miss);
+  /// Judges the unexplained findings of one placement: `geometry` is the placed one. Every primitive is
+  /// tested for each.
+  void judge(const Geometry& geometry, Placement placement);
   void add_explained(std::size_t engine, RayClass ray_class, Difference difference);
   CrosscheckReport& operator+=(const CrosscheckReport& other);
 

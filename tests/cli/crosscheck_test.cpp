@@ -52,17 +52,20 @@ TEST_CASE("a text that is no ray is refused") {
 TEST_CASE("an unexplained ray is printed as the command that shoots it again") {
   const SceneCrosscheck result = with_one_unexplained();
   CHECK_FALSE(is_passed(result.report));
-  const std::string text = crosscheck_text(result, "a b.dae");
+  const std::string text = crosscheck_text(result, replay_command("a b.dae", {}));
   CHECK(text.find("embree, moved 42, unexplained: bvh sees t 0x1.8p+0 u 0x1p-2 v 0x1p-1 of 3:7; embree sees "
                   "nothing\n  twinray crosscheck 'a b.dae' --placement=moved "
                   "--ray=0x1p+0,-0x0p+0,0x1.99999ap-4,0x0p+0,0x0p+0,-0x1p+0,0x0p+0,0x1p+1\n") !=
         std::string::npos);
   CHECK(text.ends_with("1 unexplained; 1.5 s\n"));
-  const auto json = nlohmann::json::parse(crosscheck_json(result, "a b.dae"));
+  const auto json = nlohmann::json::parse(
+      crosscheck_json(result, "a b.dae", replay_command("a b.dae", {.keep_both_lamps = true})));
   CHECK(json["passed"] == false);
   CHECK(json["unexplained"] == 1);
   CHECK(json["engines"]["embree"]["moved"]["rays"] == 1000);
   CHECK(json["findings"][0]["number"] == 42);
+  CHECK(std::string(json["findings"][0]["command"])
+            .find("twinray crosscheck 'a b.dae' --keep-both-lamps --placement=moved --ray=0x1p+0,") == 0);
 }
 
 TEST_CASE("crosscheck ends with 0 where engines agree, and prints a table") {

@@ -87,6 +87,34 @@ TEST_CASE("the instruction set is that of the wide bvh, and a wrong one names th
         0);
 }
 
+TEST_CASE("check renders by the bvh and names the engine that it is checked with") {
+  CHECK_FALSE(parse({}).check_with);
+  const RenderArguments usual = parse({"--accel=check", "--bvh-split=mean"});
+  CHECK(usual.backend == Backend::bvh);
+  REQUIRE(usual.check_with);
+  CHECK(usual.check_with->build.bvh_split == BvhSplit::mean);
+#ifdef TWINRAY_WITH_EMBREE
+  CHECK(usual.check_with->name == "embree");
+  CHECK(parse({"--accel=check", "--check-with=embree-native"}).check_with->backend == Backend::embree_native);
+#else
+  CHECK(usual.check_with->name == "bvh-2");
+#endif
+  CHECK(parse({"--accel=check", "--check-with=bvh-2"}).check_with->build.bvh_width == 2);
+  CHECK(parse({"--accel=check", "--plant-difference"}).check_with->build.triangle_test ==
+        TriangleTest::moller_trumbore);
+  CHECK(message_of({"--check-with=bvh-2"}) == "--check-with and --plant-difference go with --accel=check");
+  CHECK(message_of({"--accel=bvh", "--plant-difference"}) ==
+        "--check-with and --plant-difference go with --accel=check");
+  CHECK(message_of({"--accel=check", "--check-with=bvh-2", "--plant-difference"}) ==
+        "--plant-difference is an engine of its own; it does not go with --check-with");
+  CHECK(message_of({"--accel=check", "--check-with=bvh-2", "--bvh-width=2"}) ==
+        "--check-with=bvh-2: that is the engine which is checked; render with --bvh-width=8");
+  CHECK(message_of({"--accel=check", "--triangle-test=moller-trumbore"}) ==
+        "--triangle-test=moller-trumbore does not go with --accel=check");
+  CHECK(message_of({"--accel=check", "--check-with=bvh"}).find("there is no \"bvh\"; valid are ") !=
+        std::string::npos);
+}
+
 TEST_CASE("cost shows what the engine counts: nodes of the bvh, else primitives") {
   const RenderArguments nodes = parse({"--integrator=cost", "--accel=bvh"});
   CHECK(nodes.cost == CostKind::nodes);
