@@ -136,7 +136,7 @@ class Comparison {
 /// Embree as it is, and with the other instruction sets that it may be given.
 void add_embree(std::vector<AgreementEngine>& engines) {
   engines.push_back({"embree", Backend::embree, {}});
-  for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512"})
+  for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512", "default"})
     if (isa != BuildOptions{}.embree_isa)
       engines.push_back({fmt::format("embree {}", isa), Backend::embree, {.embree_isa = isa}, {2}});
 }

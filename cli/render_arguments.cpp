@@ -225,8 +225,7 @@ void add_engine_options(CLI::App& app, RenderArguments& arguments, RawArguments&
                          {{"robust", EmbreeMode::robust}, {"fast", EmbreeMode::fast}},
                          "embree-native (robust)")
       ->group(group);
-  app.add_option("--embree-isa", build.embree_isa,
-                 "embree*: up to sse2, sse4.2, avx, avx2 or avx512; default: its choice")
+  app.add_option("--embree-isa", build.embree_isa, "embree*: sse2, sse4.2, avx, avx2, avx512, default")
       ->type_name("ISA")
       ->group(group);
 #endif

@@ -48,7 +48,7 @@ std::vector<Engine> canonical_engines(const std::shared_ptr<const Geometry>& geo
   for (const WideKernel& kernel : wide_kernels(TriangleTest::woop))
     engines.push_back({"bvh 8-wide, " + kernel.name, std::make_unique<WideEngine>(geometry, kernel)});
 #ifdef TWINRAY_WITH_EMBREE
-  for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512"})
+  for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512", "default"})
     add(std::string("embree ") + isa, Backend::embree, {.threads = 1, .embree_isa = isa});
 #endif
   return engines;

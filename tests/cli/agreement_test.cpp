@@ -46,7 +46,8 @@ TEST_CASE("engines are compared with every instruction set of the machine") {
   for (const std::string& simd : available_instruction_sets())
     if (simd != "best") CHECK(has("bvh 8-wide " + simd));
 #ifdef TWINRAY_WITH_EMBREE
-  for (const char* isa : {"embree", "embree sse2", "embree sse4.2", "embree avx", "embree avx512"})
+  for (const char* isa :
+       {"embree", "embree sse2", "embree sse4.2", "embree avx", "embree avx512", "embree default"})
     CHECK(has(isa));
 #endif
 }
