@@ -1,51 +1,83 @@
 // SPDX-License-Identifier: Apache-2.0
-// The benchmark program. Besides Google Benchmark's own options it takes --scenes=DIR: the folder of the
-// well-known scenes; by default the one that the build was configured with.
-#include <benchmark/benchmark.h>
+// The benchmark program: scene by scene, every engine; then the reports.
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <exception>
 #include <string>
-#include <string_view>
+#include <vector>
 
-#include "bench/workload.h"
+#include "bench/machine.h"
+#include "bench/options.h"
+#include "bench/progress.h"
+#include "bench/reports.h"
+#include "core/error.h"
+#include "integrators/render.h"
+#include "io/image_file.h"
+#include "io/output_file.h"
 
+namespace twinray::bench {
 namespace {
 
-/// Takes --scenes=DIR out of the arguments.
-std::string take_scenes(int& argc, char** argv) {
-  constexpr std::string_view option = "--scenes=";
-  std::string folder = TWINRAY_SCENES;
-  int kept = 0;
-  for (int i = 0; i < argc; ++i) {
-    const std::string_view word = argv[i];
-    if (word.starts_with(option))
-      folder = word.substr(option.size());
-    else
-      argv[kept++] = argv[i];
+void write_picture(const SceneSource& source, const PictureOrder& order) {
+  check_image_output(order.file);
+  const Scene scene = source.make();
+  const auto accelerator = build_accelerator(default_backend(), scene.geometry);
+  const PathIntegrator path(scene, {});
+  const RenderResult result = render(scene, *accelerator, path, {.samples = order.samples});
+  write_image(order.file, mean_image(result.film), ToneCurve::srgb);
+}
+
+bool is_sound(const SceneFigures& scene) {
+  for (const EngineFigures& engine : scene.engines)
+    if (!engine.complaint.empty()) return false;
+  return true;
+}
+
+void write_reports(const Options& options, const Results& results) {
+  if (!options.json_file.empty()) write_text_file(options.json_file, json_report(results));
+  if (!options.csv_file.empty()) write_text_file(options.csv_file, csv_report(results));
+  if (!options.html_file.empty()) write_text_file(options.html_file, html_report(results));
+}
+
+int measure(const Options& options) {
+  for (const std::string& file : {options.json_file, options.csv_file, options.html_file})
+    if (!file.empty()) check_output(file);
+  Results results{describe_machine(), options.trace.rounds.count, options.width, options.height, {}};
+  const std::vector<SceneSource> sources = choose_scenes(options.scenes);
+  Progress progress;
+  bool all_sound = true;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    progress.begin(fmt::format("scene {} of {}: {}", i + 1, sources.size(), sources[i].name));
+    progress.show("recording its rays");
+    Workload workload(sources[i], options.width, options.height);
+    results.scenes.push_back(
+        measure_scene(workload, options.trace, [&](const std::string& doing) { progress.show(doing); }));
+    all_sound = all_sound && is_sound(results.scenes.back());
+    progress.finish();
+    fmt::print("{}\n", text_report(results.scenes.back()));
+    std::fflush(stdout);
+    write_reports(options, results);  // Whoever stops a long run keeps what there is.
   }
-  argc = kept;
-  return folder;
+  return all_sound ? 0 : 1;
+}
+
+int run(const std::vector<std::string>& words) {
+  const std::optional<Options> options = parse_options(words);
+  if (!options) return 0;
+  if (!options->picture) return measure(*options);
+  const std::vector<SceneSource> sources = choose_scenes(options->scenes);
+  if (sources.size() != 1) throw Error("--picture wants one scene: name it by --only='^name$'");
+  write_picture(sources.front(), *options->picture);
+  return 0;
 }
 
 }  // namespace
+}  // namespace twinray::bench
 
 int main(int argc, char** argv) {
   try {
-    const std::string folder = take_scenes(argc, argv);
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-    const auto workloads = twinray::bench::workloads(TWINRAY_OWN_SCENES, folder);
-    twinray::bench::register_trace(workloads);
-    twinray::bench::register_build(workloads);
-    twinray::bench::register_render(workloads);
-    benchmark::AddCustomContext("compiler", __VERSION__);
-    benchmark::AddCustomContext("flags", TWINRAY_FLAGS);
-    benchmark::AddCustomContext("threads", "1, but for build/");
-    benchmark::AddCustomContext("libraries", TWINRAY_LIBRARIES " (Debian builds its Embree with assertions)");
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
+    return twinray::bench::run({argv + 1, argv + argc});
   } catch (const std::exception& error) {
     fmt::print(stderr, "twinray_bench: {}\n", error.what());
     return 1;

@@ -1,69 +1,167 @@
 // SPDX-License-Identifier: Apache-2.0
-// trace/<engine>/<scene>/<camera|shadow|bounce>: single rays on one thread.
+#include "bench/trace.h"
+
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include "bench/workload.h"
+#include <algorithm>
+#include <cmath>
+#include <regex>
+
+#include "core/parallel.h"
 
 namespace twinray::bench {
 namespace {
 
+/// What an engine is expected to hold for a primitive, in bytes; and the part of the memory that all may
+/// take.
+constexpr double bytes_per_primitive = 250;
+constexpr double share_of_memory = 0.25;
+/// No more building once all of a group's builds took this long.
+constexpr double enough_build_seconds = 4;
 constexpr std::size_t brute_force_rays = 16;
 
-void set_counters(benchmark::State& state, const Accelerator& accelerator, const std::vector<Ray>& rays,
-                  RayKind kind) {
-  QueryCounts counts;
-  for (const Ray& ray : rays) {
-    if (kind == RayKind::shadow)
-      accelerator.any_hit(ray, counts);
-    else
-      accelerator.closest_hit(ray, counts);
-  }
-  const AccelStats stats = accelerator.stats();
-  const auto per_ray = [&](std::uint64_t n) { return double(n) / double(rays.size()); };
-  state.counters["rays/s"] =
-      benchmark::Counter(double(state.iterations()) * double(rays.size()), benchmark::Counter::kIsRate);
-  state.counters["nodes/ray"] = per_ray(counts.nodes);
-  state.counters["primitives/ray"] = per_ray(counts.primitives);
-  state.counters["bytes/triangle"] = double(stats.bytes) / double(std::max<std::size_t>(1, stats.primitives));
-  state.counters["sah"] = stats.sah_cost;
+std::size_t engines_at_a_time(std::size_t primitives) {
+  const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
+  const double each = bytes_per_primitive * double(std::max<std::size_t>(1, primitives));
+  return std::size_t(std::clamp(share_of_memory * memory / each, 2.0, 64.0));
 }
 
-void trace(benchmark::State& state, Workload& workload, const Engine& engine, RayKind kind) {
-  const auto accelerator = workload.build(engine);
-  if (const std::string wrong = workload.check(engine, *accelerator); !wrong.empty()) {
-    state.SkipWithError(wrong.c_str());
-    return;
+/// Some rays from all over a set, for engines that would take too long with all.
+std::vector<Ray> few_of(const std::vector<Ray>& rays) {
+  std::vector<Ray> few;
+  for (std::size_t i = 0; i < rays.size(); i += rays.size() / brute_force_rays + 1) few.push_back(rays[i]);
+  return few;
+}
+
+void shoot(const Accelerator& accelerator, RayKind kind, std::span<const Ray> rays) {
+  if (kind == RayKind::shadow)
+    for (const Ray& ray : rays) benchmark::DoNotOptimize(accelerator.any_hit(ray));
+  else
+    for (const Ray& ray : rays) benchmark::DoNotOptimize(accelerator.closest_hit(ray));
+}
+
+/// The baseline and some more engines, in memory at the same time.
+class Group {
+ public:
+  Group(Workload& workload, std::vector<Engine> engines, const TraceOptions& options)
+      : workload_(workload), engines_(std::move(engines)), options_(options), figures_(engines_.size()) {
+    for (std::size_t i = 0; i < engines_.size(); ++i) figures_[i].name = engines_[i].name;
   }
-  std::vector<Ray> rays = workload.rays(kind);
-  if (engine.backend == Backend::brute_force && rays.size() > brute_force_rays) rays.resize(brute_force_rays);
-  if (rays.empty()) {
-    state.SkipWithError("the picture has no such rays");
-    return;
-  }
-  for (auto _ : state) {
-    for (const Ray& ray : rays) {
-      if (kind == RayKind::shadow)
-        benchmark::DoNotOptimize(accelerator->any_hit(ray));
-      else
-        benchmark::DoNotOptimize(accelerator->closest_hit(ray));
+
+  void build() {
+    accelerators_.resize(engines_.size());
+    std::vector<Timed> timed;
+    for (std::size_t i = 0; i < engines_.size(); ++i)
+      timed.push_back({engines_[i].name, [this, i] {
+                         accelerators_[i].reset();  // Never two of one engine in memory.
+                         accelerators_[i] = workload_.build(engines_[i], available_threads());
+                       }});
+    double seconds = 0;
+    const Rounds once{.count = 1, .least_seconds = 0, .clock = Clock::process};
+    for (int round = 0; round < options_.most_build_rounds && seconds < enough_build_seconds; ++round) {
+      const auto results = run_rounds(timed, once);
+      for (std::size_t i = 0; i < engines_.size(); ++i) {
+        figures_[i].build.wall_seconds.push_back(results[i][0].wall);
+        figures_[i].build.cpu_seconds.push_back(results[i][0].cpu);
+        seconds += results[i][0].wall;
+      }
     }
+    for (std::size_t i = 0; i < engines_.size(); ++i) figures_[i].build.stats = accelerators_[i]->stats();
   }
-  set_counters(state, *accelerator, rays, kind);
+
+  void check() {
+    for (std::size_t i = 0; i < engines_.size(); ++i)
+      figures_[i].complaint = workload_.check(engines_[i], *accelerators_[i]);
+  }
+
+  void trace(std::size_t set) {
+    const std::vector<Ray>& all = workload_.rays(set);
+    const std::vector<Ray> few = few_of(all);
+    std::vector<std::size_t> sound;  // The engines that may be timed.
+    std::vector<Timed> timed;
+    for (std::size_t i = 0; i < engines_.size(); ++i) {
+      const std::span<const Ray> rays = engines_[i].backend == Backend::brute_force ? few : all;
+      if (rays.empty() || !figures_[i].complaint.empty()) continue;
+      sound.push_back(i);
+      timed.push_back(
+          {engines_[i].name, [this, i, set, rays] { shoot(*accelerators_[i], ray_sets[set].kind, rays); }});
+      count(i, set, rays);
+    }
+    const auto results = run_rounds(timed, options_.rounds);
+    for (std::size_t k = 0; k < sound.size(); ++k) {
+      TraceFigures& figures = figures_[sound[k]].trace[set];
+      for (const Seconds& seconds : results[k])
+        figures.nanoseconds.push_back(1e9 * seconds.cpu / double(figures.rays));
+    }
+    const std::vector<double>& baseline = figures_.front().trace[set].nanoseconds;
+    for (EngineFigures& figures : figures_)
+      for (std::size_t i = 0; i < std::min(baseline.size(), figures.trace[set].nanoseconds.size()); ++i)
+        figures.trace[set].speed.push_back(baseline[i] / figures.trace[set].nanoseconds[i]);
+  }
+
+  const std::vector<EngineFigures>& figures() const { return figures_; }
+
+ private:
+  void count(std::size_t engine, std::size_t set, std::span<const Ray> rays) {
+    QueryCounts counts;
+    for (const Ray& ray : rays) {
+      if (ray_sets[set].kind == RayKind::shadow)
+        accelerators_[engine]->any_hit(ray, counts);
+      else
+        accelerators_[engine]->closest_hit(ray, counts);
+    }
+    TraceFigures& figures = figures_[engine].trace[set];
+    figures.rays = rays.size();
+    figures.nodes_per_ray = double(counts.nodes) / double(rays.size());
+    figures.primitives_per_ray = double(counts.primitives) / double(rays.size());
+  }
+
+  Workload& workload_;
+  std::vector<Engine> engines_;
+  const TraceOptions& options_;
+  std::vector<EngineFigures> figures_;
+  std::vector<std::unique_ptr<Accelerator>> accelerators_;
+};
+
+std::vector<Engine> wanted_engines(std::size_t primitives, const TraceOptions& options) {
+  std::vector<Engine> wanted;
+  const std::regex pattern(options.engine_pattern);
+  for (const Engine& engine : engines()) {
+    const bool is_named = std::regex_search(engine.name, pattern);
+    const bool takes_part =
+        (engine.wanted != Wanted::full || options.is_full || !options.engine_pattern.empty()) &&
+        (engine.wanted != Wanted::small || primitives <= small_scene);
+    if (wanted.empty() || (is_named && takes_part)) wanted.push_back(engine);
+  }
+  return wanted;
 }
 
 }  // namespace
 
-void register_trace(const std::vector<std::shared_ptr<Workload>>& all) {
-  for (const auto& workload : all)
-    for (const Engine& engine : engines())
-      for (const auto& [label, kind] :
-           {std::pair{"camera", RayKind::camera}, {"shadow", RayKind::shadow}, {"bounce", RayKind::bounce}}) {
-        const std::string name = fmt::format("trace/{}/{}/{}", engine.name, workload->name(), label);
-        benchmark::RegisterBenchmark(name.c_str(), [workload, engine, kind = kind](benchmark::State& state) {
-          trace(state, *workload, engine, kind);
-        })->Unit(benchmark::kMillisecond);
-      }
+SceneFigures measure_scene(Workload& workload, const TraceOptions& options,
+                           const std::function<void(const std::string&)>& progress) {
+  SceneFigures scene{workload.source().name, workload.source().family, workload.primitives(), {}};
+  const std::vector<Engine> all = wanted_engines(workload.primitives(), options);
+  const std::size_t others = engines_at_a_time(workload.primitives()) - 1;
+  for (std::size_t begin = 1; begin == 1 || begin < all.size(); begin += others) {
+    const std::size_t end = std::min(all.size(), begin + others);
+    std::vector<Engine> together(all.begin() + std::ptrdiff_t(begin), all.begin() + std::ptrdiff_t(end));
+    together.insert(together.begin(), all.front());
+    Group group(workload, together, options);
+    progress(fmt::format("building {} engines", together.size()));
+    group.build();
+    progress("comparing their answers");
+    group.check();
+    for (std::size_t set = 0; set < ray_sets.size(); ++set) {
+      progress(fmt::format("{} rays", ray_sets[set].title));
+      group.trace(set);
+    }
+    const auto& figures = group.figures();
+    scene.engines.insert(scene.engines.end(), figures.begin() + (begin == 1 ? 0 : 1), figures.end());
+  }
+  return scene;
 }
 
 }  // namespace twinray::bench

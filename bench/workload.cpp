@@ -3,24 +3,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <utility>
-
-#include "io/scene_file.h"
 
 namespace twinray::bench {
 namespace {
 
-constexpr std::size_t brute_force_rays = 64;
+/// The rays of each set that brute force is asked for; fewer where a scene has so many primitives.
+constexpr std::size_t most_proved = 16;
+constexpr double proof_tests = 1e8;
 constexpr double native_difference_limit = 1e-3;
-/// Relative difference of t up to which embree-native's answer counts as the same hit.
+/// Relative difference of t up to which Embree's own answer counts as the same hit.
 constexpr float native_t_tolerance = 1e-3f;
+/// Fewer rays than this may not stand for a set: a rate of one in a thousand would have no meaning.
+constexpr double least_allowed = 3;
 
-Hit answer(const Accelerator& accelerator, const RecordedRay& entry) {
-  if (entry.kind != RayKind::shadow) return accelerator.closest_hit(entry.ray);
+Hit answer(const Accelerator& accelerator, RayKind kind, const Ray& ray) {
+  if (kind != RayKind::shadow) return accelerator.closest_hit(ray);
   Hit hit;
-  if (accelerator.any_hit(entry.ray)) hit.t = 0;
+  if (accelerator.any_hit(ray)) hit.t = 0;
   return hit;
 }
 
@@ -29,76 +30,59 @@ bool is_close(const Hit& a, const Hit& b) {
   return std::fabs(a.t - b.t) <= native_t_tolerance * std::fabs(b.t);
 }
 
+/// Every how many-th ray brute force is asked for.
+std::size_t proof_step(std::size_t rays, std::size_t primitives) {
+  const double affordable = proof_tests / double(std::max<std::size_t>(1, primitives)) / ray_sets.size();
+  const std::size_t proved = std::clamp<std::size_t>(std::size_t(affordable), 1, most_proved);
+  return rays / proved + 1;
+}
+
 }  // namespace
 
-std::vector<Engine> engines() {
-  std::vector<Engine> all;
-  for (const Backend backend : available_backends())
-    if (backend != Backend::brute_force) all.push_back({backend_name(backend), backend, {}});
-  all.push_back({"bvh-2", Backend::bvh, {.bvh_width = 2}});
-  for (const auto& [name, split] : {std::pair{"bvh-median", BvhSplit::median},
-                                    {"bvh-midpoint", BvhSplit::midpoint},
-                                    {"bvh-mean", BvhSplit::mean}}) {
-    BuildOptions options;
-    options.bvh_width = 2;
-    options.bvh_split = split;
-    all.push_back({name, Backend::bvh, options});
+Workload::Workload(const SceneSource& source, int width, int height)
+    : source_(source), scene_(source.make()) {
+  const auto recorded = record_rays(scene_, {.width = width, .height = height, .max_depth = 3});
+  for (std::size_t set = 0; set < ray_sets.size(); ++set)
+    rays_[set] = rays_of_kind(recorded, ray_sets[set].kind, ray_sets[set].vertex);
+}
+
+std::unique_ptr<Accelerator> Workload::build(const Engine& engine, int threads) const {
+  BuildOptions options = engine.options;
+  options.threads = threads;
+  return build_accelerator(engine.backend, scene_.geometry, options);
+}
+
+void Workload::expect() {
+  is_expected_ = true;
+  const auto bvh = build_accelerator(Backend::bvh, scene_.geometry, {.bvh_width = 2});
+  const auto oracle = build_accelerator(Backend::brute_force, scene_.geometry);
+  for (std::size_t set = 0; set < ray_sets.size(); ++set) {
+    for (const Ray& ray : rays_[set]) expected_[set].push_back(answer(*bvh, ray_sets[set].kind, ray));
+    const std::size_t step = proof_step(rays_[set].size(), primitives());
+    for (std::size_t i = 0; i < rays_[set].size(); i += step)
+      if (!(answer(*oracle, ray_sets[set].kind, rays_[set][i]) == expected_[set][i]))
+        oracle_complaint_ = fmt::format("brute force differs on ray {} of {}", i, ray_sets[set].name);
   }
-  all.push_back({"brute-force", Backend::brute_force, {}});
-  return all;
-}
-
-const Scene& Workload::scene() {
-  if (!scene_) {
-    scene_ = std::make_unique<Scene>(load_scene(path_, {}).scene);
-    scene_->camera = view_whole(fit_frame(scene_->camera, 4, 3), scene_->geometry->bounds());
-  }
-  return *scene_;
-}
-
-const std::vector<RecordedRay>& Workload::recorded() {
-  if (recorded_.empty()) recorded_ = record_rays(scene());
-  return recorded_;
-}
-
-std::unique_ptr<Accelerator> Workload::build(const Engine& engine) {
-  return build_accelerator(engine.backend, scene().geometry, engine.options);
 }
 
 std::string Workload::check(const Engine& engine, const Accelerator& accelerator) {
-  if (expected_.empty()) {
-    const auto bvh = build_accelerator(Backend::bvh, scene().geometry);
-    for (const RecordedRay& entry : recorded()) expected_.push_back(answer(*bvh, entry));
-    const auto oracle = build_accelerator(Backend::brute_force, scene().geometry);
-    const std::size_t step = recorded().size() / brute_force_rays + 1;
-    for (std::size_t i = 0; i < recorded().size(); i += step)
-      if (!(answer(*oracle, recorded()[i]) == expected_[i]))
-        return fmt::format("brute force differs on ray {}", i);
+  if (!is_expected_) expect();
+  if (!oracle_complaint_.empty()) return oracle_complaint_;
+  for (std::size_t set = 0; set < ray_sets.size(); ++set) {
+    const std::vector<Ray>& rays = rays_[set];
+    const std::size_t step =
+        engine.backend == Backend::brute_force ? proof_step(rays.size(), primitives()) : 1;
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < rays.size(); i += step) {
+      const Hit found = answer(accelerator, ray_sets[set].kind, rays[i]), &expected = expected_[set][i];
+      different += engine.is_canonical() ? !(found == expected) : !is_close(found, expected);
+    }
+    const double limit =
+        engine.is_canonical() ? 0 : std::max(least_allowed, native_difference_limit * double(rays.size()));
+    if (double(different) > limit)
+      return fmt::format("{} of {} answers to {} rays are wrong", different, rays.size(), ray_sets[set].name);
   }
-  std::size_t different = 0;
-  const bool is_canonical = engine.backend != Backend::embree_native;
-  const std::size_t step =
-      engine.backend == Backend::brute_force ? recorded().size() / brute_force_rays + 1 : 1;
-  for (std::size_t i = 0; i < recorded().size(); i += step) {
-    const Hit found = answer(accelerator, recorded()[i]);
-    different += is_canonical ? !(found == expected_[i]) : !is_close(found, expected_[i]);
-  }
-  const double limit = is_canonical ? 0 : native_difference_limit * double(recorded().size());
-  return double(different) > limit ? fmt::format("{} of {} answers are wrong", different, recorded().size())
-                                   : "";
-}
-
-std::vector<std::shared_ptr<Workload>> workloads(const std::string& own_scenes, const std::string& folder) {
-  std::vector<std::shared_ptr<Workload>> all;
-  all.push_back(std::make_shared<Workload>("box", own_scenes + "/cornell-bunny.dae"));
-  all.push_back(std::make_shared<Workload>("spheres", own_scenes + "/spheres.dae"));
-  for (const auto& [name, path] : {std::pair{"cow", "cs184/meshedit/cow.dae"},
-                                   {"CBbunny", "cs184/sky/CBbunny.dae"},
-                                   {"CBlucy", "cs184/sky/CBlucy.dae"},
-                                   {"CBdragon", "cs184/sky/CBdragon.dae"}})
-    if (!folder.empty() && std::filesystem::exists(folder + "/" + path))
-      all.push_back(std::make_shared<Workload>(name, folder + "/" + path));
-  return all;
+  return "";
 }
 
 }  // namespace twinray::bench

@@ -1,57 +1,67 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all benchmarks share: the scenes, their recorded rays, the engines, and the check that comes before
-// the clock.
+// A scene with the rays of its own paths, recorded once, and the check that comes before the clock.
 #pragma once
+#include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "accel/accelerator.h"
+#include "bench/engines.h"
 #include "core/scene.h"
 #include "integrators/recorded_rays.h"
 
 namespace twinray::bench {
 
-/// An engine as benchmarks name it: a backend with its options.
-struct Engine {
-  std::string name;
-  Backend backend = Backend::bvh;
-  BuildOptions options;
+/// Rays of one kind that start at one vertex of their paths.
+struct RaySetKind {
+  const char* name;   ///< One word.
+  const char* title;  ///< For people.
+  RayKind kind;
+  int vertex;
 };
 
-/// Every backend of this build and every split method; brute force last.
-std::vector<Engine> engines();
+/// The sets, in the order of all tables.
+inline constexpr std::array<RaySetKind, 5> ray_sets{{{"camera", "camera", RayKind::camera, 0},
+                                                     {"shadow-1", "shadow", RayKind::shadow, 1},
+                                                     {"bounce-1", "1st bounce", RayKind::bounce, 1},
+                                                     {"shadow-2", "2nd shadow", RayKind::shadow, 2},
+                                                     {"bounce-2", "2nd bounce", RayKind::bounce, 2}}};
 
-/// A scene, loaded when first asked for and kept; seen as a whole (view_whole), in 4 : 3.
+/// A scene that can be measured, and how to come by it.
+struct SceneSource {
+  std::string name;
+  std::string family;  ///< The maker of a generated scene, for growth; else empty.
+  std::function<Scene()> make;
+};
+
 class Workload {
  public:
-  Workload(std::string name, std::string path) : name_(std::move(name)), path_(std::move(path)) {}
+  /// Makes the scene and records the rays of a picture of that size, one sample a pixel.
+  Workload(const SceneSource& source, int width, int height);
 
-  const std::string& name() const { return name_; }
-  const Scene& scene();
-  const std::vector<RecordedRay>& recorded();
-  std::vector<Ray> rays(RayKind kind) { return rays_of_kind(recorded(), kind); }
-  std::unique_ptr<Accelerator> build(const Engine& engine);
+  const SceneSource& source() const { return source_; }
+  const Scene& scene() const { return scene_; }
+  std::size_t primitives() const { return scene_.geometry->primitive_count(); }
+  /// Of ray_sets[set], in the picture's order.
+  const std::vector<Ray>& rays(std::size_t set) const { return rays_[set]; }
+  std::unique_ptr<Accelerator> build(const Engine& engine, int threads) const;
 
-  /// Compares the engine's answers with brute force on some rays and with the BVH on all; empty if it may be
-  /// timed, else what is wrong. Engines with the canonical hit must have the same bits; embree-native may
-  /// miss or differ on one ray of a thousand.
+  /// Compares the engine's answers with those of the binary BVH, which brute force has proved on some rays.
+  /// Empty if the engine may be timed, else what is wrong. Engines with the canonical hit must have the same
+  /// bits; Embree's own triangles may miss, or differ, on one ray of a thousand.
   std::string check(const Engine& engine, const Accelerator& accelerator);
 
  private:
-  std::string name_, path_;
-  std::unique_ptr<Scene> scene_;
-  std::vector<RecordedRay> recorded_;
-  std::vector<Hit>
-      expected_;  ///< The BVH's answers, proved on a sample by brute force; t = 0 stands for occluded.
+  void expect();
+
+  SceneSource source_;
+  Scene scene_;
+  std::array<std::vector<Ray>, ray_sets.size()> rays_;
+  std::array<std::vector<Hit>, ray_sets.size()>
+      expected_;  ///< t = 0 stands for a shadow ray that is blocked.
+  std::string oracle_complaint_;
+  bool is_expected_ = false;
 };
-
-/// Our own box with a mesh and with spheres, and where `folder` holds them cow, CBbunny, CBlucy and CBdragon.
-std::vector<std::shared_ptr<Workload>> workloads(const std::string& own_scenes, const std::string& folder);
-
-/// Each registers its benchmarks for all workloads and engines.
-void register_trace(const std::vector<std::shared_ptr<Workload>>& workloads);
-void register_build(const std::vector<std::shared_ptr<Workload>>& workloads);
-void register_render(const std::vector<std::shared_ptr<Workload>>& workloads);
 
 }  // namespace twinray::bench

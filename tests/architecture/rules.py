@@ -29,8 +29,8 @@ DOORS = {
     "oneTBB": (r"tbb/|oneapi/", r"core/parallel\.cpp"),
     "OpenImageIO": (r"OpenImageIO/", r"io/image_file\.cpp"),
     "tinyxml2": (r"tinyxml2\.h", r"io/xml_reader\.(h|cpp)"),
-    "CLI11": (r"CLI/", r"cli/"),
-    "nlohmann/json": (r"nlohmann/", r"cli/\w*report\.cpp|tests/cli/"),
+    "CLI11": (r"CLI/", r"cli/|bench/options\.cpp"),
+    "nlohmann/json": (r"nlohmann/", r"(cli|bench)/\w*report\.cpp|tests/cli/"),
     "Catch2": (r"catch2/", r"tests/support/catch\.h"),
     "Google Benchmark": (r"benchmark/", r"bench/"),
 }

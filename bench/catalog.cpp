@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/catalog.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <regex>
+
+#include "bench/scenes/generated.h"
+#include "core/error.h"
+#include "io/scene_file.h"
+
+namespace twinray::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 6> well_known{
+    "cow", "CBspheres_lambertian", "CBgems", "CBbunny", "CBlucy", "CBdragon"};
+
+SceneSource from_file(const std::string& name, const std::string& path) {
+  return {name, "", [path] {
+            Scene scene = load_scene(path).scene;
+            scene.camera = view_whole(fit_frame(scene.camera, 4, 3), scene.geometry->bounds());
+            return scene;
+          }};
+}
+
+SceneSource from_maker(const GeneratedScene& maker, std::size_t triangles, const std::string& name) {
+  return {name, maker.name, [maker, triangles] { return maker.make(triangles); }};
+}
+
+/// The scene files of a folder by name, in the order of their paths.
+std::vector<std::pair<std::string, std::string>> files_of(const std::string& folder) {
+  if (!fs::is_directory(folder)) throw Error(fmt::format("{} is not a folder of scenes", folder));
+  const std::vector<std::string> endings = scene_extensions();
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() &&
+        std::find(endings.begin(), endings.end(), entry.path().extension().string()) != endings.end())
+      files.push_back({entry.path().stem().string(), entry.path().string()});
+  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return files;
+}
+
+void add_folder(std::vector<SceneSource>& all, const SceneChoice& choice) {
+  if (choice.folder.empty()) return;
+  const auto files = files_of(choice.folder);
+  const auto add = [&](const auto& file) { all.push_back(from_file(file.first, file.second)); };
+  const auto is_known = [](const std::string& name) {
+    return std::find(well_known.begin(), well_known.end(), name) != well_known.end();
+  };
+  for (const char* name : well_known)
+    for (const auto& file : files)
+      if (file.first == name) add(file);
+  if (!choice.is_full && choice.only.empty()) return;
+  for (const auto& file : files)
+    if (!is_known(file.first)) add(file);
+}
+
+void add_generated(std::vector<SceneSource>& all, const SceneChoice& choice) {
+  for (const GeneratedScene& maker : generated_scenes())
+    all.push_back(from_maker(maker, maker.triangles / choice.size_divisor, maker.name));
+  for (const GeneratedScene& maker : generated_scenes())
+    for (const std::size_t size : choice.sizes) {
+      const bool is_growth = maker.make == make_forest || (choice.is_full && maker.make == make_ball);
+      if (is_growth || !choice.only.empty())
+        all.push_back(from_maker(maker, size, fmt::format("{}-{}", maker.name, size)));
+    }
+}
+
+bool matches(const std::string& name, const std::vector<std::string>& patterns) {
+  return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
+           try {
+             return std::regex_search(name, std::regex(pattern));
+           } catch (const std::regex_error&) {
+             throw Error(fmt::format("\"{}\" is not a regular expression", pattern));
+           }
+         });
+}
+
+}  // namespace
+
+std::vector<SceneSource> choose_scenes(const SceneChoice& choice) {
+  std::vector<SceneSource> all;
+  all.push_back(from_file("box", choice.own_scenes + "/cornell-bunny.dae"));
+  all.push_back(from_file("spheres", choice.own_scenes + "/spheres.dae"));
+  add_folder(all, choice);
+  add_generated(all, choice);
+  std::vector<SceneSource> chosen;
+  for (const SceneSource& source : all)
+    if (matches(source.name, choice.only)) chosen.push_back(source);
+  for (const std::string& file : choice.files)
+    chosen.push_back(from_file(fs::path(file).stem().string(), file));
+  if (chosen.empty()) throw Error("no scene has such a name");
+  return chosen;
+}
+
+}  // namespace twinray::bench

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was measured: plain values, from which every report is made.
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "bench/workload.h"
+
+namespace twinray::bench {
+
+/// The middle half of some numbers, interpolated between them.
+struct Quartiles {
+  double low = 0, median = 0, high = 0;
+};
+/// Zeros for no numbers.
+Quartiles quartiles(std::vector<double> values);
+
+/// One engine and one ray set.
+struct TraceFigures {
+  std::size_t rays = 0;             ///< 0: the scene's paths have none of this kind.
+  std::vector<double> nanoseconds;  ///< CPU time of a ray, one a round.
+  std::vector<double> speed;  ///< The baseline's time in the same round over this one's: above 1 is faster.
+  double nodes_per_ray = 0;   ///< 0 where the engine cannot count.
+  double primitives_per_ray = 0;
+};
+
+struct BuildFigures {
+  std::vector<double> wall_seconds, cpu_seconds;  ///< One a round, on all threads.
+  AccelStats stats;
+};
+
+/// One engine on one scene.
+struct EngineFigures {
+  std::string name;
+  std::string complaint;  ///< Why it was not timed; empty if it was.
+  BuildFigures build;
+  std::array<TraceFigures, ray_sets.size()> trace;  ///< By ray_sets.
+
+  /// One a round: the geometric means over the ray sets that the scene has.
+  std::vector<double> mean_speed() const;
+  std::vector<double> mean_nanoseconds() const;
+};
+
+struct SceneFigures {
+  std::string name, family;
+  std::size_t primitives = 0;
+  std::vector<EngineFigures> engines;  ///< The baseline first.
+};
+
+}  // namespace twinray::bench

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/catalog.h"
+#include "bench/trace.h"
+
+namespace twinray::bench {
+
+struct PictureOrder {
+  std::string file;
+  std::uint32_t samples = 16;
+};
+
+/// What the command line says.
+struct Options {
+  SceneChoice scenes;
+  TraceOptions trace;
+  int width = 288, height = 216;  ///< Of the picture whose rays are recorded.
+  bool has_renders = true;
+  std::string json_file, csv_file, html_file;
+  std::optional<PictureOrder> picture;  ///< Instead of measuring.
+};
+
+/// Nothing where help was asked for, and printed. Throws Error, with what is wrong, for a command line that
+/// cannot be understood. The arguments come without the program's name.
+std::optional<Options> parse_options(const std::vector<std::string>& words);
+
+}  // namespace twinray::bench

@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the benchmark program for an instant and reads its reports: bench_test.py PROGRAM"""
+import csv
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from html.parser import HTMLParser
+from pathlib import Path
+
+PROGRAM = sys.argv.pop(1)
+SETS = ("camera", "shadow-1", "bounce-1", "shadow-2", "bounce-2")
+ALWAYS = {"bvh", "bvh-binary", "brute-force"}
+WITH_EMBREE = {"embree-native", "embree-native-avx2", "embree-fast", "embree-fast-high", "embree"}
+VOID = {"meta", "br", "line", "circle", "rect", "polyline"}
+
+
+def bench(*arguments):
+    return subprocess.run([PROGRAM, *arguments], text=True, capture_output=True, check=False)
+
+
+class Balance(HTMLParser):
+    """Sees whether every element is closed, and notes attributes that would load something."""
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.wrong, self.loads = [], [], []
+
+    def handle_starttag(self, tag, attributes):
+        if tag not in VOID:
+            self.open.append(tag)
+        self.loads += [f"{tag} {name}" for name, _ in attributes if name in ("src", "href", "xlink:href")]
+        if tag in ("script", "link", "img", "iframe"):
+            self.loads.append(tag)
+
+    def handle_endtag(self, tag):
+        if tag not in VOID and (not self.open or self.open.pop() != tag):
+            self.wrong.append(tag)
+
+
+class Reports(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        names = {kind: str(Path(cls.folder.name, "figures." + kind)) for kind in ("json", "csv", "html")}
+        cls.done = bench("--quick", "--scenes=", "--only", "^box$", "^room$", "forest-", "--sizes=1e4,12000",
+                         "--repetitions=2", *(f"--{kind}={name}" for kind, name in names.items()))
+        cls.text = {kind: Path(name).read_text(encoding="utf-8") for kind, name in names.items()}
+        cls.json = json.loads(cls.text["json"])
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_every_answer_is_right(self):
+        self.assertEqual(self.done.returncode, 0, self.done.stdout + self.done.stderr)
+
+    def test_every_engine_is_timed_on_every_scene_and_ray_set(self):
+        self.assertEqual([scene["name"] for scene in self.json["scenes"]],
+                         ["box", "room", "forest-10000", "forest-12000"])
+        wanted = ALWAYS | (WITH_EMBREE if "Embree" in self.json["machine"]["libraries"] else set())
+        for scene in self.json["scenes"]:
+            self.assertEqual({engine["name"] for engine in scene["engines"]}, wanted)
+            for engine in scene["engines"]:
+                self.assertEqual(tuple(engine["rays"]), SETS)
+                for figures in engine["rays"].values():
+                    self.assertEqual(len(figures["nanoseconds"]["rounds"]), 2)
+                    self.assertGreater(figures["nanoseconds"]["q1"], 0)
+                    self.assertGreater(figures["speed"]["q1"], 0)
+
+    def test_the_baseline_has_the_speed_one(self):
+        for scene in self.json["scenes"]:
+            self.assertEqual(scene["engines"][0]["speed"]["rounds"], [1, 1])
+
+    def test_the_machine_is_recorded(self):
+        for name in ("processor", "threads", "governor", "load", "compiler", "flags", "libraries"):
+            self.assertTrue(self.json["machine"][name], name)
+
+    def test_the_table_has_a_line_for_each_scene_engine_and_ray_set(self):
+        rows = list(csv.DictReader(self.text["csv"].splitlines()))
+        engines = sum(len(scene["engines"]) for scene in self.json["scenes"])
+        self.assertEqual(len(rows), engines * (len(SETS) + 1))
+        self.assertTrue(all(float(row["speed_median"]) > 0 for row in rows))
+
+    def test_the_page_needs_nothing_but_itself(self):
+        page = self.text["html"]
+        balance = Balance()
+        balance.feed(page)
+        self.assertEqual((balance.open, balance.wrong, balance.loads), ([], [], []))
+        self.assertNotRegex(page, r"https?:|//\w|url\(|@import")
+        self.assertNotRegex(page, r"\b(?:nan|inf)\b")
+
+    def test_the_page_shows_every_scene_and_engine(self):
+        for scene in self.json["scenes"]:
+            self.assertIn(scene["name"], self.text["html"])
+            for engine in scene["engines"]:
+                self.assertIn(engine["name"], self.text["html"])
+        self.assertGreaterEqual(self.text["html"].count("<svg"), 8)
+        self.assertIsNone(re.search(r"\{\}|\{:", self.text["html"].split("</style>")[1]))
+
+
+class CommandLine(unittest.TestCase):
+    def expect(self, arguments, message):
+        done = bench(*arguments)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(message, done.stderr)
+
+    def test_what_cannot_be_understood_is_said(self):
+        self.expect(["--only", "nosuchscene"], "no scene has such a name")
+        self.expect(["--only", "("], "is not a regular expression")
+        self.expect(["--sizes=1e4;5"], "numbers of triangles such as 1e4,1e5,1000000 are wanted")
+        self.expect(["--quick", "--full"], "exclude each other")
+        self.expect(["--scenes=/nowhere"], "/nowhere is not a folder of scenes")
+
+    def test_a_picture_of_a_scene_is_rendered(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "ball.png")
+            done = bench("--only", "^ball-1000$", "--sizes=1000", "--samples=1", f"--picture={file}")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(file.read_bytes()[:4], b"\x89PNG")
+
+
+if __name__ == "__main__":
+    unittest.main()
