@@ -24,10 +24,11 @@ constexpr std::array<std::pair<Backend, const char*>, 4> backend_names{
      {Backend::embree_native, "embree-native"},
      {Backend::brute_force, "brute-force"}}};
 
-constexpr std::array<std::pair<BvhBuilder, const char*>, 3> builder_names{
+constexpr std::array<std::pair<BvhBuilder, const char*>, 4> builder_names{
     {{BvhBuilder::own, "own"},
      {BvhBuilder::embree_low, "embree-low"},
-     {BvhBuilder::embree_medium, "embree-medium"}}};
+     {BvhBuilder::embree_medium, "embree-medium"},
+     {BvhBuilder::embree_high, "embree-high"}}};
 
 void check_range(const char* name, double value, double least, double most) {
   if (!(value >= least && value <= most))
@@ -117,7 +118,7 @@ std::string backend_name(Backend backend) {
 
 std::vector<BvhBuilder> available_builders() {
 #ifdef TWINRAY_WITH_EMBREE
-  return {BvhBuilder::own, BvhBuilder::embree_low, BvhBuilder::embree_medium};
+  return {BvhBuilder::own, BvhBuilder::embree_low, BvhBuilder::embree_medium, BvhBuilder::embree_high};
 #else
   return {BvhBuilder::own};
 #endif

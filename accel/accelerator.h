@@ -100,7 +100,7 @@ std::vector<std::string> available_instruction_sets();
 
 /// The builders of BVHs of this build, our own first.
 std::vector<BvhBuilder> available_builders();
-/// "own", "embree-low", "embree-medium".
+/// "own", "embree-low", "embree-medium", "embree-high".
 std::string builder_name(BvhBuilder builder);
 
 }  // namespace twinray

@@ -17,6 +17,7 @@ enum class BvhBuilder {
   own,            ///< Our builder, by bvh_split.
   embree_low,     ///< Embree's, quality LOW: along a curve of Morton codes.
   embree_medium,  ///< Embree's, quality MEDIUM: binned SAH.
+  embree_high,  ///< Embree's, quality HIGH: the same with spatial splits; a primitive may lie in many leaves.
 };
 
 enum class EmbreeMode { robust, fast };

@@ -133,17 +133,22 @@ class Comparison {
   SceneAgreement result_;
 };
 
-/// Embree as it is, and with the other instruction sets that it may be given.
-void add_embree(std::vector<AgreementEngine>& engines) {
-  engines.push_back({"embree", Backend::embree, {}});
+/// The wide tree and embree with the instruction sets that are not their default.
+std::vector<AgreementEngine> masked_engines() {
+  std::vector<AgreementEngine> engines;
+  for (const std::string& simd : available_instruction_sets())
+    if (simd != BuildOptions{}.simd)
+      engines.push_back({"bvh 8-wide " + simd, Backend::bvh, {.bvh_width = 8, .simd = simd}, {2}});
+  if (default_backend() != Backend::embree) return engines;
   for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512", "default"})
     if (isa != BuildOptions{}.embree_isa)
       engines.push_back({fmt::format("embree {}", isa), Backend::embree, {.embree_isa = isa}, {2}});
+  return engines;
 }
 
 }  // namespace
 
-std::vector<AgreementEngine> agreement_engines() {
+std::vector<AgreementEngine> canonical_engines() {
   std::vector<AgreementEngine> engines;
   for (const auto& [name, split] : {std::pair{"bvh sah", BvhSplit::sah},
                                     {"bvh median", BvhSplit::median},
@@ -156,12 +161,16 @@ std::vector<AgreementEngine> agreement_engines() {
                          Backend::bvh,
                          {.bvh_width = 2, .bvh_builder = builder}});
   engines.push_back({"bvh 8-wide", Backend::bvh, {.bvh_width = 8}});
-  for (const std::string& simd : available_instruction_sets())
-    if (simd != BuildOptions{}.simd)
-      engines.push_back({"bvh 8-wide " + simd, Backend::bvh, {.bvh_width = 8, .simd = simd}, {2}});
   for (const Backend backend : available_backends())
-    if (backend == Backend::embree) add_embree(engines);
+    if (backend == Backend::embree) engines.push_back({backend_name(backend), backend, {}});
   engines.push_back({backend_name(Backend::brute_force), Backend::brute_force, {}});
+  return engines;
+}
+
+std::vector<AgreementEngine> agreement_engines() {
+  std::vector<AgreementEngine> engines = canonical_engines();
+  const std::vector<AgreementEngine> masked = masked_engines();
+  engines.insert(engines.end() - 1, masked.begin(), masked.end());
   return engines;
 }
 

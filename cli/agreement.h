@@ -22,8 +22,11 @@ struct AgreementEngine {
 };
 
 /// All engines of this build that promise the same bits: the hand-written BVH with each split method and
-/// builder, the wide one and embree with each instruction set of this machine (those that are not the default
-/// on two threads only), and brute force, which comes last. The first is what all are compared with.
+/// builder, the wide one, embree, and brute force, which comes last.
+std::vector<AgreementEngine> canonical_engines();
+
+/// The same, and the wide BVH and embree with each other instruction set of this machine, on two threads
+/// only. The first is what all are compared with.
 std::vector<AgreementEngine> agreement_engines();
 
 /// The BVH with Moeller and Trumbore's test, which does not make the promise: a comparison that is worth

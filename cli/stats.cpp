@@ -160,7 +160,7 @@ std::string ray_kind_name(RayKind kind) {
 }
 
 std::vector<AgreementEngine> stats_engines() {
-  std::vector<AgreementEngine> engines = agreement_engines();
+  std::vector<AgreementEngine> engines = canonical_engines();
   const std::vector<Backend> available = available_backends();
   if (std::find(available.begin(), available.end(), Backend::embree_native) != available.end())
     engines.insert(engines.end() - 1, {backend_name(Backend::embree_native), Backend::embree_native, {}});

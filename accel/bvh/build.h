@@ -20,7 +20,9 @@ struct BuildTree {
   /// index i from those behind is nodes[2 i - 1] and nodes[2 i], before subtrees are reinserted. So each
   /// pair has a place of its own, whatever thread makes it.
   std::vector<Node> nodes;
-  std::vector<BuildPrimitive> primitives;  ///< In the order of the leaves.
+  /// In the order of the leaves. By a builder that splits primitives, pieces of them: a primitive comes once
+  /// for each of its pieces, whose boxes together cover its padded box as accel/bvh/invariants.h has it.
+  std::vector<BuildPrimitive> primitives;
 };
 
 /// All primitives of a geometry, in the order of their ids. Throws Error for more than 2^30.

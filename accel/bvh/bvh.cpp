@@ -16,6 +16,7 @@ class BvhAccelerator final : public Accelerator {
       : geometry_(std::move(geometry)) {
     bvh_ = make_bvh(*geometry_, options, stats_.phases);
     add_statistics(bvh_, options, stats_);
+    stats_.primitives = geometry_->primitive_count();
   }
 
   Aabb bounds() const noexcept override { return geometry_->bounds(); }

@@ -31,7 +31,6 @@ class Survey {
     ++stats_.leaves;
     std::size_t primitives = 0;
     for (std::uint32_t i = 0; i < node.count; ++i) primitives += bvh_.blocks[node.first + i].count;
-    stats_.primitives += primitives;
     stats_.sah_cost += probability * cost_.leaf(primitives);
   }
 

@@ -6,7 +6,7 @@
 
 namespace twinray {
 
-/// Fills in everything but the phases.
+/// Fills in everything but the phases and the number of primitives.
 void add_statistics(const Bvh& bvh, const BuildOptions& options, AccelStats& stats);
 
 }  // namespace twinray

@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtcBuildBVH decides which primitives lie together; the boxes are made anew, bottom up, from our own.
 //
-// Quality HIGH is left out. With spatial splits a primitive lies in several leaves, whose boxes hold a piece
-// of it each; but the canonical hit is safe only in boxes that hold the whole of a primitive (core/slab.h),
-// and in such boxes the split is of no use. Without spatial splits Embree takes HIGH for MEDIUM.
+// With quality HIGH it also splits primitives at planes, and lays the pieces into leaves of their own. A
+// piece here is a part of the primitive's padded box, not of the primitive: both parts of a box share the
+// plane, and everything else. Then no ray loses a hit (core/slab.h has near and far). Let t be a hit's
+// parameter, so t >= 0 and near <= t <= far for the padded box; the same holds for one of its two parts:
+//
+//   Only the plane's axis matters. Take a direction that is not negative along it (else mirror all). The
+//   first part ends where the plane's far term is F = (plane - far_origin) far_inverse, the second begins
+//   where its near term is N = (plane - near_origin) near_inverse, both rounded. If t <= F it is in the first
+//   part. Else t > F, and t >= N: far_origin <= near_origin and 0 < near_inverse <= far_inverse, and rounding
+//   is monotone; so either plane - near_origin > 0, and N <= F < t, or N <= 0 <= t.
+//
+// By induction t lies in one of all pieces, and no node above that piece is culled before the hit is found.
+// Its leaf tests the whole primitive by its own box, so how it was split changes no answer. Clipping the
+// primitive itself would give smaller boxes, of which nothing of the kind is known.
 #include "accel/embree/builder.h"
 
 #include <algorithm>
@@ -14,6 +25,7 @@
 #include "accel/embree/device.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/slab.h"
 
 namespace twinray {
 namespace {
@@ -31,9 +43,9 @@ using BvhOwner = std::unique_ptr<std::remove_pointer_t<RTCBVH>, ReleaseBvh>;
 
 /// A node in the memory of its RTCBVH.
 struct EmbreeNode {
-  EmbreeNode* children[2] = {};      ///< Inner nodes only.
-  std::uint32_t* indices = nullptr;  ///< Leaves only: which primitives.
-  std::size_t count = 0;             ///< Primitives below; of inner nodes, once counted.
+  EmbreeNode* children[2] = {};         ///< Inner nodes only.
+  RTCBuildPrimitive* pieces = nullptr;  ///< Leaves only: primitives, or pieces of them.
+  std::size_t count = 0;                ///< Of them below; of inner nodes, once counted.
 };
 
 template <typename T>
@@ -53,46 +65,87 @@ void set_children(void* pointer, void** children, unsigned, void*) {
 
 void set_bounds(void*, const RTCBounds**, unsigned, void*) {}
 
+Aabb box_of(const RTCBuildPrimitive& piece) {
+  return {{piece.lower_x, piece.lower_y, piece.lower_z}, {piece.upper_x, piece.upper_y, piece.upper_z}};
+}
+
+RTCBuildPrimitive make_piece(const Aabb& box, unsigned index) {
+  return {box.lower.x, box.lower.y, box.lower.z, 0, box.upper.x, box.upper.y, box.upper.z, index};
+}
+
+RTCBounds bounds_of(const Aabb& box) {
+  return {box.lower.x, box.lower.y, box.lower.z, 0, box.upper.x, box.upper.y, box.upper.z, 0};
+}
+
+/// Pieces of the same primitive become one.
 void* create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives, std::size_t count,
                   void*) {
   EmbreeNode* const node = allocate<EmbreeNode>(allocator, 1);
-  node->indices = allocate<std::uint32_t>(allocator, count);
-  node->count = count;
-  for (std::size_t i = 0; i < count; ++i) node->indices[i] = primitives[i].primID;
+  node->pieces = allocate<RTCBuildPrimitive>(allocator, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    RTCBuildPrimitive* const end = node->pieces + node->count;
+    RTCBuildPrimitive* const same = std::find_if(node->pieces, end, [&](const RTCBuildPrimitive& piece) {
+      return piece.primID == primitives[i].primID;
+    });
+    Aabb box = box_of(primitives[i]);
+    if (same == end)
+      ++node->count;
+    else
+      box.extend(box_of(*same));
+    *same = make_piece(box, primitives[i].primID);
+  }
   return node;
 }
 
-std::vector<RTCBuildPrimitive> embree_primitives(const std::vector<BuildPrimitive>& primitives) {
-  std::vector<RTCBuildPrimitive> result(primitives.size());
-  for (std::size_t i = 0; i < primitives.size(); ++i) {
-    const Aabb& box = primitives[i].box;
-    result[i] = {box.lower.x, box.lower.y, box.lower.z, 0,
-                 box.upper.x, box.upper.y, box.upper.z, unsigned(i)};
-  }
+/// Divides a box at a plane; one that misses it goes through the nearest face.
+void split(const RTCBuildPrimitive* piece, unsigned axis, float position, RTCBounds* first, RTCBounds* second,
+           void*) {
+  Aabb lower = box_of(*piece), upper = lower;
+  const float plane = std::clamp(position, lower.lower[int(axis)], lower.upper[int(axis)]);
+  lower.upper[int(axis)] = upper.lower[int(axis)] = plane;
+  *first = bounds_of(lower);
+  *second = bounds_of(upper);
+}
+
+bool splits_primitives(const BuildOptions& options) { return options.bvh_builder == BvhBuilder::embree_high; }
+
+/// With room behind them for as many again where they may be split.
+std::vector<RTCBuildPrimitive> embree_primitives(const std::vector<BuildPrimitive>& primitives,
+                                                 bool may_split) {
+  std::vector<RTCBuildPrimitive> result(primitives.size() * (may_split ? 2 : 1));
+  for (std::size_t i = 0; i < primitives.size(); ++i)
+    result[i] = make_piece(may_split ? padded(primitives[i].box) : primitives[i].box, unsigned(i));
   return result;
 }
 
-RTCBuildArguments arguments_of(const BuildOptions& options, std::vector<RTCBuildPrimitive>& primitives) {
+RTCBuildArguments arguments_of(const BuildOptions& options, std::vector<RTCBuildPrimitive>& primitives,
+                               std::size_t count) {
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
   const bool is_low = options.bvh_builder == BvhBuilder::embree_low;
-  arguments.buildQuality = is_low ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
+  arguments.buildQuality = is_low                       ? RTC_BUILD_QUALITY_LOW
+                           : splits_primitives(options) ? RTC_BUILD_QUALITY_HIGH
+                                                        : RTC_BUILD_QUALITY_MEDIUM;
   arguments.maxDepth = deepest;
   arguments.maxLeafSize = unsigned(options.max_leaf_size);
   arguments.minLeafSize = is_low ? arguments.maxLeafSize : 1;  // Morton codes alone never make a leaf.
   arguments.traversalCost = float(options.traversal_cost);
   arguments.intersectionCost = float(options.intersection_cost);
   arguments.primitives = primitives.data();
-  arguments.primitiveCount = primitives.size();
+  arguments.primitiveCount = count;
   arguments.primitiveArrayCapacity = primitives.size();
   arguments.createNode = create_node;
   arguments.setNodeChildren = set_children;
   arguments.setNodeBounds = set_bounds;
   arguments.createLeaf = create_leaf;
+  arguments.splitPrimitive = splits_primitives(options) ? split : nullptr;
   return arguments;
 }
 
-std::size_t count_primitives(EmbreeNode& node) {
-  if (!node.indices) node.count = count_primitives(*node.children[0]) + count_primitives(*node.children[1]);
+/// Counts the pieces below a node, and those of each primitive.
+std::size_t count_pieces(EmbreeNode& node, std::vector<std::uint8_t>& counts) {
+  if (!node.pieces)
+    return node.count = count_pieces(*node.children[0], counts) + count_pieces(*node.children[1], counts);
+  for (std::size_t i = 0; i < node.count; ++i) ++counts[node.pieces[i].primID];
   return node.count;
 }
 
@@ -100,23 +153,22 @@ std::size_t count_primitives(EmbreeNode& node) {
 class Conversion {
  public:
   Conversion(const std::vector<BuildPrimitive>& primitives, const BuildOptions& options)
-      : primitives_(primitives), options_(options) {
-    tree_.primitives.resize(primitives.size());
-    tree_.nodes.resize(2 * primitives.size() - 1);
-  }
+      : primitives_(primitives), options_(options) {}
 
   BuildTree convert(const EmbreeNode& root) {
+    tree_.primitives.resize(root.count);
+    tree_.nodes.resize(2 * root.count - 1);
     place(root, 0, 0, 0);
     return std::move(tree_);
   }
 
  private:
-  /// Makes node `index` over the primitives from `first` on.
+  /// Makes node `index` over the pieces from `first` on.
   void place(const EmbreeNode& node, std::uint32_t index, std::size_t first, int depth) {
     BuildTree::Node& made = tree_.nodes[index];
-    if (depth == free_bvh_depth || node.indices) collect(node, first);
+    if (depth == free_bvh_depth || node.pieces) collect(node, first);
     if (depth == free_bvh_depth) return halve_subtree(tree_, options_, index, first, node.count);
-    if (node.indices) {
+    if (node.pieces) {
       for (std::size_t i = 0; i < node.count; ++i) made.box.extend(tree_.primitives[first + i].box);
       made.first = std::uint32_t(first);
       made.count = std::uint32_t(node.count);
@@ -129,10 +181,11 @@ class Conversion {
     for (std::uint32_t child = 0; child < 2; ++child) made.box.extend(tree_.nodes[made.first + child].box);
   }
 
-  /// Copies all primitives below a node to `first` and behind.
+  /// Copies all pieces below a node to `first` and behind.
   void collect(const EmbreeNode& node, std::size_t first) {
-    if (node.indices) {
-      for (std::size_t i = 0; i < node.count; ++i) tree_.primitives[first + i] = primitives_[node.indices[i]];
+    if (node.pieces) {
+      for (std::size_t i = 0; i < node.count; ++i)
+        tree_.primitives[first + i] = {box_of(node.pieces[i]), primitives_[node.pieces[i].primID].id};
       return;
     }
     collect(*node.children[0], first);
@@ -152,13 +205,16 @@ BuildTree build_tree_by_embree(std::vector<BuildPrimitive> primitives, const Bui
   if (primitives.empty()) return {};
   embree::Device device("");
   const BvhOwner bvh(rtcNewBVH(device.get()));
-  std::vector<RTCBuildPrimitive> input = embree_primitives(primitives);
-  RTCBuildArguments arguments = arguments_of(options, input);
+  std::vector<RTCBuildPrimitive> input = embree_primitives(primitives, splits_primitives(options));
+  RTCBuildArguments arguments = arguments_of(options, input, primitives.size());
   arguments.bvh = bvh.get();
   EmbreeNode* root = nullptr;
   with_threads(1, [&] { root = static_cast<EmbreeNode*>(rtcBuildBVH(&arguments)); });
   device.check("to build our tree");
-  if (!root || count_primitives(*root) != primitives.size())
+  std::vector<std::uint8_t> counts(primitives.size());
+  const std::size_t pieces = root ? count_pieces(*root, counts) : 0;
+  const bool has_all = std::find(counts.begin(), counts.end(), 0) == counts.end();
+  if (!has_all || (!splits_primitives(options) && pieces != primitives.size()))
     throw Error("Embree failed to build our tree: it does not hold each primitive once");
   return Conversion(primitives, options).convert(*root);
 }

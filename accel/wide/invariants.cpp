@@ -13,21 +13,15 @@ namespace {
 class Inspection {
  public:
   Inspection(const WideBvh& bvh, const Geometry& geometry)
-      : bvh_(bvh), geometry_(geometry), nodes_(bvh.nodes.size()), blocks_(bvh.blocks.size()) {
-    for (std::uint32_t shape = 0; shape < geometry.shapes().size(); ++shape) {
-      const Mesh* mesh = geometry.mesh(shape);
-      primitives_.emplace_back(mesh ? mesh->triangles.size() : geometry.sphere_set(shape)->spheres.size());
-    }
-  }
+      : bvh_(bvh), nodes_(bvh.nodes.size()), blocks_(bvh.blocks.size()), leaves_(geometry) {}
 
-  std::string fault() {
+  std::string fault(Occurrence occurrence) {
     constexpr float everywhere = Aabb::infinity;
     if (!bvh_.root.is_none())
       visit(bvh_.root, {{-everywhere, -everywhere, -everywhere}, {everywhere, everywhere, everywhere}}, 0);
     check_seen_once("node", nodes_);
     check_seen_once("block", blocks_);
-    for (const std::vector<int>& shape : primitives_) check_seen_once("primitive", shape);
-    return fault_;
+    return fault_.empty() ? leaves_.fault(occurrence) : fault_;
   }
 
  private:
@@ -65,28 +59,20 @@ class Inspection {
     const TriangleBlock& block = bvh_.blocks[index];
     if (block.count == 0 || block.count > std::uint32_t(TriangleBlock::width))
       return report("block {} holds {} primitives", index, block.count);
-    for (std::uint32_t lane = 0; lane < block.count; ++lane) visit_primitive(block.ids[lane], box);
-  }
-
-  void visit_primitive(PrimitiveId id, const Aabb& box) {
-    if (id.mesh >= primitives_.size() || id.primitive >= primitives_[id.mesh].size())
-      return report("there is no primitive {} of shape {}", id.primitive, id.mesh);
-    ++primitives_[id.mesh][id.primitive];
-    if (!box.contains(padded(primitive_bounds(geometry_, id))))
-      report("primitive {} of shape {} leaves its leaf's box", id.primitive, id.mesh);
+    for (std::uint32_t lane = 0; lane < block.count; ++lane)
+      if (const std::string fault = leaves_.add(block.ids[lane], box); !fault.empty()) report("{}", fault);
   }
 
   const WideBvh& bvh_;
-  const Geometry& geometry_;
   std::vector<int> nodes_, blocks_;
-  std::vector<std::vector<int>> primitives_;
+  LeavesOfPrimitives leaves_;
   std::string fault_;
 };
 
 }  // namespace
 
-std::string find_fault(const WideBvh& bvh, const Geometry& geometry) {
-  return Inspection(bvh, geometry).fault();
+std::string find_fault(const WideBvh& bvh, const Geometry& geometry, Occurrence occurrence) {
+  return Inspection(bvh, geometry).fault(occurrence);
 }
 
 }  // namespace twinray

@@ -3,15 +3,17 @@
 #pragma once
 #include <string>
 
+#include "accel/bvh/invariants.h"
 #include "accel/wide/node.h"
 #include "core/geometry.h"
 
 namespace twinray {
 
-/// What is wrong with a tree over a geometry, in one sentence; empty where all holds: every primitive lies in
-/// exactly one block, every block and node has exactly one parent (or is the root), nodes have two children
-/// at least and those come first, each box contains those of its children and of its primitives, what is no
-/// child has an empty box, and no leaf is deeper than max_wide_depth.
-std::string find_fault(const WideBvh& bvh, const Geometry& geometry);
+/// What is wrong with a tree over a geometry, in one sentence; empty where all holds: every primitive, with
+/// the widening of padded(), lies in blocks as often as it should, every block and node has exactly one
+/// parent (or is the root), nodes have two children at least and those come first, each box contains those of
+/// its children, what is no child has an empty box, and no leaf is deeper than max_wide_depth.
+std::string find_fault(const WideBvh& bvh, const Geometry& geometry,
+                       Occurrence occurrence = Occurrence::once);
 
 }  // namespace twinray

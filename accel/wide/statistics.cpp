@@ -19,7 +19,6 @@ class Survey {
     stats_.depth = std::max(stats_.depth, depth);
     if (ref.is_block()) {
       ++stats_.leaves;
-      stats_.primitives += bvh_.blocks[ref.index()].count;
       stats_.sah_cost += probability * cost_.leaf(bvh_.blocks[ref.index()].count);
       return;
     }

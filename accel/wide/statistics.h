@@ -6,7 +6,8 @@
 
 namespace twinray {
 
-/// Fills in everything but the phases. A node's traversal cost is counted once, not for each of its children.
+/// Fills in everything but the phases and the number of primitives. A node's traversal cost is counted once,
+/// not for each of its children.
 void add_statistics(const WideBvh& bvh, const BuildOptions& options, AccelStats& stats);
 
 }  // namespace twinray

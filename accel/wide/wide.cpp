@@ -36,6 +36,7 @@ class WideAccelerator final : public Accelerator {
       : geometry_(std::move(geometry)), kernel_(chosen_kernel(test, options.simd)) {
     bvh_ = make_wide_bvh(*geometry_, options, stats_.phases);
     add_statistics(bvh_, options, stats_);
+    stats_.primitives = geometry_->primitive_count();
   }
 
   Aabb bounds() const noexcept override { return geometry_->bounds(); }

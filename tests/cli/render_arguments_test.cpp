@@ -56,8 +56,8 @@ TEST_CASE("Embree's builders go with the bvh engine, and exclude the options of 
         "--bvh-split and --bvh-bins go with --bvh-builder=own");
   CHECK(message_of({"--accel=bvh", "--bvh-builder=embree-low", "--max-leaf-size=33"}) ==
         "--max-leaf-size: Embree's builders make leaves of up to 32 primitives");
-  CHECK(message_of({"--bvh-builder=embree-high"}) ==
-        "--bvh-builder: there is no \"embree-high\"; valid are own, embree-low, embree-medium");
+  CHECK(message_of({"--bvh-builder=embree"}) ==
+        "--bvh-builder: there is no \"embree\"; valid are own, embree-low, embree-medium, embree-high");
 #else
   CHECK(message_of({"--bvh-builder=embree-low"}) ==
         "--bvh-builder: there is no \"embree-low\"; valid are own");
