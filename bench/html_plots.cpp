@@ -104,8 +104,7 @@ std::string speed_plots(const Results& results) {
 std::string growth_plots(const Results& results) {
   std::string html;
   for (const auto& [family, scenes] : families(results)) {
-    Curves curves{.x_label = "triangles",
-                  .y_label = "nanoseconds per ray (CPU, geometric mean over the ray sets)"};
+    Curves curves{.x_label = "triangles", .y_label = "nanoseconds per ray, mean of the ray sets"};
     curves.series =
         series_of(results, scenes, [](const auto& scene, const auto& engine, double, auto& marks) {
           const Quartiles q = quartiles(engine.mean_nanoseconds());

@@ -14,4 +14,7 @@ std::string growth_plots(const Results& results);
 /// Speed over build time, both against the baseline: one dot for each engine and scene.
 std::string build_plot(const Results& results);
 
+/// Whole pictures: a table, the error over time, and what threads give. Empty where none were rendered.
+std::string whole_section(const Results& results);
+
 }  // namespace twinray::bench

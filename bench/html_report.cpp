@@ -119,6 +119,7 @@ std::string html_report(const Results& results) {
   if (const std::string growth = growth_plots(results); !growth.empty())
     html += "<h2>Growth with the number of triangles</h2>\n" + growth;
   html += "<h2>Build time against speed</h2>\n" + build_plot(results);
+  html += whole_section(results);
   html +=
       "<h2>Rays per second, and what a ray meets</h2>\n<p>Nodes and primitive tests are counted by a "
       "traversal of "

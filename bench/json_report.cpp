@@ -42,6 +42,44 @@ Json to_json(const EngineFigures& engine) {
   return json;
 }
 
+Json to_json(const PictureOfScene& picture) {
+  Json json{{"scene", picture.scene}, {"samples", picture.samples}, {"engines", Json::array()}};
+  for (const PictureFigures& engine : picture.engines)
+    json["engines"].push_back({{"name", engine.engine},
+                               {"seconds", spread(engine.seconds)},
+                               {"speed", spread(engine.speed)},
+                               {"replay_seconds", spread(engine.replay_seconds)},
+                               {"all_threads_seconds", spread(engine.wall_seconds)}});
+  return json;
+}
+
+Json to_json(const ErrorFigures& error) {
+  Json json{{"scene", error.scene},
+            {"engine", error.engine},
+            {"reference_samples", error.reference_samples},
+            {"points", Json::array()}};
+  for (const ErrorPoint& point : error.points)
+    json["points"].push_back(
+        {{"samples", point.samples}, {"seconds", spread(point.seconds)}, {"relative_error", point.error}});
+  return json;
+}
+
+Json to_json(const ScalingFigures& scaling) {
+  Json json{{"scene", scaling.scene}, {"engine", scaling.engine}, {"points", Json::array()}};
+  for (const ScalingPoint& point : scaling.points)
+    json["points"].push_back({{"threads", point.threads},
+                              {"samples_per_second", spread(point.rate)},
+                              {"processes_samples_per_second", spread(point.processes_rate)}});
+  return json;
+}
+
+template <class Figures>
+Json list(const std::vector<Figures>& all) {
+  Json json = Json::array();
+  for (const Figures& figures : all) json.push_back(to_json(figures));
+  return json;
+}
+
 }  // namespace
 
 std::string json_report(const Results& results) {
@@ -58,6 +96,9 @@ std::string json_report(const Results& results) {
                               {"primitives", scene.primitives},
                               {"engines", engines}});
   }
+  json["pictures"] = list(results.pictures);
+  json["errors"] = list(results.errors);
+  json["scaling"] = list(results.scalings);
   return json.dump(1) + "\n";
 }
 

@@ -40,10 +40,26 @@ void write_reports(const Options& options, const Results& results) {
   if (!options.html_file.empty()) write_text_file(options.html_file, html_report(results));
 }
 
+/// Growth is a matter of rays; pictures are made of the scenes that are looked at.
+bool is_rendered(const SceneSource& source) { return source.family.empty() || source.name == source.family; }
+
+void measure_whole(const Workload& workload, const Options& options, Progress& progress, Results& results) {
+  progress.show("whole pictures");
+  results.pictures.push_back(measure_pictures(workload, options.whole));
+  if (workload.source().name != "box" && workload.source().name != "room") return;
+  progress.show("threads and processes");
+  for (ScalingFigures& scaling : measure_scaling(workload, options.whole))
+    results.scalings.push_back(std::move(scaling));
+  if (workload.source().name != "box") return;
+  progress.show("error over time");
+  results.errors = measure_error(workload, options.whole);
+}
+
 int measure(const Options& options) {
   for (const std::string& file : {options.json_file, options.csv_file, options.html_file})
     if (!file.empty()) check_output(file);
-  Results results{describe_machine(), options.trace.rounds.count, options.width, options.height, {}};
+  Results results{
+      describe_machine(), options.trace.rounds.count, options.width, options.height, {}, {}, {}, {}};
   const std::vector<SceneSource> sources = choose_scenes(options.scenes);
   Progress progress;
   bool all_sound = true;
@@ -54,17 +70,27 @@ int measure(const Options& options) {
     results.scenes.push_back(
         measure_scene(workload, options.trace, [&](const std::string& doing) { progress.show(doing); }));
     all_sound = all_sound && is_sound(results.scenes.back());
+    const bool has_picture = options.has_renders && is_rendered(sources[i]);
+    if (has_picture) measure_whole(workload, options, progress, results);
     progress.finish();
-    fmt::print("{}\n", text_report(results.scenes.back()));
+    fmt::print("{}{}\n", text_report(results.scenes.back()),
+               has_picture ? text_report(results.pictures.back()) : "");
     std::fflush(stdout);
     write_reports(options, results);  // Whoever stops a long run keeps what there is.
   }
   return all_sound ? 0 : 1;
 }
 
+int serve(const Options& options) {
+  for (const SceneSource& source : choose_scenes(options.scenes))
+    if (source.name == options.worker[0]) serve_renders(source, options.worker[1], options.whole);
+  return 0;
+}
+
 int run(const std::vector<std::string>& words) {
   const std::optional<Options> options = parse_options(words);
   if (!options) return 0;
+  if (!options->worker.empty()) return serve(*options);
   if (!options->picture) return measure(*options);
   const std::vector<SceneSource> sources = choose_scenes(options->scenes);
   if (sources.size() != 1) throw Error("--picture wants one scene: name it by --only='^name$'");

@@ -36,10 +36,12 @@ struct Effort {
   int width, height;
   std::size_t divisor;  ///< Of the generated scenes' sizes.
   const char* sizes;
+  int render_rounds;
+  std::uint32_t most_samples;
 };
-constexpr Effort usual{7, 0.03, 3, 288, 216, 1, "1e4,1e5,1e6"};
-constexpr Effort quick{3, 0.002, 1, 96, 72, 10, "1e4,3e4,1e5"};
-constexpr Effort full{15, 0.1, 5, 384, 288, 1, "1e4,3e4,1e5,3e5,1e6,3e6,1e7"};
+constexpr Effort usual{7, 0.03, 3, 288, 216, 1, "1e4,1e5,1e6", 5, 64};
+constexpr Effort quick{3, 0.002, 1, 96, 72, 10, "1e4,3e4,1e5", 2, 16};
+constexpr Effort full{15, 0.1, 5, 384, 288, 1, "1e4,3e4,1e5,3e5,1e6,3e6,1e7", 11, 512};
 
 struct Words {
   bool is_quick = false, is_full = false, has_no_renders = false;
@@ -74,6 +76,7 @@ void add_options(CLI::App& app, Options& options, Words& words) {
   app.add_option("--samples", words.samples, "Of the picture, per pixel (16)")
       ->type_name("N")
       ->check(CLI::Range(1, 1 << 20));
+  app.add_option("--worker", options.worker, "For the program itself")->expected(2)->group("");
   app.set_help_flag("-h,--help", "Print this help");
 }
 
@@ -88,6 +91,10 @@ void apply(const Words& words, Options& options) {
   options.height = effort.height;
   options.scenes.size_divisor = effort.divisor;
   options.scenes.sizes = parse_sizes(words.sizes.empty() ? effort.sizes : words.sizes);
+  options.whole.width = effort.width;
+  options.whole.height = effort.height;
+  options.whole.rounds = std::min(effort.render_rounds, options.trace.rounds.count);
+  options.whole.most_samples = effort.most_samples;
   options.has_renders = !words.has_no_renders;
   if (!words.picture.empty()) options.picture = PictureOrder{words.picture, words.samples};
 }
@@ -118,6 +125,9 @@ std::optional<Options> parse_options(const std::vector<std::string>& arguments) 
     throw Error(error.what());
   }
   apply(words, options);
+  options.whole.worker_command = {"/proc/self/exe"};
+  options.whole.worker_command.insert(options.whole.worker_command.end(), arguments.begin(), arguments.end());
+  options.whole.worker_command.push_back("--worker");
   return options;
 }
 

@@ -6,6 +6,7 @@
 
 #include "bench/catalog.h"
 #include "bench/trace.h"
+#include "bench/whole.h"
 
 namespace twinray::bench {
 
@@ -20,8 +21,10 @@ struct Options {
   TraceOptions trace;
   int width = 288, height = 216;  ///< Of the picture whose rays are recorded.
   bool has_renders = true;
+  WholeOptions whole;
   std::string json_file, csv_file, html_file;
   std::optional<PictureOrder> picture;  ///< Instead of measuring.
+  std::vector<std::string> worker;  ///< Instead of measuring: the scene and the engine of serve_renders().
 };
 
 /// Nothing where help was asked for, and printed. Throws Error, with what is wrong, for a command line that

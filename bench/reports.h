@@ -9,6 +9,8 @@ namespace twinray::bench {
 
 /// A table for people: speeds against the baseline, one line for each scene and engine.
 std::string text_report(const SceneFigures& scene);
+/// The same for whole pictures.
+std::string text_report(const PictureOfScene& picture);
 /// Everything, every round.
 std::string json_report(const Results& results);
 /// One line for each scene, engine and ray set, and one ("all") for the geometric mean over the sets.

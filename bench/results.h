@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/figures.h"
+#include "bench/whole.h"
 
 namespace twinray::bench {
 
@@ -14,6 +15,9 @@ struct Results {
   int rounds = 0;
   int width = 0, height = 0;  ///< Of the picture whose rays were recorded.
   std::vector<SceneFigures> scenes;
+  std::vector<PictureOfScene> pictures;
+  std::vector<ErrorFigures> errors;
+  std::vector<ScalingFigures> scalings;
 };
 
 }  // namespace twinray::bench

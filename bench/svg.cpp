@@ -191,7 +191,9 @@ std::string draw(const Curves& curves) {
   const Scale x(xs.low, xs.high, left, right, true), y(ys.low, ys.high, bottom, top, true);
   std::string body;
   for (const double tick : x.ticks())
-    body += line(x(tick), top, x(tick), bottom, "grid") + text(x(tick), bottom + 16, "middle", number(tick));
+    if (!curves.has_whole_x || tick == std::floor(tick))
+      body +=
+          line(x(tick), top, x(tick), bottom, "grid") + text(x(tick), bottom + 16, "middle", number(tick));
   for (const double tick : y.ticks())
     body += line(left, y(tick), right, y(tick), "grid") + text(left - 6, y(tick) + 4, "end", number(tick));
   if (curves.reference_y > 0) body += line(left, y(curves.reference_y), right, y(curves.reference_y), "one");

@@ -32,6 +32,7 @@ struct Curves {
   bool is_joined = true;  ///< A line through the marks of a series, in the order of x; low and high are of y.
   double reference_y = 0;  ///< Where > 0, a dashed line across.
   double reference_x = 0;
+  bool has_whole_x = false;  ///< x counts things: no ticks between them.
 };
 std::string draw(const Curves& curves);
 

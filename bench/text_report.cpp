@@ -38,4 +38,18 @@ std::string text_report(const SceneFigures& scene) {
   return text;
 }
 
+std::string text_report(const PictureOfScene& picture) {
+  std::string text =
+      fmt::format("{}: a picture of {:.0f} samples, CPU seconds on one thread; in it rays alone\n",
+                  picture.scene, picture.samples);
+  for (const PictureFigures& engine : picture.engines) {
+    const Quartiles speed = quartiles(engine.speed);
+    text +=
+        fmt::format("{:<20} {:7.3f} s  {:7.3f} s  speed {:.3f} [{:.3f} {:.3f}]  all threads {:.3f} s\n",
+                    engine.engine, quartiles(engine.seconds).median, quartiles(engine.replay_seconds).median,
+                    speed.median, speed.low, speed.high, quartiles(engine.wall_seconds).median);
+  }
+  return text;
+}
+
 }  // namespace twinray::bench

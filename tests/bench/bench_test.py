@@ -79,6 +79,24 @@ class Reports(unittest.TestCase):
         for name in ("processor", "threads", "governor", "load", "compiler", "flags", "libraries"):
             self.assertTrue(self.json["machine"][name], name)
 
+    def test_pictures_are_rendered_and_their_error_falls(self):
+        self.assertEqual([picture["scene"] for picture in self.json["pictures"]], ["box", "room"])
+        for picture in self.json["pictures"]:
+            for engine in picture["engines"]:
+                self.assertGreater(min(engine["seconds"]["q1"], engine["replay_seconds"]["q1"]), 0)
+        for error in self.json["errors"]:
+            self.assertEqual([point["samples"] for point in error["points"]], [1, 2, 4, 8, 16])
+            first, last = error["points"][0], error["points"][-1]
+            self.assertGreater(first["relative_error"], 2 * last["relative_error"])
+
+    def test_threads_are_compared_with_processes(self):
+        self.assertEqual({scaling["scene"] for scaling in self.json["scaling"]}, {"box", "room"})
+        for scaling in self.json["scaling"]:
+            self.assertEqual(scaling["points"][0]["threads"], 1)
+            self.assertEqual(str(scaling["points"][-1]["threads"]), self.json["machine"]["threads"])
+            for point in scaling["points"]:
+                self.assertGreater(point["processes_samples_per_second"]["q1"], 0)
+
     def test_the_table_has_a_line_for_each_scene_engine_and_ray_set(self):
         rows = list(csv.DictReader(self.text["csv"].splitlines()))
         engines = sum(len(scene["engines"]) for scene in self.json["scenes"])
