@@ -51,6 +51,11 @@ std::vector<Engine> table() {
        {.bvh_builder = BvhBuilder::embree_medium},
        full,
        "our BVH over Embree's binned builder"},
+      {"bvh-embree-high",
+       Backend::bvh,
+       {.bvh_builder = BvhBuilder::embree_high},
+       full,
+       "and with spatial splits"},
       {"brute-force", Backend::brute_force, {}, small, "every ray against every primitive"},
   };
 }
