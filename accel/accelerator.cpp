@@ -13,9 +13,9 @@
 namespace twinray {
 namespace {
 
-// Member by member: copying what was just written in parts stalls.
-Hit scaled_back(const Hit& hit, const CheckedRay& ray) {
-  return {float(hit.t * ray.t_scale), hit.u, hit.v, hit.primitive, hit.mesh, hit.instance};
+/// Gives a hit's t the caller's units.
+void scale_back(Hit& hit, const CheckedRay& ray) {
+  if (ray.t_scale != 1) hit.t = float(hit.t * ray.t_scale);
 }
 
 constexpr std::array<std::pair<Backend, const char*>, 4> backend_names{
@@ -50,8 +50,15 @@ void check_options(const BuildOptions& options) {
 
 Hit Accelerator::closest_hit(const Ray& ray) const noexcept {
   CheckedRay checked;
-  if (!load_ray(ray, checked)) return {};
-  return scaled_back(trace_closest(checked), checked);
+  return load_ray(ray, checked) ? closest_of(checked) : Hit();
+}
+
+// One variable that every path returns: the hit is written where it goes, for copying what was just written
+// in parts stalls.
+Hit Accelerator::closest_of(const CheckedRay& ray) const noexcept {
+  Hit hit = trace_closest(ray);
+  scale_back(hit, ray);
+  return hit;
 }
 
 bool Accelerator::any_hit(const Ray& ray) const noexcept {
@@ -62,7 +69,9 @@ bool Accelerator::any_hit(const Ray& ray) const noexcept {
 Hit Accelerator::closest_hit(const Ray& ray, QueryCounts& counts) const noexcept {
   CheckedRay checked;
   if (!load_ray(ray, checked)) return {};
-  return scaled_back(count_closest(checked, counts), checked);
+  Hit hit = count_closest(checked, counts);
+  scale_back(hit, checked);
+  return hit;
 }
 
 bool Accelerator::any_hit(const Ray& ray, QueryCounts& counts) const noexcept {

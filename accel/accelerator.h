@@ -75,6 +75,8 @@ class Accelerator {
   Accelerator() = default;
 
  private:
+  Hit closest_of(const CheckedRay& ray) const noexcept;
+
   // t in these answers is that of the scaled ray; the callers above scale it back.
   virtual Hit trace_closest(const CheckedRay& ray) const noexcept = 0;
   virtual bool trace_any(const CheckedRay& ray) const noexcept = 0;

@@ -38,7 +38,7 @@ struct BuildOptions {
 
   /// bvh only: children of a node, 2 or 8. 8: the fast tree; 2: the readable one, whose counts compare.
   int bvh_width = 8;
-  /// bvh of width 8 only: the instruction set of its traversal, one of available_instruction_sets().
+  /// bvh of width 8 and the leaves of embree: their instruction set, one of available_instruction_sets().
   std::string simd = "best";
   BvhSplit bvh_split = BvhSplit::sah;
   int bvh_bins = 32;                         ///< 2 to 256.

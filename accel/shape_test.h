@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Private: the canonical test of one primitive of a geometry, named by its ids.
 #pragma once
+#include <compare>
 #include <cstdint>
 
 #include "accel/build_options.h"
@@ -16,6 +17,7 @@ namespace twinray {
 /// A primitive by its ids: shape and index within the shape.
 struct PrimitiveId {
   std::uint32_t mesh, primitive;
+  friend auto operator<=>(const PrimitiveId&, const PrimitiveId&) = default;
 };
 
 /// The box of one primitive.

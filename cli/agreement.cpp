@@ -143,6 +143,9 @@ std::vector<AgreementEngine> masked_engines() {
   for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512", "default"})
     if (isa != BuildOptions{}.embree_isa)
       engines.push_back({fmt::format("embree {}", isa), Backend::embree, {.embree_isa = isa}, {2}});
+  for (const std::string& simd : available_instruction_sets())
+    if (simd != BuildOptions{}.simd)
+      engines.push_back({fmt::format("embree, {} leaves", simd), Backend::embree, {.simd = simd}, {2}});
   return engines;
 }
 

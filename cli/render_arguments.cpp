@@ -189,7 +189,9 @@ void add_engine_options(CLI::App& app, RenderArguments& arguments, RawArguments&
   add_choice<std::optional<int>>(app, "--bvh-width", raw.bvh_width, {{"2", 2}, {"8", 8}},
                                  "bvh: children of a node (8; 2 to count)")
       ->group(group);
-  add_choice<std::string>(app, "--simd", build.simd, simd_choices(), "bvh of width 8 (best)")->group(group);
+  add_choice<std::string>(app, "--simd", build.simd, simd_choices(),
+                          "bvh of width 8, leaves of embree (best)")
+      ->group(group);
   add_choice<BvhSplit>(app, "--bvh-split", build.bvh_split,
                        {{"sah", BvhSplit::sah},
                         {"median", BvhSplit::median},
@@ -364,8 +366,10 @@ void resolve(const RawArguments& raw, RenderArguments& arguments) {
   check_builder(arguments);
   choose_cost(raw.cost, arguments);
   choose_width(raw.bvh_width, arguments);
-  if (arguments.build.simd != "best" && (arguments.backend != Backend::bvh || arguments.build.bvh_width != 8))
-    throw UsageError("--simd goes with --accel=bvh and --bvh-width=8");
+  const bool has_kernels = arguments.backend == Backend::embree ||
+                           (arguments.backend == Backend::bvh && arguments.build.bvh_width == 8);
+  if (arguments.build.simd != "best" && !has_kernels)
+    throw UsageError("--simd goes with --accel=embree, and with --accel=bvh of --bvh-width=8");
   choose_check(raw, arguments);
   if (arguments.build.triangle_test == TriangleTest::moller_trumbore && arguments.backend != Backend::bvh &&
       arguments.backend != Backend::brute_force)

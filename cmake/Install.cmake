@@ -8,6 +8,7 @@ include(CMakePackageConfigHelpers)
 # with "// Private"; a test compares, and sees that no public header includes one of them.
 set(private_headers
   accel/backends.h
+  accel/block_test-inl.h
   accel/bvh/box_lanes.h
   accel/bvh/build.h
   accel/bvh/cost_model.h
@@ -22,9 +23,11 @@ set(private_headers
   accel/embree/builder.h
   accel/embree/device.h
   accel/embree/embree.h
+  accel/embree/leaf.h
   accel/embree/ray.h
   accel/exact.h
-  accel/lanes.h
+  accel/instruction_sets.h
+  accel/nearest.h
   accel/phase_timer.h
   accel/shape_test.h
   accel/triangle_block.h
@@ -37,6 +40,7 @@ set(private_headers
   accel/wide/statistics.h
   core/checked_ray.h
   core/fork_join.h
+  core/lanes.h
   core/moller_trumbore.h
   core/slab.h
   core/sphere.h

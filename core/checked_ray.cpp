@@ -3,57 +3,58 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 
 namespace twinray {
 namespace {
 
 constexpr float max_origin = 0x1p60f;
+/// Between these lies the largest component of a direction that is taken as it is.
+constexpr float min_direction = 0x1p-40f, max_direction = 0x1p40f;
 
-/// A direction component for the slab test: never closer to zero than 2^-60 of the largest one, so that the
-/// reciprocal stays finite; what that moves a ray by is far below slab_margin.
-float slab_component(float d, float largest) {
-  return std::copysign(std::max(std::fabs(d), largest * 0x1p-60f), d);
+/// `origin` and `direction` each have the number in their last lane that follows in the ray: the direction's
+/// x, and t_min.
+bool is_valid(const Ray& ray, Float4 origin, Float4 direction) {
+  constexpr float finite = std::numeric_limits<float>::max();
+  const Int4 in_range =
+      (abs(origin) <= Float4{max_origin, max_origin, max_origin, finite}) & (abs(direction) <= finite);
+  return mask_bits(in_range) == 0xf && (ray.t_min >= 0) & (ray.t_min <= ray.t_max);
 }
 
-bool is_valid(const Ray& ray) {
-  return max_abs(ray.origin) <= max_origin && is_finite(ray.origin) && is_finite(ray.direction) &&
-         max_abs(ray.direction) > 0 && ray.t_min >= 0 && ray.t_min <= ray.t_max && std::isfinite(ray.t_min);
-}
-
-void load_direction(const Ray& ray, CheckedRay& checked) {
-  constexpr float infinite = std::numeric_limits<float>::max();
-  const float largest = max_abs(ray.direction);
-  checked.direction = ray.direction;
-  checked.t_min = ray.t_min;
-  checked.t_max = std::min(ray.t_max, infinite);
-  checked.t_scale = 1;
-  if (largest >= 0x1p-40f && largest <= 0x1p40f) return;
+/// Brings a direction of any length into range, and t with it; false for the zero vector.
+[[gnu::noinline, gnu::cold]] bool scale_direction(CheckedRay& checked) {
+  const float largest = max_abs(checked.direction);
+  if (largest == 0) return false;
   const int k = std::ilogb(largest);
-  for (int axis = 0; axis < 3; ++axis) checked.direction[axis] = std::ldexp(ray.direction[axis], -k);
+  for (int axis = 0; axis < 3; ++axis) checked.direction[axis] = std::ldexp(checked.direction[axis], -k);
   checked.t_min = std::ldexp(checked.t_min, k);
-  checked.t_max = std::min(std::ldexp(checked.t_max, k), infinite);
+  checked.t_max = std::min(std::ldexp(checked.t_max, k), std::numeric_limits<float>::max());
   checked.t_scale = std::ldexp(1.0, -k);
+  return true;
 }
 
 // No branch on the direction: they are mispredicted for every other bounce ray.
 
-void load_slab(CheckedRay& checked) {
-  const float largest = max_abs(checked.direction);
-  const float shift = max_abs(checked.origin) * slab_margin;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float forward = std::copysign(shift, checked.direction[axis]);
-    const float inverse = 1.0f / slab_component(checked.direction[axis], largest);
-    checked.is_negative[axis] = std::signbit(checked.direction[axis]);
-    checked.near_origin[axis] = checked.origin[axis] + forward;
-    checked.far_origin[axis] = checked.origin[axis] - forward;
-    checked.near_inverse[axis] = inverse * (1.0f - slab_margin);
-    checked.far_inverse[axis] = inverse * (1.0f + slab_margin);
-  }
+/// `largest`: the direction's largest component, in every lane.
+void load_slab(CheckedRay& checked, Float4 origin, Float4 direction, Float4 largest) {
+  const Int4 sign = Int4(direction) & std::numeric_limits<std::int32_t>::min();
+  const Float4 forward = Float4(Int4(largest_of_three(abs(origin)) * slab_margin) | sign);
+  // Never closer to zero than 2^-60 of the largest one, so that the reciprocal stays finite; what that moves
+  // a ray by is far below slab_margin.
+  const Float4 inverse = 1.0f / Float4(Int4(max(abs(direction), largest * 0x1p-60f)) | sign);
+  checked.is_negative = (sign >> 31) & 1;
+  checked.near_origin = origin + forward;
+  checked.far_origin = origin - forward;
+  checked.near_inverse = inverse * (1.0f - slab_margin);
+  checked.far_inverse = inverse * (1.0f + slab_margin);
 }
 
-void load_shear(CheckedRay& checked) {
-  const float d[3] = {checked.direction.x, checked.direction.y, checked.direction.z};
+void load_shear(CheckedRay& checked, Float4 origin, Float4 direction) {
+  float o[4], d[4];
+  std::memcpy(o, &origin, sizeof o);
+  std::memcpy(d, &direction, sizeof d);
   const float x = std::fabs(d[0]), y = std::fabs(d[1]), z = std::fabs(d[2]);
   const bool is_x = (x > y) & (x > z), is_y = !(x > y) & (y > z);
   constexpr int next[3] = {1, 2, 0};
@@ -63,16 +64,31 @@ void load_shear(CheckedRay& checked) {
   checked.sx = d[checked.kx] / d[checked.kz];
   checked.sy = d[checked.ky] / d[checked.kz];
   checked.sz = 1.0f / d[checked.kz];
+  checked.ox = o[checked.kx];
+  checked.oy = o[checked.ky];
+  checked.oz = o[checked.kz];
 }
 
 }  // namespace
 
 bool load_ray(const Ray& ray, CheckedRay& checked) noexcept {
-  if (!is_valid(ray)) return false;
+  static_assert(offsetof(Ray, direction) == 12 && offsetof(Ray, t_min) == 24 && sizeof(Ray) >= 28);
+  const Float4 origin = load(&ray.origin.x);
+  Float4 direction = load(&ray.direction.x);
+  if (!is_valid(ray, origin, direction)) return false;
   checked.origin = ray.origin;
-  load_direction(ray, checked);
-  load_slab(checked);
-  load_shear(checked);
+  checked.direction = ray.direction;
+  checked.t_min = ray.t_min;
+  checked.t_max = std::min(ray.t_max, std::numeric_limits<float>::max());
+  checked.t_scale = 1;
+  Float4 largest = largest_of_three(abs(direction));
+  if (!(largest[0] >= min_direction && largest[0] <= max_direction)) {
+    if (!scale_direction(checked)) return false;
+    direction = Float4{checked.direction.x, checked.direction.y, checked.direction.z, 0};
+    largest = largest_of_three(abs(direction));
+  }
+  load_slab(checked, origin, direction, largest);
+  load_shear(checked, origin, direction);
   return true;
 }
 

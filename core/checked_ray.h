@@ -6,6 +6,7 @@
 // whose largest component lies outside [2^-40, 2^40] is scaled by a power of two, and t with it; t is scaled
 // back on a hit.
 #pragma once
+#include "core/lanes.h"
 #include "core/ray.h"
 #include "core/vec.h"
 
@@ -20,14 +21,16 @@ struct CheckedRay {
   /// of float end before the directions do.
   double t_scale;
 
-  // Slab test: the origin moved by its share of the rounding bound, and the reciprocal scaled by its own.
-  Vec3 near_origin, far_origin;
-  Vec3 near_inverse, far_inverse;
-  bool is_negative[3];  ///< The direction's sign bits; -0.0 counts as negative.
+  // Slab test, in the first three lanes: the origin moved by its share of the rounding bound, and the
+  // reciprocal scaled by its own.
+  Float4 near_origin, far_origin;
+  Float4 near_inverse, far_inverse;
+  Int4 is_negative;  ///< 1 where the direction's sign bit is set; -0.0 counts as negative.
 
   // Woop's shear: the axes turned so that kz is the dominant one, and the direction brought to (0, 0, 1).
   int kx, ky, kz;
   float sx, sy, sz;
+  float ox, oy, oz;  ///< The origin's components kx, ky, kz.
 };
 
 /// Fills `checked`; false for an invalid ray, which is a miss.

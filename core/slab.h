@@ -54,6 +54,12 @@ inline bool clamp_to_box(const CheckedRay& ray, const Aabb& bounds, float t_max,
   return t >= ray.t_min && t <= t_max;
 }
 
+/// From this size on, the largest coordinate of a triangle's box, is_within_box() is true of every t that the
+/// rest of the triangle's test accepts, and need not be asked: the derivation of slab_margin counts relative
+/// errors, and what underflow adds to them, at most 2^-126 / min_direction = 2^-86 along the ray, is then
+/// below one u of it (u = 2^-24), which the rounding that it counts leaves free.
+inline constexpr float min_proved_size = 0x1p-56f;
+
 /// Whether a triangle's hit at `t` lies within [near, far] of its own box, so that no tree can cull the box
 /// and keep the hit. By the derivation of slab_margin it always does; this makes it so by construction.
 inline bool is_within_box(const CheckedRay& ray, const Aabb& bounds, float t) {

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstring>
 
-#include "accel/lanes.h"
 #include "core/aabb.h"
+#include "core/lanes.h"
 
 namespace twinray {
 

@@ -8,7 +8,7 @@
 namespace twinray {
 namespace {
 
-/// `test`: which triangle test the leaves run; blocks filter for Woop's alone.
+/// `test`: which triangle test the leaves run.
 template <TriangleTest test>
 class BvhAccelerator final : public Accelerator {
  public:
@@ -36,9 +36,8 @@ class BvhAccelerator final : public Accelerator {
   Hit closest(const CheckedRay& ray, Counts counts) const {
     Hit best;
     float t_max = ray.t_max;
-    const LaneRay lane_ray(ray);
     traverse(bvh_, ray, t_max, counts, [&](const TriangleBlock& block) {
-      test_block<QueryKind::closest, test>(*geometry_, ray, lane_ray, block, best);
+      test_block<QueryKind::closest, test>(*geometry_, ray, block, best);
       t_max = std::min(t_max, best.t);
       return false;
     });
@@ -48,9 +47,8 @@ class BvhAccelerator final : public Accelerator {
   template <typename Counts>
   bool any(const CheckedRay& ray, Counts counts) const {
     Hit found;
-    const LaneRay lane_ray(ray);
     traverse(bvh_, ray, ray.t_max, counts, [&](const TriangleBlock& block) {
-      test_block<QueryKind::any, test>(*geometry_, ray, lane_ray, block, found);
+      test_block<QueryKind::any, test>(*geometry_, ray, block, found);
       return !found.is_miss();
     });
     return !found.is_miss();

@@ -14,7 +14,7 @@
 
 #include "accel/bvh/node.h"
 #include "accel/counters.h"
-#include "accel/lanes.h"
+#include "core/lanes.h"
 
 namespace twinray {
 

@@ -14,7 +14,9 @@
 #include "accel/embree/bounds.h"
 #include "accel/embree/device.h"
 #include "accel/embree/embree.h"
+#include "accel/embree/leaf.h"
 #include "accel/embree/ray.h"
+#include "accel/instruction_sets.h"
 #include "accel/phase_timer.h"
 
 namespace twinray {
@@ -23,53 +25,6 @@ namespace {
 /// By how much tfar lies behind a hit, and tnear before t_min: far above the 32 u (u = 2^-24) to which
 /// Embree's and the canonical parameters of one plane differ relatively.
 constexpr float slack = 0x1p-14f;
-
-/// A query on its way through Embree.
-struct Query : embree::Context {
-  const Bvh& bvh;
-  const Geometry& geometry;
-  const CheckedRay& ray;
-  const LaneRay lane_ray;
-  const float t_far_scale;  ///< Multiplies a hit's t into a tfar.
-  QueryCounts* const counts;
-  Hit& best;
-
-  // A constructor, for an aggregate is filled with zeros first.
-  Query(const Bvh& tree, const Geometry& shapes, const CheckedRay& checked, float scale, QueryCounts* sums,
-        Hit& hit)
-      : bvh(tree),
-        geometry(shapes),
-        ray(checked),
-        lane_ray(checked),
-        t_far_scale(scale),
-        counts(sums),
-        best(hit) {
-    embree::initialize(*this);
-  }
-
-  template <QueryKind kind>
-  void test(unsigned block) {
-    if (counts) {
-      ++counts->leaves;
-      counts->primitives += bvh.blocks[block].count;
-    }
-    test_block<kind>(geometry, ray, lane_ray, bvh.blocks[block], best);
-  }
-};
-
-void intersect_block(const RTCIntersectFunctionNArguments* arguments) {
-  Query& query = *static_cast<Query*>(arguments->context);
-  const float before = query.best.t;
-  query.test<QueryKind::closest>(arguments->primID);
-  if (query.best.t < before)
-    reinterpret_cast<RTCRayHit*>(arguments->rayhit)->ray.tfar = query.best.t * query.t_far_scale + 0.0f;
-}
-
-void occlude_block(const RTCOccludedFunctionNArguments* arguments) {
-  Query& query = *static_cast<Query*>(arguments->context);
-  query.test<QueryKind::any>(arguments->primID);
-  if (query.best) reinterpret_cast<RTCRay*>(arguments->ray)->tfar = -Aabb::infinity;
-}
 
 /// Leaves of one block each, as full as can be: 95 bytes a triangle instead of 114 at the same speed.
 BuildOptions block_options(const BuildOptions& options) {
@@ -81,6 +36,7 @@ class EmbreeAccelerator final : public Accelerator {
  public:
   EmbreeAccelerator(std::shared_ptr<const Geometry> geometry, const BuildOptions& options, float widening)
       : geometry_(std::move(geometry)),
+        leaf_(chosen(embree::leaf_functions(), options.simd)),
         device_(embree::configuration(options)),
         scene_(rtcNewScene(device_.get())) {
     bvh_ = make_bvh(*geometry_, block_options(options), stats_.phases);
@@ -100,8 +56,8 @@ class EmbreeAccelerator final : public Accelerator {
     rtcSetGeometryUserPrimitiveCount(blocks.get(), unsigned(bvh_.blocks.size()));
     rtcSetGeometryUserData(blocks.get(), this);
     rtcSetGeometryBoundsFunction(blocks.get(), bound_block, nullptr);
-    rtcSetGeometryIntersectFunction(blocks.get(), intersect_block);
-    rtcSetGeometryOccludedFunction(blocks.get(), occlude_block);
+    rtcSetGeometryIntersectFunction(blocks.get(), leaf_.intersect);
+    rtcSetGeometryOccludedFunction(blocks.get(), leaf_.occlude);
     embree::attach(scene_.get(), std::move(blocks), 0);
     embree::commit(device_, scene_.get(), threads);
   }
@@ -121,31 +77,22 @@ class EmbreeAccelerator final : public Accelerator {
     return any(ray, &counts);
   }
 
-  // The hit is written where it is returned: copying what was just written in parts stalls.
   Hit closest(const CheckedRay& ray, QueryCounts* counts) const {
-    Hit best;
-    if (is_far(ray)) {
-      far_hit<QueryKind::closest>(ray, counts, best);
-      return best;
-    }
+    if (is_far(ray)) return far_hit<QueryKind::closest>(ray, counts);
     const float scale = length_scale(ray);
-    Query query(bvh_, *geometry_, ray, scale * (1 + slack), counts, best);
+    embree::LeafQuery query(bvh_.blocks.data(), *geometry_, ray, scale * (1 + slack), counts);
     RTCRayHit ray_hit = embree::without_hit(embree_ray(ray, scale));
     embree::intersect(scene_.get(), query, ray_hit);
-    return best;
+    return query.best.hit();
   }
 
   bool any(const CheckedRay& ray, QueryCounts* counts) const {
-    Hit found;
-    if (is_far(ray)) {
-      far_hit<QueryKind::any>(ray, counts, found);
-      return bool(found);
-    }
+    if (is_far(ray)) return bool(far_hit<QueryKind::any>(ray, counts));
     const float scale = length_scale(ray);
-    Query query(bvh_, *geometry_, ray, scale * (1 + slack), counts, found);
+    embree::LeafQuery query(bvh_.blocks.data(), *geometry_, ray, scale * (1 + slack), counts);
     RTCRay occlusion_ray = embree_ray(ray, scale);
     embree::occluded(scene_.get(), query, occlusion_ray);
-    return bool(found);
+    return query.is_hit;
   }
 
   bool is_far(const CheckedRay& ray) const { return max_abs(ray.origin) > scene_size_ * embree::reach; }
@@ -166,14 +113,19 @@ class EmbreeAccelerator final : public Accelerator {
 
   /// The answer of our own tree. Apart, for its stack is large.
   template <QueryKind kind>
-  [[gnu::noinline]] void far_hit(const CheckedRay& ray, QueryCounts* counts, Hit& best) const {
-    Query query(bvh_, *geometry_, ray, 1, counts, best);
+  [[gnu::noinline]] Hit far_hit(const CheckedRay& ray, QueryCounts* counts) const {
+    Hit best;
     float t_max = ray.t_max;
     traverse(bvh_, ray, t_max, NoCounts{}, [&](const TriangleBlock& block) {
-      query.test<kind>(unsigned(&block - bvh_.blocks.data()));
+      if (counts) {
+        ++counts->leaves;
+        counts->primitives += block.count;
+      }
+      test_block<kind>(*geometry_, ray, block, best);
       if (kind == QueryKind::closest) t_max = std::min(t_max, best.t);
       return kind == QueryKind::any && best;
     });
+    return best;
   }
 
   std::shared_ptr<const Geometry> geometry_;
@@ -181,6 +133,7 @@ class EmbreeAccelerator final : public Accelerator {
   float scene_size_ = 0;    ///< The largest coordinate of the scene.
   float widened_size_ = 0;  ///< The same, as the widening of the blocks' boxes takes it.
   AccelStats stats_;
+  embree::LeafFunctions leaf_;
   embree::Device device_;
   embree::Scene scene_;
 };

@@ -16,7 +16,7 @@ namespace twinray {
 
 /// The two queries over a tree of a geometry; t in the hit is that of the scaled ray.
 struct WideKernel {
-  std::string name;  ///< Of the instruction set: "AVX3", "AVX2", "SSE4", "scalar".
+  std::string name;  ///< Of the instruction set: "avx512", "avx2", "sse4", "scalar".
   Hit (*closest)(const WideBvh&, const Geometry&, const CheckedRay&);
   bool (*any)(const WideBvh&, const Geometry&, const CheckedRay&);
   /// The box test alone. Bit i: the ray meets the box of child i within [ray.t_min, t_max]; it enters it at
@@ -24,7 +24,8 @@ struct WideKernel {
   std::uint32_t (*meet)(const WideNode&, const CheckedRay&, float t_max, float entries[WideNode::width]);
 };
 
-/// The kernels that this machine can run, the fastest first and the scalar one last.
+/// The kernels that this machine can run, the fastest first and the scalar one last; the fast ones know
+/// TriangleTest::woop alone.
 std::vector<WideKernel> wide_kernels(TriangleTest test);
 
 }  // namespace twinray

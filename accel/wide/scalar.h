@@ -63,9 +63,8 @@ template <TriangleTest test>
 Hit scalar_closest(const WideBvh& bvh, const Geometry& geometry, const CheckedRay& ray, QueryCounts& counts) {
   Hit best;
   float t_max = ray.t_max;
-  const LaneRay lane_ray(ray);
   traverse_scalar(bvh, ray, t_max, counts, [&](const TriangleBlock& block) {
-    test_block<QueryKind::closest, test>(geometry, ray, lane_ray, block, best);
+    test_block<QueryKind::closest, test>(geometry, ray, block, best);
     t_max = std::min(t_max, best.t);
     return false;
   });
@@ -76,9 +75,8 @@ Hit scalar_closest(const WideBvh& bvh, const Geometry& geometry, const CheckedRa
 template <TriangleTest test>
 bool scalar_any(const WideBvh& bvh, const Geometry& geometry, const CheckedRay& ray, QueryCounts& counts) {
   Hit found;
-  const LaneRay lane_ray(ray);
   traverse_scalar(bvh, ray, ray.t_max, counts, [&](const TriangleBlock& block) {
-    test_block<QueryKind::any, test>(geometry, ray, lane_ray, block, found);
+    test_block<QueryKind::any, test>(geometry, ray, block, found);
     return !found.is_miss();
   });
   return !found.is_miss();

@@ -1,39 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // The hand-written eight-wide BVH as an accelerator.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "accel/backends.h"
+#include "accel/instruction_sets.h"
 #include "accel/wide/build.h"
 #include "accel/wide/kernel.h"
 #include "accel/wide/scalar.h"
 #include "accel/wide/statistics.h"
-#include "core/error.h"
 
 namespace twinray {
 namespace {
-
-/// Its name for users: Highway says AVX3 for AVX-512.
-std::string simd_name(const WideKernel& kernel) {
-  std::string name = kernel.name == "AVX3" ? "avx512" : kernel.name;
-  for (char& c : name)
-    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-  return name;
-}
-
-WideKernel chosen_kernel(TriangleTest test, const std::string& simd) {
-  for (const WideKernel& kernel : wide_kernels(test))
-    if (simd == "best" || simd == simd_name(kernel)) return kernel;
-  throw Error(fmt::format("there is no instruction set \"{}\" on this machine; valid are {}", simd,
-                          fmt::join(available_instruction_sets(), ", ")));
-}
 
 /// `test`: which triangle test the leaves run.
 template <TriangleTest test>
 class WideAccelerator final : public Accelerator {
  public:
   WideAccelerator(std::shared_ptr<const Geometry> geometry, const BuildOptions& options)
-      : geometry_(std::move(geometry)), kernel_(chosen_kernel(test, options.simd)) {
+      : geometry_(std::move(geometry)), kernel_(chosen(wide_kernels(test), options.simd)) {
     bvh_ = make_wide_bvh(*geometry_, options, stats_.phases);
     add_statistics(bvh_, options, stats_);
     stats_.primitives = geometry_->primitive_count();
@@ -61,12 +43,6 @@ class WideAccelerator final : public Accelerator {
 };
 
 }  // namespace
-
-std::vector<std::string> available_instruction_sets() {
-  std::vector<std::string> names{"best"};
-  for (const WideKernel& kernel : wide_kernels(TriangleTest::woop)) names.push_back(simd_name(kernel));
-  return names;
-}
 
 std::unique_ptr<Accelerator> build_wide_bvh(std::shared_ptr<const Geometry> geometry,
                                             const BuildOptions& options) {

@@ -10,7 +10,6 @@
 #include "core/error.h"
 #include "core/slab.h"
 #include "tests/support/catch.h"
-#include "tests/support/hostile.h"
 #include "tests/support/shapes.h"
 
 using namespace twinray;
@@ -303,102 +302,6 @@ TEST_CASE("both boxes of a pair are tested with the bits of the canonical box te
       REQUIRE(entry == std::max(interval.near, 0.0f));
       REQUIRE(-intervals.entry_and_exit[2 + child] == interval.far);
       REQUIRE(met == (interval.near <= interval.far && interval.far >= 0));
-    }
-  }
-}
-
-namespace {
-
-std::uint32_t filter(QueryKind kind, const CheckedRay& ray, const TriangleBlock& block) {
-  const ShearedLanes lanes(LaneRay(ray), block);
-  return kind == QueryKind::any ? filter_lanes<QueryKind::any>(ray, lanes, block)
-                                : filter_lanes<QueryKind::closest>(ray, lanes, block);
-}
-
-/// Rays whose intervals end or start at what they hit, or right before or behind it.
-std::vector<Ray> with_tight_intervals(const std::vector<Ray>& rays, const Accelerator& accelerator) {
-  std::vector<Ray> tight = rays;
-  for (const Ray& ray : rays)
-    if (const Hit hit = accelerator.closest_hit(ray))
-      for (const float t : {hit.t, std::nextafter(hit.t, 0.0f), std::nextafter(hit.t, Aabb::infinity)}) {
-        tight.push_back({.origin = ray.origin, .direction = ray.direction, .t_min = t});
-        tight.push_back({.origin = ray.origin, .direction = ray.direction, .t_max = t});
-        tight.push_back({.origin = ray.origin + ray.direction * t, .direction = ray.direction});
-      }
-  return tight;
-}
-
-}  // namespace
-
-TEST_CASE("the filter rejects no triangle that the canonical test accepts") {
-  const auto geometry = share({soup(400, 0.7f, 11)});
-  const auto oracle = build_accelerator(Backend::brute_force, geometry);
-  const auto rays = with_tight_intervals(random_rays(100, geometry->bounds(), 12), *oracle);
-  int accepted = 0, rejected = 0, by_interval = 0;
-  for (std::uint32_t first = 0; first < 400; first += 4) {
-    const PrimitiveId ids[] = {{0, first}, {0, first + 1}, {0, first + 2}, {0, first + 3}};
-    const TriangleBlock block = make_block(*geometry, ids);
-    for (const Ray& ray : rays) {
-      CheckedRay checked;
-      REQUIRE(load_ray(ray, checked));
-      const std::uint32_t closest = filter(QueryKind::closest, checked, block);
-      const std::uint32_t any = filter(QueryKind::any, checked, block);
-      for (int lane = 0; lane < 4; ++lane) {
-        Hit hit;
-        test_primitive(*geometry, checked, ids[lane], hit);
-        const bool is_kept = any & closest & 1u << lane;
-        if (hit) REQUIRE(is_kept);
-        accepted += bool(hit);
-        rejected += !is_kept;
-        by_interval += bool(~any & closest & 1u << lane);
-      }
-    }
-  }
-  CHECK(accepted > 1000);
-  CHECK(rejected > 1000);
-  CHECK(by_interval > 1000);
-}
-
-TEST_CASE("the filter rejects no hit of a hostile ray, whatever its interval") {
-  Random random(13);
-  int accepted = 0, rejected = 0;
-  for (int i = 0; i < 200000; ++i) {
-    const HostilePair pair = hostile_pair(random);
-    Mesh mesh;
-    add_triangle(mesh, pair.corners[0], pair.corners[1], pair.corners[2]);
-    const Geometry geometry({mesh});
-    const PrimitiveId ids[] = {{0, 0}};
-    const TriangleBlock block = make_block(geometry, ids);
-    Ray ray = pair.ray;
-    CheckedRay checked;
-    REQUIRE(load_ray(ray, checked));
-    Hit hit;
-    test_primitive(geometry, checked, ids[0], hit);
-    // Half of the rays get an interval of the one t, which the canonical test still accepts.
-    if (hit && random.below(2) == 0) checked.t_min = checked.t_max = hit.t;
-    const bool is_kept =
-        filter(QueryKind::any, checked, block) & filter(QueryKind::closest, checked, block) & 1;
-    if (hit && !is_kept) FAIL("draw " << i);
-    accepted += bool(hit);
-    rejected += !is_kept;
-  }
-  CHECK(accepted > 50000);
-  CHECK(rejected > 10000);
-}
-
-TEST_CASE("lanes of a block that are not in use are never candidates") {
-  const auto geometry = share({soup(3, 1, 1), random_spheres(1, 1, 1)});
-  const PrimitiveId ids[] = {{0, 0}, {1, 0}};
-  const TriangleBlock block = make_block(*geometry, ids);
-  CHECK(block.count == 2);
-  CHECK(block.triangles == 1);
-  for (const Ray& ray : random_rays(200, geometry->bounds(), 3)) {
-    CheckedRay checked;
-    REQUIRE(load_ray(ray, checked));
-    for (const QueryKind kind : {QueryKind::closest, QueryKind::any}) {
-      const std::uint32_t kept = filter(kind, checked, block);
-      CHECK((kept & ~3u) == 0);
-      CHECK((kept & 2u) == 2);
     }
   }
 }

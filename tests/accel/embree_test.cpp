@@ -76,6 +76,21 @@ TEST_CASE("Embree's quality high splits triangles in fast mode") {
     REQUIRE(bool(witness->closest_hit(ray)) == bool(canonical->closest_hit(ray)));
 }
 
+TEST_CASE("embree's leaf has the bits of brute force with every instruction set") {
+  const auto geometry = share({soup(300, 0.3f, 1), random_spheres(20, 0.2f, 2), soup(300, 0.2f, 3)});
+  const auto oracle = build_accelerator(Backend::brute_force, geometry);
+  const auto rays = random_rays(1000, geometry->bounds(), 4);
+  for (const std::string& simd : available_instruction_sets()) {
+    CAPTURE(simd);
+    const auto embree = build_accelerator(Backend::embree, geometry, {.simd = simd});
+    for (const Ray& ray : rays) {
+      REQUIRE(embree->closest_hit(ray) == oracle->closest_hit(ray));
+      REQUIRE(embree->any_hit(ray) == oracle->any_hit(ray));
+    }
+  }
+  CHECK_THROWS_AS(build_accelerator(Backend::embree, geometry, {.simd = "mmx"}), Error);
+}
+
 TEST_CASE("an unknown instruction set is an error that lists the valid ones") {
   CHECK_THROWS_WITH(
       native(share({}), {.embree_isa = "avx3"}),

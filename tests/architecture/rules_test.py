@@ -82,6 +82,7 @@ class Rules(unittest.TestCase):
 
     def test_headers_have_a_guard(self):
         self.expect({"core/a.h": CPP + "struct A {};\n"}, "#pragma once")
+        self.expect({"core/a-inl.h": HEADER}, "HWY_TARGET_TOGGLE")
 
     def test_files_name_their_licence(self):
         self.expect({"core/a.h": "#pragma once\n\n#pragma once\n"}, "the first line must be // SPDX")

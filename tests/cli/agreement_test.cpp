@@ -49,6 +49,8 @@ TEST_CASE("engines are compared with every instruction set of the machine") {
   for (const char* isa :
        {"embree", "embree sse2", "embree sse4.2", "embree avx", "embree avx512", "embree default"})
     CHECK(has(isa));
+  for (const std::string& simd : available_instruction_sets())
+    if (simd != "best") CHECK(has("embree, " + simd + " leaves"));
 #endif
 }
 

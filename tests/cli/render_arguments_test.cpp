@@ -78,11 +78,13 @@ TEST_CASE("the bvh is eight wide, but two wide for counts, unless a width is nam
 TEST_CASE("the instruction set is that of the wide bvh, and a wrong one names the right ones") {
   CHECK(parse({}).build.simd == "best");
   CHECK(parse({"--accel=bvh", "--simd=scalar"}).build.simd == "scalar");
+  for (const Backend backend : available_backends())
+    if (backend == Backend::embree) CHECK(parse({"--accel=embree", "--simd=scalar"}).build.simd == "scalar");
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"--simd=scalar", "--accel=brute-force"},
         {"--simd=scalar", "--accel=bvh", "--bvh-width=2"},
         {"--simd=scalar", "--accel=bvh", "--count"}})
-    CHECK(message_of(words) == "--simd goes with --accel=bvh and --bvh-width=8");
+    CHECK(message_of(words) == "--simd goes with --accel=embree, and with --accel=bvh of --bvh-width=8");
   CHECK(message_of({"--accel=bvh", "--simd=none"}).find("--simd: there is no \"none\"; valid are best, ") ==
         0);
 }

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// The leaf that Embree calls, compiled once for each instruction set.
+#include "accel/embree/leaf.h"
+
+#include "accel/instruction_sets.h"
+
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)  // As in accel/wide/kernel.cpp.
+#define HWY_TARGET_INCLUDE "accel/embree/leaf.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "accel/block_test-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace twinray::HWY_NAMESPACE {
+namespace {
+
+HWY_ATTR void intersect(const RTCIntersectFunctionNArguments* arguments) {
+  auto& query = *static_cast<embree::LeafQuery*>(arguments->context);
+  const TriangleBlock& block = query.enter(arguments->primID);
+  const float before = query.best.t;
+  BlockRay(query.ray).closest(query.ray, block, query.best);
+  if (block.others) query.best.test(query.geometry, query.ray, block, block.others);
+  if (query.best.t < before)
+    reinterpret_cast<RTCRayHit*>(arguments->rayhit)->ray.tfar = query.best.t * query.t_far_scale + 0.0f;
+}
+
+HWY_ATTR void occlude(const RTCOccludedFunctionNArguments* arguments) {
+  auto& query = *static_cast<embree::LeafQuery*>(arguments->context);
+  const TriangleBlock& block = query.enter(arguments->primID);
+  query.is_hit = BlockRay(query.ray).any(query.ray, block) ||
+                 (block.others && any_other(query.geometry, query.ray, block));
+  if (query.is_hit) reinterpret_cast<RTCRay*>(arguments->ray)->tfar = -Aabb::infinity;
+}
+
+[[maybe_unused]] embree::LeafFunctions functions() {
+  return {simd_name(hwy::TargetName(HWY_TARGET)), intersect, occlude};
+}
+
+}  // namespace
+}  // namespace twinray::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace twinray::embree {
+namespace {
+
+void intersect_scalar(const RTCIntersectFunctionNArguments* arguments) {
+  auto& query = *static_cast<LeafQuery*>(arguments->context);
+  const TriangleBlock& block = query.enter(arguments->primID);
+  const float before = query.best.t;
+  query.best.test(query.geometry, query.ray, block, block.triangles | block.others);
+  if (query.best.t < before)
+    reinterpret_cast<RTCRayHit*>(arguments->rayhit)->ray.tfar = query.best.t * query.t_far_scale + 0.0f;
+}
+
+void occlude_scalar(const RTCOccludedFunctionNArguments* arguments) {
+  auto& query = *static_cast<LeafQuery*>(arguments->context);
+  Hit found;
+  test_block<QueryKind::any>(query.geometry, query.ray, query.enter(arguments->primID), found);
+  query.is_hit = bool(found);
+  if (query.is_hit) reinterpret_cast<RTCRay*>(arguments->ray)->tfar = -Aabb::infinity;
+}
+
+}  // namespace
+
+std::vector<LeafFunctions> leaf_functions() {
+  std::vector<LeafFunctions> all;
+  const auto supported = hwy::SupportedTargets();
+#if HWY_TARGETS & HWY_AVX3
+  if (supported & HWY_AVX3) all.push_back(N_AVX3::functions());
+#endif
+#if HWY_TARGETS & HWY_AVX2
+  if (supported & HWY_AVX2) all.push_back(N_AVX2::functions());
+#endif
+#if HWY_TARGETS & HWY_SSE4
+  if (supported & HWY_SSE4) all.push_back(N_SSE4::functions());
+#endif
+  all.push_back({"scalar", intersect_scalar, occlude_scalar});
+  return all;
+}
+
+}  // namespace twinray::embree
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: the choice of one of the instruction sets that a kernel was compiled for.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "accel/build_options.h"
+
+namespace twinray {
+
+/// The name of a Highway target for users: "avx512", "avx2", "sse4".
+std::string simd_name(const char* target);
+
+/// Throws Error that lists the valid names of this machine.
+[[noreturn]] void throw_no_such_set(const std::string& simd);
+
+/// The kernel of options.simd among those of this machine, of which the fastest comes first; each has the
+/// user's name of its instruction set. Throws Error that lists the valid names.
+template <typename Kernel>
+const Kernel& chosen(const std::vector<Kernel>& kernels, const std::string& simd) {
+  for (const Kernel& kernel : kernels)
+    if (simd == "best" || simd == kernel.name) return kernel;
+  throw_no_such_set(simd);
+}
+
+}  // namespace twinray
