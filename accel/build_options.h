@@ -20,6 +20,13 @@ enum class BvhBuilder {
   embree_high,  ///< Embree's, quality HIGH: the same with spatial splits; a primitive may lie in many leaves.
 };
 
+/// How much time goes into the tree of a bvh of width 8.
+enum class BvhQuality {
+  fast,    ///< Half of the bins, and the hundredth of all nodes with the largest areas are reinserted.
+  medium,  ///< A twentieth of all nodes is reinserted.
+  high,    ///< All nodes are, more often.
+};
+
 enum class EmbreeMode { robust, fast };
 
 /// How well Embree builds the trees of embree_native, by its own names. Robust mode makes of `high` what it
@@ -41,8 +48,9 @@ struct BuildOptions {
   /// bvh of width 8 and the leaves of embree: their instruction set, one of available_instruction_sets().
   std::string simd = "best";
   BvhSplit bvh_split = BvhSplit::sah;
-  int bvh_bins = 32;                         ///< 2 to 256.
-  BvhBuilder bvh_builder = BvhBuilder::own;  ///< bvh only; split and bins apply to `own` alone.
+  int bvh_bins = 32;                            ///< 2 to 256.
+  BvhBuilder bvh_builder = BvhBuilder::own;     ///< bvh only; split and bins apply to `own` alone.
+  BvhQuality bvh_quality = BvhQuality::medium;  ///< bvh of width 8 only.
   int max_leaf_size = 4;  ///< 1 to 255 primitives; to 32 by Embree's builders; above 4, 4 with a width of 8.
   /// The SAH cost counts primitives rounded up to a multiple of this, 1 to 255; bvh_builder `own` alone. A
   /// width of 8 takes 4 instead.

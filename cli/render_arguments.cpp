@@ -192,6 +192,11 @@ void add_engine_options(CLI::App& app, RenderArguments& arguments, RawArguments&
   add_choice<std::string>(app, "--simd", build.simd, simd_choices(),
                           "bvh of width 8, leaves of embree (best)")
       ->group(group);
+  add_choice<BvhQuality>(
+      app, "--bvh-quality", build.bvh_quality,
+      {{"fast", BvhQuality::fast}, {"medium", BvhQuality::medium}, {"high", BvhQuality::high}},
+      "Build time against speed (medium)")
+      ->group(group);
   add_choice<BvhSplit>(app, "--bvh-split", build.bvh_split,
                        {{"sah", BvhSplit::sah},
                         {"median", BvhSplit::median},
@@ -347,6 +352,16 @@ void choose_check(const RawArguments& raw, RenderArguments& arguments) {
         fmt::format("--check-with={}: that is the engine which is checked; render with --bvh-width=8", name));
 }
 
+/// Options of the wide tree and of the leaves that Embree shares with it.
+void check_wide_options(const RenderArguments& arguments) {
+  const BuildOptions& build = arguments.build;
+  const bool is_wide = arguments.backend == Backend::bvh && build.bvh_width == 8;
+  if (build.simd != "best" && !is_wide && arguments.backend != Backend::embree)
+    throw UsageError("--simd goes with --accel=embree, and with --accel=bvh of --bvh-width=8");
+  if (build.bvh_quality != BuildOptions{}.bvh_quality && !is_wide)
+    throw UsageError("--bvh-quality goes with --accel=bvh and --bvh-width=8");
+}
+
 void resolve(const RawArguments& raw, RenderArguments& arguments) {
   RenderOptions& render = arguments.render;
   render.width = raw.resolution[0];
@@ -366,10 +381,7 @@ void resolve(const RawArguments& raw, RenderArguments& arguments) {
   check_builder(arguments);
   choose_cost(raw.cost, arguments);
   choose_width(raw.bvh_width, arguments);
-  const bool has_kernels = arguments.backend == Backend::embree ||
-                           (arguments.backend == Backend::bvh && arguments.build.bvh_width == 8);
-  if (arguments.build.simd != "best" && !has_kernels)
-    throw UsageError("--simd goes with --accel=embree, and with --accel=bvh of --bvh-width=8");
+  check_wide_options(arguments);
   choose_check(raw, arguments);
   if (arguments.build.triangle_test == TriangleTest::moller_trumbore && arguments.backend != Backend::bvh &&
       arguments.backend != Backend::brute_force)

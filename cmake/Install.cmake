@@ -8,6 +8,7 @@ include(CMakePackageConfigHelpers)
 # with "// Private"; a test compares, and sees that no public header includes one of them.
 set(private_headers
   accel/backends.h
+  accel/big_vector.h
   accel/block_test-inl.h
   accel/bvh/box_lanes.h
   accel/bvh/build.h

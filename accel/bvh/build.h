@@ -16,21 +16,19 @@ struct BuildTree {
     std::uint32_t first = 0;  ///< Leaf: its first primitive. Inner: its first child; the second follows.
     std::uint32_t count = 0;  ///< Leaf: its primitives. Inner: 0.
   };
-  /// The root is nodes[0]. Not every entry is a node: the pair of children that part the primitives before
-  /// index i from those behind is nodes[2 i - 1] and nodes[2 i], before subtrees are reinserted. So each
-  /// pair has a place of its own, whatever thread makes it.
-  std::vector<Node> nodes;
-  /// In the order of the leaves. By a builder that splits primitives, pieces of them: a primitive comes once
-  /// for each of its pieces, whose boxes together cover its padded box as accel/bvh/invariants.h has it.
-  std::vector<BuildPrimitive> primitives;
+  using Nodes = BigVector<Node>;
+  Nodes nodes;  ///< The root, then pairs of children, in an order that no thread changes.
+  /// By a builder that splits primitives, pieces of them: a primitive comes once for each of its pieces,
+  /// whose boxes together cover its padded box as accel/bvh/invariants.h has it.
+  BuildPrimitives primitives;
 };
 
 /// All primitives of a geometry, in the order of their ids. Throws Error for more than 2^30.
-std::vector<BuildPrimitive> collect_primitives(const Geometry& geometry);
+BuildPrimitives collect_primitives(const Geometry& geometry);
 
 /// Divides until every node is a leaf; on as many threads as with_threads allows. The same tree on any number
 /// of them.
-BuildTree build_tree(std::vector<BuildPrimitive> primitives, const BuildOptions& options);
+BuildTree build_tree(BuildPrimitives primitives, const BuildOptions& options);
 
 /// Makes node `index` of a tree, which lies at the depth free_bvh_depth, over the primitives
 /// [first, first + count), and all below it: halves down to leaves of up to options.max_leaf_size.
@@ -38,7 +36,7 @@ void halve_subtree(BuildTree& tree, const BuildOptions& options, std::uint32_t i
                    std::size_t count);
 
 /// The same by the builder of the options. Throws Error where that is not part of this build.
-BuildTree build_by(std::vector<BuildPrimitive> primitives, const BuildOptions& options);
+BuildTree build_by(BuildPrimitives primitives, const BuildOptions& options);
 
 /// Lays a tree out for traversal: pads boxes, copies vertices into blocks.
 Bvh lay_out(const BuildTree& tree, const Geometry& geometry);

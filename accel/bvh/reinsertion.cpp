@@ -205,7 +205,7 @@ class Reinsertion {
     }
   }
 
-  std::vector<BuildTree::Node>& nodes_;
+  BuildTree::Nodes& nodes_;
   std::vector<std::uint32_t> parents_;
   std::vector<std::uint8_t> heights_;  ///< Edges to the deepest leaf below.
   std::vector<std::uint32_t> places_;  ///< The indices that stand for nodes, but the root's.

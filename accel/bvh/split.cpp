@@ -5,13 +5,15 @@
 #include <tuple>
 #include <vector>
 
+#include "accel/bvh/box_lanes.h"
 #include "core/parallel.h"
 
 namespace twinray {
 namespace {
 
+/// The boxes of primitives and of their centres.
 struct Boxes {
-  Aabb box, centers;
+  BoxLanes box, centers;
 
   void extend(const Boxes& other) {
     box.extend(other.box);
@@ -22,35 +24,32 @@ struct Boxes {
 Boxes boxes_of(std::span<const BuildPrimitive> primitives) {
   Boxes boxes;
   for (const BuildPrimitive& primitive : primitives) {
-    boxes.box.extend(primitive.box);
-    boxes.centers.extend(primitive.center());
+    const BoxLanes box = BoxLanes::of(primitive);
+    const Float4 center = box.center();
+    boxes.extend({box, {center, center}});
   }
   return boxes;
 }
 
 /// The same bits as boxes_of: fixed parts, joined in their order.
 Boxes boxes_in_parallel(std::span<const BuildPrimitive> primitives) {
-  constexpr std::size_t part = 1 << 13;
-  std::vector<Boxes> parts((primitives.size() + part - 1) / part);
+  constexpr std::size_t size = 1 << 13;
+  std::vector<Boxes> parts((primitives.size() + size - 1) / size);
   parallel_for(parts.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      parts[i] = boxes_of(primitives.subspan(i * part, std::min(part, primitives.size() - i * part)));
+      parts[i] = boxes_of(primitives.subspan(i * size, std::min(size, primitives.size() - i * size)));
   });
   Boxes boxes;
   for (const Boxes& other : parts) boxes.extend(other);
   return boxes;
 }
 
-std::size_t first_part(std::span<BuildPrimitive> primitives, auto is_first) {
-  return std::size_t(std::partition(primitives.begin(), primitives.end(), is_first) - primitives.begin());
-}
-
 }  // namespace
 
 NodeRange::NodeRange(std::span<BuildPrimitive> range) : primitives(range) {
   const Boxes boxes = range.size() < parallel_range ? boxes_of(range) : boxes_in_parallel(range);
-  box = boxes.box;
-  centers = boxes.centers;
+  box = boxes.box.aabb();
+  centers = boxes.centers.aabb();
 }
 
 int NodeRange::longest_axis() const {
@@ -73,7 +72,7 @@ std::size_t divide_by_median(const NodeRange& range) {
 std::size_t divide_by_midpoint(const NodeRange& range) {
   const int axis = range.longest_axis();
   const float middle = range.centers.center()[axis];
-  const std::size_t count = first_part(
+  const std::size_t count = part(
       range.primitives, [&](const BuildPrimitive& primitive) { return primitive.center()[axis] < middle; });
   return count == 0 || count == range.primitives.size() ? divide_by_median(range) : count;
 }
@@ -83,7 +82,7 @@ std::size_t divide_by_mean(const NodeRange& range) {
   double sum = 0;
   for (const BuildPrimitive& primitive : range.primitives) sum += double(primitive.center()[axis]);
   const double mean = sum / double(range.primitives.size());
-  const std::size_t count = first_part(range.primitives, [&](const BuildPrimitive& primitive) {
+  const std::size_t count = part(range.primitives, [&](const BuildPrimitive& primitive) {
     return double(primitive.center()[axis]) < mean;
   });
   return std::clamp<std::size_t>(count, 1, range.primitives.size() - 1);

@@ -110,8 +110,7 @@ void split(const RTCBuildPrimitive* piece, unsigned axis, float position, RTCBou
 bool splits_primitives(const BuildOptions& options) { return options.bvh_builder == BvhBuilder::embree_high; }
 
 /// With room behind them for as many again where they may be split.
-std::vector<RTCBuildPrimitive> embree_primitives(const std::vector<BuildPrimitive>& primitives,
-                                                 bool may_split) {
+std::vector<RTCBuildPrimitive> embree_primitives(const BuildPrimitives& primitives, bool may_split) {
   std::vector<RTCBuildPrimitive> result(primitives.size() * (may_split ? 2 : 1));
   for (std::size_t i = 0; i < primitives.size(); ++i)
     result[i] = make_piece(may_split ? padded(primitives[i].box) : primitives[i].box, unsigned(i));
@@ -152,12 +151,12 @@ std::size_t count_pieces(EmbreeNode& node, std::vector<std::uint8_t>& counts) {
 /// Embree's nodes as a BuildTree.
 class Conversion {
  public:
-  Conversion(const std::vector<BuildPrimitive>& primitives, const BuildOptions& options)
+  Conversion(const BuildPrimitives& primitives, const BuildOptions& options)
       : primitives_(primitives), options_(options) {}
 
   BuildTree convert(const EmbreeNode& root) {
     tree_.primitives.resize(root.count);
-    tree_.nodes.resize(2 * root.count - 1);
+    tree_.nodes.resize(1);
     place(root, 0, 0, 0);
     return std::move(tree_);
   }
@@ -165,20 +164,21 @@ class Conversion {
  private:
   /// Makes node `index` over the pieces from `first` on.
   void place(const EmbreeNode& node, std::uint32_t index, std::size_t first, int depth) {
-    BuildTree::Node& made = tree_.nodes[index];
     if (depth == free_bvh_depth || node.pieces) collect(node, first);
     if (depth == free_bvh_depth) return halve_subtree(tree_, options_, index, first, node.count);
+    Aabb box;
     if (node.pieces) {
-      for (std::size_t i = 0; i < node.count; ++i) made.box.extend(tree_.primitives[first + i].box);
-      made.first = std::uint32_t(first);
-      made.count = std::uint32_t(node.count);
+      for (std::size_t i = 0; i < node.count; ++i) box.extend(tree_.primitives[first + i].box);
+      tree_.nodes[index] = {box, std::uint32_t(first), std::uint32_t(node.count)};
       return;
     }
+    const auto pair = std::uint32_t(tree_.nodes.size());
+    tree_.nodes.resize(pair + 2);
     const std::size_t left = node.children[0]->count;
-    made.first = std::uint32_t(2 * (first + left) - 1);
-    place(*node.children[0], made.first, first, depth + 1);
-    place(*node.children[1], made.first + 1, first + left, depth + 1);
-    for (std::uint32_t child = 0; child < 2; ++child) made.box.extend(tree_.nodes[made.first + child].box);
+    place(*node.children[0], pair, first, depth + 1);
+    place(*node.children[1], pair + 1, first + left, depth + 1);
+    for (const std::uint32_t child : {pair, pair + 1}) box.extend(tree_.nodes[child].box);
+    tree_.nodes[index] = {box, pair, 0};
   }
 
   /// Copies all pieces below a node to `first` and behind.
@@ -192,14 +192,14 @@ class Conversion {
     collect(*node.children[1], first + node.children[0]->count);
   }
 
-  const std::vector<BuildPrimitive>& primitives_;
+  const BuildPrimitives& primitives_;
   const BuildOptions& options_;
   BuildTree tree_;
 };
 
 }  // namespace
 
-BuildTree build_tree_by_embree(std::vector<BuildPrimitive> primitives, const BuildOptions& options) {
+BuildTree build_tree_by_embree(BuildPrimitives primitives, const BuildOptions& options) {
   if (options.max_leaf_size > RTC_BUILD_MAX_PRIMITIVES_PER_LEAF)
     throw Error("Embree's builders make leaves of up to 32 primitives");
   if (primitives.empty()) return {};

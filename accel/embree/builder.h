@@ -12,6 +12,6 @@ namespace twinray {
 /// counting traversal then serve it like any tree of ours. That of embree_high holds pieces of primitives, up
 /// to twice as many as there are primitives; no leaf holds two of the same. Built on one thread, because the
 /// order of primitives inside of Embree depends on how many there are. Throws Error where Embree reports one.
-BuildTree build_tree_by_embree(std::vector<BuildPrimitive> primitives, const BuildOptions& options);
+BuildTree build_tree_by_embree(BuildPrimitives primitives, const BuildOptions& options);
 
 }  // namespace twinray

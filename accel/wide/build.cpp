@@ -13,11 +13,8 @@
 namespace twinray {
 namespace {
 
-/// How many blocks a task makes.
-constexpr std::size_t blocks_per_task = 4096;
-
-/// Most of what can be won is, in a tenth of the time of the whole build.
-constexpr ReinsertionEffort effort{.rounds = 2, .share = 0.2};
+/// How many nodes or blocks a task makes.
+constexpr std::size_t items_per_task = 2048;
 
 /// The primitives of a leaf.
 struct Leaf {
@@ -25,30 +22,55 @@ struct Leaf {
   std::array<PrimitiveId, TriangleBlock::width> ids;
 };
 
-/// Appends nodes depth first, and what their leaves hold.
+/// The places of nodes and blocks, depth first.
 class Layout {
  public:
-  Layout(const BuildTree& tree, const CollapsePlan& plan, std::vector<WideNode>& nodes)
-      : tree_(tree), plan_(plan), nodes_(nodes) {}
+  Layout(const BuildTree& tree, const CollapsePlan& plan) : tree_(tree), plan_(plan) {}
 
-  WideRef add(std::uint32_t binary) {
+  WideRef place(std::uint32_t binary) {
     if (plan_.is_leaf(binary)) {
-      collect(binary, leaves_.emplace_back());
+      leaves_.push_back(binary);
       return WideRef::block(leaves_.size() - 1);
     }
     const std::size_t index = nodes_.size();
-    nodes_.emplace_back();
-    const CollapsePlan::Children children = plan_.children(binary);
-    for (int child = 0; child < children.count; ++child) {
-      const WideRef ref = add(children.nodes[child]);
-      nodes_[index].children[child] = ref;
-      nodes_[index].set_box(child, padded(tree_.nodes[children.nodes[child]].box));
-    }
+    nodes_.push_back({plan_.children(binary), {}});
+    for (int child = 0; child < nodes_[index].children.count; ++child)
+      nodes_[index].refs[child] = place(nodes_[index].children.nodes[child]);
     return WideRef::node(index);
   }
-  const std::vector<Leaf>& leaves() const { return leaves_; }
+
+  void make_nodes(BigVector<WideNode>& nodes) const {
+    nodes.resize(nodes_.size());
+    parallel_for(nodes.size(), items_per_task, 0, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) nodes[i] = make_node(nodes_[i]);
+    });
+  }
+
+  void make_blocks(const Geometry& geometry, BigVector<TriangleBlock>& blocks) const {
+    blocks.resize(leaves_.size());
+    parallel_for(blocks.size(), items_per_task, 0, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        Leaf leaf;
+        collect(leaves_[i], leaf);
+        blocks[i] = make_block(geometry, std::span(leaf.ids).first(leaf.count));
+      }
+    });
+  }
 
  private:
+  struct PlacedNode {
+    CollapsePlan::Children children;
+    WideRef refs[WideNode::width];
+  };
+
+  WideNode make_node(const PlacedNode& placed) const {
+    WideNode node;
+    for (int child = 0; child < placed.children.count; ++child) {
+      node.set_box(child, padded(tree_.nodes[placed.children.nodes[child]].box));
+      node.children[child] = placed.refs[child];
+    }
+    return node;
+  }
   void collect(std::uint32_t binary, Leaf& leaf) const {
     const BuildTree::Node& node = tree_.nodes[binary];
     for (std::uint32_t i = 0; i < node.count; ++i)
@@ -60,15 +82,28 @@ class Layout {
 
   const BuildTree& tree_;
   const CollapsePlan& plan_;
-  std::vector<WideNode>& nodes_;
-  std::vector<Leaf> leaves_;
+  std::vector<PlacedNode> nodes_;
+  std::vector<std::uint32_t> leaves_;  ///< Binary nodes.
 };
 
 /// What the binary tree is built with: leaves that fit into a block, and costs that fill them.
 BuildOptions binary_options(BuildOptions options) {
   options.max_leaf_size = std::min(options.max_leaf_size, TriangleBlock::width);
   options.leaf_block = TriangleBlock::width;
+  if (options.bvh_quality == BvhQuality::fast) options.bvh_bins = std::min(options.bvh_bins, 16);
   return options;
+}
+
+/// Almost all that can be won is won with the largest nodes.
+ReinsertionEffort effort_of(BvhQuality quality) {
+  switch (quality) {
+    case BvhQuality::fast:
+      return {.rounds = 2, .share = 0.01};
+    case BvhQuality::medium:
+      return {.rounds = 2, .share = 0.05};
+    default:
+      return {.rounds = 4, .share = 1};
+  }
 }
 
 }  // namespace
@@ -77,15 +112,10 @@ WideBvh widen(const BuildTree& tree, const Geometry& geometry, int max_leaf_size
   WideBvh bvh;
   if (tree.primitives.empty()) return bvh;
   const CollapsePlan plan(tree, max_leaf_size);
-  Layout layout(tree, plan, bvh.nodes);
-  bvh.root = layout.add(0);
-  bvh.nodes.shrink_to_fit();
-  const std::vector<Leaf>& leaves = layout.leaves();
-  bvh.blocks.resize(leaves.size());
-  parallel_for(leaves.size(), blocks_per_task, 0, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      bvh.blocks[i] = make_block(geometry, std::span(leaves[i].ids).first(leaves[i].count));
-  });
+  Layout layout(tree, plan);
+  bvh.root = layout.place(0);
+  layout.make_nodes(bvh.nodes);
+  layout.make_blocks(geometry, bvh.blocks);
   return bvh;
 }
 
@@ -94,11 +124,11 @@ WideBvh make_wide_bvh(const Geometry& geometry, const BuildOptions& options,
   WideBvh bvh;
   const BuildOptions binary = binary_options(options);
   with_threads(options.threads, [&] {
-    std::vector<BuildPrimitive> primitives;
+    BuildPrimitives primitives;
     BuildTree tree;
     timed("boxes", phases, [&] { primitives = collect_primitives(geometry); });
     timed("tree", phases, [&] { tree = build_by(std::move(primitives), binary); });
-    timed("reinsertion", phases, [&] { reinsert(tree, effort); });
+    timed("reinsertion", phases, [&] { reinsert(tree, effort_of(options.bvh_quality)); });
     timed("collapse", phases, [&] { bvh = widen(tree, geometry, binary.max_leaf_size); });
   });
   return bvh;

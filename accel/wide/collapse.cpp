@@ -2,7 +2,6 @@
 #include "accel/wide/collapse.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "core/parallel.h"
 
@@ -15,7 +14,10 @@ constexpr int task_depth = 6;
 }  // namespace
 
 CollapsePlan::CollapsePlan(const BuildTree& tree, int max_leaf_size)
-    : tree_(tree), max_leaf_size_(std::uint32_t(max_leaf_size)), entries_(tree.nodes.size()) {
+    : tree_(tree),
+      max_leaf_size_(std::uint32_t(max_leaf_size)),
+      root_area_(tree.nodes[0].box.half_area()),
+      entries_(tree.nodes.size()) {
   fill(0, 0);
 }
 
@@ -50,37 +52,37 @@ void CollapsePlan::fill(std::uint32_t index, int depth) {
 
 void CollapsePlan::fill_inner(std::uint32_t index) {
   const BuildTree::Node& node = tree_.nodes[index];
+  const float own = probability(index);
   Entry& entry = entries_[index];
   entry.primitives = entries_[node.first].primitives + entries_[node.first + 1].primitives;
-  int first_trees;
-  entry.cost[0] = node_cost * probability(index) + distributed(node, WideNode::width, first_trees);
-  if (entry.primitives <= max_leaf_size_)
-    entry.cost[0] = std::min(entry.cost[0], leaf_cost * probability(index));
+  entry.cost[0] = node_cost * own + distributed(node, WideNode::width);
+  if (entry.primitives <= max_leaf_size_) entry.cost[0] = std::min(entry.cost[0], leaf_cost * own);
   for (int trees = 2; trees <= max_trees; ++trees)
-    entry.cost[trees - 1] = std::min(entry.cost[trees - 2], distributed(node, trees, first_trees));
+    entry.cost[trees - 1] = std::min(entry.cost[trees - 2], distributed(node, trees));
 }
 
-/// The least cost of both children as a forest of `trees`, two at least; `first_trees` of them are the first
-/// child's.
-float CollapsePlan::distributed(const BuildTree::Node& node, int trees, int& first_trees) const {
-  const Entry &first = entries_[node.first], &second = entries_[node.first + 1];
-  float least = std::numeric_limits<float>::infinity();
-  for (int i = 1; i < trees; ++i) {
-    const float cost = first.cost[i - 1] + second.cost[trees - i - 1];
-    if (cost < least) {
-      least = cost;
-      first_trees = i;
-    }
-  }
+/// The least cost of both children as a forest of `trees`, two at least.
+float CollapsePlan::distributed(const BuildTree::Node& node, int trees) const {
+  const float *const first = entries_[node.first].cost, *const second = entries_[node.first + 1].cost;
+  float least = first[0] + second[trees - 2];
+  for (int i = 2; i < trees; ++i) least = std::min(least, first[i - 1] + second[trees - i - 1]);
   return least;
+}
+
+/// How many of the trees are then the first child's.
+int CollapsePlan::first_trees(const BuildTree::Node& node, int trees) const {
+  const float *const first = entries_[node.first].cost, *const second = entries_[node.first + 1].cost;
+  const float least = distributed(node, trees);
+  int i = 1;
+  while (first[i - 1] + second[trees - i - 1] != least) ++i;
+  return i;
 }
 
 void CollapsePlan::divide(std::uint32_t index, int trees, Children& children) const {
   const BuildTree::Node& node = tree_.nodes[index];
-  int first_trees = 1;
-  distributed(node, trees, first_trees);
-  gather(node.first, first_trees, children);
-  gather(node.first + 1, trees - first_trees, children);
+  const int first = first_trees(node, trees);
+  gather(node.first, first, children);
+  gather(node.first + 1, trees - first, children);
 }
 
 void CollapsePlan::gather(std::uint32_t node, int trees, Children& children) const {
@@ -90,11 +92,6 @@ void CollapsePlan::gather(std::uint32_t node, int trees, Children& children) con
     children.nodes[children.count++] = node;
   else
     divide(node, trees, children);
-}
-
-float CollapsePlan::probability(std::uint32_t node) const {
-  const double root = tree_.nodes[0].box.half_area();
-  return root > 0 ? float(tree_.nodes[node].box.half_area() / root) : 1;
 }
 
 }  // namespace twinray

@@ -6,8 +6,8 @@
 // primitives. Boxes are those of padded() (core/slab.h); there is none for the root.
 #pragma once
 #include <cstdint>
-#include <vector>
 
+#include "accel/big_vector.h"
 #include "accel/bvh/node.h"
 #include "accel/triangle_block.h"
 #include "core/aabb.h"
@@ -68,8 +68,8 @@ inline constexpr int wide_stack_size = (WideNode::width - 1) * max_wide_depth + 
 /// A finished tree. Without primitives there is no root.
 struct WideBvh {
   WideRef root;
-  std::vector<WideNode> nodes;  ///< In depth-first order.
-  std::vector<TriangleBlock> blocks;
+  BigVector<WideNode> nodes;  ///< In depth-first order.
+  BigVector<TriangleBlock> blocks;
 
   std::size_t bytes() const {
     return nodes.size() * sizeof(WideNode) + blocks.size() * sizeof(TriangleBlock);

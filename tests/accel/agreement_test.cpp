@@ -44,6 +44,8 @@ std::vector<Engine> canonical_engines(const std::shared_ptr<const Geometry>& geo
         add("bvh " + builder_name(builder), Backend::bvh,
             {.bvh_width = 2, .bvh_builder = builder, .max_leaf_size = leaf});
   add("bvh 8-wide, leaves of 1", Backend::bvh, {.bvh_width = 8, .max_leaf_size = 1});
+  add("bvh 8-wide fast", Backend::bvh, {.bvh_quality = BvhQuality::fast});
+  add("bvh 8-wide high", Backend::bvh, {.bvh_quality = BvhQuality::high});
   add("bvh 8-wide median", Backend::bvh, {.bvh_width = 8, .bvh_split = BvhSplit::median});
   for (const WideKernel& kernel : wide_kernels(TriangleTest::woop))
     engines.push_back({"bvh 8-wide, " + kernel.name, std::make_unique<WideEngine>(geometry, kernel)});

@@ -44,8 +44,8 @@ std::string fault(const Geometry& geometry, const BuildOptions& options) {
 }
 
 /// Primitives that are unit cubes around points of the x axis.
-std::vector<BuildPrimitive> cubes_at(const std::vector<float>& places) {
-  std::vector<BuildPrimitive> primitives;
+BuildPrimitives cubes_at(const std::vector<float>& places) {
+  BuildPrimitives primitives;
   for (const float x : places)
     primitives.push_back(
         {{{x - 0.5f, -0.5f, -0.5f}, {x + 0.5f, 0.5f, 0.5f}}, {0, std::uint32_t(primitives.size())}});
@@ -53,7 +53,7 @@ std::vector<BuildPrimitive> cubes_at(const std::vector<float>& places) {
 }
 
 /// The ids of the first `count` primitives, sorted.
-std::vector<std::uint32_t> first_ids(const std::vector<BuildPrimitive>& primitives, std::size_t count) {
+std::vector<std::uint32_t> first_ids(const BuildPrimitives& primitives, std::size_t count) {
   std::vector<std::uint32_t> ids;
   for (std::size_t i = 0; i < count; ++i) ids.push_back(primitives[i].id.primitive);
   std::sort(ids.begin(), ids.end());
@@ -189,7 +189,7 @@ TEST_CASE("no tree is deeper than the stack") {
 }
 
 TEST_CASE("median parts halves by centre along the longest axis") {
-  std::vector<BuildPrimitive> primitives = cubes_at({9, 1, 100, 3, 2});
+  BuildPrimitives primitives = cubes_at({9, 1, 100, 3, 2});
   CHECK(divide_by_median(NodeRange(primitives)) == 2);
   CHECK(first_ids(primitives, 2) == Ids{1, 4});
   for (BuildPrimitive& primitive : primitives)
@@ -200,14 +200,14 @@ TEST_CASE("median parts halves by centre along the longest axis") {
 }
 
 TEST_CASE("midpoint parts at the middle of the centres' box") {
-  std::vector<BuildPrimitive> primitives = cubes_at({9, 1, 100, 3, 2});
+  BuildPrimitives primitives = cubes_at({9, 1, 100, 3, 2});
   CHECK(divide_by_midpoint(NodeRange(primitives)) == 4);
   CHECK(first_ids(primitives, 4) == Ids{0, 1, 3, 4});
 }
 
 TEST_CASE("midpoint halves where no float lies between the centres") {
   const float x = 1, next = std::nextafter(1.0f, 2.0f);
-  std::vector<BuildPrimitive> primitives;
+  BuildPrimitives primitives;
   for (std::uint32_t i = 0; i < 6; ++i) {
     const float p = i < 5 ? x : next;
     primitives.push_back({{{p, 0, 0}, {p, 0, 0}}, {0, i}});
@@ -220,13 +220,13 @@ TEST_CASE("midpoint halves where no float lies between the centres") {
 }
 
 TEST_CASE("mean parts at the mean of the centres") {
-  std::vector<BuildPrimitive> primitives = cubes_at({9, 1, 100, 30, 2});
+  BuildPrimitives primitives = cubes_at({9, 1, 100, 30, 2});
   CHECK(divide_by_mean(NodeRange(primitives)) == 3);
   CHECK(first_ids(primitives, 3) == Ids{0, 1, 4});
 }
 
 TEST_CASE("sah parts two clusters between them") {
-  std::vector<BuildPrimitive> primitives = cubes_at({0, 100, 1, 101, 2, 102, 103});
+  BuildPrimitives primitives = cubes_at({0, 100, 1, 101, 2, 102, 103});
   const BuildOptions options{.max_leaf_size = 1};
   CHECK(divide_by_sah(NodeRange(primitives), options) == 3);
   CHECK(first_ids(primitives, 3) == Ids{0, 2, 4});
@@ -234,7 +234,7 @@ TEST_CASE("sah parts two clusters between them") {
 
 TEST_CASE("a leaf is kept when every split costs more") {
   // Two cubes that overlap by nine tenths: each half is almost as large as the whole.
-  std::vector<BuildPrimitive> primitives = cubes_at({0, 0.1f});
+  BuildPrimitives primitives = cubes_at({0, 0.1f});
   CHECK(divide(NodeRange(primitives), {}) == 0);
   // Where a leaf of two is not allowed, they are divided all the same.
   CHECK(divide(NodeRange(primitives), {.max_leaf_size = 1}) == 1);
@@ -249,7 +249,7 @@ TEST_CASE("a leaf is kept when every split costs more") {
 TEST_CASE("a cost by blocks fills leaves") {
   // By primitives three and two lie tightest; by blocks of four, which take the same for any number of
   // primitives, four and one.
-  std::vector<BuildPrimitive> primitives = cubes_at({0, 1, 2, 4, 7});
+  BuildPrimitives primitives = cubes_at({0, 1, 2, 4, 7});
   CHECK(divide_by_sah(NodeRange(primitives), {.max_leaf_size = 4}) == 3);
   CHECK(divide_by_sah(NodeRange(primitives), {.max_leaf_size = 4, .leaf_block = 4}) == 4);
   // Even far apart, two in one block are cheaper than two blocks.

@@ -69,7 +69,7 @@ TEST_CASE("a leaf in the wrong half is moved to its neighbours") {
   const auto geometry = share({mesh});
   BuildTree tree;
   tree.primitives = collect_primitives(*geometry);
-  tree.nodes.resize(11);
+  tree.nodes.assign(11, {});
   const auto set = [&](std::uint32_t index, std::uint32_t first, std::uint32_t count) {
     tree.nodes[index].first = first;
     tree.nodes[index].count = count;

@@ -18,6 +18,8 @@ namespace {
 
 constexpr BvhSplit all_splits[] = {BvhSplit::sah, BvhSplit::median, BvhSplit::midpoint, BvhSplit::mean};
 
+constexpr BvhQuality all_qualities[] = {BvhQuality::fast, BvhQuality::medium, BvhQuality::high};
+
 std::string fault(const Geometry& geometry, const BuildOptions& options = {}) {
   return find_fault(build_wide(geometry, options), geometry);
 }
@@ -120,10 +122,12 @@ TEST_CASE("every split and leaf size gives a wide tree without a fault") {
       CAPTURE(int(split), leaf);
       CHECK(fault(*geometry, {.bvh_split = split, .max_leaf_size = leaf}) == "");
     }
-  for (const BvhBuilder builder : available_builders()) {
-    const auto occurrence = builder == BvhBuilder::embree_high ? Occurrence::in_pieces : Occurrence::once;
-    CHECK(find_fault(build_wide(*geometry, {.bvh_builder = builder}), *geometry, occurrence) == "");
-  }
+  for (const BvhBuilder builder : available_builders())
+    for (const BvhQuality quality : all_qualities) {
+      const auto occurrence = builder == BvhBuilder::embree_high ? Occurrence::in_pieces : Occurrence::once;
+      const WideBvh bvh = build_wide(*geometry, {.bvh_builder = builder, .bvh_quality = quality});
+      CHECK(find_fault(bvh, *geometry, occurrence) == "");
+    }
 }
 
 TEST_CASE("a wide tree's leaves hold no more than the largest leaf size") {
@@ -167,11 +171,33 @@ TEST_CASE("the invariants name what is wrong with a wide tree") {
 
 TEST_CASE("the wide tree has the same bits on any number of threads") {
   const auto geometry = share({soup(40000, 0.02f, 7)});
-  for (const BvhSplit split : {BvhSplit::sah, BvhSplit::median}) {
-    const WideBvh one = build_wide(*geometry, {.threads = 1, .bvh_split = split});
-    CHECK(same_trees(one, build_wide(*geometry, {.threads = 2, .bvh_split = split})));
-    CHECK(same_trees(one, build_wide(*geometry, {.threads = 7, .bvh_split = split})));
-  }
+  for (const BvhSplit split : {BvhSplit::sah, BvhSplit::median})
+    for (const BvhQuality quality : all_qualities) {
+      const auto on = [&](int threads) {
+        return build_wide(*geometry, {.threads = threads, .bvh_split = split, .bvh_quality = quality});
+      };
+      const WideBvh one = on(1);
+      CHECK(same_trees(one, on(2)));
+      CHECK(same_trees(one, on(7)));
+    }
+}
+
+TEST_CASE("of the three qualities high gives the cheapest wide tree") {
+  // Triangles in a box of large ones, as in a room: where greedy splits go wrong.
+  Mesh mesh = soup(20000, 0.01f, 9);
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float side : {-1.0f, 1.0f}) {
+      Vec3 corners[4] = {{side, -1, -1}, {side, 1, -1}, {side, 1, 1}, {side, -1, 1}};
+      for (Vec3& p : corners) std::swap(p.x, p[axis]);
+      add_triangle(mesh, corners[0], corners[1], corners[2]);
+      add_triangle(mesh, corners[0], corners[2], corners[3]);
+    }
+  const auto geometry = share({mesh});
+  const auto cost = [&](BvhQuality quality) {
+    return build_accelerator(Backend::bvh, geometry, {.bvh_quality = quality})->stats().sah_cost;
+  };
+  CHECK(cost(BvhQuality::high) < cost(BvhQuality::medium));
+  CHECK(cost(BvhQuality::high) < cost(BvhQuality::fast));
 }
 
 TEST_CASE("degenerate geometry builds a wide tree") {

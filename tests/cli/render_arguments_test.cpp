@@ -117,6 +117,15 @@ TEST_CASE("check renders by the bvh and names the engine that it is checked with
         std::string::npos);
 }
 
+TEST_CASE("a quality goes with the wide bvh alone") {
+  CHECK(parse({"--accel=bvh"}).build.bvh_quality == BvhQuality::medium);
+  CHECK(parse({"--accel=bvh", "--bvh-quality=high"}).build.bvh_quality == BvhQuality::high);
+  for (const auto& words : {std::vector<std::string>{"--accel=bvh", "--bvh-width=2", "--bvh-quality=fast"},
+                            {"--accel=bvh", "--count", "--bvh-quality=fast"},
+                            {"--accel=brute-force", "--bvh-quality=high"}})
+    CHECK(message_of(words) == "--bvh-quality goes with --accel=bvh and --bvh-width=8");
+}
+
 TEST_CASE("cost shows what the engine counts: nodes of the bvh, else primitives") {
   const RenderArguments nodes = parse({"--integrator=cost", "--accel=bvh"});
   CHECK(nodes.cost == CostKind::nodes);
@@ -188,6 +197,8 @@ TEST_CASE("the scene may stand between the options, and the last of equal ones c
 TEST_CASE("a wrong word of a choice names the right ones") {
   CHECK(message_of({"--bvh-split=sahh"}) ==
         "--bvh-split: there is no \"sahh\"; valid are sah, median, midpoint, mean");
+  CHECK(message_of({"--bvh-quality=best"}) ==
+        "--bvh-quality: there is no \"best\"; valid are fast, medium, high");
   CHECK(message_of({"--bvh-width=4"}) == "--bvh-width: there is no \"4\"; valid are 2, 8");
   CHECK(message_of({"--integrator=photon"}) ==
         "--integrator: there is no \"photon\"; valid are path, direct, normals, cost");
