@@ -15,14 +15,16 @@ std::vector<Engine> table() {
   using enum EmbreeQuality;
   using enum Wanted;
   return {
+      {"embree-direct", Backend::embree_native, native(robust, medium, "default"), always,
+       "rtcIntersect1 and rtcOccluded1, own triangles, robust, as Embree comes: the baseline", true},
       {"embree-native", Backend::embree_native, native(robust, medium, "default"), always,
-       "Embree's own triangles, robust, as it comes: the baseline"},
+       "the same through the interface that all engines share"},
       {"embree-native-avx2", Backend::embree_native, native(robust, medium, "avx2"), always,
-       "the same, AVX2 at most"},
+       "the same, with AVX2 at most"},
       {"embree-fast", Backend::embree_native, native(fast, medium, "default"), always,
        "Embree's own triangles, fast mode: rays may slip through edges"},
       {"embree-fast-high", Backend::embree_native, native(fast, high, "default"), always,
-       "the same, built with spatial splits"},
+       "fast mode over a tree with spatial splits"},
       {"embree", Backend::embree, {}, always, "Embree's traversal with our canonical leaf"},
       {"bvh", Backend::bvh, {}, always, "our BVH as it comes"},
       {"bvh-binary", Backend::bvh, {.bvh_width = 2}, always, "our readable BVH of two children a node"},
@@ -30,7 +32,7 @@ std::vector<Engine> table() {
        Backend::bvh,
        {.bvh_width = 2, .bvh_split = BvhSplit::median},
        full,
-       "split into halves"},
+       "split into halves by count"},
       {"bvh-binary-midpoint",
        Backend::bvh,
        {.bvh_width = 2, .bvh_split = BvhSplit::midpoint},
@@ -55,7 +57,7 @@ std::vector<Engine> table() {
        Backend::bvh,
        {.bvh_builder = BvhBuilder::embree_high},
        full,
-       "and with spatial splits"},
+       "our BVH over Embree's builder with spatial splits"},
       {"brute-force", Backend::brute_force, {}, small, "every ray against every primitive"},
   };
 }

@@ -23,14 +23,15 @@ struct Engine {
   Backend backend = Backend::bvh;
   BuildOptions options;
   Wanted wanted = Wanted::always;
-  std::string what;  ///< In a few words, for people.
+  std::string what;        ///< In a few words, for people.
+  bool is_direct = false;  ///< Asked by Embree's own functions, without our interface; embree_native only.
 
   /// Whether it promises the canonical answers, bit for bit.
   bool is_canonical() const { return backend != Backend::embree_native; }
 };
 
-/// All engines of this build. The first is the baseline of every ratio: Embree with its own triangles,
-/// robust, as it comes; without Embree, our default BVH.
+/// All engines of this build. The first is the baseline of every ratio: Embree called directly, with its own
+/// triangles, robust, as it comes; without Embree, our default BVH.
 std::vector<Engine> engines();
 
 }  // namespace twinray::bench

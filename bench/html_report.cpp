@@ -39,6 +39,13 @@ std::string machine_table(const Results& results) {
   return html + "</table>\n";
 }
 
+std::string engine_table() {
+  std::string html = "<h3>The engines</h3>\n<table class=\"facts\">\n";
+  for (const Engine& engine : engines())
+    html += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", engine.name, escaped(engine.what));
+  return html + "</table>\n";
+}
+
 /// "1.234 [1.200, 1.260]", the quartiles small.
 std::string spread(const std::vector<double>& values, const char* format) {
   if (values.empty()) return "–";
@@ -113,7 +120,7 @@ std::string html_report(const Results& results) {
       "rounds in which "
       "the engines take turns, in brackets and as thin lines the quartiles.</p>\n",
       results.width, results.height, escaped(baseline), results.rounds);
-  html += machine_table(results);
+  html += machine_table(results) + engine_table();
   html += "<h2>Speed by scene</h2>\n" + speed_plots(results);
   html += "<h2>The same in numbers</h2>\n" + headline_table(results);
   if (const std::string growth = growth_plots(results); !growth.empty())

@@ -9,6 +9,9 @@
 #include <cmath>
 #include <regex>
 
+#ifdef TWINRAY_WITH_EMBREE
+#include "accel/embree/direct.h"
+#endif
 #include "core/parallel.h"
 
 namespace twinray::bench {
@@ -35,7 +38,16 @@ std::vector<Ray> few_of(const std::vector<Ray>& rays) {
   return few;
 }
 
-void shoot(const Accelerator& accelerator, RayKind kind, std::span<const Ray> rays) {
+void shoot(const Engine& engine, const Accelerator& accelerator, RayKind kind, std::span<const Ray> rays) {
+#ifdef TWINRAY_WITH_EMBREE
+  if (engine.is_direct) {
+    benchmark::DoNotOptimize(kind == RayKind::shadow ? embree::any_hits_directly(accelerator, rays)
+                                                     : embree::closest_hits_directly(accelerator, rays));
+    return;
+  }
+#else
+  (void)engine;
+#endif
   if (kind == RayKind::shadow)
     for (const Ray& ray : rays) benchmark::DoNotOptimize(accelerator.any_hit(ray));
   else
@@ -85,8 +97,9 @@ class Group {
       const std::span<const Ray> rays = engines_[i].backend == Backend::brute_force ? few : all;
       if (rays.empty() || !figures_[i].complaint.empty()) continue;
       sound.push_back(i);
-      timed.push_back(
-          {engines_[i].name, [this, i, set, rays] { shoot(*accelerators_[i], ray_sets[set].kind, rays); }});
+      timed.push_back({engines_[i].name, [this, i, set, rays] {
+                         shoot(engines_[i], *accelerators_[i], ray_sets[set].kind, rays);
+                       }});
       count(i, set, rays);
     }
     const auto results = run_rounds(timed, options_.rounds);

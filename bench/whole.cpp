@@ -98,7 +98,8 @@ Rounds once_a_round(const WholeOptions& options) {
 std::vector<Engine> rendering_engines() {
   std::vector<Engine> chosen;
   for (const Engine& engine : engines())
-    if (chosen.empty() || engine.name == "embree" || engine.name == "bvh") chosen.push_back(engine);
+    if (engine.name == "embree-native" || engine.name == "embree" || engine.name == "bvh")
+      chosen.push_back(engine);
   return chosen;
 }
 

@@ -55,7 +55,8 @@ struct WholeOptions {
   std::vector<std::string> worker_command;
 };
 
-/// The engines that render: the baseline, Embree with our leaf, our BVH.
+/// The engines that render: Embree with its own triangles, which is the baseline here, Embree with our leaf,
+/// our BVH.
 std::vector<Engine> rendering_engines();
 
 PictureOfScene measure_pictures(const Workload& workload, const WholeOptions& options);

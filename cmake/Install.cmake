@@ -23,6 +23,7 @@ set(private_headers
   accel/embree/bounds.h
   accel/embree/builder.h
   accel/embree/device.h
+  accel/embree/direct.h
   accel/embree/embree.h
   accel/embree/leaf.h
   accel/embree/ray.h

@@ -6,9 +6,11 @@
 #include "accel/backends.h"
 #include "accel/embree/bounds.h"
 #include "accel/embree/device.h"
+#include "accel/embree/direct.h"
 #include "accel/embree/ray.h"
 #include "accel/phase_timer.h"
 #include "core/checked_ray.h"
+#include "core/error.h"
 #include "core/sphere.h"
 
 namespace twinray {
@@ -101,6 +103,39 @@ class EmbreeNative final : public Accelerator {
   Aabb bounds() const noexcept override { return geometry_->bounds(); }
   AccelStats stats() const override { return stats_; }
 
+  std::size_t closest_hits_directly(std::span<const Ray> rays) const {
+    std::size_t hits = 0;
+    if (!spheres_.empty()) {
+      for (const Ray& ray : rays) hits += bool(closest_hit(ray));
+      return hits;
+    }
+    embree::Context context;
+    embree::initialize(context);
+    for (const Ray& ray : rays) {
+      RTCRayHit found =
+          embree::without_hit(embree::make_ray(ray.origin, ray.direction, ray.t_min, ray.t_max));
+      embree::intersect(scene_.get(), context, found);
+      hits += found.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    }
+    return hits;
+  }
+
+  std::size_t any_hits_directly(std::span<const Ray> rays) const {
+    std::size_t hits = 0;
+    if (!spheres_.empty()) {
+      for (const Ray& ray : rays) hits += any_hit(ray);
+      return hits;
+    }
+    embree::Context context;
+    embree::initialize(context);
+    for (const Ray& ray : rays) {
+      RTCRay occlusion_ray = embree::make_ray(ray.origin, ray.direction, ray.t_min, ray.t_max);
+      embree::occluded(scene_.get(), context, occlusion_ray);
+      hits += occlusion_ray.tfar < 0;
+    }
+    return hits;
+  }
+
  private:
   /// A shape's number in the scene is its index.
   void add_shapes() {
@@ -146,11 +181,25 @@ class EmbreeNative final : public Accelerator {
   embree::Scene scene_;
 };
 
+const EmbreeNative& as_native(const Accelerator& accelerator) {
+  const auto* const native = dynamic_cast<const EmbreeNative*>(&accelerator);
+  if (!native) throw Error("only the engine embree-native can be asked without its interface");
+  return *native;
+}
+
 }  // namespace
 
 std::unique_ptr<Accelerator> build_embree_native(std::shared_ptr<const Geometry> geometry,
                                                  const BuildOptions& options) {
   return std::make_unique<EmbreeNative>(std::move(geometry), options);
+}
+
+std::size_t embree::closest_hits_directly(const Accelerator& native, std::span<const Ray> rays) {
+  return as_native(native).closest_hits_directly(rays);
+}
+
+std::size_t embree::any_hits_directly(const Accelerator& native, std::span<const Ray> rays) {
+  return as_native(native).any_hits_directly(rays);
 }
 
 }  // namespace twinray

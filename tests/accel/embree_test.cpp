@@ -2,6 +2,7 @@
 // What is Embree's own: its triangles as a witness, and its errors. tests/accel/agreement_test.cpp holds
 // Embree with our leaf to the oracle. The file is compiled where Embree is part of the build.
 #include "accel/accelerator.h"
+#include "accel/embree/direct.h"
 #include "core/error.h"
 #include "tests/support/catch.h"
 #include "tests/support/shapes.h"
@@ -41,6 +42,21 @@ TEST_CASE("embree-native finds what the canonical engines find on generic rays")
     REQUIRE(found.v == Approx(expected.v).margin(0.01));
   }
   CHECK(hits > 2000);
+}
+
+TEST_CASE("embree-native called directly hits what it hits through the interface") {
+  for (const auto& geometry :
+       {share({soup(300, 0.3f, 1)}), share({soup(300, 0.3f, 1), random_spheres(9, 0.2f, 2)})}) {
+    const auto witness = native(geometry);
+    const std::vector<Ray> rays = random_rays(2000, geometry->bounds(), 4);
+    std::size_t hits = 0;
+    for (const Ray& ray : rays) hits += witness->any_hit(ray);
+    CHECK(hits > 500);
+    CHECK(embree::closest_hits_directly(*witness, rays) == hits);
+    CHECK(embree::any_hits_directly(*witness, rays) == hits);
+  }
+  const auto canonical = build_accelerator(Backend::bvh, share({}));
+  CHECK_THROWS_AS(embree::any_hits_directly(*canonical, {}), Error);
 }
 
 TEST_CASE("embree-native gives a sphere's canonical hit") {
