@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <regex>
 
+#include "bench/pattern.h"
 #include "bench/scenes/generated.h"
 #include "core/error.h"
 #include "io/scene_file.h"
@@ -71,19 +71,15 @@ void add_generated(std::vector<SceneSource>& all, const SceneChoice& choice) {
     }
 }
 
-bool matches(const std::string& name, const std::vector<std::string>& patterns) {
-  return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
-           try {
-             return std::regex_search(name, std::regex(pattern));
-           } catch (const std::regex_error&) {
-             throw Error(fmt::format("\"{}\" is not a regular expression", pattern));
-           }
-         });
+bool matches(const std::string& name, const std::vector<Pattern>& patterns) {
+  return patterns.empty() || std::any_of(patterns.begin(), patterns.end(),
+                                         [&](const Pattern& pattern) { return pattern.matches(name); });
 }
 
 }  // namespace
 
 std::vector<SceneSource> choose_scenes(const SceneChoice& choice) {
+  const std::vector<Pattern> patterns(choice.only.begin(), choice.only.end());
   std::vector<SceneSource> all;
   all.push_back(from_file("box", choice.own_scenes + "/cornell-bunny.dae"));
   all.push_back(from_file("spheres", choice.own_scenes + "/spheres.dae"));
@@ -91,7 +87,7 @@ std::vector<SceneSource> choose_scenes(const SceneChoice& choice) {
   add_generated(all, choice);
   std::vector<SceneSource> chosen;
   for (const SceneSource& source : all)
-    if (matches(source.name, choice.only)) chosen.push_back(source);
+    if (matches(source.name, patterns)) chosen.push_back(source);
   for (const std::string& file : choice.files)
     chosen.push_back(from_file(fs::path(file).stem().string(), file));
   if (chosen.empty()) throw Error("no scene has such a name");

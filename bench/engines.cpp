@@ -27,6 +27,8 @@ std::vector<Engine> table() {
        "fast mode over a tree with spatial splits"},
       {"embree", Backend::embree, {}, always, "Embree's traversal with our canonical leaf"},
       {"bvh", Backend::bvh, {}, always, "our BVH as it comes"},
+      {"bvh-fast", Backend::bvh, {.bvh_quality = BvhQuality::fast}, always, "our BVH, built in less time"},
+      {"bvh-high", Backend::bvh, {.bvh_quality = BvhQuality::high}, always, "our BVH, built with more care"},
       {"bvh-binary", Backend::bvh, {.bvh_width = 2}, always, "our readable BVH of two children a node"},
       {"bvh-binary-median",
        Backend::bvh,

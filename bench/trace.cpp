@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 
 #ifdef TWINRAY_WITH_EMBREE
 #include "accel/embree/direct.h"
 #endif
+#include "bench/pattern.h"
 #include "core/parallel.h"
 
 namespace twinray::bench {
@@ -140,9 +140,9 @@ class Group {
 
 std::vector<Engine> wanted_engines(std::size_t primitives, const TraceOptions& options) {
   std::vector<Engine> wanted;
-  const std::regex pattern(options.engine_pattern);
+  const Pattern pattern(options.engine_pattern);
   for (const Engine& engine : engines()) {
-    const bool is_named = std::regex_search(engine.name, pattern);
+    const bool is_named = pattern.matches(engine.name);
     const bool takes_part =
         (engine.wanted != Wanted::full || options.is_full || !options.engine_pattern.empty()) &&
         (engine.wanted != Wanted::small || primitives <= small_scene);
