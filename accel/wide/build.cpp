@@ -25,17 +25,17 @@ struct Leaf {
 /// The places of nodes and blocks, depth first.
 class Layout {
  public:
-  Layout(const BuildTree& tree, const CollapsePlan& plan) : tree_(tree), plan_(plan) {}
+  explicit Layout(const BuildTree& tree) : tree_(tree) {}
 
-  WideRef place(std::uint32_t binary) {
-    if (plan_.is_leaf(binary)) {
+  WideRef place(const CollapsePlan& plan, std::uint32_t binary) {
+    if (plan.is_leaf(binary)) {
       leaves_.push_back(binary);
       return WideRef::block(leaves_.size() - 1);
     }
     const std::size_t index = nodes_.size();
-    nodes_.push_back({plan_.children(binary), {}});
+    nodes_.push_back({plan.children(binary), {}});
     for (int child = 0; child < nodes_[index].children.count; ++child)
-      nodes_[index].refs[child] = place(nodes_[index].children.nodes[child]);
+      nodes_[index].refs[child] = place(plan, nodes_[index].children.nodes[child]);
     return WideRef::node(index);
   }
 
@@ -81,7 +81,6 @@ class Layout {
   }
 
   const BuildTree& tree_;
-  const CollapsePlan& plan_;
   std::vector<PlacedNode> nodes_;
   std::vector<std::uint32_t> leaves_;  ///< Binary nodes.
 };
@@ -111,9 +110,8 @@ ReinsertionEffort effort_of(BvhQuality quality) {
 WideBvh widen(const BuildTree& tree, const Geometry& geometry, int max_leaf_size) {
   WideBvh bvh;
   if (tree.primitives.empty()) return bvh;
-  const CollapsePlan plan(tree, max_leaf_size);
-  Layout layout(tree, plan);
-  bvh.root = layout.place(0);
+  Layout layout(tree);
+  bvh.root = layout.place(CollapsePlan(tree, max_leaf_size), 0);  // Here the plan's memory is free again.
   layout.make_nodes(bvh.nodes);
   layout.make_blocks(geometry, bvh.blocks);
   return bvh;
