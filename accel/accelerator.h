@@ -63,7 +63,9 @@ class Accelerator {
   Hit closest_hit(const Ray& ray, QueryCounts& counts) const noexcept;
   bool any_hit(const Ray& ray, QueryCounts& counts) const noexcept;
 
-  /// Batches: answers[i] is that of rays[i]. Both spans have the same length.
+  /// Batches: answers[i] is that of rays[i], with the same bits as one by one; the eight-wide BVH traces
+  /// several rays at a time, which pays where a scene does not fit into the caches. Both spans have the same
+  /// length.
   void closest_hits(std::span<const Ray> rays, std::span<Hit> answers) const noexcept;
   void any_hits(std::span<const Ray> rays, std::span<std::uint8_t> answers) const noexcept;
 
@@ -80,6 +82,9 @@ class Accelerator {
   // t in these answers is that of the scaled ray; the callers above scale it back.
   virtual Hit trace_closest(const CheckedRay& ray) const noexcept = 0;
   virtual bool trace_any(const CheckedRay& ray) const noexcept = 0;
+  // hits[i] is that of rays[i], and holds a miss before.
+  virtual void trace_closest_batch(std::span<const CheckedRay> rays, Hit* hits) const noexcept;
+  virtual void trace_any_batch(std::span<const CheckedRay> rays, std::uint8_t* hits) const noexcept;
   virtual Hit count_closest(const CheckedRay& ray, QueryCounts& counts) const noexcept = 0;
   virtual bool count_any(const CheckedRay& ray, QueryCounts& counts) const noexcept = 0;
 };

@@ -33,11 +33,13 @@ set(private_headers
   accel/phase_timer.h
   accel/shape_test.h
   accel/triangle_block.h
+  accel/wide/box_test-inl.h
   accel/wide/build.h
   accel/wide/collapse.h
   accel/wide/invariants.h
   accel/wide/kernel.h
   accel/wide/node.h
+  accel/wide/query-inl.h
   accel/wide/scalar.h
   accel/wide/statistics.h
   core/checked_ray.h

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of one ray through an eight-wide BVH, compiled once for each instruction set.
-//
-// Eight boxes are tested at once by the operations of core/slab.h, in their order and without fused
-// multiply-add, so each lane has the bits of intersect_slab and what its monotony promises holds: no box is
-// culled that holds an accepted hit. A child waits on the stack as one number, the bits of its entry above
-// its name: entries are not negative, so numbers are ordered as entries are.
+// The queries over an eight-wide BVH, compiled once for each instruction set.
 #include "accel/wide/kernel.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <new>
+#include <span>
 
 #include "accel/instruction_sets.h"
 #include "accel/wide/scalar.h"
@@ -21,194 +17,124 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "accel/block_test-inl.h"
+#include "accel/wide/query-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 namespace {
 
-using Tag = hn::CappedTag<float, WideNode::width>;
-using IntTag = hn::RebindToSigned<Tag>;
-using Lanes = hn::Vec<Tag>;
-constexpr std::size_t lane_count = hn::MaxLanes(Tag());
+/// Enough for memory to keep up with.
+constexpr std::size_t queries_in_flight = 8;
 
-/// A ray as the box test wants it: in lanes, with its octant as places of rows in a node.
-class BoxRay {
- public:
-  HWY_ATTR HWY_INLINE explicit BoxRay(const CheckedRay& ray)
-      : t_min_(hn::Set(IntTag(), std::bit_cast<std::int32_t>(ray.t_min + 0.0f))) {
-    for (int axis = 0; axis < 3; ++axis) {
-      near_origin_[axis] = hn::Set(Tag(), ray.near_origin[axis]);
-      far_origin_[axis] = hn::Set(Tag(), ray.far_origin[axis]);
-      near_inverse_[axis] = hn::Set(Tag(), ray.near_inverse[axis]);
-      far_inverse_[axis] = hn::Set(Tag(), ray.far_inverse[axis]);
-      near_row_[axis] = std::size_t(2 * axis + ray.is_negative[axis]) * WideNode::width;
-      far_row_[axis] = std::size_t(2 * axis + 1 - ray.is_negative[axis]) * WideNode::width;
-    }
-  }
+// The single queries have loops of their own, for in steps they take 10 % longer: here the processor learns
+// nodes and blocks apart.
 
-  /// Bit i: the ray meets the box of child i within [t_min, t_max], at entries[i], which is never -0.
-  HWY_ATTR HWY_INLINE std::uint32_t intersect(const WideNode& node, float t_max, float* entries) const {
-    const Lanes exit_limit = hn::Set(Tag(), t_max);
-    std::uint32_t met = 0;
-    for (std::size_t first = 0; first < WideNode::width; first += lane_count) {
-      const Lanes near =
-          hn::Max(hn::Max(near_at(node, 0, first), near_at(node, 1, first)), near_at(node, 2, first));
-      const Lanes far =
-          hn::Min(hn::Min(far_at(node, 0, first), far_at(node, 1, first)), far_at(node, 2, first));
-      // The maximum with a number >= +0 as integers is that as floats, and never -0.
-      const Lanes entry = hn::BitCast(Tag(), hn::Max(hn::BitCast(IntTag(), near), t_min_));
-      hn::Store(entry, Tag(), entries + first);
-      met |= bits_of(Tag(), hn::Le(entry, hn::Min(far, exit_limit))) << first;
-    }
-    return met;
-  }
-
- private:
-  HWY_ATTR HWY_INLINE Lanes near_at(const WideNode& node, int axis, std::size_t first) const {
-    const Lanes planes = hn::Load(Tag(), node.planes[0][0] + near_row_[axis] + first);
-    return hn::Mul(hn::Sub(planes, near_origin_[axis]), near_inverse_[axis]);
-  }
-  HWY_ATTR HWY_INLINE Lanes far_at(const WideNode& node, int axis, std::size_t first) const {
-    const Lanes planes = hn::Load(Tag(), node.planes[0][0] + far_row_[axis] + first);
-    return hn::Mul(hn::Sub(planes, far_origin_[axis]), far_inverse_[axis]);
-  }
-
-  Lanes near_origin_[3], far_origin_[3], near_inverse_[3], far_inverse_[3];
-  hn::Vec<IntTag> t_min_;
-  std::size_t near_row_[3], far_row_[3];  ///< Where in a node's planes they are.
-};
-
-using Key = std::uint64_t;
-
-HWY_ATTR HWY_INLINE Key key_of(const float* entries, const WideNode& node, int child) {
-  return Key(std::bit_cast<std::uint32_t>(entries[child])) << 32 | node.children[child].bits;
-}
-
-HWY_ATTR HWY_INLINE void order(Key& larger, Key& smaller) {
-  const Key a = larger, b = smaller;
-  larger = a > b ? a : b;
-  smaller = a > b ? b : a;
-}
-
-/// Sorts three or more keys, the largest first: the first four by a network, others by insertion.
-HWY_ATTR HWY_INLINE void sort(Key* keys, std::ptrdiff_t count) {
-  order(keys[0], keys[1]);
-  if (count == 3) {
-    order(keys[1], keys[2]);
-    order(keys[0], keys[1]);
-    return;
-  }
-  order(keys[2], keys[3]);
-  order(keys[0], keys[2]);
-  order(keys[1], keys[3]);
-  order(keys[1], keys[2]);
-  for (std::ptrdiff_t i = 4; i < count; ++i) {
-    const Key key = keys[i];
-    std::ptrdiff_t place = i;
-    for (; place > 0 && keys[place - 1] < key; --place) keys[place] = keys[place - 1];
-    keys[place] = key;
-  }
-}
-
-/// Calls `test(block)` for the blocks whose boxes the ray meets between ray.t_min and t_max, about front to
-/// back; `test` may lower t_max, and ends the traversal by returning true.
-template <typename Test>
-HWY_ATTR HWY_INLINE void traverse(const WideBvh& bvh, const CheckedRay& ray, const float& t_max,
-                                  Test&& test) {
-  if (bvh.root.is_none()) return;
+HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const CheckedRay& ray) {
+  if (bvh.root.is_none()) return {};
   const BoxRay box_ray(ray);
-  const WideNode* const nodes = bvh.nodes.data();
-  const TriangleBlock* const blocks = bvh.blocks.data();
+  const BlockRay block_ray(ray);
+  Nearest best;
+  float t_max = ray.t_max;
   Key stack[wide_stack_size];
   Key* top = stack;
-  alignas(32) float entries[WideNode::width];
   WideRef ref = bvh.root;
   for (;;) {
     while (!ref.is_block()) {
-      const WideNode& node = nodes[ref.index()];
-      std::uint32_t met = box_ray.intersect(node, t_max, entries);
+      const WideNode& node = bvh.nodes[ref.index()];
+      alignas(32) float entries[WideNode::width];
+      const std::uint32_t met = box_ray.intersect(node, t_max, entries);
       if (met == 0) break;
-      const int first = std::countr_zero(met);
-      met &= met - 1;
-      if (met == 0) {
-        ref = node.children[first];
-        continue;
-      }
-      Key key = key_of(entries, node, first), other = key_of(entries, node, std::countr_zero(met));
-      met &= met - 1;
-      if (met == 0) {
-        order(other, key);
-        *top++ = other;
-      } else {
-        Key* const lowest = top;
-        *top++ = key;
-        *top++ = other;
-        for (; met != 0; met &= met - 1) *top++ = key_of(entries, node, std::countr_zero(met));
-        sort(lowest, top - lowest);
-        key = *--top;
-      }
-      ref = {std::uint32_t(key)};
+      ref = nearest_child(node, met, entries, top);
     }
-    if (ref.is_block() && test(blocks[ref.index()])) return;
-    const std::uint32_t limit = std::bit_cast<std::uint32_t>(t_max + 0.0f);
-    Key key;
-    do {
-      if (top == stack) return;
-      key = *--top;
-    } while (key >> 32 > limit);
-    ref = {std::uint32_t(key)};
+    if (ref.is_block()) {
+      const TriangleBlock& block = bvh.blocks[ref.index()];
+      block_ray.closest(ray, block, best);
+      if (block.others) best.test(geometry, ray, block, block.others);
+      t_max = std::min(t_max, best.t);
+    }
+    ref = pop(stack, top, t_max);
+    if (ref.is_none()) return best.hit();
   }
 }
 
-/// Whether `test(block)` is true for any of the blocks whose boxes the ray meets, in no order: to sort them
-/// took longer than the blocks that it saved, 8 % on shadow rays.
-template <typename Test>
-HWY_ATTR HWY_INLINE bool traverse_any(const WideBvh& bvh, const CheckedRay& ray, Test&& test) {
+HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const CheckedRay& ray) {
   if (bvh.root.is_none()) return false;
   const BoxRay box_ray(ray);
-  const WideNode* const nodes = bvh.nodes.data();
-  const TriangleBlock* const blocks = bvh.blocks.data();
-  std::uint32_t stack[wide_stack_size];  // Of WideRefs' bits; as numbers they need not be initialised.
+  const BlockRay block_ray(ray);
+  std::uint32_t stack[wide_stack_size];
   std::uint32_t* top = stack;
   WideRef ref = bvh.root;
   for (;;) {
-    std::uint32_t met = 0;
-    if (ref.is_block()) {
-      if (test(blocks[ref.index()])) return true;
-    } else {
-      const WideNode& node = nodes[ref.index()];
+    while (!ref.is_block()) {
+      const WideNode& node = bvh.nodes[ref.index()];
       alignas(32) float entries[WideNode::width];
-      met = box_ray.intersect(node, ray.t_max, entries);
-      if (met != 0) {
-        ref = node.children[std::countr_zero(met)];
-        for (met &= met - 1; met != 0; met &= met - 1) *top++ = node.children[std::countr_zero(met)].bits;
-        continue;
-      }
+      const std::uint32_t met = box_ray.intersect(node, ray.t_max, entries);
+      if (met == 0) break;
+      ref = any_child(node, met, top);
+    }
+    if (ref.is_block()) {
+      const TriangleBlock& block = bvh.blocks[ref.index()];
+      if (block_ray.any(ray, block) || (block.others && any_other(geometry, ray, block))) return true;
     }
     if (top == stack) return false;
     ref = {*--top};
   }
 }
 
-HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const CheckedRay& ray) {
-  Nearest best;
-  float t_max = ray.t_max;
-  const BlockRay block_ray(ray);
-  traverse(bvh, ray, t_max, [&](const TriangleBlock& block) HWY_ATTR {
-    block_ray.closest(ray, block, best);
-    if (block.others) best.test(geometry, ray, block, block.others);
-    t_max = std::min(t_max, best.t);
-    return false;
-  });
-  return best.hit();
+/// Asks for what the next step will read.
+HWY_ATTR HWY_INLINE void prefetch(const WideBvh& bvh, WideRef ref) {
+  constexpr std::size_t line = 64;
+  const bool is_block = ref.is_block();
+  const char* const place = is_block ? reinterpret_cast<const char*>(&bvh.blocks[ref.index()])
+                                     : reinterpret_cast<const char*>(&bvh.nodes[ref.index()]);
+  for (std::size_t i = 0; i < (is_block ? sizeof(TriangleBlock) : sizeof(WideNode)); i += line)
+    __builtin_prefetch(place + i);
 }
 
-HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const CheckedRay& ray) {
-  const BlockRay block_ray(ray);
-  return traverse_any(bvh, ray, [&](const TriangleBlock& block) HWY_ATTR {
-    return block_ray.any(ray, block) || (block.others && any_other(geometry, ray, block));
-  });
+/// A place for one of the queries of a batch.
+template <typename Query>
+struct Slot {
+  // Not alignas(Query): GCC 12 instantiates templates without the vectors of this target, and gets 16.
+  alignas(64) std::byte memory[sizeof(Query)];
+  bool is_busy = false;
+  std::size_t index;  ///< Of the query's ray.
+
+  Query& query() { return *std::launder(reinterpret_cast<Query*>(memory)); }
+};
+
+/// Several queries by turns, a step each: while one waits for memory, the others go on.
+template <typename Query, typename Answer>
+HWY_ATTR void batch(const WideBvh& bvh, const Geometry& geometry, std::span<const CheckedRay> rays,
+                    Answer* answers) {
+  if (bvh.root.is_none()) return;
+  Slot<Query> slots[queries_in_flight];
+  std::size_t started = 0, answered = 0;
+  while (answered < rays.size())
+    for (Slot<Query>& slot : slots) {
+      if (!slot.is_busy) {
+        if (started == rays.size()) continue;
+        slot.index = started++;
+        slot.is_busy = true;
+        new (slot.memory) Query(rays[slot.index], bvh.root);
+      }
+      if (slot.query().step(bvh, geometry)) {
+        prefetch(bvh, slot.query().next());
+      } else {
+        answers[slot.index] = slot.query().answer();
+        slot.is_busy = false;
+        ++answered;
+      }
+    }
+}
+
+HWY_ATTR void closest_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const CheckedRay> rays,
+                            Hit* hits) {
+  batch<ClosestQuery>(bvh, geometry, rays, hits);
+}
+
+HWY_ATTR void any_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const CheckedRay> rays,
+                        std::uint8_t* hits) {
+  batch<AnyQuery>(bvh, geometry, rays, hits);
 }
 
 HWY_ATTR std::uint32_t meet(const WideNode& node, const CheckedRay& ray, float t_max, float* entries) {
@@ -218,7 +144,9 @@ HWY_ATTR std::uint32_t meet(const WideNode& node, const CheckedRay& ray, float t
   return met;
 }
 
-[[maybe_unused]] WideKernel kernel() { return {simd_name(hwy::TargetName(HWY_TARGET)), closest, any, meet}; }
+[[maybe_unused]] WideKernel kernel() {
+  return {simd_name(hwy::TargetName(HWY_TARGET)), closest, any, closest_batch, any_batch, meet};
+}
 
 }  // namespace
 }  // namespace twinray::HWY_NAMESPACE
@@ -227,6 +155,20 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace twinray {
 namespace {
+
+template <TriangleTest test>
+void scalar_closest_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const CheckedRay> rays,
+                          Hit* hits) {
+  QueryCounts counts;
+  for (const CheckedRay& ray : rays) *hits++ = scalar_closest<test>(bvh, geometry, ray, counts);
+}
+
+template <TriangleTest test>
+void scalar_any_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const CheckedRay> rays,
+                      std::uint8_t* hits) {
+  QueryCounts counts;
+  for (const CheckedRay& ray : rays) *hits++ = scalar_any<test>(bvh, geometry, ray, counts);
+}
 
 template <TriangleTest test>
 WideKernel scalar() {
@@ -239,6 +181,8 @@ WideKernel scalar() {
             QueryCounts counts;
             return scalar_any<test>(bvh, geometry, ray, counts);
           },
+          scalar_closest_batch<test>,
+          scalar_any_batch<test>,
           scalar_meet};
 }
 

@@ -3,6 +3,7 @@
 // oracle. All give the same bits.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct WideKernel {
   std::string name;  ///< Of the instruction set: "avx512", "avx2", "sse4", "scalar".
   Hit (*closest)(const WideBvh&, const Geometry&, const CheckedRay&);
   bool (*any)(const WideBvh&, const Geometry&, const CheckedRay&);
+  /// The same of many rays, several at a time; answers nothing where the tree is empty.
+  void (*closest_batch)(const WideBvh&, const Geometry&, std::span<const CheckedRay>, Hit* hits);
+  void (*any_batch)(const WideBvh&, const Geometry&, std::span<const CheckedRay>, std::uint8_t* hits);
   /// The box test alone. Bit i: the ray meets the box of child i within [ray.t_min, t_max]; it enters it at
   /// entries[i], at least t_min.
   std::uint32_t (*meet)(const WideNode&, const CheckedRay&, float t_max, float entries[WideNode::width]);

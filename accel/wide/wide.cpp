@@ -29,6 +29,12 @@ class WideAccelerator final : public Accelerator {
     return kernel_.closest(bvh_, *geometry_, ray);
   }
   bool trace_any(const CheckedRay& ray) const noexcept override { return kernel_.any(bvh_, *geometry_, ray); }
+  void trace_closest_batch(std::span<const CheckedRay> rays, Hit* hits) const noexcept override {
+    kernel_.closest_batch(bvh_, *geometry_, rays, hits);
+  }
+  void trace_any_batch(std::span<const CheckedRay> rays, std::uint8_t* hits) const noexcept override {
+    kernel_.any_batch(bvh_, *geometry_, rays, hits);
+  }
   Hit count_closest(const CheckedRay& ray, QueryCounts& counts) const noexcept override {
     return scalar_closest<test>(bvh_, *geometry_, ray, counts);
   }

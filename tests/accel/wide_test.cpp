@@ -264,6 +264,36 @@ TEST_CASE(
                     "there is no instruction set \"AVX2\" on this machine; valid are " + valid);
 }
 
+TEST_CASE("a batch gives the bits of single rays, for every instruction set and any number of rays") {
+  const auto geometry = share({soup(2000, 0.1f, 1), random_spheres(20, 0.2f, 2)});
+  Random random(8);
+  for (const std::string& simd : available_instruction_sets()) {
+    CAPTURE(simd);
+    const auto bvh = build_accelerator(Backend::bvh, geometry, {.bvh_width = 8, .simd = simd});
+    for (const int count : {0, 1, 7, 8, 9, 127, 128, 129, 1000}) {
+      std::vector<Ray> rays;
+      for (int i = 0; i < count; ++i) {
+        rays.push_back(random_ray(random));
+        if (random.below(10) == 0) rays.back().direction = {};                                // invalid
+        if (random.below(10) == 0) rays.back().direction = rays.back().direction * 0x1p-50f;  // scaled
+      }
+      std::vector<Hit> hits(rays.size(), Hit{.t = 1});
+      std::vector<std::uint8_t> blocked(rays.size(), 7);
+      bvh->closest_hits(rays, hits);
+      bvh->any_hits(rays, blocked);
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        REQUIRE(hits[i] == bvh->closest_hit(rays[i]));
+        REQUIRE(blocked[i] == std::uint8_t(bvh->any_hit(rays[i])));
+      }
+    }
+  }
+  const auto empty = build_accelerator(Backend::bvh, share({}));
+  std::vector<Ray> rays(5, Ray{.origin = {}, .direction = {1, 0, 0}});
+  std::vector<Hit> hits(5, Hit{.t = 1});
+  empty->closest_hits(rays, hits);
+  for (const Hit& hit : hits) CHECK(hit.is_miss());
+}
+
 TEST_CASE("every kernel tests eight boxes with the bits of the canonical box test") {
   const std::vector<WideKernel> kernels = wide_kernels(TriangleTest::woop);
   Random random(5);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: the test of a node's eight boxes, compiled once for each instruction set.
+//
+// Eight boxes are tested at once by the operations of core/slab.h, in their order and without fused
+// multiply-add, so each lane has the bits of intersect_slab and what its monotony promises holds: no box is
+// culled that holds an accepted hit.
+#if defined(TWINRAY_ACCEL_WIDE_BOX_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TWINRAY_ACCEL_WIDE_BOX_TEST_INL_H
+#undef TWINRAY_ACCEL_WIDE_BOX_TEST_INL_H
+#else
+#define TWINRAY_ACCEL_WIDE_BOX_TEST_INL_H
+#endif
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "accel/block_test-inl.h"
+#include "accel/wide/node.h"
+#include "core/checked_ray.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace twinray::HWY_NAMESPACE {
+
+/// A ray as the box test wants it: in lanes, with its octant as places of rows in a node.
+class BoxRay {
+ public:
+  HWY_ATTR HWY_INLINE explicit BoxRay(const CheckedRay& ray)
+      : t_min_(hn::Set(IntTag(), std::bit_cast<std::int32_t>(ray.t_min + 0.0f))) {
+    for (int axis = 0; axis < 3; ++axis) {
+      near_origin_[axis] = hn::Set(Tag(), ray.near_origin[axis]);
+      far_origin_[axis] = hn::Set(Tag(), ray.far_origin[axis]);
+      near_inverse_[axis] = hn::Set(Tag(), ray.near_inverse[axis]);
+      far_inverse_[axis] = hn::Set(Tag(), ray.far_inverse[axis]);
+      near_row_[axis] = std::size_t(2 * axis + ray.is_negative[axis]) * WideNode::width;
+      far_row_[axis] = std::size_t(2 * axis + 1 - ray.is_negative[axis]) * WideNode::width;
+    }
+  }
+
+  /// Bit i: the ray meets the box of child i within [t_min, t_max], at entries[i], which is never -0.
+  HWY_ATTR HWY_INLINE std::uint32_t intersect(const WideNode& node, float t_max, float* entries) const {
+    const Lanes exit_limit = hn::Set(Tag(), t_max);
+    std::uint32_t met = 0;
+    for (std::size_t first = 0; first < WideNode::width; first += lane_count) {
+      const Lanes near =
+          hn::Max(hn::Max(near_at(node, 0, first), near_at(node, 1, first)), near_at(node, 2, first));
+      const Lanes far =
+          hn::Min(hn::Min(far_at(node, 0, first), far_at(node, 1, first)), far_at(node, 2, first));
+      // The maximum with a number >= +0 as integers is that as floats, and never -0.
+      const Lanes entry = hn::BitCast(Tag(), hn::Max(hn::BitCast(IntTag(), near), t_min_));
+      hn::Store(entry, Tag(), entries + first);
+      met |= bits_of(Tag(), hn::Le(entry, hn::Min(far, exit_limit))) << first;
+    }
+    return met;
+  }
+
+ private:
+  using Tag = hn::CappedTag<float, WideNode::width>;
+  using IntTag = hn::RebindToSigned<Tag>;
+  using Lanes = hn::Vec<Tag>;
+  static constexpr std::size_t lane_count = hn::MaxLanes(Tag());
+
+  HWY_ATTR HWY_INLINE Lanes near_at(const WideNode& node, int axis, std::size_t first) const {
+    const Lanes planes = hn::Load(Tag(), node.planes[0][0] + near_row_[axis] + first);
+    return hn::Mul(hn::Sub(planes, near_origin_[axis]), near_inverse_[axis]);
+  }
+  HWY_ATTR HWY_INLINE Lanes far_at(const WideNode& node, int axis, std::size_t first) const {
+    const Lanes planes = hn::Load(Tag(), node.planes[0][0] + far_row_[axis] + first);
+    return hn::Mul(hn::Sub(planes, far_origin_[axis]), far_inverse_[axis]);
+  }
+
+  Lanes near_origin_[3], far_origin_[3], near_inverse_[3], far_inverse_[3];
+  hn::Vec<IntTag> t_min_;
+  std::size_t near_row_[3], far_row_[3];  ///< Where in a node's planes they are.
+};
+
+}  // namespace twinray::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
