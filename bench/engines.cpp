@@ -16,7 +16,8 @@ std::vector<Engine> table() {
   using enum Wanted;
   return {
       {"embree-direct", Backend::embree_native, native(robust, medium, "default"), always,
-       "rtcIntersect1 and rtcOccluded1, own triangles, robust, as Embree comes: the baseline", true},
+       "rtcIntersect1 and rtcOccluded1, own triangles, robust, as Embree comes: the baseline",
+       Asked::directly},
       {"embree-native", Backend::embree_native, native(robust, medium, "default"), always,
        "the same through the interface that all engines share"},
       {"embree-native-avx2", Backend::embree_native, native(robust, medium, "avx2"), always,
@@ -27,6 +28,7 @@ std::vector<Engine> table() {
        "fast mode over a tree with spatial splits"},
       {"embree", Backend::embree, {}, always, "Embree's traversal with our canonical leaf"},
       {"bvh", Backend::bvh, {}, always, "our BVH as it comes"},
+      {"bvh-batch", Backend::bvh, {}, always, "the same, many rays a call", Asked::in_batches},
       {"bvh-fast", Backend::bvh, {.bvh_quality = BvhQuality::fast}, always, "our BVH, built in less time"},
       {"bvh-high", Backend::bvh, {.bvh_quality = BvhQuality::high}, always, "our BVH, built with more care"},
       {"bvh-binary", Backend::bvh, {.bvh_width = 2}, always, "our readable BVH of two children a node"},

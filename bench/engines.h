@@ -15,6 +15,13 @@ enum class Wanted {
   small,  ///< Only on scenes of up to small_scene primitives.
 };
 
+/// How an engine is handed its rays.
+enum class Asked {
+  singly,
+  in_batches,  ///< Through closest_hits() and any_hits().
+  directly,    ///< By Embree's own functions, without our interface; embree_native only.
+};
+
 inline constexpr std::size_t small_scene = 150'000;
 
 /// A backend with its options, as benchmarks name it.
@@ -23,8 +30,8 @@ struct Engine {
   Backend backend = Backend::bvh;
   BuildOptions options;
   Wanted wanted = Wanted::always;
-  std::string what;        ///< In a few words, for people.
-  bool is_direct = false;  ///< Asked by Embree's own functions, without our interface; embree_native only.
+  std::string what;  ///< In a few words, for people.
+  Asked asked = Asked::singly;
 
   /// Whether it promises the canonical answers, bit for bit.
   bool is_canonical() const { return backend != Backend::embree_native; }

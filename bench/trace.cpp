@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #ifdef TWINRAY_WITH_EMBREE
@@ -24,6 +25,7 @@ constexpr double share_of_memory = 0.25;
 /// No more building once all of a group's builds took this long.
 constexpr double enough_build_seconds = 4;
 constexpr std::size_t brute_force_rays = 16;
+constexpr std::size_t rays_a_batch = 1024;
 
 std::size_t engines_at_a_time(std::size_t primitives) {
   const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
@@ -38,20 +40,43 @@ std::vector<Ray> few_of(const std::vector<Ray>& rays) {
   return few;
 }
 
-void shoot(const Engine& engine, const Accelerator& accelerator, RayKind kind, std::span<const Ray> rays) {
-#ifdef TWINRAY_WITH_EMBREE
-  if (engine.is_direct) {
-    benchmark::DoNotOptimize(kind == RayKind::shadow ? embree::any_hits_directly(accelerator, rays)
-                                                     : embree::closest_hits_directly(accelerator, rays));
-    return;
-  }
-#else
-  (void)engine;
-#endif
+void shoot_singly(const Accelerator& accelerator, RayKind kind, std::span<const Ray> rays) {
   if (kind == RayKind::shadow)
     for (const Ray& ray : rays) benchmark::DoNotOptimize(accelerator.any_hit(ray));
   else
     for (const Ray& ray : rays) benchmark::DoNotOptimize(accelerator.closest_hit(ray));
+}
+
+void shoot_in_batches(const Accelerator& accelerator, RayKind kind, std::span<const Ray> rays) {
+  std::array<Hit, rays_a_batch> hits;
+  std::array<std::uint8_t, rays_a_batch> blocked;
+  for (; !rays.empty(); rays = rays.subspan(std::min(rays_a_batch, rays.size()))) {
+    const std::span<const Ray> batch = rays.first(std::min(rays_a_batch, rays.size()));
+    if (kind == RayKind::shadow)
+      accelerator.any_hits(batch, std::span(blocked).first(batch.size()));
+    else
+      accelerator.closest_hits(batch, std::span(hits).first(batch.size()));
+    benchmark::ClobberMemory();
+  }
+}
+
+void shoot_directly([[maybe_unused]] const Accelerator& accelerator, [[maybe_unused]] RayKind kind,
+                    [[maybe_unused]] std::span<const Ray> rays) {
+#ifdef TWINRAY_WITH_EMBREE
+  benchmark::DoNotOptimize(kind == RayKind::shadow ? embree::any_hits_directly(accelerator, rays)
+                                                   : embree::closest_hits_directly(accelerator, rays));
+#endif
+}
+
+void shoot(const Engine& engine, const Accelerator& accelerator, RayKind kind, std::span<const Ray> rays) {
+  switch (engine.asked) {
+    case Asked::singly:
+      return shoot_singly(accelerator, kind, rays);
+    case Asked::in_batches:
+      return shoot_in_batches(accelerator, kind, rays);
+    case Asked::directly:
+      return shoot_directly(accelerator, kind, rays);
+  }
 }
 
 /// The baseline and some more engines, in memory at the same time.

@@ -13,7 +13,7 @@ from pathlib import Path
 
 PROGRAM = sys.argv.pop(1)
 SETS = ("camera", "shadow-1", "bounce-1", "shadow-2", "bounce-2")
-ALWAYS = {"bvh", "bvh-fast", "bvh-high", "bvh-binary", "brute-force"}
+ALWAYS = {"bvh", "bvh-batch", "bvh-fast", "bvh-high", "bvh-binary", "brute-force"}
 WITH_EMBREE = {"embree-direct", "embree-native", "embree-native-avx2", "embree-fast", "embree-fast-high",
                "embree"}
 VOID = {"meta", "br", "line", "circle", "rect", "polyline"}
