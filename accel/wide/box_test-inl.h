@@ -42,14 +42,15 @@ class BoxRay {
     const Lanes exit_limit = hn::Set(Tag(), t_max);
     std::uint32_t met = 0;
     for (std::size_t first = 0; first < WideNode::width; first += lane_count) {
-      const Lanes near =
-          hn::Max(hn::Max(near_at(node, 0, first), near_at(node, 1, first)), near_at(node, 2, first));
-      const Lanes far =
-          hn::Min(hn::Min(far_at(node, 0, first), far_at(node, 1, first)), far_at(node, 2, first));
+      // Two levels instead of three: a traversal waits for the last of them.
+      const auto nearest = hn::BitCast(IntTag(), hn::Max(near_at(node, 0, first), near_at(node, 1, first)));
+      const auto at_least = hn::Max(hn::BitCast(IntTag(), near_at(node, 2, first)), t_min_);
+      const Lanes exit = hn::Min(hn::Min(far_at(node, 0, first), far_at(node, 1, first)),
+                                 hn::Min(far_at(node, 2, first), exit_limit));
       // The maximum with a number >= +0 as integers is that as floats, and never -0.
-      const Lanes entry = hn::BitCast(Tag(), hn::Max(hn::BitCast(IntTag(), near), t_min_));
+      const Lanes entry = hn::BitCast(Tag(), hn::Max(nearest, at_least));
       hn::Store(entry, Tag(), entries + first);
-      met |= bits_of(Tag(), hn::Le(entry, hn::Min(far, exit_limit))) << first;
+      met |= bits_of(Tag(), hn::Le(entry, exit)) << first;
     }
     return met;
   }
