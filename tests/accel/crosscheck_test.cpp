@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "tests/support/catch.h"
 #include "tests/support/crosscheck.h"
-#include "tests/support/shapes.h"
+#include "tests/support/hard_meshes.h"
 #include "tests/support/wrong_engine.h"
 
 using namespace twinray;
@@ -54,48 +54,6 @@ void check_agreement(const std::shared_ptr<const Geometry>& geometry) {
     }
 }
 
-/// Slivers whose width is 10^-5 of their length.
-Mesh slivers() {
-  Random random(21);
-  Mesh mesh{.name = "slivers"};
-  for (int i = 0; i < 300; ++i) {
-    const Vec3 a = random.in_cube(), along = random.in_cube(), across = random.in_cube(1e-5f);
-    add_triangle(mesh, a, a + along, a + along * 0.5f + across);
-  }
-  return mesh;
-}
-
-/// Three layers of a grid, each twice over.
-Mesh layers() {
-  Mesh mesh{.name = "layers"};
-  for (int layer = 0; layer < 6; ++layer)
-    for (int i = 0; i < 8; ++i)
-      for (int j = 0; j < 8; ++j) {
-        const float x = float(i), y = float(j), z = float(layer / 2);
-        add_triangle(mesh, {x, y, z}, {x + 1, y, z}, {x, y + 1, z});
-        add_triangle(mesh, {x + 1, y, z}, {x + 1, y + 1, z}, {x, y + 1, z});
-      }
-  return mesh;
-}
-
-/// Points, lines and triangles without area among others.
-Mesh with_degenerate() {
-  Mesh mesh = soup(200, 0.4f, 31);
-  for (std::size_t i = 0; i < mesh.triangles.size(); i += 4) {
-    mesh.triangles[i][1] = mesh.triangles[i][0];
-    if (i % 8 == 0) mesh.triangles[i][2] = mesh.triangles[i][0];
-  }
-  return mesh;
-}
-
-Mesh with_thrown_vertices() {
-  Mesh mesh = soup(300, 0.3f, 71);
-  Random random(72);
-  for (Vec3& p : mesh.positions)
-    if (random.below(100) == 0) p = random.in_cube(1e7f);
-  return mesh;
-}
-
 }  // namespace
 
 TEST_CASE("nothing is unexplained on a closed sphere") { check_agreement(share({icosphere_mesh(4)})); }
@@ -115,16 +73,11 @@ TEST_CASE("nothing is unexplained where triangles have no area") {
 }
 
 TEST_CASE("nothing is unexplained far from the origin of coordinates") {
-  Mesh mesh = icosphere_mesh(4);
-  for (Vec3& p : mesh.positions) p = p + Vec3{20000, -3000, 7000};
-  drop_degenerate_triangles(mesh);
-  check_agreement(share({mesh}));
+  check_agreement(share({far_sphere()}));
 }
 
 TEST_CASE("nothing is unexplained with one huge triangle among tiny ones") {
-  Mesh mesh = soup(300, 1e-3f, 41);
-  add_triangle(mesh, {-1e4f, -1e4f, 0.1f}, {1e4f, -1e4f, 0.2f}, {0, 1e4f, 0.3f});
-  check_agreement(share({mesh}));
+  check_agreement(share({huge_among_tiny()}));
 }
 
 TEST_CASE("nothing is unexplained where some vertices lie far outside") {

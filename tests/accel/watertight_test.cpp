@@ -68,6 +68,17 @@ TEST_CASE("a closed sphere leaks no ray of a million") {
   }
 }
 
+TEST_CASE(
+    "closed meshes of few triangles leak no ray of a million through any engine, brute force included") {
+  for (const Mesh& mesh : {box_mesh(), placed(box_mesh(), 1, {}, true), icosphere_mesh(2)}) {
+    const auto geometry = share({mesh});
+    for (const auto& [backend, options] : canonical_engines()) {
+      CAPTURE(mesh.name, backend_name(backend), options.bvh_width);
+      CHECK(leaks(*build_accelerator(backend, geometry, options), mesh, {}, 350000) == 0);
+    }
+  }
+}
+
 TEST_CASE("a closed sphere far from the origin leaks no ray") {
   // There the vertices lie on a grid of 2^-6, about an eighth of an edge: an uneven, but still closed mesh.
   const Vec3 center{148376, 1234, -223423};

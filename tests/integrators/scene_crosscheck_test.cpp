@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "integrators/recorded_rays.h"
 #include "tests/support/catch.h"
+#include "tests/support/hard_meshes.h"
 #include "tests/support/scenes.h"
 
 namespace twinray::test {
@@ -12,6 +13,22 @@ namespace {
 
 CrosscheckOptions options(std::uint64_t rays, int threads) {
   return {.engines = engine_names(), .rays = rays, .threads = threads};
+}
+
+/// A grey mesh between a floor and a lamp over it; the camera looks at the origin of coordinates.
+Scene lit(Mesh mesh) {
+  Aabb bounds;
+  for (const Vec3& p : mesh.positions) bounds.extend(p);
+  const Vec3 center = bounds.center();
+  const float half = 0.5f * max_abs(bounds.extent());
+  const auto at = [&](float x, float y, float z) { return center + Vec3{x, y, z} * half; };
+  add_triangle(mesh, at(-3, -1.2f, -3), at(-3, -1.2f, 3), at(3, -1.2f, -3));
+  add_triangle(mesh, at(3, -1.2f, -3), at(-3, -1.2f, 3), at(3, -1.2f, 3));
+  Scene scene = scene_of(std::move(mesh), {0.7f, 0.7f, 0.7f}, {2, 1.5f, 3}, {0, 0, 0});
+  Mesh lamp = floor_square(half, 0);
+  for (Vec3& p : lamp.positions) p = center + Vec3{p.x, 1.5f * half, -p.z};
+  add_lamp(scene, std::move(lamp), {5, 5, 5}, EmissionSide::front);
+  return scene;
 }
 
 }  // namespace
@@ -30,6 +47,22 @@ TEST_CASE("all classes of rays are shot through all engines, and nothing is unex
       rays += tally.rays;
     }
     CHECK(rays == (result.engines[engine] == "brute-force" ? 10000 : 40000));
+  }
+}
+
+TEST_CASE("nothing is unexplained on any class of rays, light paths included, on hard meshes") {
+  for (const Mesh& mesh : hard_meshes()) {
+    INFO(mesh.name << " of " << mesh.triangles.size() << " triangles");
+    const SceneCrosscheck result = crosscheck_scene(lit(mesh), options(20000, 0));
+    CHECK(result.report.unexplained() == 0);
+    for (std::size_t engine = 0; engine < result.engines.size(); ++engine)
+      for (std::size_t i = 0; i < ray_class_count; ++i) {
+        INFO(result.engines[engine] << " " << ray_class_name(RayClass(i)));
+        const Tally& tally = result.report.tally(engine, RayClass(i));
+        CHECK(tally.rays > 0);
+        if (result.engines[engine] != "embree-native")
+          CHECK(tally.count(Difference::identical) == tally.rays);
+      }
   }
 }
 
