@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private: the test of a block's triangles, all lanes at once, compiled once for each instruction set by the
-// files that include it (Highway's foreach_target).
+// Private: the test of a block, its triangles in all lanes at once, compiled once for each instruction set by
+// the files that include it (Highway's foreach_target).
 //
 // Each step has the bits of core/triangle.h. Vertices are sheared in float; from there on everything is
 // double, in which the product of two floats is exact: so there is no error bound to reject by, a fused
@@ -49,8 +49,28 @@ class BlockRay {
         y_row_(std::size_t(ray.ky) * TriangleBlock::width),
         z_row_(std::size_t(ray.kz) * TriangleBlock::width) {}
 
-  /// Tests a block's triangles against [ray.t_min, the lesser of ray.t_max and best.t]; keeps the least hit.
-  HWY_ATTR HWY_INLINE void closest(const CheckedRay& ray, const TriangleBlock& block, Nearest& best) const {
+  /// Tests a block's primitives against [ray.t_min, the lesser of ray.t_max and best.t]; keeps the least hit.
+  HWY_ATTR HWY_INLINE void closest(const Geometry& geometry, const CheckedRay& ray,
+                                   const TriangleBlock& block, Nearest& best) const {
+    closest_triangle(ray, block, best);
+    if (block.others) best.test(geometry, ray, block, block.others);
+  }
+
+  /// Whether a primitive of the block is hit in [ray.t_min, ray.t_max].
+  HWY_ATTR HWY_INLINE bool any(const Geometry& geometry, const CheckedRay& ray,
+                               const TriangleBlock& block) const {
+    return any_triangle(ray, block) || (block.others && any_other(geometry, ray, block));
+  }
+
+ private:
+  using Doubles = hn::CappedTag<double, TriangleBlock::width>;
+  using Floats = hn::Rebind<float, Doubles>;
+  using DoubleLanes = hn::Vec<Doubles>;
+  using FloatLanes = hn::Vec<Floats>;
+  static constexpr std::size_t lane_count = hn::MaxLanes(Doubles());
+
+  HWY_ATTR HWY_INLINE void closest_triangle(const CheckedRay& ray, const TriangleBlock& block,
+                                            Nearest& best) const {
     for (std::size_t first = 0; first < TriangleBlock::width; first += lane_count) {
       const Edges edges(*this, block, first);
       const std::uint32_t met = edges.met(block, first);
@@ -74,8 +94,7 @@ class BlockRay {
     }
   }
 
-  /// Whether a triangle of the block is hit in [ray.t_min, ray.t_max].
-  HWY_ATTR HWY_INLINE bool any(const CheckedRay& ray, const TriangleBlock& block) const {
+  HWY_ATTR HWY_INLINE bool any_triangle(const CheckedRay& ray, const TriangleBlock& block) const {
     for (std::size_t first = 0; first < TriangleBlock::width; first += lane_count) {
       const Edges edges(*this, block, first);
       const std::uint32_t met = edges.met(block, first);
@@ -86,13 +105,6 @@ class BlockRay {
     }
     return false;
   }
-
- private:
-  using Doubles = hn::CappedTag<double, TriangleBlock::width>;
-  using Floats = hn::Rebind<float, Doubles>;
-  using DoubleLanes = hn::Vec<Doubles>;
-  using FloatLanes = hn::Vec<Floats>;
-  static constexpr std::size_t lane_count = hn::MaxLanes(Doubles());
 
   /// The edge functions of lane_count triangles, and their corners' depths before scaling.
   struct Edges {

@@ -18,19 +18,15 @@ namespace {
 HWY_ATTR void intersect(const RTCIntersectFunctionNArguments* arguments) {
   auto& query = *static_cast<embree::LeafQuery*>(arguments->context);
   const TriangleBlock& block = query.enter(arguments->primID);
-  const float before = query.best.t;
-  BlockRay(query.ray).closest(query.ray, block, query.best);
-  if (block.others) query.best.test(query.geometry, query.ray, block, block.others);
-  if (query.best.t < before)
-    reinterpret_cast<RTCRayHit*>(arguments->rayhit)->ray.tfar = query.best.t * query.t_far_scale + 0.0f;
+  BlockRay(query.ray).closest(query.geometry, query.ray, block, query.best);
+  query.shorten(*reinterpret_cast<RTCRayHit*>(arguments->rayhit));
 }
 
 HWY_ATTR void occlude(const RTCOccludedFunctionNArguments* arguments) {
   auto& query = *static_cast<embree::LeafQuery*>(arguments->context);
   const TriangleBlock& block = query.enter(arguments->primID);
-  query.is_hit = BlockRay(query.ray).any(query.ray, block) ||
-                 (block.others && any_other(query.geometry, query.ray, block));
-  if (query.is_hit) reinterpret_cast<RTCRay*>(arguments->ray)->tfar = -Aabb::infinity;
+  query.is_hit = BlockRay(query.ray).any(query.geometry, query.ray, block);
+  query.end_if_hit(*reinterpret_cast<RTCRay*>(arguments->ray));
 }
 
 [[maybe_unused]] embree::LeafFunctions functions() {
@@ -48,10 +44,8 @@ namespace {
 void intersect_scalar(const RTCIntersectFunctionNArguments* arguments) {
   auto& query = *static_cast<LeafQuery*>(arguments->context);
   const TriangleBlock& block = query.enter(arguments->primID);
-  const float before = query.best.t;
   query.best.test(query.geometry, query.ray, block, block.triangles | block.others);
-  if (query.best.t < before)
-    reinterpret_cast<RTCRayHit*>(arguments->rayhit)->ray.tfar = query.best.t * query.t_far_scale + 0.0f;
+  query.shorten(*reinterpret_cast<RTCRayHit*>(arguments->rayhit));
 }
 
 void occlude_scalar(const RTCOccludedFunctionNArguments* arguments) {
@@ -59,7 +53,7 @@ void occlude_scalar(const RTCOccludedFunctionNArguments* arguments) {
   Hit found;
   test_block<QueryKind::any>(query.geometry, query.ray, query.enter(arguments->primID), found);
   query.is_hit = bool(found);
-  if (query.is_hit) reinterpret_cast<RTCRay*>(arguments->ray)->tfar = -Aabb::infinity;
+  query.end_if_hit(*reinterpret_cast<RTCRay*>(arguments->ray));
 }
 
 }  // namespace

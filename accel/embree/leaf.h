@@ -35,6 +35,14 @@ struct LeafQuery : Context {
     }
     return block;
   }
+  /// Tells Embree of the least hit so far.
+  void shorten(RTCRayHit& ray_hit) const {
+    if (best.t <= ray.t_max) ray_hit.ray.tfar = best.t * t_far_scale + 0.0f;
+  }
+  /// Tells Embree that an any-hit query is answered.
+  void end_if_hit(RTCRay& ended) const {
+    if (is_hit) ended.tfar = -Aabb::infinity;
+  }
 };
 
 /// The callbacks for one instruction set; Embree's context is a LeafQuery, its primitives are the blocks.

@@ -47,9 +47,7 @@ HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const Checked
       ref = nearest_child(node, met, entries, top);
     }
     if (ref.is_block()) {
-      const TriangleBlock& block = bvh.blocks[ref.index()];
-      block_ray.closest(ray, block, best);
-      if (block.others) best.test(geometry, ray, block, block.others);
+      block_ray.closest(geometry, ray, bvh.blocks[ref.index()], best);
       t_max = std::min(t_max, best.t);
     }
     ref = pop(stack, top, t_max);
@@ -72,10 +70,7 @@ HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const CheckedRay
       if (met == 0) break;
       ref = any_child(node, met, top);
     }
-    if (ref.is_block()) {
-      const TriangleBlock& block = bvh.blocks[ref.index()];
-      if (block_ray.any(ray, block) || (block.others && any_other(geometry, ray, block))) return true;
-    }
+    if (ref.is_block() && block_ray.any(geometry, ray, bvh.blocks[ref.index()])) return true;
     if (top == stack) return false;
     ref = {*--top};
   }

@@ -103,9 +103,7 @@ class ClosestQuery {
   /// Visits it; false where the query is answered.
   HWY_ATTR HWY_INLINE bool step(const WideBvh& bvh, const Geometry& geometry) {
     if (next_.is_block()) {
-      const TriangleBlock& block = bvh.blocks[next_.index()];
-      block_ray_.closest(ray_, block, best_);
-      if (block.others) best_.test(geometry, ray_, block, block.others);
+      block_ray_.closest(geometry, ray_, bvh.blocks[next_.index()], best_);
       t_max_ = std::min(t_max_, best_.t);
     } else {
       const WideNode& node = bvh.nodes[next_.index()];
@@ -140,8 +138,7 @@ class AnyQuery {
   WideRef next() const { return next_; }
   HWY_ATTR HWY_INLINE bool step(const WideBvh& bvh, const Geometry& geometry) {
     if (next_.is_block()) {
-      const TriangleBlock& block = bvh.blocks[next_.index()];
-      is_hit_ = block_ray_.any(ray_, block) || (block.others && any_other(geometry, ray_, block));
+      is_hit_ = block_ray_.any(geometry, ray_, bvh.blocks[next_.index()]);
       if (is_hit_) return false;
     } else {
       const WideNode& node = bvh.nodes[next_.index()];
