@@ -19,8 +19,6 @@
 
 namespace twinray {
 
-struct CheckedRay;
-
 enum class Backend { bvh, embree, embree_native, brute_force };
 
 struct BuildPhase {
@@ -54,20 +52,24 @@ class Accelerator {
   Accelerator& operator=(const Accelerator&) = delete;
 
   /// The least accepted hit of the closed interval [t_min, t_max], or a miss.
-  Hit closest_hit(const Ray& ray) const noexcept;
+  Hit closest_hit(const Ray& ray) const noexcept { return find_closest(ray); }
   /// Whether closest_hit would find one.
-  bool any_hit(const Ray& ray) const noexcept;
+  bool any_hit(const Ray& ray) const noexcept { return find_any(ray); }
 
   /// The same answers, and what it took to find them, added to `counts`: counts of a scalar traversal, equal
   /// on every machine.
-  Hit closest_hit(const Ray& ray, QueryCounts& counts) const noexcept;
-  bool any_hit(const Ray& ray, QueryCounts& counts) const noexcept;
+  Hit closest_hit(const Ray& ray, QueryCounts& counts) const noexcept { return find_closest(ray, counts); }
+  bool any_hit(const Ray& ray, QueryCounts& counts) const noexcept { return find_any(ray, counts); }
 
   /// Batches: answers[i] is that of rays[i], with the same bits as one by one; the eight-wide BVH traces
   /// several rays at a time, which pays where a scene does not fit into the caches. Both spans have the same
   /// length.
-  void closest_hits(std::span<const Ray> rays, std::span<Hit> answers) const noexcept;
-  void any_hits(std::span<const Ray> rays, std::span<std::uint8_t> answers) const noexcept;
+  void closest_hits(std::span<const Ray> rays, std::span<Hit> answers) const noexcept {
+    find_closest_batch(rays, answers.data());
+  }
+  void any_hits(std::span<const Ray> rays, std::span<std::uint8_t> answers) const noexcept {
+    find_any_batch(rays, answers.data());
+  }
 
   /// The box of the geometry.
   virtual Aabb bounds() const noexcept = 0;
@@ -77,16 +79,13 @@ class Accelerator {
   Accelerator() = default;
 
  private:
-  Hit closest_of(const CheckedRay& ray) const noexcept;
-
-  // t in these answers is that of the scaled ray; the callers above scale it back.
-  virtual Hit trace_closest(const CheckedRay& ray) const noexcept = 0;
-  virtual bool trace_any(const CheckedRay& ray) const noexcept = 0;
-  // hits[i] is that of rays[i], and holds a miss before.
-  virtual void trace_closest_batch(std::span<const CheckedRay> rays, Hit* hits) const noexcept;
-  virtual void trace_any_batch(std::span<const CheckedRay> rays, std::uint8_t* hits) const noexcept;
-  virtual Hit count_closest(const CheckedRay& ray, QueryCounts& counts) const noexcept = 0;
-  virtual bool count_any(const CheckedRay& ray, QueryCounts& counts) const noexcept = 0;
+  // What an engine answers; a batch, one by one unless it knows better. Most derive from CheckedAccelerator.
+  virtual Hit find_closest(const Ray& ray) const noexcept = 0;
+  virtual bool find_any(const Ray& ray) const noexcept = 0;
+  virtual Hit find_closest(const Ray& ray, QueryCounts& counts) const noexcept = 0;
+  virtual bool find_any(const Ray& ray, QueryCounts& counts) const noexcept = 0;
+  virtual void find_closest_batch(std::span<const Ray> rays, Hit* hits) const noexcept;
+  virtual void find_any_batch(std::span<const Ray> rays, std::uint8_t* hits) const noexcept;
 };
 
 /// Builds an accelerator over the geometry. Throws Error where options are out of range, where the backend

@@ -13,41 +13,30 @@
 #define TWINRAY_ACCEL_BLOCK_TEST_INL_H
 #endif
 
-#include <hwy/highway.h>
-
 #include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 
+#include "accel/lane_bits-inl.h"
 #include "accel/nearest.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-/// Bit i: lane i of a mask of at most eight lanes.
-template <typename Tag>
-HWY_ATTR HWY_INLINE std::uint32_t bits_of(Tag tag, hn::Mask<Tag> mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(tag, mask, bits);
-  return bits[0];
-}
-
 /// A ray as the test of blocks wants it: its shear, and its origin turned as the shear turns it, in lanes.
 class BlockRay {
  public:
   HWY_ATTR HWY_INLINE explicit BlockRay(const CheckedRay& ray)
-      : ox_(hn::Set(Floats(), ray.ox)),
-        oy_(hn::Set(Floats(), ray.oy)),
-        oz_(hn::Set(Floats(), ray.oz)),
-        sx_(hn::Set(Floats(), ray.sx)),
-        sy_(hn::Set(Floats(), ray.sy)),
-        sz_(hn::Set(Floats(), ray.sz)),
-        x_row_(std::size_t(ray.kx) * TriangleBlock::width),
-        y_row_(std::size_t(ray.ky) * TriangleBlock::width),
-        z_row_(std::size_t(ray.kz) * TriangleBlock::width) {}
+      : ox_(hn::Set(Floats(), ray.turned_origin[0])),
+        oy_(hn::Set(Floats(), ray.turned_origin[1])),
+        oz_(hn::Set(Floats(), ray.turned_origin[2])),
+        sx_(hn::Set(Floats(), ray.shear[0])),
+        sy_(hn::Set(Floats(), ray.shear[1])),
+        sz_(hn::Set(Floats(), ray.shear[2])),
+        x_row_(row(ray.axes[0])),
+        y_row_(row(ray.axes[1])),
+        z_row_(row(ray.axes[2])) {}
 
   /// Tests a block's primitives against [ray.t_min, the lesser of ray.t_max and best.t]; keeps the least hit.
   HWY_ATTR HWY_INLINE void closest(const Geometry& geometry, const CheckedRay& ray,
@@ -68,6 +57,8 @@ class BlockRay {
   using DoubleLanes = hn::Vec<Doubles>;
   using FloatLanes = hn::Vec<Floats>;
   static constexpr std::size_t lane_count = hn::MaxLanes(Doubles());
+
+  static HWY_ATTR HWY_INLINE std::size_t row(int axis) { return std::size_t(axis) * TriangleBlock::width; }
 
   HWY_ATTR HWY_INLINE void closest_triangle(const CheckedRay& ray, const TriangleBlock& block,
                                             Nearest& best) const {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every ray against every primitive: slow, obvious, and the oracle of all other backends.
 #include "accel/backends.h"
+#include "accel/checked_accelerator.h"
 #include "accel/shape_test.h"
 
 namespace twinray {
 namespace {
 
 template <TriangleTest triangle_test>
-class BruteForce final : public Accelerator {
+class BruteForce final : public CheckedAccelerator {
  public:
   explicit BruteForce(std::shared_ptr<const Geometry> geometry) : geometry_(std::move(geometry)) {}
 

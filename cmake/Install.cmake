@@ -19,6 +19,7 @@ set(private_headers
   accel/bvh/split.h
   accel/bvh/statistics.h
   accel/bvh/traversal.h
+  accel/checked_accelerator.h
   accel/embree/api.h
   accel/embree/bounds.h
   accel/embree/builder.h
@@ -29,6 +30,8 @@ set(private_headers
   accel/embree/ray.h
   accel/exact.h
   accel/instruction_sets.h
+  accel/lane_bits-inl.h
+  accel/load_ray-inl.h
   accel/nearest.h
   accel/phase_timer.h
   accel/shape_test.h

@@ -10,10 +10,6 @@
 namespace twinray {
 namespace {
 
-constexpr float max_origin = 0x1p60f;
-/// Between these lies the largest component of a direction that is taken as it is.
-constexpr float min_direction = 0x1p-40f, max_direction = 0x1p40f;
-
 /// `origin` and `direction` each have the number in their last lane that follows in the ray: the direction's
 /// x, and t_min.
 bool is_valid(const Ray& ray, Float4 origin, Float4 direction) {
@@ -23,27 +19,13 @@ bool is_valid(const Ray& ray, Float4 origin, Float4 direction) {
   return mask_bits(in_range) == 0xf && (ray.t_min >= 0) & (ray.t_min <= ray.t_max);
 }
 
-/// Brings a direction of any length into range, and t with it; false for the zero vector.
-[[gnu::noinline, gnu::cold]] bool scale_direction(CheckedRay& checked) {
-  const float largest = max_abs(checked.direction);
-  if (largest == 0) return false;
-  const int k = std::ilogb(largest);
-  for (int axis = 0; axis < 3; ++axis) checked.direction[axis] = std::ldexp(checked.direction[axis], -k);
-  checked.t_min = std::ldexp(checked.t_min, k);
-  checked.t_max = std::min(std::ldexp(checked.t_max, k), std::numeric_limits<float>::max());
-  checked.t_scale = std::ldexp(1.0, -k);
-  return true;
-}
-
 // No branch on the direction: they are mispredicted for every other bounce ray.
 
 /// `largest`: the direction's largest component, in every lane.
 void load_slab(CheckedRay& checked, Float4 origin, Float4 direction, Float4 largest) {
   const Int4 sign = Int4(direction) & std::numeric_limits<std::int32_t>::min();
   const Float4 forward = Float4(Int4(largest_of_three(abs(origin)) * slab_margin) | sign);
-  // Never closer to zero than 2^-60 of the largest one, so that the reciprocal stays finite; what that moves
-  // a ray by is far below slab_margin.
-  const Float4 inverse = 1.0f / Float4(Int4(max(abs(direction), largest * 0x1p-60f)) | sign);
+  const Float4 inverse = 1.0f / Float4(Int4(max(abs(direction), largest * least_component)) | sign);
   checked.is_negative = (sign >> 31) & 1;
   checked.near_origin = origin + forward;
   checked.far_origin = origin - forward;
@@ -58,18 +40,24 @@ void load_shear(CheckedRay& checked, Float4 origin, Float4 direction) {
   const float x = std::fabs(d[0]), y = std::fabs(d[1]), z = std::fabs(d[2]);
   const bool is_x = (x > y) & (x > z), is_y = !(x > y) & (y > z);
   constexpr int next[3] = {1, 2, 0};
-  checked.kz = 2 - 2 * is_x - is_y;
-  checked.kx = next[checked.kz];
-  checked.ky = next[checked.kx];
-  checked.sx = d[checked.kx] / d[checked.kz];
-  checked.sy = d[checked.ky] / d[checked.kz];
-  checked.sz = 1.0f / d[checked.kz];
-  checked.ox = o[checked.kx];
-  checked.oy = o[checked.ky];
-  checked.oz = o[checked.kz];
+  const int kz = 2 - 2 * is_x - is_y, kx = next[kz], ky = next[kx];
+  checked.axes = Int4{kx, ky, kz, kz};
+  checked.shear = Float4{d[kx], d[ky], 1, 1} / splat(d[kz]);
+  checked.turned_origin = Float4{o[kx], o[ky], o[kz], o[kz]};
 }
 
 }  // namespace
+
+[[gnu::cold]] bool scale_direction(CheckedRay& checked) noexcept {
+  const float largest = max_abs(checked.direction);
+  if (largest == 0) return false;
+  const int k = std::ilogb(largest);
+  for (int axis = 0; axis < 3; ++axis) checked.direction[axis] = std::ldexp(checked.direction[axis], -k);
+  checked.t_min = std::ldexp(checked.t_min, k);
+  checked.t_max = std::min(std::ldexp(checked.t_max, k), max_t);
+  checked.t_scale = std::ldexp(1.0, -k);
+  return true;
+}
 
 bool load_ray(const Ray& ray, CheckedRay& checked) noexcept {
   static_assert(offsetof(Ray, direction) == 12 && offsetof(Ray, t_min) == 24 && sizeof(Ray) >= 28);
@@ -79,7 +67,7 @@ bool load_ray(const Ray& ray, CheckedRay& checked) noexcept {
   checked.origin = ray.origin;
   checked.direction = ray.direction;
   checked.t_min = ray.t_min;
-  checked.t_max = std::min(ray.t_max, std::numeric_limits<float>::max());
+  checked.t_max = std::min(ray.t_max, max_t);
   checked.t_scale = 1;
   Float4 largest = largest_of_three(abs(direction));
   if (!(largest[0] >= min_direction && largest[0] <= max_direction)) {

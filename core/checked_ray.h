@@ -2,10 +2,14 @@
 // Private: the one door through which rays reach an accelerator.
 //
 // A ray is checked against the domain of core/ray.h and everything is derived here that the canonical tests
-// (slab.h, triangle.h, sphere.h) need of it, so that every backend computes with the same bits. A direction
+// (slab.h, triangle.h, sphere.h) need of it, so that every backend computes with the same bits;
+// accel/load_ray-inl.h does the same with the instructions of a newer machine. A direction
 // whose largest component lies outside [2^-40, 2^40] is scaled by a power of two, and t with it; t is scaled
 // back on a hit.
 #pragma once
+#include <limits>
+
+#include "core/hit.h"
 #include "core/lanes.h"
 #include "core/ray.h"
 #include "core/vec.h"
@@ -27,14 +31,35 @@ struct CheckedRay {
   Float4 near_inverse, far_inverse;
   Int4 is_negative;  ///< 1 where the direction's sign bit is set; -0.0 counts as negative.
 
-  // Woop's shear: the axes turned so that kz is the dominant one, and the direction brought to (0, 0, 1).
-  int kx, ky, kz;
-  float sx, sy, sz;
-  float ox, oy, oz;  ///< The origin's components kx, ky, kz.
+  // Woop's shear, in the first three lanes: the axes turned so that the last one is the dominant one, and the
+  // direction brought to (0, 0, 1).
+  Int4 axes;
+  Float4 shear;
+  Float4 turned_origin;  ///< The origin's components in the order of `axes`.
+
+  /// A hit of the scaled ray in the caller's units.
+  void scale_back(Hit& hit) const {
+    if (t_scale != 1) hit.t = float(hit.t * t_scale);
+  }
 };
 
 /// Fills `checked`; false for an invalid ray, which is a miss.
 bool load_ray(const Ray& ray, CheckedRay& checked) noexcept;
+
+// What load_ray is made of, for whoever does the same in another way.
+
+/// The components of an origin are no larger.
+inline constexpr float max_origin = 0x1p60f;
+/// Between these lies the largest component of a direction that is taken as it is.
+inline constexpr float min_direction = 0x1p-40f, max_direction = 0x1p40f;
+/// A component of a direction is taken for no smaller than this part of the largest one, so that its
+/// reciprocal stays finite; what that moves a ray by is far below slab_margin.
+inline constexpr float least_component = 0x1p-60f;
+/// A t_max is brought down to this.
+inline constexpr float max_t = std::numeric_limits<float>::max();
+
+/// Brings the direction, with components of any size, into range, and t with it; false for the zero vector.
+bool scale_direction(CheckedRay& checked) noexcept;
 
 /// The relative bound by which the slab test widens boxes, origins and reciprocals: eight units in the last
 /// place.

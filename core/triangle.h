@@ -31,9 +31,9 @@ struct ShearedVertex {
 };
 
 inline ShearedVertex shear(const CheckedRay& ray, const Vec3& p) {
-  const float z = p[ray.kz] - ray.origin[ray.kz];
-  return {(p[ray.kx] - ray.origin[ray.kx]) - ray.sx * z, (p[ray.ky] - ray.origin[ray.ky]) - ray.sy * z,
-          ray.sz * z};
+  const float z = p[ray.axes[2]] - ray.turned_origin[2];
+  return {(p[ray.axes[0]] - ray.turned_origin[0]) - ray.shear[0] * z,
+          (p[ray.axes[1]] - ray.turned_origin[1]) - ray.shear[1] * z, ray.shear[2] * z};
 }
 
 /// An edge function below this times the largest |x| times the largest |y| may have the wrong sign: the

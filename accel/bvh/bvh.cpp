@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The hand-written BVH as an accelerator.
 #include "accel/backends.h"
+#include "accel/checked_accelerator.h"
 #include "accel/bvh/build.h"
 #include "accel/bvh/statistics.h"
 #include "accel/bvh/traversal.h"
@@ -10,7 +11,7 @@ namespace {
 
 /// `test`: which triangle test the leaves run.
 template <TriangleTest test>
-class BvhAccelerator final : public Accelerator {
+class BvhAccelerator final : public CheckedAccelerator {
  public:
   BvhAccelerator(std::shared_ptr<const Geometry> geometry, const BuildOptions& options)
       : geometry_(std::move(geometry)) {

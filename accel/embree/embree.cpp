@@ -11,6 +11,7 @@
 #include "accel/backends.h"
 #include "accel/bvh/build.h"
 #include "accel/bvh/traversal.h"
+#include "accel/checked_accelerator.h"
 #include "accel/embree/bounds.h"
 #include "accel/embree/device.h"
 #include "accel/embree/embree.h"
@@ -32,7 +33,7 @@ BuildOptions block_options(const BuildOptions& options) {
       .threads = options.threads, .max_leaf_size = TriangleBlock::width, .leaf_block = TriangleBlock::width};
 }
 
-class EmbreeAccelerator final : public Accelerator {
+class EmbreeAccelerator final : public CheckedAccelerator {
  public:
   EmbreeAccelerator(std::shared_ptr<const Geometry> geometry, const BuildOptions& options, float widening)
       : geometry_(std::move(geometry)),

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "accel/backends.h"
+#include "accel/checked_accelerator.h"
 #include "accel/embree/bounds.h"
 #include "accel/embree/device.h"
 #include "accel/embree/direct.h"
@@ -82,7 +83,7 @@ embree::GeometryOwner make_geometry(RTCDevice device, SphereGeometry& spheres) {
   return geometry;
 }
 
-class EmbreeNative final : public Accelerator {
+class EmbreeNative final : public CheckedAccelerator {
  public:
   EmbreeNative(std::shared_ptr<const Geometry> geometry, const BuildOptions& options)
       : geometry_(std::move(geometry)),

@@ -33,7 +33,7 @@ class BoxRay {
       near_inverse_[axis] = hn::Set(Tag(), ray.near_inverse[axis]);
       far_inverse_[axis] = hn::Set(Tag(), ray.far_inverse[axis]);
       near_row_[axis] = std::size_t(2 * axis + ray.is_negative[axis]) * WideNode::width;
-      far_row_[axis] = std::size_t(2 * axis + 1 - ray.is_negative[axis]) * WideNode::width;
+      far_row_[axis] = near_row_[axis] ^ WideNode::width;
     }
   }
 

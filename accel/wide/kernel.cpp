@@ -17,6 +17,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#if HWY_TARGET != HWY_SCALAR  // Scalar::kernel() serves for that.
+#include "accel/load_ray-inl.h"
 #include "accel/wide/query-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -29,8 +31,10 @@ constexpr std::size_t queries_in_flight = 8;
 // The single queries have loops of their own, for in steps they take 10 % longer: here the processor learns
 // nodes and blocks apart.
 
-HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const CheckedRay& ray) {
-  if (bvh.root.is_none()) return {};
+HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given) {
+  Hit hit;  // The one variable that every path returns: it is written where it goes.
+  CheckedRay ray;
+  if (bvh.root.is_none() || !RayLoader::load(given, ray)) return hit;
   const BoxRay box_ray(ray);
   const BlockRay block_ray(ray);
   Nearest best;
@@ -51,12 +55,16 @@ HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const Checked
       t_max = std::min(t_max, best.t);
     }
     ref = pop(stack, top, t_max);
-    if (ref.is_none()) return best.hit();
+    if (ref.is_none()) break;
   }
+  hit = best.hit();
+  ray.scale_back(hit);
+  return hit;
 }
 
-HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const CheckedRay& ray) {
-  if (bvh.root.is_none()) return false;
+HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& given) {
+  CheckedRay ray;
+  if (bvh.root.is_none() || !RayLoader::load(given, ray)) return false;
   const BoxRay box_ray(ray);
   const BlockRay block_ray(ray);
   std::uint32_t stack[wide_stack_size];
@@ -91,17 +99,17 @@ template <typename Query>
 struct Slot {
   // Not alignas(Query): GCC 12 instantiates templates without the vectors of this target, and gets 16.
   alignas(64) std::byte memory[sizeof(Query)];
+  CheckedRay ray;
   bool is_busy = false;
-  std::size_t index;  ///< Of the query's ray.
+  std::size_t index;  ///< Of the ray.
 
   Query& query() { return *std::launder(reinterpret_cast<Query*>(memory)); }
 };
 
 /// Several queries by turns, a step each: while one waits for memory, the others go on.
 template <typename Query, typename Answer>
-HWY_ATTR void batch(const WideBvh& bvh, const Geometry& geometry, std::span<const CheckedRay> rays,
+HWY_ATTR void batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
                     Answer* answers) {
-  if (bvh.root.is_none()) return;
   Slot<Query> slots[queries_in_flight];
   std::size_t started = 0, answered = 0;
   while (answered < rays.size())
@@ -109,8 +117,13 @@ HWY_ATTR void batch(const WideBvh& bvh, const Geometry& geometry, std::span<cons
       if (!slot.is_busy) {
         if (started == rays.size()) continue;
         slot.index = started++;
+        if (bvh.root.is_none() || !RayLoader::load(rays[slot.index], slot.ray)) {
+          answers[slot.index] = {};
+          ++answered;
+          continue;
+        }
         slot.is_busy = true;
-        new (slot.memory) Query(rays[slot.index], bvh.root);
+        new (slot.memory) Query(slot.ray, bvh.root);
       }
       if (slot.query().step(bvh, geometry)) {
         prefetch(bvh, slot.query().next());
@@ -122,15 +135,17 @@ HWY_ATTR void batch(const WideBvh& bvh, const Geometry& geometry, std::span<cons
     }
 }
 
-HWY_ATTR void closest_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const CheckedRay> rays,
+HWY_ATTR void closest_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
                             Hit* hits) {
   batch<ClosestQuery>(bvh, geometry, rays, hits);
 }
 
-HWY_ATTR void any_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const CheckedRay> rays,
+HWY_ATTR void any_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
                         std::uint8_t* hits) {
   batch<AnyQuery>(bvh, geometry, rays, hits);
 }
+
+HWY_ATTR bool load(const Ray& ray, CheckedRay& checked) { return RayLoader::load(ray, checked); }
 
 HWY_ATTR std::uint32_t meet(const WideNode& node, const CheckedRay& ray, float t_max, float* entries) {
   alignas(32) float stored[WideNode::width];
@@ -139,52 +154,47 @@ HWY_ATTR std::uint32_t meet(const WideNode& node, const CheckedRay& ray, float t
   return met;
 }
 
-[[maybe_unused]] WideKernel kernel() {
-  return {simd_name(hwy::TargetName(HWY_TARGET)), closest, any, closest_batch, any_batch, meet};
+WideKernel kernel() {
+  return {simd_name(hwy::TargetName(HWY_TARGET)), closest, any, closest_batch, any_batch, load, meet};
 }
 
 }  // namespace
 }  // namespace twinray::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+#endif
 
 #if HWY_ONCE
 namespace twinray {
 namespace {
 
+/// The scalar traversal as a kernel.
 template <TriangleTest test>
-void scalar_closest_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const CheckedRay> rays,
-                          Hit* hits) {
-  QueryCounts counts;
-  for (const CheckedRay& ray : rays) *hits++ = scalar_closest<test>(bvh, geometry, ray, counts);
-}
-
-template <TriangleTest test>
-void scalar_any_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const CheckedRay> rays,
-                      std::uint8_t* hits) {
-  QueryCounts counts;
-  for (const CheckedRay& ray : rays) *hits++ = scalar_any<test>(bvh, geometry, ray, counts);
-}
-
-template <TriangleTest test>
-WideKernel scalar() {
-  return {"scalar",
-          [](const WideBvh& bvh, const Geometry& geometry, const CheckedRay& ray) {
-            QueryCounts counts;
-            return scalar_closest<test>(bvh, geometry, ray, counts);
-          },
-          [](const WideBvh& bvh, const Geometry& geometry, const CheckedRay& ray) {
-            QueryCounts counts;
-            return scalar_any<test>(bvh, geometry, ray, counts);
-          },
-          scalar_closest_batch<test>,
-          scalar_any_batch<test>,
-          scalar_meet};
-}
+struct Scalar {
+  static Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& ray) {
+    QueryCounts counts;
+    return scalar_closest<test>(bvh, geometry, ray, counts);
+  }
+  static bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& ray) {
+    QueryCounts counts;
+    return scalar_any<test>(bvh, geometry, ray, counts);
+  }
+  static void closest_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
+                            Hit* hits) {
+    for (const Ray& ray : rays) *hits++ = closest(bvh, geometry, ray);
+  }
+  static void any_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
+                        std::uint8_t* hits) {
+    for (const Ray& ray : rays) *hits++ = any(bvh, geometry, ray);
+  }
+  static WideKernel kernel() {
+    return {"scalar", closest, any, closest_batch, any_batch, load_ray, scalar_meet};
+  }
+};
 
 }  // namespace
 
 std::vector<WideKernel> wide_kernels(TriangleTest test) {
-  if (test == TriangleTest::moller_trumbore) return {scalar<TriangleTest::moller_trumbore>()};
+  if (test == TriangleTest::moller_trumbore) return {Scalar<TriangleTest::moller_trumbore>::kernel()};
   std::vector<WideKernel> kernels;
   const auto supported = hwy::SupportedTargets();
 #if HWY_TARGETS & HWY_AVX3
@@ -196,7 +206,7 @@ std::vector<WideKernel> wide_kernels(TriangleTest test) {
 #if HWY_TARGETS & HWY_SSE4
   if (supported & HWY_SSE4) kernels.push_back(N_SSE4::kernel());
 #endif
-  kernels.push_back(scalar<TriangleTest::woop>());
+  kernels.push_back(Scalar<TriangleTest::woop>::kernel());
   return kernels;
 }
 

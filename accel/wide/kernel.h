@@ -15,14 +15,16 @@
 
 namespace twinray {
 
-/// The two queries over a tree of a geometry; t in the hit is that of the scaled ray.
+/// The queries over a tree of a geometry. An invalid ray is a miss.
 struct WideKernel {
   std::string name;  ///< Of the instruction set: "avx512", "avx2", "sse4", "scalar".
-  Hit (*closest)(const WideBvh&, const Geometry&, const CheckedRay&);
-  bool (*any)(const WideBvh&, const Geometry&, const CheckedRay&);
-  /// The same of many rays, several at a time; answers nothing where the tree is empty.
-  void (*closest_batch)(const WideBvh&, const Geometry&, std::span<const CheckedRay>, Hit* hits);
-  void (*any_batch)(const WideBvh&, const Geometry&, std::span<const CheckedRay>, std::uint8_t* hits);
+  Hit (*closest)(const WideBvh&, const Geometry&, const Ray&);
+  bool (*any)(const WideBvh&, const Geometry&, const Ray&);
+  /// The same of many rays, several at a time.
+  void (*closest_batch)(const WideBvh&, const Geometry&, std::span<const Ray>, Hit* hits);
+  void (*any_batch)(const WideBvh&, const Geometry&, std::span<const Ray>, std::uint8_t* hits);
+  /// The bits of load_ray().
+  bool (*load)(const Ray&, CheckedRay&);
   /// The box test alone. Bit i: the ray meets the box of child i within [ray.t_min, t_max]; it enters it at
   /// entries[i], at least t_min.
   std::uint32_t (*meet)(const WideNode&, const CheckedRay&, float t_max, float entries[WideNode::width]);

@@ -116,7 +116,11 @@ class ClosestQuery {
     next_ = pop(stack_, top_, t_max_);
     return !next_.is_none();
   }
-  Hit answer() const { return best_.hit(); }
+  Hit answer() const {
+    Hit hit = best_.hit();
+    ray_.scale_back(hit);
+    return hit;
+  }
 
  private:
   const CheckedRay& ray_;

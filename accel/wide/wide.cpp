@@ -25,21 +25,19 @@ class WideAccelerator final : public Accelerator {
   AccelStats stats() const override { return stats_; }
 
  private:
-  Hit trace_closest(const CheckedRay& ray) const noexcept override {
-    return kernel_.closest(bvh_, *geometry_, ray);
-  }
-  bool trace_any(const CheckedRay& ray) const noexcept override { return kernel_.any(bvh_, *geometry_, ray); }
-  void trace_closest_batch(std::span<const CheckedRay> rays, Hit* hits) const noexcept override {
-    kernel_.closest_batch(bvh_, *geometry_, rays, hits);
-  }
-  void trace_any_batch(std::span<const CheckedRay> rays, std::uint8_t* hits) const noexcept override {
-    kernel_.any_batch(bvh_, *geometry_, rays, hits);
-  }
-  Hit count_closest(const CheckedRay& ray, QueryCounts& counts) const noexcept override {
+  Hit find_closest(const Ray& ray) const noexcept override { return kernel_.closest(bvh_, *geometry_, ray); }
+  bool find_any(const Ray& ray) const noexcept override { return kernel_.any(bvh_, *geometry_, ray); }
+  Hit find_closest(const Ray& ray, QueryCounts& counts) const noexcept override {
     return scalar_closest<test>(bvh_, *geometry_, ray, counts);
   }
-  bool count_any(const CheckedRay& ray, QueryCounts& counts) const noexcept override {
+  bool find_any(const Ray& ray, QueryCounts& counts) const noexcept override {
     return scalar_any<test>(bvh_, *geometry_, ray, counts);
+  }
+  void find_closest_batch(std::span<const Ray> rays, Hit* hits) const noexcept override {
+    kernel_.closest_batch(bvh_, *geometry_, rays, hits);
+  }
+  void find_any_batch(std::span<const Ray> rays, std::uint8_t* hits) const noexcept override {
+    kernel_.any_batch(bvh_, *geometry_, rays, hits);
   }
 
   std::shared_ptr<const Geometry> geometry_;

@@ -22,25 +22,26 @@ struct Tally {
   int hits = 0, misses = 0;
 };
 
+CheckedRay checked(const Ray& ray) {
+  CheckedRay loaded;
+  REQUIRE(load_ray(ray, loaded));
+  return loaded;
+}
+
 /// Asks every kernel about one block, and fails where one differs from the plain test.
-void compare(const Geometry& geometry, const std::vector<PrimitiveId>& ids, const CheckedRay& ray,
-             Tally& tally) {
+void compare(const Geometry& geometry, const std::vector<PrimitiveId>& ids, const Ray& ray, Tally& tally) {
   static const std::vector<WideKernel> kernels = wide_kernels(TriangleTest::woop);
   const WideBvh bvh{.root = WideRef::block(0), .nodes = {}, .blocks = {make_block(geometry, ids)}};
+  const CheckedRay loaded = checked(ray);
   Hit expected;
-  test_block<QueryKind::closest>(geometry, ray, bvh.blocks[0], expected);
+  test_block<QueryKind::closest>(geometry, loaded, bvh.blocks[0], expected);
+  loaded.scale_back(expected);
   (expected ? tally.hits : tally.misses) += 1;
   for (const WideKernel& kernel : kernels) {
     CAPTURE(kernel.name);
     if (!(kernel.closest(bvh, geometry, ray) == expected)) FAIL("the closest hit differs");
     if (kernel.any(bvh, geometry, ray) != bool(expected)) FAIL("whether there is a hit differs");
   }
-}
-
-CheckedRay checked(const Ray& ray) {
-  CheckedRay loaded;
-  REQUIRE(load_ray(ray, loaded));
-  return loaded;
 }
 
 /// Rays whose intervals end or start at what they hit, or right before or behind it.
@@ -71,7 +72,7 @@ TEST_CASE("a block gives the canonical hit, whatever the ray's interval") {
   Tally tally;
   for (std::uint32_t first = 0; first < 400; first += 4)
     for (const Ray& ray : rays)
-      compare(*geometry, {{0, first}, {0, first + 1}, {0, first + 2}, {0, first + 3}}, checked(ray), tally);
+      compare(*geometry, {{0, first}, {0, first + 1}, {0, first + 2}, {0, first + 3}}, ray, tally);
   CHECK(tally.hits > 500);
   CHECK(tally.misses > 500);
 }
@@ -85,9 +86,11 @@ TEST_CASE("a block gives the canonical hit of a hostile ray") {
     Mesh mesh;
     add_triangle(mesh, pair.corners[0], pair.corners[1], pair.corners[2]);
     const Geometry geometry({mesh});
-    CheckedRay ray = checked(pair.ray);
+    const CheckedRay loaded = checked(pair.ray);
+    Ray ray = pair.ray;
     Hit hit;
-    test_primitive(geometry, ray, {0, 0}, hit);
+    test_primitive(geometry, loaded, {0, 0}, hit);
+    loaded.scale_back(hit);
     // Half of the rays get an interval of the one t.
     if (hit && random.below(2) == 0) ray.t_min = ray.t_max = hit.t;
     compare(geometry, {{0, 0}}, ray, tally);
@@ -102,8 +105,8 @@ TEST_CASE("of equal triangles in a block the least id is hit") {
   const Geometry geometry({mesh, mesh});
   Tally tally;
   for (const Ray& ray : random_rays(200, geometry.bounds(), 3)) {
-    compare(geometry, {{1, 0}, {0, 3}, {0, 1}, {0, 2}}, checked(ray), tally);
-    compare(geometry, {{0, 2}, {0, 1}, {1, 1}}, checked(ray), tally);
+    compare(geometry, {{1, 0}, {0, 3}, {0, 1}, {0, 2}}, ray, tally);
+    compare(geometry, {{0, 2}, {0, 1}, {1, 1}}, ray, tally);
   }
   CHECK(tally.hits > 50);
 }
@@ -119,9 +122,9 @@ TEST_CASE("a block holds spheres, triangles without area and empty lanes beside 
   CHECK(block.others == 2);
   Tally tally;
   for (const Ray& ray : random_rays(2000, geometry->bounds(), 3)) {
-    compare(*geometry, mixed, checked(ray), tally);
-    compare(*geometry, {{1, 0}, {1, 1}, {0, 2}, {0, 1}}, checked(ray), tally);
-    compare(*geometry, {{0, 3}}, checked(ray), tally);
+    compare(*geometry, mixed, ray, tally);
+    compare(*geometry, {{1, 0}, {1, 1}, {0, 2}, {0, 1}}, ray, tally);
+    compare(*geometry, {{0, 3}}, ray, tally);
   }
   CHECK(tally.hits > 300);
   CHECK(tally.misses > 2000);
@@ -136,7 +139,7 @@ TEST_CASE("triangles too small for the proof about their boxes are tested the pl
     Tally tally;
     for (std::uint32_t first = 0; first < 100; first += 4) {
       for (std::uint32_t i = 0; i < 4; ++i) ids[i] = {0, first + i};
-      for (const Ray& ray : rays) compare(*geometry, ids, checked(ray), tally);
+      for (const Ray& ray : rays) compare(*geometry, ids, ray, tally);
     }
     CHECK(tally.hits > 100);
   }

@@ -25,14 +25,10 @@ class WideEngine final : public Accelerator {
   AccelStats stats() const override { return {}; }
 
  private:
-  Hit trace_closest(const CheckedRay& ray) const noexcept override {
-    return kernel_.closest(bvh_, *geometry_, ray);
-  }
-  bool trace_any(const CheckedRay& ray) const noexcept override { return kernel_.any(bvh_, *geometry_, ray); }
-  Hit count_closest(const CheckedRay& ray, QueryCounts&) const noexcept override {
-    return trace_closest(ray);
-  }
-  bool count_any(const CheckedRay& ray, QueryCounts&) const noexcept override { return trace_any(ray); }
+  Hit find_closest(const Ray& ray) const noexcept override { return kernel_.closest(bvh_, *geometry_, ray); }
+  bool find_any(const Ray& ray) const noexcept override { return kernel_.any(bvh_, *geometry_, ray); }
+  Hit find_closest(const Ray& ray, QueryCounts&) const noexcept override { return find_closest(ray); }
+  bool find_any(const Ray& ray, QueryCounts&) const noexcept override { return find_any(ray); }
 
   std::shared_ptr<const Geometry> geometry_;
   WideKernel kernel_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "accel/checked_accelerator.h"
 #include "accel/embree/embree.h"
 #include "accel/shape_test.h"
 #include "core/slab.h"
@@ -39,7 +40,7 @@ std::vector<Primitive> primitives_of(const Geometry& geometry) {
   return all;
 }
 
-class WrongEngine final : public Accelerator {
+class WrongEngine final : public CheckedAccelerator {
  public:
   WrongEngine(std::shared_ptr<const Geometry> geometry, Defect defect)
       : geometry_(std::move(geometry)), defect_(defect), primitives_(primitives_of(*geometry_)) {
