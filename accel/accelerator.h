@@ -71,6 +71,10 @@ class Accelerator {
     find_any_batch(rays, answers.data());
   }
 
+  /// Whether batches are faster than single rays: a guess by the size of the scene; false where a batch is
+  /// traced one by one.
+  virtual bool prefers_batches() const noexcept { return false; }
+
   /// The box of the geometry.
   virtual Aabb bounds() const noexcept = 0;
   virtual AccelStats stats() const = 0;

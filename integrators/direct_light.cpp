@@ -7,30 +7,9 @@
 namespace twinray {
 namespace {
 
-/// f L |cos| / p of one sample of one light (solid angle measure), if nothing is in the way.
-Rgb light_sample(const LightTransport& transport, std::uint32_t light, const Interaction& at, Vec2 u,
-                 Tracer& tracer) {
-  const auto sample = transport.lights.sample(light, at.point(), u);
-  if (!sample) return {};
-  const Rgb scattered = at.scattered(sample->direction) * sample->radiance;
-  if (is_black(scattered)) return {};
-  return scattered * tracer.visibility(sample->connection) / sample->pdf;
-}
-
-Rgb sample_lights(const LightTransport& transport, const Interaction& at, VertexSampler& sampler,
-                  Tracer& tracer) {
-  Rgb sum;
-  for (std::uint32_t light = 0; light < transport.lights.size(); ++light) {
-    const std::uint32_t parts = transport.lights.is_delta(light) ? 1 : transport.samples_per_light;
-    Rgb of_light;
-    for (std::uint32_t part = 0; part < parts; ++part) {
-      const Vec2 u = sampler.draw_2d(Purpose::light_point, part, parts, light);
-      of_light += light_sample(transport, light, at, u, tracer);
-    }
-    sum += of_light / float(parts);
-  }
-  return sum;
-}
+/// So many connections wait, those of one more estimate besides: many samples of many lights need no memory
+/// for all of a wave.
+constexpr std::size_t most_waiting = 4096;
 
 /// Radiance that arrives from a direction straight from a lamp.
 Rgb lamp_radiance(const LightTransport& transport, const Interaction& at, const Vec3& direction,
@@ -55,10 +34,57 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, Ve
 
 }  // namespace
 
-Rgb direct_light(const LightTransport& transport, const Interaction& at, VertexSampler& sampler,
-                 Tracer& tracer) {
-  return transport.method == DirectMethod::lights ? sample_lights(transport, at, sampler, tracer)
-                                                  : sample_hemisphere(transport, at, sampler, tracer);
+void DirectLight::draw(const Interaction& at, const Rgb& throughput, VertexSampler& sampler, Tracer& tracer,
+                       Rgb& radiance) {
+  Rgb known;
+  if (transport_.method == DirectMethod::lights)
+    draw_lights(at, sampler);
+  else
+    known = sample_hemisphere(transport_, at, sampler, tracer);
+  estimates_.push_back({&radiance, throughput, known, terms_.size()});
+  if (terms_.size() >= most_waiting) finish(tracer);
+}
+
+void DirectLight::draw_lights(const Interaction& at, VertexSampler& sampler) {
+  for (std::uint32_t light = 0; light < transport_.lights.size(); ++light)
+    for (std::uint32_t part = 0, parts = parts_of(light); part < parts; ++part) {
+      const Vec2 u = sampler.draw_2d(Purpose::light_point, part, parts, light);
+      const auto sample = transport_.lights.sample(light, at.point(), u);
+      if (!sample) continue;
+      const Rgb scattered = at.scattered(sample->direction) * sample->radiance;
+      if (is_black(scattered)) continue;
+      terms_.push_back({scattered, sample->pdf, light});
+      connections_.push_back(sample->connection);
+    }
+}
+
+std::uint32_t DirectLight::parts_of(std::uint32_t light) const {
+  return transport_.lights.is_delta(light) ? 1 : transport_.samples_per_light;
+}
+
+void DirectLight::finish(Tracer& tracer) {
+  const std::span<const Rgb> visible = tracer.visibilities(connections_);
+  std::size_t begin = 0;
+  for (const Estimate& estimate : estimates_) {
+    *estimate.radiance += estimate.throughput * (estimate.known + sum(begin, estimate.terms, visible));
+    begin = estimate.terms;
+  }
+  estimates_.clear();
+  terms_.clear();
+  connections_.clear();
+}
+
+/// The lights' means, added up light by light.
+Rgb DirectLight::sum(std::size_t begin, std::size_t end, std::span<const Rgb> visible) const {
+  Rgb sum;
+  for (std::size_t i = begin; i < end;) {
+    const std::uint32_t light = terms_[i].light;
+    Rgb of_light;
+    for (; i < end && terms_[i].light == light; ++i)
+      of_light += terms_[i].scattered * visible[i] / terms_[i].pdf;
+    sum += of_light / float(parts_of(light));
+  }
+  return sum;
 }
 
 }  // namespace twinray

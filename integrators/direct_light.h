@@ -2,7 +2,10 @@
 // One bounce of light: estimators of the light that lamps send to a surface and that it scatters to the
 // viewer.
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "core/light_set.h"
 #include "core/sampler.h"
@@ -25,9 +28,43 @@ struct LightTransport {
   std::uint32_t samples_per_light = 1;  ///< For each light that is not a delta light; >= 1.
 };
 
-/// Unbiased for the light of all lamps, scattered once at the interaction; for `hemisphere`, of all but delta
-/// lights.
-Rgb direct_light(const LightTransport& transport, const Interaction& at, VertexSampler& sampler,
-                 Tracer& tracer);
+/// Estimates of the light of all lamps, scattered once at a surface; by `hemisphere`, of all but delta
+/// lights. Unbiased. Those of many surfaces are made together: first their samples are drawn, then all
+/// connections to lights are traced at once.
+class DirectLight {
+ public:
+  explicit DirectLight(const LightTransport& transport) : transport_(transport) {}
+
+  /// Draws the samples of one estimate. Then, or in finish(), throughput times the estimate is added to
+  /// `radiance`, which must live until finish() has returned.
+  void draw(const Interaction& at, const Rgb& throughput, VertexSampler& sampler, Tracer& tracer,
+            Rgb& radiance);
+  /// Traces what has been drawn and not yet added, and adds it.
+  void finish(Tracer& tracer);
+
+ private:
+  /// f L |cos| of one sample of one light, if nothing is in the way.
+  struct Term {
+    Rgb scattered;
+    float pdf;  ///< Per solid angle.
+    std::uint32_t light;
+  };
+  struct Estimate {
+    Rgb* radiance;
+    Rgb throughput;
+    Rgb known;          ///< What needs no connection.
+    std::size_t terms;  ///< How many there are up to the last one of this estimate.
+  };
+
+  /// How many samples a light gets.
+  std::uint32_t parts_of(std::uint32_t light) const;
+  void draw_lights(const Interaction& at, VertexSampler& sampler);
+  Rgb sum(std::size_t begin, std::size_t end, std::span<const Rgb> visible) const;
+
+  LightTransport transport_;
+  std::vector<Estimate> estimates_;
+  std::vector<Term> terms_;
+  std::vector<Ray> connections_;  ///< Of each term.
+};
 
 }  // namespace twinray

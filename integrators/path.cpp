@@ -5,18 +5,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "core/error.h"
 #include "core/offset.h"
 
 namespace twinray {
 
-struct PathIntegrator::State {
-  Ray ray;
-  Rgb radiance;             ///< Sum of the terms so far.
+/// A path that goes on, but for its ray.
+struct PathIntegrator::Path {
+  const SampleKey* key;
+  Rgb* radiance;            ///< Sum of the terms so far.
   Rgb throughput{1, 1, 1};  ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
-  int depth = 0;            ///< Scattering events before the current ray.
   bool meets_emission = true;  ///< No direct light estimate has counted what the current ray sees.
+};
+
+/// Paths with the same number of vertices.
+struct PathIntegrator::Wave {
+  SamplerKind kind;
+  DirectLight direct;
+  int depth = 0;  ///< Scattering events before the current rays.
+  std::vector<Path> paths;
+  std::vector<Ray> rays;  ///< Of each path.
+  std::vector<Hit> hits;
 };
 
 PathIntegrator::PathIntegrator(const Scene& scene, const PathOptions& options)
@@ -32,45 +44,76 @@ PathIntegrator::PathIntegrator(const Scene& scene, const PathOptions& options)
 
 Rgb PathIntegrator::radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key,
                              Tracer& tracer) const {
-  State state{.ray = camera_ray};
-  for (;;) {
-    const Hit hit = state.depth == 0 ? tracer.camera_hit(state.ray) : tracer.bounce_hit(state.ray);
-    if (hit.is_miss()) {
-      add_escaped(state);
-      break;
-    }
-    tracer.arrive();
-    const SurfacePoint point = surface_at(*scene_.geometry, hit);
-    const Vec3 wo = -normalize(state.ray.direction);
-    if (state.meets_emission && counts(state.depth))
-      state.radiance += state.throughput * lights_.emitted(point, wo);
-    if (state.depth >= std::min(options_.max_depth, options_.last_depth)) break;
-
-    const Interaction at(scene_, point, wo);
-    VertexSampler sampler(kind, key, std::uint32_t(state.depth) + 1);
-    add_direct(state, at, sampler, tracer);
-    if (!scatter(state, at, sampler)) break;
-  }
-  return state.radiance;
+  const CameraSample sample{camera_ray, key};
+  Rgb estimate;
+  radiances({&sample, 1}, kind, tracer, {&estimate, 1});
+  return estimate;
 }
 
-void PathIntegrator::add_escaped(State& state) const {
-  if (!state.meets_emission || !counts(state.depth)) return;
-  const Vec3 direction = normalize(state.ray.direction);
-  state.radiance +=
-      state.throughput * (state.depth == 0 ? lights_.background(direction) : lights_.escaped(direction));
-}
-
-void PathIntegrator::add_direct(State& state, const Interaction& at, VertexSampler& sampler,
-                                Tracer& tracer) const {
-  if (!counts(state.depth + 1) || at.bsdf().is_delta()) return;
+void PathIntegrator::radiances(std::span<const CameraSample> samples, SamplerKind kind, Tracer& tracer,
+                               std::span<Rgb> estimates) const {
   const LightTransport transport{scene_, lights_, options_.direct, options_.samples_per_light};
-  state.radiance += state.throughput * direct_light(transport, at, sampler, tracer);
+  Wave wave{.kind = kind, .direct = DirectLight(transport)};
+  wave.paths.reserve(samples.size());
+  wave.rays.reserve(samples.size());
+  wave.hits.resize(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    estimates[i] = {};
+    wave.paths.push_back({&samples[i].key, &estimates[i]});
+    wave.rays.push_back(samples[i].ray);
+  }
+  tracer.camera_hits(wave.rays, wave.hits);
+  advance(wave, tracer);
+  while (!wave.paths.empty()) {
+    tracer.bounce_hits(wave.rays, wave.hits);
+    advance(wave, tracer);
+  }
 }
 
-bool PathIntegrator::scatter(State& state, const Interaction& at, VertexSampler& sampler) const {
+void PathIntegrator::advance(Wave& wave, Tracer& tracer) const {
+  tracer.arrive();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < wave.paths.size(); ++i) {
+    if (!visit(wave, wave.paths[i], wave.rays[i], wave.hits[i], tracer)) continue;
+    wave.paths[kept] = wave.paths[i];
+    wave.rays[kept++] = wave.rays[i];
+  }
+  wave.direct.finish(tracer);
+  wave.paths.resize(kept);
+  wave.rays.resize(kept);
+  wave.hits.resize(kept);
+  ++wave.depth;
+}
+
+bool PathIntegrator::visit(Wave& wave, Path& path, Ray& ray, const Hit& hit, Tracer& tracer) const {
+  const Vec3 direction = normalize(ray.direction);
+  if (hit.is_miss()) {
+    add_escaped(wave, path, direction);
+    return false;
+  }
+  const SurfacePoint point = surface_at(*scene_.geometry, hit);
+  const Vec3 wo = -direction;
+  if (path.meets_emission && counts(wave.depth))
+    *path.radiance += path.throughput * lights_.emitted(point, wo);
+  if (wave.depth >= depth_limit()) return false;
+
+  const Interaction at(scene_, point, wo);
+  VertexSampler sampler(wave.kind, *path.key, std::uint32_t(wave.depth) + 1);
+  if (counts(wave.depth + 1) && !at.bsdf().is_delta())
+    wave.direct.draw(at, path.throughput, sampler, tracer, *path.radiance);
+  return scatter(wave, path, ray, at, sampler);
+}
+
+void PathIntegrator::add_escaped(const Wave& wave, const Path& path, const Vec3& direction) const {
+  if (!path.meets_emission || !counts(wave.depth)) return;
+  *path.radiance +=
+      path.throughput * (wave.depth == 0 ? lights_.background(direction) : lights_.escaped(direction));
+}
+
+bool PathIntegrator::scatter(const Wave& wave, Path& path, Ray& ray, const Interaction& at,
+                             VertexSampler& sampler) const {
   // The ray behind the last surface could only meet emission that direct light has counted.
-  const bool is_last = state.depth + 1 >= std::min(options_.max_depth, options_.last_depth);
+  const bool is_last = wave.depth + 1 >= depth_limit();
   if (is_last && !at.bsdf().has_delta()) return false;
   const float lobe = at.bsdf().has_lobes() ? sampler.draw_1d(Purpose::lobe) : 0;
   const Vec2 direction = sampler.draw_2d(Purpose::direction);
@@ -78,20 +121,19 @@ bool PathIntegrator::scatter(State& state, const Interaction& at, VertexSampler&
   if (!sample || (is_last && !sample->is_delta)) return false;
   const Vec3 wi = at.to_world(sample->wi);
   if (!at.is_consistent(wi)) return false;
-  state.throughput = state.throughput * sample->value * (std::fabs(sample->wi.z) / sample->pdf);
-  if (is_black(state.throughput) || (state.depth > 0 && !survives_roulette(state, sampler))) return false;
-  state.ray = spawn_ray(at.point(), wi);
-  state.meets_emission = sample->is_delta;
-  ++state.depth;
+  path.throughput = path.throughput * sample->value * (std::fabs(sample->wi.z) / sample->pdf);
+  if (is_black(path.throughput) || (wave.depth > 0 && !survives_roulette(path, sampler))) return false;
+  ray = spawn_ray(at.point(), wi);
+  path.meets_emission = sample->is_delta;
   return true;
 }
 
-bool PathIntegrator::survives_roulette(State& state, VertexSampler& sampler) const {
+bool PathIntegrator::survives_roulette(Path& path, VertexSampler& sampler) const {
   const float chosen = options_.roulette.continuation;
-  const float probability = chosen > 0 ? chosen : std::min(1.0f, max_component(state.throughput));
+  const float probability = chosen > 0 ? chosen : std::min(1.0f, max_component(path.throughput));
   if (probability >= 1) return true;
   if (sampler.draw_1d(Purpose::roulette) >= probability) return false;
-  state.throughput = state.throughput / probability;
+  path.throughput = path.throughput / probability;
   return true;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "core/light_set.h"
 #include "core/scene.h"
@@ -28,23 +30,33 @@ struct PathOptions {
 
 /// Unidirectional path tracing with light sampling at each vertex (Kajiya, "The Rendering Equation", 1986).
 ///
-/// A path is a loop over an explicit state. At vertex d the light scattered d + 1 times is estimated by
-/// direct_light; emission that a bounce ray meets has been counted there, so it is added for the camera ray
-/// and behind delta surfaces only. The first bounce is always made; from then on roulette decides.
+/// At vertex d the light scattered d + 1 times is estimated by DirectLight; emission that a bounce ray meets
+/// has been counted there, so it is added for the camera ray and behind delta surfaces only. The first bounce
+/// is always made; from then on roulette decides.
+///
+/// Paths grow in waves: all of them advance to their next vertex, then their shadow rays are traced, then
+/// their bounce rays. The terms of each path are added in the order in which it would meet them alone.
 class PathIntegrator final : public Integrator {
  public:
   /// The scene must outlive the integrator. Throws Error for options out of range.
   PathIntegrator(const Scene& scene, const PathOptions& options);
   Rgb radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key, Tracer& tracer) const override;
+  void radiances(std::span<const CameraSample> samples, SamplerKind kind, Tracer& tracer,
+                 std::span<Rgb> estimates) const override;
 
  private:
-  struct State;
+  struct Path;
+  struct Wave;
   bool counts(int depth) const { return depth >= options_.first_depth && depth <= options_.last_depth; }
-  void add_escaped(State& state) const;
-  void add_direct(State& state, const Interaction& at, VertexSampler& sampler, Tracer& tracer) const;
+  int depth_limit() const { return std::min(options_.max_depth, options_.last_depth); }
+  /// All paths of a wave to their next vertices.
+  void advance(Wave& wave, Tracer& tracer) const;
+  /// One path to where its ray met something, and on; false where it ends.
+  bool visit(Wave& wave, Path& path, Ray& ray, const Hit& hit, Tracer& tracer) const;
+  void add_escaped(const Wave& wave, const Path& path, const Vec3& direction) const;
   /// Chooses where the path goes on; false where it ends.
-  bool scatter(State& state, const Interaction& at, VertexSampler& sampler) const;
-  bool survives_roulette(State& state, VertexSampler& sampler) const;
+  bool scatter(const Wave& wave, Path& path, Ray& ray, const Interaction& at, VertexSampler& sampler) const;
+  bool survives_roulette(Path& path, VertexSampler& sampler) const;
 
   const Scene& scene_;
   PathOptions options_;

@@ -22,6 +22,8 @@ constexpr int tile_size = 16;
 /// Passes grow to this many samples a pixel: a preview is there early, and a tile stays long enough in the
 /// caches.
 constexpr std::uint32_t longest_pass = 16;
+/// How many samples an integrator gets at once, at most: their paths stay in the second cache.
+constexpr std::size_t samples_together = 1024;
 
 void check(const RenderOptions& options) {
   if (options.samples < 1 || options.samples > Film::max_samples)
@@ -60,8 +62,7 @@ class Renderer {
     const auto start = std::chrono::steady_clock::now();
     const int threads = options_.threads > 0 ? options_.threads : available_threads();
     for (std::uint32_t begin = 0; begin < options_.samples;) {
-      const std::uint32_t length = std::clamp(begin, 1u, longest_pass);
-      const std::uint32_t end = std::min(begin + length, options_.samples);
+      const std::uint32_t end = end_of_pass(begin);
       render_pass(begin, end, threads);
       begin = end;
     }
@@ -70,29 +71,48 @@ class Renderer {
   }
 
  private:
+  /// Adaptive sampling decides between passes alone.
+  std::uint32_t end_of_pass(std::uint32_t begin) const {
+    const std::uint32_t end = std::min(begin + std::clamp(begin, 1u, longest_pass), options_.samples);
+    return options_.adaptive
+               ? std::min(end, (begin / options_.adaptive->batch + 1) * options_.adaptive->batch)
+               : end;
+  }
+
   void render_pass(std::uint32_t begin, std::uint32_t end, int threads) {
     std::atomic<std::size_t> next = 0;
     parallel_for(std::size_t(threads), 1, threads, [&](std::size_t, std::size_t) {
-      for (std::size_t i = next++; i < tiles_.size(); i = next++) {
-        std::vector<RecordedRay> rays;
-        Tracer tracer(accelerator_, options_.counting, options_.observe ? &rays : nullptr);
-        render_tile(tiles_[i], begin, end, [&](const PixelSample& sample) {
-          film_.add(0, sample.x, sample.y, sample.index, radiance(sample, tracer));
-          if (options_.observe) options_.observe(sample, rays);
-          rays.clear();
-        });
-        finish_tile(tiles_[i], end - begin, tracer.counts());
-      }
+      for (std::size_t i = next++; i < tiles_.size(); i = next++) render_tile(tiles_[i], begin, end);
     });
   }
 
-  /// Calls `take(sample)` for the samples that the tile's pixels need.
+  void render_tile(const PixelRect& tile, std::uint32_t begin, std::uint32_t end) {
+    std::vector<RecordedRay> rays;
+    Tracer tracer(accelerator_, options_.counting, options_.observe ? &rays : nullptr);
+    const std::size_t together = options_.observe ? 1 : samples_together;
+    std::vector<PixelSample> samples;
+    const auto finish = [&] {
+      add(samples, tracer);
+      if (options_.observe) options_.observe(samples.front(), rays);
+      samples.clear();
+      rays.clear();
+    };
+    for_each_sample(tile, begin, end, [&](const PixelSample& sample) {
+      samples.push_back(sample);
+      if (samples.size() == together) finish();
+    });
+    if (!samples.empty()) finish();
+    finish_tile(tile, end - begin, tracer.counts());
+  }
+
+  /// Calls `take(sample)` for the samples of a pass that the tile's pixels need.
   template <typename Take>
-  void render_tile(const PixelRect& tile, std::uint32_t begin, std::uint32_t end, const Take& take) {
+  void for_each_sample(const PixelRect& tile, std::uint32_t begin, std::uint32_t end, const Take& take) {
     for (int y = tile.y0; y < tile.y1; ++y)
-      for (int x = tile.x0; x < tile.x1; ++x)
-        for (std::uint32_t index = begin; index < end && !is_converged(x, y, index); ++index)
-          take(PixelSample{x, y, index});
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        if (is_converged(x, y, begin)) continue;
+        for (std::uint32_t index = begin; index < end; ++index) take(PixelSample{x, y, index});
+      }
   }
 
   /// Whether sampling stops before sample `index`. A function of the samples at multiples of the batch alone,
@@ -106,14 +126,24 @@ class Renderer {
     return half_width <= options_.adaptive->tolerance * pixel.luminance_mean();
   }
 
-  Rgb radiance(const PixelSample& sample, Tracer& tracer) const {
+  void add(std::span<const PixelSample> samples, Tracer& tracer) {
+    std::vector<CameraSample> camera_samples;
+    camera_samples.reserve(samples.size());
+    for (const PixelSample& sample : samples) camera_samples.push_back(camera_sample(sample));
+    std::vector<Rgb> radiances(samples.size());
+    integrator_.radiances(camera_samples, options_.sampler, tracer, radiances);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      film_.add(0, samples[i].x, samples[i].y, samples[i].index, radiances[i]);
+  }
+
+  CameraSample camera_sample(const PixelSample& sample) const {
     const SampleKey key{options_.seed, std::uint32_t(sample.x), std::uint32_t(sample.y), sample.index};
     VertexSampler sampler(options_.sampler, key, 0);
     const Vec2 in_pixel = options_.samples == 1 ? Vec2{0.5f, 0.5f} : sampler.draw_2d(Purpose::pixel);
     const Vec2 lens = camera_.lens_radius > 0 ? sampler.draw_2d(Purpose::lens) : Vec2{};
     const Vec2 frame{(float(sample.x) + in_pixel.x) / float(options_.width),
                      (float(sample.y) + in_pixel.y) / float(options_.height)};
-    return integrator_.radiance(camera_ray(camera_, frame, lens), options_.sampler, key, tracer);
+    return {camera_ray(camera_, frame, lens), key};
   }
 
   void finish_tile(const PixelRect& tile, std::uint32_t samples, const RayCounts& rays) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "accel/accelerator.h"
@@ -40,46 +41,61 @@ class Tracer {
   /// With `counting`, each query goes through the slower counting traversal. Where `record` is given, each
   /// ray is appended to it; it must outlive the tracer.
   Tracer(const Accelerator& accelerator, bool counting, std::vector<RecordedRay>* record = nullptr)
-      : accelerator_(accelerator), counting_(counting), record_(record) {}
+      : accelerator_(accelerator),
+        counting_(counting),
+        in_batches_(!counting && accelerator.prefers_batches()),
+        record_(record) {}
 
   /// A new path begins.
   Hit camera_hit(const Ray& ray) {
     vertex_ = 0;
-    ++counts_.camera;
-    note(ray, RayKind::camera);
+    note({&ray, 1}, RayKind::camera, counts_.camera);
     return closest(ray);
   }
   Hit bounce_hit(const Ray& ray) {
-    ++counts_.bounce;
-    note(ray, RayKind::bounce);
+    note({&ray, 1}, RayKind::bounce, counts_.bounce);
     return closest(ray);
   }
-  /// How much of the light passes along a connection (core/offset.h), per channel: white where nothing is in
-  /// the way.
-  Rgb visibility(const Ray& connection) {
-    ++counts_.shadow;
-    note(connection, RayKind::shadow);
-    const bool blocked =
-        counting_ ? accelerator_.any_hit(connection, counts_.queries) : accelerator_.any_hit(connection);
-    return blocked ? Rgb{} : Rgb{1, 1, 1};
+
+  /// The same for several paths that grow vertex by vertex together: hits[i] is that of rays[i].
+  void camera_hits(std::span<const Ray> rays, std::span<Hit> hits) {
+    vertex_ = 0;
+    note(rays, RayKind::camera, counts_.camera);
+    closest(rays, hits);
   }
-  /// The path has come to its next surface: rays start there from now on.
+  void bounce_hits(std::span<const Ray> rays, std::span<Hit> hits) {
+    note(rays, RayKind::bounce, counts_.bounce);
+    closest(rays, hits);
+  }
+  /// How much of the light passes along each connection (core/offset.h), per channel: white where nothing is
+  /// in the way. Valid until the next call.
+  std::span<const Rgb> visibilities(std::span<const Ray> connections);
+
+  /// The paths have come to their next surfaces: rays start there from now on.
   void arrive() { ++vertex_; }
   const RayCounts& counts() const { return counts_; }
 
  private:
-  void note(const Ray& ray, RayKind kind) {
-    if (record_) record_->push_back({ray, kind, vertex_});
+  void note(std::span<const Ray> rays, RayKind kind, std::uint64_t& count) {
+    count += rays.size();
+    if (record_)
+      for (const Ray& ray : rays) record_->push_back({ray, kind, vertex_});
   }
   Hit closest(const Ray& ray) {
     return counting_ ? accelerator_.closest_hit(ray, counts_.queries) : accelerator_.closest_hit(ray);
   }
+  bool is_blocked(const Ray& connection) {
+    return counting_ ? accelerator_.any_hit(connection, counts_.queries) : accelerator_.any_hit(connection);
+  }
+  void closest(std::span<const Ray> rays, std::span<Hit> hits);
 
   const Accelerator& accelerator_;
-  bool counting_;
+  bool counting_, in_batches_;
   std::vector<RecordedRay>* record_;
   int vertex_ = 0;
   RayCounts counts_;
+  std::vector<std::uint8_t> blocked_;
+  std::vector<Rgb> visible_;
 };
 
 }  // namespace twinray

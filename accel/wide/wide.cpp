@@ -10,6 +10,10 @@
 namespace twinray {
 namespace {
 
+/// A larger tree does not stay in the caches, and single rays wait for memory. In batches whole pictures take
+/// 1.08 times as long with a tree of 37 MB, but 0.89 times with one of 58 MB and 0.96 with one of 158 MB.
+constexpr std::size_t cached_bytes = 48u << 20;
+
 /// `test`: which triangle test the leaves run.
 template <TriangleTest test>
 class WideAccelerator final : public Accelerator {
@@ -23,6 +27,7 @@ class WideAccelerator final : public Accelerator {
 
   Aabb bounds() const noexcept override { return geometry_->bounds(); }
   AccelStats stats() const override { return stats_; }
+  bool prefers_batches() const noexcept override { return stats_.bytes > cached_bytes; }
 
  private:
   Hit find_closest(const Ray& ray) const noexcept override { return kernel_.closest(bvh_, *geometry_, ray); }

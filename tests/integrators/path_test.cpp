@@ -70,6 +70,31 @@ TEST_CASE("direct and indirect light add up to all of it, and the last bounces t
     }
 }
 
+TEST_CASE("samples estimated together have the bits of each alone, and as many rays") {
+  Scene scene = small_room();
+  add_light(scene, PointLight{{0.3f, 0.2f, 0.1f}, {1, 2, 3}, {}});
+  const auto accelerator = build_accelerator(Backend::bvh, scene.geometry);
+  const Camera camera = fit_frame(scene.camera, 4, 3);
+  std::vector<CameraSample> samples;
+  for (std::uint32_t i = 0; i < 2000; ++i) {
+    const Vec2 frame{float(i % 50) / 50, float(i / 50) / 40};
+    samples.push_back({camera_ray(camera, frame, {}), {7, i % 50, i / 50, i % 3}});
+  }
+  const PathOptions cases[] = {{},
+                               {.max_depth = 3, .samples_per_light = 5},
+                               {.max_depth = 4, .first_depth = 2, .last_depth = 3},
+                               {.max_depth = 2, .direct = DirectMethod::hemisphere, .samples_per_light = 2}};
+  for (const PathOptions& options : cases) {
+    const PathIntegrator path(scene, options);
+    Tracer alone(*accelerator, true), together(*accelerator, true);
+    std::vector<Rgb> estimates(samples.size());
+    path.radiances(samples, SamplerKind::sobol, together, estimates);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      CHECK(path.radiance(samples[i].ray, SamplerKind::sobol, samples[i].key, alone) == estimates[i]);
+    CHECK(alone.counts() == together.counts());
+  }
+}
+
 TEST_CASE("options out of range are refused") {
   const Scene scene = small_room();
   const auto message_of = [&](const PathOptions& path) -> std::string {

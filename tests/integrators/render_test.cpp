@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/render.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "integrators/normals.h"
+#include "integrators/recorded_rays.h"
 #include "tests/support/catch.h"
 #include "tests/support/estimate.h"
 #include "tests/support/scenes.h"
@@ -50,6 +52,32 @@ TEST_CASE("pictures and ray counts have the same bits on every engine and with 1
         CHECK(result.rays == reference.rays);
       }
   }
+}
+
+TEST_CASE("observers get the rays of each sample, in the order of its path") {
+  const Scene scene = small_room();
+  const auto accelerator = build_accelerator(Backend::bvh, scene.geometry);
+  const PathIntegrator path(scene, {.max_depth = 3});
+  const Camera camera = fit_frame(scene.camera, 5, 4);
+  RenderOptions observed{.width = 5, .height = 4, .samples = 1, .sampler = SamplerKind::independent};
+  std::size_t samples = 0;
+  observed.threads = 1;
+  observed.observe = [&](const PixelSample& sample, std::span<const RecordedRay> rays) {
+    const SampleKey key{0, std::uint32_t(sample.x), std::uint32_t(sample.y), 0};
+    std::vector<RecordedRay> alone;
+    record_sample(path, camera, *accelerator, {(float(sample.x) + 0.5f) / 5, (float(sample.y) + 0.5f) / 4},
+                  key, alone);
+    REQUIRE(rays.size() == alone.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      CHECK(rays[i].ray.origin == alone[i].ray.origin);
+      CHECK(rays[i].ray.direction == alone[i].ray.direction);
+      CHECK(rays[i].kind == alone[i].kind);
+      CHECK(rays[i].vertex == alone[i].vertex);
+    }
+    ++samples;
+  };
+  render(scene, *accelerator, path, observed);
+  CHECK(samples == 5 * 4);
 }
 
 TEST_CASE("a part of the frame has the pixels of the whole") {
@@ -120,6 +148,30 @@ TEST_CASE(
   const RenderResult calm = render_with(scene, SpoiledIntegrator(), spoiled);
   CHECK(calm.film.pixel(0, 0, 0).count == 8);
   CHECK(calm.film.pixel(0, 3, 2).count == 1);
+}
+
+TEST_CASE("adaptive sampling decides at multiples of batches of any size, by the samples so far alone") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, {.max_depth = 2});
+  constexpr std::uint32_t batch = 6, most = 20;
+  constexpr double tolerance = 0.3;
+  RenderOptions adaptive = options(most, 2);
+  adaptive.adaptive = AdaptiveSampling{batch, tolerance};
+  const Film film = render_with(scene, path, adaptive).film;
+  std::vector<Film> films;  // With 6, 12, 18 and 20 samples everywhere.
+  for (std::uint32_t count = batch; count < most; count += batch)
+    films.push_back(render_with(scene, path, options(count, 2)).film);
+  films.push_back(render_with(scene, path, options(most, 2)).film);
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x) {
+      const auto is_known = [&](const Film& so_far) {
+        const PixelSums& pixel = so_far.pixel(0, x, y);
+        return 1.96 * std::sqrt(pixel.luminance_variance() / pixel.count) <=
+               tolerance * pixel.luminance_mean();
+      };
+      const auto first = std::find_if(films.begin(), films.end() - 1, is_known);
+      CHECK(film.pixel(0, x, y) == first->pixel(0, x, y));
+    }
 }
 
 TEST_CASE("adaptive pictures do not depend on threads either") {
