@@ -42,6 +42,7 @@ set(private_headers
   accel/wide/invariants.h
   accel/wide/kernel.h
   accel/wide/node.h
+  accel/wide/occlusion.h
   accel/wide/query-inl.h
   accel/wide/scalar.h
   accel/wide/statistics.h

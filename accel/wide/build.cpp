@@ -7,6 +7,7 @@
 #include "accel/bvh/reinsertion.h"
 #include "accel/phase_timer.h"
 #include "accel/wide/collapse.h"
+#include "accel/wide/occlusion.h"
 #include "core/parallel.h"
 #include "core/slab.h"
 
@@ -33,49 +34,65 @@ class Layout {
       return WideRef::block(leaves_.size() - 1);
     }
     const std::size_t index = nodes_.size();
-    nodes_.push_back({largest_first(plan.children(binary)), {}});
-    for (int child = 0; child < nodes_[index].children.count; ++child)
-      nodes_[index].refs[child] = place(plan, nodes_[index].children.nodes[child]);
+    const CollapsePlan::Children children = plan.children(binary);
+    nodes_.push_back({binary, children.count, {}});
+    for (int i = 0; i < children.count; ++i) {
+      const std::uint32_t child = children.nodes[i];
+      const WideRef ref = place(plan, child);
+      nodes_[index].children[i] = {child, ref, half_area(child), {}};
+    }
     return WideRef::node(index);
   }
 
-  void make_nodes(BigVector<WideNode>& nodes) const {
+  void make_blocks(const Geometry& geometry, BigVector<TriangleBlock>& blocks) {
+    blocks.resize(leaves_.size());
+    of_blocks_.resize(leaves_.size());
+    parallel_for(blocks.size(), items_per_task, 0, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        Leaf leaf;
+        collect(leaves_[i], leaf);
+        blocks[i] = make_block(geometry, std::span(leaf.ids).first(leaf.count));
+        of_blocks_[i] = prospect_of(geometry, blocks[i], half_area(leaves_[i]));
+      }
+    });
+  }
+
+  /// Behind make_blocks.
+  void make_nodes(BigVector<WideNode>& nodes) {
+    order_children();
     nodes.resize(nodes_.size());
     parallel_for(nodes.size(), items_per_task, 0, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) nodes[i] = make_node(nodes_[i]);
     });
   }
 
-  void make_blocks(const Geometry& geometry, BigVector<TriangleBlock>& blocks) const {
-    blocks.resize(leaves_.size());
-    parallel_for(blocks.size(), items_per_task, 0, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        Leaf leaf;
-        collect(leaves_[i], leaf);
-        blocks[i] = make_block(geometry, std::span(leaf.ids).first(leaf.count));
-      }
-    });
-  }
-
  private:
   struct PlacedNode {
-    CollapsePlan::Children children;
-    WideRef refs[WideNode::width];
+    std::uint32_t binary = 0;
+    int count = 0;
+    Candidate children[WideNode::width];
+
+    std::span<Candidate> used() { return std::span(children).first(std::size_t(count)); }
   };
 
-  /// An any-hit query takes children in this order, and the largest is the likeliest to end it: 10 % on cow,
-  /// 2 % in boxes.
-  CollapsePlan::Children largest_first(CollapsePlan::Children children) const {
-    std::stable_sort(children.nodes, children.nodes + children.count, [&](std::uint32_t a, std::uint32_t b) {
-      return tree_.nodes[a].box.half_area() > tree_.nodes[b].box.half_area();
-    });
-    return children;
+  double half_area(std::uint32_t binary) const { return tree_.nodes[binary].box.half_area(); }
+
+  /// From the last node to the first, for children come behind their parents.
+  void order_children() {
+    std::vector<Prospect> of_nodes(nodes_.size());
+    for (std::size_t i = nodes_.size(); i-- > 0;) {
+      const std::span<Candidate> children = nodes_[i].used();
+      for (Candidate& child : children)
+        child.prospect = (child.ref.is_block() ? of_blocks_ : of_nodes)[child.ref.index()];
+      sort_for_occlusion(children);
+      of_nodes[i] = prospect_of(children, half_area(nodes_[i].binary));
+    }
   }
   WideNode make_node(const PlacedNode& placed) const {
     WideNode node;
-    for (int child = 0; child < placed.children.count; ++child) {
-      node.set_box(child, padded(tree_.nodes[placed.children.nodes[child]].box));
-      node.children[child] = placed.refs[child];
+    for (int child = 0; child < placed.count; ++child) {
+      node.set_box(child, padded(tree_.nodes[placed.children[child].binary].box));
+      node.children[child] = placed.children[child].ref;
     }
     return node;
   }
@@ -91,6 +108,7 @@ class Layout {
   const BuildTree& tree_;
   std::vector<PlacedNode> nodes_;
   std::vector<std::uint32_t> leaves_;  ///< Binary nodes.
+  std::vector<Prospect> of_blocks_;
 };
 
 /// What the binary tree is built with: leaves that fit into a block, and costs that fill them.
@@ -120,8 +138,8 @@ WideBvh widen(const BuildTree& tree, const Geometry& geometry, int max_leaf_size
   if (tree.primitives.empty()) return bvh;
   Layout layout(tree);
   bvh.root = layout.place(CollapsePlan(tree, max_leaf_size), 0);  // Here the plan's memory is free again.
-  layout.make_nodes(bvh.nodes);
   layout.make_blocks(geometry, bvh.blocks);
+  layout.make_nodes(bvh.nodes);
   return bvh;
 }
 

@@ -23,9 +23,10 @@ inline std::uint32_t scalar_meet(const WideNode& node, const CheckedRay& ray, fl
   return met;
 }
 
-/// Calls `test(block)` for the blocks whose boxes the ray meets between ray.t_min and t_max, about front to
-/// back; `test` may lower t_max, and ends the traversal by returning true.
-template <typename Test>
+/// Calls `test(block)` for the blocks whose boxes the ray meets between ray.t_min and t_max, in the order of
+/// the fast kernels: for the closest hit about front to back, for any hit as the children come, but the last
+/// of the waiting ones first. `test` may lower t_max, and ends the traversal by returning true.
+template <QueryKind kind, typename Test>
 void traverse_scalar(const WideBvh& bvh, const CheckedRay& ray, const float& t_max, QueryCounts& counts,
                      Test&& test) {
   struct Waiting {
@@ -54,7 +55,10 @@ void traverse_scalar(const WideBvh& bvh, const CheckedRay& ray, const float& t_m
     Waiting* const children = stack + size;
     for (int child = 0; child < WideNode::width; ++child)
       if (met >> child & 1) stack[size++] = {entries[child], node.children[child].bits};
-    std::sort(children, stack + size, [](const Waiting& a, const Waiting& b) { return a.entry > b.entry; });
+    if (kind == QueryKind::closest)
+      std::sort(children, stack + size, [](const Waiting& a, const Waiting& b) { return a.entry > b.entry; });
+    else if (met != 0)
+      std::rotate(children, children + 1, stack + size);
   }
 }
 
@@ -65,7 +69,7 @@ Hit scalar_closest(const WideBvh& bvh, const Geometry& geometry, const Ray& give
   CheckedRay ray;
   if (!load_ray(given, ray)) return best;
   float t_max = ray.t_max;
-  traverse_scalar(bvh, ray, t_max, counts, [&](const TriangleBlock& block) {
+  traverse_scalar<QueryKind::closest>(bvh, ray, t_max, counts, [&](const TriangleBlock& block) {
     test_block<QueryKind::closest, test>(geometry, ray, block, best);
     t_max = std::min(t_max, best.t);
     return false;
@@ -80,7 +84,7 @@ bool scalar_any(const WideBvh& bvh, const Geometry& geometry, const Ray& given, 
   Hit found;
   CheckedRay ray;
   if (!load_ray(given, ray)) return false;
-  traverse_scalar(bvh, ray, ray.t_max, counts, [&](const TriangleBlock& block) {
+  traverse_scalar<QueryKind::any>(bvh, ray, ray.t_max, counts, [&](const TriangleBlock& block) {
     test_block<QueryKind::any, test>(geometry, ray, block, found);
     return !found.is_miss();
   });
