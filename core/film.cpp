@@ -2,7 +2,6 @@
 #include "core/film.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 
@@ -22,17 +21,11 @@ bool in_range(float x) { return std::fabs(x) <= Film::max_value; }  // A NaN is 
 
 void FixedSum::add(double x) {
   assert(std::fabs(x) < 0x1p45);
-  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
-  const int exponent = int(bits >> 52 & 0x7ff);
-  // |x| = mantissa 2^(exponent - 1075); numbers without the hidden bit are far below the unit.
-  const std::uint64_t mantissa = (bits & 0xfffffffffffffu) | 0x10000000000000u;
-  const int shift = exponent - 1075 + 60;
-  __extension__ __int128 magnitude = 0;
-  if (shift >= 0)
-    magnitude = __extension__ __int128(mantissa) << shift;
-  else if (shift > -64)
-    magnitude = mantissa >> -shift;
-  units_ += bits >> 63 ? -magnitude : magnitude;
+  // Whole units of 2^-12, and what is left of x in units of 2^-60: nothing is rounded but the last cast.
+  const double scaled = x * 0x1p12;
+  const std::int64_t upper = std::int64_t(scaled);
+  const std::int64_t lower = std::int64_t((scaled - double(upper)) * 0x1p48);
+  units_ += (__extension__ __int128(upper) << 48) + lower;
 }
 
 FixedSum& FixedSum::operator+=(const FixedSum& other) {

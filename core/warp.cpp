@@ -55,7 +55,7 @@ float uniform_cone_pdf(float one_minus_cos) { return 1 / (2 * pi * one_minus_cos
 Vec2 square_to_triangle(Vec2 u) {
   // Heitz, "A Low-Distortion Map Between Triangle and Square", 2019.
   const float half = 0.5f * std::min(u.x, u.y);
-  return u.y > u.x ? Vec2{half, u.y - half} : Vec2{u.x - half, half};
+  return {u.x - half, u.y - half};
 }
 
 }  // namespace twinray
