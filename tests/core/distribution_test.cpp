@@ -31,7 +31,6 @@ TEST_CASE("indices are chosen with their probabilities, and the remainder is uni
     ++counts[choice.index];
     REQUIRE(choice.remainder >= 0);
     REQUIRE(choice.remainder < 1);
-    REQUIRE(choice.probability == distribution.probability(choice.index));
     remainders.add(choice.remainder, 0);
   }
   std::vector<double> expected;
@@ -69,7 +68,7 @@ TEST_CASE("a weight of zero is never chosen, at the ends of the range either") {
       const Distribution::Choice choice = distribution.sample(u);
       REQUIRE(choice.index < weights.size());
       CHECK(weights[choice.index] > 0);
-      CHECK(choice.probability > 0);
+      CHECK(distribution.probability(choice.index) > 0);
       CHECK(choice.remainder >= 0);
       CHECK(choice.remainder < 1);
     }
@@ -79,7 +78,7 @@ TEST_CASE("a weight of zero is never chosen, at the ends of the range either") {
 TEST_CASE("a probability too small for a float can still be divided by") {
   const Distribution distribution = make({1e-60, 1});
   CHECK(distribution.sample(0).index == 0);
-  CHECK(distribution.sample(0).probability == std::numeric_limits<float>::min());
+  CHECK(distribution.probability(0) == std::numeric_limits<float>::min());
 }
 
 TEST_CASE("without weight the total is zero") {
