@@ -2,6 +2,7 @@
 #include "core/light_set.h"
 
 #include <cmath>
+#include <optional>
 
 #include "core/elementary.h"
 #include "core/environment.h"
@@ -51,20 +52,19 @@ float falloff(const Attenuation& a, float distance) {
   return 1 / (a.constant + a.linear * distance + a.quadratic * distance * distance);
 }
 
-std::optional<LightSample> sample_mesh(const MeshLight& light, const Geometry& geometry,
-                                       const Distribution& triangles, const SurfacePoint& from, Vec2 u) {
-  if (triangles.total() == 0) return std::nullopt;
+LightSample sample_mesh(const MeshLight& light, const Geometry& geometry, const Distribution& triangles,
+                        const SurfacePoint& from, Vec2 u) {
+  if (triangles.total() == 0) return {};
   const Distribution::Choice choice = triangles.sample(u.x);
   const Vec2 weights = square_to_triangle({choice.remainder, u.y});
   const SurfacePoint to = triangle_point(geometry, light.shape, choice.index, weights.x, weights.y);
   const auto link = connection(from.position, to.position);
-  if (!link) return std::nullopt;
+  if (!link) return {};
   const float cos_front = -dot(to.geometric_normal, link->direction);
   const Rgb radiance = radiance_of_side(light, cos_front);
-  if (is_black(radiance)) return std::nullopt;
-  return LightSample{link->direction, radiance,
-                     area_to_solid_angle(triangles.total(), link->distance_squared, cos_front),
-                     connect(from, to)};
+  if (is_black(radiance)) return {};
+  return {link->direction, radiance,
+          area_to_solid_angle(triangles.total(), link->distance_squared, cos_front), connect(from, to)};
 }
 
 /// 1 - cos of the half-angle under which a sphere is seen from a distance; 0 from inside of it.
@@ -88,47 +88,46 @@ Vec3 entry_normal(const Sphere& sphere, const Vec3& from, const Vec3& direction)
   return {float(x / length), float(y / length), float(z / length)};
 }
 
-std::optional<LightSample> sample_sphere(const SphereLight& light, const Geometry& geometry,
-                                         const SurfacePoint& from, Vec2 u) {
+LightSample sample_sphere(const SphereLight& light, const Geometry& geometry, const SurfacePoint& from,
+                          Vec2 u) {
   const Sphere& sphere = geometry.sphere_set(light.shape)->spheres[0];
   const auto axis = connection(from.position, sphere.center);
-  if (!axis) return std::nullopt;
+  if (!axis) return {};
   const float one_minus_cos = visible_cone(sphere, axis->distance_squared);
-  if (!(one_minus_cos > 0)) return std::nullopt;
+  if (!(one_minus_cos > 0)) return {};
   const Vec3 direction = Frame(axis->direction).to_world(square_to_uniform_cone(u, one_minus_cos));
   const SurfacePoint to = sphere_point(sphere, light.shape, entry_normal(sphere, from.position, direction));
-  return LightSample{direction, light.radiance, uniform_cone_pdf(one_minus_cos), connect(from, to)};
+  return {direction, light.radiance, uniform_cone_pdf(one_minus_cos), connect(from, to)};
 }
 
-std::optional<LightSample> sample_position(const Vec3& position, const Rgb& intensity,
-                                           const Attenuation& attenuation, const SurfacePoint& from) {
+LightSample sample_position(const Vec3& position, const Rgb& intensity, const Attenuation& attenuation,
+                            const SurfacePoint& from) {
   const auto link = connection(from.position, position);
-  if (!link) return std::nullopt;
+  if (!link) return {};
   const Rgb irradiance = intensity * falloff(attenuation, std::sqrt(link->distance_squared));
-  return LightSample{link->direction, irradiance, 1, connect(from, position)};
+  return {link->direction, irradiance, 1, connect(from, position)};
 }
 
-std::optional<LightSample> sample_spot(const SpotLight& light, const SurfacePoint& from) {
-  auto sample = sample_position(light.position, light.intensity, light.attenuation, from);
-  if (!sample) return std::nullopt;
-  const double cosine = -dot(light.direction, sample->direction);
+LightSample sample_spot(const SpotLight& light, const SurfacePoint& from) {
+  LightSample sample = sample_position(light.position, light.intensity, light.attenuation, from);
+  if (is_black(sample.radiance)) return {};
+  const double cosine = -dot(light.direction, sample.direction);
   constexpr double radians_per_degree = 3.14159265358979323846 / 180;
-  if (cosine < cos_radians(0.5 * light.falloff_angle_degrees * radians_per_degree)) return std::nullopt;
+  if (cosine < cos_radians(0.5 * light.falloff_angle_degrees * radians_per_degree)) return {};
   if (light.falloff_exponent > 0)
-    sample->radiance = sample->radiance * float(pow_of(std::max(cosine, 0.0), light.falloff_exponent));
+    sample.radiance = sample.radiance * float(pow_of(std::max(cosine, 0.0), light.falloff_exponent));
   return sample;
 }
 
-std::optional<LightSample> sample_ambient(const AmbientLight& light, const SurfacePoint& from, Vec2 u) {
+LightSample sample_ambient(const AmbientLight& light, const SurfacePoint& from, Vec2 u) {
   const Vec3 direction = Frame(light.up).to_world(square_to_uniform_hemisphere(u));
-  return LightSample{direction, light.radiance, uniform_hemisphere_pdf(), spawn_ray(from, direction)};
+  return {direction, light.radiance, uniform_hemisphere_pdf(), spawn_ray(from, direction)};
 }
 
-std::optional<LightSample> sample_environment(const EnvironmentLight& light, const SurfacePoint& from,
-                                              Vec2 u) {
+LightSample sample_environment(const EnvironmentLight& light, const SurfacePoint& from, Vec2 u) {
   const Vec3 direction = square_to_uniform_sphere(u);
-  return LightSample{direction, environment_radiance(*light.map, direction), uniform_sphere_pdf(),
-                     spawn_ray(from, direction)};
+  return {direction, environment_radiance(*light.map, direction), uniform_sphere_pdf(),
+          spawn_ray(from, direction)};
 }
 
 }  // namespace
@@ -149,7 +148,7 @@ bool LightSet::is_delta(std::uint32_t light) const {
          std::holds_alternative<DirectionalLight>(source);
 }
 
-std::optional<LightSample> LightSet::sample(std::uint32_t light, const SurfacePoint& from, Vec2 u) const {
+LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, Vec2 u) const {
   const LightSource& source = lights_[light].source;
   if (const auto* mesh = std::get_if<MeshLight>(&source))
     return sample_mesh(*mesh, geometry_, triangles_[light], from, u);
@@ -162,8 +161,7 @@ std::optional<LightSample> LightSet::sample(std::uint32_t light, const SurfacePo
   if (const auto* environment = std::get_if<EnvironmentLight>(&source))
     return sample_environment(*environment, from, u);
   const auto& directional = std::get<DirectionalLight>(source);
-  return LightSample{-directional.direction, directional.irradiance, 1,
-                     spawn_ray(from, -directional.direction)};
+  return {-directional.direction, directional.irradiance, 1, spawn_ray(from, -directional.direction)};
 }
 
 float LightSet::pdf(std::uint32_t light, const SurfacePoint& from, const SurfacePoint& on_light) const {

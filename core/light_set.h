@@ -2,7 +2,6 @@
 // The lights of a scene, prepared for sampling.
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,8 +14,9 @@ namespace twinray {
 
 /// Light that may arrive at a surface from one light, before anything is in its way.
 struct LightSample {
-  Vec3 direction;  ///< Unit, from the surface to the light.
-  Rgb radiance;    ///< Arriving; for a delta light, irradiance on a surface that faces it.
+  Vec3 direction;  ///< Unit, from the surface to the light; zero where the radiance is black.
+  Rgb radiance;    ///< Arriving; for a delta light, irradiance on a surface that faces it. Black for none at
+                   ///< all.
   float pdf = 1;   ///< Per solid angle; 1 for a delta light.
   Ray connection;  ///< What must be free for the light to arrive.
 };
@@ -30,8 +30,8 @@ class LightSet {
   /// Whether the light is a point or a direction, which no ray can meet by chance: one sample says all.
   bool is_delta(std::uint32_t light) const;
 
-  /// Light of one source at a point; none where no light of this sample can arrive. u in [0, 1)^2.
-  std::optional<LightSample> sample(std::uint32_t light, const SurfacePoint& from, Vec2 u) const;
+  /// Light of one source at a point; black where none of this sample can arrive. u in [0, 1)^2.
+  LightSample sample(std::uint32_t light, const SurfacePoint& from, Vec2 u) const;
   /// The density, per solid angle at `from`, with which sample() chooses a point of an emissive surface.
   float pdf(std::uint32_t light, const SurfacePoint& from, const SurfacePoint& on_light) const;
 

@@ -18,15 +18,28 @@ float triangle_offset(const Vec3& a, const Vec3& b, const Vec3& c);
 float sphere_offset(const Sphere& sphere);
 
 /// The point from which a ray along `direction` leaves the surface: moved to that side of it.
-Vec3 leave_surface(const SurfacePoint& point, const Vec3& direction);
+inline Vec3 leave_surface(const SurfacePoint& point, const Vec3& direction) {
+  const float side = dot(point.geometric_normal, direction) < 0 ? -point.offset : point.offset;
+  return point.position + point.geometric_normal * side;
+}
 
 /// The ray from a surface along a direction, to infinity.
-Ray spawn_ray(const SurfacePoint& from, const Vec3& direction);
+inline Ray spawn_ray(const SurfacePoint& from, const Vec3& direction) {
+  return {.origin = leave_surface(from, direction), .direction = direction};
+}
 
 /// The connection of two points of surfaces: direction = target - origin, both moved off their surfaces
 /// towards each other, and t_max = 1.
-Ray connect(const SurfacePoint& from, const SurfacePoint& to);
+inline Ray connect(const SurfacePoint& from, const SurfacePoint& to) {
+  const Vec3 towards = to.position - from.position;
+  const Vec3 origin = leave_surface(from, towards);
+  const Vec3 target = leave_surface(to, -towards);
+  return {.origin = origin, .direction = target - origin, .t_max = 1};
+}
 /// The connection of a surface with a point in space, such as a point light.
-Ray connect(const SurfacePoint& from, const Vec3& to);
+inline Ray connect(const SurfacePoint& from, const Vec3& to) {
+  const Vec3 origin = leave_surface(from, to - from.position);
+  return {.origin = origin, .direction = to - origin, .t_max = 1};
+}
 
 }  // namespace twinray

@@ -49,12 +49,11 @@ void DirectLight::draw_lights(const Interaction& at, VertexSampler& sampler) {
   for (std::uint32_t light = 0; light < transport_.lights.size(); ++light)
     for (std::uint32_t part = 0, parts = parts_of(light); part < parts; ++part) {
       const Vec2 u = sampler.draw_2d(Purpose::light_point, part, parts, light);
-      const auto sample = transport_.lights.sample(light, at.point(), u);
-      if (!sample) continue;
-      const Rgb scattered = at.scattered(sample->direction) * sample->radiance;
+      const LightSample sample = transport_.lights.sample(light, at.point(), u);
+      const Rgb scattered = at.scattered(sample.direction) * sample.radiance;
       if (is_black(scattered)) continue;
-      terms_.push_back({scattered, sample->pdf, light});
-      connections_.push_back(sample->connection);
+      terms_.push_back({scattered, sample.pdf, light});
+      connections_.push_back(sample.connection);
     }
 }
 

@@ -41,8 +41,10 @@ SampleMean inverse_density(const Scene& scene, int seed) {
   const LightSet lights(scene);
   Random random{std::uint64_t(seed)};
   SampleMean mean;
-  for (int i = 0; i < 100000; ++i)
-    if (const auto sample = lights.sample(0, below(), draw(random))) mean.add(1 / double(sample->pdf));
+  for (int i = 0; i < 100000; ++i) {
+    const LightSample sample = lights.sample(0, below(), draw(random));
+    if (!is_black(sample.radiance)) mean.add(1 / double(sample.pdf));
+  }
   return mean;
 }
 
@@ -73,18 +75,18 @@ TEST_CASE("the density of a sample is the density that is asked for") {
     Random random(3);
     int checked = 0;
     for (int i = 0; i < 1000; ++i) {
-      const auto sample = lights.sample(0, below(), draw(random));
-      if (!sample) continue;
+      const LightSample sample = lights.sample(0, below(), draw(random));
+      if (is_black(sample.radiance)) continue;
       // The end of the connection lies just off the lamp; the surface there is where a ray on from it would
       // hit.
       const Ray on{
-          .origin = below().position, .direction = sample->direction, .t_min = 0.01f};  // off the floor
+          .origin = below().position, .direction = sample.direction, .t_min = 0.01f};  // off the floor
       const Hit hit = engine->closest_hit(on);
       if (hit.is_miss() || scene.bindings[hit.mesh].light != 0) continue;
       const SurfacePoint seen = surface_at(*scene.geometry, hit);
-      const Vec3 end = sample->connection.origin + sample->connection.direction;
+      const Vec3 end = sample.connection.origin + sample.connection.direction;
       if (length(seen.position - end) > 1e-4f) continue;  // another part of the lamp stands in front
-      CHECK(lights.pdf(0, below(), seen) == Approx(sample->pdf).epsilon(1e-3));
+      CHECK(lights.pdf(0, below(), seen) == Approx(sample.pdf).epsilon(1e-3));
       ++checked;
     }
     CHECK(checked > 300);
