@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/bsdf.h"
 
-#include "core/warp.h"
-
 namespace twinray {
 namespace {
 
@@ -28,21 +26,17 @@ Rgb lambert_reflectance(const SurfaceModel& model) { return std::visit(LambertRe
 
 Bsdf::Bsdf(const Material& material) : reflectance_(lambert_reflectance(material.model)) {}
 
-Rgb Bsdf::evaluate(const Vec3& wo, const Vec3& wi) const {
-  return wo.z * wi.z > 0 ? reflectance_ * (1 / pi) : Rgb{};
-}
-
 float Bsdf::pdf(const Vec3& wo, const Vec3& wi) const {
   return wo.z * wi.z > 0 ? cosine_hemisphere_pdf(std::fabs(wi.z)) : 0;
 }
 
-std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, float, Vec2 u) const {
-  if (is_black(reflectance_) || wo.z == 0) return std::nullopt;
+BsdfSample Bsdf::sample(const Vec3& wo, float, Vec2 u) const {
+  if (is_black(reflectance_) || wo.z == 0) return {};
   Vec3 wi = square_to_cosine_hemisphere(u);
-  if (wi.z <= 0) return std::nullopt;
+  if (wi.z <= 0) return {};
   const float pdf = cosine_hemisphere_pdf(wi.z);
   if (wo.z < 0) wi.z = -wi.z;
-  return BsdfSample{wi, reflectance_ * (1 / pi), pdf, false};
+  return {wi, reflectance_ * (1 / pi), pdf, false};
 }
 
 }  // namespace twinray

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/interaction.h"
 
-#include <cmath>
-
 namespace twinray {
 namespace {
 
@@ -23,15 +21,5 @@ Interaction::Interaction(const Scene& scene, const SurfacePoint& point, const Ve
       frame_(usable_shading_normal(point, wo, facing_normal_)),
       wo_local_(frame_.to_local(wo)),
       bsdf_(scene.materials[scene.bindings[point.shape].material]) {}
-
-bool Interaction::is_consistent(const Vec3& wi) const {
-  return (dot(facing_normal_, wi) > 0) == (dot(frame_.normal, wi) > 0);
-}
-
-Rgb Interaction::scattered(const Vec3& wi) const {
-  if (!is_consistent(wi)) return {};
-  const Vec3 local = to_local(wi);
-  return bsdf_.evaluate(wo_local_, local) * std::fabs(local.z);
-}
 
 }  // namespace twinray

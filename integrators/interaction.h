@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cmath>
+
 #include "core/bsdf.h"
 #include "core/frame.h"
 #include "core/scene.h"
@@ -13,7 +15,7 @@ namespace twinray {
 /// viewer lies behind the shading normal), the geometric one shades.
 class Interaction {
  public:
-  /// `wo` is a unit vector to the viewer.
+  /// The point must outlive this; `wo` is a unit vector to the viewer.
   Interaction(const Scene& scene, const SurfacePoint& point, const Vec3& wo);
 
   const SurfacePoint& point() const { return point_; }
@@ -26,12 +28,18 @@ class Interaction {
   Vec3 to_world(const Vec3& v) const { return frame_.to_world(v); }
   /// f(wo, wi) |cos(wi)| for a unit direction in world space; black where wi leaves on another side of the
   /// surface than of its shading normal, so that no light leaks through.
-  Rgb scattered(const Vec3& wi) const;
+  Rgb scattered(const Vec3& wi) const {
+    if (!is_consistent(wi)) return {};
+    const Vec3 local = to_local(wi);
+    return bsdf_.evaluate(wo_local_, local) * std::fabs(local.z);
+  }
   /// Whether a direction lies on one side of both the shading and the geometric normal.
-  bool is_consistent(const Vec3& wi) const;
+  bool is_consistent(const Vec3& wi) const {
+    return (dot(facing_normal_, wi) > 0) == (dot(frame_.normal, wi) > 0);
+  }
 
  private:
-  SurfacePoint point_;
+  const SurfacePoint& point_;
   Vec3 wo_;
   Vec3 facing_normal_;  ///< The geometric normal on the viewer's side.
   Frame frame_;

@@ -117,14 +117,14 @@ bool PathIntegrator::scatter(const Wave& wave, Path& path, Ray& ray, const Inter
   if (is_last && !at.bsdf().has_delta()) return false;
   const float lobe = at.bsdf().has_lobes() ? sampler.draw_1d(Purpose::lobe) : 0;
   const Vec2 direction = sampler.draw_2d(Purpose::direction);
-  const auto sample = at.bsdf().sample(at.wo_local(), lobe, direction);
-  if (!sample || (is_last && !sample->is_delta)) return false;
-  const Vec3 wi = at.to_world(sample->wi);
+  const BsdfSample sample = at.bsdf().sample(at.wo_local(), lobe, direction);
+  if (sample.pdf == 0 || (is_last && !sample.is_delta)) return false;
+  const Vec3 wi = at.to_world(sample.wi);
   if (!at.is_consistent(wi)) return false;
-  path.throughput = path.throughput * sample->value * (std::fabs(sample->wi.z) / sample->pdf);
+  path.throughput = path.throughput * sample.value * (std::fabs(sample.wi.z) / sample.pdf);
   if (is_black(path.throughput) || (wave.depth > 0 && !survives_roulette(path, sampler))) return false;
   ray = spawn_ray(at.point(), wi);
-  path.meets_emission = sample->is_delta;
+  path.meets_emission = sample.is_delta;
   return true;
 }
 

@@ -43,13 +43,11 @@ TEST_CASE("sampled directions have the stated density, from both sides") {
     for (int i = 0; i < 100000; ++i) {
       const float u = random.unit();
       const float v = random.unit();
-      const auto sample = bsdf.sample(wo, 0.5f, {u, v});
-      REQUIRE(sample);
-      REQUIRE(sample->wi.z * side > 0);
-      REQUIRE(sample->pdf == bsdf.pdf(wo, sample->wi));
-      REQUIRE(sample->value == bsdf.evaluate(wo, sample->wi));
-      grid.add(double(sample->wi.z) * sample->wi.z,
-               std::atan2(sample->wi.y, sample->wi.x) / (2 * M_PI) + 0.5);
+      const BsdfSample sample = bsdf.sample(wo, 0.5f, {u, v});
+      REQUIRE(sample.wi.z * side > 0);
+      REQUIRE(sample.pdf == bsdf.pdf(wo, sample.wi));
+      REQUIRE(sample.value == bsdf.evaluate(wo, sample.wi));
+      grid.add(double(sample.wi.z) * sample.wi.z, std::atan2(sample.wi.y, sample.wi.x) / (2 * M_PI) + 0.5);
     }
     CHECK(test::chi_square_uniform(grid.counts()).p_value > level);
   }
