@@ -12,21 +12,21 @@
 namespace twinray {
 
 Distribution::Distribution(std::span<const double> weights) {
-  cumulative_.reserve(weights.size());
+  sums_.reserve(weights.size() + 1);
   double sum = 0;
   for (const double weight : weights) {
     if (!(weight >= 0) || !std::isfinite(sum + weight))
       throw Error(
           fmt::format("weight {} of a distribution is {} after a sum of {}: all must be finite and >= 0",
-                      cumulative_.size(), weight, sum));
-    if (sum + weight > sum) last_ = cumulative_.size();
+                      size(), weight, sum));
+    if (sum + weight > sum) last_ = size();
     sum += weight;
-    cumulative_.push_back(sum);
+    sums_.push_back(sum);
   }
 }
 
 float Distribution::probability(std::uint32_t index) const {
-  const double weight = cumulative_[index] - before(index);
+  const double weight = sums_[index + 1] - sums_[index];
   if (weight == 0) return 0;
   return std::max(float(weight / total()), std::numeric_limits<float>::min());
 }

@@ -22,8 +22,8 @@ class Distribution {
   /// total() is 0 and nothing may be sampled.
   explicit Distribution(std::span<const double> weights);
 
-  double total() const { return cumulative_.empty() ? 0 : cumulative_.back(); }
-  std::size_t size() const { return cumulative_.size(); }
+  double total() const { return sums_.back(); }
+  std::size_t size() const { return sums_.size() - 1; }
   /// The probability that `sample` chooses the index; 0 for weight zero, else at least 2^-126, so that it can
   /// be divided by.
   float probability(std::uint32_t index) const;
@@ -32,27 +32,25 @@ class Distribution {
     assert(total() > 0);
     const double target = double(u) * total();
     const std::size_t index = first_above(target);
-    const double start = before(index);
-    const float remainder = float((target - start) / (cumulative_[index] - start));
+    const float remainder = float((target - sums_[index]) / (sums_[index + 1] - sums_[index]));
     return {std::uint32_t(index), std::min(remainder, 0x1.fffffep-1f)};
   }
 
  private:
-  double before(std::size_t index) const { return index == 0 ? 0 : cumulative_[index - 1]; }
-  /// The first index whose sum lies above the target, but last_ at most: a tiny total rounds the target up to
-  /// itself.
+  /// The first index whose weight brings the sum above the target, but last_ at most: a tiny total rounds the
+  /// target up to itself.
   std::size_t first_above(double target) const {
     // Halves the range without a branch: no processor can foresee where a draw falls.
     std::size_t first = 0;
     for (std::size_t count = last_; count > 0; count /= 2) {
       const std::size_t half = (count + 1) / 2;
-      first += half * (cumulative_[first + half - 1] <= target);
+      first += half * (sums_[first + half] <= target);
     }
     return first;
   }
 
-  std::vector<double> cumulative_;  ///< Inclusive sums of the weights.
-  std::size_t last_ = 0;            ///< The last index whose weight has raised the sum.
+  std::vector<double> sums_{0};  ///< Of the weights before each index, and of all.
+  std::size_t last_ = 0;         ///< The last index whose weight has raised the sum.
 };
 
 }  // namespace twinray
