@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/offset.h"
 
 namespace twinray {
 namespace {
@@ -62,6 +63,17 @@ Aabb check(const SphereSet& set, const std::string& label) {
   return bounds;
 }
 
+/// One for each triangle of a mesh whose indices are valid.
+std::vector<Facet> facets_of(const Mesh& mesh) {
+  std::vector<Facet> facets;
+  facets.reserve(mesh.triangles.size());
+  for (const auto& [ia, ib, ic] : mesh.triangles) {
+    const Vec3 &a = mesh.positions[ia], &b = mesh.positions[ib], &c = mesh.positions[ic];
+    facets.push_back({AreaVector(a, b, c).normal(), triangle_offset(a, b, c)});
+  }
+  return facets;
+}
+
 }  // namespace
 
 std::size_t drop_degenerate_triangles(Mesh& mesh) {
@@ -82,11 +94,14 @@ std::size_t drop_degenerate_triangles(Mesh& mesh) {
   return dropped;
 }
 
-Geometry::Geometry(std::vector<Shape> shapes) : shapes_(std::move(shapes)) {
+Geometry::Geometry(std::vector<Shape> shapes) : shapes_(std::move(shapes)), facets_(shapes_.size()) {
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     std::visit([&](const auto& shape) { bounds_.extend(check(shape, shape_label(shape.name, i))); },
                shapes_[i]);
-    if (const Mesh* m = mesh(std::uint32_t(i))) triangle_count_ += m->triangles.size();
+    if (const Mesh* m = mesh(std::uint32_t(i))) {
+      triangle_count_ += m->triangles.size();
+      facets_[i] = facets_of(*m);
+    }
     if (const SphereSet* set = sphere_set(std::uint32_t(i))) sphere_count_ += set->spheres.size();
   }
 }

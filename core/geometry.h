@@ -41,6 +41,12 @@ struct SphereSet {
 
 using Shape = std::variant<Mesh, SphereSet>;
 
+/// What all points of a triangle have in common.
+struct Facet {
+  Vec3 normal;       ///< Unit, out of the triangle's front; of one without area, NaNs.
+  float offset = 0;  ///< How far along the normal a ray must start to leave it (core/offset.h).
+};
+
 /// Takes the triangles out that have no area or a corner that is not finite; returns how many.
 std::size_t drop_degenerate_triangles(Mesh& mesh);
 
@@ -59,6 +65,8 @@ class Geometry {
   const std::vector<Shape>& shapes() const { return shapes_; }
   const Mesh* mesh(std::uint32_t shape) const { return std::get_if<Mesh>(&shapes_[shape]); }
   const SphereSet* sphere_set(std::uint32_t shape) const { return std::get_if<SphereSet>(&shapes_[shape]); }
+  /// Of a triangle of a mesh: worked out once, for every hit asks for it.
+  const Facet& facet(std::uint32_t shape, std::uint32_t triangle) const { return facets_[shape][triangle]; }
   /// The box of everything; empty without shapes.
   const Aabb& bounds() const { return bounds_; }
   std::size_t triangle_count() const { return triangle_count_; }
@@ -67,6 +75,7 @@ class Geometry {
 
  private:
   std::vector<Shape> shapes_;
+  std::vector<std::vector<Facet>> facets_;  ///< For each shape; of spheres none.
   Aabb bounds_;
   std::size_t triangle_count_ = 0, sphere_count_ = 0;
 };

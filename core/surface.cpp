@@ -24,10 +24,9 @@ constexpr float most_inward = 0x1p-6f;
 /// offset stands in front of the other wall by s sin(theta) - offset cos(theta). That is one offset or more,
 /// which is what a ray needs to meet that wall, for s = cot(theta / 2) offset: 8 offsets do for angles
 /// from 14.3 degrees. In a triangle too small for that a point moves by most_inward of a height, no more.
-Weights inward(const Vec3& a, const Vec3& b, const Vec3& c, const Weights& weights, double distance,
-               double doubled_area) {
+Weights inward(const Vec3& a, const Vec3& b, const Vec3& c, const Weights& weights, double distance) {
   if (std::min(weights.a, std::min(weights.b, weights.c)) >= most_inward) return weights;
-  const double distance_by_area = distance / doubled_area;
+  const double distance_by_area = distance / AreaVector(a, b, c).length();
   const auto least = [&](const Vec3& edge) {  // the distance over the height of that edge
     return float(std::min(distance_by_area * length(edge), double(most_inward)));
   };
@@ -50,7 +49,7 @@ Vec3 interpolate(const Vec3& a, const Vec3& b, const Vec3& c, const Weights& wei
 
 Vec3 shading_normal(const Mesh& mesh, std::uint32_t triangle, float u, float v, const Vec3& geometric) {
   if (mesh.normals.empty()) return geometric;
-  const auto [a, b, c] = mesh.normal_indices[triangle];
+  const auto& [a, b, c] = mesh.normal_indices[triangle];
   const Vec3 n = mesh.normals[a] * (1 - u - v) + mesh.normals[b] * u + mesh.normals[c] * v;
   const float squared = length_squared(n);
   if (!(squared > 1e-12f) || !std::isfinite(squared)) return geometric;
@@ -59,7 +58,7 @@ Vec3 shading_normal(const Mesh& mesh, std::uint32_t triangle, float u, float v, 
 
 Vec2 texture_coordinates(const Mesh& mesh, std::uint32_t triangle, float u, float v) {
   if (mesh.uvs.empty()) return {u, v};
-  const auto [a, b, c] = mesh.uv_indices[triangle];
+  const auto& [a, b, c] = mesh.uv_indices[triangle];
   return mesh.uvs[a] * (1 - u - v) + mesh.uvs[b] * u + mesh.uvs[c] * v;
 }
 
@@ -68,14 +67,13 @@ Vec2 texture_coordinates(const Mesh& mesh, std::uint32_t triangle, float u, floa
 SurfacePoint triangle_point(const Geometry& geometry, std::uint32_t shape, std::uint32_t triangle, float u,
                             float v) {
   const Mesh& mesh = *geometry.mesh(shape);
-  const auto [ia, ib, ic] = mesh.triangles[triangle];
+  const auto& [ia, ib, ic] = mesh.triangles[triangle];
   const Vec3 &a = mesh.positions[ia], &b = mesh.positions[ib], &c = mesh.positions[ic];
+  const Facet& facet = geometry.facet(shape, triangle);
   SurfacePoint point;
-  const AreaVector area(a, b, c);
-  point.offset = triangle_offset(a, b, c);
-  point.position =
-      interpolate(a, b, c, inward(a, b, c, {1 - u - v, u, v}, edge_offsets * point.offset, area.length()));
-  point.geometric_normal = point.shading_normal = area.normal();
+  point.offset = facet.offset;
+  point.position = interpolate(a, b, c, inward(a, b, c, {1 - u - v, u, v}, edge_offsets * facet.offset));
+  point.geometric_normal = point.shading_normal = facet.normal;
   point.uv = {u, v};
   point.shape = shape;
   return point;
@@ -91,17 +89,28 @@ SurfacePoint sphere_point(const Sphere& sphere, std::uint32_t shape, const Vec3&
   return point;
 }
 
-SurfacePoint surface_at(const Geometry& geometry, const Hit& hit) {
-  if (const Mesh* mesh = geometry.mesh(hit.mesh)) {
-    SurfacePoint point = triangle_point(geometry, hit.mesh, hit.primitive, hit.u, hit.v);
-    point.shading_normal = shading_normal(*mesh, hit.primitive, hit.u, hit.v, point.geometric_normal);
-    point.uv = texture_coordinates(*mesh, hit.primitive, hit.u, hit.v);
-    return point;
-  }
-  const Sphere& sphere = geometry.sphere_set(hit.mesh)->spheres[hit.primitive];
+namespace {
+
+// Each kind of point is one variable of a function of its own, so that it is made where it goes.
+
+SurfacePoint mesh_point(const Geometry& geometry, const Mesh& mesh, const Hit& hit) {
+  SurfacePoint point = triangle_point(geometry, hit.mesh, hit.primitive, hit.u, hit.v);
+  point.shading_normal = shading_normal(mesh, hit.primitive, hit.u, hit.v, point.geometric_normal);
+  point.uv = texture_coordinates(mesh, hit.primitive, hit.u, hit.v);
+  return point;
+}
+
+SurfacePoint sphere_hit_point(const Sphere& sphere, const Hit& hit) {
   SurfacePoint point = sphere_point(sphere, hit.mesh, octahedral_decode(hit.u, hit.v));
   point.uv = {hit.u, hit.v};
   return point;
+}
+
+}  // namespace
+
+SurfacePoint surface_at(const Geometry& geometry, const Hit& hit) {
+  if (const Mesh* mesh = geometry.mesh(hit.mesh)) return mesh_point(geometry, *mesh, hit);
+  return sphere_hit_point(geometry.sphere_set(hit.mesh)->spheres[hit.primitive], hit);
 }
 
 }  // namespace twinray

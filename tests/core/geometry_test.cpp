@@ -2,6 +2,7 @@
 #include "core/geometry.h"
 
 #include "core/error.h"
+#include "core/offset.h"
 #include "tests/support/catch.h"
 
 namespace twinray {
@@ -35,6 +36,12 @@ TEST_CASE("a geometry counts its primitives and knows their box") {
   CHECK(geometry.sphere_set(1)->spheres.size() == 2);
   CHECK(geometry.bounds().contains(Aabb{{0, 0, 0}, {6, 7, 8}}));
   CHECK(geometry.bounds().upper.x == std::nextafter(6.0f, infinity));
+}
+
+TEST_CASE("a triangle's facet is its unit normal and its offset") {
+  const Geometry geometry({SphereSet{.name = "", .spheres = {{{4, 5, 6}, 2}}}, corner()});
+  CHECK(geometry.facet(1, 0).normal == Vec3{0, 0, 1});
+  CHECK(geometry.facet(1, 0).offset == triangle_offset({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
 }
 
 TEST_CASE("an empty geometry is legal and has an empty box") {
