@@ -119,13 +119,6 @@ inline std::array<float, 4> make_set(SamplerKind kind, std::uint64_t key, std::u
   return sobol_set(key, std::uint32_t(index), number);
 }
 
-std::size_t member(Purpose purpose) { return std::size_t(purpose) % 4; }
-
-std::size_t even_member(Purpose purpose) {
-  assert(member(purpose) % 2 == 0);
-  return member(purpose);
-}
-
 }  // namespace
 
 VertexSampler::VertexSampler(SamplerKind kind, const SampleKey& key, std::uint32_t vertex)
@@ -134,32 +127,17 @@ VertexSampler::VertexSampler(SamplerKind kind, const SampleKey& key, std::uint32
   key_ = mix(mix(mix(key.seed + step) + pixel) + (vertex + std::uint64_t(1)) * vertex_step);
 }
 
-const VertexSampler::Set& VertexSampler::set(std::uint32_t number) {
+void VertexSampler::compute_set(std::uint32_t number) {
   assert(number < sets_.size());
-  Set& set = sets_[number];
-  if ((known_sets_ >> number & 1) == 0) {
-    set = make_set(kind_, key_, index_, number);
-    known_sets_ |= 1u << number;
-  }
-  return set;
+  sets_[number] = make_set(kind_, key_, index_, number);
+  known_sets_ |= 1u << number;
 }
 
-float VertexSampler::draw_1d(Purpose purpose) { return set(std::uint32_t(purpose) / 4)[member(purpose)]; }
-
-Vec2 VertexSampler::draw_2d(Purpose purpose) {
-  const std::size_t first = even_member(purpose);
-  const Set& values = set(std::uint32_t(purpose) / 4);
-  return {values[first], values[first + 1]};
-}
-
-Vec2 VertexSampler::draw_2d(Purpose purpose, std::uint32_t part, std::uint32_t parts, std::uint32_t stream) {
-  assert(part < parts && parts <= 1u << 16);
-  if (parts == 1 && stream == 0) return draw_2d(purpose);
+Vec2 VertexSampler::draw_part(Purpose purpose, std::uint32_t part, std::uint32_t parts,
+                              std::uint32_t stream) const {
   const std::uint64_t key = stream == 0 ? key_ : mix(key_ + stream * stream_step);
   const std::uint64_t index = std::uint64_t(index_) * parts + part;
-  const Set values = make_set(kind_, key, index, std::uint32_t(purpose) / 4);
-  const std::size_t first = even_member(purpose);
-  return {values[first], values[first + 1]};
+  return pair(make_set(kind_, key, index, set_number(purpose)), purpose);
 }
 
 std::string sampler_name(SamplerKind kind) { return kind == SamplerKind::sobol ? "sobol" : "independent"; }

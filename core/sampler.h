@@ -5,6 +5,7 @@
 // So images can be split, resumed and merged, and a new purpose leaves all others' numbers as they are.
 #pragma once
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <string>
 
@@ -53,16 +54,34 @@ class VertexSampler {
  public:
   VertexSampler(SamplerKind kind, const SampleKey& key, std::uint32_t vertex);
 
-  float draw_1d(Purpose purpose);  ///< In [0, 1).
-  Vec2 draw_2d(Purpose purpose);   ///< In [0, 1)^2; the purpose is an even member of its set.
+  /// In [0, 1).
+  float draw_1d(Purpose purpose) { return set(purpose)[member(purpose)]; }
+  /// In [0, 1)^2; the purpose is an even member of its set.
+  Vec2 draw_2d(Purpose purpose) { return pair(set(purpose), purpose); }
 
   /// The draw for sub-sample `part` of `parts` (1 to 2^16): sample index x parts + part of a sequence of its
   /// own for each `stream` (such as the index of a light). With parts = 1 and stream = 0 it is draw_2d.
-  Vec2 draw_2d(Purpose purpose, std::uint32_t part, std::uint32_t parts, std::uint32_t stream);
+  Vec2 draw_2d(Purpose purpose, std::uint32_t part, std::uint32_t parts, std::uint32_t stream) {
+    assert(part < parts && parts <= 1u << 16);
+    return parts == 1 && stream == 0 ? draw_2d(purpose) : draw_part(purpose, part, parts, stream);
+  }
 
  private:
   using Set = std::array<float, 4>;
-  const Set& set(std::uint32_t number);
+
+  static std::uint32_t set_number(Purpose purpose) { return std::uint32_t(purpose) / 4; }
+  static std::size_t member(Purpose purpose) { return std::size_t(purpose) % 4; }
+  static Vec2 pair(const Set& values, Purpose purpose) {
+    assert(member(purpose) % 2 == 0);
+    return {values[member(purpose)], values[member(purpose) + 1]};
+  }
+  const Set& set(Purpose purpose) {
+    const std::uint32_t number = set_number(purpose);
+    if ((known_sets_ >> number & 1) == 0) compute_set(number);
+    return sets_[number];
+  }
+  void compute_set(std::uint32_t number);
+  Vec2 draw_part(Purpose purpose, std::uint32_t part, std::uint32_t parts, std::uint32_t stream) const;
 
   SamplerKind kind_;
   std::uint32_t index_;
