@@ -24,7 +24,7 @@ enum class BvhBuilder {
 enum class BvhQuality {
   fast,    ///< Half of the bins, and the hundredth of all nodes with the largest areas are reinserted.
   medium,  ///< A twentieth of all nodes is reinserted.
-  high,    ///< All nodes are, more often.
+  high,    ///< All nodes are.
 };
 
 enum class EmbreeMode { robust, fast };
