@@ -34,13 +34,9 @@ class Layout {
       return WideRef::block(leaves_.size() - 1);
     }
     const std::size_t index = nodes_.size();
-    const CollapsePlan::Children children = plan.children(binary);
-    nodes_.push_back({binary, children.count, {}});
-    for (int i = 0; i < children.count; ++i) {
-      const std::uint32_t child = children.nodes[i];
-      const WideRef ref = place(plan, child);
-      nodes_[index].children[i] = {child, ref, half_area(child), {}};
-    }
+    nodes_.push_back({binary, plan.children(binary), {}});
+    for (int child = 0; child < nodes_[index].children.count; ++child)
+      nodes_[index].refs[child] = place(plan, nodes_[index].children.nodes[child]);
     return WideRef::node(index);
   }
 
@@ -69,10 +65,8 @@ class Layout {
  private:
   struct PlacedNode {
     std::uint32_t binary = 0;
-    int count = 0;
-    Candidate children[WideNode::width];
-
-    std::span<Candidate> used() { return std::span(children).first(std::size_t(count)); }
+    CollapsePlan::Children children;
+    WideRef refs[WideNode::width];
   };
 
   double half_area(std::uint32_t binary) const { return tree_.nodes[binary].box.half_area(); }
@@ -81,18 +75,29 @@ class Layout {
   void order_children() {
     std::vector<Prospect> of_nodes(nodes_.size());
     for (std::size_t i = nodes_.size(); i-- > 0;) {
-      const std::span<Candidate> children = nodes_[i].used();
-      for (Candidate& child : children)
-        child.prospect = (child.ref.is_block() ? of_blocks_ : of_nodes)[child.ref.index()];
-      sort_for_occlusion(children);
-      of_nodes[i] = prospect_of(children, half_area(nodes_[i].binary));
+      PlacedNode& node = nodes_[i];
+      const int count = node.children.count;
+      Candidate candidates[WideNode::width];
+      for (int child = 0; child < count; ++child) {
+        const WideRef ref = node.refs[child];
+        const Prospect& prospect = (ref.is_block() ? of_blocks_ : of_nodes)[ref.index()];
+        candidates[child] = {node.children.nodes[child], ref, half_area(node.children.nodes[child]),
+                             prospect};
+      }
+      const std::span used = std::span(candidates).first(std::size_t(count));
+      sort_for_occlusion(used);
+      of_nodes[i] = prospect_of(used, half_area(node.binary));
+      for (int child = 0; child < count; ++child) {
+        node.children.nodes[child] = candidates[child].binary;
+        node.refs[child] = candidates[child].ref;
+      }
     }
   }
   WideNode make_node(const PlacedNode& placed) const {
     WideNode node;
-    for (int child = 0; child < placed.count; ++child) {
-      node.set_box(child, padded(tree_.nodes[placed.children[child].binary].box));
-      node.children[child] = placed.children[child].ref;
+    for (int child = 0; child < placed.children.count; ++child) {
+      node.set_box(child, padded(tree_.nodes[placed.children.nodes[child]].box));
+      node.children[child] = placed.refs[child];
     }
     return node;
   }

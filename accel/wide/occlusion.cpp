@@ -48,8 +48,18 @@ Prospect prospect_of(std::span<const Candidate> children, double half_area) {
 }
 
 void sort_for_occlusion(std::span<Candidate> children) {
-  std::stable_sort(children.begin(), children.end(),
-                   [](const Candidate& a, const Candidate& b) { return rank(a) > rank(b); });
+  double ranks[WideNode::width];
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    const Candidate child = children[i];
+    const double own = rank(child);
+    std::size_t place = i;
+    for (; place > 0 && ranks[place - 1] < own; --place) {
+      ranks[place] = ranks[place - 1];
+      children[place] = children[place - 1];
+    }
+    ranks[place] = own;
+    children[place] = child;
+  }
 }
 
 }  // namespace twinray

@@ -34,9 +34,9 @@ Prospect prospect_of(const Geometry& geometry, const TriangleBlock& block, doubl
 /// Of a node whose box has half the area `half_area`, and whose children are asked in this order.
 Prospect prospect_of(std::span<const Candidate> children, double half_area);
 
-/// Puts the children that an any-hit query should ask first to the front. The chance to end the query for its
-/// cost is multiplied by the extent of the box: in scenes of boxes, whose walls are the first of equals then,
-/// that was 5 % faster.
+/// Puts the children, eight at most, that an any-hit query should ask first to the front. The chance to end
+/// the query for its cost is multiplied by the extent of the box: in scenes of boxes, whose walls are the
+/// first of equals then, that was 5 % faster.
 void sort_for_occlusion(std::span<Candidate> children);
 
 }  // namespace twinray
