@@ -121,11 +121,11 @@ inline std::array<float, 4> make_set(SamplerKind kind, std::uint64_t key, std::u
 
 }  // namespace
 
-VertexSampler::VertexSampler(SamplerKind kind, const SampleKey& key, std::uint32_t vertex)
-    : kind_(kind), index_(key.index) {
-  const std::uint64_t pixel = std::uint64_t(key.y) << 32 | key.x;
-  key_ = mix(mix(mix(key.seed + step) + pixel) + (vertex + std::uint64_t(1)) * vertex_step);
-}
+PathKey::PathKey(const SampleKey& key)
+    : pixel(mix(mix(key.seed + step) + (std::uint64_t(key.y) << 32 | key.x))), index(key.index) {}
+
+VertexSampler::VertexSampler(SamplerKind kind, const PathKey& key, std::uint32_t vertex)
+    : kind_(kind), index_(key.index), key_(mix(key.pixel + (vertex + std::uint64_t(1)) * vertex_step)) {}
 
 void VertexSampler::compute_set(std::uint32_t number) {
   assert(number < sets_.size());

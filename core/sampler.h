@@ -41,6 +41,15 @@ struct SampleKey {
   std::uint32_t index = 0;
 };
 
+/// What the draws at all vertices of a sample's path have in common: hashed once.
+struct PathKey {
+  PathKey() = default;
+  explicit PathKey(const SampleKey& key);
+
+  std::uint64_t pixel = 0;  ///< Hash of seed and pixel.
+  std::uint32_t index = 0;
+};
+
 /// The draws of one vertex of one sample's path: vertex 0 is the camera, 1 the first surface, ...
 ///
 /// `independent` hashes. `sobol` takes shuffled, Owen-scrambled points (Burley, "Practical Hash-based Owen
@@ -52,7 +61,9 @@ struct SampleKey {
 /// same number.
 class VertexSampler {
  public:
-  VertexSampler(SamplerKind kind, const SampleKey& key, std::uint32_t vertex);
+  VertexSampler(SamplerKind kind, const SampleKey& key, std::uint32_t vertex)
+      : VertexSampler(kind, PathKey(key), vertex) {}
+  VertexSampler(SamplerKind kind, const PathKey& key, std::uint32_t vertex);
 
   /// In [0, 1).
   float draw_1d(Purpose purpose) { return set(purpose)[member(purpose)]; }

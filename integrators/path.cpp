@@ -15,7 +15,7 @@ namespace twinray {
 
 /// A path that goes on, but for its ray.
 struct PathIntegrator::Path {
-  const SampleKey* key;
+  PathKey key;
   Rgb* radiance;            ///< Sum of the terms so far.
   Rgb throughput{1, 1, 1};  ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
   bool meets_emission = true;  ///< No direct light estimate has counted what the current ray sees.
@@ -59,7 +59,7 @@ void PathIntegrator::radiances(std::span<const CameraSample> samples, SamplerKin
   wave.hits.resize(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     estimates[i] = {};
-    wave.paths.push_back({&samples[i].key, &estimates[i]});
+    wave.paths.push_back({PathKey(samples[i].key), &estimates[i]});
     wave.rays.push_back(samples[i].ray);
   }
   tracer.camera_hits(wave.rays, wave.hits);
@@ -98,7 +98,7 @@ bool PathIntegrator::visit(Wave& wave, Path& path, Ray& ray, const Hit& hit, Tra
   if (wave.depth >= depth_limit()) return false;
 
   const Interaction at(scene_, point, wo);
-  VertexSampler sampler(wave.kind, *path.key, std::uint32_t(wave.depth) + 1);
+  VertexSampler sampler(wave.kind, path.key, std::uint32_t(wave.depth) + 1);
   if (counts(wave.depth + 1) && !at.bsdf().is_delta())
     wave.direct.draw(at, path.throughput, sampler, tracer, *path.radiance);
   return scatter(wave, path, ray, at, sampler);
