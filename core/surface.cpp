@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/lanes.h"
 #include "core/octahedron.h"
 #include "core/offset.h"
 
@@ -37,14 +38,16 @@ Weights inward(const Vec3& a, const Vec3& b, const Vec3& c, const Weights& weigh
   return {1 - wb / sum - wc / sum, wb / sum, wc / sum};
 }
 
+Float4 lanes_of(const Vec3& v) { return Float4{v.x, v.y, v.z, 0}; }
+
 /// Interpolates, and stays within the box of the corners: a point of a wall never lies behind the wall beside
 /// it because of rounding.
-Vec3 interpolate(const Vec3& a, const Vec3& b, const Vec3& c, const Weights& weights) {
-  Vec3 p = a * weights.a + b * weights.b + c * weights.c;
-  for (int axis = 0; axis < 3; ++axis)
-    p[axis] = std::clamp(p[axis], std::min(a[axis], std::min(b[axis], c[axis])),
-                         std::max(a[axis], std::max(b[axis], c[axis])));
-  return p;
+Vec3 interpolate(const Vec3& corner_a, const Vec3& corner_b, const Vec3& corner_c, const Weights& weights) {
+  const Float4 a = lanes_of(corner_a), b = lanes_of(corner_b), c = lanes_of(corner_c);
+  const Float4 p = a * weights.a + b * weights.b + c * weights.c;
+  const Float4 low = min(min(c, b), a), high = max(max(c, b), a);
+  const Float4 inside = min(high, max(low, p));
+  return {inside[0], inside[1], inside[2]};
 }
 
 Vec3 shading_normal(const Mesh& mesh, std::uint32_t triangle, float u, float v, const Vec3& geometric) {
