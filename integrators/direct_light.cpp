@@ -34,6 +34,11 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, Ve
 
 }  // namespace
 
+DirectLight::DirectLight(const LightTransport& transport) : transport_(transport) {
+  for (std::uint32_t light = 0; light < transport.lights.size(); ++light)
+    parts_.push_back(transport.lights.is_delta(light) ? 1 : transport.samples_per_light);
+}
+
 void DirectLight::draw(const Interaction& at, const Rgb& throughput, VertexSampler& sampler, Tracer& tracer,
                        Rgb& radiance) {
   Rgb known;
@@ -47,18 +52,14 @@ void DirectLight::draw(const Interaction& at, const Rgb& throughput, VertexSampl
 
 void DirectLight::draw_lights(const Interaction& at, VertexSampler& sampler) {
   for (std::uint32_t light = 0; light < transport_.lights.size(); ++light)
-    for (std::uint32_t part = 0, parts = parts_of(light); part < parts; ++part) {
-      const Vec2 u = sampler.draw_2d(Purpose::light_point, part, parts, light);
+    for (std::uint32_t part = 0; part < parts_[light]; ++part) {
+      const Vec2 u = sampler.draw_2d(Purpose::light_point, part, parts_[light], light);
       const LightSample sample = transport_.lights.sample(light, at.point(), u);
       const Rgb scattered = at.scattered(sample.direction) * sample.radiance;
       if (is_black(scattered)) continue;
       terms_.push_back({scattered, sample.pdf, light});
       connections_.push_back(sample.connection);
     }
-}
-
-std::uint32_t DirectLight::parts_of(std::uint32_t light) const {
-  return transport_.lights.is_delta(light) ? 1 : transport_.samples_per_light;
 }
 
 void DirectLight::finish(Tracer& tracer) {
@@ -81,7 +82,7 @@ Rgb DirectLight::sum(std::size_t begin, std::size_t end, std::span<const Rgb> vi
     Rgb of_light;
     for (; i < end && terms_[i].light == light; ++i)
       of_light += terms_[i].scattered * visible[i] / terms_[i].pdf;
-    sum += of_light / float(parts_of(light));
+    sum += of_light / float(parts_[light]);
   }
   return sum;
 }

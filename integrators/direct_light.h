@@ -33,7 +33,7 @@ struct LightTransport {
 /// connections to lights are traced at once.
 class DirectLight {
  public:
-  explicit DirectLight(const LightTransport& transport) : transport_(transport) {}
+  explicit DirectLight(const LightTransport& transport);
 
   /// Draws the samples of one estimate. Then, or in finish(), throughput times the estimate is added to
   /// `radiance`, which must live until finish() has returned.
@@ -56,12 +56,11 @@ class DirectLight {
     std::size_t terms;  ///< How many there are up to the last one of this estimate.
   };
 
-  /// How many samples a light gets.
-  std::uint32_t parts_of(std::uint32_t light) const;
   void draw_lights(const Interaction& at, VertexSampler& sampler);
   Rgb sum(std::size_t begin, std::size_t end, std::span<const Rgb> visible) const;
 
   LightTransport transport_;
+  std::vector<std::uint32_t> parts_;  ///< How many samples each light gets.
   std::vector<Estimate> estimates_;
   std::vector<Term> terms_;
   std::vector<Ray> connections_;  ///< Of each term.
