@@ -12,7 +12,24 @@ struct SinCos {
 
 /// Sine and cosine of 2 pi turns, turns in [0, 1]. Absolute error below 2^-23; exact, without a -0, at the
 /// quarter turns.
-SinCos sincos_turns(float turns);
+inline SinCos sincos_turns(float turns) {
+  const int quadrant = int(turns * 4 + 0.5f);
+  const float x = (turns - 0.25f * float(quadrant)) * 6.28318530717958647692f;  // The difference is exact.
+  const float z = x * x;
+  const float sine = x + x * z * (-1.0f / 6 + z * (1.0f / 120 + z * (-1.0f / 5040 + z * (1.0f / 362880))));
+  const float cosine = 1 - (0.5f * z - z * z * (1.0f / 24 + z * (-1.0f / 720 + z * (1.0f / 40320))));
+  // 0 - x and not -x: it has no -0.
+  switch (quadrant & 3) {
+    case 0:
+      return {sine, cosine};
+    case 1:
+      return {cosine, 0 - sine};
+    case 2:
+      return {0 - sine, 0 - cosine};
+    default:
+      return {0 - cosine, sine};
+  }
+}
 
 /// In double, for set-up work (cameras, scene files). |x| up to 10^4 radians, NaN beyond. Relative error
 /// below 4e-16 for sine and cosine, 8e-16 for the tangent, also beside their zeros and poles.

@@ -52,10 +52,4 @@ Vec3 square_to_uniform_cone(Vec2 u, float one_minus_cos) {
 
 float uniform_cone_pdf(float one_minus_cos) { return 1 / (2 * pi * one_minus_cos); }
 
-Vec2 square_to_triangle(Vec2 u) {
-  // Heitz, "A Low-Distortion Map Between Triangle and Square", 2019.
-  const float half = 0.5f * std::min(u.x, u.y);
-  return {u.x - half, u.y - half};
-}
-
 }  // namespace twinray

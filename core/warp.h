@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Maps of the unit square onto directions and points, each with its density. Input: u in [0, 1)^2.
 #pragma once
+#include <algorithm>
+
 #include "core/vec.h"
 
 namespace twinray {
@@ -33,6 +35,9 @@ float uniform_cone_pdf(float one_minus_cos);
 
 /// Weights (of the second and the third vertex) of points of a triangle, uniform by area (Heitz, "A
 /// Low-Distortion Map Between Triangle and Square", 2019). Both >= 0, their sum at most 1.
-Vec2 square_to_triangle(Vec2 u);
+inline Vec2 square_to_triangle(Vec2 u) {
+  const float half = 0.5f * std::min(u.x, u.y);
+  return {u.x - half, u.y - half};
+}
 
 }  // namespace twinray
