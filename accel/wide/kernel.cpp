@@ -3,10 +3,8 @@
 #include "accel/wide/kernel.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <new>
 #include <span>
 
 #include "accel/instruction_sets.h"
@@ -19,17 +17,15 @@
 
 #if HWY_TARGET != HWY_SCALAR  // Scalar::kernel() serves for that.
 #include "accel/load_ray-inl.h"
-#include "accel/wide/query-inl.h"
+#include "accel/wide/batch-inl.h"
+#include "accel/wide/stack-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 namespace {
 
-/// Enough for memory to keep up with.
-constexpr std::size_t queries_in_flight = 8;
-
-// The single queries have loops of their own, for in steps they take 10 % longer: here the processor learns
-// nodes and blocks apart.
+// The single queries have loops of their own: nothing else is there to be done while one waits for the number
+// of children it meets, so there it is faster to guess.
 
 HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given) {
   Hit hit;  // The one variable that every path returns: it is written where it goes.
@@ -84,65 +80,14 @@ HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& given
   }
 }
 
-/// Asks for what the next step will read.
-HWY_ATTR HWY_INLINE void prefetch(const WideBvh& bvh, WideRef ref) {
-  constexpr std::size_t line = 64;
-  const bool is_block = ref.is_block();
-  const char* const place = is_block ? reinterpret_cast<const char*>(&bvh.blocks[ref.index()])
-                                     : reinterpret_cast<const char*>(&bvh.nodes[ref.index()]);
-  for (std::size_t i = 0; i < (is_block ? sizeof(TriangleBlock) : sizeof(WideNode)); i += line)
-    __builtin_prefetch(place + i);
-}
-
-/// A place for one of the queries of a batch.
-template <typename Query>
-struct Slot {
-  // Not alignas(Query): GCC 12 instantiates templates without the vectors of this target, and gets 16.
-  alignas(64) std::byte memory[sizeof(Query)];
-  CheckedRay ray;
-  bool is_busy = false;
-  std::size_t index;  ///< Of the ray.
-
-  Query& query() { return *std::launder(reinterpret_cast<Query*>(memory)); }
-};
-
-/// Several queries by turns, a step each: while one waits for memory, the others go on.
-template <typename Query, typename Answer>
-HWY_ATTR void batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
-                    Answer* answers) {
-  Slot<Query> slots[queries_in_flight];
-  std::size_t started = 0, answered = 0;
-  while (answered < rays.size())
-    for (Slot<Query>& slot : slots) {
-      if (!slot.is_busy) {
-        if (started == rays.size()) continue;
-        slot.index = started++;
-        if (bvh.root.is_none() || !RayLoader::load(rays[slot.index], slot.ray)) {
-          answers[slot.index] = {};
-          ++answered;
-          continue;
-        }
-        slot.is_busy = true;
-        new (slot.memory) Query(slot.ray, bvh.root);
-      }
-      if (slot.query().step(bvh, geometry)) {
-        prefetch(bvh, slot.query().next());
-      } else {
-        answers[slot.index] = slot.query().answer();
-        slot.is_busy = false;
-        ++answered;
-      }
-    }
-}
-
 HWY_ATTR void closest_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
                             Hit* hits) {
-  batch<ClosestQuery>(bvh, geometry, rays, hits);
+  Batch<ClosestQuery>(bvh, rays, hits).answer(geometry);
 }
 
 HWY_ATTR void any_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
                         std::uint8_t* hits) {
-  batch<AnyQuery>(bvh, geometry, rays, hits);
+  Batch<AnyQuery>(bvh, rays, hits).answer(geometry);
 }
 
 HWY_ATTR bool load(const Ray& ray, CheckedRay& checked) { return RayLoader::load(ray, checked); }

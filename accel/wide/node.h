@@ -61,9 +61,10 @@ struct alignas(64) WideNode {
 static_assert(sizeof(WideNode) == 256, "four cache lines");
 
 /// A wide node stands for at least one level of the binary tree it was made from, so no wide tree is deeper.
-/// A traversal keeps at most seven siblings a level, and looks at eight before it goes on with one.
+/// A traversal keeps at most seven siblings a level, and looks at eight before it goes on with one; a batch
+/// has a mark below them.
 inline constexpr int max_wide_depth = max_bvh_depth;
-inline constexpr int wide_stack_size = (WideNode::width - 1) * max_wide_depth + 1;
+inline constexpr int wide_stack_size = (WideNode::width - 1) * max_wide_depth + 2;
 
 /// A finished tree. Without primitives there is no root.
 struct WideBvh {

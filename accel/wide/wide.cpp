@@ -10,9 +10,10 @@
 namespace twinray {
 namespace {
 
-/// A larger tree does not stay in the caches, and single rays wait for memory. In batches whole pictures take
-/// 1.08 times as long with a tree of 37 MB, but 0.89 times with one of 58 MB and 0.96 with one of 158 MB.
-constexpr std::size_t cached_bytes = 48u << 20;
+/// A larger tree does not stay in the caches next to a core, and single rays wait for it. Whole pictures take
+/// 1.04 times as long in batches with a tree of 0.4 MB, but 0.97 times with one of 1.9 MB, 0.88 with one of
+/// 6.7 MB, 0.75 with one of 58 MB.
+constexpr std::size_t cached_bytes = 1u << 20;
 
 /// `test`: which triangle test the leaves run.
 template <TriangleTest test>

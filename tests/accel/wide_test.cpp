@@ -226,6 +226,44 @@ TEST_CASE("no wide tree is deeper than its stack, and the deepest is traversed")
   }
 }
 
+TEST_CASE("a stack holds all siblings of the deepest path, whose nodes are full, in batches too") {
+  Mesh mesh;
+  add_triangle(mesh, {9, 0, 0}, {9, 1, 0}, {9, 0, 1});
+  const auto geometry = share({mesh});
+  const std::vector<PrimitiveId> ids{{0, 0}};
+  WideBvh bvh;
+  bvh.root = WideRef::node(0);
+  bvh.blocks.push_back(make_block(*geometry, ids));
+  for (int depth = 0; depth < max_wide_depth; ++depth) {
+    // The nearest and first child goes deeper; seven blocks wait behind it.
+    WideNode node;
+    for (int child = 0; child < WideNode::width; ++child) {
+      node.set_box(child, {{child == 0 ? 0.0f : float(child), -1, -1}, {10, 2, 2}});
+      node.children[child] = WideRef::block(0);
+    }
+    if (depth + 1 < max_wide_depth) node.children[0] = WideRef::node(std::size_t(depth) + 1);
+    bvh.nodes.push_back(node);
+  }
+  Random random(3);
+  std::vector<Ray> rays;
+  for (int i = 0; i < 100; ++i)
+    rays.push_back({.origin = {-1, random.unit(), random.unit()}, .direction = {1, 0, 0}});
+  for (const WideKernel& kernel : wide_kernels(TriangleTest::woop)) {
+    CAPTURE(kernel.name);
+    std::vector<Hit> hits(rays.size());
+    std::vector<std::uint8_t> blocked(rays.size());
+    kernel.closest_batch(bvh, *geometry, rays, hits.data());
+    kernel.any_batch(bvh, *geometry, rays, blocked.data());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const bool is_hit = rays[i].origin.y + rays[i].origin.z < 1;
+      REQUIRE(hits[i].is_miss() != is_hit);
+      REQUIRE(bool(blocked[i]) == is_hit);
+      REQUIRE(kernel.closest(bvh, *geometry, rays[i]) == hits[i]);
+      REQUIRE(kernel.any(bvh, *geometry, rays[i]) == is_hit);
+    }
+  }
+}
+
 TEST_CASE("the collapse costs the least of all") {
   for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
     const auto geometry = share({soup(13, seed % 2 ? 0.1f : 0.7f, seed)});
@@ -267,7 +305,7 @@ TEST_CASE("a batch gives the bits of single rays, for every instruction set and 
   for (const std::string& simd : available_instruction_sets()) {
     CAPTURE(simd);
     const auto bvh = build_accelerator(Backend::bvh, geometry, {.bvh_width = 8, .simd = simd});
-    for (const int count : {0, 1, 7, 8, 9, 127, 128, 129, 1000}) {
+    for (const int count : {0, 1, 7, 8, 31, 32, 33, 128, 1000}) {
       std::vector<Ray> rays;
       for (int i = 0; i < count; ++i) {
         rays.push_back(random_ray(random));
@@ -284,11 +322,20 @@ TEST_CASE("a batch gives the bits of single rays, for every instruction set and 
       }
     }
   }
-  const auto empty = build_accelerator(Backend::bvh, share({}));
-  std::vector<Ray> rays(5, Ray{.origin = {}, .direction = {1, 0, 0}});
-  std::vector<Hit> hits(5, Hit{.t = 1});
-  empty->closest_hits(rays, hits);
-  for (const Hit& hit : hits) CHECK(hit.is_miss());
+}
+
+TEST_CASE("a batch misses an empty tree, and misses with rays all of which are invalid") {
+  const auto some = share({soup(50, 0.3f, 1)});
+  for (const bool is_empty : {true, false}) {
+    const auto bvh = build_accelerator(Backend::bvh, is_empty ? share({}) : some);
+    std::vector<Ray> rays(100, Ray{.origin = {}, .direction = {is_empty ? 1.0f : 0.0f, 0, 0}});
+    std::vector<Hit> hits(rays.size(), Hit{.t = 1});
+    std::vector<std::uint8_t> blocked(rays.size(), 7);
+    bvh->closest_hits(rays, hits);
+    bvh->any_hits(rays, blocked);
+    for (const Hit& hit : hits) CHECK(hit.is_miss());
+    for (const std::uint8_t is_blocked : blocked) CHECK(is_blocked == 0);
+  }
 }
 
 TEST_CASE("every kernel tests eight boxes with the bits of the canonical box test") {
