@@ -15,7 +15,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#if HWY_TARGET != HWY_SCALAR  // Scalar::kernel() serves for that.
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128  // Scalar::kernel() serves for these.
 #include "accel/load_ray-inl.h"
 #include "accel/wide/batch-inl.h"
 #include "accel/wide/stack-inl.h"
