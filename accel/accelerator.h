@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one interface to all ray engines. Whatever the backend, an answer is the canonical one (see the files
-// core/triangle.h, sphere.h and slab.h): the least (t, instance, mesh, primitive) of all accepted hits. Only
-// embree_native, Embree with its own triangles, stands outside of that promise.
+// accel/canonical/triangle.h, sphere.h and slab.h): the least (t, instance, mesh, primitive) of all accepted
+// hits. Only embree_native, Embree with its own triangles, stands outside of that promise.
 #pragma once
 #include <cstddef>
 #include <cstdint>

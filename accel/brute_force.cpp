@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every ray against every primitive: slow, obvious, and the oracle of all other backends.
 #include "accel/backends.h"
+#include "accel/canonical/shape_test.h"
 #include "accel/checked_accelerator.h"
-#include "accel/shape_test.h"
 
 namespace twinray {
 namespace {

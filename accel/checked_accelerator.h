@@ -2,7 +2,7 @@
 // Private: what the engines have in common that answer loaded rays.
 #pragma once
 #include "accel/accelerator.h"
-#include "core/checked_ray.h"
+#include "accel/canonical/checked_ray.h"
 
 namespace twinray {
 

@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include "bench/pattern.h"
-#include "bench/scenes/generated.h"
 #include "core/error.h"
+#include "io/generated/generated.h"
 #include "io/scene_file.h"
 
 namespace twinray::bench {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bench/engines.h"
+#include "check/recorded_rays.h"
 #include "core/scene.h"
-#include "integrators/recorded_rays.h"
 
 namespace twinray::bench {
 

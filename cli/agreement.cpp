@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "integrators/difference.h"
+#include "check/difference.h"
 #include "integrators/normals.h"
 #include "integrators/path.h"
 #include "integrators/render.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "integrators/scene_crosscheck.h"
+#include "check/scene_crosscheck.h"
 #include "io/scene_file.h"
 
 namespace twinray {

@@ -3,8 +3,8 @@
 #include <functional>
 #include <string>
 
-#include "accel/crosscheck/ceilings.h"
-#include "integrators/scene_crosscheck.h"
+#include "check/ceilings.h"
+#include "check/scene_crosscheck.h"
 #include "io/scene_file.h"
 
 namespace twinray {

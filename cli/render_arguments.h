@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "accel/engine.h"
+#include "accel/engines.h"
 #include "core/image.h"
 #include "integrators/cost.h"
 #include "integrators/path.h"

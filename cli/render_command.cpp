@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "check/render_check.h"
 #include "cli/crosscheck_report.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
@@ -13,12 +14,11 @@
 #include "cli/report.h"
 #include "cli/scene_warnings.h"
 #include "cli/version.h"
-#include "core/color_scale.h"
 #include "core/error.h"
 #include "integrators/normals.h"
 #include "integrators/path.h"
-#include "integrators/render_check.h"
 #include "io/camera_file.h"
+#include "io/color_scale.h"
 #include "io/image_file.h"
 #include "io/output_file.h"
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "accel/accelerator.h"
+#include "check/recorded_rays.h"
 #include "cli/agreement.h"
 #include "core/scene.h"
-#include "integrators/recorded_rays.h"
 
 namespace twinray {
 

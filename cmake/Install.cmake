@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # What an installed twinray is: the program, the static libraries, the public headers under include/twinray, and
-# a CMake package of which find_package(twinray) gives twinray::core, ::accel, ::integrators and ::io.
+# a CMake package of which find_package(twinray) gives twinray::core, ::accel, ::integrators, ::check and ::io.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -8,17 +8,28 @@ include(CMakePackageConfigHelpers)
 # with "// Private"; a test compares, and sees that no public header includes one of them.
 set(private_headers
   accel/backends.h
-  accel/big_vector.h
-  accel/block_test-inl.h
-  accel/bvh/box_lanes.h
-  accel/bvh/build.h
-  accel/bvh/cost_model.h
+  accel/build/big_vector.h
+  accel/build/binary_tree.h
+  accel/build/box_lanes.h
+  accel/build/cost_model.h
+  accel/build/phase_timer.h
+  accel/build/reinsertion.h
+  accel/build/split.h
   accel/bvh/invariants.h
   accel/bvh/node.h
-  accel/bvh/reinsertion.h
-  accel/bvh/split.h
   accel/bvh/statistics.h
   accel/bvh/traversal.h
+  accel/canonical/block_test-inl.h
+  accel/canonical/checked_ray.h
+  accel/canonical/lane_bits-inl.h
+  accel/canonical/load_ray-inl.h
+  accel/canonical/moller_trumbore.h
+  accel/canonical/nearest.h
+  accel/canonical/shape_test.h
+  accel/canonical/slab.h
+  accel/canonical/sphere.h
+  accel/canonical/triangle.h
+  accel/canonical/triangle_block.h
   accel/checked_accelerator.h
   accel/embree/api.h
   accel/embree/bounds.h
@@ -28,14 +39,7 @@ set(private_headers
   accel/embree/embree.h
   accel/embree/leaf.h
   accel/embree/ray.h
-  accel/exact.h
   accel/instruction_sets.h
-  accel/lane_bits-inl.h
-  accel/load_ray-inl.h
-  accel/nearest.h
-  accel/phase_timer.h
-  accel/shape_test.h
-  accel/triangle_block.h
   accel/wide/batch-inl.h
   accel/wide/box_test-inl.h
   accel/wide/build.h
@@ -47,21 +51,17 @@ set(private_headers
   accel/wide/scalar.h
   accel/wide/stack-inl.h
   accel/wide/statistics.h
-  core/checked_ray.h
+  check/exact.h
   core/fork_join.h
-  core/lanes.h
-  core/moller_trumbore.h
-  core/slab.h
-  core/sphere.h
-  core/triangle.h)
+  core/lanes.h)
 list(TRANSFORM private_headers REPLACE "\\." "\\\\." OUTPUT_VARIABLE private_patterns)
 list(JOIN private_patterns "|" private_patterns)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/twinray)
 install(TARGETS twinray RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS twinray_core twinray_accel twinray_integrators twinray_io EXPORT twinrayTargets
+install(TARGETS twinray_core twinray_accel twinray_integrators twinray_check twinray_io EXPORT twinrayTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY core accel integrators io DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/twinray
+install(DIRECTORY core accel integrators check io DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/twinray
         FILES_MATCHING PATTERN "*.h" REGEX "/(${private_patterns})$" EXCLUDE)
 install(EXPORT twinrayTargets NAMESPACE twinray:: DESTINATION ${package_folder})
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "core/slab.h"
+#include "accel/canonical/slab.h"
 
 namespace twinray {
 namespace {

@@ -2,12 +2,12 @@
 // Private: the layout of the hand-written binary BVH.
 //
 // Siblings lie together in one cache line, their boxes as a structure of arrays, because a traversal always
-// looks at both. The root's box stands apart. Boxes are those of padded() (core/slab.h).
+// looks at both. The root's box stands apart. Boxes are those of padded() (accel/canonical/slab.h).
 #pragma once
 #include <cstdint>
 #include <vector>
 
-#include "accel/triangle_block.h"
+#include "accel/canonical/triangle_block.h"
 #include "core/aabb.h"
 
 namespace twinray {

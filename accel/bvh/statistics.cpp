@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "accel/bvh/cost_model.h"
+#include "accel/build/cost_model.h"
 
 namespace twinray {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Private: the way of one ray through a binary BVH, nearer child first.
 //
-// Both boxes of a pair are tested at once by core/slab.h's operations: of each axis, two lanes hold the near
-// planes of both children and two the far ones, the latter with their sign turned, so that one maximum serves
-// both. The bits of near and far are those of intersect_slab, so what its monotony promises holds: no box is
-// culled that holds an accepted hit.
+// Both boxes of a pair are tested at once by accel/canonical/slab.h's operations: of each axis, two lanes
+// hold the near planes of both children and two the far ones, the latter with their sign turned, so that one
+// maximum serves both. The bits of near and far are those of intersect_slab, so what its monotony promises
+// holds: no box is culled that holds an accepted hit.
 #pragma once
 #include <algorithm>
 #include <bit>

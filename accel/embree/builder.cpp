@@ -3,8 +3,9 @@
 //
 // With quality HIGH it also splits primitives at planes, and lays the pieces into leaves of their own. A
 // piece here is a part of the primitive's padded box, not of the primitive: both parts of a box share the
-// plane, and everything else. Then no ray loses a hit (core/slab.h has near and far). Let t be a hit's
-// parameter, so t >= 0 and near <= t <= far for the padded box; the same holds for one of its two parts:
+// plane, and everything else. Then no ray loses a hit (accel/canonical/slab.h has near and far). Let t be a
+// hit's parameter, so t >= 0 and near <= t <= far for the padded box; the same holds for one of its two
+// parts:
 //
 //   Only the plane's axis matters. Take a direction that is not negative along it (else mirror all). The
 //   first part ends where the plane's far term is F = (plane - far_origin) far_inverse, the second begins
@@ -22,10 +23,10 @@
 #include <new>
 #include <type_traits>
 
+#include "accel/canonical/slab.h"
 #include "accel/embree/device.h"
 #include "core/error.h"
 #include "core/parallel.h"
-#include "core/slab.h"
 
 namespace twinray {
 namespace {

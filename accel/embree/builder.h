@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "accel/bvh/build.h"
+#include "accel/build/binary_tree.h"
 
 namespace twinray {
 

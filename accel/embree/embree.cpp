@@ -9,7 +9,8 @@
 #include <bit>
 
 #include "accel/backends.h"
-#include "accel/bvh/build.h"
+#include "accel/build/binary_tree.h"
+#include "accel/build/phase_timer.h"
 #include "accel/bvh/traversal.h"
 #include "accel/checked_accelerator.h"
 #include "accel/embree/bounds.h"
@@ -18,7 +19,6 @@
 #include "accel/embree/leaf.h"
 #include "accel/embree/ray.h"
 #include "accel/instruction_sets.h"
-#include "accel/phase_timer.h"
 
 namespace twinray {
 namespace {

@@ -9,7 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "accel/block_test-inl.h"
+#include "accel/canonical/block_test-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "accel/canonical/nearest.h"
 #include "accel/counters.h"
 #include "accel/embree/device.h"
-#include "accel/nearest.h"
 
 namespace twinray::embree {
 

@@ -4,15 +4,15 @@
 #include <cstring>
 
 #include "accel/backends.h"
+#include "accel/build/phase_timer.h"
+#include "accel/canonical/checked_ray.h"
+#include "accel/canonical/sphere.h"
 #include "accel/checked_accelerator.h"
 #include "accel/embree/bounds.h"
 #include "accel/embree/device.h"
 #include "accel/embree/direct.h"
 #include "accel/embree/ray.h"
-#include "accel/phase_timer.h"
-#include "core/checked_ray.h"
 #include "core/error.h"
-#include "core/sphere.h"
 
 namespace twinray {
 namespace {

@@ -19,8 +19,8 @@
 #include <new>
 #include <span>
 
-#include "accel/block_test-inl.h"
-#include "accel/load_ray-inl.h"
+#include "accel/canonical/block_test-inl.h"
+#include "accel/canonical/load_ray-inl.h"
 #include "accel/wide/box_test-inl.h"
 #include "accel/wide/stack-inl.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Private: the test of a node's eight boxes, compiled once for each instruction set.
 //
-// Eight boxes are tested at once by the operations of core/slab.h, in their order and without fused
-// multiply-add, so each lane has the bits of intersect_slab and what its monotony promises holds: no box is
-// culled that holds an accepted hit.
+// Eight boxes are tested at once by the operations of accel/canonical/slab.h, in their order and without
+// fused multiply-add, so each lane has the bits of intersect_slab and what its monotony promises holds: no
+// box is culled that holds an accepted hit.
 #if defined(TWINRAY_ACCEL_WIDE_BOX_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TWINRAY_ACCEL_WIDE_BOX_TEST_INL_H
 #undef TWINRAY_ACCEL_WIDE_BOX_TEST_INL_H
@@ -15,9 +15,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "accel/block_test-inl.h"
+#include "accel/canonical/block_test-inl.h"
+#include "accel/canonical/checked_ray.h"
 #include "accel/wide/node.h"
-#include "core/checked_ray.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 
-#include "accel/bvh/reinsertion.h"
-#include "accel/phase_timer.h"
+#include "accel/build/phase_timer.h"
+#include "accel/build/reinsertion.h"
+#include "accel/canonical/slab.h"
 #include "accel/wide/collapse.h"
 #include "accel/wide/occlusion.h"
 #include "core/parallel.h"
-#include "core/slab.h"
 
 namespace twinray {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "accel/accelerator.h"
-#include "accel/bvh/build.h"
+#include "accel/build/binary_tree.h"
 #include "accel/wide/node.h"
 
 namespace twinray {

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "accel/bvh/build.h"
+#include "accel/build/binary_tree.h"
 #include "accel/wide/node.h"
 
 namespace twinray {

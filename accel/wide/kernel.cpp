@@ -16,7 +16,7 @@
 #include <hwy/highway.h>
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128  // Scalar::kernel() serves for these.
-#include "accel/load_ray-inl.h"
+#include "accel/canonical/load_ray-inl.h"
 #include "accel/wide/batch-inl.h"
 #include "accel/wide/stack-inl.h"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "accel/build_options.h"
+#include "accel/canonical/checked_ray.h"
 #include "accel/wide/node.h"
-#include "core/checked_ray.h"
 #include "core/geometry.h"
 #include "core/hit.h"
 

@@ -3,13 +3,13 @@
 //
 // A node holds the boxes of its children as rows of eight floats, lower beside upper: one cache line for each
 // axis, of which a ray reads one half as near and the other as far. A leaf is one block of up to four
-// primitives. Boxes are those of padded() (core/slab.h); there is none for the root.
+// primitives. Boxes are those of padded() (accel/canonical/slab.h); there is none for the root.
 #pragma once
 #include <cstdint>
 
-#include "accel/big_vector.h"
+#include "accel/build/big_vector.h"
 #include "accel/bvh/node.h"
-#include "accel/triangle_block.h"
+#include "accel/canonical/triangle_block.h"
 #include "core/aabb.h"
 
 namespace twinray {

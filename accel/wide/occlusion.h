@@ -9,7 +9,7 @@
 #pragma once
 #include <span>
 
-#include "accel/triangle_block.h"
+#include "accel/canonical/triangle_block.h"
 #include "accel/wide/node.h"
 
 namespace twinray {

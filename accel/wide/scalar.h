@@ -4,9 +4,9 @@
 #pragma once
 #include <algorithm>
 
+#include "accel/canonical/slab.h"
 #include "accel/counters.h"
 #include "accel/wide/node.h"
-#include "core/slab.h"
 
 namespace twinray {
 

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "accel/block_test-inl.h"
+#include "accel/canonical/block_test-inl.h"
 #include "accel/wide/box_test-inl.h"
 
 HWY_BEFORE_NAMESPACE();

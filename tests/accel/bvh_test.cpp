@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cstring>
 
-#include "accel/bvh/build.h"
-#include "accel/bvh/cost_model.h"
+#include "accel/build/binary_tree.h"
+#include "accel/build/cost_model.h"
 #include "accel/bvh/invariants.h"
 #include "accel/bvh/traversal.h"
-#include "core/checked_ray.h"
+#include "accel/canonical/checked_ray.h"
+#include "accel/canonical/slab.h"
 #include "core/error.h"
-#include "core/slab.h"
 #include "tests/support/catch.h"
 #include "tests/support/shapes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/core/canonical_table.h"
+#include "tests/accel/canonical_table.h"
 
 #include "tests/support/catch.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "accel/bvh/reinsertion.h"
+#include "accel/build/reinsertion.h"
 
 #include <algorithm>
 #include <cmath>

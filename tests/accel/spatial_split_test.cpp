@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "accel/bvh/build.h"
+#include "accel/build/binary_tree.h"
 #include "accel/bvh/invariants.h"
-#include "core/checked_ray.h"
-#include "core/slab.h"
+#include "accel/canonical/checked_ray.h"
+#include "accel/canonical/slab.h"
 #include "tests/support/catch.h"
 #include "tests/support/hostile.h"
 #include "tests/support/shapes.h"

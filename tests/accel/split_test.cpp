@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "accel/bvh/split.h"
+#include "accel/build/split.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "accel/bvh/cost_model.h"
+#include "accel/build/cost_model.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
 

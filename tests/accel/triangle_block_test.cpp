@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The fast test of a block against the plain canonical one, for every instruction set of this machine: a tree
 // of one block is asked.
-#include "accel/triangle_block.h"
+#include "accel/canonical/triangle_block.h"
 
 #include <cmath>
 #include <vector>

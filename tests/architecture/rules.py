@@ -16,10 +16,11 @@ MAY_INCLUDE = {
     "accel": {"accel", "core"},
     "integrators": {"integrators", "accel", "core"},
     "io": {"io", "core"},
-    "cli": {"cli", "io", "integrators", "accel", "core"},
-    "bench": {"bench", "io", "integrators", "accel", "core"},
+    "check": {"check", "integrators", "accel", "core"},
+    "cli": {"cli", "io", "check", "integrators", "accel", "core"},
+    "bench": {"bench", "io", "check", "integrators", "accel", "core"},
 }
-LIBRARIES = ("core", "accel", "integrators", "io")
+LIBRARIES = ("core", "accel", "integrators", "check", "io")
 SOURCE_FOLDERS = (*MAY_INCLUDE, "tests")
 
 # Outside library: its headers, and the one file or folder that may include them.
@@ -144,8 +145,8 @@ def privacy(tree):
         for number, header, _ in includes(text):
             if header not in private:
                 continue
-            if folder(name) not in ("core", "accel", "bench", "tests", folder(header)):
-                yield name, number, f"{header} is private to core/, accel/ and what measures them"
+            if folder(name) not in ("core", "accel", "check", "bench", "tests", folder(header)):
+                yield name, number, f"{header} is private to core/, accel/ and what checks or measures them"
             elif is_header(name) and name not in private and folder(name) != "tests":
                 yield name, number, f"{header} is private, so a public header must not include it"
 

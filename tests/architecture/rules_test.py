@@ -16,10 +16,10 @@ SHELL = "# SPDX-License-Identifier: Apache-2.0\n"
 CLEAN = {
     "core/CMakeLists.txt": SHELL + "twinray_library(core\n  vec.cpp)\n",
     "core/vec.h": HEADER + "#include <cmath>\n",
-    "core/vec.cpp": CPP + '#include "core/slab.h"\n#include "core/vec.h"\n// Not sin(x), nor a std::cout.\n',
-    "core/slab.h": PRIVATE + '#include "core/vec.h"\n',
+    "core/vec.cpp": CPP + '#include "core/lanes.h"\n#include "core/vec.h"\n// Not sin(x), nor a std::cout.\n',
+    "core/lanes.h": PRIVATE + '#include "core/vec.h"\n',
     "accel/bvh.h": HEADER + '#include "core/vec.h"\n',
-    "cmake/Install.cmake": SHELL + "set(private_headers\n  core/slab.h)\n",
+    "cmake/Install.cmake": SHELL + "set(private_headers\n  core/lanes.h)\n",
     "README.md": "# A title\n",
 }
 
@@ -68,13 +68,14 @@ class Rules(unittest.TestCase):
                      "cmake/Install.cmake": listed})
 
     def test_private_headers_stay_in_core_and_accel(self):
-        self.expect({"cli/a.h": HEADER + '#include "core/slab.h"\n'}, "private to core/, accel/ and")
-        self.expect({"accel/a.h": HEADER + '#include "core/slab.h"\n'}, "a public header must not include it")
-        self.expect({"tests/a.h": HEADER + '#include "core/slab.h"\n'})
+        self.expect({"cli/a.h": HEADER + '#include "core/lanes.h"\n'}, "private to core/, accel/ and")
+        self.expect({"accel/a.h": HEADER + '#include "core/lanes.h"\n'},
+                    "a public header must not include it")
+        self.expect({"tests/a.h": HEADER + '#include "core/lanes.h"\n'})
 
     def test_private_headers_are_not_installed(self):
         self.expect({"core/box.h": PRIVATE}, "core/box.h:1: says that it is private")
-        self.expect({"core/slab.h": HEADER}, "core/slab.h is listed as private")
+        self.expect({"core/lanes.h": HEADER}, "core/lanes.h is listed as private")
 
     def test_public_headers_need_the_standard_library_alone(self):
         self.expect({"core/text.h": HEADER + "#include <fmt/format.h>\n"}, "must not include <fmt/format.h>")

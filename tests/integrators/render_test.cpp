@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check/recorded_rays.h"
 #include "integrators/normals.h"
-#include "integrators/recorded_rays.h"
 #include "tests/support/catch.h"
 #include "tests/support/estimate.h"
 #include "tests/support/scenes.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "integrators/difference.h"
+#include "check/difference.h"
 #include "integrators/normals.h"
 #include "io/scene_file.h"
 #include "tests/support/catch.h"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "accel/crosscheck/crosscheck.h"
-#include "accel/crosscheck/placement.h"
-#include "accel/crosscheck/shape_rays.h"
+#include "check/crosscheck.h"
+#include "check/placement.h"
+#include "check/shape_rays.h"
 
 namespace twinray::test {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <optional>
 
-#include "accel/shape_test.h"
+#include "accel/canonical/shape_test.h"
 
 namespace twinray::test {
 

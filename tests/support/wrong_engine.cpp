@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "accel/canonical/shape_test.h"
+#include "accel/canonical/slab.h"
 #include "accel/checked_accelerator.h"
 #include "accel/embree/embree.h"
-#include "accel/shape_test.h"
-#include "core/slab.h"
 
 namespace twinray::test {
 namespace {

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "accel/build/binary_tree.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "accel/build/phase_timer.h"
+#include "accel/canonical/slab.h"
+#include "accel/embree/builder.h"
+#include "core/error.h"
+#include "core/parallel.h"
+
+namespace twinray {
+namespace {
+
+constexpr std::size_t max_primitives = std::size_t{1} << 30;
+/// Smaller subtrees are made by one task each.
+constexpr std::size_t task_size = 4096;
+
+/// A subtree while its tree grows: a part of its own for each task, so that no task waits for another.
+struct Part {
+  BuildTree::Node root;               ///< Inner: `first` is not known before all parts have their places.
+  BuildTree::Nodes below;             ///< Of a small subtree all other nodes; `first` counts from here.
+  std::unique_ptr<Part> children[2];  ///< Of a large one.
+};
+
+class TreeBuilder {
+ public:
+  TreeBuilder(BuildPrimitives& primitives, const BuildOptions& options)
+      : primitives_(primitives), options_(options) {}
+
+  /// Makes a node over the primitives [first, first + count), and appends all below it to `nodes`.
+  BuildTree::Node build(std::size_t first, std::size_t count, int depth, BuildTree::Nodes& nodes) {
+    const NodeRange range(std::span<BuildPrimitive>(primitives_).subspan(first, count));
+    const std::size_t left = divide_at(range, depth);
+    if (left == 0) return {range.box, std::uint32_t(first), std::uint32_t(count)};
+    const std::size_t pair = nodes.size();
+    nodes.resize(pair + 2);
+    const BuildTree::Node one = build(first, left, depth + 1, nodes);
+    const BuildTree::Node other = build(first + left, count - left, depth + 1, nodes);
+    nodes[pair] = one;
+    nodes[pair + 1] = other;
+    return {range.box, std::uint32_t(pair), 0};
+  }
+
+  /// The same in parts.
+  std::unique_ptr<Part> build_parts(std::size_t first, std::size_t count, int depth) {
+    auto part = std::make_unique<Part>();
+    if (count < task_size) {
+      part->root = build(first, count, depth, part->below);
+      return part;
+    }
+    const NodeRange range(std::span<BuildPrimitive>(primitives_).subspan(first, count));
+    const std::size_t left = divide_at(range, depth);
+    part->root = {range.box, std::uint32_t(first), left == 0 ? std::uint32_t(count) : 0};
+    if (left == 0) return part;
+    parallel_invoke([&] { part->children[0] = build_parts(first, left, depth + 1); },
+                    [&] { part->children[1] = build_parts(first + left, count - left, depth + 1); });
+    return part;
+  }
+
+ private:
+  std::size_t divide_at(const NodeRange& range, int depth) const {
+    if (range.primitives.size() == 1) return 0;
+    if (depth < free_bvh_depth) return divide(range, options_);
+    return range.primitives.size() <= std::size_t(options_.max_leaf_size) ? 0 : divide_by_median(range);
+  }
+
+  BuildPrimitives& primitives_;
+  const BuildOptions& options_;
+};
+
+/// Puts the nodes of all parts into one array, depth first.
+class Assembly {
+ public:
+  explicit Assembly(BuildTree::Nodes& nodes) : nodes_(nodes) {}
+
+  void run(const Part& root) {
+    place(root, 0);
+    nodes_.resize(size_);
+    parallel_for(places_.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) copy(places_[i]);
+    });
+  }
+
+ private:
+  struct Place {
+    const Part* part;
+    std::size_t root, below;
+  };
+
+  void place(const Part& part, std::size_t root) {
+    places_.push_back({&part, root, size_});
+    if (!part.children[0]) {
+      size_ += part.below.size();
+      return;
+    }
+    const std::size_t pair = size_;
+    size_ += 2;
+    for (std::size_t child = 0; child < 2; ++child) place(*part.children[child], pair + child);
+  }
+
+  void copy(const Place& place) {
+    const auto moved = [&](BuildTree::Node node) {
+      if (node.count == 0) node.first += std::uint32_t(place.below);
+      return node;
+    };
+    BuildTree::Node root = place.part->root;
+    if (place.part->children[0]) root.first = 0;
+    nodes_[place.root] = moved(root);
+    std::transform(place.part->below.begin(), place.part->below.end(),
+                   nodes_.begin() + std::ptrdiff_t(place.below), moved);
+  }
+
+  BuildTree::Nodes& nodes_;
+  std::vector<Place> places_;
+  std::size_t size_ = 1;
+};
+
+/// The primitives of one block.
+struct BlockRange {
+  std::uint32_t first, count;
+};
+
+/// Appends nodes depth first, and the ranges of their blocks.
+class Layout {
+ public:
+  Layout(const BuildTree& tree, Bvh& bvh) : tree_(tree), bvh_(bvh) {}
+
+  NodeRef add(const BuildTree::Node& node) {
+    if (node.count > 0) return add_leaf(node);
+    const std::size_t pair = bvh_.pairs.size();
+    bvh_.pairs.emplace_back();
+    for (std::uint32_t child = 0; child < 2; ++child) {
+      const BuildTree::Node& child_node = tree_.nodes[node.first + child];
+      const NodeRef ref = add(child_node);
+      bvh_.pairs[pair].set_box(int(child), padded(child_node.box));
+      bvh_.pairs[pair].children[child] = ref;
+    }
+    return {std::uint32_t(pair), 0};
+  }
+  const std::vector<BlockRange>& block_ranges() const { return block_ranges_; }
+
+ private:
+  NodeRef add_leaf(const BuildTree::Node& node) {
+    const std::size_t first = block_ranges_.size();
+    for (std::uint32_t done = 0; done < node.count; done += TriangleBlock::width)
+      block_ranges_.push_back(
+          {node.first + done, std::min<std::uint32_t>(TriangleBlock::width, node.count - done)});
+    return {std::uint32_t(first), std::uint32_t(block_ranges_.size() - first)};
+  }
+
+  const BuildTree& tree_;
+  Bvh& bvh_;
+  std::vector<BlockRange> block_ranges_;
+};
+
+TriangleBlock make_block(const BuildTree& tree, const BlockRange& range, const Geometry& geometry) {
+  std::array<PrimitiveId, TriangleBlock::width> ids;
+  for (std::uint32_t i = 0; i < range.count; ++i) ids[i] = tree.primitives[range.first + i].id;
+  return make_block(geometry, std::span(ids).first(range.count));
+}
+
+}  // namespace
+
+BuildPrimitives collect_primitives(const Geometry& geometry) {
+  if (geometry.primitive_count() > max_primitives)
+    throw Error(fmt::format("the scene has {} primitives; a BVH takes up to {}", geometry.primitive_count(),
+                            max_primitives));
+  BuildPrimitives primitives(geometry.primitive_count());
+  std::size_t done = 0;
+  for (std::uint32_t shape = 0; shape < geometry.shapes().size(); ++shape) {
+    const Mesh* mesh = geometry.mesh(shape);
+    const std::size_t count = mesh ? mesh->triangles.size() : geometry.sphere_set(shape)->spheres.size();
+    parallel_for(count, task_size, 0, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const PrimitiveId id{shape, std::uint32_t(i)};
+        primitives[done + i] = {primitive_bounds(geometry, id), id};
+      }
+    });
+    done += count;
+  }
+  return primitives;
+}
+
+BuildTree build_tree(BuildPrimitives primitives, const BuildOptions& options) {
+  BuildTree tree;
+  tree.primitives = std::move(primitives);
+  if (tree.primitives.empty()) return tree;
+  const auto parts = TreeBuilder(tree.primitives, options).build_parts(0, tree.primitives.size(), 0);
+  Assembly(tree.nodes).run(*parts);
+  return tree;
+}
+
+void halve_subtree(BuildTree& tree, const BuildOptions& options, std::uint32_t index, std::size_t first,
+                   std::size_t count) {
+  const BuildTree::Node node =
+      TreeBuilder(tree.primitives, options).build(first, count, free_bvh_depth, tree.nodes);
+  tree.nodes[index] = node;
+}
+
+BuildTree build_by(BuildPrimitives primitives, const BuildOptions& options) {
+  if (options.bvh_builder == BvhBuilder::own) return build_tree(std::move(primitives), options);
+#ifdef TWINRAY_WITH_EMBREE
+  return build_tree_by_embree(std::move(primitives), options);
+#else
+  throw Error(fmt::format("the builder {} is not part of this build", builder_name(options.bvh_builder)));
+#endif
+}
+
+Bvh lay_out(const BuildTree& tree, const Geometry& geometry) {
+  Bvh bvh;
+  if (tree.primitives.empty()) return bvh;
+  bvh.box = padded(tree.nodes[0].box);
+  Layout layout(tree, bvh);
+  bvh.root = layout.add(tree.nodes[0]);
+  bvh.pairs.shrink_to_fit();
+  const std::vector<BlockRange>& ranges = layout.block_ranges();
+  bvh.blocks.resize(ranges.size());
+  parallel_for(ranges.size(), task_size, 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) bvh.blocks[i] = make_block(tree, ranges[i], geometry);
+  });
+  return bvh;
+}
+
+Bvh make_bvh(const Geometry& geometry, const BuildOptions& options, std::vector<BuildPhase>& phases) {
+  Bvh bvh;
+  with_threads(options.threads, [&] {
+    BuildPrimitives primitives;
+    BuildTree tree;
+    timed("boxes", phases, [&] { primitives = collect_primitives(geometry); });
+    timed("tree", phases, [&] { tree = build_by(std::move(primitives), options); });
+    timed("layout", phases, [&] { bvh = lay_out(tree, geometry); });
+  });
+  return bvh;
+}
+
+}  // namespace twinray

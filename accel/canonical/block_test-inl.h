@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: the test of a block, its triangles in all lanes at once, compiled once for each instruction set by
+// the files that include it (Highway's foreach_target).
+//
+// Each step has the bits of accel/canonical/triangle.h. Vertices are sheared in float; from there on
+// everything is double, in which the product of two floats is exact: so there is no error bound to reject by,
+// a fused multiply-subtract of two such products has the bits of separate steps, and no lane is looked at
+// twice. What triangle.h asks last, is_within_box(), is true by the choice of TriangleBlock::triangles.
+#if defined(TWINRAY_ACCEL_BLOCK_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TWINRAY_ACCEL_BLOCK_TEST_INL_H
+#undef TWINRAY_ACCEL_BLOCK_TEST_INL_H
+#else
+#define TWINRAY_ACCEL_BLOCK_TEST_INL_H
+#endif
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "accel/canonical/lane_bits-inl.h"
+#include "accel/canonical/nearest.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace twinray::HWY_NAMESPACE {
+
+/// A ray as the test of blocks wants it: its shear, and its origin turned as the shear turns it, in lanes.
+class BlockRay {
+ public:
+  HWY_ATTR HWY_INLINE explicit BlockRay(const CheckedRay& ray)
+      : ox_(hn::Set(Floats(), ray.turned_origin[0])),
+        oy_(hn::Set(Floats(), ray.turned_origin[1])),
+        oz_(hn::Set(Floats(), ray.turned_origin[2])),
+        sx_(hn::Set(Floats(), ray.shear[0])),
+        sy_(hn::Set(Floats(), ray.shear[1])),
+        sz_(hn::Set(Floats(), ray.shear[2])),
+        x_row_(row(ray.axes[0])),
+        y_row_(row(ray.axes[1])),
+        z_row_(row(ray.axes[2])) {}
+
+  /// Tests a block's primitives against [ray.t_min, the lesser of ray.t_max and best.t]; keeps the least hit.
+  HWY_ATTR HWY_INLINE void closest(const Geometry& geometry, const CheckedRay& ray,
+                                   const TriangleBlock& block, Nearest& best) const {
+    closest_triangle(ray, block, best);
+    if (block.others) best.test(geometry, ray, block, block.others);
+  }
+
+  /// Whether a primitive of the block is hit in [ray.t_min, ray.t_max].
+  HWY_ATTR HWY_INLINE bool any(const Geometry& geometry, const CheckedRay& ray,
+                               const TriangleBlock& block) const {
+    return any_triangle(ray, block) || (block.others && any_other(geometry, ray, block));
+  }
+
+ private:
+  using Doubles = hn::CappedTag<double, TriangleBlock::width>;
+  using Floats = hn::Rebind<float, Doubles>;
+  using DoubleLanes = hn::Vec<Doubles>;
+  using FloatLanes = hn::Vec<Floats>;
+  static constexpr std::size_t lane_count = hn::MaxLanes(Doubles());
+
+  static HWY_ATTR HWY_INLINE std::size_t row(int axis) { return std::size_t(axis) * TriangleBlock::width; }
+
+  HWY_ATTR HWY_INLINE void closest_triangle(const CheckedRay& ray, const TriangleBlock& block,
+                                            Nearest& best) const {
+    for (std::size_t first = 0; first < TriangleBlock::width; first += lane_count) {
+      const Edges edges(*this, block, first);
+      const std::uint32_t met = edges.met(block, first);
+      if (met == 0) continue;
+      const DoubleLanes determinant = edges.determinant();
+      const FloatLanes t = edges.t(*this, determinant);
+      const std::uint32_t hits =
+          met & within(t, ray.t_min, std::min(ray.t_max, best.t)) & is_not_zero(determinant);
+      if (hits == 0) continue;
+      alignas(16) float depths[TriangleBlock::width];
+      hn::Store(t, Floats(), depths + first);
+      int lane = std::countr_zero(hits << first);
+      if (hits & (hits - 1)) lane = least_lane(block, hits << first, depths);
+      if (depths[lane] == best.t && best.id() < block.ids[lane]) continue;
+      best.t = depths[lane];
+      best.lane = lane;
+      best.block = &block;
+      hn::Store(edges.b, Doubles(), best.b + first);
+      hn::Store(edges.c, Doubles(), best.c + first);
+      hn::Store(determinant, Doubles(), best.determinant + first);
+    }
+  }
+
+  HWY_ATTR HWY_INLINE bool any_triangle(const CheckedRay& ray, const TriangleBlock& block) const {
+    for (std::size_t first = 0; first < TriangleBlock::width; first += lane_count) {
+      const Edges edges(*this, block, first);
+      // Whether any is met cannot be guessed: not to ask is 7 % faster in batches.
+      const std::uint32_t met = edges.met(block, first);
+      const DoubleLanes determinant = edges.determinant();
+      if (met & within(edges.t(*this, determinant), ray.t_min, ray.t_max) & is_not_zero(determinant))
+        return true;
+    }
+    return false;
+  }
+
+  /// The edge functions of lane_count triangles, and their corners' depths before scaling.
+  struct Edges {
+    DoubleLanes a, b, c;
+    FloatLanes z[3];
+
+    HWY_ATTR HWY_INLINE Edges(const BlockRay& ray, const TriangleBlock& block, std::size_t first) {
+      DoubleLanes x[3], y[3];
+      for (int corner = 0; corner < 3; ++corner) {
+        const float* const rows = block.corners[corner][0] + first;
+        z[corner] = hn::Sub(hn::Load(Floats(), rows + ray.z_row_), ray.oz_);
+        x[corner] = sheared(hn::Sub(hn::Load(Floats(), rows + ray.x_row_), ray.ox_), ray.sx_, z[corner]);
+        y[corner] = sheared(hn::Sub(hn::Load(Floats(), rows + ray.y_row_), ray.oy_), ray.sy_, z[corner]);
+      }
+      a = hn::MulSub(x[2], y[1], hn::Mul(y[2], x[1]));
+      b = hn::MulSub(x[0], y[2], hn::Mul(y[0], x[2]));
+      c = hn::MulSub(x[1], y[0], hn::Mul(y[1], x[0]));
+    }
+    /// Bit i: the ray's line meets triangle i, or sees it edge-on.
+    HWY_ATTR HWY_INLINE std::uint32_t met(const TriangleBlock& block, std::size_t first) const {
+      const DoubleLanes zero = hn::Zero(Doubles());
+      const auto beside = hn::And(hn::Lt(hn::Min(a, hn::Min(b, c)), zero),  //
+                                  hn::Gt(hn::Max(a, hn::Max(b, c)), zero));
+      return ~bits_of(Doubles(), beside) & (block.triangles >> first) & ((1u << lane_count) - 1);
+    }
+    HWY_ATTR HWY_INLINE DoubleLanes determinant() const { return hn::Add(hn::Add(a, b), c); }
+    HWY_ATTR HWY_INLINE FloatLanes t(const BlockRay& ray, DoubleLanes determinant) const {
+      const DoubleLanes p = hn::Mul(a, ray.scaled(z[0])), q = hn::Mul(b, ray.scaled(z[1]));
+      const DoubleLanes sum = hn::Add(hn::Add(p, q), hn::Mul(c, ray.scaled(z[2])));
+      return hn::DemoteTo(Floats(), hn::Div(sum, determinant));
+    }
+    static HWY_ATTR HWY_INLINE DoubleLanes sheared(FloatLanes x, FloatLanes slope, FloatLanes z) {
+      return hn::PromoteTo(Doubles(), hn::Sub(x, hn::Mul(slope, z)));
+    }
+  };
+
+  HWY_ATTR HWY_INLINE DoubleLanes scaled(FloatLanes z) const {
+    return hn::PromoteTo(Doubles(), hn::Mul(sz_, z));
+  }
+  static HWY_ATTR HWY_INLINE std::uint32_t within(FloatLanes t, float t_min, float t_max) {
+    return bits_of(Floats(),
+                   hn::And(hn::Ge(t, hn::Set(Floats(), t_min)), hn::Le(t, hn::Set(Floats(), t_max))));
+  }
+  static HWY_ATTR HWY_INLINE std::uint32_t is_not_zero(DoubleLanes determinant) {
+    return bits_of(Doubles(), hn::Ne(determinant, hn::Zero(Doubles())));
+  }
+
+  FloatLanes ox_, oy_, oz_, sx_, sy_, sz_;
+  std::size_t x_row_, y_row_, z_row_;  ///< Where in a corner's rows the ray's axes are.
+};
+
+}  // namespace twinray::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

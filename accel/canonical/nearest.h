@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: the least hit of a closest-hit query so far, as the fast block test keeps it.
+#pragma once
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+#include "accel/canonical/triangle_block.h"
+
+namespace twinray {
+
+/// Of a triangle only its place and what its weights are made of are kept: the divisions wait for the end.
+struct Nearest {
+  float t = std::numeric_limits<float>::infinity();
+  int lane = 0;
+  const TriangleBlock* block = nullptr;  ///< Null where the hit is `other`.
+  /// The edge functions of the second and third corner, and the sum of all three, of each lane.
+  alignas(32) double b[TriangleBlock::width];
+  alignas(32) double c[TriangleBlock::width];
+  alignas(32) double determinant[TriangleBlock::width];
+  Hit other;  ///< A hit of something else than a triangle, or none.
+
+  Hit hit() const {
+    if (!block) return other;
+    const PrimitiveId id = block->ids[lane];
+    const float u = float(b[lane] / determinant[lane]), v = float(c[lane] / determinant[lane]);
+    return {t, u, v, id.primitive, id.mesh, no_instance};
+  }
+  PrimitiveId id() const { return block ? block->ids[lane] : PrimitiveId{other.mesh, other.primitive}; }
+
+  /// Tests some lanes of a block by the plain canonical test.
+  [[gnu::noinline, gnu::cold]] void test(const Geometry& geometry, const CheckedRay& ray,
+                                         const TriangleBlock& tested, std::uint32_t lanes) {
+    const Hit before = hit();
+    Hit best = before;
+    for (; lanes != 0; lanes &= lanes - 1)
+      test_primitive(geometry, ray, tested.ids[std::countr_zero(lanes)], best);
+    if (best == before) return;
+    other = best;
+    t = best.t;
+    block = nullptr;
+  }
+};
+
+/// Whether the ray hits one of a block's `others`.
+[[gnu::noinline, gnu::cold]] inline bool any_other(const Geometry& geometry, const CheckedRay& ray,
+                                                   const TriangleBlock& block) {
+  Hit found;
+  for (std::uint32_t left = block.others; left != 0 && !found; left &= left - 1)
+    test_primitive(geometry, ray, block.ids[std::countr_zero(left)], found);
+  return bool(found);
+}
+
+/// Of some lanes of a block, the one whose hit precedes the others.
+[[gnu::noinline, gnu::cold]] inline int least_lane(const TriangleBlock& block, std::uint32_t lanes,
+                                                   const float t[TriangleBlock::width]) {
+  int least = std::countr_zero(lanes);
+  for (lanes &= lanes - 1; lanes != 0; lanes &= lanes - 1) {
+    const int lane = std::countr_zero(lanes);
+    if (t[lane] < t[least] || (t[lane] == t[least] && block.ids[lane] < block.ids[least])) least = lane;
+  }
+  return least;
+}
+
+}  // namespace twinray

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "check/difference.h"
+
+#include <fmt/format.h>
+
+namespace twinray {
+namespace {
+
+std::string sums_text(const char* name, const FixedSum& expected, const FixedSum& found) {
+  if (expected.value() == found.value())
+    return fmt::format("{} {:a}, but for bits beyond a double's", name, expected.value());
+  return fmt::format("{} {:a} and {:a}", name, expected.value(), found.value());
+}
+
+std::string pixel_text(const PixelSums& expected, const PixelSums& found) {
+  if (expected.count != found.count) return fmt::format("samples {} and {}", expected.count, found.count);
+  if (!(expected.r == found.r)) return sums_text("red", expected.r, found.r);
+  if (!(expected.g == found.g)) return sums_text("green", expected.g, found.g);
+  if (!(expected.b == found.b)) return sums_text("blue", expected.b, found.b);
+  return sums_text("luminance squared", expected.luminance_squared, found.luminance_squared);
+}
+
+bool holds(const PixelRect& outer, const PixelRect& inner) {
+  return outer.x0 <= inner.x0 && outer.y0 <= inner.y0 && outer.x1 >= inner.x1 && outer.y1 >= inner.y1;
+}
+
+}  // namespace
+
+std::optional<std::string> first_difference(const Film& expected, const Film& found) {
+  if (expected.frame_width() != found.frame_width() || expected.frame_height() != found.frame_height() ||
+      expected.layers() != found.layers() || !holds(expected.window(), found.window()))
+    return "frames, windows or layers that do not fit";
+  const PixelRect& window = found.window();
+  for (std::size_t layer = 0; layer < found.layers().size(); ++layer)
+    for (int y = window.y0; y < window.y1; ++y)
+      for (int x = window.x0; x < window.x1; ++x) {
+        const PixelSums &a = expected.pixel(layer, x, y), &b = found.pixel(layer, x, y);
+        if (!(a == b)) return fmt::format("pixel {} {}: {}", x, y, pixel_text(a, b));
+        if (expected.rejected_count(x, y) != found.rejected_count(x, y))
+          return fmt::format("pixel {} {}: rejected samples {} and {}", x, y, expected.rejected_count(x, y),
+                             found.rejected_count(x, y));
+      }
+  return std::nullopt;
+}
+
+std::optional<std::string> first_difference(const RayCounts& expected, const RayCounts& found) {
+  if (expected.camera != found.camera)
+    return fmt::format("camera rays {} and {}", expected.camera, found.camera);
+  if (expected.shadow != found.shadow)
+    return fmt::format("shadow rays {} and {}", expected.shadow, found.shadow);
+  if (expected.bounce != found.bounce)
+    return fmt::format("bounce rays {} and {}", expected.bounce, found.bounce);
+  return std::nullopt;
+}
+
+}  // namespace twinray
