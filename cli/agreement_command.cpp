@@ -5,12 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <utility>
 
+#include "cli/console.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "core/error.h"
@@ -79,7 +79,7 @@ std::vector<SceneFile> chosen_scenes(const std::vector<std::string>& named) {
 Scene load(const SceneFile& file, bool quiet) {
   LoadedScene loaded = load_scene(file.path);
   if (!quiet)
-    for (const Diagnostic& warning : loaded.warnings) fmt::print(stderr, "warning: {}\n", warning.text());
+    for (const Diagnostic& warning : loaded.warnings) console::warn(warning.text());
   return std::move(loaded.scene);
 }
 
@@ -117,15 +117,15 @@ std::vector<Row> compare_all(const std::vector<SceneFile>& files, const Agreemen
 void print_table(const std::vector<Row>& rows, const AgreementOptions& options) {
   std::size_t widest = 5;
   for (const Row& row : rows) widest = std::max(widest, row.label.size());
-  fmt::print("{:{}}  {:>7}  {:>9}  {:>11}  {:>11}  {:>9}\n", "scene", widest, "renders", "pixels", "rays",
-             "brute force", "different");
+  console::print("{:{}}  {:>7}  {:>9}  {:>11}  {:>11}  {:>9}\n", "scene", widest, "renders", "pixels", "rays",
+                 "brute force", "different");
   for (const Row& row : rows) {
     const SceneAgreement& found = row.found;
-    fmt::print("{:{}}  {:>7}  {:>9}  {:>11}  {:>8} px  {:>9}  {}\n", row.label, widest, found.renders,
-               found.pixels, found.rays, found.brute_force_pixels, found.differences.size(),
-               found.differences.empty() ? "same bits" : "NOT THE SAME");
+    console::print("{:{}}  {:>7}  {:>9}  {:>11}  {:>8} px  {:>9}  {}\n", row.label, widest, found.renders,
+                   found.pixels, found.rays, found.brute_force_pixels, found.differences.size(),
+                   found.differences.empty() ? "same bits" : "NOT THE SAME");
   }
-  fmt::print(
+  console::print(
       "Each picture has {} x {} pixels, {} samples each; of large scenes brute force renders the middle.\n",
       options.width, options.height, options.samples);
 }
@@ -138,13 +138,14 @@ bool print_verdict(const std::vector<Row>& rows) {
     renders += row.found.renders;
     rays += row.found.rays;
     different += row.found.differences.size();
-    for (const std::string& difference : row.found.differences) fmt::print("{}: {}\n", row.label, difference);
+    for (const std::string& difference : row.found.differences)
+      console::print("{}: {}\n", row.label, difference);
   }
   const std::string what = fmt::format("{} renders of {} scenes ({} rays)", renders, rows.size(), rays);
   if (different == 0)
-    fmt::print("{}: all the same, bit for bit\n", what);
+    console::print("{}: all the same, bit for bit\n", what);
   else
-    fmt::print("{}: {} differ\n", what, different);
+    console::print("{}: {} differ\n", what, different);
   return different == 0;
 }
 
@@ -195,7 +196,7 @@ std::optional<AgreementArguments> parse_agreement_arguments(const std::vector<st
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", app.help());
+    console::write(app.help());
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <limits>
 
+#include "cli/console.h"
 #include "cli/options.h"
 #include "cli/ray_text.h"
 #include "core/error.h"
@@ -73,7 +74,7 @@ std::optional<CrosscheckArguments> parse_crosscheck_arguments(const std::vector<
     arguments.options.engines = parse_engines(raw.engines);
     arguments.placement = parse_placement(raw.placement);
   } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", app.help());
+    console::write(app.help());
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());

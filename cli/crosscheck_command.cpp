@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
+#include "cli/console.h"
 #include "cli/crosscheck_arguments.h"
 #include "cli/crosscheck_report.h"
 #include "cli/progress.h"
@@ -18,13 +18,13 @@ namespace {
 Scene load(const CrosscheckArguments& arguments) {
   LoadedScene loaded = load_scene(arguments.scene, arguments.load);
   if (!arguments.quiet)
-    for (const Diagnostic& warning : loaded.warnings) fmt::print(stderr, "warning: {}\n", warning.text());
+    for (const Diagnostic& warning : loaded.warnings) console::warn(warning.text());
   return std::move(loaded.scene);
 }
 
 int check_one_ray(const CrosscheckArguments& arguments, const Scene& scene) {
   const RayCrosscheck result = crosscheck_ray(scene, *arguments.ray, arguments.placement, arguments.options);
-  fmt::print("{}", ray_crosscheck_text(result));
+  console::write(ray_crosscheck_text(result));
   return std::any_of(result.rows.begin(), result.rows.end(),
                      [](const RayCrosscheck::Row& row) { return row.difference == Difference::unexplained; });
 }
@@ -42,8 +42,8 @@ int check_scene(const CrosscheckArguments& arguments, const Scene& scene) {
   });
   line.finish();
   const std::string replay = replay_command(arguments.scene, arguments.load);
-  fmt::print("{}", arguments.json ? crosscheck_json(result, arguments.scene, replay)
-                                  : crosscheck_text(result, replay));
+  console::write(arguments.json ? crosscheck_json(result, arguments.scene, replay)
+                                : crosscheck_text(result, replay));
   return is_passed(result.report) ? 0 : 1;
 }
 

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program: exceptions become messages and exit codes here, and nowhere else.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
 
 #include "cli/agreement_command.h"
+#include "cli/console.h"
 #include "cli/crosscheck_arguments.h"
 #include "cli/crosscheck_command.h"
 #include "cli/render_arguments.h"
@@ -43,21 +41,28 @@ const Command& take_command(Words& words) {
   return *named;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  Words words(argv + 1, argv + argc);
-  const Command& command = take_command(words);
+/// The command's exit code; what it throws becomes words.
+int run(const Command& command, const Words& words) {
+  namespace console = twinray::console;
   try {
     return command.run(words);
   } catch (const twinray::UsageError& error) {
-    fmt::print(stderr, "twinray: {}\n{}\n", error.what(), command.usage_line());
+    console::print_error("twinray: {}\n{}\n", error.what(), command.usage_line());
     return 2;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "twinray: out of memory\n");
+    console::write_error("twinray: out of memory\n");
     return 1;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "twinray: {}\n", error.what());
+    console::print_error("twinray: {}\n", error.what());
     return 1;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  twinray::console::open();
+  Words words(argv + 1, argv + argc);
+  const Command& command = take_command(words);
+  return twinray::console::finish(run(command, words));
 }

@@ -5,7 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+
+#include "cli/console.h"
 
 namespace twinray {
 namespace {
@@ -51,14 +52,13 @@ void ProgressLine::show(const std::string& text) {
   last_ = Clock::now();
   is_shown_ = true;
   if (is_terminal_)
-    fmt::print(stderr, "\r{}\x1b[K", text);
+    console::print_error("\r{}\x1b[K", text);
   else
-    fmt::print(stderr, "{}\n", text);
-  std::fflush(stderr);
+    console::print_error("{}\n", text);
 }
 
 void ProgressLine::finish() {
-  if (is_shown_ && is_terminal_) fmt::print(stderr, "\r\x1b[K");
+  if (is_shown_ && is_terminal_) console::print_error("\r\x1b[K");
 }
 
 }  // namespace twinray

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "cli/console.h"
 #include "cli/options.h"
 #include "cli/version.h"
 #include "core/error.h"
@@ -415,10 +416,10 @@ std::optional<RenderArguments> parse_render_arguments(const std::vector<std::str
     app.parse(
         std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the words last one first
   } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", app.help());
+    console::write(app.help());
     return std::nullopt;
   } catch (const CLI::CallForVersion&) {
-    fmt::print("{}", version_text());
+    console::write(version_text());
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 
 #include "check/render_check.h"
+#include "cli/console.h"
 #include "cli/crosscheck_report.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
@@ -31,8 +31,6 @@ std::unique_ptr<Integrator> make_integrator(const RenderArguments& arguments, co
   return std::make_unique<PathIntegrator>(scene, arguments.path);
 }
 
-void warn(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
-
 /// Moves the camera as asked for, or says that another view would show more.
 void choose_view(const RenderArguments& arguments, Scene& scene) {
   const Camera fitted = fit_frame(scene.camera, arguments.render.width, arguments.render.height);
@@ -40,14 +38,14 @@ void choose_view(const RenderArguments& arguments, Scene& scene) {
   if (arguments.view == View::whole)
     scene.camera = view_whole(fitted, bounds);
   else if (!arguments.quiet && !bounds.is_empty() && !sees_whole(fitted, bounds))
-    fmt::print("note: part of the scene lies outside of the frame; --view=whole shows all of it\n");
+    console::print("note: part of the scene lies outside of the frame; --view=whole shows all of it\n");
 }
 
 LoadedScene load(const RenderArguments& arguments) {
   LoadedScene loaded = load_scene(arguments.scene, arguments.load);
-  for (const Diagnostic& warning : loaded.warnings) warn(warning.text());
+  for (const Diagnostic& warning : loaded.warnings) console::warn(warning.text());
   if (!arguments.quiet)
-    for (const std::string& line : summary_lines(loaded.summary)) fmt::print("{}\n", line);
+    for (const std::string& line : summary_lines(loaded.summary)) console::print("{}\n", line);
   if (!arguments.camera_file.empty())
     loaded.scene.camera = load_camera_file(arguments.camera_file, loaded.scene.camera);
   choose_view(arguments, loaded.scene);
@@ -55,7 +53,7 @@ LoadedScene load(const RenderArguments& arguments) {
     auto map = std::make_shared<const Image>(read_image(arguments.environment));
     loaded.scene.lights.push_back({"environment", EnvironmentLight{std::move(map)}});
   }
-  for (const std::string& warning : scene_warnings(loaded.scene, arguments)) warn(warning);
+  for (const std::string& warning : scene_warnings(loaded.scene, arguments)) console::warn(warning);
   return loaded;
 }
 
@@ -162,10 +160,10 @@ void write_outputs(const RenderArguments& arguments, const AccelStats& accel, co
 /// Prints the table, and what is wrong; the exit code.
 int report(const Check& check, const SceneCrosscheck& found, const RenderArguments& arguments) {
   const bool is_good = is_passed(found.report);
-  if (!arguments.quiet) fmt::print("Differences    {}\n\n", differences_path(arguments.output));
+  if (!arguments.quiet) console::print("Differences    {}\n\n", differences_path(arguments.output));
   if (!arguments.quiet || !is_good)
-    fmt::print("{}", crosscheck_text(found, replay_command(arguments.scene, arguments.load),
-                                     [&](const Finding& finding) { return check.label(finding); }));
+    console::write(crosscheck_text(found, replay_command(arguments.scene, arguments.load),
+                                   [&](const Finding& finding) { return check.label(finding); }));
   return is_good ? 0 : 1;
 }
 
@@ -188,7 +186,7 @@ int render_command(const std::vector<std::string>& words) {
                                      check ? check->observed(arguments.render) : arguments.render,
                                      [&](const RenderProgress& progress) { line.show(progress); });
   line.finish();
-  if (const std::string rejected = rejection_text(result.film); !rejected.empty()) warn(rejected);
+  if (const std::string rejected = rejection_text(result.film); !rejected.empty()) console::warn(rejected);
   std::optional<SceneCrosscheck> found;
   const ImageMetadata metadata = metadata_of(arguments, words);
   if (check) {
@@ -198,8 +196,8 @@ int render_command(const std::vector<std::string>& words) {
   }
   write_outputs(arguments, accelerator->stats(), result, found, metadata);
   if (!arguments.quiet)
-    fmt::print("{}Picture        {}\n", figures_text(accelerator->stats(), result, arguments.render.counting),
-               arguments.output);
+    console::print("{}Picture        {}\n",
+                   figures_text(accelerator->stats(), result, arguments.render.counting), arguments.output);
   return check ? report(*check, *found, arguments) : 0;
 }
 

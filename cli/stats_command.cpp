@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <functional>
 
+#include "cli/console.h"
 #include "cli/interrupt.h"
 #include "cli/options.h"
 #include "cli/progress.h"
@@ -46,7 +46,7 @@ void add_options(CLI::App& app, StatsArguments& arguments, std::vector<int>& res
 Scene load(const StatsArguments& arguments) {
   LoadedScene loaded = load_scene(arguments.scene);
   if (!arguments.quiet)
-    for (const Diagnostic& warning : loaded.warnings) fmt::print(stderr, "warning: {}\n", warning.text());
+    for (const Diagnostic& warning : loaded.warnings) console::warn(warning.text());
   Scene& scene = loaded.scene;
   const Recording& recording = arguments.options.recording;
   if (arguments.view == View::whole)
@@ -83,7 +83,7 @@ std::optional<StatsArguments> parse_stats_arguments(const std::vector<std::strin
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 wants the last one first
   } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", app.help());
+    console::write(app.help());
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());
@@ -105,7 +105,7 @@ int stats_command(const std::vector<std::string>& words) {
   line.finish();
   if (!arguments->csv_file.empty()) write_text_file(arguments->csv_file, stats_csv(figures));
   if (!arguments->json_file.empty()) write_text_file(arguments->json_file, stats_json(*arguments, figures));
-  if (!arguments->quiet) fmt::print("{}", stats_text(*arguments, figures));
+  if (!arguments->quiet) console::write(stats_text(*arguments, figures));
   return 0;
 }
 

@@ -9,13 +9,16 @@
 
 namespace twinray::test {
 
-ProcessResult run_program(const std::string& arguments, const std::string& environment) {
+ProcessResult run_shell(const std::string& shell_command) {
   const TemporaryFolder folder;
   const std::string out = folder.file("out"), err = folder.file("err");
-  const std::string command =
-      environment + " '" TWINRAY_PROGRAM "' " + arguments + " >'" + out + "' 2>'" + err + "'";
+  const std::string command = "(" + shell_command + ") >'" + out + "' 2>'" + err + "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(out), read_text(err)};
+}
+
+ProcessResult run_program(const std::string& arguments, const std::string& environment) {
+  return run_shell(environment + " '" TWINRAY_PROGRAM "' " + arguments);
 }
 
 }  // namespace twinray::test

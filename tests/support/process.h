@@ -10,6 +10,9 @@ struct ProcessResult {
   std::string out, err;
 };
 
+/// Runs a command of the shell; what it redirects itself does not arrive here.
+ProcessResult run_shell(const std::string& command);
+
 /// Runs the program that was built beside the tests; `arguments` goes through the shell, after
 /// `environment` ("NAME=value ...").
 ProcessResult run_program(const std::string& arguments, const std::string& environment = "");
