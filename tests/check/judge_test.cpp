@@ -214,6 +214,32 @@ TEST_CASE("the judge gives both roots of a sphere and their places in the interv
   CHECK(judgement.interval[1] == IntervalPosition::within);
 }
 
+TEST_CASE("a tangent's one root lies at an end of the interval, and not a float beside it") {
+  const Sphere sphere{{0, 0, 0}, 1};
+  Ray ray{.origin = {1, -5, 0}, .direction = {0, 1, 0}};
+  const auto expect = [&](float t_min, float t_max, IntervalPosition expected) {
+    ray.t_min = t_min;
+    ray.t_max = t_max;
+    const SphereJudgement judgement = judge_sphere(ray, sphere);
+    CAPTURE(t_min, t_max);
+    REQUIRE(judgement.roots == 1);
+    for (const int root : {0, 1}) {
+      CHECK(judgement.interval[root] == expected);
+      CHECK(contains(judgement.t[root], 5));
+      CHECK(judgement.hits(root) ==
+            (expected != IntervalPosition::below && expected != IntervalPosition::above));
+    }
+  };
+  const float before = std::nextafter(5.0f, 0.0f), behind = std::nextafter(5.0f, 9.0f);
+  expect(5, 9, IntervalPosition::at_min);
+  expect(before, 9, IntervalPosition::within);
+  expect(behind, 9, IntervalPosition::below);
+  expect(0, 5, IntervalPosition::at_max);
+  expect(0, behind, IntervalPosition::within);
+  expect(0, before, IntervalPosition::above);
+  expect(5, 5, IntervalPosition::at_min);
+}
+
 TEST_CASE("a root of a sphere lies where the exact comparisons of its neighbours say") {
   Random random(5);
   for (int i = 0; i < 20000; ++i) {
