@@ -143,7 +143,7 @@ TEST_CASE("two hits are a tie or an overlap within 64 ulps of both") {
   CHECK(at_distance(6.2e-5f) == Difference::unexplained);
 }
 
-TEST_CASE("triangles overlap whose planes differ by a sine of 10^-5 at most; others are a tie") {
+TEST_CASE("triangles whose planes differ by a sine of 10^-5 at most overlap, others are a tie") {
   const auto at_slope = [](float slope) {
     Mesh mesh =
         right_triangle(4);  // and another one, turned about the line y = 1, through which the ray goes
