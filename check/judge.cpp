@@ -50,6 +50,9 @@ double largest(const Vector<Bounded>& a) {
   return std::max(std::fabs(a.x.value), std::max(std::fabs(a.y.value), std::fabs(a.z.value)));
 }
 
+/// Whether no t is too large for the ray's interval.
+bool is_endless(const Ray& ray) { return ray.t_max == std::numeric_limits<float>::infinity(); }
+
 IntervalPosition position_in_interval(int beyond_min, int beyond_max) {
   if (beyond_min <= 0) return beyond_min < 0 ? IntervalPosition::below : IntervalPosition::at_min;
   if (beyond_max >= 0) return beyond_max > 0 ? IntervalPosition::above : IntervalPosition::at_max;
@@ -75,7 +78,7 @@ struct TriangleSigns {
     slope = inner(d, n);
     height = inner(p, n);
     beyond_min = height - Real(ray.t_min) * slope;
-    beyond_max = std::isinf(ray.t_max) ? -slope : height - Real(ray.t_max) * slope;
+    beyond_max = is_endless(ray) ? -slope : height - Real(ray.t_max) * slope;
     edge_squared[0] = squared(outer(d, difference<Real>(c, b)));
     edge_squared[1] = squared(outer(d, difference<Real>(a, c)));
     edge_squared[2] = squared(outer(d, difference<Real>(b, a)));
@@ -150,7 +153,7 @@ struct SphereSigns {
     lateral = inner(moment, moment);
     discriminant = a * squared_radius - lateral;
     evaluate(ray.t_min, at_min, slope_at_min);
-    if (!std::isinf(ray.t_max)) evaluate(ray.t_max, at_max, slope_at_max);
+    if (!is_endless(ray)) evaluate(ray.t_max, at_max, slope_at_max);
   }
   void evaluate(float t, Real& value, Real& slope) const {
     slope = a * Real(t) + half_b;
@@ -200,7 +203,7 @@ SphereJudgement sphere_judgement(const SphereSigns<Real>& signs, const Ray& ray,
   for (int i = 0; i < 2; ++i) {
     const int beyond_min = sign_beyond(i, signs.at_min.sign(), signs.slope_at_min.sign());
     const int beyond_max =
-        std::isinf(ray.t_max) ? -1 : sign_beyond(i, signs.at_max.sign(), signs.slope_at_max.sign());
+        is_endless(ray) ? -1 : sign_beyond(i, signs.at_max.sign(), signs.slope_at_max.sign());
     judgement.interval[i] = position_in_interval(beyond_min, beyond_max);
   }
   return judgement;

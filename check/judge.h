@@ -4,7 +4,8 @@
 // Rays, triangles and spheres are given in float, so each question about them is the sign of a polynomial in
 // rational numbers. It is answered by a filter in double and, where that is not enough, by integers of any
 // length (check/exact.h). Nothing is shared with the tests of core/, so that an error there is seen here.
-// Accepted is any ray with a finite origin and a finite direction that is not zero, whatever their size.
+// Accepted is any ray with a finite origin, a finite direction that is not zero, a finite t_min and a finite
+// or positive infinite t_max, whatever their size. Where NaN or another infinity stands, Error is thrown.
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -213,6 +213,7 @@ std::vector<Testimony> Oracle::firm_testimonies(const Ray& ray, float t_max) con
 
 Difference Oracle::classify(const Ray& ray, const Answer& a, const Answer& b) const {
   if (same_bits(a, b)) return Difference::identical;
+  if (CheckedRay checked; !load_ray(ray, checked)) return Difference::unexplained;  // It must miss.
   if (!a.closest && !b.closest) return classify_without_claims(ray);
   const bool is_same_shape = a.closest && b.closest && same_shape(a.closest, b.closest);
   if (is_same_shape && a.any == b.any) return classify_same_shape(ray, a.closest, b.closest);

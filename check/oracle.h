@@ -62,7 +62,7 @@ class Oracle {
   explicit Oracle(std::shared_ptr<const Geometry> geometry);
   ~Oracle();
 
-  /// The class of two answers. Symmetrical.
+  /// The class of two answers. Symmetrical. An invalid ray must miss: what differs there is unexplained.
   Difference classify(const Ray& ray, const Answer& a, const Answer& b) const;
 
   /// All primitives that an engine may report for this ray, in no particular order; a sphere at most twice,

@@ -27,6 +27,7 @@ SOURCE_FOLDERS = (*MAY_INCLUDE, "tests")
 DOORS = {
     "Embree": (r"embree[34]?/", r"accel/embree/"),
     "Highway and intrinsics": (r"hwy/|\w+intrin\.h", r"accel/|core/parallel\.cpp"),  # parallel: FTZ and DAZ
+    "Boost": (r"boost/", r"check/exact\.h"),
     "oneTBB": (r"tbb/|oneapi/", r"core/parallel\.cpp"),
     "OpenImageIO": (r"OpenImageIO/", r"io/image_file\.cpp"),
     "tinyxml2": (r"tinyxml2\.h", r"io/xml_reader\.(h|cpp)"),

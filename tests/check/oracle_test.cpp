@@ -2,6 +2,8 @@
 // Each class of differences, on two triangles and made-up answers.
 #include "check/oracle.h"
 
+#include <cmath>
+
 #include "tests/support/catch.h"
 #include "tests/support/shapes.h"
 
@@ -60,6 +62,14 @@ TEST_CASE("a hit exactly at an end of the interval may be missed") {
   ray.t_max = 2;
   CHECK(oracle.classify(ray, hit(2, 0.25f, 0.25f, 0), miss) == Difference::interval_end);
   ray.t_max = 2.5f;
+  CHECK(oracle.classify(ray, hit(2, 0.25f, 0.25f, 0), miss) == Difference::unexplained);
+}
+
+TEST_CASE("a hit of an invalid ray is unexplained") {
+  const Oracle oracle(square());
+  Ray ray = downward(1, 1);
+  ray.direction.x = std::nanf("");
+  CHECK(oracle.classify(ray, miss, miss) == Difference::identical);
   CHECK(oracle.classify(ray, hit(2, 0.25f, 0.25f, 0), miss) == Difference::unexplained);
 }
 
