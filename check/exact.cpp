@@ -40,10 +40,10 @@ Exact operator+(const Exact& a, const Exact& b) {
 
 Bounded Exact::bounded() const {
   if (sign() == 0) return {};
-  constexpr int digits = std::numeric_limits<double>::digits;
-  const int surplus = std::max(0, int(msb(abs(mantissa_))) + 1 - digits);
-  const double value = std::ldexp(Integer(mantissa_ >> surplus).convert_to<double>(), exponent_ + surplus);
-  return {value, surplus == 0 ? 0 : std::fabs(value) * 0x1p-52};
+  const Integer size = abs(mantissa_);
+  const int surplus = std::max(0, int(msb(size)) + 1 - std::numeric_limits<double>::digits);
+  const double value = std::ldexp(Integer(size >> surplus).convert_to<double>(), exponent_ + surplus);
+  return {mantissa_ < 0 ? -value : value, int(lsb(size)) >= surplus ? 0 : value * 0x1p-52};
 }
 
 }  // namespace twinray

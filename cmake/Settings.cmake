@@ -12,7 +12,9 @@ add_library(twinray_developer INTERFACE)
 target_compile_options(twinray_developer INTERFACE -Wall -Wextra -Wshadow -Wno-missing-field-initializers
                        $<$<BOOL:${TWINRAY_WERROR}>:-Werror>)
 if(TWINRAY_SANITIZE)
-  target_compile_options(twinray_developer INTERFACE -fsanitize=${TWINRAY_SANITIZE} -fno-omit-frame-pointer)
+  # Without recovery: a test that meets undefined behaviour fails.
+  target_compile_options(twinray_developer INTERFACE -fsanitize=${TWINRAY_SANITIZE} -fno-sanitize-recover=all
+                         -fno-omit-frame-pointer)
   target_link_options(twinray_developer INTERFACE -fsanitize=${TWINRAY_SANITIZE})
 endif()
 

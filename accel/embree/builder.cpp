@@ -19,6 +19,8 @@
 #include "accel/embree/builder.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cstdint>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -35,8 +37,6 @@ namespace {
 /// nothing but the recursion of Embree, which ends in an error below.
 constexpr unsigned deepest = 256;
 
-constexpr std::size_t alignment = 16;
-
 struct ReleaseBvh {
   void operator()(RTCBVH bvh) const { rtcReleaseBVH(bvh); }
 };
@@ -49,9 +49,12 @@ struct EmbreeNode {
   std::size_t count = 0;                ///< Of them below; of inner nodes, once counted.
 };
 
+/// `count` objects aligned as their type asks (RTCBuildPrimitive: to 32 bytes).
 template <typename T>
 T* allocate(RTCThreadLocalAllocator allocator, std::size_t count) {
-  void* const memory = rtcThreadLocalAlloc(allocator, count * sizeof(T), alignment);
+  static_assert(alignof(T) <= 64, "Embree's blocks of memory begin at multiples of 64 bytes");
+  void* const memory = rtcThreadLocalAlloc(allocator, count * sizeof(T), alignof(T));
+  assert(reinterpret_cast<std::uintptr_t>(memory) % alignof(T) == 0);
   return new (memory) T[count];
 }
 
@@ -141,11 +144,11 @@ RTCBuildArguments arguments_of(const BuildOptions& options, std::vector<RTCBuild
   return arguments;
 }
 
-/// Counts the pieces below a node, and those of each primitive.
-std::size_t count_pieces(EmbreeNode& node, std::vector<std::uint8_t>& counts) {
+/// Counts the pieces below a node, and marks the primitives that they belong to.
+std::size_t count_pieces(EmbreeNode& node, std::vector<bool>& is_held) {
   if (!node.pieces)
-    return node.count = count_pieces(*node.children[0], counts) + count_pieces(*node.children[1], counts);
-  for (std::size_t i = 0; i < node.count; ++i) ++counts[node.pieces[i].primID];
+    return node.count = count_pieces(*node.children[0], is_held) + count_pieces(*node.children[1], is_held);
+  for (std::size_t i = 0; i < node.count; ++i) is_held[node.pieces[i].primID] = true;
   return node.count;
 }
 
@@ -212,9 +215,9 @@ BuildTree build_tree_by_embree(BuildPrimitives primitives, const BuildOptions& o
   EmbreeNode* root = nullptr;
   with_threads(1, [&] { root = static_cast<EmbreeNode*>(rtcBuildBVH(&arguments)); });
   device.check("to build our tree");
-  std::vector<std::uint8_t> counts(primitives.size());
-  const std::size_t pieces = root ? count_pieces(*root, counts) : 0;
-  const bool has_all = std::find(counts.begin(), counts.end(), 0) == counts.end();
+  std::vector<bool> is_held(primitives.size());
+  const std::size_t pieces = root ? count_pieces(*root, is_held) : 0;
+  const bool has_all = std::find(is_held.begin(), is_held.end(), false) == is_held.end();
   if (!has_all || (!splits_primitives(options) && pieces != primitives.size()))
     throw Error("Embree failed to build our tree: it does not hold each primitive once");
   return Conversion(primitives, options).convert(*root);
