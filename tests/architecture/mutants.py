@@ -15,6 +15,7 @@ one; TWINRAY_SCENES, the folder of the well-known scenes, if it is set.
 import argparse
 import os
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -28,6 +29,7 @@ ROOT = Path(__file__).resolve().parents[2]
 COPY = ROOT / "build" / "mutants"
 BUILD = COPY / "build" / "release"
 SECONDS = 300  # as long as ctest gives a test
+BYTES = 6 << 30  # of address space: a defect may make a loop that allocates for ever
 
 
 def environment():
@@ -43,7 +45,8 @@ def run(command, seconds=None):
     """Whether a command succeeds in time, and what it wrote."""
     try:
         done = subprocess.run(command, cwd=COPY, env=environment(), timeout=seconds, text=True,
-                              errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                              errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES)))
     except subprocess.TimeoutExpired:
         return False, f"no answer in {seconds} seconds"
     return done.returncode == 0, done.stdout
