@@ -1,105 +1,70 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accel/accelerator.h"
 
-#include <fmt/format.h>
-
-#include <array>
+#include <algorithm>
+#include <cassert>
 #include <utility>
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
-#include "accel/backends.h"
-#include "core/error.h"
+#include "core/parallel.h"
 
 namespace twinray {
 namespace {
 
-constexpr std::array<std::pair<Backend, const char*>, 4> backend_names{
-    {{Backend::bvh, "bvh"},
-     {Backend::embree, "embree"},
-     {Backend::embree_native, "embree-native"},
-     {Backend::brute_force, "brute-force"}}};
-
-constexpr std::array<std::pair<BvhBuilder, const char*>, 4> builder_names{
-    {{BvhBuilder::own, "own"},
-     {BvhBuilder::embree_low, "embree-low"},
-     {BvhBuilder::embree_medium, "embree-medium"},
-     {BvhBuilder::embree_high, "embree-high"}}};
-
-void check_range(const char* name, double value, double least, double most) {
-  if (!(value >= least && value <= most))
-    throw Error(fmt::format("{} is {}; it must lie in [{}, {}]", name, value, least, most));
+/// Whether the calling thread has denormal numbers switched off: FTZ (0x8000) or DAZ (0x0040) of MXCSR.
+bool flushes_denormals() {
+#if defined(__x86_64__)
+  return (_mm_getcsr() & 0x8040u) != 0;
+#else
+  return false;
+#endif
 }
 
-void check_options(const BuildOptions& options) {
-  check_range("the number of threads", options.threads, 0, 65536);
-  if (options.bvh_width != 2 && options.bvh_width != 8)
-    throw Error(fmt::format("the width of the BVH is {}; it must be 2 or 8", options.bvh_width));
-  check_range("the number of BVH bins", options.bvh_bins, 2, 256);
-  check_range("the maximum leaf size", options.max_leaf_size, 1, 255);
-  check_range("the leaf block", options.leaf_block, 1, 255);
-  check_range("the traversal cost", options.traversal_cost, 1e-6, 1e6);
-  check_range("the intersection cost", options.intersection_cost, 1e-6, 1e6);
+/// Calls `answer` with denormal numbers. To look is cheap, to switch is not: so they are switched on only
+/// where they are off.
+template <typename Answer>
+auto with_denormals(const Answer& answer) noexcept {
+  if (!flushes_denormals()) [[likely]]
+    return answer();
+  const KeepDenormals keep;
+  return answer();
 }
 
 }  // namespace
 
-void Accelerator::find_closest_batch(std::span<const Ray> rays, Hit* hits) const noexcept {
-  for (const Ray& ray : rays) *hits++ = find_closest(ray);
+Accelerator::Accelerator(std::shared_ptr<const Geometry> geometry, AccelStats stats)
+    : geometry_(std::move(geometry)), stats_(std::move(stats)) {
+  stats_.primitives = geometry_->primitive_count();
 }
 
-void Accelerator::find_any_batch(std::span<const Ray> rays, std::uint8_t* hits) const noexcept {
-  for (const Ray& ray : rays) *hits++ = find_any(ray);
+Hit Accelerator::closest_hit(const Query& query) const noexcept {
+  return with_denormals([&] { return closest(query); });
 }
 
-std::unique_ptr<Accelerator> build_accelerator(Backend backend, std::shared_ptr<const Geometry> geometry,
-                                               const BuildOptions& options) {
-  check_options(options);
-  switch (backend) {
-    case Backend::bvh:
-      return options.bvh_width == 8 ? build_wide_bvh(std::move(geometry), options)
-                                    : build_bvh(std::move(geometry), options);
-    case Backend::brute_force:
-      return build_brute_force(std::move(geometry), options);
-#ifdef TWINRAY_WITH_EMBREE
-    case Backend::embree:
-      return build_embree(std::move(geometry), options);
-    case Backend::embree_native:
-      return build_embree_native(std::move(geometry), options);
-#else
-    default:
-      break;
-#endif
-  }
-  throw Error(fmt::format("the engine {} is not part of this build", backend_name(backend)));
+bool Accelerator::any_hit(const Query& query) const noexcept {
+  return with_denormals([&] { return any(query); });
 }
 
-std::vector<Backend> available_backends() {
-#ifdef TWINRAY_WITH_EMBREE
-  return {Backend::embree, Backend::bvh, Backend::embree_native, Backend::brute_force};
-#else
-  return {Backend::bvh, Backend::brute_force};
-#endif
+void Accelerator::closest_hits(std::span<const Ray> rays, std::span<Hit> answers) const noexcept {
+  assert(rays.size() == answers.size());
+  const std::size_t count = std::min(rays.size(), answers.size());
+  with_denormals([&] { closest_batch(rays.first(count), answers.data()); });
 }
 
-Backend default_backend() { return available_backends().front(); }
-
-std::string backend_name(Backend backend) {
-  for (const auto& [value, name] : backend_names)
-    if (value == backend) return name;
-  return "unknown";
+void Accelerator::any_hits(std::span<const Ray> rays, std::span<std::uint8_t> answers) const noexcept {
+  assert(rays.size() == answers.size());
+  const std::size_t count = std::min(rays.size(), answers.size());
+  with_denormals([&] { any_batch(rays.first(count), answers.data()); });
 }
 
-std::vector<BvhBuilder> available_builders() {
-#ifdef TWINRAY_WITH_EMBREE
-  return {BvhBuilder::own, BvhBuilder::embree_low, BvhBuilder::embree_medium, BvhBuilder::embree_high};
-#else
-  return {BvhBuilder::own};
-#endif
+void Accelerator::closest_batch(std::span<const Ray> rays, Hit* answers) const noexcept {
+  for (const Ray& ray : rays) *answers++ = closest({ray});
 }
 
-std::string builder_name(BvhBuilder builder) {
-  for (const auto& [value, name] : builder_names)
-    if (value == builder) return name;
-  return "unknown";
+void Accelerator::any_batch(std::span<const Ray> rays, std::uint8_t* answers) const noexcept {
+  for (const Ray& ray : rays) *answers++ = any({ray});
 }
 
 }  // namespace twinray

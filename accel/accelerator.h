@@ -6,16 +6,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "accel/build_options.h"
-#include "accel/counters.h"
+#include "accel/query.h"
 #include "core/aabb.h"
 #include "core/geometry.h"
 #include "core/hit.h"
-#include "core/ray.h"
 
 namespace twinray {
 
@@ -26,15 +26,20 @@ struct BuildPhase {
   double seconds = 0;
 };
 
-/// What a build made. Numbers that a backend cannot know are 0.
-struct AccelStats {
-  std::vector<BuildPhase> phases;  ///< In the order in which they ran; wall-clock time.
-  std::size_t primitives = 0;
-  std::size_t bytes = 0;  ///< Memory of the finished accelerator, without the geometry itself.
+/// The tree of an engine that shows it. Of an empty geometry all are 0.
+struct TreeStats {
   std::size_t nodes = 0;  ///< Inner nodes and leaves.
   std::size_t leaves = 0;
   int depth = 0;        ///< Edges from the root to the deepest leaf.
   double sah_cost = 0;  ///< Expected cost of a random ray, by the build options' costs.
+};
+
+/// What a build made.
+struct AccelStats {
+  std::vector<BuildPhase> phases;  ///< In the order in which they ran; wall-clock time.
+  std::size_t primitives = 0;
+  std::size_t bytes = 0;          ///< Memory of the finished accelerator, without the geometry itself.
+  std::optional<TreeStats> tree;  ///< None of brute force, nor of Embree's trees, which it keeps to itself.
 
   double build_seconds() const {
     double sum = 0;
@@ -44,7 +49,8 @@ struct AccelStats {
 };
 
 /// A ray query structure over one geometry; immutable, and safe to ask from any number of threads.
-/// No query allocates or throws. An invalid ray (core/ray.h) is a miss.
+/// No query allocates or throws. An invalid ray (core/ray.h) is a miss. The answers do not depend on whether
+/// the calling thread has denormal numbers switched off (FTZ, DAZ).
 class Accelerator {
  public:
   virtual ~Accelerator() = default;
@@ -52,43 +58,37 @@ class Accelerator {
   Accelerator& operator=(const Accelerator&) = delete;
 
   /// The least accepted hit of the closed interval [t_min, t_max], or a miss.
-  Hit closest_hit(const Ray& ray) const noexcept { return find_closest(ray); }
+  Hit closest_hit(const Query& query) const noexcept;
+  Hit closest_hit(const Ray& ray) const noexcept { return closest_hit(Query{ray}); }
+
   /// Whether closest_hit would find one.
-  bool any_hit(const Ray& ray) const noexcept { return find_any(ray); }
+  bool any_hit(const Query& query) const noexcept;
+  bool any_hit(const Ray& ray) const noexcept { return any_hit(Query{ray}); }
 
-  /// The same answers, and what it took to find them, added to `counts`: counts of a scalar traversal, equal
-  /// on every machine.
-  Hit closest_hit(const Ray& ray, QueryCounts& counts) const noexcept { return find_closest(ray, counts); }
-  bool any_hit(const Ray& ray, QueryCounts& counts) const noexcept { return find_any(ray, counts); }
+  /// Many at once: answers[i] is that of rays[i], with the same bits as one by one; the engine decides how
+  /// many rays it traces at a time. Both spans have the same length: an assertion says so, and without
+  /// assertions the lesser length counts.
+  void closest_hits(std::span<const Ray> rays, std::span<Hit> answers) const noexcept;
+  void any_hits(std::span<const Ray> rays, std::span<std::uint8_t> answers) const noexcept;
 
-  /// Batches: answers[i] is that of rays[i], with the same bits as one by one; the eight-wide BVH traces
-  /// many rays at a time, which pays for all but small scenes. Both spans have the same length.
-  void closest_hits(std::span<const Ray> rays, std::span<Hit> answers) const noexcept {
-    find_closest_batch(rays, answers.data());
-  }
-  void any_hits(std::span<const Ray> rays, std::span<std::uint8_t> answers) const noexcept {
-    find_any_batch(rays, answers.data());
-  }
-
-  /// Whether batches are faster than single rays: a guess by the size of the scene; false where a batch is
-  /// traced one by one.
-  virtual bool prefers_batches() const noexcept { return false; }
-
+  const Geometry& geometry() const noexcept { return *geometry_; }
   /// The box of the geometry.
-  virtual Aabb bounds() const noexcept = 0;
-  virtual AccelStats stats() const = 0;
+  const Aabb& bounds() const noexcept { return geometry_->bounds(); }
+  const AccelStats& stats() const noexcept { return stats_; }
 
  protected:
-  Accelerator() = default;
+  /// Fills in the number of primitives.
+  explicit Accelerator(std::shared_ptr<const Geometry> geometry, AccelStats stats = {});
 
  private:
-  // What an engine answers; a batch, one by one unless it knows better. Most derive from CheckedAccelerator.
-  virtual Hit find_closest(const Ray& ray) const noexcept = 0;
-  virtual bool find_any(const Ray& ray) const noexcept = 0;
-  virtual Hit find_closest(const Ray& ray, QueryCounts& counts) const noexcept = 0;
-  virtual bool find_any(const Ray& ray, QueryCounts& counts) const noexcept = 0;
-  virtual void find_closest_batch(std::span<const Ray> rays, Hit* hits) const noexcept;
-  virtual void find_any_batch(std::span<const Ray> rays, std::uint8_t* hits) const noexcept;
+  // What an engine answers. Of a batch there are as many answers as rays; one by one unless it knows better.
+  virtual Hit closest(const Query& query) const noexcept = 0;
+  virtual bool any(const Query& query) const noexcept = 0;
+  virtual void closest_batch(std::span<const Ray> rays, Hit* answers) const noexcept;
+  virtual void any_batch(std::span<const Ray> rays, std::uint8_t* answers) const noexcept;
+
+  std::shared_ptr<const Geometry> geometry_;
+  AccelStats stats_;
 };
 
 /// Builds an accelerator over the geometry. Throws Error where options are out of range, where the backend

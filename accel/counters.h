@@ -5,7 +5,9 @@
 namespace twinray {
 
 /// What one query, or the sum of many, did. Boxes and nodes belong to the hand-written trees; primitives are
-/// those whose own test ran: by the canonical counting traversal, or by our leaf inside of Embree.
+/// those whose own test ran: by the canonical counting traversal, or by our leaf inside of Embree. The counts
+/// of bvh and brute force are the same on every machine. Those of embree are not: which leaves are tested
+/// depends on the tree and the traversal of Embree, on its version and instruction set.
 struct QueryCounts {
   std::uint64_t nodes = 0;       ///< Inner nodes whose children were looked at.
   std::uint64_t boxes = 0;       ///< Boxes tested.

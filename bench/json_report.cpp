@@ -34,8 +34,12 @@ Json to_json(const EngineFigures& engine) {
   json["build"] = {{"seconds", spread(engine.build.wall_seconds)},
                    {"cpu_seconds", spread(engine.build.cpu_seconds)},
                    {"bytes", engine.build.stats.bytes},
-                   {"nodes", engine.build.stats.nodes},
-                   {"sah_cost", engine.build.stats.sah_cost}};
+                   {"nodes", nullptr},
+                   {"sah_cost", nullptr}};
+  if (const auto& tree = engine.build.stats.tree) {
+    json["build"]["nodes"] = tree->nodes;
+    json["build"]["sah_cost"] = tree->sah_cost;
+  }
   json["speed"] = spread(engine.mean_speed());
   json["nanoseconds"] = spread(engine.mean_nanoseconds());
   json["rays"] = trace(engine);

@@ -146,9 +146,9 @@ class Group {
     QueryCounts counts;
     for (const Ray& ray : rays) {
       if (ray_sets[set].kind == RayKind::shadow)
-        accelerators_[engine]->any_hit(ray, counts);
+        accelerators_[engine]->any_hit({ray, &counts});
       else
-        accelerators_[engine]->closest_hit(ray, counts);
+        accelerators_[engine]->closest_hit({ray, &counts});
     }
     TraceFigures& figures = figures_[engine].trace[set];
     figures.rays = rays.size();

@@ -18,19 +18,29 @@ double rays_per_second(const RenderResult& result) {
   return result.seconds > 0 ? double(result.rays.total()) / result.seconds : 0;
 }
 
+/// The tree's numbers, of an engine that shows it.
+std::string tree_text(const std::optional<TreeStats>& tree) {
+  if (!tree) return "";
+  return fmt::format("{} nodes, depth {}, SAH cost {:.2f}, ", tree->nodes, tree->depth, tree->sah_cost);
+}
+
+template <typename T>
+nlohmann::ordered_json known(const std::optional<TreeStats>& tree, T TreeStats::*member) {
+  return tree ? nlohmann::ordered_json(*tree.*member) : nlohmann::ordered_json(nullptr);
+}
+
 }  // namespace
 
 std::string figures_text(const AccelStats& accel, const RenderResult& result, bool counted) {
   const RayCounts& rays = result.rays;
   std::string text = fmt::format(
       "Primitives     {}\n"
-      "Build          {:.4f} s, {} nodes, depth {}, SAH cost {:.2f}, {:.1f} MB\n"
+      "Build          {:.4f} s, {}{:.1f} MB\n"
       "Render         {:.4f} s\n"
       "Rays           {} ({} camera, {} shadow, {} bounce)\n"
       "Speed          {:.4f} million rays per second\n",
-      accel.primitives, accel.build_seconds(), accel.nodes, accel.depth, accel.sah_cost,
-      1e-6 * double(accel.bytes), result.seconds, rays.total(), rays.camera, rays.shadow, rays.bounce,
-      1e-6 * rays_per_second(result));
+      accel.primitives, accel.build_seconds(), tree_text(accel.tree), 1e-6 * double(accel.bytes),
+      result.seconds, rays.total(), rays.camera, rays.shadow, rays.bounce, 1e-6 * rays_per_second(result));
   if (counted)
     text +=
         fmt::format("Per ray        {:.4f} nodes, {:.4f} boxes, {:.4f} leaves, {:.4f} intersection tests\n",
@@ -57,10 +67,10 @@ std::string figures_json(const RenderArguments& arguments, const AccelStats& acc
        {{"seconds", accel.build_seconds()},
         {"phases", phases},
         {"primitives", accel.primitives},
-        {"nodes", accel.nodes},
-        {"leaves", accel.leaves},
-        {"depth", accel.depth},
-        {"sah_cost", accel.sah_cost},
+        {"nodes", known(accel.tree, &TreeStats::nodes)},
+        {"leaves", known(accel.tree, &TreeStats::leaves)},
+        {"depth", known(accel.tree, &TreeStats::depth)},
+        {"sah_cost", known(accel.tree, &TreeStats::sah_cost)},
         {"bytes", accel.bytes}}},
       {"render", {{"seconds", result.seconds}, {"rejected_samples", result.film.rejected_count()}}},
       {"rays",

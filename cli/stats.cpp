@@ -37,8 +37,8 @@ std::vector<Hit> counted_answers(const Accelerator& accelerator, RayKind kind, c
   std::vector<Hit> answers(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (kind != RayKind::shadow)
-      answers[i] = accelerator.closest_hit(rays[i], counts);
-    else if (accelerator.any_hit(rays[i], counts))
+      answers[i] = accelerator.closest_hit({rays[i], &counts});
+    else if (accelerator.any_hit({rays[i], &counts}))
       answers[i].t = 0;
   }
   return answers;
@@ -110,7 +110,7 @@ class Measurement {
     build.threads = options_.threads;
     const auto accelerator = build_accelerator(engine.backend, scene_.geometry, build);
     EngineFigures figures{.name = engine.name, .build = accelerator->stats()};
-    figures.has_tree = figures.build.nodes > 0;
+    figures.has_tree = figures.build.tree.has_value();
     figures.has_primitives = engine.backend != Backend::embree_native;
     for (std::size_t kind = 0; kind < ray_kinds.size(); ++kind) {
       report(fmt::format("{} | {} rays", label_, ray_kind_name(ray_kinds[kind])));

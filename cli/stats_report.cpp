@@ -24,10 +24,11 @@ std::string known(bool is_known, fmt::format_string<T&> format, T value, const c
 
 std::string row_text(const EngineFigures& engine, std::size_t widest) {
   const AccelStats& build = engine.build;
+  const TreeStats tree = build.tree.value_or(TreeStats{});
   std::string text = fmt::format(
       "{:{}}  {:>9.4f}  {:>9}  {:>5}  {:>7}  {:>8.2f}", engine.name, widest, build.build_seconds(),
-      known(engine.has_tree, "{}", build.nodes, "-"), known(engine.has_tree, "{}", build.depth, "-"),
-      known(engine.has_tree, "{:.2f}", build.sah_cost, "-"), 1e-6 * double(build.bytes));
+      known(engine.has_tree, "{}", tree.nodes, "-"), known(engine.has_tree, "{}", tree.depth, "-"),
+      known(engine.has_tree, "{:.2f}", tree.sah_cost, "-"), 1e-6 * double(build.bytes));
   for (const RayFigures& rays : engine.rays)
     text += fmt::format(" | {:>6}  {:>6}  {:>6.3f}",
                         known(engine.has_tree, "{:.2f}", per_ray(rays.counts.nodes, rays), "-"),
@@ -64,11 +65,12 @@ nlohmann::ordered_json counts_json(const EngineFigures& engine, const RayFigures
 nlohmann::ordered_json engine_json(const EngineFigures& engine) {
   using nlohmann::ordered_json;
   const AccelStats& build = engine.build;
+  const TreeStats tree = build.tree.value_or(TreeStats{});
   ordered_json json{{"name", engine.name}, {"build_seconds", build.build_seconds()}, {"bytes", build.bytes}};
-  json["nodes"] = engine.has_tree ? ordered_json(build.nodes) : ordered_json(nullptr);
-  json["leaves"] = engine.has_tree ? ordered_json(build.leaves) : ordered_json(nullptr);
-  json["depth"] = engine.has_tree ? ordered_json(build.depth) : ordered_json(nullptr);
-  json["sah_cost"] = engine.has_tree ? ordered_json(build.sah_cost) : ordered_json(nullptr);
+  json["nodes"] = engine.has_tree ? ordered_json(tree.nodes) : ordered_json(nullptr);
+  json["leaves"] = engine.has_tree ? ordered_json(tree.leaves) : ordered_json(nullptr);
+  json["depth"] = engine.has_tree ? ordered_json(tree.depth) : ordered_json(nullptr);
+  json["sah_cost"] = engine.has_tree ? ordered_json(tree.sah_cost) : ordered_json(nullptr);
   for (std::size_t kind = 0; kind < ray_kinds.size(); ++kind)
     json[ray_kind_name(ray_kinds[kind])] = counts_json(engine, engine.rays[kind]);
   return json;
@@ -108,14 +110,16 @@ std::string stats_csv(const SceneFigures& figures) {
   for (const EngineFigures& engine : figures.engines)
     for (std::size_t kind = 0; kind < ray_kinds.size(); ++kind) {
       const AccelStats& build = engine.build;
+      const TreeStats tree = build.tree.value_or(TreeStats{});
       const RayFigures& rays = engine.rays[kind];
-      const bool tree = engine.has_tree, primitives = engine.has_primitives;
+      const bool has_tree = engine.has_tree, primitives = engine.has_primitives;
       text += fmt::format(
           "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", engine.name, build.primitives,
-          build.build_seconds(), known(tree, "{}", build.nodes, ""), known(tree, "{}", build.leaves, ""),
-          known(tree, "{}", build.depth, ""), known(tree, "{}", build.sah_cost, ""), build.bytes,
-          ray_kind_name(ray_kinds[kind]), rays.rays, known(tree, "{}", per_ray(rays.counts.nodes, rays), ""),
-          known(tree, "{}", per_ray(rays.counts.boxes, rays), ""),
+          build.build_seconds(), known(has_tree, "{}", tree.nodes, ""),
+          known(has_tree, "{}", tree.leaves, ""), known(has_tree, "{}", tree.depth, ""),
+          known(has_tree, "{}", tree.sah_cost, ""), build.bytes, ray_kind_name(ray_kinds[kind]), rays.rays,
+          known(has_tree, "{}", per_ray(rays.counts.nodes, rays), ""),
+          known(has_tree, "{}", per_ray(rays.counts.boxes, rays), ""),
           known(primitives, "{}", per_ray(rays.counts.leaves, rays), ""),
           known(primitives, "{}", per_ray(rays.counts.primitives, rays), ""), rays.rays_per_second);
     }

@@ -30,7 +30,6 @@ set(private_headers
   accel/canonical/sphere.h
   accel/canonical/triangle.h
   accel/canonical/triangle_block.h
-  accel/checked_accelerator.h
   accel/embree/api.h
   accel/embree/bounds.h
   accel/embree/builder.h

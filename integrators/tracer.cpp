@@ -6,14 +6,14 @@
 namespace twinray {
 
 void Tracer::closest(std::span<const Ray> rays, std::span<Hit> hits) {
-  if (in_batches_) return accelerator_.closest_hits(rays, hits);
+  if (!counting_) return accelerator_.closest_hits(rays, hits);
   for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = closest(rays[i]);
 }
 
 std::span<const Rgb> Tracer::visibilities(std::span<const Ray> connections) {
   note(connections, RayKind::shadow, counts_.shadow);
   blocked_.resize(connections.size());
-  if (in_batches_)
+  if (!counting_)
     accelerator_.any_hits(connections, blocked_);
   else
     for (std::size_t i = 0; i < connections.size(); ++i) blocked_[i] = is_blocked(connections[i]);

@@ -41,10 +41,7 @@ class Tracer {
   /// With `counting`, each query goes through the slower counting traversal. Where `record` is given, each
   /// ray is appended to it; it must outlive the tracer.
   Tracer(const Accelerator& accelerator, bool counting, std::vector<RecordedRay>* record = nullptr)
-      : accelerator_(accelerator),
-        counting_(counting),
-        in_batches_(!counting && accelerator.prefers_batches()),
-        record_(record) {}
+      : accelerator_(accelerator), counting_(counting), record_(record) {}
 
   /// A new path begins.
   Hit camera_hit(const Ray& ray) {
@@ -82,15 +79,15 @@ class Tracer {
       for (const Ray& ray : rays) record_->push_back({ray, kind, vertex_});
   }
   Hit closest(const Ray& ray) {
-    return counting_ ? accelerator_.closest_hit(ray, counts_.queries) : accelerator_.closest_hit(ray);
+    return accelerator_.closest_hit({ray, counting_ ? &counts_.queries : nullptr});
   }
   bool is_blocked(const Ray& connection) {
-    return counting_ ? accelerator_.any_hit(connection, counts_.queries) : accelerator_.any_hit(connection);
+    return accelerator_.any_hit({connection, counting_ ? &counts_.queries : nullptr});
   }
   void closest(std::span<const Ray> rays, std::span<Hit> hits);
 
   const Accelerator& accelerator_;
-  bool counting_, in_batches_;
+  bool counting_;
   std::vector<RecordedRay>* record_;
   int vertex_ = 0;
   RayCounts counts_;

@@ -10,7 +10,7 @@ namespace {
 
 class Survey {
  public:
-  Survey(const Bvh& bvh, const CostModel& cost, AccelStats& stats) : bvh_(bvh), cost_(cost), stats_(stats) {}
+  Survey(const Bvh& bvh, const CostModel& cost, TreeStats& stats) : bvh_(bvh), cost_(cost), stats_(stats) {}
 
   /// `probability`: that a ray which meets the root meets this node.
   void visit(const NodeRef& node, double probability, double area, int depth) {
@@ -36,15 +36,17 @@ class Survey {
 
   const Bvh& bvh_;
   const CostModel& cost_;
-  AccelStats& stats_;
+  TreeStats& stats_;
 };
 
 }  // namespace
 
-void add_statistics(const Bvh& bvh, const BuildOptions& options, AccelStats& stats) {
-  stats.bytes = bvh.bytes();
-  if (bvh.blocks.empty()) return;
-  Survey(bvh, CostModel(options), stats).visit(bvh.root, 1, bvh.box.half_area(), 0);
+TreeStats statistics_of(const Bvh& bvh, const BuildOptions& options) {
+  TreeStats stats;
+  if (bvh.blocks.empty()) return stats;
+  const CostModel cost(options);
+  Survey(bvh, cost, stats).visit(bvh.root, 1, bvh.box.half_area(), 0);
+  return stats;
 }
 
 }  // namespace twinray

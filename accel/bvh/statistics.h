@@ -6,7 +6,7 @@
 
 namespace twinray {
 
-/// Fills in everything but the phases and the number of primitives.
-void add_statistics(const Bvh& bvh, const BuildOptions& options, AccelStats& stats);
+/// The numbers of a tree, with the costs of the options.
+TreeStats statistics_of(const Bvh& bvh, const BuildOptions& options);
 
 }  // namespace twinray

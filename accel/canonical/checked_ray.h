@@ -46,6 +46,24 @@ struct CheckedRay {
 /// Fills `checked`; false for an invalid ray, which is a miss.
 bool load_ray(const Ray& ray, CheckedRay& checked) noexcept;
 
+/// The hit that `trace` finds for a loaded ray, with t in the caller's units; an invalid ray is a miss.
+template <typename Trace>
+Hit closest_of(const Ray& ray, const Trace& trace) {
+  Hit hit;  // The one variable that every path returns: copying what was just written in parts stalls.
+  CheckedRay checked;
+  if (!load_ray(ray, checked)) return hit;
+  hit = trace(checked);
+  checked.scale_back(hit);
+  return hit;
+}
+
+/// Whether `trace` finds a hit for a loaded ray; an invalid ray is a miss.
+template <typename Trace>
+bool any_of(const Ray& ray, const Trace& trace) {
+  CheckedRay checked;
+  return load_ray(ray, checked) && trace(checked);
+}
+
 // What load_ray is made of, for whoever does the same in another way.
 
 /// The components of an origin are no larger.

@@ -12,7 +12,6 @@
 #include "accel/build/binary_tree.h"
 #include "accel/build/phase_timer.h"
 #include "accel/bvh/traversal.h"
-#include "accel/checked_accelerator.h"
 #include "accel/embree/bounds.h"
 #include "accel/embree/device.h"
 #include "accel/embree/embree.h"
@@ -33,67 +32,71 @@ BuildOptions block_options(const BuildOptions& options) {
       .threads = options.threads, .max_leaf_size = TriangleBlock::width, .leaf_block = TriangleBlock::width};
 }
 
-class EmbreeAccelerator final : public CheckedAccelerator {
- public:
-  EmbreeAccelerator(std::shared_ptr<const Geometry> geometry, const BuildOptions& options, float widening)
-      : geometry_(std::move(geometry)),
-        leaf_(chosen(embree::leaf_functions(), options.simd)),
-        device_(embree::configuration(options)),
-        scene_(rtcNewScene(device_.get())) {
-    bvh_ = make_bvh(*geometry_, block_options(options), stats_.phases);
-    scene_size_ = embree::scene_size(*geometry_);
-    widened_size_ = scene_size_ * widening;
-    timed("embree", stats_.phases, [&] { build(options.threads); });
-    stats_.primitives = geometry_->primitive_count();
-    stats_.bytes = bvh_.bytes() + device_.bytes();
-  }
+/// What Embree asks about a block while it builds.
+struct BlockBounds {
+  const Geometry& geometry;
+  const Bvh& bvh;
+  float widened_size;  ///< The largest coordinate of the scene, as the widening of the boxes takes it.
+};
 
-  Aabb bounds() const noexcept override { return geometry_->bounds(); }
-  AccelStats stats() const override { return stats_; }
+void bound_block(const RTCBoundsFunctionArguments* arguments) {
+  const auto& [geometry, bvh, size] = *static_cast<const BlockBounds*>(arguments->geometryUserPtr);
+  *arguments->bounds_o = embree::widened(block_bounds(geometry, bvh.blocks[arguments->primID]), size);
+}
+
+/// Blocks of primitives, and Embree's tree over them.
+struct EmbreeBlocks {
+  Bvh bvh;
+  embree::Device device;
+  embree::Scene scene;
+
+  EmbreeBlocks(const Geometry& geometry, const BuildOptions& options, AccelStats& stats)
+      : bvh(make_bvh(geometry, block_options(options), stats.phases)),
+        device(embree::configuration(options)),
+        scene(rtcNewScene(device.get())) {}
+
+  void build(BlockBounds& bounds, const embree::LeafFunctions& leaf, int threads) {
+    embree::GeometryOwner blocks(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER));
+    rtcSetGeometryUserPrimitiveCount(blocks.get(), unsigned(bvh.blocks.size()));
+    rtcSetGeometryUserData(blocks.get(), &bounds);
+    rtcSetGeometryBoundsFunction(blocks.get(), bound_block, nullptr);
+    rtcSetGeometryIntersectFunction(blocks.get(), leaf.intersect);
+    rtcSetGeometryOccludedFunction(blocks.get(), leaf.occlude);
+    embree::attach(scene.get(), std::move(blocks), 0);
+    embree::commit(device, scene.get(), threads);
+  }
+};
+
+class EmbreeAccelerator final : public Accelerator {
+ public:
+  EmbreeAccelerator(std::shared_ptr<const Geometry> geometry, EmbreeBlocks blocks, AccelStats stats)
+      : Accelerator(std::move(geometry), std::move(stats)),
+        blocks_(std::move(blocks)),
+        scene_size_(embree::scene_size(this->geometry())) {}
 
  private:
-  void build(int threads) {
-    embree::GeometryOwner blocks(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER));
-    rtcSetGeometryUserPrimitiveCount(blocks.get(), unsigned(bvh_.blocks.size()));
-    rtcSetGeometryUserData(blocks.get(), this);
-    rtcSetGeometryBoundsFunction(blocks.get(), bound_block, nullptr);
-    rtcSetGeometryIntersectFunction(blocks.get(), leaf_.intersect);
-    rtcSetGeometryOccludedFunction(blocks.get(), leaf_.occlude);
-    embree::attach(scene_.get(), std::move(blocks), 0);
-    embree::commit(device_, scene_.get(), threads);
+  Hit closest(const Query& query) const noexcept override {
+    return closest_of(query.ray, [&](const CheckedRay& ray) {
+      if (is_far(ray)) return far_hit<QueryKind::closest>(ray, query.counts);
+      const float scale = length_scale(ray);
+      embree::LeafQuery leaf_query(blocks_.bvh.blocks.data(), geometry(), ray, scale * (1 + slack),
+                                   query.counts);
+      RTCRayHit ray_hit = embree::without_hit(embree_ray(ray, scale));
+      embree::intersect(blocks_.scene.get(), leaf_query, ray_hit);
+      return leaf_query.best.hit();
+    });
   }
 
-  static void bound_block(const RTCBoundsFunctionArguments* arguments) {
-    const auto& self = *static_cast<const EmbreeAccelerator*>(arguments->geometryUserPtr);
-    const TriangleBlock& block = self.bvh_.blocks[arguments->primID];
-    *arguments->bounds_o = embree::widened(block_bounds(*self.geometry_, block), self.widened_size_);
-  }
-
-  Hit trace_closest(const CheckedRay& ray) const noexcept override { return closest(ray, nullptr); }
-  bool trace_any(const CheckedRay& ray) const noexcept override { return any(ray, nullptr); }
-  Hit count_closest(const CheckedRay& ray, QueryCounts& counts) const noexcept override {
-    return closest(ray, &counts);
-  }
-  bool count_any(const CheckedRay& ray, QueryCounts& counts) const noexcept override {
-    return any(ray, &counts);
-  }
-
-  Hit closest(const CheckedRay& ray, QueryCounts* counts) const {
-    if (is_far(ray)) return far_hit<QueryKind::closest>(ray, counts);
-    const float scale = length_scale(ray);
-    embree::LeafQuery query(bvh_.blocks.data(), *geometry_, ray, scale * (1 + slack), counts);
-    RTCRayHit ray_hit = embree::without_hit(embree_ray(ray, scale));
-    embree::intersect(scene_.get(), query, ray_hit);
-    return query.best.hit();
-  }
-
-  bool any(const CheckedRay& ray, QueryCounts* counts) const {
-    if (is_far(ray)) return bool(far_hit<QueryKind::any>(ray, counts));
-    const float scale = length_scale(ray);
-    embree::LeafQuery query(bvh_.blocks.data(), *geometry_, ray, scale * (1 + slack), counts);
-    RTCRay occlusion_ray = embree_ray(ray, scale);
-    embree::occluded(scene_.get(), query, occlusion_ray);
-    return query.is_hit;
+  bool any(const Query& query) const noexcept override {
+    return any_of(query.ray, [&](const CheckedRay& ray) {
+      if (is_far(ray)) return bool(far_hit<QueryKind::any>(ray, query.counts));
+      const float scale = length_scale(ray);
+      embree::LeafQuery leaf_query(blocks_.bvh.blocks.data(), geometry(), ray, scale * (1 + slack),
+                                   query.counts);
+      RTCRay occlusion_ray = embree_ray(ray, scale);
+      embree::occluded(blocks_.scene.get(), leaf_query, occlusion_ray);
+      return leaf_query.is_hit;
+    });
   }
 
   bool is_far(const CheckedRay& ray) const { return max_abs(ray.origin) > scene_size_ * embree::reach; }
@@ -117,26 +120,20 @@ class EmbreeAccelerator final : public CheckedAccelerator {
   [[gnu::noinline]] Hit far_hit(const CheckedRay& ray, QueryCounts* counts) const {
     Hit best;
     float t_max = ray.t_max;
-    traverse(bvh_, ray, t_max, NoCounts{}, [&](const TriangleBlock& block) {
+    traverse(blocks_.bvh, ray, t_max, NoCounts{}, [&](const TriangleBlock& block) {
       if (counts) {
         ++counts->leaves;
         counts->primitives += block.count;
       }
-      test_block<kind>(*geometry_, ray, block, best);
+      test_block<kind>(geometry(), ray, block, best);
       if (kind == QueryKind::closest) t_max = std::min(t_max, best.t);
       return kind == QueryKind::any && best;
     });
     return best;
   }
 
-  std::shared_ptr<const Geometry> geometry_;
-  Bvh bvh_;
-  float scene_size_ = 0;    ///< The largest coordinate of the scene.
-  float widened_size_ = 0;  ///< The same, as the widening of the blocks' boxes takes it.
-  AccelStats stats_;
-  embree::LeafFunctions leaf_;
-  embree::Device device_;
-  embree::Scene scene_;
+  EmbreeBlocks blocks_;
+  float scene_size_;  ///< The largest coordinate of the scene.
 };
 
 }  // namespace
@@ -148,7 +145,13 @@ std::unique_ptr<Accelerator> build_embree(std::shared_ptr<const Geometry> geomet
 
 std::unique_ptr<Accelerator> build_embree_widened(std::shared_ptr<const Geometry> geometry,
                                                   const BuildOptions& options, float widening) {
-  return std::make_unique<EmbreeAccelerator>(std::move(geometry), options, widening);
+  const embree::LeafFunctions leaf = chosen(embree::leaf_functions(), options.simd);
+  AccelStats stats;
+  EmbreeBlocks blocks(*geometry, options, stats);
+  BlockBounds bounds{*geometry, blocks.bvh, embree::scene_size(*geometry) * widening};
+  timed("embree", stats.phases, [&] { blocks.build(bounds, leaf, options.threads); });
+  stats.bytes = blocks.bvh.bytes() + blocks.device.bytes();
+  return std::make_unique<EmbreeAccelerator>(std::move(geometry), std::move(blocks), std::move(stats));
 }
 
 }  // namespace twinray

@@ -7,7 +7,6 @@
 #include "accel/build/phase_timer.h"
 #include "accel/canonical/checked_ray.h"
 #include "accel/canonical/sphere.h"
-#include "accel/checked_accelerator.h"
 #include "accel/embree/bounds.h"
 #include "accel/embree/device.h"
 #include "accel/embree/direct.h"
@@ -17,7 +16,7 @@
 namespace twinray {
 namespace {
 
-struct Query : embree::Context {
+struct NativeQuery : embree::Context {
   const CheckedRay& ray;
 };
 
@@ -38,7 +37,7 @@ void bound_sphere(const RTCBoundsFunctionArguments* arguments) {
 }
 
 void intersect_sphere(const RTCIntersectFunctionNArguments* arguments) {
-  const CheckedRay& ray = static_cast<const Query*>(arguments->context)->ray;
+  const CheckedRay& ray = static_cast<const NativeQuery*>(arguments->context)->ray;
   auto& [embree_ray, hit] = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
   ShapeHit found;
   if (!intersect_sphere(ray, sphere(arguments->geometryUserPtr, arguments->primID), embree_ray.tfar, found))
@@ -51,7 +50,7 @@ void intersect_sphere(const RTCIntersectFunctionNArguments* arguments) {
 }
 
 void occlude_sphere(const RTCOccludedFunctionNArguments* arguments) {
-  const CheckedRay& ray = static_cast<const Query*>(arguments->context)->ray;
+  const CheckedRay& ray = static_cast<const NativeQuery*>(arguments->context)->ray;
   auto& embree_ray = *reinterpret_cast<RTCRay*>(arguments->ray);
   ShapeHit found;
   if (intersect_sphere(ray, sphere(arguments->geometryUserPtr, arguments->primID), embree_ray.tfar, found))
@@ -83,30 +82,47 @@ embree::GeometryOwner make_geometry(RTCDevice device, SphereGeometry& spheres) {
   return geometry;
 }
 
-class EmbreeNative final : public CheckedAccelerator {
- public:
-  EmbreeNative(std::shared_ptr<const Geometry> geometry, const BuildOptions& options)
-      : geometry_(std::move(geometry)),
-        device_(embree::configuration(options)),
-        scene_(rtcNewScene(device_.get())) {
-    timed("embree", stats_.phases, [&] {
-      if (options.embree_mode == EmbreeMode::robust) rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
-      rtcSetSceneBuildQuality(scene_.get(), options.embree_quality == EmbreeQuality::high
-                                                ? RTC_BUILD_QUALITY_HIGH
-                                                : RTC_BUILD_QUALITY_MEDIUM);
-      add_shapes();
-      embree::commit(device_, scene_.get(), options.threads);
-    });
-    stats_.primitives = geometry_->primitive_count();
-    stats_.bytes = device_.bytes();
+/// Embree's tree over all shapes; a shape's number in the scene is its index.
+struct NativeWorld {
+  std::vector<SphereGeometry> spheres;  ///< Never grown, for their addresses are user data.
+  embree::Device device;
+  embree::Scene scene;
+
+  explicit NativeWorld(const BuildOptions& options)
+      : device(embree::configuration(options)), scene(rtcNewScene(device.get())) {}
+
+  void build(const Geometry& geometry, const BuildOptions& options) {
+    if (options.embree_mode == EmbreeMode::robust) rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(scene.get(), options.embree_quality == EmbreeQuality::high
+                                             ? RTC_BUILD_QUALITY_HIGH
+                                             : RTC_BUILD_QUALITY_MEDIUM);
+    add_shapes(geometry);
+    embree::commit(device, scene.get(), options.threads);
   }
 
-  Aabb bounds() const noexcept override { return geometry_->bounds(); }
-  AccelStats stats() const override { return stats_; }
+ private:
+  void add_shapes(const Geometry& geometry) {
+    const float scene_size = embree::scene_size(geometry);
+    spheres.reserve(geometry.shapes().size());
+    for (std::uint32_t shape = 0; shape < geometry.shapes().size(); ++shape) {
+      if (const Mesh* mesh = geometry.mesh(shape)) {
+        embree::attach(scene.get(), make_geometry(device.get(), *mesh), shape);
+      } else {
+        spheres.push_back({*geometry.sphere_set(shape), scene_size});
+        embree::attach(scene.get(), make_geometry(device.get(), spheres.back()), shape);
+      }
+    }
+  }
+};
+
+class EmbreeNative final : public Accelerator {
+ public:
+  EmbreeNative(std::shared_ptr<const Geometry> geometry, NativeWorld world, AccelStats stats)
+      : Accelerator(std::move(geometry), std::move(stats)), world_(std::move(world)) {}
 
   std::size_t closest_hits_directly(std::span<const Ray> rays) const {
     std::size_t hits = 0;
-    if (!spheres_.empty()) {
+    if (!world_.spheres.empty()) {
       for (const Ray& ray : rays) hits += bool(closest_hit(ray));
       return hits;
     }
@@ -115,7 +131,7 @@ class EmbreeNative final : public CheckedAccelerator {
     for (const Ray& ray : rays) {
       RTCRayHit found =
           embree::without_hit(embree::make_ray(ray.origin, ray.direction, ray.t_min, ray.t_max));
-      embree::intersect(scene_.get(), context, found);
+      embree::intersect(world_.scene.get(), context, found);
       hits += found.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     }
     return hits;
@@ -123,7 +139,7 @@ class EmbreeNative final : public CheckedAccelerator {
 
   std::size_t any_hits_directly(std::span<const Ray> rays) const {
     std::size_t hits = 0;
-    if (!spheres_.empty()) {
+    if (!world_.spheres.empty()) {
       for (const Ray& ray : rays) hits += any_hit(ray);
       return hits;
     }
@@ -131,55 +147,37 @@ class EmbreeNative final : public CheckedAccelerator {
     embree::initialize(context);
     for (const Ray& ray : rays) {
       RTCRay occlusion_ray = embree::make_ray(ray.origin, ray.direction, ray.t_min, ray.t_max);
-      embree::occluded(scene_.get(), context, occlusion_ray);
+      embree::occluded(world_.scene.get(), context, occlusion_ray);
       hits += occlusion_ray.tfar < 0;
     }
     return hits;
   }
 
  private:
-  /// A shape's number in the scene is its index.
-  void add_shapes() {
-    const float scene_size = embree::scene_size(*geometry_);
-    spheres_.reserve(geometry_->shapes().size());  // Their addresses are user data.
-    for (std::uint32_t shape = 0; shape < geometry_->shapes().size(); ++shape) {
-      if (const Mesh* mesh = geometry_->mesh(shape)) {
-        embree::attach(scene_.get(), make_geometry(device_.get(), *mesh), shape);
-      } else {
-        spheres_.push_back({*geometry_->sphere_set(shape), scene_size});
-        embree::attach(scene_.get(), make_geometry(device_.get(), spheres_.back()), shape);
-      }
-    }
-  }
-
-  Hit trace_closest(const CheckedRay& ray) const noexcept override {
-    Query query{{}, ray};
-    embree::initialize(query);
-    RTCRayHit found = embree::without_hit(embree::make_ray(ray.origin, ray.direction, ray.t_min, ray.t_max));
-    embree::intersect(scene_.get(), query, found);
-    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-    return {found.ray.tfar, found.hit.u, found.hit.v, found.hit.primID, found.hit.geomID, no_instance};
-  }
-
-  bool trace_any(const CheckedRay& ray) const noexcept override {
-    Query query{{}, ray};
-    embree::initialize(query);
-    RTCRay occlusion_ray = embree::make_ray(ray.origin, ray.direction, ray.t_min, ray.t_max);
-    embree::occluded(scene_.get(), query, occlusion_ray);
-    return occlusion_ray.tfar < 0;
-  }
-
   // What Embree's own leaves do cannot be counted.
-  Hit count_closest(const CheckedRay& ray, QueryCounts&) const noexcept override {
-    return trace_closest(ray);
+  Hit closest(const Query& query) const noexcept override {
+    return closest_of(query.ray, [&](const CheckedRay& ray) -> Hit {
+      NativeQuery native{{}, ray};
+      embree::initialize(native);
+      RTCRayHit found =
+          embree::without_hit(embree::make_ray(ray.origin, ray.direction, ray.t_min, ray.t_max));
+      embree::intersect(world_.scene.get(), native, found);
+      if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+      return {found.ray.tfar, found.hit.u, found.hit.v, found.hit.primID, found.hit.geomID, no_instance};
+    });
   }
-  bool count_any(const CheckedRay& ray, QueryCounts&) const noexcept override { return trace_any(ray); }
 
-  std::shared_ptr<const Geometry> geometry_;
-  std::vector<SphereGeometry> spheres_;
-  AccelStats stats_;
-  embree::Device device_;
-  embree::Scene scene_;
+  bool any(const Query& query) const noexcept override {
+    return any_of(query.ray, [&](const CheckedRay& ray) {
+      NativeQuery native{{}, ray};
+      embree::initialize(native);
+      RTCRay occlusion_ray = embree::make_ray(ray.origin, ray.direction, ray.t_min, ray.t_max);
+      embree::occluded(world_.scene.get(), native, occlusion_ray);
+      return occlusion_ray.tfar < 0;
+    });
+  }
+
+  NativeWorld world_;
 };
 
 const EmbreeNative& as_native(const Accelerator& accelerator) {
@@ -192,7 +190,11 @@ const EmbreeNative& as_native(const Accelerator& accelerator) {
 
 std::unique_ptr<Accelerator> build_embree_native(std::shared_ptr<const Geometry> geometry,
                                                  const BuildOptions& options) {
-  return std::make_unique<EmbreeNative>(std::move(geometry), options);
+  AccelStats stats;
+  NativeWorld world(options);
+  timed("embree", stats.phases, [&] { world.build(*geometry, options); });
+  stats.bytes = world.device.bytes();
+  return std::make_unique<EmbreeNative>(std::move(geometry), std::move(world), std::move(stats));
 }
 
 std::size_t embree::closest_hits_directly(const Accelerator& native, std::span<const Ray> rays) {

@@ -10,7 +10,7 @@ namespace {
 
 class Survey {
  public:
-  Survey(const WideBvh& bvh, const CostModel& cost, AccelStats& stats)
+  Survey(const WideBvh& bvh, const CostModel& cost, TreeStats& stats)
       : bvh_(bvh), cost_(cost), stats_(stats) {}
 
   /// `probability`: that a ray which meets the root meets this node, whose box has half the area `area`.
@@ -41,17 +41,18 @@ class Survey {
  private:
   const WideBvh& bvh_;
   const CostModel& cost_;
-  AccelStats& stats_;
+  TreeStats& stats_;
 };
 
 }  // namespace
 
-void add_statistics(const WideBvh& bvh, const BuildOptions& options, AccelStats& stats) {
-  stats.bytes = bvh.bytes();
-  if (bvh.root.is_none()) return;
+TreeStats statistics_of(const WideBvh& bvh, const BuildOptions& options) {
+  TreeStats stats;
+  if (bvh.root.is_none()) return stats;
   const CostModel cost(options);
   Survey survey(bvh, cost, stats);
   survey.visit(bvh.root, 1, survey.root_area(), 0);
+  return stats;
 }
 
 }  // namespace twinray

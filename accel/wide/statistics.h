@@ -6,8 +6,8 @@
 
 namespace twinray {
 
-/// Fills in everything but the phases and the number of primitives. A node's traversal cost is counted once,
-/// not for each of its children.
-void add_statistics(const WideBvh& bvh, const BuildOptions& options, AccelStats& stats);
+/// The numbers of a tree, with the costs of the options. A node's traversal cost is counted once, not for
+/// each of its children.
+TreeStats statistics_of(const WideBvh& bvh, const BuildOptions& options);
 
 }  // namespace twinray

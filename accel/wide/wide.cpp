@@ -19,46 +19,46 @@ constexpr std::size_t cached_bytes = 1u << 20;
 template <TriangleTest test>
 class WideAccelerator final : public Accelerator {
  public:
-  WideAccelerator(std::shared_ptr<const Geometry> geometry, const BuildOptions& options)
-      : geometry_(std::move(geometry)), kernel_(chosen(wide_kernels(test), options.simd)) {
-    bvh_ = make_wide_bvh(*geometry_, options, stats_.phases);
-    add_statistics(bvh_, options, stats_);
-    stats_.primitives = geometry_->primitive_count();
-  }
-
-  Aabb bounds() const noexcept override { return geometry_->bounds(); }
-  AccelStats stats() const override { return stats_; }
-  bool prefers_batches() const noexcept override { return stats_.bytes > cached_bytes; }
+  WideAccelerator(std::shared_ptr<const Geometry> geometry, WideBvh bvh, const WideKernel& kernel,
+                  AccelStats stats)
+      : Accelerator(std::move(geometry), std::move(stats)), kernel_(kernel), bvh_(std::move(bvh)) {}
 
  private:
-  Hit find_closest(const Ray& ray) const noexcept override { return kernel_.closest(bvh_, *geometry_, ray); }
-  bool find_any(const Ray& ray) const noexcept override { return kernel_.any(bvh_, *geometry_, ray); }
-  Hit find_closest(const Ray& ray, QueryCounts& counts) const noexcept override {
-    return scalar_closest<test>(bvh_, *geometry_, ray, counts);
+  Hit closest(const Query& query) const noexcept override {
+    return query.counts ? scalar_closest<test>(bvh_, geometry(), query.ray, *query.counts)
+                        : kernel_.closest(bvh_, geometry(), query.ray);
   }
-  bool find_any(const Ray& ray, QueryCounts& counts) const noexcept override {
-    return scalar_any<test>(bvh_, *geometry_, ray, counts);
+  bool any(const Query& query) const noexcept override {
+    return query.counts ? scalar_any<test>(bvh_, geometry(), query.ray, *query.counts)
+                        : kernel_.any(bvh_, geometry(), query.ray);
   }
-  void find_closest_batch(std::span<const Ray> rays, Hit* hits) const noexcept override {
-    kernel_.closest_batch(bvh_, *geometry_, rays, hits);
+  void closest_batch(std::span<const Ray> rays, Hit* answers) const noexcept override {
+    if (bvh_.bytes() > cached_bytes) return kernel_.closest_batch(bvh_, geometry(), rays, answers);
+    for (const Ray& ray : rays) *answers++ = kernel_.closest(bvh_, geometry(), ray);
   }
-  void find_any_batch(std::span<const Ray> rays, std::uint8_t* hits) const noexcept override {
-    kernel_.any_batch(bvh_, *geometry_, rays, hits);
+  void any_batch(std::span<const Ray> rays, std::uint8_t* answers) const noexcept override {
+    if (bvh_.bytes() > cached_bytes) return kernel_.any_batch(bvh_, geometry(), rays, answers);
+    for (const Ray& ray : rays) *answers++ = kernel_.any(bvh_, geometry(), ray);
   }
 
-  std::shared_ptr<const Geometry> geometry_;
   WideKernel kernel_;  ///< Chosen once, not for each ray.
   WideBvh bvh_;
-  AccelStats stats_;
 };
 
 }  // namespace
 
 std::unique_ptr<Accelerator> build_wide_bvh(std::shared_ptr<const Geometry> geometry,
                                             const BuildOptions& options) {
+  const WideKernel kernel = chosen(wide_kernels(options.triangle_test), options.simd);
+  AccelStats stats;
+  WideBvh bvh = make_wide_bvh(*geometry, options, stats.phases);
+  stats.bytes = bvh.bytes();
+  stats.tree = statistics_of(bvh, options);
   if (options.triangle_test == TriangleTest::moller_trumbore)
-    return std::make_unique<WideAccelerator<TriangleTest::moller_trumbore>>(std::move(geometry), options);
-  return std::make_unique<WideAccelerator<TriangleTest::woop>>(std::move(geometry), options);
+    return std::make_unique<WideAccelerator<TriangleTest::moller_trumbore>>(
+        std::move(geometry), std::move(bvh), kernel, std::move(stats));
+  return std::make_unique<WideAccelerator<TriangleTest::woop>>(std::move(geometry), std::move(bvh), kernel,
+                                                               std::move(stats));
 }
 
 }  // namespace twinray

@@ -102,8 +102,8 @@ TEST_CASE("every split, builder and leaf size is what it says") {
   for (const BuildOptions& options : all_builds(4)) {
     const AccelStats stats = build_accelerator(Backend::bvh, geometry, options)->stats();
     CHECK(stats.primitives == 2000);
-    CHECK(stats.nodes == 2 * stats.leaves - 1);
-    nodes.push_back(stats.nodes);
+    CHECK(stats.tree->nodes == 2 * stats.tree->leaves - 1);
+    nodes.push_back(stats.tree->nodes);
   }
   std::sort(nodes.begin(), nodes.end());
   CHECK(std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end());
@@ -171,8 +171,8 @@ TEST_CASE("coincident centres are divided by halves") {
   for (int i = 0; i < 64; ++i) add_triangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   const auto geometry = share({mesh});
   const auto bvh = build_accelerator(Backend::bvh, geometry, {.bvh_width = 2, .max_leaf_size = 1});
-  CHECK(bvh->stats().depth == 6);
-  CHECK(bvh->stats().leaves == 64);
+  CHECK(bvh->stats().tree->depth == 6);
+  CHECK(bvh->stats().tree->leaves == 64);
 }
 
 TEST_CASE("no tree is deeper than the stack") {
@@ -184,8 +184,8 @@ TEST_CASE("no tree is deeper than the stack") {
   // Without the bound the midpoints would part one triangle after the other.
   const auto midpoint = build_accelerator(
       Backend::bvh, geometry, {.bvh_width = 2, .bvh_split = BvhSplit::midpoint, .max_leaf_size = 1});
-  CHECK(midpoint->stats().depth > free_bvh_depth);
-  CHECK(midpoint->stats().depth <= max_bvh_depth);
+  CHECK(midpoint->stats().tree->depth > free_bvh_depth);
+  CHECK(midpoint->stats().tree->depth <= max_bvh_depth);
 }
 
 TEST_CASE("median parts halves by centre along the longest axis") {
@@ -267,17 +267,17 @@ TEST_CASE("a cost by blocks fills leaves") {
 TEST_CASE("the sah cost of a tree is the expected cost of a ray") {
   const auto one =
       build_accelerator(Backend::bvh, share({soup(1, 1, 1)}), {.bvh_width = 2, .intersection_cost = 3});
-  CHECK(one->stats().sah_cost == 3);
+  CHECK(one->stats().tree->sah_cost == 3);
   // A root with two leaves of one: traversal, and each child by its share of the area.
   Mesh mesh;
   add_triangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   add_triangle(mesh, {3, 0, 0}, {4, 0, 0}, {3, 1, 0});
   const auto two = build_accelerator(Backend::bvh, share({mesh}), {.bvh_width = 2, .max_leaf_size = 1});
-  CHECK(two->stats().nodes == 3);
-  CHECK(two->stats().leaves == 2);
-  CHECK(two->stats().depth == 1);
+  CHECK(two->stats().tree->nodes == 3);
+  CHECK(two->stats().tree->leaves == 2);
+  CHECK(two->stats().tree->depth == 1);
   constexpr double padding = 1e-5;  // The boxes are widened by 2^-21 of their coordinates.
-  CHECK(two->stats().sah_cost == Approx(1 + 2 * 0.25).epsilon(padding));
+  CHECK(two->stats().tree->sah_cost == Approx(1 + 2 * 0.25).epsilon(padding));
 }
 
 TEST_CASE("both boxes of a pair are tested with the bits of the canonical box test") {
@@ -312,8 +312,8 @@ TEST_CASE("counting changes no answer and counts what was done") {
   QueryCounts closest, any;
   const auto rays = random_rays(500, geometry->bounds(), 4);
   for (const Ray& ray : rays) {
-    CHECK(bvh->closest_hit(ray, closest) == bvh->closest_hit(ray));
-    CHECK(bvh->any_hit(ray, any) == bvh->any_hit(ray));
+    CHECK(bvh->closest_hit({ray, &closest}) == bvh->closest_hit(ray));
+    CHECK(bvh->any_hit({ray, &any}) == bvh->any_hit(ray));
   }
   CHECK(closest.boxes == rays.size() + 2 * closest.nodes);
   CHECK(closest.leaves > 0);
@@ -326,10 +326,10 @@ TEST_CASE("a tree has statistics") {
   const auto geometry = share({soup(500, 0.2f, 1)});
   const AccelStats stats = build_accelerator(Backend::bvh, geometry, {.bvh_width = 2})->stats();
   CHECK(stats.primitives == 500);
-  CHECK(stats.nodes == 2 * stats.leaves - 1);
+  CHECK(stats.tree->nodes == 2 * stats.tree->leaves - 1);
   CHECK(stats.bytes > 500 * sizeof(Triangle));
-  CHECK(stats.depth > 5);
-  CHECK(stats.sah_cost > 1);
+  CHECK(stats.tree->depth > 5);
+  CHECK(stats.tree->sah_cost > 1);
   REQUIRE(stats.phases.size() == 3);
   CHECK(stats.phases[1].name == "tree");
 }

@@ -152,7 +152,7 @@ TEST_CASE("embree counts the primitives that its leaves test") {
   const auto embree = build_accelerator(Backend::embree, geometry);
   QueryCounts counts;
   for (const Ray& ray : random_rays(500, geometry->bounds(), 10))
-    CHECK(embree->closest_hit(ray, counts) == embree->closest_hit(ray));
+    CHECK(embree->closest_hit({ray, &counts}) == embree->closest_hit(ray));
   CHECK(counts.leaves > 0);
   CHECK(counts.primitives >= counts.leaves);
   CHECK(counts.primitives <= 4 * counts.leaves);

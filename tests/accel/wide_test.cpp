@@ -194,7 +194,7 @@ TEST_CASE("of the three qualities high gives the cheapest wide tree") {
     }
   const auto geometry = share({mesh});
   const auto cost = [&](BvhQuality quality) {
-    return build_accelerator(Backend::bvh, geometry, {.bvh_quality = quality})->stats().sah_cost;
+    return build_accelerator(Backend::bvh, geometry, {.bvh_quality = quality})->stats().tree->sah_cost;
   };
   CHECK(cost(BvhQuality::high) < cost(BvhQuality::medium));
   CHECK(cost(BvhQuality::high) < cost(BvhQuality::fast));
@@ -302,9 +302,9 @@ TEST_CASE(
 TEST_CASE("a batch gives the bits of single rays, for every instruction set and any number of rays") {
   const auto geometry = share({soup(2000, 0.1f, 1), random_spheres(20, 0.2f, 2)});
   Random random(8);
-  for (const std::string& simd : available_instruction_sets()) {
-    CAPTURE(simd);
-    const auto bvh = build_accelerator(Backend::bvh, geometry, {.bvh_width = 8, .simd = simd});
+  for (const WideKernel& kernel : wide_kernels(TriangleTest::woop)) {
+    CAPTURE(kernel.name);
+    const WideEngine bvh(geometry, kernel);
     for (const int count : {0, 1, 7, 8, 31, 32, 33, 128, 1000}) {
       std::vector<Ray> rays;
       for (int i = 0; i < count; ++i) {
@@ -314,11 +314,11 @@ TEST_CASE("a batch gives the bits of single rays, for every instruction set and 
       }
       std::vector<Hit> hits(rays.size(), Hit{.t = 1});
       std::vector<std::uint8_t> blocked(rays.size(), 7);
-      bvh->closest_hits(rays, hits);
-      bvh->any_hits(rays, blocked);
+      bvh.closest_hits(rays, hits);
+      bvh.any_hits(rays, blocked);
       for (std::size_t i = 0; i < rays.size(); ++i) {
-        REQUIRE(hits[i] == bvh->closest_hit(rays[i]));
-        REQUIRE(blocked[i] == std::uint8_t(bvh->any_hit(rays[i])));
+        REQUIRE(hits[i] == bvh.closest_hit(rays[i]));
+        REQUIRE(blocked[i] == std::uint8_t(bvh.any_hit(rays[i])));
       }
     }
   }
@@ -326,16 +326,17 @@ TEST_CASE("a batch gives the bits of single rays, for every instruction set and 
 
 TEST_CASE("a batch misses an empty tree, and misses with rays all of which are invalid") {
   const auto some = share({soup(50, 0.3f, 1)});
-  for (const bool is_empty : {true, false}) {
-    const auto bvh = build_accelerator(Backend::bvh, is_empty ? share({}) : some);
-    std::vector<Ray> rays(100, Ray{.origin = {}, .direction = {is_empty ? 1.0f : 0.0f, 0, 0}});
-    std::vector<Hit> hits(rays.size(), Hit{.t = 1});
-    std::vector<std::uint8_t> blocked(rays.size(), 7);
-    bvh->closest_hits(rays, hits);
-    bvh->any_hits(rays, blocked);
-    for (const Hit& hit : hits) CHECK(hit.is_miss());
-    for (const std::uint8_t is_blocked : blocked) CHECK(is_blocked == 0);
-  }
+  for (const WideKernel& kernel : wide_kernels(TriangleTest::woop))
+    for (const bool is_empty : {true, false}) {
+      const WideEngine bvh(is_empty ? share({}) : some, kernel);
+      std::vector<Ray> rays(100, Ray{.origin = {}, .direction = {is_empty ? 1.0f : 0.0f, 0, 0}});
+      std::vector<Hit> hits(rays.size(), Hit{.t = 1});
+      std::vector<std::uint8_t> blocked(rays.size(), 7);
+      bvh.closest_hits(rays, hits);
+      bvh.any_hits(rays, blocked);
+      for (const Hit& hit : hits) CHECK(hit.is_miss());
+      for (const std::uint8_t is_blocked : blocked) CHECK(is_blocked == 0);
+    }
 }
 
 TEST_CASE("every kernel tests eight boxes with the bits of the canonical box test") {
@@ -384,8 +385,8 @@ TEST_CASE("counting changes no answer of a wide tree and counts what was done") 
   const auto bvh = build_accelerator(Backend::bvh, geometry);
   QueryCounts closest, any;
   for (const Ray& ray : random_rays(500, geometry->bounds(), 4)) {
-    CHECK(bvh->closest_hit(ray, closest) == bvh->closest_hit(ray));
-    CHECK(bvh->any_hit(ray, any) == bvh->any_hit(ray));
+    CHECK(bvh->closest_hit({ray, &closest}) == bvh->closest_hit(ray));
+    CHECK(bvh->any_hit({ray, &any}) == bvh->any_hit(ray));
   }
   CHECK(closest.boxes > 2 * closest.nodes);
   CHECK(closest.boxes <= 8 * closest.nodes);
@@ -399,11 +400,11 @@ TEST_CASE("a wide tree has statistics") {
   const AccelStats stats = build_accelerator(Backend::bvh, geometry)->stats();
   const WideBvh bvh = build_wide(*geometry);
   CHECK(stats.primitives == 500);
-  CHECK(stats.leaves == bvh.blocks.size());
-  CHECK(stats.nodes == bvh.nodes.size() + bvh.blocks.size());
+  CHECK(stats.tree->leaves == bvh.blocks.size());
+  CHECK(stats.tree->nodes == bvh.nodes.size() + bvh.blocks.size());
   CHECK(stats.bytes == bvh.bytes());
-  CHECK(stats.depth > 2);
-  CHECK(stats.sah_cost > 1);
+  CHECK(stats.tree->depth > 2);
+  CHECK(stats.tree->sah_cost > 1);
   REQUIRE(stats.phases.size() == 4);
   CHECK(stats.phases[2].name == "reinsertion");
   CHECK(stats.phases[3].name == "collapse");

@@ -59,7 +59,7 @@ TEST_CASE("the counts of a small box are exact") {
   CHECK(counts_text(engine(figures, "bvh median")) ==
         "48 144 336 156 468; 80 240 560 320 960; 65 195 455 229 687; ");
   // Twelve triangles by halves: four leaves of three.
-  const AccelStats& median = engine(figures, "bvh median").build;
+  const TreeStats median = engine(figures, "bvh median").build.tree.value();
   CHECK(median.nodes == 7);
   CHECK(median.leaves == 4);
   CHECK(median.depth == 2);

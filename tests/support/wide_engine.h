@@ -16,21 +16,24 @@ inline WideBvh build_wide(const Geometry& geometry, const BuildOptions& options 
   return make_wide_bvh(geometry, options, phases);
 }
 
+/// Always in batches where it is asked for many rays, however small the tree; counts nothing.
 class WideEngine final : public Accelerator {
  public:
   WideEngine(std::shared_ptr<const Geometry> geometry, WideKernel kernel)
-      : geometry_(std::move(geometry)), kernel_(std::move(kernel)), bvh_(build_wide(*geometry_)) {}
-
-  Aabb bounds() const noexcept override { return geometry_->bounds(); }
-  AccelStats stats() const override { return {}; }
+      : Accelerator(std::move(geometry)), kernel_(std::move(kernel)), bvh_(build_wide(this->geometry())) {}
 
  private:
-  Hit find_closest(const Ray& ray) const noexcept override { return kernel_.closest(bvh_, *geometry_, ray); }
-  bool find_any(const Ray& ray) const noexcept override { return kernel_.any(bvh_, *geometry_, ray); }
-  Hit find_closest(const Ray& ray, QueryCounts&) const noexcept override { return find_closest(ray); }
-  bool find_any(const Ray& ray, QueryCounts&) const noexcept override { return find_any(ray); }
+  Hit closest(const Query& query) const noexcept override {
+    return kernel_.closest(bvh_, geometry(), query.ray);
+  }
+  bool any(const Query& query) const noexcept override { return kernel_.any(bvh_, geometry(), query.ray); }
+  void closest_batch(std::span<const Ray> rays, Hit* answers) const noexcept override {
+    kernel_.closest_batch(bvh_, geometry(), rays, answers);
+  }
+  void any_batch(std::span<const Ray> rays, std::uint8_t* answers) const noexcept override {
+    kernel_.any_batch(bvh_, geometry(), rays, answers);
+  }
 
-  std::shared_ptr<const Geometry> geometry_;
   WideKernel kernel_;
   WideBvh bvh_;
 };

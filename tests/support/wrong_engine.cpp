@@ -5,7 +5,6 @@
 
 #include "accel/canonical/shape_test.h"
 #include "accel/canonical/slab.h"
-#include "accel/checked_accelerator.h"
 #include "accel/embree/embree.h"
 
 namespace twinray::test {
@@ -40,16 +39,13 @@ std::vector<Primitive> primitives_of(const Geometry& geometry) {
   return all;
 }
 
-class WrongEngine final : public CheckedAccelerator {
+class WrongEngine final : public Accelerator {
  public:
   WrongEngine(std::shared_ptr<const Geometry> geometry, Defect defect)
-      : geometry_(std::move(geometry)), defect_(defect), primitives_(primitives_of(*geometry_)) {
+      : Accelerator(std::move(geometry)), defect_(defect), primitives_(primitives_of(this->geometry())) {
     if (defect_ == Defect::last_primitive_lost) primitives_.pop_back();
     root_ = build(0, primitives_.size());
   }
-
-  Aabb bounds() const noexcept override { return geometry_->bounds(); }
-  AccelStats stats() const override { return {}; }
 
  private:
   std::unique_ptr<Node> build(std::size_t first, std::size_t count) {
@@ -73,19 +69,19 @@ class WrongEngine final : public CheckedAccelerator {
     return node;
   }
 
-  Hit trace_closest(const CheckedRay& ray) const noexcept override {
-    Hit best;
-    visit<false>(*root_, seen(ray), best);
-    return best;
+  Hit closest(const Query& query) const noexcept override {
+    return closest_of(query.ray, [&](const CheckedRay& ray) {
+      Hit best;
+      visit<false>(*root_, seen(ray), best);
+      return best;
+    });
   }
-  bool trace_any(const CheckedRay& ray) const noexcept override {
-    Hit found;
-    return visit<true>(*root_, seen(ray), found);
+  bool any(const Query& query) const noexcept override {
+    return any_of(query.ray, [&](const CheckedRay& ray) {
+      Hit found;
+      return visit<true>(*root_, seen(ray), found);
+    });
   }
-  Hit count_closest(const CheckedRay& ray, QueryCounts&) const noexcept override {
-    return trace_closest(ray);
-  }
-  bool count_any(const CheckedRay& ray, QueryCounts&) const noexcept override { return trace_any(ray); }
 
   /// The ray as this engine sees it.
   CheckedRay seen(CheckedRay ray) const {
@@ -111,32 +107,31 @@ class WrongEngine final : public CheckedAccelerator {
     return precedes(hit, best);
   }
 
-  /// Whether a hit was found; any: stops there.
-  template <bool any>
+  /// Whether a hit was found; is_any: stops there.
+  template <bool is_any>
   bool visit(const Node& node, const CheckedRay& ray, Hit& best) const {
     if (!meets(node.box, ray, std::min(ray.t_max, best.t))) return false;
-    if (!node.children[0]) return test_leaf<any>(node, ray, best);
-    const bool left = visit<any>(*node.children[0], ray, best);
-    if (any && (left || defect_ == Defect::right_never_looked_at)) return left;
+    if (!node.children[0]) return test_leaf<is_any>(node, ray, best);
+    const bool left = visit<is_any>(*node.children[0], ray, best);
+    if (is_any && (left || defect_ == Defect::right_never_looked_at)) return left;
     if (defect_ == Defect::skipped_child && &node == root_.get()->children[1].get()) return left;
-    return visit<any>(*node.children[1], ray, best) || left;
+    return visit<is_any>(*node.children[1], ray, best) || left;
   }
 
-  template <bool any>
+  template <bool is_any>
   bool test_leaf(const Node& node, const CheckedRay& ray, Hit& best) const {
     bool found = false;
     for (std::size_t i = node.first; i < node.first + node.count; ++i) {
       Hit hit;
-      test_primitive(*geometry_, ray, primitives_[i].id, hit);
+      test_primitive(geometry(), ray, primitives_[i].id, hit);
       if (hit.is_miss() || !replaces(hit, best)) continue;
       best = hit;
       found = true;
-      if (any) return true;
+      if (is_any) return true;
     }
     return found;
   }
 
-  std::shared_ptr<const Geometry> geometry_;
   Defect defect_;
   std::vector<Primitive> primitives_;
   std::unique_ptr<Node> root_;
