@@ -12,7 +12,7 @@ std::string spread(const std::vector<double>& values) {
   return fmt::format("{:.6g},{:.6g},{:.6g}", q.median, q.low, q.high);
 }
 
-std::string row(const SceneFigures& scene, const EngineFigures& engine, const std::string& set,
+std::string row(const SceneStatistics& scene, const EngineStatistics& engine, const std::string& set,
                 const std::string& rest) {
   return fmt::format("{},{},{},{},{},{:.6g},{}\n", scene.name, scene.primitives, engine.name, set, rest,
                      quartiles(engine.build.wall_seconds).median, engine.build.stats.bytes);
@@ -24,13 +24,13 @@ std::string csv_report(const Results& results) {
   std::string text =
       "scene,primitives,engine,ray_set,rays,nanoseconds_median,nanoseconds_q1,nanoseconds_q3,speed_median,"
       "speed_q1,speed_q3,nodes_per_ray,primitives_per_ray,build_seconds,bytes\n";
-  for (const SceneFigures& scene : results.scenes)
-    for (const EngineFigures& engine : scene.engines) {
+  for (const SceneStatistics& scene : results.scenes)
+    for (const EngineStatistics& engine : scene.engines) {
       if (!engine.complaint.empty()) continue;
       text += row(scene, engine, "all",
                   fmt::format(",{},{},,", spread(engine.mean_nanoseconds()), spread(engine.mean_speed())));
       for (std::size_t set = 0; set < ray_sets.size(); ++set) {
-        const TraceFigures& f = engine.trace[set];
+        const TraceStatistics& f = engine.trace[set];
         if (f.rays > 0)
           text += row(scene, engine, ray_sets[set].name,
                       fmt::format("{},{},{},{:.6g},{:.6g}", f.rays, spread(f.nanoseconds), spread(f.speed),

@@ -18,58 +18,58 @@ constexpr std::size_t least_built = 1000;
 /// Names of the engines that were timed, in the order of the table; brute force would hide all else.
 std::vector<std::string> plotted_engines(const Results& results) {
   std::vector<std::string> names;
-  for (const SceneFigures& scene : results.scenes)
-    for (const EngineFigures& engine : scene.engines)
+  for (const SceneStatistics& scene : results.scenes)
+    for (const EngineStatistics& engine : scene.engines)
       if (engine.name != "brute-force" && std::find(names.begin(), names.end(), engine.name) == names.end())
         names.push_back(engine.name);
   return names;
 }
 
-const EngineFigures* find_engine(const SceneFigures& scene, const std::string& name) {
-  for (const EngineFigures& engine : scene.engines)
+const EngineStatistics* find_engine(const SceneStatistics& scene, const std::string& name) {
+  for (const EngineStatistics& engine : scene.engines)
     if (engine.name == name && engine.complaint.empty()) return &engine;
   return nullptr;
 }
 
 /// A series for each engine; `mark` gives a scene's mark, or none: `Mark` or nothing.
 template <class MakeMark>
-std::vector<Series> series_of(const Results& results, const std::vector<const SceneFigures*>& scenes,
+std::vector<Series> series_of(const Results& results, const std::vector<const SceneStatistics*>& scenes,
                               const MakeMark& make_mark) {
   std::vector<Series> all;
   const std::vector<std::string> names = plotted_engines(results);
   for (std::size_t i = 0; i < names.size(); ++i) {
     Series series{names[i], color_of(i), {}};
     for (std::size_t row = 0; row < scenes.size(); ++row)
-      if (const EngineFigures* engine = find_engine(*scenes[row], names[i]))
+      if (const EngineStatistics* engine = find_engine(*scenes[row], names[i]))
         make_mark(*scenes[row], *engine, double(row), series.marks);
     all.push_back(std::move(series));
   }
   return all;
 }
 
-std::vector<const SceneFigures*> all_scenes(const Results& results) {
-  std::vector<const SceneFigures*> all;
-  for (const SceneFigures& scene : results.scenes) all.push_back(&scene);
+std::vector<const SceneStatistics*> all_scenes(const Results& results) {
+  std::vector<const SceneStatistics*> all;
+  for (const SceneStatistics& scene : results.scenes) all.push_back(&scene);
   return all;
 }
 
-Mark speed_mark(const SceneFigures& scene, const EngineFigures& engine, const std::vector<double>& speed,
-                double row) {
+Mark speed_mark(const SceneStatistics& scene, const EngineStatistics& engine,
+                const std::vector<double>& speed, double row) {
   const Quartiles q = quartiles(speed);
   return {q.median, row, q.low, q.high,
           fmt::format("{} on {}: {:.3f} [{:.3f}, {:.3f}]", engine.name, scene.name, q.median, q.low, q.high)};
 }
 
-std::vector<std::string> names_of(const std::vector<const SceneFigures*>& scenes) {
+std::vector<std::string> names_of(const std::vector<const SceneStatistics*>& scenes) {
   std::vector<std::string> names;
-  for (const SceneFigures* scene : scenes) names.push_back(scene->name);
+  for (const SceneStatistics* scene : scenes) names.push_back(scene->name);
   return names;
 }
 
 /// The scenes of each family of which at least two sizes were measured, small ones first.
-std::map<std::string, std::vector<const SceneFigures*>> families(const Results& results) {
-  std::map<std::string, std::vector<const SceneFigures*>> all;
-  for (const SceneFigures& scene : results.scenes)
+std::map<std::string, std::vector<const SceneStatistics*>> families(const Results& results) {
+  std::map<std::string, std::vector<const SceneStatistics*>> all;
+  for (const SceneStatistics& scene : results.scenes)
     if (!scene.family.empty()) all[scene.family].push_back(&scene);
   std::erase_if(all, [](const auto& family) { return family.second.size() < 2; });
   for (auto& [name, scenes] : all)

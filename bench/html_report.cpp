@@ -59,8 +59,8 @@ std::string headline_table(const Results& results) {
       "<div class=\"scroll\"><table>\n<tr><th>scene</th><th>primitives</th><th>engine</th><th>speed</th>";
   for (const RaySetKind& set : ray_sets) html += fmt::format("<th>{}</th>", set.title);
   html += "<th>build</th><th>bytes per primitive</th></tr>\n";
-  for (const SceneFigures& scene : results.scenes)
-    for (const EngineFigures& engine : scene.engines) {
+  for (const SceneStatistics& scene : results.scenes)
+    for (const EngineStatistics& engine : scene.engines) {
       const bool is_baseline = &engine == &scene.engines.front();
       html += fmt::format("<tr{}><td>{}</td><td>{}</td><td>{}</td>", is_baseline ? " class=\"base\"" : "",
                           is_baseline ? escaped(scene.name) : "",
@@ -70,8 +70,8 @@ std::string headline_table(const Results& results) {
         continue;
       }
       html += fmt::format("<td><b>{}</b></td>", spread(engine.mean_speed(), "{:.3f}"));
-      for (const TraceFigures& figures : engine.trace)
-        html += fmt::format("<td>{}</td>", spread(figures.speed, "{:.3f}"));
+      for (const TraceStatistics& statistics : engine.trace)
+        html += fmt::format("<td>{}</td>", spread(statistics.speed, "{:.3f}"));
       html +=
           fmt::format("<td>{:.3f} s</td><td>{:.1f}</td></tr>\n", quartiles(engine.build.wall_seconds).median,
                       double(engine.build.stats.bytes) / double(std::max<std::size_t>(1, scene.primitives)));
@@ -80,22 +80,22 @@ std::string headline_table(const Results& results) {
 }
 
 /// Million rays per second, and what a ray met, by scene.
-std::string rate_table(const SceneFigures& scene) {
+std::string rate_table(const SceneStatistics& scene) {
   std::string html = fmt::format(
       "<h3>{} <small>({} primitives)</small></h3>\n<div class=\"scroll\"><table>\n<tr><th>engine</th>",
       escaped(scene.name), scene.primitives);
   for (const RaySetKind& set : ray_sets)
     html += fmt::format("<th>{}<br>M rays/s</th><th>nodes</th><th>tests</th>", set.title);
   html += "</tr>\n";
-  for (const EngineFigures& engine : scene.engines) {
+  for (const EngineStatistics& engine : scene.engines) {
     if (!engine.complaint.empty()) continue;
     html += fmt::format("<tr><td>{}</td>", engine.name);
-    for (const TraceFigures& figures : engine.trace) {
+    for (const TraceStatistics& statistics : engine.trace) {
       std::vector<double> rates;
-      for (const double nanoseconds : figures.nanoseconds) rates.push_back(1e3 / nanoseconds);
+      for (const double nanoseconds : statistics.nanoseconds) rates.push_back(1e3 / nanoseconds);
       const auto known = [](double count) { return count > 0 ? fmt::format("{:.2f}", count) : "–"; };
       html += fmt::format("<td>{}</td><td>{}</td><td>{}</td>", spread(rates, "{:.3g}"),
-                          known(figures.nodes_per_ray), known(figures.primitives_per_ray));
+                          known(statistics.nodes_per_ray), known(statistics.primitives_per_ray));
     }
     html += "</tr>\n";
   }
@@ -131,7 +131,7 @@ std::string html_report(const Results& results) {
       "<h2>Rays per second, and what a ray meets</h2>\n<p>Nodes and primitive tests are counted by a "
       "traversal of "
       "its own, which is not timed; a dash stands for what an engine cannot count.</p>\n";
-  for (const SceneFigures& scene : results.scenes) html += rate_table(scene);
+  for (const SceneStatistics& scene : results.scenes) html += rate_table(scene);
   return html + "</body>\n</html>\n";
 }
 

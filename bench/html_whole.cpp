@@ -24,7 +24,7 @@ std::string picture_table(const Results& results) {
       "<th>M samples/s</th><th>rays alone, s</th><th>share</th><th>all threads, s</th>"
       "<th>M samples/s</th></tr>\n";
   for (const PictureOfScene& picture : results.pictures)
-    for (const PictureFigures& engine : picture.engines) {
+    for (const PictureStatistics& engine : picture.engines) {
       const bool is_first = &engine == &picture.engines.front();
       const double share = quartiles(engine.replay_seconds).median / quartiles(engine.seconds).median;
       html += fmt::format("<tr{}><td>{}</td><td>{}</td>", is_first ? " class=\"base\"" : "",
@@ -45,12 +45,12 @@ std::string error_plot(const Results& results) {
   Curves curves{.x_label = "CPU seconds of all threads",
                 .y_label = "root mean square error over mean luminance"};
   for (std::size_t i = 0; i < results.errors.size(); ++i) {
-    const ErrorFigures& figures = results.errors[i];
-    Series series{figures.engine, render_color(i), {}};
-    for (const ErrorPoint& point : figures.points) {
+    const ErrorStatistics& statistics = results.errors[i];
+    Series series{statistics.engine, render_color(i), {}};
+    for (const ErrorPoint& point : statistics.points) {
       const double seconds = quartiles(point.seconds).median;
       series.marks.push_back({seconds, point.error, 0, 0,
-                              fmt::format("{}, {} samples per pixel: {:.3f} s, {:.4f}", figures.engine,
+                              fmt::format("{}, {} samples per pixel: {:.3f} s, {:.4f}", statistics.engine,
                                           point.samples, seconds, point.error)});
     }
     curves.series.push_back(std::move(series));
@@ -65,10 +65,10 @@ std::string error_plot(const Results& results) {
 }
 
 /// Two series: threads of one process, and as many processes.
-void add_scaling(const ScalingFigures& figures, std::size_t index, std::vector<Series>& all) {
-  Series threads{figures.engine + ", threads", render_color(index), {}};
-  Series processes{figures.engine + ", processes", color_of(7 + index), {}};
-  for (const ScalingPoint& point : figures.points)
+void add_scaling(const ScalingStatistics& statistics, std::size_t index, std::vector<Series>& all) {
+  Series threads{statistics.engine + ", threads", render_color(index), {}};
+  Series processes{statistics.engine + ", processes", color_of(7 + index), {}};
+  for (const ScalingPoint& point : statistics.points)
     for (Series* series : {&threads, &processes}) {
       const Quartiles q = quartiles(series == &threads ? point.rate : point.processes_rate);
       series->marks.push_back(

@@ -14,10 +14,10 @@ Json spread(const std::vector<double>& values) {
   return {{"median", q.median}, {"q1", q.low}, {"q3", q.high}, {"rounds", values}};
 }
 
-Json trace(const EngineFigures& engine) {
+Json trace(const EngineStatistics& engine) {
   Json sets;
   for (std::size_t set = 0; set < ray_sets.size(); ++set) {
-    const TraceFigures& f = engine.trace[set];
+    const TraceStatistics& f = engine.trace[set];
     if (f.rays == 0) continue;
     sets[ray_sets[set].name] = {{"rays", f.rays},
                                 {"nanoseconds", spread(f.nanoseconds)},
@@ -28,7 +28,7 @@ Json trace(const EngineFigures& engine) {
   return sets;
 }
 
-Json to_json(const EngineFigures& engine) {
+Json to_json(const EngineStatistics& engine) {
   Json json{{"name", engine.name}};
   if (!engine.complaint.empty()) json["complaint"] = engine.complaint;
   json["build"] = {{"seconds", spread(engine.build.wall_seconds)},
@@ -48,7 +48,7 @@ Json to_json(const EngineFigures& engine) {
 
 Json to_json(const PictureOfScene& picture) {
   Json json{{"scene", picture.scene}, {"samples", picture.samples}, {"engines", Json::array()}};
-  for (const PictureFigures& engine : picture.engines)
+  for (const PictureStatistics& engine : picture.engines)
     json["engines"].push_back({{"name", engine.engine},
                                {"seconds", spread(engine.seconds)},
                                {"speed", spread(engine.speed)},
@@ -57,7 +57,7 @@ Json to_json(const PictureOfScene& picture) {
   return json;
 }
 
-Json to_json(const ErrorFigures& error) {
+Json to_json(const ErrorStatistics& error) {
   Json json{{"scene", error.scene},
             {"engine", error.engine},
             {"reference_samples", error.reference_samples},
@@ -68,7 +68,7 @@ Json to_json(const ErrorFigures& error) {
   return json;
 }
 
-Json to_json(const ScalingFigures& scaling) {
+Json to_json(const ScalingStatistics& scaling) {
   Json json{{"scene", scaling.scene}, {"engine", scaling.engine}, {"points", Json::array()}};
   for (const ScalingPoint& point : scaling.points)
     json["points"].push_back({{"threads", point.threads},
@@ -77,10 +77,10 @@ Json to_json(const ScalingFigures& scaling) {
   return json;
 }
 
-template <class Figures>
-Json list(const std::vector<Figures>& all) {
+template <class Statistics>
+Json list(const std::vector<Statistics>& all) {
   Json json = Json::array();
-  for (const Figures& figures : all) json.push_back(to_json(figures));
+  for (const Statistics& statistics : all) json.push_back(to_json(statistics));
   return json;
 }
 
@@ -92,9 +92,9 @@ std::string json_report(const Results& results) {
   json["rounds"] = results.rounds;
   json["recorded_picture"] = {{"width", results.width}, {"height", results.height}};
   json["scenes"] = Json::array();
-  for (const SceneFigures& scene : results.scenes) {
+  for (const SceneStatistics& scene : results.scenes) {
     Json engines = Json::array();
-    for (const EngineFigures& engine : scene.engines) engines.push_back(to_json(engine));
+    for (const EngineStatistics& engine : scene.engines) engines.push_back(to_json(engine));
     json["scenes"].push_back({{"name", scene.name},
                               {"family", scene.family},
                               {"primitives", scene.primitives},

@@ -28,8 +28,8 @@ void write_picture(const SceneSource& source, const PictureOrder& order) {
   write_image(order.file, mean_image(result.film), ToneCurve::srgb);
 }
 
-bool is_sound(const SceneFigures& scene) {
-  for (const EngineFigures& engine : scene.engines)
+bool is_sound(const SceneStatistics& scene) {
+  for (const EngineStatistics& engine : scene.engines)
     if (!engine.complaint.empty()) return false;
   return true;
 }
@@ -48,7 +48,7 @@ void measure_whole(const Workload& workload, const Options& options, Progress& p
   results.pictures.push_back(measure_pictures(workload, options.whole));
   if (workload.source().name != "box" && workload.source().name != "room") return;
   progress.show("threads and processes");
-  for (ScalingFigures& scaling : measure_scaling(workload, options.whole))
+  for (ScalingStatistics& scaling : measure_scaling(workload, options.whole))
     results.scalings.push_back(std::move(scaling));
   if (workload.source().name != "box") return;
   progress.show("error over time");

@@ -8,7 +8,7 @@
 namespace twinray::bench {
 
 /// A table for people: speeds against the baseline, one line for each scene and engine.
-std::string text_report(const SceneFigures& scene);
+std::string text_report(const SceneStatistics& scene);
 /// The same for whole pictures.
 std::string text_report(const PictureOfScene& picture);
 /// Everything, every round.

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/figures.h"
+#include "bench/statistics.h"
 #include "bench/whole.h"
 
 namespace twinray::bench {
@@ -14,10 +14,10 @@ struct Results {
   std::vector<std::pair<std::string, std::string>> machine;
   int rounds = 0;
   int width = 0, height = 0;  ///< Of the picture whose rays were recorded.
-  std::vector<SceneFigures> scenes;
+  std::vector<SceneStatistics> scenes;
   std::vector<PictureOfScene> pictures;
-  std::vector<ErrorFigures> errors;
-  std::vector<ScalingFigures> scalings;
+  std::vector<ErrorStatistics> errors;
+  std::vector<ScalingStatistics> scalings;
 };
 
 }  // namespace twinray::bench

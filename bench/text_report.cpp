@@ -8,16 +8,16 @@
 namespace twinray::bench {
 namespace {
 
-std::string row(const EngineFigures& engine, std::size_t widest) {
+std::string row(const EngineStatistics& engine, std::size_t widest) {
   if (!engine.complaint.empty())
     return fmt::format("{:{}}  NOT TIMED: {}\n", engine.name, widest, engine.complaint);
   const Quartiles all = quartiles(engine.mean_speed());
   std::string text =
       fmt::format("{:{}}  {:6.3f} [{:5.3f} {:5.3f}] ", engine.name, widest, all.median, all.low, all.high);
-  for (const TraceFigures& figures : engine.trace)
-    text += figures.speed.empty() ? fmt::format(" {:>6} {:>6}", "-", "-")
-                                  : fmt::format(" {:6.3f} {:6.2f}", quartiles(figures.speed).median,
-                                                1e3 / quartiles(figures.nanoseconds).median);
+  for (const TraceStatistics& statistics : engine.trace)
+    text += statistics.speed.empty() ? fmt::format(" {:>6} {:>6}", "-", "-")
+                                     : fmt::format(" {:6.3f} {:6.2f}", quartiles(statistics.speed).median,
+                                                   1e3 / quartiles(statistics.nanoseconds).median);
   return text + fmt::format("  {:8.3f} {:7.1f}\n", quartiles(engine.build.wall_seconds).median,
                             double(engine.build.stats.bytes) /
                                 double(std::max<std::size_t>(1, engine.build.stats.primitives)));
@@ -25,16 +25,16 @@ std::string row(const EngineFigures& engine, std::size_t widest) {
 
 }  // namespace
 
-std::string text_report(const SceneFigures& scene) {
+std::string text_report(const SceneStatistics& scene) {
   std::size_t widest = 6;
-  for (const EngineFigures& engine : scene.engines) widest = std::max(widest, engine.name.size());
+  for (const EngineStatistics& engine : scene.engines) widest = std::max(widest, engine.name.size());
   std::string text =
       fmt::format("{}: {} primitives. Speed against {} [quartiles], and million rays per second\n",
                   scene.name, scene.primitives, scene.engines.front().name);
   text += fmt::format("{:{}}  {:<21}", "engine", widest, "all sets");
   for (const RaySetKind& set : ray_sets) text += fmt::format(" {:^13}", set.title);
   text += fmt::format("  {:>8} {:>7}\n", "build s", "bytes");
-  for (const EngineFigures& engine : scene.engines) text += row(engine, widest);
+  for (const EngineStatistics& engine : scene.engines) text += row(engine, widest);
   return text;
 }
 
@@ -42,7 +42,7 @@ std::string text_report(const PictureOfScene& picture) {
   std::string text =
       fmt::format("{}: a picture of {:.0f} samples, CPU seconds on one thread; in it rays alone\n",
                   picture.scene, picture.samples);
-  for (const PictureFigures& engine : picture.engines) {
+  for (const PictureStatistics& engine : picture.engines) {
     const Quartiles speed = quartiles(engine.speed);
     text +=
         fmt::format("{:<20} {:7.3f} s  {:7.3f} s  speed {:.3f} [{:.3f} {:.3f}]  all threads {:.3f} s\n",

@@ -83,8 +83,8 @@ void shoot(const Engine& engine, const Accelerator& accelerator, RayKind kind, s
 class Group {
  public:
   Group(Workload& workload, std::vector<Engine> engines, const TraceOptions& options)
-      : workload_(workload), engines_(std::move(engines)), options_(options), figures_(engines_.size()) {
-    for (std::size_t i = 0; i < engines_.size(); ++i) figures_[i].name = engines_[i].name;
+      : workload_(workload), engines_(std::move(engines)), options_(options), statistics_(engines_.size()) {
+    for (std::size_t i = 0; i < engines_.size(); ++i) statistics_[i].name = engines_[i].name;
   }
 
   void build() {
@@ -100,17 +100,17 @@ class Group {
     for (int round = 0; round < options_.most_build_rounds && seconds < enough_build_seconds; ++round) {
       const auto results = run_rounds(timed, once);
       for (std::size_t i = 0; i < engines_.size(); ++i) {
-        figures_[i].build.wall_seconds.push_back(results[i][0].wall);
-        figures_[i].build.cpu_seconds.push_back(results[i][0].cpu);
+        statistics_[i].build.wall_seconds.push_back(results[i][0].wall);
+        statistics_[i].build.cpu_seconds.push_back(results[i][0].cpu);
         seconds += results[i][0].wall;
       }
     }
-    for (std::size_t i = 0; i < engines_.size(); ++i) figures_[i].build.stats = accelerators_[i]->stats();
+    for (std::size_t i = 0; i < engines_.size(); ++i) statistics_[i].build.stats = accelerators_[i]->stats();
   }
 
   void check() {
     for (std::size_t i = 0; i < engines_.size(); ++i)
-      figures_[i].complaint = workload_.check(engines_[i], *accelerators_[i]);
+      statistics_[i].complaint = workload_.check(engines_[i], *accelerators_[i]);
   }
 
   void trace(std::size_t set) {
@@ -120,7 +120,7 @@ class Group {
     std::vector<Timed> timed;
     for (std::size_t i = 0; i < engines_.size(); ++i) {
       const std::span<const Ray> rays = engines_[i].backend == Backend::brute_force ? few : all;
-      if (rays.empty() || !figures_[i].complaint.empty()) continue;
+      if (rays.empty() || !statistics_[i].complaint.empty()) continue;
       sound.push_back(i);
       timed.push_back({engines_[i].name, [this, i, set, rays] {
                          shoot(engines_[i], *accelerators_[i], ray_sets[set].kind, rays);
@@ -129,17 +129,17 @@ class Group {
     }
     const auto results = run_rounds(timed, options_.rounds);
     for (std::size_t k = 0; k < sound.size(); ++k) {
-      TraceFigures& figures = figures_[sound[k]].trace[set];
+      TraceStatistics& statistics = statistics_[sound[k]].trace[set];
       for (const Seconds& seconds : results[k])
-        figures.nanoseconds.push_back(1e9 * seconds.cpu / double(figures.rays));
+        statistics.nanoseconds.push_back(1e9 * seconds.cpu / double(statistics.rays));
     }
-    const std::vector<double>& baseline = figures_.front().trace[set].nanoseconds;
-    for (EngineFigures& figures : figures_)
-      for (std::size_t i = 0; i < std::min(baseline.size(), figures.trace[set].nanoseconds.size()); ++i)
-        figures.trace[set].speed.push_back(baseline[i] / figures.trace[set].nanoseconds[i]);
+    const std::vector<double>& baseline = statistics_.front().trace[set].nanoseconds;
+    for (EngineStatistics& statistics : statistics_)
+      for (std::size_t i = 0; i < std::min(baseline.size(), statistics.trace[set].nanoseconds.size()); ++i)
+        statistics.trace[set].speed.push_back(baseline[i] / statistics.trace[set].nanoseconds[i]);
   }
 
-  const std::vector<EngineFigures>& figures() const { return figures_; }
+  const std::vector<EngineStatistics>& statistics() const { return statistics_; }
 
  private:
   void count(std::size_t engine, std::size_t set, std::span<const Ray> rays) {
@@ -150,16 +150,16 @@ class Group {
       else
         accelerators_[engine]->closest_hit({ray, &counts});
     }
-    TraceFigures& figures = figures_[engine].trace[set];
-    figures.rays = rays.size();
-    figures.nodes_per_ray = double(counts.nodes) / double(rays.size());
-    figures.primitives_per_ray = double(counts.primitives) / double(rays.size());
+    TraceStatistics& statistics = statistics_[engine].trace[set];
+    statistics.rays = rays.size();
+    statistics.nodes_per_ray = double(counts.nodes) / double(rays.size());
+    statistics.primitives_per_ray = double(counts.primitives) / double(rays.size());
   }
 
   Workload& workload_;
   std::vector<Engine> engines_;
   const TraceOptions& options_;
-  std::vector<EngineFigures> figures_;
+  std::vector<EngineStatistics> statistics_;
   std::vector<std::unique_ptr<Accelerator>> accelerators_;
 };
 
@@ -178,9 +178,9 @@ std::vector<Engine> wanted_engines(std::size_t primitives, const TraceOptions& o
 
 }  // namespace
 
-SceneFigures measure_scene(Workload& workload, const TraceOptions& options,
-                           const std::function<void(const std::string&)>& progress) {
-  SceneFigures scene{workload.source().name, workload.source().family, workload.primitives(), {}};
+SceneStatistics measure_scene(Workload& workload, const TraceOptions& options,
+                              const std::function<void(const std::string&)>& progress) {
+  SceneStatistics scene{workload.source().name, workload.source().family, workload.primitives(), {}};
   const std::vector<Engine> all = wanted_engines(workload.primitives(), options);
   const std::size_t others = engines_at_a_time(workload.primitives()) - 1;
   for (std::size_t begin = 1; begin == 1 || begin < all.size(); begin += others) {
@@ -196,8 +196,8 @@ SceneFigures measure_scene(Workload& workload, const TraceOptions& options,
       progress(fmt::format("{} rays", ray_sets[set].title));
       group.trace(set);
     }
-    const auto& figures = group.figures();
-    scene.engines.insert(scene.engines.end(), figures.begin() + (begin == 1 ? 0 : 1), figures.end());
+    const auto& statistics = group.statistics();
+    scene.engines.insert(scene.engines.end(), statistics.begin() + (begin == 1 ? 0 : 1), statistics.end());
   }
   return scene;
 }

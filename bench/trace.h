@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "bench/figures.h"
+#include "bench/statistics.h"
 #include "bench/timing.h"
 
 namespace twinray::bench {
@@ -20,7 +20,7 @@ struct TraceOptions {
 /// Measures the engines on a scene. As many at a time as memory allows are built, always with the baseline
 /// beside them, checked, and traced by turns; so each ratio is of neighbours in time. `progress` is told what
 /// is being done.
-SceneFigures measure_scene(Workload& workload, const TraceOptions& options,
-                           const std::function<void(const std::string&)>& progress);
+SceneStatistics measure_scene(Workload& workload, const TraceOptions& options,
+                              const std::function<void(const std::string&)>& progress);
 
 }  // namespace twinray::bench

@@ -114,25 +114,25 @@ PictureOfScene measure_pictures(const Workload& workload, const WholeOptions& op
     timed.push_back({"all threads", [&] { scene->render(one_sample(options, 0)); }});
   }
   const auto results = run_rounds(timed, once_a_round(options));
-  PictureOfScene figures{workload.source().name, double(options.width) * double(options.height), {}};
+  PictureOfScene statistics{workload.source().name, double(options.width) * double(options.height), {}};
   const std::vector<Engine> all = rendering_engines();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    PictureFigures engine{
+    PictureStatistics engine{
         all[i].name, cpu_of(results[3 * i]), {}, cpu_of(results[3 * i + 1]), wall_of(results[3 * i + 2])};
     for (std::size_t round = 0; round < engine.seconds.size(); ++round)
       engine.speed.push_back(results[0][round].cpu / engine.seconds[round]);
-    figures.engines.push_back(std::move(engine));
+    statistics.engines.push_back(std::move(engine));
   }
-  return figures;
+  return statistics;
 }
 
-std::vector<ErrorFigures> measure_error(const Workload& workload, const WholeOptions& options) {
+std::vector<ErrorStatistics> measure_error(const Workload& workload, const WholeOptions& options) {
   RenderOptions render{.width = options.width / 3, .height = options.height / 3, .seed = 1};
   const auto scenes = renderables(workload);
   render.samples = reference_factor * options.most_samples;
   const Film truth = scenes.back()->render(render).film;
   render.seed = 0;
-  std::vector<ErrorFigures> all;
+  std::vector<ErrorStatistics> all;
   for (const Engine& engine : rendering_engines())
     all.push_back({workload.source().name, engine.name, reference_factor * options.most_samples, {}});
   WholeOptions few = options;
@@ -162,15 +162,15 @@ void serve_renders(const SceneSource& source, const std::string& engine_name, co
   }
 }
 
-std::vector<ScalingFigures> measure_scaling(const Workload& workload, const WholeOptions& options) {
+std::vector<ScalingStatistics> measure_scaling(const Workload& workload, const WholeOptions& options) {
   const int most = available_threads();
   const double samples = double(options.width) * double(options.height);
   const auto scenes = renderables(workload);
   const std::vector<Engine> all = rendering_engines();
-  std::vector<ScalingFigures> figures;
+  std::vector<ScalingStatistics> statistics;
   for (std::size_t i = 0; i < all.size(); ++i) {
     WorkerCrew crew(options.worker_command, workload.source().name, all[i].name, most);
-    ScalingFigures scaling{workload.source().name, all[i].name, {}};
+    ScalingStatistics scaling{workload.source().name, all[i].name, {}};
     for (int threads = 1; threads <= most; threads = threads < most ? std::min(2 * threads, most) : most + 1)
       scaling.points.push_back({threads, {}, {}});
     for (int round = 0; round < options.rounds; ++round)
@@ -180,9 +180,9 @@ std::vector<ScalingFigures> measure_scaling(const Workload& workload, const Whol
         for (const double seconds : crew.work(point.threads)) sum += samples / seconds;
         point.processes_rate.push_back(sum);
       }
-    figures.push_back(std::move(scaling));
+    statistics.push_back(std::move(scaling));
   }
-  return figures;
+  return statistics;
 }
 
 }  // namespace twinray::bench

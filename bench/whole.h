@@ -11,7 +11,7 @@
 namespace twinray::bench {
 
 /// One engine's picture. Lists hold one number a round.
-struct PictureFigures {
+struct PictureStatistics {
   std::string engine;
   std::vector<double> seconds;         ///< CPU time on one thread.
   std::vector<double> speed;           ///< The baseline's time in the same round over this one's.
@@ -23,7 +23,7 @@ struct PictureFigures {
 struct PictureOfScene {
   std::string scene;
   double samples = 0;  ///< Of all pixels together.
-  std::vector<PictureFigures> engines;
+  std::vector<PictureStatistics> engines;
 };
 
 struct ErrorPoint {
@@ -31,7 +31,7 @@ struct ErrorPoint {
   std::vector<double> seconds;  ///< CPU time of all threads, one a round.
   double error = 0;  ///< Root of the mean squared difference in luminance, over the mean luminance.
 };
-struct ErrorFigures {
+struct ErrorStatistics {
   std::string scene, engine;
   std::uint32_t reference_samples = 0;  ///< Per pixel, of the picture that stands for the truth.
   std::vector<ErrorPoint> points;
@@ -42,7 +42,7 @@ struct ScalingPoint {
   std::vector<double> rate;  ///< Samples per second of one process with so many threads, one a round.
   std::vector<double> processes_rate;  ///< The sum over so many processes of one thread each.
 };
-struct ScalingFigures {
+struct ScalingStatistics {
   std::string scene, engine;
   std::vector<ScalingPoint> points;
 };
@@ -61,9 +61,9 @@ std::vector<Engine> rendering_engines();
 
 PictureOfScene measure_pictures(const Workload& workload, const WholeOptions& options);
 /// Of a small picture, for each rendering engine.
-std::vector<ErrorFigures> measure_error(const Workload& workload, const WholeOptions& options);
+std::vector<ErrorStatistics> measure_error(const Workload& workload, const WholeOptions& options);
 /// 1, 2, 4, ... threads, and all of the machine; against as many processes.
-std::vector<ScalingFigures> measure_scaling(const Workload& workload, const WholeOptions& options);
+std::vector<ScalingStatistics> measure_scaling(const Workload& workload, const WholeOptions& options);
 
 /// The other end of a worker: for each line on standard input renders the picture of measure_scaling once on
 /// one thread, and prints the seconds.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/figures.h"
+#include "bench/statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@ namespace {
 
 /// The geometric means of one of the sets' lists, round by round; empty sets do not take part.
 template <class List>
-std::vector<double> means(const std::array<TraceFigures, ray_sets.size()>& trace, const List& list) {
+std::vector<double> means(const std::array<TraceStatistics, ray_sets.size()>& trace, const List& list) {
   std::vector<double> logs;
   int sets = 0;
-  for (const TraceFigures& figures : trace) {
-    const std::vector<double>& values = list(figures);
+  for (const TraceStatistics& statistics : trace) {
+    const std::vector<double>& values = list(statistics);
     if (values.empty()) continue;
     if (logs.empty()) logs.resize(values.size());
     for (std::size_t i = 0; i < std::min(logs.size(), values.size()); ++i) logs[i] += std::log(values[i]);
@@ -37,12 +37,12 @@ Quartiles quartiles(std::vector<double> values) {
   return {at(0.25), at(0.5), at(0.75)};
 }
 
-std::vector<double> EngineFigures::mean_speed() const {
-  return means(trace, [](const TraceFigures& f) -> const std::vector<double>& { return f.speed; });
+std::vector<double> EngineStatistics::mean_speed() const {
+  return means(trace, [](const TraceStatistics& f) -> const std::vector<double>& { return f.speed; });
 }
 
-std::vector<double> EngineFigures::mean_nanoseconds() const {
-  return means(trace, [](const TraceFigures& f) -> const std::vector<double>& { return f.nanoseconds; });
+std::vector<double> EngineStatistics::mean_nanoseconds() const {
+  return means(trace, [](const TraceStatistics& f) -> const std::vector<double>& { return f.nanoseconds; });
 }
 
 }  // namespace twinray::bench

@@ -17,7 +17,7 @@ struct Quartiles {
 Quartiles quartiles(std::vector<double> values);
 
 /// One engine and one ray set.
-struct TraceFigures {
+struct TraceStatistics {
   std::size_t rays = 0;             ///< 0: the scene's paths have none of this kind.
   std::vector<double> nanoseconds;  ///< CPU time of a ray, one a round.
   std::vector<double> speed;  ///< The baseline's time in the same round over this one's: above 1 is faster.
@@ -25,27 +25,27 @@ struct TraceFigures {
   double primitives_per_ray = 0;
 };
 
-struct BuildFigures {
+struct BuildStatistics {
   std::vector<double> wall_seconds, cpu_seconds;  ///< One a round, on all threads.
   AccelStats stats;
 };
 
 /// One engine on one scene.
-struct EngineFigures {
+struct EngineStatistics {
   std::string name;
   std::string complaint;  ///< Why it was not timed; empty if it was.
-  BuildFigures build;
-  std::array<TraceFigures, ray_sets.size()> trace;  ///< By ray_sets.
+  BuildStatistics build;
+  std::array<TraceStatistics, ray_sets.size()> trace;  ///< By ray_sets.
 
   /// One a round: the geometric means over the ray sets that the scene has.
   std::vector<double> mean_speed() const;
   std::vector<double> mean_nanoseconds() const;
 };
 
-struct SceneFigures {
+struct SceneStatistics {
   std::string name, family;
   std::size_t primitives = 0;
-  std::vector<EngineFigures> engines;  ///< The baseline first.
+  std::vector<EngineStatistics> engines;  ///< The baseline first.
 };
 
 }  // namespace twinray::bench
