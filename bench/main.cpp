@@ -25,7 +25,7 @@ void write_picture(const SceneSource& source, const PictureOrder& order) {
   const auto accelerator = build_accelerator(default_backend(), scene.geometry);
   const PathIntegrator path(scene, {});
   const RenderResult result = render(scene, *accelerator, path, {.samples = order.samples});
-  write_image(order.file, mean_image(result.film), ToneCurve::srgb);
+  write_image(order.file, mean_image(result.film));
 }
 
 bool is_sound(const SceneStatistics& scene) {

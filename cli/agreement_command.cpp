@@ -3,11 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <functional>
+#include <memory>
 #include <utility>
 
 #include "cli/console.h"
@@ -76,17 +75,9 @@ std::vector<SceneFile> chosen_scenes(const std::vector<std::string>& named) {
   return files;
 }
 
-Scene load(const SceneFile& file, bool quiet) {
-  LoadedScene loaded = load_scene(file.path);
-  if (!quiet)
-    for (const Diagnostic& warning : loaded.warnings) console::warn(warning.text());
-  return std::move(loaded.scene);
-}
-
 /// The scene as its file's camera sees it, or all of it.
 Scene seen_as(Scene scene, View view, const AgreementOptions& options) {
-  const Camera fitted = fit_frame(scene.camera, options.width, options.height);
-  if (view == View::whole) scene.camera = view_whole(fitted, scene.geometry->bounds());
+  scene.camera = camera_of(scene, view, options.width, options.height);
   return scene;
 }
 
@@ -94,18 +85,17 @@ std::vector<Row> compare_all(const std::vector<SceneFile>& files, const Agreemen
   std::vector<Row> rows;
   ProgressLine line(!arguments.quiet);
   for (const SceneFile& file : files) {
-    const Scene scene = load(file, arguments.quiet);
+    const Scene scene = load_with_warnings(file.path).scene;
     SceneAgreement found;
     for (const View view : arguments.views) {
-      const char* view_name = view == View::file ? "file" : "whole";
       const auto progress = [&](std::size_t done, std::size_t all) {
         line.show(fmt::format("scene {} of {} | {}, view {} | {} of {} renders", rows.size() + 1,
-                              files.size(), file.label, view_name, done, all));
+                              files.size(), file.label, view_name(view), done, all));
       };
       SceneAgreement part =
           compare_engines(seen_as(scene, view, arguments.options), arguments.options, progress);
       for (std::string& difference : part.differences)
-        difference = fmt::format("view {}, {}", view_name, difference);
+        difference = fmt::format("view {}, {}", view_name(view), difference);
       add(part, found);
     }
     rows.push_back({file.label, std::move(found)});
@@ -149,69 +139,48 @@ bool print_verdict(const std::vector<Row>& rows) {
   return different == 0;
 }
 
-void add_options(CLI::App& app, AgreementArguments& arguments, std::vector<int>& resolution, bool& plant) {
+/// The options as they are read.
+struct AgreementRequest {
+  AgreementArguments arguments;
+  std::vector<int> resolution{arguments.options.width, arguments.options.height};
+  bool plant_difference = false;
+};
+
+void add_options(CLI::App& app, AgreementRequest& request) {
+  AgreementArguments& arguments = request.arguments;
   AgreementOptions& options = arguments.options;
-  app.add_option("SCENE", arguments.scenes,
-                 "Scene files; without any, all of the source tree and of the folder\nTWINRAY_SCENES")
-      ->expected(0, -1)
-      ->type_name("");
-  add_numbers(app, "-r,--resolution", resolution, 2)
-      ->description("Width and height in pixels (48 36)")
-      ->check(CLI::Range(1, 65536))
-      ->type_name("W H");
-  app.add_option("-s,--samples", options.samples, "Samples per pixel (2)")
-      ->type_name("N")
-      ->check(CLI::Range(1u, Film::max_samples));
-  app.add_option("--seed", options.seed, "Another seed, other rays (0)")->type_name("N");
-  const std::function<void(const std::string&)> choose = [&arguments](const std::string& word) {
-    if (word == "file") arguments.views = {View::file};
-    if (word == "whole") arguments.views = {View::whole};
-  };
-  app.add_option_function("--view", choose, "As the file's camera sees it, all of it, or both (both)")
-      ->type_name("file|whole|both")
-      ->check(CLI::IsMember({"file", "whole", "both"}));
-  app.add_flag("--plant-difference", plant,
-               "Add an engine with another triangle test: the command must then fail");
-  app.add_flag("-q,--quiet", arguments.quiet, "Print the verdict only, and what differs");
+  add_scenes(app, arguments.scenes,
+             "Scene files; without any, all of the source tree and of the folder\nTWINRAY_SCENES");
+  OptionGroup group(app, "Options");
+  add_resolution(group, request.resolution, "Width and height in pixels");
+  group.add_number({"-s,--samples", "N", "Samples per pixel"}, options.samples, sample_counts);
+  group.add_number({"--seed", "N", "Another seed, other rays"}, options.seed, seeds);
+  group.add_choice<std::vector<View>>(
+      "--view", arguments.views,
+      {{"file", {View::file}}, {"whole", {View::whole}}, {"both", {View::file, View::whole}}},
+      "As the file's camera sees it, all of it, or both");
+  group.add_flag("--plant-difference", request.plant_difference,
+                 "Add an engine with another triangle test: the command must then fail");
+  group.add_flag("-q,--quiet", arguments.quiet, "Print the verdict only, and what differs");
 }
 
 }  // namespace
 
-std::string agreement_usage_line() {
-  return "usage: twinray agreement [SCENE.dae]... [options]; all options: twinray agreement --help";
+std::function<AgreementArguments()> add_agreement_options(CLI::App& app) {
+  const auto request = std::make_shared<AgreementRequest>();
+  add_options(app, *request);
+  return [request] {
+    AgreementArguments arguments = request->arguments;
+    arguments.options.width = request->resolution[0];
+    arguments.options.height = request->resolution[1];
+    if (request->plant_difference) arguments.options.engines.push_back(differing_engine());
+    return arguments;
+  };
 }
 
-std::optional<AgreementArguments> parse_agreement_arguments(const std::vector<std::string>& words) {
-  AgreementArguments arguments;
-  std::vector<int> resolution{arguments.options.width, arguments.options.height};
-  bool plant = false;
-  CLI::App app(
-      "Renders scenes small by every engine, split method, integrator, sampler and number of threads,\n"
-      "and compares all pictures and ray counts bit for bit. Exit code 1 if any differs.",
-      "twinray agreement");
-  app.formatter(std::make_shared<BriefFormatter>());
-  app.option_defaults()->take_last();
-  add_options(app, arguments, resolution, plant);
-  app.set_help_flag("-h,--help", "Print this help");
-  try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-  } catch (const CLI::CallForHelp&) {
-    console::write(app.help());
-    return std::nullopt;
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(error.what());
-  }
-  arguments.options.width = resolution[0];
-  arguments.options.height = resolution[1];
-  if (plant) arguments.options.engines.push_back(differing_engine());
-  return arguments;
-}
-
-int agreement_command(const std::vector<std::string>& words) {
-  const std::optional<AgreementArguments> arguments = parse_agreement_arguments(words);
-  if (!arguments) return 0;
-  const std::vector<Row> rows = compare_all(chosen_scenes(arguments->scenes), *arguments);
-  if (!arguments->quiet) print_table(rows, arguments->options);
+int agreement_command(const AgreementArguments& arguments) {
+  const std::vector<Row> rows = compare_all(chosen_scenes(arguments.scenes), arguments);
+  if (!arguments.quiet) print_table(rows, arguments.options);
   return print_verdict(rows) ? 0 : 1;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "cli/agreement.h"
-#include "cli/render_arguments.h"
+#include "cli/common_options.h"
 
 namespace twinray {
 
@@ -17,15 +17,11 @@ struct AgreementArguments {
   bool quiet = false;
 };
 
-/// Reads the words after "agreement". None: the help was printed, and that is all. Throws UsageError with the
-/// reason.
-std::optional<AgreementArguments> parse_agreement_arguments(const std::vector<std::string>& words);
-
-/// One line: how the command is called.
-std::string agreement_usage_line();
+/// Adds the command's options; the function that is returned gives what they ask for, once they are read.
+std::function<AgreementArguments()> add_agreement_options(CLI::App& app);
 
 /// twinray agreement [SCENE...] [options]: compares all engines on each scene and prints a table. Returns the
 /// exit code: 0 if all pictures have the same bits, else 1. Throws Error.
-int agreement_command(const std::vector<std::string>& words);
+int agreement_command(const AgreementArguments& arguments);
 
 }  // namespace twinray

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
-#include <limits>
+#include <algorithm>
+#include <memory>
+#include <vector>
 
-#include "cli/console.h"
 #include "cli/options.h"
 #include "cli/ray_text.h"
 #include "core/error.h"
@@ -25,65 +25,57 @@ std::vector<std::string> parse_engines(const std::string& text) {
   return engines;
 }
 
-struct RawArguments {
+/// The options as they are read.
+struct CrosscheckRequest {
+  CrosscheckArguments arguments;
   std::string engines = fmt::format("{}", fmt::join(default_crosscheck_engines(), ","));
-  std::string ray, placement = "file";
+  std::string ray;
 };
 
-void add_options(CLI::App& app, CrosscheckArguments& arguments, RawArguments& raw) {
+constexpr Range<std::uint64_t> ray_counts{1, 1000000000000};
+constexpr Range<std::size_t> finding_counts{0, 100000};
+const Choices<Placement> placements{{"file", Placement::file},
+                                    {"moved", Placement::moved},
+                                    {"shrunk", Placement::shrunk},
+                                    {"grown", Placement::grown}};
+
+void add_options(CLI::App& app, CrosscheckRequest& request) {
+  CrosscheckArguments& arguments = request.arguments;
   CrosscheckOptions& options = arguments.options;
-  app.add_option("SCENE", arguments.scene, "The scene, a COLLADA file (.dae)")->required()->type_name("");
-  app.add_option("--engines", raw.engines, fmt::format("Two or more ({})", raw.engines))
-      ->type_name("A,B,...");
-  app.add_option("--rays", options.rays, "Of all classes together (1000000)")
-      ->type_name("N")
-      ->check(CLI::Range(std::uint64_t(1), std::uint64_t(1000000000000)));
-  app.add_option("--seed", options.seed, "Another seed, other rays (0)")->type_name("N");
-  app.add_option("-t,--threads", options.threads, "Threads (all of the machine)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-  app.add_option("--findings", options.kept, "Print up to N rays an engine and class (10)")
-      ->type_name("N")
-      ->check(CLI::Range(std::size_t(0), std::size_t(100000)));
-  app.add_option("--ray", raw.ray, "Shoot this ray alone and say everything about it")->type_name("RAY");
-  app.add_option("--placement", raw.placement, "Of --ray: file, moved, shrunk or grown (file)")
-      ->type_name("PLACE");
-  app.add_flag("--keep-both-lamps", arguments.load.keep_both_lamps,
-               "Keep a lamp's rectangle beside its mesh");
-  app.add_flag("--json", arguments.json, "Print JSON instead of the table");
-  app.add_flag("-q,--quiet", arguments.quiet, "No progress, no warnings of the scene");
+  add_scene(app, arguments.scene);
+  OptionGroup group(app, "Options");
+  group.add_word({"--engines", "A,B,...", fmt::format("Two or more ({})", request.engines)}, request.engines);
+  group.add_number({"--rays", "N", "Of all classes together"}, options.rays, ray_counts);
+  group.add_number({"--seed", "N", "Another seed, other rays"}, options.seed, seeds);
+  add_threads(group, options.threads);
+  group.add_number({"--findings", "N", "Print up to N rays an engine and class"}, options.kept,
+                   finding_counts);
+  group.add_word({"--ray", "RAY", "Shoot this ray alone and say everything about it"}, request.ray);
+  group.add_choice("--placement", arguments.placement, placements, "Of the scene, for --ray");
+  group.add_flag("--keep-both-lamps", arguments.load.keep_both_lamps,
+                 "Keep a lamp's rectangle beside its mesh");
+  group.add_flag("--json", arguments.json, "Print JSON instead of the table");
+  group.add_flag("-q,--quiet", arguments.quiet, "No progress");
+}
+
+CrosscheckArguments resolved(const CrosscheckRequest& request) {
+  CrosscheckArguments arguments = request.arguments;
+  try {
+    arguments.options.engines = parse_engines(request.engines);
+  } catch (const Error& error) {
+    throw UsageError(fmt::format("--engines: {}", error.what()));
+  }
+  if (!request.ray.empty()) arguments.ray = parse_ray(request.ray);
+  arguments.options.build.threads = arguments.options.threads;
+  return arguments;
 }
 
 }  // namespace
 
-std::string crosscheck_usage_line() {
-  return "usage: twinray crosscheck SCENE.dae [options]; all options: twinray crosscheck --help";
-}
-
-std::optional<CrosscheckArguments> parse_crosscheck_arguments(const std::vector<std::string>& words) {
-  CrosscheckArguments arguments;
-  RawArguments raw;
-  CLI::App app("Shoots the same rays through several engines and judges every difference.",
-               "twinray crosscheck");
-  app.formatter(std::make_shared<BriefFormatter>());
-  app.option_defaults()->take_last()->always_capture_default(false);
-  add_options(app, arguments, raw);
-  app.set_help_flag("-h,--help", "Print this help");
-  try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 wants the last one first
-    arguments.options.engines = parse_engines(raw.engines);
-    arguments.placement = parse_placement(raw.placement);
-  } catch (const CLI::CallForHelp&) {
-    console::write(app.help());
-    return std::nullopt;
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(error.what());
-  } catch (const Error& error) {
-    throw UsageError(error.what());
-  }
-  if (!raw.ray.empty()) arguments.ray = parse_ray(raw.ray);
-  arguments.options.build.threads = arguments.options.threads;
-  return arguments;
+std::function<CrosscheckArguments()> add_crosscheck_options(CLI::App& app) {
+  const auto request = std::make_shared<CrosscheckRequest>();
+  add_options(app, *request);
+  return [request] { return resolved(*request); };
 }
 
 }  // namespace twinray

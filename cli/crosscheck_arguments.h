@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "check/scene_crosscheck.h"
+#include "cli/common_options.h"
 #include "io/scene_file.h"
 
 namespace twinray {
@@ -20,11 +21,7 @@ struct CrosscheckArguments {
   bool quiet = false;
 };
 
-/// Reads the words after "crosscheck". None: the help was printed, and that is all. Throws UsageError with
-/// the reason.
-std::optional<CrosscheckArguments> parse_crosscheck_arguments(const std::vector<std::string>& words);
-
-/// One line: how the command is called.
-std::string crosscheck_usage_line();
+/// Adds the command's options; the function that is returned gives what they ask for, once they are read.
+std::function<CrosscheckArguments()> add_crosscheck_options(CLI::App& app);
 
 }  // namespace twinray

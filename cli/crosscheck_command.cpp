@@ -7,20 +7,12 @@
 #include <chrono>
 
 #include "cli/console.h"
-#include "cli/crosscheck_arguments.h"
 #include "cli/crosscheck_report.h"
 #include "cli/progress.h"
 #include "io/scene_file.h"
 
 namespace twinray {
 namespace {
-
-Scene load(const CrosscheckArguments& arguments) {
-  LoadedScene loaded = load_scene(arguments.scene, arguments.load);
-  if (!arguments.quiet)
-    for (const Diagnostic& warning : loaded.warnings) console::warn(warning.text());
-  return std::move(loaded.scene);
-}
 
 int check_one_ray(const CrosscheckArguments& arguments, const Scene& scene) {
   const RayCrosscheck result = crosscheck_ray(scene, *arguments.ray, arguments.placement, arguments.options);
@@ -49,11 +41,9 @@ int check_scene(const CrosscheckArguments& arguments, const Scene& scene) {
 
 }  // namespace
 
-int crosscheck_command(const std::vector<std::string>& words) {
-  const std::optional<CrosscheckArguments> arguments = parse_crosscheck_arguments(words);
-  if (!arguments) return 0;
-  const Scene scene = load(*arguments);
-  return arguments->ray ? check_one_ray(*arguments, scene) : check_scene(*arguments, scene);
+int crosscheck_command(const CrosscheckArguments& arguments) {
+  const Scene scene = load_with_warnings(arguments.scene, arguments.load).scene;
+  return arguments.ray ? check_one_ray(arguments, scene) : check_scene(arguments, scene);
 }
 
 }  // namespace twinray

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <string>
-#include <vector>
+#include "cli/crosscheck_arguments.h"
 
 namespace twinray {
 
 /// twinray crosscheck SCENE [options]: shoots the same rays through several engines and prints how their
 /// answers differ. Returns the exit code: 0 if nothing is unexplained and no ceiling is passed, else 1.
 /// Throws Error.
-int crosscheck_command(const std::vector<std::string>& words);
+int crosscheck_command(const CrosscheckArguments& arguments);
 
 }  // namespace twinray

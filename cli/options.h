@@ -1,44 +1,164 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all subcommands share in reading their options.
+// How options are read, by all subcommands: in our words, with the default that stands in the code. CLI11
+// splits the command line; options.cpp is its only door.
 #pragma once
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
+#include <charconv>
+#include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "core/error.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace twinray {
 
-/// Help without the ranges and counts that CLI11 appends to an option's value: the descriptions say what is
-/// needed.
-class BriefFormatter final : public CLI::Formatter {
- public:
-  BriefFormatter() { column_width(41); }
-  std::string make_option_opts(const CLI::Option* option) const override {
-    const std::string type = option->get_type_size() == 0 ? "" : option->get_type_name();
-    return type.empty() ? "" : " " + type.substr(0, type.find(':'));
-  }
-  std::string make_group(std::string group, bool is_positional,
-                         std::vector<const CLI::Option*> options) const override {
-    std::string text = is_positional ? "" : group + ":\n";
-    for (const CLI::Option* option : options) text += make_option(option, is_positional);
-    return is_positional ? text + "\n" : text;
-  }
+using Words = std::vector<std::string>;
+
+/// "-s,--samples" -> "--samples".
+std::string long_name(const std::string& names);
+
+/// Numbers from `least` to `most`.
+template <typename T>
+struct Range {
+  T least, most;
 };
 
-/// An option of exactly `count` numbers. Given twice, the last one counts.
+inline constexpr Range<int> frame_sides{1, 65536};  ///< Pixels.
+inline constexpr Range<std::uint64_t> seeds{0, std::numeric_limits<std::uint64_t>::max()};
+
+/// The number that the word is as a whole. Throws UsageError, in the option's name, for any other word.
 template <typename T>
-CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<T>& target, int count) {
-  const std::function<void(const std::vector<T>&)> take = [&target, name,
-                                                           count](const std::vector<T>& values) {
-    if (values.size() != std::size_t(count))
-      throw CLI::ValidationError(
-          fmt::format("{}: {} numbers are needed, not {}", name, count, values.size()));
-    target = values;
-  };
-  return app.add_option_function(name, take)->expected(count)->allow_extra_args(false);
+T parse_number(const std::string& option, const std::string& word, const Range<T>& range) {
+  T value{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size() || !(value >= range.least) ||
+      !(value <= range.most))
+    throw UsageError(fmt::format("{}: \"{}\" is not a {} from {} to {}", option, word,
+                                 std::integral<T> ? "whole number" : "number", range.least, range.most));
+  return value;
 }
+
+/// Words with what they stand for.
+template <typename T>
+using Choices = std::vector<std::pair<std::string, T>>;
+
+template <typename T>
+std::string words_of(const Choices<T>& choices, const char* separator) {
+  Words words;
+  for (const auto& [word, value] : choices) words.push_back(word);
+  return fmt::format("{}", fmt::join(words, separator));
+}
+
+/// How an option is called and explained: its names, what stands for its value in the help, what it does.
+struct OptionText {
+  std::string names, value, description;
+};
+
+/// Options of a command that stand together in its help. All targets must outlive the reading. Of equal
+/// options the last counts.
+class OptionGroup {
+ public:
+  OptionGroup(CLI::App& app, const char* name) : app_(app), name_(name) {}
+
+  /// An option without a value.
+  void add_flag(const std::string& names, bool& target, const std::string& description);
+  /// An option of `count` words, which are given to `take`.
+  void add_words(const OptionText& text, std::size_t count, std::function<void(const Words&)> take);
+  /// An option of one word.
+  void add_word(const OptionText& text, std::string& target);
+
+  /// An option of one number; its help ends with the target's value: the default.
+  template <typename T>
+  void add_number(const OptionText& text, T& target, const Range<T>& range) {
+    const std::string option = long_name(text.names);
+    add_words({text.names, text.value, fmt::format("{} ({})", text.description, target)}, 1,
+              [&target, option, range](const Words& words) {
+                target = parse_number(option, words.front(), range);
+              });
+  }
+
+  /// An option of `count` numbers.
+  template <typename T>
+  void add_numbers(const OptionText& text, std::size_t count, std::vector<T>& target, const Range<T>& range) {
+    const std::string option = long_name(text.names);
+    add_words(text, count, [&target, option, range](const Words& words) {
+      target.clear();
+      for (const std::string& word : words) target.push_back(parse_number(option, word, range));
+    });
+  }
+
+  /// An option whose value is one of a few words; its help ends with the target's word, the default, where
+  /// one stands for it.
+  template <typename T>
+  void add_choice(const std::string& names, T& target, const Choices<T>& choices, std::string description) {
+    for (const auto& [word, value] : choices)
+      if (value == target) description += fmt::format(" ({})", word);
+    const std::string option = long_name(names);
+    add_words({names, words_of(choices, "|"), description}, 1,
+              [&target, option, choices](const Words& words) {
+                for (const auto& [word, value] : choices)
+                  if (word == words.front()) {
+                    target = value;
+                    return;
+                  }
+                throw UsageError(fmt::format("{}: there is no \"{}\"; valid are {}", option, words.front(),
+                                             words_of(choices, ", ")));
+              });
+  }
+
+ private:
+  CLI::App& app_;
+  const char* name_;
+};
+
+/// Adds the scene that a command needs, or the scenes that it takes.
+void add_scene(CLI::App& app, std::string& scene);
+void add_scenes(CLI::App& app, Words& scenes, const std::string& description);
+
+/// The long names of the options that were given.
+Words given_options(const CLI::App& app);
+
+/// Adds a command's options, and returns how their arguments are had once they are read.
+template <typename Arguments>
+using AddOptions = std::function<Arguments()> (*)(CLI::App&);
+
+/// Lets `use` add options to an app of its own, reads the words, and calls what `use` returned.
+void read_alone(const Words& words, const std::function<std::function<void()>(CLI::App&)>& use);
+
+/// The arguments of these words. Throws UsageError.
+template <typename Arguments>
+Arguments parse_alone(AddOptions<Arguments> add_options, const Words& words) {
+  Arguments arguments;
+  read_alone(words, [&](CLI::App& app) -> std::function<void()> {
+    return [&arguments, read = add_options(app)] { arguments = read(); };
+  });
+  return arguments;
+}
+
+/// What a subcommand does once its words are read, which it is given; returns the exit code.
+using Action = std::function<int(const Words&)>;
+
+struct Subcommand {
+  const char* name;
+  Action (*add)(CLI::App&);  ///< Adds its options.
+  const char* description;
+  const char* last_group = "Options";  ///< Of its help; has --help and --version, too.
+  const char* footer = "";             ///< The help's last line.
+};
+
+/// Reads the words, the first of which is the name of one of the subcommands, and runs it; or prints its help
+/// or the version, if that is asked for. Returns the exit code. Throws UsageError with the reason.
+int run_subcommand(const std::vector<Subcommand>& subcommands, const Words& words);
 
 }  // namespace twinray

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "accel/engines.h"
-#include "core/image.h"
+#include "cli/common_options.h"
 #include "integrators/cost.h"
 #include "integrators/path.h"
 #include "integrators/render.h"
 #include "io/scene_file.h"
 
 namespace twinray {
-
-/// Where the picture is seen from.
-enum class View {
-  file,   ///< The scene file's camera, or that of a camera settings file.
-  whole,  ///< The same direction and field of view, from where the whole scene is seen.
-};
 
 enum class IntegratorKind { path, direct, normals, cost };
 
@@ -40,15 +34,14 @@ struct RenderArguments {
   CostKind cost = CostKind::nodes;  ///< Of the integrator cost; something that the backend counts.
   PathOptions path;
   RenderOptions render;
-  ToneCurve tone_curve = ToneCurve::srgb;
   bool quiet = false;
 };
 
-/// Reads the words after the program's name (and the subcommand's). None: the help or the version was
-/// printed, and that is all. Throws UsageError with the reason.
-std::optional<RenderArguments> parse_render_arguments(const std::vector<std::string>& words);
+/// Adds a render's options. The function that is returned gives what they ask for, once they are read; it
+/// throws UsageError with the reason where they contradict each other. The app must outlive the reading.
+std::function<RenderArguments()> add_render_options(CLI::App& app);
 
-/// One line: how the program is called.
-std::string usage_line();
+/// Reads the words after "render". Throws UsageError.
+RenderArguments parse_render_arguments(const std::vector<std::string>& words);
 
 }  // namespace twinray

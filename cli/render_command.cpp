@@ -10,7 +10,6 @@
 #include "cli/crosscheck_report.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
-#include "cli/render_arguments.h"
 #include "cli/report.h"
 #include "cli/scene_warnings.h"
 #include "cli/version.h"
@@ -42,8 +41,7 @@ void choose_view(const RenderArguments& arguments, Scene& scene) {
 }
 
 LoadedScene load(const RenderArguments& arguments) {
-  LoadedScene loaded = load_scene(arguments.scene, arguments.load);
-  for (const Diagnostic& warning : loaded.warnings) console::warn(warning.text());
+  LoadedScene loaded = load_with_warnings(arguments.scene, arguments.load);
   if (!arguments.quiet)
     for (const std::string& line : summary_lines(loaded.summary)) console::print("{}\n", line);
   if (!arguments.camera_file.empty())
@@ -148,7 +146,7 @@ void write_outputs(const RenderArguments& arguments, const AccelStats& accel, co
   if (arguments.integrator == IntegratorKind::cost)
     write_costs(arguments, mean_image(result.film), metadata);
   else
-    write_image(arguments.output, mean_image(result.film), arguments.tone_curve, metadata);
+    write_image(arguments.output, mean_image(result.film), metadata);
   if (arguments.render.adaptive)
     write_png(rate_path(arguments.output), sample_rate_image(result.film, arguments.render.samples),
               metadata);
@@ -169,10 +167,7 @@ int report(const Check& check, const SceneCrosscheck& found, const RenderArgumen
 
 }  // namespace
 
-int render_command(const std::vector<std::string>& words) {
-  const std::optional<RenderArguments> parsed = parse_render_arguments(words);
-  if (!parsed) return 0;
-  const RenderArguments& arguments = *parsed;
+int render_command(const RenderArguments& arguments, const std::vector<std::string>& words) {
   const InterruptGuard guard(output_files(arguments));
   check_outputs(arguments);
   const LoadedScene loaded = load(arguments);
@@ -191,8 +186,7 @@ int render_command(const std::vector<std::string>& words) {
   const ImageMetadata metadata = metadata_of(arguments, words);
   if (check) {
     found = check->found(result.seconds);
-    write_image(differences_path(arguments.output), check->picture(mean_image(result.film)),
-                arguments.tone_curve, metadata);
+    write_image(differences_path(arguments.output), check->picture(mean_image(result.film)), metadata);
   }
   write_outputs(arguments, accelerator->stats(), result, found, metadata);
   if (!arguments.quiet)

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <optional>
+#include <functional>
 #include <string>
-#include <vector>
 
-#include "cli/render_arguments.h"
+#include "cli/common_options.h"
 #include "cli/stats.h"
 
 namespace twinray {
@@ -18,15 +17,11 @@ struct StatsArguments {
   bool quiet = false;
 };
 
-/// Reads the words after "stats". None: the help was printed, and that is all. Throws UsageError with the
-/// reason.
-std::optional<StatsArguments> parse_stats_arguments(const std::vector<std::string>& words);
-
-/// One line: how the command is called.
-std::string stats_usage_line();
+/// Adds the command's options; the function that is returned gives what they ask for, once they are read.
+std::function<StatsArguments()> add_stats_options(CLI::App& app);
 
 /// twinray stats SCENE [options]: builds every engine, shoots the rays of the scene's own paths through it,
 /// and prints a table. Returns the exit code, 0. Throws Error.
-int stats_command(const std::vector<std::string>& words);
+int stats_command(const StatsArguments& arguments);
 
 }  // namespace twinray

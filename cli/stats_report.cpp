@@ -80,8 +80,6 @@ int threads_used(const StatsArguments& arguments) {
   return arguments.options.threads > 0 ? arguments.options.threads : available_threads();
 }
 
-const char* view_name(View view) { return view == View::file ? "file" : "whole"; }
-
 }  // namespace
 
 std::string stats_text(const StatsArguments& arguments, const SceneFigures& figures) {

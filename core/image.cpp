@@ -38,18 +38,18 @@ ByteImage sample_rate_image(const Film& film, std::uint32_t most) {
   return image;
 }
 
-std::uint8_t encode(ToneCurve, float linear) {
+std::uint8_t encode_srgb(float linear) {
   if (!(linear > 0)) return 0;
   const double x = std::min(1.0, double(linear));
   const double encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * pow_of(x, 1 / 2.4) - 0.055;
   return std::uint8_t(255 * encoded + 0.5);
 }
 
-ByteImage encode(ToneCurve curve, const Image& image) {
+ByteImage encode_srgb(const Image& image) {
   ByteImage bytes{image.width, image.height, {}};
   bytes.bytes.reserve(3 * image.pixels.size());
   for (const Rgb& pixel : image.pixels)
-    for (const float channel : {pixel.r, pixel.g, pixel.b}) bytes.bytes.push_back(encode(curve, channel));
+    for (const float channel : {pixel.r, pixel.g, pixel.b}) bytes.bytes.push_back(encode_srgb(channel));
   return bytes;
 }
 

@@ -36,13 +36,8 @@ ByteImage sample_rate_image(const Film& film, std::uint32_t most);
 /// A colour on the scale from blue (0) over green (0.5) to red (1), bytes truncated as CS184's program does.
 std::array<std::uint8_t, 3> rate_color(float rate);
 
-/// How linear radiance becomes bytes.
-enum class ToneCurve {
-  srgb,  ///< IEC 61966-2-1, clipped at 1, rounded to the nearest byte.
-};
-
-/// Not-a-number gives 0.
-std::uint8_t encode(ToneCurve curve, float linear);
-ByteImage encode(ToneCurve curve, const Image& image);
+/// Linear radiance as sRGB (IEC 61966-2-1), clipped at 1, rounded to the nearest byte. Not-a-number gives 0.
+std::uint8_t encode_srgb(float linear);
+ByteImage encode_srgb(const Image& image);
 
 }  // namespace twinray

@@ -29,9 +29,9 @@ struct PixelSample {
 };
 
 struct RenderOptions {
-  int width = 800, height = 600;    ///< Of the full frame, in pixels.
+  int width = 480, height = 360;    ///< Of the full frame, in pixels.
   std::optional<PixelRect> window;  ///< The part of it to render; all if not set.
-  std::uint32_t samples = 16;       ///< Per pixel; the most per pixel where sampling is adaptive.
+  std::uint32_t samples = 32;       ///< Per pixel; the most per pixel where sampling is adaptive.
   std::optional<AdaptiveSampling> adaptive;
   SamplerKind sampler = SamplerKind::sobol;
   std::uint64_t seed = 0;

@@ -48,9 +48,7 @@ constexpr int legend_width = text_left + most_digits * digit_step + tick - 2,
 
 using Bytes = std::array<std::uint8_t, 3>;
 
-Bytes encoded(const Rgb& c) {
-  return {encode(ToneCurve::srgb, c.r), encode(ToneCurve::srgb, c.g), encode(ToneCurve::srgb, c.b)};
-}
+Bytes encoded(const Rgb& c) { return {encode_srgb(c.r), encode_srgb(c.g), encode_srgb(c.b)}; }
 
 void fill(ByteImage& image, const PixelRect& where, const Bytes& color) {
   for (int y = where.y0; y < where.y1; ++y)

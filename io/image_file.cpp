@@ -91,12 +91,11 @@ void write_exr(const std::string& path, const Image& image, const ImageMetadata&
   write(path, "openexr", spec, image.pixels.data(), metadata);
 }
 
-void write_image(const std::string& path, const Image& image, ToneCurve curve,
-                 const ImageMetadata& metadata) {
+void write_image(const std::string& path, const Image& image, const ImageMetadata& metadata) {
   if (is_linear_output(path))
     write_exr(path, image, metadata);
   else
-    write_png(path, encode(curve, image), metadata);
+    write_png(path, encode_srgb(image), metadata);
 }
 
 Image read_image(const std::string& path) {

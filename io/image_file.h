@@ -24,9 +24,8 @@ bool is_linear_output(const std::string& path);
 void write_png(const std::string& path, const ByteImage& image, const ImageMetadata& metadata = {});
 /// OpenEXR, channels R, G, B, 32-bit float; otherwise as write_png.
 void write_exr(const std::string& path, const Image& image, const ImageMetadata& metadata = {});
-/// By the name's ending: EXR keeps the linear values, PNG goes through the tone curve.
-void write_image(const std::string& path, const Image& image, ToneCurve curve,
-                 const ImageMetadata& metadata = {});
+/// By the name's ending: EXR keeps the linear values, PNG is sRGB.
+void write_image(const std::string& path, const Image& image, const ImageMetadata& metadata = {});
 
 /// Reads an EXR, HDR, PNG or JPEG picture of up to 2^28 pixels as linear colours: the first three channels,
 /// or the first one as grey; 8-bit files are taken as sRGB. Throws Error.

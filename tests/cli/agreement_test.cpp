@@ -121,11 +121,11 @@ TEST_CASE("a wrong agreement command line ends with 2, a scene that is not there
   CHECK(unknown.exit_code == 2);
   CHECK(unknown.out.empty());
   CHECK(unknown.err ==
-        "twinray: The following argument was not expected: --none\n"
+        "twinray: there is no option --none\n"
         "usage: twinray agreement [SCENE.dae]... [options]; all options: twinray agreement --help\n");
-  CHECK_THROWS_AS(parse_agreement_arguments({"-r", "0", "1"}), UsageError);
-  CHECK_THROWS_AS(parse_agreement_arguments({"-s", "0"}), UsageError);
-  CHECK_THROWS_AS(parse_agreement_arguments({"--view", "none"}), UsageError);
+  CHECK_THROWS_AS(parse_alone<AgreementArguments>(add_agreement_options, {"-r", "0", "1"}), UsageError);
+  CHECK_THROWS_AS(parse_alone<AgreementArguments>(add_agreement_options, {"-s", "0"}), UsageError);
+  CHECK_THROWS_AS(parse_alone<AgreementArguments>(add_agreement_options, {"--view", "none"}), UsageError);
   CHECK(run_program("agreement -q no-such-scene.dae").exit_code == 1);
   CHECK(run_program("agreement --help").exit_code == 0);
 }

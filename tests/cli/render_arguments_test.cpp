@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/render_arguments.h"
 
+#include <fmt/format.h>
+
 #include "core/error.h"
 #include "tests/support/catch.h"
 
@@ -9,7 +11,7 @@ namespace {
 
 RenderArguments parse(std::vector<std::string> words) {
   words.push_back("scene.dae");
-  return *parse_render_arguments(words);
+  return parse_render_arguments(words);
 }
 
 std::string message_of(std::vector<std::string> words) {
@@ -150,12 +152,11 @@ TEST_CASE("options may follow the scene, and long names mean the same") {
   const auto arguments =
       parse_render_arguments({"scene.dae", "--samples=8", "--light-samples=2", "--max-depth=0",
                               "--resolution", "10", "12", "--output=x.exr"});
-  REQUIRE(arguments);
-  CHECK(arguments->render.samples == 8);
-  CHECK(arguments->path.samples_per_light == 2);
-  CHECK(arguments->path.max_depth == 0);
-  CHECK(arguments->render.height == 12);
-  CHECK(arguments->output == "x.exr");
+  CHECK(arguments.render.samples == 8);
+  CHECK(arguments.path.samples_per_light == 2);
+  CHECK(arguments.path.max_depth == 0);
+  CHECK(arguments.render.height == 12);
+  CHECK(arguments.output == "x.exr");
 }
 
 TEST_CASE(
@@ -187,7 +188,7 @@ TEST_CASE("roulette takes a probability or the word throughput") {
 
 TEST_CASE("the scene may stand between the options, and the last of equal ones counts") {
   const RenderArguments arguments =
-      *parse_render_arguments({"-r", "8", "6", "scene.dae", "-r", "16", "12", "-s", "1", "-s", "3"});
+      parse_render_arguments({"-r", "8", "6", "scene.dae", "-r", "16", "12", "-s", "1", "-s", "3"});
   CHECK(arguments.scene == "scene.dae");
   CHECK(arguments.render.width == 16);
   CHECK(arguments.render.height == 12);
@@ -204,21 +205,55 @@ TEST_CASE("a wrong word of a choice names the right ones") {
         "--integrator: there is no \"photon\"; valid are path, direct, normals, cost");
 }
 
-TEST_CASE("values out of range say what is valid") {
-  CHECK(message_of({"-r", "0", "10"}) == "--resolution: 0 x 10; each side must have 1 to 65536 pixels");
-  CHECK(message_of({"-a", "1", "0.05"}) ==
-        "--adaptive: a batch of 1; it must be a whole number from 2 to 4194304");
-  CHECK(message_of({"-a", "32", "-1"}) ==
-        "--adaptive: a tolerance of -1; it must be finite and not negative");
+TEST_CASE("a number out of range, or no number, is refused in the option's name with what is valid") {
+  CHECK(message_of({"-r", "0", "10"}) == "--resolution: \"0\" is not a whole number from 1 to 65536");
+  CHECK(message_of({"-r", "10", "48x"}) == "--resolution: \"48x\" is not a whole number from 1 to 65536");
+  CHECK(message_of({"-r", "64"}) == "--resolution: 2 numbers are needed, not 1");
+  CHECK(message_of({"-a", "1", "0.05"}) == "--adaptive: \"1\" is not a whole number from 2 to 4194304");
+  CHECK(message_of({"-a", "32.5", "0.05"}) == "--adaptive: \"32.5\" is not a whole number from 2 to 4194304");
+  CHECK(message_of({"-a", "32", "-1"}) == "--adaptive: \"-1\" is not a number from 0 to 1000000");
+  CHECK(message_of({"-a", "32", "nan"}) == "--adaptive: \"nan\" is not a number from 0 to 1000000");
+  CHECK(message_of({"-s", "0"}) == "--samples: \"0\" is not a whole number from 1 to 4194304");
+  CHECK(message_of({"-s", "many"}) == "--samples: \"many\" is not a whole number from 1 to 4194304");
+  CHECK(message_of({"-m", "101"}) == "--max-depth: \"101\" is not a whole number from 0 to 100");
+  CHECK(message_of({"-t", "0"}) == "--threads: \"0\" is not a whole number from 1 to 1024");
+  CHECK(message_of({"--traversal-cost=1e7"}) ==
+        "--traversal-cost: \"1e7\" is not a number from 1e-06 to 1000000");
+}
+
+TEST_CASE("a seed is a whole number of 64 bits, and no other number passes for one") {
+  CHECK(parse({"--seed=18446744073709551615"}).render.seed == 18446744073709551615u);
+  for (const char* seed : {"-1", "18446744073709551616", "1.5", "0x10", ""})
+    CHECK(message_of({"--seed", seed}) ==
+          fmt::format("--seed: \"{}\" is not a whole number from 0 to 18446744073709551615", seed));
+}
+
+TEST_CASE("a crop that is no part of the frame is refused, however large its numbers are") {
   CHECK(message_of({"-p", "0", "0", "481", "10"}) ==
         "--crop: 0 0 481 10 (X Y W H) is not a part of 480 x 360 pixels");
-  CHECK(message_of({"-s", "0"}) != "accepted");
-  CHECK(message_of({"-s", "many"}) != "accepted");
-  CHECK(message_of({"-m", "101"}) != "accepted");
-  CHECK(message_of({"--no-such-option"}) != "accepted");
-  CHECK(message_of({"-r", "64"}) == "-r,--resolution: 2 numbers are needed, not 1");
-  CHECK(message_of({"other.dae"}) != "accepted");
-  CHECK(message_of({"--accel=brute-force", "--triangle-test=moller-trumbore"}) == "accepted");
+  CHECK(message_of({"-p", "2147483647", "0", "2147483647", "1"}) ==
+        "--crop: 2147483647 0 2147483647 1 (X Y W H) is not a part of 480 x 360 pixels");
+  CHECK(message_of({"-p", "-2147483648", "0", "1", "1"}) ==
+        "--crop: -2147483648 0 1 1 (X Y W H) is not a part of 480 x 360 pixels");
+}
+
+TEST_CASE("words that are missing, unknown or too many are named") {
+  CHECK(message_of({"--no-such-option"}) == "there is no option --no-such-option");
+  CHECK(message_of({"other.dae"}) == "\"scene.dae\" is one word too many");
+  CHECK(message_of({"--quiet=5"}) == "--quiet takes no value");
+  CHECK(message_of({"--stats="}) == "--stats= its value is missing");
+  try {
+    parse_render_arguments({"-o", "a.png"});
+    FAIL("accepted");
+  } catch (const UsageError& error) {
+    CHECK(std::string(error.what()) == "SCENE is missing");
+  }
+  try {
+    parse_render_arguments({"scene.dae", "--stats"});
+    FAIL("accepted");
+  } catch (const UsageError& error) {
+    CHECK(std::string(error.what()) == "--stats: FILE is missing");
+  }
 }
 
 }  // namespace twinray::test

@@ -11,7 +11,7 @@ using Warnings = std::vector<std::string>;
 Warnings warnings_of(const Scene& scene, const std::vector<std::string>& options = {}) {
   std::vector<std::string> words = options;
   words.push_back("scene.dae");
-  return scene_warnings(scene, *parse_render_arguments(words));
+  return scene_warnings(scene, parse_render_arguments(words));
 }
 
 Scene lit_scene() {

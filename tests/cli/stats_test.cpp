@@ -41,6 +41,8 @@ std::string counts_text(const EngineFigures& figures) {
   return text;
 }
 
+StatsArguments parse(const Words& words) { return parse_alone<StatsArguments>(add_stats_options, words); }
+
 std::string quoted(const std::string& path) { return "'" + path + "'"; }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -137,14 +139,14 @@ TEST_CASE("a wrong stats command line ends with 2, and a file that is not there 
   const ProcessResult unknown = run_program("stats --none " + box);
   CHECK(unknown.exit_code == 2);
   CHECK(unknown.err ==
-        "twinray: The following argument was not expected: --none\n"
+        "twinray: there is no option --none\n"
         "usage: twinray stats SCENE.dae [options]; all options: twinray stats --help\n");
-  CHECK_THROWS_AS(parse_stats_arguments({}), UsageError);
-  CHECK_THROWS_AS(parse_stats_arguments({"a.dae", "-r", "0", "1"}), UsageError);
-  CHECK_THROWS_AS(parse_stats_arguments({"a.dae", "-s", "0"}), UsageError);
-  CHECK_THROWS_AS(parse_stats_arguments({"a.dae", "--view", "both"}), UsageError);
-  CHECK(parse_stats_arguments({"a.dae"})->view == View::whole);
-  CHECK(parse_stats_arguments({"a.dae", "--view=file"})->view == View::file);
+  CHECK_THROWS_AS(parse({}), UsageError);
+  CHECK_THROWS_AS(parse({"a.dae", "-r", "0", "1"}), UsageError);
+  CHECK_THROWS_AS(parse({"a.dae", "-s", "0"}), UsageError);
+  CHECK_THROWS_AS(parse({"a.dae", "--view", "both"}), UsageError);
+  CHECK(parse({"a.dae"}).view == View::whole);
+  CHECK(parse({"a.dae", "--view=file"}).view == View::file);
   CHECK(run_program("stats -q no-such-scene.dae").exit_code == 1);
   const TemporaryFolder folder;
   const std::string nowhere = folder.file("none/a.csv");

@@ -33,7 +33,7 @@ std::array<std::uint8_t, 3> bytes_at(const ByteImage& image, int x, int y) {
 }
 
 std::array<std::uint8_t, 3> encoded(const Rgb& c) {
-  return {encode(ToneCurve::srgb, c.r), encode(ToneCurve::srgb, c.g), encode(ToneCurve::srgb, c.b)};
+  return {encode_srgb(c.r), encode_srgb(c.g), encode_srgb(c.b)};
 }
 
 }  // namespace

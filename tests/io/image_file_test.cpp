@@ -30,20 +30,20 @@ TEST_CASE("a PNG keeps every byte, and carries the metadata") {
   const TemporaryFolder folder;
   ByteImage bytes{4, 1, {0, 1, 2, 127, 128, 129, 200, 201, 202, 253, 254, 255}};
   write_png(folder.file("a.png"), bytes, {{"twinray:scene", "the scene"}});
-  CHECK(encode(ToneCurve::srgb, read_image(folder.file("a.png"))).bytes == bytes.bytes);
+  CHECK(encode_srgb(read_image(folder.file("a.png"))).bytes == bytes.bytes);
   CHECK(read_text(folder.file("a.png")).find("the scene") != std::string::npos);
 }
 
 TEST_CASE("the tone curve is sRGB's, clipped and rounded") {
-  CHECK(encode(ToneCurve::srgb, 0.0f) == 0);
-  CHECK(encode(ToneCurve::srgb, -1.0f) == 0);
-  CHECK(encode(ToneCurve::srgb, NAN) == 0);
-  CHECK(encode(ToneCurve::srgb, 0.0025f) == 8);  // 255 * 12.92 * 0.0025 = 8.24
+  CHECK(encode_srgb(0.0f) == 0);
+  CHECK(encode_srgb(-1.0f) == 0);
+  CHECK(encode_srgb(NAN) == 0);
+  CHECK(encode_srgb(0.0025f) == 8);  // 255 * 12.92 * 0.0025 = 8.24
   // 127.5 stands for ((0.5 + 0.055) / 1.055)^2.4 = 0.21404114, by IEC 61966-2-1.
-  CHECK(encode(ToneCurve::srgb, 0.2140411f) == 127);
-  CHECK(encode(ToneCurve::srgb, 0.2140412f) == 128);
-  CHECK(encode(ToneCurve::srgb, 1.0f) == 255);
-  CHECK(encode(ToneCurve::srgb, 50.0f) == 255);
+  CHECK(encode_srgb(0.2140411f) == 127);
+  CHECK(encode_srgb(0.2140412f) == 128);
+  CHECK(encode_srgb(1.0f) == 255);
+  CHECK(encode_srgb(50.0f) == 255);
 }
 
 TEST_CASE("an old file survives a failure to write") {

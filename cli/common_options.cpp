@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/common_options.h"
+
+#include "cli/console.h"
+
+namespace twinray {
+namespace {
+
+constexpr Range<int> thread_counts{1, 1024};
+const Choices<View> views{{"file", View::file}, {"whole", View::whole}};
+
+}  // namespace
+
+std::string view_name(View view) {
+  for (const auto& [name, value] : views)
+    if (value == view) return name;
+  return "unknown";
+}
+
+Camera camera_of(const Scene& scene, View view, int width, int height) {
+  if (view == View::file) return scene.camera;
+  return view_whole(fit_frame(scene.camera, width, height), scene.geometry->bounds());
+}
+
+void add_resolution(OptionGroup& group, std::vector<int>& width_and_height, const std::string& description) {
+  group.add_numbers(
+      {"-r,--resolution", "W H", fmt::format("{} ({})", description, fmt::join(width_and_height, " "))}, 2,
+      width_and_height, frame_sides);
+}
+
+void add_view(OptionGroup& group, View& view) {
+  group.add_choice("--view", view, views, "As the file's camera sees it, or all of it");
+}
+
+void add_threads(OptionGroup& group, int& threads) {
+  group.add_words({"-t,--threads", "N", "Threads (all of the machine)"}, 1, [&threads](const Words& words) {
+    threads = parse_number("--threads", words.front(), thread_counts);
+  });
+}
+
+LoadedScene load_with_warnings(const std::string& path, const LoadOptions& options) {
+  LoadedScene loaded = load_scene(path, options);
+  for (const Diagnostic& warning : loaded.warnings) console::warn(warning.text());
+  return loaded;
+}
+
+}  // namespace twinray

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options that several subcommands have, and where a scene is seen from.
+#pragma once
+#include <string>
+
+#include "cli/options.h"
+#include "core/film.h"
+#include "core/scene.h"
+#include "io/scene_file.h"
+
+namespace twinray {
+
+/// Where the picture is seen from.
+enum class View {
+  file,   ///< The scene file's camera, or that of a camera settings file.
+  whole,  ///< The same direction and field of view, from where the whole scene is seen.
+};
+
+/// "file", "whole".
+std::string view_name(View view);
+
+/// The scene's camera, moved as the view says for a frame of this size.
+Camera camera_of(const Scene& scene, View view, int width, int height);
+
+inline constexpr Range<std::uint32_t> sample_counts{1, Film::max_samples};
+
+/// The help gives width and height as they are.
+void add_resolution(OptionGroup& group, std::vector<int>& width_and_height, const std::string& description);
+void add_view(OptionGroup& group, View& view);
+void add_threads(OptionGroup& group, int& threads);
+
+/// Loads the scene and prints the warnings of its file, in quiet runs too. Throws Error.
+LoadedScene load_with_warnings(const std::string& path, const LoadOptions& options = {});
+
+}  // namespace twinray

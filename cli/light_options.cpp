@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "cli/render_options.h"
+
+namespace twinray {
+namespace {
+
+using Bounces = RenderRequest::Bounces;
+
+void add_direct_light_options(OptionGroup& group, RenderRequest& request) {
+  PathOptions& path = request.arguments.path;
+  group.add_choice<DirectMethod>("--direct", path.direct,
+                                 {{"lights", DirectMethod::lights}, {"hemisphere", DirectMethod::hemisphere}},
+                                 "How direct light is sampled");
+  group.add_flag("-H,--hemisphere", request.hemisphere, "The same as --direct=hemisphere");
+  group.add_number({"-l,--light-samples", "N", "Samples of each area light at a hit"}, path.samples_per_light,
+                   {1u, 65536u});
+}
+
+void add_path_options(OptionGroup& group, RenderRequest& request) {
+  group.add_number({"-m,--max-depth", "N", "Bounces of light: 0 emission, 1 direct, ..."},
+                   request.arguments.path.max_depth, {0, 100});
+  group.add_choice<Bounces>("--bounces", request.bounces,
+                            {{"all", Bounces::all},
+                             {"direct", Bounces::direct},
+                             {"indirect", Bounces::indirect},
+                             {"last", Bounces::last}},
+                            "Which light is shown");
+  group.add_word({"--roulette", "throughput|P",
+                  fmt::format("Going on: a probability, or by throughput ({})", request.roulette)},
+                 request.roulette);
+}
+
+Roulette parse_roulette(const std::string& word) {
+  if (word == "throughput") return {};
+  float probability = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), probability);
+  if (error != std::errc() || end != word.data() + word.size() || !(probability > 0 && probability <= 1))
+    throw UsageError(
+        fmt::format("--roulette: \"{}\"; valid are throughput and a probability in (0, 1]", word));
+  return {probability};
+}
+
+void choose_bounces(Bounces bounces, PathOptions& path) {
+  if (bounces == Bounces::direct) path.last_depth = 1;
+  if (bounces == Bounces::indirect) path.first_depth = 2;
+  if (bounces == Bounces::last) path.first_depth = path.last_depth = path.max_depth;
+}
+
+}  // namespace
+
+void add_light_options(CLI::App& app, RenderRequest& request) {
+  OptionGroup group(app, "Light");
+  RenderArguments& arguments = request.arguments;
+  group.add_choice<IntegratorKind>("--integrator", arguments.integrator,
+                                   {{"path", IntegratorKind::path},
+                                    {"direct", IntegratorKind::direct},
+                                    {"normals", IntegratorKind::normals},
+                                    {"cost", IntegratorKind::cost}},
+                                   "What is computed");
+  group.add_choice<std::optional<CostKind>>(
+      "--cost", request.cost, {{"nodes", CostKind::nodes}, {"primitives", CostKind::primitives}},
+      "Of a camera ray, for cost (nodes if counted)");
+  add_path_options(group, request);
+  add_direct_light_options(group, request);
+  group.add_word({"-e,--environment", "FILE", "Light from a latitude-longitude .exr or .hdr"},
+                 arguments.environment);
+  group.add_flag("--keep-both-lamps", arguments.load.keep_both_lamps,
+                 "Keep a lamp's rectangle beside its mesh");
+}
+
+void resolve_light(const RenderRequest& request, RenderArguments& arguments) {
+  PathOptions& path = arguments.path;
+  if (request.hemisphere) path.direct = DirectMethod::hemisphere;
+  if (arguments.integrator == IntegratorKind::direct) path.max_depth = std::min(path.max_depth, 1);
+  path.roulette = parse_roulette(request.roulette);
+  choose_bounces(request.bounces, path);
+}
+
+}  // namespace twinray

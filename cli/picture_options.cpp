@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <limits>
+
+#include "cli/render_options.h"
+
+namespace twinray {
+namespace {
+
+PixelRect window_of(const std::vector<int>& crop, int width, int height) {
+  const int x = crop[0], y = crop[1], w = crop[2], h = crop[3];
+  if (x < 0 || y < 0 || w < 1 || h < 1 || w > width || h > height || x > width - w || y > height - h)
+    throw UsageError(fmt::format("--crop: {} {} {} {} (X Y W H) is not a part of {} x {} pixels", x, y, w, h,
+                                 width, height));
+  return {x, y, x + w, y + h};
+}
+
+}  // namespace
+
+void add_picture_options(CLI::App& app, RenderRequest& request) {
+  OptionGroup group(app, "Picture");
+  RenderArguments& arguments = request.arguments;
+  group.add_word({"-o,--output,-f", "FILE",
+                  fmt::format("The picture: .png, or .exr for linear floats ({})", arguments.output)},
+                 arguments.output);
+  add_resolution(group, request.resolution, "Width and height in pixels");
+  constexpr Range<int> any{std::numeric_limits<int>::min(), std::numeric_limits<int>::max()};
+  group.add_numbers({"-p,--crop", "X Y W H", "Only this part of the frame, from its top left"}, 4,
+                    request.crop, any);
+  add_view(group, arguments.view);
+  group.add_word({"-c,--camera", "FILE", "Camera settings file of CS184's program"}, arguments.camera_file);
+}
+
+void resolve_picture(const RenderRequest& request, RenderArguments& arguments) {
+  RenderOptions& render = arguments.render;
+  render.width = request.resolution[0];
+  render.height = request.resolution[1];
+  if (!request.crop.empty()) render.window = window_of(request.crop, render.width, render.height);
+}
+
+}  // namespace twinray

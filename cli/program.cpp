@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The subcommands, each with its options and what is done with them.
+#include "cli/program.h"
+
+#include <algorithm>
+
+#include "cli/agreement_command.h"
+#include "cli/crosscheck_command.h"
+#include "cli/options.h"
+#include "cli/render_command.h"
+#include "cli/stats_command.h"
+
+namespace twinray {
+namespace {
+
+Action add_render(CLI::App& app) {
+  return [read = add_render_options(app)](const Words& words) { return render_command(read(), words); };
+}
+Action add_agreement(CLI::App& app) {
+  return [read = add_agreement_options(app)](const Words&) { return agreement_command(read()); };
+}
+Action add_crosscheck(CLI::App& app) {
+  return [read = add_crosscheck_options(app)](const Words&) { return crosscheck_command(read()); };
+}
+Action add_stats(CLI::App& app) {
+  return [read = add_stats_options(app)](const Words&) { return stats_command(read()); };
+}
+
+const std::vector<Subcommand> subcommands{
+    {"render", add_render, "Renders a COLLADA scene by path tracing.", "Run",
+     "Other commands: twinray agreement, crosscheck and stats; each has its --help."},
+    {"agreement", add_agreement,
+     "Renders scenes small by every engine, split method, integrator, sampler and number of threads,\n"
+     "and compares all pictures and ray counts bit for bit. Exit code 1 if any differs."},
+    {"crosscheck", add_crosscheck,
+     "Shoots the same rays through several engines and judges every difference."},
+    {"stats", add_stats,
+     "Builds every engine and split method over a scene and shoots the rays of its paths, recorded once,\n"
+     "through each: build time, tree, and what camera, shadow and bounce rays take."}};
+
+bool is_subcommand(const std::string& word) {
+  return std::any_of(subcommands.begin(), subcommands.end(),
+                     [&](const Subcommand& subcommand) { return word == subcommand.name; });
+}
+
+std::string usage_of(const std::string& name) {
+  if (name == "render") return "twinray [render] SCENE.dae [options]; all options: twinray --help";
+  const char* scene = name == "agreement" ? "[SCENE.dae]..." : "SCENE.dae";
+  return fmt::format("twinray {0} {1} [options]; all options: twinray {0} --help", name, scene);
+}
+
+}  // namespace
+
+int run_program(std::vector<std::string> words) {
+  if (words.empty() || !is_subcommand(words.front())) words.insert(words.begin(), "render");
+  try {
+    return run_subcommand(subcommands, words);
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("{}\nusage: {}", error.what(), usage_of(words.front())));
+  }
+}
+
+}  // namespace twinray

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of a render in groups, one file each. A group reads its words, and once all are read it says
+// what they mean together.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/options.h"
+#include "cli/render_arguments.h"
+
+namespace twinray {
+
+/// What a render's command line says, word by word: options whose values are only understood together with
+/// others stand beside the arguments.
+struct RenderRequest {
+  RenderArguments arguments;
+  std::vector<int> resolution{arguments.render.width, arguments.render.height};
+  std::vector<int> crop;  ///< X Y W H; empty: none.
+  Words adaptive;         ///< Batch and tolerance; empty: none.
+  std::string roulette = "throughput";
+  bool hemisphere = false;
+  enum class Bounces { all, direct, indirect, last } bounces = Bounces::all;
+  std::optional<CostKind> cost;
+  std::optional<int> bvh_width;
+  std::optional<Backend> backend = default_backend();  ///< None: check.
+  std::string check_with;                              ///< Empty: the usual one.
+};
+
+void add_picture_options(CLI::App& app, RenderRequest& request);
+void add_light_options(CLI::App& app, RenderRequest& request);
+void add_sampling_options(CLI::App& app, RenderRequest& request);
+void add_engine_options(CLI::App& app, RenderRequest& request);
+void add_run_options(CLI::App& app, RenderRequest& request);
+
+// Each throws UsageError where its options contradict each other.
+
+void resolve_picture(const RenderRequest& request, RenderArguments& arguments);
+void resolve_light(const RenderRequest& request, RenderArguments& arguments);
+void resolve_sampling(const RenderRequest& request, RenderArguments& arguments);
+/// After the others: the engine depends on what is computed.
+void resolve_engine(const RenderRequest& request, RenderArguments& arguments);
+
+}  // namespace twinray

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/render_options.h"
+
+namespace twinray {
+
+void add_run_options(CLI::App& app, RenderRequest& request) {
+  OptionGroup group(app, "Run");
+  RenderArguments& arguments = request.arguments;
+  add_threads(group, arguments.render.threads);
+  group.add_flag("--count", arguments.render.counting, "Count nodes and primitives per ray (slower)");
+  group.add_word({"--stats", "FILE", "Write all statistics as JSON"}, arguments.stats_file);
+  group.add_flag("--strict", arguments.load.strict, "What would be a warning of the scene file is an error");
+  group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
+}
+
+}  // namespace twinray

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/render_options.h"
+
+namespace twinray {
+namespace {
+
+constexpr Range<std::uint32_t> batches{2, Film::max_samples};
+constexpr Range<double> tolerances{0, 1e6};
+
+}  // namespace
+
+void add_sampling_options(CLI::App& app, RenderRequest& request) {
+  OptionGroup group(app, "Sampling");
+  RenderOptions& render = request.arguments.render;
+  group.add_number({"-s,--samples", "N", "Samples per pixel"}, render.samples, sample_counts);
+  const AdaptiveSampling usual;
+  group.add_words(
+      {"-a,--adaptive", "N T",
+       fmt::format("Stop a pixel early: batch size, tolerance; as {} {}", usual.batch, usual.tolerance)},
+      2, [&request](const Words& words) { request.adaptive = words; });
+  group.add_choice<SamplerKind>("--sampler", render.sampler,
+                                {{"sobol", SamplerKind::sobol}, {"independent", SamplerKind::independent}},
+                                "Random numbers");
+  group.add_number({"--seed", "N", "Another seed, another noise"}, render.seed, seeds);
+}
+
+void resolve_sampling(const RenderRequest& request, RenderArguments& arguments) {
+  if (request.adaptive.empty()) return;
+  AdaptiveSampling& adaptive = arguments.render.adaptive.emplace();
+  adaptive.batch = parse_number("--adaptive", request.adaptive[0], batches);
+  adaptive.tolerance = parse_number("--adaptive", request.adaptive[1], tolerances);
+}
+
+}  // namespace twinray
