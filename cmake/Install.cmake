@@ -38,6 +38,7 @@ set(private_headers
   accel/embree/embree.h
   accel/embree/leaf.h
   accel/embree/ray.h
+  accel/embree/rounding.h
   accel/instruction_sets.h
   accel/wide/batch-inl.h
   accel/wide/box_test-inl.h

@@ -23,6 +23,7 @@ constexpr std::size_t searches_per_task = 512;
 struct Move {
   float gain = 0;  ///< By how much the sum of areas falls; > 0 where there is a target.
   std::uint32_t node = 0, target = 0;
+  std::uint32_t steps = 0;  ///< Of the search for it.
 };
 
 class Reinsertion {
@@ -32,18 +33,22 @@ class Reinsertion {
     link(0);
   }
 
-  void round(double share) {
+  /// Returns the steps of its searches.
+  std::uint64_t round(double share) {
     const std::vector<std::uint32_t> candidates = largest(share);
     std::vector<Move> moves(candidates.size());
     parallel_for(candidates.size(), searches_per_task, 0, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) moves[i] = best_move(candidates[i]);
     });
+    std::uint64_t steps = 0;
+    for (const Move& move : moves) steps += move.steps;
     std::erase_if(moves, [](const Move& move) { return !(move.gain > 0); });
     std::sort(moves.begin(), moves.end(), [](const Move& a, const Move& b) {
       return a.gain != b.gain ? a.gain > b.gain : a.node < b.node;
     });
     for (const Move& move : moves)
       if (is_sound(move) && gain(move) > 0) carry_out(move);
+    return steps;
   }
 
  private:
@@ -89,7 +94,7 @@ class Reinsertion {
 
   /// Climbs from a node to the root and looks at the subtrees beside the way.
   Move best_move(std::uint32_t node) const {
-    Move best{0, node, 0};
+    Move best{.node = node};
     const BoxLanes moved = box(node);
     const std::uint32_t parent = parents_[node];
     float gain = area(parent);  // What leaving saves: the parent, and what the nodes above it shrink by.
@@ -116,7 +121,9 @@ class Reinsertion {
     const float moved_area = moved.half_area();
     while (size > 0) {
       const Waiting next = stack[--size];
+      ++best.steps;
       if (next.gain - moved_area <= best.gain) continue;  // A new node is no smaller than what is moved.
+      ++best.steps;
       const BoxLanes target = box(next.index);
       const float here = next.gain - target.joined(moved).half_area();
       if (here > best.gain) {
@@ -213,10 +220,12 @@ class Reinsertion {
 
 }  // namespace
 
-void reinsert(BuildTree& tree, const ReinsertionEffort& effort) {
-  if (tree.nodes.size() < 2 || effort.rounds == 0) return;
+std::uint64_t reinsert(BuildTree& tree, const ReinsertionEffort& effort) {
+  if (tree.nodes.size() < 2 || effort.rounds == 0) return 0;
   Reinsertion reinsertion(tree);
-  for (int i = 0; i < effort.rounds; ++i) reinsertion.round(effort.share);
+  std::uint64_t steps = 0;
+  for (int i = 0; i < effort.rounds; ++i) steps += reinsertion.round(effort.share);
+  return steps;
 }
 
 }  // namespace twinray

@@ -22,10 +22,6 @@
 namespace twinray {
 namespace {
 
-/// By how much tfar lies behind a hit, and tnear before t_min: far above the 32 u (u = 2^-24) to which
-/// Embree's and the canonical parameters of one plane differ relatively.
-constexpr float slack = 0x1p-14f;
-
 /// Leaves of one block each, as full as can be: 95 bytes a triangle instead of 114 at the same speed.
 BuildOptions block_options(const BuildOptions& options) {
   return {
@@ -79,7 +75,7 @@ class EmbreeAccelerator final : public Accelerator {
     return closest_of(query.ray, [&](const CheckedRay& ray) {
       if (is_far(ray)) return far_hit<QueryKind::closest>(ray, query.counts);
       const float scale = length_scale(ray);
-      embree::LeafQuery leaf_query(blocks_.bvh.blocks.data(), geometry(), ray, scale * (1 + slack),
+      embree::LeafQuery leaf_query(blocks_.bvh.blocks.data(), geometry(), ray, embree::told_t_max(scale),
                                    query.counts);
       RTCRayHit ray_hit = embree::without_hit(embree_ray(ray, scale));
       embree::intersect(blocks_.scene.get(), leaf_query, ray_hit);
@@ -91,7 +87,7 @@ class EmbreeAccelerator final : public Accelerator {
     return any_of(query.ray, [&](const CheckedRay& ray) {
       if (is_far(ray)) return bool(far_hit<QueryKind::any>(ray, query.counts));
       const float scale = length_scale(ray);
-      embree::LeafQuery leaf_query(blocks_.bvh.blocks.data(), geometry(), ray, scale * (1 + slack),
+      embree::LeafQuery leaf_query(blocks_.bvh.blocks.data(), geometry(), ray, embree::told_t_max(scale),
                                    query.counts);
       RTCRay occlusion_ray = embree_ray(ray, scale);
       embree::occluded(blocks_.scene.get(), leaf_query, occlusion_ray);
@@ -111,8 +107,8 @@ class EmbreeAccelerator final : public Accelerator {
     return std::bit_cast<float>((2 * 127u << 23) - std::bit_cast<std::uint32_t>(power));
   }
   static RTCRay embree_ray(const CheckedRay& ray, float scale) {
-    return embree::make_ray(ray.origin, ray.direction * inverse_power(scale), ray.t_min * scale * (1 - slack),
-                            ray.t_max * scale * (1 + slack));
+    return embree::make_ray(ray.origin, ray.direction * inverse_power(scale),
+                            embree::told_t_min(ray.t_min * scale), embree::told_t_max(ray.t_max * scale));
   }
 
   /// The answer of our own tree. Apart, for its stack is large.

@@ -19,6 +19,54 @@ CheckedRay checked(const Ray& ray) {
   return loaded;
 }
 
+/// A ray and a box beside which it passes, by as much as the test of a triangle may be wrong.
+struct NearMiss {
+  Ray ray;
+  Aabb box;
+  double t;  ///< Where it does.
+};
+
+/// The largest float at most x, or the least one at least x.
+float rounded(double x, bool down) {
+  const auto nearest = float(x);
+  if (down && double(nearest) > x) return std::nextafter(nearest, -Aabb::infinity);
+  if (!down && double(nearest) < x) return std::nextafter(nearest, Aabb::infinity);
+  return nearest;
+}
+
+/// Woop's test takes a vertex for up to 6 u D (u = 2^-24) beside its place, in each of the two components
+/// across the ray's dominant axis; D is the largest component of vertex - origin. So a box may lie as far
+/// beside the ray as that, and one of its triangles be hit. The rays here are at all angles to the axis; the
+/// origin lies on the other side of the origin of coordinates than the box, for which D is largest.
+NearMiss near_miss(Random& random) {
+  constexpr double most = 0.999 * 6 * 0x1p-24;
+  const int along = random.below(3);
+  const float size = std::ldexp(1.0f, random.between(-40, 38)), way = random.below(2) ? 1.0f : -1.0f;
+  Ray ray{.origin = random.in_cube(size * 0.25f)};
+  ray.origin[along] = -way * size;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float slope = std::ldexp(random.uniform(-1, 1), -random.between(0, 50));
+    ray.direction[axis] = axis == along ? way : random.below(4) == 0 ? 0.0f : slope;
+  }
+  const double t = double(size) * double(random.uniform(1.5f, 2));
+  double place[3], distance = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    place[axis] = double(ray.origin[axis]) + t * double(ray.direction[axis]);
+    distance = std::max(distance, std::fabs(place[axis] - double(ray.origin[axis])));
+  }
+  Aabb box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool is_below = random.below(2);
+    const double beside = axis == along ? -distance * 0x1p-20 : distance * most;
+    const double face = is_below ? place[axis] - beside : place[axis] + beside;
+    const float near = rounded(face, !is_below),
+                far = near + (is_below ? -size : size) * random.unit() * 0.1f;
+    box.lower[axis] = std::min(near, far);
+    box.upper[axis] = std::max(near, far);
+  }
+  return {ray, box, t};
+}
+
 /// A box that contains another: equal to it in some faces, beyond it by an ulp or by anything in others.
 Aabb enclosing(Random& random, const Aabb& box) {
   Aabb outer = box;
@@ -74,6 +122,16 @@ TEST_CASE("the box of a triangle never rejects a hit of its edge functions, nor 
       FAIL("draw " << i << ": near " << interval.near << " t " << hit.t << " far " << interval.far);
   }
   CHECK(accepted > 300000);
+}
+
+TEST_CASE("a box is met by every ray that passes it within what a triangle's test rounds by") {
+  Random random(46);
+  for (int i = 0; i < 200000; ++i) {
+    const NearMiss miss = near_miss(random);
+    const SlabInterval interval = slab(checked(miss.ray), miss.box);
+    if (!(double(interval.near) <= miss.t && miss.t <= double(interval.far)))
+      FAIL("draw " << i << ": near " << interval.near << " t " << miss.t << " far " << interval.far);
+  }
 }
 
 TEST_CASE("an origin on a face, with a zero component of either sign, meets the box") {

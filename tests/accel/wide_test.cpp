@@ -410,6 +410,24 @@ TEST_CASE("a wide tree has statistics") {
   CHECK(stats.phases[3].name == "collapse");
 }
 
+TEST_CASE("the sah cost of a wide tree is the expected cost of a ray") {
+  const auto cost = [](const Mesh& mesh, const BuildOptions& options) {
+    return build_accelerator(Backend::bvh, share({mesh}), options)->stats().tree->sah_cost;
+  };
+  // Of one leaf, its primitives' costs.
+  CHECK(cost(soup(1, 1, 1), {.intersection_cost = 3}) == 3);
+  CHECK(cost(soup(4, 1, 1), {.traversal_cost = 1e6, .intersection_cost = 3}) == 12);
+  // Flat boxes of area 1, 1 and 2 in one of 10 x 1: a node, and each leaf by its share of the area.
+  Mesh mesh;
+  add_triangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  add_triangle(mesh, {3, 0, 0}, {4, 0, 0}, {3, 1, 0});
+  add_triangle(mesh, {8, 0, 0}, {10, 0, 0}, {8, 1, 0});
+  constexpr double padding = 1e-4;  // The boxes are widened by 2^-21 of their coordinates.
+  CHECK(cost(mesh, {.max_leaf_size = 1}) == Approx(1 + 0.1 + 0.1 + 0.2).epsilon(padding));
+  CHECK(cost(mesh, {.max_leaf_size = 1, .traversal_cost = 2, .intersection_cost = 5}) ==
+        Approx(2 + 5 * 0.4).epsilon(padding));
+}
+
 TEST_CASE("a BVH has two or eight children a node") {
   const auto geometry = share({soup(5, 1, 1)});
   for (const int width : {0, 1, 4, 16})

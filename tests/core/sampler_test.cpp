@@ -163,6 +163,27 @@ TEST_CASE("neighbouring pixels, vertices and seeds are independent of each other
       }
 }
 
+TEST_CASE("each dimension of sobol is scrambled on its own") {
+  // Samples 2k and 2k + 1 lie in different halves of every dimension. Where in its half each one lies has
+  // nothing to do with the other, nor with the other dimension: four independent numbers. A scramble that two
+  // dimensions share gives them digits that stay equal where the sequence has equal ones, for both samples.
+  // 65536 pixels fall into 4^4 cells, so a share of cells that is off by a fifth is seen.
+  const double level = test::sidak_level(4 * 6);
+  const auto cell = [](float u) { return float(int(8 * u) % 4); };  // Digits 2 and 3 in base 2.
+  for (int first = 0; first < dimensions; first += 4)
+    for (int a = first; a < first + 4; ++a)
+      for (int b = a + 1; b < first + 4; ++b) {
+        CAPTURE(a, b);
+        CHECK(pairs_p_value([&](auto x, auto y) {
+                VertexSampler even(SamplerKind::sobol, {.seed = 6, .x = x, .y = y, .index = 4}, 1);
+                VertexSampler odd(SamplerKind::sobol, {.seed = 6, .x = x, .y = y, .index = 5}, 1);
+                const float p = (cell(even.draw_1d(Purpose(a))) * 4 + cell(even.draw_1d(Purpose(b)))) / 16;
+                const float q = (cell(odd.draw_1d(Purpose(a))) * 4 + cell(odd.draw_1d(Purpose(b)))) / 16;
+                return std::pair(p, q);
+              }) > level);
+      }
+}
+
 TEST_CASE("samples of the independent kind are independent of each other") {
   const std::uint32_t distances[] = {1, 2, 64, 1u << 31};
   for (const std::uint32_t distance : distances)
