@@ -2,6 +2,7 @@
 // The benchmark program: scene by scene, every engine; then the reports.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -13,14 +14,22 @@
 #include "bench/reports.h"
 #include "core/error.h"
 #include "integrators/render.h"
+#include "io/destination.h"
 #include "io/image_file.h"
 #include "io/output_file.h"
 
 namespace twinray::bench {
 namespace {
 
+/// A stream that cannot be written does not end a long run; main asks for its state.
+void print(std::FILE* stream, const std::string& text) {
+  std::fputs(text.c_str(), stream);
+  std::fflush(stream);
+}
+
 void write_picture(const SceneSource& source, const PictureOrder& order) {
-  check_image_output(order.file);
+  check_image_name(order.file);
+  check_outputs({order.file});
   const Scene scene = source.make();
   const auto accelerator = build_accelerator(default_backend(), scene.geometry);
   const PathIntegrator path(scene, {});
@@ -34,10 +43,22 @@ bool is_sound(const SceneStatistics& scene) {
   return true;
 }
 
-void write_reports(const Options& options, const Results& results) {
-  if (!options.json_file.empty()) write_text_file(options.json_file, json_report(results));
-  if (!options.csv_file.empty()) write_text_file(options.csv_file, csv_report(results));
-  if (!options.html_file.empty()) write_text_file(options.html_file, html_report(results));
+std::vector<std::string> report_files(const Options& options) {
+  std::vector<std::string> files;
+  for (const std::string& file : {options.json_file, options.csv_file, options.html_file})
+    if (!file.empty()) files.push_back(file);
+  return files;
+}
+
+/// A file can be written again; what is written into (a pipe, standard output) gets the last reports alone.
+void write_reports(const Options& options, const Results& results, bool is_last) {
+  const auto write = [&](const std::string& name, std::string (*report)(const Results&)) {
+    if (name.empty()) return;
+    if (is_last || destination_of(name).kind == Destination::Kind::file) write_file(name, report(results));
+  };
+  write(options.json_file, json_report);
+  write(options.csv_file, csv_report);
+  write(options.html_file, html_report);
 }
 
 /// Growth is a matter of rays; pictures are made of the scenes that are looked at.
@@ -56,8 +77,9 @@ void measure_whole(const Workload& workload, const Options& options, Progress& p
 }
 
 int measure(const Options& options) {
-  for (const std::string& file : {options.json_file, options.csv_file, options.html_file})
-    if (!file.empty()) check_output(file);
+  const std::vector<std::string> files = report_files(options);
+  check_outputs(files);
+  const bool is_output_taken = std::any_of(files.begin(), files.end(), is_standard_output);
   Results results{
       describe_machine(), options.trace.rounds.count, options.width, options.height, {}, {}, {}, {}};
   const std::vector<SceneSource> sources = choose_scenes(options.scenes);
@@ -73,10 +95,11 @@ int measure(const Options& options) {
     const bool has_picture = options.has_renders && is_rendered(sources[i]);
     if (has_picture) measure_whole(workload, options, progress, results);
     progress.finish();
-    fmt::print("{}{}\n", text_report(results.scenes.back()),
-               has_picture ? text_report(results.pictures.back()) : "");
-    std::fflush(stdout);
-    write_reports(options, results);  // Whoever stops a long run keeps what there is.
+    // Whoever stops a long run keeps what there is.
+    write_reports(options, results, i + 1 == sources.size());
+    print(is_output_taken ? stderr : stdout,
+          fmt::format("{}{}\n", text_report(results.scenes.back()),
+                      has_picture ? text_report(results.pictures.back()) : ""));
   }
   return all_sound ? 0 : 1;
 }
@@ -101,11 +124,20 @@ int run(const std::vector<std::string>& words) {
 }  // namespace
 }  // namespace twinray::bench
 
-int main(int argc, char** argv) {
+namespace {
+
+int run(int argc, char** argv) {
   try {
     return twinray::bench::run({argv + 1, argv + argc});
   } catch (const std::exception& error) {
-    fmt::print(stderr, "twinray_bench: {}\n", error.what());
+    twinray::bench::print(stderr, fmt::format("twinray_bench: {}\n", error.what()));
     return 1;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int code = run(argc, argv);
+  return code == 0 && (std::ferror(stdout) || std::ferror(stderr)) ? 1 : code;
 }

@@ -37,6 +37,7 @@ void open() {
     if (fcntl(descriptor, F_GETFD) == -1)
       static_cast<void>(::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void keep_output_for_data() noexcept { output_is_for_data = true; }

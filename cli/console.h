@@ -10,7 +10,8 @@
 namespace twinray::console {
 
 /// First in main. A standard descriptor that is closed is taken, so that no file of ours becomes standard
-/// output or error by chance; a pipe whose reader has gone is an error of writing, not a signal.
+/// output or error by chance; a pipe whose reader has gone, and a
+/// file beyond the limit of sizes, are errors of writing, not signals.
 void open();
 
 /// From now on standard output belongs to data: what print() prints goes to standard error.

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/interrupt.h"
 
+#include <signal.h>
 #include <unistd.h>
 
-#include <csignal>
-#include <cstring>
+#include <atomic>
 
 #include "io/output_file.h"
 
 namespace twinray {
 namespace {
 
-// A signal handler can reach nothing but static storage; this is the program's only such state: the temporary
-// paths, each ended by a zero, and another zero behind the last.
-char unfinished_paths[16384];
+// A signal handler can reach nothing but static storage; this is the program's only such state.
+std::atomic<const std::vector<std::string>*> unfinished_paths = nullptr;
+static_assert(std::atomic<const std::vector<std::string>*>::is_always_lock_free);
 
 void end_at_once(int signal_number) {
-  for (const char* path = unfinished_paths; *path != '\0'; path += std::strlen(path) + 1) unlink(path);
+  if (const std::vector<std::string>* paths = unfinished_paths)
+    for (const std::string& path : *paths) unlink(path.c_str());
   const char newline = '\n';
   if (isatty(STDERR_FILENO) && write(STDERR_FILENO, &newline, 1) < 0) _exit(128 + signal_number);
   _exit(128 + signal_number);
@@ -24,23 +25,22 @@ void end_at_once(int signal_number) {
 
 }  // namespace
 
-InterruptGuard::InterruptGuard(const std::vector<std::string>& files) {
-  std::size_t used = 0;
-  for (const std::string& file : files) {
-    const std::string path = temporary_path(file);
-    if (used + path.size() + 2 > sizeof(unfinished_paths)) break;
-    std::memcpy(unfinished_paths + used, path.c_str(), path.size() + 1);
-    used += path.size() + 1;
+InterruptGuard::InterruptGuard(const std::vector<std::string>& outputs) {
+  for (const std::string& output : outputs)
+    if (std::string path = temporary_path(output); !path.empty()) paths_.push_back(std::move(path));
+  unfinished_paths = &paths_;
+  struct sigaction action {};
+  action.sa_handler = end_at_once;
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    sigaction(signals[i], nullptr, &before_[i]);
+    // What was to be ignored still is: a job that its shell put into the background, or nohup's.
+    if (before_[i].sa_handler != SIG_IGN) sigaction(signals[i], &action, nullptr);
   }
-  unfinished_paths[used] = '\0';
-  std::signal(SIGINT, end_at_once);
-  std::signal(SIGTERM, end_at_once);
 }
 
 InterruptGuard::~InterruptGuard() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-  unfinished_paths[0] = '\0';
+  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+  unfinished_paths = nullptr;
 }
 
 }  // namespace twinray

@@ -20,7 +20,7 @@ void add_picture_options(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, "Picture");
   RenderArguments& arguments = request.arguments;
   group.add_word({"-o,--output,-f", "FILE",
-                  fmt::format("The picture: .png, or .exr for linear floats ({})", arguments.output)},
+                  fmt::format("The picture: .png, .exr (linear floats) or - ({})", arguments.output)},
                  arguments.output);
   add_resolution(group, request.resolution, "Width and height in pixels");
   constexpr Range<int> any{std::numeric_limits<int>::min(), std::numeric_limits<int>::max()};

@@ -9,15 +9,16 @@
 #include "cli/console.h"
 #include "cli/crosscheck_report.h"
 #include "cli/interrupt.h"
+#include "cli/outputs.h"
+#include "cli/picture_metadata.h"
 #include "cli/progress.h"
+#include "cli/render_outputs.h"
 #include "cli/report.h"
 #include "cli/scene_warnings.h"
-#include "cli/version.h"
 #include "core/error.h"
 #include "integrators/normals.h"
 #include "integrators/path.h"
 #include "io/camera_file.h"
-#include "io/color_scale.h"
 #include "io/image_file.h"
 #include "io/output_file.h"
 
@@ -53,54 +54,6 @@ LoadedScene load(const RenderArguments& arguments) {
   }
   for (const std::string& warning : scene_warnings(loaded.scene, arguments)) console::warn(warning);
   return loaded;
-}
-
-ImageMetadata metadata_of(const RenderArguments& arguments, const std::vector<std::string>& words) {
-  std::string options;
-  for (const std::string& word : words) options += (options.empty() ? "" : " ") + word;
-  return {{"Software", version_name()},
-          {"twinray:scene", arguments.scene},
-          {"twinray:options", options},
-          {"twinray:seed", fmt::format("{}", arguments.render.seed)},
-          {"twinray:engine", backend_name(arguments.backend)},
-          {"twinray:samples", fmt::format("{}", arguments.render.samples)}};
-}
-
-/// "a/b.exr" -> "a/b_rate.png".
-std::string rate_path(const std::string& output) {
-  return output.substr(0, output.find_last_of('.')) + "_rate.png";
-}
-std::string legend_path(const std::string& output) {
-  return output.substr(0, output.find_last_of('.')) + "_legend.png";
-}
-
-std::string differences_path(const std::string& output) {
-  return output.substr(0, output.find_last_of('.')) + "_differences.png";
-}
-
-/// All files that this render writes: the picture first.
-std::vector<std::string> output_files(const RenderArguments& arguments) {
-  std::vector<std::string> files{arguments.output};
-  if (arguments.render.adaptive) files.push_back(rate_path(arguments.output));
-  if (arguments.integrator == IntegratorKind::cost) files.push_back(legend_path(arguments.output));
-  if (arguments.check_with) files.push_back(differences_path(arguments.output));
-  if (!arguments.stats_file.empty()) files.push_back(arguments.stats_file);
-  return files;
-}
-
-void check_outputs(const RenderArguments& arguments) {
-  check_image_output(arguments.output);
-  for (const std::string& file : output_files(arguments)) check_output(file);
-}
-
-/// Costs as colours with their legend; EXR keeps the numbers.
-void write_costs(const RenderArguments& arguments, const Image& costs, const ImageMetadata& metadata) {
-  const std::uint32_t end = scale_end(costs);
-  if (is_linear_output(arguments.output))
-    write_exr(arguments.output, costs, metadata);
-  else
-    write_png(arguments.output, scaled_image(costs, end), metadata);
-  write_png(legend_path(arguments.output), legend_image(end), metadata);
 }
 
 /// The other engine of --accel=check, and what is found.
@@ -141,24 +94,11 @@ std::string check_json(const RenderArguments& arguments, const SceneCrosscheck& 
   return crosscheck_json(found, arguments.scene, replay_command(arguments.scene, arguments.load));
 }
 
-void write_outputs(const RenderArguments& arguments, const AccelStats& accel, const RenderResult& result,
-                   const std::optional<SceneCrosscheck>& found, const ImageMetadata& metadata) {
-  if (arguments.integrator == IntegratorKind::cost)
-    write_costs(arguments, mean_image(result.film), metadata);
-  else
-    write_image(arguments.output, mean_image(result.film), metadata);
-  if (arguments.render.adaptive)
-    write_png(rate_path(arguments.output), sample_rate_image(result.film, arguments.render.samples),
-              metadata);
-  if (!arguments.stats_file.empty())
-    write_text_file(arguments.stats_file,
-                    figures_json(arguments, accel, result, found ? check_json(arguments, *found) : ""));
-}
-
 /// Prints the table, and what is wrong; the exit code.
-int report(const Check& check, const SceneCrosscheck& found, const RenderArguments& arguments) {
+int report(const Check& check, const SceneCrosscheck& found, const RenderArguments& arguments,
+           const std::string& differences) {
   const bool is_good = is_passed(found.report);
-  if (!arguments.quiet) console::print("Differences    {}\n\n", differences_path(arguments.output));
+  if (!arguments.quiet && !differences.empty()) console::print("Differences    {}\n\n", differences);
   if (!arguments.quiet || !is_good)
     console::write(crosscheck_text(found, replay_command(arguments.scene, arguments.load),
                                    [&](const Finding& finding) { return check.label(finding); }));
@@ -168,8 +108,10 @@ int report(const Check& check, const SceneCrosscheck& found, const RenderArgumen
 }  // namespace
 
 int render_command(const RenderArguments& arguments, const std::vector<std::string>& words) {
-  const InterruptGuard guard(output_files(arguments));
-  check_outputs(arguments);
+  const RenderOutputs outputs = render_outputs(arguments);
+  const InterruptGuard guard(outputs.names());
+  prepare_outputs(outputs.names());
+  const ImageMetadata metadata = picture_metadata(arguments, words);
   const LoadedScene loaded = load(arguments);
   const auto accelerator = build_accelerator(arguments.backend, loaded.scene.geometry, arguments.build);
   const auto integrator = make_integrator(arguments, loaded.scene);
@@ -183,16 +125,17 @@ int render_command(const RenderArguments& arguments, const std::vector<std::stri
   line.finish();
   if (const std::string rejected = rejection_text(result.film); !rejected.empty()) console::warn(rejected);
   std::optional<SceneCrosscheck> found;
-  const ImageMetadata metadata = metadata_of(arguments, words);
-  if (check) {
-    found = check->found(result.seconds);
-    write_image(differences_path(arguments.output), check->picture(mean_image(result.film)), metadata);
-  }
-  write_outputs(arguments, accelerator->stats(), result, found, metadata);
+  if (check) found = check->found(result.seconds);
+  write_pictures(outputs, arguments, result.film, metadata);
+  if (!outputs.differences.empty())
+    write_image(outputs.differences, check->picture(mean_image(result.film)), metadata);
+  if (!outputs.statistics.empty())
+    write_file(outputs.statistics, figures_json(arguments, accelerator->stats(), result,
+                                                found ? check_json(arguments, *found) : ""));
   if (!arguments.quiet)
     console::print("{}Picture        {}\n",
                    figures_text(accelerator->stats(), result, arguments.render.counting), arguments.output);
-  return check ? report(*check, *found, arguments) : 0;
+  return check ? report(*check, *found, arguments, outputs.differences) : 0;
 }
 
 }  // namespace twinray

@@ -8,6 +8,7 @@
 #include "cli/console.h"
 #include "cli/interrupt.h"
 #include "cli/options.h"
+#include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/stats_report.h"
 #include "core/error.h"
@@ -66,14 +67,14 @@ std::function<StatsArguments()> add_stats_options(CLI::App& app) {
 
 int stats_command(const StatsArguments& arguments) {
   const InterruptGuard guard(output_files(arguments));
-  for (const std::string& file : output_files(arguments)) check_output(file);
+  prepare_outputs(output_files(arguments));
   const Scene scene = load(arguments);
   ProgressLine line(!arguments.quiet);
   const SceneFigures figures =
       measure_engines(scene, arguments.options, [&](const std::string& doing) { line.show(doing); });
   line.finish();
-  if (!arguments.csv_file.empty()) write_text_file(arguments.csv_file, stats_csv(figures));
-  if (!arguments.json_file.empty()) write_text_file(arguments.json_file, stats_json(arguments, figures));
+  if (!arguments.csv_file.empty()) write_file(arguments.csv_file, stats_csv(figures));
+  if (!arguments.json_file.empty()) write_file(arguments.json_file, stats_json(arguments, figures));
   if (!arguments.quiet) console::write(stats_text(arguments, figures));
   return 0;
 }

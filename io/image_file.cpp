@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/image_file.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 
 #include "core/elementary.h"
 #include "core/error.h"
+#include "io/destination.h"
 #include "io/output_file.h"
 
 namespace twinray {
@@ -27,16 +29,26 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
+/// The bytes of a picture's file. It is put together in memory, since OpenImageIO does not notice a full disk
+/// when it writes a PNG, and a pipe cannot be written in any other order.
+std::vector<unsigned char> encoded(const std::string& path, const char* format, const OIIO::ImageSpec& spec,
+                                   const void* pixels) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
+  if (!output || !output->set_ioproxy(&memory))
+    throw Error(fmt::format("{}: OpenImageIO cannot write {}: {}", path, format, OIIO::geterror()));
+  if (!output->open(path, spec) || !output->write_image(spec.format, pixels) || !output->close())
+    throw Error(fmt::format("{}: cannot be written: {}", path, output->geterror()));
+  return bytes;
+}
+
 void write(const std::string& path, const char* format, OIIO::ImageSpec spec, const void* pixels,
            const ImageMetadata& metadata) {
-  OutputFile file(path);
+  spec.attribute("DateTime", "");  // Without any, OpenImageIO would take the time of now.
   for (const auto& [name, value] : metadata) spec.attribute(name, value);
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
-  if (!output)
-    throw Error(fmt::format("{}: OpenImageIO cannot write {}: {}", path, format, OIIO::geterror()));
-  if (!output->open(file.path(), spec) || !output->write_image(spec.format, pixels) || !output->close())
-    throw Error(fmt::format("{}: cannot be written: {}", path, output->geterror()));
-  file.finish();
+  const std::vector<unsigned char> bytes = encoded(path, format, spec, pixels);
+  write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 /// The reader of a file by its ending: never by its contents, so that only well-tried readers see a
@@ -71,11 +83,11 @@ Image to_image(const OIIO::ImageSpec& spec, const std::vector<float>& values) {
 
 }  // namespace
 
-void check_image_output(const std::string& path) {
+void check_image_name(const std::string& path) {
   const std::string extension = extension_of(path);
-  if (extension != ".png" && extension != ".exr")
+  if (extension == ".png" || extension == ".exr") return;
+  if (destination_of(path).kind == Destination::Kind::file)
     throw Error(fmt::format("{}: a picture's name must end in .png or .exr", path));
-  check_output(path);
 }
 
 void write_png(const std::string& path, const ByteImage& image, const ImageMetadata& metadata) {
@@ -85,15 +97,21 @@ void write_png(const std::string& path, const ByteImage& image, const ImageMetad
 
 bool is_linear_output(const std::string& path) { return extension_of(path) == ".exr"; }
 
-void write_exr(const std::string& path, const Image& image, const ImageMetadata& metadata) {
+void write_exr(const std::string& path, const Image& image, const ImageMetadata& metadata,
+               const ImageFrame& frame) {
   static_assert(sizeof(Rgb) == 3 * sizeof(float));
-  const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::FLOAT);
+  OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::FLOAT);
+  spec.x = frame.x;
+  spec.y = frame.y;
+  spec.full_width = frame.width > 0 ? frame.width : image.width;
+  spec.full_height = frame.height > 0 ? frame.height : image.height;
   write(path, "openexr", spec, image.pixels.data(), metadata);
 }
 
-void write_image(const std::string& path, const Image& image, const ImageMetadata& metadata) {
+void write_image(const std::string& path, const Image& image, const ImageMetadata& metadata,
+                 const ImageFrame& frame) {
   if (is_linear_output(path))
-    write_exr(path, image, metadata);
+    write_exr(path, image, metadata, frame);
   else
     write_png(path, encode_srgb(image), metadata);
 }

@@ -12,20 +12,31 @@ namespace twinray {
 /// Names and values that are stored in the file beside the pixels.
 using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 
-/// Throws Error unless a picture of this name could be written (check_output): the ending must be .png or
-/// .exr.
-void check_image_output(const std::string& path);
+/// The whole frame of which a picture is a part, and where its left top pixel lies in it.
+struct ImageFrame {
+  int x = 0, y = 0;
+  int width = 0, height = 0;  ///< 0: the picture is the whole frame.
+};
+
+/// Throws Error unless the name of a picture says its format: it ends in .png or .exr. What is no regular
+/// file (standard output, a device, a FIFO) may have any name: it gets a PNG unless it ends in .exr.
+void check_image_name(const std::string& path);
 
 /// Whether a picture of this name keeps linear floats: its ending is .exr.
 bool is_linear_output(const std::string& path);
 
-/// 8-bit PNG; throws Error where it cannot be written. The file is written beside its place and then renamed:
-/// an old file of that name survives until the new one is complete.
+// Pictures go where write_file puts them: whole, or the old file stays. The same arguments give the same
+// bytes: no time is stored but that of the metadata's "DateTime", if it has any.
+
+/// 8-bit PNG; throws Error where it cannot be written.
 void write_png(const std::string& path, const ByteImage& image, const ImageMetadata& metadata = {});
-/// OpenEXR, channels R, G, B, 32-bit float; otherwise as write_png.
-void write_exr(const std::string& path, const Image& image, const ImageMetadata& metadata = {});
+/// OpenEXR, channels R, G, B, 32-bit float; the picture is the data window, the frame the display window.
+/// Otherwise as write_png.
+void write_exr(const std::string& path, const Image& image, const ImageMetadata& metadata = {},
+               const ImageFrame& frame = {});
 /// By the name's ending: EXR keeps the linear values, PNG is sRGB.
-void write_image(const std::string& path, const Image& image, const ImageMetadata& metadata = {});
+void write_image(const std::string& path, const Image& image, const ImageMetadata& metadata = {},
+                 const ImageFrame& frame = {});
 
 /// Reads an EXR, HDR, PNG or JPEG picture of up to 2^28 pixels as linear colours: the first three channels,
 /// or the first one as grey; 8-bit files are taken as sRGB. Throws Error.

@@ -1,50 +1,133 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/output_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <utility>
 
 #include "core/error.h"
+#include "io/destination.h"
 
 namespace twinray {
+namespace {
 
 namespace fs = std::filesystem;
 
-std::string temporary_path(const std::string& path) {
-  const fs::path target(path);
-  return (target.parent_path() / fmt::format(".{}.{}.part", target.filename().string(), getpid())).string();
+/// A temporary name begins with this much of the file's, so that it is never too long itself.
+constexpr std::size_t kept_of_name = 200;
+
+std::string temporary_path_of(const Destination& to) {
+  if (to.kind != Destination::Kind::file) return "";
+  const fs::path path(to.path);
+  return path.parent_path() /
+         fmt::format(".{:.{}}.{}.part", path.filename().string(), kept_of_name, getpid());
 }
 
-void check_output(const std::string& path) {
-  const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
-  if (!fs::is_directory(folder)) throw Error(fmt::format("{}: there is no folder {}", path, folder.string()));
-  if (fs::is_directory(path)) throw Error(fmt::format("{}: cannot be written: it is a folder", path));
-  const OutputFile probe(path);
-  if (!std::ofstream(probe.path()))
-    throw Error(fmt::format("{}: the folder {} is not writable", path, folder.string()));
+/// An output that is open: begun, written, finished. Unless it is finished, nothing of it stays.
+class OutputFile {
+ public:
+  explicit OutputFile(Destination to)
+      : to_(std::move(to)), temporary_(temporary_path_of(to_)), descriptor_(open_descriptor()) {
+    if (descriptor_ < 0) fail(errno);
+  }
+  ~OutputFile() {
+    if (descriptor_ >= 0) close(descriptor_);
+    if (!temporary_.empty()) unlink(temporary_.c_str());
+  }
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Takes the mode and the owner of an old file that it is to replace.
+  void take_mode_and_owner() const {
+    struct stat old {
+    }, anew{};
+    if (to_.kind != Destination::Kind::file || stat(to_.path.c_str(), &old) != 0) return;
+    if (fstat(descriptor_, &anew) != 0) fail(errno);
+    const bool is_owner_same = old.st_uid == anew.st_uid && old.st_gid == anew.st_gid;
+    if (!is_owner_same && fchown(descriptor_, old.st_uid, old.st_gid) != 0)
+      throw Error(fmt::format("{}: cannot be written anew for its owner (user {}, group {}): {}", to_.name,
+                              old.st_uid, old.st_gid, std::strerror(errno)));
+    if (fchmod(descriptor_, old.st_mode & 07777) != 0) fail(errno);
+  }
+
+  void write(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+      if (written < 0 && errno != EINTR) fail(errno);
+      if (written > 0) bytes.remove_prefix(std::size_t(written));
+    }
+  }
+
+  /// Flushes, closes and moves the file to its place.
+  void finish() {
+    struct stat status {};
+    if (fstat(descriptor_, &status) != 0) fail(errno);
+    if (S_ISREG(status.st_mode) && fsync(descriptor_) != 0 && errno != EINVAL) fail(errno);
+    if (close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+    if (to_.kind != Destination::Kind::file) return;
+    if (std::rename(temporary_.c_str(), to_.path.c_str()) != 0) fail(errno);
+    temporary_.clear();
+  }
+
+ private:
+  int open_descriptor() const {
+    if (to_.kind == Destination::Kind::descriptor) return fcntl(to_.descriptor, F_DUPFD_CLOEXEC, 0);
+    if (to_.kind == Destination::Kind::special)
+      return open(to_.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    unlink(temporary_.c_str());  // Left by an earlier process of the same number, if by any.
+    return open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  }
+
+  [[noreturn]] void fail(int error) const {
+    throw Error(fmt::format("{}: cannot be written: {}", to_.name, std::strerror(error)));
+  }
+
+  Destination to_;
+  std::string temporary_;  ///< Empty for what is written into, and once there is nothing to remove.
+  int descriptor_;
+};
+
+/// Opening a FIFO would wait for its reader, and disturb it: what is written into is asked for its permission
+/// alone.
+void check_output(const Destination& to) {
+  if (to.kind == Destination::Kind::descriptor) {
+    const int flags = fcntl(to.descriptor, F_GETFL);
+    if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY)
+      throw Error(fmt::format("{}: cannot be written: {}", to.name, std::strerror(EBADF)));
+    return;
+  }
+  if (access(to.path.c_str(), W_OK) != 0 && errno != ENOENT)
+    throw Error(fmt::format("{}: cannot be written: {}", to.name, std::strerror(errno)));
+  if (to.kind == Destination::Kind::file) OutputFile(to).take_mode_and_owner();
 }
 
-OutputFile::~OutputFile() {
-  std::error_code ignored;
-  if (!path_.empty()) fs::remove(path_, ignored);
+}  // namespace
+
+std::string temporary_path(const std::string& name) { return temporary_path_of(destination_of(name)); }
+
+void check_outputs(const std::vector<std::string>& names) {
+  std::vector<Destination> places;
+  for (const std::string& name : names) {
+    Destination place = destination_of(name);
+    for (const Destination& other : places)
+      if (is_same_place(place, other))
+        throw Error(fmt::format("{}: the same place as {}; every output needs its own", name, other.name));
+    check_output(place);
+    places.push_back(std::move(place));
+  }
 }
 
-void OutputFile::finish() {
-  std::error_code error;
-  fs::rename(path_, target_, error);
-  if (error) throw Error(fmt::format("{}: cannot be written: {}", target_, error.message()));
-  path_.clear();
-}
-
-void write_text_file(const std::string& path, const std::string& text) {
-  OutputFile file(path);
-  std::ofstream stream(file.path(), std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw Error(fmt::format("{}: cannot be written", path));
+void write_file(const std::string& name, std::string_view bytes) {
+  OutputFile file(destination_of(name));
+  file.take_mode_and_owner();
+  file.write(bytes);
   file.finish();
 }
 

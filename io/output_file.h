@@ -1,35 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are whole or not there: written beside their place, then renamed.
+// Files that are whole or not there: written beside their place, every byte checked, then renamed. What is no
+// regular file (a device, a FIFO, standard output) is written into instead. "-" is standard output.
 #pragma once
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace twinray {
 
-/// Where a file is while it is being written: a hidden name in its own folder, of this process alone.
-std::string temporary_path(const std::string& path);
+/// Where a file is while it is being written: a hidden name in its own folder, of this process alone; empty
+/// for what is written into. Throws Error where destination_of does.
+std::string temporary_path(const std::string& name);
 
-/// Throws Error unless a file of this name could be written: the folder must exist and be writable, the name
-/// must not be a folder's. Nothing is left behind.
-void check_output(const std::string& path);
+/// Throws Error unless all these outputs could be written: the folder must exist and be writable, a name must
+/// not be a folder's, an old file must be writable and of an owner that can be kept, and no two names may
+/// stand for the same place. Nothing is left behind.
+void check_outputs(const std::vector<std::string>& names);
 
-/// An output that is being written at path(); unless it is finished it is removed again, and an older file of
-/// the target's name survives.
-class OutputFile {
- public:
-  explicit OutputFile(std::string target) : target_(std::move(target)), path_(temporary_path(target_)) {}
-  ~OutputFile();
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
-
-  const std::string& path() const { return path_; }
-  /// Moves the file to its place. Throws Error where that fails.
-  void finish();
-
- private:
-  std::string target_, path_;
-};
-
-/// Writes a whole text. Throws Error.
-void write_text_file(const std::string& path, const std::string& text);
+/// Writes the bytes and nothing else. A regular file is replaced as a whole, with the mode and owner of the
+/// old one, which survives any failure; links are followed. Throws Error with the reason where a byte cannot
+/// be written.
+void write_file(const std::string& name, std::string_view bytes);
 
 }  // namespace twinray

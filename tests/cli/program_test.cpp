@@ -152,16 +152,4 @@ TEST_CASE("a scene without a light, and a material that is not rendered as it is
         "warning: mirror is rendered as Lambert of its reflectance: \"silver\"\n");
 }
 
-TEST_CASE("an old picture survives an interruption, and no unfinished file stays") {
-  const TemporaryFolder folder;
-  const std::string output = folder.file("a.png");
-  write_text(output, "the old picture");
-  const std::string command = fmt::format("timeout --preserve-status -s INT 0.5 '{}' {} -q -s 100000 -o '{}'",
-                                          TWINRAY_PROGRAM, box, output);
-  const int status = std::system(command.c_str());
-  CHECK(WEXITSTATUS(status) == 130);
-  CHECK(read_text(output) == "the old picture");
-  CHECK(folder.file_count() == 1);
-}
-
 }  // namespace twinray::test

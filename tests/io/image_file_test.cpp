@@ -3,8 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cstring>
+#include <regex>
+
 #include "core/error.h"
 #include "tests/support/catch.h"
+#include "tests/support/file_size_limit.h"
+#include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
@@ -15,6 +21,17 @@ Image gradient() {
   for (int y = 0; y < 3; ++y)
     for (int x = 0; x < 5; ++x) image.at(x, y) = {0.1f * float(x), 3.7f * float(y), 1e-5f * float(x * y)};
   return image;
+}
+
+/// A window in an EXR's header: x and y of its first and of its last pixel.
+std::array<int, 4> exr_window(const std::string& path, const std::string& name) {
+  const std::string attribute = name + '\0' + "box2i" + '\0' + '\x10' + std::string(3, '\0');
+  const std::string text = read_text(path);
+  const std::size_t at = text.find(attribute);
+  if (at == std::string::npos) return {};
+  std::array<int, 4> window{};
+  std::memcpy(window.data(), text.data() + at + attribute.size(), sizeof window);
+  return window;
 }
 
 }  // namespace
@@ -46,15 +63,55 @@ TEST_CASE("the tone curve is sRGB's, clipped and rounded") {
   CHECK(encode_srgb(50.0f) == 255);
 }
 
-TEST_CASE("an old file survives a failure to write") {
+TEST_CASE("a picture's name says its format, but for what is no regular file") {
   const TemporaryFolder folder;
-  CHECK_THROWS_WITH(check_image_output(folder.file("x/a.png")),
-                    fmt::format("{}: there is no folder {}", folder.file("x/a.png"), folder.file("x")));
-  CHECK_THROWS_WITH(check_image_output(folder.file("a.bmp")),
+  CHECK_THROWS_WITH(check_image_name(folder.file("a.bmp")),
                     fmt::format("{}: a picture's name must end in .png or .exr", folder.file("a.bmp")));
-  std::filesystem::create_directory(folder.path() / "b.png");
-  CHECK_THROWS_WITH(check_image_output(folder.file("b.png")),
-                    fmt::format("{}: cannot be written: it is a folder", folder.file("b.png")));
+  for (const std::string name : {"a.png", "a.EXR", "-", "/dev/null"}) CHECK_NOTHROW(check_image_name(name));
+}
+
+TEST_CASE("an old picture survives where the new one cannot be written to its end") {
+  const TemporaryFolder folder;
+  Image noise(64, 64);
+  Random random(1);
+  for (Rgb& pixel : noise.pixels) pixel = {random.unit(), 0, 1};
+  for (const std::string name : {"a.png", "a.exr"}) {
+    CAPTURE(name);
+    write_text(folder.file(name), "the old picture");
+    const FileSizeLimit limit(4096);
+    CHECK_THROWS_WITH(write_image(folder.file(name), noise),
+                      fmt::format("{}: cannot be written: File too large", folder.file(name)));
+    CHECK(read_text(folder.file(name)) == "the old picture");
+  }
+  CHECK(folder.file_count() == 2);
+}
+
+TEST_CASE("a part of a frame is an EXR's data window, and the frame its display window") {
+  const TemporaryFolder folder;
+  write_exr(folder.file("a.exr"), gradient(), {}, {.x = 7, .y = 9, .width = 100, .height = 50});
+  CHECK(exr_window(folder.file("a.exr"), "dataWindow") == std::array{7, 9, 11, 11});
+  CHECK(exr_window(folder.file("a.exr"), "displayWindow") == std::array{0, 0, 99, 49});
+  CHECK(read_image(folder.file("a.exr")).pixels == gradient().pixels);
+  write_exr(folder.file("b.exr"), gradient());
+  CHECK(exr_window(folder.file("b.exr"), "dataWindow") == std::array{0, 0, 4, 2});
+  CHECK(exr_window(folder.file("b.exr"), "displayWindow") == std::array{0, 0, 4, 2});
+}
+
+TEST_CASE("a picture holds no time but that of its metadata") {
+  const TemporaryFolder folder;
+  const std::regex time("[0-9]{4}:[0-9]{2}:[0-9]{2} [0-9]{2}:[0-9]{2}:[0-9]{2}");
+  for (const std::string name : {"a.png", "a.exr"}) {
+    CAPTURE(name);
+    const std::string path = folder.file(name);
+    write_image(path, gradient(), {{"Software", "ours"}});
+    CHECK_FALSE(std::regex_search(read_text(path), time));
+    CHECK(read_text(path).find("tIME") == std::string::npos);
+    write_image(path, gradient(), {{"DateTime", "2023:11:14 22:13:20"}});
+    const std::string text = read_text(path);
+    // A PNG's time is a chunk: the year in two bytes, then a byte each.
+    const std::string chunk = "tIME\x07\xe7\x0b\x0e\x16\x0d\x14";
+    CHECK(text.find(name == "a.png" ? chunk : "2023:11:14 22:13:20") != std::string::npos);
+  }
 }
 
 TEST_CASE("a file that is no picture, or another kind of one, is refused") {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/picture_metadata.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <cstdint>
+#include <cstdlib>
+
+#include "cli/version.h"
+#include "core/error.h"
+
+namespace twinray {
+
+std::string time_stamp(const std::string& seconds_since_1970) {
+  constexpr std::int64_t end_of_year_9999 = 253402300799;
+  std::int64_t seconds = -1;
+  const char* const end = seconds_since_1970.data() + seconds_since_1970.size();
+  const auto [next, error] = std::from_chars(seconds_since_1970.data(), end, seconds);
+  if (error != std::errc{} || next != end || seconds < 0 || seconds > end_of_year_9999)
+    throw Error(fmt::format("SOURCE_DATE_EPOCH: \"{}\" is not a time; valid are 0 to {}, seconds since 1970",
+                            seconds_since_1970, end_of_year_9999));
+  return fmt::format("{:%Y:%m:%d %H:%M:%S}", fmt::gmtime(std::time_t(seconds)));
+}
+
+ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vector<std::string>& words) {
+  ImageMetadata metadata{{"Software", version_name()},
+                         {"twinray:scene", arguments.scene},
+                         {"twinray:options", fmt::format("{}", fmt::join(words, " "))},
+                         {"twinray:seed", fmt::format("{}", arguments.render.seed)},
+                         {"twinray:engine", backend_name(arguments.backend)},
+                         {"twinray:samples", fmt::format("{}", arguments.render.samples)}};
+  if (const char* time = std::getenv("SOURCE_DATE_EPOCH"); time && *time)
+    metadata.emplace_back("DateTime", time_stamp(time));
+  return metadata;
+}
+
+}  // namespace twinray

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+#include <vector>
+
+#include "cli/render_arguments.h"
+#include "io/image_file.h"
+
+namespace twinray {
+
+/// What is stored in every picture of a render: the program, the words of its command line, and the time that
+/// the environment's SOURCE_DATE_EPOCH states, if it does, so that the same command gives the same bytes.
+/// Throws Error where that is not a time.
+ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vector<std::string>& words);
+
+/// "1700000000" -> "2023:11:14 22:13:20": seconds since 1970, in UTC, as EXIF writes a time. Throws Error.
+std::string time_stamp(const std::string& seconds_since_1970);
+
+}  // namespace twinray

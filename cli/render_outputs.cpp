@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/render_outputs.h"
+
+#include "cli/console.h"
+#include "io/color_scale.h"
+#include "io/destination.h"
+
+namespace twinray {
+namespace {
+
+/// "a/b.exr" -> "a/b_rate.png".
+std::string beside(const std::string& picture, const std::string& ending) {
+  return picture.substr(0, picture.find_last_of('.')) + ending;
+}
+
+ImageFrame frame_of(const Film& film) {
+  return {film.window().x0, film.window().y0, film.frame_width(), film.frame_height()};
+}
+
+/// Costs as colours with their legend; EXR keeps the numbers.
+void write_costs(const RenderOutputs& outputs, const Film& film, const ImageMetadata& metadata) {
+  const Image costs = mean_image(film);
+  const std::uint32_t end = scale_end(costs);
+  if (is_linear_output(outputs.picture))
+    write_exr(outputs.picture, costs, metadata, frame_of(film));
+  else
+    write_png(outputs.picture, scaled_image(costs, end), metadata);
+  if (!outputs.legend.empty()) write_png(outputs.legend, legend_image(end), metadata);
+}
+
+}  // namespace
+
+std::vector<std::string> RenderOutputs::names() const {
+  std::vector<std::string> all;
+  for (const std::string& name : {picture, rates, legend, differences, statistics})
+    if (!name.empty()) all.push_back(name);
+  return all;
+}
+
+RenderOutputs render_outputs(const RenderArguments& arguments) {
+  const std::string& picture = arguments.output;
+  check_image_name(picture);
+  RenderOutputs outputs{.picture = picture, .statistics = arguments.stats_file};
+  if (arguments.render.adaptive) outputs.rates = beside(picture, "_rate.png");
+  if (arguments.integrator == IntegratorKind::cost) outputs.legend = beside(picture, "_legend.png");
+  if (arguments.check_with) outputs.differences = beside(picture, "_differences.png");
+  if (destination_of(picture).kind == Destination::Kind::file) return outputs;
+  for (std::string* name : {&outputs.rates, &outputs.legend, &outputs.differences})
+    if (!std::exchange(*name, "").empty())
+      console::warn(
+          fmt::format("{} is no file: the picture that would stand beside it is not written", picture));
+  return outputs;
+}
+
+void write_pictures(const RenderOutputs& outputs, const RenderArguments& arguments, const Film& film,
+                    const ImageMetadata& metadata) {
+  if (arguments.integrator == IntegratorKind::cost)
+    write_costs(outputs, film, metadata);
+  else
+    write_image(outputs.picture, mean_image(film), metadata, frame_of(film));
+  if (!outputs.rates.empty())
+    write_png(outputs.rates, sample_rate_image(film, arguments.render.samples), metadata);
+}
+
+}  // namespace twinray

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a render writes, and under which names.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/crosscheck_report.h"
+#include "cli/render_arguments.h"
+#include "io/image_file.h"
+
+namespace twinray {
+
+/// The names of a render's outputs; empty for what it does not write.
+struct RenderOutputs {
+  std::string picture;
+  std::string rates;        ///< Of adaptive sampling.
+  std::string legend;       ///< Of a picture of costs.
+  std::string differences;  ///< Of --accel=check.
+  std::string statistics;
+
+  /// All that are not empty.
+  std::vector<std::string> names() const;
+};
+
+/// The outputs that the command line asks for. What stands beside the picture is left out where the picture
+/// is no file. Throws Error for a name that cannot be written.
+RenderOutputs render_outputs(const RenderArguments& arguments);
+
+/// Writes the picture, its rates and its legend.
+void write_pictures(const RenderOutputs& outputs, const RenderArguments& arguments, const Film& film,
+                    const ImageMetadata& metadata);
+
+}  // namespace twinray
