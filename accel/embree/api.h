@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Private: Embree's interface, and the few lines in which versions 3 and 4 differ.
-//
-// The lines for version 4 follow its manual; they have never been compiled here.
 #pragma once
 #if TWINRAY_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
