@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check/recorded_rays.h"
 
+#include "core/lens.h"
 #include "core/random.h"
 
 namespace twinray {
@@ -18,8 +19,7 @@ void record_sample(const Integrator& integrator, const Camera& camera, const Acc
                    Vec2 frame, const SampleKey& key, std::vector<RecordedRay>& rays) {
   Tracer tracer(accelerator, false, &rays);
   VertexSampler sampler(SamplerKind::independent, key, 0);
-  const Vec2 lens = camera.lens_radius > 0 ? sampler.draw_2d(Purpose::lens) : Vec2{};
-  integrator.radiance(camera_ray(camera, frame, lens), SamplerKind::independent, key, tracer);
+  integrator.radiance(lens_ray(camera, frame, sampler), SamplerKind::independent, key, tracer);
 }
 
 std::vector<RecordedRay> record_rays(const Scene& scene, const Recording& recording) {

@@ -10,8 +10,8 @@
 #include <mutex>
 #include <vector>
 
-#include "core/camera.h"
 #include "core/error.h"
+#include "core/lens.h"
 #include "core/parallel.h"
 #include "integrators/tiles.h"
 
@@ -140,10 +140,9 @@ class Renderer {
     const SampleKey key{options_.seed, std::uint32_t(sample.x), std::uint32_t(sample.y), sample.index};
     VertexSampler sampler(options_.sampler, key, 0);
     const Vec2 in_pixel = options_.samples == 1 ? Vec2{0.5f, 0.5f} : sampler.draw_2d(Purpose::pixel);
-    const Vec2 lens = camera_.lens_radius > 0 ? sampler.draw_2d(Purpose::lens) : Vec2{};
     const Vec2 frame{(float(sample.x) + in_pixel.x) / float(options_.width),
                      (float(sample.y) + in_pixel.y) / float(options_.height)};
-    return {camera_ray(camera_, frame, lens), key};
+    return {lens_ray(camera_, frame, sampler), key};
   }
 
   void finish_tile(const PixelRect& tile, std::uint32_t samples, const RayCounts& rays) {

@@ -42,6 +42,16 @@ TEST_CASE("t counts depth, so clipping is by planes across the view") {
   CHECK(dot(ray.direction * 7, camera.forward) == Approx(7).epsilon(rounding));
 }
 
+TEST_CASE("a lens is clipped as a pinhole is") {
+  Camera camera = tilted();
+  camera.lens_radius = 0.25f;
+  camera.clip_near = 2;
+  camera.clip_far = 9;
+  const Ray ray = camera_ray(camera, {0.1f, 0.9f}, {0.5f, -0.5f});
+  CHECK(ray.t_min == 2);
+  CHECK(ray.t_max == 9);
+}
+
 TEST_CASE("a lens blurs all but the plane in focus") {
   Camera camera = tilted();
   camera.lens_radius = 0.25f;
@@ -51,6 +61,7 @@ TEST_CASE("a lens blurs all but the plane in focus") {
   CHECK(length(edge.origin - center.origin) == Approx(0.25));
   const Vec3 a = center.origin + center.direction * 5, b = edge.origin + edge.direction * 5;
   CHECK(length(a - b) <= 1e-5f);
+  for (const Ray& ray : {center, edge}) CHECK(dot(ray.direction, camera.forward) == Approx(1));
   CHECK(length((center.origin + center.direction * 9) - (edge.origin + edge.direction * 9)) > 0.1f);
 }
 

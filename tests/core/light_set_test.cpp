@@ -61,7 +61,9 @@ TEST_CASE("a mesh lamp is sampled by area: the mean of 1 / density is its solid 
   for (Vec3& p : square.positions) p = p + Vec3{0.2f, 0, 0.3f};
   const SampleMean mean = inverse_density(scene_with(square), 2);
   // Of a square of half-width a at height h: 4 asin(a^2 / (a^2 + h^2)).
-  CHECK(z_test(mean, 4 * std::asin(1.0 / 5)) > sidak_level(1));
+  const double solid_angle = 4 * std::asin(1.0 / 5);
+  CHECK(z_test(mean, solid_angle) > sidak_level(1));
+  CHECK(seen_error(mean.standard_error(), sidak_level(1)) <= 0.01 * solid_angle);
 }
 
 TEST_CASE("the density of a sample is the density that is asked for") {
@@ -101,6 +103,23 @@ TEST_CASE("a lamp shows its radiance on its sides, and other surfaces show none"
   CHECK(lights.emitted(on_lamp, {0, 1, 0}) == Rgb{3, 2, 1});
   CHECK(lights.emitted(on_lamp, {0, -1, 0}) == Rgb{});
   CHECK(lights.emitted(triangle_point(*scene.geometry, 0, 0, 0.3f, 0.3f), {0, 1, 0}) == Rgb{});
+}
+
+TEST_CASE("a sphere lamp shows its radiance outside, and is black from within") {
+  const Scene scene = scene_with(SphereSet{"", {{{0.2f, 2, 0.3f}, 1}}});
+  const LightSet lights(scene);
+  const Sphere& sphere = scene.geometry->sphere_set(1)->spheres[0];
+  Random random(9);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 normal = normalize(random.in_ball());
+    const Vec3 wo = normalize(random.in_ball());
+    const SurfacePoint point = sphere_point(sphere, 1, normal);
+    CHECK(lights.emitted(point, wo) == (dot(normal, wo) > 0 ? Rgb{3, 2, 1} : Rgb{}));
+    SurfacePoint within = below();
+    within.position = sphere.center + normal * (0.99f * random.unit());
+    CHECK(is_black(lights.sample(0, within, draw(random)).radiance));
+    CHECK(lights.pdf(0, within, point) == 0);
+  }
 }
 
 TEST_CASE("the camera sees an environment but no ambient light, and bounces meet both") {

@@ -8,7 +8,6 @@
 #include "core/error.h"
 #include "tests/support/catch.h"
 #include "tests/support/chi_square.h"
-#include "tests/support/statistics.h"
 
 namespace twinray {
 namespace {
@@ -46,8 +45,10 @@ bool one_in_each_cell(const SampleKey& start, int first, const std::vector<int>&
   return true;
 }
 
-/// Chi-square of pairs of draws over a region of pixels: one p-value for "independent of each other".
-double pairs_p_value(const std::function<std::pair<float, float>(std::uint32_t x, std::uint32_t y)>& pair) {
+/// Checks that pairs of draws over a region of pixels are uniform, and so independent of each other, as one
+/// of `tests` of a family; a density that is off by 5.5 % would be seen.
+void check_pairs(int tests,
+                 const std::function<std::pair<float, float>(std::uint32_t x, std::uint32_t y)>& pair) {
   constexpr std::uint32_t side = 256;
   test::Grid grid(16, 16);
   for (std::uint32_t y = 0; y < side; ++y)
@@ -55,7 +56,7 @@ double pairs_p_value(const std::function<std::pair<float, float>(std::uint32_t x
       const auto [a, b] = pair(x, y);
       grid.add(a, b);
     }
-  return test::chi_square_uniform(grid.counts()).p_value;
+  test::check_uniform(grid.counts(), tests, 0.055);
 }
 
 }  // namespace
@@ -109,7 +110,6 @@ TEST_CASE("a draw does not depend on the draws before it") {
 }
 
 TEST_CASE("draws are uniform multiples of 2^-24, at least 0 and below 1") {
-  const double level = test::sidak_level(2 * dimensions);
   for (const SamplerKind kind : kinds)
     for (int d = 0; d < dimensions; ++d) {
       test::Grid grid(256, 1);
@@ -121,22 +121,21 @@ TEST_CASE("draws are uniform multiples of 2^-24, at least 0 and below 1") {
         grid.add(u, 0);
       }
       CAPTURE(sampler_name(kind), d);
-      CHECK(test::chi_square_uniform(grid.counts()).p_value > level);
+      test::check_uniform(grid.counts(), 2 * dimensions, 0.055);
     }
 }
 
 TEST_CASE("two purposes of a vertex are independent of each other") {
-  const double level = test::sidak_level(2 * dimensions * (dimensions - 1) / 2);
   for (const SamplerKind kind : kinds)
     for (int a = 0; a < dimensions; ++a)
       for (int b = a + 1; b < dimensions; ++b) {
         CAPTURE(sampler_name(kind), a, b);
-        CHECK(pairs_p_value([&](auto x, auto y) {
-                VertexSampler sampler(kind, {.seed = 0, .x = x, .y = y, .index = 5}, 1);
-                const float first = sampler.draw_1d(Purpose(a));
-                const float second = sampler.draw_1d(Purpose(b));
-                return std::pair(first, second);
-              }) > level);
+        check_pairs(dimensions * (dimensions - 1), [&](auto x, auto y) {
+          VertexSampler sampler(kind, {.seed = 0, .x = x, .y = y, .index = 5}, 1);
+          const float first = sampler.draw_1d(Purpose(a));
+          const float second = sampler.draw_1d(Purpose(b));
+          return std::pair(first, second);
+        });
       }
 }
 
@@ -149,17 +148,16 @@ TEST_CASE("neighbouring pixels, vertices and seeds are independent of each other
                             {1ull << 32, 0, 0, 0}, {1ull << 63, 0, 0, 0}, {0, 2, 0, 0}, {0, 256, 0, 0},
                             {0, 0, 0x8000, 0},     {0, 0, 0, 1u << 31},   {1, 1, 1, 1}};
   const int members[] = {0, 3, 8, 15};
-  const double level = test::sidak_level(2 * int(std::size(changes)) * int(std::size(members)));
+  const int tests = 2 * int(std::size(changes)) * int(std::size(members));
   for (const SamplerKind kind : kinds)
     for (const Change& change : changes)
       for (const int d : members) {
         CAPTURE(sampler_name(kind), change.seed, change.x, change.y, change.vertex, d);
-        CHECK(
-            pairs_p_value([&](auto x, auto y) {
-              const SampleKey a = {.seed = 4, .x = x, .y = y, .index = 2},
-                              b = {.seed = 4 + change.seed, .x = x + change.x, .y = y + change.y, .index = 2};
-              return std::pair(draw(kind, a, 1, d), draw(kind, b, 1 + change.vertex, d));
-            }) > level);
+        check_pairs(tests, [&](auto x, auto y) {
+          const SampleKey a = {.seed = 4, .x = x, .y = y, .index = 2},
+                          b = {.seed = 4 + change.seed, .x = x + change.x, .y = y + change.y, .index = 2};
+          return std::pair(draw(kind, a, 1, d), draw(kind, b, 1 + change.vertex, d));
+        });
       }
 }
 
@@ -167,33 +165,30 @@ TEST_CASE("each dimension of sobol is scrambled on its own") {
   // Samples 2k and 2k + 1 lie in different halves of every dimension. Where in its half each one lies has
   // nothing to do with the other, nor with the other dimension: four independent numbers. A scramble that two
   // dimensions share gives them digits that stay equal where the sequence has equal ones, for both samples.
-  // 65536 pixels fall into 4^4 cells, so a share of cells that is off by a fifth is seen.
-  const double level = test::sidak_level(4 * 6);
   const auto cell = [](float u) { return float(int(8 * u) % 4); };  // Digits 2 and 3 in base 2.
   for (int first = 0; first < dimensions; first += 4)
     for (int a = first; a < first + 4; ++a)
       for (int b = a + 1; b < first + 4; ++b) {
         CAPTURE(a, b);
-        CHECK(pairs_p_value([&](auto x, auto y) {
-                VertexSampler even(SamplerKind::sobol, {.seed = 6, .x = x, .y = y, .index = 4}, 1);
-                VertexSampler odd(SamplerKind::sobol, {.seed = 6, .x = x, .y = y, .index = 5}, 1);
-                const float p = (cell(even.draw_1d(Purpose(a))) * 4 + cell(even.draw_1d(Purpose(b)))) / 16;
-                const float q = (cell(odd.draw_1d(Purpose(a))) * 4 + cell(odd.draw_1d(Purpose(b)))) / 16;
-                return std::pair(p, q);
-              }) > level);
+        check_pairs(4 * 6, [&](auto x, auto y) {
+          VertexSampler even(SamplerKind::sobol, {.seed = 6, .x = x, .y = y, .index = 4}, 1);
+          VertexSampler odd(SamplerKind::sobol, {.seed = 6, .x = x, .y = y, .index = 5}, 1);
+          const float p = (cell(even.draw_1d(Purpose(a))) * 4 + cell(even.draw_1d(Purpose(b)))) / 16;
+          const float q = (cell(odd.draw_1d(Purpose(a))) * 4 + cell(odd.draw_1d(Purpose(b)))) / 16;
+          return std::pair(p, q);
+        });
       }
 }
 
 TEST_CASE("samples of the independent kind are independent of each other") {
   const std::uint32_t distances[] = {1, 2, 64, 1u << 31};
   for (const std::uint32_t distance : distances)
-    CHECK(pairs_p_value([&](auto x, auto y) {
-            const SampleKey a = {.seed = 4, .x = 9, .y = 9, .index = y << 8 | x};
-            SampleKey b = a;
-            b.index += distance;
-            return std::pair(draw(SamplerKind::independent, a, 1, 0),
-                             draw(SamplerKind::independent, b, 1, 0));
-          }) > test::sidak_level(int(std::size(distances))));
+    check_pairs(int(std::size(distances)), [&](auto x, auto y) {
+      const SampleKey a = {.seed = 4, .x = 9, .y = 9, .index = y << 8 | x};
+      SampleKey b = a;
+      b.index += distance;
+      return std::pair(draw(SamplerKind::independent, a, 1, 0), draw(SamplerKind::independent, b, 1, 0));
+    });
 }
 
 TEST_CASE("sub-samples continue the sequence of the samples") {
@@ -214,12 +209,12 @@ TEST_CASE("streams of sub-samples are independent of each other and of the sampl
   for (const SamplerKind kind : kinds)
     for (const std::uint32_t stream : {1u, 2u, 0xffffffffu}) {
       CAPTURE(sampler_name(kind), stream);
-      CHECK(pairs_p_value([&](auto x, auto y) {
-              VertexSampler sampler(kind, {.seed = 0, .x = x, .y = y, .index = 5}, 1);
-              const Vec2 first = sampler.draw_2d(Purpose::light_point, 1, 4, stream);
-              const Vec2 second = sampler.draw_2d(Purpose::light_point, 1, 4, stream - 1);
-              return std::pair(first.x, second.x);
-            }) > test::sidak_level(6));
+      check_pairs(6, [&](auto x, auto y) {
+        VertexSampler sampler(kind, {.seed = 0, .x = x, .y = y, .index = 5}, 1);
+        const Vec2 first = sampler.draw_2d(Purpose::light_point, 1, 4, stream);
+        const Vec2 second = sampler.draw_2d(Purpose::light_point, 1, 4, stream - 1);
+        return std::pair(first.x, second.x);
+      });
     }
 }
 

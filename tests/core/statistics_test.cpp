@@ -88,4 +88,28 @@ TEST_CASE("the z-test knows the usual quantiles, and a mean from a wrong one") {
   CHECK(z_test(sample, 0.51) < 1e-9);
 }
 
+TEST_CASE("the limit of a level is that of the normal distribution") {
+  CHECK(z_limit(0.05) == Approx(1.959964).epsilon(1e-6));
+  CHECK(z_limit(1e-6) == Approx(4.891638).epsilon(1e-6));
+  CHECK(seen_error(2, 0.05) == Approx(2 * (1.959964 + 2.326348)).epsilon(1e-6));
+}
+
+TEST_CASE("a deviation that chi-square is said to see is seen 99 times in a hundred") {
+  constexpr int bins = 50, samples = 20000, trials = 400;
+  const double level = sidak_level(1), deviation = seen_deviation(samples, bins - 1, level);
+  Random random(41);
+  int seen = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    Grid grid(bins, 1);
+    for (int i = 0; i < samples; ++i) {
+      // Density 1 + deviation on the even bins, 1 - deviation on the odd ones.
+      const int pair = random.below(bins / 2);
+      const bool is_odd = random.unit() > 0.5 * (1 + deviation);
+      grid.add((2 * pair + (is_odd ? 1.5 : 0.5)) / bins, 0);
+    }
+    seen += chi_square_uniform(grid.counts()).p_value < level;
+  }
+  CHECK(seen == Approx(0.99 * trials).margin(10));  // five standard deviations
+}
+
 }  // namespace twinray::test

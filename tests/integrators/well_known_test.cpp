@@ -172,10 +172,9 @@ TEST_CASE("the mean of CBbunny depends on no sampler, engine, number of threads 
     options.threads = way.threads;
     const Scene scene = load_whole("sky/CBbunny.dae", options);
     estimates.push_back(estimate(scene, {.roulette = {way.continuation}}, options, way.backend));
-    INFO("way " << estimates.size() << ": " << estimates.back().mean << " +- "
-                << estimates.back().standard_error);
+    INFO("way " << estimates.size());
     CHECK(estimates.back().mean > 0);
-    CHECK(z_score(estimates.back(), estimates.front()) <= z_limit);
+    if (estimates.size() > 1) check_same_mean(estimates.back(), estimates.front(), 0.3);
   }
 }
 

@@ -6,6 +6,9 @@
 #include <limits>
 #include <numeric>
 
+#include "tests/support/catch.h"
+#include "tests/support/statistics.h"
+
 namespace twinray::test {
 namespace {
 
@@ -70,6 +73,39 @@ ChiSquare chi_square_uniform(std::span<const std::size_t> observed) {
   const double total = double(std::accumulate(observed.begin(), observed.end(), std::size_t(0)));
   const std::vector<double> expected(observed.size(), total / double(observed.size()));
   return chi_square(observed, expected);
+}
+
+double seen_deviation(std::size_t samples, int degrees, double level) {
+  constexpr double z_power = 2.326348;
+  const auto bisect = [](double most, const auto& is_below) {
+    double low = 0, high = most;
+    for (int step = 0; step < 100; ++step) {
+      const double middle = 0.5 * (low + high);
+      (is_below(middle) ? low : high) = middle;
+    }
+    return high;
+  };
+  const double k = degrees;
+  const double limit =
+      bisect(100 * k + 1000, [&](double x) { return chi_square_p_value(x, degrees) > level; });
+  const double l =
+      bisect(100 * limit, [&](double x) { return k + x - z_power * std::sqrt(2 * (k + 2 * x)) < limit; });
+  return std::sqrt(l / double(samples));
+}
+
+void check_counts(std::span<const std::size_t> observed, std::span<const double> expected, int tests,
+                  double sees) {
+  const ChiSquare result = chi_square(observed, expected);
+  const double level = sidak_level(tests);
+  const std::size_t samples = std::accumulate(observed.begin(), observed.end(), std::size_t(0));
+  CAPTURE(result.statistic, result.degrees, level);
+  CHECK(result.p_value > level);
+  CHECK(seen_deviation(samples, result.degrees, level) <= sees);
+}
+
+void check_uniform(std::span<const std::size_t> observed, int tests, double sees) {
+  const double total = double(std::accumulate(observed.begin(), observed.end(), std::size_t(0)));
+  check_counts(observed, std::vector<double>(observed.size(), total / double(observed.size())), tests, sees);
 }
 
 void Grid::add(double x, double y) {

@@ -20,6 +20,18 @@ ChiSquare chi_square(std::span<const std::size_t> observed, std::span<const doub
 /// Each of the bins expects the same.
 ChiSquare chi_square_uniform(std::span<const std::size_t> observed);
 
+/// The smallest relative deviation (root of the mean square, over bins as weighted by their expected counts)
+/// of a density that the test sees with a probability of 99 %: from mean k + l and variance 2 (k + 2 l) of a
+/// chi-square variable of k degrees whose density is off by sqrt(l / samples).
+double seen_deviation(std::size_t samples, int degrees, double level);
+
+/// Checks that counts agree with what is expected, as one of `tests` tests of a family (test::sidak_level),
+/// and that a deviation of `sees` would be seen.
+void check_counts(std::span<const std::size_t> observed, std::span<const double> expected, int tests,
+                  double sees);
+/// The same where each of the bins expects the same.
+void check_uniform(std::span<const std::size_t> observed, int tests, double sees);
+
 /// P(X >= statistic) of a chi-square variable: the regularised incomplete gamma function Q(degrees / 2,
 /// statistic / 2), by its series or its continued fraction. Relative error below 1e-10 where it is above
 /// 1e-200.

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/estimate.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "tests/support/catch.h"
+
 namespace twinray::test {
+namespace {
+
+/// Relative, of an estimate in floats whose samples are all alike.
+constexpr double rounding = 1e-5;
+
+}  // namespace
 
 RenderResult render_with(const Scene& scene, const Integrator& integrator, const RenderOptions& options,
                          Backend backend) {
@@ -28,11 +37,18 @@ Estimate estimate(const Scene& scene, const PathOptions& path, const RenderOptio
   return estimate_of(render_with(scene, PathIntegrator(scene, path), options, backend).film);
 }
 
-double z_score(const Estimate& a, const Estimate& b) {
-  return std::fabs(a.mean - b.mean) / std::hypot(a.standard_error, b.standard_error);
+void check_mean(const Estimate& found, double expected, double sees) {
+  const double seen = rounding * expected + seen_error(found.standard_error, mean_level);
+  INFO("mean " << found.mean << " +- " << found.standard_error << ", expected " << expected
+               << "; sees a relative error of " << seen / expected);
+  CHECK(std::fabs(found.mean - expected) <=
+        std::max(rounding * expected, z_limit(mean_level) * found.standard_error));
+  CHECK(seen <= sees * expected);
 }
 
-double z_score(const Estimate& a, double exact) { return std::fabs(a.mean - exact) / a.standard_error; }
+void check_same_mean(const Estimate& a, const Estimate& b, double sees) {
+  check_mean({a.mean, std::hypot(a.standard_error, b.standard_error)}, b.mean, sees);
+}
 
 bool same_bits(const Film& a, const Film& b) {
   if (a.window() != b.window() || a.layers() != b.layers()) return false;

@@ -3,6 +3,7 @@
 #pragma once
 #include "integrators/path.h"
 #include "integrators/render.h"
+#include "tests/support/statistics.h"
 
 namespace twinray::test {
 
@@ -21,13 +22,16 @@ Estimate estimate_of(const Film& film);
 Estimate estimate(const Scene& scene, const PathOptions& path, const RenderOptions& options,
                   Backend backend = default_backend());
 
-/// Two-sided: |a - b| in units of the standard error of the difference.
-double z_score(const Estimate& a, const Estimate& b);
-double z_score(const Estimate& a, double exact);
+/// The level of each comparison of means: of 10,000 of them, more than the suite has, one or more reject what
+/// is right for one choice of seeds in a hundred (Sidak's correction, test::family_level). The seeds are
+/// fixed.
+inline const double mean_level = sidak_level(10000);
 
-/// z beyond this has a probability of 1e-6 under the null hypothesis, so that a suite of 1000 such checks
-/// rejects wrongly once in 1000 seeds; the seeds are fixed.
-inline constexpr double z_limit = 4.892;
+/// Checks that a mean is what it should be, up to the rounding of a few floats or at `mean_level`, and that
+/// an error of `sees` times the expected mean would be seen with a probability of 99 %.
+void check_mean(const Estimate& found, double expected, double sees);
+/// The same for two estimates of one mean; `sees` is relative to the second one's.
+void check_same_mean(const Estimate& a, const Estimate& b, double sees);
 
 /// Whether every pixel of every layer has the same sums and counts.
 bool same_bits(const Film& a, const Film& b);

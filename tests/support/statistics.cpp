@@ -4,8 +4,25 @@
 #include <cmath>
 
 namespace twinray::test {
+namespace {
+
+/// A normal variable lies below this with a probability of 99 %.
+constexpr double z_power = 2.326348;
+
+}  // namespace
 
 double sidak_level(int tests, double family) { return -std::expm1(std::log1p(-family) / tests); }
+
+double z_limit(double level) {
+  double low = 0, high = 40;
+  for (int step = 0; step < 100; ++step) {
+    const double middle = 0.5 * (low + high);
+    (std::erfc(middle / std::sqrt(2.0)) > level ? low : high) = middle;
+  }
+  return low;
+}
+
+double seen_error(double standard_error, double level) { return (z_limit(level) + z_power) * standard_error; }
 
 void SampleMean::add(double x) {
   ++count_;

@@ -13,6 +13,13 @@ inline constexpr double family_level = 0.01;
 /// the probability `family`. Reject what has a smaller p-value.
 double sidak_level(int tests, double family = family_level);
 
+/// The number of standard errors beyond which a two-sided z-test rejects at a level.
+double z_limit(double level);
+
+/// An error of this size is seen by a z-test with a probability of 99 %. A test that does not say what it
+/// would see may see nothing.
+double seen_error(double standard_error, double level);
+
 /// Mean and standard error of independent numbers (Welford, 1962).
 class SampleMean {
  public:
