@@ -41,6 +41,17 @@ TEST_CASE("a camera settings file sets field, clip distances, position and axes"
   CHECK(camera.lens_radius == 0.5f);
 }
 
+TEST_CASE("the rotation's columns are right, up and back") {
+  const TemporaryFolder folder;
+  std::string turned = numbers;
+  turned.replace(turned.find("1 0 0 0 1 0 0 0 1"), 17, "0 0 1 1 0 0 0 1 0");
+  write_text(folder.file("cam"), turned);
+  const Camera camera = load_camera_file(folder.file("cam"), {});
+  CHECK(camera.right == Vec3{0, 1, 0});
+  CHECK(camera.up == Vec3{0, 0, 1});
+  CHECK(camera.forward == Vec3{-1, 0, 0});
+}
+
 TEST_CASE("a broken camera settings file is refused with its place") {
   const TemporaryFolder folder;
   const std::string file = folder.file("cam");

@@ -71,6 +71,16 @@ TEST_CASE("a spot light looks along its node's -z") {
   CHECK(light.attenuation.quadratic == 1);
 }
 
+TEST_CASE("a light shines along its node's -z, whichever way that is turned") {
+  const std::string body = common("<directional><color>1 1 1</color></directional>");
+  const auto direction = [&](const std::string& rotation) {
+    return only_light<DirectionalLight>(load_light(body, rotation)).direction;
+  };
+  check_near(direction(""), {0, 0, -1});
+  check_near(direction("<rotate>0 1 0 90</rotate>"), {-1, 0, 0});
+  check_near(direction("<rotate>1 0 0 90</rotate>"), {0, 1, 0});
+}
+
 TEST_CASE("a directional light's translation and scale do not matter") {
   const std::string body = common("<directional><color>1 1 1</color></directional>");
   for (const std::string extra : {"", "<scale>5 6 7</scale>"})

@@ -51,6 +51,18 @@ TEST_CASE("every common shading model gives its diffuse color") {
   }
 }
 
+TEST_CASE("without a diffuse color a surface is black if it is constant or emits, else grey") {
+  const auto reflectance = [](const std::string& shading) {
+    return only_model<Lambert>(load_effect(common(shading))).reflectance;
+  };
+  const std::string emission = "<emission><color>3 2 1 1</color></emission>";
+  CHECK(reflectance("<constant/>") == Rgb{0, 0, 0});
+  CHECK(reflectance("<constant>" + emission + "</constant>") == Rgb{0, 0, 0});
+  CHECK(reflectance("<lambert>" + emission + "</lambert>") == Rgb{0, 0, 0});
+  CHECK(reflectance("<lambert/>") == Rgb{0.5f, 0.5f, 0.5f});
+  CHECK(load_effect(common("<constant>" + emission + "</constant>")).scene.lights.size() == 1);
+}
+
 TEST_CASE("a specular color is left out, and noted") {
   const LoadedScene loaded =
       load_effect(common("<phong><diffuse><color>0 0 0</color></diffuse><specular><color>0.5 0.5 0.5 "
@@ -93,6 +105,18 @@ TEST_CASE("a sphere of an emissive material is a sphere light") {
   REQUIRE(loaded.scene.lights.size() == 1);
   CHECK(std::get<SphereLight>(loaded.scene.lights[0].source).shape == 0);
   CHECK(loaded.summary.lights[0].power.r == Approx(4 * pi * pi));
+}
+
+TEST_CASE("a sphere that is scaled unevenly has the mean radius") {
+  const std::string ball =
+      "<library_geometries><geometry id=\"ball\"><extra><technique profile=\"CGL\"><sphere><radius>2</radius>"
+      "</sphere></technique></extra></geometry></library_geometries>";
+  for (const std::string scale : {"1 2 6", "6 1 2", "3 3 3"}) {
+    const LoadedScene loaded = load_collada(
+        collada_text(ball, "<node><scale>" + scale + "</scale><instance_geometry url=\"#ball\"/></node>"));
+    CHECK(loaded.scene.geometry->sphere_set(0)->spheres[0].radius == Approx(6));
+    CHECK(loaded.warnings.size() == (scale == "3 3 3" ? 0 : 1));
+  }
 }
 
 TEST_CASE("mirror, refraction, glass and microfacet are read in full") {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "core/elementary.h"
@@ -37,6 +38,36 @@ std::vector<Vec3> random_star(std::mt19937& random, int corners) {
   return points;
 }
 
+/// The same, of corners on a grid of 7 x 7 around the origin, one for each direction: at most 16.
+std::vector<Vec3> grid_star(std::mt19937& random) {
+  std::map<float, Vec3> by_direction;
+  for (int i = 0; i < 16; ++i) {
+    const float x = float(random() % 7) - 3;
+    const float y = float(random() % 7) - 3;
+    if (x != 0 || y != 0) by_direction[float(atan2_turns(y, x))] = {x, y, 0};
+  }
+  std::vector<Vec3> points;
+  for (const auto& [direction, point] : by_direction) points.push_back(point);
+  for (std::size_t i = 0; i < points.size(); ++i) {  // all around the origin, or it may lie outside
+    const Vec3 &a = points[i], &b = points[(i + 1) % points.size()];
+    if (a.x * b.y - a.y * b.x <= 0) return {};
+  }
+  return points;
+}
+
+/// Whether triangles have the polygon's area together, and its winding each.
+void check_triangles(const std::vector<Vec3>& points) {
+  const auto triangles = triangulate(points);
+  REQUIRE(triangles.size() == points.size() - 2);
+  const double whole = polygon_area2(points);
+  double sum = 0;
+  for (const auto& t : triangles) {
+    CHECK(area2(points, t) * whole >= 0);
+    sum += area2(points, t);
+  }
+  CHECK(sum == Approx(whole));
+}
+
 }  // namespace
 
 TEST_CASE("a convex polygon becomes a fan") {
@@ -50,15 +81,33 @@ TEST_CASE("triangles of a polygon cover it once and keep its winding") {
     std::vector<Vec3> points = random_star(random, 4 + round % 20);
     if (round % 2 == 1) std::reverse(points.begin(), points.end());
     INFO("round " << round);
-    const double sign = round % 2 == 1 ? -1 : 1;
-    const auto triangles = triangulate(points);
-    REQUIRE(triangles.size() == points.size() - 2);
-    double sum = 0;
-    for (const auto& t : triangles) {
-      CHECK(sign * area2(points, t) > 0);
-      sum += area2(points, t);
+    for (const auto& t : triangulate(points)) CHECK(std::fabs(area2(points, t)) > 0);
+    check_triangles(points);
+  }
+}
+
+// Here a corner often lies on the line that would cut off an ear.
+TEST_CASE("polygons of points on a small grid, where many touch, are covered once") {
+  std::mt19937 random(8);
+  for (int round = 0; round < 2000; ++round) {
+    const std::vector<Vec3> points = grid_star(random);
+    if (points.size() < 4) continue;
+    INFO("round " << round);
+    check_triangles(points);
+  }
+}
+
+TEST_CASE("a polygon is triangulated alike in any plane") {
+  std::mt19937 random(9);
+  for (int round = 0; round < 50; ++round) {
+    const std::vector<Vec3> flat = random_star(random, 4 + round % 10);
+    std::vector<Vec3> onto_yz, onto_zx;
+    for (const Vec3& p : flat) {
+      onto_yz.push_back({1, p.x, p.y});
+      onto_zx.push_back({p.y, 2, p.x});
     }
-    CHECK(sum == Approx(polygon_area2(points)));
+    CHECK(triangulate(onto_yz) == triangulate(flat));
+    CHECK(triangulate(onto_zx) == triangulate(flat));
   }
 }
 
