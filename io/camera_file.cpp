@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 
 #include "core/elementary.h"
 #include "core/error.h"
@@ -29,6 +28,8 @@ enum Field : std::size_t {
 
 /// The columns of the rotation must be orthonormal up to the file's six digits.
 constexpr float orthonormal_tolerance = 1e-3f;
+
+constexpr std::size_t max_bytes = 65536;
 
 class CameraText {
  public:
@@ -60,8 +61,13 @@ class CameraText {
  private:
   static std::string read(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file) throw Error(fmt::format("{}: cannot be read", path));
+    std::string text(max_bytes + 1, '\0');
+    file.read(text.data(), std::streamsize(text.size()));
+    text.resize(std::size_t(file.gcount()));
+    if (!file.eof() && !file) throw Error(fmt::format("{}: cannot be read", path));
+    if (text.size() > max_bytes)
+      throw Error(fmt::format("{}: more than {} bytes; a camera settings file has {} numbers", path,
+                              max_bytes, +field_count));
     return text;
   }
 

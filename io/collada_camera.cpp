@@ -38,7 +38,7 @@ void read_clip(const XmlElement& lens, Camera& camera) {
   if (const auto near = lens.child("znear")) camera.clip_near = float(number_in(*near, 0, most));
   if (const auto far = lens.child("zfar")) camera.clip_far = float(number_in(*far, 0, most));
   if (!(camera.clip_near < camera.clip_far))
-    lens.fail(fmt::format("<znear> is {:g} and <zfar> {:g}; znear must be the smaller one", camera.clip_near,
+    lens.fail(fmt::format("<znear> is {} and <zfar> {}; znear must be the smaller one", camera.clip_near,
                           camera.clip_far));
 }
 

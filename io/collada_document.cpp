@@ -101,7 +101,7 @@ std::string display_name(const XmlElement& element) {
 double number_in(const XmlElement& element, double least, double most) {
   const double value = element.number();
   if (value < least || value > most)
-    throw error_at(element.number_place(0), fmt::format("<{}> is {:g}; it must lie in [{:g}, {:g}]",
+    throw error_at(element.number_place(0), fmt::format("<{}> is {}; it must lie in [{:g}, {:g}]",
                                                         element.name(), value, least, most));
   return value;
 }
@@ -114,7 +114,7 @@ Rgb read_color(const XmlElement& element, float most) {
   for (std::size_t i = 0; i < 3; ++i)
     if (values[i] < 0 || values[i] > most)
       throw error_at(element.number_place(i),
-                     fmt::format("a component of <{}> is {:g}; it must lie in [0, {:g}]", element.name(),
+                     fmt::format("a component of <{}> is {}; it must lie in [0, {:g}]", element.name(),
                                  values[i], most));
   return {values[0], values[1], values[2]};
 }

@@ -15,7 +15,7 @@ void transform_positions(Mesh& mesh, const Transform& to_world, const XmlElement
     p = to_world.point(p);
     if (is_finite(p) && max_abs(p) > max_coordinate)
       instance.fail(
-          fmt::format("a vertex of \"{}\" comes to ({:g}, {:g}, {:g}); coordinates must lie within +-{:g}",
+          fmt::format("a vertex of \"{}\" comes to ({}, {}, {}); coordinates must lie within +-{:g}",
                       mesh.name, p.x, p.y, p.z, max_coordinate));
   }
 }

@@ -90,7 +90,7 @@ Transform read_skew(const XmlElement& element) {
   const double denominator = 1 - tan_phi * tan_theta;
   if (!(std::fabs(v[0]) < 90) || denominator < 1e-9)
     throw error_at(element.number_place(0),
-                   fmt::format("the angle of <skew> is {:g}; it must lie between -90 and 90 degrees, "
+                   fmt::format("the angle of <skew> is {}; it must lie between -90 and 90 degrees, "
                                "and not reach the second axis",
                                v[0]));
   const double shift = (tan_phi + tan_theta) / denominator - tan_phi;

@@ -86,8 +86,8 @@ std::vector<std::uint32_t> parse_indices(std::string_view text) {
     const char* end = token.data() + token.size();
     const auto [stop, error] = std::from_chars(token.data(), end, value);
     if (stop != end || error != std::errc())
-      throw NumberError{offset, fmt::format("\"{}\" is not an index; valid are whole numbers from 0 to {}",
-                                            shown(token), std::numeric_limits<std::uint32_t>::max())};
+      throw NumberError{offset, fmt::format("\"{}\" is not a whole number from 0 to {}", shown(token),
+                                            std::numeric_limits<std::uint32_t>::max())};
     values.push_back(value);
   });
   return values;

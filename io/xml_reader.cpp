@@ -21,21 +21,26 @@ Place whole_file(const std::string& file) {
   return place;
 }
 
+void check_size(const std::string& path, std::uintmax_t bytes) {
+  if (bytes > XmlDocument::max_bytes)
+    throw error_at(whole_file(path),
+                   fmt::format("the file has {} bytes; at most {} are read", bytes, XmlDocument::max_bytes));
+}
+
 std::string read_file(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw error_at(whole_file(path), "there is no such file");
   if (std::filesystem::is_directory(status))
     throw error_at(whole_file(path), "this is a directory; a scene file is needed");
+  if (const std::uintmax_t size = std::filesystem::file_size(path, error); !error) check_size(path, size);
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw error_at(whole_file(path), "the file cannot be opened; may it be read?");
   std::string text;
   char block[1 << 16];
   while (stream.read(block, sizeof block) || stream.gcount() > 0) {
     text.append(block, std::size_t(stream.gcount()));
-    if (text.size() > XmlDocument::max_bytes)
-      throw error_at(whole_file(path), fmt::format("the file is larger than {} MiB, the most that is read",
-                                                   XmlDocument::max_bytes >> 20));
+    check_size(path, text.size());  // a FIFO has no size before it is read
   }
   if (stream.bad()) throw error_at(whole_file(path), "the file cannot be read to its end");
   return text;
@@ -169,7 +174,7 @@ void XmlDocument::fail_parse() const {
   const Place place = place_of(file_, text_, offset);
   switch (document_->ErrorID()) {
     case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
-      throw error_at(place, fmt::format("elements are nested more than {} deep, the most that tinyxml2 reads",
+      throw error_at(place, fmt::format("elements are nested more than {} deep, the most that is read",
                                         TINYXML2_MAX_ELEMENT_DEPTH));
     case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
       throw error_at(

@@ -67,6 +67,8 @@ TEST_CASE("a broken camera settings file is refused with its place") {
       file +
           ":5:1: the columns of the camera-to-world rotation are not orthonormal\n  1 0 0 1 1 0 0 0 1\n  ^");
   CHECK(message_of("90 sixty", folder) != "accepted");
+  CHECK(message_of(std::string(65537, ' '), folder) ==
+        file + ": more than 65536 bytes; a camera settings file has 30 numbers");
   CHECK_THROWS_WITH(load_camera_file(folder.file("none"), {}), folder.file("none") + ": cannot be read");
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/xml_reader.h"
 
+#include <filesystem>
+
 #include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
 
 namespace twinray {
 namespace {
@@ -69,15 +72,32 @@ TEST_CASE("what is needed and missing is named") {
   CHECK(error_of([&] {
           root.required_attribute("count");
         }).find("a.xml:1:4: the attribute \"count\" is empty") == 0);
-  CHECK(error_of([&] { root.required_index_attribute("n"); }).find("a.xml:1:13: \"x\" is not an index") == 0);
+  CHECK(error_of([&] {
+          root.required_index_attribute("n");
+        }).find("a.xml:1:13: \"x\" is not a whole number from 0 to 4294967295") == 0);
   CHECK(error_of([&] { root.doubles(3); }).find("a.xml:1:1: <p> needs 3 numbers, and has 2") == 0);
   CHECK(root.index_attribute("set", 7) == 7);
 }
 
-TEST_CASE("nesting too deep for the parser is said so") {
-  std::string text;
-  for (int i = 0; i < 2000; ++i) text += "<a>";
-  CHECK(parse_error(text).find("elements are nested more than") != std::string::npos);
+TEST_CASE("elements nested more than 100 deep are refused with that number, and 99 are read") {
+  const auto nested = [](int depth) {
+    std::string text;
+    for (int i = 0; i < depth; ++i) text += "<a>";
+    for (int i = 0; i < depth; ++i) text += "</a>";
+    return text;
+  };
+  CHECK(parse_error(nested(99)).empty());
+  for (const int depth : {101, 2000})
+    CHECK(parse_error(nested(depth))
+              .find("a.xml:1:1: elements are nested more than 100 deep, the most that is read\n") == 0);
+}
+
+TEST_CASE("a file too large is refused by its size, before it is read") {
+  const test::TemporaryFolder folder;
+  test::write_text(folder.file("a.dae"), "<COLLADA/>");
+  std::filesystem::resize_file(folder.file("a.dae"), std::uintmax_t(1) << 33);  // sparse: no disk is filled
+  CHECK(error_of([&] { XmlDocument::load(folder.file("a.dae")); }) ==
+        folder.file("a.dae") + ": the file has 8589934592 bytes; at most 1073741824 are read");
 }
 
 TEST_CASE("bytes that are no text are refused") {
