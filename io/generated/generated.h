@@ -4,6 +4,7 @@
 #pragma once
 #include <cstddef>
 #include <span>
+#include <string_view>
 
 #include "core/scene.h"
 
@@ -32,5 +33,12 @@ struct GeneratedScene {
 
 /// All of them.
 std::span<const GeneratedScene> generated_scenes();
+
+/// Whether a scene's name stands for a generated one: it begins with "generated:".
+bool is_generated(std::string_view name);
+
+/// The scene of a name such as "generated:ball", or "generated:forest:1000000" for that many triangles.
+/// Throws Error that lists the valid names.
+Scene make_generated(std::string_view name);
 
 }  // namespace twinray::bench

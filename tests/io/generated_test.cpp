@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/generated/generated.h"
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cmath>
 #include <string>
@@ -10,6 +12,7 @@
 #include "core/random.h"
 #include "integrators/path.h"
 #include "integrators/render.h"
+#include "io/scene_file.h"
 #include "tests/support/catch.h"
 
 using namespace twinray;
@@ -113,4 +116,26 @@ TEST_CASE("no ray from inside leaves the room or the ball's box") {
       escaped += !accelerator->any_hit({.origin = center, .direction = random.in_ball()});
     CHECK(escaped == 0);
   }
+}
+
+TEST_CASE("load_scene takes the names of generated scenes, with a number of triangles if wanted") {
+  const LoadedScene loaded = load_scene("generated:ball:2000");
+  CHECK(loaded.scene.geometry->triangle_count() == make_ball(2000).geometry->triangle_count());
+  CHECK(loaded.summary.triangles == loaded.scene.geometry->triangle_count());
+  CHECK(loaded.summary.camera == "generated:ball:2000");
+  CHECK(loaded.warnings.empty());
+  CHECK(make_generated("generated:room:40000").geometry->triangle_count() ==
+        make_room(40000).geometry->triangle_count());
+}
+
+TEST_CASE("a wrong name of a generated scene is refused with the valid ones") {
+  CHECK_THROWS_WITH(load_scene("generated:bal"),
+                    "generated:bal: there is no such scene; valid are generated:room, generated:ball, "
+                    "generated:forest, each with :N behind it for N triangles");
+  for (const char* size : {"", "1e6", "-5", "99999999999999999999999"})
+    CHECK_THROWS_WITH(
+        load_scene(fmt::format("generated:ball:{}", size)),
+        fmt::format("generated:ball:{0}: \"{0}\" is not a number of triangles, such as 900000", size));
+  CHECK_THROWS_WITH(load_scene("generated:room:100"),
+                    "the scene room of 100 triangles: it can have 40000 to 268435456");
 }
