@@ -30,6 +30,7 @@ struct CrosscheckRequest {
   CrosscheckArguments arguments;
   std::string engines = fmt::format("{}", fmt::join(default_crosscheck_engines(), ","));
   std::string ray;
+  bool ceilings = false;
 };
 
 constexpr Range<std::uint64_t> ray_counts{1, 1000000000000};
@@ -54,6 +55,8 @@ void add_options(CLI::App& app, CrosscheckRequest& request) {
   group.add_choice("--placement", arguments.placement, placements, "Of the scene, for --ray");
   group.add_flag("--keep-both-lamps", arguments.load.keep_both_lamps,
                  "Keep a lamp's rectangle beside its mesh");
+  group.add_flag("--ceilings", request.ceilings,
+                 "Embree's own triangles, too, fail beyond what they may leak");
   group.add_flag("--json", arguments.json, "Print JSON instead of the table");
   group.add_flag("-q,--quiet", arguments.quiet, "No progress");
 }
@@ -65,6 +68,7 @@ CrosscheckArguments resolved(const CrosscheckRequest& request) {
   } catch (const Error& error) {
     throw UsageError(fmt::format("--engines: {}", error.what()));
   }
+  if (request.ceilings) arguments.ceilings = Ceilings::count;
   if (!request.ray.empty()) arguments.ray = parse_ray(request.ray);
   arguments.options.build.threads = arguments.options.threads;
   return arguments;

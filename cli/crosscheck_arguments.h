@@ -6,6 +6,7 @@
 
 #include "check/scene_crosscheck.h"
 #include "cli/common_options.h"
+#include "cli/crosscheck_report.h"
 #include "io/scene_file.h"
 
 namespace twinray {
@@ -17,6 +18,7 @@ struct CrosscheckArguments {
   CrosscheckOptions options;
   std::optional<Ray> ray;  ///< Only this one is shot, and everything about it said.
   Placement placement = Placement::file;
+  Ceilings ceilings = Ceilings::remark;
   bool json = false;
   bool quiet = false;
 };

@@ -34,9 +34,9 @@ int check_scene(const CrosscheckArguments& arguments, const Scene& scene) {
   });
   line.finish();
   const std::string replay = replay_command(arguments.scene, arguments.load);
-  console::write(arguments.json ? crosscheck_json(result, arguments.scene, replay)
-                                : crosscheck_text(result, replay));
-  return is_passed(result.report) ? 0 : 1;
+  console::write(arguments.json ? crosscheck_json(result, arguments.scene, replay, arguments.ceilings)
+                                : crosscheck_text(result, replay, arguments.ceilings));
+  return is_passed(result.report, arguments.ceilings) ? 0 : 1;
 }
 
 }  // namespace

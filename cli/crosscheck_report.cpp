@@ -64,10 +64,15 @@ std::string table_text(const SceneCrosscheck& result, std::size_t engine) {
   return text + row_text("all", sum) + "\n";
 }
 
-/// The kept findings of the unexplained differences and of the classes whose ceiling is passed.
+/// The ceilings that are passed and count.
+std::vector<PassedCeiling> wrong_ceilings(const CrosscheckReport& report, Ceilings ceilings) {
+  return ceilings == Ceilings::count ? passed_ceilings(report) : std::vector<PassedCeiling>{};
+}
+
+/// The kept findings of the unexplained differences, and of the classes of these ceilings.
 template <typename Visit>
-void visit_wrong(const CrosscheckReport& report, const Visit& visit) {
-  const std::vector<PassedCeiling> passed = passed_ceilings(report);
+void visit_wrong(const CrosscheckReport& report, const std::vector<PassedCeiling>& passed,
+                 const Visit& visit) {
   for (std::size_t engine = 0; engine < report.engine_count(); ++engine)
     for (std::size_t i = 0; i < ray_class_count; ++i) {
       const bool is_passed_here = std::any_of(passed.begin(), passed.end(), [&](const PassedCeiling& p) {
@@ -78,12 +83,12 @@ void visit_wrong(const CrosscheckReport& report, const Visit& visit) {
     }
 }
 
-std::string ceiling_text(const PassedCeiling& passed, const SceneCrosscheck& result) {
+std::string ceiling_text(const PassedCeiling& passed, const SceneCrosscheck& result, Ceilings ceilings) {
   return fmt::format(
-      "{}: {} {} rays {}; at most {} may\n", result.engines[passed.engine], passed.found,
-      ray_class_name(passed.ray_class),
+      "{}{}: {} {} rays {}; {} may\n", ceilings == Ceilings::remark ? "remark: " : "",
+      result.engines[passed.engine], passed.found, ray_class_name(passed.ray_class),
       passed.ceiling.counts == Ceiling::Counts::leaks ? "leak" : "are neither identical nor rounding",
-      passed.ceiling.most);
+      passed.ceiling.most == 0 ? "none" : fmt::format("at most {}", passed.ceiling.most));
 }
 
 nlohmann::ordered_json tally_json(const Tally& tally) {
@@ -96,8 +101,8 @@ nlohmann::ordered_json tally_json(const Tally& tally) {
 
 }  // namespace
 
-bool is_passed(const CrosscheckReport& report) {
-  return report.unexplained() == 0 && passed_ceilings(report).empty();
+bool is_passed(const CrosscheckReport& report, Ceilings ceilings) {
+  return report.unexplained() == 0 && wrong_ceilings(report, ceilings).empty();
 }
 
 std::string replay_command(const std::string& scene, const LoadOptions& load) {
@@ -108,24 +113,25 @@ std::string ray_label(const Finding& finding) {
   return fmt::format("{} {}", ray_class_name(finding.ray_class), finding.number);
 }
 
-std::string crosscheck_text(const SceneCrosscheck& result, const std::string& replay,
+std::string crosscheck_text(const SceneCrosscheck& result, const std::string& replay, Ceilings ceilings,
                             const std::function<std::string(const Finding&)>& label) {
   std::string text;
   for (std::size_t engine = 1; engine < result.engines.size(); ++engine) text += table_text(result, engine);
-  visit_wrong(result.report, [&](const Finding& finding) {
+  visit_wrong(result.report, wrong_ceilings(result.report, ceilings), [&](const Finding& finding) {
     text += finding_text(finding, result, label(finding));
     text += fmt::format("  {}\n", command_text(finding, replay));
   });
-  for (const PassedCeiling& passed : passed_ceilings(result.report)) text += ceiling_text(passed, result);
+  for (const PassedCeiling& passed : passed_ceilings(result.report))
+    text += ceiling_text(passed, result, ceilings);
   const std::uint64_t unexplained = result.report.unexplained();
   return text + fmt::format("{} unexplained; {:.1f} s\n",
                             unexplained == 0 ? "nothing" : fmt::format("{}", unexplained), result.seconds);
 }
 
 std::string crosscheck_json(const SceneCrosscheck& result, const std::string& scene,
-                            const std::string& replay) {
+                            const std::string& replay, Ceilings ceilings) {
   nlohmann::ordered_json json{{"scene", scene},
-                              {"passed", is_passed(result.report)},
+                              {"passed", is_passed(result.report, ceilings)},
                               {"unexplained", result.report.unexplained()},
                               {"seconds", result.seconds},
                               {"reference", result.engines[0]}};

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "core/error.h"
@@ -28,6 +30,21 @@ bool parse_float(std::string_view text, float& value) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
+/// Whether the components lie within +-most.
+bool is_within(const Vec3& v, float most) {
+  return std::fabs(v.x) <= most && std::fabs(v.y) <= most && std::fabs(v.z) <= most;
+}
+
+/// An invalid ray (core/ray.h) would be a miss on every engine, and say nothing.
+void check_domain(const Ray& ray) {
+  if (!is_within(ray.origin, 0x1p60f))
+    throw UsageError("--ray: the origin must be finite, with components up to 2^60");
+  if (!is_within(ray.direction, std::numeric_limits<float>::max()) || ray.direction == Vec3{0, 0, 0})
+    throw UsageError("--ray: the direction must be finite and not zero");
+  if (!(ray.t_min >= 0 && ray.t_min <= ray.t_max))
+    throw UsageError("--ray: the interval must have 0 <= t_min <= t_max");
+}
+
 }  // namespace
 
 std::string ray_text(const Ray& ray) {
@@ -46,10 +63,12 @@ Ray parse_ray(const std::string& text) {
       throw UsageError(fmt::format("--ray: \"{}\" is not of the form OX,OY,OZ,DX,DY,DZ,T_MIN,T_MAX", text));
     rest.remove_prefix(is_last ? rest.size() : comma + 1);
   }
-  return {.origin = {numbers[0], numbers[1], numbers[2]},
-          .direction = {numbers[3], numbers[4], numbers[5]},
-          .t_min = numbers[6],
-          .t_max = numbers[7]};
+  const Ray ray{.origin = {numbers[0], numbers[1], numbers[2]},
+                .direction = {numbers[3], numbers[4], numbers[5]},
+                .t_min = numbers[6],
+                .t_max = numbers[7]};
+  check_domain(ray);
+  return ray;
 }
 
 }  // namespace twinray

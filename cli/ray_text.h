@@ -9,7 +9,8 @@ namespace twinray {
 
 /// "ox,oy,oz,dx,dy,dz,t_min,t_max" in hexadecimal floats ("0x1.8p+0", "-0x0p+0", "inf").
 std::string ray_text(const Ray& ray);
-/// The ray of such a text; decimal numbers are taken as well. Throws UsageError.
+/// The ray of such a text; decimal numbers are taken as well. Throws UsageError for any other text, and for
+/// an invalid ray (core/ray.h).
 Ray parse_ray(const std::string& text);
 
 }  // namespace twinray

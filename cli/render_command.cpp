@@ -91,16 +91,17 @@ class Check {
 };
 
 std::string check_json(const RenderArguments& arguments, const SceneCrosscheck& found) {
-  return crosscheck_json(found, arguments.scene, replay_command(arguments.scene, arguments.load));
+  return crosscheck_json(found, arguments.scene, replay_command(arguments.scene, arguments.load),
+                         Ceilings::remark);
 }
 
 /// Prints the table, and what is wrong; the exit code.
 int report(const Check& check, const SceneCrosscheck& found, const RenderArguments& arguments,
            const std::string& differences) {
-  const bool is_good = is_passed(found.report);
+  const bool is_good = is_passed(found.report, Ceilings::remark);
   if (!arguments.quiet && !differences.empty()) console::print("Differences    {}\n\n", differences);
   if (!arguments.quiet || !is_good)
-    console::write(crosscheck_text(found, replay_command(arguments.scene, arguments.load),
+    console::write(crosscheck_text(found, replay_command(arguments.scene, arguments.load), Ceilings::remark,
                                    [&](const Finding& finding) { return check.label(finding); }));
   return is_good ? 0 : 1;
 }

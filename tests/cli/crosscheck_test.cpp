@@ -30,7 +30,7 @@ SceneCrosscheck with_one_unexplained() {
 }  // namespace
 
 TEST_CASE("a ray's text keeps every bit") {
-  const Ray ray{.origin = {-0.0f, 0x1p-149f, 0x1.fffffep127f},
+  const Ray ray{.origin = {-0.0f, 0x1p-149f, 0x1.fffffep59f},
                 .direction = {0.1f, -1 / 3.0f, 0},
                 .t_min = 0x1.8p-100f,
                 .t_max = INFINITY};
@@ -49,23 +49,62 @@ TEST_CASE("a text that is no ray is refused") {
     CHECK_THROWS_AS(parse_ray(text), UsageError);
 }
 
+TEST_CASE("a ray outside of the domain is refused with what is wrong with it") {
+  const auto message_of = [](const char* text) -> std::string {
+    try {
+      parse_ray(text);
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  CHECK(message_of("0,0,nan,0,0,1,0,inf") == "--ray: the origin must be finite, with components up to 2^60");
+  CHECK(message_of("0,0,-inf,0,0,1,0,inf") == "--ray: the origin must be finite, with components up to 2^60");
+  CHECK(message_of("0,0x1.1p60,0,0,0,1,0,inf") ==
+        "--ray: the origin must be finite, with components up to 2^60");
+  CHECK(message_of("0,0,0,-0.0,0,0,0,inf") == "--ray: the direction must be finite and not zero");
+  CHECK(message_of("0,0,0,inf,0,0,0,inf") == "--ray: the direction must be finite and not zero");
+  const std::string interval = "--ray: the interval must have 0 <= t_min <= t_max";
+  for (const char* text : {"0,0,0,0,0,1,2,1", "0,0,0,0,0,1,-1,1", "0,0,0,0,0,1,nan,1", "0,0,0,0,0,1,0,nan"})
+    CHECK(message_of(text) == interval);
+  CHECK(message_of("0x1p60,0,0,0,0,1,1,1") == "accepted");
+}
+
 TEST_CASE("an unexplained ray is printed as the command that shoots it again") {
   const SceneCrosscheck result = with_one_unexplained();
-  CHECK_FALSE(is_passed(result.report));
-  const std::string text = crosscheck_text(result, replay_command("a b.dae", {}));
+  CHECK_FALSE(is_passed(result.report, Ceilings::remark));
+  const std::string text = crosscheck_text(result, replay_command("a b.dae", {}), Ceilings::remark);
   CHECK(text.find("embree, moved 42, unexplained: bvh sees t 0x1.8p+0 u 0x1p-2 v 0x1p-1 of 3:7; embree sees "
                   "nothing\n  twinray crosscheck 'a b.dae' --placement=moved "
                   "--ray=0x1p+0,-0x0p+0,0x1.99999ap-4,0x0p+0,0x0p+0,-0x1p+0,0x0p+0,0x1p+1\n") !=
         std::string::npos);
   CHECK(text.ends_with("1 unexplained; 1.5 s\n"));
-  const auto json = nlohmann::json::parse(
-      crosscheck_json(result, "a b.dae", replay_command("a b.dae", {.keep_both_lamps = true})));
+  const auto json = nlohmann::json::parse(crosscheck_json(
+      result, "a b.dae", replay_command("a b.dae", {.keep_both_lamps = true}), Ceilings::remark));
   CHECK(json["passed"] == false);
   CHECK(json["unexplained"] == 1);
   CHECK(json["engines"]["embree"]["moved"]["rays"] == 1000);
   CHECK(json["findings"][0]["number"] == 42);
   CHECK(std::string(json["findings"][0]["command"])
             .find("twinray crosscheck 'a b.dae' --keep-both-lamps --placement=moved --ray=0x1p+0,") == 0);
+}
+
+TEST_CASE("a leak that is explained is a remark, and an error where ceilings count") {
+  SceneCrosscheck result{{"bvh", "embree-native"}, CrosscheckReport(2), 1.5};
+  const Finding leak{
+      .ray_class = RayClass::edges, .engine = 1, .difference = Difference::edge, .is_leak = true};
+  result.report.add(leak, true);
+  CHECK(is_passed(result.report, Ceilings::remark));
+  CHECK_FALSE(is_passed(result.report, Ceilings::count));
+  const std::string said = "embree-native: 1 edges rays leak; none may\n";
+  const std::string remark = crosscheck_text(result, "replay", Ceilings::remark);
+  CHECK(remark.ends_with("remark: " + said + "nothing unexplained; 1.5 s\n"));
+  CHECK(remark.find("--ray=") == std::string::npos);
+  const std::string error = crosscheck_text(result, "replay", Ceilings::count);
+  CHECK(error.ends_with("\n" + said + "nothing unexplained; 1.5 s\n"));
+  CHECK(error.find("--ray=") != std::string::npos);
+  CHECK(nlohmann::json::parse(crosscheck_json(result, "a", "b", Ceilings::remark))["passed"] == true);
+  CHECK(nlohmann::json::parse(crosscheck_json(result, "a", "b", Ceilings::count))["passed"] == false);
 }
 
 TEST_CASE("crosscheck ends with 0 where engines agree, and prints a table") {
