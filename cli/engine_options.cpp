@@ -39,7 +39,8 @@ void add_engine_choice(OptionGroup& group, RenderRequest& request) {
                                            "The engine; check: bvh and another");
   group.add_choice<std::string>(
       "--check-with", request.check_with, check_choices(),
-      fmt::format("The other ({}); NAME_differences.png shows both", check_choices().front().first));
+      fmt::format("The other ({}); NAME_differences.png shows both", check_choices().front().first),
+      "ENGINE");
   group.add_flag("--plant-difference", request.arguments.plant_difference,
                  "check: with another triangle test; it must be found");
 }
@@ -60,7 +61,8 @@ void add_bvh_options(OptionGroup& group, RenderRequest& request) {
                               {"midpoint", BvhSplit::midpoint},
                               {"mean", BvhSplit::mean}},
                              "How nodes are split");
-  group.add_choice<BvhBuilder>("--bvh-builder", build.bvh_builder, builder_choices(), "Who builds the bvh");
+  group.add_choice<BvhBuilder>("--bvh-builder", build.bvh_builder, builder_choices(),
+                               words_of(builder_choices(), ", "), "NAME");
 }
 
 void add_cost_options(OptionGroup& group, BuildOptions& build) {
@@ -80,33 +82,26 @@ void add_triangle_options(OptionGroup& group, BuildOptions& build) {
                                {{"robust", EmbreeMode::robust}, {"fast", EmbreeMode::fast}}, "embree-native");
   Choices<std::string> isas;
   for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512", "default"}) isas.emplace_back(isa, isa);
-  group.add_choice<std::string>("--embree-isa", build.embree_isa, isas, "embree, embree-native");
+  group.add_choice<std::string>("--embree-isa", build.embree_isa, isas, words_of(isas, ", "), "ISA");
 #endif
 }
 
 void choose_backend(const RenderRequest& request, RenderArguments& arguments) {
-  const bool is_check = !request.backend;
-  if (!is_check && (!request.check_with.empty() || arguments.plant_difference))
-    throw UsageError("--check-with and --plant-difference go with --accel=check");
-  if (!request.check_with.empty() && arguments.plant_difference)
+  if (!request.backend && !request.check_with.empty() && arguments.plant_difference)
     throw UsageError("--plant-difference is an engine of its own; it does not go with --check-with");
   arguments.backend = request.backend.value_or(Backend::bvh);
 }
 
 void check_builder(const RenderArguments& arguments) {
   const BuildOptions& build = arguments.build;
-  if (build.bvh_builder == BvhBuilder::own) return;
-  if (arguments.backend != Backend::bvh) throw UsageError("--bvh-builder goes with --accel=bvh");
-  if (build.bvh_split != BvhSplit::sah || build.bvh_bins != BuildOptions{}.bvh_bins)
-    throw UsageError("--bvh-split and --bvh-bins go with --bvh-builder=own");
-  if (build.max_leaf_size > 32)
+  if (arguments.backend == Backend::bvh && build.bvh_builder != BvhBuilder::own && build.max_leaf_size > 32)
     throw UsageError("--max-leaf-size: Embree's builders make leaves of up to 32 primitives");
 }
 
 /// Chooses what the integrator cost shows, which only counting queries tell.
 void choose_cost(const std::optional<CostKind>& chosen, RenderArguments& arguments) {
   if (arguments.integrator != IntegratorKind::cost) {
-    if (chosen) throw UsageError("--cost goes with --integrator=cost");
+    if (arguments.backend == Backend::embree_native) arguments.render.counting = false;
     return;
   }
   const bool has_nodes = arguments.backend == Backend::bvh;
@@ -128,16 +123,6 @@ void choose_width(const std::optional<int>& chosen, RenderArguments& arguments) 
   build.bvh_width = chosen.value_or(build.bvh_width);
   if (arguments.backend == Backend::bvh && build.bvh_width == 8 && build.max_leaf_size > 4)
     throw UsageError("--max-leaf-size: a BVH of width 8 has leaves of up to 4; --bvh-width=2 takes more");
-}
-
-/// Options of the wide tree and of the leaves that Embree shares with it.
-void check_wide_options(const RenderArguments& arguments) {
-  const BuildOptions& build = arguments.build;
-  const bool is_wide = arguments.backend == Backend::bvh && build.bvh_width == 8;
-  if (build.simd != "best" && !is_wide && arguments.backend != Backend::embree)
-    throw UsageError("--simd goes with --accel=embree, and with --accel=bvh of --bvh-width=8");
-  if (build.bvh_quality != BuildOptions{}.bvh_quality && !is_wide)
-    throw UsageError("--bvh-quality goes with --accel=bvh and --bvh-width=8");
 }
 
 /// Chooses what the bvh is checked with, once its own options are known.
@@ -174,11 +159,7 @@ void resolve_engine(const RenderRequest& request, RenderArguments& arguments) {
   check_builder(arguments);
   choose_cost(request.cost, arguments);
   choose_width(request.bvh_width, arguments);
-  check_wide_options(arguments);
   choose_check(request, arguments);
-  if (arguments.build.triangle_test == TriangleTest::moller_trumbore && arguments.backend != Backend::bvh &&
-      arguments.backend != Backend::brute_force)
-    throw UsageError("--triangle-test=moller-trumbore goes with --accel=bvh and --accel=brute-force");
 }
 
 }  // namespace twinray

@@ -43,6 +43,9 @@ Roulette parse_roulette(const std::string& word) {
 }
 
 void choose_bounces(Bounces bounces, PathOptions& path) {
+  if (bounces == Bounces::indirect && path.max_depth < 2)
+    throw UsageError(fmt::format("--bounces=indirect: indirect light takes two bounces, and {} is made",
+                                 path.max_depth == 0 ? "none" : "only one"));
   if (bounces == Bounces::direct) path.last_depth = 1;
   if (bounces == Bounces::indirect) path.first_depth = 2;
   if (bounces == Bounces::last) path.first_depth = path.last_depth = path.max_depth;

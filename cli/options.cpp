@@ -109,7 +109,9 @@ void OptionGroup::add_word(const OptionText& text, std::string& target) {
 }
 
 void add_scene(CLI::App& app, std::string& scene) {
-  app.add_option("SCENE", scene, "The scene, a COLLADA file (.dae)")->required()->type_name("");
+  app.add_option("SCENE", scene, "The scene: a COLLADA file (.dae), or generated:NAME")
+      ->required()
+      ->type_name("");
 }
 
 void add_scenes(CLI::App& app, Words& scenes, const std::string& description) {

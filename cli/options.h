@@ -99,22 +99,23 @@ class OptionGroup {
   }
 
   /// An option whose value is one of a few words; its help ends with the target's word, the default, where
-  /// one stands for it.
+  /// one stands for it. In place of the words `value` may stand for them.
   template <typename T>
-  void add_choice(const std::string& names, T& target, const Choices<T>& choices, std::string description) {
-    for (const auto& [word, value] : choices)
-      if (value == target) description += fmt::format(" ({})", word);
+  void add_choice(const std::string& names, T& target, const Choices<T>& choices, std::string description,
+                  const char* value = "") {
+    for (const auto& [word, meaning] : choices)
+      if (meaning == target) description += fmt::format(" ({})", word);
     const std::string option = long_name(names);
-    add_words({names, words_of(choices, "|"), description}, 1,
-              [&target, option, choices](const Words& words) {
-                for (const auto& [word, value] : choices)
-                  if (word == words.front()) {
-                    target = value;
-                    return;
-                  }
-                throw UsageError(fmt::format("{}: there is no \"{}\"; valid are {}", option, words.front(),
-                                             words_of(choices, ", ")));
-              });
+    const std::string shown = *value ? value : words_of(choices, "|");
+    add_words({names, shown, description}, 1, [&target, option, choices](const Words& words) {
+      for (const auto& [word, meaning] : choices)
+        if (word == words.front()) {
+          target = meaning;
+          return;
+        }
+      throw UsageError(fmt::format("{}: there is no \"{}\"; valid are {}", option, words.front(),
+                                   words_of(choices, ", ")));
+    });
   }
 
  private:

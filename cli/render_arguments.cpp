@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "cli/no_effect.h"
 #include "cli/render_options.h"
 
 namespace twinray {
@@ -17,12 +18,15 @@ void add_options(CLI::App& app, RenderRequest& request) {
   add_run_options(app, request);
 }
 
-RenderArguments resolved(const RenderRequest& request) {
+RenderArguments resolved(const RenderRequest& request, const Words& given) {
   RenderArguments arguments = request.arguments;
   resolve_picture(request, arguments);
   resolve_light(request, arguments);
   resolve_sampling(request, arguments);
   resolve_engine(request, arguments);
+  arguments.given = given;
+  arguments.without_effect = options_without_effect(request, arguments);
+  refuse_if_strict(arguments.without_effect, arguments);
   return arguments;
 }
 
@@ -31,7 +35,11 @@ RenderArguments resolved(const RenderRequest& request) {
 std::function<RenderArguments()> add_render_options(CLI::App& app) {
   const auto request = std::make_shared<RenderRequest>();
   add_options(app, *request);
-  return [request] { return resolved(*request); };
+  return [request, &app] { return resolved(*request, given_options(app)); };
+}
+
+void refuse_if_strict(const std::vector<std::string>& without_effect, const RenderArguments& arguments) {
+  if (arguments.load.strict && !without_effect.empty()) throw UsageError(without_effect.front());
 }
 
 RenderArguments parse_render_arguments(const std::vector<std::string>& words) {

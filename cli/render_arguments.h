@@ -35,11 +35,17 @@ struct RenderArguments {
   PathOptions path;
   RenderOptions render;
   bool quiet = false;
+  std::vector<std::string> given;           ///< The long names of the options that were given.
+  std::vector<std::string> without_effect;  ///< Those that change nothing, each with the reason.
 };
 
 /// Adds a render's options. The function that is returned gives what they ask for, once they are read; it
-/// throws UsageError with the reason where they contradict each other. The app must outlive the reading.
+/// throws UsageError with the reason where they contradict each other, or, if it is to be strict, where one
+/// has no effect. The app must outlive the reading.
 std::function<RenderArguments()> add_render_options(CLI::App& app);
+
+/// Throws UsageError with the first of the options without effect where these are errors.
+void refuse_if_strict(const std::vector<std::string>& without_effect, const RenderArguments& arguments);
 
 /// Reads the words after "render". Throws UsageError.
 RenderArguments parse_render_arguments(const std::vector<std::string>& words);

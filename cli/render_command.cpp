@@ -8,13 +8,15 @@
 #include "check/render_check.h"
 #include "cli/console.h"
 #include "cli/crosscheck_report.h"
+#include "cli/frame_note.h"
 #include "cli/interrupt.h"
+#include "cli/no_effect.h"
 #include "cli/outputs.h"
 #include "cli/picture_metadata.h"
 #include "cli/progress.h"
 #include "cli/render_outputs.h"
-#include "cli/report.h"
 #include "cli/scene_warnings.h"
+#include "cli/statistics_report.h"
 #include "core/error.h"
 #include "integrators/normals.h"
 #include "integrators/path.h"
@@ -34,11 +36,12 @@ std::unique_ptr<Integrator> make_integrator(const RenderArguments& arguments, co
 /// Moves the camera as asked for, or says that another view would show more.
 void choose_view(const RenderArguments& arguments, Scene& scene) {
   const Camera fitted = fit_frame(scene.camera, arguments.render.width, arguments.render.height);
-  const Aabb& bounds = scene.geometry->bounds();
-  if (arguments.view == View::whole)
-    scene.camera = view_whole(fitted, bounds);
-  else if (!arguments.quiet && !bounds.is_empty() && !sees_whole(fitted, bounds))
-    console::print("note: part of the scene lies outside of the frame; --view=whole shows all of it\n");
+  if (arguments.view == View::whole) {
+    scene.camera = view_whole(fitted, scene.geometry->bounds());
+  } else if (!arguments.quiet) {
+    const std::string note = frame_note(fitted, *scene.geometry);
+    if (!note.empty()) console::print("note: {}\n", note);
+  }
 }
 
 LoadedScene load(const RenderArguments& arguments) {
@@ -52,6 +55,9 @@ LoadedScene load(const RenderArguments& arguments) {
     auto map = std::make_shared<const Image>(read_image(arguments.environment));
     loaded.scene.lights.push_back({"environment", EnvironmentLight{std::move(map)}});
   }
+  const std::vector<std::string> without_effect = options_without_effect(loaded.scene, arguments);
+  refuse_if_strict(without_effect, arguments);
+  for (const std::string& warning : without_effect) console::warn(warning);
   for (const std::string& warning : scene_warnings(loaded.scene, arguments)) console::warn(warning);
   return loaded;
 }
@@ -109,6 +115,7 @@ int report(const Check& check, const SceneCrosscheck& found, const RenderArgumen
 }  // namespace
 
 int render_command(const RenderArguments& arguments, const std::vector<std::string>& words) {
+  for (const std::string& warning : arguments.without_effect) console::warn(warning);
   const RenderOutputs outputs = render_outputs(arguments);
   const InterruptGuard guard(outputs.names());
   prepare_outputs(outputs.names());
@@ -131,11 +138,11 @@ int render_command(const RenderArguments& arguments, const std::vector<std::stri
   if (!outputs.differences.empty())
     write_image(outputs.differences, check->picture(mean_image(result.film)), metadata);
   if (!outputs.statistics.empty())
-    write_file(outputs.statistics, figures_json(arguments, accelerator->stats(), result,
-                                                found ? check_json(arguments, *found) : ""));
+    write_file(outputs.statistics, statistics_json(arguments, accelerator->stats(), result,
+                                                   found ? check_json(arguments, *found) : ""));
   if (!arguments.quiet)
-    console::print("{}Picture        {}\n",
-                   figures_text(accelerator->stats(), result, arguments.render.counting), arguments.output);
+    console::print("{}Picture        {}\n", statistics_text(arguments, accelerator->stats(), result),
+                   arguments.output);
   return check ? report(*check, *found, arguments, outputs.differences) : 0;
 }
 

@@ -9,7 +9,8 @@ void add_run_options(CLI::App& app, RenderRequest& request) {
   add_threads(group, arguments.render.threads);
   group.add_flag("--count", arguments.render.counting, "Count nodes and primitives per ray (slower)");
   group.add_word({"--stats", "FILE", "Write all statistics as JSON"}, arguments.stats_file);
-  group.add_flag("--strict", arguments.load.strict, "What would be a warning of the scene file is an error");
+  group.add_flag("--strict", arguments.load.strict,
+                 "What a scene file or an option says must have an effect");
   group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
 }
 

@@ -10,7 +10,7 @@
 #include "cli/options.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
-#include "cli/stats_report.h"
+#include "cli/statistics_report.h"
 #include "core/error.h"
 #include "io/output_file.h"
 #include "io/scene_file.h"
@@ -70,12 +70,12 @@ int stats_command(const StatsArguments& arguments) {
   prepare_outputs(output_files(arguments));
   const Scene scene = load(arguments);
   ProgressLine line(!arguments.quiet);
-  const SceneFigures figures =
+  const SceneStatistics statistics =
       measure_engines(scene, arguments.options, [&](const std::string& doing) { line.show(doing); });
   line.finish();
-  if (!arguments.csv_file.empty()) write_file(arguments.csv_file, stats_csv(figures));
-  if (!arguments.json_file.empty()) write_file(arguments.json_file, stats_json(arguments, figures));
-  if (!arguments.quiet) console::write(stats_text(arguments, figures));
+  if (!arguments.csv_file.empty()) write_file(arguments.csv_file, stats_csv(statistics));
+  if (!arguments.json_file.empty()) write_file(arguments.json_file, stats_json(arguments, statistics));
+  if (!arguments.quiet) console::write(stats_text(arguments, statistics));
   return 0;
 }
 

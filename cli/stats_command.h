@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cli/common_options.h"
-#include "cli/stats.h"
+#include "cli/engine_statistics.h"
 
 namespace twinray {
 

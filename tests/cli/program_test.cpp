@@ -152,4 +152,66 @@ TEST_CASE("a scene without a light, and a material that is not rendered as it is
         "warning: mirror is rendered as Lambert of its reflectance: \"silver\"\n");
 }
 
+TEST_CASE("an option without effect is a warning, in quiet runs too, and ends a strict run with 2") {
+  const TemporaryFolder folder;
+  const std::string line =
+      box + small + "--accel=brute-force --bvh-split=mean -o " + quoted(folder.file("a.png"));
+  const std::string reason = "--bvh-split: no effect, for the engine is brute-force; --accel=bvh takes it\n";
+  const ProcessResult lenient = run_program(line);
+  CHECK(lenient.exit_code == 0);
+  CHECK(lenient.err == "warning: " + reason);
+  const ProcessResult strict = run_program(line + " --strict");
+  CHECK(strict.exit_code == 2);
+  CHECK(strict.err.find("twinray: " + reason + "usage: ") == 0);
+}
+
+TEST_CASE("a generated scene is rendered, crosschecked and measured by its name") {
+  const TemporaryFolder folder;
+  CHECK(run_program("generated:ball:1000" + small + "-o " + quoted(folder.file("a.png"))).exit_code == 0);
+  CHECK(run_program("crosscheck generated:ball:1000 -q --rays=200 --engines=bvh,bvh-2").exit_code == 0);
+  CHECK(run_program("stats generated:ball:1000 -q -r 2 2").exit_code == 0);
+  const ProcessResult wrong = run_program("stats generated:cube -q");
+  CHECK(wrong.exit_code == 1);
+  CHECK(wrong.err ==
+        "twinray: generated:cube: there is no such scene; valid are generated:room, generated:ball, "
+        "generated:forest, each with :N behind it for N triangles\n");
+}
+
+TEST_CASE("warnings of a scene file are printed by every command, in quiet runs too") {
+  const std::string scene = TWINRAY_SOURCE_DIR "/tests/bad/warning_attribute.dae";
+  const TemporaryFolder folder;
+  for (const std::string& command :
+       {scene + small + "-o " + quoted(folder.file("a.png")), "stats -q -r 2 2 " + scene,
+        "agreement -q -r 2 2 -s 1 " + scene, "crosscheck -q --rays=100 --engines=bvh,bvh-2 " + scene})
+    CHECK(run_program(command).err.find("warning: " + scene) == 0);
+}
+
+TEST_CASE("what an engine does not know is neither printed nor written as 0") {
+  const TemporaryFolder folder;
+  const std::string stats = folder.file("a.json");
+  const ProcessResult result =
+      run_program(box + " -r 8 6 -s 1 --count --accel=brute-force --integrator=normals -o " +
+                  quoted(folder.file("a.png")) + " --stats " + quoted(stats));
+  CHECK(result.out.find("nodes") == std::string::npos);
+  CHECK(result.out.find("SAH") == std::string::npos);
+  CHECK(result.out.find("\nPer ray        0.0000 leaves, 12.0000 intersection tests\n") != std::string::npos);
+  const nlohmann::json json = nlohmann::json::parse(read_text(stats));
+  for (const char* key : {"nodes", "leaves", "depth", "sah_cost"}) CHECK(json["build"][key].is_null());
+  for (const char* key : {"nodes", "boxes"}) CHECK(json["per_ray"][key].is_null());
+  CHECK(json["counts"]["primitives"] == 12 * 48);
+}
+
+#ifdef TWINRAY_WITH_EMBREE
+TEST_CASE("counts of Embree's way are said to be those of this machine") {
+  const TemporaryFolder folder;
+  const std::string line = box + " -r 8 6 -s 1 --count -o " + quoted(folder.file("a.png")) + " --accel=";
+  const std::string said = "(Embree's way: other machines may count otherwise)";
+  CHECK(run_program(line + "embree").out.find(said) != std::string::npos);
+  CHECK(run_program(line + "bvh").out.find(said) == std::string::npos);
+  CHECK(run_program("stats -r 2 2 " + box)
+            .out.find("\nOther machines may count otherwise in embree; all other counts are the same "
+                      "everywhere.\n") != std::string::npos);
+}
+#endif
+
 }  // namespace twinray::test

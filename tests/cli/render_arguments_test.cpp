@@ -2,6 +2,7 @@
 #include "cli/render_arguments.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/error.h"
 #include "tests/support/catch.h"
@@ -21,6 +22,14 @@ std::string message_of(std::vector<std::string> words) {
     return error.what();
   }
   return "accepted";
+}
+
+/// What is said of options that change nothing, one after the other. Strict runs must refuse the first.
+std::string no_effect(std::vector<std::string> words) {
+  const std::vector<std::string> said = parse(words).without_effect;
+  words.push_back("--strict");
+  CHECK(message_of(words) == (said.empty() ? "accepted" : said.front()));
+  return fmt::format("{}", fmt::join(said, "\n"));
 }
 
 }  // namespace
@@ -51,11 +60,12 @@ TEST_CASE("Embree's builders go with the bvh engine, and exclude the options of 
 #ifdef TWINRAY_WITH_EMBREE
   CHECK(parse({"--accel=bvh", "--bvh-builder=embree-low", "--bvh-width=2", "--max-leaf-size=8"})
             .build.bvh_builder == BvhBuilder::embree_low);
-  CHECK(message_of({"--accel=embree", "--bvh-builder=embree-low"}) == "--bvh-builder goes with --accel=bvh");
-  CHECK(message_of({"--accel=bvh", "--bvh-builder=embree-medium", "--bvh-split=mean"}) ==
-        "--bvh-split and --bvh-bins go with --bvh-builder=own");
-  CHECK(message_of({"--accel=bvh", "--bvh-builder=embree-medium", "--bvh-bins=8"}) ==
-        "--bvh-split and --bvh-bins go with --bvh-builder=own");
+  CHECK(no_effect({"--accel=embree", "--bvh-builder=embree-low"}) ==
+        "--bvh-builder: no effect, for the engine is embree; --accel=bvh takes it");
+  CHECK(no_effect({"--accel=bvh", "--bvh-builder=embree-medium", "--bvh-split=mean"}) ==
+        "--bvh-split: no effect, for the builder is embree-medium");
+  CHECK(no_effect({"--accel=bvh", "--bvh-builder=embree-medium", "--bvh-bins=8"}) ==
+        "--bvh-bins: no effect, for the builder is embree-medium");
   CHECK(message_of({"--accel=bvh", "--bvh-builder=embree-low", "--max-leaf-size=33"}) ==
         "--max-leaf-size: Embree's builders make leaves of up to 32 primitives");
   CHECK(message_of({"--bvh-builder=embree"}) ==
@@ -86,7 +96,8 @@ TEST_CASE("the instruction set is that of the wide bvh, and a wrong one names th
        {std::vector<std::string>{"--simd=scalar", "--accel=brute-force"},
         {"--simd=scalar", "--accel=bvh", "--bvh-width=2"},
         {"--simd=scalar", "--accel=bvh", "--count"}})
-    CHECK(message_of(words) == "--simd goes with --accel=embree, and with --accel=bvh of --bvh-width=8");
+    CHECK(no_effect(words) ==
+          "--simd: no effect, for the engine has no code for it; embree, and bvh of width 8, have");
   CHECK(message_of({"--accel=bvh", "--simd=none"}).find("--simd: there is no \"none\"; valid are best, ") ==
         0);
 }
@@ -106,9 +117,10 @@ TEST_CASE("check renders by the bvh and names the engine that it is checked with
   CHECK(parse({"--accel=check", "--check-with=bvh-2"}).check_with->build.bvh_width == 2);
   CHECK(parse({"--accel=check", "--plant-difference"}).check_with->build.triangle_test ==
         TriangleTest::moller_trumbore);
-  CHECK(message_of({"--check-with=bvh-2"}) == "--check-with and --plant-difference go with --accel=check");
-  CHECK(message_of({"--accel=bvh", "--plant-difference"}) ==
-        "--check-with and --plant-difference go with --accel=check");
+  CHECK(no_effect({"--check-with=bvh-2"}) ==
+        "--check-with: no effect, for nothing is checked; --accel=check takes it");
+  CHECK(no_effect({"--accel=bvh", "--plant-difference"}) ==
+        "--plant-difference: no effect, for nothing is checked; --accel=check takes it");
   CHECK(message_of({"--accel=check", "--check-with=bvh-2", "--plant-difference"}) ==
         "--plant-difference is an engine of its own; it does not go with --check-with");
   CHECK(message_of({"--accel=check", "--check-with=bvh-2", "--bvh-width=2"}) ==
@@ -123,9 +135,10 @@ TEST_CASE("a quality goes with the wide bvh alone") {
   CHECK(parse({"--accel=bvh"}).build.bvh_quality == BvhQuality::medium);
   CHECK(parse({"--accel=bvh", "--bvh-quality=high"}).build.bvh_quality == BvhQuality::high);
   for (const auto& words : {std::vector<std::string>{"--accel=bvh", "--bvh-width=2", "--bvh-quality=fast"},
-                            {"--accel=bvh", "--count", "--bvh-quality=fast"},
-                            {"--accel=brute-force", "--bvh-quality=high"}})
-    CHECK(message_of(words) == "--bvh-quality goes with --accel=bvh and --bvh-width=8");
+                            {"--accel=bvh", "--count", "--bvh-quality=fast"}})
+    CHECK(no_effect(words) == "--bvh-quality: no effect, for the bvh is binary; --bvh-width=8 takes it");
+  CHECK(no_effect({"--accel=brute-force", "--bvh-quality=high"}) ==
+        "--bvh-quality: no effect, for the engine is brute-force; --accel=bvh takes it");
 }
 
 TEST_CASE("cost shows what the engine counts: nodes of the bvh, else primitives") {
@@ -137,7 +150,7 @@ TEST_CASE("cost shows what the engine counts: nodes of the bvh, else primitives"
   CHECK(message_of({"--integrator=cost", "--accel=brute-force", "--cost=nodes"}) ==
         "--cost=nodes: brute-force has no nodes that could be counted; valid are --cost=primitives, or "
         "--accel=bvh");
-  CHECK(message_of({"--cost=nodes"}) == "--cost goes with --integrator=cost");
+  CHECK(no_effect({"--cost=nodes"}) == "--cost: no effect, for --integrator=cost alone shows costs");
 #ifdef TWINRAY_WITH_EMBREE
   CHECK(parse({"--integrator=cost", "--accel=embree"}).cost == CostKind::primitives);
   CHECK(message_of({"--integrator=cost", "--accel=embree", "--cost=nodes"}) ==
@@ -203,6 +216,56 @@ TEST_CASE("a wrong word of a choice names the right ones") {
   CHECK(message_of({"--bvh-width=4"}) == "--bvh-width: there is no \"4\"; valid are 2, 8");
   CHECK(message_of({"--integrator=photon"}) ==
         "--integrator: there is no \"photon\"; valid are path, direct, normals, cost");
+}
+
+TEST_CASE("an option without effect is named with the reason, and refused by a strict run") {
+  const std::string embree = ": no effect, for the engine is brute-force; --accel=bvh takes it";
+  for (const char* option : {"--bvh-split=mean", "--bvh-width=2", "--bvh-bins=8", "--bvh-quality=fast",
+                             "--max-leaf-size=3", "--traversal-cost=2", "--intersection-cost=2"}) {
+    const std::string text = option;
+    CHECK(no_effect({"--accel=brute-force", option}) == text.substr(0, text.find('=')) + embree);
+    CHECK(no_effect({"--accel=bvh", "--bvh-width=8", option}).empty());
+  }
+  CHECK(no_effect({"--accel=bvh", "--bvh-split=mean", "--bvh-bins=8"}) ==
+        "--bvh-bins: no effect, for --bvh-split=sah alone has bins");
+  CHECK(no_effect({"-a", "32", "0.05", "-s", "32"}) ==
+        "--adaptive: no effect, for a batch of 32 is all of the 32 samples");
+  CHECK(no_effect({"-a", "32", "0.05", "-s", "33"}).empty());
+#ifdef TWINRAY_WITH_EMBREE
+  CHECK(no_effect({"--accel=bvh", "--embree-mode=fast"}) ==
+        "--embree-mode: no effect, for --accel=embree-native alone has modes");
+  CHECK(no_effect({"--accel=bvh", "--embree-isa=avx"}) == "--embree-isa: no effect, for the engine is bvh");
+  CHECK(no_effect({"--accel=embree", "--embree-isa=avx"}).empty());
+  CHECK(no_effect({"--accel=check", "--embree-isa=avx"}).empty());
+  CHECK(no_effect({"--accel=embree-native", "--count"}) ==
+        "--count: no effect, for embree-native does not count");
+#endif
+}
+
+TEST_CASE("an option of light has no effect where light of its kind is not computed") {
+  for (const char* option :
+       {"--direct=hemisphere", "-H", "-l4", "--bounces=last", "--roulette=0.5", "-esky.exr"})
+    CHECK(no_effect({"--integrator=normals", option})
+              .find(": no effect, for normals and costs are rendered without light") != std::string::npos);
+  CHECK(no_effect({"-m", "0", "-l", "4"}) ==
+        "--light-samples: no effect, for --max-depth=0 leaves the light of emitters alone");
+  CHECK(no_effect({"-m", "1", "-l", "4"}).empty());
+  CHECK(no_effect({"--integrator=direct", "-m", "2"}) ==
+        "--max-depth: no effect, for --integrator=direct ends paths after one bounce");
+  CHECK(no_effect({"--integrator=direct", "-m", "1"}).empty());
+  CHECK(no_effect({"--integrator=direct", "--bounces=direct"}) ==
+        "--bounces: no effect, for no other light than direct light is computed");
+  CHECK(no_effect({"--roulette=0.5", "-m", "2"}) ==
+        "--roulette: no effect, for paths of 2 bounces end before it decides");
+  CHECK(no_effect({"--roulette=0.5", "-m", "3"}).empty());
+}
+
+TEST_CASE("indirect light of paths that have none is a contradiction, not a black picture") {
+  CHECK(message_of({"--integrator=direct", "--bounces=indirect"}) ==
+        "--bounces=indirect: indirect light takes two bounces, and only one is made");
+  CHECK(message_of({"-m", "0", "--bounces=indirect"}) ==
+        "--bounces=indirect: indirect light takes two bounces, and none is made");
+  CHECK(message_of({"-m", "2", "--bounces=indirect"}) == "accepted");
 }
 
 TEST_CASE("a number out of range, or no number, is refused in the option's name with what is valid") {

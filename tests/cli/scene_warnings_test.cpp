@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/scene_warnings.h"
 
+#include "cli/no_effect.h"
+
 #include "tests/support/catch.h"
 
 namespace twinray::test {
@@ -62,6 +64,21 @@ TEST_CASE("each kind of material that is rendered as Lambert is warned of once, 
                  "glass is rendered as Lambert of its transmittance: \"window\", \"lens\"",
                  "microfacet is rendered as Lambert of its reflectance at normal incidence: \"copper\""});
   CHECK(warnings_of(scene, {"--integrator=normals"}).empty());
+}
+
+TEST_CASE("light samples have no effect where every light is a point or a direction") {
+  Scene scene;
+  scene.lights.push_back({"sun", DirectionalLight{}});
+  const auto without_effect = [](const Scene& of, std::vector<std::string> words) {
+    words.push_back("scene.dae");
+    return options_without_effect(of, parse_render_arguments(words));
+  };
+  CHECK(without_effect(scene, {"-l", "4"}) ==
+        Warnings{"--light-samples: no effect, for no light of the scene has an area"});
+  CHECK(without_effect(scene, {}).empty());
+  CHECK(without_effect(scene, {"-l", "4", "-H"}).empty());
+  scene.lights.push_back({"sky", AmbientLight{}});
+  CHECK(without_effect(scene, {"-l", "4"}).empty());
 }
 
 }  // namespace twinray::test

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/stats.h"
+#include "cli/engine_statistics.h"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
+#include "cli/statistics_report.h"
 #include "cli/stats_command.h"
-#include "cli/stats_report.h"
 #include "core/error.h"
 #include "io/scene_file.h"
 #include "tests/support/catch.h"
@@ -23,19 +23,19 @@ StatsOptions tiny(int threads = 1) {
   return {.recording = {.width = 8, .height = 6}, .threads = threads, .least_seconds = 0};
 }
 
-SceneFigures figures_of(const std::string& path, const StatsOptions& options = tiny()) {
+SceneStatistics statistics_of(const std::string& path, const StatsOptions& options = tiny()) {
   return measure_engines(load_scene(path).scene, options);
 }
 
-const EngineFigures& engine(const SceneFigures& figures, const std::string& name) {
-  for (const EngineFigures& entry : figures.engines)
+const EngineStatistics& engine(const SceneStatistics& statistics, const std::string& name) {
+  for (const EngineStatistics& entry : statistics.engines)
     if (entry.name == name) return entry;
   throw Error("there is no " + name);
 }
 
-std::string counts_text(const EngineFigures& figures) {
+std::string counts_text(const EngineStatistics& statistics) {
   std::string text;
-  for (const RayFigures& rays : figures.rays)
+  for (const RayStatistics& rays : statistics.rays)
     text += fmt::format("{} {} {} {} {}; ", rays.rays, rays.counts.nodes, rays.counts.boxes,
                         rays.counts.leaves, rays.counts.primitives);
   return text;
@@ -54,25 +54,25 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("the counts of a small box are exact") {
-  const SceneFigures figures = figures_of(box);
-  CHECK(figures.engines.size() == stats_engines().size());
-  CHECK(counts_text(engine(figures, "bvh sah")) ==
+  const SceneStatistics statistics = statistics_of(box);
+  CHECK(statistics.engines.size() == stats_engines().size());
+  CHECK(counts_text(engine(statistics, "bvh sah")) ==
         "48 198 444 48 96; 80 400 880 80 160; 65 285 635 52 104; ");
-  CHECK(counts_text(engine(figures, "bvh median")) ==
+  CHECK(counts_text(engine(statistics, "bvh median")) ==
         "48 144 336 156 468; 80 240 560 320 960; 65 195 455 229 687; ");
   // Twelve triangles by halves: four leaves of three.
-  const TreeStats median = engine(figures, "bvh median").build.tree.value();
+  const TreeStats median = engine(statistics, "bvh median").build.tree.value();
   CHECK(median.nodes == 7);
   CHECK(median.leaves == 4);
   CHECK(median.depth == 2);
-  const EngineFigures& all = engine(figures, "brute-force");
+  const EngineStatistics& all = engine(statistics, "brute-force");
   CHECK(all.rays[0].counts.primitives == 12 * all.rays[0].rays);
   CHECK(all.rays[1].counts.primitives <= 12 * all.rays[1].rays);
   CHECK(all.rays[2].counts.primitives == 12 * all.rays[2].rays);
 }
 
 TEST_CASE("all engines get the same rays, and their counts do not depend on threads") {
-  const SceneFigures one = figures_of(box), three = figures_of(box, tiny(3));
+  const SceneStatistics one = statistics_of(box), three = statistics_of(box, tiny(3));
   REQUIRE(one.engines.size() == three.engines.size());
   for (std::size_t i = 0; i < one.engines.size(); ++i) {
     CAPTURE(one.engines[i].name);
@@ -84,35 +84,35 @@ TEST_CASE("all engines get the same rays, and their counts do not depend on thre
 }
 
 TEST_CASE("what an engine does not tell is a dash, an empty field, and null") {
-  const SceneFigures figures{{{.name = "some", .has_primitives = true}, {.name = "none"}}};
-  const std::string text = stats_text({}, figures);
+  const SceneStatistics statistics{{{.name = "some", .has_primitives = true}, {.name = "none"}}};
+  const std::string text = stats_text({}, statistics);
   const std::string some = text.substr(text.find("\nsome") + 1, text.find("\nnone") - text.find("\nsome"));
   CHECK(count_of(some, " -") == 3 + 3);
   CHECK(count_of(text, " -") == 3 + 3 + 3 + 6);
-  const std::string csv = stats_csv(figures);
+  const std::string csv = stats_csv(statistics);
   CHECK(csv.find("\nsome,0,0,,,,,0,camera,0,,,0,0,0\n") != std::string::npos);
   CHECK(csv.find("\nnone,0,0,,,,,0,bounce,0,,,,,0\n") != std::string::npos);
-  const auto json = nlohmann::json::parse(stats_json({}, figures));
-  CHECK(json["engines"][0]["sah_cost"].is_null());
-  CHECK(json["engines"][0]["camera"]["nodes"].is_null());
-  CHECK(json["engines"][0]["camera"]["primitives"] == 0);
-  CHECK(json["engines"][1]["camera"]["primitives_per_ray"].is_null());
+  const auto json = nlohmann::json::parse(stats_json({}, statistics));
+  CHECK(json["engines"][0]["build"]["sah_cost"].is_null());
+  CHECK(json["engines"][0]["camera"]["counts"]["nodes"].is_null());
+  CHECK(json["engines"][0]["camera"]["counts"]["primitives"] == 0);
+  CHECK(json["engines"][1]["camera"]["per_ray"]["primitives"].is_null());
 }
 
 TEST_CASE("brute force is left out where it would take too long") {
   StatsOptions options = tiny();
-  CHECK_FALSE(figures_of(box, options).is_brute_force_left_out);
+  CHECK_FALSE(statistics_of(box, options).is_brute_force_left_out);
   options.brute_force_tests = 100;
-  const SceneFigures figures = figures_of(box, options);
-  CHECK(figures.is_brute_force_left_out);
-  CHECK(figures.engines.size() + 1 == stats_engines().size());
-  CHECK(stats_text({}, figures).find("Brute force is left out") != std::string::npos);
+  const SceneStatistics statistics = statistics_of(box, options);
+  CHECK(statistics.is_brute_force_left_out);
+  CHECK(statistics.engines.size() + 1 == stats_engines().size());
+  CHECK(stats_text({}, statistics).find("Brute force is left out") != std::string::npos);
 }
 
-TEST_CASE("a scene without shapes has figures") {
-  const SceneFigures figures = figures_of(TWINRAY_SOURCE_DIR "/tests/bad/warning_no_shapes.dae");
-  CHECK(counts_text(engine(figures, "bvh sah")).find("48 0 ") == 0);
-  CHECK(counts_text(engine(figures, "brute-force")) == "48 0 0 0 0; 0 0 0 0 0; 0 0 0 0 0; ");
+TEST_CASE("a scene without shapes has statistics") {
+  const SceneStatistics statistics = statistics_of(TWINRAY_SOURCE_DIR "/tests/bad/warning_no_shapes.dae");
+  CHECK(counts_text(engine(statistics, "bvh sah")).find("48 0 ") == 0);
+  CHECK(counts_text(engine(statistics, "brute-force")) == "48 0 0 0 0; 0 0 0 0 0; 0 0 0 0 0; ");
 }
 
 TEST_CASE("the stats command prints a row for each engine and writes both files") {

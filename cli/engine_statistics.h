@@ -32,29 +32,29 @@ struct StatsOptions {
 };
 
 /// What the rays of one kind did in an engine.
-struct RayFigures {
+struct RayStatistics {
   std::size_t rays = 0;
   QueryCounts counts;          ///< Of all of them; the same on every machine.
   double rays_per_second = 0;  ///< Of the fastest pass, without counting; 0 without rays.
 };
 
-struct EngineFigures {
+struct EngineStatistics {
   std::string name;
   AccelStats build;
-  bool has_tree = false;           ///< Whether nodes, depth, SAH cost and the nodes of rays are known.
-  bool has_primitives = false;     ///< Whether the primitives of rays are known.
-  std::array<RayFigures, 3> rays;  ///< By ray_kinds.
+  bool has_tree = false;              ///< Whether nodes, depth, SAH cost and the nodes of rays are known.
+  bool has_primitives = false;        ///< Whether the primitives of rays are known.
+  std::array<RayStatistics, 3> rays;  ///< By ray_kinds.
 };
 
-struct SceneFigures {
-  std::vector<EngineFigures> engines;
+struct SceneStatistics {
+  std::vector<EngineStatistics> engines;
   bool is_brute_force_left_out = false;
 };
 
 /// Records the rays of one picture once, builds each engine, and shoots them. Engines that promise the same
 /// bits must give the first one's answers; an Error names the first ray that is answered otherwise.
 /// `progress`, if set, is told what is being done.
-SceneFigures measure_engines(const Scene& scene, const StatsOptions& options,
-                             const std::function<void(const std::string&)>& progress = {});
+SceneStatistics measure_engines(const Scene& scene, const StatsOptions& options,
+                                const std::function<void(const std::string&)>& progress = {});
 
 }  // namespace twinray

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/stats.h"
+#include "cli/engine_statistics.h"
 
 #include <fmt/format.h>
 
@@ -77,20 +77,20 @@ class Measurement {
               const std::function<void(const std::string&)>& progress)
       : scene_(scene), options_(options), progress_(progress) {}
 
-  SceneFigures run() {
+  SceneStatistics run() {
     report("recording rays");
     sets_ = record(scene_, options_.recording);
-    SceneFigures figures;
+    SceneStatistics statistics;
     const std::vector<AgreementEngine> engines = stats_engines();
     for (std::size_t i = 0; i < engines.size(); ++i) {
       if (engines[i].backend == Backend::brute_force && !may_use_brute_force()) {
-        figures.is_brute_force_left_out = true;
+        statistics.is_brute_force_left_out = true;
         continue;
       }
       label_ = fmt::format("engine {} of {} | {}", i + 1, engines.size(), engines[i].name);
-      figures.engines.push_back(measure(engines[i]));
+      statistics.engines.push_back(measure(engines[i]));
     }
-    return figures;
+    return statistics;
   }
 
  private:
@@ -104,31 +104,31 @@ class Measurement {
     return rays * double(scene_.geometry->primitive_count()) <= options_.brute_force_tests;
   }
 
-  EngineFigures measure(const AgreementEngine& engine) {
+  EngineStatistics measure(const AgreementEngine& engine) {
     report(label_ + " | building");
     BuildOptions build = engine.build;
     build.threads = options_.threads;
     const auto accelerator = build_accelerator(engine.backend, scene_.geometry, build);
-    EngineFigures figures{.name = engine.name, .build = accelerator->stats()};
-    figures.has_tree = figures.build.tree.has_value();
-    figures.has_primitives = engine.backend != Backend::embree_native;
+    EngineStatistics statistics{.name = engine.name, .build = accelerator->stats()};
+    statistics.has_tree = statistics.build.tree.has_value();
+    statistics.has_primitives = engine.backend != Backend::embree_native;
     for (std::size_t kind = 0; kind < ray_kinds.size(); ++kind) {
       report(fmt::format("{} | {} rays", label_, ray_kind_name(ray_kinds[kind])));
-      figures.rays[kind] = shoot(engine, *accelerator, kind);
+      statistics.rays[kind] = shoot(engine, *accelerator, kind);
     }
-    return figures;
+    return statistics;
   }
 
-  RayFigures shoot(const AgreementEngine& engine, const Accelerator& accelerator, std::size_t kind) {
+  RayStatistics shoot(const AgreementEngine& engine, const Accelerator& accelerator, std::size_t kind) {
     RaySet& set = sets_[kind];
-    RayFigures figures{.rays = set.rays.size()};
-    std::vector<Hit> answers = counted_answers(accelerator, ray_kinds[kind], set.rays, figures.counts);
+    RayStatistics statistics{.rays = set.rays.size()};
+    std::vector<Hit> answers = counted_answers(accelerator, ray_kinds[kind], set.rays, statistics.counts);
     if (set.expected.empty())
       set.expected = std::move(answers);
     else if (engine.backend != Backend::embree_native)
       check(engine, kind, answers);
-    figures.rays_per_second = fastest_rate(accelerator, ray_kinds[kind], set.rays, options_);
-    return figures;
+    statistics.rays_per_second = fastest_rate(accelerator, ray_kinds[kind], set.rays, options_);
+    return statistics;
   }
 
   void check(const AgreementEngine& engine, std::size_t kind, const std::vector<Hit>& answers) const {
@@ -167,8 +167,8 @@ std::vector<AgreementEngine> stats_engines() {
   return engines;
 }
 
-SceneFigures measure_engines(const Scene& scene, const StatsOptions& options,
-                             const std::function<void(const std::string&)>& progress) {
+SceneStatistics measure_engines(const Scene& scene, const StatsOptions& options,
+                                const std::function<void(const std::string&)>& progress) {
   return Measurement(scene, options, progress).run();
 }
 

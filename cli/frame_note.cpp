@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// The view is a pyramid, cut off at the clip distances: six half spaces. A triangle is in it as a whole where
+// its corners are, and in part where something is left of it after each half space has cut away what lies
+// outside (Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974).
+#include "cli/frame_note.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace twinray {
+namespace {
+
+/// The points p with normal . p >= offset, in the camera's axes: right, up, forward.
+struct HalfSpace {
+  double x, y, z, offset;
+};
+
+struct Point {
+  double x, y, z;
+};
+
+double distance(const HalfSpace& half, const Point& p) {
+  return half.x * p.x + half.y * p.y + half.z * p.z - half.offset;
+}
+
+class Frustum {
+ public:
+  explicit Frustum(const Camera& camera) : camera_(camera) {
+    const double w = camera.tan_half_width, h = camera.tan_half_height;
+    const double across = std::sqrt(1 + w * w), along = std::sqrt(1 + h * h);
+    halves_ = {HalfSpace{1 / across, 0, w / across, 0},
+               {-1 / across, 0, w / across, 0},
+               {0, 1 / along, h / along, 0},
+               {0, -1 / along, h / along, 0},
+               {0, 0, 1, camera.clip_near},
+               {0, 0, -1, -double(camera.clip_far)}};
+  }
+
+  InView of(const Sphere& sphere) const {
+    const Point center = seen_from_camera(sphere.center);
+    InView result = InView::whole;
+    for (const HalfSpace& half : halves_) {
+      const double d = distance(half, center);
+      if (d < -sphere.radius) return InView::nothing;
+      if (d < sphere.radius) result = InView::part;
+    }
+    return result;
+  }
+
+  InView of(const Vec3& a, const Vec3& b, const Vec3& c) {
+    polygon_ = {seen_from_camera(a), seen_from_camera(b), seen_from_camera(c)};
+    InView result = InView::whole;
+    for (const HalfSpace& half : halves_) {
+      const bool is_inside = std::all_of(polygon_.begin(), polygon_.end(),
+                                         [&](const Point& p) { return distance(half, p) >= 0; });
+      if (is_inside) continue;
+      result = InView::part;
+      clip(half);
+      if (polygon_.empty()) return InView::nothing;
+    }
+    return result;
+  }
+
+ private:
+  Point seen_from_camera(const Vec3& p) const {
+    const double x = double(p.x) - camera_.position.x, y = double(p.y) - camera_.position.y,
+                 z = double(p.z) - camera_.position.z;
+    const auto along = [&](const Vec3& axis) { return x * axis.x + y * axis.y + z * axis.z; };
+    return {along(camera_.right), along(camera_.up), along(camera_.forward)};
+  }
+
+  void clip(const HalfSpace& half) {
+    clipped_.clear();
+    for (std::size_t i = 0; i < polygon_.size(); ++i) {
+      const Point &p = polygon_[i], &q = polygon_[(i + 1) % polygon_.size()];
+      const double dp = distance(half, p), dq = distance(half, q);
+      if (dp >= 0) clipped_.push_back(p);
+      if ((dp >= 0) == (dq >= 0)) continue;
+      const double t = dp / (dp - dq);
+      clipped_.push_back({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)});
+    }
+    std::swap(polygon_, clipped_);
+  }
+
+  const Camera& camera_;
+  std::array<HalfSpace, 6> halves_;
+  std::vector<Point> polygon_, clipped_;
+};
+
+/// What is known of the geometry so far: some of it in view, some of it not.
+struct Tally {
+  bool has_inside = false, has_outside = false;
+
+  void add(InView seen) {
+    has_inside = has_inside || seen != InView::nothing;
+    has_outside = has_outside || seen != InView::whole;
+  }
+  bool is_decided() const { return has_inside && has_outside; }
+};
+
+void add(const Geometry& geometry, std::uint32_t shape, Frustum& frustum, Tally& tally) {
+  if (const SphereSet* set = geometry.sphere_set(shape)) {
+    for (const Sphere& sphere : set->spheres) tally.add(frustum.of(sphere));
+    return;
+  }
+  const Mesh& mesh = *geometry.mesh(shape);
+  for (const Triangle& t : mesh.triangles) {
+    tally.add(frustum.of(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]));
+    if (tally.is_decided()) return;
+  }
+}
+
+}  // namespace
+
+InView in_view(const Camera& camera, const Geometry& geometry) {
+  Frustum frustum(camera);
+  Tally tally;
+  for (std::uint32_t shape = 0; shape < geometry.shapes().size() && !tally.is_decided(); ++shape)
+    add(geometry, shape, frustum, tally);
+  if (!tally.has_outside) return InView::whole;
+  return tally.has_inside ? InView::part : InView::nothing;
+}
+
+std::string frame_note(const Camera& camera, const Geometry& geometry) {
+  switch (in_view(camera, geometry)) {
+    case InView::nothing:
+      return "the frame shows nothing of the scene; --view=whole shows all of it";
+    case InView::part:
+      return "part of the scene lies outside of the frame; --view=whole shows all of it";
+    default:
+      return "";
+  }
+}
+
+}  // namespace twinray

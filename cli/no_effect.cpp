@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// A table: for each option the circumstances in which it changes nothing.
+#include "cli/no_effect.h"
+
+#include <algorithm>
+
+#include "core/light_set.h"
+
+namespace twinray {
+namespace {
+
+/// A command line as it was given, and what is made of it.
+struct Asked {
+  const RenderRequest& request;
+  const RenderArguments& arguments;
+
+  bool is_lit() const {
+    return arguments.integrator == IntegratorKind::path || arguments.integrator == IntegratorKind::direct;
+  }
+  bool is_check() const { return arguments.check_with.has_value(); }
+  bool has(Backend backend) const {
+    return arguments.backend == backend || (is_check() && arguments.check_with->backend == backend);
+  }
+  bool is_wide() const { return has(Backend::bvh) && arguments.build.bvh_width == 8; }
+  const BuildOptions& build() const { return arguments.build; }
+};
+
+/// Why the option changes nothing; empty where it may change something.
+using Reason = std::string (*)(const Asked&);
+
+struct Rule {
+  const char* option;
+  Reason reason;
+};
+
+std::string needs_light(const Asked& asked) {
+  return asked.is_lit() ? "" : "for normals and costs are rendered without light";
+}
+
+std::string needs_direct_light(const Asked& asked) {
+  if (!asked.is_lit()) return needs_light(asked);
+  return asked.arguments.path.max_depth > 0 ? "" : "for --max-depth=0 leaves the light of emitters alone";
+}
+
+std::string needs_more_bounces(const Asked& asked) {
+  if (!asked.is_lit()) return needs_light(asked);
+  return asked.arguments.integrator == IntegratorKind::direct && asked.request.arguments.path.max_depth > 1
+             ? "for --integrator=direct ends paths after one bounce"
+             : "";
+}
+
+std::string needs_roulette(const Asked& asked) {
+  if (!asked.is_lit()) return needs_light(asked);
+  const PathOptions& path = asked.arguments.path;
+  const int at_risk = path.roulette.continuation > 0 ? 2 : 4;
+  const int depth = std::min(path.max_depth, path.last_depth);
+  return depth > at_risk ? "" : fmt::format("for paths of {} bounces end before it decides", depth);
+}
+
+std::string needs_bounces(const Asked& asked) {
+  if (!asked.is_lit()) return needs_light(asked);
+  const PathOptions& path = asked.arguments.path;
+  if (asked.request.bounces == RenderRequest::Bounces::direct && path.max_depth < 2)
+    return "for no other light than direct light is computed";
+  return "";
+}
+
+std::string needs_batches(const Asked& asked) {
+  const RenderOptions& render = asked.arguments.render;
+  return render.samples > render.adaptive->batch ? ""
+                                                 : fmt::format("for a batch of {} is all of the {} samples",
+                                                               render.adaptive->batch, render.samples);
+}
+
+std::string needs_cost(const Asked& asked) {
+  return asked.arguments.integrator == IntegratorKind::cost ? "" : "for --integrator=cost alone shows costs";
+}
+
+std::string needs_check(const Asked& asked) {
+  return asked.is_check() ? "" : "for nothing is checked; --accel=check takes it";
+}
+
+std::string needs_bvh(const Asked& asked) {
+  return asked.has(Backend::bvh) ? ""
+                                 : fmt::format("for the engine is {}; --accel=bvh takes it",
+                                               backend_name(asked.arguments.backend));
+}
+
+std::string needs_wide(const Asked& asked) {
+  if (!asked.has(Backend::bvh)) return needs_bvh(asked);
+  return asked.is_wide() ? "" : "for the bvh is binary; --bvh-width=8 takes it";
+}
+
+std::string needs_own_builder(const Asked& asked) {
+  if (!asked.has(Backend::bvh)) return needs_bvh(asked);
+  return asked.build().bvh_builder == BvhBuilder::own
+             ? ""
+             : fmt::format("for the builder is {}", builder_name(asked.build().bvh_builder));
+}
+
+std::string needs_sah(const Asked& asked) {
+  if (const std::string reason = needs_own_builder(asked); !reason.empty()) return reason;
+  return asked.build().bvh_split == BvhSplit::sah ? "" : "for --bvh-split=sah alone has bins";
+}
+
+std::string needs_lanes(const Asked& asked) {
+  return asked.is_wide() || asked.has(Backend::embree)
+             ? ""
+             : "for the engine has no code for it; embree, and bvh of width 8, have";
+}
+
+std::string needs_our_triangles(const Asked& asked) {
+  return asked.has(Backend::bvh) || asked.has(Backend::brute_force)
+             ? ""
+             : fmt::format("for the engine is {}; bvh and brute-force take it",
+                           backend_name(asked.arguments.backend));
+}
+
+std::string needs_native(const Asked& asked) {
+  return asked.has(Backend::embree_native) ? "" : "for --accel=embree-native alone has modes";
+}
+
+std::string needs_embree(const Asked& asked) {
+  return asked.has(Backend::embree) || asked.has(Backend::embree_native)
+             ? ""
+             : fmt::format("for the engine is {}", backend_name(asked.arguments.backend));
+}
+
+std::string needs_counts(const Asked& asked) {
+  return asked.arguments.backend == Backend::embree_native ? "for embree-native does not count" : "";
+}
+
+constexpr Rule rules[]{
+    {"--cost", needs_cost},
+    {"--max-depth", needs_more_bounces},
+    {"--bounces", needs_bounces},
+    {"--roulette", needs_roulette},
+    {"--direct", needs_direct_light},
+    {"--hemisphere", needs_direct_light},
+    {"--light-samples", needs_direct_light},
+    {"--environment", needs_light},
+    {"--adaptive", needs_batches},
+    {"--check-with", needs_check},
+    {"--plant-difference", needs_check},
+    {"--bvh-width", needs_bvh},
+    {"--simd", needs_lanes},
+    {"--bvh-quality", needs_wide},
+    {"--bvh-split", needs_own_builder},
+    {"--bvh-builder", needs_bvh},
+    {"--bvh-bins", needs_sah},
+    {"--max-leaf-size", needs_bvh},
+    {"--traversal-cost", needs_bvh},
+    {"--intersection-cost", needs_bvh},
+    {"--triangle-test", needs_our_triangles},
+    {"--embree-mode", needs_native},
+    {"--embree-isa", needs_embree},
+    {"--count", needs_counts},
+};
+
+bool is_given(const char* option, const RenderArguments& arguments) {
+  return std::find(arguments.given.begin(), arguments.given.end(), option) != arguments.given.end();
+}
+
+}  // namespace
+
+std::vector<std::string> options_without_effect(const RenderRequest& request,
+                                                const RenderArguments& arguments) {
+  const Asked asked{request, arguments};
+  std::vector<std::string> found;
+  for (const Rule& rule : rules) {
+    if (!is_given(rule.option, arguments)) continue;
+    if (const std::string reason = rule.reason(asked); !reason.empty())
+      found.push_back(fmt::format("{}: no effect, {}", rule.option, reason));
+  }
+  return found;
+}
+
+std::vector<std::string> options_without_effect(const Scene& scene, const RenderArguments& arguments) {
+  if (!is_given("--light-samples", arguments) || arguments.path.direct == DirectMethod::hemisphere) return {};
+  const LightSet lights(scene);
+  for (std::uint32_t light = 0; light < lights.size(); ++light)
+    if (!lights.is_delta(light)) return {};
+  return {"--light-samples: no effect, for no light of the scene has an area"};
+}
+
+}  // namespace twinray

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+#include <vector>
+
+#include "cli/render_options.h"
+#include "core/scene.h"
+
+namespace twinray {
+
+/// Each given option that changes nothing beside the other options, and why: "--bvh-split: no effect, for the
+/// engine is embree; --accel=bvh takes it".
+std::vector<std::string> options_without_effect(const RenderRequest& request,
+                                                const RenderArguments& arguments);
+
+/// The same for given options that change nothing in this scene.
+std::vector<std::string> options_without_effect(const Scene& scene, const RenderArguments& arguments);
+
+}  // namespace twinray

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a build and its rays took, as text and as JSON: the same words and keys in all commands
+// (docs/statistics.md). What an engine does not know is not said: a dash in a table, null in JSON.
+#pragma once
+#include <string>
+
+#include "accel/accelerator.h"
+#include "cli/engine_statistics.h"
+#include "cli/render_arguments.h"
+#include "cli/stats_command.h"
+#include "integrators/render.h"
+
+namespace twinray {
+
+/// The statistics at the end of a render, as lines of text: those that CS184's program prints, and rays by
+/// kind; counts if it was to count.
+std::string statistics_text(const RenderArguments& arguments, const AccelStats& accel,
+                            const RenderResult& result);
+
+/// All statistics of a render as a JSON text; with `check`, itself a JSON text, as a member of that name
+/// unless empty.
+std::string statistics_json(const RenderArguments& arguments, const AccelStats& accel,
+                            const RenderResult& result, const std::string& check = "");
+
+/// Says how to see a rejected sample again; empty if there was none.
+std::string rejection_text(const Film& film);
+
+/// One line an engine, and what the statistics were measured with; "-" stands for what an engine does not
+/// know.
+std::string stats_text(const StatsArguments& arguments, const SceneStatistics& statistics);
+
+/// One line for each engine and kind of rays, after a line of names; what is not known is left empty.
+std::string stats_csv(const SceneStatistics& statistics);
+
+/// The same as JSON; what is not known is null.
+std::string stats_json(const StatsArguments& arguments, const SceneStatistics& statistics);
+
+}  // namespace twinray
