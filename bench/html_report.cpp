@@ -79,7 +79,7 @@ std::string headline_table(const Results& results) {
   return html + "</table></div>\n";
 }
 
-/// Million rays per second, and what a ray met, by scene.
+/// Million rays per second, nodes and primitive tests, by scene.
 std::string rate_table(const SceneStatistics& scene) {
   std::string html = fmt::format(
       "<h3>{} <small>({} primitives)</small></h3>\n<div class=\"scroll\"><table>\n<tr><th>engine</th>",
@@ -114,7 +114,7 @@ std::string html_report(const Results& results) {
   html += fmt::format(
       "<p>Single rays on one thread, recorded once for each scene from the program's own paths (a picture of "
       "{} × {} "
-      "pixels) and shot in the picture's order through every engine, whose answers were checked before. A "
+      "pixels) and traced in the picture's order by every engine, whose answers were checked before. A "
       "speed is "
       "the CPU time of <b>{}</b> over the engine's in the same round: above 1 is faster. Medians of {} "
       "rounds in which "
@@ -128,7 +128,7 @@ std::string html_report(const Results& results) {
   html += "<h2>Build time against speed</h2>\n" + build_plot(results);
   html += whole_section(results);
   html +=
-      "<h2>Rays per second, and what a ray meets</h2>\n<p>Nodes and primitive tests are counted by a "
+      "<h2>Rays per second, nodes and primitive tests</h2>\n<p>Nodes and primitive tests are counted by a "
       "traversal of "
       "its own, which is not timed; a dash stands for what an engine cannot count.</p>\n";
   for (const SceneStatistics& scene : results.scenes) html += rate_table(scene);

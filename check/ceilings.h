@@ -8,8 +8,8 @@
 
 namespace twinray {
 
-/// What a tally may not pass, though each difference in it is explained. embree-native in its robust mode
-/// keeps them on meshes such as scanned models; canonical engines have nothing explained.
+/// The most differences that a tally may have, though each of them is explained. embree-native in its robust
+/// mode stays below on meshes such as scanned models; canonical engines have no differences at all.
 struct Ceiling {
   enum class Counts { odd, leaks };
   Counts counts = Counts::odd;

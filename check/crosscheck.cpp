@@ -9,7 +9,7 @@
 namespace twinray {
 namespace {
 
-/// Rays around a doubtful one that decide whether it meets a closed surface: parallel to it, on a circle
+/// Rays around a doubtful one that decide whether it hits a closed surface: parallel to it, on a circle
 /// whose radius is this many ulps of the distances that count.
 constexpr float surrounding_ulps = 4 * float(rounding_ulps);
 constexpr int surrounding_rays = 8;

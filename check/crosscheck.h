@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same rays through several engines, and the account of how their answers differ.
+// The same rays traced by several engines, and a report of how their answers differ.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -18,7 +18,7 @@ struct CheckedEngine {
   std::string name;
   const Accelerator* accelerator = nullptr;  ///< Must outlive the crosscheck.
   bool is_canonical = true;  ///< Promises equal bits; otherwise differences are judged by the oracle.
-  std::uint64_t every = 1;   ///< It is asked for the rays whose number is a multiple of this.
+  std::uint64_t every = 1;   ///< It traces the rays whose number is a multiple of this.
 };
 
 /// The rays of one class through one engine, compared with the reference.
@@ -26,7 +26,7 @@ struct Tally {
   std::uint64_t rays = 0;
   std::array<std::uint64_t, difference_count> counts{};  ///< By Difference.
   std::uint64_t hit_or_miss = 0;                         ///< One hits and the other misses.
-  /// Of those, where all rays close around meet something: a hole in a closed surface, not an outline.
+  /// Of those, where all rays close around hit something: a hole in a closed surface, not an outline.
   std::uint64_t leaks = 0;
 
   std::uint64_t count(Difference difference) const { return counts[std::size_t(difference)]; }
@@ -46,10 +46,10 @@ struct Finding {
   bool is_leak = false;
   Answer reference, found;
   bool is_judged = false;
-  std::optional<JudgedHit> exact;  ///< Where it is judged: the first primitive that the exact ray meets.
+  std::optional<JudgedHit> exact;  ///< Where it is judged: the first primitive that the exact ray hits.
 };
 
-/// What came of a crosscheck. Reports of parts add up to the same report in any order.
+/// The result of a crosscheck. Reports of parts add up to the same report in any order.
 class CrosscheckReport {
  public:
   /// Of each engine and ray class at most `kept` findings are kept: the unexplained ones first, then leaks,
@@ -86,13 +86,13 @@ class CrosscheckReport {
   std::vector<Cell> cells_;
 };
 
-/// Compares engines over one geometry. Any number of threads may ask.
+/// Compares engines over one geometry. Safe from any thread.
 class Crosscheck {
  public:
   /// The first engine is the reference and must be canonical; throws Error otherwise, or for fewer than two.
   Crosscheck(std::shared_ptr<const Geometry> geometry, std::vector<CheckedEngine> engines);
 
-  /// Shoots one ray, number `number` of its class, and adds what came of it.
+  /// Traces one ray, number `number` of its class, and adds its result.
   void check(const Ray& ray, RayClass ray_class, std::uint64_t number, CrosscheckReport& report) const;
   /// How an engine's answer differs from the reference's. For a canonical engine, and for one whose two
   /// queries contradict each other, any difference is unexplained.

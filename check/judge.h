@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exact oracle: what a ray truly meets, decided in exact arithmetic.
+// The exact judge: what a ray truly hits, decided in exact arithmetic.
 //
 // Rays, triangles and spheres are given in float, so each question about them is the sign of a polynomial in
 // rational numbers. It is answered by a filter in double and, where that is not enough, by integers of any
@@ -64,7 +64,7 @@ TriangleJudgement judge_triangle(const Ray& ray, const Vec3& a, const Vec3& b, c
 
 /// The exact relation of a ray and a sphere.
 struct SphereJudgement {
-  int roots = 0;  ///< How often the line meets the surface: 0, 1 (a tangent) or 2; 0 without a radius.
+  int roots = 0;  ///< How often the line intersects the surface: 0, 1 (a tangent) or 2; 0 without a radius.
   Estimate t[2];  ///< The near root and the far one (a tangent has its one root twice).
   IntervalPosition interval[2] = {IntervalPosition::above, IntervalPosition::above};
   double depth = 0;  ///< Radius minus the distance of line and centre: negative for a miss, 0 for a tangent.
@@ -72,7 +72,7 @@ struct SphereJudgement {
 
   /// depth in units of 2^-24 scale.
   double margin_ulps() const { return depth / (scale * 0x1p-24); }
-  /// Whether the ray meets the surface at root 0 or 1 within its closed interval.
+  /// Whether the ray intersects the surface at root 0 or 1 within its closed interval.
   bool hits(int root) const {
     return roots > 0 && interval[root] != IntervalPosition::below &&
            interval[root] != IntervalPosition::above;
@@ -81,17 +81,17 @@ struct SphereJudgement {
 
 SphereJudgement judge_sphere(const Ray& ray, const Sphere& sphere);
 
-/// A primitive that the exact ray meets within its closed interval.
+/// A primitive that the exact ray hits within its closed interval.
 struct JudgedHit {
   std::uint32_t mesh = 0, primitive = 0;
   Estimate t;  ///< The least such parameter of this primitive.
 };
 
 /// All of them, every primitive tested, ordered by t.value, then mesh and primitive. Triangles seen edge-on
-/// are not met.
+/// are not hit.
 std::vector<JudgedHit> judge_all(const Geometry& geometry, const Ray& ray);
 /// Those of them that may be the first: no other one is certainly nearer. Empty for a true miss; more than
-/// one where the ray meets an edge, a vertex or coincident shapes.
+/// one where the ray hits an edge, a vertex or coincident shapes.
 std::vector<JudgedHit> judge_closest(const Geometry& geometry, const Ray& ray);
 
 }  // namespace twinray

@@ -2,8 +2,8 @@
 // Why two engines may answer differently: every class is proved for the very ray by the exact judge.
 //
 // An answer is defensible where rounding of a known size could have made it out of the truth: its shape is
-// one that the exact ray meets, or passes within that size; and no shape lies before it (or, for a miss,
-// anywhere) that the ray meets clearly. Two answers that differ are explained where both are defensible; the
+// one that the exact ray hits, or passes within that size; and the ray clearly hits no shape in front of it
+// (or, for a miss, no shape at all). Two answers that differ are explained where both are defensible; the
 // class says what made the second one possible.
 #pragma once
 #include <array>
@@ -20,8 +20,8 @@ namespace twinray {
 enum class Difference {
   identical,     ///< Equal bits.
   rounding,      ///< The same shape; t, u and v are those of the exact hit within rounding_ulps.
-  tie,           ///< Two shapes are met, with parameters within rounding_ulps of each other.
-  overlap,       ///< The same, where both are met clearly and lie in one plane.
+  tie,           ///< The ray hits both shapes, with parameters within rounding_ulps of each other.
+  overlap,       ///< The same, where both hits are clear and lie in one plane.
   edge,          ///< The ray passes within rounding_ulps of an edge, vertex or outline of the disputed shape.
   grazing,       ///< |cos| < grazing_cosine at the disputed shape.
   interval_end,  ///< The disputed hit lies within rounding_ulps of t_min or t_max (or the largest float).
@@ -56,7 +56,7 @@ struct Testimony {
   double divisor = 0;  ///< 2 |d . n| of a triangle, d as engines take it (accel/canonical/checked_ray.h).
 };
 
-/// Judges answers about one geometry. Any number of threads may ask.
+/// Judges answers about one geometry. Safe from any thread.
 class Oracle {
  public:
   explicit Oracle(std::shared_ptr<const Geometry> geometry);

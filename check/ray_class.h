@@ -10,14 +10,14 @@ namespace twinray {
 /// others are made from its shapes.
 enum class RayClass {
   camera,      ///< From the camera.
-  shadow,      ///< Connections to lamps, which end exactly on them.
+  shadow,      ///< Shadow rays, which end exactly on a light.
   bounce,      ///< Scattered from surface to surface.
   random,      ///< Between random points in and around the scene; every other one ends at its second point.
   vertices,    ///< Through vertices.
   edges,       ///< Through points of edges.
   axes,        ///< Along an axis, the other components 0 or -0, through vertices and middles of edges.
   box_faces,   ///< Within a face of a triangle's box.
-  grazing,     ///< Nearly or quite in a triangle's plane.
+  grazing,     ///< Nearly or exactly in a triangle's plane.
   surface,     ///< From a point on a triangle, in any direction.
   ends,        ///< t_min or t_max exactly at a hit, or one float beside it.
   directions,  ///< Directions of any length that a float can have.
@@ -31,7 +31,7 @@ inline constexpr std::size_t ray_class_count = 16;
 /// "camera", "box faces", ...
 std::string ray_class_name(RayClass ray_class);
 
-/// Where a geometry stands while it is crosschecked.
+/// How a geometry is moved and scaled for a crosscheck.
 enum class Placement { file, moved, shrunk, grown };
 
 /// file, but for the last three classes.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays that light paths really trace, for whoever wants to shoot them again.
+// The rays that light paths trace, recorded so that others can trace them again.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +28,7 @@ struct Recording {
 /// machine. Throws Error for a depth out of range.
 std::vector<RecordedRay> record_rays(const Scene& scene, const Recording& recording = {});
 
-/// As what a crosscheck counts rays of a kind.
+/// The class in which a crosscheck counts rays of a kind.
 RayClass class_of(RayKind kind);
 
 /// The rays of one kind, in their order.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays of a render, each asked of a second engine as well.
+// The rays of a render, each traced by a second engine as well.
 //
-// The picture is the first engine's own: it is asked as always, and what the check asks of both comes after.
+// The picture is that of the first engine: it traces as always, and the check compares both engines
+// afterwards.
 #pragma once
 #include <memory>
 #include <mutex>
@@ -29,8 +30,8 @@ class RenderCheck {
   CrosscheckReport report() const;
   /// The sample that traced a finding's ray.
   PixelSample sample_of(const Finding& finding) const;
-  /// The rendered picture, dark and without colour, with the pixels of which a ray differed: red where it is
-  /// unexplained, yellow where it is explained, but more than rounding.
+  /// The rendered picture, dark and grey, with the pixels that have a differing ray: red where it is
+  /// unexplained, yellow where it is explained but more than rounding.
   Image picture(const Image& rendered) const;
 
  private:

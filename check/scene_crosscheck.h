@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A whole scene crosschecked: all classes of rays through all engines.
+// The crosscheck of a whole scene: all classes of rays through all engines.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -28,11 +28,11 @@ struct SceneCrosscheck {
   double seconds = 0;  ///< Building included.
 };
 
-/// The engines that are checked where none are named: all of this build but brute force, which is in only
-/// where there is no Embree. bvh is the first.
+/// The engines that are checked where none are named: all of this build but brute force, which takes part
+/// only where there is no Embree. bvh is the first.
 std::vector<std::string> default_crosscheck_engines();
 
-/// Shoots the rays. The report depends on scene, engines, rays and seed alone, and memory on the scene alone.
+/// Traces the rays. The report depends on scene, engines, rays and seed alone, and memory on the scene alone.
 /// `progress`, if set, is called with the rays done so far, from one thread at a time. Throws Error for
 /// options out of range.
 SceneCrosscheck crosscheck_scene(const Scene& scene, const CrosscheckOptions& options,
@@ -46,7 +46,7 @@ struct RayCrosscheck {
     Difference difference;  ///< From the reference, the first row.
   };
   std::vector<Row> rows;
-  std::vector<JudgedHit> truth;  ///< All primitives that the exact ray meets, by t (check/judge.h).
+  std::vector<JudgedHit> truth;  ///< All primitives that the exact ray hits, by t (check/judge.h).
 };
 
 RayCrosscheck crosscheck_ray(const Scene& scene, const Ray& ray, Placement placement,

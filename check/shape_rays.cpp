@@ -182,7 +182,7 @@ Ray ShapeRays::direction_ray(Random& random) const {
 }
 
 Ray ShapeRays::far_ray(Random& random) const {
-  // From 10^5 sizes on the rounding of the ray is as large as the scene and every box is met: few such rays.
+  // From 10^5 sizes on the rounding of the ray is as large as the scene and every box is hit: few such rays.
   constexpr float near[] = {5, 20, 1e3f, 1e4f};
   const int kind = random.below(64);
   const float sizes = kind == 0 ? 1e7f : kind < 4 ? 1e5f : near[kind % 4];

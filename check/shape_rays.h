@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays made from the shapes of a geometry, chosen to part engines.
+// Rays made from the shapes of a geometry, where engines are most likely to differ.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace twinray {
 
 /// Makes the rays of all classes but camera, shadow and bounce. A ray is a pure function of the geometry, the
-/// seed, its class and its number. Any number of threads may ask.
+/// seed, its class and its number. Safe from any thread.
 class ShapeRays {
  public:
   /// `engine` is asked where hits are, for the class `ends`; it must outlive this.
