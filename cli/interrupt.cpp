@@ -11,7 +11,7 @@
 namespace twinray {
 namespace {
 
-// A signal handler can reach nothing but static storage; this is the program's only such state.
+// A signal handler can reach nothing but static storage.
 std::atomic<const std::vector<std::string>*> unfinished_paths = nullptr;
 static_assert(std::atomic<const std::vector<std::string>*>::is_always_lock_free);
 

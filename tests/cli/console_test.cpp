@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the program does when its words cannot be written: the work is done, and the exit code is 1.
+#include "cli/console.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include "io/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
@@ -42,6 +48,21 @@ TEST_CASE("a picture is rendered when standard error cannot be written, and the 
     CHECK(run_program(warned + to(picture) + where).exit_code == 1);
     CHECK(is_picture(picture));
     std::filesystem::remove(picture);
+  }
+}
+
+TEST_CASE("a file that is opened never becomes a standard stream that was closed") {
+  for (const int closed : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+      close(closed);
+      console::open();
+      _exit(::open("/dev/null", O_RDONLY) > STDERR_FILENO ? 0 : 1);
+    }
+    int status = -1;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK(status == 0);
   }
 }
 

@@ -95,7 +95,7 @@ TEST_CASE("a render ends at once when it is interrupted") {
   CHECK(folder.file_count() == 1);
 }
 
-TEST_CASE("- is standard output for a picture, and words go to standard error") {
+TEST_CASE("a dash is standard output for a picture, and words go to standard error") {
   const TemporaryFolder folder;
   for (const std::string name : {"-", "/dev/stdout"}) {
     CAPTURE(name);
@@ -110,7 +110,7 @@ TEST_CASE("- is standard output for a picture, and words go to standard error") 
   CHECK(folder.file_count() == 2);
 }
 
-TEST_CASE("- is standard output for statistics, and words go to standard error") {
+TEST_CASE("a dash is standard output for statistics, and words go to standard error") {
   const ProcessResult render = run_program(small + "-o /dev/null --stats -");
   CHECK(render.exit_code == 0);
   CHECK(nlohmann::json::parse(render.out)["rays"].contains("camera"));
