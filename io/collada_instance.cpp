@@ -41,7 +41,7 @@ Vec3 unit_or_zero(const Vec3& n) {
 
 void transform_normals(Mesh& mesh, const Transform& to_world) {
   const Transform unit_size = of_unit_size(to_world);
-  // The cofactors turn normals with the winding; where that is turned back, so are they.
+  // A mirroring transform's cofactors flip the normals; the winding is flipped back, and so are they.
   const float sign = to_world.determinant() < 0 ? -1.0f : 1.0f;
   for (Vec3& n : mesh.normals) n = unit_or_zero(unit_size.normal(unit_or_zero(n)) * sign);
 }

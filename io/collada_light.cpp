@@ -29,8 +29,8 @@ XmlElement kind_of(const XmlElement& light) {
   common.fail("<technique_common> of a light needs <point>, <spot>, <directional> or <ambient>");
 }
 
-/// As the file has it; COLLADA's defaults (1, 0, 0) for what it leaves out of the three; the physical law
-/// where it has none of them.
+/// The file's attenuation: COLLADA's defaults (1, 0, 0) for those of the three terms that it leaves out, and
+/// the inverse square law where it has none of them.
 Attenuation read_attenuation(const XmlElement& kind) {
   const auto constant = kind.child("constant_attenuation"), linear = kind.child("linear_attenuation"),
              quadratic = kind.child("quadratic_attenuation");

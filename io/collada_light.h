@@ -10,7 +10,7 @@
 
 namespace twinray {
 
-/// An area light where it stands: the unit square [-1/2, 1/2]^2 of its node's x and y, facing the node's -z.
+/// An area light in world space: the unit square [-1/2, 1/2]^2 of its node's x and y, facing the node's -z.
 struct AreaLight {
   std::string name;
   Vec3 corners[4];  ///< In order around the rectangle; counter-clockwise from where the light goes.

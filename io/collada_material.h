@@ -11,7 +11,7 @@
 
 namespace twinray {
 
-/// A material as a surface wears it: what it reflects, and what it emits.
+/// The material of a surface: what it reflects, and what it emits.
 struct ColladaMaterial {
   std::uint32_t index = 0;  ///< Into ColladaMaterials::materials().
   Rgb radiance;             ///< Black for most.
@@ -20,8 +20,8 @@ struct ColladaMaterial {
 /// The materials that a scene uses, each read once, in the order of their first use.
 ///
 /// CGL's emission, mirror, refraction, glass and microfacet become those models; a surface with CGL emission
-/// reflects nothing. A common profile's diffuse color becomes Lambert; its emission color makes it glow.
-/// Without a material, and for a texture, a surface is Lambert of 0.5.
+/// reflects nothing. A common profile's diffuse color becomes Lambert; its emission color makes it an
+/// emitter. Without a material, and for a texture, a surface is Lambert of 0.5.
 class ColladaMaterials {
  public:
   explicit ColladaMaterials(ColladaDocument& document) : document_(document) {}

@@ -69,7 +69,7 @@ class EarClipper {
  private:
   std::uint32_t at(std::size_t i) const { return left_[i % left_.size()]; }
 
-  /// 1 where there is no ear, which is then cut off all the same.
+  /// The corner to cut off: an ear, or 1 where there is none.
   std::size_t find_ear() const {
     for (std::size_t i = 0; i < left_.size(); ++i)
       if (is_ear(i)) return i;

@@ -84,7 +84,7 @@ class XmlElement {
   const tinyxml2::XMLElement* element_;
 };
 
-/// A parsed XML file. It stays where it is: its elements point to it.
+/// A parsed XML file. It is neither copied nor moved: its elements point to it.
 class XmlDocument {
  public:
   /// Reads a file. Throws Error where it does not exist, is a directory, is empty, has more than max_bytes,

@@ -7,10 +7,10 @@
 
 namespace twinray::bench {
 
-/// Gathers shapes, what they are made of, and lamps, until they are a scene.
+/// Gathers shapes, materials and lights, and makes a scene of them.
 class SceneMaker {
  public:
-  /// A mesh of a matt colour.
+  /// A mesh with a Lambert material.
   void add(Mesh mesh, const Rgb& reflectance);
   void add(Mesh mesh, const SurfaceModel& model);
   /// A black mesh that emits from its front.
