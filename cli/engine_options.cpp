@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "accel/fastest_engine.h"
 #include "cli/render_options.h"
 
 namespace twinray {
@@ -6,13 +7,15 @@ namespace {
 
 constexpr Range<double> costs{1e-6, 1e6};
 
-/// No backend: check.
-Choices<std::optional<Backend>> engine_choices() {
-  Choices<std::optional<Backend>> choices;
-  for (const Backend backend : available_backends()) choices.emplace_back(backend_name(backend), backend);
-  choices.emplace_back("check", std::nullopt);
+Choices<std::string> engine_choices() {
+  Choices<std::string> choices{{"auto", "auto"}};
+  for (const Backend backend : available_backends())
+    choices.emplace_back(backend_name(backend), backend_name(backend));
+  choices.emplace_back("check", "check");
   return choices;
 }
+
+bool is_check(const RenderRequest& request) { return request.accel == "check"; }
 
 /// What the bvh can be checked with, the usual one first.
 Choices<std::string> check_choices() {
@@ -35,8 +38,8 @@ Choices<std::string> simd_choices() {
 }
 
 void add_engine_choice(OptionGroup& group, RenderRequest& request) {
-  group.add_choice<std::optional<Backend>>("--accel", request.backend, engine_choices(),
-                                           "The engine; check: bvh and another");
+  group.add_choice<std::string>("--accel", request.accel, engine_choices(),
+                                "auto: the fastest; check: bvh and another");
   group.add_choice<std::string>(
       "--check-with", request.check_with, check_choices(),
       fmt::format("The other ({}); NAME_differences.png shows both", check_choices().front().first),
@@ -87,14 +90,20 @@ void add_triangle_options(OptionGroup& group, BuildOptions& build) {
 }
 
 void choose_backend(const RenderRequest& request, RenderArguments& arguments) {
-  if (!request.backend && !request.check_with.empty() && arguments.plant_difference)
+  if (is_check(request) && !request.check_with.empty() && arguments.plant_difference)
     throw UsageError("--plant-difference is an engine of its own; it does not go with --check-with");
-  arguments.backend = request.backend.value_or(Backend::bvh);
+  const bool counts = arguments.render.counting || arguments.integrator == IntegratorKind::cost;
+  arguments.is_auto = request.accel == "auto" && !counts;
+  arguments.engine_reason =
+      request.accel == "auto" ? "its counts compare among all trees" : "named by --accel";
+  for (const Backend backend : available_backends())
+    if (request.accel == backend_name(backend)) arguments.backend = backend;
 }
 
 void check_builder(const RenderArguments& arguments) {
   const BuildOptions& build = arguments.build;
-  if (arguments.backend == Backend::bvh && build.bvh_builder != BvhBuilder::own && build.max_leaf_size > 32)
+  if (!arguments.is_auto && arguments.backend == Backend::bvh && build.bvh_builder != BvhBuilder::own &&
+      build.max_leaf_size > 32)
     throw UsageError("--max-leaf-size: Embree's builders make leaves of up to 32 primitives");
 }
 
@@ -121,13 +130,14 @@ void choose_width(const std::optional<int>& chosen, RenderArguments& arguments) 
   BuildOptions& build = arguments.build;
   if (arguments.render.counting) build.bvh_width = 2;
   build.bvh_width = chosen.value_or(build.bvh_width);
-  if (arguments.backend == Backend::bvh && build.bvh_width == 8 && build.max_leaf_size > 4)
+  if (!arguments.is_auto && arguments.backend == Backend::bvh && build.bvh_width == 8 &&
+      build.max_leaf_size > 4)
     throw UsageError("--max-leaf-size: a BVH of width 8 has leaves of up to 4; --bvh-width=2 takes more");
 }
 
 /// Chooses what the bvh is checked with, once its own options are known.
 void choose_check(const RenderRequest& request, RenderArguments& arguments) {
-  if (request.backend) return;
+  if (!is_check(request)) return;
   if (arguments.build.triangle_test != TriangleTest::woop)
     throw UsageError("--triangle-test=moller-trumbore does not go with --accel=check");
   if (arguments.plant_difference) {
@@ -151,6 +161,20 @@ void add_engine_options(CLI::App& app, RenderRequest& request) {
   add_bvh_options(group, request);
   add_cost_options(group, request.arguments.build);
   add_triangle_options(group, request.arguments.build);
+}
+
+void choose_engine(const Geometry& geometry, RenderArguments& arguments) {
+  if (!arguments.is_auto) return;
+  const EngineChoice choice =
+      fastest_engine(geometry, {.threads = arguments.build.threads, .simd = arguments.build.simd});
+  arguments.backend = choice.engine.backend;
+  arguments.build = choice.engine.build;
+  arguments.engine_reason = choice.reason;
+}
+
+std::string engine_name(const RenderArguments& arguments) {
+  const bool is_binary = arguments.backend == Backend::bvh && arguments.build.bvh_width == 2;
+  return is_binary ? "bvh-2" : backend_name(arguments.backend);
 }
 
 void resolve_engine(const RenderRequest& request, RenderArguments& arguments) {

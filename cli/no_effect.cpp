@@ -19,7 +19,13 @@ struct Asked {
   }
   bool is_check() const { return arguments.check_with.has_value(); }
   bool has(Backend backend) const {
-    return arguments.backend == backend || (is_check() && arguments.check_with->backend == backend);
+    return (!arguments.is_auto && arguments.backend == backend) ||
+           (is_check() && arguments.check_with->backend == backend);
+  }
+  /// "the engine is embree"
+  std::string engine() const {
+    return arguments.is_auto ? "--accel=auto chooses the engine and its options"
+                             : "the engine is " + backend_name(arguments.backend);
   }
   bool is_wide() const { return has(Backend::bvh) && arguments.build.bvh_width == 8; }
   const BuildOptions& build() const { return arguments.build; }
@@ -81,9 +87,7 @@ std::string needs_check(const Asked& asked) {
 }
 
 std::string needs_bvh(const Asked& asked) {
-  return asked.has(Backend::bvh) ? ""
-                                 : fmt::format("for the engine is {}; --accel=bvh takes it",
-                                               backend_name(asked.arguments.backend));
+  return asked.has(Backend::bvh) ? "" : fmt::format("for {}; --accel=bvh takes it", asked.engine());
 }
 
 std::string needs_wide(const Asked& asked) {
@@ -104,16 +108,9 @@ std::string needs_sah(const Asked& asked) {
 }
 
 std::string needs_lanes(const Asked& asked) {
-  return asked.is_wide() || asked.has(Backend::embree)
+  return asked.arguments.is_auto || asked.is_wide() || asked.has(Backend::embree)
              ? ""
              : "for the engine has no code for it; embree, and bvh of width 8, have";
-}
-
-std::string needs_our_triangles(const Asked& asked) {
-  return asked.has(Backend::bvh) || asked.has(Backend::brute_force)
-             ? ""
-             : fmt::format("for the engine is {}; bvh and brute-force take it",
-                           backend_name(asked.arguments.backend));
 }
 
 std::string needs_native(const Asked& asked) {
@@ -123,7 +120,7 @@ std::string needs_native(const Asked& asked) {
 std::string needs_embree(const Asked& asked) {
   return asked.has(Backend::embree) || asked.has(Backend::embree_native)
              ? ""
-             : fmt::format("for the engine is {}", backend_name(asked.arguments.backend));
+             : fmt::format("for {}", asked.engine());
 }
 
 std::string needs_counts(const Asked& asked) {
@@ -151,7 +148,7 @@ constexpr Rule rules[]{
     {"--max-leaf-size", needs_bvh},
     {"--traversal-cost", needs_bvh},
     {"--intersection-cost", needs_bvh},
-    {"--triangle-test", needs_our_triangles},
+    {"--triangle-test", needs_bvh},
     {"--embree-mode", needs_native},
     {"--embree-isa", needs_embree},
     {"--count", needs_counts},

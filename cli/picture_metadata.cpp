@@ -30,7 +30,7 @@ ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vect
                          {"twinray:scene", arguments.scene},
                          {"twinray:options", fmt::format("{}", fmt::join(words, " "))},
                          {"twinray:seed", fmt::format("{}", arguments.render.seed)},
-                         {"twinray:engine", backend_name(arguments.backend)},
+                         {"twinray:engine", engine_name(arguments)},
                          {"twinray:samples", fmt::format("{}", arguments.render.samples)}};
   if (const char* time = std::getenv("SOURCE_DATE_EPOCH"); time && *time)
     metadata.emplace_back("DateTime", time_stamp(time));

@@ -25,8 +25,10 @@ struct RenderArguments {
   View view = View::file;
   std::string environment;  ///< Empty: none.
   LoadOptions load;
-  Backend backend = default_backend();
+  Backend backend = Backend::bvh;
   BuildOptions build;
+  bool is_auto = false;       ///< The scene decides about backend and build: choose_engine().
+  std::string engine_reason;  ///< Why that engine, in a clause.
   /// --accel=check: the engine that is asked for each ray of the bvh as well.
   std::optional<Engine> check_with;
   bool plant_difference = false;  ///< check_with breaks the promise of equal bits, and is held to it.
@@ -46,6 +48,11 @@ std::function<RenderArguments()> add_render_options(CLI::App& app);
 
 /// Throws UsageError with the first of the options without effect where these are errors.
 void refuse_if_strict(const std::vector<std::string>& without_effect, const RenderArguments& arguments);
+
+/// Where the scene is to decide: the fastest engine for it, by what benchmarks measured.
+void choose_engine(const Geometry& geometry, RenderArguments& arguments);
+/// The name of the engine that renders (accel/engines.h).
+std::string engine_name(const RenderArguments& arguments);
 
 /// Reads the words after "render". Throws UsageError.
 RenderArguments parse_render_arguments(const std::vector<std::string>& words);

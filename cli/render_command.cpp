@@ -114,13 +114,15 @@ int report(const Check& check, const SceneCrosscheck& found, const RenderArgumen
 
 }  // namespace
 
-int render_command(const RenderArguments& arguments, const std::vector<std::string>& words) {
+int render_command(const RenderArguments& asked, const std::vector<std::string>& words) {
+  RenderArguments arguments = asked;
   for (const std::string& warning : arguments.without_effect) console::warn(warning);
   const RenderOutputs outputs = render_outputs(arguments);
   const InterruptGuard guard(outputs.names());
   prepare_outputs(outputs.names());
-  const ImageMetadata metadata = picture_metadata(arguments, words);
   const LoadedScene loaded = load(arguments);
+  choose_engine(*loaded.scene.geometry, arguments);
+  const ImageMetadata metadata = picture_metadata(arguments, words);
   const auto accelerator = build_accelerator(arguments.backend, loaded.scene.geometry, arguments.build);
   const auto integrator = make_integrator(arguments, loaded.scene);
   std::optional<Check> check;

@@ -23,8 +23,8 @@ struct RenderRequest {
   enum class Bounces { all, direct, indirect, last } bounces = Bounces::all;
   std::optional<CostKind> cost;
   std::optional<int> bvh_width;
-  std::optional<Backend> backend = default_backend();  ///< None: check.
-  std::string check_with;                              ///< Empty: the usual one.
+  std::string accel = "auto";  ///< Or a backend's name, or check.
+  std::string check_with;      ///< Empty: the usual one.
 };
 
 void add_picture_options(CLI::App& app, RenderRequest& request);
@@ -38,7 +38,8 @@ void add_run_options(CLI::App& app, RenderRequest& request);
 void resolve_picture(const RenderRequest& request, RenderArguments& arguments);
 void resolve_light(const RenderRequest& request, RenderArguments& arguments);
 void resolve_sampling(const RenderRequest& request, RenderArguments& arguments);
-/// After the others: the engine depends on what is computed.
+/// After the others: the engine depends on what is computed. Where the scene decides, it is left to
+/// choose_engine().
 void resolve_engine(const RenderRequest& request, RenderArguments& arguments);
 
 }  // namespace twinray

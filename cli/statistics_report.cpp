@@ -131,13 +131,15 @@ std::string statistics_text(const RenderArguments& arguments, const AccelStats& 
                             const RenderResult& result) {
   const RayCounts& rays = result.rays;
   const std::string text = fmt::format(
+      "Engine         {}: {}\n"
       "Primitives     {}\n"
       "Build          {:.4f} s, {}{:.1f} MB\n"
       "Render         {:.4f} s\n"
       "Rays           {} ({} camera, {} shadow, {} bounce)\n"
       "Speed          {:.4f} million rays per second\n",
-      accel.primitives, accel.build_seconds(), tree_text(accel.tree), 1e-6 * double(accel.bytes),
-      result.seconds, rays.total(), rays.camera, rays.shadow, rays.bounce, 1e-6 * rays_per_second(result));
+      engine_name(arguments), arguments.engine_reason, accel.primitives, accel.build_seconds(),
+      tree_text(accel.tree), 1e-6 * double(accel.bytes), result.seconds, rays.total(), rays.camera,
+      rays.shadow, rays.bounce, 1e-6 * rays_per_second(result));
   return arguments.render.counting ? text + per_ray_text(arguments, accel, rays) : text;
 }
 
@@ -147,7 +149,8 @@ std::string statistics_json(const RenderArguments& arguments, const AccelStats& 
   ordered_json json{
       {"program", version_name()},
       {"scene", arguments.scene},
-      {"engine", backend_name(arguments.backend)},
+      {"engine", engine_name(arguments)},
+      {"engine_reason", arguments.engine_reason},
       {"seed", arguments.render.seed},
       {"samples_per_pixel", arguments.render.samples},
       {"resolution", {arguments.render.width, arguments.render.height}},

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "accel/fastest_engine.h"
 #include "core/error.h"
 #include "tests/support/catch.h"
 
@@ -180,7 +181,7 @@ TEST_CASE(
   CHECK(arguments.render.samples == 32);
   CHECK(arguments.path.max_depth == 5);
   CHECK_FALSE(arguments.render.adaptive);
-  CHECK(arguments.backend == default_backend());
+  CHECK(arguments.is_auto);
 }
 
 TEST_CASE("the bounces that are shown are ranges of depth") {
@@ -240,6 +241,37 @@ TEST_CASE("an option without effect is named with the reason, and refused by a s
   CHECK(no_effect({"--accel=embree-native", "--count"}) ==
         "--count: no effect, for embree-native does not count");
 #endif
+}
+
+TEST_CASE("auto lets the scene choose the engine, and takes no options of one") {
+  const Geometry none;
+  RenderArguments arguments = parse({"--accel=auto", "--simd=scalar", "-t", "3"});
+  CHECK(arguments.is_auto);
+  CHECK(arguments.without_effect.empty());
+  choose_engine(none, arguments);
+  const EngineChoice choice = fastest_engine(none, {.threads = 3, .simd = "scalar"});
+  CHECK(engine_name(arguments) == choice.engine.name);
+  CHECK(arguments.build.threads == 3);
+  CHECK(arguments.build.simd == "scalar");
+  CHECK(arguments.engine_reason == choice.reason);
+  RenderArguments named = parse({"--accel=brute-force"});
+  choose_engine(none, named);
+  CHECK(engine_name(named) == "brute-force");
+  CHECK(named.engine_reason == "named by --accel");
+  const std::string reason =
+      ": no effect, for --accel=auto chooses the engine and its options; --accel=bvh takes it";
+  CHECK(no_effect({"--bvh-split=mean"}) == "--bvh-split" + reason);
+  CHECK(no_effect({"--max-leaf-size=9"}) == "--max-leaf-size" + reason);
+}
+
+TEST_CASE("to count, auto is the binary tree, whose counts compare") {
+  for (const char* option : {"--count", "--integrator=cost"}) {
+    const RenderArguments arguments = parse({option});
+    CHECK_FALSE(arguments.is_auto);
+    CHECK(engine_name(arguments) == "bvh-2");
+    CHECK(arguments.engine_reason == "its counts compare among all trees");
+  }
+  CHECK(parse({"--integrator=cost"}).cost == CostKind::nodes);
 }
 
 TEST_CASE("an option of light has no effect where light of its kind is not computed") {
