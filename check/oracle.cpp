@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "accel/build/binary_tree.h"
+#include "accel/bvh/build.h"
 #include "accel/bvh/traversal.h"
 
 namespace twinray {

@@ -12,9 +12,12 @@ set(private_headers
   accel/build/binary_tree.h
   accel/build/box_lanes.h
   accel/build/cost_model.h
+  accel/build/coverage.h
   accel/build/phase_timer.h
   accel/build/reinsertion.h
   accel/build/split.h
+  accel/builders.h
+  accel/bvh/build.h
   accel/bvh/invariants.h
   accel/bvh/node.h
   accel/bvh/statistics.h

@@ -4,12 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 
-#include "accel/build/phase_timer.h"
-#include "accel/canonical/slab.h"
-#include "accel/embree/builder.h"
 #include "core/error.h"
 #include "core/parallel.h"
 
@@ -120,50 +116,6 @@ class Assembly {
   std::size_t size_ = 1;
 };
 
-/// The primitives of one block.
-struct BlockRange {
-  std::uint32_t first, count;
-};
-
-/// Appends nodes depth first, and the ranges of their blocks.
-class Layout {
- public:
-  Layout(const BuildTree& tree, Bvh& bvh) : tree_(tree), bvh_(bvh) {}
-
-  NodeRef add(const BuildTree::Node& node) {
-    if (node.count > 0) return add_leaf(node);
-    const std::size_t pair = bvh_.pairs.size();
-    bvh_.pairs.emplace_back();
-    for (std::uint32_t child = 0; child < 2; ++child) {
-      const BuildTree::Node& child_node = tree_.nodes[node.first + child];
-      const NodeRef ref = add(child_node);
-      bvh_.pairs[pair].set_box(int(child), padded(child_node.box));
-      bvh_.pairs[pair].children[child] = ref;
-    }
-    return {std::uint32_t(pair), 0};
-  }
-  const std::vector<BlockRange>& block_ranges() const { return block_ranges_; }
-
- private:
-  NodeRef add_leaf(const BuildTree::Node& node) {
-    const std::size_t first = block_ranges_.size();
-    for (std::uint32_t done = 0; done < node.count; done += TriangleBlock::width)
-      block_ranges_.push_back(
-          {node.first + done, std::min<std::uint32_t>(TriangleBlock::width, node.count - done)});
-    return {std::uint32_t(first), std::uint32_t(block_ranges_.size() - first)};
-  }
-
-  const BuildTree& tree_;
-  Bvh& bvh_;
-  std::vector<BlockRange> block_ranges_;
-};
-
-TriangleBlock make_block(const BuildTree& tree, const BlockRange& range, const Geometry& geometry) {
-  std::array<PrimitiveId, TriangleBlock::width> ids;
-  for (std::uint32_t i = 0; i < range.count; ++i) ids[i] = tree.primitives[range.first + i].id;
-  return make_block(geometry, std::span(ids).first(range.count));
-}
-
 }  // namespace
 
 BuildPrimitives collect_primitives(const Geometry& geometry) {
@@ -200,42 +152,6 @@ void halve_subtree(BuildTree& tree, const BuildOptions& options, std::uint32_t i
   const BuildTree::Node node =
       TreeBuilder(tree.primitives, options).build(first, count, free_bvh_depth, tree.nodes);
   tree.nodes[index] = node;
-}
-
-BuildTree build_by(BuildPrimitives primitives, const BuildOptions& options) {
-  if (options.bvh_builder == BvhBuilder::own) return build_tree(std::move(primitives), options);
-#ifdef TWINRAY_WITH_EMBREE
-  return build_tree_by_embree(std::move(primitives), options);
-#else
-  throw Error(fmt::format("the builder {} is not part of this build", builder_name(options.bvh_builder)));
-#endif
-}
-
-Bvh lay_out(const BuildTree& tree, const Geometry& geometry) {
-  Bvh bvh;
-  if (tree.primitives.empty()) return bvh;
-  bvh.box = padded(tree.nodes[0].box);
-  Layout layout(tree, bvh);
-  bvh.root = layout.add(tree.nodes[0]);
-  bvh.pairs.shrink_to_fit();
-  const std::vector<BlockRange>& ranges = layout.block_ranges();
-  bvh.blocks.resize(ranges.size());
-  parallel_for(ranges.size(), task_size, 0, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) bvh.blocks[i] = make_block(tree, ranges[i], geometry);
-  });
-  return bvh;
-}
-
-Bvh make_bvh(const Geometry& geometry, const BuildOptions& options, std::vector<BuildPhase>& phases) {
-  Bvh bvh;
-  with_threads(options.threads, [&] {
-    BuildPrimitives primitives;
-    BuildTree tree;
-    timed("boxes", phases, [&] { primitives = collect_primitives(geometry); });
-    timed("tree", phases, [&] { tree = build_by(std::move(primitives), options); });
-    timed("layout", phases, [&] { bvh = lay_out(tree, geometry); });
-  });
-  return bvh;
 }
 
 }  // namespace twinray

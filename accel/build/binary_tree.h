@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private: from a geometry to a finished tree.
+// Private: a binary tree over the primitives of a geometry, from which the trees of both widths are made.
 #pragma once
-#include <vector>
+#include <cstdint>
 
-#include "accel/accelerator.h"
 #include "accel/build/split.h"
-#include "accel/bvh/node.h"
 
 namespace twinray {
+
+/// Inner nodes lie at depths below max_bvh_depth, so a traversal that keeps one sibling a level fits a stack
+/// of that size. Up to free_bvh_depth the split method decides; below, halving the primitives does, which
+/// ends after 32 levels for any count of 32 bits.
+inline constexpr int free_bvh_depth = 64;
+inline constexpr int max_bvh_depth = free_bvh_depth + 32;
 
 /// A binary tree over an array of primitives before it is laid out for traversal.
 struct BuildTree {
@@ -19,7 +23,7 @@ struct BuildTree {
   using Nodes = BigVector<Node>;
   Nodes nodes;  ///< The root, then pairs of children, in an order that no thread changes.
   /// By a builder that splits primitives, pieces of them: a primitive comes once for each of its pieces,
-  /// whose boxes together cover its padded box as accel/bvh/invariants.h has it.
+  /// whose boxes together cover its padded box as accel/build/coverage.h has it.
   BuildPrimitives primitives;
 };
 
@@ -34,15 +38,5 @@ BuildTree build_tree(BuildPrimitives primitives, const BuildOptions& options);
 /// [first, first + count), and all below it: halves down to leaves of up to options.max_leaf_size.
 void halve_subtree(BuildTree& tree, const BuildOptions& options, std::uint32_t index, std::size_t first,
                    std::size_t count);
-
-/// The same by the builder of the options. Throws Error where that is not part of this build.
-BuildTree build_by(BuildPrimitives primitives, const BuildOptions& options);
-
-/// Lays a tree out for traversal: pads boxes, copies vertices into blocks.
-Bvh lay_out(const BuildTree& tree, const Geometry& geometry);
-
-/// All three steps, with the builder of the options, on options.threads threads; adds how long each took to
-/// `phases`. Throws Error where the builder is not part of this build.
-Bvh make_bvh(const Geometry& geometry, const BuildOptions& options, std::vector<BuildPhase>& phases);
 
 }  // namespace twinray

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The hand-written BVH as an accelerator.
 #include "accel/backends.h"
-#include "accel/build/binary_tree.h"
+#include "accel/bvh/build.h"
 #include "accel/bvh/statistics.h"
 #include "accel/bvh/traversal.h"
 

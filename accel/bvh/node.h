@@ -12,12 +12,6 @@
 
 namespace twinray {
 
-/// Inner nodes lie at depths below max_bvh_depth, so a traversal that keeps one sibling a level fits a stack
-/// of that size. Up to free_bvh_depth the split method decides; below, halving the primitives does, which
-/// ends after 32 levels for any count of 32 bits.
-inline constexpr int free_bvh_depth = 64;
-inline constexpr int max_bvh_depth = free_bvh_depth + 32;
-
 /// What a node is: a leaf of `count` > 0 blocks from block `first` on, or, with a count of 0, an inner node
 /// whose children are the pair `first`.
 struct NodeRef {

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "accel/build/binary_tree.h"
 #include "accel/bvh/node.h"
 #include "accel/counters.h"
 #include "core/lanes.h"

@@ -9,8 +9,8 @@
 #include <bit>
 
 #include "accel/backends.h"
-#include "accel/build/binary_tree.h"
 #include "accel/build/phase_timer.h"
+#include "accel/bvh/build.h"
 #include "accel/bvh/traversal.h"
 #include "accel/embree/bounds.h"
 #include "accel/embree/device.h"

@@ -6,6 +6,7 @@
 
 #include "accel/build/phase_timer.h"
 #include "accel/build/reinsertion.h"
+#include "accel/builders.h"
 #include "accel/canonical/slab.h"
 #include "accel/wide/collapse.h"
 #include "accel/wide/occlusion.h"

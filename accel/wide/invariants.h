@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "accel/bvh/invariants.h"
+#include "accel/build/coverage.h"
 #include "accel/wide/node.h"
 #include "core/geometry.h"
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "accel/build/big_vector.h"
-#include "accel/bvh/node.h"
+#include "accel/build/binary_tree.h"
 #include "accel/canonical/triangle_block.h"
 #include "core/aabb.h"
 
@@ -17,8 +17,6 @@ namespace twinray {
 /// What a child is: a block, an inner node, or nothing.
 struct WideRef {
   static constexpr std::uint32_t block_bit = 1u << 31, no_child = 0xffffffff;
-  /// More than any index of a node or a block.
-  static constexpr std::uint32_t max_index = block_bit - 1;
 
   std::uint32_t bits = no_child;
 

@@ -4,6 +4,7 @@
 
 #include "accel/build/binary_tree.h"
 #include "accel/build/cost_model.h"
+#include "accel/bvh/build.h"
 #include "accel/bvh/invariants.h"
 #include "accel/bvh/traversal.h"
 #include "accel/canonical/checked_ray.h"

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "accel/bvh/build.h"
 #include "accel/bvh/invariants.h"
 #include "core/parallel.h"
 #include "tests/support/catch.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "accel/build/binary_tree.h"
+#include "accel/bvh/build.h"
 #include "accel/bvh/invariants.h"
 #include "accel/canonical/checked_ray.h"
 #include "accel/canonical/slab.h"
