@@ -6,7 +6,6 @@
 namespace twinray {
 namespace {
 
-template <TriangleTest triangle_test>
 class BruteForce final : public Accelerator {
  public:
   explicit BruteForce(std::shared_ptr<const Geometry> geometry) : Accelerator(std::move(geometry)) {}
@@ -16,7 +15,7 @@ class BruteForce final : public Accelerator {
     return closest_of(query.ray, [&](const CheckedRay& ray) {
       Hit best;
       visit(query, [&](PrimitiveId id) {
-        test_primitive<triangle_test>(geometry(), ray, id, best);
+        test_primitive(geometry(), ray, id, best);
         return false;
       });
       return best;
@@ -26,7 +25,7 @@ class BruteForce final : public Accelerator {
     return any_of(query.ray, [&](const CheckedRay& ray) {
       Hit found;
       return visit(query, [&](PrimitiveId id) {
-        test_primitive<triangle_test>(geometry(), ray, id, found);
+        test_primitive(geometry(), ray, id, found);
         return !found.is_miss();
       });
     });
@@ -51,10 +50,8 @@ class BruteForce final : public Accelerator {
 }  // namespace
 
 std::unique_ptr<Accelerator> build_brute_force(std::shared_ptr<const Geometry> geometry,
-                                               const BuildOptions& options) {
-  if (options.triangle_test == TriangleTest::moller_trumbore)
-    return std::make_unique<BruteForce<TriangleTest::moller_trumbore>>(std::move(geometry));
-  return std::make_unique<BruteForce<TriangleTest::woop>>(std::move(geometry));
+                                               const BuildOptions&) {
+  return std::make_unique<BruteForce>(std::move(geometry));
 }
 
 }  // namespace twinray

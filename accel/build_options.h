@@ -36,7 +36,7 @@ enum class EmbreeQuality {
   high,    ///< SAH with spatial splits.
 };
 
-/// Which ray-triangle test the hand-written engines run.
+/// Which ray-triangle test the bvh engine runs.
 enum class TriangleTest { woop, moller_trumbore };
 
 /// How an accelerator is built. Each backend reads what concerns it.
@@ -57,8 +57,9 @@ struct BuildOptions {
   int leaf_block = 1;
   double traversal_cost = 1.0;     ///< SAH cost of a node step, > 0.
   double intersection_cost = 1.0;  ///< SAH cost of a primitive test, > 0.
-  TriangleTest triangle_test =
-      TriangleTest::woop;  ///< moller_trumbore: brute force and bvh only; leaves the promise of equal bits.
+  /// bvh only. moller_trumbore: the binary tree with another test, to compare with; outside of the promise of
+  /// equal bits.
+  TriangleTest triangle_test = TriangleTest::woop;
 
   EmbreeMode embree_mode = EmbreeMode::robust;           ///< embree_native only.
   EmbreeQuality embree_quality = EmbreeQuality::medium;  ///< embree_native only.

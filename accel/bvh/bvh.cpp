@@ -8,8 +8,6 @@
 namespace twinray {
 namespace {
 
-/// `test`: which triangle test the leaves run.
-template <TriangleTest test>
 class BvhAccelerator final : public Accelerator {
  public:
   BvhAccelerator(std::shared_ptr<const Geometry> geometry, Bvh bvh, AccelStats stats)
@@ -32,7 +30,7 @@ class BvhAccelerator final : public Accelerator {
     Hit best;
     float t_max = ray.t_max;
     traverse(bvh_, ray, t_max, counts, [&](const TriangleBlock& block) {
-      test_block<QueryKind::closest, test>(geometry(), ray, block, best);
+      test_block<QueryKind::closest>(geometry(), ray, block, best);
       t_max = std::min(t_max, best.t);
       return false;
     });
@@ -43,7 +41,7 @@ class BvhAccelerator final : public Accelerator {
   bool trace_any(const CheckedRay& ray, Counts counts) const {
     Hit found;
     traverse(bvh_, ray, ray.t_max, counts, [&](const TriangleBlock& block) {
-      test_block<QueryKind::any, test>(geometry(), ray, block, found);
+      test_block<QueryKind::any>(geometry(), ray, block, found);
       return !found.is_miss();
     });
     return !found.is_miss();
@@ -60,11 +58,7 @@ std::unique_ptr<Accelerator> build_bvh(std::shared_ptr<const Geometry> geometry,
   Bvh bvh = make_bvh(*geometry, options, stats.phases);
   stats.bytes = bvh.bytes();
   stats.tree = statistics_of(bvh, options);
-  if (options.triangle_test == TriangleTest::moller_trumbore)
-    return std::make_unique<BvhAccelerator<TriangleTest::moller_trumbore>>(std::move(geometry),
-                                                                           std::move(bvh), std::move(stats));
-  return std::make_unique<BvhAccelerator<TriangleTest::woop>>(std::move(geometry), std::move(bvh),
-                                                              std::move(stats));
+  return std::make_unique<BvhAccelerator>(std::move(geometry), std::move(bvh), std::move(stats));
 }
 
 }  // namespace twinray

@@ -4,9 +4,7 @@
 #include <compare>
 #include <cstdint>
 
-#include "accel/build_options.h"
 #include "accel/canonical/checked_ray.h"
-#include "accel/canonical/moller_trumbore.h"
 #include "accel/canonical/sphere.h"
 #include "accel/canonical/triangle.h"
 #include "core/geometry.h"
@@ -28,25 +26,14 @@ inline Aabb primitive_bounds(const Geometry& geometry, PrimitiveId id) {
   return triangle_bounds(mesh->positions[a], mesh->positions[b], mesh->positions[c]);
 }
 
-/// The triangle test of the options; woop is the canonical one.
-template <TriangleTest test>
-inline bool intersect(const CheckedRay& ray, const Vec3& a, const Vec3& b, const Vec3& c, float t_max,
-                      ShapeHit& hit) {
-  if constexpr (test == TriangleTest::woop)
-    return intersect_triangle(ray, a, b, c, t_max, hit);
-  else
-    return intersect_moller_trumbore(ray, a, b, c, t_max, hit);
-}
-
 /// Tests one primitive against [ray.t_min, best.t] (a miss in `best` means ray.t_max) and keeps the lesser
 /// hit.
-template <TriangleTest test = TriangleTest::woop>
 inline void test_primitive(const Geometry& geometry, const CheckedRay& ray, PrimitiveId id, Hit& best) {
   const float t_max = std::min(ray.t_max, best.t);
   ShapeHit found;
   if (const Mesh* mesh = geometry.mesh(id.mesh)) {
     const auto [a, b, c] = mesh->triangles[id.primitive];
-    if (!intersect<test>(ray, mesh->positions[a], mesh->positions[b], mesh->positions[c], t_max, found))
+    if (!intersect_triangle(ray, mesh->positions[a], mesh->positions[b], mesh->positions[c], t_max, found))
       return;
   } else {
     if (!intersect_sphere(ray, geometry.sphere_set(id.mesh)->spheres[id.primitive], t_max, found)) return;

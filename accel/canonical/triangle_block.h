@@ -62,11 +62,11 @@ enum class QueryKind { closest, any };
 
 /// Tests the primitives of a block, one after the other, against [ray.t_min, best.t] and keeps the least hit;
 /// QueryKind::any ends with the first.
-template <QueryKind kind, TriangleTest test = TriangleTest::woop>
+template <QueryKind kind>
 inline void test_block(const Geometry& geometry, const CheckedRay& ray, const TriangleBlock& block,
                        Hit& best) {
   for (std::uint32_t lane = 0; lane < block.count; ++lane) {
-    test_primitive<test>(geometry, ray, block.ids[lane], best);
+    test_primitive(geometry, ray, block.ids[lane], best);
     if (kind == QueryKind::any && best) return;
   }
 }

@@ -63,14 +63,14 @@ void traverse_scalar(const WideBvh& bvh, const CheckedRay& ray, const float& t_m
 }
 
 /// The least accepted hit, or a miss; what it took is added to `counts`. An invalid ray is a miss.
-template <TriangleTest test>
-Hit scalar_closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given, QueryCounts& counts) {
+inline Hit scalar_closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given,
+                          QueryCounts& counts) {
   Hit best;
   CheckedRay ray;
   if (!load_ray(given, ray)) return best;
   float t_max = ray.t_max;
   traverse_scalar<QueryKind::closest>(bvh, ray, t_max, counts, [&](const TriangleBlock& block) {
-    test_block<QueryKind::closest, test>(geometry, ray, block, best);
+    test_block<QueryKind::closest>(geometry, ray, block, best);
     t_max = std::min(t_max, best.t);
     return false;
   });
@@ -79,13 +79,12 @@ Hit scalar_closest(const WideBvh& bvh, const Geometry& geometry, const Ray& give
 }
 
 /// Whether scalar_closest would find a hit.
-template <TriangleTest test>
-bool scalar_any(const WideBvh& bvh, const Geometry& geometry, const Ray& given, QueryCounts& counts) {
+inline bool scalar_any(const WideBvh& bvh, const Geometry& geometry, const Ray& given, QueryCounts& counts) {
   Hit found;
   CheckedRay ray;
   if (!load_ray(given, ray)) return false;
   traverse_scalar<QueryKind::any>(bvh, ray, ray.t_max, counts, [&](const TriangleBlock& block) {
-    test_block<QueryKind::any, test>(geometry, ray, block, found);
+    test_block<QueryKind::any>(geometry, ray, block, found);
     return !found.is_miss();
   });
   return !found.is_miss();

@@ -15,8 +15,6 @@ namespace {
 /// 6.7 MB, 0.75 with one of 58 MB.
 constexpr std::size_t cached_bytes = 1u << 20;
 
-/// `test`: which triangle test the leaves run.
-template <TriangleTest test>
 class WideAccelerator final : public Accelerator {
  public:
   WideAccelerator(std::shared_ptr<const Geometry> geometry, WideBvh bvh, const WideKernel& kernel,
@@ -25,11 +23,11 @@ class WideAccelerator final : public Accelerator {
 
  private:
   Hit closest(const Query& query) const noexcept override {
-    return query.counts ? scalar_closest<test>(bvh_, geometry(), query.ray, *query.counts)
+    return query.counts ? scalar_closest(bvh_, geometry(), query.ray, *query.counts)
                         : kernel_.closest(bvh_, geometry(), query.ray);
   }
   bool any(const Query& query) const noexcept override {
-    return query.counts ? scalar_any<test>(bvh_, geometry(), query.ray, *query.counts)
+    return query.counts ? scalar_any(bvh_, geometry(), query.ray, *query.counts)
                         : kernel_.any(bvh_, geometry(), query.ray);
   }
   void closest_batch(std::span<const Ray> rays, Hit* answers) const noexcept override {
@@ -49,16 +47,12 @@ class WideAccelerator final : public Accelerator {
 
 std::unique_ptr<Accelerator> build_wide_bvh(std::shared_ptr<const Geometry> geometry,
                                             const BuildOptions& options) {
-  const WideKernel kernel = chosen(wide_kernels(options.triangle_test), options.simd);
+  const WideKernel kernel = chosen(wide_kernels(), options.simd);
   AccelStats stats;
   WideBvh bvh = make_wide_bvh(*geometry, options, stats.phases);
   stats.bytes = bvh.bytes();
   stats.tree = statistics_of(bvh, options);
-  if (options.triangle_test == TriangleTest::moller_trumbore)
-    return std::make_unique<WideAccelerator<TriangleTest::moller_trumbore>>(
-        std::move(geometry), std::move(bvh), kernel, std::move(stats));
-  return std::make_unique<WideAccelerator<TriangleTest::woop>>(std::move(geometry), std::move(bvh), kernel,
-                                                               std::move(stats));
+  return std::make_unique<WideAccelerator>(std::move(geometry), std::move(bvh), kernel, std::move(stats));
 }
 
 }  // namespace twinray

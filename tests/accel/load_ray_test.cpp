@@ -67,7 +67,7 @@ bool has_same_bits(const CheckedRay& a, const CheckedRay& b) {
 }  // namespace
 
 TEST_CASE("every kernel loads a ray with the bits of load_ray, and refuses the same ones") {
-  const std::vector<WideKernel> kernels = wide_kernels(TriangleTest::woop);
+  const std::vector<WideKernel> kernels = wide_kernels();
   Random random(8);
   int valid = 0, invalid = 0;
   for (int i = 0; i < 200000; ++i) {

@@ -30,7 +30,7 @@ CheckedRay checked(const Ray& ray) {
 
 /// Asks every kernel about one block, and fails where one differs from the plain test.
 void compare(const Geometry& geometry, const std::vector<PrimitiveId>& ids, const Ray& ray, Tally& tally) {
-  static const std::vector<WideKernel> kernels = wide_kernels(TriangleTest::woop);
+  static const std::vector<WideKernel> kernels = wide_kernels();
   const WideBvh bvh{.root = WideRef::block(0), .nodes = {}, .blocks = {make_block(geometry, ids)}};
   const CheckedRay loaded = checked(ray);
   Hit expected;

@@ -219,7 +219,7 @@ TEST_CASE("no wide tree is deeper than its stack, and the deepest is traversed")
   const BuildOptions options{.bvh_split = BvhSplit::midpoint, .max_leaf_size = 1};
   CHECK(fault(*geometry, options) == "");
   const WideBvh bvh = build_wide(*geometry, options);
-  for (const WideKernel& kernel : wide_kernels(TriangleTest::woop)) {
+  for (const WideKernel& kernel : wide_kernels()) {
     CAPTURE(kernel.name);
     CHECK(kernel.closest(bvh, *geometry, {.origin = {}, .direction = {1, 0.25f, 0.25f}}).primitive == 0);
     CHECK(!kernel.any(bvh, *geometry, {.origin = {-1, -1, -1}, .direction = {0, 1, 0}}));
@@ -248,7 +248,7 @@ TEST_CASE("a stack holds all siblings of the deepest path, whose nodes are full,
   std::vector<Ray> rays;
   for (int i = 0; i < 100; ++i)
     rays.push_back({.origin = {-1, random.unit(), random.unit()}, .direction = {1, 0, 0}});
-  for (const WideKernel& kernel : wide_kernels(TriangleTest::woop)) {
+  for (const WideKernel& kernel : wide_kernels()) {
     CAPTURE(kernel.name);
     std::vector<Hit> hits(rays.size());
     std::vector<std::uint8_t> blocked(rays.size());
@@ -276,7 +276,7 @@ TEST_CASE("the collapse costs the least of all") {
 }
 
 TEST_CASE("each kernel has the instruction set of its name, and the last one is scalar") {
-  const std::vector<WideKernel> kernels = wide_kernels(TriangleTest::woop);
+  const std::vector<WideKernel> kernels = wide_kernels();
   for (const WideKernel& kernel : kernels)
     CHECK((kernel.name == "avx512" || kernel.name == "avx2" || kernel.name == "sse4" ||
            kernel.name == "scalar"));
@@ -287,7 +287,7 @@ TEST_CASE(
     "the instruction set of a wide tree is chosen by name, and others are refused with the valid names") {
   const auto geometry = share({soup(50, 0.3f, 1)});
   const std::vector<std::string> names = available_instruction_sets();
-  REQUIRE(names.size() == wide_kernels(TriangleTest::woop).size() + 1);
+  REQUIRE(names.size() == wide_kernels().size() + 1);
   CHECK(names.front() == "best");
   CHECK(names.back() == "scalar");
   std::string valid;
@@ -302,7 +302,7 @@ TEST_CASE(
 TEST_CASE("a batch gives the bits of single rays, for every instruction set and any number of rays") {
   const auto geometry = share({soup(2000, 0.1f, 1), random_spheres(20, 0.2f, 2)});
   Random random(8);
-  for (const WideKernel& kernel : wide_kernels(TriangleTest::woop)) {
+  for (const WideKernel& kernel : wide_kernels()) {
     CAPTURE(kernel.name);
     const WideEngine bvh(geometry, kernel);
     for (const int count : {0, 1, 7, 8, 31, 32, 33, 128, 1000}) {
@@ -326,7 +326,7 @@ TEST_CASE("a batch gives the bits of single rays, for every instruction set and 
 
 TEST_CASE("a batch misses an empty tree, and misses with rays all of which are invalid") {
   const auto some = share({soup(50, 0.3f, 1)});
-  for (const WideKernel& kernel : wide_kernels(TriangleTest::woop))
+  for (const WideKernel& kernel : wide_kernels())
     for (const bool is_empty : {true, false}) {
       const WideEngine bvh(is_empty ? share({}) : some, kernel);
       std::vector<Ray> rays(100, Ray{.origin = {}, .direction = {is_empty ? 1.0f : 0.0f, 0, 0}});
@@ -340,7 +340,7 @@ TEST_CASE("a batch misses an empty tree, and misses with rays all of which are i
 }
 
 TEST_CASE("every kernel tests eight boxes with the bits of the canonical box test") {
-  const std::vector<WideKernel> kernels = wide_kernels(TriangleTest::woop);
+  const std::vector<WideKernel> kernels = wide_kernels();
   Random random(5);
   int met = 0, missed = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -370,7 +370,7 @@ TEST_CASE("a fast kernel never takes -0 for an entry, which its order would put 
     node.set_box(child, {{0, -1, -1}, {1, 1, 1}});
     node.children[child] = WideRef::block(std::size_t(child));
   }
-  for (const WideKernel& kernel : wide_kernels(TriangleTest::woop)) {
+  for (const WideKernel& kernel : wide_kernels()) {
     if (kernel.name == "scalar") continue;
     CheckedRay ray;
     REQUIRE(load_ray({.origin = {}, .direction = {-1, 0.5f, 0.5f}, .t_min = -0.0f}, ray));
