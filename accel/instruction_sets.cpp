@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <hwy/targets.h>
+
+#include <cstdint>
+#include <utility>
 
 #include "accel/accelerator.h"
-#include "accel/wide/kernel.h"
 #include "core/error.h"
 
 namespace twinray {
@@ -25,7 +28,10 @@ void throw_no_such_set(const std::string& simd) {
 
 std::vector<std::string> available_instruction_sets() {
   std::vector<std::string> names{"best"};
-  for (const WideKernel& kernel : wide_kernels(TriangleTest::woop)) names.push_back(kernel.name);
+  const std::int64_t usable = std::int64_t(hwy::SupportedTargets()) & HWY_TARGETS;
+  for (const auto& [target, name] : {std::pair{HWY_AVX3, "AVX3"}, {HWY_AVX2, "AVX2"}, {HWY_SSE4, "SSE4"}})
+    if (usable & target) names.push_back(simd_name(name));
+  names.emplace_back("scalar");
   return names;
 }
 

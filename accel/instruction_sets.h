@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private: the choice of one of the instruction sets that a kernel was compiled for.
+// Private: the instruction sets that kernels are compiled for, and the choice of one. To be included before
+// Highway, which it tells for which of its targets.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "accel/build_options.h"
+/// SSSE3 is no faster than the scalar kernels, AVX3_DL no faster than AVX3.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 
 namespace twinray {
 

@@ -33,6 +33,7 @@ set(private_headers
   accel/canonical/sphere.h
   accel/canonical/triangle.h
   accel/canonical/triangle_block.h
+  accel/counting.h
   accel/embree/api.h
   accel/embree/bounds.h
   accel/embree/builder.h

@@ -26,6 +26,7 @@ struct alignas(64) NodePair {
               [4];  ///< [axis]: lower of the first and the second child, upper of the first and the second.
   NodeRef children[2];
 
+  static constexpr int count() { return 2; }
   Aabb box(int child) const {
     return {{planes[0][child], planes[1][child], planes[2][child]},
             {planes[0][2 + child], planes[1][2 + child], planes[2][2 + child]}};

@@ -14,7 +14,7 @@
 
 #include "accel/build/binary_tree.h"
 #include "accel/bvh/node.h"
-#include "accel/counters.h"
+#include "accel/counting.h"
 #include "core/lanes.h"
 
 namespace twinray {
@@ -64,27 +64,6 @@ class PairRay {
   float t_min_;
 };
 
-/// What a traversal reports its steps to where nobody counts.
-struct NoCounts {
-  void visit_pair() {}
-  void visit_leaf() {}
-  void test_box() {}
-  void test_block(const TriangleBlock&) {}
-};
-
-/// Adds steps to the counts of a query.
-struct Counting {
-  QueryCounts& counts;
-
-  void visit_pair() {
-    ++counts.nodes;
-    counts.boxes += 2;
-  }
-  void visit_leaf() { ++counts.leaves; }
-  void test_box() { ++counts.boxes; }
-  void test_block(const TriangleBlock& block) { counts.primitives += block.count; }
-};
-
 /// The siblings that a traversal has still to visit; at most one a level.
 class TraversalStack {
  public:
@@ -121,8 +100,8 @@ void traverse(const Bvh& bvh, const CheckedRay& ray, const float& t_max, Counts 
   NodeRef node = bvh.root;
   do {
     while (!node.is_leaf()) {
-      counts.visit_pair();
       const NodePair& pair = bvh.pairs[node.first];
+      counts.visit_node(pair);
       const PairIntervals intervals = pair_ray.intersect(pair, t_max);
       const std::uint64_t met = intervals.met();
       const bool is_first_met = std::uint32_t(met) != 0, is_second_met = met >> 32 != 0;

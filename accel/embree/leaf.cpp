@@ -4,7 +4,6 @@
 
 #include "accel/instruction_sets.h"
 
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)  // As in accel/wide/kernel.cpp.
 #define HWY_TARGET_INCLUDE "accel/embree/leaf.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>

@@ -21,6 +21,7 @@
 
 #include "accel/canonical/block_test-inl.h"
 #include "accel/canonical/load_ray-inl.h"
+#include "accel/counting.h"
 #include "accel/wide/box_test-inl.h"
 #include "accel/wide/stack-inl.h"
 
@@ -143,7 +144,9 @@ class Batch {
   Batch(const WideBvh& bvh, std::span<const Ray> rays, typename Query::Answer* answers)
       : bvh_(bvh), rays_(rays), answers_(answers) {}
 
-  HWY_ATTR void answer(const Geometry& geometry) {
+  /// Steps: NoCounts, or Counting.
+  template <typename Steps>
+  HWY_ATTR void answer(const Geometry& geometry, const Steps& steps) {
     Queue active;
     for (std::uint32_t i = 0; i < queries_in_flight; ++i) active.add(i, start(i));
     while (!active.is_empty()) {
@@ -162,10 +165,13 @@ class Batch {
         active.add(i, start(i));
       }
       for (const std::uint32_t i : nodes) {
+        steps.visit_node(next_node(i));
         queries_[i].visit(next_node(i));
         active.add(i);
       }
       for (const std::uint32_t i : blocks) {
+        steps.visit_leaf();
+        steps.test_block(next_block(i));
         queries_[i].visit(next_block(i), geometry);
         active.add(i);
       }

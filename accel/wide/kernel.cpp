@@ -7,10 +7,10 @@
 #include <iterator>
 #include <span>
 
+#include "accel/counting.h"
 #include "accel/instruction_sets.h"
 #include "accel/wide/scalar.h"
 
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)  // no faster than the scalar kernel, and than AVX3
 #define HWY_TARGET_INCLUDE "accel/wide/kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -27,7 +27,9 @@ namespace {
 // The single queries have loops of their own: nothing else is there to be done while one waits for the number
 // of children it meets, so there it is faster to guess.
 
-HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given) {
+template <typename... Counts>
+HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given, Counts&... counts) {
+  const auto steps = steps_of(counts...);
   Hit hit;  // The one variable that every path returns: it is written where it goes.
   CheckedRay ray;
   if (bvh.root.is_none() || !RayLoader::load(given, ray)) return hit;
@@ -41,13 +43,17 @@ HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& gi
   for (;;) {
     while (!ref.is_block()) {
       const WideNode& node = bvh.nodes[ref.index()];
+      steps.visit_node(node);
       alignas(32) float entries[WideNode::width];
       const std::uint32_t met = box_ray.intersect(node, t_max, entries);
       if (met == 0) break;
       ref = nearest_child(node, met, entries, top);
     }
     if (ref.is_block()) {
-      block_ray.closest(geometry, ray, bvh.blocks[ref.index()], best);
+      const TriangleBlock& block = bvh.blocks[ref.index()];
+      steps.visit_leaf();
+      steps.test_block(block);
+      block_ray.closest(geometry, ray, block, best);
       t_max = std::min(t_max, best.t);
     }
     ref = pop(stack, top, t_max);
@@ -58,7 +64,9 @@ HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& gi
   return hit;
 }
 
-HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& given) {
+template <typename... Counts>
+HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& given, Counts&... counts) {
+  const auto steps = steps_of(counts...);
   CheckedRay ray;
   if (bvh.root.is_none() || !RayLoader::load(given, ray)) return false;
   const BoxRay box_ray(ray);
@@ -69,25 +77,33 @@ HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& given
   for (;;) {
     while (!ref.is_block()) {
       const WideNode& node = bvh.nodes[ref.index()];
+      steps.visit_node(node);
       alignas(32) float entries[WideNode::width];
       const std::uint32_t met = box_ray.intersect(node, ray.t_max, entries);
       if (met == 0) break;
       ref = any_child(node, met, top);
     }
-    if (ref.is_block() && block_ray.any(geometry, ray, bvh.blocks[ref.index()])) return true;
+    if (ref.is_block()) {
+      const TriangleBlock& block = bvh.blocks[ref.index()];
+      steps.visit_leaf();
+      steps.test_block(block);
+      if (block_ray.any(geometry, ray, block)) return true;
+    }
     if (top == stack) return false;
     ref = {*--top};
   }
 }
 
+template <typename... Counts>
 HWY_ATTR void closest_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
-                            Hit* hits) {
-  Batch<ClosestQuery>(bvh, rays, hits).answer(geometry);
+                            Hit* hits, Counts&... counts) {
+  Batch<ClosestQuery>(bvh, rays, hits).answer(geometry, steps_of(counts...));
 }
 
+template <typename... Counts>
 HWY_ATTR void any_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
-                        std::uint8_t* hits) {
-  Batch<AnyQuery>(bvh, rays, hits).answer(geometry);
+                        std::uint8_t* hits, Counts&... counts) {
+  Batch<AnyQuery>(bvh, rays, hits).answer(geometry, steps_of(counts...));
 }
 
 HWY_ATTR bool load(const Ray& ray, CheckedRay& checked) { return RayLoader::load(ray, checked); }
@@ -99,8 +115,16 @@ HWY_ATTR std::uint32_t meet(const WideNode& node, const CheckedRay& ray, float t
   return met;
 }
 
-WideKernel kernel() {
-  return {simd_name(hwy::TargetName(HWY_TARGET)), closest, any, closest_batch, any_batch, load, meet};
+/// Counts: none, or QueryCounts.
+template <typename... Counts>
+BasicWideKernel<Counts&...> kernel() {
+  return {simd_name(hwy::TargetName(HWY_TARGET)),
+          closest<Counts...>,
+          any<Counts...>,
+          closest_batch<Counts...>,
+          any_batch<Counts...>,
+          load,
+          meet};
 }
 
 }  // namespace
@@ -113,15 +137,14 @@ namespace twinray {
 namespace {
 
 /// The scalar traversal as a kernel.
-template <TriangleTest test>
 struct Scalar {
   static Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& ray) {
     QueryCounts counts;
-    return scalar_closest<test>(bvh, geometry, ray, counts);
+    return scalar_closest(bvh, geometry, ray, counts);
   }
   static bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& ray) {
     QueryCounts counts;
-    return scalar_any<test>(bvh, geometry, ray, counts);
+    return scalar_any(bvh, geometry, ray, counts);
   }
   static void closest_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
                             Hit* hits) {
@@ -136,24 +159,32 @@ struct Scalar {
   }
 };
 
-}  // namespace
-
-std::vector<WideKernel> wide_kernels(TriangleTest test) {
-  if (test == TriangleTest::moller_trumbore) return {Scalar<TriangleTest::moller_trumbore>::kernel()};
-  std::vector<WideKernel> kernels;
-  const auto supported = hwy::SupportedTargets();
+/// Those that were compiled for an instruction set of this machine, the fastest first.
+template <typename... Counts>
+std::vector<BasicWideKernel<Counts&...>> fast_kernels() {
+  std::vector<BasicWideKernel<Counts&...>> kernels;
+  [[maybe_unused]] const auto supported = hwy::SupportedTargets();
 #if HWY_TARGETS & HWY_AVX3
-  if (supported & HWY_AVX3) kernels.push_back(N_AVX3::kernel());
+  if (supported & HWY_AVX3) kernels.push_back(N_AVX3::kernel<Counts...>());
 #endif
 #if HWY_TARGETS & HWY_AVX2
-  if (supported & HWY_AVX2) kernels.push_back(N_AVX2::kernel());
+  if (supported & HWY_AVX2) kernels.push_back(N_AVX2::kernel<Counts...>());
 #endif
 #if HWY_TARGETS & HWY_SSE4
-  if (supported & HWY_SSE4) kernels.push_back(N_SSE4::kernel());
+  if (supported & HWY_SSE4) kernels.push_back(N_SSE4::kernel<Counts...>());
 #endif
-  kernels.push_back(Scalar<TriangleTest::woop>::kernel());
   return kernels;
 }
+
+}  // namespace
+
+std::vector<WideKernel> wide_kernels() {
+  std::vector<WideKernel> kernels = fast_kernels<>();
+  kernels.push_back(Scalar::kernel());
+  return kernels;
+}
+
+std::vector<CountingWideKernel> counting_wide_kernels() { return fast_kernels<QueryCounts>(); }
 
 }  // namespace twinray
 #endif

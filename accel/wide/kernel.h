@@ -7,22 +7,24 @@
 #include <string>
 #include <vector>
 
-#include "accel/build_options.h"
 #include "accel/canonical/checked_ray.h"
+#include "accel/counters.h"
 #include "accel/wide/node.h"
 #include "core/geometry.h"
 #include "core/hit.h"
 
 namespace twinray {
 
-/// The queries over a tree of a geometry. An invalid ray is a miss.
-struct WideKernel {
+/// The queries over a tree of a geometry. An invalid ray is a miss. Counts: none, or QueryCounts& to which
+/// each query adds its own steps.
+template <typename... Counts>
+struct BasicWideKernel {
   std::string name;  ///< Of the instruction set: "avx512", "avx2", "sse4", "scalar".
-  Hit (*closest)(const WideBvh&, const Geometry&, const Ray&);
-  bool (*any)(const WideBvh&, const Geometry&, const Ray&);
+  Hit (*closest)(const WideBvh&, const Geometry&, const Ray&, Counts...);
+  bool (*any)(const WideBvh&, const Geometry&, const Ray&, Counts...);
   /// The same of many rays, several at a time.
-  void (*closest_batch)(const WideBvh&, const Geometry&, std::span<const Ray>, Hit* hits);
-  void (*any_batch)(const WideBvh&, const Geometry&, std::span<const Ray>, std::uint8_t* hits);
+  void (*closest_batch)(const WideBvh&, const Geometry&, std::span<const Ray>, Hit* hits, Counts...);
+  void (*any_batch)(const WideBvh&, const Geometry&, std::span<const Ray>, std::uint8_t* hits, Counts...);
   /// The bits of load_ray().
   bool (*load)(const Ray&, CheckedRay&);
   /// The box test alone. Bit i: the ray meets the box of child i within [ray.t_min, t_max]; it enters it at
@@ -30,8 +32,13 @@ struct WideKernel {
   std::uint32_t (*meet)(const WideNode&, const CheckedRay&, float t_max, float entries[WideNode::width]);
 };
 
-/// The kernels that this machine can run, the fastest first and the scalar one last; the fast ones know
-/// TriangleTest::woop alone.
-std::vector<WideKernel> wide_kernels(TriangleTest test);
+/// The kernels that this machine can run, the fastest first and the scalar one last.
+using WideKernel = BasicWideKernel<>;
+std::vector<WideKernel> wide_kernels();
+
+/// Those of them that are compiled for an instruction set, from the same source, but counting: so a test can
+/// hold the steps of the fast traversals against those of the scalar one.
+using CountingWideKernel = BasicWideKernel<QueryCounts&>;
+std::vector<CountingWideKernel> counting_wide_kernels();
 
 }  // namespace twinray

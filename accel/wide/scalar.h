@@ -23,16 +23,23 @@ inline std::uint32_t scalar_meet(const WideNode& node, const CheckedRay& ray, fl
   return met;
 }
 
+/// A child that waits for its turn.
+struct Waiting {
+  float entry;
+  std::uint32_t ref;
+};
+
+/// The nearer is the earlier; of equally near ones the lesser name, as in the fast kernels.
+inline bool is_later(const Waiting& a, const Waiting& b) {
+  return a.entry != b.entry ? a.entry > b.entry : a.ref > b.ref;
+}
+
 /// Calls `test(block)` for the blocks whose boxes the ray meets between ray.t_min and t_max, in the order of
 /// the fast kernels: for the closest hit about front to back, for any hit as the children come, but the last
 /// of the waiting ones first. `test` may lower t_max, and ends the traversal by returning true.
 template <QueryKind kind, typename Test>
 void traverse_scalar(const WideBvh& bvh, const CheckedRay& ray, const float& t_max, QueryCounts& counts,
                      Test&& test) {
-  struct Waiting {
-    float entry;
-    std::uint32_t ref;
-  };
   Waiting stack[wide_stack_size];
   int size = 0;
   if (!bvh.root.is_none()) stack[size++] = {ray.t_min, bvh.root.bits};
@@ -56,7 +63,7 @@ void traverse_scalar(const WideBvh& bvh, const CheckedRay& ray, const float& t_m
     for (int child = 0; child < WideNode::width; ++child)
       if (met >> child & 1) stack[size++] = {entries[child], node.children[child].bits};
     if (kind == QueryKind::closest)
-      std::sort(children, stack + size, [](const Waiting& a, const Waiting& b) { return a.entry > b.entry; });
+      std::sort(children, stack + size, is_later);
     else if (met != 0)
       std::rotate(children, children + 1, stack + size);
   }
