@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/area_vector.h"
 #include "core/error.h"
 #include "core/offset.h"
 
@@ -114,5 +115,7 @@ Aabb sphere_bounds(const Sphere& sphere) {
   }
   return box;
 }
+
+bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) { return !AreaVector(a, b, c).is_zero(); }
 
 }  // namespace twinray

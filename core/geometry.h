@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/aabb.h"
-#include "core/area_vector.h"
 #include "core/vec.h"
 
 namespace twinray {
@@ -80,8 +79,9 @@ class Geometry {
   std::size_t triangle_count_ = 0, sphere_count_ = 0;
 };
 
-/// Whether a triangle has any area, as far as double arithmetic can tell.
-inline bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) { return !AreaVector(a, b, c).is_zero(); }
+/// Whether a triangle has any area, as far as double arithmetic can tell. Not inline: a copy in a user's
+/// program, compiled with flags of his own, could take the place of ours.
+bool has_area(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// The box of one primitive, rounded outward where it is not exact.
 inline Aabb triangle_bounds(const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/area_vector.h"
 #include "core/elementary.h"
 #include "core/environment.h"
 #include "core/frame.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/area_vector.h"
 #include "core/lanes.h"
 #include "core/octahedron.h"
 #include "core/offset.h"

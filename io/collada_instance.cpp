@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/area_vector.h"
+
 namespace twinray {
 namespace {
 

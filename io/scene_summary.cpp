@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/area_vector.h"
 #include "core/warp.h"
 
 namespace twinray {
