@@ -3,47 +3,44 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstring>
-#include <limits>
 
 namespace twinray {
 namespace {
 
-/// `origin` and `direction` each have the number in their last lane that follows in the ray: the direction's
-/// x, and t_min.
-bool is_valid(const Ray& ray, Float4 origin, Float4 direction) {
-  constexpr float finite = std::numeric_limits<float>::max();
-  const Int4 in_range =
-      (abs(origin) <= Float4{max_origin, max_origin, max_origin, finite}) & (abs(direction) <= finite);
-  return mask_bits(in_range) == 0xf && (ray.t_min >= 0) & (ray.t_min <= ray.t_max);
+bool is_valid(const Ray& ray) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(std::fabs(ray.origin[axis]) <= max_origin) || !std::isfinite(ray.direction[axis])) return false;
+  return ray.t_min >= 0 && ray.t_min <= ray.t_max;
 }
 
-// No branch on the direction: they are mispredicted for every other bounce ray.
-
-/// `largest`: the direction's largest component, in every lane.
-void load_slab(CheckedRay& checked, Float4 origin, Float4 direction, Float4 largest) {
-  const Int4 sign = Int4(direction) & std::numeric_limits<std::int32_t>::min();
-  const Float4 forward = Float4(Int4(largest_of_three(abs(origin)) * slab_margin) | sign);
-  const Float4 inverse = 1.0f / Float4(Int4(max(abs(direction), largest * least_component)) | sign);
-  checked.is_negative = (sign >> 31) & 1;
-  checked.near_origin = origin + forward;
-  checked.far_origin = origin - forward;
-  checked.near_inverse = inverse * (1.0f - slab_margin);
-  checked.far_inverse = inverse * (1.0f + slab_margin);
+void load_slab(CheckedRay& checked) {
+  const float reach = max_abs(checked.origin) * slab_margin;
+  const float least = max_abs(checked.direction) * least_component;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float origin = checked.origin[axis], direction = checked.direction[axis];
+    const float forward = std::copysign(reach, direction);
+    const float inverse = 1 / std::copysign(std::max(std::fabs(direction), least), direction);
+    checked.is_negative[axis] = std::signbit(direction);
+    checked.near_origin[axis] = origin + forward;
+    checked.far_origin[axis] = origin - forward;
+    checked.near_inverse[axis] = inverse * (1 - slab_margin);
+    checked.far_inverse[axis] = inverse * (1 + slab_margin);
+  }
 }
 
-void load_shear(CheckedRay& checked, Float4 origin, Float4 direction) {
-  float o[4], d[4];
-  std::memcpy(o, &origin, sizeof o);
-  std::memcpy(d, &direction, sizeof d);
-  const float x = std::fabs(d[0]), y = std::fabs(d[1]), z = std::fabs(d[2]);
-  const bool is_x = (x > y) & (x > z), is_y = !(x > y) & (y > z);
-  constexpr int next[3] = {1, 2, 0};
-  const int kz = 2 - 2 * is_x - is_y, kx = next[kz], ky = next[kx];
-  checked.axes = Int4{kx, ky, kz, kz};
-  checked.shear = Float4{d[kx], d[ky], 1, 1} / splat(d[kz]);
-  checked.turned_origin = Float4{o[kx], o[ky], o[kz], o[kz]};
+/// The axis of the largest component; of equal ones the later.
+int dominant_axis(const Vec3& direction) {
+  const float x = std::fabs(direction.x), y = std::fabs(direction.y), z = std::fabs(direction.z);
+  if (x > y && x > z) return 0;
+  return y >= x && y > z ? 1 : 2;
+}
+
+void load_shear(CheckedRay& checked) {
+  const Vec3 &o = checked.origin, &d = checked.direction;
+  const int z = dominant_axis(d), x = (z + 1) % 3, y = (z + 2) % 3;
+  checked.axes = Int4{x, y, z, z};
+  checked.shear = Float4{d[x] / d[z], d[y] / d[z], 1 / d[z], 0};
+  checked.turned_origin = Float4{o[x], o[y], o[z], 0};
 }
 
 }  // namespace
@@ -59,24 +56,18 @@ void load_shear(CheckedRay& checked, Float4 origin, Float4 direction) {
   return true;
 }
 
-bool load_ray(const Ray& ray, CheckedRay& checked) noexcept {
-  static_assert(offsetof(Ray, direction) == 12 && offsetof(Ray, t_min) == 24 && sizeof(Ray) >= 28);
-  const Float4 origin = load(&ray.origin.x);
-  Float4 direction = load(&ray.direction.x);
-  if (!is_valid(ray, origin, direction)) return false;
+bool load_ray_scalar(const Ray& ray, CheckedRay& checked) noexcept {
+  if (!is_valid(ray)) return false;
   checked.origin = ray.origin;
   checked.direction = ray.direction;
   checked.t_min = ray.t_min;
   checked.t_max = std::min(ray.t_max, max_t);
   checked.t_scale = 1;
-  Float4 largest = largest_of_three(abs(direction));
-  if (!(largest[0] >= min_direction && largest[0] <= max_direction)) {
-    if (!scale_direction(checked)) return false;
-    direction = Float4{checked.direction.x, checked.direction.y, checked.direction.z, 0};
-    largest = largest_of_three(abs(direction));
-  }
-  load_slab(checked, origin, direction, largest);
-  load_shear(checked, origin, direction);
+  const float largest = max_abs(ray.direction);
+  const bool is_in_range = largest >= min_direction && largest <= max_direction;
+  if (!is_in_range && !scale_direction(checked)) return false;
+  load_slab(checked);
+  load_shear(checked);
   return true;
 }
 

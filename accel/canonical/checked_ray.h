@@ -2,10 +2,10 @@
 // Private: the one door through which rays reach an accelerator.
 //
 // A ray is checked against the domain of core/ray.h and everything is derived here that the canonical tests
-// (slab.h, triangle.h, sphere.h) need of it, so that every backend computes with the same bits;
-// accel/canonical/load_ray-inl.h does the same with the instructions of a newer machine. A direction
-// whose largest component lies outside [2^-40, 2^40] is scaled by a power of two, and t with it; t is scaled
-// back on a hit.
+// (slab.h, triangle.h, sphere.h) need of it, so that every backend computes with the same bits: once plainly,
+// and with the same bits in lanes (load_ray.cpp, and load_ray-inl.h for newer machines). A direction whose
+// largest component lies outside [2^-40, 2^40] is scaled by a power of two, and t with it; t is scaled back
+// on a hit.
 #pragma once
 #include <limits>
 
@@ -43,7 +43,11 @@ struct CheckedRay {
   }
 };
 
-/// Fills `checked`; false for an invalid ray, which is a miss.
+/// Fills `checked`; false for an invalid ray, which is a miss. The plain form: the oracle of load_ray, and of
+/// load_ray-inl.h.
+bool load_ray_scalar(const Ray& ray, CheckedRay& checked) noexcept;
+
+/// The same bits, in lanes: what the engines call.
 bool load_ray(const Ray& ray, CheckedRay& checked) noexcept;
 
 /// The hit that `trace` finds for a loaded ray, with t in the caller's units; an invalid ray is a miss.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private: load_ray of accel/canonical/checked_ray.h, compiled once for each instruction set: the same steps
-// with the same bits. Inside of a query it takes half of the instructions, and what it makes stays in
+// Private: load_ray_scalar of accel/canonical/checked_ray.h, compiled once for each instruction set: the same
+// steps with the same bits. Inside of a query it takes half of the instructions, and what it makes stays in
 // registers.
 #if defined(TWINRAY_ACCEL_LOAD_RAY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TWINRAY_ACCEL_LOAD_RAY_INL_H
@@ -23,21 +23,22 @@ class RayLoader {
  public:
   /// Fills `checked`; false for an invalid ray, which is a miss.
   static HWY_ATTR HWY_INLINE bool load(const Ray& ray, CheckedRay& checked) {
-    // Four numbers from each place are three of the vector, and what follows in both structs.
+    // Four numbers from each place are three of the vector, and what follows in both structs. They are read
+    // and written as bytes of the whole struct, for no member has four.
     static_assert(offsetof(Ray, direction) == 12 && offsetof(Ray, t_min) == 24 && sizeof(Ray) >= 28);
     static_assert(offsetof(CheckedRay, direction) == 12 && offsetof(CheckedRay, t_min) == 24);
-    const Four origin = hn::LoadU(Tag(), &ray.origin.x);
-    Four direction = hn::LoadU(Tag(), &ray.direction.x);
+    const Four origin = load_four(&ray, offsetof(Ray, origin));
+    Four direction = load_four(&ray, offsetof(Ray, direction));
     if (!is_valid(ray, origin, direction)) return false;
-    hn::StoreU(origin, Tag(), &checked.origin.x);
-    hn::StoreU(direction, Tag(), &checked.direction.x);
+    store_four(origin, &checked, offsetof(CheckedRay, origin));
+    store_four(direction, &checked, offsetof(CheckedRay, direction));
     checked.t_max = ray.t_max < max_t ? ray.t_max : max_t;
     checked.t_scale = 1;
     Four largest = largest_of_three(hn::Abs(direction));
     const float length = hn::GetLane(largest);
     if (!(length >= min_direction) || !(length <= max_direction)) {
       if (!scale_direction(checked)) return false;
-      direction = hn::LoadU(Tag(), &checked.direction.x);
+      direction = load_four(&checked, offsetof(CheckedRay, direction));
       largest = largest_of_three(hn::Abs(direction));
     }
     load_slab(checked, origin, direction, largest);
@@ -49,6 +50,14 @@ class RayLoader {
   using Tag = hn::FixedTag<float, 4>;
   using IntTag = hn::RebindToSigned<Tag>;
   using Four = hn::Vec<Tag>;
+  using Bytes = hn::FixedTag<std::uint8_t, 16>;
+
+  static HWY_ATTR HWY_INLINE Four load_four(const void* from, std::size_t place) {
+    return hn::BitCast(Tag(), hn::LoadU(Bytes(), static_cast<const std::uint8_t*>(from) + place));
+  }
+  static HWY_ATTR HWY_INLINE void store_four(Four lanes, void* to, std::size_t place) {
+    hn::StoreU(hn::BitCast(Bytes(), lanes), Bytes(), static_cast<std::uint8_t*>(to) + place);
+  }
 
   /// The last lane of the origin is the direction's x, that of the direction is t_min.
   static HWY_ATTR HWY_INLINE bool is_valid(const Ray& ray, Four origin, Four direction) {

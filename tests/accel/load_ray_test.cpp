@@ -66,15 +66,18 @@ bool has_same_bits(const CheckedRay& a, const CheckedRay& b) {
 
 }  // namespace
 
-TEST_CASE("every kernel loads a ray with the bits of load_ray, and refuses the same ones") {
+TEST_CASE("all ways to load a ray give the bits of the scalar one, and refuse the same rays") {
   const std::vector<WideKernel> kernels = wide_kernels();
   Random random(8);
   int valid = 0, invalid = 0;
   for (int i = 0; i < 200000; ++i) {
     const Ray ray = unusual_ray(random);
     CheckedRay expected;
-    const bool is_valid = load_ray(ray, expected);
+    const bool is_valid = load_ray_scalar(ray, expected);
     (is_valid ? valid : invalid) += 1;
+    CheckedRay in_lanes;
+    if (load_ray(ray, in_lanes) != is_valid) FAIL("load_ray differs on whether ray " << i << " is valid");
+    if (is_valid && !has_same_bits(in_lanes, expected)) FAIL("load_ray differs on ray " << i);
     for (const WideKernel& kernel : kernels) {
       CheckedRay loaded;
       if (kernel.load(ray, loaded) != is_valid)
