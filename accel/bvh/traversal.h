@@ -2,9 +2,8 @@
 // Private: the way of one ray through a binary BVH, nearer child first.
 //
 // Both boxes of a pair are tested at once by accel/canonical/slab.h's operations: of each axis, two lanes
-// hold the near planes of both children and two the far ones, the latter with their sign turned, so that one
-// maximum serves both. The bits of near and far are those of intersect_slab, so what its monotony promises
-// holds: no box is culled that holds an accepted hit.
+// hold where the ray meets the near planes of both children, two where it meets the far ones. The bits are
+// those of intersect_slab, so what its monotony promises holds: no box is culled that holds an accepted hit.
 #pragma once
 #include <algorithm>
 #include <bit>
@@ -19,18 +18,13 @@
 
 namespace twinray {
 
-/// Where a ray enters both children, at least t_min, and leaves them, at most t_max; a child whose entry lies
-/// behind its exit is missed.
+/// Where a ray enters both children, at least t_min, and leaves them, at most t_max.
 struct PairIntervals {
-  Float4 entry_and_exit;  ///< Entry of the first and second child, then minus their exits.
+  Float4 entries;     ///< Of the first and the second child; two lanes without a meaning.
+  Float4 exits;       ///< Two lanes without a meaning; of the first and the second child.
+  std::uint32_t met;  ///< Bit i: the entry into child i does not lie behind its exit.
 
-  float first_entry() const { return entry_and_exit[0]; }
-  float second_entry() const { return entry_and_exit[1]; }
-  /// Not zero in its lower half where the first child is met, in its upper half where the second is.
-  std::uint64_t met() const {
-    const Int4 mask = entry_and_exit <= -__builtin_shufflevector(entry_and_exit, entry_and_exit, 2, 3, 0, 1);
-    return std::uint64_t(Long2(mask)[0]);
-  }
+  float entry(int child) const { return entries[child]; }
 };
 
 /// A ray as the pair test wants it: in lanes, with its octant as offsets into a row of planes.
@@ -39,19 +33,24 @@ class PairRay {
   explicit PairRay(const CheckedRay& ray) : t_min_(ray.t_min) {
     for (int axis = 0; axis < 3; ++axis) {
       const float near = ray.near_origin[axis], far = ray.far_origin[axis];
-      const float near_inverse = ray.near_inverse[axis], far_inverse = -ray.far_inverse[axis];
+      const float near_inverse = ray.near_inverse[axis], far_inverse = ray.far_inverse[axis];
       origin_[axis] = Float4{near, near, far, far};
       inverse_[axis] = Float4{near_inverse, near_inverse, far_inverse, far_inverse};
       near_offset_[axis] = ray.is_negative[axis] ? 2 : 0;
     }
   }
   PairIntervals intersect(const NodePair& pair, float t_max) const {
-    const Float4 bounds{t_min_, t_min_, -t_max, -t_max};
-    return {max(max(planes(pair, 0), planes(pair, 1)), max(planes(pair, 2), bounds))};
+    const Float4 x = at_planes(pair, 0), y = at_planes(pair, 1), z = at_planes(pair, 2);
+    const Float4 entries = max(max(x, y), max(z, splat(t_min_)));
+    const Float4 exits = min(min(x, y), min(z, splat(t_max)));
+    const Int4 met = entries <= __builtin_shufflevector(exits, exits, 2, 3, 2, 3);
+    return {entries, exits, mask_bits(met) & 3};
   }
 
  private:
-  Float4 planes(const NodePair& pair, int axis) const {
+  /// The parameters at which the ray meets the planes of one axis that are near in its direction, of the
+  /// first and the second child, and the far ones.
+  Float4 at_planes(const NodePair& pair, int axis) const {
     const float* const row = pair.planes[axis];
     std::int64_t near, far;
     std::memcpy(&near, row + near_offset_[axis], sizeof near);
@@ -103,17 +102,14 @@ void traverse(const Bvh& bvh, const CheckedRay& ray, const float& t_max, Counts 
       const NodePair& pair = bvh.pairs[node.first];
       counts.visit_node(pair);
       const PairIntervals intervals = pair_ray.intersect(pair, t_max);
-      const std::uint64_t met = intervals.met();
-      const bool is_first_met = std::uint32_t(met) != 0, is_second_met = met >> 32 != 0;
-      if (is_first_met && is_second_met) {
-        const float first = intervals.first_entry(), second = intervals.second_entry();
-        const int nearer = second < first;
-        stack.push(pair.children[1 - nearer], std::max(first, second));
-        node = pair.children[nearer];
-      } else if (met != 0) {
-        node = pair.children[is_second_met];
-      } else {
+      if (intervals.met == 0) {
         if (!stack.pop(t_max, node)) return;
+      } else if (intervals.met != 3) {
+        node = pair.children[intervals.met >> 1];
+      } else {
+        const int nearer = intervals.entry(1) < intervals.entry(0), farther = 1 - nearer;
+        stack.push(pair.children[farther], intervals.entry(farther));
+        node = pair.children[nearer];
       }
     }
     counts.visit_leaf();

@@ -298,11 +298,9 @@ TEST_CASE("both boxes of a pair are tested with the bits of the canonical box te
     const PairIntervals intervals = PairRay(checked).intersect(pair, checked.t_max);
     for (int child = 0; child < 2; ++child) {
       const SlabInterval interval = intersect_slab(checked, padded(boxes[child]));
-      const float entry = child == 0 ? intervals.first_entry() : intervals.second_entry();
-      const bool met = std::uint32_t(intervals.met() >> (32 * child)) != 0;
-      REQUIRE(entry == std::max(interval.near, 0.0f));
-      REQUIRE(-intervals.entry_and_exit[2 + child] == interval.far);
-      REQUIRE(met == (interval.near <= interval.far && interval.far >= 0));
+      REQUIRE(intervals.entry(child) == std::max(interval.near, 0.0f));
+      REQUIRE(intervals.exits[2 + child] == interval.far);
+      REQUIRE(bool(intervals.met >> child & 1) == (interval.near <= interval.far && interval.far >= 0));
     }
   }
 }
