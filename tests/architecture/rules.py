@@ -20,6 +20,7 @@ MAY_INCLUDE = {
     "cli": {"cli", "io", "check", "integrators", "accel", "core"},
     "bench": {"bench", "io", "check", "integrators", "accel", "core"},
 }
+WITHOUT_CIRCLES = ("accel",)
 LIBRARIES = ("core", "accel", "integrators", "check", "io")
 SOURCE_FOLDERS = (*MAY_INCLUDE, "tests")
 
@@ -262,9 +263,55 @@ def all_listed(tree):
             yield name, 1, "no CMakeLists.txt lists this file"
 
 
+def unit(name):
+    """A header and the source file that implements it."""
+    return re.sub(r"(-inl)?\.(h|cpp)$", "", name)
+
+
+def circle(graph):
+    """The nodes of one circle of a graph (node -> its successors), the first again at the end; or none."""
+    done = set()
+
+    def visit(node, path):
+        if node in path:
+            return [*path[path.index(node):], node]
+        if node in done:
+            return []
+        for successor in sorted(graph.get(node, ())):
+            if found := visit(successor, [*path, node]):
+                return found
+        done.add(node)
+        return []
+
+    for node in sorted(graph):
+        if found := visit(node, []):
+            return found
+    return []
+
+
+def no_circles(tree):
+    """Neither files (a header with its source) nor subfolders include each other in a circle."""
+    for library in WITHOUT_CIRCLES:
+        units, rooms = {}, {}
+        for name, text in tree.items():
+            if not is_cpp(name) or folder(name) != library:
+                continue
+            for _, header, quoted in includes(text):
+                if not quoted or header not in tree or folder(header) != library:
+                    continue
+                if unit(header) != unit(name):
+                    units.setdefault(unit(name), set()).add(unit(header))
+                room, other = str(Path(name).parent), str(Path(header).parent)
+                if room != other and library not in (room, other):
+                    rooms.setdefault(room, set()).add(other)
+        for graph in (units, rooms):
+            if found := circle(graph):
+                yield found[0], 1, f"includes in a circle: {' -> '.join(found)}"
+
+
 RULES = (layers, includes_from_root, doors, privacy, installed_headers, public_headers, headers_guarded,
          licensed, sizes, same_bits, random_numbers, quiet_libraries, nothing_left_open, no_machine_paths,
-         portable_builds, every_test_counts, whole_names, all_listed)
+         portable_builds, every_test_counts, whole_names, all_listed, no_circles)
 
 
 def read_tree(root):

@@ -145,6 +145,21 @@ class Rules(unittest.TestCase):
         self.expect({"tests/x/CMakeLists.txt": SHELL + "twinray_test(x SOURCES a_test.cpp ../y/b.cpp)\n",
                      "tests/x/a_test.cpp": CPP, "tests/y/b.cpp": CPP})
 
+    def test_nothing_is_included_in_a_circle(self):
+        listed = SHELL + "twinray_library(accel\n  a.cpp b.cpp x/c.cpp y/d.cpp)\n"
+        self.expect({"accel/CMakeLists.txt": listed, "accel/a.h": HEADER, "accel/b.h": HEADER,
+                     "accel/a.cpp": CPP + '#include "accel/b.h"\n',
+                     "accel/b.cpp": CPP + '#include "accel/a.h"\n'},
+                    "accel/a:1: includes in a circle: accel/a -> accel/b -> accel/a")
+        # No file does, but the folders do.
+        self.expect({"accel/CMakeLists.txt": listed, "accel/x/c.h": HEADER, "accel/y/d.h": HEADER,
+                     "accel/x/c.cpp": CPP + '#include "accel/y/d.h"\n',
+                     "accel/y/e.h": HEADER + '#include "accel/x/c.h"\n'},
+                    "accel/x:1: includes in a circle: accel/x -> accel/y -> accel/x")
+        # A header, its source and the file with its lanes are one.
+        self.expect({"accel/CMakeLists.txt": listed, "accel/a.h": HEADER,
+                     "accel/a.cpp": CPP + '#include "accel/a.h"\n'})
+
 
 if __name__ == "__main__":
     unittest.main()
