@@ -44,8 +44,6 @@ void check_options(const BuildOptions& options) {
 std::unique_ptr<Accelerator> build_accelerator(Backend backend, std::shared_ptr<const Geometry> geometry,
                                                const BuildOptions& options) {
   check_options(options);
-  if (options.triangle_test == TriangleTest::moller_trumbore && backend != Backend::bvh)
-    throw Error("Moeller and Trumbore's triangle test goes with the engine bvh alone");
   switch (backend) {
     case Backend::bvh:
       if (options.triangle_test == TriangleTest::moller_trumbore)

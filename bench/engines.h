@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The engines that are measured, in one table.
+// The engines that are measured.
 #pragma once
-#include <string>
 #include <vector>
 
-#include "accel/accelerator.h"
+#include "accel/engines.h"
 
 namespace twinray::bench {
 
@@ -24,17 +23,10 @@ enum class Asked {
 
 inline constexpr std::size_t small_scene = 150'000;
 
-/// A backend with its options, as benchmarks name it.
-struct Engine {
-  std::string name;
-  Backend backend = Backend::bvh;
-  BuildOptions options;
+/// An engine of the table (accel/engines.h), and how it is measured.
+struct Engine : twinray::Engine {
   Wanted wanted = Wanted::always;
-  std::string what;  ///< In a few words, for people.
   Asked asked = Asked::singly;
-
-  /// Whether it promises the canonical answers, bit for bit.
-  bool is_canonical() const { return backend != Backend::embree_native; }
 };
 
 /// All engines of this build. The first is the baseline of every ratio: Embree called directly, with its own

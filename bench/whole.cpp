@@ -98,7 +98,7 @@ Rounds once_a_round(const WholeOptions& options) {
 std::vector<Engine> rendering_engines() {
   std::vector<Engine> chosen;
   for (const Engine& engine : engines())
-    if (engine.name == "embree-native" || engine.name == "embree" || engine.name == "bvh")
+    if (engine.name == "embree-native-default" || engine.name == "embree" || engine.name == "bvh")
       chosen.push_back(engine);
   return chosen;
 }
@@ -155,7 +155,7 @@ void serve_renders(const SceneSource& source, const std::string& engine_name, co
   const Scene scene = source.make();
   for (const Engine& engine : rendering_engines()) {
     if (engine.name != engine_name) continue;
-    BuildOptions build = engine.options;
+    BuildOptions build = engine.build;
     build.threads = 1;
     const Renderable renderable(scene, build_accelerator(engine.backend, scene.geometry, build));
     answer_lines([&] { return renderable.render(one_sample(options, 1)).seconds; });

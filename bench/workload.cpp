@@ -47,7 +47,7 @@ Workload::Workload(const SceneSource& source, int width, int height)
 }
 
 std::unique_ptr<Accelerator> Workload::build(const Engine& engine, int threads) const {
-  BuildOptions options = engine.options;
+  BuildOptions options = engine.build;
   options.threads = threads;
   return build_accelerator(engine.backend, scene_.geometry, options);
 }

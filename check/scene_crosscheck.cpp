@@ -143,7 +143,7 @@ std::vector<std::string> default_crosscheck_engines() {
   std::vector<std::string> engines = engine_names();
   const auto bvh = std::find(engines.begin(), engines.end(), backend_name(Backend::bvh));
   std::rotate(engines.begin(), bvh, bvh + 1);
-  if (default_backend() == Backend::embree) std::erase(engines, backend_name(Backend::brute_force));
+  if (find_engine("embree")) std::erase(engines, backend_name(Backend::brute_force));
   return engines;
 }
 

@@ -133,41 +133,31 @@ class Comparison {
   SceneAgreement result_;
 };
 
+/// Of these names, those that this build has.
+std::vector<AgreementEngine> engines_named(const std::vector<std::string>& names,
+                                           const std::vector<int>& threads) {
+  std::vector<AgreementEngine> engines;
+  for (const std::string& name : names)
+    if (const auto engine = find_engine(name)) engines.push_back({*engine, threads});
+  return engines;
+}
+
 /// The wide tree and embree with the instruction sets that are not their default.
 std::vector<AgreementEngine> masked_engines() {
-  std::vector<AgreementEngine> engines;
-  for (const std::string& simd : available_instruction_sets())
-    if (simd != BuildOptions{}.simd)
-      engines.push_back({"bvh 8-wide " + simd, Backend::bvh, {.bvh_width = 8, .simd = simd}, {2}});
-  if (default_backend() != Backend::embree) return engines;
-  for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512", "default"})
-    if (isa != BuildOptions{}.embree_isa)
-      engines.push_back({fmt::format("embree {}", isa), Backend::embree, {.embree_isa = isa}, {2}});
-  for (const std::string& simd : available_instruction_sets())
-    if (simd != BuildOptions{}.simd)
-      engines.push_back({fmt::format("embree, {} leaves", simd), Backend::embree, {.simd = simd}, {2}});
-  return engines;
+  std::vector<std::string> names;
+  for (const std::string& simd : available_instruction_sets()) names.push_back("bvh-" + simd);
+  for (const char* isa : {"sse2", "sse4.2", "avx", "avx512", "default"})
+    names.push_back(fmt::format("embree-{}", isa));
+  for (const std::string& simd : available_instruction_sets()) names.push_back("embree-leaf-" + simd);
+  return engines_named(names, {2});
 }
 
 }  // namespace
 
 std::vector<AgreementEngine> canonical_engines() {
-  std::vector<AgreementEngine> engines;
-  for (const auto& [name, split] : {std::pair{"bvh sah", BvhSplit::sah},
-                                    {"bvh median", BvhSplit::median},
-                                    {"bvh midpoint", BvhSplit::midpoint},
-                                    {"bvh mean", BvhSplit::mean}})
-    engines.push_back({name, Backend::bvh, {.bvh_width = 2, .bvh_split = split}});
-  for (const BvhBuilder builder : available_builders())
-    if (builder != BvhBuilder::own)
-      engines.push_back({fmt::format("bvh {}", builder_name(builder)),
-                         Backend::bvh,
-                         {.bvh_width = 2, .bvh_builder = builder}});
-  engines.push_back({"bvh 8-wide", Backend::bvh, {.bvh_width = 8}});
-  for (const Backend backend : available_backends())
-    if (backend == Backend::embree) engines.push_back({backend_name(backend), backend, {}});
-  engines.push_back({backend_name(Backend::brute_force), Backend::brute_force, {}});
-  return engines;
+  return engines_named({"bvh-2", "bvh-2-median", "bvh-2-midpoint", "bvh-2-mean", "bvh-2-embree-low",
+                        "bvh-2-embree-medium", "bvh-2-embree-high", "bvh", "embree", "brute-force"},
+                       AgreementEngine{}.threads);
 }
 
 std::vector<AgreementEngine> agreement_engines() {
@@ -177,9 +167,7 @@ std::vector<AgreementEngine> agreement_engines() {
   return engines;
 }
 
-AgreementEngine differing_engine() {
-  return {"bvh moller-trumbore", Backend::bvh, {.triangle_test = TriangleTest::moller_trumbore}};
-}
+AgreementEngine differing_engine() { return {named_engine("bvh-moller-trumbore")}; }
 
 SceneAgreement compare_engines(const Scene& scene, const AgreementOptions& options,
                                const std::function<void(std::size_t, std::size_t)>& progress) {

@@ -8,16 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "accel/accelerator.h"
+#include "accel/engines.h"
 #include "core/scene.h"
 
 namespace twinray {
 
-/// An engine to compare: a backend with its options.
-struct AgreementEngine {
-  std::string name;
-  Backend backend = Backend::bvh;
-  BuildOptions build;
+/// An engine to compare.
+struct AgreementEngine : Engine {
   std::vector<int> threads{1, 2, 7};  ///< It renders everything on each of these numbers of threads.
 };
 

@@ -79,7 +79,7 @@ void add_cost_options(OptionGroup& group, BuildOptions& build) {
 void add_triangle_options(OptionGroup& group, BuildOptions& build) {
   group.add_choice<TriangleTest>(
       "--triangle-test", build.triangle_test,
-      {{"woop", TriangleTest::woop}, {"moller-trumbore", TriangleTest::moller_trumbore}}, "bvh, brute-force");
+      {{"woop", TriangleTest::woop}, {"moller-trumbore", TriangleTest::moller_trumbore}}, "bvh");
 #ifdef TWINRAY_WITH_EMBREE
   group.add_choice<EmbreeMode>("--embree-mode", build.embree_mode,
                                {{"robust", EmbreeMode::robust}, {"fast", EmbreeMode::fast}}, "embree-native");
@@ -141,7 +141,7 @@ void choose_check(const RenderRequest& request, RenderArguments& arguments) {
   if (arguments.build.triangle_test != TriangleTest::woop)
     throw UsageError("--triangle-test=moller-trumbore does not go with --accel=check");
   if (arguments.plant_difference) {
-    arguments.check_with = {"bvh moller-trumbore", Backend::bvh, arguments.build};
+    arguments.check_with = {"bvh-moller-trumbore", Backend::bvh, arguments.build, ""};
     arguments.check_with->build.triangle_test = TriangleTest::moller_trumbore;
     return;
   }

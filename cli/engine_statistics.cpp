@@ -161,9 +161,7 @@ std::string ray_kind_name(RayKind kind) {
 
 std::vector<AgreementEngine> stats_engines() {
   std::vector<AgreementEngine> engines = canonical_engines();
-  const std::vector<Backend> available = available_backends();
-  if (std::find(available.begin(), available.end(), Backend::embree_native) != available.end())
-    engines.insert(engines.end() - 1, {backend_name(Backend::embree_native), Backend::embree_native, {}});
+  if (const auto native = find_engine("embree-native")) engines.insert(engines.end() - 1, {*native});
   return engines;
 }
 

@@ -13,9 +13,9 @@ from pathlib import Path
 
 PROGRAM = sys.argv.pop(1)
 SETS = ("camera", "shadow-1", "bounce-1", "shadow-2", "bounce-2")
-ALWAYS = {"bvh", "bvh-batch", "bvh-fast", "bvh-high", "bvh-binary", "brute-force"}
-WITH_EMBREE = {"embree-direct", "embree-native", "embree-native-avx2", "embree-fast", "embree-fast-high",
-               "embree"}
+ALWAYS = {"bvh", "bvh-batch", "bvh-fast", "bvh-high", "bvh-2", "brute-force"}
+WITH_EMBREE = {"embree-direct", "embree-native-default", "embree-native", "embree-native-fast",
+               "embree-native-fast-high", "embree"}
 VOID = {"meta", "br", "line", "circle", "rect", "polyline"}
 
 

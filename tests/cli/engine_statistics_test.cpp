@@ -56,12 +56,12 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 TEST_CASE("the counts of a small box are exact") {
   const SceneStatistics statistics = statistics_of(box);
   CHECK(statistics.engines.size() == stats_engines().size());
-  CHECK(counts_text(engine(statistics, "bvh sah")) ==
+  CHECK(counts_text(engine(statistics, "bvh-2")) ==
         "48 198 444 48 96; 80 400 880 80 160; 65 285 635 52 104; ");
-  CHECK(counts_text(engine(statistics, "bvh median")) ==
+  CHECK(counts_text(engine(statistics, "bvh-2-median")) ==
         "48 144 336 156 468; 80 240 560 320 960; 65 195 455 229 687; ");
   // Twelve triangles by halves: four leaves of three.
-  const TreeStats median = engine(statistics, "bvh median").build.tree.value();
+  const TreeStats median = engine(statistics, "bvh-2-median").build.tree.value();
   CHECK(median.nodes == 7);
   CHECK(median.leaves == 4);
   CHECK(median.depth == 2);
@@ -111,7 +111,7 @@ TEST_CASE("brute force is left out where it would take too long") {
 
 TEST_CASE("a scene without shapes has statistics") {
   const SceneStatistics statistics = statistics_of(TWINRAY_SOURCE_DIR "/tests/bad/warning_no_shapes.dae");
-  CHECK(counts_text(engine(statistics, "bvh sah")).find("48 0 ") == 0);
+  CHECK(counts_text(engine(statistics, "bvh-2")).find("48 0 ") == 0);
   CHECK(counts_text(engine(statistics, "brute-force")) == "48 0 0 0 0; 0 0 0 0 0; 0 0 0 0 0; ");
 }
 

@@ -48,7 +48,7 @@ TEST_CASE("a checked render with a planted difference ends with 1 and names rays
       run_program(bunny + small + "-q --accel=check --plant-difference -o " + quoted(folder.file("a.png")));
   CHECK(result.exit_code == 1);
   CHECK(result.out.find(" unexplained; ") != std::string::npos);
-  const std::string finding = line_of(result.out, "bvh moller-trumbore, camera ray of pixel ");
+  const std::string finding = line_of(result.out, "bvh-moller-trumbore, camera ray of pixel ");
   CHECK(finding.find(", sample ") != std::string::npos);
   CHECK(finding.find(", unexplained: bvh sees t 0x1.") != std::string::npos);
   CHECK(finding.find("; exact t ") != std::string::npos);
