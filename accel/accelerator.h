@@ -14,6 +14,7 @@
 #include "accel/build_options.h"
 #include "accel/query.h"
 #include "core/aabb.h"
+#include "core/denormals.h"
 #include "core/geometry.h"
 #include "core/hit.h"
 
@@ -58,11 +59,15 @@ class Accelerator {
   Accelerator& operator=(const Accelerator&) = delete;
 
   /// The least accepted hit of the closed interval [t_min, t_max], or a miss.
-  Hit closest_hit(const Query& query) const noexcept;
+  Hit closest_hit(Query query) const noexcept {
+    return keeps_denormals() ? closest(query) : closest_with_denormals(query);
+  }
   Hit closest_hit(const Ray& ray) const noexcept { return closest_hit(Query{ray}); }
 
   /// Whether closest_hit would find one.
-  bool any_hit(const Query& query) const noexcept;
+  bool any_hit(Query query) const noexcept {
+    return keeps_denormals() ? any(query) : any_with_denormals(query);
+  }
   bool any_hit(const Ray& ray) const noexcept { return any_hit(Query{ray}); }
 
   /// Many at once: answers[i] is that of rays[i], with the same bits as one by one; the engine decides how
@@ -82,10 +87,14 @@ class Accelerator {
 
  private:
   // What an engine answers. Of a batch there are as many answers as rays; one by one unless it knows better.
-  virtual Hit closest(const Query& query) const noexcept = 0;
-  virtual bool any(const Query& query) const noexcept = 0;
+  virtual Hit closest(Query query) const noexcept = 0;
+  virtual bool any(Query query) const noexcept = 0;
   virtual void closest_batch(std::span<const Ray> rays, Hit* answers) const noexcept;
   virtual void any_batch(std::span<const Ray> rays, std::uint8_t* answers) const noexcept;
+
+  // For callers whose thread has them switched off.
+  Hit closest_with_denormals(Query query) const noexcept;
+  bool any_with_denormals(Query query) const noexcept;
 
   std::shared_ptr<const Geometry> geometry_;
   AccelStats stats_;

@@ -11,7 +11,7 @@ class BruteForce final : public Accelerator {
   explicit BruteForce(std::shared_ptr<const Geometry> geometry) : Accelerator(std::move(geometry)) {}
 
  private:
-  Hit closest(const Query& query) const noexcept override {
+  Hit closest(Query query) const noexcept override {
     return closest_of(query.ray, [&](const CheckedRay& ray) {
       Hit best;
       visit(query, [&](PrimitiveId id) {
@@ -21,7 +21,7 @@ class BruteForce final : public Accelerator {
       return best;
     });
   }
-  bool any(const Query& query) const noexcept override {
+  bool any(Query query) const noexcept override {
     return any_of(query.ray, [&](const CheckedRay& ray) {
       Hit found;
       return visit(query, [&](PrimitiveId id) {
@@ -33,7 +33,7 @@ class BruteForce final : public Accelerator {
 
   /// Calls `test` for each primitive until it returns true; whether it did.
   template <typename Test>
-  bool visit(const Query& query, const Test& test) const {
+  bool visit(Query query, const Test& test) const {
     for (std::uint32_t mesh = 0; mesh < geometry().shapes().size(); ++mesh) {
       const Mesh* triangles = geometry().mesh(mesh);
       const std::size_t count =

@@ -14,12 +14,12 @@ class BvhAccelerator final : public Accelerator {
       : Accelerator(std::move(geometry), std::move(stats)), bvh_(std::move(bvh)) {}
 
  private:
-  Hit closest(const Query& query) const noexcept override {
+  Hit closest(Query query) const noexcept override {
     return closest_of(query.ray, [&](const CheckedRay& ray) {
       return query.counts ? trace_closest(ray, Counting{*query.counts}) : trace_closest(ray, NoCounts{});
     });
   }
-  bool any(const Query& query) const noexcept override {
+  bool any(Query query) const noexcept override {
     return any_of(query.ray, [&](const CheckedRay& ray) {
       return query.counts ? trace_any(ray, Counting{*query.counts}) : trace_any(ray, NoCounts{});
     });

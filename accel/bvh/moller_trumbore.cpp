@@ -16,10 +16,10 @@ class MollerTrumboreBvh final : public Accelerator {
       : Accelerator(std::move(geometry), std::move(stats)), bvh_(std::move(bvh)) {}
 
  private:
-  Hit closest(const Query& query) const noexcept override {
+  Hit closest(Query query) const noexcept override {
     return closest_of(query.ray, [&](const CheckedRay& ray) { return least_hit(ray, query.counts, false); });
   }
-  bool any(const Query& query) const noexcept override {
+  bool any(Query query) const noexcept override {
     return any_of(query.ray, [&](const CheckedRay& ray) { return bool(least_hit(ray, query.counts, true)); });
   }
 

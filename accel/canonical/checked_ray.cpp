@@ -10,7 +10,7 @@ namespace {
 bool is_valid(const Ray& ray) {
   for (int axis = 0; axis < 3; ++axis)
     if (!(std::fabs(ray.origin[axis]) <= max_origin) || !std::isfinite(ray.direction[axis])) return false;
-  return ray.t_min >= 0 && ray.t_min <= ray.t_max;
+  return ray.t_min >= 0 && std::isfinite(ray.t_min) && ray.t_min <= ray.t_max;
 }
 
 void load_slab(CheckedRay& checked) {

@@ -71,7 +71,7 @@ class EmbreeAccelerator final : public Accelerator {
         scene_size_(embree::scene_size(this->geometry())) {}
 
  private:
-  Hit closest(const Query& query) const noexcept override {
+  Hit closest(Query query) const noexcept override {
     return closest_of(query.ray, [&](const CheckedRay& ray) {
       if (is_far(ray)) return far_hit<QueryKind::closest>(ray, query.counts);
       const float scale = length_scale(ray);
@@ -83,7 +83,7 @@ class EmbreeAccelerator final : public Accelerator {
     });
   }
 
-  bool any(const Query& query) const noexcept override {
+  bool any(Query query) const noexcept override {
     return any_of(query.ray, [&](const CheckedRay& ray) {
       if (is_far(ray)) return bool(far_hit<QueryKind::any>(ray, query.counts));
       const float scale = length_scale(ray);

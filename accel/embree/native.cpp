@@ -155,7 +155,7 @@ class EmbreeNative final : public Accelerator {
 
  private:
   // What Embree's own leaves do cannot be counted.
-  Hit closest(const Query& query) const noexcept override {
+  Hit closest(Query query) const noexcept override {
     return closest_of(query.ray, [&](const CheckedRay& ray) -> Hit {
       NativeQuery native{{}, ray};
       embree::initialize(native);
@@ -167,7 +167,7 @@ class EmbreeNative final : public Accelerator {
     });
   }
 
-  bool any(const Query& query) const noexcept override {
+  bool any(Query query) const noexcept override {
     return any_of(query.ray, [&](const CheckedRay& ray) {
       NativeQuery native{{}, ray};
       embree::initialize(native);

@@ -22,11 +22,11 @@ class WideAccelerator final : public Accelerator {
       : Accelerator(std::move(geometry), std::move(stats)), kernel_(kernel), bvh_(std::move(bvh)) {}
 
  private:
-  Hit closest(const Query& query) const noexcept override {
+  Hit closest(Query query) const noexcept override {
     return query.counts ? scalar_closest(bvh_, geometry(), query.ray, *query.counts)
                         : kernel_.closest(bvh_, geometry(), query.ray);
   }
-  bool any(const Query& query) const noexcept override {
+  bool any(Query query) const noexcept override {
     return query.counts ? scalar_any(bvh_, geometry(), query.ray, *query.counts)
                         : kernel_.any(bvh_, geometry(), query.ray);
   }

@@ -112,9 +112,9 @@ TEST_CASE("a counting kernel gives the bits of the timed one") {
 }
 
 TEST_CASE("the scalar traversal sees little of a scene of layers") {
-  // Of the 200 layers across each axis a ray's nearest hit leaves most unseen.
+  // 600 triangles, 200 across each axis, each as large as the scene: a ray's nearest hit hides most of them.
   const Expected layers = std::move(all_expected().back());
   const double rays = double(layers.rays.size());
-  CHECK(double(layers.closest.leaves) / rays < 8);
-  CHECK(double(layers.any.leaves) / rays < 8);
+  CHECK(double(layers.closest.leaves) / rays < 30);
+  CHECK(double(layers.any.leaves) / rays < 20);
 }

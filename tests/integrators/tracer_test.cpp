@@ -20,8 +20,8 @@ class BatchEngine final : public Accelerator {
   std::size_t largest_batch() const { return largest_batch_; }
 
  private:
-  Hit closest(const Query& query) const noexcept override { return inner_->closest_hit(query); }
-  bool any(const Query& query) const noexcept override { return inner_->any_hit(query); }
+  Hit closest(Query query) const noexcept override { return inner_->closest_hit(query); }
+  bool any(Query query) const noexcept override { return inner_->any_hit(query); }
   void closest_batch(std::span<const Ray> rays, Hit* answers) const noexcept override {
     largest_batch_ = std::max(largest_batch_, rays.size());
     inner_->closest_hits(rays, {answers, rays.size()});
@@ -41,8 +41,8 @@ class SingleEngine final : public Accelerator {
       : Accelerator(scene.geometry), inner_(build_accelerator(Backend::bvh, scene.geometry)) {}
 
  private:
-  Hit closest(const Query& query) const noexcept override { return inner_->closest_hit(query); }
-  bool any(const Query& query) const noexcept override { return inner_->any_hit(query); }
+  Hit closest(Query query) const noexcept override { return inner_->closest_hit(query); }
+  bool any(Query query) const noexcept override { return inner_->any_hit(query); }
 
   std::unique_ptr<Accelerator> inner_;
 };

@@ -23,10 +23,8 @@ class WideEngine final : public Accelerator {
       : Accelerator(std::move(geometry)), kernel_(std::move(kernel)), bvh_(build_wide(this->geometry())) {}
 
  private:
-  Hit closest(const Query& query) const noexcept override {
-    return kernel_.closest(bvh_, geometry(), query.ray);
-  }
-  bool any(const Query& query) const noexcept override { return kernel_.any(bvh_, geometry(), query.ray); }
+  Hit closest(Query query) const noexcept override { return kernel_.closest(bvh_, geometry(), query.ray); }
+  bool any(Query query) const noexcept override { return kernel_.any(bvh_, geometry(), query.ray); }
   void closest_batch(std::span<const Ray> rays, Hit* answers) const noexcept override {
     kernel_.closest_batch(bvh_, geometry(), rays, answers);
   }

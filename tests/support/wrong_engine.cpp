@@ -69,14 +69,14 @@ class WrongEngine final : public Accelerator {
     return node;
   }
 
-  Hit closest(const Query& query) const noexcept override {
+  Hit closest(Query query) const noexcept override {
     return closest_of(query.ray, [&](const CheckedRay& ray) {
       Hit best;
       visit<false>(*root_, seen(ray), best);
       return best;
     });
   }
-  bool any(const Query& query) const noexcept override {
+  bool any(Query query) const noexcept override {
     return any_of(query.ray, [&](const CheckedRay& ray) {
       Hit found;
       return visit<true>(*root_, seen(ray), found);
