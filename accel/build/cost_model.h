@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Private: the surface area heuristic (MacDonald and Booth, "Heuristics for Ray Tracing Using Space
-// Subdivision", 1990): a ray that meets a convex box meets a box inside of it with the ratio of their areas
-// as probability.
+// Subdivision", 1990): a ray that intersects a convex box intersects a box inside it with the ratio of their
+// areas as probability.
 #pragma once
 #include <bit>
 #include <cstddef>
@@ -26,7 +26,7 @@ class CostModel {
   }
   double leaf(std::size_t primitives) const { return intersection_ * double(counted(primitives)); }
   /// The cost of a box with area `area` and two leaves: `weighted_area` is the sum of their areas times their
-  /// counts. Inside of a box without area every child is met.
+  /// counts. Inside of a box without area every child is intersected.
   double split(double area, double weighted_area, std::size_t primitives) const {
     return traversal_ + (area > 0 ? intersection_ * (weighted_area / area) : leaf(primitives));
   }

@@ -8,7 +8,7 @@
 namespace twinray {
 namespace {
 
-/// Whether they meet, in more than a face.
+/// Whether they overlap, at least in a face.
 bool overlap(const Aabb& a, const Aabb& b) {
   for (int axis = 0; axis < 3; ++axis)
     if (a.lower[axis] > b.upper[axis] || b.lower[axis] > a.upper[axis]) return false;

@@ -167,8 +167,9 @@ std::size_t divide_by_bins(const NodeRange& range, const BuildOptions& options, 
   return part(range.primitives, BeforeBin(range.centers, bin_count, best));
 }
 
-/// Whether any way to part a range costs more than a leaf: each primitive is met at least as often as its own
-/// box, and two blocks at least are met as often as the boxes of the largest and of the smallest primitive.
+/// Whether any way to part a range costs more than a leaf: each primitive is intersected at least as often as
+/// its own box, and at least two blocks are intersected as often as the boxes of the largest and of the
+/// smallest primitive.
 bool is_surely_leaf(const NodeRange& range, const BuildOptions& options, const CostModel& cost) {
   if (range.primitives.size() > std::size_t(options.max_leaf_size)) return false;
   float sum = 0, largest = 0, smallest = std::numeric_limits<float>::infinity();

@@ -12,7 +12,7 @@ class Survey {
  public:
   Survey(const Bvh& bvh, const CostModel& cost, TreeStats& stats) : bvh_(bvh), cost_(cost), stats_(stats) {}
 
-  /// `probability`: that a ray which meets the root meets this node.
+  /// `probability`: that a ray which intersects the root intersects this node.
   void visit(const NodeRef& node, double probability, double area, int depth) {
     ++stats_.nodes;
     stats_.depth = std::max(stats_.depth, depth);

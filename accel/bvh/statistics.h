@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private: numbers about a finished tree.
+// Private: statistics of a finished binary tree.
 #pragma once
 #include "accel/accelerator.h"
 #include "accel/bvh/node.h"

@@ -2,8 +2,9 @@
 // Private: the way of one ray through a binary BVH, nearer child first.
 //
 // Both boxes of a pair are tested at once by accel/canonical/slab.h's operations: of each axis, two lanes
-// hold where the ray meets the near planes of both children, two where it meets the far ones. The bits are
-// those of intersect_slab, so what its monotony promises holds: no box is culled that holds an accepted hit.
+// hold where the ray crosses the near planes of both children, two where it crosses the far ones. The bits
+// are those of intersect_slab, so what its monotony promises holds: no box is culled that holds an accepted
+// hit.
 #pragma once
 #include <algorithm>
 #include <bit>
@@ -27,7 +28,7 @@ struct PairIntervals {
   float entry(int child) const { return entries[child]; }
 };
 
-/// A ray as the pair test wants it: in lanes, with its octant as offsets into a row of planes.
+/// A ray in the form that the pair test needs: in lanes, with its octant as offsets into a row of planes.
 class PairRay {
  public:
   explicit PairRay(const CheckedRay& ray) : t_min_(ray.t_min) {
@@ -48,7 +49,7 @@ class PairRay {
   }
 
  private:
-  /// The parameters at which the ray meets the planes of one axis that are near in its direction, of the
+  /// The parameters at which the ray crosses the planes of one axis that are near in its direction, of the
   /// first and the second child, and the far ones.
   Float4 at_planes(const NodePair& pair, int axis) const {
     const float* const row = pair.planes[axis];
@@ -87,8 +88,8 @@ class TraversalStack {
   std::uint64_t nodes_[max_bvh_depth];  ///< NodeRefs; as numbers they need not be initialised.
 };
 
-/// Calls `test(block)` for the blocks of all leaves whose boxes the ray meets between ray.t_min and t_max,
-/// about front to back; `test` may lower t_max, and ends the traversal by returning true.
+/// Calls `test(block)` for the blocks of all leaves whose boxes the ray intersects between ray.t_min and
+/// t_max, about front to back; `test` may lower t_max, and ends the traversal by returning true.
 template <typename Test, typename Counts>
 void traverse(const Bvh& bvh, const CheckedRay& ray, const float& t_max, Counts counts, Test&& test) {
   counts.test_box();

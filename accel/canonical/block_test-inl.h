@@ -24,7 +24,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 
-/// A ray as the test of blocks wants it: its shear, and its origin turned as the shear turns it, in lanes.
+/// A ray in the form that the block test needs: its shear, and its origin turned as the shear turns it, in
+/// lanes.
 class BlockRay {
  public:
   HWY_ATTR HWY_INLINE explicit BlockRay(const CheckedRay& ray)
@@ -88,7 +89,7 @@ class BlockRay {
   HWY_ATTR HWY_INLINE bool any_triangle(const CheckedRay& ray, const TriangleBlock& block) const {
     for (std::size_t first = 0; first < TriangleBlock::width; first += lane_count) {
       const Edges edges(*this, block, first);
-      // Whether any is met cannot be guessed: not to ask is 7 % faster in batches.
+      // A branch on whether any is hit would be mispredicted: to go on is 7 % faster in batches.
       const std::uint32_t met = edges.met(block, first);
       const DoubleLanes determinant = edges.determinant();
       if (met & within(edges.t(*this, determinant), ray.t_min, ray.t_max) & is_not_zero(determinant))
@@ -114,7 +115,7 @@ class BlockRay {
       b = hn::MulSub(x[0], y[2], hn::Mul(y[0], x[2]));
       c = hn::MulSub(x[1], y[0], hn::Mul(y[1], x[0]));
     }
-    /// Bit i: the ray's line meets triangle i, or sees it edge-on.
+    /// Bit i: the ray's line intersects triangle i, or sees it edge-on.
     HWY_ATTR HWY_INLINE std::uint32_t met(const TriangleBlock& block, std::size_t first) const {
       const DoubleLanes zero = hn::Zero(Doubles());
       const auto beside = hn::And(hn::Lt(hn::Min(a, hn::Min(b, c)), zero),  //

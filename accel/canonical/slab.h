@@ -46,7 +46,7 @@ inline SlabInterval intersect_slab(const CheckedRay& ray, const Aabb& box) {
 
 /// Gives a shape's hit at `t` its canonical parameter: not outside of [near, far] of the shape's own box, so
 /// that no tree can cull the box and keep the hit, and so that a ray from t_min = t, or up to t_max = t,
-/// still meets it. False where the box is missed or t lies outside of the closed interval [t_min, t_max].
+/// still hits it. False where the box is missed or t lies outside of the closed interval [t_min, t_max].
 inline bool clamp_to_box(const CheckedRay& ray, const Aabb& bounds, float t_max, float& t) {
   const SlabInterval interval = intersect_slab(ray, padded(bounds));
   if (interval.near > interval.far) return false;

@@ -3,8 +3,8 @@
 //
 // Many queries are on their way at once, and advance in rounds: each takes its next node or block from its
 // stack, then all nodes are visited, then all blocks. So while one query waits for memory the others go on,
-// and nothing need be guessed about the next step of any: whether it is a node or a block is a place in a
-// queue, and how many children are met is only a number. What a visit puts on a stack is not read before the
+// and no branch need be predicted about the next step of any: whether it is a node or a block is a place in a
+// queue, and how many children are hit is only a number. What a visit puts on a stack is not read before the
 // next round: at once, the read would have to wait until the wide store is done.
 #if defined(TWINRAY_ACCEL_WIDE_BATCH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TWINRAY_ACCEL_WIDE_BATCH_INL_H
@@ -129,7 +129,7 @@ class Queue {
   std::size_t size_ = 0;
 };
 
-/// Asks memory for what will be visited.
+/// Prefetches what will be visited.
 template <typename T>
 HWY_ATTR HWY_INLINE void prefetch(const T& visited) {
   constexpr std::size_t line = 64;

@@ -22,7 +22,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 
-/// A ray as the box test wants it: in lanes, with its octant as places of rows in a node.
+/// A ray in the form that the box test needs: in lanes, with its octant as places of rows in a node.
 class BoxRay {
  public:
   HWY_ATTR HWY_INLINE explicit BoxRay(const CheckedRay& ray)
@@ -37,7 +37,7 @@ class BoxRay {
     }
   }
 
-  /// Bit i: the ray meets the box of child i within [t_min, t_max], at entries[i], which is never -0.
+  /// Bit i: the ray intersects the box of child i within [t_min, t_max], at entries[i], which is never -0.
   HWY_ATTR HWY_INLINE std::uint32_t intersect(const WideNode& node, float t_max, float* entries) const {
     const Lanes exit_limit = hn::Set(Tag(), t_max);
     std::uint32_t met = 0;

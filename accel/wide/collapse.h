@@ -26,13 +26,13 @@ class CollapsePlan {
   /// plan; on as many threads as with_threads allows.
   CollapsePlan(const BuildTree& tree, int max_leaf_size);
 
-  /// The probability that a ray which meets the root meets a binary node: their areas' ratio; 1 for a root
-  /// without area.
+  /// The probability that a ray that intersects the root intersects a binary node: their areas' ratio; 1 for
+  /// a root without area.
   float probability(std::uint32_t node) const {
     return root_area_ > 0 ? float(tree_.nodes[node].box.half_area() / root_area_) : 1;
   }
 
-  /// What a ray pays for a wide node that it meets, and for a leaf and its block of up to four primitives.
+  /// The cost of a wide node that a ray intersects, and of a leaf with its block of up to four primitives.
   /// Any leaf_cost from 0.6 to 3 gave the same speed within the noise.
   static constexpr float node_cost = 1, leaf_cost = 0.9f;
 

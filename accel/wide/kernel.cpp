@@ -24,8 +24,8 @@ HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 namespace {
 
-// The single queries have loops of their own: nothing else is there to be done while one waits for the number
-// of children it meets, so there it is faster to guess.
+// The single queries have loops of their own: while one waits for the number of children that it hits there
+// is nothing else to do, so a predicted branch is faster there.
 
 template <typename... Counts>
 HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given, Counts&... counts) {

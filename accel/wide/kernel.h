@@ -27,8 +27,8 @@ struct BasicWideKernel {
   void (*any_batch)(const WideBvh&, const Geometry&, std::span<const Ray>, std::uint8_t* hits, Counts...);
   /// The bits of load_ray().
   bool (*load)(const Ray&, CheckedRay&);
-  /// The box test alone. Bit i: the ray meets the box of child i within [ray.t_min, t_max]; it enters it at
-  /// entries[i], at least t_min.
+  /// The box test alone. Bit i: the ray intersects the box of child i within [ray.t_min, t_max]; it enters it
+  /// at entries[i], at least t_min.
   std::uint32_t (*meet)(const WideNode&, const CheckedRay&, float t_max, float entries[WideNode::width]);
 };
 

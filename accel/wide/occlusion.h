@@ -2,7 +2,7 @@
 // Private: in which order an any-hit query should look at the children of a node.
 //
 // Any hit ends the query, so a child is worth the more the likelier it is to end it and the less it costs to
-// find out. A line that meets a convex box crosses a surface of area A inside of it 2 A / S times in the
+// find out. A line that intersects a convex box crosses a surface of area A inside of it 2 A / S times in the
 // mean, S being the box's own area (Crofton's formula); of that follows how likely a block hits, and of its
 // children how likely a node does and what it costs. After Ize and Hansen, "RTSAH Traversal Order for
 // Occlusion Rays", Computer Graphics Forum 30(2), 2011, but with one order for all rays.
@@ -14,7 +14,7 @@
 
 namespace twinray {
 
-/// What a ray that meets the box of a block or node may expect of it.
+/// What a ray that intersects the box of a block or node may expect of it.
 struct Prospect {
   float occlusion = 0;  ///< The probability that it is hit.
   float cost = 0;       ///< Of finding out, with that of a node's own test as unit.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private: the way of one ray through an eight-wide BVH, the obvious way: one box after the other by the
-// canonical test, the nearest child first. It is the oracle of the fast kernels, and it counts.
+// Private: one ray through an eight-wide BVH, in the obvious way: one box after the other by the canonical
+// test, the nearest child first. It is the oracle of the fast kernels, and it counts.
 #pragma once
 #include <algorithm>
 
@@ -10,8 +10,8 @@
 
 namespace twinray {
 
-/// Bit i: the ray meets the box of child i within [ray.t_min, t_max]; it enters it at entries[i], at least
-/// t_min.
+/// Bit i: the ray intersects the box of child i within [ray.t_min, t_max]; it enters it at entries[i], at
+/// least t_min.
 inline std::uint32_t scalar_meet(const WideNode& node, const CheckedRay& ray, float t_max,
                                  float entries[WideNode::width]) {
   std::uint32_t met = 0;
@@ -34,9 +34,9 @@ inline bool is_later(const Waiting& a, const Waiting& b) {
   return a.entry != b.entry ? a.entry > b.entry : a.ref > b.ref;
 }
 
-/// Calls `test(block)` for the blocks whose boxes the ray meets between ray.t_min and t_max, in the order of
-/// the fast kernels: for the closest hit about front to back, for any hit as the children come, but the last
-/// of the waiting ones first. `test` may lower t_max, and ends the traversal by returning true.
+/// Calls `test(block)` for the blocks whose boxes the ray intersects between ray.t_min and t_max, in the
+/// order of the fast kernels: for the closest hit about front to back, for any hit as the children come, but
+/// the last of the waiting ones first. `test` may lower t_max, and ends the traversal by returning true.
 template <QueryKind kind, typename Test>
 void traverse_scalar(const WideBvh& bvh, const CheckedRay& ray, const float& t_max, QueryCounts& counts,
                      Test&& test) {

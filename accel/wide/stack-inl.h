@@ -53,8 +53,8 @@ HWY_ATTR HWY_INLINE void sort(Key* keys, std::ptrdiff_t count) {
   }
 }
 
-/// The nearest of the children that the ray meets, one at least; the others wait on the stack, the nearer
-/// the higher.
+/// The nearest of the children that the ray intersects, at least one; the others wait on the stack, the
+/// nearer the higher.
 HWY_ATTR HWY_INLINE WideRef nearest_child(const WideNode& node, std::uint32_t met, const float* entries,
                                           Key*& top) {
   const int first = std::countr_zero(met);
@@ -121,12 +121,13 @@ HWY_ATTR HWY_INLINE Keys sorted(Keys keys) {
 }
 #endif
 
-/// Puts the children that the ray meets on the stack, the nearer the higher; of its places `top` and the
+/// Puts the children that the ray intersects on the stack, the nearer the higher; of its places `top` and the
 /// seven behind it may be written.
 HWY_ATTR HWY_INLINE void push_sorted(const WideNode& node, std::uint32_t met, const float* entries,
                                      Key*& top) {
 #if HWY_TARGET <= HWY_AVX3
-  // All eight, for no branch can guess how many are met; those that are not come last, and are overwritten.
+  // All eight: a branch on how many are hit is mispredicted. Those that are not come last, and are
+  // overwritten.
   const hn::FixedTag<std::uint32_t, WideNode::width> halves;
   const std::uint8_t bits[8] = {std::uint8_t(met)};
   const auto entry = hn::BitCast(halves, hn::Load(hn::FixedTag<float, WideNode::width>(), entries));
@@ -157,8 +158,8 @@ HWY_ATTR HWY_INLINE void push(const WideNode& node, std::uint32_t children, std:
 #endif
 }
 
-/// The first of the children that the ray meets; the others wait on the stack, as they come: to sort them by
-/// distance took longer than the blocks that it saved, 8 % on shadow rays.
+/// The first of the children that the ray intersects; the others wait on the stack, as they come: to sort
+/// them by distance took longer than the blocks that it saved, 8 % on shadow rays.
 HWY_ATTR HWY_INLINE WideRef any_child(const WideNode& node, std::uint32_t met, std::uint32_t*& top) {
   const WideRef child = node.children[std::countr_zero(met)];
   met &= met - 1;
@@ -166,9 +167,9 @@ HWY_ATTR HWY_INLINE WideRef any_child(const WideNode& node, std::uint32_t met, s
   return child;
 }
 
-/// The same with all children that the ray meets on the stack, the first on top.
+/// The same with all children that the ray intersects on the stack, the first on top.
 HWY_ATTR HWY_INLINE void push_all(const WideNode& node, std::uint32_t met, std::uint32_t*& top) {
-  constexpr std::uint32_t last = 1u << (WideNode::width - 1);  // Some child, where none is met.
+  constexpr std::uint32_t last = 1u << (WideNode::width - 1);  // Some child, where none is hit.
   push(node, met & (met - 1), top);
   *top = node.children[std::countr_zero(met | last)].bits;
   top += met != 0;

@@ -13,7 +13,8 @@ class Survey {
   Survey(const WideBvh& bvh, const CostModel& cost, TreeStats& stats)
       : bvh_(bvh), cost_(cost), stats_(stats) {}
 
-  /// `probability`: that a ray which meets the root meets this node, whose box has half the area `area`.
+  /// `probability`: that a ray that intersects the root intersects this node, whose box has half the area
+  /// `area`.
   void visit(const WideRef& ref, double probability, double area, int depth) {
     ++stats_.nodes;
     stats_.depth = std::max(stats_.depth, depth);

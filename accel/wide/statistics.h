@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private: numbers about a finished eight-wide tree.
+// Private: statistics of a finished eight-wide tree.
 #pragma once
 #include "accel/accelerator.h"
 #include "accel/wide/node.h"
