@@ -23,7 +23,7 @@ constexpr std::size_t searches_per_task = 512;
 struct Move {
   float gain = 0;  ///< By how much the sum of areas falls; > 0 where there is a target.
   std::uint32_t node = 0, target = 0;
-  std::uint32_t steps = 0;  ///< Of the search for it.
+  std::uint32_t steps = 0;  ///< Of the search for it: the nodes that it looked at.
 };
 
 class Reinsertion {
@@ -122,8 +122,6 @@ class Reinsertion {
     while (size > 0) {
       const Waiting next = stack[--size];
       ++best.steps;
-      if (next.gain - moved_area <= best.gain) continue;  // A new node is no smaller than what is moved.
-      ++best.steps;
       const BoxLanes target = box(next.index);
       const float here = next.gain - target.joined(moved).half_area();
       if (here > best.gain) {
@@ -132,6 +130,7 @@ class Reinsertion {
       }
       const float below = here + target.half_area();
       const BuildTree::Node& node = nodes_[next.index];
+      // A new node is no smaller than what is moved.
       if (node.count > 0 || below - moved_area <= best.gain) continue;
       stack[size++] = {node.first + 1, below};
       stack[size++] = {node.first, below};

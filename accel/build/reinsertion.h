@@ -18,8 +18,8 @@ struct ReinsertionEffort {
 /// on a tree's shape (Meister and Bittner, "Parallel Reinsertion for Bounding Volume Hierarchy Optimization",
 /// Computer Graphics Forum 37(2), 2018). Leaves stay as they are; no leaf gets deeper than max_bvh_depth. On
 /// as many threads as with_threads allows; the same tree on any number of them. Pairs of children keep their
-/// places in the array, but come to lie below other nodes. Returns the steps of all searches for a better
-/// place: a node taken up is one, its box joined with the moved one's another.
+/// places in the array, but come to lie below other nodes. Returns how many nodes all searches for a
+/// better place looked at.
 std::uint64_t reinsert(BuildTree& tree, const ReinsertionEffort& effort);
 
 }  // namespace twinray

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every canonical engine against brute force, bit for bit, over geometry and rays chosen to part them.
+// Every canonical engine against brute force, bit for bit, over geometry and rays chosen to make them differ.
 #include <bit>
 #include <functional>
 

@@ -182,7 +182,7 @@ TEST_CASE("no tree is deeper than the stack") {
     CAPTURE(int(options.bvh_split), int(options.bvh_builder));
     CHECK(fault(*geometry, options) == "");
   }
-  // Without the bound the midpoints would part one triangle after the other.
+  // Without the bound each midpoint would split off one triangle.
   const auto midpoint = build_accelerator(
       Backend::bvh, geometry, {.bvh_width = 2, .bvh_split = BvhSplit::midpoint, .max_leaf_size = 1});
   CHECK(midpoint->stats().tree->depth > free_bvh_depth);

@@ -12,7 +12,7 @@ using namespace twinray::test;
 
 namespace {
 
-/// Robust triangles of Embree and the canonical ones see t alike to about this many parts of t and of the
+/// Robust triangles of Embree and the canonical ones agree in t to about this fraction of t and of the
 /// scene's size.
 constexpr double t_tolerance = 1e-4;
 
@@ -178,4 +178,13 @@ TEST_CASE("Embree is told of each hit, and culls by it as our own tree does") {
   }
   CHECK(closest.leaves < 4 * rays);
   CHECK(any.leaves == rays);
+}
+
+TEST_CASE("embree's blocks are nearly full") {
+  const auto geometry = share({icosphere_mesh(4)});
+  const auto embree = build_accelerator(Backend::embree, geometry);
+  QueryCounts counts;
+  for (const Ray& ray : random_rays(500, geometry->bounds(), 10)) embree->closest_hit({ray, &counts});
+  REQUIRE(counts.leaves > 500);
+  CHECK(double(counts.primitives) > 3.5 * double(counts.leaves));
 }

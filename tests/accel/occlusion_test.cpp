@@ -12,7 +12,7 @@ using namespace twinray::test;
 
 namespace {
 
-/// How often a line hits a geometry when it meets a box within the unit cube, of many random ones.
+/// Of many random lines that intersect a box within the unit cube, the share that hits a geometry.
 double share_of_hits(const Geometry& geometry, const Aabb& box) {
   Random random(3);
   int met = 0, hit = 0;
@@ -75,11 +75,11 @@ TEST_CASE("blocks without area, and boxes without, end no query and cost what a 
 TEST_CASE("a node's prospect follows from its children's, in their order") {
   const Candidate children[] = {child(0, 2, 0.5f, 1), child(1, 1, 1, 3)};
   const Prospect prospect = prospect_of(children, 4);
-  // The first is met by half of the rays, of which it stops half; the second by a quarter of those that go
-  // on.
+  // Half of the rays intersect the first, which stops half of them; a quarter of those that go on intersect
+  // the second.
   CHECK(prospect.cost == 1 + 0.5f * 1 + 0.75f * 0.25f * 3);
   CHECK(prospect.occlusion == 1 - 0.75f * 0.75f);
-  CHECK(prospect_of(children, 0).occlusion == 1);  // Inside of a box without area every child is met.
+  CHECK(prospect_of(children, 0).occlusion == 1);  // Inside of a box without area every child is intersected.
 }
 
 TEST_CASE("the child that ends a query for the least cost comes first, of equals the larger one") {

@@ -38,7 +38,7 @@ double weighted_area(std::span<const BuildPrimitive> primitives, std::size_t cou
   return side_cost(primitives.first(count), cost) + side_cost(primitives.subspan(count), cost);
 }
 
-/// The least of all ways to part primitives between two centres on one axis.
+/// The least over all partitions of the primitives between two centres on one axis.
 double least_weighted_area(BuildPrimitives primitives, const CostModel& cost) {
   double least = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What makes the trees fast, held by counts instead of times: the cost of each tree, and what a ray does on
-// its way through it. Answers cannot show a child visited too early, a node that should have been culled, or
+// What makes the trees fast, held by counts instead of times: the cost of each tree, and what a ray's
+// traversal does. Answers cannot show a child visited too early, a node that should have been culled, or
 // a worse tree; these numbers do.
 //
-// They are the same on every machine. A change that is meant to change them replaces the rows that the test
-// prints; for each number it says whether less work became more.
+// They are the same on every machine. For each number that differs the test says whether it became better or
+// worse. Who changes the trees on purpose puts the rows that it prints in the place of the old ones.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -191,9 +191,9 @@ TEST_CASE("each tree costs, and each ray does, what the table says") {
 }
 
 TEST_CASE("reinsertion searches as far as it must") {
-  // Without its bounds a search looks at the whole tree, and finds the same. Fewer steps are better.
+  // Without its bound a search looks at the whole tree, and finds the same. Fewer nodes are better.
   const auto geometry = share({soup(4000, 0.05f, 7)});
   BuildTree tree = build_tree(collect_primitives(*geometry), {.threads = 1});
   CHECK(tree.nodes.size() == 7667);
-  CHECK(reinsert(tree, {.rounds = 1, .share = 1}) == 234876);
+  CHECK(reinsert(tree, {.rounds = 1, .share = 1}) == 117438);
 }

@@ -15,7 +15,7 @@ CrosscheckOptions options(std::uint64_t rays, int threads) {
   return {.engines = engine_names(), .rays = rays, .threads = threads};
 }
 
-/// A grey mesh between a floor and a lamp over it; the camera looks at the origin of coordinates.
+/// A grey mesh between a floor and a light above; the camera looks at the origin of coordinates.
 Scene lit(Mesh mesh) {
   Aabb bounds;
   for (const Vec3& p : mesh.positions) bounds.extend(p);
