@@ -12,6 +12,8 @@ std::string spread(const std::vector<double>& values) {
   return fmt::format("{:.6g},{:.6g},{:.6g}", q.median, q.low, q.high);
 }
 
+std::string known(std::optional<double> value) { return value ? fmt::format("{:.6g}", *value) : ""; }
+
 std::string row(const SceneStatistics& scene, const EngineStatistics& engine, const std::string& set,
                 const std::string& rest) {
   return fmt::format("{},{},{},{},{},{:.6g},{}\n", scene.name, scene.primitives, engine.name, set, rest,
@@ -33,8 +35,8 @@ std::string csv_report(const Results& results) {
         const TraceStatistics& f = engine.trace[set];
         if (f.rays > 0)
           text += row(scene, engine, ray_sets[set].name,
-                      fmt::format("{},{},{},{:.6g},{:.6g}", f.rays, spread(f.nanoseconds), spread(f.speed),
-                                  f.nodes_per_ray, f.primitives_per_ray));
+                      fmt::format("{},{},{},{},{}", f.rays, spread(f.nanoseconds), spread(f.speed),
+                                  known(f.nodes_per_ray), known(f.primitives_per_ray)));
       }
     }
   return text;

@@ -93,7 +93,9 @@ std::string rate_table(const SceneStatistics& scene) {
     for (const TraceStatistics& statistics : engine.trace) {
       std::vector<double> rates;
       for (const double nanoseconds : statistics.nanoseconds) rates.push_back(1e3 / nanoseconds);
-      const auto known = [](double count) { return count > 0 ? fmt::format("{:.2f}", count) : "–"; };
+      const auto known = [](std::optional<double> count) {
+        return count ? fmt::format("{:.2f}", *count) : "–";
+      };
       html += fmt::format("<td>{}</td><td>{}</td><td>{}</td>", spread(rates, "{:.3g}"),
                           known(statistics.nodes_per_ray), known(statistics.primitives_per_ray));
     }

@@ -14,6 +14,8 @@ Json spread(const std::vector<double>& values) {
   return {{"median", q.median}, {"q1", q.low}, {"q3", q.high}, {"rounds", values}};
 }
 
+Json known(std::optional<double> value) { return value ? Json(*value) : Json(); }
+
 Json trace(const EngineStatistics& engine) {
   Json sets;
   for (std::size_t set = 0; set < ray_sets.size(); ++set) {
@@ -22,8 +24,8 @@ Json trace(const EngineStatistics& engine) {
     sets[ray_sets[set].name] = {{"rays", f.rays},
                                 {"nanoseconds", spread(f.nanoseconds)},
                                 {"speed", spread(f.speed)},
-                                {"nodes_per_ray", f.nodes_per_ray},
-                                {"primitives_per_ray", f.primitives_per_ray}};
+                                {"nodes_per_ray", known(f.nodes_per_ray)},
+                                {"primitives_per_ray", known(f.primitives_per_ray)}};
   }
   return sets;
 }

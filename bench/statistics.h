@@ -2,6 +2,7 @@
 // What was measured: plain values, from which every report is made.
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,11 @@
 
 namespace twinray::bench {
 
-/// The middle half of some numbers, interpolated between them.
+/// The quartiles of some numbers, interpolated between them.
 struct Quartiles {
   double low = 0, median = 0, high = 0;
 };
-/// Zeros for no numbers.
+/// Zeros where there are no numbers.
 Quartiles quartiles(std::vector<double> values);
 
 /// One engine and one ray set.
@@ -21,8 +22,8 @@ struct TraceStatistics {
   std::size_t rays = 0;             ///< 0: the scene's paths have none of this kind.
   std::vector<double> nanoseconds;  ///< CPU time of a ray, one a round.
   std::vector<double> speed;  ///< The baseline's time in the same round over this one's: above 1 is faster.
-  double nodes_per_ray = 0;   ///< 0 where the engine cannot count.
-  double primitives_per_ray = 0;
+  /// Absent where the engine has none, or cannot count them.
+  std::optional<double> nodes_per_ray, primitives_per_ray;
 };
 
 struct BuildStatistics {

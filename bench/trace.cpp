@@ -152,8 +152,11 @@ class Group {
     }
     TraceStatistics& statistics = statistics_[engine].trace[set];
     statistics.rays = rays.size();
-    statistics.nodes_per_ray = double(counts.nodes) / double(rays.size());
-    statistics.primitives_per_ray = double(counts.primitives) / double(rays.size());
+    const auto per_ray = [&](std::uint64_t count) {
+      return count > 0 ? std::optional(double(count) / double(rays.size())) : std::nullopt;
+    };
+    statistics.nodes_per_ray = per_ray(counts.nodes);
+    statistics.primitives_per_ray = per_ray(counts.primitives);
   }
 
   Workload& workload_;

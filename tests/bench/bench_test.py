@@ -46,7 +46,7 @@ class Reports(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        names = {kind: str(Path(cls.folder.name, "figures." + kind)) for kind in ("json", "csv", "html")}
+        names = {kind: str(Path(cls.folder.name, "statistics." + kind)) for kind in ("json", "csv", "html")}
         cls.done = bench("--quick", "--scenes=", "--only", "^box$", "^room$", "forest-", "--sizes=1e4,12000",
                          "--repetitions=2", *(f"--{kind}={name}" for kind, name in names.items()))
         cls.text = {kind: Path(name).read_text(encoding="utf-8") for kind, name in names.items()}
@@ -67,10 +67,24 @@ class Reports(unittest.TestCase):
             self.assertEqual({engine["name"] for engine in scene["engines"]}, wanted)
             for engine in scene["engines"]:
                 self.assertEqual(tuple(engine["rays"]), SETS)
-                for figures in engine["rays"].values():
-                    self.assertEqual(len(figures["nanoseconds"]["rounds"]), 2)
-                    self.assertGreater(figures["nanoseconds"]["q1"], 0)
-                    self.assertGreater(figures["speed"]["q1"], 0)
+                for statistics in engine["rays"].values():
+                    self.assertEqual(len(statistics["nanoseconds"]["rounds"]), 2)
+                    self.assertGreater(statistics["nanoseconds"]["q1"], 0)
+                    self.assertGreater(statistics["speed"]["q1"], 0)
+
+    def test_what_an_engine_does_not_count_is_absent(self):
+        for scene in self.json["scenes"]:
+            for engine in scene["engines"]:
+                for statistics in engine["rays"].values():
+                    counts = "nodes_per_ray", "primitives_per_ray"
+                    known = tuple(statistics[name] is not None for name in counts)
+                    self.assertTrue(all(statistics[name] is None or statistics[name] > 0 for name in counts))
+                    if engine["name"].startswith("bvh"):
+                        self.assertEqual(known, (True, True))
+                    if re.match("embree-(direct|native|fast)", engine["name"]):
+                        self.assertEqual(known, (False, False))
+        rows = list(csv.DictReader(self.text["csv"].splitlines()))
+        self.assertNotIn("0", {row[name] for row in rows for name in ("nodes_per_ray", "primitives_per_ray")})
 
     def test_the_baseline_has_the_speed_one(self):
         for scene in self.json["scenes"]:
