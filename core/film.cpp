@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -15,25 +16,53 @@ namespace {
 /// In double, so that the variance of a constant pixel is 0 up to a double's rounding.
 double wide_luminance(double r, double g, double b) { return 0.2126 * r + 0.7152 * g + 0.0722 * b; }
 
+__extension__ using Int128 = __int128;
+__extension__ using Unsigned128 = unsigned __int128;
+
 bool in_range(float x) { return std::fabs(x) <= Film::max_value; }  // A NaN is not.
+
+using Words = std::array<std::uint32_t, 3>;
+
+Int128 units_of(const Words& words) {
+  return Int128(std::int32_t(words[2])) * (Int128(1) << 64) + (std::uint64_t(words[1]) << 32 | words[0]);
+}
+
+Words words_of(Int128 units) {
+  return {std::uint32_t(units), std::uint32_t(units >> 32), std::uint32_t(units >> 64)};
+}
 
 }  // namespace
 
 void FixedSum::add(double x) {
-  assert(std::fabs(x) < 0x1p45);
-  // Whole units of 2^-12, and what is left of x in units of 2^-60: nothing is rounded but the last cast.
-  const double scaled = x * 0x1p12;
-  const std::int64_t upper = std::int64_t(scaled);
-  const std::int64_t lower = std::int64_t((scaled - double(upper)) * 0x1p48);
-  units_ += (__extension__ __int128(upper) << 48) + lower;
+  assert(std::fabs(x) <= Film::max_value);
+  // Whole units of 2^-11, and what is left of x in units of 2^-43: nothing is rounded but the last one.
+  const double scaled = x * 0x1p11;
+  const double upper = std::trunc(scaled);
+  const Int128 units = (Int128(std::int64_t(upper)) << 32) + std::llrint((scaled - upper) * 0x1p32);
+  words_ = words_of(units_of(words_) + units);
 }
 
 FixedSum& FixedSum::operator+=(const FixedSum& other) {
+  words_ = words_of(units_of(words_) + units_of(other.words_));
+  return *this;
+}
+
+double FixedSum::value() const { return double(units_of(words_)) * 0x1p-43; }
+
+void FixedSquareSum::add_square_of(double x) {
+  const double square = x * x;
+  assert(square < 0x1.0001p60);
+  const double upper = std::trunc(square);
+  const auto lower = std::uint64_t(std::ceil((square - upper) * 0x1p46));
+  units_ += (Unsigned128(std::uint64_t(upper)) << 46) + lower;
+}
+
+FixedSquareSum& FixedSquareSum::operator+=(const FixedSquareSum& other) {
   units_ += other.units_;
   return *this;
 }
 
-double FixedSum::value() const { return double(units_) * 0x1p-60; }
+double FixedSquareSum::value() const { return double(units_) * 0x1p-46; }
 
 Rgb PixelSums::mean() const {
   if (count == 0) return {};
@@ -56,7 +85,15 @@ PixelSums& PixelSums::operator+=(const PixelSums& other) {
   b += other.b;
   luminance_squared += other.luminance_squared;
   count += other.count;
+  if (other.rejected > 0)
+    rejected_index = rejected == 0 ? other.rejected_index : std::min(rejected_index, other.rejected_index);
+  rejected += other.rejected;
   return *this;
+}
+
+void PixelSums::reject(std::uint32_t sample_index) {
+  rejected_index = rejected == 0 ? sample_index : std::min(rejected_index, sample_index);
+  ++rejected;
 }
 
 Film::Film(int frame_width, int frame_height, PixelRect window, std::vector<std::string> layers)
@@ -74,8 +111,6 @@ Film::Film(int frame_width, int frame_height, PixelRect window, std::vector<std:
   if (layers_.empty()) throw Error("a film without layers");
   const std::size_t count = std::size_t(window.width()) * std::size_t(window.height());
   pixels_.resize(count * layers_.size());
-  rejected_.resize(count);
-  rejected_index_.resize(count);
 }
 
 std::size_t Film::offset(std::size_t layer, int x, int y) const {
@@ -86,20 +121,16 @@ std::size_t Film::offset(std::size_t layer, int x, int y) const {
 }
 
 bool Film::add(std::size_t layer, int x, int y, std::uint32_t sample_index, const Rgb& value) {
+  PixelSums& sums = pixels_[offset(layer, x, y)];
+  assert(sums.count + sums.rejected < max_samples);
   if (!in_range(value.r) || !in_range(value.g) || !in_range(value.b)) {
-    const std::size_t place = offset(0, x, y);
-    std::uint32_t& least = rejected_index_[place];
-    least = rejected_[place] == 0 ? sample_index : std::min(least, sample_index);
-    ++rejected_[place];
+    sums.reject(sample_index);
     return false;
   }
-  PixelSums& sums = pixels_[offset(layer, x, y)];
-  assert(sums.count < max_samples);
   sums.r.add(value.r);
   sums.g.add(value.g);
   sums.b.add(value.b);
-  const double luminance = wide_luminance(value.r, value.g, value.b);
-  sums.luminance_squared.add(luminance * luminance);
+  sums.luminance_squared.add_square_of(wide_luminance(value.r, value.g, value.b));
   ++sums.count;
   return true;
 }
@@ -108,19 +139,22 @@ const PixelSums& Film::pixel(std::size_t layer, int x, int y) const { return pix
 
 std::uint64_t Film::rejected_count() const {
   std::uint64_t sum = 0;
-  for (const std::uint32_t count : rejected_) sum += count;
+  for (const PixelSums& sums : pixels_) sum += sums.rejected;
   return sum;
 }
 
-std::uint32_t Film::rejected_count(int x, int y) const { return rejected_[offset(0, x, y)]; }
-
 RejectedSample Film::first_rejected() const {
-  const auto first = std::find_if(rejected_.begin(), rejected_.end(), [](auto count) { return count > 0; });
-  if (first == rejected_.end()) return {};
-  const int place = int(first - rejected_.begin());
-  return {.x = window_.x0 + place % window_.width(),
-          .y = window_.y0 + place / window_.width(),
-          .index = rejected_index_[std::size_t(place)]};
+  for (int y = window_.y0; y < window_.y1; ++y)
+    for (int x = window_.x0; x < window_.x1; ++x) {
+      std::optional<RejectedSample> first;
+      for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
+        const PixelSums& sums = pixel(layer, x, y);
+        if (sums.rejected > 0 && (!first || sums.rejected_index < first->index))
+          first = RejectedSample{x, y, sums.rejected_index, layer};
+      }
+      if (first) return *first;
+    }
+  return {};
 }
 
 void Film::check_mergeable(const Film& other) const {
@@ -141,17 +175,12 @@ void Film::check_mergeable(const Film& other) const {
 void Film::merge(const Film& other) {
   check_mergeable(other);
   other.for_each_sum([&](std::size_t layer, int x, int y, const PixelSums& sums) {
-    if (pixel(layer, x, y).count + sums.count > max_samples)
+    const PixelSums& own = pixel(layer, x, y);
+    if (std::uint64_t(own.count) + own.rejected + sums.count + sums.rejected > max_samples)
       throw Error(fmt::format("merged, pixel ({}, {}) has more than {} samples", x, y, max_samples));
   });
-  other.for_each_sum([&](std::size_t layer, int x, int y, const PixelSums& sums) {
-    pixels_[offset(layer, x, y)] += sums;
-    const std::size_t from = other.offset(0, x, y), to = offset(0, x, y);
-    if (layer > 0 || other.rejected_[from] == 0) return;
-    const std::uint32_t index = other.rejected_index_[from];
-    rejected_index_[to] = rejected_[to] == 0 ? index : std::min(rejected_index_[to], index);
-    rejected_[to] += other.rejected_[from];
-  });
+  other.for_each_sum(
+      [&](std::size_t layer, int x, int y, const PixelSums& sums) { pixels_[offset(layer, x, y)] += sums; });
 }
 
 }  // namespace twinray

@@ -120,7 +120,7 @@ class Renderer {
   bool is_converged(int x, int y, std::uint32_t index) const {
     if (!options_.adaptive || index == 0) return false;
     const PixelSums& pixel = film_.pixel(0, x, y);
-    if (pixel.count + film_.rejected_count(x, y) < index) return true;
+    if (pixel.count + pixel.rejected < index) return true;
     if (index % options_.adaptive->batch != 0 || pixel.count < 2) return false;
     const double half_width = 1.96 * std::sqrt(pixel.luminance_variance() / pixel.count);
     return half_width <= options_.adaptive->tolerance * pixel.luminance_mean();

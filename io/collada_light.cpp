@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/radiance.h"
+
 namespace twinray {
 namespace {
 
-constexpr float most_light = 1e18f;
+/// Of a point or spot light: falling off with the squared distance, from afar it may exceed max_radiance.
+constexpr float most_intensity = 1e18f;
 constexpr double most_attenuation = 1e18;
 
 /// The element that names the kind of light and holds its numbers.
@@ -67,7 +70,7 @@ std::optional<PlacedLight> place_area(const XmlElement& light, const XmlElement&
                                       ColladaDocument& document) {
   AreaLight area;
   area.name = display_name(light);
-  area.radiance = read_color(kind.required_child("color"), most_light);
+  area.radiance = read_color(kind.required_child("color"), max_radiance);
   constexpr float half = 0.5f;
   const Vec3 square[4] = {{-half, -half, 0}, {-half, half, 0}, {half, half, 0}, {half, -half, 0}};
   std::transform(std::begin(square), std::end(square), area.corners,
@@ -84,7 +87,7 @@ SpotLight read_spot(const XmlElement& instance, const XmlElement& kind, const Tr
   SpotLight spot;
   spot.position = position_of(instance, to_world);
   spot.direction = direction_of(instance, to_world);
-  spot.intensity = read_color(kind.required_child("color"), most_light);
+  spot.intensity = read_color(kind.required_child("color"), most_intensity);
   spot.attenuation = read_attenuation(kind);
   if (const auto angle = kind.child("falloff_angle"))
     spot.falloff_angle_degrees = float(number_in(*angle, 1e-3, 360));
@@ -95,7 +98,8 @@ SpotLight read_spot(const XmlElement& instance, const XmlElement& kind, const Tr
 
 LightSource read_source_light(const XmlElement& instance, const XmlElement& kind, const Transform& to_world) {
   if (kind.is("spot")) return read_spot(instance, kind, to_world);
-  const Rgb color = read_color(kind.required_child("color"), most_light);
+  const Rgb color =
+      read_color(kind.required_child("color"), kind.is("point") ? most_intensity : max_radiance);
   if (kind.is("point")) return PointLight{position_of(instance, to_world), color, read_attenuation(kind)};
   if (kind.is("directional")) return DirectionalLight{direction_of(instance, to_world), color};
   return AmbientLight{{0, 1, 0}, color};

@@ -3,10 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "core/radiance.h"
+
 namespace twinray {
 namespace {
 
-constexpr float any_radiance = 1e18f;  // far above all light sources, far below overflow
 constexpr double most_ior = 100;
 
 Rgb required_color(const XmlElement& model, const char* name, float most) {
@@ -52,7 +53,7 @@ std::optional<XmlElement> find_param(const XmlElement& element, const std::strin
 bool has_specular(const XmlElement& shading) {
   const auto specular = shading.child("specular");
   const auto color = specular ? specular->child("color") : std::nullopt;
-  return color && !is_black(read_color(*color, any_radiance));
+  return color && !is_black(read_color(*color, max_radiance));
 }
 
 }  // namespace
@@ -101,7 +102,7 @@ ColladaMaterial ColladaMaterials::read(const XmlElement& material) {
 
 ColladaMaterial ColladaMaterials::read_cgl(const XmlElement& model, const std::string& name) {
   if (model.is("emission"))
-    return add(name, Lambert{{0, 0, 0}}, required_color(model, "radiance", any_radiance));
+    return add(name, Lambert{{0, 0, 0}}, required_color(model, "radiance", max_radiance));
   if (model.is("mirror")) return add(name, Mirror{required_color(model, "reflectance", 1)});
   if (model.is("microfacet")) return add(name, read_microfacet(model));
   const Rgb transmittance = required_color(model, "transmittance", 1);
@@ -123,7 +124,7 @@ ColladaMaterial ColladaMaterials::read_common(const XmlElement& effect, const st
   if (diffuse) model.reflectance = read_shading_color(effect, *diffuse, 1);
   if (!diffuse && (emission || shading->is("constant"))) model.reflectance = {0, 0, 0};
   Rgb radiance;
-  if (emission && !emission->child("texture")) radiance = read_shading_color(effect, *emission, any_radiance);
+  if (emission && !emission->child("texture")) radiance = read_shading_color(effect, *emission, max_radiance);
   if (emission && emission->child("texture"))
     document_.warn(*emission, "textures are not read; this surface emits nothing");
   if (has_specular(*shading)) with_specular_.push_back(name);

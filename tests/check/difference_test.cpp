@@ -43,11 +43,11 @@ TEST_CASE("one last bit of one sample is found, with its pixel, its channel and 
 }
 
 TEST_CASE("a difference beyond the bits of a double is found") {
-  // Near 2^20 a double ends at 2^-33; the sums hold 2^-60.
+  // Near 2^20 a double ends at 2^-33; the sums hold 2^-43.
   Film a = film_of(whole), b = film_of(whole);
   for (Film* film : {&a, &b}) film->add(0, 1, 0, 3, {0x1p20f, 0, 0});
-  a.add(0, 1, 0, 4, {0x1p-50f, 0, 0});
-  b.add(0, 1, 0, 4, {0x1p-51f, 0, 0});
+  a.add(0, 1, 0, 4, {0x1p-40f, 0, 0});
+  b.add(0, 1, 0, 4, {0x1p-41f, 0, 0});
   CHECK(first_difference(a, b) == "pixel 1 0: red 0x1.00006p+20, but for bits beyond a double's");
 }
 
@@ -62,6 +62,9 @@ TEST_CASE("the same sums of other samples are found by their squares, their numb
   Film d = film_of(whole);
   d.add(0, 3, 0, 3, {std::numeric_limits<float>::quiet_NaN(), 0, 0});
   CHECK(first_difference(film_of(whole), d) == "pixel 3 0: rejected samples 0 and 1");
+  Film e = film_of(whole);
+  e.add(0, 3, 0, 4, {std::numeric_limits<float>::quiet_NaN(), 0, 0});
+  CHECK(first_difference(d, e) == "pixel 3 0: first rejected samples 3 and 4");
 }
 
 TEST_CASE("the first of several differences is the one nearest to the top left") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/film.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <thread>
@@ -32,7 +33,7 @@ std::vector<Sample> random_samples(int width, int height, std::uint32_t count) {
   test::Random random(23);
   const auto component = [&] {
     const float mantissa = random.uniform(-1, 1);
-    return std::ldexp(mantissa, random.between(-40, 22));
+    return std::ldexp(mantissa, random.between(-40, 29));
   };
   std::vector<Sample> samples;
   for (int y = 0; y < height; ++y)
@@ -53,7 +54,6 @@ void check_equal(const Film& a, const Film& b) {
     for (int x = a.window().x0; x < a.window().x1; ++x) {
       CAPTURE(x, y);
       CHECK(a.pixel(0, x, y) == b.pixel(0, x, y));
-      CHECK(a.rejected_count(x, y) == b.rejected_count(x, y));
     }
   CHECK(a.rejected_count() == b.rejected_count());
   CHECK(a.first_rejected().x == b.first_rejected().x);
@@ -63,30 +63,74 @@ void check_equal(const Film& a, const Film& b) {
 
 }  // namespace
 
+TEST_CASE("a pixel takes 64 bytes for colour, variance, count and rejections") {
+  CHECK(sizeof(PixelSums) <= 64);
+  CHECK(Film::bytes(640 * 480) == 640 * 480 * sizeof(PixelSums));
+  CHECK(Film::bytes(10, 3) == 30 * sizeof(PixelSums));
+}
+
+TEST_CASE("radiance up to 10^9 is taken, by readers and film alike") {
+  CHECK(max_radiance == 1e9f);
+  CHECK(Film::max_value == max_radiance);
+}
+
 TEST_CASE("a fixed sum is exact for numbers that its unit divides") {
   CHECK(sum_of({}).value() == 0);
   CHECK(sum_of({1.5, -0.25, 1024}).value() == 1025.25);
-  CHECK(sum_of({0x1p44, 0x1p-60, -0x1p44}).value() == 0x1p-60);
+  CHECK(sum_of({1e9, 0x1p-43, -1e9}).value() == 0x1p-43);
+  CHECK(sum_of({-1e9, -0x1p-43, 1e9}).value() == -0x1p-43);
   CHECK(sum_of({-3.75}).value() == -3.75);
   CHECK(sum_of({0.0, -0.0}) == FixedSum());
 }
 
-TEST_CASE("a fixed sum rounds each number toward zero to its unit") {
-  CHECK(sum_of({0x1.8p-60}).value() == 0x1p-60);
-  CHECK(sum_of({-0x1.8p-60}).value() == -0x1p-60);
-  CHECK(sum_of({0x1.fffffffffffffp-61}).value() == 0);
-  CHECK(sum_of({-0x1.fffffffffffffp-61}).value() == 0);
-  CHECK(sum_of({5e-324, 1e-300}).value() == 0);
-  CHECK(sum_of({0x1.0000000000001p-8}).value() == 0x1.0000000000001p-8);
-  CHECK(sum_of({0x1.0000000000001p-9}).value() == 0x1p-9);
+TEST_CASE("a fixed sum rounds each number to the nearest unit") {
+  for (const double sign : {1.0, -1.0}) {
+    CHECK(sum_of({sign * 0x1.8p-42}).value() == sign * 0x1.8p-42);
+    CHECK(sum_of({sign * 0x1.9p-43}).value() == sign * 0x1p-42);
+    CHECK(sum_of({sign * 0x1.1p-43}).value() == sign * 0x1p-43);
+    CHECK(sum_of({sign * 0x1.1p-44}).value() == sign * 0x1p-43);
+    CHECK(sum_of({sign * 0x0.fp-44}).value() == 0);
+    CHECK(sum_of({sign * 5e-324, sign * 1e-300}).value() == 0);
+    CHECK(sum_of({sign * double(0x1.fffffep29f)}).value() == sign * double(0x1.fffffep29f));
+  }
+}
+
+TEST_CASE("words carry and borrow into each other") {
+  // Units of 2^-43: the words begin at 2^-43, 2^-11 and 2^21.
+  for (const double boundary : {0x1p-11, 0x1p21}) {
+    CHECK(sum_of({boundary - 0x1p-43, 0x1p-43}).value() == boundary);
+    CHECK(sum_of({boundary, -0x1p-43}).value() == boundary - 0x1p-43);
+    CHECK(sum_of({-boundary, 0x1p-43}).value() == -boundary + 0x1p-43);
+    CHECK(sum_of({0x1p-43, -boundary, boundary}).value() == 0x1p-43);
+  }
 }
 
 TEST_CASE("a fixed sum of the largest numbers does not overflow") {
   for (const double sign : {1.0, -1.0}) {
-    FixedSum sum = sum_of({sign * 0x1.fffffffffffffp44});
+    FixedSum sum = sum_of({sign * 1e9});
     for (int doubling = 0; doubling < 22; ++doubling) sum += FixedSum(sum);
-    CHECK(sum.value() == sign * 0x1.fffffffffffffp66);
+    CHECK(sum.value() == sign * 1e9 * 0x1p22);
   }
+}
+
+TEST_CASE("a sum of squares keeps the largest and the smallest, and rounds up what is smaller still") {
+  FixedSquareSum largest;
+  largest.add_square_of(-1e9);
+  FixedSquareSum with_smallest = largest;
+  with_smallest.add_square_of(0x1p-23);
+  CHECK_FALSE(with_smallest == largest);
+  for (int doubling = 0; doubling < 22; ++doubling) largest += FixedSquareSum(largest);
+  CHECK(largest.value() == 1e18 * 0x1p22);
+  const auto square_of = [](double x) {
+    FixedSquareSum sum;
+    sum.add_square_of(x);
+    return sum.value();
+  };
+  CHECK(square_of(0) == 0);
+  CHECK(square_of(0.5) == 0.25);
+  CHECK(square_of(0x1p-23) == 0x1p-46);
+  CHECK(square_of(0x1.1p-23) == 0x1p-45);
+  CHECK(square_of(1e-30) == 0x1p-46);
 }
 
 TEST_CASE("a fixed sum has no order") {
@@ -94,7 +138,7 @@ TEST_CASE("a fixed sum has no order") {
   std::vector<double> values;
   for (int i = 0; i < 10000; ++i) {
     const double mantissa = random.uniform(-1, 1) + random.unit() * 0x1p-25;
-    values.push_back(std::ldexp(mantissa, random.between(-70, 44)));
+    values.push_back(std::ldexp(mantissa, random.between(-50, 28)));
   }
   FixedSum forward, backward, halves, rest;
   for (const double value : values) forward.add(value);
@@ -135,7 +179,7 @@ TEST_CASE("the variance of a constant is nothing but rounding, and never negativ
     Film film(1, 1, {0, 0, 1, 1});
     for (std::uint32_t i = 0; i < 50; ++i) film.add(0, 0, 0, i, value);
     REQUIRE(film.pixel(0, 0, 0).luminance_variance() >= 0);
-    REQUIRE(film.pixel(0, 0, 0).luminance_variance() < 1e-15);
+    REQUIRE(film.pixel(0, 0, 0).luminance_variance() < 0x1.1p-46);  // The unit, rounded up 50 times.
   }
 }
 
@@ -205,8 +249,9 @@ TEST_CASE("samples that are not finite or out of range are counted and nothing e
   CHECK_FALSE(film.add(0, 7, 6, 1, {0, -beyond, 0}));
   CHECK(film.add(0, 5, 6, 5, {Film::max_value, -Film::max_value, 0}));
   CHECK(film.rejected_count() == 5);
-  CHECK(film.rejected_count(5, 6) == 3);
-  CHECK(film.rejected_count(4, 6) == 0);
+  CHECK(film.pixel(0, 5, 6).rejected == 3);
+  CHECK(film.pixel(0, 5, 6).rejected_index == 4);
+  CHECK(film.pixel(0, 4, 6).rejected == 0);
   CHECK(film.pixel(0, 5, 6).count == 1);
   CHECK(film.pixel(0, 2, 7).count == 0);
 }
@@ -238,6 +283,56 @@ TEST_CASE("layers are kept apart and merged by name") {
   CHECK(film.pixel(0, 1, 1).count == 0);
   CHECK_THROWS_WITH(film.merge(Film(2, 2, {0, 0, 2, 2}, {"color", "normal"})),
                     "films of different layers cannot be merged: color, albedo and color, normal");
+}
+
+TEST_CASE("a sample rejected in one layer counts in that layer alone") {
+  Film film(4, 2, {0, 0, 4, 2}, {"color", "albedo", "normal"});
+  CHECK_FALSE(film.add(1, 2, 1, 5, {not_a_number, 0, 0}));
+  CHECK(film.add(0, 2, 1, 5, {1, 1, 1}));
+  CHECK_FALSE(film.add(2, 2, 1, 3, {not_a_number, 0, 0}));
+  const std::array<std::uint32_t, 3> rejected{0, 1, 1}, counts{1, 0, 0};
+  for (std::size_t layer = 0; layer < 3; ++layer) {
+    CHECK(film.pixel(layer, 2, 1).rejected == rejected[layer]);
+    CHECK(film.pixel(layer, 2, 1).count == counts[layer]);
+  }
+  CHECK(film.rejected_count() == 2);
+  Film merged(4, 2, {0, 0, 4, 2}, {"color", "albedo", "normal"});
+  merged.merge(film);
+  for (const Film* each : {&film, &merged}) {
+    CHECK(each->first_rejected().x == 2);
+    CHECK(each->first_rejected().index == 3);
+    CHECK(each->first_rejected().layer == 2);
+    CHECK(each->pixel(1, 2, 1).rejected_index == 5);
+  }
+}
+
+TEST_CASE("the least index of rejected samples is kept when films are merged, in either order") {
+  Film early(1, 1, {0, 0, 1, 1}), late = early, none = early;
+  const Rgb bad = {not_a_number, 0, 0};
+  early.add(0, 0, 0, 2, bad);
+  late.add(0, 0, 0, 9, bad);
+  none.add(0, 0, 0, 0, {1, 1, 1});
+  const auto merged = [](Film to, const Film& from) {
+    to.merge(from);
+    return to.pixel(0, 0, 0);
+  };
+  CHECK(merged(early, late).rejected_index == 2);
+  CHECK(merged(late, early).rejected_index == 2);
+  CHECK(merged(late, early).rejected == 2);
+  CHECK(merged(late, none).rejected_index == 9);
+  CHECK(merged(none, late).rejected_index == 9);
+  CHECK(merged(none, none).rejected == 0);
+}
+
+TEST_CASE("rejected samples count towards the most that a pixel may have") {
+  Film film(1, 1, {0, 0, 1, 1});
+  film.add(0, 0, 0, 0, {1, 1, 1});
+  film.add(0, 0, 0, 1, {not_a_number, 0, 0});
+  for (int doubling = 0; doubling < 21; ++doubling) film.merge(Film(film));
+  CHECK(film.pixel(0, 0, 0).count == Film::max_samples / 2);
+  Film one(1, 1, {0, 0, 1, 1});
+  one.add(0, 0, 0, 0, {1, 1, 1});
+  CHECK_THROWS_WITH(film.merge(one), "merged, pixel (0, 0) has more than 4194304 samples");
 }
 
 TEST_CASE("a film that does not fit is not merged") {

@@ -129,6 +129,17 @@ TEST_CASE("an area light that its node flattens is left out with a warning") {
         "the transform of this area light's node leaves it no area; it is left out");
 }
 
+TEST_CASE("radiance and irradiance up to 10^9 are read, and more is refused") {
+  for (const std::string kind : {"area", "directional", "ambient"}) {
+    const auto of = [&](const std::string& value) {
+      return load_light(cgl("<" + kind + "><color>1 1 " + value + "</color></" + kind + ">"));
+    };
+    CHECK(of("1e9").scene.lights.size() == 1);
+    CHECK_THROWS_WITH(of("1.001e9"), Catch::Matchers::Contains("is 1.001e+09; it must lie in [0, 1e+09]"));
+  }
+  CHECK_NOTHROW(load_light(common("<point><color>1e12 1 1</color></point>")));
+}
+
 TEST_CASE("a CGL kind stands before the common one") {
   const auto light =
       only_light<DirectionalLight>(load_light(cgl("<directional><color>2 2 2</color></directional>")));

@@ -92,6 +92,14 @@ TEST_CASE("an emission color makes a surface glow on both sides, and it still re
   CHECK(loaded.scene.bindings[0].light == 0);
 }
 
+TEST_CASE("emission up to 10^9 is read, and more is refused") {
+  CHECK_NOTHROW(load_effect(cgl("<emission><radiance>1e9 0 0</radiance></emission>")));
+  CHECK_NOTHROW(load_effect(common("<phong><emission><color>1e9 0 0</color></emission></phong>")));
+  for (const std::string& effect : {cgl("<emission><radiance>2e9 0 0</radiance></emission>"),
+                                    common("<phong><emission><color>2e9 0 0</color></emission></phong>")})
+    CHECK_THROWS_WITH(load_effect(effect), Catch::Matchers::Contains("is 2e+09; it must lie in [0, 1e+09]"));
+}
+
 TEST_CASE("CGL emission reflects nothing") {
   const LoadedScene loaded =
       load_effect(common("<phong><diffuse><color>0.8 0.8 0.8 1</color></diffuse></phong>") +
