@@ -15,18 +15,36 @@
 #endif
 
 #include "core/fork_join.h"
+#include "core/threads.h"
 
 namespace twinray {
 namespace {
 
+/// Where the machine's threads cannot all be made, oneTBB is held to those that can, from its first use until
+/// the process ends: it does not survive a thread that it has promised itself and does not get.
+bool holds_to_usable_threads() {
+  static const auto limit = [] {
+    const ThreadCount machine = count_threads(0);
+    std::optional<tbb::global_control> lower;
+    if (machine.usable < machine.wanted)
+      lower.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(machine.usable));
+    return lower;
+  }();
+  return limit.has_value();
+}
+
 /// In the surroundings for 0, else in an arena of that many threads; more than the process has are made.
 template <class Body>
 void run_with(int threads, const Body& body) {
-  if (threads <= 0) return body();
+  // The outermost surroundings are as wide as the machine, whatever can be made.
+  const bool is_too_wide =
+      holds_to_usable_threads() && tbb::this_task_arena::max_concurrency() > available_threads();
+  if (threads <= 0 && !is_too_wide) return body();
+  const int usable = count_threads(threads).usable;
   std::optional<tbb::global_control> more;
-  if (threads > available_threads())
-    more.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
-  tbb::task_arena arena(threads);
+  if (usable > available_threads())
+    more.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(usable));
+  tbb::task_arena arena(usable);
   arena.execute(body);
 }
 
@@ -56,7 +74,7 @@ void parallel_invoke(const std::function<void()>& a, const std::function<void()>
     const KeepDenormals keep;
     body();
   };
-  tbb::parallel_invoke([&] { kept(a); }, [&] { kept(b); });
+  run_with(0, [&] { tbb::parallel_invoke([&] { kept(a); }, [&] { kept(b); }); });
 }
 
 void with_threads(int threads, const std::function<void()>& body) {
@@ -68,7 +86,9 @@ void with_threads(int threads, const std::function<void()>& body) {
   });
 }
 
-int available_threads() { return tbb::info::default_concurrency(); }
+int machine_threads() { return tbb::info::default_concurrency(); }
+
+int available_threads() { return count_threads(0).usable; }
 
 #if defined(__x86_64__)
 // Bits of MXCSR: results that are denormal become 0 (FTZ, 0x8000), and so do operands (DAZ, 0x0040).

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/threads.h"
 
 namespace twinray::embree {
 namespace {
@@ -73,7 +74,11 @@ std::string configuration(const BuildOptions& options) {
     throw Error(fmt::format("Embree has no instruction set \"{}\"; valid are {}", isa,
                             fmt::join(instruction_sets, ", ")));
   std::string words = isa == "default" ? "" : "max_isa=" + isa;
-  if (options.threads > 0) words += fmt::format("{}threads={}", words.empty() ? "" : ",", options.threads);
+  // Of more threads than the process may use oneTBB would print a warning.
+  const ThreadCount threads = count_threads(options.threads);
+  if (options.threads > 0 || threads.usable < threads.wanted)
+    words +=
+        fmt::format("{}threads={}", words.empty() ? "" : ",", std::min(threads.usable, available_threads()));
   return words;
 }
 

@@ -9,6 +9,7 @@
 #include <csignal>
 
 #include "tests/support/catch.h"
+#include "tests/support/flush_denormals.h"
 #include "tests/support/shapes.h"
 
 using namespace twinray;
@@ -25,21 +26,6 @@ std::vector<std::unique_ptr<Accelerator>> all_engines(const std::shared_ptr<cons
     all.push_back(build_accelerator(Backend::bvh, geometry, {.simd = simd}));
   return all;
 }
-
-#ifdef __SSE__
-/// Switches denormal numbers off while it lives, as a program does that was compiled with -ffast-math.
-class FlushDenormals {
- public:
-  FlushDenormals() : saved_(__builtin_ia32_stmxcsr()) { __builtin_ia32_ldmxcsr(saved_ | 0x8040u); }
-  ~FlushDenormals() { __builtin_ia32_ldmxcsr(saved_); }
-  FlushDenormals(const FlushDenormals&) = delete;
-  FlushDenormals& operator=(const FlushDenormals&) = delete;
-  static bool are_flushed() { return (__builtin_ia32_stmxcsr() & 0x8040u) == 0x8040u; }
-
- private:
-  unsigned saved_;
-};
-#endif
 
 struct Answers {
   std::vector<Hit> hits, batch;

@@ -9,7 +9,9 @@
 #include <thread>
 #include <vector>
 
+#include "core/threads.h"
 #include "tests/support/catch.h"
+#include "tests/support/flush_denormals.h"
 
 namespace twinray {
 namespace {
@@ -29,20 +31,8 @@ int meeting(int expected, const std::function<void(const std::function<void()>&)
   return Clock::now() - start < patience ? present.load() : 0;
 }
 
-#if defined(__x86_64__)
-/// Lets this thread take denormal numbers for 0, as a host program might.
-class FlushDenormals {
- public:
-  FlushDenormals() {
-    asm volatile("stmxcsr %0" : "=m"(saved_));
-    set(saved_ | 0x8040u);
-  }
-  ~FlushDenormals() { set(saved_); }
-
- private:
-  static void set(unsigned value) { asm volatile("ldmxcsr %0" : : "m"(value)); }
-  unsigned saved_ = 0;
-};
+#ifdef __SSE__
+using test::FlushDenormals;
 #else
 struct FlushDenormals {};
 #endif
@@ -184,6 +174,13 @@ TEST_CASE("denormal numbers are kept in every part, whatever the caller's settin
   }
 }
 
-TEST_CASE("there is a thread") { CHECK(available_threads() >= 1); }
+TEST_CASE("there is a thread, and as many can be made as are asked for") {
+  CHECK(available_threads() >= 1);
+  for (const int threads : {1, 5, 3}) {
+    CHECK(count_threads(threads).wanted == threads);
+    CHECK(count_threads(threads).usable == threads);
+  }
+  CHECK(count_threads(0).usable == available_threads());
+}
 
 }  // namespace twinray

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/resources.h"
+
+#include <fmt/format.h>
+
+#include "core/film.h"
+#include "core/threads.h"
+
+namespace twinray {
+namespace {
+
+/// While files are written: linear colours, bytes, and the buffer of the file's writer.
+constexpr std::uint64_t picture_bytes_a_pixel = 32;
+
+}  // namespace
+
+std::vector<MemoryNeed> memory_needs(const RenderOptions& options) {
+  const PixelRect window = options.window.value_or(PixelRect{0, 0, options.width, options.height});
+  const std::uint64_t pixels = std::uint64_t(window.width()) * std::uint64_t(window.height());
+  return {{fmt::format("the film of {} x {} pixels", window.width(), window.height()), Film::bytes(pixels)},
+          {"the pictures made of it", pixels * picture_bytes_a_pixel}};
+}
+
+std::string thread_warning(int wanted) {
+  const ThreadCount threads = count_threads(wanted);
+  if (threads.usable == threads.wanted) return {};
+  return fmt::format(
+      "the system lets the program have {} of {} threads (see ulimit -u, and the container's limit of "
+      "processes): it renders on {}",
+      threads.usable, threads.wanted, threads.usable == 1 ? "that one" : "those");
+}
+
+}  // namespace twinray

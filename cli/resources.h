@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a render needs of the machine, asked before it begins.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/memory.h"
+#include "integrators/render.h"
+
+namespace twinray {
+
+/// The film, and the pictures that are made of it.
+std::vector<MemoryNeed> memory_needs(const RenderOptions& options);
+
+/// That fewer threads can be made than are wanted (0: as many as the machine has); empty where all can.
+std::string thread_warning(int wanted);
+
+}  // namespace twinray

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/resources.h"
+
+#include <fmt/format.h>
+
+#include "accel/accelerator.h"
+#include "core/threads.h"
+#include "io/image_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+const std::string box = "'" TWINRAY_SOURCE_DIR "/scenes/box.dae'";
+
+}  // namespace
+
+TEST_CASE("a render needs its film of 64 bytes a pixel, and the pictures made of it") {
+  RenderOptions options{.width = 1000, .height = 500};
+  const std::vector<MemoryNeed> whole = memory_needs(options);
+  REQUIRE(whole.size() == 2);
+  CHECK(whole[0].name == "the film of 1000 x 500 pixels");
+  CHECK(whole[0].bytes == 64 * 1000 * 500);
+  CHECK(whole[1].bytes == 32 * 1000 * 500);
+  options.window = PixelRect{10, 20, 30, 60};
+  CHECK(memory_needs(options)[0].name == "the film of 20 x 40 pixels");
+  CHECK(memory_needs(options)[0].bytes == 64 * 20 * 40);
+}
+
+TEST_CASE("threads that can all be made are no warning, more than the machine has either") {
+  CHECK(thread_warning(2).empty());
+  const TemporaryFolder folder;
+  for (const Backend backend : available_backends()) {
+    const ProcessResult result = run_program(fmt::format("{} -r 24 18 -s 2 -q -t 9 --accel={} -o '{}'", box,
+                                                         backend_name(backend), folder.file("a.png")));
+    CAPTURE(backend_name(backend));
+    CHECK(result.exit_code == 0);
+    CHECK(result.err.empty());
+  }
+}
+
+#ifdef TWINRAY_FEW_THREADS  // Neither a preloaded library nor a limit of addresses goes with a sanitizer.
+
+namespace {
+
+/// Renders the box where no more than `threads` threads can be made beside the first.
+ProcessResult render_with_few(int threads, const std::string& options) {
+  return run_shell(fmt::format("TWINRAY_TEST_THREADS={} LD_PRELOAD='" TWINRAY_FEW_THREADS
+                               "' timeout 60 '" TWINRAY_PROGRAM "' {} -r 24 18 -s 2 -q {}",
+                               threads, box, options));
+}
+
+}  // namespace
+
+TEST_CASE("a picture larger than the memory is an error before rendering that says how much of what") {
+  const TemporaryFolder folder;
+  const ProcessResult result = run_shell(fmt::format("ulimit -v 3000000; timeout 60 '" TWINRAY_PROGRAM
+                                                     "' {} -r 8192 8192 -s 1 -o '{}'",
+                                                     box, folder.file("a.png")));
+  CHECK(result.exit_code == 1);
+  CHECK(result.out.empty());
+  const std::string needs =
+      "twinray: 6.4 GB of memory are needed (4.3 GB for the film of 8192 x 8192 pixels, 2.1 GB for the "
+      "pictures made of it); its address space (ulimit -v) leaves the program ";
+  CHECK(result.err.substr(0, needs.size()) == needs);
+  CHECK(folder.file_count() == 0);
+}
+
+TEST_CASE("where no thread can be made it renders on its first one, on every engine, with the same bits") {
+  const TemporaryFolder folder;
+  const std::string expected = folder.file("expected.exr"), found = folder.file("found.exr");
+  REQUIRE(run_program(fmt::format("{} -r 24 18 -s 2 -q -o '{}'", box, expected)).exit_code == 0);
+  for (const Backend backend : available_backends()) {
+    const auto render = [&](int threads) {
+      return render_with_few(0,
+                             fmt::format("-t {} --accel={} -o '{}'", threads, backend_name(backend), found));
+    };
+    CAPTURE(backend_name(backend));
+    const ProcessResult one = render(1), eight = render(8), all = render(0);
+    CHECK(one.exit_code == 0);
+    CHECK(one.err.empty());
+    CHECK(eight.exit_code == 0);
+    CHECK(
+        eight.err ==
+        "warning: the system lets the program have 1 of 8 threads (see ulimit -u, and the container's limit "
+        "of processes): it renders on that one\n");
+    CHECK(all.exit_code == 0);
+    CHECK(read_image(found).pixels == read_image(expected).pixels);
+  }
+}
+
+TEST_CASE("where some threads can be made it renders on those") {
+  const TemporaryFolder folder;
+  const ProcessResult some = render_with_few(3, fmt::format("-t 8 -o '{}'", folder.file("a.png")));
+  CHECK(some.exit_code == 0);
+  CHECK(
+      some.err ==
+      "warning: the system lets the program have 4 of 8 threads (see ulimit -u, and the container's limit of "
+      "processes): it renders on those\n");
+  const ProcessResult enough = render_with_few(3, fmt::format("-t 4 -o '{}'", folder.file("a.png")));
+  CHECK(enough.exit_code == 0);
+  CHECK(enough.err.empty());
+}
+
+#endif
+
+}  // namespace twinray::test
