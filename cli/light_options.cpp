@@ -28,7 +28,8 @@ void add_path_options(OptionGroup& group, RenderRequest& request) {
                              {"last", Bounces::last}},
                             "Which light is shown");
   group.add_word({"--roulette", "throughput|P",
-                  fmt::format("Going on: a probability, or by throughput ({})", request.roulette)},
+                  fmt::format("Going on: a probability, or by throughput from\nthe fourth bounce on ({})",
+                              request.roulette)},
                  request.roulette);
 }
 
@@ -69,6 +70,8 @@ void add_light_options(CLI::App& app, RenderRequest& request) {
   add_direct_light_options(group, request);
   group.add_word({"-e,--environment", "FILE", "Light from a latitude-longitude .exr or .hdr"},
                  arguments.environment);
+  group.add_flag("--lenient-environment", arguments.lenient_environment,
+                 "Its pixels that are not radiance are black");
   group.add_flag("--keep-both-lamps", arguments.load.keep_both_lamps,
                  "Keep a lamp's rectangle beside its mesh");
 }

@@ -23,7 +23,8 @@ struct RenderArguments {
   std::string stats_file;   ///< Empty: none.
   std::string camera_file;  ///< Empty: the scene's own camera.
   View view = View::file;
-  std::string environment;  ///< Empty: none.
+  std::string environment;           ///< Empty: none.
+  bool lenient_environment = false;  ///< Its pixels that are not radiance are black; else they are an error.
   LoadOptions load;
   Backend backend = Backend::bvh;
   BuildOptions build;

@@ -15,12 +15,15 @@
 #include "cli/picture_metadata.h"
 #include "cli/progress.h"
 #include "cli/render_outputs.h"
+#include "cli/resources.h"
 #include "cli/scene_warnings.h"
 #include "cli/statistics_report.h"
 #include "core/error.h"
+#include "core/memory.h"
 #include "integrators/normals.h"
 #include "integrators/path.h"
 #include "io/camera_file.h"
+#include "io/environment_file.h"
 #include "io/image_file.h"
 #include "io/output_file.h"
 
@@ -44,6 +47,14 @@ void choose_view(const RenderArguments& arguments, Scene& scene) {
   }
 }
 
+EnvironmentLight read_environment(const RenderArguments& arguments) {
+  LoadedEnvironment loaded = load_environment(arguments.environment);
+  if (!loaded.fault.empty() && !arguments.lenient_environment)
+    throw Error(loaded.fault + "; with --lenient-environment such pixels are black");
+  if (!loaded.fault.empty()) console::warn(loaded.fault + "; such pixels are black");
+  return {std::make_shared<const Image>(std::move(loaded.map))};
+}
+
 LoadedScene load(const RenderArguments& arguments) {
   LoadedScene loaded = load_with_warnings(arguments.scene, arguments.load);
   if (!arguments.quiet)
@@ -51,10 +62,8 @@ LoadedScene load(const RenderArguments& arguments) {
   if (!arguments.camera_file.empty())
     loaded.scene.camera = load_camera_file(arguments.camera_file, loaded.scene.camera);
   choose_view(arguments, loaded.scene);
-  if (!arguments.environment.empty()) {
-    auto map = std::make_shared<const Image>(read_image(arguments.environment));
-    loaded.scene.lights.push_back({"environment", EnvironmentLight{std::move(map)}});
-  }
+  if (!arguments.environment.empty())
+    loaded.scene.lights.push_back({"environment", read_environment(arguments)});
   const std::vector<std::string> without_effect = options_without_effect(loaded.scene, arguments);
   refuse_if_strict(without_effect, arguments);
   for (const std::string& warning : without_effect) console::warn(warning);
@@ -117,9 +126,12 @@ int report(const Check& check, const SceneCrosscheck& found, const RenderArgumen
 int render_command(const RenderArguments& asked, const std::vector<std::string>& words) {
   RenderArguments arguments = asked;
   for (const std::string& warning : arguments.without_effect) console::warn(warning);
+  check_memory(memory_needs(arguments.render));
   const RenderOutputs outputs = render_outputs(arguments);
   const InterruptGuard guard(outputs.names());
   prepare_outputs(outputs.names());
+  if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
+    console::warn(fewer);
   const LoadedScene loaded = load(arguments);
   choose_engine(*loaded.scene.geometry, arguments);
   const ImageMetadata metadata = picture_metadata(arguments, words);

@@ -9,9 +9,11 @@
 #include <cctype>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include "core/elementary.h"
 #include "core/error.h"
+#include "core/memory.h"
 #include "io/destination.h"
 #include "io/output_file.h"
 
@@ -29,12 +31,16 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
+/// OpenEXR would make as many threads as the machine has for every file, and fail where it gets none.
+void use_no_threads() { OIIO::attribute("exr_threads", -1); }
+
 /// The bytes of a picture's file. It is put together in memory, since OpenImageIO does not notice a full disk
 /// when it writes a PNG, and a pipe cannot be written in any other order.
 std::vector<unsigned char> encoded(const std::string& path, const char* format, const OIIO::ImageSpec& spec,
                                    const void* pixels) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
+  use_no_threads();
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
   if (!output || !output->set_ioproxy(&memory))
     throw Error(fmt::format("{}: OpenImageIO cannot write {}: {}", path, format, OIIO::geterror()));
@@ -67,18 +73,26 @@ float decode_srgb(float encoded) {
   return encoded <= 0.04045f ? encoded / 12.92f : float(pow_of((double(encoded) + 0.055) / 1.055, 2.4));
 }
 
-/// Gathers interleaved channels into colours.
-Image to_image(const OIIO::ImageSpec& spec, const std::vector<float>& values) {
+/// The first three channels of all pixels, or the first one as grey.
+Image read_colors(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std::string& path) {
   Image image(spec.width, spec.height);
-  const std::size_t channels = std::size_t(spec.nchannels);
-  const bool encoded = spec.format.basesize() == 1;
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const float* v = &values[i * channels];
-    Rgb color = channels >= 3 ? Rgb{v[0], v[1], v[2]} : Rgb{v[0], v[0], v[0]};
-    if (encoded) color = {decode_srgb(color.r), decode_srgb(color.g), decode_srgb(color.b)};
-    image.pixels[i] = color;
-  }
+  const int channels = spec.nchannels >= 3 ? 3 : 1;
+  const auto pixel_bytes = OIIO::stride_t(sizeof(Rgb));
+  if (!input.read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, image.pixels.data(), pixel_bytes))
+    throw Error(fmt::format("{}: cannot be read: {}", path, input.geterror()));
+  if (channels == 1)
+    for (Rgb& pixel : image.pixels) pixel = {pixel.r, pixel.r, pixel.r};
   return image;
+}
+
+void decode_srgb(Image& image) {
+  for (Rgb& pixel : image.pixels) pixel = {decode_srgb(pixel.r), decode_srgb(pixel.g), decode_srgb(pixel.b)};
+}
+
+/// PNG and JPEG are sRGB whatever their depth; the others hold linear numbers.
+bool is_encoded(const char* reader) {
+  const std::string_view name = reader;
+  return name == "png" || name == "jpeg";
 }
 
 }  // namespace
@@ -117,7 +131,9 @@ void write_image(const std::string& path, const Image& image, const ImageMetadat
 }
 
 Image read_image(const std::string& path) {
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(reader_for(path));
+  const char* reader = reader_for(path);
+  use_no_threads();
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(reader);
   if (!fs::is_regular_file(path)) throw Error(fmt::format("{}: there is no such file", path));
   OIIO::ImageSpec spec;
   if (!input || !input->open(path, spec))
@@ -127,10 +143,13 @@ Image read_image(const std::string& path) {
     throw Error(
         fmt::format("{}: {} x {} pixels of {} channels; valid are up to 2^28 pixels of up to 64 channels",
                     path, spec.width, spec.height, spec.nchannels));
-  std::vector<float> values(std::size_t(spec.width) * std::size_t(spec.height) * std::size_t(spec.nchannels));
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
-    throw Error(fmt::format("{}: cannot be read: {}", path, input->geterror()));
-  return to_image(spec, values);
+  const std::uint64_t pixels = std::uint64_t(spec.width) * std::uint64_t(spec.height);
+  const MemoryNeed need{fmt::format("the {} x {} pixels of {}", spec.width, spec.height, path),
+                        pixels * sizeof(Rgb)};
+  check_memory({&need, 1});
+  Image image = read_colors(*input, spec, path);
+  if (is_encoded(reader)) decode_srgb(image);
+  return image;
 }
 
 }  // namespace twinray

@@ -39,7 +39,7 @@ void write_image(const std::string& path, const Image& image, const ImageMetadat
                  const ImageFrame& frame = {});
 
 /// Reads an EXR, HDR, PNG or JPEG picture of up to 2^28 pixels as linear colours: the first three channels,
-/// or the first one as grey; 8-bit files are taken as sRGB. Throws Error.
+/// or the first one as grey; PNG and JPEG are taken as sRGB, of 8 bits and of 16. Throws Error.
 Image read_image(const std::string& path);
 
 }  // namespace twinray

