@@ -13,6 +13,11 @@
 
 namespace twinray {
 
+constexpr int first_bounce_at_risk = 2;
+/// Light of three bounces is much of a room's: paths that end before they bring it cost more noise than they
+/// save time.
+constexpr int first_bounce_at_risk_by_throughput = 4;
+
 /// A path that goes on, but for its ray.
 struct PathIntegrator::Path {
   PathKey key;
@@ -122,14 +127,15 @@ bool PathIntegrator::scatter(const Wave& wave, Path& path, Ray& ray, const Inter
   const Vec3 wi = at.to_world(sample.wi);
   if (!at.is_consistent(wi)) return false;
   path.throughput = path.throughput * sample.value * (std::fabs(sample.wi.z) / sample.pdf);
-  if (is_black(path.throughput) || (wave.depth > 0 && !survives_roulette(path, sampler))) return false;
+  if (is_black(path.throughput) || !survives_roulette(path, wave.depth + 1, sampler)) return false;
   ray = spawn_ray(at.point(), wi);
   path.meets_emission = sample.is_delta;
   return true;
 }
 
-bool PathIntegrator::survives_roulette(Path& path, VertexSampler& sampler) const {
+bool PathIntegrator::survives_roulette(Path& path, int bounce, VertexSampler& sampler) const {
   const float chosen = options_.roulette.continuation;
+  if (bounce < (chosen > 0 ? first_bounce_at_risk : first_bounce_at_risk_by_throughput)) return true;
   const float probability = chosen > 0 ? chosen : std::min(1.0f, max_component(path.throughput));
   if (probability >= 1) return true;
   if (sampler.draw_1d(Purpose::roulette) >= probability) return false;

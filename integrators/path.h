@@ -14,8 +14,8 @@ namespace twinray {
 
 /// When a path is given up at random (and its weight raised, so that the mean stays).
 struct Roulette {
-  /// A fixed probability of going on, in (0, 1]; 0 stands for the path's largest throughput component, up
-  /// to 1.
+  /// A fixed probability of going on, in (0, 1], from the second bounce on. 0: the path's largest throughput
+  /// component, up to 1, from the fourth bounce on.
   float continuation = 0;
 };
 
@@ -31,8 +31,8 @@ struct PathOptions {
 /// Unidirectional path tracing with light sampling at each vertex (Kajiya, "The Rendering Equation", 1986).
 ///
 /// At vertex d the light scattered d + 1 times is estimated by DirectLight; emission that a bounce ray meets
-/// has been counted there, so it is added for the camera ray and behind delta surfaces only. The first bounce
-/// is always made; from then on roulette decides.
+/// has been counted there, so it is added for the camera ray and behind delta surfaces only. Roulette decides
+/// about late bounces (struct Roulette).
 ///
 /// Paths grow in waves: all of them advance to their next vertex, then their shadow rays are traced, then
 /// their bounce rays. The terms of each path are added in the order in which it would meet them alone.
@@ -56,7 +56,8 @@ class PathIntegrator final : public Integrator {
   void add_escaped(const Wave& wave, const Path& path, const Vec3& direction) const;
   /// Chooses where the path goes on; false where it ends.
   bool scatter(const Wave& wave, Path& path, Ray& ray, const Interaction& at, VertexSampler& sampler) const;
-  bool survives_roulette(Path& path, VertexSampler& sampler) const;
+  /// Bounces count from 1.
+  bool survives_roulette(Path& path, int bounce, VertexSampler& sampler) const;
 
   const Scene& scene_;
   PathOptions options_;

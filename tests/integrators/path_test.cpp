@@ -43,6 +43,22 @@ TEST_CASE("the mean does not depend on roulette, sampler or samples per light") 
   check({.max_depth = 8, .samples_per_light = 4, .roulette = {1}}, options(128));
 }
 
+TEST_CASE("no path of the default ends at random before its fourth bounce, and those of a fixed chance may") {
+  // A closed box: each of the first bounces is made unless roulette ends the path. The ray of the last one is
+  // not traced, light sampling has counted what it would find.
+  const Scene scene = emissive_enclosure(1, 0.5f);
+  const auto bounces = [&](int depth, Roulette roulette) {
+    const RenderResult result =
+        render_with(scene, PathIntegrator(scene, {.max_depth = depth, .roulette = roulette}), options(64));
+    return double(result.rays.bounce) / double(result.rays.camera);
+  };
+  constexpr double tolerance = 0.012;  // Four standard errors of 7680 paths; 0 where nothing is random.
+  CHECK(bounces(4, {}) == 3);
+  CHECK(bounces(5, {1}) == 4);
+  CHECK(bounces(5, {}) == Approx(3 + 0.0625).margin(tolerance));  // By a throughput of 0.5^4 then.
+  CHECK(bounces(3, {0.25f}) == Approx(1 + 0.25).margin(2 * tolerance));
+}
+
 TEST_CASE("hemisphere and light sampling have the same mean where no light is a delta") {
   const Scene scene = small_room();
   const Estimate by_lights = estimate(scene, {.max_depth = 3}, options(256));
