@@ -18,7 +18,7 @@ Warnings warnings_of(const Scene& scene, const std::vector<std::string>& options
 
 Scene lit_scene() {
   Scene scene;
-  scene.lights.push_back({"sky", AmbientLight{}});
+  scene.lights.push_back({"sky", AmbientLight{.radiance = {0, 0, 1}}});
   return scene;
 }
 
@@ -35,6 +35,25 @@ TEST_CASE("a scene without a light is warned of, once, and not where normals are
   CHECK(warnings_of(Scene{}) == Warnings{"the scene has no light: the picture will be black"});
   CHECK(warnings_of(Scene{}, {"--direct=hemisphere"}).size() == 1);
   CHECK(warnings_of(Scene{}, {"--integrator=normals"}).empty());
+}
+
+TEST_CASE("lights of radiance 0 are none") {
+  const Warnings none{"the scene has no light: the picture will be black"};
+  Image map(2, 1);
+  for (const LightSource& dark :
+       {LightSource(MeshLight{}), LightSource(SphereLight{}), LightSource(PointLight{}),
+        LightSource(SpotLight{}), LightSource(DirectionalLight{}), LightSource(AmbientLight{}),
+        LightSource(EnvironmentLight{std::make_shared<const Image>(map)})}) {
+    Scene scene;
+    scene.lights.push_back({"dark", dark});
+    CHECK(warnings_of(scene) == none);
+    scene.lights.push_back({"sun", DirectionalLight{.irradiance = {0, 1, 0}}});
+    CHECK(warnings_of(scene).empty());
+  }
+  map.at(1, 0) = {0, 0, 1e-6f};
+  Scene sky;
+  sky.lights.push_back({"sky", EnvironmentLight{std::make_shared<const Image>(map)}});
+  CHECK(warnings_of(sky).empty());
 }
 
 TEST_CASE("hemisphere sampling names the delta lights that it cannot meet") {
