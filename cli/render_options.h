@@ -18,6 +18,7 @@ struct RenderRequest {
   std::vector<int> resolution{arguments.render.width, arguments.render.height};
   std::vector<int> crop;  ///< X Y W H; empty: none.
   Words adaptive;         ///< Batch and tolerance; empty: none.
+  std::optional<AdaptiveRule> adaptive_rule;
   std::string roulette = "throughput";
   bool hemisphere = false;
   enum class Bounces { all, direct, indirect, last } bounces = Bounces::all;

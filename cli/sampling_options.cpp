@@ -18,6 +18,10 @@ void add_sampling_options(CLI::App& app, RenderRequest& request) {
       {"-a,--adaptive", "N T",
        fmt::format("Stop a pixel early: batch size, tolerance; as {} {}", usual.batch, usual.tolerance)},
       2, [&request](const Words& words) { request.adaptive = words; });
+  group.add_choice<std::optional<AdaptiveRule>>(
+      "--adaptive-rule", request.adaptive_rule,
+      {{"careful", AdaptiveRule::careful}, {"cs184", AdaptiveRule::cs184}},
+      "When it stops; cs184 loses rare light (careful)");
   group.add_choice<SamplerKind>("--sampler", render.sampler,
                                 {{"sobol", SamplerKind::sobol}, {"independent", SamplerKind::independent}},
                                 "Random numbers");
@@ -25,9 +29,13 @@ void add_sampling_options(CLI::App& app, RenderRequest& request) {
 }
 
 void resolve_sampling(const RenderRequest& request, RenderArguments& arguments) {
-  if (request.adaptive.empty()) return;
+  if (request.adaptive.empty()) {
+    if (request.adaptive_rule) throw UsageError("--adaptive-rule goes with --adaptive");
+    return;
+  }
   AdaptiveSampling& adaptive = arguments.render.adaptive.emplace();
   adaptive.batch = parse_number("--adaptive", request.adaptive[0], batches);
+  adaptive.rule = request.adaptive_rule.value_or(adaptive.rule);
   adaptive.tolerance = parse_number("--adaptive", request.adaptive[1], tolerances);
 }
 

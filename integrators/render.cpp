@@ -121,9 +121,7 @@ class Renderer {
     if (!options_.adaptive || index == 0) return false;
     const PixelSums& pixel = film_.pixel(0, x, y);
     if (pixel.count + pixel.rejected < index) return true;
-    if (index % options_.adaptive->batch != 0 || pixel.count < 2) return false;
-    const double half_width = 1.96 * std::sqrt(pixel.luminance_variance() / pixel.count);
-    return half_width <= options_.adaptive->tolerance * pixel.luminance_mean();
+    return index % options_.adaptive->batch == 0 && has_enough_samples(pixel, *options_.adaptive);
   }
 
   void add(std::span<const PixelSample> samples, Tracer& tracer) {
@@ -171,6 +169,7 @@ RenderResult render(const Scene& scene, const Accelerator& accelerator, const In
                     const RenderOptions& options,
                     const std::function<void(const RenderProgress&)>& progress) {
   check(options);
+  const KeepDenormals keep;
   return Renderer(scene, accelerator, integrator, options, progress).run();
 }
 

@@ -10,17 +10,10 @@
 #include "core/film.h"
 #include "core/sampler.h"
 #include "core/scene.h"
+#include "integrators/adaptive.h"
 #include "integrators/integrator.h"
 
 namespace twinray {
-
-/// Stops sampling a pixel once it is known well enough: every `batch` samples, with n so far, mean m and
-/// variance s^2 of their luminance, when 1.96 s / sqrt(n) <= tolerance m (the 95 % confidence interval of the
-/// mean).
-struct AdaptiveSampling {
-  std::uint32_t batch = 32;  ///< >= 2.
-  double tolerance = 0.05;   ///< >= 0.
-};
 
 /// One sample of a picture: its pixel, and its number within it.
 struct PixelSample {

@@ -74,11 +74,9 @@ std::string configuration(const BuildOptions& options) {
     throw Error(fmt::format("Embree has no instruction set \"{}\"; valid are {}", isa,
                             fmt::join(instruction_sets, ", ")));
   std::string words = isa == "default" ? "" : "max_isa=" + isa;
-  // Of more threads than the process may use oneTBB would print a warning.
-  const ThreadCount threads = count_threads(options.threads);
-  if (options.threads > 0 || threads.usable < threads.wanted)
-    words +=
-        fmt::format("{}threads={}", words.empty() ? "" : ",", std::min(threads.usable, available_threads()));
+  // Said only where they are fewer than Embree would take: it holds all of oneTBB to the number.
+  const int threads = count_threads(options.threads).usable;
+  if (threads < machine_threads()) words += fmt::format("{}threads={}", words.empty() ? "" : ",", threads);
   return words;
 }
 

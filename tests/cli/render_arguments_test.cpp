@@ -48,6 +48,7 @@ TEST_CASE("CS184's options take the same arguments") {
   REQUIRE(arguments.render.adaptive);
   CHECK(arguments.render.adaptive->batch == 16);
   CHECK(arguments.render.adaptive->tolerance == 0.1);
+  CHECK(arguments.render.adaptive->rule == AdaptiveRule::careful);
   CHECK(arguments.render.width == 320);
   CHECK(arguments.render.height == 240);
   CHECK(arguments.environment == "sky.exr");
@@ -304,6 +305,7 @@ TEST_CASE("a number out of range, or no number, is refused in the option's name 
   CHECK(message_of({"-r", "0", "10"}) == "--resolution: \"0\" is not a whole number from 1 to 65536");
   CHECK(message_of({"-r", "10", "48x"}) == "--resolution: \"48x\" is not a whole number from 1 to 65536");
   CHECK(message_of({"-r", "64"}) == "--resolution: 2 numbers are needed, not 1");
+  CHECK(message_of({"--adaptive-rule=cs184"}) == "--adaptive-rule goes with --adaptive");
   CHECK(message_of({"-a", "1", "0.05"}) == "--adaptive: \"1\" is not a whole number from 2 to 4194304");
   CHECK(message_of({"-a", "32.5", "0.05"}) == "--adaptive: \"32.5\" is not a whole number from 2 to 4194304");
   CHECK(message_of({"-a", "32", "-1"}) == "--adaptive: \"-1\" is not a number from 0 to 1000000");

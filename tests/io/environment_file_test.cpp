@@ -86,8 +86,8 @@ TEST_CASE("a PNG of 16 bits is sRGB as one of 8 bits is") {
   CHECK(image.at(0, 0).r == Approx(0.2140481).epsilon(tolerance));
   CHECK(image.at(0, 0).g == 0);
   CHECK(image.at(0, 0).b == Approx(1).epsilon(tolerance));
-  CHECK(image.at(1, 0).r == Approx(0.0143502).epsilon(tolerance));
-  CHECK(image.at(1, 0).g == Approx(0.00120938).epsilon(tolerance));
+  CHECK(image.at(1, 0).r == Approx(0.01435024).epsilon(tolerance));
+  CHECK(image.at(1, 0).g == Approx(0.001209384).epsilon(tolerance));
   CHECK(image.at(1, 0).b == Approx(0.5225394).epsilon(tolerance));
 }
 

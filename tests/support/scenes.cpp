@@ -123,15 +123,16 @@ Scene emissive_enclosure(float emitted, float reflectance) {
   return scene;
 }
 
-Scene small_room() {
-  Scene scene = scene_of(inward_box(1), {0.7f, 0.6f, 0.5f}, {0, 0, 0.95f}, {0, -0.2f, -1});
+Scene small_room(float scale) {
+  Scene scene =
+      scene_of(inward_box(scale), {0.7f, 0.6f, 0.5f}, Vec3{0, 0, 0.95f} * scale, Vec3{0, -0.2f, -1} * scale);
   Mesh blob = icosphere(2);
-  for (Vec3& p : blob.positions) p = p * 0.35f + Vec3{-0.4f, -0.6f, -0.3f};
+  for (Vec3& p : blob.positions) p = (p * 0.35f + Vec3{-0.4f, -0.6f, -0.3f}) * scale;
   add_shape(scene, std::move(blob), {"blob", Lambert{{0.2f, 0.5f, 0.8f}}}, no_light);
-  add_shape(scene, SphereSet{"ball", {{{0.45f, -0.7f, 0}, 0.3f}}}, {"ball", Lambert{{0.8f, 0.3f, 0.2f}}},
-            no_light);
+  add_shape(scene, SphereSet{"ball", {{Vec3{0.45f, -0.7f, 0} * scale, 0.3f * scale}}},
+            {"ball", Lambert{{0.8f, 0.3f, 0.2f}}}, no_light);
   Mesh lamp = floor_square(0.3f, -0.98f);  // turned over: the front faces down, just under the ceiling
-  for (Vec3& p : lamp.positions) p = {p.x, -p.y, -p.z};
+  for (Vec3& p : lamp.positions) p = Vec3{p.x, -p.y, -p.z} * scale;
   add_lamp(scene, std::move(lamp), {8, 7, 6}, EmissionSide::front);
   return scene;
 }

@@ -28,6 +28,7 @@ Camera camera_at(const Vec3& eye, const Vec3& target);
 Scene emissive_enclosure(float emitted, float reflectance);
 
 /// A box of coloured walls with a lamp under its ceiling, an icosphere and a sphere: a little of everything.
-Scene small_room();
+/// Its sides are 2 scale.
+Scene small_room(float scale = 1);
 
 }  // namespace twinray::test

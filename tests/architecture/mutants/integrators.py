@@ -41,7 +41,7 @@ MUTANTS = [
            "progress counts the samples of a part of the frame, whatever its shape, and all "
            "rays"),
     Mutant("rejected samples are left out of what adaptive sampling has taken", "integrators/render.cpp",
-           "pixel.count + film_.rejected_count(x, y) < index",
+           "pixel.count + pixel.rejected < index",
            "pixel.count < index",
            "test_integrators", "adaptive sampling goes on where samples were rejected"),
     Mutant("a sample's point in the pixel is always its centre", "integrators/render.cpp",
