@@ -98,7 +98,7 @@ MemoryLimit available_memory(const std::string& root) {
   for (std::string line; std::getline(groups, line);) {  // "5:cpu,memory:/path", version 2: "0::/path"
     const std::size_t first = line.find(':'), second = line.find(':', first + 1);
     if (second == std::string::npos) continue;
-    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+    const std::string controllers = fmt::format(",{},", line.substr(first + 1, second - first - 1));
     const std::string path = line.substr(second + 1);
     if (controllers == ",,") tighten_by_groups(limit, root, path, version_2);
     if (controllers.find(",memory,") != std::string::npos) tighten_by_groups(limit, root, path, version_1);
