@@ -9,12 +9,15 @@ TEST_CASE("progress says per cent, samples, speed, elapsed and remaining time") 
   const RenderProgress progress{.samples_done = 1500000, .samples_total = 6000000, .rays = 9000000};
   CHECK(progress_text(progress, 30) ==
         " 25 % | 1.5 of 6.0 M samples | 0.30 M rays/s | 30 s, 1 min 30 s left");
+  CHECK(progress_text({.samples_done = 4000000, .samples_total = 5000000, .rays = 1000000}, 100) ==
+        " 80 % | 4.0 of 5.0 M samples | 0.01 M rays/s | 1 min 40 s, 25 s left");
   CHECK(progress_text({.samples_total = 1000000}, 0) == "  0 % | 0.0 of 1.0 M samples | 0.00 M rays/s | 0 s");
 }
 
 TEST_CASE("durations are read at a glance") {
   CHECK(duration_text(0.4) == "0 s");
   CHECK(duration_text(59.4) == "59 s");
+  CHECK(duration_text(59.6) == "1 min 0 s");
   CHECK(duration_text(125) == "2 min 5 s");
   CHECK(duration_text(3840) == "1 h 4 min");
 }

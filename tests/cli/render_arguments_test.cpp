@@ -196,6 +196,7 @@ TEST_CASE("the bounces that are shown are ranges of depth") {
 
 TEST_CASE("roulette takes a probability or the word throughput") {
   CHECK(parse({"--roulette=0.7"}).path.roulette.continuation == 0.7f);
+  CHECK(parse({"--roulette=1"}).path.roulette.continuation == 1);
   CHECK(parse({"--roulette=throughput"}).path.roulette.continuation == 0);
   CHECK(message_of({"--roulette=2"}) ==
         "--roulette: \"2\"; valid are throughput and a probability in (0, 1]");
@@ -323,6 +324,14 @@ TEST_CASE("a seed is a whole number of 64 bits, and no other number passes for o
   for (const char* seed : {"-1", "18446744073709551616", "1.5", "0x10", ""})
     CHECK(message_of({"--seed", seed}) ==
           fmt::format("--seed: \"{}\" is not a whole number from 0 to 18446744073709551615", seed));
+}
+
+TEST_CASE("a crop is a corner and a size, and may be all of the frame") {
+  CHECK(parse({"-p", "2", "3", "40", "50"}).render.window == PixelRect{2, 3, 42, 53});
+  CHECK(parse({"-p", "0", "0", "480", "360"}).render.window == PixelRect{0, 0, 480, 360});
+  CHECK(parse({"-p", "479", "359", "1", "1"}).render.window == PixelRect{479, 359, 480, 360});
+  CHECK(message_of({"-p", "479", "359", "1", "2"}) != "accepted");
+  CHECK(message_of({"-p", "0", "0", "480", "0"}) != "accepted");
 }
 
 TEST_CASE("a crop that is no part of the frame is refused, however large its numbers are") {
