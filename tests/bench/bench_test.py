@@ -3,7 +3,9 @@
 """Runs the benchmark program for an instant and reads its reports: bench_test.py PROGRAM"""
 import csv
 import json
+import math
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -16,6 +18,7 @@ SETS = ("camera", "shadow-1", "bounce-1", "shadow-2", "bounce-2")
 ALWAYS = {"bvh", "bvh-batch", "bvh-fast", "bvh-high", "bvh-2", "brute-force"}
 WITH_EMBREE = {"embree-direct", "embree-native-default", "embree-native", "embree-native-fast",
                "embree-native-fast-high", "embree"}
+ROUNDS = 3
 VOID = {"meta", "br", "line", "circle", "rect", "polyline"}
 
 
@@ -42,13 +45,24 @@ class Balance(HTMLParser):
             self.wrong.append(tag)
 
 
+def spreads(json_value):
+    """Every set of rounds in a report."""
+    if isinstance(json_value, dict):
+        if "rounds" in json_value:
+            yield json_value
+            return
+        json_value = list(json_value.values())
+    for value in json_value if isinstance(json_value, list) else []:
+        yield from spreads(value)
+
+
 class Reports(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         names = {kind: str(Path(cls.folder.name, "statistics." + kind)) for kind in ("json", "csv", "html")}
         cls.done = bench("--quick", "--scenes=", "--only", "^box$", "^room$", "forest-", "--sizes=1e4,12000",
-                         "--repetitions=2", *(f"--{kind}={name}" for kind, name in names.items()))
+                         f"--repetitions={ROUNDS}", *(f"--{kind}={name}" for kind, name in names.items()))
         cls.text = {kind: Path(name).read_text(encoding="utf-8") for kind, name in names.items()}
         cls.json = json.loads(cls.text["json"])
 
@@ -68,7 +82,7 @@ class Reports(unittest.TestCase):
             for engine in scene["engines"]:
                 self.assertEqual(tuple(engine["rays"]), SETS)
                 for statistics in engine["rays"].values():
-                    self.assertEqual(len(statistics["nanoseconds"]["rounds"]), 2)
+                    self.assertEqual(len(statistics["nanoseconds"]["rounds"]), ROUNDS)
                     self.assertGreater(statistics["nanoseconds"]["q1"], 0)
                     self.assertGreater(statistics["speed"]["q1"], 0)
 
@@ -86,9 +100,58 @@ class Reports(unittest.TestCase):
         rows = list(csv.DictReader(self.text["csv"].splitlines()))
         self.assertNotIn("0", {row[name] for row in rows for name in ("nodes_per_ray", "primitives_per_ray")})
 
+    def assert_all_close(self, found, expected):
+        self.assertEqual(len(found), len(expected))
+        for a, b in zip(found, expected):
+            self.assertTrue(math.isclose(a, b, rel_tol=1e-9), (found, expected))
+
+    def test_quartiles_are_those_of_the_rounds(self):
+        counted = 0
+        for spread in spreads({name: value for name, value in self.json.items() if name != "rounds"}):
+            rounds = spread["rounds"] if len(spread["rounds"]) > 1 else 2 * spread["rounds"]
+            self.assert_all_close([spread["q1"], spread["median"], spread["q3"]],
+                                  statistics.quantiles(rounds, n=4, method="inclusive"))
+            counted += 1
+        self.assertGreater(counted, 100)
+
+    def test_speed_is_the_baselines_time_over_an_engines_round_by_round(self):
+        for scene in self.json["scenes"]:
+            baseline = scene["engines"][0]["rays"]
+            for engine in scene["engines"]:
+                for name, figures in engine["rays"].items():
+                    times = figures["nanoseconds"]["rounds"]
+                    self.assert_all_close(figures["speed"]["rounds"],
+                                          [base / time for base, time
+                                           in zip(baseline[name]["nanoseconds"]["rounds"], times)])
+        for picture in self.json["pictures"]:
+            baseline = picture["engines"][0]["seconds"]["rounds"]
+            for engine in picture["engines"]:
+                times = engine["seconds"]["rounds"]
+                self.assert_all_close(engine["speed"]["rounds"],
+                                      [base / time for base, time in zip(baseline, times)])
+
+    def test_an_engines_speed_is_the_geometric_mean_of_its_ray_sets(self):
+        for scene in self.json["scenes"]:
+            for engine in scene["engines"]:
+                for kind in ("speed", "nanoseconds"):
+                    rounds = zip(*(figures[kind]["rounds"] for figures in engine["rays"].values()))
+                    self.assert_all_close(engine[kind]["rounds"],
+                                          [statistics.geometric_mean(values) for values in rounds])
+
+    def test_brute_force_tests_every_primitive_for_a_closest_hit_and_a_tree_fewer(self):
+        for scene in self.json["scenes"]:
+            engines = {engine["name"]: engine["rays"] for engine in scene["engines"]}
+            if "brute-force" not in engines:
+                continue
+            for name in ("camera", "bounce-1", "bounce-2"):
+                everything = engines["brute-force"][name]["primitives_per_ray"]
+                self.assertEqual(everything, scene["primitives"])
+                self.assertLess(engines["bvh"][name]["primitives_per_ray"], everything)
+                self.assertGreater(engines["bvh"][name]["nodes_per_ray"], 0)
+
     def test_the_baseline_has_the_speed_one(self):
         for scene in self.json["scenes"]:
-            self.assertEqual(scene["engines"][0]["speed"]["rounds"], [1, 1])
+            self.assertEqual(scene["engines"][0]["speed"]["rounds"], [1] * ROUNDS)
 
     def test_the_machine_is_recorded(self):
         for name in ("processor", "threads", "governor", "load", "compiler", "flags", "libraries"):
@@ -116,7 +179,16 @@ class Reports(unittest.TestCase):
         rows = list(csv.DictReader(self.text["csv"].splitlines()))
         engines = sum(len(scene["engines"]) for scene in self.json["scenes"])
         self.assertEqual(len(rows), engines * (len(SETS) + 1))
-        self.assertTrue(all(float(row["speed_median"]) > 0 for row in rows))
+        engines = {(scene["name"], engine["name"]): engine
+                   for scene in self.json["scenes"] for engine in scene["engines"]}
+        for row in rows:
+            engine = engines[row["scene"], row["engine"]]
+            figures = engine if row["ray_set"] == "all" else engine["rays"][row["ray_set"]]
+            for column, part in (("median", "median"), ("q1", "q1"), ("q3", "q3")):
+                for kind in ("nanoseconds", "speed"):
+                    self.assertTrue(math.isclose(float(row[f"{kind}_{column}"]), figures[kind][part],
+                                                 rel_tol=1e-5), row)
+            self.assertEqual(int(row["bytes"]), engine["build"]["bytes"])
 
     def test_the_page_needs_nothing_but_itself(self):
         page = self.text["html"]

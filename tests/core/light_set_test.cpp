@@ -56,7 +56,7 @@ TEST_CASE("a sphere is sampled within the solid angle it covers, and uniformly")
   CHECK(inverse_density(scene, 1).mean() == Approx(solid_angle).epsilon(rounding));
 }
 
-TEST_CASE("a mesh lamp is sampled by area: the mean of 1 / density is its solid angle") {
+TEST_CASE("a mesh light is sampled by area: the mean of 1 / density is its solid angle") {
   Mesh square = floor_square(1, 1);  // seen from two below its centre line
   for (Vec3& p : square.positions) p = p + Vec3{0.2f, 0, 0.3f};
   const SampleMean mean = inverse_density(scene_with(square), 2);
@@ -79,7 +79,7 @@ TEST_CASE("the density of a sample is the density that is asked for") {
     for (int i = 0; i < 1000; ++i) {
       const LightSample sample = lights.sample(0, below(), draw(random));
       if (is_black(sample.radiance)) continue;
-      // The end of the connection lies just off the lamp; the surface there is where a ray on from it would
+      // The end of the shadow ray lies just off the light; the surface there is where a ray on from it would
       // hit.
       const Ray on{
           .origin = below().position, .direction = sample.direction, .t_min = 0.01f};  // off the floor
@@ -87,7 +87,7 @@ TEST_CASE("the density of a sample is the density that is asked for") {
       if (hit.is_miss() || scene.bindings[hit.mesh].light != 0) continue;
       const SurfacePoint seen = surface_at(*scene.geometry, hit);
       const Vec3 end = sample.connection.origin + sample.connection.direction;
-      if (length(seen.position - end) > 1e-4f) continue;  // another part of the lamp stands in front
+      if (length(seen.position - end) > 1e-4f) continue;  // another part of the light is in front
       CHECK(lights.pdf(0, below(), seen) == Approx(sample.pdf).epsilon(1e-3));
       ++checked;
     }
@@ -95,7 +95,7 @@ TEST_CASE("the density of a sample is the density that is asked for") {
   }
 }
 
-TEST_CASE("a lamp shows its radiance on its sides, and other surfaces show none") {
+TEST_CASE("a light shows its radiance on its sides, and other surfaces show none") {
   Scene scene = scene_of(floor_square(5, -1), {0.5f, 0.5f, 0.5f}, {0, 1, 5}, {0, 0, 0});
   const std::uint32_t lamp = add_lamp(scene, floor_square(1, 1), {3, 2, 1}, EmissionSide::front);
   const LightSet lights(scene);
@@ -105,7 +105,7 @@ TEST_CASE("a lamp shows its radiance on its sides, and other surfaces show none"
   CHECK(lights.emitted(triangle_point(*scene.geometry, 0, 0, 0.3f, 0.3f), {0, 1, 0}) == Rgb{});
 }
 
-TEST_CASE("a sphere lamp shows its radiance outside, and is black from within") {
+TEST_CASE("a sphere light shows its radiance outside, and is black from within") {
   const Scene scene = scene_with(SphereSet{"", {{{0.2f, 2, 0.3f}, 1}}});
   const LightSet lights(scene);
   const Sphere& sphere = scene.geometry->sphere_set(1)->spheres[0];
@@ -122,7 +122,7 @@ TEST_CASE("a sphere lamp shows its radiance outside, and is black from within") 
   }
 }
 
-TEST_CASE("the camera sees an environment but no ambient light, and bounces meet both") {
+TEST_CASE("the camera sees an environment but no ambient light, and bounces see both") {
   Scene scene = scene_of(floor_square(5, -1), {0.5f, 0.5f, 0.5f}, {0, 1, 5}, {0, 0, 0});
   add_light(scene, AmbientLight{{0, 1, 0}, {1, 1, 1}});
   auto map = std::make_shared<Image>(4, 2);

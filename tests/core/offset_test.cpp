@@ -25,8 +25,8 @@ struct Journey {
   int bounces = 0, escapes = 0, repeats = 0;
 };
 
-/// Bounces a ray about inside of a closed mesh. It escapes where it meets nothing, or a triangle's front; it
-/// repeats where it meets the triangle it has just left.
+/// Bounces a ray about inside of a closed mesh. It escapes where it hits nothing, or a triangle's front; it
+/// repeats where it hits the triangle it has just left.
 Journey bounce_inside(const Geometry& geometry, const Vec3& centre, int bounces) {
   Random random(11);
   Journey journey{.bounces = bounces};
@@ -62,7 +62,7 @@ void check_closed(const Mesh& mesh, int tests) {
       }
 }
 
-/// Connects random points of a closed convex mesh; how many connections meet one of their own ends.
+/// Shadow rays between random points of a closed convex mesh; how many of them hit one of their own ends.
 int blocked_connections(const Geometry& geometry, int count) {
   Random random(12);
   const std::uint32_t triangles = std::uint32_t(geometry.triangle_count());
@@ -88,7 +88,7 @@ int blocked_connections(const Geometry& geometry, int count) {
 
 }  // namespace
 
-TEST_CASE("no ray escapes from a box, and none meets the triangle it leaves") {
+TEST_CASE("no ray escapes from a box, and none hits the triangle it leaves") {
   check_closed(test::box_mesh(), 1'000'000);
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("no ray escapes from a star with spikes and hollows") {
   check_closed(test::star_mesh(2, 3), 2'000'000);
 }
 
-TEST_CASE("connections inside of a convex mesh are never blocked") {
+TEST_CASE("shadow rays inside of a convex mesh are never blocked") {
   for (const Mesh& mesh : {test::box_mesh(), test::tetrahedron_mesh(), test::icosphere_mesh(1)})
     for (const float away : {0.0f, 1.0f, 1000.0f}) {
       INFO(mesh.name << " away " << away);
@@ -111,7 +111,7 @@ TEST_CASE("connections inside of a convex mesh are never blocked") {
     }
 }
 
-TEST_CASE("a connection's ends lie on the sides that face each other, and its t_max is 1") {
+TEST_CASE("a shadow ray's ends lie on the sides that face each other, and its t_max is 1") {
   SurfacePoint below{.position = {0, 0, 0}, .geometric_normal = {0, 0, -1}, .offset = 0.25f};
   SurfacePoint above{.position = {3, 0, 8}, .geometric_normal = {0, 0, -1}, .offset = 0.5f};
   const Ray ray = connect(below, above);
@@ -125,7 +125,7 @@ TEST_CASE("a connection's ends lie on the sides that face each other, and its t_
   CHECK(to_point.t_max == 1);
 }
 
-TEST_CASE("a ray spawned from a sphere, inward or outward, does not meet its start again") {
+TEST_CASE("a ray spawned from a sphere, inward or outward, does not hit its start again") {
   Random random(13);
   for (int i = 0; i < 200000; ++i) {
     const Sphere sphere{random.in_cube(std::ldexp(1.0f, random.between(-10, 10))),

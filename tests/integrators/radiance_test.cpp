@@ -102,6 +102,8 @@ TEST_CASE("an ambient light lights a floor under its hemisphere by its radiance 
     Scene scene = floor_scene();
     add_light(scene, AmbientLight{{0, 1, 0}, {2, 2, 2}});
     check_radiance(scene, reflectance * 2, method);
+    scene.camera = camera_at({0, 1, 0}, {0, 2, 0.5f});
+    CHECK(estimate(scene, {.max_depth = 0}, options(1)).mean == 0);  // the camera does not see it
   }
 }
 
@@ -112,12 +114,14 @@ TEST_CASE("a uniform environment lights a floor by its radiance times the reflec
     for (Rgb& pixel : map->pixels) pixel = {2, 2, 2};
     add_light(scene, EnvironmentLight{map});
     check_radiance(scene, reflectance * 2, method);
+    // What leaves a floor has no second bounce, so that a greater depth adds nothing.
+    check_mean(estimate(scene, {.max_depth = 3, .direct = method}, options(20000)), reflectance * 2, 0.05);
     scene.camera = camera_at({0, 1, 0}, {0, 2, 0.5f});
     CHECK(estimate(scene, {.max_depth = 0}, options(1)).mean == Approx(2).epsilon(rounding));
   }
 }
 
-TEST_CASE("a square lamp lights a floor by its form factor, from its emitting side only") {
+TEST_CASE("a square light lights a floor by its form factor, from its emitting side only") {
   for (const DirectMethod method : {DirectMethod::lights, DirectMethod::hemisphere}) {
     for (const EmissionSide side : {EmissionSide::front, EmissionSide::back, EmissionSide::both}) {
       Scene scene = floor_scene();
@@ -130,7 +134,7 @@ TEST_CASE("a square lamp lights a floor by its form factor, from its emitting si
   }
 }
 
-TEST_CASE("a sphere lamp overhead lights a floor by (r / d)^2") {
+TEST_CASE("a sphere light overhead lights a floor by (r / d)^2") {
   for (const DirectMethod method : {DirectMethod::lights, DirectMethod::hemisphere}) {
     Scene scene = floor_scene();
     add_lamp(scene, SphereSet{"lamp", {{{0, 4, 0}, 1.5f}}}, {5, 5, 5}, EmissionSide::both);
