@@ -75,7 +75,8 @@ MUTANTS = [
            "(wave.depth == 0 ? lights_.background(direction) : lights_.escaped(direction))",
            "lights_.escaped(direction)",
            "test_integrators",
-           "the camera sees an environment but no ambient light, and bounces meet both"),
+           "an ambient light lights a floor under its hemisphere by its radiance times the "
+           "reflectance"),
     Mutant("a bounce counts the lamp that it hits again", "integrators/path.cpp",
            "path.meets_emission = sample.is_delta;",
            "path.meets_emission = true;",
