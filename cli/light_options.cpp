@@ -27,10 +27,9 @@ void add_path_options(OptionGroup& group, RenderRequest& request) {
                              {"indirect", Bounces::indirect},
                              {"last", Bounces::last}},
                             "Which light is shown");
-  group.add_word(
-      {"--roulette", "throughput|P",
-       fmt::format("By throughput from bounce 4 on, or chance of going on ({})", request.roulette)},
-      request.roulette);
+  group.add_word({"--roulette", "throughput|P",
+                  fmt::format("By throughput from bounce 4, or a probability ({})", request.roulette)},
+                 request.roulette);
 }
 
 Roulette parse_roulette(const std::string& word) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/elementary.h"
+#include "core/radiance.h"
 
 namespace twinray {
 
@@ -22,7 +23,10 @@ Rgb environment_radiance(const Image& map, const Vec3& direction) {
   };
   const Rgb upper = at(0, 0) * (1 - s) + at(1, 0) * s;
   const Rgb lower = at(0, 1) * (1 - s) + at(1, 1) * s;
-  return upper * (1 - t) + lower * t;
+  const Rgb radiance = upper * (1 - t) + lower * t;
+  // The weights' sum is rounded: between two pixels of the greatest radiance it could exceed it.
+  return {std::min(radiance.r, max_radiance), std::min(radiance.g, max_radiance),
+          std::min(radiance.b, max_radiance)};
 }
 
 }  // namespace twinray
