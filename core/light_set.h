@@ -18,7 +18,7 @@ struct LightSample {
   Rgb radiance;    ///< Arriving; for a delta light, irradiance on a surface that faces it. Black for none at
                    ///< all.
   float pdf = 1;   ///< Per solid angle; 1 for a delta light.
-  Ray connection;  ///< What must be free for the light to arrive.
+  Ray connection;  ///< The shadow ray: the light arrives if nothing blocks it.
 };
 
 /// All lights of one scene; it keeps a reference to the scene's data, which must outlive it.
@@ -27,7 +27,7 @@ class LightSet {
   explicit LightSet(const Scene& scene);
 
   std::uint32_t size() const { return std::uint32_t(lights_.size()); }
-  /// Whether the light is a point or a direction, which no ray can meet by chance: one sample says all.
+  /// Whether the light is a point or a direction, which no ray can hit by chance: one sample is exact.
   bool is_delta(std::uint32_t light) const;
 
   /// Light of one source at a point; black where none of this sample can arrive. u in [0, 1)^2.
@@ -37,9 +37,9 @@ class LightSet {
 
   /// Radiance that an emissive surface sends along the unit direction wo; black for all other surfaces.
   Rgb emitted(const SurfacePoint& point, const Vec3& wo) const;
-  /// Radiance that a bounce ray meets when it leaves the scene along a unit direction.
+  /// Radiance that a bounce ray brings when it leaves the scene along a unit direction.
   Rgb escaped(const Vec3& direction) const;
-  /// Radiance that a camera ray meets then: the environment alone, an ambient light is not seen.
+  /// Radiance that a camera ray brings then: the environment alone, an ambient light is not seen.
   Rgb background(const Vec3& direction) const;
 
  private:

@@ -39,7 +39,7 @@ inline Ray spawn_ray(const SurfacePoint& from, const Vec3& direction) {
   return {.origin = leave_surface(from, direction), .direction = direction};
 }
 
-/// The connection of two points of surfaces: direction = target - origin, both moved off their surfaces
+/// The shadow ray between two points of surfaces: direction = target - origin, both moved off their surfaces
 /// towards each other, and t_max = 1.
 inline Ray connect(const SurfacePoint& from, const SurfacePoint& to) {
   const Vec3 towards = to.position - from.position;
@@ -47,7 +47,7 @@ inline Ray connect(const SurfacePoint& from, const SurfacePoint& to) {
   const Vec3 target = leave_surface(to, -towards);
   return {.origin = origin, .direction = target - origin, .t_max = 1};
 }
-/// The connection of a surface with a point in space, such as a point light.
+/// The shadow ray from a surface to a point in space, such as a point light.
 inline Ray connect(const SurfacePoint& from, const Vec3& to) {
   const Vec3 origin = leave_surface(from, to - from.position);
   return {.origin = origin, .direction = to - origin, .t_max = 1};

@@ -7,11 +7,11 @@
 namespace twinray {
 namespace {
 
-/// So many connections wait, those of one more estimate besides: many samples of many lights need no memory
-/// for all of a wave.
+/// Shadow rays are traced once so many wait; the last estimate may add more. So many samples of many lights
+/// need no memory for all paths of a wave.
 constexpr std::size_t most_waiting = 4096;
 
-/// Radiance that arrives from a direction straight from a lamp.
+/// Radiance that arrives from a direction straight from an emitter.
 Rgb lamp_radiance(const LightTransport& transport, const Interaction& at, const Vec3& direction,
                   Tracer& tracer) {
   const Hit hit = tracer.bounce_hit(spawn_ray(at.point(), direction));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One bounce of light: estimators of the light that lamps send to a surface and that it scatters to the
+// Direct light: estimators of the light that emitters send to a surface and that it scatters to the
 // viewer.
 #pragma once
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace twinray {
 
 enum class DirectMethod {
   lights,      ///< Points of the lights are sampled.
-  hemisphere,  ///< Directions are sampled, uniformly; what they happen to meet counts. Never meets a delta
+  hemisphere,  ///< Directions are sampled, uniformly; the emitters that they hit count. Never hits a delta
                ///< light.
 };
 
@@ -28,9 +28,9 @@ struct LightTransport {
   std::uint32_t samples_per_light = 1;  ///< For each light that is not a delta light; >= 1.
 };
 
-/// Estimates of the light of all lamps, scattered once at a surface; by `hemisphere`, of all but delta
+/// Estimates of the light of all emitters, scattered once at a surface; by `hemisphere`, of all but delta
 /// lights. Unbiased. Those of many surfaces are made together: first their samples are drawn, then all
-/// connections to lights are traced at once.
+/// shadow rays are traced at once.
 class DirectLight {
  public:
   explicit DirectLight(const LightTransport& transport);
@@ -52,7 +52,7 @@ class DirectLight {
   struct Estimate {
     Rgb* radiance;
     Rgb throughput;
-    Rgb known;          ///< What needs no connection.
+    Rgb known;          ///< What needs no shadow ray.
     std::size_t terms;  ///< How many there are up to the last one of this estimate.
   };
 

@@ -117,7 +117,7 @@ void PathIntegrator::add_escaped(const Wave& wave, const Path& path, const Vec3&
 
 bool PathIntegrator::scatter(const Wave& wave, Path& path, Ray& ray, const Interaction& at,
                              VertexSampler& sampler) const {
-  // The ray behind the last surface could only meet emission that direct light has counted.
+  // The ray after the last surface could only hit emission that direct light has counted.
   const bool is_last = wave.depth + 1 >= depth_limit();
   if (is_last && !at.bsdf().has_delta()) return false;
   const float lobe = at.bsdf().has_lobes() ? sampler.draw_1d(Purpose::lobe) : 0;

@@ -30,12 +30,12 @@ struct PathOptions {
 
 /// Unidirectional path tracing with light sampling at each vertex (Kajiya, "The Rendering Equation", 1986).
 ///
-/// At vertex d the light scattered d + 1 times is estimated by DirectLight; emission that a bounce ray meets
-/// has been counted there, so it is added for the camera ray and behind delta surfaces only. Roulette decides
-/// about late bounces (struct Roulette).
+/// At vertex d the light scattered d + 1 times is estimated by DirectLight; emission that a bounce ray
+/// hits has been counted there, so it is added for the camera ray and behind delta surfaces only. Roulette
+/// decides about late bounces (struct Roulette).
 ///
 /// Paths grow in waves: all of them advance to their next vertex, then their shadow rays are traced, then
-/// their bounce rays. The terms of each path are added in the order in which it would meet them alone.
+/// their bounce rays. The terms of each path are added in the order they would have if it were traced alone.
 class PathIntegrator final : public Integrator {
  public:
   /// The scene must outlive the integrator. Throws Error for options out of range.

@@ -12,7 +12,7 @@ namespace twinray {
 /// Rays traced, by kind, and what they did in the accelerator where that was asked for.
 struct RayCounts {
   std::uint64_t camera = 0;
-  std::uint64_t shadow = 0;  ///< Connections to lights.
+  std::uint64_t shadow = 0;  ///< Towards lights.
   std::uint64_t bounce = 0;  ///< Scattered directions, those of hemisphere sampling included.
   QueryCounts queries;       ///< Zero unless counted.
 
@@ -64,8 +64,8 @@ class Tracer {
     note(rays, RayKind::bounce, counts_.bounce);
     closest(rays, hits);
   }
-  /// How much of the light passes along each connection (core/offset.h), per channel: white where nothing is
-  /// in the way. Valid until the next call.
+  /// The visibility along each shadow ray (core/offset.h), per channel: white where nothing blocks it.
+  /// Valid until the next call.
   std::span<const Rgb> visibilities(std::span<const Ray> connections);
 
   /// The paths have come to their next surfaces: rays start there from now on.
