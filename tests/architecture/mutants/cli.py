@@ -51,5 +51,5 @@ MUTANTS = [
     Mutant("the warnings of a scene file are lost", "cli/common_options.cpp",
            "  for (const Diagnostic& warning : loaded.warnings) console::warn(warning.text());\n",
            "",
-           "test_cli"),
+           "test_cli", "warnings of a scene file are printed by every command, in quiet runs too"),
 ]
