@@ -174,8 +174,9 @@ void XmlDocument::fail_parse() const {
   const Place place = place_of(file_, text_, offset);
   switch (document_->ErrorID()) {
     case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+      // tinyxml2 counts the document and the end tag of the innermost element, too.
       throw error_at(place, fmt::format("elements are nested more than {} deep, the most that is read",
-                                        TINYXML2_MAX_ELEMENT_DEPTH));
+                                        TINYXML2_MAX_ELEMENT_DEPTH - 2));
     case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
       throw error_at(
           place, "not XML: an element that starts here or before it is not closed, or in the wrong order");

@@ -11,7 +11,7 @@
 namespace twinray::bench {
 
 /// A furnished room, closed all around, lit through blinds and by a lamp: huge walls and hair-thin pile,
-/// slats, chairs, a draped cloth, curtains, books, thousands of little facets on balls. 40,000 triangles at
+/// slats, chairs, a draped cloth, curtains, books, thousands of little facets on balls. 50,000 triangles at
 /// least.
 Scene make_room(std::size_t triangles);
 

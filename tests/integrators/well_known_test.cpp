@@ -163,8 +163,7 @@ TEST_CASE("the mean of CBbunny depends on no sampler, engine, number of threads 
                       {SamplerKind::independent, default_backend(), 2, 0.65f, 256},
                       {SamplerKind::independent, Backend::bvh, 7, 1, 256},
                       {SamplerKind::sobol, default_backend(), 2, 0, 256},
-                      {SamplerKind::sobol, Backend::bvh, 1, 0.65f, 256},
-                      {SamplerKind::sobol, Backend::brute_force, 2, 0, 4}};
+                      {SamplerKind::sobol, Backend::bvh, 1, 0.65f, 256}};
   std::vector<Estimate> estimates;
   for (const Way& way : ways) {
     RenderOptions options = frame(16, 12, way.samples, estimates.size());

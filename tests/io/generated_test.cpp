@@ -78,7 +78,7 @@ TEST_CASE("a forest of 10,000 triangles and a ball of 1,000 can be made") {
 }
 
 TEST_CASE("a size that a generated scene cannot have is refused by name") {
-  CHECK_THROWS_WITH(make_room(100), "the scene room of 100 triangles: it can have 40000 to 268435456");
+  CHECK_THROWS_WITH(make_room(100), "the scene room of 100 triangles: it can have 50000 to 268435456");
   CHECK_THROWS_AS(make_forest(std::size_t(1) << 29), Error);
   CHECK_THROWS_AS(make_ball(10), Error);
 }
@@ -124,8 +124,8 @@ TEST_CASE("load_scene takes the names of generated scenes, with a number of tria
   CHECK(loaded.summary.triangles == loaded.scene.geometry->triangle_count());
   CHECK(loaded.summary.camera == "generated:ball:2000");
   CHECK(loaded.warnings.empty());
-  CHECK(make_generated("generated:room:40000").geometry->triangle_count() ==
-        make_room(40000).geometry->triangle_count());
+  CHECK(make_generated("generated:room:50000").geometry->triangle_count() ==
+        make_room(50000).geometry->triangle_count());
 }
 
 TEST_CASE("a wrong name of a generated scene is refused with the valid ones") {
@@ -137,5 +137,5 @@ TEST_CASE("a wrong name of a generated scene is refused with the valid ones") {
         load_scene(fmt::format("generated:ball:{}", size)),
         fmt::format("generated:ball:{0}: \"{0}\" is not a number of triangles, such as 900000", size));
   CHECK_THROWS_WITH(load_scene("generated:room:100"),
-                    "the scene room of 100 triangles: it can have 40000 to 268435456");
+                    "the scene room of 100 triangles: it can have 50000 to 268435456");
 }
