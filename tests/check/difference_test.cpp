@@ -74,6 +74,15 @@ TEST_CASE("the first of several differences is the one nearest to the top left")
   CHECK(first_difference(a, b) == "pixel 1 1: samples 3 and 4");
 }
 
+TEST_CASE("a difference in a layer behind the first is found") {
+  Film a(width, height, whole, {"color", "depth"}), b(width, height, whole, {"color", "depth"});
+  for (Film* film : {&a, &b})
+    for (const std::size_t layer : {0, 1}) film->add(layer, 2, 1, 0, {1, 1, 1});
+  CHECK_FALSE(first_difference(a, b));
+  b.add(1, 2, 1, 1, {1, 1, 1});
+  CHECK(first_difference(a, b) == "pixel 2 1: samples 1 and 2");
+}
+
 TEST_CASE("films of other frames, or with more pixels than expected, differ") {
   const std::string misfit = "frames, windows or layers that do not fit";
   CHECK(first_difference(film_of(whole), Film(width, height + 1, whole)) == misfit);
