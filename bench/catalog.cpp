@@ -28,7 +28,8 @@ SceneSource from_file(const std::string& name, const std::string& path) {
           }};
 }
 
-SceneSource from_maker(const GeneratedScene& maker, std::size_t triangles, const std::string& name) {
+SceneSource from_maker(const generated::GeneratedScene& maker, std::size_t triangles,
+                       const std::string& name) {
   return {name, maker.name, [maker, triangles] { return maker.make(triangles); }};
 }
 
@@ -61,11 +62,12 @@ void add_folder(std::vector<SceneSource>& all, const SceneChoice& choice) {
 }
 
 void add_generated(std::vector<SceneSource>& all, const SceneChoice& choice) {
-  for (const GeneratedScene& maker : generated_scenes())
+  for (const generated::GeneratedScene& maker : generated::generated_scenes())
     all.push_back(from_maker(maker, maker.triangles / choice.size_divisor, maker.name));
-  for (const GeneratedScene& maker : generated_scenes())
+  for (const generated::GeneratedScene& maker : generated::generated_scenes())
     for (const std::size_t size : choice.sizes) {
-      const bool is_growth = maker.make == make_forest || (choice.is_full && maker.make == make_ball);
+      const bool is_growth =
+          maker.make == generated::make_forest || (choice.is_full && maker.make == generated::make_ball);
       if (is_growth || !choice.only.empty())
         all.push_back(from_maker(maker, size, fmt::format("{}-{}", maker.name, size)));
     }

@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // The benchmark program: scene by scene, every engine; then the reports.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "bench/machine.h"
 #include "bench/options.h"
-#include "bench/progress.h"
 #include "bench/reports.h"
 #include "core/error.h"
 #include "integrators/render.h"
 #include "io/destination.h"
 #include "io/image_file.h"
 #include "io/output_file.h"
+#include "io/progress_line.h"
 
 namespace twinray::bench {
 namespace {
@@ -64,15 +66,18 @@ void write_reports(const Options& options, const Results& results, bool is_last)
 /// Growth is a matter of rays; pictures are made of the scenes that are looked at.
 bool is_rendered(const SceneSource& source) { return source.family.empty() || source.name == source.family; }
 
-void measure_whole(const Workload& workload, const Options& options, Progress& progress, Results& results) {
-  progress.show("whole pictures");
+/// Is told what is being done.
+using Report = std::function<void(const std::string&)>;
+
+void measure_whole(const Workload& workload, const Options& options, const Report& report, Results& results) {
+  report("whole pictures");
   results.pictures.push_back(measure_pictures(workload, options.whole));
   if (workload.source().name != "box" && workload.source().name != "room") return;
-  progress.show("threads and processes");
+  report("threads and processes");
   for (ScalingStatistics& scaling : measure_scaling(workload, options.whole))
     results.scalings.push_back(std::move(scaling));
   if (workload.source().name != "box") return;
-  progress.show("error over time");
+  report("error over time");
   results.errors = measure_error(workload, options.whole);
 }
 
@@ -83,18 +88,20 @@ int measure(const Options& options) {
   Results results{
       describe_machine(), options.trace.rounds.count, options.width, options.height, {}, {}, {}, {}};
   const std::vector<SceneSource> sources = choose_scenes(options.scenes);
-  Progress progress;
+  ProgressLine line(isatty(STDERR_FILENO) != 0, [](const std::string& text) { print(stderr, text); });
   bool all_sound = true;
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    progress.begin(fmt::format("scene {} of {}: {}", i + 1, sources.size(), sources[i].name));
-    progress.show("recording its rays");
+    const Report report = [&](const std::string& doing) {
+      line.show(fmt::format("scene {} of {}: {} | {} | {}", i + 1, sources.size(), sources[i].name, doing,
+                            duration_text(line.elapsed_seconds())));
+    };
+    report("recording its rays");
     Workload workload(sources[i], options.width, options.height);
-    results.scenes.push_back(
-        measure_scene(workload, options.trace, [&](const std::string& doing) { progress.show(doing); }));
+    results.scenes.push_back(measure_scene(workload, options.trace, report));
     all_sound = all_sound && is_sound(results.scenes.back());
     const bool has_picture = options.has_renders && is_rendered(sources[i]);
-    if (has_picture) measure_whole(workload, options, progress, results);
-    progress.finish();
+    if (has_picture) measure_whole(workload, options, report, results);
+    line.finish();
     // Whoever stops a long run keeps what there is.
     write_reports(options, results, i + 1 == sources.size());
     print(is_output_taken ? stderr : stdout,

@@ -83,7 +83,7 @@ Scene seen_as(Scene scene, View view, const AgreementOptions& options) {
 
 std::vector<Row> compare_all(const std::vector<SceneFile>& files, const AgreementArguments& arguments) {
   std::vector<Row> rows;
-  ProgressLine line(!arguments.quiet);
+  ProgressLine line = progress_line(!arguments.quiet);
   for (const SceneFile& file : files) {
     const Scene scene = load_with_warnings(file.path).scene;
     SceneAgreement found;

@@ -22,7 +22,7 @@ int check_one_ray(const CrosscheckArguments& arguments, const Scene& scene) {
 }
 
 int check_scene(const CrosscheckArguments& arguments, const Scene& scene) {
-  ProgressLine line(!arguments.quiet);
+  ProgressLine line = progress_line(!arguments.quiet);
   const auto start = std::chrono::steady_clock::now();
   const SceneCrosscheck result = crosscheck_scene(scene, arguments.options, [&](std::uint64_t done) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -4,23 +4,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-
 #include "cli/console.h"
 
 namespace twinray {
-namespace {
 
-constexpr double terminal_interval_seconds = 0.1;
-constexpr double log_interval_seconds = 5;
-
-}  // namespace
-
-std::string duration_text(double seconds) {
-  const auto whole = std::uint64_t(std::max(0.0, seconds) + 0.5);
-  if (whole < 60) return fmt::format("{} s", whole);
-  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
-  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+ProgressLine progress_line(bool enabled) {
+  const auto write = [](const std::string& text) { console::print_error("{}", text); };
+  if (!enabled) return {false, nullptr};
+  return {isatty(STDERR_FILENO) != 0, write};
 }
 
 std::string progress_text(const RenderProgress& progress, double elapsed_seconds) {
@@ -32,33 +23,6 @@ std::string progress_text(const RenderProgress& progress, double elapsed_seconds
                                  1e-6 * rate, duration_text(elapsed_seconds));
   if (done > 0.01) text += fmt::format(", {} left", duration_text(elapsed_seconds * (1 - done) / done));
   return text;
-}
-
-ProgressLine::ProgressLine(bool enabled)
-    : enabled_(enabled), is_terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
-
-bool ProgressLine::is_due() const {
-  const std::chrono::duration<double> since_last = Clock::now() - last_;
-  return enabled_ && since_last.count() >= (is_terminal_ ? terminal_interval_seconds : log_interval_seconds);
-}
-
-void ProgressLine::show(const RenderProgress& progress) {
-  const std::chrono::duration<double> elapsed = Clock::now() - start_;
-  if (is_due()) show(progress_text(progress, elapsed.count()));
-}
-
-void ProgressLine::show(const std::string& text) {
-  if (!is_due()) return;
-  last_ = Clock::now();
-  is_shown_ = true;
-  if (is_terminal_)
-    console::print_error("\r{}\x1b[K", text);
-  else
-    console::print_error("{}\n", text);
-}
-
-void ProgressLine::finish() {
-  if (is_shown_ && is_terminal_) console::print_error("\r\x1b[K");
 }
 
 }  // namespace twinray

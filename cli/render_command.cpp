@@ -140,10 +140,13 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   std::optional<Check> check;
   if (arguments.check_with) check.emplace(arguments, loaded.scene, *accelerator);
 
-  ProgressLine line(!arguments.quiet);
+  ProgressLine line = progress_line(!arguments.quiet);
   const RenderResult result = render(loaded.scene, *accelerator, *integrator,
                                      check ? check->observed(arguments.render) : arguments.render,
-                                     [&](const RenderProgress& progress) { line.show(progress); });
+                                     [&](const RenderProgress& progress) {
+                                       if (line.is_due())
+                                         line.show(progress_text(progress, line.elapsed_seconds()));
+                                     });
   line.finish();
   if (const std::string rejected = rejection_text(result.film); !rejected.empty()) console::warn(rejected);
   std::optional<SceneCrosscheck> found;

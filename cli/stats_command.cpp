@@ -69,7 +69,7 @@ int stats_command(const StatsArguments& arguments) {
   const InterruptGuard guard(output_files(arguments));
   prepare_outputs(output_files(arguments));
   const Scene scene = load(arguments);
-  ProgressLine line(!arguments.quiet);
+  ProgressLine line = progress_line(!arguments.quiet);
   const SceneStatistics statistics =
       measure_engines(scene, arguments.options, [&](const std::string& doing) { line.show(doing); });
   line.finish();

@@ -30,13 +30,13 @@ float Bsdf::pdf(const Vec3& wo, const Vec3& wi) const {
   return wo.z * wi.z > 0 ? cosine_hemisphere_pdf(std::fabs(wi.z)) : 0;
 }
 
-BsdfSample Bsdf::sample(const Vec3& wo, float, Vec2 u) const {
+BsdfSample Bsdf::sample(const Vec3& wo, Vec2 u) const {
   if (is_black(reflectance_) || wo.z == 0) return {};
   Vec3 wi = square_to_cosine_hemisphere(u);
   if (wi.z <= 0) return {};
   const float pdf = cosine_hemisphere_pdf(wi.z);
   if (wo.z < 0) wi.z = -wi.z;
-  return {wi, reflectance_ * (1 / pi), pdf, false};
+  return {wi, reflectance_ * (1 / pi), pdf};
 }
 
 }  // namespace twinray

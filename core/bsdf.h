@@ -14,11 +14,8 @@ namespace twinray {
 /// A direction in which light is scattered.
 struct BsdfSample {
   Vec3 wi;
-  Rgb value;      ///< The BSDF f(wo, wi); for a delta lobe, f |cos| is a distribution: f |cos| / pdf is the
-                  ///< weight.
-  float pdf = 0;  ///< Per solid angle; for a delta lobe the probability of having chosen it. 0: nothing is
-                  ///< scattered, and the rest is zero.
-  bool is_delta = false;  ///< wi is the only direction of this lobe.
+  Rgb value;      ///< The BSDF f(wo, wi).
+  float pdf = 0;  ///< Per solid angle. 0: nothing is scattered, and the rest is zero.
 };
 
 /// The scattering function of a material at a point.
@@ -26,20 +23,14 @@ class Bsdf {
  public:
   explicit Bsdf(const Material& material);
 
-  /// f(wo, wi), without the cosine. Delta lobes do not take part.
+  /// f(wo, wi), without the cosine.
   Rgb evaluate(const Vec3& wo, const Vec3& wi) const {
     return wo.z * wi.z > 0 ? reflectance_ * (1 / pi) : Rgb{};
   }
   /// The density, per solid angle, with which sample() chooses wi.
   float pdf(const Vec3& wo, const Vec3& wi) const;
-  /// A direction, from a draw for the lobe and two for the direction within it.
-  BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
-  /// Whether sample() uses its draw for the lobe.
-  bool has_lobes() const { return false; }
-  /// Whether all of it are delta lobes: then light sampling is in vain.
-  bool is_delta() const { return false; }
-  /// Whether any of it is a delta lobe: then emission may be met that light sampling cannot count.
-  bool has_delta() const { return false; }
+  /// A direction, from two numbers in the unit square.
+  BsdfSample sample(const Vec3& wo, Vec2 u) const;
 
  private:
   Rgb reflectance_;

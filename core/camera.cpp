@@ -36,18 +36,6 @@ Camera view_whole(const Camera& camera, const Aabb& box) {
   return moved;
 }
 
-bool sees_whole(const Camera& camera, const Aabb& box) {
-  for (const Vec3& corner : corners_of(box)) {
-    const Vec3 p = corner - camera.position;
-    const float depth = dot(p, camera.forward);
-    if (depth < camera.clip_near || depth > camera.clip_far ||
-        std::fabs(dot(p, camera.right)) > camera.tan_half_width * depth ||
-        std::fabs(dot(p, camera.up)) > camera.tan_half_height * depth)
-      return false;
-  }
-  return true;
-}
-
 Camera fit_frame(const Camera& camera, int width, int height) {
   Camera fitted = camera;
   const float aspect = float(width) / float(height);

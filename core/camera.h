@@ -26,9 +26,6 @@ Camera fit_frame(const Camera& camera, int width, int height);
 /// a margin of 4 %), in the middle. An empty box leaves it where it is.
 Camera view_whole(const Camera& camera, const Aabb& box);
 
-/// Whether all of a box lies within the frame of the camera.
-bool sees_whole(const Camera& camera, const Aabb& box);
-
 /// The ray through a point of the frame, (0, 0) top left and (1, 1) bottom right, and a point of the lens in
 /// the unit disc. Its direction has length 1 along `forward`, so t counts depth.
 Ray camera_ray(const Camera& camera, Vec2 frame, Vec2 lens);

@@ -23,7 +23,6 @@ struct PathIntegrator::Path {
   PathKey key;
   Rgb* radiance;            ///< Sum of the terms so far.
   Rgb throughput{1, 1, 1};  ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
-  bool meets_emission = true;  ///< No direct light estimate has counted what the current ray sees.
 };
 
 /// Paths with the same number of vertices.
@@ -98,38 +97,32 @@ bool PathIntegrator::visit(Wave& wave, Path& path, Ray& ray, const Hit& hit, Tra
   }
   const SurfacePoint point = surface_at(*scene_.geometry, hit);
   const Vec3 wo = -direction;
-  if (path.meets_emission && counts(wave.depth))
-    *path.radiance += path.throughput * lights_.emitted(point, wo);
+  // Behind the first surface direct light has counted what a ray hits.
+  if (wave.depth == 0 && counts(0)) *path.radiance += path.throughput * lights_.emitted(point, wo);
   if (wave.depth >= depth_limit()) return false;
 
   const Interaction at(scene_, point, wo);
   VertexSampler sampler(wave.kind, path.key, std::uint32_t(wave.depth) + 1);
-  if (counts(wave.depth + 1) && !at.bsdf().is_delta())
-    wave.direct.draw(at, path.throughput, sampler, tracer, *path.radiance);
+  if (counts(wave.depth + 1)) wave.direct.draw(at, path.throughput, sampler, tracer, *path.radiance);
   return scatter(wave, path, ray, at, sampler);
 }
 
 void PathIntegrator::add_escaped(const Wave& wave, const Path& path, const Vec3& direction) const {
-  if (!path.meets_emission || !counts(wave.depth)) return;
-  *path.radiance +=
-      path.throughput * (wave.depth == 0 ? lights_.background(direction) : lights_.escaped(direction));
+  if (wave.depth == 0 && counts(0)) *path.radiance += path.throughput * lights_.background(direction);
 }
 
 bool PathIntegrator::scatter(const Wave& wave, Path& path, Ray& ray, const Interaction& at,
                              VertexSampler& sampler) const {
   // The ray after the last surface could only hit emission that direct light has counted.
-  const bool is_last = wave.depth + 1 >= depth_limit();
-  if (is_last && !at.bsdf().has_delta()) return false;
-  const float lobe = at.bsdf().has_lobes() ? sampler.draw_1d(Purpose::lobe) : 0;
+  if (wave.depth + 1 >= depth_limit()) return false;
   const Vec2 direction = sampler.draw_2d(Purpose::direction);
-  const BsdfSample sample = at.bsdf().sample(at.wo_local(), lobe, direction);
-  if (sample.pdf == 0 || (is_last && !sample.is_delta)) return false;
+  const BsdfSample sample = at.bsdf().sample(at.wo_local(), direction);
+  if (sample.pdf == 0) return false;
   const Vec3 wi = at.to_world(sample.wi);
   if (!at.is_consistent(wi)) return false;
   path.throughput = path.throughput * sample.value * (std::fabs(sample.wi.z) / sample.pdf);
   if (is_black(path.throughput) || !survives_roulette(path, wave.depth + 1, sampler)) return false;
   ray = spawn_ray(at.point(), wi);
-  path.meets_emission = sample.is_delta;
   return true;
 }
 

@@ -16,7 +16,7 @@ namespace twinray {
 namespace {
 
 LoadedScene load_generated(const std::string& name) {
-  LoadedScene loaded{.scene = bench::make_generated(name)};
+  LoadedScene loaded{.scene = generated::make_generated(name)};
   loaded.summary.camera = name;
   count_scene(loaded.scene, loaded.summary);
   return loaded;
@@ -25,7 +25,7 @@ LoadedScene load_generated(const std::string& name) {
 }  // namespace
 
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
-  if (bench::is_generated(path)) return load_generated(path);
+  if (generated::is_generated(path)) return load_generated(path);
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return char(std::tolower(static_cast<unsigned char>(c))); });

@@ -7,7 +7,7 @@
 #include "io/generated/noise.h"
 #include "io/generated/scene_maker.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 namespace {
 
 constexpr unsigned seed = 5;
@@ -50,4 +50,4 @@ Scene make_ball(std::size_t triangles) {
   return scene.finish(camera_of({{0.3f, 0.2f, 2.8f}, {0, -0.1f, 0}, 0.62f}));
 }
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

@@ -10,7 +10,7 @@
 #include "io/generated/mesh_parts.h"
 #include "io/generated/noise.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 namespace {
 
 /// Sine of any number of turns.
@@ -81,4 +81,4 @@ void add_rug(SceneMaker& scene, std::size_t triangles) {
   scene.add(std::move(rug), Rgb{0.85f, 0.78f, 0.66f});
 }
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

@@ -3,7 +3,7 @@
 #pragma once
 #include "io/generated/scene_maker.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 
 /// A cloth draped over the table: a fine grid of nearly square cells. A few triangles fewer than asked for.
 void add_tablecloth(SceneMaker& scene, std::size_t triangles);
@@ -13,4 +13,4 @@ void add_curtains(SceneMaker& scene, std::size_t triangles);
 /// A shaggy rug before the sofa: as many blades, of one triangle each.
 void add_rug(SceneMaker& scene, std::size_t triangles);
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

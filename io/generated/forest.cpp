@@ -12,7 +12,7 @@
 #include "io/generated/noise.h"
 #include "io/generated/scene_maker.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 namespace {
 
 constexpr unsigned seed = 11;
@@ -152,4 +152,4 @@ Scene make_forest(std::size_t triangles) {
   return scene.finish(camera_of({{0.5f, 2.6f, 9}, {0, 3.4f, -6}, 0.7f}));
 }
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

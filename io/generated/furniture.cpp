@@ -9,7 +9,7 @@
 #include "io/generated/mesh_parts.h"
 #include "io/generated/noise.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 namespace {
 
 constexpr Rgb oak{0.5f, 0.33f, 0.18f};
@@ -222,4 +222,4 @@ void add_round_things(SceneMaker& scene, const RoundThings& triangles) {
   add_cushions(scene, triangles.cushions);
 }
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

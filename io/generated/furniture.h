@@ -4,7 +4,7 @@
 #include "core/transform.h"
 #include "io/generated/scene_maker.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 
 /// The table's top: where it is, and half of its size.
 inline constexpr Vec3 table_center{0.5f, 0.75f, -0.7f};
@@ -27,4 +27,4 @@ struct RoundThings {
 /// than asked for.
 void add_round_things(SceneMaker& scene, const RoundThings& triangles);
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 namespace {
 
 constexpr std::string_view prefix = "generated:";
@@ -48,4 +48,4 @@ Scene make_generated(std::string_view name) {
   throw Error(fmt::format("{}: there is no such scene; valid are {}", name, valid_names()));
 }
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

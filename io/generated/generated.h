@@ -8,7 +8,7 @@
 
 #include "core/scene.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 
 /// A furnished room, closed all around, lit through blinds and by a lamp: huge walls and hair-thin pile,
 /// slats, chairs, a draped cloth, curtains, books, thousands of little facets on balls. 50,000 triangles at
@@ -41,4 +41,4 @@ bool is_generated(std::string_view name);
 /// Throws Error that lists the valid names.
 Scene make_generated(std::string_view name);
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

@@ -4,7 +4,7 @@
 #include "core/elementary.h"
 #include "core/frame.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 namespace {
 
 std::uint32_t add_position(Mesh& mesh, const Vec3& p) {
@@ -95,4 +95,4 @@ void add_ball(Mesh& mesh, const Vec3& center, int n, float radius) {
   add_ball(mesh, center, n, [radius](const Vec3&) { return radius; });
 }
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

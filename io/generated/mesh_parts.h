@@ -7,7 +7,7 @@
 #include "core/geometry.h"
 #include "core/transform.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 
 /// A point of a surface for (u, v) in [0, 1]^2.
 using SurfaceFunction = std::function<Vec3(float u, float v)>;
@@ -37,4 +37,4 @@ void add_tube(Mesh& mesh, const Tube& tube);
 void add_ball(Mesh& mesh, const Vec3& center, int n, const RadiusFunction& radius);
 void add_ball(Mesh& mesh, const Vec3& center, int n, float radius);
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

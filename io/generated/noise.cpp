@@ -6,7 +6,7 @@
 
 #include "core/random.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 namespace {
 
 float at_corner(int x, int y, int z, unsigned seed) {
@@ -42,4 +42,4 @@ float fractal_noise(const Vec3& p, int octaves, unsigned seed) {
   return sum;
 }
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

@@ -2,7 +2,7 @@
 #pragma once
 #include "core/vec.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 
 /// Smooth noise in [-1, 1]: random numbers at the integer points of space (a function of the seed alone),
 /// blended between them. Coordinates up to 2^20.
@@ -12,4 +12,4 @@ float noise(const Vec3& p, unsigned seed);
 /// (-2, 2).
 float fractal_noise(const Vec3& p, int octaves, unsigned seed);
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

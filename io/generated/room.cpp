@@ -9,7 +9,7 @@
 #include "io/generated/mesh_parts.h"
 #include "io/generated/scene_maker.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 namespace {
 
 // The room is x in [-3, 3], y in [0, 2.8], z in [-4, 4]; behind the wall at x = -3 lies a shaft of light.
@@ -124,4 +124,4 @@ Scene make_room(std::size_t triangles) {
   return scene.finish(camera_of({{2.5f, 1.6f, 3.8f}, {-0.35f, 0.75f, -0.9f}, 0.85f}));
 }
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 namespace {
 
 constexpr std::size_t most_triangles = std::size_t(1) << 28;
@@ -58,4 +58,4 @@ void check_size(const std::string& scene, std::size_t triangles, std::size_t lea
                             most_triangles));
 }
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

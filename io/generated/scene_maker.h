@@ -5,7 +5,7 @@
 
 #include "core/scene.h"
 
-namespace twinray::bench {
+namespace twinray::generated {
 
 /// Gathers shapes, materials and lights, and makes a scene of them.
 class SceneMaker {
@@ -38,4 +38,4 @@ Camera camera_of(const View& view);
 /// Throws Error unless the number of triangles lies in [least, 2^28].
 void check_size(const std::string& scene, std::size_t triangles, std::size_t least);
 
-}  // namespace twinray::bench
+}  // namespace twinray::generated

@@ -41,7 +41,7 @@ TEST_CASE("sampled directions have the stated density, from both sides") {
     for (int i = 0; i < 100000; ++i) {
       const float u = random.unit();
       const float v = random.unit();
-      const BsdfSample sample = bsdf.sample(wo, 0.5f, {u, v});
+      const BsdfSample sample = bsdf.sample(wo, {u, v});
       REQUIRE(sample.wi.z * side > 0);
       REQUIRE(sample.pdf == bsdf.pdf(wo, sample.wi));
       REQUIRE(sample.value == bsdf.evaluate(wo, sample.wi));

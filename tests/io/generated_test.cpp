@@ -16,7 +16,7 @@
 #include "tests/support/catch.h"
 
 using namespace twinray;
-using namespace twinray::bench;
+using namespace twinray::generated;
 
 namespace {
 

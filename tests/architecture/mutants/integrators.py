@@ -72,14 +72,14 @@ MUTANTS = [
            "a uniform environment lights a floor by its radiance times the reflectance, and "
            "fills the sky"),
     Mutant("the camera sees ambient light", "integrators/path.cpp",
-           "(wave.depth == 0 ? lights_.background(direction) : lights_.escaped(direction))",
-           "lights_.escaped(direction)",
+           "path.throughput * lights_.background(direction)",
+           "path.throughput * lights_.escaped(direction)",
            "test_integrators",
            "an ambient light lights a floor under its hemisphere by its radiance times the "
            "reflectance"),
     Mutant("a bounce counts the lamp that it hits again", "integrators/path.cpp",
-           "path.meets_emission = sample.is_delta;",
-           "path.meets_emission = true;",
+           "if (wave.depth == 0 && counts(0)) *path.radiance += path.throughput * lights_.emitted",
+           "if (counts(wave.depth)) *path.radiance += path.throughput * lights_.emitted",
            "test_integrators",
            "inside of walls that emit and reflect, radiance is the geometric series of all "
            "bounces"),
@@ -112,8 +112,8 @@ MUTANTS = [
            "rows = (window.height() + size / 2) / size",
            "test_integrators", "tiles cover each pixel of a window exactly once"),
     Mutant("direct light is that of the first bounce counted alone", "integrators/path.cpp",
-           "if (counts(wave.depth + 1) && !at.bsdf().is_delta())",
-           "if (counts(wave.depth) && !at.bsdf().is_delta())",
+           "if (counts(wave.depth + 1))",
+           "if (counts(wave.depth))",
            "test_integrators",
            "direct and indirect light add up to all of it, and the last bounces to the whole "
            "as well"),
