@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
-#include <regex>
+#include <string_view>
 
 #include "core/error.h"
 #include "tests/support/catch.h"
@@ -32,6 +33,15 @@ std::array<int, 4> exr_window(const std::string& path, const std::string& name) 
   std::array<int, 4> window{};
   std::memcpy(window.data(), text.data() + at + attribute.size(), sizeof window);
   return window;
+}
+
+/// Whether a text holds a date and time such as "2023:11:14 22:13:20", of whatever digits.
+bool has_time(const std::string& text) {
+  constexpr std::string_view pattern = "0000:00:00 00:00:00";
+  const auto fits = [](char found, char wanted) {
+    return wanted == '0' ? found >= '0' && found <= '9' : found == wanted;
+  };
+  return std::search(text.begin(), text.end(), pattern.begin(), pattern.end(), fits) != text.end();
 }
 
 }  // namespace
@@ -99,12 +109,12 @@ TEST_CASE("a part of a frame is an EXR's data window, and the frame its display 
 
 TEST_CASE("a picture holds no time but that of its metadata") {
   const TemporaryFolder folder;
-  const std::regex time("[0-9]{4}:[0-9]{2}:[0-9]{2} [0-9]{2}:[0-9]{2}:[0-9]{2}");
+  REQUIRE(has_time("at 2023:11:14 22:13:20."));
   for (const std::string name : {"a.png", "a.exr"}) {
     CAPTURE(name);
     const std::string path = folder.file(name);
     write_image(path, gradient(), {{"Software", "ours"}});
-    CHECK_FALSE(std::regex_search(read_text(path), time));
+    CHECK_FALSE(has_time(read_text(path)));
     CHECK(read_text(path).find("tIME") == std::string::npos);
     write_image(path, gradient(), {{"DateTime", "2023:11:14 22:13:20"}});
     const std::string text = read_text(path);

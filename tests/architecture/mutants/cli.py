@@ -7,7 +7,7 @@ MUTANTS = [
            "elapsed_seconds * (1 - done) / done",
            "elapsed_seconds * done / (1 - done)",
            "test_cli", "progress says per cent, samples, speed, elapsed and remaining time"),
-    Mutant("seconds are cut off, not rounded", "cli/progress.cpp",
+    Mutant("seconds are cut off, not rounded", "io/progress_line.cpp",
            "std::max(0.0, seconds) + 0.5",
            "std::max(0.0, seconds)",
            "test_cli", "durations are read at a glance"),

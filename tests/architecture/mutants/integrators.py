@@ -66,8 +66,8 @@ MUTANTS = [
            "inside of walls that emit and reflect, radiance is the geometric series of all "
            "bounces"),
     Mutant("a bounce that escapes counts the environment again", "integrators/path.cpp",
-           "if (!path.meets_emission || !counts(wave.depth)) return;",
-           "if (!counts(wave.depth)) return;",
+           "if (wave.depth == 0 && counts(0)) *path.radiance += path.throughput * lights_.background",
+           "if (counts(wave.depth)) *path.radiance += path.throughput * lights_.background",
            "test_integrators",
            "a uniform environment lights a floor by its radiance times the reflectance, and "
            "fills the sky"),
