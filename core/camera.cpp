@@ -37,6 +37,7 @@ Camera view_whole(const Camera& camera, const Aabb& box) {
 }
 
 Camera fit_frame(const Camera& camera, int width, int height) {
+  if (camera.is_stretched) return camera;
   Camera fitted = camera;
   const float aspect = float(width) / float(height);
   if (camera.tan_half_width < camera.tan_half_height * aspect)
@@ -50,14 +51,20 @@ Ray camera_ray(const Camera& camera, Vec2 frame, Vec2 lens) {
   const float x = (2 * frame.x - 1) * camera.tan_half_width;
   const float y = (1 - 2 * frame.y) * camera.tan_half_height;
   const Vec3 through = camera.forward + camera.right * x + camera.up * y;
-  if (camera.lens_radius == 0)
-    return {
-        .origin = camera.position, .direction = through, .t_min = camera.clip_near, .t_max = camera.clip_far};
-  const Vec3 shift = camera.right * (lens.x * camera.lens_radius) + camera.up * (lens.y * camera.lens_radius);
-  return {.origin = camera.position + shift,
-          .direction = through - shift / camera.focal_distance,
-          .t_min = camera.clip_near,
-          .t_max = camera.clip_far};
+  Ray ray{
+      .origin = camera.position, .direction = through, .t_min = camera.clip_near, .t_max = camera.clip_far};
+  if (camera.lens_radius != 0) {
+    const Vec3 shift =
+        camera.right * (lens.x * camera.lens_radius) + camera.up * (lens.y * camera.lens_radius);
+    ray.origin = camera.position + shift;
+    ray.direction = through - shift / camera.focal_distance;
+  }
+  if (camera.clips_by_distance) {
+    const float unit = length(ray.direction);
+    ray.t_min /= unit;
+    ray.t_max /= unit;
+  }
+  return ray;
 }
 
 }  // namespace twinray

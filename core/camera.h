@@ -16,10 +16,13 @@ struct Camera {
   float clip_near = 0;  ///< Depths along `forward`: nearer and farther things
   float clip_far = std::numeric_limits<float>::infinity();  ///< are not seen by camera rays.
   float lens_radius = 0;
-  float focal_distance = 1;  ///< Depth of the plane in focus, > 0; it matters for lens_radius > 0 only.
+  float focal_distance = 1;        ///< Depth of the plane in focus, > 0; it matters for lens_radius > 0 only.
+  bool clips_by_distance = false;  ///< The clip distances count along each ray, and not along `forward`.
+  bool is_stretched = false;       ///< The frame fills a picture of any shape: its pixels may be oblong.
 };
 
-/// The camera widened on one axis, so that an image of this size has square pixels and shows the whole frame.
+/// The camera widened on one axis, so that an image of this size has square pixels and shows the whole frame;
+/// one that is stretched, as it is.
 Camera fit_frame(const Camera& camera, int width, int height);
 
 /// The camera moved, without a turn and without clip distances, to where a box just fits into its frame (with

@@ -51,10 +51,14 @@ Vec3 interpolate(const Vec3& corner_a, const Vec3& corner_b, const Vec3& corner_
   return {inside[0], inside[1], inside[2]};
 }
 
+Vec3 mixed_normal(const Mesh& mesh, std::uint32_t triangle, float u, float v) {
+  const auto& [a, b, c] = mesh.normal_indices[triangle];
+  return mesh.normals[a] * (1 - u - v) + mesh.normals[b] * u + mesh.normals[c] * v;
+}
+
 Vec3 shading_normal(const Mesh& mesh, std::uint32_t triangle, float u, float v, const Vec3& geometric) {
   if (mesh.normals.empty()) return geometric;
-  const auto& [a, b, c] = mesh.normal_indices[triangle];
-  const Vec3 n = mesh.normals[a] * (1 - u - v) + mesh.normals[b] * u + mesh.normals[c] * v;
+  const Vec3 n = mixed_normal(mesh, triangle, u, v);
   const float squared = length_squared(n);
   if (!(squared > 1e-12f) || !std::isfinite(squared)) return geometric;
   return n / std::sqrt(squared);
@@ -115,6 +119,13 @@ SurfacePoint sphere_hit_point(const Sphere& sphere, const Hit& hit) {
 SurfacePoint surface_at(const Geometry& geometry, const Hit& hit) {
   if (const Mesh* mesh = geometry.mesh(hit.mesh)) return mesh_point(geometry, *mesh, hit);
   return sphere_hit_point(geometry.sphere_set(hit.mesh)->spheres[hit.primitive], hit);
+}
+
+Vec3 mixed_normal(const Geometry& geometry, const Hit& hit) {
+  const Mesh* mesh = geometry.mesh(hit.mesh);
+  if (!mesh) return octahedral_decode(hit.u, hit.v);
+  if (mesh->normals.empty()) return geometry.facet(hit.mesh, hit.primitive).normal;
+  return mixed_normal(*mesh, hit.primitive, hit.u, hit.v);
 }
 
 }  // namespace twinray

@@ -24,6 +24,10 @@ struct SurfacePoint {
 /// Expands a hit (not a miss) of this geometry.
 SurfacePoint surface_at(const Geometry& geometry, const Hit& hit);
 
+/// The normals of the triangle's corners mixed by the hit's weights, of whatever length; without such normals
+/// the geometric one. Of a sphere its unit normal.
+Vec3 mixed_normal(const Geometry& geometry, const Hit& hit);
+
 /// A point of a triangle by the weights of its second and third vertex, without the mesh's normals and
 /// texture coordinates: for the rest, the same as surface_at gives.
 SurfacePoint triangle_point(const Geometry& geometry, std::uint32_t shape, std::uint32_t triangle, float u,

@@ -8,7 +8,8 @@ namespace twinray {
 Rgb NormalsIntegrator::radiance(const Ray& camera_ray, SamplerKind, const SampleKey&, Tracer& tracer) const {
   const Hit hit = tracer.camera_hit(camera_ray);
   if (hit.is_miss()) return {};
-  const Vec3 n = surface_at(*scene_.geometry, hit).shading_normal;
+  const Vec3 n = mixture_ == Mixture::unit ? surface_at(*scene_.geometry, hit).shading_normal
+                                           : mixed_normal(*scene_.geometry, hit);
   return {0.5f * n.x + 0.5f, 0.5f * n.y + 0.5f, 0.5f * n.z + 0.5f};
 }
 

@@ -9,12 +9,18 @@ namespace twinray {
 /// sample.
 class NormalsIntegrator final : public Integrator {
  public:
+  /// Between the corners of a triangle their normals are mixed: the mixture is made a unit vector, or shown
+  /// as it is, shorter where the corners' normals differ.
+  enum class Mixture { unit, as_it_is };
+
   /// The scene must outlive the integrator.
-  explicit NormalsIntegrator(const Scene& scene) : scene_(scene) {}
+  explicit NormalsIntegrator(const Scene& scene, Mixture mixture = Mixture::unit)
+      : scene_(scene), mixture_(mixture) {}
   Rgb radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key, Tracer& tracer) const override;
 
  private:
   const Scene& scene_;
+  Mixture mixture_;
 };
 
 }  // namespace twinray
