@@ -57,14 +57,14 @@ XmlElement find_visual_scene(const ColladaDocument& document) {
   return document.resolve(scene.required_child("instance_visual_scene"), "url", "visual_scene");
 }
 
-LoadedScene read_document(ColladaDocument& document, const LoadOptions& options) {
+LoadedScene read_document(ColladaDocument& document) {
   check_names(document);
   const XmlElement visual_scene = find_visual_scene(document);
   ColladaMaterials materials(document);
   ColladaNodes nodes(document, materials);
   nodes.walk(visual_scene, document.to_y_up());
   if (nodes.parts.shapes.empty()) document.warn(visual_scene, "the scene has no shapes");
-  if (!options.keep_both_lamps) merge_lamps(nodes.parts);
+  if (!document.options().keep_both_lamps) merge_lamps(nodes.parts);
   add_rectangles(nodes.parts, materials);
 
   LoadedScene loaded;
@@ -95,9 +95,9 @@ std::string with_warnings(const Error& error, const std::vector<Diagnostic>& war
 }  // namespace
 
 LoadedScene read_collada(const XmlDocument& xml, const LoadOptions& options) {
-  ColladaDocument document(xml, options.strict);
+  ColladaDocument document(xml, options);
   try {
-    return read_document(document, options);
+    return read_document(document);
   } catch (const Error& error) {
     throw Error(with_warnings(error, document.warnings()));
   }

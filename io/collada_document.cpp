@@ -21,8 +21,8 @@ const XmlElement& checked_root(const XmlElement& root) {
 
 }  // namespace
 
-ColladaDocument::ColladaDocument(const XmlDocument& document, bool strict)
-    : root_(checked_root(document.root())), warnings_(strict) {
+ColladaDocument::ColladaDocument(const XmlDocument& document, const LoadOptions& options)
+    : root_(checked_root(document.root())), options_(options), warnings_(options.strict) {
   index_ids(root_);
   read_asset();
 }

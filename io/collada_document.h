@@ -8,6 +8,7 @@
 #include "core/rgb.h"
 #include "core/transform.h"
 #include "io/diagnostic.h"
+#include "io/load_options.h"
 #include "io/xml_reader.h"
 
 namespace twinray {
@@ -15,9 +16,10 @@ namespace twinray {
 class ColladaDocument {
  public:
   /// Throws Error where the root is not <COLLADA version="1.4...">.
-  ColladaDocument(const XmlDocument& document, bool strict);
+  ColladaDocument(const XmlDocument& document, const LoadOptions& options);
 
   const XmlElement& root() const { return root_; }
+  const LoadOptions& options() const { return options_; }
 
   /// The element that an attribute such as url="#id" refers to. Throws Error where it is not of the form #id,
   /// no element has the id, or the element is not a <kind>.
@@ -45,6 +47,7 @@ class ColladaDocument {
   std::string suggest(std::string_view wanted, std::string_view kind) const;
 
   XmlElement root_;
+  LoadOptions options_;
   WarningList warnings_;
   std::map<std::string, XmlElement, std::less<>> ids_;
   char up_axis_ = 'Y';

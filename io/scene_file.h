@@ -7,19 +7,10 @@
 
 #include "core/scene.h"
 #include "io/diagnostic.h"
-#include "io/interpretation.h"
+#include "io/load_options.h"
 #include "io/scene_summary.h"
 
 namespace twinray {
-
-struct LoadOptions {
-  bool strict = false;           ///< Whatever would be a warning is an Error.
-  bool keep_both_lamps = false;  ///< Undoes the one-lamp rule (io/collada_lamp.h).
-  Interpretation interpretation = Interpretation::standard;
-  /// Leaves the lights out, and the shapes that area lights add to the scene: what CS184's picture of normals
-  /// shows.
-  bool surfaces_only = false;
-};
 
 struct LoadedScene {
   Scene scene;  ///< Checked by check_scene().

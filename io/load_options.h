@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "io/interpretation.h"
+
+namespace twinray {
+
+/// What a reader of scene files makes of a file where more than one reading is sensible.
+struct LoadOptions {
+  bool strict = false;           ///< Whatever would be a warning is an Error.
+  bool keep_both_lamps = false;  ///< Undoes the one-lamp rule (io/collada_lamp.h).
+  Interpretation interpretation = Interpretation::standard;
+  /// Leaves the lights out, and the shapes that area lights add to the scene: what CS184's picture of normals
+  /// shows.
+  bool surfaces_only = false;
+};
+
+}  // namespace twinray
