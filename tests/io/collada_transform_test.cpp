@@ -14,7 +14,7 @@ constexpr float tolerance = 2e-6f;
 Vec3 placed(const std::string& elements, const Vec3& p) {
   const auto xml =
       XmlDocument::parse("<COLLADA version=\"1.4.1\"><node>" + elements + "</node></COLLADA>", "scene.dae");
-  ColladaDocument document(*xml, true);
+  ColladaDocument document(*xml, {.strict = true});
   return read_node_transform(xml->root().required_child("node"), document).point(p);
 }
 
