@@ -71,8 +71,12 @@ LoadedScene read_document(ColladaDocument& document) {
   SceneSummary& summary = loaded.summary;
   summary.notes = nodes.parts.notes;
   if (!materials.with_specular().empty()) summary.notes.push_back(specular_note(materials.with_specular()));
+  const Aabb bounds = nodes.parts.bounds;
   loaded.scene = assemble(std::move(nodes.parts), materials);
-  loaded.scene.camera = nodes.camera.value_or(default_camera(loaded.scene.geometry->bounds()));
+  if (document.options().interpretation == Interpretation::cs184)
+    loaded.scene.camera = cs184_camera(nodes.cs184_view, bounds);
+  else
+    loaded.scene.camera = nodes.camera.value_or(default_camera(loaded.scene.geometry->bounds()));
   summary.camera = nodes.camera_name;
   summary.unit_name = document.unit_name();
   summary.unit_meters = document.unit_meters();

@@ -80,14 +80,18 @@ void orient(const XmlElement& instance, const Transform& t, Camera& camera, Coll
   camera.forward = Axis{-back.x, -back.y, -back.z}.vec();
 }
 
+XmlElement perspective_of(const XmlElement& camera) {
+  const XmlElement common = camera.required_child("optics").required_child("technique_common");
+  if (const auto other = common.child("orthographic"))
+    other->fail("orthographic cameras are not rendered; valid is <perspective>");
+  return common.required_child("perspective");
+}
+
 }  // namespace
 
 Camera read_camera(const XmlElement& element, const XmlElement& instance, const Transform& to_world,
                    ColladaDocument& document) {
-  const XmlElement common = element.required_child("optics").required_child("technique_common");
-  if (const auto other = common.child("orthographic"))
-    other->fail("orthographic cameras are not rendered; valid is <perspective>");
-  const XmlElement lens = common.required_child("perspective");
+  const XmlElement lens = perspective_of(element);
   Camera camera;
   read_field(lens, camera, document);
   read_clip(lens, camera);
@@ -96,6 +100,35 @@ Camera read_camera(const XmlElement& element, const XmlElement& instance, const 
   if (!is_finite(camera.position) || max_abs(camera.position) > max_coordinate)
     instance.fail("the transform of this camera's node puts it too far away");
   return camera;
+}
+
+Cs184View read_cs184_view(const XmlElement& element, const XmlElement& instance, const Transform& to_world,
+                          ColladaDocument& document) {
+  const XmlElement lens = perspective_of(element);
+  const auto xfov = lens.child("xfov"), yfov = lens.child("yfov"), aspect = lens.child("aspect_ratio");
+  if (!xfov && !yfov) lens.fail("<perspective> needs <xfov>, <yfov> or both, in degrees");
+  Cs184View view;
+  if (xfov) view.tan_half_width = tan_half_angle(*xfov);
+  view.tan_half_height = yfov     ? tan_half_angle(*yfov)
+                         : aspect ? view.tan_half_width / number_in(*aspect, 1e-4, 1e4)
+                                  : view.tan_half_width * open_side;
+  Camera clip;
+  clip.clip_near = 0.001f;
+  clip.clip_far = 1000;
+  read_clip(lens, clip);
+  view.clip_near = clip.clip_near;
+  view.clip_far = clip.clip_far;
+  double length_squared = 0;
+  for (int row = 0; row < 3; ++row) {
+    view.direction[row] = to_world.m[row][3] - to_world.m[row][2];
+    length_squared += view.direction[row] * view.direction[row];
+  }
+  if (!(length_squared > 0) || !std::isfinite(length_squared))
+    document.warn(
+        instance,
+        "CS184's program looks from the side of the point one unit in front of the camera, and that is "
+        "the origin; the scene is seen from +z");
+  return view;
 }
 
 Camera default_camera(const Aabb& bounds) {

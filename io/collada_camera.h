@@ -4,6 +4,7 @@
 #include "core/camera.h"
 #include "core/transform.h"
 #include "io/collada_document.h"
+#include "io/cs184_camera.h"
 
 namespace twinray {
 
@@ -13,6 +14,12 @@ namespace twinray {
 /// camera, which is not rendered, and for numbers out of range.
 Camera read_camera(const XmlElement& camera, const XmlElement& instance, const Transform& to_world,
                    ColladaDocument& document);
+
+/// What CS184's program reads of it: the angles, of which the horizontal one is 50 degrees where the file has
+/// none, the clip distances (0.001 and 1000 where the file has none), and the direction from the world's
+/// origin to the point one unit in front of the node. Throws Error like read_camera.
+Cs184View read_cs184_view(const XmlElement& camera, const XmlElement& instance, const Transform& to_world,
+                          ColladaDocument& document);
 
 /// A camera that sees the whole box, from +Z and slightly above, with a field of 50 degrees.
 Camera default_camera(const Aabb& bounds);

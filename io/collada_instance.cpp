@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/area_vector.h"
+#include "io/cs184_normals.h"
 
 namespace twinray {
 namespace {
@@ -101,6 +102,55 @@ PlacedMesh place_mesh(const Mesh& local, const Transform& to_world, const XmlEle
   return placed;
 }
 
+namespace {
+
+FaceList faces_of(const ColladaPart& part) {
+  FaceList faces;
+  auto reduced = part.reduced.begin();
+  for (std::size_t i = 0; i < part.mesh.triangles.size(); ++i)
+    if (reduced != part.reduced.end() && reduced->triangle == i)
+      faces.add((reduced++)->corners);
+    else
+      faces.add(part.mesh.triangles[i]);
+  return faces;
+}
+
+std::vector<DoublePoint> transformed(const std::vector<Vec3>& positions, const Transform& t) {
+  std::vector<DoublePoint> points;
+  points.reserve(positions.size());
+  for (const Vec3& p : positions) {
+    DoublePoint& point = points.emplace_back();
+    for (std::size_t row = 0; row < 3; ++row)
+      point[row] = t.m[row][0] * p.x + t.m[row][1] * p.y + t.m[row][2] * p.z + t.m[row][3];
+  }
+  return points;
+}
+
+}  // namespace
+
+PlacedMesh place_cs184_mesh(const ColladaPart& part, const Transform& to_world, const XmlElement& instance,
+                            ColladaDocument& document, Aabb& bounds) {
+  const FaceList faces = faces_of(part);
+  VertexNormals smooth = cs184_normals(faces, transformed(part.mesh.positions, to_world));
+  if (!smooth.fault.empty())
+    document.warn(
+        part.element,
+        fmt::format("CS184's program refuses this mesh, since {}; it gets smooth normals without the "
+                    "program's rule for borders",
+                    smooth.fault));
+  PlacedMesh placed{part.mesh};
+  Mesh& mesh = placed.mesh;
+  mesh.normals = std::move(smooth.normals);
+  mesh.normal_indices = mesh.triangles;
+  transform_positions(mesh, to_world, instance);
+  for (const std::uint32_t corner : faces.corners)
+    if (is_finite(mesh.positions[corner])) bounds.extend(mesh.positions[corner]);
+  placed.dropped = drop_degenerate_triangles(mesh);
+  drop_unused_vertices(mesh);
+  placed.without_normals = fill_zero_normals(mesh);
+  return placed;
+}
+
 Sphere place_sphere(float radius, const Transform& to_world, const XmlElement& instance,
                     ColladaDocument& document) {
   constexpr double evenness = 1e-4;
@@ -118,13 +168,14 @@ Sphere place_sphere(float radius, const Transform& to_world, const XmlElement& i
     even =
         even && std::fabs(lengths[c] - mean) <= evenness * mean && std::fabs(dot) <= evenness * mean * mean;
   }
+  const bool is_cs184 = document.options().interpretation == Interpretation::cs184;
+  const double scale = is_cs184 ? lengths[0] : mean;
   if (!even)
     document.warn(
         instance,
-        fmt::format(
-            "a sphere must be scaled evenly, and is scaled by {:.4g}, {:.4g} and {:.4g}; the mean is used",
-            lengths[0], lengths[1], lengths[2]));
-  const Sphere sphere{to_world.point({0, 0, 0}), float(radius * mean)};
+        fmt::format("a sphere must be scaled evenly, and is scaled by {:.4g}, {:.4g} and {:.4g}; {} is used",
+                    lengths[0], lengths[1], lengths[2], is_cs184 ? "the first" : "the mean"));
+  const Sphere sphere{to_world.point({0, 0, 0}), float(radius * scale)};
   if (!is_finite(sphere.center) || !(max_abs(sphere.center) <= max_coordinate) ||
       !(sphere.radius <= max_coordinate))
     instance.fail(fmt::format("this sphere comes to lie beyond +-{:g}", max_coordinate));

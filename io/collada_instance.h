@@ -5,6 +5,7 @@
 #include "core/geometry.h"
 #include "core/transform.h"
 #include "io/collada_document.h"
+#include "io/collada_mesh.h"
 
 namespace twinray {
 
@@ -19,8 +20,14 @@ struct PlacedMesh {
 /// Throws Error, at the place of `instance`, where a coordinate lies beyond max_coordinate.
 PlacedMesh place_mesh(const Mesh& local, const Transform& to_world, const XmlElement& instance);
 
+/// The same by CS184's rules: the mesh has the normals of io/cs184_normals.h, and where the transform
+/// mirrors, its triangles' fronts become their backs. Warns where the mesh is no oriented manifold. Extends
+/// `bounds` by all of its positions.
+PlacedMesh place_cs184_mesh(const ColladaPart& part, const Transform& to_world, const XmlElement& instance,
+                            ColladaDocument& document, Aabb& bounds);
+
 /// A sphere around its node's origin, brought to world space. Where the transform does not scale evenly (up
-/// to 10^-4) its mean scale is used, with a warning.
+/// to 10^-4) its mean scale is used, with a warning; by CS184's rules that of its x axis.
 Sphere place_sphere(float radius, const Transform& to_world, const XmlElement& instance,
                     ColladaDocument& document);
 

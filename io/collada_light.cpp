@@ -96,6 +96,31 @@ SpotLight read_spot(const XmlElement& instance, const XmlElement& kind, const Tr
   return spot;
 }
 
+/// The program takes the point one unit in front of the node for a direction from the world's origin, so the
+/// node's translation counts.
+Vec3 cs184_direction_of(const XmlElement& instance, const Transform& t) {
+  const double x = t.m[0][3] - t.m[0][2], y = t.m[1][3] - t.m[1][2], z = t.m[2][3] - t.m[2][2];
+  const double length = std::sqrt(x * x + y * y + z * z);
+  if (!(length > 0) || !std::isfinite(length))
+    instance.fail(
+        "by CS184's rules this light comes from the point one unit in front of its node, and that is the "
+        "origin: it has no direction");
+  return {float(-x / length), float(-y / length), float(-z / length)};
+}
+
+/// Nothing for a spot light, which lights nothing in CS184's program.
+std::optional<LightSource> read_cs184_light(const XmlElement& instance, const XmlElement& kind,
+                                            const Transform& to_world, ColladaDocument& document) {
+  if (kind.is("spot")) {
+    document.warn(instance, "a spot light gives no light in CS184's program; it is left out");
+    return std::nullopt;
+  }
+  const Rgb color = read_color(kind.required_child("color"), max_radiance);
+  if (kind.is("point")) return PointLight{position_of(instance, to_world), color, {1, 0, 0}};
+  if (kind.is("directional")) return DirectionalLight{cs184_direction_of(instance, to_world), color};
+  return AmbientLight{{0, 1, 0}, color};
+}
+
 LightSource read_source_light(const XmlElement& instance, const XmlElement& kind, const Transform& to_world) {
   if (kind.is("spot")) return read_spot(instance, kind, to_world);
   const Rgb color =
@@ -119,6 +144,11 @@ std::optional<PlacedLight> read_light(const XmlElement& light, const XmlElement&
                                       const Transform& to_world, ColladaDocument& document) {
   const XmlElement kind = kind_of(light);
   if (kind.is("area")) return place_area(light, instance, kind, to_world, document);
+  if (document.options().interpretation == Interpretation::cs184) {
+    const auto source = read_cs184_light(instance, kind, to_world, document);
+    if (!source) return std::nullopt;
+    return Light{display_name(light), *source};
+  }
   return Light{display_name(light), read_source_light(instance, kind, to_world)};
 }
 

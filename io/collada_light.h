@@ -24,8 +24,10 @@ using PlacedLight = std::variant<AreaLight, Light>;
 
 /// Reads a <light> that an <instance_light> places, from its CGL technique if it has one, else from
 /// <technique_common>, and puts it where the node's transform says. Point, spot and directional lights look
-/// along the node's -z. Nothing, with a warning, for an area light without area. Throws Error for colors
-/// below 0, an attenuation that is 0, a missing type.
+/// along the node's -z; by CS184's rules point lights do not fall off, directional ones come from the point
+/// one unit in front of their node as seen from the origin, and spot lights are left out, with a warning.
+/// Nothing, with a warning, for an area light without area. Throws Error for colors below 0, an attenuation
+/// that is 0, a missing type.
 std::optional<PlacedLight> read_light(const XmlElement& light, const XmlElement& instance,
                                       const Transform& to_world, ColladaDocument& document);
 

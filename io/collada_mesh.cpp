@@ -58,6 +58,7 @@ class PartReader {
   void check_count() const;
 
   void add_polygon(std::span<const std::uint32_t> indices);
+  void add_reduced(std::span<const std::uint32_t> indices);
   void add_triangle(const std::uint32_t* a, const std::uint32_t* b, const std::uint32_t* c);
 
   ColladaDocument& document_;
@@ -210,10 +211,24 @@ void PartReader::add_polygon(std::span<const std::uint32_t> indices) {
   if (corners > max_polygon_corners)
     part_.element.fail(fmt::format("polygon {} has {} corners; the most that is read is {}", polygons_ - 1,
                                    corners, max_polygon_corners));
+  if (document_.options().interpretation == Interpretation::cs184) return add_reduced(indices);
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < corners; ++i)
     points.push_back(part_.mesh.positions[at(i)[inputs_.position->offset]]);
   for (const auto& [a, b, c] : triangulate(points)) add_triangle(at(a), at(b), at(c));
+}
+
+void PartReader::add_reduced(std::span<const std::uint32_t> indices) {
+  ReducedPolygon polygon{part_.mesh.triangles.size(), {}};
+  for (std::size_t i = inputs_.position->offset; i < indices.size(); i += inputs_.stride)
+    polygon.corners.push_back(indices[i]);
+  part_.reduced.push_back(std::move(polygon));
+  const std::uint32_t* first = indices.data();
+  add_triangle(first + indices.size() - inputs_.stride, first, first + inputs_.stride);
+  document_.warn(
+      part_.element,
+      "of a polygon of more than 3 corners CS184's program keeps the triangle of its last, first and "
+      "second corner; so do we here");
 }
 
 void PartReader::add_triangle(const std::uint32_t* a, const std::uint32_t* b, const std::uint32_t* c) {
@@ -231,6 +246,26 @@ bool is_primitive(const XmlElement& element) {
   return false;
 }
 
+/// The one primitive element that CS184's program would read; none where it would read nothing.
+std::optional<XmlElement> only_part(const XmlElement& mesh) {
+  const auto polylist = mesh.child("polylist");
+  return polylist ? polylist : mesh.child("triangles");
+}
+
+/// The primitive elements that are read.
+std::vector<XmlElement> parts_of(const XmlElement& mesh, ColladaDocument& document) {
+  std::vector<XmlElement> parts;
+  for (const XmlElement& element : mesh.children())
+    if (is_primitive(element)) parts.push_back(element);
+  const auto only = only_part(mesh);
+  if (document.options().interpretation == Interpretation::standard || !only) return parts;
+  for (const XmlElement& element : parts)
+    if (!(element == *only))
+      document.warn(element, fmt::format("CS184's program reads one <{}> of a mesh; this <{}> is left out",
+                                         only->name(), element.name()));
+  return {*only};
+}
+
 }  // namespace
 
 ColladaGeometry read_geometry(const XmlElement& geometry, ColladaDocument& document) {
@@ -241,9 +276,8 @@ ColladaGeometry read_geometry(const XmlElement& geometry, ColladaDocument& docum
   if (sphere && mesh)
     document.warn(*sphere, "a geometry with a <mesh> cannot be a sphere too; the sphere is left out");
   if (mesh) {
-    for (const XmlElement& element : mesh->children())
-      if (is_primitive(element))
-        result.parts.push_back(PartReader(element, display_name(geometry), document).read());
+    for (const XmlElement& element : parts_of(*mesh, document))
+      result.parts.push_back(PartReader(element, display_name(geometry), document).read());
     if (result.parts.empty()) document.warn(*mesh, "this <mesh> has no triangles or polygons");
   } else if (sphere) {
     result.sphere_radius = float(number_in(sphere->required_child("radius"), 0, max_coordinate));

@@ -9,11 +9,18 @@
 
 namespace twinray {
 
+/// A polygon of more than three corners of which CS184's rules keep one triangle.
+struct ReducedPolygon {
+  std::size_t triangle = 0;            ///< Of its part's mesh.
+  std::vector<std::uint32_t> corners;  ///< All of them, as indices of positions.
+};
+
 /// One primitive element (<triangles>, <polylist>, ...) in the coordinates of its geometry.
 struct ColladaPart {
   XmlElement element;
   std::string symbol;  ///< Of its material, or "".
   Mesh mesh;           ///< Triangulated; normals as the file has them, not yet of unit length.
+  std::vector<ReducedPolygon> reduced;  ///< In the order of their triangles; by the standard rules none.
 };
 
 /// What a <geometry> holds: the parts of a mesh, or a sphere (CGL extension) around its origin.
@@ -22,8 +29,9 @@ struct ColladaGeometry {
   std::optional<float> sphere_radius;
 };
 
-/// Reads a <geometry>. Throws Error for indices out of range, wrong counts, a negative radius, missing
-/// inputs.
+/// Reads a <geometry>. By CS184's rules it has one part, its first <polylist>, else its first <triangles>,
+/// else all parts; and of a polygon the triangle of its last, first and second corner is kept. Throws Error
+/// for indices out of range, wrong counts, a negative radius, missing inputs.
 ColladaGeometry read_geometry(const XmlElement& geometry, ColladaDocument& document);
 
 }  // namespace twinray

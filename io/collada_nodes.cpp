@@ -17,6 +17,15 @@ std::string instance_name(const XmlElement& node, const XmlElement& geometry) {
   return name == "unnamed" ? display_name(geometry) : name;
 }
 
+constexpr int no_object = 3;
+
+/// Which object of a node CS184's program prefers: the least.
+int object_rank(const XmlElement& child) {
+  if (child.is("instance_camera")) return 0;
+  if (child.is("instance_light")) return 1;
+  return child.is("instance_geometry") ? 2 : no_object;
+}
+
 }  // namespace
 
 void ColladaNodes::walk(const XmlElement& visual_scene, const Transform& to_world) {
@@ -35,7 +44,7 @@ void ColladaNodes::enter(const XmlElement& node) {
 void ColladaNodes::visit(const XmlElement& node, const Transform& parent) {
   enter(node);
   const Transform to_world = parent * read_node_transform(node, document_);
-  for (const XmlElement& child : node.children()) {
+  for (const XmlElement& child : is_cs184() ? cs184_children(node) : node.children()) {
     if (child.is("instance_geometry")) add_geometry(node, child, to_world);
     if (child.is("instance_light")) add_light(child, to_world);
     if (child.is("instance_camera")) add_camera(child, to_world);
@@ -43,6 +52,24 @@ void ColladaNodes::visit(const XmlElement& node, const Transform& parent) {
     if (child.is("node")) visit(child, to_world);
   }
   path_.pop_back();
+}
+
+std::vector<XmlElement> ColladaNodes::cs184_children(const XmlElement& node) {
+  std::vector<XmlElement> children, objects;
+  for (const XmlElement& child : node.children()) {
+    if (child.is("node") || child.is("instance_node")) children.push_back(child);
+    if (object_rank(child) < no_object) objects.push_back(child);
+  }
+  std::stable_sort(objects.begin(), objects.end(),
+                   [](const XmlElement& a, const XmlElement& b) { return object_rank(a) < object_rank(b); });
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (i == 0)
+      children.push_back(objects[i]);
+    else
+      document_.warn(objects[i],
+                     "a node has one object in CS184's program, its camera, else its light, else "
+                     "its geometry; this one is left out");
+  return children;
 }
 
 const ColladaGeometry& ColladaNodes::geometry(const XmlElement& element) {
@@ -64,7 +91,8 @@ void ColladaNodes::add_geometry(const XmlElement& node, const XmlElement& instan
 
 void ColladaNodes::add_part(const ColladaPart& part, const std::string& name, const XmlElement& instance,
                             const Transform& to_world) {
-  PlacedMesh placed = place_mesh(part.mesh, to_world, instance);
+  PlacedMesh placed = is_cs184() ? place_cs184_mesh(part, to_world, instance, document_, parts.bounds)
+                                 : place_mesh(part.mesh, to_world, instance);
   dropped_triangles += placed.dropped;
   triangles_ += placed.mesh.triangles.size();
   if (triangles_ > max_triangles)
@@ -79,7 +107,7 @@ void ColladaNodes::add_part(const ColladaPart& part, const std::string& name, co
     return;
   }
   placed.mesh.name = name;
-  const ColladaMaterial material = materials_.bound(instance, part.symbol);
+  const ColladaMaterial material = materials_.bound(instance, is_cs184() ? "" : part.symbol);
   parts.shapes.push_back(
       {std::move(placed.mesh), material.index, material.radiance, EmissionSide::both, name});
 }
@@ -87,12 +115,14 @@ void ColladaNodes::add_part(const ColladaPart& part, const std::string& name, co
 void ColladaNodes::add_sphere(float radius, const std::string& name, const XmlElement& instance,
                               const Transform& to_world) {
   const Sphere sphere = place_sphere(radius, to_world, instance, document_);
+  parts.bounds.extend(sphere_bounds(sphere));
   const ColladaMaterial material = materials_.bound(instance, "");
   parts.shapes.push_back(
       {SphereSet{name, {sphere}}, material.index, material.radiance, EmissionSide::front, name});
 }
 
 void ColladaNodes::add_light(const XmlElement& instance, const Transform& to_world) {
+  if (document_.options().surfaces_only) return;
   auto light = read_light(document_.resolve(instance, "url", "light"), instance, to_world, document_);
   if (!light) return;
   if (auto* area = std::get_if<AreaLight>(&*light)) parts.area_lights.push_back(*area);
@@ -101,6 +131,11 @@ void ColladaNodes::add_light(const XmlElement& instance, const Transform& to_wor
 
 void ColladaNodes::add_camera(const XmlElement& instance, const Transform& to_world) {
   const XmlElement element = document_.resolve(instance, "url", "camera");
+  if (is_cs184()) {
+    cs184_view = read_cs184_view(element, instance, to_world, document_);
+    camera_name = display_name(element);
+    return;
+  }
   if (camera) {
     document_.warn(instance,
                    fmt::format("the camera \"{}\" is left out; the scene is seen by the first one, \"{}\"",

@@ -9,6 +9,7 @@
 #include "io/collada_material.h"
 #include "io/collada_mesh.h"
 #include "io/collada_parts.h"
+#include "io/cs184_camera.h"
 
 namespace twinray {
 
@@ -26,11 +27,15 @@ class ColladaNodes {
 
   SceneParts parts;
   std::optional<Camera> camera;  ///< The first one.
+  Cs184View cs184_view;          ///< By CS184's rules: the last one.
   std::string camera_name;
   std::size_t dropped_triangles = 0;
 
  private:
   void visit(const XmlElement& node, const Transform& parent);
+  /// What counts of a node by CS184's rules: the nodes below it first, then one object.
+  std::vector<XmlElement> cs184_children(const XmlElement& node);
+  bool is_cs184() const { return document_.options().interpretation == Interpretation::cs184; }
   void enter(const XmlElement& node);
   void add_geometry(const XmlElement& node, const XmlElement& instance, const Transform& to_world);
   void add_part(const ColladaPart& part, const std::string& name, const XmlElement& instance,

@@ -25,6 +25,7 @@ struct SceneParts {
   std::vector<AreaLight> area_lights;
   std::vector<Light> lights;  ///< Those without a shape.
   std::vector<std::string> notes;
+  Aabb bounds;  ///< Of all meshes and spheres; gathered where CS184's camera needs it.
 };
 
 }  // namespace twinray

@@ -106,7 +106,10 @@ Transform read_skew(const XmlElement& element) {
 Transform read_node_transform(const XmlElement& node, ColladaDocument& document) {
   Transform result;
   for (const XmlElement& element : node.children()) {
-    if (element.is("matrix")) result = result * read_matrix(element, document);
+    if (element.is("matrix")) {
+      result = result * read_matrix(element, document);
+      if (document.options().interpretation == Interpretation::cs184) break;
+    }
     if (element.is("rotate")) result = result * read_rotate(element);
     if (element.is("lookat")) result = result * read_lookat(element);
     if (element.is("skew")) result = result * read_skew(element);

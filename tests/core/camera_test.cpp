@@ -62,6 +62,20 @@ TEST_CASE("t counts depth, so clipping is by planes across the view") {
   CHECK(dot(ray.direction * 7, camera.forward) == Approx(7).epsilon(rounding));
 }
 
+TEST_CASE("clip distances may count along each ray") {
+  Camera camera = tilted();
+  camera.clips_by_distance = true;
+  camera.clip_near = 2;
+  camera.clip_far = 9;
+  for (const float lens_radius : {0.0f, 0.25f}) {
+    camera.lens_radius = lens_radius;
+    const Ray ray = camera_ray(camera, {0.1f, 0.9f}, {0.5f, -0.5f});
+    CHECK(length(ray.direction) > 1.05f);
+    CHECK(length(ray.direction * ray.t_min) == Approx(2).epsilon(rounding));
+    CHECK(length(ray.direction * ray.t_max) == Approx(9).epsilon(rounding));
+  }
+}
+
 TEST_CASE("a lens is clipped as a pinhole is") {
   Camera camera = tilted();
   camera.lens_radius = 0.25f;
@@ -95,6 +109,14 @@ TEST_CASE("a picture of another shape shows more on one side and never less of t
   const Camera same = fit_frame(camera, 200, 100);
   CHECK(same.tan_half_width == Approx(0.6));
   CHECK(same.tan_half_height == Approx(0.3));
+}
+
+TEST_CASE("a stretched frame stays as it is whatever the picture's shape") {
+  Camera camera = tilted();
+  camera.is_stretched = true;
+  const Camera fitted = fit_frame(camera, 100, 400);
+  CHECK(fitted.tan_half_width == camera.tan_half_width);
+  CHECK(fitted.tan_half_height == camera.tan_half_height);
 }
 
 TEST_CASE("the view of the whole keeps the direction and has the box just within its frame") {

@@ -56,6 +56,15 @@ TEST_CASE("a triangle's point has the weights' position, normal and uv") {
   CHECK(length(point.shading_normal - expected) < 1e-6f);
 }
 
+TEST_CASE("a mixed normal has the length that the mixture has") {
+  const Vec3 mixed = mixed_normal(attributed(), {.t = 1, .u = 0.25f, .v = 0.5f});
+  CHECK(length(mixed - Vec3{0.15f, 0.3f, 0.05f}) < 1e-6f);
+  CHECK(mixed_normal(single({Vec3{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}), {.t = 1, .u = 0.1f, .v = 0.1f}) ==
+        Vec3{0, 0, 1});
+  const Geometry ball({SphereSet{"ball", {{{1, 2, 3}, 2}}}});
+  CHECK(length(mixed_normal(ball, {.t = 1, .u = 0.25f, .v = 0.5f})) == Approx(1).epsilon(1e-6));
+}
+
 TEST_CASE("a shading normal is the file's, on whichever side that has it") {
   const SurfacePoint point = surface_at(attributed(), {.t = 1, .u = 0.05f, .v = 0.9f});
   CHECK(length(point.shading_normal - normalize(Vec3{0.03f, 0.54f, -0.63f})) < 1e-6f);

@@ -116,6 +116,24 @@ TEST_CASE("normal shading traces one ray a sample and shows (n + 1) / 2") {
   CHECK(result.film.pixel(0, 20, 15).mean() == Rgb{0.5f, 1, 0.5f});
 }
 
+TEST_CASE("normals may be shown as they mix") {
+  Mesh roof = floor_square(50, 0);
+  roof.normals = {{0.6f, 0.8f, 0}, {-0.6f, 0.8f, 0}};
+  roof.normal_indices.clear();
+  for (const Triangle& triangle : roof.triangles) {
+    Triangle& normals = roof.normal_indices.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) normals[i] = roof.positions[triangle[i]].x > 0;
+  }
+  const Scene scene = scene_of(roof, {0.5f, 0.5f, 0.5f}, {0, 1, 0}, {0, 0, 0});
+  const auto shown = [&](NormalsIntegrator::Mixture mixture) {
+    return render_with(scene, NormalsIntegrator(scene, mixture), {.width = 9, .height = 9, .samples = 1})
+        .film.pixel(0, 4, 4)
+        .mean();
+  };
+  CHECK(shown(NormalsIntegrator::Mixture::unit).g == Approx(1).epsilon(1e-3));
+  CHECK(shown(NormalsIntegrator::Mixture::as_it_is).g == Approx(0.9).epsilon(1e-3));
+}
+
 TEST_CASE("one sample goes through the centre of its pixel") {
   // A floor that covers exactly the right half of an odd-sized frame: the middle column's centre lies on its
   // edge.

@@ -2,6 +2,7 @@
 // CS184's own files, as the user's folder of scenes has them.
 #include "io/scene_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/cs184/compare.h"
 
 namespace twinray {
 namespace {
@@ -81,6 +82,18 @@ TEST_CASE("strict mode takes all of CS184's files but CBgems") {
     else
       CHECK_THROWS_AS(load(expected.file, {.strict = true}), Error);
   }
+}
+
+TEST_CASE("normals of CS184's files are those of its program") {
+  constexpr double most_beyond_one_step = 0.002, most_outline = 0.0005;
+  for (const Expected& expected : scenes)
+    for (const auto& [width, height] : {std::pair{480, 360}, {800, 600}, {60, 45}}) {
+      CAPTURE(expected.file, width, height);
+      const test::cs184::Difference difference = test::cs184::difference_of_file(
+          std::string(TWINRAY_SCENES) + "/cs184/" + expected.file, width, height);
+      CHECK(difference.beyond_one_step <= most_beyond_one_step);
+      CHECK(difference.outline <= most_outline);
+    }
 }
 
 }  // namespace twinray

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of normals by CS184's rules, held to a reference that was written from the description of its
+// program alone (tests/support/cs184/).
+#include "tests/support/catch.h"
+#include "tests/support/collada_text.h"
+#include "tests/support/cs184/compare.h"
+
+namespace twinray {
+namespace {
+
+using test::cs184::Difference;
+
+/// What CS184's program may differ by, as a part of all pixels.
+constexpr double most_beyond_one_step = 0.002;
+/// Pixels whose centre lies within rounding of an edge: the diagonals of halved squares seen upright go
+/// through many.
+constexpr double most_outline = 0.001;
+
+void check(const Difference& difference) {
+  CHECK(difference.beyond_one_step <= most_beyond_one_step);
+  CHECK(difference.outline <= most_outline);
+}
+
+std::string polylist(const std::string& counts, const std::string& indices, int count) {
+  return "<polylist count=\"" + std::to_string(count) +
+         "\"><input semantic=\"VERTEX\" source=\"#vertices\" offset=\"0\"/><vcount>" + counts +
+         "</vcount><p>" + indices + "</p></polylist>\n";
+}
+
+/// A pyramid over a square: closed, or without its bottom.
+std::string pyramid(bool is_closed) {
+  return collada_mesh(5, "1 0 0 0 1 0 -1 0 0 0 -1 0 0 0 1.5",
+                      is_closed ? polylist("3 3 3 3 3 3", "0 1 4 1 2 4 2 3 4 3 0 4 2 1 0 3 2 0", 6)
+                                : polylist("3 3 3 3", "0 1 4 1 2 4 2 3 4 3 0 4", 4));
+}
+
+std::string camera(const std::string& id, const std::string& lens) {
+  return "<camera id=\"" + id + "\"><optics><technique_common><perspective>" + lens +
+         "</perspective></technique_common></optics></camera>";
+}
+
+const std::string cameras =
+    "<library_cameras>" + camera("near", "<xfov>60</xfov><aspect_ratio>1.5</aspect_ratio>") +
+    camera("far", "<yfov>20</yfov>") +
+    camera("cut", "<xfov>50</xfov><yfov>40</yfov><znear>5.5</znear><zfar>6.4</zfar>") + "</library_cameras>";
+
+std::string look(const std::string& id, const std::string& where = "3 1 2") {
+  return "<node><translate>" + where + "</translate><instance_camera url=\"#" + id + "\"/></node>";
+}
+
+const std::string shape = "<instance_geometry url=\"#shape\"/>";
+
+}  // namespace
+
+TEST_CASE("normals of the scenes of this project are those of CS184's program") {
+  for (const char* name : {"box", "spheres", "furnace", "lights", "cornell-bunny"})
+    for (const auto& [width, height] : {std::pair{480, 360}, {800, 600}, {90, 200}}) {
+      CAPTURE(name, width, height);
+      check(test::cs184::difference_of_file(std::string(TWINRAY_SOURCE_DIR) + "/scenes/" + name + ".dae",
+                                            width, height));
+    }
+}
+
+TEST_CASE("normals of open, closed, mirrored and turned meshes are those of CS184's program") {
+  const std::string mirrored = "<node><matrix>-1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix>" + shape + "</node>";
+  const std::string nested = "<node><translate>0 2 0</translate><node><scale>0.5 1 2</scale>" + shape +
+                             "</node></node><node>" + shape + "</node>";
+  for (const bool is_closed : {true, false})
+    for (const char* up : {"X_UP", "Y_UP", "Z_UP"})
+      for (const std::string& nodes : {mirrored, nested}) {
+        CAPTURE(is_closed, up, nodes);
+        check(test::cs184::difference_of_text(
+            collada_text(pyramid(is_closed) + cameras, nodes + look("near"), up), 320, 240));
+      }
+}
+
+TEST_CASE("a polygon loses its third corner and those after it, as in CS184's program") {
+  const std::string libraries =
+      collada_mesh(6, "0 0 0 1 0 0 2 1 0 1 2 0.5 0 2 1 -1 1 0", polylist("4 4", "0 1 2 3 0 3 4 5", 2)) +
+      cameras;
+  check(test::cs184::difference_of_text(
+      collada_text(libraries, "<node>" + shape + "</node>" + look("far", "0 0 4")), 320, 240));
+}
+
+TEST_CASE("a mesh that is no manifold has smooth normals where CS184's program would refuse it") {
+  const std::string fin =
+      collada_mesh(5, "0 0 0 0 0 2 1 0 1 -1 0.2 1 0 1 1", polylist("3 3 3", "0 1 2 0 1 3 0 1 4", 3)) +
+      cameras;
+  const std::string text = collada_text(fin, "<node>" + shape + "</node>" + look("near"));
+  check(test::cs184::difference_of_text(text, 320, 240));
+  const LoadedScene loaded = load_collada(text, {.interpretation = Interpretation::cs184});
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].message ==
+        "CS184's program refuses this mesh, since two faces have the edge from vertex 0 to vertex 1 in the "
+        "same direction; it gets smooth normals without the program's rule for borders");
+}
+
+TEST_CASE("the last camera counts, and none is one on +z") {
+  const std::string mesh = "<node>" + shape + "</node>";
+  for (const std::string& nodes :
+       {mesh, mesh + look("far") + look("near", "-2 0 1"), look("near") + mesh + look("far"),
+        "<node><translate>1 1 -3</translate><instance_camera url=\"#near\"/><node><instance_camera "
+        "url=\"#far\"/></node></node>" +
+            mesh,
+        mesh + look("near", "0 4 1")}) {
+    CAPTURE(nodes);
+    check(test::cs184::difference_of_text(collada_text(pyramid(true) + cameras, nodes), 320, 240));
+  }
+}
+
+TEST_CASE("the camera's clip distances cut the picture as in CS184's program") {
+  const std::string text = collada_text(pyramid(true) + cameras, "<node>" + shape + "</node>" + look("cut"));
+  check(test::cs184::difference_of_text(text, 320, 240));
+  const auto picture = test::cs184::normals_picture(text, 320, 240);
+  const auto whole = test::cs184::normals_picture(
+      collada_text(pyramid(true) + cameras, "<node>" + shape + "</node>" + look("near")), 320, 240);
+  const auto hits = [](const auto& p) { return std::count(p.is_hit.begin(), p.is_hit.end(), true); };
+  CHECK(hits(picture) > 100);
+  CHECK(hits(picture) < hits(whole));
+}
+
+TEST_CASE("a sphere has the scale of its x axis") {
+  const std::string ball =
+      "<library_geometries><geometry id=\"ball\"><extra><technique "
+      "profile=\"CGL\"><sphere><radius>0.7</radius>"
+      "</sphere></technique></extra></geometry></library_geometries>";
+  const std::string node =
+      "<node><matrix>0 -1 0 2 1.5 0 0 0 0 0 1 1 0 0 0 1</matrix><instance_geometry url=\"#ball\"/></node>";
+  check(test::cs184::difference_of_text(collada_text(ball + cameras, node + look("near")), 320, 240));
+}
+
+}  // namespace twinray
