@@ -5,7 +5,7 @@
 #include <cassert>
 #include <utility>
 
-#include "core/parallel.h"
+#include "core/denormals.h"
 
 namespace twinray {
 

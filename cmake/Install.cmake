@@ -18,6 +18,7 @@ set(private_headers
   accel/build/split.h
   accel/builders.h
   accel/bvh/build.h
+  accel/bvh/engine.h
   accel/bvh/invariants.h
   accel/bvh/node.h
   accel/bvh/statistics.h

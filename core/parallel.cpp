@@ -10,10 +10,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
 
+#include "core/denormals.h"
 #include "core/fork_join.h"
 #include "core/threads.h"
 
@@ -89,14 +87,5 @@ void with_threads(int threads, const std::function<void()>& body) {
 int machine_threads() { return tbb::info::default_concurrency(); }
 
 int available_threads() { return count_threads(0).usable; }
-
-#if defined(__x86_64__)
-// Bits of MXCSR: results that are denormal become 0 (FTZ, 0x8000), and so do operands (DAZ, 0x0040).
-KeepDenormals::KeepDenormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ & ~0x8040u); }
-KeepDenormals::~KeepDenormals() { _mm_setcsr((_mm_getcsr() & ~0x8040u) | (saved_ & 0x8040u)); }
-#else
-KeepDenormals::KeepDenormals() : saved_(0) {}
-KeepDenormals::~KeepDenormals() = default;
-#endif
 
 }  // namespace twinray

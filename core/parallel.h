@@ -25,16 +25,4 @@ void with_threads(int threads, const std::function<void()>& body);
 /// How many threads the process may use: what 0 stands for outermost.
 int available_threads();
 
-/// While it lives, the calling thread computes with denormal numbers: clears FTZ and DAZ, and restores them.
-class KeepDenormals {
- public:
-  KeepDenormals();
-  ~KeepDenormals();
-  KeepDenormals(const KeepDenormals&) = delete;
-  KeepDenormals& operator=(const KeepDenormals&) = delete;
-
- private:
-  unsigned saved_;
-};
-
 }  // namespace twinray

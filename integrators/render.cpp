@@ -10,6 +10,7 @@
 #include <mutex>
 #include <vector>
 
+#include "core/denormals.h"
 #include "core/error.h"
 #include "core/lens.h"
 #include "core/parallel.h"

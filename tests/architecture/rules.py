@@ -27,7 +27,7 @@ SOURCE_FOLDERS = (*MAY_INCLUDE, "tests")
 # Outside library: its headers, and the one file or folder that may include them.
 DOORS = {
     "Embree": (r"embree[34]?/", r"accel/embree/"),
-    "Highway and intrinsics": (r"hwy/|\w+intrin\.h", r"accel/|core/parallel\.cpp"),  # parallel: FTZ and DAZ
+    "Highway and intrinsics": (r"hwy/|\w+intrin\.h", r"accel/|core/denormals\.cpp"),  # denormals: FTZ and DAZ
     "Boost": (r"boost/", r"check/exact\.h"),
     "oneTBB": (r"tbb/|oneapi/", r"core/parallel\.cpp"),
     "OpenImageIO": (r"OpenImageIO/", r"io/image_file\.cpp"),

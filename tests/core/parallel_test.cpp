@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/denormals.h"
 #include "core/threads.h"
 #include "tests/support/catch.h"
 #include "tests/support/flush_denormals.h"
