@@ -8,6 +8,7 @@
 #include "cli/crosscheck_command.h"
 #include "cli/options.h"
 #include "cli/render_command.h"
+#include "cli/render_command_line.h"
 #include "cli/stats_command.h"
 
 namespace twinray {

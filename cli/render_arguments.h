@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,20 +41,9 @@ struct RenderArguments {
   std::vector<std::string> without_effect;  ///< Those that change nothing, each with the reason.
 };
 
-/// Adds a render's options. The function that is returned gives what they ask for, once they are read; it
-/// throws UsageError with the reason where they contradict each other, or, if it is to be strict, where one
-/// has no effect. The app must outlive the reading.
-std::function<RenderArguments()> add_render_options(CLI::App& app);
-
-/// Throws UsageError with the first of the options without effect where these are errors.
-void refuse_if_strict(const std::vector<std::string>& without_effect, const RenderArguments& arguments);
-
 /// Where the scene is to decide: the fastest engine for it, by what benchmarks measured.
 void choose_engine(const Geometry& geometry, RenderArguments& arguments);
 /// The name of the engine that renders (accel/engines.h).
 std::string engine_name(const RenderArguments& arguments);
-
-/// Reads the words after "render". Throws UsageError.
-RenderArguments parse_render_arguments(const std::vector<std::string>& words);
 
 }  // namespace twinray

@@ -14,6 +14,7 @@
 #include "cli/outputs.h"
 #include "cli/picture_metadata.h"
 #include "cli/progress.h"
+#include "cli/render_command_line.h"
 #include "cli/render_outputs.h"
 #include "cli/resources.h"
 #include "cli/scene_warnings.h"

@@ -7,7 +7,7 @@
 #include "accel/accelerator.h"
 #include "cli/engine_statistics.h"
 #include "cli/render_arguments.h"
-#include "cli/stats_command.h"
+#include "cli/stats_arguments.h"
 #include "integrators/render.h"
 
 namespace twinray {

@@ -8,7 +8,7 @@
 #include "core/elementary.h"
 #include "core/environment.h"
 #include "core/frame.h"
-#include "core/offset.h"
+#include "core/spawn_ray.h"
 #include "core/warp.h"
 
 namespace twinray {

@@ -92,7 +92,7 @@ SurfacePoint sphere_point(const Sphere& sphere, std::uint32_t shape, const Vec3&
   point.position = sphere.center + normal * sphere.radius;
   point.geometric_normal = normal;
   point.shading_normal = normal;
-  point.offset = sphere_offset(sphere);
+  point.offset = sphere_offset(sphere.center, sphere.radius);
   point.shape = shape;
   return point;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/direct_light.h"
 
-#include "core/offset.h"
+#include "core/spawn_ray.h"
 #include "core/warp.h"
 
 namespace twinray {

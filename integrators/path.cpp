@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/offset.h"
+#include "core/spawn_ray.h"
 
 namespace twinray {
 

@@ -64,7 +64,7 @@ class Tracer {
     note(rays, RayKind::bounce, counts_.bounce);
     closest(rays, hits);
   }
-  /// The visibility along each shadow ray (core/offset.h), per channel: white where nothing blocks it.
+  /// The visibility along each shadow ray (core/spawn_ray.h), per channel: white where nothing blocks it.
   /// Valid until the next call.
   std::span<const Rgb> visibilities(std::span<const Ray> connections);
 

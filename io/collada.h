@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "io/scene_file.h"
+#include "io/load_options.h"
+#include "io/loaded_scene.h"
 #include "io/xml_reader.h"
 
 namespace twinray {

@@ -5,18 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/scene.h"
-#include "io/diagnostic.h"
 #include "io/load_options.h"
-#include "io/scene_summary.h"
+#include "io/loaded_scene.h"
 
 namespace twinray {
-
-struct LoadedScene {
-  Scene scene;  ///< Checked by check_scene().
-  std::vector<Diagnostic> warnings;
-  SceneSummary summary;
-};
 
 /// Reads a scene file: COLLADA 1.4 (.dae); or makes a generated scene (io/generated/generated.h) of a name
 /// such as "generated:ball". Throws Error, with the place in the file and what would be valid.

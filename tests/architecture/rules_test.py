@@ -17,7 +17,7 @@ CLEAN = {
     "core/CMakeLists.txt": SHELL + "twinray_library(core\n  vec.cpp)\n",
     "core/vec.h": HEADER + "#include <cmath>\n",
     "core/vec.cpp": CPP + '#include "core/lanes.h"\n#include "core/vec.h"\n// Not sin(x), nor a std::cout.\n',
-    "core/lanes.h": PRIVATE + '#include "core/vec.h"\n',
+    "core/lanes.h": PRIVATE,
     "accel/bvh.h": HEADER + '#include "core/vec.h"\n',
     "cmake/Install.cmake": SHELL + "set(private_headers\n  core/lanes.h)\n",
     "README.md": "# A title\n",

@@ -2,6 +2,7 @@
 #include "cli/scene_warnings.h"
 
 #include "cli/no_effect.h"
+#include "cli/render_command_line.h"
 
 #include "tests/support/catch.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/offset.h"
+#include "core/spawn_ray.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/meshes.h"
@@ -148,7 +149,7 @@ TEST_CASE("an offset is ten roundings of coordinate and edge, at any size") {
   const Vec3 a{1, 2, 3}, b{5, 2, 3}, c{1, 4, -1};
   CHECK(triangle_offset(a, b, c) == 10 * 0x1p-24f * 9);
   CHECK(triangle_offset(a * 0x1p40f, b * 0x1p40f, c * 0x1p40f) == 10 * 0x1p-24f * 9 * 0x1p40f);
-  CHECK(sphere_offset({{1, -6, 3}, 2}) == 10 * 0x1p-24f * 8);
+  CHECK(sphere_offset({1, -6, 3}, 2) == 10 * 0x1p-24f * 8);
 }
 
 }  // namespace twinray

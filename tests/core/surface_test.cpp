@@ -134,7 +134,7 @@ TEST_CASE("a sphere's point has the octahedral normal of its hit") {
   CHECK(point.geometric_normal == Vec3{0, 1, 0});
   CHECK(point.shading_normal == Vec3{0, 1, 0});
   CHECK(point.uv == uv);
-  CHECK(point.offset == sphere_offset({{5, 0, 0}, 2}));
+  CHECK(point.offset == sphere_offset({5, 0, 0}, 2));
 }
 
 }  // namespace twinray

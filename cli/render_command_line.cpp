@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/render_arguments.h"
+#include "cli/render_command_line.h"
 
 #include <memory>
 

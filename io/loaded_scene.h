@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <vector>
+
+#include "core/scene.h"
+#include "io/diagnostic.h"
+#include "io/scene_summary.h"
+
+namespace twinray {
+
+/// What a reader makes of a scene file.
+struct LoadedScene {
+  Scene scene;  ///< Checked by check_scene().
+  std::vector<Diagnostic> warnings;
+  SceneSummary summary;
+};
+
+}  // namespace twinray
