@@ -2,21 +2,14 @@
 #include "core/camera.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "core/box_corners.h"
 
 namespace twinray {
 namespace {
 
 constexpr float margin = 1.04f;
-
-std::array<Vec3, 8> corners_of(const Aabb& box) {
-  std::array<Vec3, 8> corners;
-  for (int i = 0; i < 8; ++i)
-    corners[i] = {i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y,
-                  i & 4 ? box.upper.z : box.lower.z};
-  return corners;
-}
 
 }  // namespace
 

@@ -11,7 +11,8 @@ namespace twinray {
 /// A pixel that stops early has missed light that is rare in it, and no later sample makes up for that: every
 /// such rule darkens where few samples bring much light. `careful` takes little for granted: its interval is
 /// that of 3.5 standard errors, as if one more sample, 2 m brighter than the mean, had been among them; and a
-/// pixel that is black so far goes on. docs/adaptive.md has what either rule loses on well-known scenes.
+/// pixel that is black so far goes on, unless nothing of the scene can be seen through it. docs/adaptive.md
+/// has what either rule loses on well-known scenes.
 enum class AdaptiveRule {
   careful,  ///< 3.5 sqrt((s^2 + (2 m)^2 / n) / n) <= tolerance m, and m > 0.
   cs184,    ///< 1.96 s / sqrt(n) <= tolerance m, as the course's program has it: black pixels stop at once.

@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/lens.h"
 #include "core/parallel.h"
+#include "core/visible_pixels.h"
 #include "integrators/tiles.h"
 
 namespace twinray {
@@ -42,6 +43,17 @@ PixelRect window_of(const RenderOptions& options) {
   return options.window.value_or(PixelRect{0, 0, options.width, options.height});
 }
 
+/// The pixels through which a camera ray may see something; all, where there is an environment.
+PixelRect pixels_with_light(const Scene& scene, const Camera& camera, const Aabb& bounds,
+                            const RenderOptions& options) {
+  const auto is_environment = [](const Light& light) {
+    return std::holds_alternative<EnvironmentLight>(light.source);
+  };
+  if (std::any_of(scene.lights.begin(), scene.lights.end(), is_environment))
+    return {0, 0, options.width, options.height};
+  return visible_pixels(camera, bounds, options.width, options.height);
+}
+
 /// One render in progress. Threads take tiles from a counter; a tile's pixels belong to one thread during a
 /// pass.
 class Renderer {
@@ -53,6 +65,7 @@ class Renderer {
         options_(options),
         report_(progress),
         camera_(fit_frame(scene.camera, options.width, options.height)),
+        visible_pixels_(pixels_with_light(scene, camera_, accelerator.bounds(), options)),
         film_(options.width, options.height, window_of(options)),
         tiles_(spiral_tiles(film_.window(), tile_size)) {
     progress_.samples_total =
@@ -122,7 +135,8 @@ class Renderer {
     if (!options_.adaptive || index == 0) return false;
     const PixelSums& pixel = film_.pixel(0, x, y);
     if (pixel.count + pixel.rejected < index) return true;
-    return index % options_.adaptive->batch == 0 && has_enough_samples(pixel, *options_.adaptive);
+    return index % options_.adaptive->batch == 0 &&
+           (!contains(visible_pixels_, x, y) || has_enough_samples(pixel, *options_.adaptive));
   }
 
   void add(std::span<const PixelSample> samples, Tracer& tracer) {
@@ -157,6 +171,7 @@ class Renderer {
   const RenderOptions& options_;
   const std::function<void(const RenderProgress&)>& report_;
   Camera camera_;
+  PixelRect visible_pixels_;  ///< All others are black for certain.
   Film film_;
   std::vector<PixelRect> tiles_;
   std::mutex mutex_;

@@ -113,6 +113,21 @@ TEST_CASE("pictures keep their mean, by lights and by directions") {
   }
 }
 
+TEST_CASE("pixels beside the scene stop after a batch, unless there is an environment") {
+  Scene scene = small_room();
+  scene.camera = view_whole(scene.camera, scene.geometry->bounds());
+  scene.camera.tan_half_width *= 2;
+  const RenderOptions options{.width = 32, .height = 12, .samples = 96, .adaptive = AdaptiveSampling{32, 0}};
+  const auto count = [&] {
+    const PathIntegrator integrator(scene, {.max_depth = 1});
+    return render_with(scene, integrator, options).film.pixel(0, 0, 6).count;
+  };
+  CHECK(count() == 32);
+  Image black(1, 1);
+  scene.lights.push_back({"sky", EnvironmentLight{std::make_shared<Image>(black)}});
+  CHECK(count() == 96);
+}
+
 TEST_CASE("one sample is never enough") {
   Film film(1, 1, {0, 0, 1, 1});
   for (const AdaptiveRule rule : {AdaptiveRule::careful, AdaptiveRule::cs184})
