@@ -20,7 +20,7 @@ enum class AdaptiveRule {
 
 /// Stops sampling a pixel once it is known well enough: asked every `batch` samples.
 struct AdaptiveSampling {
-  std::uint32_t batch = 32;  ///< >= 2.
+  std::uint32_t batch = 32;  ///< >= 1. A pixel needs two samples to stop in any case.
   double tolerance = 0.05;   ///< >= 0.
   AdaptiveRule rule = AdaptiveRule::careful;
 };

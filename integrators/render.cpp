@@ -31,9 +31,9 @@ void check(const RenderOptions& options) {
   if (options.samples < 1 || options.samples > Film::max_samples)
     throw Error(fmt::format("{} samples per pixel; valid are 1 to {}", options.samples, Film::max_samples));
   if (!options.adaptive) return;
-  if (options.adaptive->batch < 2)
+  if (options.adaptive->batch < 1)
     throw Error(
-        fmt::format("a batch of {} samples; adaptive sampling needs at least 2", options.adaptive->batch));
+        fmt::format("a batch of {} samples; adaptive sampling needs at least 1", options.adaptive->batch));
   if (!(options.adaptive->tolerance >= 0) || !std::isfinite(options.adaptive->tolerance))
     throw Error(
         fmt::format("a tolerance of {}; it must be finite and not negative", options.adaptive->tolerance));

@@ -230,8 +230,8 @@ TEST_CASE("render options out of range are refused") {
   const NormalsIntegrator normals(scene);
   CHECK_THROWS_WITH(render_with(scene, normals, {.samples = 0}),
                     "0 samples per pixel; valid are 1 to 4194304");
-  CHECK_THROWS_WITH(render_with(scene, normals, {.samples = 4, .adaptive = AdaptiveSampling{1, 0.1}}),
-                    "a batch of 1 samples; adaptive sampling needs at least 2");
+  CHECK_THROWS_WITH(render_with(scene, normals, {.samples = 4, .adaptive = AdaptiveSampling{0, 0.1}}),
+                    "a batch of 0 samples; adaptive sampling needs at least 1");
   CHECK_THROWS_WITH(render_with(scene, normals, {.samples = 4, .adaptive = AdaptiveSampling{8, -1}}),
                     "a tolerance of -1; it must be finite and not negative");
 }
