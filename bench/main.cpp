@@ -121,6 +121,12 @@ int run(const std::vector<std::string>& words) {
   const std::optional<Options> options = parse_options(words);
   if (!options) return 0;
   if (!options->worker.empty()) return serve(*options);
+  if (options->write_ups) {
+    print(stdout, write_up_table(*options->write_ups, [](const std::string& doing) {
+            if (isatty(STDERR_FILENO)) print(stderr, doing + "\n");
+          }));
+    return 0;
+  }
   if (!options->picture) return measure(*options);
   const std::vector<SceneSource> sources = choose_scenes(options->scenes);
   if (sources.size() != 1) throw Error("--picture wants one scene: name it by --only='^name$'");

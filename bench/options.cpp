@@ -44,7 +44,7 @@ constexpr Effort quick{3, 0.002, 1, 96, 72, 10, "1e4,3e4,1e5", 2, 16};
 constexpr Effort full{15, 0.1, 5, 384, 288, 1, "1e4,3e4,1e5,3e5,1e6,3e6,1e7", 11, 512};
 
 struct Words {
-  bool is_quick = false, is_full = false, has_no_renders = false;
+  bool is_quick = false, is_full = false, has_no_renders = false, are_write_ups = false;
   int repetitions = 0;
   std::string sizes, picture;
   std::uint32_t samples = 16;
@@ -67,6 +67,8 @@ void add_options(CLI::App& app, Options& options, Words& words) {
   app.add_flag("--quick", words.is_quick, "A minute or two: smaller scenes, fewer rays and rounds");
   app.add_flag("--full", words.is_full, "Every scene of the folder, every engine, 10^7 triangles; hours");
   app.add_flag("--no-renders", words.has_no_renders, "Only single rays: no whole pictures");
+  app.add_flag("--write-ups", words.are_write_ups,
+               "Instead: the command lines of CS184's write-ups, as a table; with --quick without long ones");
   app.add_option("--json", options.json_file, "Write everything that was measured")->type_name("FILE");
   app.add_option("--csv", options.csv_file, "Write a table, one line for each scene, engine and ray set")
       ->type_name("FILE");
@@ -96,6 +98,9 @@ void apply(const Words& words, Options& options) {
   options.whole.rounds = std::min(effort.render_rounds, options.trace.rounds.count);
   options.whole.most_samples = effort.most_samples;
   options.has_renders = !words.has_no_renders;
+  if (words.are_write_ups)
+    options.write_ups = WriteUpOptions{options.scenes.folder, words.repetitions > 0 ? words.repetitions : 3,
+                                       words.is_quick, options.scenes.only};
   if (!words.picture.empty()) options.picture = PictureOrder{words.picture, words.samples};
 }
 

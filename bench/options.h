@@ -7,6 +7,7 @@
 #include "bench/catalog.h"
 #include "bench/trace.h"
 #include "bench/whole.h"
+#include "bench/write_ups.h"
 
 namespace twinray::bench {
 
@@ -23,7 +24,8 @@ struct Options {
   bool has_renders = true;
   WholeOptions whole;
   std::string json_file, csv_file, html_file;
-  std::optional<PictureOrder> picture;  ///< Instead of measuring.
+  std::optional<PictureOrder> picture;      ///< Instead of measuring.
+  std::optional<WriteUpOptions> write_ups;  ///< Instead of measuring.
   std::vector<std::string> worker;  ///< Instead of measuring: the scene and the engine of serve_renders().
 };
 

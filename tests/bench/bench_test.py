@@ -227,6 +227,20 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(file.read_bytes()[:4], b"\x89PNG")
 
+    def test_command_lines_of_write_ups_are_run_and_scenes_that_are_missing_are_named(self):
+        own = Path(__file__).resolve().parents[2] / "scenes" / "furnace.dae"
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "cow.dae").write_bytes(own.read_bytes())
+            done = bench("--write-ups", "--scenes", folder, "--repetitions=1", "--only", "normals cow$",
+                         "normals bunny$")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in done.stdout.splitlines()[2:]]
+        self.assertEqual(rows[0][:2], ["`-r 480 360 --integrator=normals`", "cow"])
+        self.assertEqual(int(rows[0][5]), 480 * 360)
+        self.assertGreater(float(rows[0][4]), 0)
+        self.assertEqual(rows[0][8], "0.22 s (1), 0.63 s (2), 0.14 s (3), 0.34 s (5)")
+        self.assertEqual(rows[1][1:], ["bunny", "the folder has no such scene"])
+
 
 if __name__ == "__main__":
     unittest.main()
