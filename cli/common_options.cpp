@@ -6,7 +6,6 @@
 namespace twinray {
 namespace {
 
-constexpr Range<int> thread_counts{1, 1024};
 const Choices<View> views{{"file", View::file}, {"whole", View::whole}};
 
 }  // namespace

@@ -23,6 +23,8 @@ std::string view_name(View view);
 Camera camera_of(const Scene& scene, View view, int width, int height);
 
 inline constexpr Range<std::uint32_t> sample_counts{1, Film::max_samples};
+inline constexpr Range<std::uint32_t> light_sample_counts{1, 65536};
+inline constexpr Range<int> thread_counts{1, 1024};
 
 /// The help gives width and height as they are.
 void add_resolution(OptionGroup& group, std::vector<int>& width_and_height, const std::string& description);

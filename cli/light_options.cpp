@@ -8,19 +8,21 @@ namespace {
 
 using Bounces = RenderRequest::Bounces;
 
-void add_direct_light_options(OptionGroup& group, RenderRequest& request) {
-  PathOptions& path = request.arguments.path;
-  group.add_choice<DirectMethod>("--direct", path.direct,
-                                 {{"lights", DirectMethod::lights}, {"hemisphere", DirectMethod::hemisphere}},
-                                 "How direct light is sampled");
+constexpr const char* group_name = "Light";
+
+/// What has a letter, too.
+void add_light_letters(OptionGroup& group, RenderRequest& request) {
+  RenderArguments& arguments = request.arguments;
+  group.add_number({"-m,--max-depth", "N", "Bounces of light: 0 emission, 1 direct, ..."},
+                   arguments.path.max_depth, {0, 100});
   group.add_flag("-H,--hemisphere", request.hemisphere, "The same as --direct=hemisphere");
-  group.add_number({"-l,--light-samples", "N", "Samples of each area light at a hit"}, path.samples_per_light,
-                   {1u, 65536u});
+  group.add_number({"-l,--light-samples", "N", "Samples of each area light at a hit"},
+                   arguments.path.samples_per_light, light_sample_counts);
+  group.add_word({"-e,--environment", "FILE", "Light from a latitude-longitude .exr or .hdr"},
+                 arguments.environment);
 }
 
-void add_path_options(OptionGroup& group, RenderRequest& request) {
-  group.add_number({"-m,--max-depth", "N", "Bounces of light: 0 emission, 1 direct, ..."},
-                   request.arguments.path.max_depth, {0, 100});
+void add_path_words(OptionGroup& group, RenderRequest& request) {
   group.add_choice<Bounces>("--bounces", request.bounces,
                             {{"all", Bounces::all},
                              {"direct", Bounces::direct},
@@ -30,6 +32,9 @@ void add_path_options(OptionGroup& group, RenderRequest& request) {
   group.add_word({"--roulette", "throughput|P",
                   fmt::format("By throughput from bounce 4, or a probability ({})", request.roulette)},
                  request.roulette);
+  group.add_choice<DirectMethod>("--direct", request.arguments.path.direct,
+                                 {{"lights", DirectMethod::lights}, {"hemisphere", DirectMethod::hemisphere}},
+                                 "How direct light is sampled");
 }
 
 Roulette parse_roulette(const std::string& word) {
@@ -54,7 +59,13 @@ void choose_bounces(Bounces bounces, PathOptions& path) {
 }  // namespace
 
 void add_light_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, "Light");
+  OptionGroup group(app, group_name);
+  add_light_letters(group, request);
+  add_light_words(app, request);
+}
+
+void add_light_words(CLI::App& app, RenderRequest& request) {
+  OptionGroup group(app, group_name);
   RenderArguments& arguments = request.arguments;
   group.add_choice<IntegratorKind>("--integrator", arguments.integrator,
                                    {{"path", IntegratorKind::path},
@@ -65,10 +76,7 @@ void add_light_options(CLI::App& app, RenderRequest& request) {
   group.add_choice<std::optional<CostKind>>(
       "--cost", request.cost, {{"nodes", CostKind::nodes}, {"primitives", CostKind::primitives}},
       "Of a camera ray, for cost (nodes if counted)");
-  add_path_options(group, request);
-  add_direct_light_options(group, request);
-  group.add_word({"-e,--environment", "FILE", "Light from a latitude-longitude .exr or .hdr"},
-                 arguments.environment);
+  add_path_words(group, request);
   group.add_flag("--lenient-environment", arguments.lenient_environment,
                  "Its pixels that are not radiance are black");
   group.add_flag("--keep-both-lamps", arguments.load.keep_both_lamps,

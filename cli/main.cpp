@@ -2,6 +2,7 @@
 // The program: exceptions become messages and exit codes here, and nowhere else.
 #include <exception>
 #include <new>
+#include <string>
 
 #include "cli/console.h"
 #include "cli/program.h"
@@ -11,20 +12,20 @@ namespace {
 
 namespace console = twinray::console;
 
-int fail(const char* reason, int exit_code) {
-  console::print_error("twinray: {}\n", reason);
+int fail(const std::string& name, const char* reason, int exit_code) {
+  console::print_error("{}: {}\n", name, reason);
   return exit_code;
 }
 
-int run(int argc, char** argv) {
+int run(const twinray::Invocation& invocation) {
   try {
-    return twinray::run_program({argv + 1, argv + argc});
+    return twinray::run_program(invocation);
   } catch (const twinray::UsageError& error) {
-    return fail(error.what(), 2);
+    return fail(invocation.name, error.what(), 2);
   } catch (const std::bad_alloc&) {
-    return fail("out of memory", 1);
+    return fail(invocation.name, "out of memory", 1);
   } catch (const std::exception& error) {
-    return fail(error.what(), 1);
+    return fail(invocation.name, error.what(), 1);
   }
 }
 
@@ -32,5 +33,5 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   console::open();
-  return console::finish(run(argc, argv));
+  return console::finish(run(twinray::read_invocation({argv, std::size_t(argc)})));
 }

@@ -3,9 +3,11 @@
 #include "cli/program.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "cli/agreement_command.h"
 #include "cli/crosscheck_command.h"
+#include "cli/cs184_program.h"
 #include "cli/options.h"
 #include "cli/render_command.h"
 #include "cli/render_command_line.h"
@@ -52,7 +54,26 @@ std::string usage_of(const std::string& name) {
 
 }  // namespace
 
-int run_program(std::vector<std::string> words) {
+Invocation read_invocation(std::span<const char* const> arguments) {
+  Invocation invocation;
+  if (!arguments.empty()) {
+    invocation.path = arguments.front();
+    invocation.words.assign(arguments.begin() + 1, arguments.end());
+  }
+  Words& words = invocation.words;
+  invocation.is_cs184 = std::filesystem::path(invocation.path).filename() == "pathtracer";
+  if (!invocation.is_cs184 && (words.empty() || words.front() == "render" || !is_subcommand(words.front()))) {
+    invocation.is_cs184 = std::erase(words, "--cs184") > 0;
+    if (invocation.is_cs184) invocation.path += " --cs184";
+    if (invocation.is_cs184 && !words.empty() && words.front() == "render") words.erase(words.begin());
+  }
+  invocation.name = invocation.is_cs184 ? "pathtracer" : "twinray";
+  return invocation;
+}
+
+int run_program(const Invocation& invocation) {
+  Words words = invocation.words;
+  if (invocation.is_cs184) return run_cs184(invocation.path, words);
   if (words.empty() || !is_subcommand(words.front())) words.insert(words.begin(), "render");
   try {
     return run_subcommand(subcommands, words);

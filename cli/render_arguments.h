@@ -15,6 +15,10 @@ namespace twinray {
 
 enum class IntegratorKind { path, direct, normals, cost };
 
+struct Lens {
+  float radius = 0, focal_distance = 1;  ///< In scene units; the distance is > 0 where the radius is.
+};
+
 /// What a render command line asks for.
 struct RenderArguments {
   std::string scene;
@@ -22,6 +26,7 @@ struct RenderArguments {
   std::string stats_file;   ///< Empty: none.
   std::string camera_file;  ///< Empty: the scene's own camera.
   View view = View::file;
+  std::optional<Lens> lens;          ///< In place of the camera's.
   std::string environment;           ///< Empty: none.
   bool lenient_environment = false;  ///< Its pixels that are not radiance are black; else they are an error.
   LoadOptions load;
@@ -40,6 +45,11 @@ struct RenderArguments {
   std::vector<std::string> given;           ///< The long names of the options that were given.
   std::vector<std::string> without_effect;  ///< Those that change nothing, each with the reason.
 };
+
+/// Whether scene and picture are those of CS184's program.
+inline bool is_cs184(const RenderArguments& arguments) {
+  return arguments.load.interpretation == Interpretation::cs184;
+}
 
 /// Where the scene is to decide: the fastest engine for it, by what benchmarks measured.
 void choose_engine(const Geometry& geometry, RenderArguments& arguments);

@@ -13,9 +13,9 @@
 #include "cli/no_effect.h"
 #include "cli/outputs.h"
 #include "cli/picture_metadata.h"
-#include "cli/progress.h"
 #include "cli/render_command_line.h"
 #include "cli/render_outputs.h"
+#include "cli/render_talk.h"
 #include "cli/resources.h"
 #include "cli/scene_warnings.h"
 #include "cli/statistics_report.h"
@@ -24,6 +24,7 @@
 #include "integrators/normals.h"
 #include "integrators/path.h"
 #include "io/camera_file.h"
+#include "io/cs184_camera.h"
 #include "io/environment_file.h"
 #include "io/image_file.h"
 #include "io/output_file.h"
@@ -33,19 +34,38 @@ namespace {
 
 std::unique_ptr<Integrator> make_integrator(const RenderArguments& arguments, const Scene& scene) {
   if (arguments.integrator == IntegratorKind::cost) return std::make_unique<CostIntegrator>(arguments.cost);
-  if (arguments.integrator == IntegratorKind::normals) return std::make_unique<NormalsIntegrator>(scene);
+  if (arguments.integrator == IntegratorKind::normals)
+    return std::make_unique<NormalsIntegrator>(
+        scene, is_cs184(arguments) ? NormalsIntegrator::Mixture::as_it_is : NormalsIntegrator::Mixture::unit);
   return std::make_unique<PathIntegrator>(scene, arguments.path);
 }
 
-/// Moves the camera as asked for, or says that another view would show more.
-void choose_view(const RenderArguments& arguments, Scene& scene) {
-  const Camera fitted = fit_frame(scene.camera, arguments.render.width, arguments.render.height);
-  if (arguments.view == View::whole) {
-    scene.camera = view_whole(fitted, scene.geometry->bounds());
-  } else if (!arguments.quiet) {
-    const std::string note = frame_note(fitted, *scene.geometry);
-    if (!note.empty()) console::print("note: {}\n", note);
+/// The camera of CS184's program: its frame is that of a camera settings file, or depends on the picture's
+/// size.
+Camera cs184_camera_of(const RenderArguments& arguments, const Camera& scene_camera) {
+  if (!arguments.camera_file.empty()) return load_cs184_camera_file(arguments.camera_file, scene_camera);
+  return cs184_frame(scene_camera, arguments.render.width, arguments.render.height);
+}
+
+/// The camera as asked for; says so if another view would show more.
+Camera standard_camera_of(const RenderArguments& arguments, const Scene& scene, RenderTalk& talk) {
+  const std::string& file = arguments.camera_file;
+  const Camera camera = file.empty() ? scene.camera : load_camera_file(file, scene.camera);
+  const Camera fitted = fit_frame(camera, arguments.render.width, arguments.render.height);
+  if (arguments.view == View::whole) return view_whole(fitted, scene.geometry->bounds());
+  const std::string note = arguments.quiet ? "" : frame_note(fitted, *scene.geometry);
+  if (!note.empty()) talk.note(note);
+  return camera;
+}
+
+Camera camera_of(const RenderArguments& arguments, const Scene& scene, RenderTalk& talk) {
+  Camera camera = is_cs184(arguments) ? cs184_camera_of(arguments, scene.camera)
+                                      : standard_camera_of(arguments, scene, talk);
+  if (arguments.lens) {
+    camera.lens_radius = arguments.lens->radius;
+    camera.focal_distance = arguments.lens->focal_distance;
   }
+  return camera;
 }
 
 EnvironmentLight read_environment(const RenderArguments& arguments) {
@@ -56,19 +76,18 @@ EnvironmentLight read_environment(const RenderArguments& arguments) {
   return {std::make_shared<const Image>(std::move(loaded.map))};
 }
 
-LoadedScene load(const RenderArguments& arguments) {
+LoadedScene load(const RenderArguments& arguments, RenderTalk& talk) {
+  talk.loading();
   LoadedScene loaded = load_with_warnings(arguments.scene, arguments.load);
-  if (!arguments.quiet)
-    for (const std::string& line : summary_lines(loaded.summary)) console::print("{}\n", line);
-  if (!arguments.camera_file.empty())
-    loaded.scene.camera = load_camera_file(arguments.camera_file, loaded.scene.camera);
-  choose_view(arguments, loaded.scene);
+  talk.loaded(loaded.summary);
+  loaded.scene.camera = camera_of(arguments, loaded.scene, talk);
   if (!arguments.environment.empty())
     loaded.scene.lights.push_back({"environment", read_environment(arguments)});
   const std::vector<std::string> without_effect = options_without_effect(loaded.scene, arguments);
   refuse_if_strict(without_effect, arguments);
   for (const std::string& warning : without_effect) console::warn(warning);
   for (const std::string& warning : scene_warnings(loaded.scene, arguments)) console::warn(warning);
+  talk.ready();
   return loaded;
 }
 
@@ -124,7 +143,7 @@ int report(const Check& check, const SceneCrosscheck& found, const RenderArgumen
 
 }  // namespace
 
-int render_command(const RenderArguments& asked, const std::vector<std::string>& words) {
+int render_command(const RenderArguments& asked, const std::vector<std::string>& words, RenderTalk& talk) {
   RenderArguments arguments = asked;
   for (const std::string& warning : arguments.without_effect) console::warn(warning);
   check_memory(memory_needs(arguments.render));
@@ -133,35 +152,40 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   prepare_outputs(outputs.names());
   if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
     console::warn(fewer);
-  const LoadedScene loaded = load(arguments);
+  const LoadedScene loaded = load(arguments, talk);
   choose_engine(*loaded.scene.geometry, arguments);
   const ImageMetadata metadata = picture_metadata(arguments, words);
-  const auto accelerator = build_accelerator(arguments.backend, loaded.scene.geometry, arguments.build);
   const auto integrator = make_integrator(arguments, loaded.scene);
+  talk.building(arguments, *loaded.scene.geometry);
+  const auto accelerator = build_accelerator(arguments.backend, loaded.scene.geometry, arguments.build);
+  talk.built(accelerator->stats());
   std::optional<Check> check;
   if (arguments.check_with) check.emplace(arguments, loaded.scene, *accelerator);
 
-  ProgressLine line = progress_line(!arguments.quiet);
+  talk.rendering();
   const RenderResult result = render(loaded.scene, *accelerator, *integrator,
                                      check ? check->observed(arguments.render) : arguments.render,
-                                     [&](const RenderProgress& progress) {
-                                       if (line.is_due())
-                                         line.show(progress_text(progress, line.elapsed_seconds()));
-                                     });
-  line.finish();
+                                     [&](const RenderProgress& progress) { talk.progress(progress); });
+  talk.rendered(result);
   if (const std::string rejected = rejection_text(result.film); !rejected.empty()) console::warn(rejected);
   std::optional<SceneCrosscheck> found;
   if (check) found = check->found(result.seconds);
+  talk.saving();
   write_pictures(outputs, arguments, result.film, metadata);
   if (!outputs.differences.empty())
     write_image(outputs.differences, check->picture(mean_image(result.film)), metadata);
+  talk.saved();
   if (!outputs.statistics.empty())
     write_file(outputs.statistics, statistics_json(arguments, accelerator->stats(), result,
                                                    found ? check_json(arguments, *found) : ""));
-  if (!arguments.quiet)
-    console::print("{}Picture        {}\n", statistics_text(arguments, accelerator->stats(), result),
-                   arguments.output);
+  talk.finished(arguments, accelerator->stats(), result);
   return check ? report(*check, *found, arguments, outputs.differences) : 0;
+}
+
+int render_command(const RenderArguments& arguments, const std::vector<std::string>& words) {
+  const std::unique_ptr<RenderTalk> talk =
+      arguments.quiet ? std::make_unique<RenderTalk>() : std::make_unique<StandardTalk>();
+  return render_command(arguments, words, *talk);
 }
 
 }  // namespace twinray

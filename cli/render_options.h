@@ -34,6 +34,12 @@ void add_sampling_options(CLI::App& app, RenderRequest& request);
 void add_engine_options(CLI::App& app, RenderRequest& request);
 void add_run_options(CLI::App& app, RenderRequest& request);
 
+// Of the same groups the options without a letter: CS184's program has others with the letters.
+
+void add_light_words(CLI::App& app, RenderRequest& request);
+void add_sampling_words(CLI::App& app, RenderRequest& request);
+void add_run_words(CLI::App& app, RenderRequest& request);
+
 // Each throws UsageError where its options contradict each other.
 
 void resolve_picture(const RenderRequest& request, RenderArguments& arguments);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/render_outputs.h"
 
+#include <filesystem>
+
 #include "cli/console.h"
 #include "io/color_scale.h"
+#include "io/cs184_picture.h"
 #include "io/destination.h"
 
 namespace twinray {
@@ -10,11 +13,35 @@ namespace {
 
 /// "a/b.exr" -> "a/b_rate.png".
 std::string beside(const std::string& picture, const std::string& ending) {
-  return picture.substr(0, picture.find_last_of('.')) + ending;
+  return std::filesystem::path(picture).replace_extension().string() + ending;
+}
+
+/// Pictures of CS184's program need no ending.
+void check_name(const RenderArguments& arguments) {
+  if (is_cs184(arguments) && !std::filesystem::path(arguments.output).has_extension()) return;
+  check_image_name(arguments.output);
+}
+
+std::string rate_name(const RenderArguments& arguments) {
+  return is_cs184(arguments) ? cs184_rate_name(arguments.output) : beside(arguments.output, "_rate.png");
 }
 
 ImageFrame frame_of(const Film& film) {
   return {film.window().x0, film.window().y0, film.frame_width(), film.frame_height()};
+}
+
+void write_colors(const RenderOutputs& outputs, const RenderArguments& arguments, const Film& film,
+                  const ImageMetadata& metadata) {
+  const Image mean = mean_image(film);
+  if (is_cs184(arguments) && !is_linear_output(outputs.picture))
+    write_png(outputs.picture, encode_cs184(mean), metadata);
+  else
+    write_image(outputs.picture, mean, metadata, frame_of(film));
+}
+
+ByteImage rate_image(const RenderArguments& arguments, const Film& film) {
+  const std::uint32_t most = arguments.render.samples;
+  return is_cs184(arguments) ? cs184_rate_image(film, most) : sample_rate_image(film, most);
 }
 
 /// Costs as colours with their legend; EXR keeps the numbers.
@@ -39,9 +66,9 @@ std::vector<std::string> RenderOutputs::names() const {
 
 RenderOutputs render_outputs(const RenderArguments& arguments) {
   const std::string& picture = arguments.output;
-  check_image_name(picture);
+  check_name(arguments);
   RenderOutputs outputs{.picture = picture, .statistics = arguments.stats_file};
-  if (arguments.render.adaptive) outputs.rates = beside(picture, "_rate.png");
+  if (arguments.render.adaptive) outputs.rates = rate_name(arguments);
   if (arguments.integrator == IntegratorKind::cost) outputs.legend = beside(picture, "_legend.png");
   if (arguments.check_with) outputs.differences = beside(picture, "_differences.png");
   if (destination_of(picture).kind == Destination::Kind::file) return outputs;
@@ -57,9 +84,8 @@ void write_pictures(const RenderOutputs& outputs, const RenderArguments& argumen
   if (arguments.integrator == IntegratorKind::cost)
     write_costs(outputs, film, metadata);
   else
-    write_image(outputs.picture, mean_image(film), metadata, frame_of(film));
-  if (!outputs.rates.empty())
-    write_png(outputs.rates, sample_rate_image(film, arguments.render.samples), metadata);
+    write_colors(outputs, arguments, film, metadata);
+  if (!outputs.rates.empty()) write_png(outputs.rates, rate_image(arguments, film), metadata);
 }
 
 }  // namespace twinray

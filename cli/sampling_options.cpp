@@ -6,18 +6,25 @@ namespace {
 
 constexpr Range<std::uint32_t> batches{2, Film::max_samples};
 constexpr Range<double> tolerances{0, 1e6};
+constexpr const char* group_name = "Sampling";
 
 }  // namespace
 
 void add_sampling_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, "Sampling");
-  RenderOptions& render = request.arguments.render;
-  group.add_number({"-s,--samples", "N", "Samples per pixel"}, render.samples, sample_counts);
+  OptionGroup group(app, group_name);
+  group.add_number({"-s,--samples", "N", "Samples per pixel"}, request.arguments.render.samples,
+                   sample_counts);
   const AdaptiveSampling usual;
   group.add_words(
       {"-a,--adaptive", "N T",
        fmt::format("Stop a pixel early: batch size, tolerance; as {} {}", usual.batch, usual.tolerance)},
       2, [&request](const Words& words) { request.adaptive = words; });
+  add_sampling_words(app, request);
+}
+
+void add_sampling_words(CLI::App& app, RenderRequest& request) {
+  OptionGroup group(app, group_name);
+  RenderOptions& render = request.arguments.render;
   group.add_choice<std::optional<AdaptiveRule>>(
       "--adaptive-rule", request.adaptive_rule,
       {{"careful", AdaptiveRule::careful}, {"cs184", AdaptiveRule::cs184}},

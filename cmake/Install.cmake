@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# What an installed twinray is: the program, the static libraries, the public headers under include/twinray, and
-# a CMake package of which find_package(twinray) gives twinray::core, ::accel, ::integrators, ::check and ::io.
+# What an installed twinray is: the program and its link `pathtracer`, the static libraries, the public headers under
+# include/twinray, and a CMake package of which find_package(twinray) gives twinray::core, ::accel, ::integrators,
+# ::check and ::io.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -64,6 +65,7 @@ list(JOIN private_patterns "|" private_patterns)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/twinray)
 install(TARGETS twinray RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(FILES $<TARGET_FILE_DIR:twinray>/pathtracer DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS twinray_core twinray_accel twinray_integrators twinray_check twinray_io EXPORT twinrayTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY core accel integrators check io DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/twinray

@@ -15,6 +15,7 @@ endfunction()
 
 step(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/prefix)
 step(${work}/prefix/bin/twinray --version)
+step(${work}/prefix/bin/pathtracer -h)
 step(${CMAKE_COMMAND} -S ${SOURCE} -B ${work}/build -G Ninja -D CMAKE_BUILD_TYPE=Release
      -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_PREFIX_PATH=${work}/prefix -D CANONICAL_TABLE=${SOURCE}/../accel)
 step(${CMAKE_COMMAND} --build ${work}/build)

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/render_talk.h"
+
+#include "cli/console.h"
+#include "cli/progress.h"
+#include "cli/statistics_report.h"
+
+namespace twinray {
+
+StandardTalk::StandardTalk() : line_(progress_line(true)) {}
+
+void StandardTalk::loaded(const SceneSummary& summary) {
+  for (const std::string& line : summary_lines(summary)) console::print("{}\n", line);
+}
+
+void StandardTalk::note(const std::string& text) { console::print("note: {}\n", text); }
+
+void StandardTalk::rendering() { line_ = progress_line(true); }
+
+void StandardTalk::progress(const RenderProgress& progress) {
+  if (line_.is_due()) line_.show(progress_text(progress, line_.elapsed_seconds()));
+}
+
+void StandardTalk::rendered(const RenderResult&) { line_.finish(); }
+
+void StandardTalk::finished(const RenderArguments& arguments, const AccelStats& accel,
+                            const RenderResult& result) {
+  console::print("{}Picture        {}\n", statistics_text(arguments, accel, result), arguments.output);
+}
+
+}  // namespace twinray

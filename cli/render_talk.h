@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a render tells people while it goes on.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "accel/accelerator.h"
+#include "cli/render_arguments.h"
+#include "integrators/render.h"
+#include "io/progress_line.h"
+#include "io/scene_summary.h"
+
+namespace twinray {
+
+/// One function for each step of a render, called in this order; each says nothing unless it is overridden.
+/// Warnings and errors are printed by whoever finds them.
+class RenderTalk {
+ public:
+  virtual ~RenderTalk() = default;
+  virtual void loading() {}
+  virtual void loaded(const SceneSummary&) {}
+  /// The picture could show more.
+  virtual void note(const std::string&) {}
+  /// Scene, camera and lights are there.
+  virtual void ready() {}
+  virtual void building(const RenderArguments&, const Geometry&) {}
+  virtual void built(const AccelStats&) {}
+  virtual void rendering() {}
+  /// From one thread at a time.
+  virtual void progress(const RenderProgress&) {}
+  virtual void rendered(const RenderResult&) {}
+  virtual void saving() {}
+  virtual void saved() {}
+  virtual void finished(const RenderArguments&, const AccelStats&, const RenderResult&) {}
+};
+
+/// A line on standard error while it renders, all else on standard output: what was understood of the scene,
+/// and statistics at the end.
+class StandardTalk final : public RenderTalk {
+ public:
+  StandardTalk();
+  void loaded(const SceneSummary& summary) override;
+  void note(const std::string& text) override;
+  void rendering() override;
+  void progress(const RenderProgress& progress) override;
+  void rendered(const RenderResult& result) override;
+  void finished(const RenderArguments& arguments, const AccelStats& accel,
+                const RenderResult& result) override;
+
+ private:
+  ProgressLine line_;
+};
+
+}  // namespace twinray
