@@ -21,12 +21,21 @@ std::vector<MemoryNeed> memory_needs(const RenderOptions& options) {
           {"the pictures made of it", pixels * picture_bytes_a_pixel}};
 }
 
+std::vector<MemoryNeed> memory_needs(const Recording& recording) {
+  const std::uint64_t samples =
+      std::uint64_t(recording.width) * std::uint64_t(recording.height) * recording.samples;
+  const std::uint64_t rays_a_sample =
+      1 + 2 * std::uint64_t(recording.max_depth);  // a camera, shadow and bounce rays
+  return {{fmt::format("the rays of {} x {} pixels", recording.width, recording.height),
+           samples * rays_a_sample * (sizeof(RecordedRay) + sizeof(Ray))}};
+}
+
 std::string thread_warning(int wanted) {
   const ThreadCount threads = count_threads(wanted);
   if (threads.usable == threads.wanted) return {};
   return fmt::format(
       "the system lets the program have {} of {} threads (see ulimit -u, and the container's limit of "
-      "processes): it renders on {}",
+      "processes): it runs on {}",
       threads.usable, threads.wanted, threads.usable == 1 ? "that one" : "those");
 }
 

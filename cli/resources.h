@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a render needs of the machine, asked before it begins.
+// What a command needs of the machine, asked before it begins.
 #pragma once
 #include <string>
 #include <vector>
 
+#include "check/recorded_rays.h"
 #include "core/memory.h"
 #include "integrators/render.h"
 
@@ -11,6 +12,9 @@ namespace twinray {
 
 /// The film, and the pictures that are made of it.
 std::vector<MemoryNeed> memory_needs(const RenderOptions& options);
+
+/// The rays of a picture, at most, each held twice: all together, and by kind.
+std::vector<MemoryNeed> memory_needs(const Recording& recording);
 
 /// That fewer threads can be made than are wanted (0: as many as the machine has); empty where all can.
 std::string thread_warning(int wanted);

@@ -10,6 +10,7 @@
 #include "cli/options.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
+#include "cli/resources.h"
 #include "cli/statistics_report.h"
 #include "core/error.h"
 #include "io/output_file.h"
@@ -66,8 +67,11 @@ std::function<StatsArguments()> add_stats_options(CLI::App& app) {
 }
 
 int stats_command(const StatsArguments& arguments) {
+  check_memory(memory_needs(arguments.options.recording));
   const InterruptGuard guard(output_files(arguments));
   prepare_outputs(output_files(arguments));
+  if (const std::string fewer = thread_warning(arguments.options.threads); !fewer.empty())
+    console::warn(fewer);
   const Scene scene = load(arguments);
   ProgressLine line = progress_line(!arguments.quiet);
   const SceneStatistics statistics =

@@ -29,6 +29,14 @@ TEST_CASE("a render needs its film of 64 bytes a pixel, and the pictures made of
   CHECK(memory_needs(options)[0].bytes == 64 * 20 * 40);
 }
 
+TEST_CASE("statistics need the rays of their picture, in two copies") {
+  const std::vector<MemoryNeed> needs =
+      memory_needs(Recording{.width = 100, .height = 10, .samples = 3, .max_depth = 2});
+  REQUIRE(needs.size() == 1);
+  CHECK(needs[0].name == "the rays of 100 x 10 pixels");
+  CHECK(needs[0].bytes == 3000 * 5 * (sizeof(RecordedRay) + sizeof(Ray)));
+}
+
 TEST_CASE("threads that can all be made are no warning, more than the machine has either") {
   CHECK(thread_warning(2).empty());
   const TemporaryFolder folder;
@@ -84,12 +92,24 @@ TEST_CASE("where no thread can be made it renders on its first one, on every eng
     CHECK(
         eight.err ==
         "warning: the system lets the program have 1 of 8 threads (see ulimit -u, and the container's limit "
-        "of processes): it renders on that one\n");
+        "of processes): it runs on that one\n");
     CHECK(all.exit_code == 0);
     if (backend == Backend::embree_native) continue;  // Its bits are its own.
     const bool is_same = read_image(found).pixels == read_image(expected).pixels;
     CHECK(is_same);
   }
+}
+
+TEST_CASE("statistics of more rays than the memory holds are an error, and fewer threads a warning") {
+  const ProcessResult large =
+      run_shell("ulimit -v 3000000; timeout 60 '" TWINRAY_PROGRAM "' stats " + box + " -r 8192 8192");
+  CHECK(large.exit_code == 1);
+  CHECK(large.err.find("for the rays of 8192 x 8192 pixels") != std::string::npos);
+  const ProcessResult few = run_shell("TWINRAY_TEST_THREADS=3 LD_PRELOAD='" TWINRAY_FEW_THREADS
+                                      "' timeout 60 '" TWINRAY_PROGRAM "' stats " +
+                                      box + " -r 8 6 -t 8");
+  CHECK(few.exit_code == 0);
+  CHECK(few.err.find("4 of 8 threads") != std::string::npos);
 }
 
 TEST_CASE("where some threads can be made it renders on those") {
@@ -99,7 +119,7 @@ TEST_CASE("where some threads can be made it renders on those") {
   CHECK(
       some.err ==
       "warning: the system lets the program have 4 of 8 threads (see ulimit -u, and the container's limit of "
-      "processes): it renders on those\n");
+      "processes): it runs on those\n");
   const ProcessResult enough = render_with_few(3, fmt::format("-t 4 -o '{}'", folder.file("a.png")));
   CHECK(enough.exit_code == 0);
   CHECK(enough.err.empty());
