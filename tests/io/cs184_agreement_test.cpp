@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of normals by CS184's rules, held to a reference that was written from the description of its
 // program alone (tests/support/cs184/).
+#include <fmt/format.h>
+
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
 #include "tests/support/cs184/compare.h"
+#include "tests/support/random.h"
 
 namespace twinray {
 namespace {
@@ -49,6 +52,36 @@ std::string look(const std::string& id, const std::string& where = "3 1 2") {
 }
 
 const std::string shape = "<instance_geometry url=\"#shape\"/>";
+
+/// A hilly patch of 5 x 5 vertices some of whose 32 triangles are missing, and few of the rest wound the
+/// other way round: with borders, holes, corners that only touch, and edges that no manifold has.
+std::string random_patch(test::Random& random, bool is_manifold) {
+  constexpr int side = 5;
+  std::string positions, indices, counts;
+  for (int i = 0; i < side * side; ++i)
+    positions += fmt::format("{} {} {} ", i % side, i / side, random.uniform(-0.7f, 0.7f));
+  int count = 0;
+  const auto add = [&](int a, int b, int c) {
+    if (count > 0 && random.unit() < 0.15f) return;
+    if (!is_manifold && random.unit() < 0.1f) std::swap(b, c);
+    indices += fmt::format("{} {} {} ", a, b, c);
+    counts += "3 ";
+    ++count;
+  };
+  for (int y = 0; y + 1 < side; ++y)
+    for (int x = 0; x + 1 < side; ++x) {
+      const int a = y * side + x, b = a + 1, c = a + side, d = c + 1;
+      add(a, b, d);
+      add(a, d, c);
+    }
+  return collada_mesh(side * side, positions, polylist(counts, indices, count));
+}
+
+std::string random_matrix(test::Random& random) {
+  std::string numbers;
+  for (int i = 0; i < 12; ++i) numbers += fmt::format("{} ", random.uniform(-2, 2));
+  return "<matrix>" + numbers + "0 0 0 1</matrix>";
+}
 
 }  // namespace
 
@@ -127,6 +160,27 @@ TEST_CASE("a sphere has the scale of its x axis") {
   const std::string node =
       "<node><matrix>0 -1 0 2 1.5 0 0 0 0 0 1 1 0 0 0 1</matrix><instance_geometry url=\"#ball\"/></node>";
   check(test::cs184::difference_of_text(collada_text(ball + cameras, node + look("near")), 320, 240));
+}
+
+TEST_CASE("normals of random patches under random transforms and cameras are those of CS184's program") {
+  constexpr int seeds = 60;
+  double covered = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    const std::string libraries = random_patch(random, seed % 3 != 0) + cameras;
+    std::string nodes;
+    for (int i = 0; i < 3; ++i)
+      nodes += "<node>" + random_matrix(random) + "<node>" + random_matrix(random) + shape + "</node></node>";
+    nodes += "<node>" + random_matrix(random) + "<instance_camera url=\"#" + (seed % 2 ? "near" : "far") +
+             "\"/></node>";
+    const char* axes[] = {"X_UP", "Y_UP", "Z_UP"};
+    const Difference difference =
+        test::cs184::difference_of_text(collada_text(libraries, nodes, axes[seed / 2 % 3]), 160, 120);
+    check(difference);
+    covered += difference.covered / seeds;
+  }
+  CHECK(covered > 0.3);
 }
 
 }  // namespace twinray

@@ -30,7 +30,7 @@ ByteImage our_picture(const std::string& collada, int width, int height) {
 Difference difference_of_text(const std::string& collada, int width, int height) {
   const ByteImage ours = our_picture(collada, width, height);
   const Picture reference = normals_picture(collada, width, height);
-  std::size_t beyond = 0, outline = 0;
+  std::size_t beyond = 0, outline = 0, covered = 0;
   for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
     int most = 0, sum = 0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -38,10 +38,11 @@ Difference difference_of_text(const std::string& collada, int width, int height)
       sum += ours.bytes[3 * i + c];
     }
     beyond += most > 1;
+    covered += reference.is_hit[i];
     outline += (sum > 0) != reference.is_hit[i];
   }
   const double count = double(reference.pixels.size());
-  return {double(beyond) / count, double(outline) / count};
+  return {double(beyond) / count, double(outline) / count, double(covered) / count};
 }
 
 Difference difference_of_file(const std::string& path, int width, int height) {

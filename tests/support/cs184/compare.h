@@ -11,6 +11,7 @@ namespace twinray::test::cs184 {
 struct Difference {
   double beyond_one_step = 0;  ///< By more than one step of 255 in some channel.
   double outline = 0;          ///< One shows a surface and the other none.
+  double covered = 0;          ///< Not what differs, but where the reference shows a surface.
 };
 
 /// Of a scene file, in a picture of that size.
