@@ -46,6 +46,7 @@ constexpr std::array lines{
     Line{"-r 480 360 -s 1 -l 64", "CBbunny", "0.21 s (2)"},
     Line{"-r 480 360 -s 16 -l 8 -m 6", "CBbunny", ""},
     Line{"-r 480 360 -s 16 -l 8 -m 6 -H", "CBbunny", ""},
+    Line{"-r 480 360 -s 16 -l 8 -m 6 -H --accel=auto", "CBbunny", ""},
     Line{"-r 480 360 -s 16 -l 8", "CBspheres_lambertian", ""},
     Line{"-r 480 360 -s 64 -l 4 -m 5", "CBspheres_lambertian", "", true},
     Line{"-r 480 360 -s 2048 -l 1 -m 5 -a 64 0.05", "CBspheres_lambertian", "", true},
@@ -54,7 +55,8 @@ constexpr std::array lines{
 /// What one run printed, and took.
 struct Run {
   double build_seconds = 0, render_seconds = 0, cpu_seconds = 0;
-  double rays = 0, tests_per_ray = 0;
+  double rays = 0;
+  double tests_per_ray = 0;  ///< 0 where they were not counted.
 };
 
 /// The number behind the last of these texts.
@@ -112,12 +114,13 @@ Run run(const std::vector<std::string>& words) {
   wait4(process, &status, 0, &usage);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw Error(fmt::format("this failed: {}", fmt::join(words, " ")));
+  const bool is_counted = output.find("Averaged ") != output.npos;
   const std::string building = output.substr(output.find("Building"));
   return {.build_seconds = number_behind(building.substr(0, building.find(" sec)")), "Done! ("),
           .render_seconds = number_behind(output, "100%! ("),
           .cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime),
           .rays = number_behind(output, " traced "),
-          .tests_per_ray = number_behind(output, "Averaged ")};
+          .tests_per_ray = is_counted ? number_behind(output, "Averaged ") : 0};
 }
 
 std::string file_of(const std::string& folder, const std::string& scene) {
@@ -137,9 +140,10 @@ double median(const std::vector<Run>& runs, double Run::*member) {
 std::string row(const Line& line, const std::vector<Run>& runs) {
   const auto of = [&](double Run::*member) { return median(runs, member); };
   const double render = of(&Run::render_seconds);
-  return fmt::format("| `{}` | {} | {:.4f} | {:.2f} | {:.2f} | {:.0f} | {:.2f} | {:.2f} | {} |\n",
-                     line.options, line.scene, of(&Run::build_seconds), render, of(&Run::cpu_seconds),
-                     of(&Run::rays), 1e-6 * of(&Run::rays) / render, of(&Run::tests_per_ray), line.reported);
+  const double rays = of(&Run::rays), tests = of(&Run::tests_per_ray);
+  return fmt::format("| `{}` | {} | {:.4f} | {:.2f} | {:.2f} | {:.0f} | {:.2f} | {} | {} |\n", line.options,
+                     line.scene, of(&Run::build_seconds), render, of(&Run::cpu_seconds), rays,
+                     1e-6 * rays / render, tests > 0 ? fmt::format("{:.2f}", tests) : "–", line.reported);
 }
 
 bool is_chosen(const Line& line, const WriteUpOptions& options) {

@@ -125,6 +125,8 @@ RenderArguments resolved(const Cs184Request& asked, const Words& given) {
   resolve_lens(asked, arguments);
   resolve_light(request, arguments);
   arguments.load.surfaces_only = arguments.integrator == IntegratorKind::normals;
+  // Who leaves the choice of the engine to the program wants the fastest one.
+  if (request.accel == "auto") arguments.render.counting = false;
   resolve_engine(request, arguments);
   arguments.given = given;
   arguments.without_effect = options_without_effect(request, arguments);

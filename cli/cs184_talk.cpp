@@ -79,7 +79,7 @@ void Cs184Talk::rendered(const RenderResult& result) {
   if (counts_)
     console::print("[PathTracer] Averaged {:.6f} intersection tests per ray.\n", per_ray(result.rays));
   else
-    console::print("[PathTracer] {} counts no intersection tests.\n", engine_);
+    console::write("[PathTracer] No intersection tests were counted.\n");
 }
 
 void Cs184Talk::saving() {

@@ -167,7 +167,8 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
                                      check ? check->observed(arguments.render) : arguments.render,
                                      [&](const RenderProgress& progress) { talk.progress(progress); });
   talk.rendered(result);
-  if (const std::string rejected = rejection_text(result.film); !rejected.empty()) console::warn(rejected);
+  if (const std::string rejected = rejection_text(result.film, arguments); !rejected.empty())
+    console::warn(rejected);
   std::optional<SceneCrosscheck> found;
   if (check) found = check->found(result.seconds);
   talk.saving();

@@ -121,6 +121,12 @@ ordered_json engine_json(const EngineStatistics& engine) {
   return json;
 }
 
+/// The option that renders this pixel alone.
+std::string pixel_option(const RejectedSample& at, int frame_height, const RenderArguments& arguments) {
+  if (is_cs184(arguments)) return fmt::format("-p {} {} 1 1", at.x, frame_height - 1 - at.y);
+  return fmt::format("--crop {} {} 1 1", at.x, at.y);
+}
+
 int threads_used(const StatsArguments& arguments) {
   return arguments.options.threads > 0 ? arguments.options.threads : available_threads();
 }
@@ -165,14 +171,14 @@ std::string statistics_json(const RenderArguments& arguments, const AccelStats& 
   return json.dump(2) + "\n";
 }
 
-std::string rejection_text(const Film& film) {
+std::string rejection_text(const Film& film, const RenderArguments& arguments) {
   if (film.rejected_count() == 0) return {};
   const RejectedSample first = film.first_rejected();
   return fmt::format(
       "{} samples were rejected: not finite or beyond {:g}. The first: pixel {} {}, sample {}; render it "
-      "alone with "
-      "--crop {} {} 1 1",
-      film.rejected_count(), Film::max_value, first.x, first.y, first.index, first.x, first.y);
+      "alone with {}",
+      film.rejected_count(), Film::max_value, first.x, first.y, first.index,
+      pixel_option(first, film.frame_height(), arguments));
 }
 
 std::string stats_text(const StatsArguments& arguments, const SceneStatistics& statistics) {

@@ -23,7 +23,7 @@ std::string statistics_json(const RenderArguments& arguments, const AccelStats& 
                             const RenderResult& result, const std::string& check = "");
 
 /// Says how to see a rejected sample again; empty if there was none.
-std::string rejection_text(const Film& film);
+std::string rejection_text(const Film& film, const RenderArguments& arguments);
 
 /// One line an engine, and what the statistics were measured with; "-" stands for what an engine does not
 /// know.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <regex>
 
+#include "io/cs184_picture.h"
 #include "tests/support/catch.h"
 #include "tests/support/cs184_scene.h"
 
@@ -55,9 +56,11 @@ TEST_CASE("with another engine the lines name what was built") {
   CHECK(brute.out.find("[PathTracer] Averaged 4.000000 intersection tests per ray.\n") != std::string::npos);
 #ifdef TWINRAY_WITH_EMBREE
   const ProcessResult native = run_cs184(folder, lit_floor(), small + "--accel=embree-native ");
-  CHECK(native.out.find("[PathTracer] embree-native counts no intersection tests.\n") != std::string::npos);
+  CHECK(native.out.find("[PathTracer] No intersection tests were counted.\n") != std::string::npos);
   CHECK(native.out.find("Averaged") == std::string::npos);
 #endif
+  const ProcessResult fastest = run_cs184(folder, lit_floor(), small + "--accel=auto ");
+  CHECK(fastest.out.find("[PathTracer] No intersection tests were counted.\n") != std::string::npos);
 }
 
 TEST_CASE("a cell, camera settings and an environment have lines of their own") {
@@ -186,6 +189,33 @@ TEST_CASE("a picture on standard output leaves that to it, and rates out") {
   CHECK(result.out.substr(1, 3) == "PNG");
   CHECK(result.err.find("[PathTracer] Job completed.\n") != std::string::npos);
   CHECK(folder.file_count() == 1);  // the scene
+}
+
+TEST_CASE("-b is a lens that blurs what is not at the distance of -d") {
+  // A wall that faces the camera at a distance of 1.5 times its diagonal; the cell lies across its edge.
+  Cs184Scene wall;
+  wall.geometries = cs184_geometry("floor", {4, "-1 -1 0 1 -1 0 1 1 0 -1 1 0", 2, "0 1 2 0 2 3", ""});
+  wall.camera_matrix = moved_by("0", "0", "2");
+  const std::string options = "--integrator=normals -r 480 440 -s 16 -p 0 200 240 8 ";
+  const auto blurred = [&](const std::string& lens) {
+    int count = 0;
+    for (const Rgb& pixel : cs184_picture(wall, options + lens).pixels)
+      count += pixel.r > 0.01f && pixel.r < 0.49f;
+    return count;
+  };
+  CHECK(blurred("-d 2") <= 16);  // a pinhole: the edge alone
+  CHECK(blurred("-b 0.5 -d 4.2426407") <= 16);
+  CHECK(blurred("-b 0.5 -d 2") > 400);
+}
+
+TEST_CASE("a PNG has CS184's tone curve, an EXR linear light") {
+  const Image linear = cs184_picture(lit_floor(), "-r 16 12 -s 4");
+  const TemporaryFolder folder;
+  REQUIRE(run_cs184(folder, lit_floor(), "-r 16 12 -s 4 -f a.png").exit_code == 0);
+  const Image png = read_image(folder.file("a.png"));
+  for (int y = 0; y < 12; ++y)
+    for (int x = 0; x < 16; ++x)
+      CHECK(int(encode_srgb(png.at(x, y).g)) == int(encode_cs184(linear.at(x, y).g)));
 }
 
 }  // namespace twinray::test

@@ -44,15 +44,18 @@ TEST_CASE("nothing traced in no time has no speed") {
 
 TEST_CASE("a rejected sample can be rendered alone again") {
   Film film(20, 10, {2, 1, 18, 9});
-  CHECK(rejection_text(film).empty());
+  CHECK(rejection_text(film, {}).empty());
   const float nan = std::numeric_limits<float>::quiet_NaN();
   film.add(0, 7, 4, 9, {nan, 0, 0});
   film.add(0, 5, 4, 3, {0, nan, 0});
   film.add(0, 3, 6, 1, {0, 0, nan});
-  const std::string text = rejection_text(film);
+  const std::string text = rejection_text(film, {});
   CHECK(holds(text, "3 samples were rejected"));
   CHECK(holds(text, "pixel 5 4, sample 3;"));
   CHECK(holds(text, "--crop 5 4 1 1"));
+  RenderArguments cs184;
+  cs184.load.interpretation = Interpretation::cs184;
+  CHECK(holds(rejection_text(film, cs184), "alone with -p 5 5 1 1"));  // 5 from the bottom of 10 rows
 }
 
 }  // namespace twinray::test
