@@ -5,8 +5,10 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "io/number_list.h"
 
@@ -44,6 +46,28 @@ std::string read_file(const std::string& path) {
   }
   if (stream.bad()) throw error_at(whole_file(path), "the file cannot be read to its end");
   return text;
+}
+
+/// The format of bytes that are not text in UTF-8, by how they start; "" where they may be.
+std::string other_format(std::string_view text) {
+  const auto starts = [&](std::string_view bytes) { return text.substr(0, bytes.size()) == bytes; };
+  if (starts(std::string_view("\xff\xfe\0\0", 4)) || starts(std::string_view("\0\0\xfe\xff", 4)))
+    return "text in UTF-32";
+  if (starts("\xff\xfe") || starts("\xfe\xff") || starts(std::string_view("<\0", 2)) ||
+      starts(std::string_view("\0<", 2)))
+    return "text in UTF-16";
+  if (starts("\x1f\x8b")) return "compressed (gzip)";
+  if (starts("PK\x03\x04")) return "a zip archive";
+  return "";
+}
+
+/// Throws Error for bytes that are not text in UTF-8, as far as their start and zeros tell.
+void check_encoding(const std::string& file, std::string_view text) {
+  if (trimmed(text).empty()) throw error_at(whole_file(file), "the file is empty");
+  if (const std::string format = other_format(text); !format.empty())
+    throw error_at(whole_file(file), fmt::format("the file is {}; valid is XML in UTF-8", format));
+  if (const std::size_t zero = text.find('\0'); zero != npos)
+    throw error_at(whole_file(file), fmt::format("not XML in UTF-8: byte {} is zero", zero));
 }
 
 bool starts_at(std::string_view text, std::size_t i, std::string_view what) {
@@ -103,6 +127,41 @@ tinyxml2::XMLElement* next_element(tinyxml2::XMLElement* element) {
   return element ? element->NextSiblingElement() : nullptr;
 }
 
+/// The part of a name before its colon; "" without one.
+std::string_view prefix_of(std::string_view name) {
+  const std::size_t colon = name.find(':');
+  return colon == npos ? "" : name.substr(0, colon);
+}
+
+/// The namespace that the root declares for its own name; "" where it does not.
+std::string namespace_of(const tinyxml2::XMLElement& root) {
+  const std::string_view prefix = prefix_of(root.Name());
+  const char* found = root.Attribute(prefix.empty() ? "xmlns" : fmt::format("xmlns:{}", prefix).c_str());
+  return found ? found : "";
+}
+
+/// The prefixes that stand for one namespace.
+class Prefixes {
+ public:
+  explicit Prefixes(const std::string& name) : namespace_(name) {}
+
+  /// To be called for each element, in the order of their start tags.
+  void drop_prefix(tinyxml2::XMLElement& element) {
+    for (auto* a = element.FirstAttribute(); a; a = a->Next()) {
+      const std::string_view name = a->Name();
+      if (name.rfind("xmlns:", 0) == 0 && namespace_ == a->Value()) prefixes_.emplace(name.substr(6));
+    }
+    const char* name = element.Name();
+    const std::string_view prefix = prefix_of(name);
+    // The new name is a part of the old one, which lives as long as the document.
+    if (!prefix.empty() && prefixes_.count(prefix) > 0) element.SetName(name + prefix.size() + 1, true);
+  }
+
+ private:
+  const std::string& namespace_;
+  std::set<std::string, std::less<>> prefixes_;
+};
+
 void blank(std::string& text, std::size_t begin, std::size_t end) {
   std::fill(text.begin() + std::ptrdiff_t(begin), text.begin() + std::ptrdiff_t(end), ' ');
 }
@@ -152,11 +211,8 @@ std::unique_ptr<XmlDocument> XmlDocument::load(const std::string& path) {
 }
 
 std::unique_ptr<XmlDocument> XmlDocument::parse(std::string text, const std::string& name) {
-  if (trimmed(text).empty()) throw error_at(whole_file(name), "the file is empty");
-  const std::size_t zero = text.find('\0');
-  if (zero != npos)
-    throw error_at(whole_file(name),
-                   fmt::format("not XML in UTF-8: byte {} is zero (is it compressed, or UTF-16?)", zero));
+  check_encoding(name, text);
+  if (text.compare(0, 3, "\xef\xbb\xbf") == 0) text.erase(0, 3);
   std::unique_ptr<XmlDocument> document(new XmlDocument(std::move(text), name));
   if (document->document_->Parse(document->text_.data(), document->text_.size()) != tinyxml2::XML_SUCCESS)
     document->fail_parse();
@@ -196,19 +252,42 @@ void XmlDocument::fail_parse() const {
 
 void XmlDocument::index_tags() {
   std::size_t offset = 0;
+  root_namespace_ = namespace_of(*document_->RootElement());
+  Prefixes prefixes(root_namespace_);
   for (tinyxml2::XMLElement* e = document_->RootElement(); e; e = next_element(e)) {
     offset = next_start_tag(text_, offset);
     if (offset == npos || !starts_at(text_, offset + 1, e->Name()))
       throw error_at(place_of(file_, text_, offset), "not XML: this tag cannot be read");
     e->SetUserData(reinterpret_cast<void*>(offset));
     offset = behind_tag(text_, offset);
+    prefixes.drop_prefix(*e);
   }
+}
+
+std::string XmlDocument::foreign_encoding() const {
+  const tinyxml2::XMLNode* first = document_->FirstChild();
+  const auto* declaration = first ? first->ToDeclaration() : nullptr;
+  const std::string_view text = declaration ? declaration->Value() : "";
+  const std::size_t begin = text.find("encoding=");
+  if (begin == npos || begin + 10 >= text.size()) return "";
+  const std::size_t end = text.find(text[begin + 9], begin + 10);
+  const std::string name(text.substr(begin + 10, end == npos ? end : end - begin - 10));
+  std::string lower = name;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  const bool is_ascii = std::none_of(text_.begin(), text_.end(), [](char c) { return (c & 0x80) != 0; });
+  return lower == "utf-8" || lower == "utf8" || is_ascii ? "" : name;
 }
 
 XmlElement XmlDocument::root() const { return XmlElement(*this, *document_->RootElement()); }
 
 std::string XmlElement::name() const { return element_->Name(); }
 bool XmlElement::is(std::string_view name) const { return name == element_->Name(); }
+
+std::optional<XmlElement> XmlElement::parent() const {
+  const auto* found = element_->Parent() ? element_->Parent()->ToElement() : nullptr;
+  return found ? std::optional(XmlElement(*document_, *found)) : std::nullopt;
+}
 
 std::vector<XmlElement> XmlElement::children() const {
   std::vector<XmlElement> result;

@@ -3,9 +3,11 @@
 // tinyxml2 knows only lines, and its numbers accept "1,5", "nan" and "1e400".
 //
 // After parsing, the text is scanned once more for start tags. They come in the order of the elements, so
-// each element learns the offset of its tag, from which lines, columns and contents follow.
+// each element learns the offset of its tag, from which lines, columns and contents follow. Names in the
+// namespace of the root lose their prefix then: <c:node> is <node>; others keep theirs.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +34,9 @@ class XmlElement {
   std::string name() const;
   bool is(std::string_view name) const;
 
+  const XmlDocument& document() const { return *document_; }
+  /// Nothing for the root.
+  std::optional<XmlElement> parent() const;
   std::vector<XmlElement> children() const;
   std::vector<XmlElement> children(std::string_view name) const;
   /// The first child of this name.
@@ -68,7 +73,10 @@ class XmlElement {
 
   /// The same element of the same document.
   friend bool operator==(const XmlElement& a, const XmlElement& b) { return a.element_ == b.element_; }
-  friend bool operator<(const XmlElement& a, const XmlElement& b) { return a.offset() < b.offset(); }
+  /// Some order, for lookups; within a document that of the start tags.
+  friend bool operator<(const XmlElement& a, const XmlElement& b) {
+    return a.document_ != b.document_ ? std::less<>()(a.document_, b.document_) : a.offset() < b.offset();
+  }
 
  private:
   struct Content {
@@ -88,7 +96,7 @@ class XmlElement {
 class XmlDocument {
  public:
   /// Reads a file. Throws Error where it does not exist, is a directory, is empty, has more than max_bytes,
-  /// or is not XML in UTF-8.
+  /// or is not XML in UTF-8 (with or without a byte order mark).
   static std::unique_ptr<XmlDocument> load(const std::string& path);
   /// Parses a text; `name` stands for the file in messages.
   static std::unique_ptr<XmlDocument> parse(std::string text, const std::string& name);
@@ -100,6 +108,10 @@ class XmlDocument {
   XmlDocument& operator=(const XmlDocument&) = delete;
 
   XmlElement root() const;
+  /// The namespace of the root; "" where it declares none.
+  const std::string& root_namespace() const { return root_namespace_; }
+  /// The encoding that the file declares, where it is not UTF-8 and a letter beyond ASCII occurs; else "".
+  std::string foreign_encoding() const;
   const std::string& file() const { return file_; }
   const std::string& text() const { return text_; }
 
@@ -110,6 +122,7 @@ class XmlDocument {
 
   std::string text_;
   std::string file_;
+  std::string root_namespace_;
   std::unique_ptr<tinyxml2::XMLDocument> document_;
 };
 

@@ -101,13 +101,55 @@ TEST_CASE("a file too large is refused by its size, before it is read") {
 }
 
 TEST_CASE("bytes that are no text are refused") {
-  CHECK(parse_error(std::string("<a>\0</a>", 8)) ==
-        "a.xml: not XML in UTF-8: byte 3 is zero (is it compressed, or UTF-16?)");
+  CHECK(parse_error(std::string("<a>\0</a>", 8)) == "a.xml: not XML in UTF-8: byte 3 is zero");
   CHECK(parse_error("<!-- nothing -->") == "a.xml: not XML: there is no element in it");
 }
 
 TEST_CASE("a byte order mark is no part of the document") {
-  CHECK(parse("\xef\xbb\xbf<a>1</a>")->root().number() == 1);
+  const auto xml = parse("\xef\xbb\xbf<a>1</a>");
+  CHECK(xml->root().number() == 1);
+  CHECK(xml->root().place().column == 1);
+}
+
+TEST_CASE("other formats are refused by their names") {
+  const auto error = [](const std::string& start) { return parse_error(start + std::string(8, '\0')); };
+  const std::string valid = "; valid is XML in UTF-8";
+  CHECK(error("\xff\xfe<") == "a.xml: the file is text in UTF-16" + valid);
+  CHECK(error("\xfe\xff") == "a.xml: the file is text in UTF-16" + valid);
+  CHECK(error("<") == "a.xml: the file is text in UTF-16" + valid);
+  CHECK(error(std::string("\0<", 2)) == "a.xml: the file is text in UTF-16" + valid);
+  CHECK(error(std::string("\xff\xfe\0\0<", 5)) == "a.xml: the file is text in UTF-32" + valid);
+  CHECK(error("\x1f\x8b\x08") == "a.xml: the file is compressed (gzip)" + valid);
+  CHECK(error("PK\x03\x04") == "a.xml: the file is a zip archive" + valid);
+}
+
+TEST_CASE("an encoding that is not UTF-8 is told where it matters") {
+  const auto encoding = [](const std::string& name, const std::string& letters) {
+    return parse("<?xml version='1.0' encoding='" + name + "'?><a>" + letters + "</a>")->foreign_encoding();
+  };
+  CHECK(encoding("ISO-8859-1", "caf\xe9") == "ISO-8859-1");
+  CHECK(encoding("ISO-8859-1", "cafe").empty());
+  CHECK(encoding("utf-8", "caf\xc3\xa9").empty());
+  CHECK(parse("<a>caf\xc3\xa9</a>")->foreign_encoding().empty());
+}
+
+TEST_CASE("names in the root's namespace come without their prefix, others with it") {
+  const auto xml = parse(
+      "<c:root xmlns:c='one' xmlns:x='two'><c:a>1</c:a><x:a>2</x:a>"
+      "<b xmlns:d='one'><d:a>3</d:a></b></c:root>");
+  const XmlElement root = xml->root();
+  CHECK(root.is("root"));
+  CHECK(xml->root_namespace() == "one");
+  CHECK(root.required_child("a").number() == 1);
+  CHECK(root.required_child("x:a").number() == 2);
+  CHECK(root.required_child("b").required_child("a").number() == 3);
+  CHECK(root.required_child("a").place().column == 37);
+}
+
+TEST_CASE("an element knows the one that holds it") {
+  const auto xml = parse("<a><b/></a>");
+  CHECK(xml->root().required_child("b").parent() == xml->root());
+  CHECK(!xml->root().parent());
 }
 
 }  // namespace twinray
