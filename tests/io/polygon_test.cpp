@@ -120,4 +120,45 @@ TEST_CASE("polygons without area, and ones that cross themselves, give triangles
   CHECK(triangulate(point).size() == 4);
 }
 
+// Squares in some cells of a grid, in either winding: bridges pass by corners that lie on their line.
+TEST_CASE("a polygon with holes is covered once, and its holes are not") {
+  std::mt19937 random(10);
+  for (int round = 0; round < 200; ++round) {
+    const float size = 10;
+    std::vector<Vec3> points{{0, 0, 0}, {size, 0, 0}, {size, size, 0}, {0, size, 0}};
+    std::vector<std::size_t> starts;
+    double holes = 0;
+    for (int cell = 0; cell < 25; ++cell) {
+      if (random() % 3 == 0) continue;
+      const float x = float(cell % 5) * 2 + 0.5f, y = float(cell / 5) * 2 + 0.5f;
+      std::vector<Vec3> hole{{x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0}, {x, y + 1, 0}};
+      if (random() % 2 == 0) hole.erase(hole.begin() + std::ptrdiff_t(random() % 4));
+      if (random() % 2 == 0) std::reverse(hole.begin(), hole.end());
+      starts.push_back(points.size());
+      points.insert(points.end(), hole.begin(), hole.end());
+      holes += hole.size() == 4 ? 1 : 0.5;
+    }
+    INFO("round " << round);
+    const auto triangles = triangulate(points, starts);
+    CHECK(triangles.size() == points.size() - 2 + 2 * starts.size());
+    double sum = 0;
+    for (const auto& t : triangles) {
+      CHECK(area2(points, t) >= 0);
+      sum += area2(points, t) / 2;
+    }
+    CHECK(sum == Approx(size * size - holes));
+  }
+}
+
+TEST_CASE("a hole outside of its polygon is left out") {
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 0}, {6, 5, 0}, {5, 6, 0}};
+  const std::vector<std::size_t> starts{3};
+  CHECK(triangulate(points, starts) == std::vector<std::array<std::uint32_t, 3>>{{2, 0, 1}});
+}
+
+TEST_CASE("a polygon of the most corners that are read is cut within a moment") {
+  std::mt19937 random(11);
+  check_triangles(random_star(random, int(max_polygon_corners)));
+}
+
 }  // namespace twinray
