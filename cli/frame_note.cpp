@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The view is a pyramid, cut off at the clip distances: six half spaces. A triangle is in it as a whole where
-// its corners are, and in part where something is left of it after each half space has cut away what lies
-// outside (Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974).
+// The view is a pyramid, or a box where rays are parallel, cut off at the clip distances: six half spaces. A
+// triangle is in it as a whole where its corners are, and in part where something is left of it after each
+// half space has cut away what lies outside (Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974).
 #include "cli/frame_note.h"
 
 #include <algorithm>
@@ -30,12 +30,16 @@ class Frustum {
   explicit Frustum(const Camera& camera) : camera_(camera) {
     const double w = camera.tan_half_width, h = camera.tan_half_height;
     const double across = std::sqrt(1 + w * w), along = std::sqrt(1 + h * h);
-    halves_ = {HalfSpace{1 / across, 0, w / across, 0},
-               {-1 / across, 0, w / across, 0},
-               {0, 1 / along, h / along, 0},
-               {0, -1 / along, h / along, 0},
-               {0, 0, 1, camera.clip_near},
-               {0, 0, -1, -double(camera.clip_far)}};
+    const HalfSpace near{0, 0, 1, camera.clip_near}, far{0, 0, -1, -double(camera.clip_far)};
+    if (camera.is_orthographic)
+      halves_ = {HalfSpace{1, 0, 0, -w}, {-1, 0, 0, -w}, {0, 1, 0, -h}, {0, -1, 0, -h}, near, far};
+    else
+      halves_ = {HalfSpace{1 / across, 0, w / across, 0},
+                 {-1 / across, 0, w / across, 0},
+                 {0, 1 / along, h / along, 0},
+                 {0, -1 / along, h / along, 0},
+                 near,
+                 far};
   }
 
   InView of(const Sphere& sphere) const {

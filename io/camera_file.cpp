@@ -88,6 +88,7 @@ bool is_orthonormal(const Vec3& a, const Vec3& b, const Vec3& c) {
 Camera load_camera_file(const std::string& path, const Camera& scene_camera) {
   const CameraText text(path);
   Camera camera = scene_camera;
+  camera.is_orthographic = false;
   camera.tan_half_width = text.tan_half(horizontal_fov);
   camera.tan_half_height = text.tan_half(vertical_fov);
   camera.clip_near = text.number(near_clip);

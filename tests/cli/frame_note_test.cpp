@@ -60,4 +60,13 @@ TEST_CASE("a note is made of what is out of view, and none of a scene without sh
         "the frame shows nothing of the scene; --view=whole shows all of it");
 }
 
+TEST_CASE("the view of an orthographic camera is a box") {
+  Camera parallel = camera;
+  parallel.is_orthographic = true;
+  CHECK(in_view(parallel, triangle({-1, -1, -90}, {1, -1, -90}, {0, 1, -90})) == InView::whole);
+  CHECK(in_view(parallel, triangle({-1.1f, -1, -90}, {1, -1, -90}, {0, 1, -90})) == InView::part);
+  CHECK(in_view(parallel, triangle({2, 0, -90}, {3, 0, -90}, {2, 1, -90})) == InView::nothing);
+  CHECK(in_view(parallel, triangle({-1, -1, 1}, {1, -1, 1}, {0, 1, 1})) == InView::nothing);
+}
+
 }  // namespace twinray::test

@@ -130,4 +130,39 @@ TEST_CASE("the view of the whole keeps the direction and has the box just within
   CHECK(view_whole(tilted(), {}).position == tilted().position);
 }
 
+TEST_CASE("an orthographic camera's rays are parallel, and its frame is in scene units") {
+  Camera camera = tilted();
+  camera.is_orthographic = true;
+  camera.clip_far = 9;
+  const Ray corner = camera_ray(camera, {0, 0}, {}), middle = camera_ray(camera, {0.5f, 0.5f}, {});
+  CHECK(corner.direction == camera.forward);
+  CHECK(middle.direction == camera.forward);
+  CHECK(middle.origin == camera.position);
+  CHECK(dot(corner.origin - camera.position, camera.right) == Approx(-0.6).epsilon(rounding));
+  CHECK(dot(corner.origin - camera.position, camera.up) == Approx(0.3).epsilon(rounding));
+  CHECK(std::fabs(dot(corner.origin - camera.position, camera.forward)) < rounding);
+  CHECK(corner.t_max == 9);
+}
+
+TEST_CASE("an orthographic camera is moved to where it sees a whole box, with a frame that just holds it") {
+  Camera camera = tilted();
+  camera.is_orthographic = true;
+  camera.clip_near = 2;
+  const Aabb box{{10, 20, 30}, {14, 21, 33}};
+  const Camera moved = view_whole(camera, box);
+  float largest = 0;
+  for (const float x : {10.0f, 14.0f})
+    for (const float y : {20.0f, 21.0f})
+      for (const float z : {30.0f, 33.0f}) {
+        const Vec3 p = Vec3{x, y, z} - moved.position;
+        CHECK(dot(p, moved.forward) > 0);
+        largest = std::max({largest, std::fabs(dot(p, moved.right)) / moved.tan_half_width,
+                            std::fabs(dot(p, moved.up)) / moved.tan_half_height});
+      }
+  CHECK(largest == Approx(1 / 1.04));
+  CHECK(moved.tan_half_width / moved.tan_half_height == Approx(2));
+  CHECK(moved.clip_near == 0);
+  CHECK(moved.forward == camera.forward);
+}
+
 }  // namespace twinray
