@@ -28,6 +28,8 @@ void add_picture_options(CLI::App& app, RenderRequest& request) {
                     request.crop, any);
   add_view(group, arguments.view);
   group.add_word({"-c,--camera", "FILE", "Camera settings file of CS184's program"}, arguments.camera_file);
+  group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id; ? lists them"},
+                 arguments.load.camera_name);
 }
 
 void resolve_picture(const RenderRequest& request, RenderArguments& arguments) {

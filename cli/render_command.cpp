@@ -141,10 +141,21 @@ int report(const Check& check, const SceneCrosscheck& found, const RenderArgumen
   return is_good ? 0 : 1;
 }
 
+int list_cameras(const RenderArguments& arguments) {
+  LoadOptions options = arguments.load;
+  options.camera_name.clear();
+  const SceneSummary summary = load_with_warnings(arguments.scene, options).summary;
+  if (summary.cameras.empty()) console::print("no camera in the file; a default one sees the whole scene\n");
+  for (const std::string& name : summary.cameras)
+    console::print("{}{}\n", name, name == summary.camera ? " (makes the picture)" : "");
+  return 0;
+}
+
 }  // namespace
 
 int render_command(const RenderArguments& asked, const std::vector<std::string>& words, RenderTalk& talk) {
   RenderArguments arguments = asked;
+  if (asked.load.camera_name == "?") return list_cameras(asked);
   for (const std::string& warning : arguments.without_effect) console::warn(warning);
   check_memory(memory_needs(arguments.render));
   const RenderOutputs outputs = render_outputs(arguments);

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "io/collada_camera.h"
+#include "io/collada_cameras.h"
 #include "io/collada_lamp.h"
 #include "io/collada_nodes.h"
-#include "io/collada_schema.h"
 
 namespace twinray {
 namespace {
@@ -45,24 +45,58 @@ Scene assemble(SceneParts parts, const ColladaMaterials& materials) {
   return scene;
 }
 
-std::string specular_note(const std::vector<std::string>& names) {
+/// "a", "b": the first of them, and how many more there are.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 20;
   std::string list;
-  for (std::size_t i = 0; i < names.size(); ++i)
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
     list += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", names[i]);
-  return fmt::format("materials reflect evenly (Lambert); the specular color of {} is left out", list);
+  return names.size() > most ? fmt::format("{} and {} more", list, names.size() - most) : list;
 }
 
-XmlElement find_visual_scene(const ColladaDocument& document) {
-  const XmlElement scene = document.root().required_child("scene");
-  return document.resolve(scene.required_child("instance_visual_scene"), "url", "visual_scene");
+std::string specular_note(const std::vector<std::string>& names) {
+  return fmt::format("materials reflect evenly (Lambert); the specular color of {} is left out",
+                     listed(names));
+}
+
+std::string hidden_note(const std::vector<std::string>& names) {
+  return fmt::format("hidden by the file, and left out: {}", listed(names));
+}
+
+/// The first <visual_scene> of the file, where nothing says which one is to be seen.
+XmlElement first_visual_scene(ColladaDocument& document) {
+  std::vector<XmlElement> scenes;
+  for (const XmlElement& library : document.root().children("library_visual_scenes"))
+    for (const XmlElement& scene : library.children("visual_scene")) scenes.push_back(scene);
+  if (scenes.empty())
+    document.root().fail("the file has no <visual_scene>: it may hold geometry, and places none of it");
+  document.warn(scenes[0],
+                fmt::format("no <instance_visual_scene> says which scene is seen; this is the first of {}",
+                            scenes.size()));
+  return scenes[0];
+}
+
+XmlElement find_visual_scene(ColladaDocument& document) {
+  const auto scene = document.root().child("scene");
+  const auto instance = scene ? scene->child("instance_visual_scene") : std::nullopt;
+  return instance ? document.resolve(*instance, "url", "visual_scene") : first_visual_scene(document);
+}
+
+/// `bounds` is the box that CS184's program sees.
+Camera camera_of(const ColladaCamera* chosen, const Aabb& bounds, const Geometry& geometry,
+                 ColladaDocument& document) {
+  if (document.options().interpretation == Interpretation::cs184)
+    return cs184_camera(chosen ? cs184_view_of(*chosen, document) : Cs184View{}, bounds);
+  return chosen ? place_camera(*chosen, document) : default_camera(geometry.bounds());
 }
 
 LoadedScene read_document(ColladaDocument& document) {
-  check_names(document);
+  document.check_names_of(document.root());
+  const ColladaSpace& space = document.space_of(document.root());
   const XmlElement visual_scene = find_visual_scene(document);
   ColladaMaterials materials(document);
   ColladaNodes nodes(document, materials);
-  nodes.walk(visual_scene, document.to_y_up());
+  nodes.walk(visual_scene, turn_to_y_up(space.up_axis));
   if (nodes.parts.shapes.empty()) document.warn(visual_scene, "the scene has no shapes");
   if (!document.options().keep_both_lamps) merge_lamps(nodes.parts);
   add_rectangles(nodes.parts, materials);
@@ -70,17 +104,17 @@ LoadedScene read_document(ColladaDocument& document) {
   LoadedScene loaded;
   SceneSummary& summary = loaded.summary;
   summary.notes = nodes.parts.notes;
+  if (!nodes.hidden.empty()) summary.notes.push_back(hidden_note(nodes.hidden));
   if (!materials.with_specular().empty()) summary.notes.push_back(specular_note(materials.with_specular()));
   const Aabb bounds = nodes.parts.bounds;
   loaded.scene = assemble(std::move(nodes.parts), materials);
-  if (document.options().interpretation == Interpretation::cs184)
-    loaded.scene.camera = cs184_camera(nodes.cs184_view, bounds);
-  else
-    loaded.scene.camera = nodes.camera.value_or(default_camera(loaded.scene.geometry->bounds()));
-  summary.camera = nodes.camera_name;
-  summary.unit_name = document.unit_name();
-  summary.unit_meters = document.unit_meters();
-  summary.up_axis = document.up_axis();
+  const ColladaCamera* camera = choose_camera(nodes.cameras, visual_scene, document);
+  if (camera) summary.camera = camera_name(*camera);
+  loaded.scene.camera = camera_of(camera, bounds, *loaded.scene.geometry, document);
+  for (const ColladaCamera& each : nodes.cameras) summary.cameras.push_back(camera_name(each));
+  summary.unit_name = space.unit_name;
+  summary.unit_meters = space.unit_meters;
+  summary.up_axis = space.up_axis;
   summary.dropped_triangles = nodes.dropped_triangles;
   count_scene(loaded.scene, summary);
   loaded.warnings = document.warnings();
@@ -98,8 +132,8 @@ std::string with_warnings(const Error& error, const std::vector<Diagnostic>& war
 
 }  // namespace
 
-LoadedScene read_collada(const XmlDocument& xml, const LoadOptions& options) {
-  ColladaDocument document(xml, options);
+LoadedScene read_collada(const XmlDocument& xml, const LoadOptions& options, DocumentOpener open) {
+  ColladaDocument document(xml, options, std::move(open));
   try {
     return read_document(document);
   } catch (const Error& error) {

@@ -20,15 +20,28 @@ double tan_half_angle(const XmlElement& angle) {
   return tan_radians(number_in(angle, 1e-3, 179.9) * radians_per_degree / 2);
 }
 
-void read_field(const XmlElement& lens, Camera& camera, ColladaDocument& document) {
-  const auto xfov = lens.child("xfov"), yfov = lens.child("yfov"), aspect = lens.child("aspect_ratio");
-  if (!xfov && !yfov) lens.fail("<perspective> needs <xfov>, <yfov> or both, in degrees");
+double half_magnification(const XmlElement& element) { return number_in(element, 1e-12, max_coordinate); }
+
+/// How a kind of lens gives half its frame: a number for its width, one for its height.
+struct Lens {
+  const char *x, *y, *what;
+  double (*half)(const XmlElement&);
+};
+constexpr Lens perspective{"xfov", "yfov", ", in degrees", tan_half_angle},
+    orthographic{"xmag", "ymag", ", half the frame in scene units", half_magnification};
+
+void read_field(const XmlElement& element, const Lens& lens, Camera& camera, ColladaDocument& document) {
+  const auto x = element.child(lens.x), y = element.child(lens.y), aspect = element.child("aspect_ratio");
+  if (!x && !y)
+    element.fail(fmt::format("<{}> needs <{}>, <{}> or both{}", element.name(), lens.x, lens.y, lens.what));
   const double ratio = aspect ? number_in(*aspect, 1e-4, 1e4) : 0;
-  double width = xfov ? tan_half_angle(*xfov) : 0, height = yfov ? tan_half_angle(*yfov) : 0;
-  if (xfov && yfov && aspect)
-    document.warn(*aspect, "<aspect_ratio> beside both <xfov> and <yfov> says too much; it is left out");
-  if (!yfov) height = aspect ? width / ratio : width * open_side;
-  if (!xfov) width = aspect ? height * ratio : height * open_side;
+  double width = x ? lens.half(*x) : 0, height = y ? lens.half(*y) : 0;
+  if (x && y && aspect)
+    document.warn(
+        *aspect, fmt::format("<aspect_ratio> beside both <{}> and <{}> says too much; it is left out", lens.x,
+                             lens.y));
+  if (!y) height = aspect ? width / ratio : width * open_side;
+  if (!x) width = aspect ? height * ratio : height * open_side;
   camera.tan_half_width = float(width);
   camera.tan_half_height = float(height);
 }
@@ -83,17 +96,31 @@ void orient(const XmlElement& instance, const Transform& t, Camera& camera, Coll
 XmlElement perspective_of(const XmlElement& camera) {
   const XmlElement common = camera.required_child("optics").required_child("technique_common");
   if (const auto other = common.child("orthographic"))
-    other->fail("orthographic cameras are not rendered; valid is <perspective>");
+    other->fail("CS184's program has no orthographic cameras; valid is <perspective>");
   return common.required_child("perspective");
+}
+
+/// A frame in scene units is scaled as the node's axes are; where they are flat, not at all.
+void scale_frame(const Transform& to_world, Camera& camera) {
+  const auto length_of = [&](int c) {
+    const double length = Axis{to_world.m[0][c], to_world.m[1][c], to_world.m[2][c]}.length();
+    return float(length > 0 ? length : 1);
+  };
+  camera.tan_half_width *= length_of(0);
+  camera.tan_half_height *= length_of(1);
 }
 
 }  // namespace
 
 Camera read_camera(const XmlElement& element, const XmlElement& instance, const Transform& to_world,
                    ColladaDocument& document) {
-  const XmlElement lens = perspective_of(element);
+  const XmlElement common = element.required_child("optics").required_child("technique_common");
+  const auto parallel = common.child("orthographic");
+  const XmlElement lens = parallel ? *parallel : common.required_child("perspective");
   Camera camera;
-  read_field(lens, camera, document);
+  camera.is_orthographic = parallel.has_value();
+  read_field(lens, parallel ? orthographic : perspective, camera, document);
+  if (parallel) scale_frame(to_world, camera);
   read_clip(lens, camera);
   orient(instance, to_world, camera, document);
   camera.position = to_world.point({0, 0, 0});

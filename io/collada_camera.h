@@ -8,10 +8,10 @@
 
 namespace twinray {
 
-/// Reads a perspective <camera> that an <instance_camera> places by its node's transform, whose axes are made
-/// orthonormal: it looks along -z, with y up. Legal are xfov, yfov or both, and an aspect_ratio beside one of
-/// them; with one angle alone the shape of the image decides the other. Throws Error for an orthographic
-/// camera, which is not rendered, and for numbers out of range.
+/// Reads a <camera>, perspective or orthographic, that an <instance_camera> places by its node's transform,
+/// whose axes are made orthonormal: it looks along -z, with y up. Legal are xfov, yfov or both (xmag and ymag
+/// of an orthographic one: half the frame), and an aspect_ratio beside one of them; with one alone the shape
+/// of the image decides the other. Throws Error for numbers out of range.
 Camera read_camera(const XmlElement& camera, const XmlElement& instance, const Transform& to_world,
                    ColladaDocument& document);
 

@@ -3,87 +3,166 @@
 
 #include <fmt/format.h>
 
-#include "io/number_list.h"
+#include "io/collada_schema.h"
+#include "io/uri.h"
 
 namespace twinray {
 namespace {
 
-const XmlElement& checked_root(const XmlElement& root) {
-  if (!root.is("COLLADA"))
-    root.fail(fmt::format("not COLLADA: the root element is <{}>; it must be <COLLADA version=\"1.4.1\">",
-                          root.name()));
-  const std::string version = root.required_attribute("version");
-  if (version.rfind("1.4", 0) != 0 || (version.size() > 3 && version[3] != '.'))
-    throw error_at(root.attribute_place("version"),
-                   fmt::format("COLLADA version \"{}\" is not read; valid are 1.4.0 and 1.4.1", version));
-  return root;
+/// A release of COLLADA, by the start of its version and its namespace.
+struct Release {
+  std::string_view version, name_space;
+};
+constexpr Release releases[] = {{"1.4", "http://www.collada.org/2005/11/COLLADASchema"},
+                                {"1.5", "http://www.collada.org/2008/03/COLLADASchema"}};
+
+const Release* release_of(std::string_view version) {
+  for (const Release& release : releases)
+    if (version == release.version || version.rfind(fmt::format("{}.", release.version), 0) == 0)
+      return &release;
+  return nullptr;
 }
 
 }  // namespace
 
-ColladaDocument::ColladaDocument(const XmlDocument& document, const LoadOptions& options)
-    : root_(checked_root(document.root())), options_(options), warnings_(options.strict) {
-  index_ids(root_);
-  read_asset();
+ColladaDocument::ColladaDocument(const XmlDocument& document, const LoadOptions& options, DocumentOpener open)
+    : root_(document.root()), options_(options), open_(std::move(open)), warnings_(options.strict) {
+  by_path_[normal_path(document.file())] = &document;
+  read_file(document, files_[&document]);
 }
 
-void ColladaDocument::index_ids(const XmlElement& element) {
-  if (const auto id = element.attribute("id"); id && !id->empty())
-    if (!ids_.emplace(*id, element).second)
-      warn([&] { return element.attribute_place("id"); },
-           fmt::format("the id \"{}\" is used before; references mean the first element that has it", *id));
-  for (const XmlElement& child : element.children()) index_ids(child);
+void ColladaDocument::check_root(const XmlElement& root) {
+  if (!root.is("COLLADA"))
+    root.fail(fmt::format("not COLLADA: the root element is <{}>; it must be <COLLADA version=\"1.4.1\">",
+                          root.name()));
+  check_version(root);
+  if (const std::string encoding = root.document().foreign_encoding(); !encoding.empty())
+    warn(root, fmt::format("the encoding {} is read as if it were UTF-8; names may look wrong", encoding));
 }
 
-void ColladaDocument::read_asset() {
-  const auto asset = root_.child("asset");
-  if (!asset) return;
-  if (const auto axis = asset->child("up_axis")) {
-    const std::string text = axis->text();
-    if (text != "X_UP" && text != "Y_UP" && text != "Z_UP")
-      axis->fail(fmt::format("\"{}\" is not an up axis; valid are X_UP, Y_UP and Z_UP", text));
-    up_axis_ = text[0];
-  }
-  const auto unit = asset->child("unit");
-  if (!unit) return;
-  unit_name_ = unit->attribute("name").value_or(unit_name_);
-  if (const auto meter = unit->attribute("meter")) {
-    try {
-      const auto numbers = parse_doubles(*meter);
-      if (numbers.size() != 1 || numbers[0] <= 0)
-        throw NumberError{0, "\"meter\" must be one number above 0"};
-      unit_meters_ = numbers[0];
-    } catch (const NumberError& error) {
-      throw error_at(unit->attribute_place("meter"), error.message);
-    }
-  }
-}
-
-Transform ColladaDocument::to_y_up() const {
-  if (up_axis_ == 'Z') return {{{-1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}}};
-  if (up_axis_ == 'X') return {{{0, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, -1, 0}}};
-  return {};
-}
-
-XmlElement ColladaDocument::resolve(const XmlElement& from, const char* attribute,
-                                    std::string_view kind) const {
-  const std::string url = from.required_attribute(attribute);
-  const auto place = [&] { return from.attribute_place(attribute); };
-  if (url[0] != '#')
+void ColladaDocument::check_version(const XmlElement& root) {
+  const auto version = root.attribute("version");
+  const Release* release = version ? release_of(*version) : nullptr;
+  if (version && !release)
     throw error_at(
-        place(), fmt::format("\"{}\" is not a reference within this file, which has the form \"#id\"", url));
-  const auto found = ids_.find(std::string_view(url).substr(1));
-  if (found != ids_.end() && found->second.is(kind)) return found->second;
-  if (found != ids_.end())
-    throw error_at(place(),
-                   fmt::format("\"{}\" is a <{}>; a <{}> is needed", url, found->second.name(), kind));
-  throw error_at(
-      place(), fmt::format("no <{}> has the id \"{}\"{}", kind, url.substr(1), suggest(url.substr(1), kind)));
+        root.attribute_place("version"),
+        fmt::format("COLLADA version \"{}\" is not read; valid are 1.4.0, 1.4.1 and 1.5.0", *version));
+  if (!version) warn(root, "<COLLADA> has no version; it is read as 1.4.1");
+  const std::string& found = root.document().root_namespace();
+  if (version && !found.empty() && found != release->name_space)
+    warn(root, fmt::format(
+                   "the namespace \"{}\" is not that of COLLADA {}, \"{}\"; the names are read all the same",
+                   found, release->version, release->name_space));
 }
 
-std::string ColladaDocument::suggest(std::string_view wanted, std::string_view kind) const {
+void ColladaDocument::read_file(const XmlDocument& document, File& file) {
+  const XmlElement root = document.root();
+  check_root(root);
+  file.spaces[root] = {};
+  index(root, file);
+}
+
+void ColladaDocument::check_names_of(const XmlElement& root) { check_names(root, warnings_); }
+
+void ColladaDocument::index(const XmlElement& element, File& file) {
+  if (const auto id = element.attribute("id"); id && !id->empty()) {
+    if (file.ids.count(*id) > 0)
+      warn([&] { return element.attribute_place("id"); },
+           fmt::format(
+               "the id \"{}\" is used before; references mean the first element that has it and is of the "
+               "kind that is needed",
+               *id));
+    file.ids.emplace(*id, element);
+  }
+  for (const XmlElement& child : element.children()) {
+    if (child.is("asset")) file.spaces[element] = read_space(child, space_of(element));
+    index(child, file);
+  }
+}
+
+ColladaDocument::File& ColladaDocument::file_of(const XmlElement& element) {
+  return files_.at(&element.document());
+}
+
+const ColladaDocument::File& ColladaDocument::file_of(const XmlElement& element) const {
+  return files_.at(&element.document());
+}
+
+const ColladaSpace& ColladaDocument::space_of(const XmlElement& element) const {
+  const auto& spaces = file_of(element).spaces;
+  std::optional<XmlElement> owner = spaces.size() > 1 ? element : element.document().root();
+  while (spaces.count(*owner) == 0) owner = owner->parent();
+  return spaces.at(*owner);
+}
+
+std::optional<XmlElement> ColladaDocument::find(const XmlElement& from, std::string_view id,
+                                                std::string_view kind) const {
+  const auto [begin, end] = file_of(from).ids.equal_range(id);
+  for (auto found = begin; found != end; ++found)
+    if (found->second.is(kind)) return found->second;
+  return std::nullopt;
+}
+
+XmlElement ColladaDocument::resolve(const XmlElement& from, const char* attribute, std::string_view kind,
+                                    std::string_view or_kind) {
+  const std::string url = from.required_attribute(attribute);
+  const std::size_t hash = url.find('#');
+  if (hash == 0) return find_in(from.document(), from, attribute, kind, or_kind);
+  if (hash != std::string::npos)
+    return find_in(open(from, attribute, url.substr(0, hash)), from, attribute, kind, or_kind);
+  if (const auto found = find(from, url, kind)) {
+    warn([&] { return from.attribute_place(attribute); },
+         fmt::format("\"{}\" is taken to mean \"#{}\"; a reference has the form \"#id\"", url, url));
+    return *found;
+  }
+  throw error_at(
+      from.attribute_place(attribute),
+      fmt::format("\"{}\" is not a reference, which has the form \"#id\" or \"file.dae#id\"", url));
+}
+
+XmlElement ColladaDocument::find_in(const XmlDocument& document, const XmlElement& from,
+                                    const char* attribute, std::string_view kind, std::string_view or_kind) {
+  const std::string url = from.required_attribute(attribute);
+  const std::string id = decoded_uri(url.substr(url.find('#') + 1));
+  if (const auto found = find(document.root(), id, kind)) return *found;
+  if (const auto found = find(document.root(), id, or_kind)) return *found;
+  const File& file = files_.at(&document);
+  const auto other = file.ids.find(id);
+  if (other != file.ids.end())
+    throw error_at(from.attribute_place(attribute),
+                   fmt::format("\"{}\" is a <{}>; a <{}> is needed", url, other->second.name(), kind));
+  throw error_at(from.attribute_place(attribute),
+                 fmt::format("no <{}> has the id \"{}\"{}", kind, id, suggest(file, id, kind)));
+}
+
+const XmlDocument& ColladaDocument::open(const XmlElement& from, const char* attribute,
+                                         const std::string& reference) {
+  const auto fail = [&](const std::string& message) {
+    throw error_at(from.attribute_place(attribute), message);
+  };
+  if (is_remote(reference))
+    fail(fmt::format("\"{}\" is not a file of this machine; references lead to files", reference));
+  const std::string path = path_of_uri(reference, from.document().file());
+  if (const auto known = by_path_.find(path); known != by_path_.end()) return *known->second;
+  if (files_.size() >= max_files) fail(fmt::format("references lead to more than {} files", max_files));
+  std::unique_ptr<XmlDocument> document;
+  try {
+    document = open_(path);
+  } catch (const Error& error) {
+    fail(fmt::format("the file that this reference names cannot be read\n{}", error.what()));
+  }
+  const XmlDocument& opened = *document;
+  File& file = files_[&opened];
+  file.owned = std::move(document);
+  by_path_[path] = &opened;
+  read_file(opened, file);
+  check_names_of(opened.root());
+  return opened;
+}
+
+std::string ColladaDocument::suggest(const File& file, std::string_view wanted, std::string_view kind) {
   std::vector<std::string_view> known;
-  for (const auto& [id, element] : ids_)
+  for (const auto& [id, element] : file.ids)
     if (element.is(kind)) known.push_back(id);
   const std::string nearest = nearest_name(wanted, known);
   if (!nearest.empty()) return fmt::format("; did you mean \"#{}\"?", nearest);
@@ -118,8 +197,6 @@ Rgb read_color(const XmlElement& element, float most) {
                                  values[i], most));
   return {values[0], values[1], values[2]};
 }
-
-bool is_cgl_profile(std::string_view profile) { return profile == "CGL" || profile == "CMU462"; }
 
 std::optional<XmlElement> cgl_technique(const XmlElement& element) {
   for (const XmlElement& extra : element.children("extra"))

@@ -1,29 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// A COLLADA file as a whole: its root, its ids, its asset, and where its warnings go.
+// A COLLADA file as a whole: its root, its ids, its assets, where its warnings go, and the further files that
+// its references lead to.
 #pragma once
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "core/rgb.h"
-#include "core/transform.h"
+#include "io/collada_space.h"
 #include "io/diagnostic.h"
 #include "io/load_options.h"
 #include "io/xml_reader.h"
 
 namespace twinray {
 
+/// Reads a document that a reference names, by its path. Throws Error.
+using DocumentOpener = std::function<std::unique_ptr<XmlDocument>(const std::string& path)>;
+
 class ColladaDocument {
  public:
-  /// Throws Error where the root is not <COLLADA version="1.4...">.
-  ColladaDocument(const XmlDocument& document, const LoadOptions& options);
+  /// Throws Error where the root is not <COLLADA version="1.4..."> or 1.5.
+  ColladaDocument(const XmlDocument& document, const LoadOptions& options,
+                  DocumentOpener open = XmlDocument::load);
 
   const XmlElement& root() const { return root_; }
   const LoadOptions& options() const { return options_; }
 
-  /// The element that an attribute such as url="#id" refers to. Throws Error where it is not of the form #id,
-  /// no element has the id, or the element is not a <kind>.
-  XmlElement resolve(const XmlElement& from, const char* attribute, std::string_view kind) const;
+  /// The element that an attribute such as url="#id" or url="file.dae#id" refers to. Throws Error where it is
+  /// not of this form, the file cannot be read, no element has the id, or the element is neither a <kind> nor
+  /// an <or_kind>.
+  XmlElement resolve(const XmlElement& from, const char* attribute, std::string_view kind,
+                     std::string_view or_kind = "");
+  /// The <kind> with this id in the file of `from`.
+  std::optional<XmlElement> find(const XmlElement& from, std::string_view id, std::string_view kind) const;
 
   void warn(const XmlElement& at, const std::string& message) {
     warnings_.add([&] { return at.place(); }, message);
@@ -33,26 +44,38 @@ class ColladaDocument {
   }
   const std::vector<Diagnostic>& warnings() const { return warnings_.items(); }
 
-  /// X, Y or Z; where the file does not say, Y.
-  char up_axis() const { return up_axis_; }
-  /// The turn that brings the file's up axis to Y, as CS184's program has it: Z_UP (x, y, z) -> (-x, z, y),
-  /// X_UP (x, y, z) -> (y, x, -z).
-  Transform to_y_up() const;
-  std::string unit_name() const { return unit_name_; }
-  double unit_meters() const { return unit_meters_; }
+  /// Warns of names that COLLADA does not have, in the file of this root. Done for further files.
+  void check_names_of(const XmlElement& root);
+
+  /// Of the coordinates within an element: its own <asset>'s, or that of the nearest element around it.
+  const ColladaSpace& space_of(const XmlElement& element) const;
+
+  static constexpr std::size_t max_files = 100;
 
  private:
-  void index_ids(const XmlElement& element);
-  void read_asset();
-  std::string suggest(std::string_view wanted, std::string_view kind) const;
+  struct File {
+    std::unique_ptr<XmlDocument> owned;  ///< Null for the first one.
+    std::multimap<std::string, XmlElement, std::less<>> ids;
+    std::map<XmlElement, ColladaSpace> spaces;  ///< By the elements that hold an <asset>; the root always.
+  };
+
+  void check_root(const XmlElement& root);
+  void check_version(const XmlElement& root);
+  void read_file(const XmlDocument& document, File& file);
+  void index(const XmlElement& element, File& file);
+  File& file_of(const XmlElement& element);
+  const File& file_of(const XmlElement& element) const;
+  const XmlDocument& open(const XmlElement& from, const char* attribute, const std::string& path);
+  XmlElement find_in(const XmlDocument& document, const XmlElement& from, const char* attribute,
+                     std::string_view kind, std::string_view or_kind);
+  static std::string suggest(const File& file, std::string_view wanted, std::string_view kind);
 
   XmlElement root_;
   LoadOptions options_;
+  DocumentOpener open_;
   WarningList warnings_;
-  std::map<std::string, XmlElement, std::less<>> ids_;
-  char up_axis_ = 'Y';
-  std::string unit_name_ = "meter";
-  double unit_meters_ = 1;
+  std::map<const XmlDocument*, File> files_;
+  std::map<std::string, const XmlDocument*> by_path_;
 };
 
 /// The name that messages and the summary use: the attribute "name", else "id", else "unnamed".
@@ -67,8 +90,5 @@ Rgb read_color(const XmlElement& element, float most);
 
 /// The <technique> of an <extra> of this element whose profile is CGL or CMU462.
 std::optional<XmlElement> cgl_technique(const XmlElement& element);
-
-/// Whether this is the profile of CS184's extensions.
-bool is_cgl_profile(std::string_view profile);
 
 }  // namespace twinray

@@ -31,25 +31,6 @@ Microfacet read_microfacet(const XmlElement& model) {
   return result;
 }
 
-std::optional<XmlElement> shading_of(const XmlElement& effect) {
-  const auto profile = effect.child("profile_COMMON");
-  const auto technique = profile ? profile->child("technique") : std::nullopt;
-  if (!technique) return std::nullopt;
-  for (const char* name : {"phong", "blinn", "lambert", "constant"})
-    if (const auto shading = technique->child(name)) return shading;
-  return std::nullopt;
-}
-
-/// The <newparam sid> of an effect, or of its profile, or of its technique.
-std::optional<XmlElement> find_param(const XmlElement& element, const std::string& sid) {
-  for (const XmlElement& child : element.children()) {
-    if (child.is("newparam") && child.attribute("sid") == sid) return child;
-    if (child.is("profile_COMMON") || child.is("technique"))
-      if (const auto found = find_param(child, sid)) return found;
-  }
-  return std::nullopt;
-}
-
 bool has_specular(const XmlElement& shading) {
   const auto specular = shading.child("specular");
   const auto color = specular ? specular->child("color") : std::nullopt;
@@ -62,19 +43,26 @@ ColladaMaterial ColladaMaterials::bound(const XmlElement& instance, const std::s
   const auto bind = instance.child("bind_material");
   const auto common = bind ? bind->child("technique_common") : std::nullopt;
   const auto candidates = common ? common->children("instance_material") : std::vector<XmlElement>{};
-  for (const XmlElement& candidate : candidates) {
-    const std::string bound_symbol = candidate.required_attribute("symbol");
-    if (symbol.empty() || symbol == bound_symbol) {
-      const XmlElement material = document_.resolve(candidate, "target", "material");
-      const auto known = known_.find(material);
-      return known != known_.end() ? known->second : known_.emplace(material, read(material)).first->second;
-    }
+  for (const XmlElement& candidate : candidates)
+    if (symbol.empty() || symbol == candidate.required_attribute("symbol"))
+      return once(document_.resolve(candidate, "target", "material"));
+  if (const auto named = document_.find(instance, symbol, "material")) {
+    document_.warn(instance,
+                   fmt::format("no <instance_material> binds the symbol \"{}\"; it is taken to mean the "
+                               "<material> with that id",
+                               symbol));
+    return once(*named);
   }
   if (!symbol.empty())
     document_.warn(
         instance,
         fmt::format("no <instance_material> binds the symbol \"{}\"; the surface is grey (0.5)", symbol));
   return {shared(grey_, "default grey", Lambert{}), {}};
+}
+
+ColladaMaterial ColladaMaterials::once(const XmlElement& material) {
+  const auto known = known_.find(material);
+  return known != known_.end() ? known->second : known_.emplace(material, read(material)).first->second;
 }
 
 std::uint32_t ColladaMaterials::black() { return shared(black_, "lamp", Lambert{{0, 0, 0}}); }
@@ -92,12 +80,13 @@ ColladaMaterial ColladaMaterials::add(const std::string& name, const SurfaceMode
 
 ColladaMaterial ColladaMaterials::read(const XmlElement& material) {
   const std::string name = display_name(material);
-  const XmlElement effect = document_.resolve(material.required_child("instance_effect"), "url", "effect");
+  const XmlElement instance = material.required_child("instance_effect");
+  const XmlElement effect = document_.resolve(instance, "url", "effect");
   if (const auto technique = cgl_technique(effect))
     for (const XmlElement& model : technique->children())
       for (const char* known : {"emission", "mirror", "refraction", "glass", "microfacet"})
         if (model.is(known)) return read_cgl(model, name);
-  return read_common(effect, name);
+  return read_common(ColladaEffect(effect, instance, document_), name);
 }
 
 ColladaMaterial ColladaMaterials::read_cgl(const XmlElement& model, const std::string& name) {
@@ -111,40 +100,56 @@ ColladaMaterial ColladaMaterials::read_cgl(const XmlElement& model, const std::s
   return add(name, Glass{transmittance, required_color(model, "reflectance", 1), roughness, read_ior(model)});
 }
 
-ColladaMaterial ColladaMaterials::read_common(const XmlElement& effect, const std::string& name) {
-  const auto shading = shading_of(effect);
+ColladaMaterial ColladaMaterials::read_common(const ColladaEffect& effect, const std::string& name) {
+  const auto shading = effect.shading();
   if (!shading) {
-    document_.warn(effect,
+    document_.warn(effect.element(),
                    "this <effect> has no <phong>, <blinn>, <lambert> or <constant> in its common profile; "
                    "its surfaces are grey (0.5)");
     return add(name, Lambert{});
   }
   const auto diffuse = shading->child("diffuse"), emission = shading->child("emission");
-  Lambert model;
-  if (diffuse) model.reflectance = read_shading_color(effect, *diffuse, 1);
-  if (!diffuse && (emission || shading->is("constant"))) model.reflectance = {0, 0, 0};
-  Rgb radiance;
-  if (emission && !emission->child("texture")) radiance = read_shading_color(effect, *emission, max_radiance);
-  if (emission && emission->child("texture"))
-    document_.warn(*emission, "textures are not read; this surface emits nothing");
+  const bool is_black = !diffuse && (emission || shading->is("constant"));
+  const Rgb reflectance =
+      diffuse    ? color_in(effect, *diffuse, 1, "the surface is grey (0.5)").value_or(Lambert{}.reflectance)
+      : is_black ? Rgb{0, 0, 0}
+                 : Lambert{}.reflectance;
+  const Rgb radiance =
+      emission ? color_in(effect, *emission, max_radiance, "this surface emits nothing").value_or(Rgb{})
+               : Rgb{};
   if (has_specular(*shading)) with_specular_.push_back(name);
-  return add(name, model, radiance);
+  warn_of_transparency(effect);
+  warn_of_reflection(effect);
+  return add(name, Lambert{reflectance}, radiance);
 }
 
-Rgb ColladaMaterials::read_shading_color(const XmlElement& effect, const XmlElement& slot, float most) {
-  if (const auto color = slot.child("color")) return read_color(*color, most);
-  if (const auto param = slot.child("param")) {
-    const auto definition = find_param(effect, param->required_attribute("ref"));
-    for (const char* type : {"float3", "float4"})
-      if (const auto value = definition ? definition->child(type) : std::nullopt)
-        return read_color(*value, most);
-    throw error_at(param->attribute_place("ref"),
-                   "no <newparam> of this effect with this sid has a <float3> or <float4>");
-  }
-  if (!slot.child("texture"))
-    slot.fail(fmt::format("<{}> needs a <color>, a <param> or a <texture>", slot.name()));
-  document_.warn(slot, "textures are not read; the surface is grey (0.5)");
-  return Lambert{}.reflectance;
+std::optional<Rgb> ColladaMaterials::color_in(const ColladaEffect& effect, const XmlElement& slot, float most,
+                                              const char* otherwise) {
+  const auto color = effect.color(slot, most);
+  if (!color)
+    document_.warn(
+        slot, fmt::format("the texture \"{}\" is not rendered; {}", effect.texture_name(slot), otherwise));
+  return color;
+}
+
+void ColladaMaterials::warn_of_transparency(const ColladaEffect& effect) {
+  const auto opacity = effect.opacity();
+  if (opacity == 1) return;
+  const auto at = effect.slot("transparent") ? effect.slot("transparent") : effect.slot("transparency");
+  document_.warn(*at,
+                 opacity ? fmt::format("transparency is not rendered; this surface is opaque, and the file "
+                                       "makes its opacity {:.3g}",
+                                       *opacity)
+                         : fmt::format("the texture \"{}\" of the transparency is not rendered; this surface "
+                                       "is opaque",
+                                       effect.texture_name(*at)));
+}
+
+void ColladaMaterials::warn_of_reflection(const ColladaEffect& effect) {
+  const auto reflectivity = effect.reflectivity();
+  if (reflectivity == 0) return;
+  document_.warn(*effect.slot("reflective"),
+                 "<reflective> is not rendered; a mirror is a CGL extension in the <extra> of the effect");
 }
 
 }  // namespace twinray

@@ -7,7 +7,7 @@
 
 #include "core/material.h"
 #include "core/rgb.h"
-#include "io/collada_document.h"
+#include "io/collada_effect.h"
 
 namespace twinray {
 
@@ -21,12 +21,14 @@ struct ColladaMaterial {
 ///
 /// CGL's emission, mirror, refraction, glass and microfacet become those models; a surface with CGL emission
 /// reflects nothing. A common profile's diffuse color becomes Lambert; its emission color makes it an
-/// emitter. Without a material, and for a texture, a surface is Lambert of 0.5.
+/// emitter. Without a material, and for a texture, a surface is Lambert of 0.5. What is read and not rendered
+/// (textures, transparency, reflection) is a warning.
 class ColladaMaterials {
  public:
   explicit ColladaMaterials(ColladaDocument& document) : document_(document) {}
 
-  /// The material bound to a symbol by an <instance_geometry>; an empty symbol means the first one bound.
+  /// The material bound to a symbol by an <instance_geometry>; an empty symbol means the first one bound, and
+  /// one that is not bound, with a warning, the <material> with that id.
   ColladaMaterial bound(const XmlElement& instance, const std::string& symbol);
   /// The material of a surface that only emits.
   std::uint32_t black();
@@ -37,9 +39,13 @@ class ColladaMaterials {
 
  private:
   ColladaMaterial read(const XmlElement& material);
-  ColladaMaterial read_common(const XmlElement& effect, const std::string& name);
+  ColladaMaterial once(const XmlElement& material);
+  ColladaMaterial read_common(const ColladaEffect& effect, const std::string& name);
   ColladaMaterial read_cgl(const XmlElement& model, const std::string& name);
-  Rgb read_shading_color(const XmlElement& effect, const XmlElement& slot, float most);
+  std::optional<Rgb> color_in(const ColladaEffect& effect, const XmlElement& slot, float most,
+                              const char* otherwise);
+  void warn_of_transparency(const ColladaEffect& effect);
+  void warn_of_reflection(const ColladaEffect& effect);
   ColladaMaterial add(const std::string& name, const SurfaceModel& model, const Rgb& radiance = {});
   std::uint32_t shared(std::uint32_t& index, const std::string& name, const Lambert& model);
 

@@ -27,6 +27,18 @@ struct Inputs {
 
 constexpr std::size_t width_of(std::string_view semantic) { return semantic == "TEXCOORD" ? 2 : 3; }
 
+std::vector<Vec3> vectors(const SourceValues& source) {
+  std::vector<Vec3> result;
+  for (std::size_t i = 0; i < source.values.size(); i += 3)
+    result.push_back({source.values[i], source.values[i + 1], source.values[i + 2]});
+  return result;
+}
+
+std::string out_of_range(std::uint32_t index, const Input& input) {
+  return fmt::format("the index {} is out of range: <source id=\"{}\"> has {} elements, numbered from 0",
+                     index, input.source.attribute("id").value_or(""), input.values.count());
+}
+
 class PartReader {
  public:
   PartReader(const XmlElement& element, const std::string& name, ColladaDocument& document)
@@ -36,12 +48,16 @@ class PartReader {
 
   ColladaPart read() {
     read_inputs();
-    copy_values();
+    copy_positions();
     if (part_.element.is("polylist"))
       read_polylist();
     else
-      for (const XmlElement& p : part_.element.children("p")) read_p(p);
+      for (const XmlElement& child : part_.element.children()) {
+        if (child.is("p")) read_p(child);
+        if (child.is("ph")) read_ph(child);
+      }
     check_count();
+    copy_normals_and_uvs();
     return std::move(part_);
   }
 
@@ -49,15 +65,20 @@ class PartReader {
   void read_inputs();
   void add_vertices(const XmlElement& vertices, std::size_t offset);
   void add_input(const XmlElement& input, const std::string& semantic, std::size_t offset);
-  void copy_values();
+  void copy_positions();
+  void copy_normals_and_uvs();
 
+  std::size_t offset_of(const XmlElement& input, std::size_t inputs);
   void read_polylist();
   void read_p(const XmlElement& p);
-  std::vector<std::uint32_t> read_indices(const XmlElement& p) const;
-  void check_indices(const XmlElement& p, const std::vector<std::uint32_t>& indices) const;
+  void read_ph(const XmlElement& ph);
+  std::vector<std::uint32_t> read_indices(const XmlElement& p);
+  void check_indices(const XmlElement& p, const std::vector<std::uint32_t>& indices);
+  std::optional<std::size_t> find_wrong(const XmlElement& p, const std::vector<std::uint32_t>& indices,
+                                        const Input& input);
   void check_count() const;
 
-  void add_polygon(std::span<const std::uint32_t> indices);
+  void add_polygon(std::span<const std::uint32_t> indices, std::span<const std::size_t> hole_starts = {});
   void add_reduced(std::span<const std::uint32_t> indices);
   void add_triangle(const std::uint32_t* a, const std::uint32_t* b, const std::uint32_t* c);
 
@@ -67,16 +88,27 @@ class PartReader {
   std::size_t polygons_ = 0;
 };
 
+std::size_t PartReader::offset_of(const XmlElement& input, std::size_t inputs) {
+  constexpr std::size_t most_offsets = 64;
+  if (inputs == 1 && !input.attribute("offset")) {
+    document_.warn(input,
+                   "this <input> has no offset, which it needs; as the only one it is taken to have 0");
+    return 0;
+  }
+  const std::size_t offset = input.required_index_attribute("offset");
+  if (offset >= most_offsets)
+    throw error_at(input.attribute_place("offset"),
+                   fmt::format("offset {} is out of range; it must be below {}", offset, most_offsets));
+  return offset;
+}
+
 void PartReader::read_inputs() {
   std::optional<XmlElement> vertices;
   std::size_t vertex_offset = 0;
-  for (const XmlElement& input : part_.element.children("input")) {
+  const auto inputs = part_.element.children("input");
+  for (const XmlElement& input : inputs) {
     const std::string semantic = input.required_attribute("semantic");
-    const std::size_t offset = input.required_index_attribute("offset");
-    constexpr std::size_t most_offsets = 64;
-    if (offset >= most_offsets)
-      throw error_at(input.attribute_place("offset"),
-                     fmt::format("offset {} is out of range; it must be below {}", offset, most_offsets));
+    const std::size_t offset = offset_of(input, inputs.size());
     inputs_.stride = std::max(inputs_.stride, offset + 1);
     if (semantic == "VERTEX") {
       vertices = document_.resolve(input, "source", "vertices");
@@ -99,8 +131,7 @@ void PartReader::add_vertices(const XmlElement& vertices, std::size_t offset) {
 
 void PartReader::add_input(const XmlElement& input, const std::string& semantic, std::size_t offset) {
   static constexpr std::string_view known[] = {"POSITION", "NORMAL", "TEXCOORD", "VERTEX"};
-  static constexpr std::string_view unused[] = {"COLOR",      "TANGENT",     "BINORMAL",
-                                                "TEXTANGENT", "TEXBINORMAL", "UV"};
+  static constexpr std::string_view unused[] = {"TANGENT", "BINORMAL", "TEXTANGENT", "TEXBINORMAL", "UV"};
   std::optional<Input>* slot = semantic == "POSITION"   ? &inputs_.position
                                : semantic == "NORMAL"   ? &inputs_.normal
                                : semantic == "TEXCOORD" ? &inputs_.uv
@@ -109,6 +140,8 @@ void PartReader::add_input(const XmlElement& input, const std::string& semantic,
     const XmlElement source = document_.resolve(input, "source", "source");
     *slot = Input{source, offset, read_source(source, width_of(semantic), document_)};
   }
+  if (semantic == "COLOR")
+    return document_.warn(input, "vertex colors are not rendered; the surface has its material's color");
   if (slot || std::find(std::begin(unused), std::end(unused), semantic) != std::end(unused)) return;
   const std::string nearest = nearest_name(semantic, known);
   document_.warn([&] { return input.attribute_place("semantic"); },
@@ -116,34 +149,54 @@ void PartReader::add_input(const XmlElement& input, const std::string& semantic,
                              nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
 }
 
-void PartReader::copy_values() {
-  const auto vectors = [](const SourceValues& source) {
-    std::vector<Vec3> result;
-    for (std::size_t i = 0; i < source.values.size(); i += 3)
-      result.push_back({source.values[i], source.values[i + 1], source.values[i + 2]});
-    return result;
-  };
-  part_.mesh.positions = vectors(inputs_.position->values);
-  if (inputs_.normal) part_.mesh.normals = vectors(inputs_.normal->values);
-  if (!inputs_.uv) return;
+void PartReader::copy_positions() { part_.mesh.positions = vectors(inputs_.position->values); }
+
+/// Those that proved wrong on the way have left their indices behind.
+void PartReader::copy_normals_and_uvs() {
+  if (inputs_.normal)
+    part_.mesh.normals = vectors(inputs_.normal->values);
+  else
+    part_.mesh.normal_indices.clear();
+  if (!inputs_.uv) return part_.mesh.uv_indices.clear();
   const auto& uv = inputs_.uv->values.values;
   for (std::size_t i = 0; i < uv.size(); i += 2) part_.mesh.uvs.push_back({uv[i], uv[i + 1]});
 }
 
-void PartReader::check_indices(const XmlElement& p, const std::vector<std::uint32_t>& indices) const {
-  for (const auto* input : {&inputs_.position, &inputs_.normal, &inputs_.uv}) {
-    if (!*input) continue;
-    const std::size_t count = (*input)->values.count();
-    for (std::size_t i = (*input)->offset; i < indices.size(); i += inputs_.stride)
-      if (indices[i] >= count)
-        throw error_at(
-            p.number_place(i),
-            fmt::format("the index {} is out of range: <source id=\"{}\"> has {} elements, numbered from 0",
-                        indices[i], (*input)->source.attribute("id").value_or(""), count));
-  }
+/// Surfaces do without normals and texture coordinates, but not without positions.
+void PartReader::check_indices(const XmlElement& p, const std::vector<std::uint32_t>& indices) {
+  if (const auto at = find_wrong(p, indices, *inputs_.position))
+    throw error_at(p.number_place(*at), out_of_range(indices[*at], *inputs_.position));
+  const auto drop = [&](std::optional<Input>& input, const char* what) {
+    const auto at = input ? find_wrong(p, indices, *input) : std::nullopt;
+    if (!at) return;
+    document_.warn([&] { return p.number_place(*at); },
+                   fmt::format("{}; the {} of this <{}> are left out", out_of_range(indices[*at], *input),
+                               what, part_.element.name()));
+    input.reset();
+  };
+  drop(inputs_.normal, "normals");
+  drop(inputs_.uv, "texture coordinates");
 }
 
-std::vector<std::uint32_t> PartReader::read_indices(const XmlElement& p) const {
+/// Where the first index beyond an input's data stands. One within it that its accessor does not count is
+/// used, with a warning.
+std::optional<std::size_t> PartReader::find_wrong(const XmlElement& p,
+                                                  const std::vector<std::uint32_t>& indices,
+                                                  const Input& input) {
+  const SourceValues& values = input.values;
+  for (std::size_t i = input.offset; i < indices.size(); i += inputs_.stride) {
+    if (indices[i] < values.stated) continue;
+    if (indices[i] >= values.count()) return i;
+    document_.warn(
+        [&] { return p.number_place(i); },
+        fmt::format("an index beyond the {} elements that <source id=\"{}\"> counts; its array has {}, "
+                    "and these are used",
+                    values.stated, input.source.attribute("id").value_or(""), values.count()));
+  }
+  return std::nullopt;
+}
+
+std::vector<std::uint32_t> PartReader::read_indices(const XmlElement& p) {
   std::vector<std::uint32_t> indices = p.indices();
   if (indices.size() % inputs_.stride != 0)
     p.fail(fmt::format("<p> has {} indices; with {} for each corner, their number must be a multiple of {}",
@@ -155,7 +208,7 @@ std::vector<std::uint32_t> PartReader::read_indices(const XmlElement& p) const {
 void PartReader::read_polylist() {
   const auto vcount = part_.element.child("vcount");
   const auto p = part_.element.child("p");
-  if (!vcount && !p && part_.element.required_index_attribute("count") == 0) return;
+  if (!vcount && !p && part_.element.index_attribute("count", 0) == 0) return;
   const auto counts = part_.element.required_child("vcount").indices();
   const auto indices = read_indices(part_.element.required_child("p"));
   std::size_t begin = 0;
@@ -194,19 +247,41 @@ void PartReader::read_p(const XmlElement& p) {
   ++polygons_;
 }
 
-void PartReader::check_count() const {
-  const std::size_t count = part_.element.required_index_attribute("count");
-  if (count != polygons_)
-    throw error_at(part_.element.attribute_place("count"),
-                   fmt::format("count says {}, and <{}> has {}", count, part_.element.name(), polygons_));
+/// A polygon with holes: <p> is its outline, each <h> a hole, all of them lists of corners.
+void PartReader::read_ph(const XmlElement& ph) {
+  std::vector<std::uint32_t> indices = read_indices(ph.required_child("p"));
+  std::vector<std::size_t> hole_starts;
+  for (const XmlElement& h : ph.children("h")) {
+    const auto hole = read_indices(h);
+    if (hole.size() < 3 * inputs_.stride) {
+      document_.warn(h, "a hole has fewer than 3 corners, and is left out");
+      continue;
+    }
+    hole_starts.push_back(indices.size() / inputs_.stride);
+    indices.insert(indices.end(), hole.begin(), hole.end());
+  }
+  add_polygon(indices, hole_starts);
 }
 
-void PartReader::add_polygon(std::span<const std::uint32_t> indices) {
+void PartReader::check_count() const {
+  const std::string name = part_.element.name();
+  if (!part_.element.attribute("count"))
+    return document_.warn(part_.element,
+                          fmt::format("this <{}> has no count, which it needs; all of it is read", name));
+  const std::size_t count = part_.element.required_index_attribute("count");
+  if (count != polygons_)
+    document_.warn([&] { return part_.element.attribute_place("count"); },
+                   fmt::format("count says {}, and <{}> has {}; all of it is read", count, name, polygons_));
+}
+
+void PartReader::add_polygon(std::span<const std::uint32_t> indices,
+                             std::span<const std::size_t> hole_starts) {
   ++polygons_;
-  const std::size_t corners = indices.size() / inputs_.stride;
+  const std::size_t corners = indices.size() / inputs_.stride,
+                    outline = hole_starts.empty() ? corners : hole_starts[0];
   const auto at = [&](std::size_t corner) { return indices.data() + corner * inputs_.stride; };
   if (corners == 3) return add_triangle(at(0), at(1), at(2));
-  if (corners < 3)
+  if (outline < 3)
     return document_.warn(part_.element, "a polygon has fewer than 3 corners, and is left out");
   if (corners > max_polygon_corners)
     part_.element.fail(fmt::format("polygon {} has {} corners; the most that is read is {}", polygons_ - 1,
@@ -215,7 +290,7 @@ void PartReader::add_polygon(std::span<const std::uint32_t> indices) {
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < corners; ++i)
     points.push_back(part_.mesh.positions[at(i)[inputs_.position->offset]]);
-  for (const auto& [a, b, c] : triangulate(points)) add_triangle(at(a), at(b), at(c));
+  for (const auto& [a, b, c] : triangulate(points, hole_starts)) add_triangle(at(a), at(b), at(c));
 }
 
 void PartReader::add_reduced(std::span<const std::uint32_t> indices) {
@@ -272,13 +347,14 @@ ColladaGeometry read_geometry(const XmlElement& geometry, ColladaDocument& docum
   ColladaGeometry result;
   const auto technique = cgl_technique(geometry);
   const auto sphere = technique ? technique->child("sphere") : std::nullopt;
-  const auto mesh = geometry.child("mesh");
+  const auto mesh = geometry.child("mesh") ? geometry.child("mesh") : geometry.child("convex_mesh");
   if (sphere && mesh)
     document.warn(*sphere, "a geometry with a <mesh> cannot be a sphere too; the sphere is left out");
   if (mesh) {
     for (const XmlElement& element : parts_of(*mesh, document))
       result.parts.push_back(PartReader(element, display_name(geometry), document).read());
-    if (result.parts.empty()) document.warn(*mesh, "this <mesh> has no triangles or polygons");
+    if (result.parts.empty())
+      document.warn(*mesh, fmt::format("this <{}> has no triangles or polygons", mesh->name()));
   } else if (sphere) {
     result.sphere_radius = float(number_in(sphere->required_child("radius"), 0, max_coordinate));
   } else {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "io/collada_camera.h"
+#include "io/collada_controller.h"
 #include "io/collada_instance.h"
 #include "io/collada_transform.h"
 
@@ -29,7 +29,10 @@ int object_rank(const XmlElement& child) {
 }  // namespace
 
 void ColladaNodes::walk(const XmlElement& visual_scene, const Transform& to_world) {
-  for (const XmlElement& node : visual_scene.children("node")) visit(node, to_world);
+  scene_to_world_ = to_world;
+  if (!is_cs184()) layers_ = SceneLayers(visual_scene);
+  for (const XmlElement& node : visual_scene.children("node"))
+    visit(node, to_world, document_.space_of(document_.root()));
 }
 
 void ColladaNodes::enter(const XmlElement& node) {
@@ -41,16 +44,18 @@ void ColladaNodes::enter(const XmlElement& node) {
   path_.push_back(node);
 }
 
-void ColladaNodes::visit(const XmlElement& node, const Transform& parent) {
+void ColladaNodes::visit(const XmlElement& node, const Transform& parent, const ColladaSpace& outside) {
   enter(node);
-  const Transform to_world = parent * read_node_transform(node, document_);
+  const bool hides = !is_cs184() && is_hidden(node);
+  hiding_ += hides;
+  const ColladaSpace& space = document_.space_of(node);
+  const Transform to_world = parent * conversion(space, outside) * read_node_transform(node, document_);
   for (const XmlElement& child : is_cs184() ? cs184_children(node) : node.children()) {
-    if (child.is("instance_geometry")) add_geometry(node, child, to_world);
-    if (child.is("instance_light")) add_light(child, to_world);
-    if (child.is("instance_camera")) add_camera(child, to_world);
-    if (child.is("instance_node")) visit(document_.resolve(child, "url", "node"), to_world);
-    if (child.is("node")) visit(child, to_world);
+    instance(node, child, to_world);
+    if (child.is("instance_node")) visit(document_.resolve(child, "url", "node"), to_world, space);
+    if (child.is("node")) visit(child, to_world, space);
   }
+  hiding_ -= hides;
   path_.pop_back();
 }
 
@@ -59,6 +64,8 @@ std::vector<XmlElement> ColladaNodes::cs184_children(const XmlElement& node) {
   for (const XmlElement& child : node.children()) {
     if (child.is("node") || child.is("instance_node")) children.push_back(child);
     if (object_rank(child) < no_object) objects.push_back(child);
+    if (child.is("instance_controller"))
+      document_.warn(child, "CS184's program reads no controllers; this one is left out");
   }
   std::stable_sort(objects.begin(), objects.end(),
                    [](const XmlElement& a, const XmlElement& b) { return object_rank(a) < object_rank(b); });
@@ -72,6 +79,18 @@ std::vector<XmlElement> ColladaNodes::cs184_children(const XmlElement& node) {
   return children;
 }
 
+/// Programs hide the cameras that they make for themselves; these serve all the same.
+void ColladaNodes::instance(const XmlElement& node, const XmlElement& child, const Transform& to_world) {
+  if (child.is("instance_camera")) return add_camera(node, child, to_world);
+  const bool is_light = child.is("instance_light"), is_geometry = child.is("instance_geometry"),
+             is_controller = child.is("instance_controller");
+  if (!is_light && !is_geometry && !is_controller) return;
+  if (hiding_ > 0 || (!is_light && !layers_.show(node))) return hidden.push_back(display_name(node));
+  if (is_light) add_light(child, to_world);
+  if (is_geometry) add_geometry(node, child, to_world);
+  if (is_controller) add_controller(node, child, to_world);
+}
+
 const ColladaGeometry& ColladaNodes::geometry(const XmlElement& element) {
   const auto known = geometries_.find(element);
   if (known != geometries_.end()) return known->second;
@@ -81,6 +100,21 @@ const ColladaGeometry& ColladaNodes::geometry(const XmlElement& element) {
 void ColladaNodes::add_geometry(const XmlElement& node, const XmlElement& instance,
                                 const Transform& to_world) {
   const XmlElement element = document_.resolve(instance, "url", "geometry");
+  add_shape(node, instance, element,
+            to_world * conversion(document_.space_of(element), document_.space_of(instance)));
+}
+
+void ColladaNodes::add_controller(const XmlElement& node, const XmlElement& instance,
+                                  const Transform& to_world) {
+  const auto controlled = controlled_geometry(document_.resolve(instance, "url", "controller"), document_);
+  const ColladaSpace& space = document_.space_of(controlled.is_skin ? document_.root() : instance);
+  add_shape(node, instance, controlled.geometry,
+            (controlled.is_skin ? scene_to_world_ : to_world) *
+                conversion(document_.space_of(controlled.geometry), space) * controlled.bind_shape);
+}
+
+void ColladaNodes::add_shape(const XmlElement& node, const XmlElement& instance, const XmlElement& element,
+                             const Transform& to_world) {
   const ColladaGeometry& shape = geometry(element);
   const std::string name = instance_name(node, element);
   if (shape.sphere_radius) add_sphere(*shape.sphere_radius, name, instance, to_world);
@@ -129,21 +163,8 @@ void ColladaNodes::add_light(const XmlElement& instance, const Transform& to_wor
   if (auto* other = std::get_if<Light>(&*light)) parts.lights.push_back(*other);
 }
 
-void ColladaNodes::add_camera(const XmlElement& instance, const Transform& to_world) {
-  const XmlElement element = document_.resolve(instance, "url", "camera");
-  if (is_cs184()) {
-    cs184_view = read_cs184_view(element, instance, to_world, document_);
-    camera_name = display_name(element);
-    return;
-  }
-  if (camera) {
-    document_.warn(instance,
-                   fmt::format("the camera \"{}\" is left out; the scene is seen by the first one, \"{}\"",
-                               display_name(element), camera_name));
-    return;
-  }
-  camera = read_camera(element, instance, to_world, document_);
-  camera_name = display_name(element);
+void ColladaNodes::add_camera(const XmlElement& node, const XmlElement& instance, const Transform& to_world) {
+  cameras.push_back({document_.resolve(instance, "url", "camera"), instance, node, to_world});
 }
 
 }  // namespace twinray

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/camera.h"
+#include "io/collada_cameras.h"
+#include "io/collada_layers.h"
 #include "io/collada_material.h"
 #include "io/collada_mesh.h"
 #include "io/collada_parts.h"
-#include "io/cs184_camera.h"
 
 namespace twinray {
 
@@ -26,30 +26,36 @@ class ColladaNodes {
   static constexpr std::size_t max_depth = 200, max_nodes = 1'000'000, max_triangles = std::size_t(1) << 28;
 
   SceneParts parts;
-  std::optional<Camera> camera;  ///< The first one.
-  Cs184View cs184_view;          ///< By CS184's rules: the last one.
-  std::string camera_name;
+  std::vector<ColladaCamera> cameras;
+  std::vector<std::string> hidden;  ///< Names of the nodes whose lights or shapes the file hides.
   std::size_t dropped_triangles = 0;
 
  private:
-  void visit(const XmlElement& node, const Transform& parent);
+  void visit(const XmlElement& node, const Transform& parent, const ColladaSpace& outside);
   /// What counts of a node by CS184's rules: the nodes below it first, then one object.
   std::vector<XmlElement> cs184_children(const XmlElement& node);
   bool is_cs184() const { return document_.options().interpretation == Interpretation::cs184; }
   void enter(const XmlElement& node);
+  void instance(const XmlElement& node, const XmlElement& child, const Transform& to_world);
   void add_geometry(const XmlElement& node, const XmlElement& instance, const Transform& to_world);
+  void add_controller(const XmlElement& node, const XmlElement& instance, const Transform& to_world);
+  void add_shape(const XmlElement& node, const XmlElement& instance, const XmlElement& geometry,
+                 const Transform& to_world);
   void add_part(const ColladaPart& part, const std::string& name, const XmlElement& instance,
                 const Transform& to_world);
   void add_sphere(float radius, const std::string& name, const XmlElement& instance,
                   const Transform& to_world);
   void add_light(const XmlElement& instance, const Transform& to_world);
-  void add_camera(const XmlElement& instance, const Transform& to_world);
+  void add_camera(const XmlElement& node, const XmlElement& instance, const Transform& to_world);
   const ColladaGeometry& geometry(const XmlElement& element);
 
   ColladaDocument& document_;
   ColladaMaterials& materials_;
+  Transform scene_to_world_;
+  SceneLayers layers_;
   std::map<XmlElement, ColladaGeometry> geometries_;
   std::vector<XmlElement> path_;  ///< From the root to the node being visited.
+  int hiding_ = 0;                ///< How many of these hide what is below them.
   std::size_t nodes_ = 0, triangles_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names of COLLADA 1.4.1 and of CS184's extensions, as one table. An element's rule is the one for
+// The names of COLLADA 1.4 and 1.5 and of CS184's extensions, as one table. An element's rule is the one for
 // "parent/name" if there is one, else that for "name"; an element without a rule has no children.
 #include "io/collada_schema.h"
 
@@ -22,25 +22,26 @@ constexpr std::string_view shading_children =
 
 constexpr Rule rules[] = {
     {"COLLADA",
-     "asset library_cameras library_effects library_geometries library_lights library_materials "
-     "library_nodes "
-     "library_visual_scenes scene extra -library_images !library_animations !library_animation_clips "
-     "!library_controllers !library_force_fields !library_physics_materials !library_physics_models "
-     "!library_physics_scenes",
+     "asset library_cameras library_controllers library_effects library_geometries library_images "
+     "library_lights "
+     "library_materials library_nodes library_visual_scenes scene extra !library_animations "
+     "!library_animation_clips -library_formulas !library_force_fields !library_joints "
+     "!library_kinematics_models !library_kinematics_scenes !library_articulated_systems "
+     "!library_physics_materials !library_physics_models !library_physics_scenes",
      "version base"},
     {"asset",
      "-contributor -coverage -created -keywords -modified -revision -subject -title unit up_axis extra", ""},
     {"unit", "", "meter"},
 
-    {"library_cameras", "-asset camera extra", ""},
-    {"camera", "-asset optics -imager extra", ""},
+    {"library_cameras", "asset camera extra", ""},
+    {"camera", "asset optics -imager extra", ""},
     {"optics", "technique_common technique extra", ""},
     {"optics/technique_common", "perspective orthographic", ""},
     {"perspective", "xfov yfov aspect_ratio znear zfar", ""},
     {"orthographic", "xmag ymag aspect_ratio znear zfar", ""},
 
-    {"library_lights", "-asset light extra", ""},
-    {"light", "-asset technique_common technique extra", ""},
+    {"library_lights", "asset light extra", ""},
+    {"light", "asset technique_common technique extra", ""},
     {"light/technique_common", "ambient directional point spot", ""},
     {"light/CGL", "area ambient directional point spot", ""},
     {"area", "color", ""},
@@ -51,11 +52,18 @@ constexpr Rule rules[] = {
      "color constant_attenuation linear_attenuation quadratic_attenuation falloff_angle falloff_exponent",
      ""},
 
-    {"library_effects", "-asset effect extra", ""},
+    {"library_images", "asset image extra", ""},
+    {"image", "asset -data -renderable -create_2d -create_3d -create_cube init_from extra",
+     "format width height depth"},
+    {"init_from", "-ref -hex", "mips_generate array_index mip_index depth face"},
+
+    {"library_effects", "asset effect extra", ""},
     {"effect",
-     "-asset -annotate -image -newparam profile_COMMON !profile_CG !profile_GLES !profile_GLSL extra", ""},
-    {"profile_COMMON", "-asset -image -newparam technique extra", ""},
-    {"profile_COMMON/technique", "-asset -image -newparam constant lambert phong blinn extra", ""},
+     "asset -annotate image -newparam profile_COMMON -profile_BRIDGE -profile_CG -profile_GLES "
+     "-profile_GLES2 -profile_GLSL extra",
+     ""},
+    {"profile_COMMON", "asset image -newparam technique extra", "platform"},
+    {"profile_COMMON/technique", "asset image -newparam constant lambert phong blinn extra", ""},
     {"constant", shading_children, ""},
     {"lambert", shading_children, ""},
     {"phong", shading_children, ""},
@@ -71,19 +79,24 @@ constexpr Rule rules[] = {
     {"glass", "transmittance reflectance roughness ior", ""},
     {"microfacet", "alpha eta k -reflectance", ""},
 
-    {"library_materials", "-asset material extra", ""},
-    {"material", "-asset instance_effect extra", ""},
-    {"instance_effect", "-technique_hint !setparam extra", "url"},
+    {"library_materials", "asset material extra", ""},
+    {"material", "asset instance_effect extra", ""},
+    {"instance_effect", "-technique_hint -setparam extra", "url"},
 
-    {"library_geometries", "-asset geometry extra", ""},
-    {"geometry", "-asset mesh !convex_mesh !spline extra", ""},
+    {"library_geometries", "asset geometry extra", ""},
+    {"geometry", "asset mesh convex_mesh !spline !brep extra", ""},
     {"geometry/CGL", "sphere", ""},
     {"sphere", "radius", ""},
     {"mesh", "source vertices triangles polylist polygons tristrips trifans !lines !linestrips extra", ""},
+    {"convex_mesh", "source vertices triangles polylist polygons tristrips trifans !lines !linestrips extra",
+     "convex_hull_of"},
     {"source",
-     "-asset float_array -IDREF_array -Name_array -bool_array -int_array technique_common technique", ""},
+     "asset float_array -IDREF_array -Name_array -SIDREF_array -bool_array int_array -token_array "
+     "technique_common technique",
+     ""},
     {"source/technique_common", "accessor", ""},
     {"float_array", "", "count digits magnitude"},
+    {"int_array", "", "count minInclusive maxInclusive"},
     {"accessor", "param", "count offset source stride"},
     {"accessor/param", "", "type semantic"},
     {"vertices", "input extra", ""},
@@ -93,23 +106,35 @@ constexpr Rule rules[] = {
     {"tristrips", "input p extra", "count material"},
     {"trifans", "input p extra", "count material"},
     {"polylist", "input vcount p extra", "count material"},
-    {"polygons", "input p !ph extra", "count material"},
+    {"polygons", "input p ph extra", "count material"},
+    {"ph", "p h", ""},
 
-    {"library_nodes", "-asset node extra", ""},
-    {"library_visual_scenes", "-asset visual_scene extra", ""},
-    {"visual_scene", "-asset node -evaluate_scene extra", ""},
+    {"library_controllers", "asset controller extra", ""},
+    {"controller", "asset skin morph extra", ""},
+    {"skin", "bind_shape_matrix source -joints -vertex_weights extra", "source"},
+    {"morph", "source targets extra", "source method"},
+    {"targets", "input extra", ""},
+    {"targets/input", "", "semantic source"},
+
+    {"library_nodes", "asset node extra", ""},
+    {"library_visual_scenes", "asset visual_scene extra", ""},
+    {"visual_scene", "asset node evaluate_scene extra", ""},
+    {"evaluate_scene", "asset render extra", "enable"},
+    {"render", "-layer -instance_material -instance_effect extra", "camera_node"},
     {"node",
-     "-asset lookat matrix rotate scale skew translate instance_camera instance_geometry instance_light "
-     "instance_node !instance_controller node extra",
+     "asset lookat matrix rotate scale skew translate instance_camera instance_controller instance_geometry "
+     "instance_light instance_node node extra",
      "type layer"},
     {"instance_camera", "extra", "url"},
     {"instance_light", "extra", "url"},
-    {"instance_node", "extra", "url"},
+    {"instance_node", "extra", "url proxy"},
     {"instance_geometry", "bind_material extra", "url"},
+    {"instance_controller", "-skeleton bind_material extra", "url"},
     {"bind_material", "-param technique_common -technique extra", ""},
     {"bind_material/technique_common", "instance_material", ""},
-    {"instance_material", "-bind -bind_vertex_input extra", "symbol target"},
-    {"scene", "instance_visual_scene !instance_physics_scene extra", ""},
+    {"instance_material", "-bind bind_vertex_input extra", "symbol target"},
+    {"bind_vertex_input", "", "semantic input_semantic input_set"},
+    {"scene", "instance_visual_scene !instance_kinematics_scene !instance_physics_scene extra", ""},
     {"instance_visual_scene", "extra", "url"},
 
     {"extra", "-asset technique", "type"},
@@ -117,8 +142,18 @@ constexpr Rule rules[] = {
 
 /// Profiles of other programs: known, and without meaning here.
 constexpr std::string_view foreign_profiles[] = {
-    "blender",           "MAYA",        "MAX3D", "3DSMAX", "FCOLLADA", "OpenCOLLADA",      "OpenCOLLADAMaya",
-    "OpenCOLLADA3dsMax", "GOOGLEEARTH", "XSI",   "AXE",    "PHYSX",    "NVIDIA_FXCOMPOSER"};
+    "3DSMAX",          "AXE",
+    "COLLADA_1_4_0",   "COLLADA_1_4_1",
+    "FCOLLADA",        "GOOGLEEARTH",
+    "MAX3D",           "MAYA",
+    "MAYA3",           "MB",
+    "MESHMOON",        "NVIDIA_FXCOMPOSER",
+    "OpenCOLLADA",     "OpenCOLLADA3dsMax",
+    "OpenCOLLADAMaya", "OpenCOLLADAXSI",
+    "PHYSX",           "RenderMonkey",
+    "SketchUp",        "XSI",
+    "blender",
+};
 
 std::vector<std::string_view> words(std::string_view list) {
   std::vector<std::string_view> result;
@@ -150,7 +185,7 @@ std::string did_you_mean(std::string_view name, std::span<const std::string_view
 
 class NameCheck {
  public:
-  explicit NameCheck(ColladaDocument& document) : document_(document) {}
+  explicit NameCheck(WarningList& warnings) : warnings_(warnings) {}
 
   /// `context` is what the parent counts as: its name, or "CGL".
   void check(const XmlElement& element, std::string_view context) {
@@ -160,15 +195,19 @@ class NameCheck {
   }
 
  private:
+  void warn(const XmlElement& at, const std::string& message) {
+    warnings_.add([&] { return at.place(); }, message);
+  }
+
   void check_attributes(const XmlElement& element, const Rule& rule) {
     auto known = words(rule.attributes);
     for (const std::string_view everywhere : {"id", "name", "sid"}) known.push_back(everywhere);
     for (const std::string& name : element.attribute_names()) {
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
       if (name.rfind("xmlns", 0) == 0 || name.rfind("xsi:", 0) == 0) continue;
-      document_.warn([&] { return element.attribute_place(name); },
-                     fmt::format("the attribute \"{}\" is not known in <{}>, and is left out{}", name,
-                                 element.name(), did_you_mean(name, known, "\"{}\"")));
+      warnings_.add([&] { return element.attribute_place(name); },
+                    fmt::format("the attribute \"{}\" is not known in <{}>, and is left out{}", name,
+                                element.name(), did_you_mean(name, known, "\"{}\"")));
     }
   }
 
@@ -181,13 +220,12 @@ class NameCheck {
       const std::string name = child.name();
       const auto found = std::find(known.begin(), known.end(), name);
       if (found == known.end()) {
-        document_.warn(child, fmt::format("<{}> is not known in <{}>, and is left out{}", name,
-                                          element.name(), did_you_mean(name, known, "<{}>")));
+        warn(child, fmt::format("<{}> is not known in <{}>, and is left out{}", name, element.name(),
+                                did_you_mean(name, known, "<{}>")));
         continue;
       }
       const char mark = entries[std::size_t(found - known.begin())][0];
       if (mark == '!') check_unsupported(child);
-      if (name == "asset" && mark == '-') check_inner_asset(child, element);
       if (mark == '-' || mark == '!') continue;
       if (name == "extra") owner_ = element.name();
       if (name == "technique" && context != "profile_COMMON")
@@ -200,15 +238,7 @@ class NameCheck {
   /// Exporters write empty libraries.
   void check_unsupported(const XmlElement& element) {
     if (element.name().rfind("library_", 0) == 0 && element.children().empty()) return;
-    document_.warn(element, fmt::format("<{}> is not supported, and is left out", element.name()));
-  }
-
-  void check_inner_asset(const XmlElement& asset, const XmlElement& owner) {
-    for (const char* name : {"unit", "up_axis"})
-      if (const auto setting = asset.child(name))
-        document_.warn(
-            *setting, fmt::format("<{}> is read from the <asset> of <COLLADA> only; that of <{}> is left out",
-                                  name, owner.name()));
+    warn(element, fmt::format("<{}> is not supported, and is left out", element.name()));
   }
 
   void check_technique(const XmlElement& technique, const XmlElement& parent) {
@@ -218,7 +248,7 @@ class NameCheck {
         std::end(foreign_profiles))
       return;
     if (!is_cgl_profile(profile) || !parent.is("extra")) {
-      document_.warn(
+      warnings_.add(
           [&] { return technique.attribute_place("profile"); },
           fmt::format("the profile \"{}\" is not known in <{}>, and what it holds is left out{}", profile,
                       parent.name(), is_cgl_profile(profile) ? "" : did_you_mean(profile, ours, "\"{}\"")));
@@ -230,18 +260,19 @@ class NameCheck {
   void check_cgl(const XmlElement& technique) {
     const Rule* rule = find_rule(fmt::format("{}/CGL", owner_));
     if (rule) return check_children(technique, *rule, "CGL");
-    document_.warn(technique,
-                   fmt::format("CGL extensions are known in <light>, <effect> and <geometry>, not in <{}>; "
-                               "this one is left out",
-                               owner_));
+    warn(technique, fmt::format("CGL extensions are known in <light>, <effect> and <geometry>, not in <{}>; "
+                                "this one is left out",
+                                owner_));
   }
 
-  ColladaDocument& document_;
+  WarningList& warnings_;
   std::string owner_;  ///< The element whose <extra> is being checked.
 };
 
 }  // namespace
 
-void check_names(ColladaDocument& document) { NameCheck(document).check(document.root(), ""); }
+void check_names(const XmlElement& root, WarningList& warnings) { NameCheck(warnings).check(root, ""); }
+
+bool is_cgl_profile(std::string_view profile) { return profile == "CGL" || profile == "CMU462"; }
 
 }  // namespace twinray

@@ -8,48 +8,123 @@
 namespace twinray {
 namespace {
 
-/// Which numbers of an element are used: those whose <param> has a name.
-std::vector<std::size_t> named_params(const XmlElement& accessor, std::size_t stride) {
-  std::vector<std::size_t> used;
-  const auto params = accessor.children("param");
+bool is_array(const XmlElement& element) { return element.is("float_array") || element.is("int_array"); }
+
+constexpr std::size_t absent = std::size_t(-1);  ///< A parameter that is 0.
+
+/// How an accessor walks over its array.
+struct Layout {
+  std::size_t offset = 0, stride = 1;
+  std::vector<std::size_t> used;  ///< Which numbers of an element.
+  std::optional<std::size_t> stated;
+};
+
+/// The numbers whose <param> has a name; where none has one, all.
+std::vector<std::size_t> used_params(const std::vector<XmlElement>& params, std::size_t stride) {
+  std::vector<std::size_t> named, all;
   for (std::size_t i = 0; i < std::min(params.size(), stride); ++i)
-    if (params[i].attribute("name")) used.push_back(i);
-  if (params.empty())
-    for (std::size_t i = 0; i < std::min<std::size_t>(stride, 4); ++i) used.push_back(i);
-  return used;
+    if (params[i].attribute("name")) named.push_back(i);
+  constexpr std::size_t most = 4;
+  for (std::size_t i = 0; i < std::min(stride, params.empty() ? most : params.size()); ++i) all.push_back(i);
+  return named.empty() ? all : named;
 }
 
-std::vector<float> read_float_array(const XmlElement& array) {
+Layout read_accessor(const XmlElement& accessor, std::size_t width, ColladaDocument& document) {
+  Layout layout;
+  const auto params = accessor.children("param");
+  layout.offset = accessor.index_attribute("offset", 0);
+  layout.stride = accessor.index_attribute("stride", 1);
+  if (!accessor.attribute("stride") && params.size() > 1) {
+    layout.stride = params.size();
+    document.warn(accessor,
+                  fmt::format("this <accessor> has no stride, which would be 1; it has {} parameters, "
+                              "and that is taken to be its stride",
+                              params.size()));
+  }
+  layout.used = used_params(params, layout.stride);
+  if (params.size() == 2 && layout.used.size() == 2 && width == 3) {
+    document.warn(accessor, "this <accessor> has two parameters, and three are needed; the third is 0");
+    layout.used.push_back(absent);
+  }
+  if (layout.used.size() < width)
+    accessor.fail(fmt::format("{} named parameters are needed, and the accessor has {} (its stride is {})",
+                              width, layout.used.size(), layout.stride));
+  if (accessor.attribute("count")) layout.stated = accessor.required_index_attribute("count");
+  return layout;
+}
+
+/// Without an accessor: one element after the other.
+Layout plain_layout(const XmlElement& source, std::size_t width, ColladaDocument& document) {
+  document.warn(
+      source,
+      fmt::format("this <source> has no <accessor>; its array is read as elements of {} numbers", width));
+  Layout layout;
+  layout.stride = width;
+  for (std::size_t i = 0; i < width; ++i) layout.used.push_back(i);
+  return layout;
+}
+
+/// The array that the accessor names; where there is none, with a warning, a source's only one.
+XmlElement find_array(const XmlElement& source, const std::optional<XmlElement>& accessor,
+                      ColladaDocument& document) {
+  std::vector<XmlElement> own;
+  for (const XmlElement& child : source.children())
+    if (is_array(child)) own.push_back(child);
+  if (!accessor && own.empty()) source.fail("this <source> has no <float_array> with numbers");
+  if (!accessor) return own[0];
+  const std::string url = accessor->attribute("source").value_or("");
+  for (const XmlElement& array : own)
+    if (const auto id = array.attribute("id"); id && url == "#" + *id) return array;
+  const bool is_elsewhere =
+      !url.empty() && (url[0] != '#' || document.find(source, url.substr(1), "float_array"));
+  if (is_elsewhere || own.size() != 1) return document.resolve(*accessor, "source", "float_array");
+  document.warn(*accessor,
+                fmt::format("no <{0}> is \"{1}\"; this <accessor> is taken to mean the only one of its "
+                            "<source>",
+                            own[0].name(), url));
+  return own[0];
+}
+
+std::vector<float> read_array(const XmlElement& array, ColladaDocument& document) {
   std::vector<float> values = array.floats();
-  const std::size_t count = array.required_index_attribute("count");
-  if (values.size() != count)
-    throw error_at(array.attribute_place("count"),
-                   fmt::format("count says {}, and the array has {} numbers", count, values.size()));
+  if (!array.attribute("count"))
+    document.warn(
+        array, fmt::format("this <{}> has no count, which it needs; all its numbers are read", array.name()));
+  else if (const std::size_t count = array.required_index_attribute("count"); count != values.size())
+    document.warn([&] { return array.attribute_place("count"); },
+                  fmt::format("count says {}, and the array has {} numbers; all of them are read", count,
+                              values.size()));
   return values;
+}
+
+/// How many elements the array holds. Positions stay below 2^64: each factor is below 2^32.
+std::size_t elements_held(const Layout& layout, std::size_t width, std::size_t numbers) {
+  const std::size_t last = layout.used[width - 1] == absent ? layout.used[width - 2] : layout.used[width - 1];
+  const std::size_t first_end = layout.offset + last + 1;
+  return first_end > numbers ? 0 : (numbers - first_end) / layout.stride + 1;
 }
 
 }  // namespace
 
-SourceValues read_source(const XmlElement& source, std::size_t width, const ColladaDocument& document) {
-  const XmlElement accessor = source.required_child("technique_common").required_child("accessor");
-  const std::vector<float> array = read_float_array(document.resolve(accessor, "source", "float_array"));
-  const std::size_t count = accessor.required_index_attribute("count");
-  const std::size_t offset = accessor.index_attribute("offset", 0),
-                    stride = accessor.index_attribute("stride", 1);
-  const std::vector<std::size_t> used = named_params(accessor, stride);
-  if (used.size() < width)
-    accessor.fail(fmt::format("{} named parameters are needed, and the accessor has {} (its stride is {})",
-                              width, used.size(), stride));
-  // Positions stay below 2^64: each factor is below 2^32.
-  if (count > 0 && offset + stride * (count - 1) + used[width - 1] >= array.size())
-    accessor.fail(
-        fmt::format("{} elements of stride {} from offset {} reach beyond the {} numbers of the array", count,
-                    stride, offset, array.size()));
+SourceValues read_source(const XmlElement& source, std::size_t width, ColladaDocument& document) {
+  const auto common = source.child("technique_common");
+  const auto accessor = common ? common->child("accessor") : std::nullopt;
+  const Layout layout =
+      accessor ? read_accessor(*accessor, width, document) : plain_layout(source, width, document);
+  const std::vector<float> array = read_array(find_array(source, accessor, document), document);
+  const std::size_t held = elements_held(layout, width, array.size());
+  if (layout.stated.value_or(0) > held)
+    document.warn(*accessor, fmt::format("count says {}, and the array holds {} elements of stride {} from "
+                                         "offset {}; these are read",
+                                         *layout.stated, held, layout.stride, layout.offset));
   SourceValues result;
   result.width = width;
-  result.values.reserve(count * width);
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = 0; k < width; ++k) result.values.push_back(array[offset + stride * i + used[k]]);
+  result.stated = std::min(layout.stated.value_or(held), held);
+  result.values.reserve(held * width);
+  for (std::size_t i = 0; i < held; ++i)
+    for (std::size_t k = 0; k < width; ++k)
+      result.values.push_back(
+          layout.used[k] == absent ? 0 : array[layout.offset + layout.stride * i + layout.used[k]]);
   return result;
 }
 

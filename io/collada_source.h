@@ -7,16 +7,17 @@
 
 namespace twinray {
 
-/// The elements of a <source> as its <accessor> names them, in order.
+/// The elements of a <source> as its <accessor> names them, in order: as many as its array holds.
 struct SourceValues {
   std::size_t width = 3;      ///< Numbers of an element.
   std::vector<float> values;  ///< width for each element.
+  std::size_t stated = 0;     ///< The elements that the accessor counts: at most count().
   std::size_t count() const { return values.size() / width; }
 };
 
-/// Reads the first `width` named <param>s (all of them, where the accessor has none) of each element, by the
-/// accessor's count, offset and stride. Throws Error where the array's count is wrong, the accessor reaches
-/// beyond the array, or it has fewer parameters.
-SourceValues read_source(const XmlElement& source, std::size_t width, const ColladaDocument& document);
+/// Reads the first `width` named <param>s (all of them, where none has a name) of each element, by the
+/// accessor's offset and stride. Counts that disagree with the array are warnings: the array is right. So are
+/// a stride and an accessor that are missing. Throws Error where there are fewer parameters.
+SourceValues read_source(const XmlElement& source, std::size_t width, ColladaDocument& document);
 
 }  // namespace twinray

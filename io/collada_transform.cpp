@@ -27,24 +27,6 @@ Double3 unit(const Double3& a) {
 
 bool is_zero(const Double3& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 
-Transform read_matrix(const XmlElement& element, ColladaDocument& document) {
-  std::vector<double> values = element.doubles();
-  if (values.size() < 12 || values.size() > 16)
-    element.fail(fmt::format("<matrix> needs 16 numbers, row by row, and has {}", values.size()));
-  if (values.size() < 16)
-    document.warn(
-        element,
-        fmt::format("<matrix> needs 16 numbers and has {}; the first 12 are used, and the last row is "
-                    "taken to be 0 0 0 1",
-                    values.size()));
-  else if (values[12] != 0 || values[13] != 0 || values[14] != 0 || values[15] != 1)
-    throw error_at(element.number_place(12), "the last row of <matrix> must be 0 0 0 1");
-  Transform result;
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 4; ++column) result.m[row][column] = values[std::size_t(4 * row + column)];
-  return result;
-}
-
 Transform read_rotate(const XmlElement& element) {
   const auto v = element.doubles(4);
   const Vec3 axis{float(v[0]), float(v[1]), float(v[2])};
@@ -53,15 +35,27 @@ Transform read_rotate(const XmlElement& element) {
   return Transform::rotation(axis, v[3]);
 }
 
+/// The axis that is the farthest from a direction.
+Double3 farthest_axis(const Double3& direction) {
+  std::size_t least = 2;
+  for (const std::size_t i : {1, 0})
+    if (std::fabs(direction[i]) < std::fabs(direction[least])) least = i;
+  Double3 axis{};
+  axis[least] = 1;
+  return axis;
+}
+
 /// Stands at the eye and looks along -z at the point of interest, with y towards the up direction.
-Transform read_lookat(const XmlElement& element) {
+Transform read_lookat(const XmlElement& element, ColladaDocument& document) {
   const auto v = element.doubles(9);
   const Double3 eye{v[0], v[1], v[2]};
   const Double3 back = unit({v[0] - v[3], v[1] - v[4], v[2] - v[5]});
-  const Double3 right = unit(cross3({v[6], v[7], v[8]}, back));
+  Double3 right = unit(cross3({v[6], v[7], v[8]}, back));
   if (is_zero(back)) element.fail("<lookat> stands where it looks at; the two points must differ");
-  if (is_zero(right))
-    element.fail("the up direction of <lookat> is the direction it looks in; they must differ");
+  if (is_zero(right)) {
+    document.warn(element, "the up direction of <lookat> is the direction it looks in; another one is taken");
+    right = unit(cross3(farthest_axis(back), back));
+  }
   const Double3 up = cross3(back, right);
   Transform result;
   for (std::size_t row = 0; row < 3; ++row) {
@@ -103,6 +97,24 @@ Transform read_skew(const XmlElement& element) {
 
 }  // namespace
 
+Transform read_matrix(const XmlElement& element, ColladaDocument& document) {
+  std::vector<double> values = element.doubles();
+  if (values.size() < 12 || values.size() > 16)
+    element.fail(fmt::format("<{}> needs 16 numbers, row by row, and has {}", element.name(), values.size()));
+  if (values.size() < 16)
+    document.warn(element,
+                  fmt::format("<{}> needs 16 numbers and has {}; the first 12 are used, and the last row is "
+                              "taken to be 0 0 0 1",
+                              element.name(), values.size()));
+  else if (values[12] != 0 || values[13] != 0 || values[14] != 0 || values[15] != 1)
+    throw error_at(element.number_place(12),
+                   fmt::format("the last row of <{}> must be 0 0 0 1", element.name()));
+  Transform result;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column) result.m[row][column] = values[std::size_t(4 * row + column)];
+  return result;
+}
+
 Transform read_node_transform(const XmlElement& node, ColladaDocument& document) {
   Transform result;
   for (const XmlElement& element : node.children()) {
@@ -111,7 +123,7 @@ Transform read_node_transform(const XmlElement& node, ColladaDocument& document)
       if (document.options().interpretation == Interpretation::cs184) break;
     }
     if (element.is("rotate")) result = result * read_rotate(element);
-    if (element.is("lookat")) result = result * read_lookat(element);
+    if (element.is("lookat")) result = result * read_lookat(element, document);
     if (element.is("skew")) result = result * read_skew(element);
     if (element.is("translate")) {
       const auto v = element.doubles(3);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <string>
+
 #include "io/interpretation.h"
 
 namespace twinray {
@@ -8,6 +10,7 @@ namespace twinray {
 struct LoadOptions {
   bool strict = false;           ///< Whatever would be a warning is an Error.
   bool keep_both_lamps = false;  ///< Undoes the one-lamp rule (io/collada_lamp.h).
+  std::string camera_name = {};  ///< Of the camera to see by, or its node; empty: the file's choice.
   Interpretation interpretation = Interpretation::standard;
   /// Leaves the lights out, and the shapes that area lights add to the scene: what CS184's picture of normals
   /// shows.

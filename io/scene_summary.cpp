@@ -62,6 +62,12 @@ std::string plural(std::size_t count, const char* one, const char* many) {
 
 std::string rgb_text(const Rgb& c) { return fmt::format("{:.4g} {:.4g} {:.4g}", c.r, c.g, c.b); }
 
+std::string other_cameras(const SceneSummary& summary) {
+  if (summary.cameras.size() < 2) return "";
+  return fmt::format(", one of {}; --camera-name=NAME chooses another, --camera-name=? lists them",
+                     summary.cameras.size());
+}
+
 }  // namespace
 
 void count_scene(const Scene& scene, SceneSummary& summary) {
@@ -82,7 +88,7 @@ std::vector<std::string> summary_lines(const SceneSummary& summary) {
                               summary.up_axis == 'Y' ? "" : ", turned to Y"));
   lines.push_back(summary.camera.empty()
                       ? "camera: none in the file; a default one looks at the whole scene from +Z"
-                      : fmt::format("camera: \"{}\"", summary.camera));
+                      : fmt::format("camera: \"{}\"{}", summary.camera, other_cameras(summary)));
   std::string shapes = fmt::format("shapes: {}, {}, {}", plural(summary.meshes, "mesh", "meshes"),
                                    plural(summary.triangles, "triangle", "triangles"),
                                    plural(summary.spheres, "sphere", "spheres"));

@@ -20,9 +20,10 @@ struct LightSummary {
 
 struct SceneSummary {
   std::string unit_name = "meter";
-  double unit_meters = 1;  ///< Coordinates stay in this unit.
-  char up_axis = 'Y';      ///< Of the file: X, Y or Z. The scene itself has Y up.
-  std::string camera;      ///< Its name; "" where the file has none and a default one was made.
+  double unit_meters = 1;            ///< Coordinates stay in this unit.
+  char up_axis = 'Y';                ///< Of the file: X, Y or Z. The scene itself has Y up.
+  std::string camera;                ///< Its name; "" where the file has none and a default one was made.
+  std::vector<std::string> cameras;  ///< The names of all cameras of the scene.
   std::size_t meshes = 0, triangles = 0, dropped_triangles = 0, spheres = 0, materials = 0;
   std::vector<LightSummary> lights;
   std::vector<std::string> notes;  ///< Decisions of the reader, such as the one-lamp rule.

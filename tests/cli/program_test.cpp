@@ -214,4 +214,34 @@ TEST_CASE("counts of Embree's way are said to be those of this machine") {
 }
 #endif
 
+TEST_CASE("one of several cameras is chosen by its name, and all are listed on request") {
+  const TemporaryFolder folder;
+  const auto camera = [](const std::string& id) {
+    return "<camera id=\"" + id +
+           "\"><optics><technique_common><orthographic><xmag>1</xmag></orthographic></technique_common></"
+           "optics>"
+           "</camera>";
+  };
+  const std::string scene = folder.file("two cameras.dae");
+  write_text(scene, collada_text("<library_cameras>" + camera("front") + camera("top") +
+                                     "</library_cameras>" + collada_triangle(),
+                                 "<node><instance_geometry url=\"#shape\"/></node>"
+                                 "<node><instance_camera url=\"#front\"/></node>"
+                                 "<node><instance_camera url=\"#top\"/></node>"));
+  const ProcessResult list = run_program("render " + quoted(scene) + " --camera-name=?");
+  CHECK(list.exit_code == 0);
+  CHECK(list.out == "front (makes the picture)\ntop\n");
+  const std::string picture = " -o " + quoted(folder.file("a.png")) + " -r 8 6 -s 1";
+  const ProcessResult top = run_program("render " + quoted(scene) + " --camera-name=top" + picture);
+  CHECK(top.exit_code == 0);
+  CHECK(top.out.find(
+            "camera: \"top\", one of 2; --camera-name=NAME chooses another, --camera-name=? lists them") !=
+        std::string::npos);
+  const ProcessResult wrong = run_program("render " + quoted(scene) + " --camera-name=left" + picture);
+  CHECK(wrong.exit_code == 1);
+  CHECK(wrong.err ==
+        "twinray: " + scene +
+            ": no camera, and no node of one, has the name \"left\"; the scene has \"front\", \"top\"\n");
+}
+
 }  // namespace twinray::test

@@ -27,6 +27,28 @@ Vec3 front_of(const Mesh& mesh, std::size_t i = 0) {
   return normalize(cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]));
 }
 
+std::vector<std::string> messages(const LoadedScene& loaded) {
+  std::vector<std::string> result;
+  for (const Diagnostic& warning : loaded.warnings) result.push_back(warning.message);
+  return result;
+}
+
+/// The area of all triangles of a mesh in the plane x, y.
+float flat_area(const Mesh& mesh) {
+  float area = 0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    area += cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]).z / 2;
+  return area;
+}
+
+/// A geometry whose positions are in this source.
+std::string mesh_with_source(const std::string& source) {
+  return "<library_geometries><geometry id=\"shape\"><mesh>" + source +
+         "<vertices id=\"vertices\"><input semantic=\"POSITION\" source=\"#p\"/></vertices><triangles "
+         "count=\"1\">" +
+         vertex_input + "<p>0 1 2</p></triangles></mesh></geometry></library_geometries>";
+}
+
 }  // namespace
 
 TEST_CASE("triangles, polylists, polygons, strips and fans give the same square") {
@@ -59,7 +81,7 @@ TEST_CASE("inputs are told apart by their offsets, and may share one") {
   const std::string element =
       "<triangles count=\"1\"><input semantic=\"NORMAL\" source=\"#n\" offset=\"2\"/>"
       "<input semantic=\"VERTEX\" source=\"#vertices\" offset=\"1\"/>"
-      "<input semantic=\"COLOR\" source=\"#n\" offset=\"0\"/><p>9 0 1  9 1 0  9 3 1</p></triangles>";
+      "<input semantic=\"TANGENT\" source=\"#n\" offset=\"0\"/><p>9 0 1  9 1 0  9 3 1</p></triangles>";
   const LoadedScene loaded =
       load_shape(collada_mesh(4, square, collada_source("n", 2, "0 0 -3 0 0 2") + element));
   const Mesh& mesh = mesh_of(loaded);
@@ -190,6 +212,158 @@ TEST_CASE("without a material a surface is grey") {
   const LoadedScene loaded = load_shape(collada_triangle());
   CHECK(std::get<Lambert>(loaded.scene.materials[loaded.scene.bindings[0].material].model).reflectance ==
         Rgb{0.5f, 0.5f, 0.5f});
+}
+
+TEST_CASE("a polygon's holes are cut out") {
+  const std::string frame = "0 0 0 4 0 0 4 4 0 0 4 0  1 1 0 2 1 0 2 2 0 1 2 0  3 3 0 3.5 3 0 3 3.5 0";
+  const LoadedScene loaded = load_shape(collada_mesh(
+      11, frame,
+      "<polygons count=\"3\">" + vertex_input +
+          "<ph><p>0 1 2 3</p><h>4 5 6 7</h><h>8 9 10</h></ph><p>4 5 6 7</p><ph><p>8 9 10</p></ph>"
+          "</polygons>"));
+  CHECK(messages(loaded).empty());
+  CHECK(flat_area(mesh_of(loaded)) == Approx(16));
+  const LoadedScene with_hole =
+      load_shape(collada_mesh(11, frame,
+                              "<polygons count=\"1\">" + vertex_input +
+                                  "<ph><p>0 1 2 3</p><h>4 5 6 7</h><h>8 9</h></ph></polygons>"));
+  CHECK(flat_area(mesh_of(with_hole)) == Approx(15));
+  CHECK(messages(with_hole) == std::vector<std::string>{"a hole has fewer than 3 corners, and is left out"});
+}
+
+TEST_CASE("a convex mesh is read as a mesh") {
+  std::string library = collada_triangle();
+  library.replace(library.find("<mesh>"), 6, "<convex_mesh>");
+  library.replace(library.find("</mesh>"), 7, "</convex_mesh>");
+  const LoadedScene loaded = load_shape(library);
+  CHECK(loaded.scene.geometry->triangle_count() == 1);
+  CHECK(messages(loaded).empty());
+}
+
+TEST_CASE("vertex colors are told") {
+  const LoadedScene loaded = load_shape(collada_mesh(
+      4, square,
+      "<triangles count=\"1\">" + vertex_input +
+          "<input semantic=\"COLOR\" source=\"#positions\" offset=\"0\"/><p>0 1 2</p></triangles>"));
+  CHECK(messages(loaded) ==
+        std::vector<std::string>{"vertex colors are not rendered; the surface has its material's color"});
+}
+
+TEST_CASE("counts that lie are told, and the data is right") {
+  const std::string numbers = "0 0 0 1 0 0 0 1 0";
+  const auto source = [&](const std::string& array, const std::string& accessor) {
+    return mesh_with_source(
+        "<source id=\"p\"><float_array id=\"a\"" + array + ">" + numbers +
+        "</float_array><technique_common><accessor source=\"#a\"" + accessor +
+        "><param name=\"X\"/><param name=\"Y\"/><param name=\"Z\"/></accessor></technique_common>"
+        "</source>");
+  };
+  const auto message = [&](const std::string& array, const std::string& accessor) {
+    const LoadedScene loaded = load_shape(source(array, accessor));
+    CHECK(loaded.scene.geometry->triangle_count() == 1);
+    const auto all = messages(loaded);
+    REQUIRE(all.size() == 1);
+    return all[0];
+  };
+  const std::string good = " count=\"9\"", stride = " stride=\"3\"";
+  CHECK(message(" count=\"8\"", " count=\"3\"" + stride) ==
+        "count says 8, and the array has 9 numbers; all of them are read");
+  CHECK(message("", " count=\"3\"" + stride) ==
+        "this <float_array> has no count, which it needs; all its numbers are read");
+  CHECK(message(good, " count=\"4000000000\"" + stride) ==
+        "count says 4000000000, and the array holds 3 elements of stride 3 from offset 0; these are read");
+  CHECK(message(good, " count=\"2\"" + stride) ==
+        "an index beyond the 2 elements that <source id=\"p\"> counts; its array has 3, and these are used");
+  CHECK(message(good, " count=\"3\"") ==
+        "this <accessor> has no stride, which would be 1; it has 3 parameters, and that is taken to be its "
+        "stride");
+  const auto element_message = [&](const std::string& count) {
+    return messages(load_shape(
+        collada_mesh(3, numbers, "<triangles" + count + ">" + vertex_input + "<p>0 1 2</p></triangles>")));
+  };
+  CHECK(element_message(" count=\"7\"") ==
+        std::vector<std::string>{"count says 7, and <triangles> has 1; all of it is read"});
+  CHECK(element_message("") ==
+        std::vector<std::string>{"this <triangles> has no count, which it needs; all of it is read"});
+}
+
+TEST_CASE("a source's only array needs no id, and a source no accessor") {
+  const std::string numbers = ">0 0 0 1 0 0 0 1 0</float_array>";
+  const auto message = [](const std::string& source) {
+    const LoadedScene loaded = load_shape(mesh_with_source("<source id=\"p\">" + source + "</source>"));
+    CHECK(loaded.scene.geometry->triangle_count() == 1);
+    REQUIRE(loaded.warnings.size() == 1);
+    return loaded.warnings[0].message;
+  };
+  CHECK(message("<float_array count=\"9\"" + numbers +
+                "<technique_common><accessor source=\"#a\" count=\"3\" stride=\"3\"/></technique_common>") ==
+        "no <float_array> is \"#a\"; this <accessor> is taken to mean the only one of its <source>");
+  CHECK(message("<float_array count=\"9\"" + numbers) ==
+        "this <source> has no <accessor>; its array is read as elements of 3 numbers");
+}
+
+TEST_CASE("an array of whole numbers is as good, and parameters without any name count") {
+  const LoadedScene loaded = load_shape(mesh_with_source(
+      "<source id=\"p\"><int_array id=\"a\" count=\"9\">0 0 0 1 0 0 0 1 0</int_array>"
+      "<technique_common><accessor source=\"#a\" count=\"3\" stride=\"3\"><param/><param/><param/>"
+      "</accessor></technique_common></source>"));
+  CHECK(loaded.scene.geometry->triangle_count() == 1);
+  CHECK(messages(loaded).empty());
+}
+
+TEST_CASE("an only input needs no offset") {
+  const LoadedScene loaded = load_shape(collada_mesh(
+      3, "0 0 0 1 0 0 0 1 0",
+      "<triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#vertices\"/><p>0 1 2</p></triangles>"));
+  CHECK(loaded.scene.geometry->triangle_count() == 1);
+  CHECK(messages(loaded) ==
+        std::vector<std::string>{
+            "this <input> has no offset, which it needs; as the only one it is taken to have 0"});
+}
+
+TEST_CASE("a symbol that is not bound means the material with that id, where there is one") {
+  const std::string materials =
+      "<library_effects><effect id=\"fx\"><profile_COMMON><technique><lambert><diffuse><color>1 0 0 "
+      "1</color></diffuse>"
+      "</lambert></technique></profile_COMMON></effect></library_effects><library_materials><material "
+      "id=\"red\">"
+      "<instance_effect url=\"#fx\"/></material></library_materials>";
+  const LoadedScene loaded =
+      load_shape(materials + collada_mesh(3, "0 0 0 1 0 0 0 1 0",
+                                          "<triangles count=\"1\" material=\"red\">" + vertex_input +
+                                              "<p>0 1 2</p></triangles>"));
+  CHECK(std::get<Lambert>(loaded.scene.materials[0].model).reflectance == Rgb{1, 0, 0});
+  CHECK(messages(loaded) ==
+        std::vector<std::string>{"no <instance_material> binds the symbol \"red\"; it is taken to "
+                                 "mean the <material> with that id"});
+}
+
+TEST_CASE("texture coordinates and normals whose indices lead beyond their data are left out") {
+  const std::string element =
+      "<polygons count=\"2\"><input semantic=\"VERTEX\" source=\"#vertices\" offset=\"0\"/>"
+      "<input semantic=\"NORMAL\" source=\"#positions\" offset=\"1\"/>"
+      "<input semantic=\"TEXCOORD\" source=\"#positions\" offset=\"2\"/>"
+      "<p>0 0 0 1 1 1 2 2 2</p><p>0 0 0 2 9 2 3 3 9</p></polygons>";
+  const LoadedScene loaded = load_shape(collada_mesh(4, square, element));
+  const Mesh& mesh = mesh_of(loaded);
+  CHECK(mesh.triangles.size() == 2);
+  CHECK((mesh.normals.empty() && mesh.normal_indices.empty()));
+  CHECK((mesh.uvs.empty() && mesh.uv_indices.empty()));
+  const std::string range =
+      "the index 9 is out of range: <source id=\"positions\"> has 4 elements, numbered from 0; ";
+  CHECK(messages(loaded) ==
+        std::vector<std::string>{range + "the normals of this <polygons> are left out",
+                                 range + "the texture coordinates of this <polygons> are left out"});
+}
+
+TEST_CASE("positions of two numbers lie in the plane z = 0") {
+  const LoadedScene loaded = load_shape(mesh_with_source(
+      "<source id=\"p\"><float_array id=\"a\" count=\"6\">0 0 1 0 0 1</float_array><technique_common>"
+      "<accessor source=\"#a\" count=\"3\" stride=\"2\"><param name=\"X\"/><param name=\"Y\"/>"
+      "</accessor></technique_common></source>"));
+  CHECK(mesh_of(loaded).positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  CHECK(messages(loaded) ==
+        std::vector<std::string>{"this <accessor> has two parameters, and three are needed; the third is 0"});
 }
 
 }  // namespace twinray
