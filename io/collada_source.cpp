@@ -44,7 +44,7 @@ Layout read_accessor(const XmlElement& accessor, std::size_t width, ColladaDocum
   layout.used = used_params(params, layout.stride);
   if (params.size() == 2 && layout.used.size() == 2 && width == 3) {
     document.warn(accessor, "this <accessor> has two parameters, and three are needed; the third is 0");
-    layout.used.push_back(absent);
+    layout.used = {layout.used[0], layout.used[1], absent};
   }
   if (layout.used.size() < width)
     accessor.fail(fmt::format("{} named parameters are needed, and the accessor has {} (its stride is {})",

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "io/collada.h"
+#include "io/collada_archive.h"
 #include "io/generated/generated.h"
 #include "io/xml_reader.h"
 
@@ -31,12 +32,14 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
                  [](char c) { return char(std::tolower(static_cast<unsigned char>(c))); });
   std::error_code error;
   const bool is_file = std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error);
-  if (is_file && extension != ".dae")
-    throw Error(fmt::format("{}: \"{}\" is not the extension of a scene file; valid is .dae (COLLADA)", path,
-                            extension));
+  if (is_file && extension != ".dae" && extension != ".zae")
+    throw Error(
+        fmt::format("{}: \"{}\" is not the extension of a scene file; valid are .dae and .zae (COLLADA)",
+                    path, extension));
+  if (is_file && extension == ".zae") return read_zae(path, options);
   return read_collada(*XmlDocument::load(path), options);
 }
 
-std::vector<std::string> scene_extensions() { return {".dae"}; }
+std::vector<std::string> scene_extensions() { return {".dae", ".zae"}; }
 
 }  // namespace twinray

@@ -10,8 +10,8 @@
 
 namespace twinray {
 
-/// Reads a scene file: COLLADA 1.4 (.dae); or makes a generated scene (io/generated/generated.h) of a name
-/// such as "generated:ball". Throws Error, with the place in the file and what would be valid.
+/// Reads a scene file: COLLADA 1.4 or 1.5 (.dae, .zae); or makes a generated scene (io/generated/generated.h)
+/// of a name such as "generated:ball". Throws Error, with the place in the file and what would be valid.
 LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
 
 /// The extensions that load_scene reads, with their dots.

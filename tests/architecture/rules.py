@@ -30,6 +30,7 @@ DOORS = {
     "Boost": (r"boost/", r"check/exact\.h"),
     "oneTBB": (r"tbb/|oneapi/", r"core/parallel\.cpp"),
     "OpenImageIO": (r"OpenImageIO/", r"io/image_file\.cpp"),
+    "libzip": (r"zip\.h", r"io/zip_archive\.cpp"),
     "tinyxml2": (r"tinyxml2\.h", r"io/xml_reader\.(h|cpp)"),
     "CLI11": (r"CLI/", r"cli/|bench/options\.cpp"),
     "nlohmann/json": (r"nlohmann/", r"(cli|bench)/\w*report\.cpp|tests/cli/"),

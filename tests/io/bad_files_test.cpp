@@ -87,7 +87,8 @@ TEST_CASE("a missing file, a directory and another format are named") {
   CHECK(message("no/such.obj") == "no/such.obj: there is no such file");
   CHECK(message(folder.string()) == folder.string() + ": this is a directory; a scene file is needed");
   const std::string text = (folder / "empty.txt").string();
-  CHECK(message(text) == text + ": \".txt\" is not the extension of a scene file; valid is .dae (COLLADA)");
+  CHECK(message(text) ==
+        text + ": \".txt\" is not the extension of a scene file; valid are .dae and .zae (COLLADA)");
 }
 
 }  // namespace twinray
