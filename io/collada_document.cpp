@@ -74,8 +74,11 @@ void ColladaDocument::index(const XmlElement& element, File& file) {
                *id));
     file.ids.emplace(*id, element);
   }
+  // CS184's program knows the file's own <asset> alone.
+  const bool counts =
+      options_.interpretation == Interpretation::standard || element == element.document().root();
   for (const XmlElement& child : element.children()) {
-    if (child.is("asset")) file.spaces[element] = read_space(child, space_of(element));
+    if (counts && child.is("asset")) file.spaces[element] = read_space(child, space_of(element));
     index(child, file);
   }
 }

@@ -286,7 +286,8 @@ void PartReader::add_polygon(std::span<const std::uint32_t> indices,
   if (corners > max_polygon_corners)
     part_.element.fail(fmt::format("polygon {} has {} corners; the most that is read is {}", polygons_ - 1,
                                    corners, max_polygon_corners));
-  if (document_.options().interpretation == Interpretation::cs184) return add_reduced(indices);
+  if (document_.options().interpretation == Interpretation::cs184 && part_.element.is("polylist"))
+    return add_reduced(indices);
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < corners; ++i)
     points.push_back(part_.mesh.positions[at(i)[inputs_.position->offset]]);

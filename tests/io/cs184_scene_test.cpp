@@ -168,4 +168,25 @@ TEST_CASE("a camera from whose front the origin is seen nowhere looks from +z by
                                  "camera, and that is the origin; the scene is seen from +z"});
 }
 
+TEST_CASE("by CS184's rules polygons that its program does not read stay whole") {
+  const auto triangle_count = [](const std::string& name, const std::string& vcount) {
+    const std::string list = "<" + name + " count=\"1\"><input semantic=\"VERTEX\" source=\"#vertices\" " +
+                             "offset=\"0\"/>" + vcount + "<p>0 1 2 3</p></" + name + ">";
+    return load_collada(collada_text(collada_mesh(4, "0 0 0 1 0 0 1 1 0 0 1 0", list), shape), cs184)
+        .scene.geometry->triangle_count();
+  };
+  CHECK(triangle_count("polygons", "") == 2);
+  CHECK(triangle_count("polylist", "<vcount>4</vcount>") == 1);
+}
+
+TEST_CASE("by CS184's rules the asset of a part of the file does not count") {
+  std::string libraries = collada_triangle();
+  libraries.insert(libraries.find("<mesh>"), "<asset><unit meter=\"100\"/><up_axis>Z_UP</up_axis></asset>");
+  const auto upper = [&](const LoadOptions& options) {
+    return load_collada(collada_text(libraries, shape), options).scene.geometry->bounds().upper;
+  };
+  CHECK(upper({}) == Vec3{100, 0, 0});
+  CHECK(upper(cs184) == Vec3{1, 1, 0});
+}
+
 }  // namespace twinray
