@@ -49,7 +49,7 @@ std::string unmet_lights(const Scene& scene) {
     if (lights.is_delta(light)) names.push_back(fmt::format("\"{}\"", scene.lights[light].name));
   if (names.empty()) return {};
   return fmt::format(
-      "hemisphere sampling cannot meet light from a point or a single direction: {} {} nothing to the "
+      "hemisphere sampling finds no light from a point or a single direction: {} {} nothing to the "
       "picture; --direct=lights would show {}",
       fmt::join(names, ", "), names.size() == 1 ? "adds" : "add", names.size() == 1 ? "it" : "them");
 }

@@ -30,17 +30,17 @@ Rgb radiance_of_side(const MeshLight& light, float cos_front) {
   return emits && cos_front != 0 ? light.radiance : Rgb{};
 }
 
-struct Connection {
+struct Towards {
   Vec3 direction;
   float distance_squared;
 };
 
 /// The unit direction and squared distance between two points; none where they coincide.
-std::optional<Connection> connection(const Vec3& from, const Vec3& to) {
+std::optional<Towards> towards_point(const Vec3& from, const Vec3& to) {
   const Vec3 towards = to - from;
   const float squared = length_squared(towards);
   if (!(squared > 0) || !std::isfinite(squared)) return std::nullopt;
-  return Connection{towards / std::sqrt(squared), squared};
+  return Towards{towards / std::sqrt(squared), squared};
 }
 
 /// Density per solid angle of a point chosen with density 1 / area, seen under cos(theta) at a squared
@@ -59,7 +59,7 @@ LightSample sample_mesh(const MeshLight& light, const Geometry& geometry, const 
   const Distribution::Choice choice = triangles.sample(u.x);
   const Vec2 weights = square_to_triangle({choice.remainder, u.y});
   const SurfacePoint to = triangle_point(geometry, light.shape, choice.index, weights.x, weights.y);
-  const auto link = connection(from.position, to.position);
+  const auto link = towards_point(from.position, to.position);
   if (!link) return {};
   const float cos_front = -dot(to.geometric_normal, link->direction);
   const Rgb radiance = radiance_of_side(light, cos_front);
@@ -92,7 +92,7 @@ Vec3 entry_normal(const Sphere& sphere, const Vec3& from, const Vec3& direction)
 LightSample sample_sphere(const SphereLight& light, const Geometry& geometry, const SurfacePoint& from,
                           Vec2 u) {
   const Sphere& sphere = geometry.sphere_set(light.shape)->spheres[0];
-  const auto axis = connection(from.position, sphere.center);
+  const auto axis = towards_point(from.position, sphere.center);
   if (!axis) return {};
   const float one_minus_cos = visible_cone(sphere, axis->distance_squared);
   if (!(one_minus_cos > 0)) return {};
@@ -103,7 +103,7 @@ LightSample sample_sphere(const SphereLight& light, const Geometry& geometry, co
 
 LightSample sample_position(const Vec3& position, const Rgb& intensity, const Attenuation& attenuation,
                             const SurfacePoint& from) {
-  const auto link = connection(from.position, position);
+  const auto link = towards_point(from.position, position);
   if (!link) return {};
   const Rgb irradiance = intensity * falloff(attenuation, std::sqrt(link->distance_squared));
   return {link->direction, irradiance, 1, connect(from, position)};
@@ -172,7 +172,7 @@ float LightSet::pdf(std::uint32_t light, const SurfacePoint& from, const Surface
     const float cone = visible_cone(shape, length_squared(shape.center - from.position));
     return cone > 0 ? uniform_cone_pdf(cone) : 0;
   }
-  const auto link = connection(from.position, on_light.position);
+  const auto link = towards_point(from.position, on_light.position);
   if (!std::holds_alternative<MeshLight>(source) || !link) return 0;
   const float cosine = dot(on_light.geometric_normal, link->direction);
   return cosine == 0 ? 0 : area_to_solid_angle(triangles_[light].total(), link->distance_squared, cosine);

@@ -18,7 +18,7 @@ struct LightSample {
   Rgb radiance;    ///< Arriving; for a delta light, irradiance on a surface that faces it. Black for none at
                    ///< all.
   float pdf = 1;   ///< Per solid angle; 1 for a delta light.
-  Ray connection;  ///< The shadow ray: the light arrives if nothing blocks it.
+  Ray shadow_ray;  ///< The light arrives if nothing blocks it.
 };
 
 /// All lights of one scene; it keeps a reference to the scene's data, which must outlive it.

@@ -24,7 +24,7 @@ constexpr float most_inward = 0x1p-6f;
 /// Moves a point that lies closer to an edge than `distance` to that distance. In a corner where two walls
 /// meet at the angle theta, a point at the distance s from the edge that is then moved off its wall by the
 /// offset stands in front of the other wall by s sin(theta) - offset cos(theta). That is one offset or more,
-/// which is what a ray needs to meet that wall, for s = cot(theta / 2) offset: 8 offsets do for angles
+/// which is what a ray needs to hit that wall, for s = cot(theta / 2) offset: 8 offsets do for angles
 /// from 14.3 degrees. In a triangle too small for that a point moves by most_inward of a height, no more.
 Weights inward(const Vec3& a, const Vec3& b, const Vec3& c, const Weights& weights, double distance) {
   if (std::min(weights.a, std::min(weights.b, weights.c)) >= most_inward) return weights;

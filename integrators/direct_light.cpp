@@ -58,12 +58,12 @@ void DirectLight::draw_lights(const Interaction& at, VertexSampler& sampler) {
       const Rgb scattered = at.scattered(sample.direction) * sample.radiance;
       if (is_black(scattered)) continue;
       terms_.push_back({scattered, sample.pdf, light});
-      connections_.push_back(sample.connection);
+      shadow_rays_.push_back(sample.shadow_ray);
     }
 }
 
 void DirectLight::finish(Tracer& tracer) {
-  const std::span<const Rgb> visible = tracer.visibilities(connections_);
+  const std::span<const Rgb> visible = tracer.visibilities(shadow_rays_);
   std::size_t begin = 0;
   for (const Estimate& estimate : estimates_) {
     *estimate.radiance += estimate.throughput * (estimate.known + sum(begin, estimate.terms, visible));
@@ -71,7 +71,7 @@ void DirectLight::finish(Tracer& tracer) {
   }
   estimates_.clear();
   terms_.clear();
-  connections_.clear();
+  shadow_rays_.clear();
 }
 
 /// The lights' means, added up light by light.

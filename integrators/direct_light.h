@@ -63,7 +63,7 @@ class DirectLight {
   std::vector<std::uint32_t> parts_;  ///< How many samples each light gets.
   std::vector<Estimate> estimates_;
   std::vector<Term> terms_;
-  std::vector<Ray> connections_;  ///< Of each term.
+  std::vector<Ray> shadow_rays_;  ///< Of each term.
 };
 
 }  // namespace twinray

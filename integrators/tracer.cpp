@@ -10,15 +10,15 @@ void Tracer::closest(std::span<const Ray> rays, std::span<Hit> hits) {
   for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = closest(rays[i]);
 }
 
-std::span<const Rgb> Tracer::visibilities(std::span<const Ray> connections) {
-  note(connections, RayKind::shadow, counts_.shadow);
-  blocked_.resize(connections.size());
+std::span<const Rgb> Tracer::visibilities(std::span<const Ray> shadow_rays) {
+  note(shadow_rays, RayKind::shadow, counts_.shadow);
+  blocked_.resize(shadow_rays.size());
   if (!counting_)
-    accelerator_.any_hits(connections, blocked_);
+    accelerator_.any_hits(shadow_rays, blocked_);
   else
-    for (std::size_t i = 0; i < connections.size(); ++i) blocked_[i] = is_blocked(connections[i]);
-  visible_.resize(connections.size());
-  for (std::size_t i = 0; i < connections.size(); ++i) visible_[i] = blocked_[i] ? Rgb{} : Rgb{1, 1, 1};
+    for (std::size_t i = 0; i < shadow_rays.size(); ++i) blocked_[i] = is_blocked(shadow_rays[i]);
+  visible_.resize(shadow_rays.size());
+  for (std::size_t i = 0; i < shadow_rays.size(); ++i) visible_[i] = blocked_[i] ? Rgb{} : Rgb{1, 1, 1};
   return visible_;
 }
 

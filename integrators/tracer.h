@@ -66,7 +66,7 @@ class Tracer {
   }
   /// The visibility along each shadow ray (core/spawn_ray.h), per channel: white where nothing blocks it.
   /// Valid until the next call.
-  std::span<const Rgb> visibilities(std::span<const Ray> connections);
+  std::span<const Rgb> visibilities(std::span<const Ray> shadow_rays);
 
   /// The paths have come to their next surfaces: rays start there from now on.
   void arrive() { ++vertex_; }
@@ -81,8 +81,8 @@ class Tracer {
   Hit closest(const Ray& ray) {
     return accelerator_.closest_hit({ray, counting_ ? &counts_.queries : nullptr});
   }
-  bool is_blocked(const Ray& connection) {
-    return accelerator_.any_hit({connection, counting_ ? &counts_.queries : nullptr});
+  bool is_blocked(const Ray& shadow_ray) {
+    return accelerator_.any_hit({shadow_ray, counting_ ? &counts_.queries : nullptr});
   }
   void closest(std::span<const Ray> rays, std::span<Hit> hits);
 

@@ -3,8 +3,8 @@
 //
 // Large ranges: on each axis the centres' box is cut into bins of equal width; each bin collects the count
 // and the box of the primitives whose centres it holds; of very many primitives a sample will do. A sweep
-// from the right gives the areas of all right sides, a sweep from the left meets them. Small ranges: the same
-// sweeps over the primitives themselves, in the order of their centres.
+// from the right gives the areas of all right sides, a sweep from the left pairs them with its own. Small
+// ranges: the same sweeps over the primitives themselves, in the order of their centres.
 #include <algorithm>
 #include <array>
 #include <bit>

@@ -10,7 +10,7 @@ namespace twinray::embree {
 /// padded_for_embree() loses none of its hits.
 inline constexpr float reach = 7;
 
-/// A box that Embree's box test meets wherever the canonical test accepts a hit inside.
+/// A box that Embree's box test hits wherever the canonical test accepts a hit inside.
 ///
 /// With u = 2^-24, A the scene's size and O <= reach A the origin's largest coordinate: the canonical test
 /// sees the shape moved by up to 6 u (A + O); Embree sees a plane up to 7 u (A + O) beside its place (4 u by

@@ -108,7 +108,8 @@ HWY_ATTR void any_batch(const WideBvh& bvh, const Geometry& geometry, std::span<
 
 HWY_ATTR bool load(const Ray& ray, CheckedRay& checked) { return RayLoader::load(ray, checked); }
 
-HWY_ATTR std::uint32_t meet(const WideNode& node, const CheckedRay& ray, float t_max, float* entries) {
+HWY_ATTR std::uint32_t intersect_boxes(const WideNode& node, const CheckedRay& ray, float t_max,
+                                       float* entries) {
   alignas(32) float stored[WideNode::width];
   const std::uint32_t met = BoxRay(ray).intersect(node, t_max, stored);
   std::copy(std::begin(stored), std::end(stored), entries);
@@ -124,7 +125,7 @@ BasicWideKernel<Counts&...> kernel() {
           closest_batch<Counts...>,
           any_batch<Counts...>,
           load,
-          meet};
+          intersect_boxes};
 }
 
 }  // namespace
@@ -155,7 +156,7 @@ struct Scalar {
     for (const Ray& ray : rays) *hits++ = any(bvh, geometry, ray);
   }
   static WideKernel kernel() {
-    return {"scalar", closest, any, closest_batch, any_batch, load_ray, scalar_meet};
+    return {"scalar", closest, any, closest_batch, any_batch, load_ray, intersect_children};
   }
 };
 

@@ -29,7 +29,8 @@ struct BasicWideKernel {
   bool (*load)(const Ray&, CheckedRay&);
   /// The box test alone. Bit i: the ray intersects the box of child i within [ray.t_min, t_max]; it enters it
   /// at entries[i], at least t_min.
-  std::uint32_t (*meet)(const WideNode&, const CheckedRay&, float t_max, float entries[WideNode::width]);
+  std::uint32_t (*intersect_children)(const WideNode&, const CheckedRay&, float t_max,
+                                      float entries[WideNode::width]);
 };
 
 /// The kernels that this machine can run, the fastest first and the scalar one last.

@@ -42,7 +42,7 @@ void traverse_scalar(const WideBvh& bvh, const CheckedRay& ray, const float& t_m
     const WideNode& node = bvh.nodes[ref.index()];
     counts.boxes += std::uint64_t(node.count());
     float entries[WideNode::width];
-    const std::uint32_t met = scalar_meet(node, ray, t_max, entries);
+    const std::uint32_t met = intersect_children(node, ray, t_max, entries);
     Waiting* const children = stack + size;
     for (int child = 0; child < WideNode::width; ++child)
       if (met >> child & 1) stack[size++] = {entries[child], node.children[child].bits};

@@ -13,8 +13,8 @@ namespace twinray {
 
 /// Bit i: the ray intersects the box of child i within [ray.t_min, t_max]; it enters it at entries[i], at
 /// least t_min.
-inline std::uint32_t scalar_meet(const WideNode& node, const CheckedRay& ray, float t_max,
-                                 float entries[WideNode::width]) {
+inline std::uint32_t intersect_children(const WideNode& node, const CheckedRay& ray, float t_max,
+                                        float entries[WideNode::width]) {
   std::uint32_t met = 0;
   for (int child = 0; child < WideNode::width; ++child) {
     const SlabInterval interval = intersect_slab(ray, node.box(child));

@@ -41,7 +41,7 @@ Candidate child(int name, double half_area, float occlusion, float cost) {
 
 }  // namespace
 
-TEST_CASE("a line that meets a block's box crosses its triangles as often as their area says") {
+TEST_CASE("a line that intersects a block's box crosses its triangles as often as their area says") {
   Mesh mesh;
   add_triangle(mesh, {-0.5f, -0.4f, 0.2f}, {0.7f, -0.3f, -0.3f}, {0.1f, 0.6f, 0.5f});
   const Geometry geometry({mesh});

@@ -134,7 +134,7 @@ TEST_CASE("a box is met by every ray that passes it within what a triangle's tes
   }
 }
 
-TEST_CASE("an origin on a face, with a zero component of either sign, meets the box") {
+TEST_CASE("an origin on a face, with a zero component of either sign, intersects the box") {
   const Aabb box{{-1, -2, -3}, {1, 2, 3}};
   for (const float zero : {0.0f, -0.0f})
     for (const float face : {-1.0f, 1.0f}) {

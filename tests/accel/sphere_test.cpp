@@ -69,7 +69,7 @@ double t_bound(const SphereJudgement& truth, const Pair& pair, int root) {
 
 }  // namespace
 
-TEST_CASE("a ray meets a sphere where the judge says, unless tangent within rounding") {
+TEST_CASE("a ray hits a sphere where the judge says, unless tangent within rounding") {
   Random random(51);
   int hits = 0, misses = 0, far_roots = 0;
   for (int i = 0; i < 150000; ++i) {
@@ -98,7 +98,7 @@ TEST_CASE("a ray meets a sphere where the judge says, unless tangent within roun
   CHECK(far_roots > 15000);
 }
 
-TEST_CASE("a sphere's interval is closed: a ray that ends or starts at its hit meets it again") {
+TEST_CASE("a sphere's interval is closed: a ray that ends or starts at its hit finds it again") {
   Random random(52);
   int tested = 0;
   for (int i = 0; i < 200000; ++i) {

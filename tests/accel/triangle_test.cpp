@@ -141,7 +141,7 @@ TEST_CASE("a hit's weights lie in the triangle, and their point beside the ray b
   }
 }
 
-TEST_CASE("the interval is closed: a ray that ends or starts at its hit meets it again") {
+TEST_CASE("the interval is closed: a ray that ends or starts at its hit finds it again") {
   Random random(33);
   int tested = 0;
   for (int i = 0; i < 400000; ++i) {

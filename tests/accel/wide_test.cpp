@@ -349,7 +349,7 @@ TEST_CASE("every kernel tests eight boxes with the bits of the canonical box tes
     REQUIRE(load_ray(random_ray(random), ray));
     for (const WideKernel& kernel : kernels) {
       float entries[WideNode::width];
-      const std::uint32_t found = kernel.meet(node, ray, ray.t_max, entries);
+      const std::uint32_t found = kernel.intersect_children(node, ray, ray.t_max, entries);
       for (int child = 0; child < WideNode::width; ++child) {
         const SlabInterval interval = intersect_slab(ray, node.box(child));
         const bool is_met = interval.near <= interval.far && interval.near <= ray.t_max &&
@@ -375,7 +375,7 @@ TEST_CASE("a fast kernel never takes -0 for an entry, which its order would put 
     CheckedRay ray;
     REQUIRE(load_ray({.origin = {}, .direction = {-1, 0.5f, 0.5f}, .t_min = -0.0f}, ray));
     float entries[WideNode::width];
-    CHECK(kernel.meet(node, ray, ray.t_max, entries) == 0xff);
+    CHECK(kernel.intersect_children(node, ray, ray.t_max, entries) == 0xff);
     for (const float entry : entries) CHECK((entry >= 0 && !std::signbit(entry)));
   }
 }

@@ -73,7 +73,7 @@ TEST_CASE("the counts of a small box follow from its trees") {
     CHECK(rays.counts.primitives == 3 * rays.counts.leaves);
     CHECK(rays.counts.leaves <= 4 * rays.rays);
   }
-  // By cost each wall is a leaf of its two triangles, and a ray from inside meets one wall; a shadow ray may
+  // By cost each wall is a leaf of its two triangles, and a ray from inside hits one wall; a shadow ray may
   // be asked for the other walls' boxes, but not for more than one leaf each.
   const EngineStatistics& sah = engine(statistics, "bvh-2");
   CHECK(sah.build.tree.value().leaves == 6);

@@ -57,12 +57,12 @@ TEST_CASE("lights of radiance 0 are none") {
   CHECK(warnings_of(sky).empty());
 }
 
-TEST_CASE("hemisphere sampling names the delta lights that it cannot meet") {
+TEST_CASE("hemisphere sampling names the delta lights that it cannot find") {
   Scene scene = lit_scene();
   scene.lights.push_back({"sun", DirectionalLight{}});
   CHECK(warnings_of(scene).empty());
   const Warnings one{
-      "hemisphere sampling cannot meet light from a point or a single direction: \"sun\" adds nothing to the "
+      "hemisphere sampling finds no light from a point or a single direction: \"sun\" adds nothing to the "
       "picture; --direct=lights would show it"};
   CHECK(warnings_of(scene, {"-H"}) == one);
   CHECK(warnings_of(scene, {"--direct=hemisphere"}) == one);
@@ -70,7 +70,7 @@ TEST_CASE("hemisphere sampling names the delta lights that it cannot meet") {
   scene.lights.push_back({"bulb", PointLight{}});
   scene.lights.push_back({"torch", SpotLight{}});
   CHECK(warnings_of(scene, {"-H"}) ==
-        Warnings{"hemisphere sampling cannot meet light from a point or a single direction: \"sun\", "
+        Warnings{"hemisphere sampling finds no light from a point or a single direction: \"sun\", "
                  "\"bulb\", \"torch\" add nothing to the picture; --direct=lights would show them"});
 }
 

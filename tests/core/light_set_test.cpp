@@ -86,7 +86,7 @@ TEST_CASE("the density of a sample is the density that is asked for") {
       const Hit hit = engine->closest_hit(on);
       if (hit.is_miss() || scene.bindings[hit.mesh].light != 0) continue;
       const SurfacePoint seen = surface_at(*scene.geometry, hit);
-      const Vec3 end = sample.connection.origin + sample.connection.direction;
+      const Vec3 end = sample.shadow_ray.origin + sample.shadow_ray.direction;
       if (length(seen.position - end) > 1e-4f) continue;  // another part of the light is in front
       CHECK(lights.pdf(0, below(), seen) == Approx(sample.pdf).epsilon(1e-3));
       ++checked;

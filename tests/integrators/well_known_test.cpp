@@ -17,7 +17,7 @@ namespace {
 
 struct KnownScene {
   const char* file;
-  bool only_delta_lights;  ///< A point or a direction: hemisphere sampling meets none of its light.
+  bool only_delta_lights;  ///< A point or a direction: hemisphere sampling finds none of its light.
 };
 
 constexpr KnownScene cs184[] = {{"keenan/banana.dae", false},

@@ -90,7 +90,7 @@ class WrongEngine final : public Accelerator {
     return ray;
   }
 
-  bool meets(const Aabb& bounds, const CheckedRay& ray, float t_max) const {
+  bool intersects(const Aabb& bounds, const CheckedRay& ray, float t_max) const {
     Aabb box = padded(bounds);
     if (defect_ == Defect::box_rounds_inward) {
       const Vec3 inward = bounds.extent() * 1e-6f;
@@ -110,7 +110,7 @@ class WrongEngine final : public Accelerator {
   /// Whether a hit was found; is_any: stops there.
   template <bool is_any>
   bool visit(const Node& node, const CheckedRay& ray, Hit& best) const {
-    if (!meets(node.box, ray, std::min(ray.t_max, best.t))) return false;
+    if (!intersects(node.box, ray, std::min(ray.t_max, best.t))) return false;
     if (!node.children[0]) return test_leaf<is_any>(node, ray, best);
     const bool left = visit<is_any>(*node.children[0], ray, best);
     if (is_any && (left || defect_ == Defect::right_never_looked_at)) return left;
