@@ -34,10 +34,10 @@ PixelRect visible_pixels(const Camera& camera, const Aabb& box, int width, int h
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Span x{infinity, -infinity}, y{infinity, -infinity};
   for (const Vec3& corner : corners_of(box)) {
-    const double depth = along(camera.forward, corner, camera.position);
-    if (camera.lens_radius != 0 || !(depth > 0)) return {0, 0, width, height};
-    const double right = along(camera.right, corner, camera.position) / depth / camera.tan_half_width;
-    const double up = along(camera.up, corner, camera.position) / depth / camera.tan_half_height;
+    const double scale = camera.is_orthographic ? 1 : along(camera.forward, corner, camera.position);
+    if (camera.lens_radius != 0 || !(scale > 0)) return {0, 0, width, height};
+    const double right = along(camera.right, corner, camera.position) / scale / camera.tan_half_width;
+    const double up = along(camera.up, corner, camera.position) / scale / camera.tan_half_height;
     x.extend((1 + right) / 2 * width);
     y.extend((1 - up) / 2 * height);
   }

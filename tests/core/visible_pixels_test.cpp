@@ -26,6 +26,11 @@ TEST_CASE("the visible pixels are those around the projected box, and one more")
   // Beside the frame: nothing.
   const PixelRect none = visible_pixels(camera(), {{9, 0, -5}, {10, 1, -4}}, width, height);
   CHECK(none.width() * none.height() == 0);
+  // Parallel rays: the frame is 2 wide and 1.5 high at any depth.
+  Camera parallel = camera();
+  parallel.is_orthographic = true;
+  CHECK(visible_pixels(parallel, {{-0.5f, 0, -5}, {0.5f, 0.5f, -4}}, width, height) ==
+        PixelRect{9, 4, 31, 16});
   const PixelRect empty = visible_pixels(camera(), {}, width, height);
   CHECK(empty.width() * empty.height() == 0);
 }
