@@ -32,7 +32,6 @@ ControlledGeometry controlled_geometry(const XmlElement& controller, ColladaDocu
     if (source.is("skin")) {
       document.warn(source, "<skin> is rendered in its bind pose; joints do not move it");
       result.bind_shape = result.bind_shape * read_bind_shape(source, document);
-      result.is_skin = true;
     } else {
       document.warn(source, "<morph> is rendered as its base mesh; targets do not change it");
     }

@@ -8,8 +8,7 @@ namespace twinray {
 /// What a <controller> moves, as it is before that: the geometry at the end of its chain of sources.
 struct ControlledGeometry {
   XmlElement geometry;
-  Transform bind_shape;  ///< Of a skin: the geometry's coordinates to those of the scene. Else the identity.
-  bool is_skin = false;  ///< The node that instances it does not move it: its joints would.
+  Transform bind_shape;  ///< Of a skin: the geometry's coordinates to those of the node. Else the identity.
 };
 
 /// Follows a <controller>'s chain of sources to its geometry, with a warning for each of its controllers: a

@@ -29,7 +29,6 @@ int object_rank(const XmlElement& child) {
 }  // namespace
 
 void ColladaNodes::walk(const XmlElement& visual_scene, const Transform& to_world) {
-  scene_to_world_ = to_world;
   if (!is_cs184()) layers_ = SceneLayers(visual_scene);
   for (const XmlElement& node : visual_scene.children("node"))
     visit(node, to_world, document_.space_of(document_.root()));
@@ -107,10 +106,9 @@ void ColladaNodes::add_geometry(const XmlElement& node, const XmlElement& instan
 void ColladaNodes::add_controller(const XmlElement& node, const XmlElement& instance,
                                   const Transform& to_world) {
   const auto controlled = controlled_geometry(document_.resolve(instance, "url", "controller"), document_);
-  const ColladaSpace& space = document_.space_of(controlled.is_skin ? document_.root() : instance);
   add_shape(node, instance, controlled.geometry,
-            (controlled.is_skin ? scene_to_world_ : to_world) *
-                conversion(document_.space_of(controlled.geometry), space) * controlled.bind_shape);
+            to_world * conversion(document_.space_of(controlled.geometry), document_.space_of(instance)) *
+                controlled.bind_shape);
 }
 
 void ColladaNodes::add_shape(const XmlElement& node, const XmlElement& instance, const XmlElement& element,

@@ -51,7 +51,6 @@ class ColladaNodes {
 
   ColladaDocument& document_;
   ColladaMaterials& materials_;
-  Transform scene_to_world_;
   SceneLayers layers_;
   std::map<XmlElement, ColladaGeometry> geometries_;
   std::vector<XmlElement> path_;  ///< From the root to the node being visited.

@@ -135,7 +135,7 @@ TEST_CASE("layers that the scene's render names are shown, and others not") {
   CHECK(triangles("<render><layer>near</layer></render><render><layer>far</layer></render>") == 2);
 }
 
-TEST_CASE("a skin stands in its bind pose, wherever its node is") {
+TEST_CASE("a skin stands in its bind pose, moved by its node") {
   const std::string controller =
       "<library_controllers><controller id=\"c\"><skin source=\"#shape\"><bind_shape_matrix>1 0 0 5 0 1 0 0 "
       "0 0 1 0 "
@@ -143,7 +143,7 @@ TEST_CASE("a skin stands in its bind pose, wherever its node is") {
   const LoadedScene loaded = load_collada(
       collada_text(collada_triangle() + controller,
                    "<node><translate>0 9 0</translate><instance_controller url=\"#c\"/></node>"));
-  check_near(second_vertex(loaded), {6, 0, 0});
+  check_near(second_vertex(loaded), {6, 9, 0});
   CHECK(messages(loaded) ==
         std::vector<std::string>{"<skin> is rendered in its bind pose; joints do not move it"});
 }
