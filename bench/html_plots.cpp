@@ -7,10 +7,21 @@
 #include <map>
 #include <set>
 
-#include "bench/svg.h"
+#include "io/html/page.h"
+#include "io/html/plot.h"
 
 namespace twinray::bench {
 namespace {
+
+using html::color_of;
+using html::Curves;
+using html::Dots;
+using html::draw;
+using html::draw_bars;
+using html::draw_legend;
+using html::escaped;
+using html::Mark;
+using html::Series;
 
 /// Below, building takes no time that could be compared.
 constexpr std::size_t least_built = 1000;

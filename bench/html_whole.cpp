@@ -2,14 +2,22 @@
 #include <fmt/format.h>
 
 #include "bench/html_plots.h"
-#include "bench/svg.h"
+#include "io/html/page.h"
+#include "io/html/plot.h"
 
 namespace twinray::bench {
 namespace {
 
+using html::color_of;
+using html::Curves;
+using html::draw;
+using html::draw_legend;
+using html::escaped;
+using html::Series;
+
 std::string cell(const std::vector<double>& values) {
   const Quartiles q = quartiles(values);
-  return fmt::format("<td>{:.3f} <small>[{:.3f}, {:.3f}]</small></td>", q.median, q.low, q.high);
+  return fmt::format("{:.3f} <small>[{:.3f}, {:.3f}]</small>", q.median, q.low, q.high);
 }
 
 std::vector<double> quotients(double numerator, const std::vector<double>& denominators) {
@@ -18,24 +26,23 @@ std::vector<double> quotients(double numerator, const std::vector<double>& denom
   return all;
 }
 
+std::string picture_row(const PictureOfScene& picture, const PictureStatistics& engine) {
+  const bool is_first = &engine == &picture.engines.front();
+  const double share = quartiles(engine.replay_seconds).median / quartiles(engine.seconds).median;
+  return html::row({is_first ? escaped(picture.scene) : "", engine.engine, cell(engine.speed),
+                    cell(engine.seconds), cell(quotients(1e-6 * picture.samples, engine.seconds)),
+                    cell(engine.replay_seconds), fmt::format("{:.0f} %", 100 * share),
+                    cell(engine.wall_seconds), cell(quotients(1e-6 * picture.samples, engine.wall_seconds))},
+                   is_first ? "base" : "");
+}
+
 std::string picture_table(const Results& results) {
-  std::string html =
-      "<div class=\"scroll\"><table>\n<tr><th>scene</th><th>engine</th><th>speed</th><th>seconds</th>"
-      "<th>M samples/s</th><th>rays alone, s</th><th>share</th><th>all threads, s</th>"
-      "<th>M samples/s</th></tr>\n";
+  std::string rows;
   for (const PictureOfScene& picture : results.pictures)
-    for (const PictureStatistics& engine : picture.engines) {
-      const bool is_first = &engine == &picture.engines.front();
-      const double share = quartiles(engine.replay_seconds).median / quartiles(engine.seconds).median;
-      html += fmt::format("<tr{}><td>{}</td><td>{}</td>", is_first ? " class=\"base\"" : "",
-                          is_first ? escaped(picture.scene) : "", engine.engine);
-      html += cell(engine.speed) + cell(engine.seconds);
-      html += cell(quotients(1e-6 * picture.samples, engine.seconds));
-      html += cell(engine.replay_seconds) + fmt::format("<td>{:.0f} %</td>", 100 * share);
-      html += cell(engine.wall_seconds);
-      html += cell(quotients(1e-6 * picture.samples, engine.wall_seconds)) + "</tr>\n";
-    }
-  return html + "</table></div>\n";
+    for (const PictureStatistics& engine : picture.engines) rows += picture_row(picture, engine);
+  return html::table({"scene", "engine", "speed", "seconds", "M samples/s", "rays alone, s", "share",
+                      "all threads, s", "M samples/s"},
+                     rows);
 }
 
 /// The colours of the engines that render, told apart by their order.

@@ -4,9 +4,9 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "bench/workers.h"
+#include "core/image_error.h"
 #include "core/parallel.h"
 #include "integrators/path.h"
 #include "integrators/render.h"
@@ -60,20 +60,6 @@ RenderOptions one_sample(const WholeOptions& options, int threads) {
           .samples = 1,
           .sampler = SamplerKind::independent,
           .threads = threads};
-}
-
-double relative_error(const Film& film, const Film& truth) {
-  double squares = 0, sum = 0;
-  const PixelRect& window = truth.window();
-  for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x) {
-      const double expected = truth.pixel(0, x, y).luminance_mean();
-      const double difference = film.pixel(0, x, y).luminance_mean() - expected;
-      squares += difference * difference;
-      sum += expected;
-    }
-  const double pixels = double(window.width()) * double(window.height());
-  return sum > 0 ? std::sqrt(squares / pixels) / (sum / pixels) : 0;
 }
 
 std::vector<double> cpu_of(const std::vector<Seconds>& rounds) {
@@ -130,7 +116,7 @@ std::vector<ErrorStatistics> measure_error(const Workload& workload, const Whole
   RenderOptions render{.width = options.width / 3, .height = options.height / 3, .seed = 1};
   const auto scenes = renderables(workload);
   render.samples = reference_factor * options.most_samples;
-  const Film truth = scenes.back()->render(render).film;
+  const Image truth = mean_image(scenes.back()->render(render).film);
   render.seed = 0;
   std::vector<ErrorStatistics> all;
   for (const Engine& engine : rendering_engines())
@@ -142,8 +128,9 @@ std::vector<ErrorStatistics> measure_error(const Workload& workload, const Whole
     std::vector<double> errors(scenes.size());
     std::vector<Timed> timed;
     for (std::size_t i = 0; i < scenes.size(); ++i)
-      timed.push_back(
-          {"picture", [&, i] { errors[i] = relative_error(scenes[i]->render(render).film, truth); }});
+      timed.push_back({"picture", [&, i] {
+                         errors[i] = image_error(mean_image(scenes[i]->render(render).film), truth).relative;
+                       }});
     const auto results = run_rounds(timed, once_a_round(few));
     for (std::size_t i = 0; i < scenes.size(); ++i)
       all[i].points.push_back({samples, cpu_of(results[i]), errors[i]});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/svg.h"
+#include "io/html/plot.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,21 @@
 #include <array>
 #include <cmath>
 
-namespace twinray::bench {
+#include "core/elementary.h"
+#include "io/html/page.h"
+
+namespace twinray::html {
 namespace {
 
 constexpr double width = 640, letter = 6.3;
+
+/// The greatest power of ten up to x > 0.
+double power_of_ten(double x) {
+  double power = 1;
+  while (power * 10 <= x) power *= 10;
+  while (power > x) power /= 10;
+  return power;
+}
 
 /// From values to pixels along one axis.
 class Scale {
@@ -19,7 +30,7 @@ class Scale {
       : low_(low), high_(high), begin_(begin), end_(end), is_log_(is_log) {}
   double operator()(double value) const {
     const double part =
-        is_log_ ? std::log(value / low_) / std::log(high_ / low_) : (value - low_) / (high_ - low_);
+        is_log_ ? log2_of(value / low_) / log2_of(high_ / low_) : (value - low_) / (high_ - low_);
     return begin_ + (end_ - begin_) * part;
   }
   std::vector<double> ticks() const { return is_log_ ? log_ticks() : linear_ticks(); }
@@ -31,14 +42,14 @@ class Scale {
     std::vector<double> steps{1};
     if (span <= 300) steps = {1, 2, 5};
     if (span <= 12) steps = {1, 1.5, 2, 3, 4, 5, 7};
-    for (double power = std::pow(10, std::floor(std::log10(low_))); power <= high_; power *= 10)
+    for (double power = power_of_ten(low_); power <= high_; power *= 10)
       for (const double step : steps)
         if (const double tick = power * step; tick >= 0.999 * low_ && tick <= 1.001 * high_)
           all.push_back(tick);
     return all;
   }
   std::vector<double> linear_ticks() const {
-    double step = std::pow(10, std::floor(std::log10(high_ - low_)));
+    double step = power_of_ten(high_ - low_);
     while ((high_ - low_) / step < 4) step /= 2;
     std::vector<double> all;
     for (double tick = low_; tick <= high_ + 1e-9 * step; tick += step) all.push_back(tick);
@@ -159,23 +170,6 @@ struct Rows {
 
 }  // namespace
 
-std::string escaped(const std::string& words) {
-  std::string result;
-  for (const char c : words) {
-    if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '&')
-      result += "&amp;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
-}
-
 std::string color_of(std::size_t index) {
   constexpr std::array<const char*, 12> colors{"#555555", "#9a9a9a", "#56b4e9", "#0072b2",
                                                "#e69f00", "#d55e00", "#009e73", "#cc79a7",
@@ -242,4 +236,4 @@ std::string draw_legend(const std::vector<Series>& series) {
   return "<p class=\"legend\">" + body + "</p>\n";
 }
 
-}  // namespace twinray::bench
+}  // namespace twinray::html

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures for a page, drawn as SVG without any script.
+// Plots for a page, drawn as SVG without any script.
 #pragma once
 #include <string>
 #include <vector>
 
-namespace twinray::bench {
+namespace twinray::html {
 
-/// Replaces what HTML and SVG would take as their own.
-std::string escaped(const std::string& text);
-
-/// The colour of the engine with that index in a report; they begin again after the twelfth.
+/// The colour of the series with that index in a report; they begin again after the twelfth.
 std::string color_of(std::size_t index);
 
 /// A measured value with the quartiles around it.
@@ -51,4 +48,4 @@ std::string draw_bars(const Dots& bars);
 /// Names beside their colours.
 std::string draw_legend(const std::vector<Series>& series);
 
-}  // namespace twinray::bench
+}  // namespace twinray::html
