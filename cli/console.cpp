@@ -8,6 +8,9 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <functional>
+#include <set>
+#include <string>
 
 namespace twinray::console {
 namespace {
@@ -46,7 +49,10 @@ void write(std::string_view text) noexcept { write_to(output_is_for_data ? error
 
 void write_error(std::string_view text) noexcept { write_to(errors, text); }
 
-void warn(std::string_view text) { print_error("warning: {}\n", text); }
+void warn(std::string_view text) {
+  static std::set<std::string, std::less<>> warnings;
+  if (warnings.insert(std::string(text)).second) print_error("warning: {}\n", text);
+}
 
 int finish(int code) {
   if (output.error != 0)

@@ -32,7 +32,8 @@ template <typename... Values>
 void print_error(fmt::format_string<Values...> format, Values&&... values) {
   write_error(fmt::format(format, std::forward<Values>(values)...));
 }
-/// "warning: TEXT", a line on standard error.
+/// "warning: TEXT", a line on standard error; only once, however often a process that renders many pictures
+/// says the same.
 void warn(std::string_view text);
 
 /// Last in main: the exit code of a program that would have ended with `code`. Where a word was lost it says

@@ -118,6 +118,10 @@ void add_scenes(CLI::App& app, Words& scenes, const std::string& description) {
   app.add_option("SCENE", scenes, description)->expected(0, -1)->take_all()->type_name("");
 }
 
+void add_folder(CLI::App& app, std::string& folder, const std::string& description) {
+  app.add_option("FOLDER", folder, description)->required()->type_name("");
+}
+
 Words given_options(const CLI::App& app) {
   Words given;
   for (const CLI::Option* option : app.get_options())

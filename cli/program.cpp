@@ -12,6 +12,7 @@
 #include "cli/render_command.h"
 #include "cli/render_command_line.h"
 #include "cli/stats_command.h"
+#include "cli/study_command.h"
 
 namespace twinray {
 namespace {
@@ -28,10 +29,13 @@ Action add_crosscheck(CLI::App& app) {
 Action add_stats(CLI::App& app) {
   return [read = add_stats_options(app)](const Words&) { return stats_command(read()); };
 }
+Action add_study(CLI::App& app) {
+  return [read = add_study_options(app)](const Words&) { return study_command(read()); };
+}
 
 const std::vector<Subcommand> subcommands{
     {"render", add_render, "Renders a COLLADA scene by path tracing.", "Run",
-     "Other commands: twinray agreement, crosscheck and stats; each has its --help."},
+     "Other commands: twinray agreement, crosscheck, stats and study; each has its --help."},
     {"agreement", add_agreement,
      "Renders scenes small by every engine, split method, integrator, sampler and number of threads,\n"
      "and compares all pictures and ray counts bit for bit. Exit code 1 if any differs."},
@@ -39,7 +43,11 @@ const std::vector<Subcommand> subcommands{
      "Shoots the same rays through several engines and judges every difference."},
     {"stats", add_stats,
      "Builds every engine and split method over a scene and shoots the rays of its paths, recorded once,\n"
-     "through each: build time, tree, and what camera, shadow and bounce rays take."}};
+     "through each: build time, tree, and what camera, shadow and bounce rays take."},
+    {"study", add_study,
+     "Makes the write-up of CS184's assignment from a folder of its scenes: one page with every picture, "
+     "its\n"
+     "command, times, rays per second, tests per ray and error. Goes on where it was stopped."}};
 
 bool is_subcommand(const std::string& word) {
   return std::any_of(subcommands.begin(), subcommands.end(),
@@ -48,6 +56,8 @@ bool is_subcommand(const std::string& word) {
 
 std::string usage_of(const std::string& name) {
   if (name == "render") return "twinray [render] SCENE.dae [options]; all options: twinray --help";
+  if (name == "study")
+    return "twinray study FOLDER --output DIR [options]; all options: twinray study --help";
   const char* scene = name == "agreement" ? "[SCENE.dae]..." : "SCENE.dae";
   return fmt::format("twinray {0} {1} [options]; all options: twinray {0} --help", name, scene);
 }

@@ -23,6 +23,7 @@ ELSEWHERE = (
     (r"(sudo )?apt(-get)? ", "run installs the packages"),
     (r"\./run test$", "it is what runs this test"),
     (r"\./run bench\b", "the tests run every benchmark for an instant"),
+    (r"\./run study\b", "the tests make a study of small scenes"),
     (r"\./run format\b", "it writes the source files"),
     (r"cmake --install\b", "the test of an installed twinray"),
     (r"cmake --(preset|build)\b|ctest --preset\b", "run builds and tests by presets"),
