@@ -30,9 +30,10 @@ class ColladaEffect {
   std::string texture_name(const XmlElement& slot) const;
 
   /// How much of the surface is there, in the opaque modes A_ONE, A_ZERO, RGB_ONE and RGB_ZERO; the mean of
-  /// three channels for the last two. Nothing where a texture says so.
+  /// three channels for the last two. Nothing where a texture says so. Throws Error for what makes no sense.
   std::optional<double> opacity() const;
-  /// reflective times reflectivity, the greatest component; nothing where a texture says so.
+  /// reflective times reflectivity, the greatest component; nothing where a texture says so. Throws Error for
+  /// what makes no sense.
   std::optional<double> reflectivity() const;
 
  private:

@@ -33,8 +33,10 @@ Microfacet read_microfacet(const XmlElement& model) {
 
 bool has_specular(const XmlElement& shading) {
   const auto specular = shading.child("specular");
-  const auto color = specular ? specular->child("color") : std::nullopt;
-  return color && !is_black(read_color(*color, max_radiance));
+  if (!specular) return false;
+  const auto color = specular->child("color");
+  return color ? !is_black(read_color(*color, max_radiance))
+               : specular->child("texture") || specular->child("param");
 }
 
 }  // namespace
@@ -132,24 +134,40 @@ std::optional<Rgb> ColladaMaterials::color_in(const ColladaEffect& effect, const
   return color;
 }
 
+/// What is not rendered may be wrong, too.
 void ColladaMaterials::warn_of_transparency(const ColladaEffect& effect) {
-  const auto opacity = effect.opacity();
-  if (opacity == 1) return;
-  const auto at = effect.slot("transparent") ? effect.slot("transparent") : effect.slot("transparency");
-  document_.warn(*at,
-                 opacity ? fmt::format("transparency is not rendered; this surface is opaque, and the file "
-                                       "makes its opacity {:.3g}",
-                                       *opacity)
-                         : fmt::format("the texture \"{}\" of the transparency is not rendered; this surface "
-                                       "is opaque",
-                                       effect.texture_name(*at)));
+  const auto transparent = effect.slot("transparent");
+  const auto at = transparent ? transparent : effect.slot("transparency");
+  if (!at) return;
+  std::optional<double> opacity;
+  try {
+    opacity = effect.opacity();
+  } catch (const Error&) {
+    return document_.warn(*at, "the transparency of this surface makes no sense; the surface is opaque");
+  }
+  if (!opacity)
+    document_.warn(
+        *at, fmt::format("the texture \"{}\" of the transparency is not rendered; this surface is opaque",
+                         effect.texture_name(*at)));
+  else if (*opacity != 1)
+    document_.warn(*at,
+                   fmt::format("transparency is not rendered; this surface is opaque, and the file makes its "
+                               "opacity {:.3g}",
+                               *opacity));
 }
 
 void ColladaMaterials::warn_of_reflection(const ColladaEffect& effect) {
-  const auto reflectivity = effect.reflectivity();
-  if (reflectivity == 0) return;
-  document_.warn(*effect.slot("reflective"),
-                 "<reflective> is not rendered; a mirror is a CGL extension in the <extra> of the effect");
+  const auto at = effect.slot("reflective");
+  if (!at) return;
+  std::optional<double> reflectivity;
+  try {
+    reflectivity = effect.reflectivity();
+  } catch (const Error&) {
+    return document_.warn(*at, "the reflection of this surface makes no sense, and is left out");
+  }
+  if (reflectivity != 0)
+    document_.warn(*at,
+                   "<reflective> is not rendered; a mirror is a CGL extension in the <extra> of the effect");
 }
 
 }  // namespace twinray

@@ -150,4 +150,24 @@ TEST_CASE("an effect without a common profile is grey, and said to be") {
   CHECK(reflectance(loaded) == Rgb{0.5f, 0.5f, 0.5f});
 }
 
+TEST_CASE("transparency and reflection that make no sense are warnings, for they are not rendered") {
+  const auto of = [](const std::string& slots) { return messages(load_shading("phong", slots)); };
+  const std::vector<std::string> transparency{
+      "the transparency of this surface makes no sense; the surface is opaque"};
+  CHECK(of("<transparency/>") == transparency);
+  CHECK(of("<transparency><float>0,5</float></transparency>") == transparency);
+  CHECK(of("<transparent><param ref=\"none\"/></transparent>") == transparency);
+  CHECK(of("<transparent opaque=\"ALL\"><color>1 1 1 1</color></transparent>") == transparency);
+  CHECK(of("<reflective/>") ==
+        std::vector<std::string>{"the reflection of this surface makes no sense, and is left out"});
+}
+
+TEST_CASE("a specular texture is noted as a specular color is") {
+  const LoadedScene loaded =
+      load_shading("phong", "<specular><texture texture=\"wood\" texcoord=\"UV\"/></specular>");
+  REQUIRE(loaded.summary.notes.size() == 1);
+  CHECK(loaded.summary.notes[0] ==
+        "materials reflect evenly (Lambert); the specular color of \"m\" is left out");
+}
+
 }  // namespace twinray
