@@ -39,6 +39,11 @@ std::string out_of_range(std::uint32_t index, const Input& input) {
                      index, input.source.attribute("id").value_or(""), input.values.count());
 }
 
+/// The corners that <triangles> count; 0 for other elements.
+std::size_t triangle_corners(const XmlElement& element) {
+  return element.is("triangles") ? std::size_t(3) * element.index_attribute("count", 0) : 0;
+}
+
 class PartReader {
  public:
   PartReader(const XmlElement& element, const std::string& name, ColladaDocument& document)
@@ -72,7 +77,8 @@ class PartReader {
   void read_polylist();
   void read_p(const XmlElement& p);
   void read_ph(const XmlElement& ph);
-  std::vector<std::uint32_t> read_indices(const XmlElement& p);
+  std::vector<std::uint32_t> read_indices(const XmlElement& p, std::size_t corners = 0);
+  void fit_stride(std::size_t indices, std::size_t corners);
   void check_indices(const XmlElement& p, const std::vector<std::uint32_t>& indices);
   std::optional<std::size_t> find_wrong(const XmlElement& p, const std::vector<std::uint32_t>& indices,
                                         const Input& input);
@@ -196,8 +202,27 @@ std::optional<std::size_t> PartReader::find_wrong(const XmlElement& p,
   return std::nullopt;
 }
 
-std::vector<std::uint32_t> PartReader::read_indices(const XmlElement& p) {
+/// Where a list has too few indices for its inputs, and just as many for those of the first offsets, the
+/// inputs beyond are left out: they have no data.
+void PartReader::fit_stride(std::size_t indices, std::size_t corners) {
+  if (corners == 0 || indices % corners != 0) return;
+  if (part_.element.is("triangles") && indices % (3 * inputs_.stride) == 0)
+    return;  // only the count is wrong
+  const std::size_t stride = indices / corners;
+  if (stride == 0 || stride >= inputs_.stride || inputs_.position->offset >= stride) return;
+  document_.warn(
+      part_.element,
+      fmt::format("inputs have offsets up to {}, and <p> has {} for each corner; those beyond are left out",
+                  inputs_.stride - 1, stride));
+  inputs_.stride = stride;
+  for (auto* input : {&inputs_.normal, &inputs_.uv})
+    if (*input && (*input)->offset >= stride) input->reset();
+}
+
+/// `corners` is how many there should be; 0 where nothing says so.
+std::vector<std::uint32_t> PartReader::read_indices(const XmlElement& p, std::size_t corners) {
   std::vector<std::uint32_t> indices = p.indices();
+  fit_stride(indices.size(), corners);
   if (indices.size() % inputs_.stride != 0)
     p.fail(fmt::format("<p> has {} indices; with {} for each corner, their number must be a multiple of {}",
                        indices.size(), inputs_.stride, inputs_.stride));
@@ -210,7 +235,9 @@ void PartReader::read_polylist() {
   const auto p = part_.element.child("p");
   if (!vcount && !p && part_.element.index_attribute("count", 0) == 0) return;
   const auto counts = part_.element.required_child("vcount").indices();
-  const auto indices = read_indices(part_.element.required_child("p"));
+  std::size_t corners = 0;
+  for (const std::uint32_t count : counts) corners += count;
+  const auto indices = read_indices(part_.element.required_child("p"), corners);
   std::size_t begin = 0;
   for (const std::uint32_t count : counts) {
     const std::size_t length = count * inputs_.stride;
@@ -218,15 +245,13 @@ void PartReader::read_polylist() {
     add_polygon(std::span(indices).subspan(begin, length));
     begin += length;
   }
-  std::size_t corners = 0;
-  for (const std::uint32_t count : counts) corners += count;
   if (corners * inputs_.stride != indices.size())
     p->fail(fmt::format("<vcount> asks for {} corners of {} indices, and <p> has {} indices", corners,
                         inputs_.stride, indices.size()));
 }
 
 void PartReader::read_p(const XmlElement& p) {
-  const auto indices = read_indices(p);
+  const auto indices = read_indices(p, triangle_corners(part_.element));
   const std::size_t stride = inputs_.stride, corners = indices.size() / stride;
   const auto at = [&](std::size_t corner) { return indices.data() + corner * stride; };
   if (part_.element.is("polygons")) return add_polygon(indices);

@@ -366,4 +366,27 @@ TEST_CASE("positions of two numbers lie in the plane z = 0") {
         std::vector<std::string>{"this <accessor> has two parameters, and three are needed; the third is 0"});
 }
 
+TEST_CASE("inputs whose offsets lie beyond the indices of a corner are left out") {
+  const std::string inputs = vertex_input +
+                             "<input semantic=\"NORMAL\" source=\"#positions\" offset=\"1\"/>"
+                             "<input semantic=\"TEXCOORD\" source=\"#positions\" offset=\"7\"/>";
+  const std::string warning =
+      "inputs have offsets up to 7, and <p> has 2 for each corner; those beyond are left out";
+  for (const std::string& element :
+       {"<triangles count=\"1\">" + inputs + "<p>0 1 1 2 2 3</p></triangles>",
+        "<polylist count=\"1\">" + inputs + "<vcount>3</vcount><p>0 1 1 2 2 3</p></polylist>"}) {
+    const LoadedScene loaded = load_shape(collada_mesh(4, square, element));
+    CHECK(mesh_of(loaded).positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
+    CHECK(mesh_of(loaded).normal_indices == std::vector<Triangle>{{1, 2, 3}});
+    CHECK(mesh_of(loaded).uvs.empty());
+    CHECK(messages(loaded)[0] == warning);
+  }
+  const LoadedScene lying = load_shape(collada_mesh(
+      4, square,
+      "<triangles count=\"2\">" + vertex_input +
+          "<input semantic=\"NORMAL\" source=\"#positions\" offset=\"1\"/><p>0 1 1 2 2 3</p></triangles>"));
+  CHECK(messages(lying) ==
+        std::vector<std::string>{"count says 2, and <triangles> has 1; all of it is read"});
+}
+
 }  // namespace twinray
