@@ -110,19 +110,30 @@ ColladaMaterial ColladaMaterials::read_common(const ColladaEffect& effect, const
                    "its surfaces are grey (0.5)");
     return add(name, Lambert{});
   }
-  const auto diffuse = shading->child("diffuse"), emission = shading->child("emission");
-  const bool is_black = !diffuse && (emission || shading->is("constant"));
-  const Rgb reflectance =
-      diffuse    ? color_in(effect, *diffuse, 1, "the surface is grey (0.5)").value_or(Lambert{}.reflectance)
-      : is_black ? Rgb{0, 0, 0}
-                 : Lambert{}.reflectance;
-  const Rgb radiance =
-      emission ? color_in(effect, *emission, max_radiance, "this surface emits nothing").value_or(Rgb{})
-               : Rgb{};
+  const Rgb radiance = read_emission(effect);
+  const Rgb reflectance = read_reflectance(effect);
   if (has_specular(*shading)) with_specular_.push_back(name);
   warn_of_transparency(effect);
   warn_of_reflection(effect);
   return add(name, Lambert{reflectance}, radiance);
+}
+
+/// Without a diffuse color, what emits reflects nothing; but where a texture says what it emits it is grey,
+/// to be seen at all.
+Rgb ColladaMaterials::read_reflectance(const ColladaEffect& effect) {
+  if (const auto diffuse = effect.slot("diffuse"))
+    return color_in(effect, *diffuse, 1, "the surface is grey (0.5)").value_or(Lambert{}.reflectance);
+  const auto emission = effect.slot("emission");
+  const bool emits = emission ? !emission->child("texture") : effect.shading()->is("constant");
+  return emits ? Rgb{0, 0, 0} : Lambert{}.reflectance;
+}
+
+Rgb ColladaMaterials::read_emission(const ColladaEffect& effect) {
+  const auto emission = effect.slot("emission");
+  if (!emission) return {};
+  const char* otherwise =
+      effect.slot("diffuse") ? "this surface emits nothing" : "this surface is grey (0.5), and emits nothing";
+  return color_in(effect, *emission, max_radiance, otherwise).value_or(Rgb{});
 }
 
 std::optional<Rgb> ColladaMaterials::color_in(const ColladaEffect& effect, const XmlElement& slot, float most,

@@ -42,6 +42,8 @@ class ColladaMaterials {
   ColladaMaterial once(const XmlElement& material);
   ColladaMaterial read_common(const ColladaEffect& effect, const std::string& name);
   ColladaMaterial read_cgl(const XmlElement& model, const std::string& name);
+  Rgb read_reflectance(const ColladaEffect& effect);
+  Rgb read_emission(const ColladaEffect& effect);
   std::optional<Rgb> color_in(const ColladaEffect& effect, const XmlElement& slot, float most,
                               const char* otherwise);
   void warn_of_transparency(const ColladaEffect& effect);

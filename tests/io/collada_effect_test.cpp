@@ -170,4 +170,13 @@ TEST_CASE("a specular texture is noted as a specular color is") {
         "materials reflect evenly (Lambert); the specular color of \"m\" is left out");
 }
 
+TEST_CASE("a surface of which only an emission texture is known is grey, to be seen at all") {
+  const LoadedScene loaded =
+      load_shading("constant", "<emission><texture texture=\"wood\" texcoord=\"UV\"/></emission>");
+  CHECK(reflectance(loaded) == Rgb{0.5f, 0.5f, 0.5f});
+  CHECK(messages(loaded) ==
+        std::vector<std::string>{"the texture \"pictures/wood.png\" is not rendered; this surface "
+                                 "is grey (0.5), and emits nothing"});
+}
+
 }  // namespace twinray
