@@ -141,7 +141,7 @@ std::string row(const Line& line, const std::vector<Run>& runs) {
   const auto of = [&](double Run::*member) { return median(runs, member); };
   const double render = of(&Run::render_seconds);
   const double rays = of(&Run::rays), tests = of(&Run::tests_per_ray);
-  return fmt::format("| `{}` | {} | {:.4f} | {:.2f} | {:.2f} | {:.0f} | {:.2f} | {} | {} |\n", line.options,
+  return fmt::format("| `{}` | {} | {:.4f} | {:.2f} | {:.2f} | {:.0f} | {:.3g} | {} | {} |\n", line.options,
                      line.scene, of(&Run::build_seconds), render, of(&Run::cpu_seconds), rays,
                      1e-6 * rays / render, tests > 0 ? fmt::format("{:.2f}", tests) : "–", line.reported);
 }

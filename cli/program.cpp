@@ -34,7 +34,8 @@ Action add_study(CLI::App& app) {
 }
 
 const std::vector<Subcommand> subcommands{
-    {"render", add_render, "Renders a COLLADA scene by path tracing.", "Run",
+    {"render", add_render,
+     "Renders a COLLADA scene by path tracing; with --cs184 as CS184's program does (docs/cs184.md).", "Run",
      "Other commands: twinray agreement, crosscheck, stats and study; each has its --help."},
     {"agreement", add_agreement,
      "Renders scenes small by every engine, split method, integrator, sampler and number of threads,\n"

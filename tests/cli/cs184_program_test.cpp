@@ -208,6 +208,20 @@ TEST_CASE("-b is a lens that blurs what is not at the distance of -d") {
   CHECK(blurred("-b 0.5 -d 2") > 400);
 }
 
+TEST_CASE("clip distances of the file cut the view, as distances along each ray") {
+  Cs184Scene cut = lit_floor();
+  cut.zfar = "8.485";  // how far the middle of the floor is, in the middle of the picture
+  const auto black = [](const Image& image) {
+    return std::count(image.pixels.begin(), image.pixels.end(), Rgb{});
+  };
+  CHECK(black(cs184_picture(lit_floor(), "--integrator=normals -r 60 44")) == 0);
+  const Image half = cs184_picture(cut, "--integrator=normals -r 60 44");
+  CHECK(black(half) > 60 * 44 * 4 / 10);
+  CHECK(black(half) < 60 * 44 * 7 / 10);
+  CHECK(half.at(30, 0) == Rgb{});         // behind
+  CHECK_FALSE(half.at(30, 43) == Rgb{});  // in front
+}
+
 TEST_CASE("a PNG has CS184's tone curve, an EXR linear light") {
   const Image linear = cs184_picture(lit_floor(), "-r 16 12 -s 4");
   const TemporaryFolder folder;

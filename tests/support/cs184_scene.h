@@ -55,11 +55,11 @@ inline std::string cs184_geometry(const std::string& id, const Cs184Mesh& mesh) 
 /// The square [-2, 2]^2 at y = 0, wound so that its front is up.
 inline const Cs184Mesh floor_mesh{4, "-2 0 -2 2 0 -2 2 0 2 -2 0 2", 2, "0 2 1 0 3 2", ""};
 
-inline std::string cs184_camera_library() {
+inline std::string cs184_camera_library(const std::string& zfar) {
   return "<library_cameras><camera id=\"camera\" "
          "name=\"camera\"><optics><technique_common><perspective><xfov>"
-         "50</xfov><aspect_ratio>1.333333</aspect_ratio><znear>0.01</znear><zfar>100</zfar></perspective>"
-         "</technique_common></optics></camera></library_cameras>\n";
+         "50</xfov><aspect_ratio>1.333333</aspect_ratio><znear>0.01</znear><zfar>" +
+         zfar + "</zfar></perspective></technique_common></optics></camera></library_cameras>\n";
 }
 
 /// A scene of these geometries and nodes, under these lights, with a camera that is placed by a matrix.
@@ -68,11 +68,12 @@ struct Cs184Scene {
   std::string libraries;
   std::string nodes = cs184_node(moved_by("0", "0", "0"), "<instance_geometry url=\"#floor\"/>");
   std::string camera_matrix = moved_by("0", "2", "4");
+  std::string zfar = "100";
 
   std::string text() const {
-    return collada_text(
-        cs184_camera_library() + libraries + "<library_geometries>" + geometries + "</library_geometries>\n",
-        nodes + cs184_node(camera_matrix, "<instance_camera url=\"#camera\"/>"));
+    return collada_text(cs184_camera_library(zfar) + libraries + "<library_geometries>" + geometries +
+                            "</library_geometries>\n",
+                        nodes + cs184_node(camera_matrix, "<instance_camera url=\"#camera\"/>"));
   }
 };
 
