@@ -75,16 +75,18 @@ class Renderer {
   RenderResult run() {
     const auto start = std::chrono::steady_clock::now();
     const int threads = options_.threads > 0 ? options_.threads : available_threads();
-    for (std::uint32_t begin = 0; begin < options_.samples;) {
+    for (std::uint32_t begin = 0; begin < options_.samples && !is_stopped();) {
       const std::uint32_t end = end_of_pass(begin);
       render_pass(begin, end, threads);
       begin = end;
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    return {std::move(film_), rays_, seconds.count()};
+    return {std::move(film_), rays_, seconds.count(), progress_.samples_done == progress_.samples_total};
   }
 
  private:
+  bool is_stopped() const { return options_.is_stopped && options_.is_stopped(); }
+
   /// Adaptive sampling decides between passes alone.
   std::uint32_t end_of_pass(std::uint32_t begin) const {
     const std::uint32_t end = std::min(begin + std::clamp(begin, 1u, longest_pass), options_.samples);
@@ -96,7 +98,8 @@ class Renderer {
   void render_pass(std::uint32_t begin, std::uint32_t end, int threads) {
     std::atomic<std::size_t> next = 0;
     parallel_for(std::size_t(threads), 1, threads, [&](std::size_t, std::size_t) {
-      for (std::size_t i = next++; i < tiles_.size(); i = next++) render_tile(tiles_[i], begin, end);
+      for (std::size_t i = next++; i < tiles_.size() && !is_stopped(); i = next++)
+        render_tile(tiles_[i], begin, end);
     });
   }
 
@@ -115,15 +118,17 @@ class Renderer {
       samples.push_back(sample);
       if (samples.size() == together) finish();
     });
+    if (is_stopped()) return;  // The tile lacks samples: it does not count as done.
     if (!samples.empty()) finish();
     finish_tile(tile, end - begin, tracer.counts());
   }
 
-  /// Calls `take(sample)` for the samples of a pass that the tile's pixels need.
+  /// Calls `take(sample)` for the samples of a pass that the tile's pixels need, until it is stopped.
   template <typename Take>
   void for_each_sample(const PixelRect& tile, std::uint32_t begin, std::uint32_t end, const Take& take) {
     for (int y = tile.y0; y < tile.y1; ++y)
       for (int x = tile.x0; x < tile.x1; ++x) {
+        if (is_stopped()) return;
         if (is_converged(x, y, begin)) continue;
         for (std::uint32_t index = begin; index < end; ++index) take(PixelSample{x, y, index});
       }

@@ -33,6 +33,9 @@ struct RenderOptions {
   /// If set, gets the rays of each sample once it is done: from any thread, those of one pixel one after the
   /// other.
   std::function<void(const PixelSample&, std::span<const RecordedRay>)> observe;
+  /// If set, asked many times a second, from any thread: once it says true, rendering ends with the samples
+  /// that are there.
+  std::function<bool()> is_stopped;
 };
 
 struct RenderProgress {
@@ -44,7 +47,8 @@ struct RenderProgress {
 struct RenderResult {
   Film film;
   RayCounts rays;
-  double seconds = 0;  ///< Wall-clock time of the sampling alone.
+  double seconds = 0;       ///< Wall-clock time of the sampling alone.
+  bool is_complete = true;  ///< False where it was stopped; pixels then have different numbers of samples.
 };
 
 /// Renders the scene as its camera sees it. The film depends on scene, integrator and options alone: not on

@@ -2,6 +2,7 @@
 #include "integrators/render.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "check/recorded_rays.h"
@@ -223,6 +224,27 @@ TEST_CASE("adaptive pictures do not depend on threads either") {
   RenderOptions seven = one;
   seven.threads = 7;
   CHECK(same_bits(render_with(scene, path, one).film, render_with(scene, path, seven).film));
+}
+
+TEST_CASE("a render that is stopped has the samples that were done, and says that it is not complete") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, {.max_depth = 2});
+  RenderOptions stopped = options(64, 2);
+  std::atomic<int> asked = 0;
+  stopped.is_stopped = [&] { return ++asked > 4000; };  // Of 1200 pixels, after some passes.
+  const RenderResult result = render_with(scene, path, stopped);
+  CHECK_FALSE(result.is_complete);
+  std::uint64_t samples = 0;
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x) samples += result.film.pixel(0, x, y).count;
+  CHECK(samples > 1200);
+  CHECK(samples < 64 * 1200);
+  // The samples of a pixel are the first of those that it would have had.
+  const PixelSums& pixel = result.film.pixel(0, 20, 15);
+  REQUIRE(pixel.count > 1);
+  CHECK(render_with(scene, path, options(pixel.count, 1)).film.pixel(0, 20, 15) == pixel);
+  stopped.is_stopped = [] { return false; };
+  CHECK(render_with(scene, path, stopped).is_complete);
 }
 
 TEST_CASE("render options out of range are refused") {
