@@ -8,6 +8,7 @@
 #include "io/collada_camera.h"
 #include "io/collada_cameras.h"
 #include "io/collada_lamp.h"
+#include "io/collada_node_tree.h"
 #include "io/collada_nodes.h"
 
 namespace twinray {
@@ -96,6 +97,7 @@ LoadedScene read_document(ColladaDocument& document) {
   const XmlElement visual_scene = find_visual_scene(document);
   ColladaMaterials materials(document);
   ColladaNodes nodes(document, materials);
+  check_node_tree(visual_scene, document);
   nodes.walk(visual_scene, turn_to_y_up(space.up_axis));
   if (nodes.parts.shapes.empty()) document.warn(visual_scene, "the scene has no shapes");
   if (!document.options().keep_both_lamps) merge_lamps(nodes.parts);

@@ -34,17 +34,7 @@ void ColladaNodes::walk(const XmlElement& visual_scene, const Transform& to_worl
     visit(node, to_world, document_.space_of(document_.root()));
 }
 
-void ColladaNodes::enter(const XmlElement& node) {
-  if (std::find(path_.begin(), path_.end(), node) != path_.end())
-    node.fail("this node instances itself, by way of <instance_node>; nodes must form no circle");
-  if (path_.size() >= max_depth) node.fail(fmt::format("nodes are nested more than {} deep", max_depth));
-  if (++nodes_ > max_nodes)
-    node.fail(fmt::format("the scene has more than {} nodes, instances included", max_nodes));
-  path_.push_back(node);
-}
-
 void ColladaNodes::visit(const XmlElement& node, const Transform& parent, const ColladaSpace& outside) {
-  enter(node);
   const bool hides = !is_cs184() && is_hidden(node);
   hiding_ += hides;
   const ColladaSpace& space = document_.space_of(node);
@@ -55,7 +45,6 @@ void ColladaNodes::visit(const XmlElement& node, const Transform& parent, const 
     if (child.is("node")) visit(child, to_world, space);
   }
   hiding_ -= hides;
-  path_.pop_back();
 }
 
 std::vector<XmlElement> ColladaNodes::cs184_children(const XmlElement& node) {

@@ -19,11 +19,11 @@ class ColladaNodes {
   ColladaNodes(ColladaDocument& document, ColladaMaterials& materials)
       : document_(document), materials_(materials) {}
 
-  /// Throws Error for references that lead nowhere, for <instance_node>s in a circle, for more than max_depth
-  /// nodes below each other and for more than max_nodes in all, instanced ones counted each time.
+  /// The nodes must have passed check_node_tree(). Throws Error for references that lead nowhere, and for
+  /// more than max_triangles.
   void walk(const XmlElement& visual_scene, const Transform& to_world);
 
-  static constexpr std::size_t max_depth = 200, max_nodes = 1'000'000, max_triangles = std::size_t(1) << 28;
+  static constexpr std::size_t max_triangles = std::size_t(1) << 28;
 
   SceneParts parts;
   std::vector<ColladaCamera> cameras;
@@ -35,7 +35,6 @@ class ColladaNodes {
   /// What counts of a node by CS184's rules: the nodes below it first, then one object.
   std::vector<XmlElement> cs184_children(const XmlElement& node);
   bool is_cs184() const { return document_.options().interpretation == Interpretation::cs184; }
-  void enter(const XmlElement& node);
   void instance(const XmlElement& node, const XmlElement& child, const Transform& to_world);
   void add_geometry(const XmlElement& node, const XmlElement& instance, const Transform& to_world);
   void add_controller(const XmlElement& node, const XmlElement& instance, const Transform& to_world);
@@ -53,9 +52,8 @@ class ColladaNodes {
   ColladaMaterials& materials_;
   SceneLayers layers_;
   std::map<XmlElement, ColladaGeometry> geometries_;
-  std::vector<XmlElement> path_;  ///< From the root to the node being visited.
-  int hiding_ = 0;                ///< How many of these hide what is below them.
-  std::size_t nodes_ = 0, triangles_ = 0;
+  int hiding_ = 0;  ///< How many of the nodes from the root to the one being visited hide what is below.
+  std::size_t triangles_ = 0;
 };
 
 }  // namespace twinray

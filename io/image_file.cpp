@@ -15,14 +15,13 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "io/destination.h"
+#include "io/exr_header.h"
 #include "io/output_file.h"
 
 namespace twinray {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::uint64_t max_pixels = std::uint64_t(1) << 28;
 
 std::string extension_of(const std::string& path) {
   std::string extension = fs::path(path).extension().string();
@@ -89,6 +88,22 @@ void decode_srgb(Image& image) {
   for (Rgb& pixel : image.pixels) pixel = {decode_srgb(pixel.r), decode_srgb(pixel.g), decode_srgb(pixel.b)};
 }
 
+/// Throws Error unless the header is that of a picture that the file may hold: before any memory is taken.
+void check_header(const OIIO::ImageSpec& spec, const std::string& path, std::string_view reader) {
+  check_picture_size(path, spec.width, spec.height,
+                     reader == "png"    ? pixels_a_png_byte
+                     : reader == "jpeg" ? pixels_a_jpeg_byte
+                                        : pixels_a_byte);
+  if (spec.nchannels < 1 || spec.nchannels > 64)
+    throw Error(fmt::format("{}: {} channels; valid are 1 to 64", path, spec.nchannels));
+  if (spec.depth > 1 || spec.deep)
+    throw Error(fmt::format("{}: a deep picture, or one of several layers in depth, is not read", path));
+  const std::uint64_t pixels = std::uint64_t(spec.width) * std::uint64_t(spec.height);
+  const MemoryNeed need{fmt::format("the {} x {} pixels of {}", spec.width, spec.height, path),
+                        pixels * sizeof(Rgb)};
+  check_memory({&need, 1});
+}
+
 /// PNG and JPEG are sRGB whatever their depth; the others hold linear numbers.
 bool is_encoded(const char* reader) {
   const std::string_view name = reader;
@@ -135,18 +150,11 @@ Image read_image(const std::string& path) {
   use_no_threads();
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(reader);
   if (!fs::is_regular_file(path)) throw Error(fmt::format("{}: there is no such file", path));
+  if (reader == std::string_view("openexr")) check_exr_header(path);
   OIIO::ImageSpec spec;
   if (!input || !input->open(path, spec))
     throw Error(fmt::format("{}: cannot be read: {}", path, input ? input->geterror() : OIIO::geterror()));
-  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.nchannels > 64 ||
-      std::uint64_t(spec.width) * std::uint64_t(spec.height) > max_pixels)
-    throw Error(
-        fmt::format("{}: {} x {} pixels of {} channels; valid are up to 2^28 pixels of up to 64 channels",
-                    path, spec.width, spec.height, spec.nchannels));
-  const std::uint64_t pixels = std::uint64_t(spec.width) * std::uint64_t(spec.height);
-  const MemoryNeed need{fmt::format("the {} x {} pixels of {}", spec.width, spec.height, path),
-                        pixels * sizeof(Rgb)};
-  check_memory({&need, 1});
+  check_header(spec, path, reader);
   Image image = read_colors(*input, spec, path);
   if (is_encoded(reader)) decode_srgb(image);
   return image;

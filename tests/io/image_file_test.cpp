@@ -148,4 +148,50 @@ TEST_CASE("an EXR cut short is refused") {
   }
 }
 
+TEST_CASE("what an EXR's header promises is checked before the file is opened") {
+  const TemporaryFolder folder;
+  write_image(folder.file("a.exr"), Image(1, 1));
+  const std::string whole = read_text(folder.file("a.exr")), changed = folder.file("b.exr");
+  const std::size_t window =
+      whole.find(std::string("dataWindow\0box2i\0\x10\0\0\0", 21)) + 21;  // four numbers
+  const auto message = [&](const std::string& text) -> std::string {
+    write_text(changed, text);
+    try {
+      read_image(changed);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "read";
+  };
+  const auto with_last_pixel = [&](std::int32_t x, std::int32_t y) {
+    std::string text = whole;
+    std::memcpy(text.data() + window + 8, &x, sizeof x);
+    std::memcpy(text.data() + window + 12, &y, sizeof y);
+    return text;
+  };
+  CHECK(message(with_last_pixel(0, 0)) == "read");
+  CHECK(message(with_last_pixel(16383, 16383)) ==
+        fmt::format(
+            "{}: says that it has 16384 x 16384 pixels, and is a file of {} bytes: it is cut off, or no "
+            "picture",
+            changed, whole.size()));
+  CHECK(message(with_last_pixel(0, 0x7ffffffe)) ==
+        fmt::format("{}: 1 x 2147483647 pixels; valid are up to 2^28", changed));
+  CHECK(message(with_last_pixel(-1, 0)) == fmt::format("{}: 0 x 1 pixels; valid are up to 2^28", changed));
+  std::string text = whole;
+  text[window - 1] = '\x7f';  // the most significant byte of the attribute's size
+  CHECK(message(text) == changed + ": cannot be read: its dataWindow is longer than the file");
+  CHECK(message(whole.substr(0, 10)) == changed + ": cannot be read: its header is cut off");
+  CHECK(message("") == changed + ": cannot be read: its header is cut off");
+  CHECK(message("a picture") == changed + ": cannot be read: it does not begin as an OpenEXR picture does");
+}
+
+TEST_CASE("a large picture of one color is read, small as its file is") {
+  const TemporaryFolder folder;
+  for (const std::string name : {"a.exr", "a.png"}) {
+    write_image(folder.file(name), Image(3000, 3000));
+    CHECK(read_image(folder.file(name)).width == 3000);
+  }
+}
+
 }  // namespace twinray::test
