@@ -62,6 +62,17 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
+/// A message that repeats a name of the file may be as long as the file: its middle is left out.
+std::string shortened(const std::string& message) {
+  constexpr std::size_t longest = 1000;
+  if (message.size() <= longest) return message;
+  std::size_t head = longest / 2, tail = message.size() - longest / 2;
+  const auto is_within_character = [&](std::size_t i) { return (message[i] & 0xc0) == 0x80; };
+  while (head > 0 && is_within_character(head)) --head;
+  while (tail < message.size() && is_within_character(tail)) ++tail;
+  return message.substr(0, head) + " ... " + message.substr(tail);
+}
+
 }  // namespace
 
 Place place_of(const std::string& file, std::string_view text, std::size_t offset) {
@@ -80,8 +91,9 @@ Place place_of(const std::string& file, std::string_view text, std::size_t offse
 }
 
 std::string message_at(const Place& place, const std::string& message) {
-  if (place.line == 0) return fmt::format("{}: {}", place.file, message);
-  return fmt::format("{}:{}:{}: {}\n  {}\n  {:>{}}", place.file, place.line, place.column, message,
+  const std::string text = shortened(message);
+  if (place.line == 0) return fmt::format("{}: {}", place.file, text);
+  return fmt::format("{}:{}:{}: {}\n  {}\n  {:>{}}", place.file, place.line, place.column, text,
                      place.excerpt, '^', place.caret_column);
 }
 

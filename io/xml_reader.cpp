@@ -111,7 +111,8 @@ bool is_cut_off(std::string_view text) {
   const std::size_t start = next_start_tag(text, 0);
   if (start == npos) return false;
   const std::string_view name = text.substr(start + 1, text.find_first_of(" \t\r\n/>", start) - start - 1);
-  return text.rfind(fmt::format("</{}", name)) == npos && text[behind_tag(text, start) - 2] != '/';
+  const std::string_view to_end_of_tag = text.substr(0, behind_tag(text, start));
+  return text.rfind(fmt::format("</{}", name)) == npos && !to_end_of_tag.ends_with("/>");
 }
 
 std::size_t trimmed_end(std::string_view text) {

@@ -74,4 +74,14 @@ TEST_CASE("a strict list throws what would be a warning") {
   CHECK_THROWS_WITH(list.add([] { return place_of("f", "ab", 0); }, "odd"), "f:1:1: odd\n  ab\n  ^");
 }
 
+TEST_CASE("a long message loses its middle, and no part of a letter stays") {
+  std::string letters;
+  for (int i = 0; i < 1000; ++i) letters += "\xc3\xb6";  // o with two dots
+  const std::string text = message_at({.file = "a.dae"}, "x" + letters + " is too long");
+  CHECK(text.size() < 1100);
+  CHECK(text.starts_with("a.dae: x\xc3\xb6\xc3"));
+  CHECK(text.ends_with("\xb6 is too long"));
+  CHECK(text.find("\xc3\xb6 ... \xc3\xb6") != std::string::npos);
+}
+
 }  // namespace twinray
