@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <utility>
 
 #include "core/elementary.h"
 #include "core/error.h"
+#include "core/geometry.h"
 #include "io/diagnostic.h"
 #include "io/number_list.h"
 
@@ -33,7 +35,10 @@ constexpr std::size_t max_bytes = 65536;
 
 class CameraText {
  public:
-  explicit CameraText(const std::string& path) : path_(path), text_(read(path)) {
+  CameraText(std::string text, const std::string& name) : path_(name), text_(std::move(text)) {
+    if (text_.size() > max_bytes)
+      throw Error(fmt::format("{}: more than {} bytes; a camera settings file has {} numbers", name,
+                              max_bytes, +field_count));
     try {
       numbers_ = parse_doubles(text_);
     } catch (const NumberError& error) {
@@ -41,7 +46,7 @@ class CameraText {
     }
     if (numbers_.size() != field_count)
       throw Error(
-          fmt::format("{}: {} numbers; a camera settings file has {}", path, numbers_.size(), +field_count));
+          fmt::format("{}: {} numbers; a camera settings file has {}", name, numbers_.size(), +field_count));
   }
 
   float number(std::size_t field) const { return float(numbers_[field]); }
@@ -52,28 +57,29 @@ class CameraText {
   float tan_half(Field field) const {
     const double degrees = numbers_[field];
     if (!(degrees > 0 && degrees < 180)) throw wrong(field, "a field of view lies between 0 and 180 degrees");
-    return float(tan_radians(degrees * (3.14159265358979323846 / 360)));
+    const auto half = float(tan_radians(degrees * (3.14159265358979323846 / 360)));
+    if (!(half > 0 && std::isfinite(half)))
+      throw wrong(field, "this field of view cannot be told from 0 or 180 degrees");
+    return half;
   }
   Error wrong(Field field, const std::string& message) const {
     return error_at(place_of(path_, text_, token_offset(text_, field)), message);
   }
 
  private:
-  static std::string read(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string text(max_bytes + 1, '\0');
-    file.read(text.data(), std::streamsize(text.size()));
-    text.resize(std::size_t(file.gcount()));
-    if (!file.eof() && !file) throw Error(fmt::format("{}: cannot be read", path));
-    if (text.size() > max_bytes)
-      throw Error(fmt::format("{}: more than {} bytes; a camera settings file has {} numbers", path,
-                              max_bytes, +field_count));
-    return text;
-  }
-
   std::string path_, text_;
   std::vector<double> numbers_;
 };
+
+/// The file's first bytes, one more than there may be.
+std::string read(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text(max_bytes + 1, '\0');
+  file.read(text.data(), std::streamsize(text.size()));
+  text.resize(std::size_t(file.gcount()));
+  if (!file.eof() && !file) throw Error(fmt::format("{}: cannot be read", path));
+  return text;
+}
 
 bool is_orthonormal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const std::array<float, 6> off{dot(a, b),     dot(b, c),     dot(c, a),
@@ -86,7 +92,11 @@ bool is_orthonormal(const Vec3& a, const Vec3& b, const Vec3& c) {
 }  // namespace
 
 Camera load_camera_file(const std::string& path, const Camera& scene_camera) {
-  const CameraText text(path);
+  return parse_camera(read(path), path, scene_camera);
+}
+
+Camera parse_camera(std::string contents, const std::string& name, const Camera& scene_camera) {
+  const CameraText text(std::move(contents), name);
   Camera camera = scene_camera;
   camera.is_orthographic = false;
   camera.tan_half_width = text.tan_half(horizontal_fov);
@@ -96,6 +106,8 @@ Camera load_camera_file(const std::string& path, const Camera& scene_camera) {
   if (!(camera.clip_near >= 0 && camera.clip_near < camera.clip_far))
     throw text.wrong(near_clip, "the clip distances must satisfy 0 <= near < far");
   camera.position = text.vector(position, 1);
+  if (!(max_abs(camera.position) <= max_coordinate))
+    throw text.wrong(position, fmt::format("the camera's position must lie within +-{:g}", max_coordinate));
   camera.right = text.vector(rotation, 3);
   camera.up = text.vector(rotation + 1, 3);
   camera.forward = -text.vector(rotation + 2, 3);

@@ -14,4 +14,7 @@ namespace twinray {
 /// Throws Error with line and column.
 Camera load_camera_file(const std::string& path, const Camera& scene_camera);
 
+/// The camera that such a file's text describes; `name` stands for the file in messages.
+Camera parse_camera(std::string contents, const std::string& name, const Camera& scene_camera);
+
 }  // namespace twinray

@@ -72,4 +72,17 @@ TEST_CASE("a broken camera settings file is refused with its place") {
   CHECK_THROWS_WITH(load_camera_file(folder.file("none"), {}), folder.file("none") + ": cannot be read");
 }
 
+TEST_CASE("a camera is never at a place, nor of a field of view, that is no finite number") {
+  const TemporaryFolder folder;
+  std::string far = numbers, narrow = numbers;
+  far.replace(far.find("0 1 5"), 5, "0 1e13 5");
+  narrow.replace(0, 2, "1e-300");
+  CHECK(message_of(far, folder).find(":2:1: the camera's position must lie within +-1e+12") !=
+        std::string::npos);
+  far.replace(far.find("1e13"), 4, "1e99");
+  CHECK(message_of(far, folder).find("the camera's position must lie within") != std::string::npos);
+  CHECK(message_of(narrow, folder).find(":1:1: this field of view cannot be told from 0") !=
+        std::string::npos);
+}
+
 }  // namespace twinray::test
