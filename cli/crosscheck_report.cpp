@@ -156,7 +156,8 @@ std::string crosscheck_json(const SceneCrosscheck& result, const std::string& sc
                                        {"class", ray_class_name(passed.ray_class)},
                                        {"found", passed.found},
                                        {"most", passed.ceiling.most}});
-  return json.dump(2) + "\n";
+  // A file's name may hold bytes that are no letters.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string ray_crosscheck_text(const RayCrosscheck& result) {

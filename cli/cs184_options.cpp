@@ -65,10 +65,7 @@ void add_picture_letters(OptionGroup& group, Cs184Request& request) {
   group.add_number({"-d", "FLOAT", ""}, request.focal_distance, lens_lengths);
   group.add_word({"-c", "PATH", ""}, arguments.camera_file);
   group.add_word({"-e", "PATH", ""}, arguments.environment);
-  group.add_words({"-f", "FILENAME", ""}, 1, [&arguments](const Words& words) {
-    if (words.front().empty()) throw UsageError("-f: a name is needed for the picture");
-    arguments.output = words.front();
-  });
+  group.add_word({"-f", "FILENAME", ""}, arguments.output);
 }
 
 void add_options(CLI::App& app, Cs184Request& request) {

@@ -2,10 +2,13 @@
 #include "cli/options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
+#include <string_view>
 
 #include "cli/console.h"
 #include "cli/version.h"
+#include "io/diagnostic.h"
 
 namespace twinray {
 namespace {
@@ -34,12 +37,30 @@ void prepare(CLI::App& app) {
   app.set_help_flag("-h,--help", "Print this help");
 }
 
+/// The subcommand that the first word names; else the app itself.
+const CLI::App& app_of(const CLI::App& app, const Words& words) {
+  for (const CLI::App* subcommand : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (!words.empty() && subcommand->get_name() == words.front()) return *subcommand;
+  return app;
+}
+
+/// "; did you mean --samples?": the app's option whose name is most like this word; "" where none is.
+std::string nearest_option(const CLI::App& app, const std::string& word) {
+  Words names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back(name);
+  const std::string asked = word.substr(0, word.find('=')).erase(0, word.find_first_not_of('-'));
+  const std::string nearest = nearest_name(asked, std::vector<std::string_view>(names.begin(), names.end()));
+  return nearest.empty() ? "" : fmt::format("; did you mean --{}?", nearest);
+}
+
 /// The words that no option took, as a message.
-std::string extra_text(const CLI::App& app, const CLI::ExtrasError& error) {
+std::string extra_text(const CLI::App& app, const Words& words, const CLI::ExtrasError& error) {
   const Words extra = app.remaining(true);
   if (extra.empty()) return error.what();
-  return extra.front().starts_with('-') ? fmt::format("there is no option {}", extra.front())
-                                        : fmt::format("\"{}\" is one word too many", extra.front());
+  const std::string& word = extra.front();
+  if (!word.starts_with('-')) return fmt::format("\"{}\" is one word too many", word);
+  return fmt::format("there is no option {}{}", word, nearest_option(app_of(app, words), word));
 }
 
 /// "--stats: 1 required FILE missing", as CLI11 says it, in our words.
@@ -53,21 +74,32 @@ std::string missing_text(const CLI::ArgumentMismatch& error) {
                      text.substr(required + 10, end - required - 10));
 }
 
-/// CLI11 takes "--stats=" for "--stats", and the word behind it for the value.
-void check_values(const Words& words) {
-  for (const std::string& word : words)
+bool takes_value(const CLI::Option* option) { return option && option->get_items_expected_max() > 0; }
+
+/// The option that a word such as "--stats" or "-o" is by itself; null for any other.
+const CLI::Option* option_named(const CLI::App& app, const std::string& word) {
+  return word.starts_with('-') ? app.get_option_no_throw(word) : nullptr;
+}
+
+/// CLI11 takes "--stats=" for "--stats", and the word behind it for the value, were it an option.
+void check_values(const CLI::App& app, const Words& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
     if (word.starts_with("--") && word.size() > 3 && word.find('=') == word.size() - 1)
       throw UsageError(fmt::format("{} its value is missing", word));
+    if (i + 1 < words.size() && takes_value(option_named(app, word)) && option_named(app, words[i + 1]))
+      throw UsageError(fmt::format("{}: its value is missing; {} is an option", word, words[i + 1]));
+  }
 }
 
 void parse(CLI::App& app, const Words& words) {
-  check_values(words);
+  check_values(app_of(app, words), words);
   try {
     app.parse(Words(words.rbegin(), words.rend()));  // CLI11 takes the last word first
   } catch (const CLI::Success&) {
     throw;
   } catch (const CLI::ExtrasError& error) {
-    throw UsageError(extra_text(app, error));
+    throw UsageError(extra_text(app, words, error));
   } catch (const CLI::ArgumentMismatch& error) {
     throw UsageError(missing_text(error));
   } catch (const CLI::RequiredError& error) {
@@ -95,6 +127,8 @@ void OptionGroup::add_words(const OptionText& text, std::size_t count,
                                                       name = long_name(text.names)](const Words& words) {
     if (words.size() != count)
       throw UsageError(fmt::format("{}: {} numbers are needed, not {}", name, count, words.size()));
+    if (std::find(words.begin(), words.end(), "") != words.end())
+      throw UsageError(fmt::format("{}: its value is empty", name));
     take(words);
   };
   app_.add_option_function(text.names, take_all, text.description)

@@ -14,6 +14,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// A file's name may hold bytes that are no letters.
+std::string text_of(const ordered_json& json) {
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
 double mean(std::uint64_t count, std::uint64_t rays) { return rays == 0 ? 0 : double(count) / double(rays); }
 
 double per_ray(std::uint64_t count, const RayStatistics& rays) { return mean(count, rays.rays); }
@@ -168,7 +173,7 @@ std::string statistics_json(const RenderArguments& arguments, const AccelStats& 
   if (arguments.render.counting)
     add_counts(json, rays.queries, rays.total(), {.nodes = accel.tree.has_value(), .primitives = true});
   if (!check.empty()) json["check"] = ordered_json::parse(check);
-  return json.dump(2) + "\n";
+  return text_of(json);
 }
 
 std::string rejection_text(const Film& film, const RenderArguments& arguments) {
@@ -237,7 +242,7 @@ std::string stats_json(const StatsArguments& arguments, const SceneStatistics& s
                     {"primitives", statistics.engines.front().build.primitives},
                     {"engines", ordered_json::array()}};
   for (const EngineStatistics& engine : statistics.engines) json["engines"].push_back(engine_json(engine));
-  return json.dump(2) + "\n";
+  return text_of(json);
 }
 
 }  // namespace twinray

@@ -109,7 +109,7 @@ TEST_CASE("what CS184's program swallowed is refused in the option's name") {
   CHECK(message_of({"-r", "0", "0"}) == "-r: \"0\" is not a whole number from 1 to 65536");
   CHECK(message_of({"-t", "0"}) == "-t: \"0\" is not a whole number from 1 to 1024");
   CHECK(message_of({"-s", "many"}) == "-s: \"many\" is not a whole number from 1 to 4194304");
-  CHECK(message_of({"-s", ""}) == "-s: \"\" is not a whole number from 1 to 4194304");
+  CHECK(message_of({"-s", ""}) == "-s: its value is empty");
   CHECK(message_of({"-s", "-4"}) == "-s: \"-4\" is not a whole number from 1 to 4194304");
   CHECK(message_of({"-l", "0"}) == "-l: \"0\" is not a whole number from 1 to 65536");
   CHECK(message_of({"-m", "-1"}) == "-m: \"-1\" is not a whole number from 0 to 2147483647");
@@ -119,7 +119,7 @@ TEST_CASE("what CS184's program swallowed is refused in the option's name") {
   CHECK(message_of({"-b", "0.1", "-d", "0"}) ==
         "-d: behind a lens (-b) something is in focus at a distance greater than 0 only");
   CHECK(message_of({"-d", "0"}) == "accepted");
-  CHECK(message_of({"-f", ""}) == "-f: a name is needed for the picture");
+  CHECK(message_of({"-f", ""}) == "-f: its value is empty");
   CHECK(message_of({"-z"}) == "there is no option -z");
   CHECK(message_of({"b.dae"}) == "\"scene.dae\" is one word too many");
 }
