@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/cs184_talk.h"
 
+#include <utility>
+
 #include "cli/console.h"
 
 namespace twinray {
@@ -81,6 +83,8 @@ void Cs184Talk::rendered(const RenderResult& result) {
   else
     console::write("[PathTracer] No intersection tests were counted.\n");
 }
+
+void Cs184Talk::stopped() { std::exchange(open_line_, nullptr)("\n"); }
 
 void Cs184Talk::saving() {
   begin(fmt::format("[PathTracer] Saving to file: {}... ", arguments_.output), console::write_error);

@@ -21,6 +21,7 @@ class Cs184Talk final : public RenderTalk {
   void rendering() override;
   void progress(const RenderProgress& progress) override;
   void rendered(const RenderResult& result) override;
+  void stopped() override;
   void saving() override;
   void saved() override;
   void finished(const RenderArguments& arguments, const AccelStats& accel,

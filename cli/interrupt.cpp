@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <string_view>
 
 #include "io/output_file.h"
 
@@ -15,12 +16,33 @@ namespace {
 std::atomic<const std::vector<std::string>*> unfinished_paths = nullptr;
 static_assert(std::atomic<const std::vector<std::string>*>::is_always_lock_free);
 
-void end_at_once(int signal_number) {
+std::atomic<bool> is_stoppable = false;
+/// The first signal since the work can be stopped; 0 where there was none.
+std::atomic<int> stop_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
+
+constexpr int exit_code_of(int signal_number) { return 128 + signal_number; }
+
+void say(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+    if (written <= 0) return;
+    text.remove_prefix(std::size_t(written));
+  }
+}
+
+[[noreturn]] void end_at_once(int signal_number) {
   if (const std::vector<std::string>* paths = unfinished_paths)
     for (const std::string& path : *paths) unlink(path.c_str());
-  const char newline = '\n';
-  if (isatty(STDERR_FILENO) && write(STDERR_FILENO, &newline, 1) < 0) _exit(128 + signal_number);
-  _exit(128 + signal_number);
+  if (isatty(STDERR_FILENO)) say("\n");
+  say(signal_number == SIGINT ? "twinray: interrupted" : "twinray: ended by a signal");
+  say("; unfinished outputs are removed, old files are as they were\n");
+  _exit(exit_code_of(signal_number));
+}
+
+void take_signal(int signal_number) {
+  int none = 0;
+  if (!is_stoppable || !stop_signal.compare_exchange_strong(none, signal_number)) end_at_once(signal_number);
 }
 
 }  // namespace
@@ -30,7 +52,8 @@ InterruptGuard::InterruptGuard(const std::vector<std::string>& outputs) {
     if (std::string path = temporary_path(output); !path.empty()) paths_.push_back(std::move(path));
   unfinished_paths = &paths_;
   struct sigaction action {};
-  action.sa_handler = end_at_once;
+  action.sa_handler = take_signal;
+  action.sa_flags = SA_RESTART;  // Who is asked to stop still writes what it writes.
   for (std::size_t i = 0; i < signals.size(); ++i) {
     sigaction(signals[i], nullptr, &before_[i]);
     // What was to be ignored still is: a job that its shell put into the background, or nohup's.
@@ -42,5 +65,16 @@ InterruptGuard::~InterruptGuard() {
   for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
   unfinished_paths = nullptr;
 }
+
+StopRequest::StopRequest() {
+  stop_signal = 0;
+  is_stoppable = true;
+}
+
+StopRequest::~StopRequest() { is_stoppable = false; }
+
+bool StopRequest::is_made() const { return stop_signal != 0; }
+
+int StopRequest::exit_code() const { return exit_code_of(stop_signal); }
 
 }  // namespace twinray

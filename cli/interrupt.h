@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// What Ctrl-C does.
 #pragma once
 #include <signal.h>
 
@@ -9,8 +10,8 @@
 namespace twinray {
 
 /// While it lives, Ctrl-C (SIGINT), SIGTERM and the end of the terminal (SIGHUP) end the program at once,
-/// with exit code 130, 143 or 129, after removing the unfinished file; whatever stood at the output's place
-/// stays. A signal that the program was started to ignore is ignored. One at a time.
+/// with a message and exit code 130, 143 or 129, after removing the unfinished file; whatever stood at the
+/// output's place stays. A signal that the program was started to ignore is ignored. One at a time.
 class InterruptGuard {
  public:
   /// Throws Error for a name that cannot be written.
@@ -23,6 +24,21 @@ class InterruptGuard {
   static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
   std::vector<std::string> paths_;  ///< Where unfinished files are.
   std::array<struct sigaction, signals.size()> before_{};
+};
+
+/// While it lives, within the life of an InterruptGuard, the first such signal only asks the work to stop;
+/// the second ends the program. One at a time.
+class StopRequest {
+ public:
+  StopRequest();
+  ~StopRequest();
+  StopRequest(const StopRequest&) = delete;
+  StopRequest& operator=(const StopRequest&) = delete;
+
+  /// Whether the work is to stop; from any thread.
+  bool is_made() const;
+  /// The exit code of a program that was asked to stop: 130, 143 or 129.
+  int exit_code() const;
 };
 
 }  // namespace twinray

@@ -12,6 +12,7 @@
 #include "cli/interrupt.h"
 #include "cli/no_effect.h"
 #include "cli/outputs.h"
+#include "cli/partial_picture.h"
 #include "cli/picture_metadata.h"
 #include "cli/render_command_line.h"
 #include "cli/render_outputs.h"
@@ -125,6 +126,36 @@ class Check {
   RenderCheck account_;
 };
 
+struct RenderJob {
+  const Scene& scene;
+  const Accelerator& accelerator;
+  const Integrator& integrator;
+};
+
+struct Rendered {
+  RenderResult result;
+  int stop_code = 0;  ///< Where it was stopped: the program's exit code.
+};
+
+/// Where there is a place for a partial picture the first interruption ends the render, not the program.
+Rendered render_stoppably(const RenderJob& job, RenderOptions options, const RenderOutputs& partial,
+                          RenderTalk& talk) {
+  std::optional<StopRequest> stop;
+  if (!partial.picture.empty()) {
+    stop.emplace();
+    options.is_stopped = [&stop] { return stop->is_made(); };
+  }
+  talk.rendering();
+  RenderResult result = render(job.scene, job.accelerator, job.integrator, options,
+                               [&](const RenderProgress& progress) { talk.progress(progress); });
+  const int stop_code = result.is_complete ? 0 : stop->exit_code();
+  if (stop_code == 0)
+    talk.rendered(result);
+  else
+    talk.stopped();
+  return {std::move(result), stop_code};
+}
+
 std::string check_json(const RenderArguments& arguments, const SceneCrosscheck& found) {
   return crosscheck_json(found, arguments.scene, replay_command(arguments.scene, arguments.load),
                          Ceilings::remark);
@@ -159,7 +190,8 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   for (const std::string& warning : arguments.without_effect) console::warn(warning);
   check_memory(memory_needs(arguments.render));
   const RenderOutputs outputs = render_outputs(arguments);
-  const InterruptGuard guard(outputs.names());
+  const RenderOutputs partial = partial_outputs(outputs);
+  const InterruptGuard guard(all_names({outputs, partial}));
   prepare_outputs(outputs.names());
   if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
     console::warn(fewer);
@@ -173,11 +205,13 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   std::optional<Check> check;
   if (arguments.check_with) check.emplace(arguments, loaded.scene, *accelerator);
 
-  talk.rendering();
-  const RenderResult result = render(loaded.scene, *accelerator, *integrator,
-                                     check ? check->observed(arguments.render) : arguments.render,
-                                     [&](const RenderProgress& progress) { talk.progress(progress); });
-  talk.rendered(result);
+  const auto [result, stop_code] =
+      render_stoppably({loaded.scene, *accelerator, *integrator},
+                       check ? check->observed(arguments.render) : arguments.render, partial, talk);
+  if (stop_code != 0) {
+    console::write_error(write_partial(partial, arguments, result.film, metadata));
+    return stop_code;
+  }
   if (const std::string rejected = rejection_text(result.film, arguments); !rejected.empty())
     console::warn(rejected);
   std::optional<SceneCrosscheck> found;

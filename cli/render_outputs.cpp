@@ -64,6 +64,13 @@ std::vector<std::string> RenderOutputs::names() const {
   return all;
 }
 
+std::vector<std::string> all_names(std::initializer_list<RenderOutputs> all) {
+  std::vector<std::string> names;
+  for (const RenderOutputs& outputs : all)
+    for (std::string& name : outputs.names()) names.push_back(std::move(name));
+  return names;
+}
+
 RenderOutputs render_outputs(const RenderArguments& arguments) {
   const std::string& picture = arguments.output;
   check_name(arguments);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a render writes, and under which names.
 #pragma once
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,9 @@ struct RenderOutputs {
 /// The outputs that the command line asks for. What stands beside the picture is left out where the picture
 /// is no file. Throws Error for a name that cannot be written.
 RenderOutputs render_outputs(const RenderArguments& arguments);
+
+/// The names of all these outputs.
+std::vector<std::string> all_names(std::initializer_list<RenderOutputs> all);
 
 /// Writes the picture, its rates and its legend.
 void write_pictures(const RenderOutputs& outputs, const RenderArguments& arguments, const Film& film,

@@ -23,6 +23,8 @@ void StandardTalk::progress(const RenderProgress& progress) {
 
 void StandardTalk::rendered(const RenderResult&) { line_.finish(); }
 
+void StandardTalk::stopped() { line_.finish(); }
+
 void StandardTalk::finished(const RenderArguments& arguments, const AccelStats& accel,
                             const RenderResult& result) {
   console::print("{}Picture        {}\n", statistics_text(arguments, accel, result), arguments.output);

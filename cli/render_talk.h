@@ -29,6 +29,8 @@ class RenderTalk {
   /// From one thread at a time.
   virtual void progress(const RenderProgress&) {}
   virtual void rendered(const RenderResult&) {}
+  /// In place of rendered(), and the last: it was interrupted.
+  virtual void stopped() {}
   virtual void saving() {}
   virtual void saved() {}
   virtual void finished(const RenderArguments&, const AccelStats&, const RenderResult&) {}
@@ -44,6 +46,7 @@ class StandardTalk final : public RenderTalk {
   void rendering() override;
   void progress(const RenderProgress& progress) override;
   void rendered(const RenderResult& result) override;
+  void stopped() override;
   void finished(const RenderArguments& arguments, const AccelStats& accel,
                 const RenderResult& result) override;
 

@@ -76,6 +76,25 @@ TEST_CASE("a picture larger than the memory is an error before rendering that sa
   CHECK(folder.file_count() == 0);
 }
 
+TEST_CASE("with any limit of addresses a picture is made, or an error says why not and the old one stays") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.exr");
+  for (const std::string& scene : {box, std::string("generated:ball:200000")})
+    for (int megabytes = 64; megabytes <= 4096; megabytes += megabytes / 4) {
+      CAPTURE(scene, megabytes);
+      write_text(path, "old");
+      const ProcessResult result =
+          run_shell(fmt::format("ulimit -v {}; timeout 60 '" TWINRAY_PROGRAM "' {} -r 24 18 -s 1 -q -o '{}'",
+                                1024 * megabytes, scene, path));
+      if (result.exit_code == 127) continue;  // The system cannot load the program's libraries.
+      CAPTURE(result.err);
+      CHECK((result.exit_code == 0 || result.exit_code == 1));
+      CHECK((result.exit_code == 0 || result.err.starts_with("twinray: ")));
+      CHECK((result.exit_code == 0 || read_text(path) == "old"));
+      CHECK(folder.file_count() == 1);
+    }
+}
+
 TEST_CASE("where no thread can be made it renders on its first one, on every engine") {
   const TemporaryFolder folder;
   const std::string expected = folder.file("expected.exr"), found = folder.file("found.exr");

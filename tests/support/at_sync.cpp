@@ -1,16 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loaded before the C library: what happens when the program flushes a file, that is, when all of it is
-// written and nothing has been renamed. The environment's AT_SYNC chooses: "fail", as a broken disk does, or
-// "interrupt", as Ctrl-C at that very moment.
+// Loaded before the C library: what happens while the program writes a file. The environment's AT_WRITE says
+// what does when half of it is written, AT_SYNC what does when it is flushed, that is, when all of it is
+// written and nothing has been renamed: "fail", as a broken disk does, "interrupt", as Ctrl-C at that very
+// moment, "terminate" (SIGTERM) or "kill" (SIGKILL).
 #include <errno.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
-extern "C" int fsync(int) {
-  const char* chosen = getenv("AT_SYNC");
-  if (chosen && strcmp(chosen, "interrupt") == 0) raise(SIGINT);
-  if (!chosen || strcmp(chosen, "fail") != 0) return 0;
+namespace {
+
+/// Whether what the variable says is a failure; a signal is raised here.
+bool fails(const char* variable) {
+  const char* chosen = getenv(variable);
+  if (!chosen) return false;
+  if (strcmp(chosen, "interrupt") == 0) raise(SIGINT);
+  if (strcmp(chosen, "terminate") == 0) raise(SIGTERM);
+  if (strcmp(chosen, "kill") == 0) raise(SIGKILL);
   errno = EIO;
-  return -1;
+  return strcmp(chosen, "fail") == 0;
+}
+
+bool is_output(int descriptor) {
+  struct stat status {};
+  return descriptor > STDERR_FILENO && fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+}  // namespace
+
+extern "C" int fsync(int) { return fails("AT_SYNC") ? -1 : 0; }
+
+extern "C" ssize_t write(int descriptor, const void* bytes, size_t count) {
+  if (!is_output(descriptor) || !getenv("AT_WRITE")) return syscall(SYS_write, descriptor, bytes, count);
+  static bool is_half_written = false;
+  if (is_half_written && fails("AT_WRITE")) return -1;
+  is_half_written = true;
+  return syscall(SYS_write, descriptor, bytes, (count + 1) / 2);
 }

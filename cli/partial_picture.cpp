@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/partial_picture.h"
+
+#include <fmt/format.h>
+#include <limits.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "io/destination.h"
+
+namespace twinray {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A name that would become too long loses its end.
+std::string partial_name(const std::string& name) {
+  if (name.empty()) return "";
+  const fs::path path(name);
+  const std::string ending = "_partial" + path.extension().string();
+  return (path.parent_path() / (path.stem().string().substr(0, NAME_MAX - ending.size()) + ending)).string();
+}
+
+struct SampleRange {
+  std::uint32_t least = std::numeric_limits<std::uint32_t>::max(), most = 0;
+};
+
+SampleRange sample_range(const Film& film) {
+  SampleRange range;
+  const PixelRect& window = film.window();
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x) {
+      const PixelSums& pixel = film.pixel(0, x, y);
+      range.least = std::min(range.least, pixel.count + pixel.rejected);
+      range.most = std::max(range.most, pixel.count + pixel.rejected);
+    }
+  return range;
+}
+
+}  // namespace
+
+RenderOutputs partial_outputs(const RenderOutputs& outputs) {
+  if (destination_of(outputs.picture).kind != Destination::Kind::file) return {};
+  return {.picture = partial_name(outputs.picture),
+          .rates = partial_name(outputs.rates),
+          .legend = partial_name(outputs.legend)};
+}
+
+std::string sample_range_text(const Film& film, std::uint32_t wanted) {
+  const auto [least, most] = sample_range(film);
+  return least == most ? fmt::format("{} of {}", most, wanted)
+                       : fmt::format("{} to {} of {}", least, most, wanted);
+}
+
+std::string write_partial(const RenderOutputs& partial, const RenderArguments& arguments, const Film& film,
+                          ImageMetadata metadata) {
+  if (sample_range(film).most == 0)
+    return "twinray: interrupted before the first sample; nothing is written\n";
+  const std::string samples = sample_range_text(film, arguments.render.samples);
+  for (auto& [name, value] : metadata)
+    if (name == "twinray:samples") value = samples;
+  write_pictures(partial, arguments, film, metadata);
+  return fmt::format("twinray: interrupted; {} holds what there is: {} samples a pixel\n", partial.picture,
+                     samples);
+}
+
+}  // namespace twinray

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// What becomes of a render that is interrupted.
+#include "cli/interrupt.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "cli/partial_picture.h"
+#include "core/rgb.h"
+#include "io/image_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/terminal.h"
+
+namespace twinray::test {
+namespace {
+
+const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
+
+/// A render that would take days, into a file.
+std::vector<std::string> endless(const std::string& path, std::vector<std::string> more = {}) {
+  std::vector<std::string> words{box, "-r", "48", "36", "-s", "4000000", "-o", path};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// Whether there is a picture of that size that is not all black.
+bool is_rendered(const std::string& path) {
+  const Image image = read_image(path);
+  return image.width == 48 && !std::all_of(image.pixels.begin(), image.pixels.end(), is_black);
+}
+
+}  // namespace
+
+TEST_CASE("Ctrl-C keeps what was rendered, with the samples that it has") {
+  for (const std::string ending : {".png", ".exr"}) {
+    CAPTURE(ending);
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a" + ending), partial = folder.file("a_partial" + ending);
+    write_text(path, "old");
+    TerminalProgram program(endless(path));
+    REQUIRE(program.wait_for(" samples |"));
+    program.press_control_c();
+    CHECK(program.exit_code() == 130);
+    CHECK(program.shown().find("twinray: interrupted; " + partial + " holds what there is: ") !=
+          std::string::npos);
+    CHECK(read_text(path) == "old");
+    CHECK(is_rendered(partial));
+    CHECK(read_text(partial).find(" of 4000000") != std::string::npos);
+    CHECK(folder.file_count() == 2);
+  }
+}
+
+TEST_CASE("SIGTERM and the end of the terminal keep what was rendered") {
+  for (const auto& [signal_number, code] : {std::pair{SIGTERM, 143}, {SIGHUP, 129}}) {
+    CAPTURE(signal_number);
+    const TemporaryFolder folder;
+    TerminalProgram program(endless(folder.file("a.png")));
+    REQUIRE(program.wait_for(" samples |"));
+    program.send(signal_number);
+    CHECK(program.exit_code() == code);
+    CHECK(is_rendered(folder.file("a_partial.png")));
+    CHECK(folder.file_count() == 1);
+  }
+}
+
+TEST_CASE("the picture of sample rates is kept beside what was rendered") {
+  const TemporaryFolder folder;
+  TerminalProgram program(endless(folder.file("a.png"), {"-a", "64", "0"}));
+  REQUIRE(program.wait_for(" samples |"));
+  program.press_control_c();
+  CHECK(program.exit_code() == 130);
+  CHECK(read_image(folder.file("a_rate_partial.png")).width == 48);
+  CHECK(folder.file_count() == 2);
+}
+
+TEST_CASE("a second Ctrl-C ends at once") {
+  const TemporaryFolder folder;
+  // The second comes while the partial picture is written.
+  TerminalProgram program(
+      endless(folder.file("a.png")),
+      {"ASAN_OPTIONS=verify_asan_link_order=0", "LD_PRELOAD=" TWINRAY_AT_SYNC, "AT_SYNC=interrupt"});
+  REQUIRE(program.wait_for(" samples |"));
+  program.press_control_c();
+  CHECK(program.exit_code() == 130);
+  CHECK(program.shown().find("twinray: interrupted; unfinished outputs are removed, old files are as they "
+                             "were") != std::string::npos);
+  CHECK(folder.file_count() == 0);
+}
+
+TEST_CASE("a picture that has no name has no partial one: Ctrl-C ends at once") {
+  TerminalProgram program(endless("/dev/null"));
+  REQUIRE(program.wait_for(" samples |"));
+  program.press_control_c();
+  CHECK(program.exit_code() == 130);
+  CHECK(program.shown().find("unfinished outputs are removed") != std::string::npos);
+}
+
+TEST_CASE("a partial picture is named like the whole one, and states the samples that its pixels have") {
+  const TemporaryFolder folder;
+  CHECK(partial_outputs({.picture = folder.file("c.d.exr")}).picture == folder.file("c.d_partial.exr"));
+  CHECK(partial_outputs({.picture = folder.file("picture")}).picture == folder.file("picture_partial"));
+  const std::string longest(251, 'n');
+  CHECK(partial_outputs({.picture = folder.file(longest + ".png")}).picture ==
+        folder.file(longest.substr(0, 243) + "_partial.png"));
+  Film film(2, 1, {0, 0, 2, 1});
+  film.add(0, 0, 0, 0, {1, 1, 1});
+  CHECK(sample_range_text(film, 16) == "0 to 1 of 16");
+  film.add(0, 1, 0, 0, {1, 1, 1});
+  CHECK(sample_range_text(film, 16) == "1 of 16");
+}
+
+}  // namespace twinray::test
