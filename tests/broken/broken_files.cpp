@@ -241,7 +241,7 @@ void add_empty(Files& files) {
   files.push_back({"white space", " \n\t\r\n ", true, "the file is empty"});
   files.push_back({"a byte order mark alone", "\xef\xbb\xbf"});
   files.push_back({"a comment alone", "<!-- nothing -->", true, "no element"});
-  files.push_back({"a root alone", "<COLLADA version=\"1.4.1\"/>", true, "<scene>"});
+  files.push_back({"a root alone", "<COLLADA version=\"1.4.1\"/>", true, "<visual_scene>"});
   files.push_back({"another root", "<svg/>", true, "not COLLADA"});
 }
 
@@ -303,7 +303,8 @@ void add_missing(Files& files) {
   for (const std::string element : {"library_effects", "library_materials", "library_geometries",
                                     "library_nodes", "library_visual_scenes", "scene", "vertices",
                                     "technique_common", "xfov", "vcount", "mesh", "color", "source"})
-    files.push_back({"no " + element, without(element), true, element == "scene" ? "<scene>" : ""});
+    files.push_back(
+        {"no " + element, without(element), true, element == "scene" ? "<instance_visual_scene>" : ""});
   for (const std::string element : {"library_cameras", "library_lights"})
     files.push_back({"no " + element, without(element)});
   for (const std::string id : {"eye", "bulb", "square", "ball", "part", "red", "red-effect", "corners",
