@@ -4,8 +4,8 @@ from mutant import Mutant
 
 MUTANTS = [
     Mutant("<constant> without a diffuse colour is rendered grey", "io/collada_material.cpp",
-           "!diffuse && (emission || shading->is(\"constant\"))",
-           "!diffuse && emission",
+           ": effect.shading()->is(\"constant\");",
+           ": false;",
            "test_io", "without a diffuse color a surface is black if it is constant or emits, else grey"),
     Mutant("an ear of a polygon is cut off through a vertex that touches it", "io/polygon.cpp",
            "      if (least == 0) result = Ear::touched;\n",
