@@ -16,6 +16,11 @@ Picture light(const Setting& setting, const FoundScene& scene, const std::string
   return picture_of(scene, fmt::format("{}_s{}", tag, many(setting)), many(setting), std::move(options));
 }
 
+/// So many samples that it stands for the truth; of another seed than what it judges.
+Picture converged_light(const FoundScene& scene, const Scale& scale) {
+  return picture_of(scene, "converged_m5", scale.samples(4096), {"-l", "4", "-m", "5", "--seed", "1"});
+}
+
 Section direct_and_indirect(const Setting& setting, const Scenes& scenes) {
   Section section{
       "Direct and indirect light",

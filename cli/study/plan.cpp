@@ -61,8 +61,4 @@ Picture normals_of(const FoundScene& scene) {
   return picture_of(scene, "normals", smooth, {"--integrator=normals"});
 }
 
-Picture converged_light(const FoundScene& scene, const Scale& scale) {
-  return picture_of(scene, "converged_m5", scale.samples(4096), {"-l", "4", "-m", "5", "--seed", "1"});
-}
-
 }  // namespace twinray::study

@@ -93,8 +93,4 @@ Picture picture_of(const FoundScene& scene, const std::string& tag, std::uint32_
 /// Shading normals.
 Picture normals_of(const FoundScene& scene);
 
-/// All light of up to 5 bounces, so many samples that it stands for the truth; of another seed than the
-/// pictures that are compared with it.
-Picture converged_light(const FoundScene& scene, const Scale& scale);
-
 }  // namespace twinray::study

@@ -29,7 +29,7 @@ MUTANTS = [
            "    if (!scene)\n      add_missing(fmt::format(\"{}.dae\", one.name), part);\n    else if",
            "    if",
            "test_cli", "scenes that are not there are named by part, with what stands in for them"),
-    Mutant("a converged picture has the seed of those that it judges", "cli/study/plan.cpp",
+    Mutant("a converged picture has the seed of those that it judges", "cli/study/global_light.cpp",
            "{\"-l\", \"4\", \"-m\", \"5\", \"--seed\", \"1\"}",
            "{\"-l\", \"4\", \"-m\", \"5\"}",
            "test_cli", "a converged picture has another seed, and more samples than what it judges"),
