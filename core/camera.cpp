@@ -41,12 +41,16 @@ Camera perspective_view(const Camera& camera, const Aabb& box) {
 
 }  // namespace
 
+Camera without_clip(const Camera& camera) {
+  Camera open = camera;
+  open.clip_near = 0;
+  open.clip_far = std::numeric_limits<float>::infinity();
+  return open;
+}
+
 Camera view_whole(const Camera& camera, const Aabb& box) {
   if (box.is_empty()) return camera;
-  Camera moved = camera.is_orthographic ? parallel_view(camera, box) : perspective_view(camera, box);
-  moved.clip_near = 0;
-  moved.clip_far = std::numeric_limits<float>::infinity();
-  return moved;
+  return without_clip(camera.is_orthographic ? parallel_view(camera, box) : perspective_view(camera, box));
 }
 
 Camera fit_frame(const Camera& camera, int width, int height) {

@@ -28,6 +28,9 @@ struct Camera {
 /// one that is stretched, as it is.
 Camera fit_frame(const Camera& camera, int width, int height);
 
+/// The camera without clip distances.
+Camera without_clip(const Camera& camera);
+
 /// The camera moved, without a turn and without clip distances, to where a box just fits into its frame (with
 /// a margin of 4 %), in the middle. The frame of an orthographic camera is scaled so that it does. An empty
 /// box leaves it where it is.

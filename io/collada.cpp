@@ -55,6 +55,24 @@ std::string listed(const std::vector<std::string>& names) {
   return names.size() > most ? fmt::format("{} and {} more", list, names.size() - most) : list;
 }
 
+/// The names that lights still have: a lamp may have taken the place of one.
+std::vector<std::string> names_among(const std::vector<std::string>& names,
+                                     const std::vector<Light>& lights) {
+  std::vector<std::string> found;
+  for (const std::string& name : names)
+    if (std::any_of(lights.begin(), lights.end(), [&](const Light& light) { return light.name == name; }))
+      found.push_back(name);
+  return found;
+}
+
+std::string attenuation_note(const std::vector<std::string>& names) {
+  return fmt::format(
+      "the file says nothing of how light falls off with the distance d for {}: it falls off as 1/d^2, with "
+      "d "
+      "in the file's unit; --attenuation=file gives COLLADA's default, no fall-off",
+      listed(names));
+}
+
 std::string specular_note(const std::vector<std::string>& names) {
   return fmt::format("materials reflect evenly (Lambert); the specular color of {} is left out",
                      listed(names));
@@ -107,6 +125,8 @@ LoadedScene read_document(ColladaDocument& document) {
   SceneSummary& summary = loaded.summary;
   summary.notes = nodes.parts.notes;
   if (!nodes.hidden.empty()) summary.notes.push_back(hidden_note(nodes.hidden));
+  if (const auto names = names_among(nodes.without_attenuation, nodes.parts.lights); !names.empty())
+    summary.notes.push_back(attenuation_note(names));
   if (!materials.with_specular().empty()) summary.notes.push_back(specular_note(materials.with_specular()));
   const Aabb bounds = nodes.parts.bounds;
   loaded.scene = assemble(std::move(nodes.parts), materials);

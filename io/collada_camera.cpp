@@ -121,7 +121,7 @@ Camera read_camera(const XmlElement& element, const XmlElement& instance, const 
   camera.is_orthographic = parallel.has_value();
   read_field(lens, parallel ? orthographic : perspective, camera, document);
   if (parallel) scale_frame(to_world, camera);
-  read_clip(lens, camera);
+  if (document.options().clip_as_file) read_clip(lens, camera);
   orient(instance, to_world, camera, document);
   camera.position = to_world.point({0, 0, 0});
   if (!is_finite(camera.position) || max_abs(camera.position) > max_coordinate)
@@ -159,19 +159,16 @@ Cs184View read_cs184_view(const XmlElement& element, const XmlElement& instance,
 }
 
 Camera default_camera(const Aabb& bounds) {
-  constexpr double half_field = 25 * radians_per_degree;
-  const Vec3 extent = bounds.extent();
-  const double radius =
-      std::sqrt(double(extent.x) * extent.x + double(extent.y) * extent.y + double(extent.z) * extent.z) / 2;
-  const double distance = (radius > 0 ? radius : 1) / sin_radians(half_field);
-  const Axis back = Axis{0, 0.25, 1}.unit();
-  const Vec3 center = bounds.is_empty() ? Vec3{0, 0, 0} : bounds.center();
+  constexpr double half_field = 20 * radians_per_degree;
+  const Axis back = Axis{0.6, 0.5, 1}.unit();
+  const Axis right = Axis{0, 1, 0}.cross(back).unit();
   Camera camera;
-  camera.position = {center.x, float(center.y + distance * back.y), float(center.z + distance * back.z)};
   camera.forward = Axis{-back.x, -back.y, -back.z}.vec();
-  camera.up = back.cross({1, 0, 0}).vec();
+  camera.right = right.vec();
+  camera.up = back.cross(right).vec();
   camera.tan_half_width = camera.tan_half_height = float(tan_radians(half_field));
-  return camera;
+  camera.position = back.vec();
+  return view_whole(camera, bounds);
 }
 
 }  // namespace twinray

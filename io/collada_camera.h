@@ -11,7 +11,8 @@ namespace twinray {
 /// Reads a <camera>, perspective or orthographic, that an <instance_camera> places by its node's transform,
 /// whose axes are made orthonormal: it looks along -z, with y up. Legal are xfov, yfov or both (xmag and ymag
 /// of an orthographic one: half the frame), and an aspect_ratio beside one of them; with one alone the shape
-/// of the image decides the other. Throws Error for numbers out of range.
+/// of the image decides the other. The clip distances are read where LoadOptions::clip_as_file asks for them.
+/// Throws Error for numbers out of range.
 Camera read_camera(const XmlElement& camera, const XmlElement& instance, const Transform& to_world,
                    ColladaDocument& document);
 
@@ -21,7 +22,8 @@ Camera read_camera(const XmlElement& camera, const XmlElement& instance, const T
 Cs184View read_cs184_view(const XmlElement& camera, const XmlElement& instance, const Transform& to_world,
                           ColladaDocument& document);
 
-/// A camera that sees the whole box, from +Z and slightly above, with a field of 50 degrees.
+/// A camera that sees the whole box in three-quarter view: its front (+Z), its right side and its top, with a
+/// field of 40 degrees.
 Camera default_camera(const Aabb& bounds);
 
 }  // namespace twinray

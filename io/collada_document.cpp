@@ -78,7 +78,7 @@ void ColladaDocument::index(const XmlElement& element, File& file) {
   const bool counts =
       options_.interpretation == Interpretation::standard || element == element.document().root();
   for (const XmlElement& child : element.children()) {
-    if (counts && child.is("asset")) file.spaces[element] = read_space(child, space_of(element));
+    if (counts && child.is("asset")) file.spaces[element] = read_space(child, space_of(element), warnings_);
     index(child, file);
   }
 }
@@ -121,6 +121,23 @@ XmlElement ColladaDocument::resolve(const XmlElement& from, const char* attribut
   throw error_at(
       from.attribute_place(attribute),
       fmt::format("\"{}\" is not a reference, which has the form \"#id\" or \"file.dae#id\"", url));
+}
+
+std::optional<XmlElement> ColladaDocument::resolve_or_warn(const XmlElement& from, const char* attribute,
+                                                           std::string_view kind) {
+  try {
+    return resolve(from, attribute, kind);
+  } catch (const PlacedError& error) {
+    warn([&] { return error.place(); },
+         fmt::format("{}; this <{}> is left out", error.message(), from.name()));
+    return std::nullopt;
+  }
+}
+
+bool ColladaDocument::is_empty(const XmlElement& element) {
+  if (!element.children().empty() || !element.text().empty()) return false;
+  warn(element, fmt::format("<{}> is empty, and is left out", element.name()));
+  return true;
 }
 
 XmlElement ColladaDocument::find_in(const XmlDocument& document, const XmlElement& from,

@@ -33,6 +33,11 @@ class ColladaDocument {
   /// an <or_kind>.
   XmlElement resolve(const XmlElement& from, const char* attribute, std::string_view kind,
                      std::string_view or_kind = "");
+  /// The same, for what can be left out: what resolve() throws is a warning, and nothing is returned.
+  std::optional<XmlElement> resolve_or_warn(const XmlElement& from, const char* attribute,
+                                            std::string_view kind);
+  /// Whether the element holds neither elements nor text: with a warning that it is left out.
+  bool is_empty(const XmlElement& element);
   /// The <kind> with this id in the file of `from`.
   std::optional<XmlElement> find(const XmlElement& from, std::string_view id, std::string_view kind) const;
 

@@ -32,12 +32,17 @@ XmlElement kind_of(const XmlElement& light) {
   common.fail("<technique_common> of a light needs <point>, <spot>, <directional> or <ambient>");
 }
 
-/// The file's attenuation: COLLADA's defaults (1, 0, 0) for those of the three terms that it leaves out, and
-/// the inverse square law where it has none of them.
-Attenuation read_attenuation(const XmlElement& kind) {
+bool has_attenuation(const XmlElement& kind) {
+  return kind.child("constant_attenuation") || kind.child("linear_attenuation") ||
+         kind.child("quadratic_attenuation");
+}
+
+/// The file's attenuation: COLLADA's defaults (1, 0, 0) for those of the three terms that it leaves out.
+/// Where it has none of them, that or the inverse square law.
+Attenuation read_attenuation(const XmlElement& kind, const LoadOptions& options) {
+  if (!has_attenuation(kind) && !options.attenuation_as_file) return {};
   const auto constant = kind.child("constant_attenuation"), linear = kind.child("linear_attenuation"),
              quadratic = kind.child("quadratic_attenuation");
-  if (!constant && !linear && !quadratic) return {};
   const auto value = [](const std::optional<XmlElement>& element, float fallback) {
     return element ? float(number_in(*element, 0, most_attenuation)) : fallback;
   };
@@ -83,12 +88,13 @@ std::optional<PlacedLight> place_area(const XmlElement& light, const XmlElement&
   return std::nullopt;
 }
 
-SpotLight read_spot(const XmlElement& instance, const XmlElement& kind, const Transform& to_world) {
+SpotLight read_spot(const XmlElement& instance, const XmlElement& kind, const Transform& to_world,
+                    const LoadOptions& options) {
   SpotLight spot;
   spot.position = position_of(instance, to_world);
   spot.direction = direction_of(instance, to_world);
   spot.intensity = read_color(kind.required_child("color"), most_intensity);
-  spot.attenuation = read_attenuation(kind);
+  spot.attenuation = read_attenuation(kind, options);
   if (const auto angle = kind.child("falloff_angle"))
     spot.falloff_angle_degrees = float(number_in(*angle, 1e-3, 360));
   if (const auto exponent = kind.child("falloff_exponent"))
@@ -121,11 +127,13 @@ std::optional<LightSource> read_cs184_light(const XmlElement& instance, const Xm
   return AmbientLight{{0, 1, 0}, color};
 }
 
-LightSource read_source_light(const XmlElement& instance, const XmlElement& kind, const Transform& to_world) {
-  if (kind.is("spot")) return read_spot(instance, kind, to_world);
+LightSource read_source_light(const XmlElement& instance, const XmlElement& kind, const Transform& to_world,
+                              const LoadOptions& options) {
+  if (kind.is("spot")) return read_spot(instance, kind, to_world, options);
   const Rgb color =
       read_color(kind.required_child("color"), kind.is("point") ? most_intensity : max_radiance);
-  if (kind.is("point")) return PointLight{position_of(instance, to_world), color, read_attenuation(kind)};
+  if (kind.is("point"))
+    return PointLight{position_of(instance, to_world), color, read_attenuation(kind, options)};
   if (kind.is("directional")) return DirectionalLight{direction_of(instance, to_world), color};
   return AmbientLight{{0, 1, 0}, color};
 }
@@ -149,7 +157,12 @@ std::optional<PlacedLight> read_light(const XmlElement& light, const XmlElement&
     if (!source) return std::nullopt;
     return Light{display_name(light), *source};
   }
-  return Light{display_name(light), read_source_light(instance, kind, to_world)};
+  return Light{display_name(light), read_source_light(instance, kind, to_world, document.options())};
+}
+
+bool lacks_attenuation(const XmlElement& light) {
+  const XmlElement kind = kind_of(light);
+  return (kind.is("point") || kind.is("spot")) && !has_attenuation(kind);
 }
 
 }  // namespace twinray

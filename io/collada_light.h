@@ -28,7 +28,11 @@ using PlacedLight = std::variant<AreaLight, Light>;
 /// one unit in front of their node as seen from the origin, and spot lights are left out, with a warning.
 /// Nothing, with a warning, for an area light without area. Throws Error for colors below 0, an attenuation
 /// that is 0, a missing type.
+/// A point or spot light without attenuation elements falls off by LoadOptions::attenuation_as_file.
 std::optional<PlacedLight> read_light(const XmlElement& light, const XmlElement& instance,
                                       const Transform& to_world, ColladaDocument& document);
+
+/// Whether it is a point or spot light that says nothing of its attenuation.
+bool lacks_attenuation(const XmlElement& light);
 
 }  // namespace twinray

@@ -9,6 +9,7 @@
 
 #include "io/collada_source.h"
 #include "io/polygon.h"
+#include "io/used_elements.h"
 
 namespace twinray {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 struct Input {
   XmlElement source;
   std::size_t offset = 0;
-  SourceValues values;
+  std::shared_ptr<const SourceValues> values;
 };
 
 struct Inputs {
@@ -27,16 +28,24 @@ struct Inputs {
 
 constexpr std::size_t width_of(std::string_view semantic) { return semantic == "TEXCOORD" ? 2 : 3; }
 
-std::vector<Vec3> vectors(const SourceValues& source) {
-  std::vector<Vec3> result;
-  for (std::size_t i = 0; i < source.values.size(); i += 3)
-    result.push_back({source.values[i], source.values[i + 1], source.values[i + 2]});
-  return result;
+/// The elements of a source as vectors, by their index.
+auto vectors(const SourceValues& source) {
+  return [&source](std::size_t i) {
+    const float* p = &source.values[3 * i];
+    return Vec3{p[0], p[1], p[2]};
+  };
 }
 
-std::string out_of_range(std::uint32_t index, const Input& input) {
+auto pairs(const SourceValues& source) {
+  return [&source](std::size_t i) { return Vec2{source.values[2 * i], source.values[2 * i + 1]}; };
+}
+
+std::string what_is_wrong(std::uint32_t index, const Input& input) {
+  if (index < input.values->count())
+    return fmt::format("the index {} leads to a number of <source id=\"{}\"> that is not finite", index,
+                       input.source.attribute("id").value_or(""));
   return fmt::format("the index {} is out of range: <source id=\"{}\"> has {} elements, numbered from 0",
-                     index, input.source.attribute("id").value_or(""), input.values.count());
+                     index, input.source.attribute("id").value_or(""), input.values->count());
 }
 
 /// The corners that <triangles> count; 0 for other elements.
@@ -46,14 +55,16 @@ std::size_t triangle_corners(const XmlElement& element) {
 
 class PartReader {
  public:
-  PartReader(const XmlElement& element, const std::string& name, ColladaDocument& document)
-      : document_(document), part_{element, element.attribute("material").value_or(""), {}} {
+  PartReader(const XmlElement& element, const std::string& name, ColladaDocument& document,
+             ColladaSources& sources)
+      : document_(document),
+        sources_(sources),
+        part_{element, element.attribute("material").value_or(""), {}} {
     part_.mesh.name = name;
   }
 
   ColladaPart read() {
     read_inputs();
-    copy_positions();
     if (part_.element.is("polylist"))
       read_polylist();
     else
@@ -62,7 +73,7 @@ class PartReader {
         if (child.is("ph")) read_ph(child);
       }
     check_count();
-    copy_normals_and_uvs();
+    copy_values();
     return std::move(part_);
   }
 
@@ -70,8 +81,7 @@ class PartReader {
   void read_inputs();
   void add_vertices(const XmlElement& vertices, std::size_t offset);
   void add_input(const XmlElement& input, const std::string& semantic, std::size_t offset);
-  void copy_positions();
-  void copy_normals_and_uvs();
+  void copy_values();
 
   std::size_t offset_of(const XmlElement& input, std::size_t inputs);
   void read_polylist();
@@ -87,8 +97,10 @@ class PartReader {
   void add_polygon(std::span<const std::uint32_t> indices, std::span<const std::size_t> hole_starts = {});
   void add_reduced(std::span<const std::uint32_t> indices);
   void add_triangle(const std::uint32_t* a, const std::uint32_t* b, const std::uint32_t* c);
+  void reserve_triangles(std::size_t more);
 
   ColladaDocument& document_;
+  ColladaSources& sources_;
   ColladaPart part_;
   Inputs inputs_;
   std::size_t polygons_ = 0;
@@ -144,7 +156,7 @@ void PartReader::add_input(const XmlElement& input, const std::string& semantic,
                                                         : nullptr;
   if (slot && !*slot) {
     const XmlElement source = document_.resolve(input, "source", "source");
-    *slot = Input{source, offset, read_source(source, width_of(semantic), document_)};
+    *slot = Input{source, offset, sources_.get(source, width_of(semantic))};
   }
   if (semantic == "COLOR")
     return document_.warn(input, "vertex colors are not rendered; the surface has its material's color");
@@ -155,28 +167,34 @@ void PartReader::add_input(const XmlElement& input, const std::string& semantic,
                              nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
 }
 
-void PartReader::copy_positions() { part_.mesh.positions = vectors(inputs_.position->values); }
-
-/// Those that proved wrong on the way have left their indices behind.
-void PartReader::copy_normals_and_uvs() {
-  if (inputs_.normal)
-    part_.mesh.normals = vectors(inputs_.normal->values);
+/// Normals and texture coordinates that proved wrong on the way have left their indices behind.
+void PartReader::copy_values() {
+  Mesh& mesh = part_.mesh;
+  const SourceValues& positions = *inputs_.position->values;
+  if (part_.reduced.empty())
+    take_used(positions.count(), vectors(positions), mesh.triangles, mesh.positions);
   else
-    part_.mesh.normal_indices.clear();
-  if (!inputs_.uv) return part_.mesh.uv_indices.clear();
-  const auto& uv = inputs_.uv->values.values;
-  for (std::size_t i = 0; i < uv.size(); i += 2) part_.mesh.uvs.push_back({uv[i], uv[i + 1]});
+    for (std::size_t i = 0; i < positions.count(); ++i) mesh.positions.push_back(vectors(positions)(i));
+  if (inputs_.normal)
+    take_used(inputs_.normal->values->count(), vectors(*inputs_.normal->values), mesh.normal_indices,
+              mesh.normals);
+  else
+    mesh.normal_indices.clear();
+  if (inputs_.uv)
+    take_used(inputs_.uv->values->count(), pairs(*inputs_.uv->values), mesh.uv_indices, mesh.uvs);
+  else
+    mesh.uv_indices.clear();
 }
 
 /// Surfaces do without normals and texture coordinates, but not without positions.
 void PartReader::check_indices(const XmlElement& p, const std::vector<std::uint32_t>& indices) {
   if (const auto at = find_wrong(p, indices, *inputs_.position))
-    throw error_at(p.number_place(*at), out_of_range(indices[*at], *inputs_.position));
+    throw error_at(p.number_place(*at), what_is_wrong(indices[*at], *inputs_.position));
   const auto drop = [&](std::optional<Input>& input, const char* what) {
     const auto at = input ? find_wrong(p, indices, *input) : std::nullopt;
     if (!at) return;
     document_.warn([&] { return p.number_place(*at); },
-                   fmt::format("{}; the {} of this <{}> are left out", out_of_range(indices[*at], *input),
+                   fmt::format("{}; the {} of this <{}> are left out", what_is_wrong(indices[*at], *input),
                                what, part_.element.name()));
     input.reset();
   };
@@ -189,10 +207,10 @@ void PartReader::check_indices(const XmlElement& p, const std::vector<std::uint3
 std::optional<std::size_t> PartReader::find_wrong(const XmlElement& p,
                                                   const std::vector<std::uint32_t>& indices,
                                                   const Input& input) {
-  const SourceValues& values = input.values;
+  const SourceValues& values = *input.values;
   for (std::size_t i = input.offset; i < indices.size(); i += inputs_.stride) {
+    if (indices[i] >= values.count() || !values.is_finite(indices[i])) return i;
     if (indices[i] < values.stated) continue;
-    if (indices[i] >= values.count()) return i;
     document_.warn(
         [&] { return p.number_place(i); },
         fmt::format("an index beyond the {} elements that <source id=\"{}\"> counts; its array has {}, "
@@ -238,6 +256,8 @@ void PartReader::read_polylist() {
   std::size_t corners = 0;
   for (const std::uint32_t count : counts) corners += count;
   const auto indices = read_indices(part_.element.required_child("p"), corners);
+  const std::size_t all = indices.size() / inputs_.stride;
+  reserve_triangles(all - std::min(all, 2 * counts.size()));
   std::size_t begin = 0;
   for (const std::uint32_t count : counts) {
     const std::size_t length = count * inputs_.stride;
@@ -258,6 +278,7 @@ void PartReader::read_p(const XmlElement& p) {
   if (part_.element.is("triangles")) {
     if (corners % 3 != 0)
       p.fail(fmt::format("<p> has {} corners; that of <triangles> needs a multiple of 3", corners));
+    reserve_triangles(corners / 3);
     for (std::size_t i = 0; i + 2 < corners; i += 3) add_triangle(at(i), at(i + 1), at(i + 2));
     polygons_ += corners / 3;
     return;
@@ -315,7 +336,7 @@ void PartReader::add_polygon(std::span<const std::uint32_t> indices,
     return add_reduced(indices);
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < corners; ++i)
-    points.push_back(part_.mesh.positions[at(i)[inputs_.position->offset]]);
+    points.push_back(vectors(*inputs_.position->values)(at(i)[inputs_.position->offset]));
   for (const auto& [a, b, c] : triangulate(points, hole_starts)) add_triangle(at(a), at(b), at(c));
 }
 
@@ -339,6 +360,15 @@ void PartReader::add_triangle(const std::uint32_t* a, const std::uint32_t* b, co
   add(inputs_.position, part_.mesh.triangles);
   add(inputs_.normal, part_.mesh.normal_indices);
   add(inputs_.uv, part_.mesh.uv_indices);
+}
+
+void PartReader::reserve_triangles(std::size_t more) {
+  const auto reserve = [&](const std::optional<Input>& input, std::vector<Triangle>& triangles) {
+    if (input) triangles.reserve(triangles.size() + more);
+  };
+  reserve(inputs_.position, part_.mesh.triangles);
+  reserve(inputs_.normal, part_.mesh.normal_indices);
+  reserve(inputs_.uv, part_.mesh.uv_indices);
 }
 
 bool is_primitive(const XmlElement& element) {
@@ -377,8 +407,9 @@ ColladaGeometry read_geometry(const XmlElement& geometry, ColladaDocument& docum
   if (sphere && mesh)
     document.warn(*sphere, "a geometry with a <mesh> cannot be a sphere too; the sphere is left out");
   if (mesh) {
+    ColladaSources sources(document);
     for (const XmlElement& element : parts_of(*mesh, document))
-      result.parts.push_back(PartReader(element, display_name(geometry), document).read());
+      result.parts.push_back(PartReader(element, display_name(geometry), document, sources).read());
     if (result.parts.empty())
       document.warn(*mesh, fmt::format("this <{}> has no triangles or polygons", mesh->name()));
   } else if (sphere) {

@@ -40,6 +40,7 @@ void ColladaNodes::visit(const XmlElement& node, const Transform& parent, const 
   const ColladaSpace& space = document_.space_of(node);
   const Transform to_world = parent * conversion(space, outside) * read_node_transform(node, document_);
   for (const XmlElement& child : is_cs184() ? cs184_children(node) : node.children()) {
+    if (names_nothing(child)) continue;
     instance(node, child, to_world);
     if (child.is("instance_node")) visit(document_.resolve(child, "url", "node"), to_world, space);
     if (child.is("node")) visit(child, to_world, space);
@@ -65,6 +66,15 @@ std::vector<XmlElement> ColladaNodes::cs184_children(const XmlElement& node) {
                      "a node has one object in CS184's program, its camera, else its light, else "
                      "its geometry; this one is left out");
   return children;
+}
+
+/// <instance_light/>, with a warning.
+bool ColladaNodes::names_nothing(const XmlElement& instance) {
+  if (instance.name().rfind("instance_", 0) != 0 || !instance.attribute("url").value_or("").empty())
+    return false;
+  document_.warn(instance,
+                 fmt::format("this <{}> has no url that names something; it is left out", instance.name()));
+  return true;
 }
 
 /// Programs hide the cameras that they make for themselves; these serve all the same.
@@ -144,14 +154,22 @@ void ColladaNodes::add_sphere(float radius, const std::string& name, const XmlEl
 
 void ColladaNodes::add_light(const XmlElement& instance, const Transform& to_world) {
   if (document_.options().surfaces_only) return;
-  auto light = read_light(document_.resolve(instance, "url", "light"), instance, to_world, document_);
+  const auto element = document_.resolve_or_warn(instance, "url", "light");
+  if (!element || document_.is_empty(*element)) return;
+  auto light = read_light(*element, instance, to_world, document_);
   if (!light) return;
+  if (const std::string name = display_name(*element);
+      document_.options().interpretation == Interpretation::standard &&
+      !document_.options().attenuation_as_file && lacks_attenuation(*element) &&
+      std::find(without_attenuation.begin(), without_attenuation.end(), name) == without_attenuation.end())
+    without_attenuation.push_back(name);
   if (auto* area = std::get_if<AreaLight>(&*light)) parts.area_lights.push_back(*area);
   if (auto* other = std::get_if<Light>(&*light)) parts.lights.push_back(*other);
 }
 
 void ColladaNodes::add_camera(const XmlElement& node, const XmlElement& instance, const Transform& to_world) {
-  cameras.push_back({document_.resolve(instance, "url", "camera"), instance, node, to_world});
+  const auto element = document_.resolve_or_warn(instance, "url", "camera");
+  if (element && !document_.is_empty(*element)) cameras.push_back({*element, instance, node, to_world});
 }
 
 }  // namespace twinray

@@ -29,12 +29,14 @@ class ColladaNodes {
   std::vector<ColladaCamera> cameras;
   std::vector<std::string> hidden;  ///< Names of the nodes whose lights or shapes the file hides.
   std::size_t dropped_triangles = 0;
+  std::vector<std::string> without_attenuation;  ///< Point and spot lights that physics makes fall off.
 
  private:
   void visit(const XmlElement& node, const Transform& parent, const ColladaSpace& outside);
   /// What counts of a node by CS184's rules: the nodes below it first, then one object.
   std::vector<XmlElement> cs184_children(const XmlElement& node);
   bool is_cs184() const { return document_.options().interpretation == Interpretation::cs184; }
+  bool names_nothing(const XmlElement& instance);
   void instance(const XmlElement& node, const XmlElement& child, const Transform& to_world);
   void add_geometry(const XmlElement& node, const XmlElement& instance, const Transform& to_world);
   void add_controller(const XmlElement& node, const XmlElement& instance, const Transform& to_world);

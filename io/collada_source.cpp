@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace twinray {
 namespace {
@@ -86,7 +87,7 @@ XmlElement find_array(const XmlElement& source, const std::optional<XmlElement>&
 }
 
 std::vector<float> read_array(const XmlElement& array, ColladaDocument& document) {
-  std::vector<float> values = array.floats();
+  std::vector<float> values = array.floats_or_nan();
   if (!array.attribute("count"))
     document.warn(
         array, fmt::format("this <{}> has no count, which it needs; all its numbers are read", array.name()));
@@ -125,7 +126,21 @@ SourceValues read_source(const XmlElement& source, std::size_t width, ColladaDoc
     for (std::size_t k = 0; k < width; ++k)
       result.values.push_back(
           layout.used[k] == absent ? 0 : array[layout.offset + layout.stride * i + layout.used[k]]);
+  result.has_nan =
+      std::any_of(result.values.begin(), result.values.end(), [](float x) { return std::isnan(x); });
   return result;
+}
+
+bool SourceValues::is_finite(std::size_t element) const {
+  if (!has_nan) return true;
+  const auto begin = values.begin() + std::ptrdiff_t(element * width);
+  return std::none_of(begin, begin + std::ptrdiff_t(width), [](float x) { return std::isnan(x); });
+}
+
+std::shared_ptr<const SourceValues> ColladaSources::get(const XmlElement& source, std::size_t width) {
+  auto& known = known_[{source, width}];
+  if (!known) known = std::make_shared<const SourceValues>(read_source(source, width, document_));
+  return known;
 }
 
 }  // namespace twinray

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstddef>
+#include <map>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "io/collada_document.h"
@@ -12,12 +15,28 @@ struct SourceValues {
   std::size_t width = 3;      ///< Numbers of an element.
   std::vector<float> values;  ///< width for each element.
   std::size_t stated = 0;     ///< The elements that the accessor counts: at most count().
+  bool has_nan = false;       ///< Some number is not finite: it is NaN here.
+
   std::size_t count() const { return values.size() / width; }
+  /// Whether all numbers of an element are finite.
+  bool is_finite(std::size_t element) const;
 };
 
 /// Reads the first `width` named <param>s (all of them, where none has a name) of each element, by the
 /// accessor's offset and stride. Counts that disagree with the array are warnings: the array is right. So are
 /// a stride and an accessor that are missing. Throws Error where there are fewer parameters.
 SourceValues read_source(const XmlElement& source, std::size_t width, ColladaDocument& document);
+
+/// The sources of a mesh, which its primitive elements share: each is read once.
+class ColladaSources {
+ public:
+  explicit ColladaSources(ColladaDocument& document) : document_(document) {}
+  /// As read_source() has it.
+  std::shared_ptr<const SourceValues> get(const XmlElement& source, std::size_t width);
+
+ private:
+  ColladaDocument& document_;
+  std::map<std::pair<XmlElement, std::size_t>, std::shared_ptr<const SourceValues>> known_;
+};
 
 }  // namespace twinray

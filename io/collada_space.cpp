@@ -8,9 +8,20 @@
 namespace twinray {
 namespace {
 
-double read_meters(const XmlElement& unit, const std::string& text) {
+/// Some programs write decimals as their user's language has them.
+std::string with_decimal_point(const XmlElement& unit, const std::string& text, WarningList& warnings) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos || text.find_first_of(",.", comma + 1) != std::string::npos) return text;
+  std::string result = text;
+  result[comma] = '.';
+  warnings.add([&] { return unit.attribute_place("meter"); },
+               fmt::format("\"{}\" is read as {}: decimals have a point", text, result));
+  return result;
+}
+
+double read_meters(const XmlElement& unit, const std::string& text, WarningList& warnings) {
   try {
-    const auto numbers = parse_doubles(text);
+    const auto numbers = parse_doubles(with_decimal_point(unit, text, warnings));
     if (numbers.size() != 1 || numbers[0] <= 0) throw NumberError{0, "\"meter\" must be one number above 0"};
     return numbers[0];
   } catch (const NumberError& error) {
@@ -41,14 +52,20 @@ Transform transposed(const Transform& t) {
 
 }  // namespace
 
-ColladaSpace read_space(const XmlElement& asset, const ColladaSpace& outside) {
+ColladaSpace read_space(const XmlElement& asset, const ColladaSpace& outside, WarningList& warnings) {
   ColladaSpace space = outside;
-  if (const auto axis = asset.child("up_axis")) space.up_axis = read_axis(*axis);
+  if (const auto axis = asset.child("up_axis")) {
+    if (axis->text().empty())
+      warnings.add([&] { return axis->place(); },
+                   fmt::format("<up_axis> is empty; {}_UP is taken, which holds around it", space.up_axis));
+    else
+      space.up_axis = read_axis(*axis);
+  }
   const auto unit = asset.child("unit");
   if (!unit) return space;
   const auto meter = unit->attribute("meter");
   space.unit_name = unit->attribute("name").value_or(ColladaSpace{}.unit_name);
-  space.unit_meters = meter ? read_meters(*unit, *meter) : 1;
+  space.unit_meters = meter ? read_meters(*unit, *meter, warnings) : 1;
   return space;
 }
 

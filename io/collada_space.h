@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/transform.h"
+#include "io/diagnostic.h"
 #include "io/xml_reader.h"
 
 namespace twinray {
@@ -14,9 +15,10 @@ struct ColladaSpace {
   char up_axis = 'Y';      ///< X, Y or Z.
 };
 
-/// What an <asset> says; what it leaves out is as outside. Throws Error for an unknown axis and for a unit
+/// What an <asset> says; what it leaves out is as outside. A unit with a decimal comma and an empty axis are
+/// warnings. Throws Error for an unknown axis and for a unit
 /// that is not above 0.
-ColladaSpace read_space(const XmlElement& asset, const ColladaSpace& outside);
+ColladaSpace read_space(const XmlElement& asset, const ColladaSpace& outside, WarningList& warnings);
 
 /// Coordinates of one space in those of another one: scaled by their units and turned by their axes, as
 /// COLLADA has these (right, up and towards the viewer: X_UP -y, x, z; Y_UP x, y, z; Z_UP x, z, -y).

@@ -27,6 +27,13 @@ Double3 unit(const Double3& a) {
 
 bool is_zero(const Double3& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 
+/// Up to what programs lose when they multiply and write matrices.
+bool is_last_row(double x, double y, double z, double w) {
+  constexpr double tolerance = 1e-5;
+  return std::fabs(x) <= tolerance && std::fabs(y) <= tolerance && std::fabs(z) <= tolerance &&
+         std::fabs(w - 1) <= tolerance;
+}
+
 Transform read_rotate(const XmlElement& element) {
   const auto v = element.doubles(4);
   const Vec3 axis{float(v[0]), float(v[1]), float(v[2])};
@@ -95,6 +102,12 @@ Transform read_skew(const XmlElement& element) {
   return result;
 }
 
+bool is_transform(const XmlElement& element) {
+  for (const char* name : {"matrix", "rotate", "lookat", "skew", "translate", "scale"})
+    if (element.is(name)) return true;
+  return false;
+}
+
 }  // namespace
 
 Transform read_matrix(const XmlElement& element, ColladaDocument& document) {
@@ -106,7 +119,7 @@ Transform read_matrix(const XmlElement& element, ColladaDocument& document) {
                   fmt::format("<{}> needs 16 numbers and has {}; the first 12 are used, and the last row is "
                               "taken to be 0 0 0 1",
                               element.name(), values.size()));
-  else if (values[12] != 0 || values[13] != 0 || values[14] != 0 || values[15] != 1)
+  else if (!is_last_row(values[12], values[13], values[14], values[15]))
     throw error_at(element.number_place(12),
                    fmt::format("the last row of <{}> must be 0 0 0 1", element.name()));
   Transform result;
@@ -118,6 +131,7 @@ Transform read_matrix(const XmlElement& element, ColladaDocument& document) {
 Transform read_node_transform(const XmlElement& node, ColladaDocument& document) {
   Transform result;
   for (const XmlElement& element : node.children()) {
+    if (is_transform(element) && document.is_empty(element)) continue;
     if (element.is("matrix")) {
       result = result * read_matrix(element, document);
       if (document.options().interpretation == Interpretation::cs184) break;

@@ -97,7 +97,10 @@ std::string message_at(const Place& place, const std::string& message) {
                      place.excerpt, '^', place.caret_column);
 }
 
-Error error_at(const Place& place, const std::string& message) { return Error(message_at(place, message)); }
+PlacedError::PlacedError(const Place& place, const std::string& message)
+    : Error(message_at(place, message)), place_(place), message_(message) {}
+
+PlacedError error_at(const Place& place, const std::string& message) { return {place, message}; }
 
 std::string Diagnostic::text() const {
   return message_at(place, count == 1 ? message : fmt::format("{} ({} times)", message, count));

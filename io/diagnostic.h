@@ -27,8 +27,21 @@ Place place_of(const std::string& file, std::string_view text, std::size_t offse
 /// "file:line:column: message", and below it the excerpt with a caret where the place has a line.
 std::string message_at(const Place& place, const std::string& message);
 
-/// The error to throw: its text is message_at().
-Error error_at(const Place& place, const std::string& message);
+/// An error that knows its place and what is wrong there; its text is message_at().
+class PlacedError : public Error {
+ public:
+  PlacedError(const Place& place, const std::string& message);
+
+  const Place& place() const { return place_; }
+  const std::string& message() const { return message_; }
+
+ private:
+  Place place_;
+  std::string message_;
+};
+
+/// The error to throw.
+PlacedError error_at(const Place& place, const std::string& message);
 
 /// Something in a file that was not used as it stands: a value, which a program prints or not.
 struct Diagnostic {

@@ -11,6 +11,10 @@ struct LoadOptions {
   bool strict = false;           ///< Whatever would be a warning is an Error.
   bool keep_both_lamps = false;  ///< Undoes the one-lamp rule (io/collada_lamp.h).
   std::string camera_name = {};  ///< Of the camera to see by, or its node; empty: the file's choice.
+  bool clip_as_file = false;     ///< The camera has the file's <znear> and <zfar>; else it sees any distance.
+  /// A point or spot light without attenuation elements does not fall off, which is COLLADA's default; else
+  /// it falls off with the squared distance.
+  bool attenuation_as_file = false;
   Interpretation interpretation = Interpretation::standard;
   /// Leaves the lights out, and the shapes that area lights add to the scene: what CS184's picture of normals
   /// shows.

@@ -65,13 +65,36 @@ Real parse_real(std::string_view token, std::size_t offset) {
   return value;
 }
 
+std::size_t count_tokens(std::string_view text) {
+  std::size_t count = 0;
+  bool was_space = true;
+  for (const char c : text) {
+    count += was_space && !is_space(c);
+    was_space = is_space(c);
+  }
+  return count;
+}
+
 template <typename Real>
 std::vector<Real> parse_reals(std::string_view text) {
   std::vector<Real> values;
+  values.reserve(count_tokens(text));
   for_each_token(text, [&](std::string_view token, std::size_t offset) {
     values.push_back(parse_real<Real>(token, offset));
   });
   return values;
+}
+
+/// Whether a token is what programs write for a number that is none or infinite: "nan", "-nan(ind)", "INF",
+/// "Infinity"; and Microsoft's "1.#QNAN", "-1.#IND", "1.#INF00".
+bool is_not_finite(std::string_view token) {
+  if (token.size() > 1 && (token[0] == '-' || token[0] == '+')) token.remove_prefix(1);
+  if (token.substr(0, 3) == "1.#") return token.size() > 3;
+  const char first = char(token[0] | 0x20);  // in lower case, if it is a letter
+  if (first != 'n' && first != 'i') return false;
+  std::string lower(token);
+  for (char& c : lower) c = char(c | 0x20);
+  return lower == "nan" || lower == "inf" || lower == "infinity" || lower.rfind("nan(", 0) == 0;
 }
 
 }  // namespace
@@ -79,8 +102,19 @@ std::vector<Real> parse_reals(std::string_view text) {
 std::vector<double> parse_doubles(std::string_view text) { return parse_reals<double>(text); }
 std::vector<float> parse_floats(std::string_view text) { return parse_reals<float>(text); }
 
+std::vector<float> parse_floats_or_nan(std::string_view text) {
+  std::vector<float> values;
+  values.reserve(count_tokens(text));
+  for_each_token(text, [&](std::string_view token, std::size_t offset) {
+    values.push_back(is_not_finite(token) ? std::numeric_limits<float>::quiet_NaN()
+                                          : parse_real<float>(token, offset));
+  });
+  return values;
+}
+
 std::vector<std::uint32_t> parse_indices(std::string_view text) {
   std::vector<std::uint32_t> values;
+  values.reserve(count_tokens(text));
   for_each_token(text, [&](std::string_view token, std::size_t offset) {
     std::uint32_t value = 0;
     const char* end = token.data() + token.size();

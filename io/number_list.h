@@ -22,6 +22,8 @@ struct NumberError {
 std::vector<double> parse_doubles(std::string_view text);
 /// The same, each rounded once to float.
 std::vector<float> parse_floats(std::string_view text);
+/// The same, but what programs write for numbers that are none or infinite ("nan", "-inf", "1.#QNAN") is NaN.
+std::vector<float> parse_floats_or_nan(std::string_view text);
 /// Indices and counts: whole numbers in [0, 2^32 - 1]. Throws NumberError for anything else.
 std::vector<std::uint32_t> parse_indices(std::string_view text);
 

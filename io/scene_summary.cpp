@@ -86,9 +86,10 @@ std::vector<std::string> summary_lines(const SceneSummary& summary) {
   lines.push_back(fmt::format("unit: {} ({:g} m), kept as it is; up axis: {}{}", summary.unit_name,
                               summary.unit_meters, summary.up_axis,
                               summary.up_axis == 'Y' ? "" : ", turned to Y"));
-  lines.push_back(summary.camera.empty()
-                      ? "camera: none in the file; a default one looks at the whole scene from +Z"
-                      : fmt::format("camera: \"{}\"{}", summary.camera, other_cameras(summary)));
+  lines.push_back(
+      summary.camera.empty()
+          ? "camera: none in the file; a default one sees the whole scene from the front, right and above"
+          : fmt::format("camera: \"{}\"{}", summary.camera, other_cameras(summary)));
   std::string shapes = fmt::format("shapes: {}, {}, {}", plural(summary.meshes, "mesh", "meshes"),
                                    plural(summary.triangles, "triangle", "triangles"),
                                    plural(summary.spheres, "sphere", "spheres"));

@@ -11,6 +11,8 @@
 #include <set>
 
 #include "io/number_list.h"
+#include "io/xml_lexer.h"
+#include "io/xml_skeleton.h"
 
 namespace twinray {
 namespace {
@@ -35,14 +37,16 @@ std::string read_file(const std::string& path) {
   if (!std::filesystem::exists(status)) throw error_at(whole_file(path), "there is no such file");
   if (std::filesystem::is_directory(status))
     throw error_at(whole_file(path), "this is a directory; a scene file is needed");
-  if (const std::uintmax_t size = std::filesystem::file_size(path, error); !error) check_size(path, size);
+  const std::uintmax_t size = std::filesystem::file_size(path, error);  // a FIFO has none before it is read
+  if (!error) check_size(path, size);
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw error_at(whole_file(path), "the file cannot be opened; may it be read?");
   std::string text;
+  if (!error) text.reserve(std::size_t(size));
   char block[1 << 16];
   while (stream.read(block, sizeof block) || stream.gcount() > 0) {
     text.append(block, std::size_t(stream.gcount()));
-    check_size(path, text.size());  // a FIFO has no size before it is read
+    check_size(path, text.size());
   }
   if (stream.bad()) throw error_at(whole_file(path), "the file cannot be read to its end");
   return text;
@@ -68,42 +72,6 @@ void check_encoding(const std::string& file, std::string_view text) {
     throw error_at(whole_file(file), fmt::format("the file is {}; valid is XML in UTF-8", format));
   if (const std::size_t zero = text.find('\0'); zero != npos)
     throw error_at(whole_file(file), fmt::format("not XML in UTF-8: byte {} is zero", zero));
-}
-
-bool starts_at(std::string_view text, std::size_t i, std::string_view what) {
-  return text.substr(i, what.size()) == what;
-}
-
-/// The offset behind the next `what`; the end of the text where there is none.
-std::size_t behind(std::string_view text, std::size_t from, std::string_view what) {
-  const std::size_t found = text.find(what, from);
-  return found == npos ? text.size() : found + what.size();
-}
-
-/// The offset behind the '>' that ends the tag at `i`; a '>' within quotes does not.
-std::size_t behind_tag(std::string_view text, std::size_t i) {
-  while (i < text.size() && text[i] != '>') {
-    if (text[i] == '"' || text[i] == '\'') i = std::min(text.find(text[i], i + 1), text.size());
-    if (i < text.size()) ++i;
-  }
-  return std::min(i + 1, text.size());
-}
-
-/// The offset of the next start tag's '<' at or after `i`; npos where there is none.
-std::size_t next_start_tag(std::string_view text, std::size_t i) {
-  while ((i = text.find('<', i)) != npos) {
-    if (starts_at(text, i, "<?"))
-      i = behind(text, i, "?>");
-    else if (starts_at(text, i, "<!--"))
-      i = behind(text, i, "-->");
-    else if (starts_at(text, i, "<![CDATA["))
-      i = behind(text, i, "]]>");
-    else if (starts_at(text, i, "<!") || starts_at(text, i, "</"))
-      i = behind(text, i, ">");
-    else
-      return i;
-  }
-  return npos;
 }
 
 /// Whether the root element has a start, but no end.
@@ -215,12 +183,19 @@ std::unique_ptr<XmlDocument> XmlDocument::parse(std::string text, const std::str
   check_encoding(name, text);
   if (text.compare(0, 3, "\xef\xbb\xbf") == 0) text.erase(0, 3);
   std::unique_ptr<XmlDocument> document(new XmlDocument(std::move(text), name));
-  if (document->document_->Parse(document->text_.data(), document->text_.size()) != tinyxml2::XML_SUCCESS)
-    document->fail_parse();
+  document->parse_elements();
   if (!document->document_->RootElement())
     throw error_at(whole_file(name), "not XML: there is no element in it");
   document->index_tags();
   return document;
+}
+
+void XmlDocument::parse_elements() {
+  std::string skeleton = xml_skeleton(text_);
+  const bool is_worth_it = skeleton.size() < text_.size() / 2;
+  if (!is_worth_it) skeleton = {};  // at once: the parser makes a copy of its own
+  const std::string_view text = is_worth_it ? skeleton : text_;
+  if (document_->Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) fail_parse();
 }
 
 void XmlDocument::fail_parse() const {
@@ -349,13 +324,13 @@ std::uint32_t XmlElement::required_index_attribute(const char* wanted) const {
   }
 }
 
-std::string XmlElement::text() const { return std::string(trimmed(content().text)); }
+std::string XmlElement::text() const { return std::string(trimmed(content().text())); }
 
 template <typename Parse>
 auto XmlElement::parse_numbers(const Parse& parse) const {
   const Content all = content();
   try {
-    return parse(all.text);
+    return parse(all.text());
   } catch (const NumberError& error) {
     throw error_at(place_of(document_->file(), document_->text(), all.offset + error.offset), error.message);
   }
@@ -363,6 +338,7 @@ auto XmlElement::parse_numbers(const Parse& parse) const {
 
 std::vector<double> XmlElement::doubles() const { return parse_numbers(parse_doubles); }
 std::vector<float> XmlElement::floats() const { return parse_numbers(parse_floats); }
+std::vector<float> XmlElement::floats_or_nan() const { return parse_numbers(parse_floats_or_nan); }
 std::vector<std::uint32_t> XmlElement::indices() const { return parse_numbers(parse_indices); }
 
 std::vector<double> XmlElement::doubles(std::size_t count) const {
@@ -388,7 +364,7 @@ Place XmlElement::attribute_place(std::string_view wanted) const {
 
 Place XmlElement::number_place(std::size_t index) const {
   const Content all = content();
-  return place_of(document_->file(), document_->text(), all.offset + token_offset(all.text, index));
+  return place_of(document_->file(), document_->text(), all.offset + token_offset(all.text(), index));
 }
 
 void XmlElement::fail(const std::string& message) const { throw error_at(place(), message); }
@@ -398,9 +374,12 @@ std::size_t XmlElement::offset() const { return reinterpret_cast<std::size_t>(el
 XmlElement::Content XmlElement::content() const {
   const std::string_view text = document_->text();
   const std::size_t begin = behind_tag(text, offset());
-  if (begin >= 2 && text[begin - 2] == '/') return {"", begin};
-  Content result{std::string(text.substr(begin, content_end(text, begin) - begin)), begin};
-  if (result.text.find('<') != npos) blank_markup(result.text);
+  if (begin >= 2 && text[begin - 2] == '/') return {begin, {}, {}};
+  Content result{begin, text.substr(begin, content_end(text, begin) - begin), {}};
+  if (result.raw.find('<') != npos) {
+    result.blanked = result.raw;
+    blank_markup(result.blanked);
+  }
   return result;
 }
 

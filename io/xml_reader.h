@@ -59,6 +59,8 @@ class XmlElement {
   /// token.
   std::vector<double> doubles() const;
   std::vector<float> floats() const;
+  /// NaN for numbers that are not finite.
+  std::vector<float> floats_or_nan() const;
   std::vector<std::uint32_t> indices() const;
   /// The same, where there must be `count` of them.
   std::vector<double> doubles(std::size_t count) const;
@@ -79,9 +81,12 @@ class XmlElement {
   }
 
  private:
+  /// What stands between an element's start tag and its next one.
   struct Content {
-    std::string text;
     std::size_t offset;
+    std::string_view raw;
+    std::string blanked;  ///< Where there is markup in it: the same without.
+    std::string_view text() const { return blanked.empty() ? raw : blanked; }
   };
   std::size_t offset() const;
   Content content() const;
@@ -117,6 +122,7 @@ class XmlDocument {
 
  private:
   XmlDocument(std::string text, std::string file);
+  void parse_elements();
   [[noreturn]] void fail_parse() const;
   void index_tags();
 

@@ -11,13 +11,18 @@ namespace {
 
 constexpr float tolerance = 1e-6f;
 
-LoadedScene load_camera(const std::string& lens, const std::string& transform = "") {
-  return load_collada(collada_text(
+std::string camera_text(const std::string& lens, const std::string& transform = "") {
+  return collada_text(
       collada_triangle() +
           "<library_cameras><camera id=\"eye\" name=\"Eye\"><optics><technique_common><perspective>" + lens +
           "</perspective></technique_common></optics></camera></library_cameras>",
       "<node><instance_geometry url=\"#shape\"/></node><node>" + transform +
-          "<instance_camera url=\"#eye\"/></node>"));
+          "<instance_camera url=\"#eye\"/></node>");
+}
+
+LoadedScene load_camera(const std::string& lens, const std::string& transform = "",
+                        const LoadOptions& options = {}) {
+  return load_collada(camera_text(lens, transform), options);
 }
 
 Camera lens(const std::string& elements) { return load_camera(elements).scene.camera; }
@@ -78,13 +83,20 @@ TEST_CASE("a mirrored camera stays mirrored") {
   check_near(camera.forward, {0, 0, -1});
 }
 
-TEST_CASE("clip distances are read, and without them nothing is clipped") {
-  const Camera clipped = lens("<xfov>40</xfov><znear>0.5</znear><zfar>20</zfar>");
+TEST_CASE("clip distances are read where they are asked for, and else nothing is clipped") {
+  const LoadOptions as_file{.clip_as_file = true};
+  const std::string cut = "<xfov>40</xfov><znear>0.5</znear><zfar>20</zfar>";
+  const Camera clipped = load_camera(cut, "", as_file).scene.camera;
   CHECK(clipped.clip_near == 0.5f);
   CHECK(clipped.clip_far == 20);
-  const Camera open = lens("<xfov>40</xfov>");
-  CHECK(open.clip_near == 0);
-  CHECK(std::isinf(open.clip_far));
+  for (const Camera& open : {load_camera("<xfov>40</xfov>", "", as_file).scene.camera, lens(cut),
+                             lens("<xfov>40</xfov><znear>nan</znear><zfar>-1</zfar>")}) {
+    CHECK(open.clip_near == 0);
+    CHECK(std::isinf(open.clip_far));
+  }
+  const std::string error =
+      collada_error(camera_text("<xfov>40</xfov><znear>2</znear><zfar>1</zfar>"), as_file);
+  CHECK(error.find(": <znear> is 2 and <zfar> 1; znear must be the smaller one\n") != std::string::npos);
 }
 
 TEST_CASE("without a camera a default one sees all of the scene") {
@@ -101,7 +113,27 @@ TEST_CASE("without a camera a default one sees all of the scene") {
   check_near(cross(camera.right, camera.up), -camera.forward);
   CHECK(loaded.summary.camera.empty());
   CHECK(summary_lines(loaded.summary)[1] ==
-        "camera: none in the file; a default one looks at the whole scene from +Z");
+        "camera: none in the file; a default one sees the whole scene from the front, right and above");
+}
+
+TEST_CASE("a default camera sees a box of any shape whole, and none of its faces edge on") {
+  constexpr float edge_on = 0.3f;  // least cosine between the view and the normal of a face that it shows
+  for (const Vec3 half :
+       {Vec3{1, 1, 1}, Vec3{100, 1, 1}, Vec3{1, 0, 1}, Vec3{1e-3f, 1e-3f, 1e-2f}, Vec3{1, 1, 1e6f}}) {
+    const Vec3 center{50, 60, 70};
+    const Camera camera = default_camera({center - half, center + half});
+    const Vec3 back = -camera.forward;
+    CHECK(std::min({back.x, back.y, back.z}) > edge_on);
+    CHECK(camera.right.y == 0);
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 p{corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y,
+                   corner & 4 ? half.z : -half.z};
+      const Vec3 d = center + p - camera.position;
+      const float depth = dot(d, camera.forward);
+      CHECK(std::fabs(dot(d, camera.right)) < depth * camera.tan_half_width);
+      CHECK(std::fabs(dot(d, camera.up)) < depth * camera.tan_half_height);
+    }
+  }
 }
 
 }  // namespace twinray

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/collada_light.h"
 
+#include <fmt/format.h>
+
 #include "core/error.h"
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
@@ -11,12 +13,13 @@ namespace {
 constexpr float tolerance = 1e-6f;
 
 LoadedScene load_light(const std::string& body, const std::string& transform = "",
-                       const std::string& up_axis = "Y_UP") {
+                       const std::string& up_axis = "Y_UP", const LoadOptions& options = {}) {
   return load_collada(collada_text(collada_triangle() + "<library_lights><light id=\"lamp\" name=\"Lamp\">" +
                                        body + "</light></library_lights>",
                                    "<node><instance_geometry url=\"#shape\"/></node><node>" + transform +
                                        "<instance_light url=\"#lamp\"/></node>",
-                                   up_axis));
+                                   up_axis),
+                      options);
 }
 
 std::string common(const std::string& kind) { return "<technique_common>" + kind + "</technique_common>"; }
@@ -50,6 +53,37 @@ TEST_CASE("a point light without attenuation follows the physical law") {
   CHECK(light.attenuation.constant == 0);
   CHECK(light.attenuation.linear == 0);
   CHECK(light.attenuation.quadratic == 1);
+}
+
+TEST_CASE("with attenuation as in the file, a light without attenuation elements does not fall off") {
+  for (const char* kind : {"point", "spot"}) {
+    const std::string text = common(fmt::format("<{0}><color>1 1 1</color></{0}>", kind));
+    const LoadedScene loaded = load_light(text, "", "Y_UP", {.attenuation_as_file = true});
+    const auto attenuation = std::visit(
+        [](const auto& light) {
+          if constexpr (requires { light.attenuation; }) return light.attenuation;
+          return Attenuation{};
+        },
+        loaded.scene.lights[0].source);
+    CHECK(attenuation.constant == 1);
+    CHECK(attenuation.linear == 0);
+    CHECK(attenuation.quadratic == 0);
+    CHECK(loaded.summary.notes.empty());
+  }
+}
+
+TEST_CASE("lights of whose attenuation the file says nothing are named, once each") {
+  const std::vector<std::string> said{
+      "the file says nothing of how light falls off with the distance d for \"Lamp\": it falls off as 1/d^2, "
+      "with d in the file's unit; --attenuation=file gives COLLADA's default, no fall-off"};
+  CHECK(load_light(common("<point><color>1 1 1</color></point>")).summary.notes == said);
+  CHECK(load_light(common("<spot><color>1 1 1</color></spot>")).summary.notes == said);
+  CHECK(load_light(common("<directional><color>1 1 1</color></directional>")).summary.notes.empty());
+  CHECK(load_light(
+            common("<point><color>1 1 1</color><quadratic_attenuation>2</quadratic_attenuation></point>"))
+            .summary.notes.empty());
+  const std::string twice = "</node><node><instance_light url=\"#lamp\"/></node><node>";
+  CHECK(load_light(common("<point><color>1 1 1</color></point>"), twice).summary.notes == said);
 }
 
 TEST_CASE("attenuation is as the file has it, with COLLADA's defaults for the rest") {

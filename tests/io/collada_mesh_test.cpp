@@ -62,6 +62,64 @@ TEST_CASE("triangles, polylists, polygons, strips and fans give the same square"
   CHECK(triangles_of("<tristrips count=\"1\">" + vertex_input + "<p>0 1 3 2</p></tristrips>") == strip);
 }
 
+TEST_CASE("primitive elements share their sources, which are read once") {
+  const std::string triangles = "<triangles count=\"1\">" + vertex_input + "<p>0 1 2</p></triangles>";
+  std::string mesh = collada_mesh(4, square, triangles + triangles + triangles);
+  mesh.replace(mesh.find("count=\"12\""), 10, "count=\"13\"");  // a warning each time that it is read
+  const LoadedScene loaded = load_shape(mesh);
+  CHECK(loaded.scene.geometry->shapes().size() == 3);
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].message == "count says 13, and the array has 12 numbers; all of them are read");
+  CHECK(loaded.warnings[0].count == 1);
+}
+
+TEST_CASE("a primitive element takes what it uses of its sources, and no more") {
+  std::string positions;
+  for (int i = 0; i < 1000; ++i) positions += std::to_string(i) + " " + std::to_string(i * i) + " 0 ";
+  for (const char* corners : {"5 7 900", "900 5 7"}) {
+    const LoadedScene loaded = load_shape(collada_mesh(
+        1000, positions, "<triangles count=\"1\">" + vertex_input + "<p>" + corners + "</p></triangles>"));
+    const Mesh& mesh = mesh_of(loaded);
+    CHECK(mesh.positions == std::vector<Vec3>{{5, 25, 0}, {7, 49, 0}, {900, 810000, 0}});
+    CHECK(mesh.positions[mesh.triangles[0][0]].x == float(std::stoi(corners)));
+  }
+}
+
+TEST_CASE("numbers that are not finite matter where they are used") {
+  const std::string triangle = "<triangles count=\"1\">" + vertex_input + "<p>0 1 2</p></triangles>";
+  for (const char* number :
+       {"nan", "NaN", "-nan(ind)", "inf", "-INF", "Infinity", "1.#QNAN", "-1.#IND", "1.#INF00"}) {
+    CAPTURE(number);
+    const std::string unused = "0 0 0 1 0 0 1 1 0 0 " + std::string(number) + " 0";
+    const LoadedScene loaded = load_shape(collada_mesh(4, unused, triangle));
+    CHECK(loaded.warnings.empty());
+    CHECK(mesh_of(loaded).positions.size() == 3);
+    const std::string used = "0 0 0 1 0 0 1 " + std::string(number) + " 0 0 1 0";
+    CHECK_THROWS_AS(load_shape(collada_mesh(4, used, triangle)), Error);
+  }
+  for (const char* text : {"nothing", "inch", "1.#", "nix", "0x10"})
+    CHECK_THROWS_AS(load_shape(collada_mesh(4, "0 0 0 1 0 0 1 1 0 0 " + std::string(text) + " 0", triangle)),
+                    Error);
+}
+
+TEST_CASE("texture coordinates that are not there are left out with a warning, as nothing shows them") {
+  const std::string uvs =
+      "<source id=\"uvs\"><float_array id=\"uv-array\" count=\"4\">0 0 nan 1</float_array><technique_common>"
+      "<accessor source=\"#uv-array\" count=\"2\" stride=\"2\"><param name=\"S\"/><param "
+      "name=\"T\"/></accessor>"
+      "</technique_common></source>";
+  for (const char* indices : {"0 0 1 0 2 0", "0 0 1 0 2 1", "0 0 1 0 2 2"}) {
+    const LoadedScene loaded = load_shape(collada_mesh(
+        4, square,
+        uvs + "<triangles count=\"1\">" + vertex_input +
+            "<input semantic=\"TEXCOORD\" source=\"#uvs\" offset=\"1\"/><p>" + indices + "</p></triangles>"));
+    const bool is_right = std::string(indices).back() == '0';
+    CHECK(mesh_of(loaded).triangles.size() == 1);
+    CHECK(mesh_of(loaded).uvs.size() == (is_right ? 1 : 0));
+    CHECK(loaded.warnings.size() == (is_right ? 0 : 1));
+  }
+}
+
 TEST_CASE("a polygon that is not convex is cut along its ears") {
   // A chevron: the fan around its first corner would cover what lies outside.
   const LoadedScene loaded = load_shape(

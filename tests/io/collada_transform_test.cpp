@@ -44,6 +44,15 @@ TEST_CASE("a matrix is written row by row") {
   CHECK(placed("<matrix>1 2 3 4 5 6 7 8 9 10 11 12 0 0 0 1</matrix>", {1, 10, 100}) == Vec3{325, 773, 1221});
 }
 
+TEST_CASE("the last row of a matrix may be off by rounding, and no more") {
+  const auto with_row = [](const std::string& row) {
+    return "<matrix>1 0 0 4 0 1 0 5 0 0 1 6 " + row + "</matrix>";
+  };
+  CHECK(placed(with_row("1e-5 -1e-5 0.00000999 0.99999"), {1, 1, 1}) == Vec3{5, 6, 7});
+  for (const char* row : {"1.1e-5 0 0 1", "0 0 -1.1e-5 1", "0 0 0 1.00002", "0 0 0 0"})
+    CHECK_THROWS_AS(placed(with_row(row), {1, 1, 1}), Error);
+}
+
 TEST_CASE("several matrices multiply") {
   const std::string shift = "<matrix>1 0 0 5 0 1 0 0 0 0 1 0 0 0 0 1</matrix>";
   const std::string stretch = "<matrix>2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1</matrix>";

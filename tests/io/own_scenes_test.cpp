@@ -100,7 +100,10 @@ TEST_CASE("the scene of lights has one of each kind") {
                      "light \"point\": point, intensity 0.6 0.2 0.1",
                      "light \"faded\": point, intensity 0.1 0.2 0.6", "light \"spot\": spot, intensity 4 4 3",
                      "light \"sun\": directional, irradiance 0.4 0.4 0.35",
-                     "light \"sky\": ambient, the hemisphere around up, radiance 0.08 0.1 0.14"});
+                     "light \"sky\": ambient, the hemisphere around up, radiance 0.08 0.1 0.14",
+                     "note: the file says nothing of how light falls off with the distance d for \"point\", "
+                     "\"spot\": it falls off as 1/d^2, with d in the file's unit; --attenuation=file gives "
+                     "COLLADA's default, no fall-off"});
 }
 
 }  // namespace twinray

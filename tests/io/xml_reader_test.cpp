@@ -48,6 +48,20 @@ TEST_CASE("elements and attributes know their line and column") {
   CHECK(!as[1].attribute("x"));
 }
 
+TEST_CASE("long lists of numbers keep places, and faults behind them their lines") {
+  std::string numbers;
+  for (int i = 0; i < 5000; ++i) numbers += std::to_string(i) + (i % 10 == 9 ? "\n" : " ");
+  const auto xml = parse("<root><a>" + numbers + "</a><b>" + numbers + "x</b></root>");
+  const auto a = xml->root().required_child("a"), b = xml->root().required_child("b");
+  CHECK(a.indices().size() == 5000);
+  CHECK(a.indices().back() == 4999);
+  CHECK(a.number_place(4999).line == 500);
+  CHECK(b.place().line == 501);
+  CHECK(error_of([&] { b.indices(); }).find("a.xml:1001:1: \"x\" is not a whole number") == 0);
+  CHECK(parse_error("<root><a>" + numbers + "</a>\n<b></a></root>").find("a.xml:502:1: ") == 0);
+  CHECK(parse_error("<root><a>" + numbers).find("a.xml:500:50: not XML: the file is cut off") == 0);
+}
+
 TEST_CASE("numbers run on past comments and within CDATA, and keep their places") {
   const auto xml = parse("<p>1 2<!-- 9 9 -->\n3 <![CDATA[4 x]]> 5</p>");
   CHECK(error_of([&] { xml->root().floats(); }) ==
