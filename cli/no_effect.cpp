@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/default_light.h"
 #include "core/light_set.h"
 
 namespace twinray {
@@ -78,6 +79,10 @@ std::string needs_batches(const Asked& asked) {
                                                                render.adaptive->batch, render.samples);
 }
 
+std::string needs_file_view(const Asked& asked) {
+  return asked.arguments.view == View::file ? "" : "for --view=whole leaves no clip distances";
+}
+
 std::string needs_cost(const Asked& asked) {
   return asked.arguments.integrator == IntegratorKind::cost ? "" : "for --integrator=cost alone shows costs";
 }
@@ -136,6 +141,9 @@ constexpr Rule rules[]{
     {"--hemisphere", needs_direct_light},
     {"--light-samples", needs_direct_light},
     {"--environment", needs_light},
+    {"--attenuation", needs_light},
+    {"--default-light", needs_light},
+    {"--clip", needs_file_view},
     {"--adaptive", needs_batches},
     {"--check-with", needs_check},
     {"--plant-difference", needs_check},
@@ -153,6 +161,13 @@ constexpr Rule rules[]{
     {"--embree-isa", needs_embree},
     {"--count", needs_counts},
 };
+
+bool has_area_light(const Scene& scene) {
+  const LightSet lights(scene);
+  for (std::uint32_t light = 0; light < lights.size(); ++light)
+    if (!lights.is_delta(light)) return true;
+  return false;
+}
 
 bool is_given(const char* option, const RenderArguments& arguments) {
   return std::find(arguments.given.begin(), arguments.given.end(), option) != arguments.given.end();
@@ -173,11 +188,13 @@ std::vector<std::string> options_without_effect(const RenderRequest& request,
 }
 
 std::vector<std::string> options_without_effect(const Scene& scene, const RenderArguments& arguments) {
-  if (!is_given("--light-samples", arguments) || arguments.path.direct == DirectMethod::hemisphere) return {};
-  const LightSet lights(scene);
-  for (std::uint32_t light = 0; light < lights.size(); ++light)
-    if (!lights.is_delta(light)) return {};
-  return {"--light-samples: no effect, for no light of the scene has an area"};
+  std::vector<std::string> found;
+  if (arguments.default_light && is_lit(scene))
+    found.push_back("--default-light: no effect, for the scene has light");
+  if (is_given("--light-samples", arguments) && arguments.path.direct == DirectMethod::lights &&
+      !has_area_light(scene))
+    found.push_back("--light-samples: no effect, for no light of the scene has an area");
+  return found;
 }
 
 }  // namespace twinray

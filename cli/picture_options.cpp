@@ -27,6 +27,8 @@ void add_picture_options(CLI::App& app, RenderRequest& request) {
   group.add_numbers({"-p,--crop", "X Y W H", "Only this part of the frame, from its top left"}, 4,
                     request.crop, any);
   add_view(group, arguments.view);
+  group.add_choice<bool>("--clip", arguments.load.clip_as_file, {{"none", false}, {"file", true}},
+                         "Whether the file's clip distances cut the view");
   group.add_word({"-c,--camera", "FILE", "Camera settings file of CS184's program"}, arguments.camera_file);
   group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id; ? lists them"},
                  arguments.load.camera_name);

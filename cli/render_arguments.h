@@ -30,6 +30,7 @@ struct RenderArguments {
   std::string environment;           ///< Empty: none.
   bool lenient_environment = false;  ///< Its pixels that are not radiance are black; else they are an error.
   LoadOptions load;
+  bool default_light = false;  ///< A scene without light is lit from the camera.
   Backend backend = Backend::bvh;
   BuildOptions build;
   bool is_auto = false;       ///< The scene decides about backend and build: choose_engine().

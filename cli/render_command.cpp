@@ -8,6 +8,7 @@
 #include "check/render_check.h"
 #include "cli/console.h"
 #include "cli/crosscheck_report.h"
+#include "cli/default_light.h"
 #include "cli/frame_note.h"
 #include "cli/interrupt.h"
 #include "cli/no_effect.h"
@@ -51,7 +52,8 @@ Camera cs184_camera_of(const RenderArguments& arguments, const Camera& scene_cam
 /// The camera as asked for; says so if another view would show more.
 Camera standard_camera_of(const RenderArguments& arguments, const Scene& scene, RenderTalk& talk) {
   const std::string& file = arguments.camera_file;
-  const Camera camera = file.empty() ? scene.camera : load_camera_file(file, scene.camera);
+  Camera camera = file.empty() ? scene.camera : load_camera_file(file, scene.camera);
+  if (!arguments.load.clip_as_file) camera = without_clip(camera);
   const Camera fitted = fit_frame(camera, arguments.render.width, arguments.render.height);
   if (arguments.view == View::whole) return view_whole(fitted, scene.geometry->bounds());
   const std::string note = arguments.quiet ? "" : frame_note(fitted, *scene.geometry);
@@ -87,6 +89,8 @@ LoadedScene load(const RenderArguments& arguments, RenderTalk& talk) {
   const std::vector<std::string> without_effect = options_without_effect(loaded.scene, arguments);
   refuse_if_strict(without_effect, arguments);
   for (const std::string& warning : without_effect) console::warn(warning);
+  if (arguments.default_light && !is_lit(loaded.scene))
+    loaded.scene.lights.push_back(headlight(loaded.scene.camera));
   for (const std::string& warning : scene_warnings(loaded.scene, arguments)) console::warn(warning);
   talk.ready();
   return loaded;

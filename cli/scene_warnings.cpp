@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "cli/default_light.h"
 #include "core/light_set.h"
 
 namespace twinray {
@@ -21,26 +22,6 @@ constexpr std::array<std::array<const char*, 2>, std::variant_size_v<SurfaceMode
      {"refraction", "transmittance"},
      {"glass", "transmittance"},
      {"microfacet", "reflectance at normal incidence"}}};
-
-/// A measure of a light that is black where it sends none.
-struct Strength {
-  Rgb operator()(const MeshLight& light) const { return light.radiance; }
-  Rgb operator()(const SphereLight& light) const { return light.radiance; }
-  Rgb operator()(const PointLight& light) const { return light.intensity; }
-  Rgb operator()(const SpotLight& light) const { return light.intensity; }
-  Rgb operator()(const DirectionalLight& light) const { return light.irradiance; }
-  Rgb operator()(const AmbientLight& light) const { return light.radiance; }
-  Rgb operator()(const EnvironmentLight& light) const {
-    const std::vector<Rgb>& pixels = light.map->pixels;
-    const auto bright = std::find_if_not(pixels.begin(), pixels.end(), is_black);
-    return bright == pixels.end() ? Rgb{} : *bright;
-  }
-};
-
-bool is_lit(const Scene& scene) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(),
-                     [](const Light& light) { return !is_black(std::visit(Strength{}, light.source)); });
-}
 
 std::string unmet_lights(const Scene& scene) {
   const LightSet lights(scene);
@@ -72,7 +53,8 @@ std::vector<std::string> scene_warnings(const Scene& scene, const RenderArgument
   const auto add = [&warnings](std::string warning) {
     if (!warning.empty()) warnings.push_back(std::move(warning));
   };
-  if (!is_lit(scene)) add("the scene has no light: the picture will be black");
+  if (!is_lit(scene))
+    add("the scene has no light: the picture will be black; --default-light puts a light at the camera");
   if (arguments.path.direct == DirectMethod::hemisphere) add(unmet_lights(scene));
   for (std::size_t model = 1; model < models.size(); ++model) add(stand_in(scene, model));
   return warnings;

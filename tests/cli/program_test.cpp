@@ -148,8 +148,49 @@ TEST_CASE("a scene without a light, and a material that is not rendered as it is
       run_program(quoted(folder.file("dark.dae")) + small + "-o " + quoted(folder.file("a.png")));
   CHECK(result.exit_code == 0);
   CHECK(result.err ==
-        "warning: the scene has no light: the picture will be black\n"
+        "warning: the scene has no light: the picture will be black; --default-light puts a light at the "
+        "camera\n"
         "warning: mirror is rendered as Lambert of its reflectance: \"silver\"\n");
+}
+
+TEST_CASE("--default-light lights a dark scene so that what faces the camera has its own color") {
+  const TemporaryFolder folder;
+  // A gray wall fills the view, at a distance from which light that falls off would not be seen.
+  write_text(
+      folder.file("dark.dae"),
+      collada_text(collada_mesh(3, "-9e4 -9e4 -100  9e4 -9e4 -100  0 9e4 -100",
+                                "<triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#vertices\" "
+                                "offset=\"0\"/><p>0 1 2</p></triangles>\n") +
+                       "<library_cameras><camera id=\"eye\"><optics><technique_common><perspective><xfov>1"
+                       "</xfov></perspective></technique_common></optics></camera></library_cameras>",
+                   "<node><instance_geometry url=\"#shape\"/><instance_camera url=\"#eye\"/></node>\n"));
+  const std::string picture = folder.file("a.exr");
+  const ProcessResult result =
+      run_program(quoted(folder.file("dark.dae")) + small + "--default-light -o " + quoted(picture));
+  CHECK(result.exit_code == 0);
+  CHECK(result.err.empty());
+  for (const Rgb& pixel : read_image(picture).pixels) CHECK(pixel.r == Approx(0.5f).epsilon(1e-3));
+  const ProcessResult lit = run_program(box + small + "--default-light -o " + quoted(picture));
+  CHECK(lit.exit_code == 0);
+  CHECK(lit.err == "warning: --default-light: no effect, for the scene has light\n");
+}
+
+TEST_CASE("--clip=file cuts the view at the file's clip distances, also those of a camera file") {
+  const TemporaryFolder folder;
+  const std::string picture = folder.file("a.exr");
+  const auto rendered = [&](const std::string& options) {
+    CHECK(run_program(box + small + "--integrator=normals -o " + quoted(picture) + options).exit_code == 0);
+    return read_image(picture).pixels;
+  };
+  const auto is_empty = [](const std::vector<Rgb>& pixels) {
+    return std::all_of(pixels.begin(), pixels.end(), [](const Rgb& pixel) { return is_black(pixel); });
+  };
+  write_text(folder.file("near.info"),  // sees nothing nearer than 1000
+             "50 35 1.33 1000 2000 0 1 3 0 0 0 0 0 3 0.1 10 1 0 0 0 1 0 0 0 1 480 360 500 4.56 0\n");
+  const std::string camera = " -c " + quoted(folder.file("near.info"));
+  CHECK(!is_empty(rendered(camera)));
+  CHECK(is_empty(rendered(camera + " --clip=file")));
+  CHECK(!is_empty(rendered(camera + " --clip=file --view=whole")));
 }
 
 TEST_CASE("an option without effect is a warning, in quiet runs too, and ends a strict run with 2") {

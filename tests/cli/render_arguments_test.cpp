@@ -152,6 +152,12 @@ TEST_CASE("cost shows what the engine counts: nodes of the bvh, else primitives"
   CHECK(message_of({"--integrator=cost", "--accel=brute-force", "--cost=nodes"}) ==
         "--cost=nodes: brute-force has no nodes that could be counted; valid are --cost=primitives, or "
         "--accel=bvh");
+  CHECK(no_effect({"--clip=file", "--view=whole"}) ==
+        "--clip: no effect, for --view=whole leaves no clip distances");
+  CHECK(no_effect({"--integrator=normals", "--attenuation=file"}) ==
+        "--attenuation: no effect, for normals and costs are rendered without light");
+  CHECK(no_effect({"--integrator=normals", "--default-light"}) ==
+        "--default-light: no effect, for normals and costs are rendered without light");
   CHECK(no_effect({"--cost=nodes"}) == "--cost: no effect, for --integrator=cost alone shows costs");
 #ifdef TWINRAY_WITH_EMBREE
   CHECK(parse({"--integrator=cost", "--accel=embree"}).cost == CostKind::primitives);

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/default_light.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "core/warp.h"
+
+namespace twinray {
+namespace {
+
+/// A measure of a light that is black where it sends none.
+struct Strength {
+  Rgb operator()(const MeshLight& light) const { return light.radiance; }
+  Rgb operator()(const SphereLight& light) const { return light.radiance; }
+  Rgb operator()(const PointLight& light) const { return light.intensity; }
+  Rgb operator()(const SpotLight& light) const { return light.intensity; }
+  Rgb operator()(const DirectionalLight& light) const { return light.irradiance; }
+  Rgb operator()(const AmbientLight& light) const { return light.radiance; }
+  Rgb operator()(const EnvironmentLight& light) const {
+    const std::vector<Rgb>& pixels = light.map->pixels;
+    const auto bright = std::find_if_not(pixels.begin(), pixels.end(), is_black);
+    return bright == pixels.end() ? Rgb{} : *bright;
+  }
+};
+
+}  // namespace
+
+bool is_lit(const Scene& scene) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const Light& light) { return !is_black(std::visit(Strength{}, light.source)); });
+}
+
+Light headlight(const Camera& camera) {
+  if (camera.is_orthographic) return {"headlight", DirectionalLight{camera.forward, Rgb{pi, pi, pi}}};
+  constexpr Attenuation none{1, 0, 0};
+  return {"headlight", PointLight{camera.position, Rgb{pi, pi, pi}, none}};
+}
+
+}  // namespace twinray
