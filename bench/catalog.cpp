@@ -21,11 +21,13 @@ constexpr std::array<const char*, 6> well_known{
     "cow", "CBspheres_lambertian", "CBgems", "CBbunny", "CBlucy", "CBdragon"};
 
 SceneSource from_file(const std::string& name, const std::string& path) {
-  return {name, "", [path] {
+  return {name, "",
+          [path] {
             Scene scene = load_scene(path).scene;
             scene.camera = view_whole(fit_frame(scene.camera, 4, 3), scene.geometry->bounds());
             return scene;
-          }};
+          },
+          path};
 }
 
 SceneSource from_maker(const generated::GeneratedScene& maker, std::size_t triangles,

@@ -17,4 +17,7 @@ std::string build_plot(const Results& results);
 /// Whole pictures: a table, the error over time, and what threads give. Empty where none were rendered.
 std::string whole_section(const Results& results);
 
+/// How fast scene files are read, a table; empty where none was.
+std::string reading_section(const Results& results);
+
 }  // namespace twinray::bench

@@ -97,6 +97,7 @@ std::string html_report(const Results& results) {
     body += "<h2>Growth with the number of triangles</h2>\n" + growth;
   body += "<h2>Build time against speed</h2>\n" + build_plot(results);
   body += whole_section(results);
+  body += reading_section(results);
   body +=
       "<h2>Rays per second, nodes and primitive tests</h2>\n<p>Nodes and primitive tests are counted by a "
       "traversal of "

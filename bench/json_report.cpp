@@ -59,6 +59,13 @@ Json to_json(const PictureOfScene& picture) {
   return json;
 }
 
+Json to_json(const ReadingStatistics& reading) {
+  return {{"scene", reading.scene},
+          {"megabytes", reading.megabytes},
+          {"primitives", reading.primitives},
+          {"seconds", spread(reading.seconds)}};
+}
+
 Json to_json(const ErrorStatistics& error) {
   Json json{{"scene", error.scene},
             {"engine", error.engine},
@@ -102,6 +109,7 @@ std::string json_report(const Results& results) {
                               {"primitives", scene.primitives},
                               {"engines", engines}});
   }
+  json["reading"] = list(results.readings);
   json["pictures"] = list(results.pictures);
   json["errors"] = list(results.errors);
   json["scaling"] = list(results.scalings);

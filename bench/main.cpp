@@ -86,7 +86,7 @@ int measure(const Options& options) {
   check_outputs(files);
   const bool is_output_taken = std::any_of(files.begin(), files.end(), is_standard_output);
   Results results{
-      describe_machine(), options.trace.rounds.count, options.width, options.height, {}, {}, {}, {}};
+      describe_machine(), options.trace.rounds.count, options.width, options.height, {}, {}, {}, {}, {}};
   const std::vector<SceneSource> sources = choose_scenes(options.scenes);
   ProgressLine line(isatty(STDERR_FILENO) != 0, [](const std::string& text) { print(stderr, text); });
   bool all_sound = true;
@@ -98,6 +98,11 @@ int measure(const Options& options) {
     report("recording its rays");
     Workload workload(sources[i], options.width, options.height);
     results.scenes.push_back(measure_scene(workload, options.trace, report));
+    const bool has_file = !sources[i].file.empty();
+    if (has_file) {
+      report("reading its file");
+      results.readings.push_back(measure_reading(workload, options.trace.rounds));
+    }
     all_sound = all_sound && is_sound(results.scenes.back());
     const bool has_picture = options.has_renders && is_rendered(sources[i]);
     if (has_picture) measure_whole(workload, options, report, results);
@@ -105,7 +110,8 @@ int measure(const Options& options) {
     // Whoever stops a long run keeps what there is.
     write_reports(options, results, i + 1 == sources.size());
     print(is_output_taken ? stderr : stdout,
-          fmt::format("{}{}\n", text_report(results.scenes.back()),
+          fmt::format("{}{}{}\n", text_report(results.scenes.back()),
+                      has_file ? text_report(results.readings.back()) : "",
                       has_picture ? text_report(results.pictures.back()) : ""));
   }
   return all_sound ? 0 : 1;

@@ -9,6 +9,8 @@ namespace twinray::bench {
 
 /// A table for people: speeds against the baseline, one line for each scene and engine.
 std::string text_report(const SceneStatistics& scene);
+/// One line: how fast a scene file is read.
+std::string text_report(const ReadingStatistics& reading);
 /// The same for whole pictures.
 std::string text_report(const PictureOfScene& picture);
 /// Everything, every round.

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/reading.h"
 #include "bench/statistics.h"
 #include "bench/whole.h"
 
@@ -15,6 +16,7 @@ struct Results {
   int rounds = 0;
   int width = 0, height = 0;  ///< Of the picture whose rays were recorded.
   std::vector<SceneStatistics> scenes;
+  std::vector<ReadingStatistics> readings;
   std::vector<PictureOfScene> pictures;
   std::vector<ErrorStatistics> errors;
   std::vector<ScalingStatistics> scalings;

@@ -38,6 +38,12 @@ std::string text_report(const SceneStatistics& scene) {
   return text;
 }
 
+std::string text_report(const ReadingStatistics& reading) {
+  const Quartiles q = quartiles(reading.seconds);
+  return fmt::format("{}: a file of {:.2f} MB is read in {:.4f} s [{:.4f} {:.4f}], {:.0f} MB/s\n",
+                     reading.scene, reading.megabytes, q.median, q.low, q.high, reading.megabytes / q.median);
+}
+
 std::string text_report(const PictureOfScene& picture) {
   std::string text =
       fmt::format("{}: a picture of {:.0f} samples, CPU seconds on one thread; in it rays alone\n",

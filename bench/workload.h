@@ -33,6 +33,7 @@ struct SceneSource {
   std::string name;
   std::string family;  ///< The maker of a generated scene, for growth; else empty.
   std::function<Scene()> make;
+  std::string file = {};  ///< Empty for a generated scene.
 };
 
 class Workload {

@@ -19,6 +19,7 @@ ALWAYS = {"bvh", "bvh-batch", "bvh-fast", "bvh-high", "bvh-2", "brute-force"}
 WITH_EMBREE = {"embree-direct", "embree-native-default", "embree-native", "embree-native-fast",
                "embree-native-fast-high", "embree"}
 ROUNDS = 3
+BOX = Path(__file__).resolve().parents[2] / "scenes" / "cornell-bunny.dae"
 VOID = {"meta", "br", "line", "circle", "rect", "polyline"}
 
 
@@ -72,6 +73,15 @@ class Reports(unittest.TestCase):
 
     def test_every_answer_is_right(self):
         self.assertEqual(self.done.returncode, 0, self.done.stdout + self.done.stderr)
+
+    def test_reading_is_timed_for_scenes_that_have_a_file(self):
+        box, = self.json["reading"]
+        self.assertEqual(box["scene"], "box")
+        self.assertAlmostEqual(box["megabytes"], BOX.stat().st_size / 1e6)
+        self.assertEqual(len(box["seconds"]["rounds"]), ROUNDS)
+        self.assertGreater(box["seconds"]["median"], 0)
+        self.assertIn("box: a file of ", self.done.stdout)
+        self.assertIn("Reading scene files", self.text["html"])
 
     def test_every_engine_is_timed_on_every_scene_and_ray_set(self):
         self.assertEqual([scene["name"] for scene in self.json["scenes"]],
