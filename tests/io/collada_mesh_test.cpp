@@ -435,7 +435,8 @@ TEST_CASE("inputs whose offsets lie beyond the indices of a corner are left out"
         "<polylist count=\"1\">" + inputs + "<vcount>3</vcount><p>0 1 1 2 2 3</p></polylist>"}) {
     const LoadedScene loaded = load_shape(collada_mesh(4, square, element));
     CHECK(mesh_of(loaded).positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
-    CHECK(mesh_of(loaded).normal_indices == std::vector<Triangle>{{1, 2, 3}});
+    CHECK(mesh_of(loaded).normal_indices == std::vector<Triangle>{{0, 1, 2}});
+    CHECK(mesh_of(loaded).normals[0] == Vec3{1, 0, 0});  // the second position: the first one is not used
     CHECK(mesh_of(loaded).uvs.empty());
     CHECK(messages(loaded)[0] == warning);
   }
