@@ -60,9 +60,9 @@ StudyArguments resolved(const StudyRequest& request) {
 }
 
 void make_folder(const std::string& path) {
-  std::error_code error;
+  std::error_code error, no_status;
   fs::create_directory(path, error);
-  if (!fs::is_directory(path))
+  if (!fs::is_directory(path, no_status))
     throw Error(fmt::format("{}: this folder cannot be made: {}", path,
                             error ? error.message() : "there is a file of that name"));
 }

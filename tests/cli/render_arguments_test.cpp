@@ -327,9 +327,15 @@ TEST_CASE("a number out of range, or no number, is refused in the option's name 
 
 TEST_CASE("a seed is a whole number of 64 bits, and no other number passes for one") {
   CHECK(parse({"--seed=18446744073709551615"}).render.seed == 18446744073709551615u);
-  for (const char* seed : {"-1", "18446744073709551616", "1.5", "0x10", ""})
+  for (const char* seed : {"-1", "18446744073709551616", "1.5", "0x10"})
     CHECK(message_of({"--seed", seed}) ==
           fmt::format("--seed: \"{}\" is not a whole number from 0 to 18446744073709551615", seed));
+}
+
+TEST_CASE("an empty value is no value") {
+  CHECK(message_of({"--seed", ""}) == "--seed: its value is empty");
+  CHECK(message_of({"-o", ""}) == "--output: its value is empty");
+  CHECK(message_of({"-r", "8", ""}) == "--resolution: its value is empty");
 }
 
 TEST_CASE("a crop is a corner and a size, and may be all of the frame") {
