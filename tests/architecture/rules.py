@@ -54,8 +54,9 @@ NATIVE = "-march=" + "native"
 MACHINE_PATH = re.compile(r"(?<![\w.}])/(?:ho" r"me|ro" r"ot|wo" r"rk)/")
 NOT_COUNTED = re.compile(r"\bSKIP\s*\(|\[!(?:mayfail|shouldfail)\]|\[\.[\w]*\]|\bDISABLED_|\bWILL_FAIL\b")
 
-# ctest's list of tests takes a bracket or a semicolon apart: the tests that follow are lost without a word.
-BROKEN_NAME = re.compile(r'TEST_CASE\(\s*"[^"]*[][;\\]')
+# ctest's list of tests takes a bracket or a semicolon apart: the tests that follow are lost without a word. A
+# name that begins with a dash is an option of Catch2's.
+BROKEN_NAME = re.compile(r'TEST_CASE\(\s*"(?:-|[^"]*[][;\\])')
 
 MAX_LINES = 450
 MAX_COLUMNS = 110
@@ -251,7 +252,8 @@ every_test_counts = pattern_rule(
 
 
 whole_names = pattern_rule(
-    BROKEN_NAME, in_tests, "a test's name must not hold brackets, semicolons or backslashes", code_only=False)
+    BROKEN_NAME, in_tests,
+    "a test's name must not hold brackets, semicolons or backslashes, nor begin with a dash", code_only=False)
 
 
 def all_listed(tree):

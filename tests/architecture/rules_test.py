@@ -134,7 +134,7 @@ class Rules(unittest.TestCase):
         self.expect({"tests/a.h": HEADER + 'SKIP("no");\n'}, "a test that may not count")
 
     def test_names_reach_ctest_whole(self):
-        for name in ("x in [0, 1)", "x; y", "a\\\\b"):
+        for name in ("x in [0, 1)", "x; y", "a\\\\b", "-x is y"):
             self.expect({"tests/a.h": HEADER + f'TEST_CASE("{name}", "[tag]")\n'},
                         "a test's name must not hold")
         self.expect({"tests/a.h": HEADER + 'TEST_CASE("x, from 0 to 1", "[tag]")\n'})

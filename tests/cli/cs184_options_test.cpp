@@ -76,7 +76,7 @@ TEST_CASE("each letter of CS184's program has its meaning there") {
   CHECK(arguments.output == "out.png");
 }
 
-TEST_CASE("-o 0 shows the light of the last bounce that -m allows, and -o 1 all of it") {
+TEST_CASE("option -o 0 shows the light of the last bounce that -m allows, and -o 1 all of it") {
   for (const int depth : {0, 1, 5}) {
     const RenderArguments last = parse({"-m", fmt::format("{}", depth), "-o", "0"});
     CHECK(last.path.max_depth == depth);
@@ -98,7 +98,7 @@ TEST_CASE("words stand as getopt takes them: behind the scene, and joined to the
   CHECK(parse({"-s", "4", "-s", "8"}).render.samples == 8);
 }
 
-TEST_CASE("-H takes no value, also as the last word") {
+TEST_CASE("option -H takes no value, also as the last word") {
   CHECK(parse({"-H", "-m", "6"}).path.max_depth == 6);
   CHECK(parse_cs184_arguments({"-H", "a.dae"}).scene == "a.dae");
   CHECK(parse_cs184_arguments({"a.dae", "-H"}).path.direct == DirectMethod::hemisphere);

@@ -191,7 +191,7 @@ TEST_CASE("a picture on standard output leaves that to it, and rates out") {
   CHECK(folder.file_count() == 1);  // the scene
 }
 
-TEST_CASE("-b is a lens that blurs what is not at the distance of -d") {
+TEST_CASE("option -b is a lens that blurs what is not at the distance of -d") {
   // A wall that faces the camera at a distance of 1.5 times its diagonal; the cell lies across its edge.
   Cs184Scene wall;
   wall.geometries = cs184_geometry("floor", {4, "-1 -1 0 1 -1 0 1 1 0 -1 1 0", 2, "0 1 2 0 2 3", ""});

@@ -153,7 +153,7 @@ TEST_CASE("a scene without a light, and a material that is not rendered as it is
         "warning: mirror is rendered as Lambert of its reflectance: \"silver\"\n");
 }
 
-TEST_CASE("--default-light lights a dark scene so that what faces the camera has its own color") {
+TEST_CASE("option --default-light lights a dark scene so that what faces the camera has its own color") {
   const TemporaryFolder folder;
   // A gray wall fills the view, at a distance from which light that falls off would not be seen.
   write_text(
@@ -175,7 +175,7 @@ TEST_CASE("--default-light lights a dark scene so that what faces the camera has
   CHECK(lit.err == "warning: --default-light: no effect, for the scene has light\n");
 }
 
-TEST_CASE("--clip=file cuts the view at the file's clip distances, also those of a camera file") {
+TEST_CASE("option --clip=file cuts the view at the file's clip distances, also those of a camera file") {
   const TemporaryFolder folder;
   const std::string picture = folder.file("a.exr");
   const auto rendered = [&](const std::string& options) {
