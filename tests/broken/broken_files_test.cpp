@@ -16,7 +16,8 @@ namespace {
 std::string said_of(const std::string& text) {
   try {
     std::string said;
-    for (const Diagnostic& warning : load_collada(text).warnings) said += warning.text() + "\n";
+    for (const Diagnostic& warning : load_collada(text, {.clip_as_file = true}).warnings)
+      said += warning.text() + "\n";
     return said;
   } catch (const Error& error) {
     return error.what();

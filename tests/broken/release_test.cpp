@@ -27,7 +27,7 @@ int outcome_of(const std::string& text) {
   const std::size_t before = peak_bytes();
   int outcome = is_read;
   try {
-    load_collada(text);
+    load_collada(text, {.clip_as_file = true});
   } catch (const Error&) {
     outcome = is_refused;
   } catch (...) {
@@ -80,7 +80,8 @@ TEST_CASE("the program refuses a broken file with 1 and its place, or renders it
   for (std::size_t i = 0; i < files.size(); i += step) {
     INFO(files[i].name);
     write_text(path, files[i].text);
-    const ProcessResult result = run_program(fmt::format("'{}' -r 1 1 -s 1 -q -t 1 -o /dev/null", path));
+    const ProcessResult result =
+        run_program(fmt::format("'{}' -r 1 1 -s 1 -q -t 1 --clip=file -o /dev/null", path));
     INFO(result.err);
     CHECK((result.exit_code == 0 || result.exit_code == 1));
     CHECK((result.exit_code == 0 || result.err.starts_with("twinray: " + path + ":")));
