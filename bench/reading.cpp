@@ -17,8 +17,8 @@ ReadingStatistics measure_reading(const Workload& workload, const Rounds& rounds
       throw Error(file + " was changed while it was measured");
   };
   read();
-  for (const Seconds& round : run_rounds({{"read", read}}, rounds)[0])
-    statistics.seconds.push_back(round.cpu);
+  const auto measured = run_rounds({{"read", read}}, rounds);
+  for (const Seconds& round : measured[0]) statistics.seconds.push_back(round.cpu);
   return statistics;
 }
 
