@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program: exceptions become messages and exit codes here, and nowhere else.
+#include <unistd.h>
+
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -29,9 +32,24 @@ int run(const twinray::Invocation& invocation) {
   }
 }
 
+/// Memory can end where no exception may leave: in a function that promises to throw none, or in a thread of
+/// a library.
+[[noreturn]] void end_without_memory() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    constexpr char message[] = "twinray: out of memory\n";
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message, sizeof message - 1);
+    std::_Exit(1);
+  } catch (...) {
+  }
+  std::abort();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::set_terminate(end_without_memory);
   console::open();
   return console::finish(run(twinray::read_invocation({argv, std::size_t(argc)})));
 }
