@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/render_arguments.h"
-#include "io/image_file.h"
+#include "io/image_metadata.h"
 
 namespace twinray {
 

@@ -28,6 +28,7 @@
 #include "io/camera_file.h"
 #include "io/cs184_camera.h"
 #include "io/environment_file.h"
+#include "io/image_codec.h"
 #include "io/image_file.h"
 #include "io/output_file.h"
 
@@ -199,6 +200,7 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   prepare_outputs(outputs.names());
   if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
     console::warn(fewer);
+  if (!arguments.environment.empty() || is_linear_output(outputs.picture)) load_image_codec_early();
   const LoadedScene loaded = load(arguments, talk);
   choose_engine(*loaded.scene.geometry, arguments);
   const ImageMetadata metadata = picture_metadata(arguments, words);

@@ -2,7 +2,6 @@
 # What an installed twinray is: the program and its link `pathtracer`, the static libraries, the public headers under
 # include/twinray, and a CMake package of which find_package(twinray) gives twinray::core, ::accel, ::integrators,
 # ::check and ::io.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # Headers that are not installed: users would compile the canonical tests with flags of their own. Each opens
@@ -64,7 +63,10 @@ list(TRANSFORM private_headers REPLACE "\\." "\\\\." OUTPUT_VARIABLE private_pat
 list(JOIN private_patterns "|" private_patterns)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/twinray)
+file(RELATIVE_PATH to_modules /${CMAKE_INSTALL_BINDIR} /${twinray_module_folder})
+set_target_properties(twinray PROPERTIES INSTALL_RPATH "$ORIGIN/${to_modules}")
 install(TARGETS twinray RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS twinray_image_codec LIBRARY DESTINATION ${twinray_module_folder})
 install(FILES $<TARGET_FILE_DIR:twinray>/pathtracer DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS twinray_core twinray_accel twinray_integrators twinray_check twinray_io EXPORT twinrayTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -76,5 +78,5 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/twinrayConfig.cmake.in t
                               INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(twinrayConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/twinrayConfig.cmake ${PROJECT_BINARY_DIR}/twinrayConfigVersion.cmake
-              ${CMAKE_CURRENT_LIST_DIR}/FindLibZip.cmake ${CMAKE_CURRENT_LIST_DIR}/FindOpenImageIO.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/FindLibZip.cmake
         DESTINATION ${package_folder})

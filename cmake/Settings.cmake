@@ -8,6 +8,13 @@ endif()
 set(TWINRAY_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize takes them")
 option(TWINRAY_WERROR "Treat warnings as errors" OFF)
 
+# Where an installation has what is loaded while the program runs, below its prefix. A project that includes this one
+# decides about its own folders.
+if(TWINRAY_INSTALL_RULES)
+  include(GNUInstallDirs)
+endif()
+set(twinray_module_folder ${CMAKE_INSTALL_LIBDIR}/twinray)
+
 # Warnings and sanitizers: linked PRIVATE by every target of ours, never installed.
 add_library(twinray_developer INTERFACE)
 target_compile_options(twinray_developer INTERFACE -Wall -Wextra -Wshadow -Wno-missing-field-initializers
@@ -16,7 +23,8 @@ if(TWINRAY_SANITIZE)
   # Without recovery: a test that meets undefined behaviour fails.
   target_compile_options(twinray_developer INTERFACE -fsanitize=${TWINRAY_SANITIZE} -fno-sanitize-recover=all
                          -fno-omit-frame-pointer)
-  target_link_options(twinray_developer INTERFACE -fsanitize=${TWINRAY_SANITIZE})
+  # A sanitizer opens libraries in the program's place: it sees the program's RPATH, but no RUNPATH.
+  target_link_options(twinray_developer INTERFACE -fsanitize=${TWINRAY_SANITIZE} LINKER:--disable-new-dtags)
 endif()
 
 # twinray_library(NAME file...): the static library twinray::NAME, with includes from the root of the tree.

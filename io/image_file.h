@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures on disk. The only door to OpenImageIO.
+// Pictures on disk. PNGs are written by PNG's own library; OpenImageIO, which takes long to load, does the
+// rest.
 #pragma once
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "core/image.h"
+#include "io/image_metadata.h"
 
 namespace twinray {
-
-/// Names and values that are stored in the file beside the pixels.
-using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
-
-/// The whole frame of which a picture is a part, and where its left top pixel lies in it.
-struct ImageFrame {
-  int x = 0, y = 0;
-  int width = 0, height = 0;  ///< 0: the picture is the whole frame.
-};
 
 /// Throws Error unless the name of a picture says its format: it ends in .png or .exr. What is no regular
 /// file (standard output, a device, a FIFO) may have any name: it gets a PNG unless it ends in .exr.
@@ -28,7 +19,7 @@ bool is_linear_output(const std::string& path);
 // Pictures go where write_file puts them: whole, or the old file stays. The same arguments give the same
 // bytes: no time is stored but that of the metadata's "DateTime", if it has any.
 
-/// 8-bit PNG; throws Error where it cannot be written.
+/// 8-bit sRGB PNG (io/png.h); throws Error where it cannot be written.
 void write_png(const std::string& path, const ByteImage& image, const ImageMetadata& metadata = {});
 /// OpenEXR, channels R, G, B, 32-bit float; the picture is the data window, the frame the display window.
 /// Otherwise as write_png.

@@ -29,7 +29,8 @@ DOORS = {
     "Highway and intrinsics": (r"hwy/|\w+intrin\.h", r"accel/|core/denormals\.cpp"),  # denormals: FTZ and DAZ
     "Boost": (r"boost/", r"check/exact\.h"),
     "oneTBB": (r"tbb/|oneapi/", r"core/parallel\.cpp"),
-    "OpenImageIO": (r"OpenImageIO/", r"io/image_file\.cpp"),
+    "OpenImageIO": (r"OpenImageIO/", r"io/openimageio_codec\.cpp"),
+    "libpng": (r"png\.h", r"io/png\.cpp"),
     "libzip": (r"zip\.h", r"io/zip_archive\.cpp"),
     "tinyxml2": (r"tinyxml2\.h", r"io/xml_reader\.(h|cpp)"),
     "CLI11": (r"CLI/", r"cli/|bench/options\.cpp"),

@@ -86,8 +86,7 @@ TEST_CASE("with any limit of addresses a picture is made, or an error says why n
       const ProcessResult result =
           run_shell(fmt::format("ulimit -v {}; timeout 60 '" TWINRAY_PROGRAM "' {} -r 24 18 -s 1 -q -o '{}'",
                                 1024 * megabytes, scene, path));
-      // The system cannot load the program's libraries, or one of them ends before main() begins, from where
-      // on no bad_alloc ends in these words.
+      // The system cannot load the program's libraries, or one of them ends the program as it is loaded.
       if (result.exit_code == 127 || result.err.starts_with("terminate called")) continue;
       CAPTURE(result.err);
       CHECK((result.exit_code == 0 || result.exit_code == 1));

@@ -7,6 +7,7 @@
 #include "accel/accelerator.h"
 #include "canonical_table.h"
 #include "core/error.h"
+#include "io/image_file.h"
 
 namespace {
 
@@ -49,7 +50,19 @@ int count_wrong_bits(Backend backend) {
   return int(wrong.size());
 }
 
+/// What OpenImageIO does is loaded while the program runs: from the folder that twinray is installed in.
+bool keeps_pictures() {
+  Image image(2, 1);
+  image.at(1, 0) = {0.25f, 7, 1e-3f};
+  write_image("consumer.exr", image);
+  return read_image("consumer.exr").pixels == image.pixels;
+}
+
 int run() {
+  if (!keeps_pictures()) {
+    std::puts("an EXR is not read as it was written");
+    return 1;
+  }
   const auto geometry = sphere_on_square();
   const auto rays = rays_from_above();
   const auto oracle = build_accelerator(Backend::brute_force, geometry);

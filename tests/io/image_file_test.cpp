@@ -61,6 +61,16 @@ TEST_CASE("a PNG keeps every byte, and carries the metadata") {
   CHECK(read_text(folder.file("a.png")).find("the scene") != std::string::npos);
 }
 
+TEST_CASE("a PNG says that it is sRGB, and keeps text of any alphabet") {
+  const TemporaryFolder folder;
+  write_png(folder.file("a.png"), {1, 1, {1, 2, 3}}, {{"plain", "box"}, {"other", "Größe 箱"}});
+  const std::string text = read_text(folder.file("a.png"));
+  CHECK(text.find(std::string("sRGB") + '\0') != std::string::npos);
+  CHECK(text.find(std::string("tEXtplain") + '\0' + "box") != std::string::npos);
+  CHECK(text.find(std::string("iTXtother") + std::string(5, '\0') + "Größe 箱") != std::string::npos);
+  CHECK_THROWS_WITH(write_png(folder.file("b.png"), {0, 0, {}}), "a PNG cannot be made: Invalid IHDR data");
+}
+
 TEST_CASE("the tone curve is sRGB's, clipped and rounded") {
   CHECK(encode_srgb(0.0f) == 0);
   CHECK(encode_srgb(-1.0f) == 0);

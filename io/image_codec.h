@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What OpenImageIO does here, behind an interface, so that the program starts without it. It brings
+// along some 260 shared libraries, which take longer to load than a small picture to render.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/image.h"
+#include "io/image_metadata.h"
+
+namespace twinray {
+
+/// Reads and writes what PNG's own library does not. Any number of threads may use it.
+class ImageCodec {
+ public:
+  struct Header {
+    int width = 0, height = 0, channels = 0;
+    bool is_deep = false;  ///< Several samples in depth, or several layers of them.
+  };
+  virtual ~ImageCodec() = default;
+
+  /// The first three channels as they are stored, 8 and 16 bits as [0, 1]; the first one as grey where there
+  /// are fewer. `format` is OpenImageIO's name of one. `check` sees the header before memory is taken for
+  /// pixels; it throws Error to refuse the file.
+  virtual Image read(const std::string& path, const char* format,
+                     const std::function<void(const Header&)>& check) const = 0;
+  /// The bytes of an OpenEXR file; write_exr says of what. `path` stands in messages alone.
+  virtual std::vector<unsigned char> encode_exr(const std::string& path, const Image& image,
+                                                const ImageMetadata& metadata,
+                                                const ImageFrame& frame) const = 0;
+};
+
+/// The codec. Loads it where that has not been done; throws Error where it cannot be loaded.
+const ImageCodec& image_codec();
+
+/// Begins in the background to load it, so that it is there when a picture needs it. Never fails.
+void load_image_codec_early();
+
+/// The name of the function that the loaded library gives its codec by, and its type.
+inline constexpr const char* image_codec_symbol = "twinray_image_codec";
+using ImageCodecFunction = const ImageCodec* (*)();
+
+}  // namespace twinray
