@@ -6,6 +6,16 @@
 namespace twinray::html {
 namespace {
 
+/// A word that may go on in the next line behind its slashes and underscores.
+std::string breakable(const std::string& word) {
+  std::string html;
+  for (const char c : escaped(word)) {
+    html += c;
+    if (c == '/' || c == '_') html += "<wbr>";
+  }
+  return html;
+}
+
 constexpr const char* style = R"(
 :root { color-scheme: light; }
 body { font: 15px/1.5 system-ui, "Segoe UI", Roboto, "Noto Sans", sans-serif; color: #1c1c1e;
@@ -48,7 +58,8 @@ img { max-width: 100%; height: auto; }
 .missing { background: #fff6e0; border: 1px solid #ecd9a8; border-radius: 6px; padding: .5rem .8rem;
   max-width: 52rem; }
 @media (max-width: 40rem) { body { margin: 1rem auto; padding: 0 .8rem; }
-  .facts td:first-child { white-space: normal; } }
+  .facts td:first-child { white-space: normal; } svg.curves text { font-size: 17px; }
+  td code.command { white-space: nowrap; } td .words span { max-width: none; } }
 @media print { figure { break-inside: avoid; } }
 )";
 
@@ -93,11 +104,17 @@ std::string row(const std::vector<std::string>& cells, const std::string& kind) 
 }
 
 std::string whole_words(const std::string& text) {
-  constexpr std::string_view between = "</span> <span>";
-  std::string words = escaped(text);
-  for (std::size_t at = words.find(' '); at != words.npos; at = words.find(' ', at + between.size()))
-    words.replace(at, 1, between);
-  return fmt::format("<span class=\"words\"><span>{}</span></span>", words);
+  std::string html = "<span class=\"words\"><span>";
+  bool is_option = false;
+  for (std::size_t begin = 0, end = 0; end != text.npos; begin = end + 1) {
+    end = text.find(' ', begin);
+    const std::string word = text.substr(begin, end - begin);
+    const bool is_value = is_option && !word.starts_with('-');
+    if (begin > 0) html += is_value ? " " : "</span> <span>";
+    html += breakable(word);
+    is_option = word.starts_with('-') || is_value;
+  }
+  return html + "</span></span>";
 }
 
 std::string table(const std::vector<std::string>& heads, const std::string& rows) {

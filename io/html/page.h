@@ -20,7 +20,8 @@ std::string facts(const std::vector<std::pair<std::string, std::string>>& rows);
 /// A row of a table; its cells are HTML. `kind`: "base" for what the others are compared with.
 std::string row(const std::vector<std::string>& cells, const std::string& kind = "");
 
-/// The text, broken between words alone where the page is too narrow for it, not at the hyphen of "-s".
+/// The text, broken between words where the page is too narrow for it, but not between "-s" and its values;
+/// within words only where these are too long for a line, behind a slash or underscore if there is one.
 std::string whole_words(const std::string& text);
 
 /// A table of such rows, which scrolls sideways where the page is too narrow for it.

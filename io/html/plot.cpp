@@ -87,9 +87,11 @@ std::string dot(double x, double y, const std::string& color, const std::string&
                      y, color, escaped(title));
 }
 
-std::string picture(double height, const std::string& label, const std::string& body) {
-  return fmt::format("<svg viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">{}</svg>\n", width,
-                     height, escaped(label), body);
+/// `kind`: of what the style has a say, "curves", "dots" or "bars".
+std::string picture(const char* kind, double height, const std::string& label, const std::string& body) {
+  return fmt::format(
+      "<svg class=\"{}\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">{}</svg>\n", kind,
+      width, height, escaped(label), body);
 }
 
 struct Range {
@@ -196,7 +198,7 @@ std::string draw(const Curves& curves) {
   body += text((left + right) / 2, bottom + 36, "middle", curves.x_label);
   body += text(14, (top + bottom) / 2, "middle", curves.y_label,
                fmt::format(" transform=\"rotate(-90 14 {:.0f})\"", (top + bottom) / 2).c_str());
-  return picture(bottom + 44, curves.y_label, body);
+  return picture("curves", bottom + 44, curves.y_label, body);
 }
 
 std::string draw(const Dots& dots) {
@@ -208,7 +210,7 @@ std::string draw(const Dots& dots) {
                            series.color, 2);
       body += dot(rows.x(mark.x), rows.middle(mark.y), series.color, mark.title);
     }
-  return picture(rows.bottom + 42, dots.x_label, body);
+  return picture("dots", rows.bottom + 42, dots.x_label, body);
 }
 
 std::string draw_bars(const Dots& bars) {
@@ -226,7 +228,7 @@ std::string draw_bars(const Dots& bars) {
       const double middle = y + 0.5 * (thickness - 1.5);
       body += colored_line(rows.x(mark.low), middle, rows.x(mark.high), middle, "#111", 1.4);
     }
-  return picture(rows.bottom + 42, bars.x_label, body);
+  return picture("bars", rows.bottom + 42, bars.x_label, body);
 }
 
 std::string draw_legend(const std::vector<Series>& series) {

@@ -30,9 +30,16 @@ TEST_CASE("words cannot become elements of a page") {
   CHECK(text.find("<td>&lt;td&gt;</td>") != std::string::npos);
 }
 
-TEST_CASE("a text is broken between its words alone") {
-  CHECK(whole_words("-s 1 <") ==
-        "<span class=\"words\"><span>-s</span> <span>1</span> <span>&lt;</span></span>");
+TEST_CASE("a text is broken between its words, but not between an option and its values") {
+  CHECK(whole_words("a < b") ==
+        "<span class=\"words\"><span>a</span> <span>&lt;</span> <span>b</span></span>");
+  CHECK(whole_words("render -r 96 72 -H --accel=bvh -s 1") ==
+        "<span class=\"words\"><span>render</span> <span>-r 96 72</span> <span>-H</span> "
+        "<span>--accel=bvh</span> <span>-s 1</span></span>");
+}
+
+TEST_CASE("a long word goes on in the next line behind its slashes and underscores") {
+  CHECK(whole_words("sky/CB_a.dae") == "<span class=\"words\"><span>sky/<wbr>CB_<wbr>a.dae</span></span>");
 }
 
 TEST_CASE("a picture's address holds its bytes, by the kind that its name says") {

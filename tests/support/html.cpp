@@ -8,7 +8,7 @@ namespace twinray::test {
 namespace {
 
 /// Elements that have no end.
-const std::set<std::string> empty_elements{"meta", "br", "img", "hr", "!DOCTYPE"};
+const std::set<std::string> empty_elements{"meta", "br", "img", "hr", "wbr", "!DOCTYPE"};
 
 /// The name of the tag that begins at `at`: "table", "/table".
 std::string tag_name(const std::string& page, std::size_t at) {
