@@ -2,16 +2,11 @@
 // The header of an OpenEXR file ("OpenEXR File Layout", openexr.com): magic number, version and flags, then
 // attributes, each of a name, a type, a size and so many bytes; an empty name ends them. A file of several
 // parts has such a list for each, and an empty one behind the last.
-#include "io/exr_header.h"
-
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 
-#include "core/error.h"
+#include "io/picture_header.h"
 
 namespace twinray {
 namespace {
@@ -21,32 +16,30 @@ constexpr std::uint32_t flag_deep = 1u << 11, flag_parts = 1u << 12;
 constexpr std::size_t longest_name = 255;
 constexpr std::uint64_t longest_tile = 4096;  ///< The largest that is read, in pixels of a side.
 
-constexpr long long max_pixels = 1ll << 28;
-constexpr long long small_picture = 1ll << 16;  ///< Pixels that any file may have.
-
 class HeaderReader {
  public:
-  explicit HeaderReader(const std::string& path)
-      : path_(path), file_(path, std::ios::binary), length_(std::filesystem::file_size(path)) {}
+  explicit HeaderReader(const PictureBytes& picture) : picture_(picture), rest_(picture.bytes) {}
 
-  void read() {
+  PictureSize read() {
     if (number() != magic) fail("it does not begin as an OpenEXR picture does");
     const std::uint32_t flags = number();
     if (flags & flag_deep) fail("it is a deep picture, which is not read");
     do read_part();
-    while ((flags & flag_parts) && file_.peek() != 0);
+    while ((flags & flag_parts) && !rest_.starts_with('\0'));
+    return largest_;
   }
 
  private:
   void read_part() {
     bool has_window = false;
-    for (std::string attribute = name(); !attribute.empty(); attribute = name()) {
+    for (std::string_view attribute = name(); !attribute.empty(); attribute = name()) {
       name();  // its type
-      const std::uint64_t size = number(), begin = std::uint64_t(file_.tellg());
-      if (size > length_ - begin) fail(fmt::format("its {} is longer than the file", attribute));
+      const std::uint32_t size = number();
+      if (size > rest_.size()) fail(fmt::format("its {} is longer than the file", attribute));
+      const std::string_view behind = rest_.substr(size);
       if (attribute == "dataWindow" && size == 16) has_window = true, read_window();
       if (attribute == "tiles" && size == 9) read_tile();
-      file_.seekg(std::streamoff(begin + size));
+      rest_ = behind;
     }
     if (!has_window) fail("it has no dataWindow");
   }
@@ -54,7 +47,9 @@ class HeaderReader {
   void read_window() {
     const long long x0 = std::int32_t(number()), y0 = std::int32_t(number());
     const long long x1 = std::int32_t(number()), y1 = std::int32_t(number());
-    check_picture_size(path_, x1 - x0 + 1, y1 - y0 + 1, pixels_a_byte);
+    const PictureSize size{x1 - x0 + 1, y1 - y0 + 1};
+    check_picture_size(PictureFormat::exr, size, picture_);
+    if (size.width * size.height > largest_.width * largest_.height) largest_ = size;
   }
 
   void read_tile() {
@@ -64,45 +59,33 @@ class HeaderReader {
                        longest_tile));
   }
 
+  /// The next 4 bytes, the least significant first.
   std::uint32_t number() {
-    unsigned char bytes[4];
-    if (!file_.read(reinterpret_cast<char*>(bytes), sizeof bytes)) fail("its header is cut off");
-    return bytes[0] | std::uint32_t(bytes[1]) << 8 | std::uint32_t(bytes[2]) << 16 |
-           std::uint32_t(bytes[3]) << 24;
+    if (rest_.size() < 4) fail("its header is cut off");
+    std::uint32_t value = 0;
+    for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<unsigned char>(rest_[i]);
+    rest_.remove_prefix(4);
+    return value;
   }
 
-  std::string name() {
-    std::string text;
-    for (int byte = file_.get(); byte != 0; byte = file_.get()) {
-      if (byte == std::ifstream::traits_type::eof()) fail("its header is cut off");
-      if (text.size() == longest_name) fail("a name in its header is too long");
-      text += char(byte);
-    }
+  std::string_view name() {
+    const std::size_t length = rest_.substr(0, longest_name + 1).find('\0');
+    if (length == rest_.npos)
+      fail(rest_.size() > longest_name ? "a name in its header is too long" : "its header is cut off");
+    const std::string_view text = rest_.substr(0, length);
+    rest_.remove_prefix(length + 1);
     return text;
   }
 
-  [[noreturn]] void fail(const std::string& reason) const {
-    throw Error(fmt::format("{}: cannot be read: {}", path_, reason));
-  }
+  [[noreturn]] void fail(const std::string& reason) const { fail_picture(picture_, reason); }
 
-  const std::string& path_;
-  std::ifstream file_;
-  std::uint64_t length_;
+  const PictureBytes& picture_;
+  std::string_view rest_;
+  PictureSize largest_;
 };
 
 }  // namespace
 
-void check_exr_header(const std::string& path) { HeaderReader(path).read(); }
-
-void check_picture_size(const std::string& path, long long width, long long height, long long most_a_byte) {
-  if (width < 1 || height < 1 || width > max_pixels || height > max_pixels || width * height > max_pixels)
-    throw Error(fmt::format("{}: {} x {} pixels; valid are up to 2^28", path, width, height));
-  const long long bytes = static_cast<long long>(std::filesystem::file_size(path));
-  if (width * height > small_picture && (width * height - small_picture) / most_a_byte > bytes)
-    throw Error(
-        fmt::format("{}: says that it has {} x {} pixels, and is a file of {} bytes: it is cut off, or no "
-                    "picture",
-                    path, width, height, bytes));
-}
+PictureSize check_exr_header(const PictureBytes& picture) { return HeaderReader(picture).read(); }
 
 }  // namespace twinray

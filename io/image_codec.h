@@ -8,6 +8,7 @@
 
 #include "core/image.h"
 #include "io/image_metadata.h"
+#include "io/picture_header.h"
 
 namespace twinray {
 
@@ -21,9 +22,9 @@ class ImageCodec {
   virtual ~ImageCodec() = default;
 
   /// The first three channels as they are stored, 8 and 16 bits as [0, 1]; the first one as grey where there
-  /// are fewer. `format` is OpenImageIO's name of one. `check` sees the header before memory is taken for
-  /// pixels; it throws Error to refuse the file.
-  virtual Image read(const std::string& path, const char* format,
+  /// are fewer. `check` sees the header before memory is taken for pixels; it throws Error to refuse the
+  /// file.
+  virtual Image read(PictureFormat format, const PictureBytes& picture,
                      const std::function<void(const Header&)>& check) const = 0;
   /// The bytes of an OpenEXR file; write_exr says of what. `path` stands in messages alone.
   virtual std::vector<unsigned char> encode_exr(const std::string& path, const Image& image,

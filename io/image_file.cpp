@@ -3,43 +3,24 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
-#include <string_view>
+#include <fstream>
 
 #include "core/elementary.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "io/destination.h"
-#include "io/exr_header.h"
 #include "io/image_codec.h"
 #include "io/output_file.h"
+#include "io/picture_header.h"
 #include "io/png.h"
 
 namespace twinray {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string extension_of(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return extension;
-}
-
-/// The reader of a file by its ending: never by its contents, so that only well-tried readers see a
-/// stranger's file.
-const char* reader_for(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (extension == ".exr") return "openexr";
-  if (extension == ".hdr") return "hdr";
-  if (extension == ".png") return "png";
-  if (extension == ".jpg" || extension == ".jpeg") return "jpeg";
-  throw Error(
-      fmt::format("{}: not a picture that can be read; valid endings are .exr, .hdr, .png, .jpg", path));
-}
 
 float decode_srgb(float encoded) {
   return encoded <= 0.04045f ? encoded / 12.92f : float(pow_of((double(encoded) + 0.055) / 1.055, 2.4));
@@ -49,37 +30,60 @@ void decode_srgb(Image& image) {
   for (Rgb& pixel : image.pixels) pixel = {decode_srgb(pixel.r), decode_srgb(pixel.g), decode_srgb(pixel.b)};
 }
 
-/// Throws Error unless the header is that of a picture that the file may hold: before any memory is taken.
-void check_header(const ImageCodec::Header& header, const std::string& path, std::string_view reader) {
-  check_picture_size(path, header.width, header.height,
-                     reader == "png"    ? pixels_a_png_byte
-                     : reader == "jpeg" ? pixels_a_jpeg_byte
-                                        : pixels_a_byte);
+/// Throws Error where memory cannot hold so many bytes. A few are not worth the question: the answer takes
+/// the system a tenth of a millisecond, as long as a small picture is read.
+void check_room(const std::string& name, std::uint64_t bytes) {
+  constexpr std::uint64_t few = 1 << 20;
+  const MemoryNeed need{name, bytes};
+  if (bytes > few) check_memory({&need, 1});
+}
+
+/// Throws Error unless the picture is of a kind that is read, and memory can hold it.
+void check_kind(const ImageCodec::Header& header, PictureFormat format, const PictureBytes& picture) {
+  check_picture_size(format, {header.width, header.height}, picture);
+  const std::string& path = picture.path;
   if (header.channels < 1 || header.channels > 64)
     throw Error(fmt::format("{}: {} channels; valid are 1 to 64", path, header.channels));
   if (header.is_deep)
     throw Error(fmt::format("{}: a deep picture, or one of several layers in depth, is not read", path));
-  const std::uint64_t pixels = std::uint64_t(header.width) * std::uint64_t(header.height);
-  const MemoryNeed need{fmt::format("the {} x {} pixels of {}", header.width, header.height, path),
-                        pixels * sizeof(Rgb)};
-  check_memory({&need, 1});
+  check_room(fmt::format("the {} x {} pixels of {}", header.width, header.height, path),
+             std::uint64_t(header.width) * std::uint64_t(header.height) * sizeof(Rgb));
+}
+
+/// PNG and JPEG are sRGB whatever their depth; the others hold linear numbers.
+bool is_encoded(PictureFormat format) {
+  return format == PictureFormat::png || format == PictureFormat::jpeg;
+}
+
+Image decode(PictureFormat format, const PictureBytes& picture) {
+  check_picture_header(format, picture);
+  const auto check = [&](const ImageCodec::Header& header) { check_kind(header, format, picture); };
+  Image image = image_codec().read(format, picture, check);
+  if (is_encoded(format)) decode_srgb(image);
+  return image;
+}
+
+std::string read_bytes(const std::string& path) {
+  if (!fs::is_regular_file(path)) throw Error(fmt::format("{}: there is no such file", path));
+  std::error_code error;
+  const std::uint64_t size = fs::file_size(path, error);
+  if (!error) check_room(path, size);
+  std::string bytes(error ? 0 : std::size_t(size), '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (error || !file.read(bytes.data(), std::streamsize(bytes.size())))
+    throw Error(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  return bytes;
 }
 
 void write_bytes(const std::string& path, const std::vector<unsigned char>& bytes) {
   write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-/// PNG and JPEG are sRGB whatever their depth; the others hold linear numbers.
-bool is_encoded(const char* reader) {
-  const std::string_view name = reader;
-  return name == "png" || name == "jpeg";
-}
-
 }  // namespace
 
 void check_image_name(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (extension == ".png" || extension == ".exr") return;
+  const std::string ending = picture_ending(path);
+  if (ending == ".png" || ending == ".exr") return;
   if (destination_of(path).kind == Destination::Kind::file)
     throw Error(fmt::format("{}: a picture's name must end in .png or .exr", path));
 }
@@ -88,7 +92,7 @@ void write_png(const std::string& path, const ByteImage& image, const ImageMetad
   write_bytes(path, encode_png(image, metadata));
 }
 
-bool is_linear_output(const std::string& path) { return extension_of(path) == ".exr"; }
+bool is_linear_output(const std::string& path) { return picture_ending(path) == ".exr"; }
 
 void write_exr(const std::string& path, const Image& image, const ImageMetadata& metadata,
                const ImageFrame& frame) {
@@ -104,13 +108,13 @@ void write_image(const std::string& path, const Image& image, const ImageMetadat
 }
 
 Image read_image(const std::string& path) {
-  const char* reader = reader_for(path);
-  if (!fs::is_regular_file(path)) throw Error(fmt::format("{}: there is no such file", path));
-  if (reader == std::string_view("openexr")) check_exr_header(path);
-  Image image = image_codec().read(
-      path, reader, [&](const ImageCodec::Header& header) { check_header(header, path, reader); });
-  if (is_encoded(reader)) decode_srgb(image);
-  return image;
+  const PictureFormat format = picture_format(path);
+  const std::string bytes = read_bytes(path);
+  return decode(format, {bytes, path});
+}
+
+Image decode_image(std::string_view bytes, const std::string& name) {
+  return decode(picture_format(name), {bytes, name});
 }
 
 }  // namespace twinray

@@ -3,6 +3,7 @@
 // rest.
 #pragma once
 #include <string>
+#include <string_view>
 
 #include "core/image.h"
 #include "io/image_metadata.h"
@@ -32,5 +33,8 @@ void write_image(const std::string& path, const Image& image, const ImageMetadat
 /// Reads an EXR, HDR, PNG or JPEG picture of up to 2^28 pixels as linear colours: the first three channels,
 /// or the first one as grey; PNG and JPEG are taken as sRGB, of 8 bits and of 16. Throws Error.
 Image read_image(const std::string& path);
+
+/// The same from the bytes of a file; the name says the format, and messages begin with it.
+Image decode_image(std::string_view bytes, const std::string& name);
 
 }  // namespace twinray

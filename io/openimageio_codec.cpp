@@ -4,6 +4,7 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "core/error.h"
@@ -27,12 +28,41 @@ OIIO::ImageSpec exr_spec(const Image& image, const ImageMetadata& metadata, cons
   return spec;
 }
 
+/// OpenImageIO's name of the reader.
+const char* reader_for(PictureFormat format) {
+  switch (format) {
+    case PictureFormat::exr:
+      return "openexr";
+    case PictureFormat::hdr:
+      return "hdr";
+    case PictureFormat::png:
+      return "png";
+    default:
+      return "jpeg";
+  }
+}
+
+/// Reads so many channels of all pixels, row by row: OpenImageIO takes 64 MB for any rows that it reads at
+/// once, however short. Rows of tiles it reads one after the other by itself.
+bool read_channels(OIIO::ImageInput& input, int channels, Image& image) {
+  const OIIO::ImageSpec& spec = input.spec();
+  const auto pixel_bytes = OIIO::stride_t(sizeof(Rgb));
+  if (spec.tile_width > 0)
+    return input.read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, image.pixels.data(), pixel_bytes);
+  std::vector<float> row(std::size_t(spec.width) * std::size_t(spec.nchannels));
+  for (int y = 0; y < spec.height; ++y) {
+    if (!input.read_scanline(spec.y + y, 0, OIIO::TypeDesc::FLOAT, row.data())) return false;
+    for (int x = 0; x < spec.width; ++x)
+      std::copy_n(&row[std::size_t(x) * std::size_t(spec.nchannels)], channels, &image.at(x, y).r);
+  }
+  return true;
+}
+
 /// The first three channels of all pixels, or the first one as grey.
 Image read_pixels(OIIO::ImageInput& input, const ImageCodec::Header& header, const std::string& path) {
   Image image(header.width, header.height);
   const int channels = header.channels >= 3 ? 3 : 1;
-  const auto pixel_bytes = OIIO::stride_t(sizeof(Rgb));
-  if (!input.read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, image.pixels.data(), pixel_bytes))
+  if (!read_channels(input, channels, image))
     throw Error(fmt::format("{}: cannot be read: {}", path, input.geterror()));
   if (channels == 1)
     for (Rgb& pixel : image.pixels) pixel = {pixel.r, pixel.r, pixel.r};
@@ -41,16 +71,18 @@ Image read_pixels(OIIO::ImageInput& input, const ImageCodec::Header& header, con
 
 class OpenImageIOCodec final : public ImageCodec {
  public:
-  Image read(const std::string& path, const char* format,
+  Image read(PictureFormat format, const PictureBytes& picture,
              const std::function<void(const Header&)>& check) const override {
     use_no_threads();
-    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
+    OIIO::Filesystem::IOMemReader memory(picture.bytes.data(), picture.bytes.size());
+    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(reader_for(format));
     OIIO::ImageSpec spec;
-    if (!input || !input->open(path, spec))
-      throw Error(fmt::format("{}: cannot be read: {}", path, input ? input->geterror() : OIIO::geterror()));
+    if (!input || !input->set_ioproxy(&memory) || !input->open(picture.path, spec))
+      throw Error(
+          fmt::format("{}: cannot be read: {}", picture.path, input ? input->geterror() : OIIO::geterror()));
     const Header header{spec.width, spec.height, spec.nchannels, spec.depth > 1 || spec.deep};
     check(header);
-    return read_pixels(*input, header, path);
+    return read_pixels(*input, header, picture.path);
   }
 
   /// Put together in memory: a pipe cannot be written in any other order.

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <map>
 #include <string_view>
 
 #include "core/error.h"
+#include "io/picture_header.h"
 #include "tests/support/catch.h"
 #include "tests/support/file_size_limit.h"
 #include "tests/support/random.h"
@@ -194,6 +196,50 @@ TEST_CASE("what an EXR's header promises is checked before the file is opened") 
   CHECK(message(whole.substr(0, 10)) == changed + ": cannot be read: its header is cut off");
   CHECK(message("") == changed + ": cannot be read: its header is cut off");
   CHECK(message("a picture") == changed + ": cannot be read: it does not begin as an OpenEXR picture does");
+}
+
+TEST_CASE("what any picture's header promises is checked before a library opens it") {
+  // Nothing but headers: whatever opens such a file fails with words of its own, after it took gigabytes for
+  // a JPEG that becomes finer by and by (0xc2).
+  const std::string png("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\xff\0\0\0\x80\0", 24);
+  const std::string jpeg("\xff\xd8\xff\xe0\0\3.\xff\xc2\0\x11\x08\x80\0\xff\0", 16);
+  const std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32768 +X 65280\n";
+  const auto message = [](const std::string& bytes, const std::string& name) -> std::string {
+    try {
+      decode_image(bytes, name);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "read";
+  };
+  for (const auto& [name, bytes] : std::map<std::string, std::string>{
+           {"a.png", png}, {"a.jpg", jpeg}, {"a.JPEG", jpeg}, {"a.hdr", hdr}}) {
+    CAPTURE(name);
+    CHECK(message(bytes, name) == name + ": 65280 x 32768 pixels; valid are up to 2^28");
+    CHECK(message(bytes.substr(0, bytes.size() - 1), name) ==
+          name + ": cannot be read: its header is cut off");
+    CHECK(message("", name).starts_with(name + ": cannot be read: it does not begin as a "));
+  }
+  std::string narrow = jpeg;
+  narrow[14] = '\1';
+  CHECK(
+      message(narrow, "a.jpg") ==
+      "a.jpg: says that it has 256 x 32768 pixels, and is a file of 16 bytes: it is cut off, or no picture");
+  CHECK(message("#?RGBE\n\n-Y 1,5 +X 3\n", "a.hdr") ==
+        "a.hdr: cannot be read: its header states no size such as -Y 480 +X 640");
+}
+
+TEST_CASE("the readers find the sizes that are found before") {
+  for (const std::string name :
+       {"flat.hdr", "runs.hdr", "grey.jpg", "rgb.jpg", "palette.png", "grey16.png", "zip.exr", "tiled.exr"}) {
+    CAPTURE(name);
+    // A seed of the fuzzer: the first byte is not of the picture.
+    const std::string bytes = read_text(TWINRAY_SOURCE_DIR "/tests/fuzz/seeds/image/" + name).substr(1);
+    const PictureSize size = check_picture_header(picture_format(name), {bytes, name});
+    const Image image = decode_image(bytes, name);
+    CHECK(size.width == image.width);
+    CHECK(size.height == image.height);
+  }
 }
 
 TEST_CASE("a large picture of one color is read, small as its file is") {
