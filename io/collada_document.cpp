@@ -197,6 +197,12 @@ std::string display_name(const XmlElement& element) {
   return "unnamed";
 }
 
+XmlElement required_input(const XmlElement& element, std::string_view semantic) {
+  for (const XmlElement& input : element.children("input"))
+    if (input.attribute("semantic").value_or("") == semantic) return input;
+  element.fail(fmt::format("<{}> has no <input semantic=\"{}\">, which it needs", element.name(), semantic));
+}
+
 double number_in(const XmlElement& element, double least, double most) {
   const double value = element.number();
   if (value < least || value > most)

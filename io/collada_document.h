@@ -86,6 +86,9 @@ class ColladaDocument {
 /// The name that messages and the summary use: the attribute "name", else "id", else "unnamed".
 std::string display_name(const XmlElement& element);
 
+/// The <input> of this semantic. Throws Error where there is none.
+XmlElement required_input(const XmlElement& element, std::string_view semantic);
+
 /// A number within [least, most]. Throws Error that states the range.
 double number_in(const XmlElement& element, double least, double most);
 

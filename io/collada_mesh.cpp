@@ -57,9 +57,7 @@ class PartReader {
  public:
   PartReader(const XmlElement& element, const std::string& name, ColladaDocument& document,
              ColladaSources& sources)
-      : document_(document),
-        sources_(sources),
-        part_{element, element.attribute("material").value_or(""), {}} {
+      : document_(document), sources_(sources), part_{element, element.attribute("material").value_or("")} {
     part_.mesh.name = name;
   }
 
@@ -172,7 +170,7 @@ void PartReader::copy_values() {
   Mesh& mesh = part_.mesh;
   const SourceValues& positions = *inputs_.position->values;
   if (part_.reduced.empty())
-    take_used(positions.count(), vectors(positions), mesh.triangles, mesh.positions);
+    part_.vertices = take_used(positions.count(), vectors(positions), mesh.triangles, mesh.positions);
   else
     for (std::size_t i = 0; i < positions.count(); ++i) mesh.positions.push_back(vectors(positions)(i));
   if (inputs_.normal)
@@ -397,21 +395,44 @@ std::vector<XmlElement> parts_of(const XmlElement& mesh, ColladaDocument& docume
   return {*only};
 }
 
+std::optional<XmlElement> mesh_of(const XmlElement& geometry) {
+  const auto mesh = geometry.child("mesh");
+  return mesh ? mesh : geometry.child("convex_mesh");
+}
+
 }  // namespace
+
+std::vector<Vec3> read_vertices(const XmlElement& geometry, ColladaDocument& document) {
+  const auto mesh = mesh_of(geometry);
+  const auto vertices = mesh ? mesh->child("vertices") : std::nullopt;
+  if (!vertices) geometry.fail("this <geometry> has no <vertices>, which a controller needs");
+  std::vector<Vec3> result;
+  for (const XmlElement& input : vertices->children("input")) {
+    if (input.attribute("semantic") != "POSITION") continue;
+    const SourceValues values = read_source(document.resolve(input, "source", "source"), 3, document);
+    for (std::size_t i = 0; i < values.count(); ++i) result.push_back(vectors(values)(i));
+    break;
+  }
+  return result;
+}
+
+void warn_where_empty(const XmlElement& geometry, const ColladaGeometry& read, ColladaDocument& document) {
+  const auto mesh = mesh_of(geometry);
+  if (mesh && read.parts.empty())
+    document.warn(*mesh, fmt::format("this <{}> has no triangles or polygons", mesh->name()));
+}
 
 ColladaGeometry read_geometry(const XmlElement& geometry, ColladaDocument& document) {
   ColladaGeometry result;
   const auto technique = cgl_technique(geometry);
   const auto sphere = technique ? technique->child("sphere") : std::nullopt;
-  const auto mesh = geometry.child("mesh") ? geometry.child("mesh") : geometry.child("convex_mesh");
+  const auto mesh = mesh_of(geometry);
   if (sphere && mesh)
     document.warn(*sphere, "a geometry with a <mesh> cannot be a sphere too; the sphere is left out");
   if (mesh) {
     ColladaSources sources(document);
     for (const XmlElement& element : parts_of(*mesh, document))
       result.parts.push_back(PartReader(element, display_name(geometry), document, sources).read());
-    if (result.parts.empty())
-      document.warn(*mesh, fmt::format("this <{}> has no triangles or polygons", mesh->name()));
   } else if (sphere) {
     result.sphere_radius = float(number_in(sphere->required_child("radius"), 0, max_coordinate));
   } else {

@@ -20,6 +20,8 @@ struct ColladaPart {
   XmlElement element;
   std::string symbol;  ///< Of its material, or "".
   Mesh mesh;           ///< Triangulated; normals as the file has them, not yet of unit length.
+  std::vector<std::uint32_t>
+      vertices;  ///< What the file numbers the positions; nothing where it is the same.
   std::vector<ReducedPolygon> reduced;  ///< In the order of their triangles; by the standard rules none.
 };
 
@@ -33,5 +35,11 @@ struct ColladaGeometry {
 /// else all parts; and of a polygon the triangle of its last, first and second corner is kept. Throws Error
 /// for indices out of range, wrong counts, a negative radius, missing inputs.
 ColladaGeometry read_geometry(const XmlElement& geometry, ColladaDocument& document);
+
+/// Warns of a mesh that is to be seen and has no parts.
+void warn_where_empty(const XmlElement& geometry, const ColladaGeometry& read, ColladaDocument& document);
+
+/// The positions of a <geometry>'s <vertices>, used or not. Throws Error where it has none.
+std::vector<Vec3> read_vertices(const XmlElement& geometry, ColladaDocument& document);
 
 }  // namespace twinray

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "io/collada_controller.h"
 #include "io/collada_instance.h"
 #include "io/collada_transform.h"
 
@@ -30,6 +29,7 @@ int object_rank(const XmlElement& child) {
 
 void ColladaNodes::walk(const XmlElement& visual_scene, const Transform& to_world) {
   if (!is_cs184()) layers_ = SceneLayers(visual_scene);
+  controllers_.emplace(visual_scene, document_);
   for (const XmlElement& node : visual_scene.children("node"))
     visit(node, to_world, document_.space_of(document_.root()));
 }
@@ -98,21 +98,21 @@ const ColladaGeometry& ColladaNodes::geometry(const XmlElement& element) {
 void ColladaNodes::add_geometry(const XmlElement& node, const XmlElement& instance,
                                 const Transform& to_world) {
   const XmlElement element = document_.resolve(instance, "url", "geometry");
-  add_shape(node, instance, element,
+  add_shape(node, instance, element, geometry(element),
             to_world * conversion(document_.space_of(element), document_.space_of(instance)));
 }
 
 void ColladaNodes::add_controller(const XmlElement& node, const XmlElement& instance,
                                   const Transform& to_world) {
-  const auto controlled = controlled_geometry(document_.resolve(instance, "url", "controller"), document_);
-  add_shape(node, instance, controlled.geometry,
-            to_world * conversion(document_.space_of(controlled.geometry), document_.space_of(instance)) *
-                controlled.bind_shape);
+  const PosedGeometry posed = controllers_->pose(instance);
+  const ColladaSpace& from = document_.space_of(posed.is_in_scene ? document_.root() : posed.geometry);
+  add_shape(node, instance, posed.geometry, posed.shape.geometry,
+            to_world * conversion(from, document_.space_of(instance)) * posed.to_node);
 }
 
 void ColladaNodes::add_shape(const XmlElement& node, const XmlElement& instance, const XmlElement& element,
-                             const Transform& to_world) {
-  const ColladaGeometry& shape = geometry(element);
+                             const ColladaGeometry& shape, const Transform& to_world) {
+  warn_where_empty(element, shape, document_);
   const std::string name = instance_name(node, element);
   if (shape.sphere_radius) add_sphere(*shape.sphere_radius, name, instance, to_world);
   for (const ColladaPart& part : shape.parts)

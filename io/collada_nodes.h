@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/collada_cameras.h"
+#include "io/collada_controller.h"
 #include "io/collada_layers.h"
 #include "io/collada_material.h"
 #include "io/collada_mesh.h"
@@ -40,8 +41,8 @@ class ColladaNodes {
   void instance(const XmlElement& node, const XmlElement& child, const Transform& to_world);
   void add_geometry(const XmlElement& node, const XmlElement& instance, const Transform& to_world);
   void add_controller(const XmlElement& node, const XmlElement& instance, const Transform& to_world);
-  void add_shape(const XmlElement& node, const XmlElement& instance, const XmlElement& geometry,
-                 const Transform& to_world);
+  void add_shape(const XmlElement& node, const XmlElement& instance, const XmlElement& element,
+                 const ColladaGeometry& shape, const Transform& to_world);
   void add_part(const ColladaPart& part, const std::string& name, const XmlElement& instance,
                 const Transform& to_world);
   void add_sphere(float radius, const std::string& name, const XmlElement& instance,
@@ -53,6 +54,7 @@ class ColladaNodes {
   ColladaDocument& document_;
   ColladaMaterials& materials_;
   SceneLayers layers_;
+  std::optional<ColladaControllers> controllers_;  ///< Of the scene that is walked.
   std::map<XmlElement, ColladaGeometry> geometries_;
   int hiding_ = 0;  ///< How many of the nodes from the root to the one being visited hide what is below.
   std::size_t triangles_ = 0;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace twinray {
 namespace {
@@ -128,6 +129,17 @@ SourceValues read_source(const XmlElement& source, std::size_t width, ColladaDoc
           layout.used[k] == absent ? 0 : array[layout.offset + layout.stride * i + layout.used[k]]);
   result.has_nan =
       std::any_of(result.values.begin(), result.values.end(), [](float x) { return std::isnan(x); });
+  return result;
+}
+
+SourceNames read_names(const XmlElement& source) {
+  SourceNames result;
+  const auto ids = source.child("IDREF_array");
+  const auto names = ids ? ids : source.child("Name_array");
+  if (!names) source.fail("this <source> has neither an <IDREF_array> nor a <Name_array>");
+  result.are_ids = ids.has_value();
+  std::istringstream words(names->text());
+  for (std::string word; words >> word;) result.names.push_back(word);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,15 @@ struct SourceValues {
 /// accessor's offset and stride. Counts that disagree with the array are warnings: the array is right. So are
 /// a stride and an accessor that are missing. Throws Error where there are fewer parameters.
 SourceValues read_source(const XmlElement& source, std::size_t width, ColladaDocument& document);
+
+/// The names of a <source>, for joints and for the targets of a morph.
+struct SourceNames {
+  std::vector<std::string> names;
+  bool are_ids = false;  ///< An IDREF_array has ids, a Name_array sids.
+};
+
+/// Throws Error where the source has no such array.
+SourceNames read_names(const XmlElement& source);
 
 /// The sources of a mesh, which its primitive elements share: each is read once.
 class ColladaSources {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a scene is seen, and by which camera: several cameras, hidden nodes, layers, controllers, and the
+// What of a scene is seen, and by which camera: several cameras, hidden nodes, layers, and the
 // spaces of nested assets.
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
@@ -31,12 +31,6 @@ std::string two_cameras(const std::string& further = "") {
 void check_near(const Vec3& a, const Vec3& b) {
   CAPTURE(a.x, a.y, a.z, b.x, b.y, b.z);
   CHECK(max_abs(a - b) <= tolerance);
-}
-
-std::vector<std::string> messages(const LoadedScene& loaded) {
-  std::vector<std::string> result;
-  for (const Diagnostic& warning : loaded.warnings) result.push_back(warning.message);
-  return result;
 }
 
 Vec3 second_vertex(const LoadedScene& loaded) { return mesh_of(loaded).positions[1]; }
@@ -133,44 +127,6 @@ TEST_CASE("layers that the scene's render names are shown, and others not") {
   CHECK(triangles("<render><layer>glow</layer></render>") == 1);
   CHECK(triangles("<render><layer>near</layer><layer>far</layer></render>") == 2);
   CHECK(triangles("<render><layer>near</layer></render><render><layer>far</layer></render>") == 2);
-}
-
-TEST_CASE("a skin stands in its bind pose, moved by its node") {
-  const std::string controller =
-      "<library_controllers><controller id=\"c\"><skin source=\"#shape\"><bind_shape_matrix>1 0 0 5 0 1 0 0 "
-      "0 0 1 0 "
-      "0 0 0 1</bind_shape_matrix></skin></controller></library_controllers>";
-  const LoadedScene loaded = load_collada(
-      collada_text(collada_triangle() + controller,
-                   "<node><translate>0 9 0</translate><instance_controller url=\"#c\"/></node>"));
-  check_near(second_vertex(loaded), {6, 9, 0});
-  CHECK(messages(loaded) ==
-        std::vector<std::string>{"<skin> is rendered in its bind pose; joints do not move it"});
-}
-
-TEST_CASE("a morph is its base mesh, moved by its node") {
-  const std::string controller =
-      "<library_controllers><controller id=\"c\"><morph "
-      "source=\"#shape\"/></controller></library_controllers>";
-  const LoadedScene loaded = load_collada(
-      collada_text(collada_triangle() + controller,
-                   "<node><translate>0 9 0</translate><instance_controller url=\"#c\"/></node>"));
-  check_near(second_vertex(loaded), {1, 9, 0});
-  CHECK(messages(loaded) ==
-        std::vector<std::string>{"<morph> is rendered as its base mesh; targets do not change it"});
-}
-
-TEST_CASE("a skin of a morph is followed to its geometry, and a circle is an error") {
-  const auto load = [](const std::string& source) {
-    return collada_text(collada_triangle() +
-                            "<library_controllers><controller id=\"c\"><skin source=\"#d\"/></controller>"
-                            "<controller id=\"d\"><morph source=\"#" +
-                            source + "\"/></controller></library_controllers>",
-                        "<node><instance_controller url=\"#c\"/></node>");
-  };
-  CHECK(load_collada(load("shape")).scene.geometry->triangle_count() == 1);
-  CHECK(collada_error(load("c")).find("this controller is its own source; controllers must form no circle") !=
-        std::string::npos);
 }
 
 TEST_CASE("nested assets have their own unit and axis") {
