@@ -46,10 +46,10 @@ void read_field(const XmlElement& element, const Lens& lens, Camera& camera, Col
   camera.tan_half_height = float(height);
 }
 
-void read_clip(const XmlElement& lens, Camera& camera) {
+void read_clip(const XmlElement& lens, double unit, Camera& camera) {
   constexpr double most = 1e30;
-  if (const auto near = lens.child("znear")) camera.clip_near = float(number_in(*near, 0, most));
-  if (const auto far = lens.child("zfar")) camera.clip_far = float(number_in(*far, 0, most));
+  if (const auto near = lens.child("znear")) camera.clip_near = float(unit * number_in(*near, 0, most));
+  if (const auto far = lens.child("zfar")) camera.clip_far = float(unit * number_in(*far, 0, most));
   if (!(camera.clip_near < camera.clip_far))
     lens.fail(fmt::format("<znear> is {} and <zfar> {}; znear must be the smaller one", camera.clip_near,
                           camera.clip_far));
@@ -113,7 +113,7 @@ void scale_frame(const Transform& to_world, Camera& camera) {
 }  // namespace
 
 Camera read_camera(const XmlElement& element, const XmlElement& instance, const Transform& to_world,
-                   ColladaDocument& document) {
+                   double unit, ColladaDocument& document) {
   const XmlElement common = element.required_child("optics").required_child("technique_common");
   const auto parallel = common.child("orthographic");
   const XmlElement lens = parallel ? *parallel : common.required_child("perspective");
@@ -121,7 +121,7 @@ Camera read_camera(const XmlElement& element, const XmlElement& instance, const 
   camera.is_orthographic = parallel.has_value();
   read_field(lens, parallel ? orthographic : perspective, camera, document);
   if (parallel) scale_frame(to_world, camera);
-  if (document.options().clip_as_file) read_clip(lens, camera);
+  if (document.options().clip_as_file) read_clip(lens, unit, camera);
   orient(instance, to_world, camera, document);
   camera.position = to_world.point({0, 0, 0});
   if (!is_finite(camera.position) || max_abs(camera.position) > max_coordinate)
@@ -142,7 +142,7 @@ Cs184View read_cs184_view(const XmlElement& element, const XmlElement& instance,
   Camera clip;
   clip.clip_near = 0.001f;
   clip.clip_far = 1000;
-  read_clip(lens, clip);
+  read_clip(lens, 1, clip);
   view.clip_near = clip.clip_near;
   view.clip_far = clip.clip_far;
   double length_squared = 0;

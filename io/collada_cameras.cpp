@@ -59,10 +59,7 @@ const ColladaCamera* choose_camera(const std::vector<ColladaCamera>& cameras, co
 }
 
 Camera place_camera(const ColladaCamera& camera, ColladaDocument& document) {
-  const double unit =
-      document.space_of(camera.element).unit_meters / document.space_of(camera.instance).unit_meters;
-  return read_camera(camera.element, camera.instance, camera.to_world * Transform::scaling(unit, unit, unit),
-                     document);
+  return read_camera(camera.element, camera.instance, camera.to_world, camera.unit, document);
 }
 
 Cs184View cs184_view_of(const ColladaCamera& camera, ColladaDocument& document) {

@@ -15,6 +15,7 @@ namespace twinray {
 struct ColladaCamera {
   XmlElement element, instance, node;
   Transform to_world;
+  double unit = 1;  ///< That of its clip distances, in units of the scene.
 };
 
 /// That of the <camera>; where it has none, of the <node>; else "unnamed".

@@ -91,11 +91,23 @@ const ColladaDocument::File& ColladaDocument::file_of(const XmlElement& element)
   return files_.at(&element.document());
 }
 
-const ColladaSpace& ColladaDocument::space_of(const XmlElement& element) const {
+/// The nearest element at or around this one that has an <asset>, else the root.
+XmlElement ColladaDocument::space_owner(const XmlElement& element) const {
   const auto& spaces = file_of(element).spaces;
   std::optional<XmlElement> owner = spaces.size() > 1 ? element : element.document().root();
   while (spaces.count(*owner) == 0) owner = owner->parent();
-  return spaces.at(*owner);
+  return *owner;
+}
+
+const ColladaSpace& ColladaDocument::space_of(const XmlElement& element) const {
+  return file_of(element).spaces.at(space_owner(element));
+}
+
+const ColladaSpace& ColladaDocument::space_of(const XmlElement& element, const XmlElement& from,
+                                              const ColladaSpace& outside) const {
+  const XmlElement owner = space_owner(element);
+  const bool is_root_here = owner == from.document().root();
+  return is_root_here ? outside : file_of(element).spaces.at(owner);
 }
 
 std::optional<XmlElement> ColladaDocument::find(const XmlElement& from, std::string_view id,

@@ -54,6 +54,11 @@ class ColladaDocument {
 
   /// Of the coordinates within an element: its own <asset>'s, or that of the nearest element around it.
   const ColladaSpace& space_of(const XmlElement& element) const;
+  /// Of an element that another one of the space `outside` holds or instances: as Khronos's conformance suite
+  /// has it, an element without an <asset> of its own, and outside of all but the root's, is in the space
+  /// that it is placed in; one of another file is in that file's.
+  const ColladaSpace& space_of(const XmlElement& element, const XmlElement& from,
+                               const ColladaSpace& outside) const;
 
   static constexpr std::size_t max_files = 100;
 
@@ -70,6 +75,7 @@ class ColladaDocument {
   void index(const XmlElement& element, File& file);
   File& file_of(const XmlElement& element);
   const File& file_of(const XmlElement& element) const;
+  XmlElement space_owner(const XmlElement& element) const;
   const XmlDocument& open(const XmlElement& from, const char* attribute, const std::string& path);
   XmlElement find_in(const XmlDocument& document, const XmlElement& from, const char* attribute,
                      std::string_view kind, std::string_view or_kind);

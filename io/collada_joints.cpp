@@ -8,23 +8,24 @@ namespace twinray {
 ColladaJoints::ColladaJoints(const XmlElement& visual_scene, ColladaDocument& document)
     : document_(document) {
   const ColladaSpace& space = document_.space_of(document_.root());
-  for (const XmlElement& node : visual_scene.children("node")) visit(node, {}, space);
+  for (const XmlElement& node : visual_scene.children("node")) visit(node, visual_scene, {}, space);
   follows_instances_ = false;
   for (const XmlElement& library : document_.root().children("library_nodes"))
-    for (const XmlElement& node : library.children("node")) visit(node, {}, space);
+    for (const XmlElement& node : library.children("node")) visit(node, library, {}, space);
 }
 
-void ColladaJoints::visit(const XmlElement& node, const Transform& parent, const ColladaSpace& outside) {
+void ColladaJoints::visit(const XmlElement& node, const XmlElement& from, const Transform& parent,
+                          const ColladaSpace& outside) {
   const std::size_t index = joints_.size();
-  const ColladaSpace& space = document_.space_of(node);
+  const ColladaSpace& space = document_.space_of(node, from, outside);
   const Transform to_scene = parent * conversion(space, outside) * read_node_transform(node, document_);
   joints_.push_back({node, to_scene});
   if (const auto sid = node.attribute("sid")) by_sid_.emplace(*sid, index);
   if (const auto id = node.attribute("id")) by_id_.emplace(*id, index);
   for (const XmlElement& child : node.children()) {
-    if (child.is("node")) visit(child, to_scene, space);
+    if (child.is("node")) visit(child, node, to_scene, space);
     if (follows_instances_ && child.is("instance_node") && !child.attribute("url").value_or("").empty())
-      visit(document_.resolve(child, "url", "node"), to_scene, space);
+      visit(document_.resolve(child, "url", "node"), child, to_scene, space);
   }
   joints_[index].end = joints_.size();
 }

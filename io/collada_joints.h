@@ -33,7 +33,9 @@ class ColladaJoints {
  private:
   using Names = std::multimap<std::string, std::size_t, std::less<>>;
 
-  void visit(const XmlElement& node, const Transform& parent, const ColladaSpace& outside);
+  /// `from` holds or instances the node.
+  void visit(const XmlElement& node, const XmlElement& from, const Transform& parent,
+             const ColladaSpace& outside);
 
   ColladaDocument& document_;
   std::vector<ColladaJoint> joints_;  ///< In the order of the walk.

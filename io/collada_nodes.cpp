@@ -16,6 +16,8 @@ std::string instance_name(const XmlElement& node, const XmlElement& geometry) {
   return name == "unnamed" ? display_name(geometry) : name;
 }
 
+Transform even_scaling(double factor) { return Transform::scaling(factor, factor, factor); }
+
 constexpr int no_object = 3;
 
 /// Which object of a node CS184's program prefers: the least.
@@ -31,19 +33,20 @@ void ColladaNodes::walk(const XmlElement& visual_scene, const Transform& to_worl
   if (!is_cs184()) layers_ = SceneLayers(visual_scene);
   controllers_.emplace(visual_scene, document_);
   for (const XmlElement& node : visual_scene.children("node"))
-    visit(node, to_world, document_.space_of(document_.root()));
+    visit(node, visual_scene, {to_world, document_.space_of(document_.root())});
 }
 
-void ColladaNodes::visit(const XmlElement& node, const Transform& parent, const ColladaSpace& outside) {
+void ColladaNodes::visit(const XmlElement& node, const XmlElement& from, const Placement& outside) {
   const bool hides = !is_cs184() && is_hidden(node);
   hiding_ += hides;
-  const ColladaSpace& space = document_.space_of(node);
-  const Transform to_world = parent * conversion(space, outside) * read_node_transform(node, document_);
+  const ColladaSpace& space = document_.space_of(node, from, outside.space);
+  const Placement placement{
+      outside.to_world * conversion(space, outside.space) * read_node_transform(node, document_), space};
   for (const XmlElement& child : is_cs184() ? cs184_children(node) : node.children()) {
     if (names_nothing(child)) continue;
-    instance(node, child, to_world);
-    if (child.is("instance_node")) visit(document_.resolve(child, "url", "node"), to_world, space);
-    if (child.is("node")) visit(child, to_world, space);
+    instance(node, child, placement);
+    if (child.is("instance_node")) visit(document_.resolve(child, "url", "node"), child, placement);
+    if (child.is("node")) visit(child, node, placement);
   }
   hiding_ -= hides;
 }
@@ -78,15 +81,15 @@ bool ColladaNodes::names_nothing(const XmlElement& instance) {
 }
 
 /// Programs hide the cameras that they make for themselves; these serve all the same.
-void ColladaNodes::instance(const XmlElement& node, const XmlElement& child, const Transform& to_world) {
-  if (child.is("instance_camera")) return add_camera(node, child, to_world);
+void ColladaNodes::instance(const XmlElement& node, const XmlElement& child, const Placement& placement) {
+  if (child.is("instance_camera")) return add_camera(node, child, placement);
   const bool is_light = child.is("instance_light"), is_geometry = child.is("instance_geometry"),
              is_controller = child.is("instance_controller");
   if (!is_light && !is_geometry && !is_controller) return;
   if (hiding_ > 0 || (!is_light && !layers_.show(node))) return hidden.push_back(display_name(node));
-  if (is_light) add_light(child, to_world);
-  if (is_geometry) add_geometry(node, child, to_world);
-  if (is_controller) add_controller(node, child, to_world);
+  if (is_light) add_light(child, placement.to_world);
+  if (is_geometry) add_geometry(node, child, placement);
+  if (is_controller) add_controller(node, child, placement);
 }
 
 const ColladaGeometry& ColladaNodes::geometry(const XmlElement& element) {
@@ -96,18 +99,22 @@ const ColladaGeometry& ColladaNodes::geometry(const XmlElement& element) {
 }
 
 void ColladaNodes::add_geometry(const XmlElement& node, const XmlElement& instance,
-                                const Transform& to_world) {
+                                const Placement& placement) {
   const XmlElement element = document_.resolve(instance, "url", "geometry");
+  const ColladaSpace& space = document_.space_of(element, instance, placement.space);
   add_shape(node, instance, element, geometry(element),
-            to_world * conversion(document_.space_of(element), document_.space_of(instance)));
+            placement.to_world * conversion(space, placement.space));
 }
 
+/// What joints have moved is in the coordinates of the scene.
 void ColladaNodes::add_controller(const XmlElement& node, const XmlElement& instance,
-                                  const Transform& to_world) {
+                                  const Placement& placement) {
   const PosedGeometry posed = controllers_->pose(instance);
-  const ColladaSpace& from = document_.space_of(posed.is_in_scene ? document_.root() : posed.geometry);
+  const ColladaSpace& space = posed.is_in_scene
+                                  ? document_.space_of(document_.root())
+                                  : document_.space_of(posed.geometry, instance, placement.space);
   add_shape(node, instance, posed.geometry, posed.shape.geometry,
-            to_world * conversion(from, document_.space_of(instance)) * posed.to_node);
+            placement.to_world * conversion(space, placement.space) * posed.to_node);
 }
 
 void ColladaNodes::add_shape(const XmlElement& node, const XmlElement& instance, const XmlElement& element,
@@ -167,9 +174,18 @@ void ColladaNodes::add_light(const XmlElement& instance, const Transform& to_wor
   if (auto* other = std::get_if<Light>(&*light)) parts.lights.push_back(*other);
 }
 
-void ColladaNodes::add_camera(const XmlElement& node, const XmlElement& instance, const Transform& to_world) {
+/// A camera looks into the depth of its space, whose up is its up: where its <asset> has another axis than
+/// its node, it is turned so that it does. Its lengths are in its own unit.
+void ColladaNodes::add_camera(const XmlElement& node, const XmlElement& instance,
+                              const Placement& placement) {
   const auto element = document_.resolve_or_warn(instance, "url", "camera");
-  if (element && !document_.is_empty(*element)) cameras.push_back({*element, instance, node, to_world});
+  if (!element || document_.is_empty(*element)) return;
+  ColladaSpace space = document_.space_of(*element, instance, placement.space);
+  const double unit = space.unit_meters;
+  space.unit_meters = placement.space.unit_meters;
+  const Transform turn = conversion(placement.space, space), size = even_scaling(unit / space.unit_meters);
+  cameras.push_back({*element, instance, node, placement.to_world * turn * size,
+                     unit / document_.space_of(document_.root()).unit_meters});
 }
 
 }  // namespace twinray

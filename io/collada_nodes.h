@@ -33,14 +33,21 @@ class ColladaNodes {
   std::vector<std::string> without_attenuation;  ///< Point and spot lights that physics makes fall off.
 
  private:
-  void visit(const XmlElement& node, const Transform& parent, const ColladaSpace& outside);
+  /// Where something is placed: its coordinates to the world's, and in which unit and axes they are.
+  struct Placement {
+    Transform to_world;
+    ColladaSpace space;
+  };
+
+  /// `from` holds or instances the node.
+  void visit(const XmlElement& node, const XmlElement& from, const Placement& outside);
   /// What counts of a node by CS184's rules: the nodes below it first, then one object.
   std::vector<XmlElement> cs184_children(const XmlElement& node);
   bool is_cs184() const { return document_.options().interpretation == Interpretation::cs184; }
   bool names_nothing(const XmlElement& instance);
-  void instance(const XmlElement& node, const XmlElement& child, const Transform& to_world);
-  void add_geometry(const XmlElement& node, const XmlElement& instance, const Transform& to_world);
-  void add_controller(const XmlElement& node, const XmlElement& instance, const Transform& to_world);
+  void instance(const XmlElement& node, const XmlElement& child, const Placement& placement);
+  void add_geometry(const XmlElement& node, const XmlElement& instance, const Placement& placement);
+  void add_controller(const XmlElement& node, const XmlElement& instance, const Placement& placement);
   void add_shape(const XmlElement& node, const XmlElement& instance, const XmlElement& element,
                  const ColladaGeometry& shape, const Transform& to_world);
   void add_part(const ColladaPart& part, const std::string& name, const XmlElement& instance,
@@ -48,7 +55,7 @@ class ColladaNodes {
   void add_sphere(float radius, const std::string& name, const XmlElement& instance,
                   const Transform& to_world);
   void add_light(const XmlElement& instance, const Transform& to_world);
-  void add_camera(const XmlElement& node, const XmlElement& instance, const Transform& to_world);
+  void add_camera(const XmlElement& node, const XmlElement& instance, const Placement& placement);
   const ColladaGeometry& geometry(const XmlElement& element);
 
   ColladaDocument& document_;

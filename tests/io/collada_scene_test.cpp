@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What of a scene is seen, and by which camera: several cameras, hidden nodes, layers, and the
 // spaces of nested assets.
+#include <cmath>
+
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
 
@@ -141,11 +143,48 @@ TEST_CASE("nested assets have their own unit and axis") {
                     upward = "<asset><up_axis>Z_UP</up_axis></asset>";
   check_near(second_vertex(load("", "")), {1, 0, 1});
   check_near(second_vertex(load("", inches)), {0.0254f, 0, 1});
-  check_near(second_vertex(load(inches, "")), {1, 0, 0.0254f});
+  check_near(second_vertex(load(inches, "")), {0.0254f, 0, 0.0254f});
   check_near(second_vertex(load(inches, inches)), {0.0254f, 0, 0.0254f});
   check_near(second_vertex(load(upward, upward)), {1, 1, 0});
   check_near(second_vertex(load("", upward)), {1, 0, 1});
   check_near(mesh_of(load("", upward)).positions[2], {0, 0, 0});
+  check_near(mesh_of(load(upward, "")).positions[2], {0, 1, -1});
+}
+
+TEST_CASE("a node of a library is in the space that it is placed in, unless an asset says another one") {
+  const auto load = [](const std::string& asset) {
+    return load_collada(collada_text(collada_triangle() + "<library_nodes>" + asset +
+                                         "<node id=\"n\"><node><translate>0 0 3</translate>"
+                                         "<instance_geometry url=\"#shape\"/></node></node></library_nodes>",
+                                     "<node><asset><unit meter=\"10\"/></asset><instance_node "
+                                     "url=\"#n\"/></node>"));
+  };
+  check_near(second_vertex(load("")), {10, 0, 30});
+  check_near(second_vertex(load("<asset><unit meter=\"2\"/></asset>")), {2, 0, 6});
+}
+
+TEST_CASE("a camera's asset is that of its lengths, and its up axis is its up") {
+  const auto load = [](const std::string& asset, const std::string& lens) {
+    const std::string node = "<node><translate>0 0 5</translate><instance_camera url=\"#one\"/></node>";
+    LoadOptions options;
+    options.clip_as_file = true;
+    std::string element = camera("one", lens);
+    element.insert(element.find("<optics>"), asset);
+    return load_collada(
+               collada_text("<library_cameras>" + element + "</library_cameras>" + collada_triangle(),
+                            placed + node),
+               options)
+        .scene.camera;
+  };
+  const std::string inches = "<asset><unit meter=\"0.0254\"/></asset>",
+                    lens = "<orthographic><xmag>100</xmag><znear>200</znear><zfar>300</zfar></orthographic>";
+  CHECK(load("", lens).tan_half_width == 100.0f);
+  CHECK(std::fabs(load(inches, lens).tan_half_width - 2.54f) <= tolerance);
+  CHECK(std::fabs(load(inches, lens).clip_near - 5.08f) <= tolerance);
+  const Camera upward = load("<asset><up_axis>Z_UP</up_axis></asset>", lens);
+  check_near(upward.up, {0, 0, 1});
+  check_near(upward.forward, {0, 1, 0});
+  check_near(upward.position, {0, 0, 5});
 }
 
 TEST_CASE("a nested asset without unit and axis changes nothing") {
