@@ -26,6 +26,14 @@ std::vector<Backend> canonical_backends() {
   return backends;
 }
 
+/// Of all pixels of such a picture.
+std::uint64_t sample_count(const Film& film) {
+  std::uint64_t count = 0;
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x) count += film.pixel(0, x, y).count;
+  return count;
+}
+
 /// A path integrator that spoils the samples of one pixel.
 class SpoiledIntegrator final : public Integrator {
  public:
@@ -234,9 +242,7 @@ TEST_CASE("a render that is stopped has the samples that were done, and says tha
   stopped.is_stopped = [&] { return ++asked > 4000; };  // Of 1200 pixels, after some passes.
   const RenderResult result = render_with(scene, path, stopped);
   CHECK_FALSE(result.is_complete);
-  std::uint64_t samples = 0;
-  for (int y = 0; y < 30; ++y)
-    for (int x = 0; x < 40; ++x) samples += result.film.pixel(0, x, y).count;
+  const std::uint64_t samples = sample_count(result.film);
   CHECK(samples > 1200);
   CHECK(samples < 64 * 1200);
   // The samples of a pixel are the first of those that it would have had.
@@ -245,6 +251,24 @@ TEST_CASE("a render that is stopped has the samples that were done, and says tha
   CHECK(render_with(scene, path, options(pixel.count, 1)).film.pixel(0, 20, 15) == pixel);
   stopped.is_stopped = [] { return false; };
   CHECK(render_with(scene, path, stopped).is_complete);
+}
+
+TEST_CASE("a render is complete only with all samples, wherever it is stopped") {
+  const Scene scene = small_room();
+  const NormalsIntegrator normals(scene);
+  RenderOptions stopped = options(1, 1);
+  constexpr int enough = 1300;  // It asks once a pixel, and some times a tile.
+  int complete = 0;
+  for (int most = 0; most < enough; most += 11) {
+    CAPTURE(most);
+    int asked = 0;
+    stopped.is_stopped = [&] { return ++asked > most; };
+    const RenderResult result = render_with(scene, normals, stopped);
+    complete += result.is_complete;
+    if (result.is_complete) CHECK(sample_count(result.film) == 1200);
+  }
+  CHECK(complete > 0);
+  CHECK(complete < 20);
 }
 
 TEST_CASE("render options out of range are refused") {
