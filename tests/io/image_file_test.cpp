@@ -198,6 +198,37 @@ TEST_CASE("what an EXR's header promises is checked before the file is opened") 
   CHECK(message("a picture") == changed + ": cannot be read: it does not begin as an OpenEXR picture does");
 }
 
+TEST_CASE("a value in an EXR's header has the size of its type, and what stands in it does not exceed it") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.exr");
+  write_image(path, Image(1, 1));
+  const std::string whole = read_text(path);
+  const auto with = [&](const std::string& type, const std::string& value) {
+    std::string attribute = "more" + std::string(1, '\0') + type + '\0';
+    for (int byte = 0; byte < 4; ++byte) attribute += char(value.size() >> 8 * byte);
+    return whole.substr(0, 8) + attribute + value + whole.substr(8);
+  };
+  const auto refused = [](const std::string& type, std::size_t size) {
+    return fmt::format("a.exr: cannot be read: its more of the type {} cannot have {} bytes", type, size);
+  };
+  // The library would read 8 bytes, and take those behind them for the next attribute.
+  CHECK_THROWS_WITH(decode_image(with("v2f", std::string(80, 'x')), "a.exr"), refused("v2f", 80));
+  CHECK_THROWS_WITH(decode_image(with("tiledesc", "12345678"), "a.exr"), refused("tiledesc", 8));
+  CHECK_THROWS_WITH(decode_image(with("floatvector", "12345"), "a.exr"), refused("floatvector", 5));
+  // It would take 2 GB for a string of that length.
+  CHECK_THROWS_WITH(decode_image(with("stringvector", "\xff\xff\xff\x7f"), "a.exr"),
+                    refused("stringvector", 4));
+  CHECK_THROWS_WITH(decode_image(with("preview", std::string(8, '\x7f')), "a.exr"), refused("preview", 8));
+  CHECK_THROWS_WITH(decode_image(with("chlist", "R" + std::string(20, '\0')), "a.exr"),
+                    refused("chlist", 21));
+  for (const auto& [type, value] :
+       std::map<std::string, std::string>{{"v2f", "12345678"},
+                                          {"string", "any"},
+                                          {"stringvector", std::string("\1\0\0\0a", 5)},
+                                          {"new", "?"}})
+    CHECK(check_picture_header(PictureFormat::exr, {with(type, value), path}).width == 1);
+}
+
 TEST_CASE("what any picture's header promises is checked before a library opens it") {
   // Nothing but headers: whatever opens such a file fails with words of its own, after it took gigabytes for
   // a JPEG that becomes finer by and by (0xc2).
