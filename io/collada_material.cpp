@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/radiance.h"
 
 namespace twinray {
@@ -29,6 +31,27 @@ Microfacet read_microfacet(const XmlElement& model) {
   result.eta = required_color(model, "eta", float(most_ior));
   result.k = required_color(model, "k", float(most_ior));
   return result;
+}
+
+bool is_cgl_model(const XmlElement& element) {
+  for (const char* known : {"emission", "mirror", "refraction", "glass", "microfacet"})
+    if (element.is(known)) return true;
+  return false;
+}
+
+/// The first model of a technique; by CS184's rules the last one.
+std::optional<XmlElement> cgl_model(const XmlElement& technique, ColladaDocument& document) {
+  std::vector<XmlElement> models;
+  for (const XmlElement& child : technique.children())
+    if (is_cgl_model(child)) models.push_back(child);
+  if (models.empty()) return std::nullopt;
+  if (document.options().interpretation == Interpretation::cs184)
+    std::rotate(models.begin(), models.end() - 1, models.end());
+  for (std::size_t i = 1; i < models.size(); ++i)
+    document.warn(models[i],
+                  fmt::format("this surface is <{}>; a surface has one model, and <{}> is left out",
+                              models[0].name(), models[i].name()));
+  return models[0];
 }
 
 bool has_specular(const XmlElement& shading) {
@@ -85,9 +108,7 @@ ColladaMaterial ColladaMaterials::read(const XmlElement& material) {
   const XmlElement instance = material.required_child("instance_effect");
   const XmlElement effect = document_.resolve(instance, "url", "effect");
   if (const auto technique = cgl_technique(effect))
-    for (const XmlElement& model : technique->children())
-      for (const char* known : {"emission", "mirror", "refraction", "glass", "microfacet"})
-        if (model.is(known)) return read_cgl(model, name);
+    if (const auto model = cgl_model(*technique, document_)) return read_cgl(*model, name);
   return read_common(ColladaEffect(effect, instance, document_), name);
 }
 

@@ -179,6 +179,52 @@ TEST_CASE("by CS184's rules polygons that its program does not read stay whole")
   CHECK(triangle_count("polylist", "<vcount>4</vcount>") == 1);
 }
 
+TEST_CASE("by CS184's rules the last model of a material counts, and the others are named") {
+  const std::string libraries =
+      collada_triangle() +
+      "<library_effects><effect id=\"paint\"><extra><technique profile=\"CGL\"><mirror><reflectance>1 0 0"
+      "</reflectance></mirror><emission><radiance>0 2 0</radiance></emission></technique></extra></effect>"
+      "</library_effects><library_materials><material id=\"red\"><instance_effect url=\"#paint\"/>"
+      "</material></library_materials>";
+  const std::string node =
+      "<node><instance_geometry url=\"#shape\"><bind_material><technique_common><instance_material "
+      "symbol=\"a\" target=\"#red\"/></technique_common></bind_material></instance_geometry></node>";
+  const LoadedScene loaded = load_collada(collada_text(libraries, node), cs184);
+  CHECK(loaded.scene.lights.size() == 1);
+  CHECK(messages(loaded) ==
+        std::vector<std::string>{
+            "this surface is <emission>; a surface has one model, and <mirror> is left out"});
+  const LoadedScene standard = load_collada(collada_text(libraries, node));
+  CHECK(standard.scene.lights.empty());
+  CHECK(std::holds_alternative<Mirror>(standard.scene.materials.at(0).model));
+}
+
+TEST_CASE("CS184's extensions are read by the name of their ancestor, too") {
+  const auto load = [](const std::string& profile) {
+    const std::string open = "<extra><technique profile=\"" + profile + "\">", close = "</technique></extra>";
+    const std::string libraries =
+        light("<point><color>1 1 1</color></point>", open + "<area><color>1 2 3</color></area>" + close) +
+        "<library_geometries><geometry id=\"shape\">" + open + "<sphere><radius>0.5</radius></sphere>" +
+        close + "</geometry></library_geometries><library_effects><effect id=\"glow\">" + open +
+        "<emission><radiance>4 5 6</radiance></emission>" + close +
+        "</effect></library_effects><library_materials><material id=\"glow-material\"><instance_effect "
+        "url=\"#glow\"/></material></library_materials>";
+    const std::string ball =
+        "<node><instance_geometry url=\"#shape\"><bind_material><technique_common><instance_material "
+        "symbol=\"a\" target=\"#glow-material\"/></technique_common></bind_material></instance_geometry>"
+        "</node>";
+    return load_collada(collada_text(libraries, ball + instance("<translate>0 0 3</translate>")), cs184);
+  };
+  for (const char* profile : {"CGL", "CMU462"}) {
+    CAPTURE(profile);
+    const LoadedScene loaded = load(profile);
+    CHECK(loaded.scene.geometry->sphere_count() == 1);
+    CHECK(loaded.scene.geometry->triangle_count() == 2);  // the area light's
+    CHECK(loaded.scene.lights.size() == 2);
+    CHECK(messages(loaded).empty());
+  }
+}
+
 TEST_CASE("by CS184's rules the asset of a part of the file does not count") {
   std::string libraries = collada_triangle();
   libraries.insert(libraries.find("<mesh>"), "<asset><unit meter=\"100\"/><up_axis>Z_UP</up_axis></asset>");
