@@ -163,7 +163,8 @@ std::string cs184_usage(const std::string& path) {
       "  -c  <PATH>       Path to camera settings file\n"
       "  -H               Sample direct light by directions of the hemisphere\n"
       "  -h               Print this help message\n"
-      "  --accel=NAME, --integrator=normals and all other long options of twinray but --view and --clip\n"
+      "  --accel=NAME, --integrator=normals and all other long options of twinray but --view, --clip, "
+      "--count\n"
       "\n",
       path);
 }

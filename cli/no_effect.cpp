@@ -44,6 +44,12 @@ std::string needs_light(const Asked& asked) {
   return asked.is_lit() ? "" : "for normals and costs are rendered without light";
 }
 
+std::string needs_fall_off(const Asked& asked) {
+  return asked.arguments.load.interpretation == Interpretation::cs184
+             ? "for point lights do not fall off in CS184's program"
+             : needs_light(asked);
+}
+
 std::string needs_direct_light(const Asked& asked) {
   if (!asked.is_lit()) return needs_light(asked);
   return asked.arguments.path.max_depth > 0 ? "" : "for --max-depth=0 leaves the light of emitters alone";
@@ -141,7 +147,7 @@ constexpr Rule rules[]{
     {"--hemisphere", needs_direct_light},
     {"--light-samples", needs_direct_light},
     {"--environment", needs_light},
-    {"--attenuation", needs_light},
+    {"--attenuation", needs_fall_off},
     {"--default-light", needs_light},
     {"--clip", needs_file_view},
     {"--adaptive", needs_batches},

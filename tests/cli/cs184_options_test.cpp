@@ -96,6 +96,8 @@ TEST_CASE("words stand as getopt takes them: behind the scene, and joined to the
   CHECK(behind.render.width == 48);
   CHECK(behind.output == "x");
   CHECK(parse({"-s", "4", "-s", "8"}).render.samples == 8);
+  CHECK(parse_cs184_arguments({"-m2", "-H", "--", "a.dae"}).scene == "a.dae");
+  CHECK(parse({"-r", "016", "012", "-a", "64", ".05"}).render.adaptive->tolerance == 0.05);
 }
 
 TEST_CASE("option -H takes no value, also as the last word") {
@@ -152,7 +154,11 @@ TEST_CASE("options without a letter mean what they mean elsewhere") {
   CHECK(parse({"--adaptive-rule=careful"}).render.adaptive->rule == AdaptiveRule::careful);
   CHECK(parse({"--seed=3"}).render.seed == 3);
   CHECK(parse({"--bvh-split=median"}).without_effect.empty());
+  CHECK(parse({"--default-light"}).default_light);
   CHECK(message_of({"--view=whole"}) == "there is no option --view=whole");
+  CHECK(message_of({"--clip=file"}) == "there is no option --clip=file");
+  CHECK(parse({"--attenuation=file"}).without_effect ==
+        Words{"--attenuation: no effect, for point lights do not fall off in CS184's program"});
   CHECK(parse({"--accel=brute-force", "--bvh-split=median"}).without_effect ==
         Words{"--bvh-split: no effect, for the engine is brute-force; --accel=bvh takes it"});
 }
