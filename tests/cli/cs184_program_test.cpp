@@ -143,6 +143,10 @@ TEST_CASE("the same program answers to --cs184, and to its second name without a
     CHECK(result.exit_code == 0);
     CHECK(read_image(folder.file("a.exr")).pixels == read_image(folder.file("b.exr")).pixels);
   }
+  const std::string all = "-s 4 -l 2 -t 2 -m 3 -o 0 -H -a 2 0.1 -r 32 24 -p 4 2 16 8 -b 0.1 -d 3 ";
+  REQUIRE(run_cs184(folder, lit_floor(), all + "-f a.exr ").exit_code == 0);
+  REQUIRE(run_program(fmt::format("--cs184 {} {} -f '{}'", scene, all, folder.file("b.exr"))).exit_code == 0);
+  CHECK(read_image(folder.file("a.exr")).pixels == read_image(folder.file("b.exr")).pixels);
   CHECK(run_program("stats --cs184 " + scene).exit_code == 2);
 }
 
@@ -206,6 +210,41 @@ TEST_CASE("option -b is a lens that blurs what is not at the distance of -d") {
   CHECK(blurred("-d 2") <= 16);  // a pinhole: the edge alone
   CHECK(blurred("-b 0.5 -d 4.2426407") <= 16);
   CHECK(blurred("-b 0.5 -d 2") > 400);
+}
+
+TEST_CASE("camera settings give the view, and -b and -d the lens whatever the settings say") {
+  const auto settings = [](const std::string& lens) {
+    return "50 35 1.333333 0.01 100\n0 2 6\n0 0 0\n1 0 6 0.1 100\n1 0 0\n0 1 0\n0 0 1\n800 600 952\n" + lens;
+  };
+  const TemporaryFolder folder;
+  write_text(folder.file("pinhole.txt"), settings("4.7 0\n"));
+  write_text(folder.file("wide.txt"), settings("2 0.5\n"));
+  const auto picture = [&](const std::string& options) {
+    const ProcessResult result =
+        run_cs184(folder, lit_floor(), "--integrator=normals -r 64 48 -s 4 -f a.exr " + options);
+    if (result.exit_code != 0) throw Error(result.err);
+    return read_image(folder.file("a.exr")).pixels;
+  };
+  const auto pinhole = picture("-c pinhole.txt");
+  CHECK(picture("-c wide.txt") == pinhole);
+  CHECK_FALSE(picture("") == pinhole);
+  CHECK_FALSE(picture("-b 0.5 -d 2 -c pinhole.txt") == pinhole);
+  CHECK(picture("-b 0.5 -d 2 -c wide.txt") == picture("-c pinhole.txt -b 0.5 -d 2"));
+}
+
+TEST_CASE("rays that miss the scene see the environment, turned as in CS184's program") {
+  Image sky(8, 4);
+  for (int y = 0; y < 4; ++y) sky.at(6, y) = {1, 0, 0}, sky.at(5, y) = {0, 0, 1};
+  const TemporaryFolder folder;
+  write_exr(folder.file("sky.exr"), sky);
+  Cs184Scene speck = lit_floor();
+  speck.geometries = cs184_geometry("floor", {3, "0 0 0 0.1 0 0 0 0 0.1", 1, "0 1 2", ""});
+  speck.camera_matrix = moved_by("0", "0", "4");  // looks along -z, which is 3/4 of the way from the left
+  REQUIRE(run_cs184(folder, speck, "-r 65 48 -m 0 -e sky.exr -f a.exr").exit_code == 0);
+  const Image picture = read_image(folder.file("a.exr"));
+  CHECK(picture.at(0, 2).r > picture.at(0, 2).b);
+  CHECK(picture.at(64, 2).r < picture.at(64, 2).b);
+  CHECK(picture.at(32, 2).r == Approx(picture.at(32, 2).b).margin(1e-4));
 }
 
 TEST_CASE("clip distances of the file cut the view, as distances along each ray") {

@@ -102,6 +102,10 @@ TEST_CASE("trap 4: the normals of an open mesh are turned, those of a closed one
   closed.camera_matrix = moved_by("4", "4", "5");
   const Rgb corner = cs184_picture(closed, normals + "-r 8 6").at(4, 3);
   CHECK(std::min({corner.r, corner.g, corner.b}) > 0.5f);
+  // Its normal points down, and light from above is scattered upward all the same; light from below is not.
+  const std::string sun = "<directional><color>1 1 1</color></directional>";
+  CHECK(mean_luminance(cs184_picture(under_light(sun, moved_by("0", "5", "1")), "-r 8 6")) > 0.1);
+  CHECK(mean_luminance(cs184_picture(under_light(sun, moved_by("0", "-5", "1")), "-r 8 6")) == 0);
 }
 
 TEST_CASE("trap 5: light and hemisphere sampling converge to one picture") {
@@ -109,6 +113,12 @@ TEST_CASE("trap 5: light and hemisphere sampling converge to one picture") {
   const std::string options = "-r 16 12 -s 4096 -a 4096 0 -t 2 ";
   const double lights = mean_luminance(cs184_picture(lit_floor(), options));
   CHECK(mean_luminance(cs184_picture(lit_floor(), options + "-H")) == Approx(lights).epsilon(0.02));
+  // The hemisphere finds ambient light as well, and no light of a single direction.
+  const Cs184Scene open = under_light("<ambient><color>1 1 1</color></ambient>", moved_by("0", "0", "0"));
+  const std::string part = "-r 16 12 -s 64 -l 64 -a 64 0 -p 4 3 8 6 ";
+  CHECK(mean_luminance(cs184_picture(open, part)) == Approx(0.5).epsilon(0.01));
+  CHECK(mean_luminance(cs184_picture(open, part + "-H")) == Approx(0.5).epsilon(0.01));
+  CHECK(mean_luminance(cs184_picture(under_point("50"), part + "-H")) == 0);
 }
 
 TEST_CASE("trap 6: a lamp's mesh at the place of its area light takes no light away") {

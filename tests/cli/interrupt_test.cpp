@@ -77,6 +77,25 @@ TEST_CASE("the picture of sample rates is kept beside what was rendered") {
   CHECK(folder.file_count() == 2);
 }
 
+TEST_CASE("Ctrl-C keeps what CS184's program rendered, the rates and a part of the frame too") {
+  const TemporaryFolder folder;
+  const std::vector<std::string> words{
+      "--cs184", box, "-r", "48", "36", "-s", "4000000",           "-a", "64", "0",
+      "-p",      "4", "2",  "30", "20", "-f", folder.file("a.png")};
+  TerminalProgram program(words);
+  REQUIRE(program.wait_for("Rendering... 0%"));
+  program.press_control_c();
+  CHECK(program.exit_code() == 130);
+  // On a line of its own.
+  CHECK(program.shown().find("\r\ntwinray: interrupted; " + folder.file("a_partial.png")) !=
+        std::string::npos);
+  CHECK(program.shown().find("completed") == std::string::npos);
+  CHECK(read_image(folder.file("a_partial.png")).width == 30);
+  CHECK(read_image(folder.file("a_rate_partial.png")).width == 48);
+  CHECK(read_text(folder.file("a_partial.png")).find(" of 4000000") != std::string::npos);
+  CHECK(folder.file_count() == 2);
+}
+
 TEST_CASE("a second Ctrl-C ends at once") {
   const TemporaryFolder folder;
   // The second comes while the partial picture is written.
