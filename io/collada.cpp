@@ -133,6 +133,8 @@ LoadedScene read_document(ColladaDocument& document) {
   const ColladaCamera* camera = choose_camera(nodes.cameras, visual_scene, document);
   if (camera) summary.camera = camera_name(*camera);
   loaded.scene.camera = camera_of(camera, bounds, *loaded.scene.geometry, document);
+  if (camera)
+    if (const auto note = unused_clip_note(*camera, loaded.scene, document)) summary.notes.push_back(*note);
   for (const ColladaCamera& each : nodes.cameras) summary.cameras.push_back(camera_name(each));
   summary.unit_name = space.unit_name;
   summary.unit_meters = space.unit_meters;

@@ -12,8 +12,8 @@ namespace twinray {
 namespace {
 
 constexpr double radians_per_degree = 0.017453292519943295;
-/// Where a file gives one angle only, the other one's tangent is this part of it: below that of any image, so
-/// that fit_frame() widens it to the image's shape.
+/// Where a file leaves one side to the image, its tangent is this part of the other one's: below that of any
+/// image, so that fit_frame() widens it to the image's shape.
 constexpr double open_side = 0x1p-20;
 
 double tan_half_angle(const XmlElement& angle) {
@@ -30,6 +30,8 @@ struct Lens {
 constexpr Lens perspective{"xfov", "yfov", ", in degrees", tan_half_angle},
     orthographic{"xmag", "ymag", ", half the frame in scene units", half_magnification};
 
+/// A height is kept whatever the image's shape, as Khronos's conformance suite has it; an <aspect_ratio>
+/// beside it cannot change that.
 void read_field(const XmlElement& element, const Lens& lens, Camera& camera, ColladaDocument& document) {
   const auto x = element.child(lens.x), y = element.child(lens.y), aspect = element.child("aspect_ratio");
   if (!x && !y)
@@ -41,7 +43,7 @@ void read_field(const XmlElement& element, const Lens& lens, Camera& camera, Col
         *aspect, fmt::format("<aspect_ratio> beside both <{}> and <{}> says too much; it is left out", lens.x,
                              lens.y));
   if (!y) height = aspect ? width / ratio : width * open_side;
-  if (!x) width = aspect ? height * ratio : height * open_side;
+  if (!x) width = height * open_side;
   camera.tan_half_width = float(width);
   camera.tan_half_height = float(height);
 }

@@ -10,9 +10,10 @@ namespace twinray {
 
 /// Reads a <camera>, perspective or orthographic, that an <instance_camera> places by its node's transform,
 /// whose axes are made orthonormal: it looks along -z, with y up. Legal are xfov, yfov or both (xmag and ymag
-/// of an orthographic one: half the frame), and an aspect_ratio beside one of them; with one alone the shape
-/// of the image decides the other. The clip distances are read where LoadOptions::clip_as_file asks for them,
-/// each in `unit` units of the scene. Throws Error for numbers out of range.
+/// of an orthographic one: half the frame), and an aspect_ratio beside one of them. With one alone the shape
+/// of the image decides the other, and with yfov (ymag) and an aspect_ratio too. The clip distances are read
+/// where LoadOptions::clip_as_file asks for them, each in `unit` units of the scene. Throws Error for numbers
+/// out of range.
 Camera read_camera(const XmlElement& camera, const XmlElement& instance, const Transform& to_world,
                    double unit, ColladaDocument& document);
 

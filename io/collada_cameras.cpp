@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "io/collada_camera.h"
 #include "io/collada_layers.h"
@@ -35,6 +36,40 @@ const ColladaCamera& camera_with(const std::string& name, const std::vector<Coll
   return *found;
 }
 
+struct ClipDistances {
+  double near = 0, far = std::numeric_limits<double>::infinity();
+};
+
+/// Those of a camera that has some, as numbers; what is wrong with others matters where they are used.
+std::optional<ClipDistances> clip_distances(const XmlElement& camera) {
+  const XmlElement common = camera.required_child("optics").required_child("technique_common");
+  const auto parallel = common.child("orthographic"), perspective = common.child("perspective");
+  if (!parallel && !perspective) return std::nullopt;
+  const auto near = (parallel ? parallel : perspective)->child("znear"),
+             far = (parallel ? parallel : perspective)->child("zfar");
+  ClipDistances distances;
+  try {
+    if (near) distances.near = near->number();
+    if (far) distances.far = far->number();
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+  return distances;
+}
+
+/// Of those in front of the camera.
+bool has_vertex_outside(const Geometry& geometry, const Camera& camera, double near, double far) {
+  for (const Shape& shape : geometry.shapes()) {
+    const Mesh* mesh = std::get_if<Mesh>(&shape);
+    if (!mesh) continue;
+    for (const Vec3& position : mesh->positions) {
+      const double depth = dot(position - camera.position, camera.forward);
+      if (depth > 0 && (depth < near || depth > far)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string camera_name(const ColladaCamera& camera) {
@@ -60,6 +95,20 @@ const ColladaCamera* choose_camera(const std::vector<ColladaCamera>& cameras, co
 
 Camera place_camera(const ColladaCamera& camera, ColladaDocument& document) {
   return read_camera(camera.element, camera.instance, camera.to_world, camera.unit, document);
+}
+
+std::optional<std::string> unused_clip_note(const ColladaCamera& camera, const Scene& scene,
+                                            const ColladaDocument& document) {
+  const LoadOptions& options = document.options();
+  if (options.clip_as_file || options.interpretation == Interpretation::cs184) return std::nullopt;
+  const auto range = clip_distances(camera.element);
+  if (!range) return std::nullopt;
+  const double near = camera.unit * range->near, far = camera.unit * range->far;
+  if (!has_vertex_outside(*scene.geometry, scene.camera, near, far)) return std::nullopt;
+  return fmt::format(
+      "the camera's clip distances, znear {:g} and zfar {:g}, are not used: parts of the scene are nearer or "
+      "farther; --clip=file cuts them off",
+      range->near, range->far);
 }
 
 Cs184View cs184_view_of(const ColladaCamera& camera, ColladaDocument& document) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene may have several cameras. One of them makes the picture, and only that one is read.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/camera.h"
+#include "core/scene.h"
 #include "core/transform.h"
 #include "io/collada_document.h"
 #include "io/cs184_camera.h"
@@ -30,6 +31,9 @@ const ColladaCamera* choose_camera(const std::vector<ColladaCamera>& cameras, co
 
 /// Throws Error as read_camera() does.
 Camera place_camera(const ColladaCamera& camera, ColladaDocument& document);
+/// What is to be said of clip distances that are not used: where they would have cut off some vertex.
+std::optional<std::string> unused_clip_note(const ColladaCamera& camera, const Scene& scene,
+                                            const ColladaDocument& document);
 /// What CS184's program keeps of it. Throws Error as read_cs184_view() does.
 Cs184View cs184_view_of(const ColladaCamera& camera, ColladaDocument& document);
 

@@ -38,12 +38,18 @@ TEST_CASE("each legal pair of field and aspect gives the frame") {
   const Camera by_x = lens("<xfov>90</xfov><aspect_ratio>2</aspect_ratio>");
   CHECK(by_x.tan_half_width == Approx(1));
   CHECK(by_x.tan_half_height == Approx(0.5));
-  const Camera by_y = lens("<yfov>90</yfov><aspect_ratio>2</aspect_ratio>");
-  CHECK(by_y.tan_half_width == Approx(2));
-  CHECK(by_y.tan_half_height == Approx(1));
   const Camera both = lens("<xfov>90</xfov><yfov>53.13010235</yfov>");
   CHECK(both.tan_half_width == Approx(1));
   CHECK(both.tan_half_height == Approx(0.5));
+}
+
+TEST_CASE("a height is kept where the image has another shape than the aspect ratio") {
+  const Camera square = fit_frame(lens("<yfov>90</yfov><aspect_ratio>2</aspect_ratio>"), 100, 100);
+  CHECK(square.tan_half_width == Approx(1));
+  CHECK(square.tan_half_height == Approx(1));
+  const Camera wide = fit_frame(lens("<yfov>90</yfov><aspect_ratio>2</aspect_ratio>"), 200, 100);
+  CHECK(wide.tan_half_width == Approx(2));
+  CHECK(wide.tan_half_height == Approx(1));
 }
 
 TEST_CASE("with one field alone the image's shape decides the other") {
@@ -81,6 +87,20 @@ TEST_CASE("a mirrored camera stays mirrored") {
   check_near(camera.right, {-1, 0, 0});
   check_near(camera.up, {0, 1, 0});
   check_near(camera.forward, {0, 0, -1});
+}
+
+TEST_CASE("a note says where clip distances would have cut something, and are not used") {
+  const auto notes = [](const std::string& distances, const LoadOptions& options = {}) {
+    return load_camera("<xfov>40</xfov>" + distances, "<translate>0 0 5</translate>", options).summary.notes;
+  };
+  CHECK(
+      notes("<znear>1</znear><zfar>4</zfar>") ==
+      std::vector<std::string>{"the camera's clip distances, znear 1 and zfar 4, are not used: parts of the "
+                               "scene are nearer or farther; --clip=file cuts them off"});
+  CHECK(notes("<znear>6</znear><zfar>7</zfar>").size() == 1);
+  CHECK(notes("<znear>1</znear><zfar>5</zfar>").empty());
+  CHECK(notes("<znear>nan</znear>").empty());
+  CHECK(notes("<znear>1</znear><zfar>4</zfar>", {.clip_as_file = true}).empty());
 }
 
 TEST_CASE("clip distances are read where they are asked for, and else nothing is clipped") {
