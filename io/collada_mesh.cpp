@@ -30,10 +30,7 @@ constexpr std::size_t width_of(std::string_view semantic) { return semantic == "
 
 /// The elements of a source as vectors, by their index.
 auto vectors(const SourceValues& source) {
-  return [&source](std::size_t i) {
-    const float* p = &source.values[3 * i];
-    return Vec3{p[0], p[1], p[2]};
-  };
+  return [&source](std::size_t i) { return source.vec3(i); };
 }
 
 auto pairs(const SourceValues& source) {
@@ -77,6 +74,7 @@ class PartReader {
 
  private:
   void read_inputs();
+  XmlElement find_vertices(const XmlElement& input);
   void add_vertices(const XmlElement& vertices, std::size_t offset);
   void add_input(const XmlElement& input, const std::string& semantic, std::size_t offset);
   void copy_values();
@@ -127,7 +125,7 @@ void PartReader::read_inputs() {
     const std::size_t offset = offset_of(input, inputs.size());
     inputs_.stride = std::max(inputs_.stride, offset + 1);
     if (semantic == "VERTEX") {
-      vertices = document_.resolve(input, "source", "vertices");
+      vertices = find_vertices(input);
       vertex_offset = offset;
     } else {
       add_input(input, semantic, offset);
@@ -137,6 +135,22 @@ void PartReader::read_inputs() {
     part_.element.fail(
         fmt::format("<{}> has no <input semantic=\"VERTEX\">, which it needs", part_.element.name()));
   add_vertices(*vertices, vertex_offset);
+}
+
+/// Those that the input names; where there are none, with a warning, the mesh's only ones.
+XmlElement PartReader::find_vertices(const XmlElement& input) {
+  const auto own = part_.element.parent()->children("vertices");
+  const std::string url = input.required_attribute("source");
+  try {
+    return document_.resolve(input, "source", "vertices");
+  } catch (const PlacedError&) {
+    if (own.size() != 1 || url[0] != '#') throw;
+  }
+  document_.warn([&] { return input.attribute_place("source"); },
+                 fmt::format("no <vertices> is \"{}\"; this <input> is taken to mean the only ones of its "
+                             "<{}>",
+                             url, part_.element.parent()->name()));
+  return own[0];
 }
 
 void PartReader::add_vertices(const XmlElement& vertices, std::size_t offset) {
@@ -369,76 +383,11 @@ void PartReader::reserve_triangles(std::size_t more) {
   reserve(inputs_.uv, part_.mesh.uv_indices);
 }
 
-bool is_primitive(const XmlElement& element) {
-  for (const char* name : {"triangles", "polylist", "polygons", "tristrips", "trifans"})
-    if (element.is(name)) return true;
-  return false;
-}
-
-/// The one primitive element that CS184's program would read; none where it would read nothing.
-std::optional<XmlElement> only_part(const XmlElement& mesh) {
-  const auto polylist = mesh.child("polylist");
-  return polylist ? polylist : mesh.child("triangles");
-}
-
-/// The primitive elements that are read.
-std::vector<XmlElement> parts_of(const XmlElement& mesh, ColladaDocument& document) {
-  std::vector<XmlElement> parts;
-  for (const XmlElement& element : mesh.children())
-    if (is_primitive(element)) parts.push_back(element);
-  const auto only = only_part(mesh);
-  if (document.options().interpretation == Interpretation::standard || !only) return parts;
-  for (const XmlElement& element : parts)
-    if (!(element == *only))
-      document.warn(element, fmt::format("CS184's program reads one <{}> of a mesh; this <{}> is left out",
-                                         only->name(), element.name()));
-  return {*only};
-}
-
-std::optional<XmlElement> mesh_of(const XmlElement& geometry) {
-  const auto mesh = geometry.child("mesh");
-  return mesh ? mesh : geometry.child("convex_mesh");
-}
-
 }  // namespace
 
-std::vector<Vec3> read_vertices(const XmlElement& geometry, ColladaDocument& document) {
-  const auto mesh = mesh_of(geometry);
-  const auto vertices = mesh ? mesh->child("vertices") : std::nullopt;
-  if (!vertices) geometry.fail("this <geometry> has no <vertices>, which a controller needs");
-  std::vector<Vec3> result;
-  for (const XmlElement& input : vertices->children("input")) {
-    if (input.attribute("semantic") != "POSITION") continue;
-    const SourceValues values = read_source(document.resolve(input, "source", "source"), 3, document);
-    for (std::size_t i = 0; i < values.count(); ++i) result.push_back(vectors(values)(i));
-    break;
-  }
-  return result;
-}
-
-void warn_where_empty(const XmlElement& geometry, const ColladaGeometry& read, ColladaDocument& document) {
-  const auto mesh = mesh_of(geometry);
-  if (mesh && read.parts.empty())
-    document.warn(*mesh, fmt::format("this <{}> has no triangles or polygons", mesh->name()));
-}
-
-ColladaGeometry read_geometry(const XmlElement& geometry, ColladaDocument& document) {
-  ColladaGeometry result;
-  const auto technique = cgl_technique(geometry);
-  const auto sphere = technique ? technique->child("sphere") : std::nullopt;
-  const auto mesh = mesh_of(geometry);
-  if (sphere && mesh)
-    document.warn(*sphere, "a geometry with a <mesh> cannot be a sphere too; the sphere is left out");
-  if (mesh) {
-    ColladaSources sources(document);
-    for (const XmlElement& element : parts_of(*mesh, document))
-      result.parts.push_back(PartReader(element, display_name(geometry), document, sources).read());
-  } else if (sphere) {
-    result.sphere_radius = float(number_in(sphere->required_child("radius"), 0, max_coordinate));
-  } else {
-    document.warn(geometry, "this <geometry> has no <mesh> and is no CGL <sphere>; it is left out");
-  }
-  return result;
+ColladaPart read_part(const XmlElement& element, const std::string& name, ColladaDocument& document,
+                      ColladaSources& sources) {
+  return PartReader(element, name, document, sources).read();
 }
 
 }  // namespace twinray

@@ -6,6 +6,7 @@
 
 #include "core/geometry.h"
 #include "io/collada_document.h"
+#include "io/collada_source.h"
 
 namespace twinray {
 
@@ -25,21 +26,10 @@ struct ColladaPart {
   std::vector<ReducedPolygon> reduced;  ///< In the order of their triangles; by the standard rules none.
 };
 
-/// What a <geometry> holds: the parts of a mesh, or a sphere (CGL extension) around its origin.
-struct ColladaGeometry {
-  std::vector<ColladaPart> parts;
-  std::optional<float> sphere_radius;
-};
-
-/// Reads a <geometry>. By CS184's rules it has one part, its first <polylist>, else its first <triangles>,
-/// else all parts; and of a polygon the triangle of its last, first and second corner is kept. Throws Error
-/// for indices out of range, wrong counts, a negative radius, missing inputs.
-ColladaGeometry read_geometry(const XmlElement& geometry, ColladaDocument& document);
-
-/// Warns of a mesh that is to be seen and has no parts.
-void warn_where_empty(const XmlElement& geometry, const ColladaGeometry& read, ColladaDocument& document);
-
-/// The positions of a <geometry>'s <vertices>, used or not. Throws Error where it has none.
-std::vector<Vec3> read_vertices(const XmlElement& geometry, ColladaDocument& document);
+/// Reads a primitive element of a <mesh>, whose sources are shared. By CS184's rules of a polygon the
+/// triangle of its last, first and second corner is kept. Throws Error for indices out of range, wrong
+/// counts, missing inputs.
+ColladaPart read_part(const XmlElement& element, const std::string& name, ColladaDocument& document,
+                      ColladaSources& sources);
 
 }  // namespace twinray

@@ -6,7 +6,7 @@
 
 #include "core/vec.h"
 #include "io/collada_document.h"
-#include "io/collada_mesh.h"
+#include "io/collada_geometry.h"
 
 namespace twinray {
 

@@ -7,9 +7,9 @@
 
 #include "io/collada_cameras.h"
 #include "io/collada_controller.h"
+#include "io/collada_geometry.h"
 #include "io/collada_layers.h"
 #include "io/collada_material.h"
-#include "io/collada_mesh.h"
 #include "io/collada_parts.h"
 
 namespace twinray {

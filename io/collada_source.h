@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/vec.h"
 #include "io/collada_document.h"
 
 namespace twinray {
@@ -19,6 +20,11 @@ struct SourceValues {
   bool has_nan = false;       ///< Some number is not finite: it is NaN here.
 
   std::size_t count() const { return values.size() / width; }
+  /// An element of three numbers.
+  Vec3 vec3(std::size_t element) const {
+    const float* p = &values[3 * element];
+    return {p[0], p[1], p[2]};
+  }
   /// Whether all numbers of an element are finite.
   bool is_finite(std::size_t element) const;
 };

@@ -181,4 +181,14 @@ TEST_CASE("a scene that nothing instances is read where there is one, with a war
         std::string::npos);
 }
 
+TEST_CASE("a VERTEX input that names no vertices means the only ones of its mesh") {
+  std::string text = collada_text(collada_triangle(), "<node><instance_geometry url=\"#shape\"/></node>");
+  text.replace(text.find("source=\"#vertices\""), 18, "source=\"#verteces\"");
+  const LoadedScene loaded = load_collada(text);
+  CHECK(mesh_of(loaded).triangles.size() == 1);
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].message ==
+        "no <vertices> is \"#verteces\"; this <input> is taken to mean the only ones of its <mesh>");
+}
+
 }  // namespace twinray
