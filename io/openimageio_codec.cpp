@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <string_view>
 
 #include "core/error.h"
 #include "io/image_codec.h"
@@ -69,12 +71,31 @@ Image read_pixels(OIIO::ImageInput& input, const ImageCodec::Header& header, con
   return image;
 }
 
+/// A file in memory. OpenImageIO 2.4's own reads beside the bytes where a place in the file is none.
+class MemoryFile final : public OIIO::Filesystem::IOMemReader {
+ public:
+  explicit MemoryFile(std::string_view bytes) : IOMemReader(bytes.data(), bytes.size()), bytes_(bytes) {}
+
+  std::size_t read(void* buffer, std::size_t size) override {
+    const std::size_t count = pread(buffer, size, m_pos);
+    m_pos += std::int64_t(count);
+    return count;
+  }
+  std::size_t pread(void* buffer, std::size_t size, std::int64_t offset) override {
+    if (offset < 0 || std::size_t(offset) >= bytes_.size()) return 0;
+    return bytes_.copy(static_cast<char*>(buffer), size, std::size_t(offset));
+  }
+
+ private:
+  std::string_view bytes_;
+};
+
 class OpenImageIOCodec final : public ImageCodec {
  public:
   Image read(PictureFormat format, const PictureBytes& picture,
              const std::function<void(const Header&)>& check) const override {
     use_no_threads();
-    OIIO::Filesystem::IOMemReader memory(picture.bytes.data(), picture.bytes.size());
+    MemoryFile memory(picture.bytes);
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(reader_for(format));
     OIIO::ImageSpec spec;
     if (!input || !input->set_ioproxy(&memory) || !input->open(picture.path, spec))

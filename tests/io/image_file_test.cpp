@@ -2,6 +2,7 @@
 #include "io/image_file.h"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <array>
@@ -45,6 +46,27 @@ bool has_time(const std::string& text) {
   };
   return std::search(text.begin(), text.end(), pattern.begin(), pattern.end(), fits) != text.end();
 }
+
+/// Memory of at most a page right behind a page that ends the process that reads it.
+class BehindForbiddenPage {
+ public:
+  explicit BehindForbiddenPage(std::size_t size) {
+    REQUIRE(size <= page);
+    pages_ = static_cast<char*>(
+        mmap(nullptr, 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+    REQUIRE(pages_ != MAP_FAILED);
+    REQUIRE(mprotect(pages_, page, PROT_NONE) == 0);
+  }
+  ~BehindForbiddenPage() { munmap(pages_, 2 * page); }
+  std::string_view copy_of(const std::string& text) const {
+    std::memcpy(pages_ + page, text.data(), text.size());
+    return {pages_ + page, text.size()};
+  }
+
+ private:
+  static constexpr std::size_t page = 4096;
+  char* pages_ = nullptr;
+};
 
 }  // namespace
 
@@ -227,6 +249,25 @@ TEST_CASE("a value in an EXR's header has the size of its type, and what stands 
                                           {"stringvector", std::string("\1\0\0\0a", 5)},
                                           {"new", "?"}})
     CHECK(check_picture_header(PictureFormat::exr, {with(type, value), path}).width == 1);
+}
+
+TEST_CASE("an EXR whose pixels would lie outside of its file is refused") {
+  const TemporaryFolder folder;
+  write_image(folder.file("a.exr"), Image(1, 1));
+  std::string text = read_text(folder.file("a.exr"));
+  const auto number_at = [&](std::size_t at) {
+    std::uint64_t number = 0;
+    std::memcpy(&number, text.data() + at, sizeof number);
+    return number;
+  };
+  std::size_t table = 0;  // It holds the place of the first row, which follows.
+  while (number_at(table) != table + 8) ++table;
+  const BehindForbiddenPage forbidden(text.size());
+  for (const std::uint64_t place : {std::uint64_t(1) << 62, ~std::uint64_t(3), std::uint64_t(text.size())}) {
+    CAPTURE(place);
+    std::memcpy(text.data() + table, &place, sizeof place);
+    CHECK_THROWS_AS(decode_image(forbidden.copy_of(text), "a.exr"), Error);
+  }
 }
 
 TEST_CASE("what any picture's header promises is checked before a library opens it") {

@@ -37,6 +37,11 @@ MUTANTS = [
            "if (const auto size = size_of_type(type); size && *size != rest_.size()) return false;", "",
            "test_io",
            "a value in an EXR's header has the size of its type, and what stands in it does not exceed it"),
+    Mutant("a library may read beside a file in memory", "io/openimageio_codec.cpp",
+           "if (offset < 0 || std::size_t(offset) >= bytes_.size()) return 0;",
+           "if (offset < 0 || std::size_t(offset) >= bytes_.size())\n"
+           "      return IOMemReader::pread(buffer, size, offset);", "test_io",
+           "an EXR whose pixels would lie outside of its file is refused"),
     Mutant("a library opens a picture before its header is checked", "io/image_file.cpp",
            "  check_picture_header(format, picture);\n", "", "test_io",
            "what any picture's header promises is checked before a library opens it"),
