@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/collada_joints.h"
 
+#include <fmt/format.h>
+
 #include "io/collada_transform.h"
 
 namespace twinray {
@@ -17,6 +19,8 @@ ColladaJoints::ColladaJoints(const XmlElement& visual_scene, ColladaDocument& do
 void ColladaJoints::visit(const XmlElement& node, const XmlElement& from, const Transform& parent,
                           const ColladaSpace& outside) {
   const std::size_t index = joints_.size();
+  if (index == max_joints)
+    return document_.warn(node, fmt::format("of so many nodes the first {} may be joints", max_joints));
   const ColladaSpace& space = document_.space_of(node, from, outside);
   const Transform to_scene = parent * conversion(space, outside) * read_node_transform(node, document_);
   joints_.push_back({node, to_scene});

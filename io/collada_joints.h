@@ -30,6 +30,9 @@ class ColladaJoints {
   const ColladaJoint* named(std::string_view sid, const XmlElement& instance) const;
   const ColladaJoint* with_id(std::string_view id) const;
 
+  /// Nodes beyond are no joints, with a warning; instances included.
+  static constexpr std::size_t max_joints = 100'000;
+
  private:
   using Names = std::multimap<std::string, std::size_t, std::less<>>;
 

@@ -2,6 +2,7 @@
 // Skins and morphs as they stand in the file.
 #include <algorithm>
 
+#include "io/collada_joints.h"
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
 
@@ -269,6 +270,28 @@ TEST_CASE("a skin may move a morph") {
   skin.source = "#m";
   check_positions(load(skin.text() + morph("lifted", "0.5", "", "m"), instance_of() + joint_nodes, lifted),
                   {{0, 0, 2}, {1, 2, 2}, {0, 2, 2}});
+}
+
+TEST_CASE("by CS184's rules controllers are left out, with a warning") {
+  LoadOptions options;
+  options.interpretation = Interpretation::cs184;
+  const std::string library = "<library_controllers>" + SkinText{}.text() + "</library_controllers>";
+  const LoadedScene loaded =
+      load_collada(collada_text(collada_triangle() + library, instance_of() + joint_nodes), options);
+  CHECK(loaded.scene.geometry->triangle_count() == 0);
+  CHECK(messages(loaded) ==
+        std::vector<std::string>{"CS184's program reads no controllers; this one is left out",
+                                 "the scene has no shapes"});
+}
+
+TEST_CASE("so many nodes may be joints and no more") {
+  std::string nodes;
+  for (std::size_t i = 0; i < ColladaJoints::max_joints; ++i) nodes += "<node/>";
+  const LoadedScene loaded = load_skin({}, nodes + instance_of() + joint_nodes);
+  CHECK(messages(loaded) ==
+        std::vector<std::string>{
+            "of so many nodes the first 100000 may be joints",
+            "no <node> of the scene is the joint \"base\"; this <skin> is rendered in its bind pose"});
 }
 
 TEST_CASE("controllers that are each other's source are an error") {

@@ -187,6 +187,20 @@ TEST_CASE("a camera's asset is that of its lengths, and its up axis is its up") 
   check_near(upward.position, {0, 0, 5});
 }
 
+TEST_CASE("a bind_vertex_input is known, and changes nothing while textures are not rendered") {
+  const LoadedScene loaded = load_collada(collada_text(
+      collada_triangle() +
+          "<library_effects><effect "
+          "id=\"fx\"><profile_COMMON><technique><lambert/></technique></profile_COMMON>"
+          "</effect></library_effects><library_materials><material id=\"m\"><instance_effect url=\"#fx\"/>"
+          "</material></library_materials>",
+      "<node><instance_geometry url=\"#shape\"><bind_material><technique_common><instance_material "
+      "symbol=\"s\" target=\"#m\"><bind_vertex_input semantic=\"UV\" input_semantic=\"TEXCOORD\" "
+      "input_set=\"0\"/></instance_material></technique_common></bind_material></instance_geometry></node>"));
+  CHECK(loaded.scene.geometry->triangle_count() == 1);
+  CHECK(loaded.warnings.empty());
+}
+
 TEST_CASE("a nested asset without unit and axis changes nothing") {
   const LoadedScene loaded = load_collada(collada_text(
       collada_triangle(),
