@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "tests/support/catch.h"
 #include "tests/support/cs184_scene.h"
@@ -69,6 +70,10 @@ TEST_CASE("trap 1: sampling is always adaptive, and -a with all samples and tole
   const Image rates = read_image(folder.file("a_rate.png"));
   CHECK(count_of(rates, green) > 0);  // 32 of 64: nothing is seen there
   CHECK(count_of(rates, blue) == 0);
+  const Cs184Scene even =
+      under_light("<directional><color>1 1 1</color></directional>", moved_by("0", "5", "1"));
+  REQUIRE(run_cs184(folder, even, "-r 16 12 -s 64 -f even.png").exit_code == 0);
+  CHECK(count_of(read_image(folder.file("even_rate.png")), green) == 16 * 12);
   REQUIRE(run_cs184(folder, scene, "-r 16 12 -s 64 -a 64 0 -f b.png").exit_code == 0);
   CHECK(count_of(read_image(folder.file("b_rate.png")), red) == 16 * 12);
   REQUIRE(run_cs184(folder, scene, "-r 16 12 -s 1 -a 1 0 -f c.png").exit_code == 0);
@@ -90,6 +95,11 @@ TEST_CASE("trap 3: a camera gives its direction alone, seen from the origin and 
   const std::string options = normals + "-r 64 48";
   CHECK(share_off(cs184_picture(near, options, "a.png"), cs184_picture(far, options, "a.png"), 0, 0) <=
         0.002);
+  // Half a unit up in front of the origin, looking along the floor: seen from (0, 0.5, 1), that is from
+  // above.
+  Cs184Scene level = lit_floor();
+  level.camera_matrix = moved_by("0", "0.5", "2");
+  CHECK(count_of(cs184_picture(level, normals + "-r 60 20", "a.png"), {}) == 0);
   Cs184Scene rolled = lit_floor();
   rolled.camera_matrix = "0 -1 0 0 1 0 0 2 0 0 1 4 0 0 0 1";
   CHECK(cs184_picture(near, options).pixels == cs184_picture(rolled, options).pixels);
@@ -138,6 +148,9 @@ TEST_CASE("trap 6: a lamp's mesh at the place of its area light takes no light a
       moved_by("0", "0", "0"),
       "<instance_geometry url=\"#lamp\"><bind_material><technique_common><instance_material symbol=\"glow\" "
       "target=\"#glow-material\"/></technique_common></bind_material></instance_geometry>");
+  const TemporaryFolder folder;  // One lamp: a floor, a mast, and the two triangles of the mesh.
+  CHECK(run_cs184(folder, with_mesh, "-r 8 6 -f a.png").out.find("BVH from 5 primitives") !=
+        std::string::npos);
   const std::string floor_in_front = "-r 32 24 -s 256 -a 256 0 -p 8 0 16 8 ";
   const double without = mean_luminance(cs184_picture(without_mesh, floor_in_front));
   CHECK(without > 0);
@@ -190,6 +203,9 @@ TEST_CASE("trap 10: normals of the file are not used, and corners share one") {
   turned.normals = "1 0 0 1 0 0 1 0 0 1 0 0";
   const Image plain = cs184_picture(one_mesh(tetrahedron), normals + "-r 16 12");
   CHECK(cs184_picture(one_mesh(turned), normals + "-r 16 12").pixels == plain.pixels);
+  std::set<float> reds;  // Four flat faces would have four.
+  for (const Rgb& pixel : plain.pixels) reds.insert(pixel.r);
+  CHECK(reds.size() > 20);
 }
 
 TEST_CASE("trap 11: cells are counted from the bottom left, and pictures stored from the top") {
