@@ -42,8 +42,8 @@ def is_judged(file):
 def has_camera(file, name=None):
     """Whether a file has a camera, or a camera's node of that name. Archives are not opened."""
     text = file.read_bytes()
-    if name:
-        return f'name="{name}"'.encode() in text
+    if name and f'name="{name}"'.encode() not in text:
+        return False
     return file.suffix != ".dae" or b"<instance_camera" in text
 
 
