@@ -39,7 +39,7 @@ MUTANTS = [
            "add_triangle(first, first + inputs_.stride, first + 2 * inputs_.stride);",
            "test_io", "a polygon loses its third corner and those after it, as in CS184's program"),
     Mutant("a camera without clip distances in the file sees any distance", "io/collada_camera.cpp",
-           "  read_clip(lens, clip);\n  view.clip_near",
+           "  read_clip(lens, 1, clip);\n  view.clip_near",
            "  view.clip_near",
            "test_io", "the camera's clip distances cut the picture as in CS184's program"),
     Mutant("the first camera counts", "io/collada_cameras.cpp",
