@@ -145,6 +145,7 @@ void OptionGroup::add_word(const OptionText& text, std::string& target) {
 void add_scene(CLI::App& app, std::string& scene) {
   app.add_option("SCENE", scene, "The scene: a COLLADA file (.dae), or generated:NAME")
       ->required()
+      ->check([](const std::string& word) { return word.empty() ? "its value is empty" : std::string(); }, "")
       ->type_name("");
 }
 

@@ -16,9 +16,15 @@ std::string beside(const std::string& picture, const std::string& ending) {
   return std::filesystem::path(picture).replace_extension().string() + ending;
 }
 
+/// Whether the name has an ending that could be a format's; in "spheres_0.05" there is none.
+bool has_ending(const std::string& name) {
+  const std::string ending = std::filesystem::path(name).extension().string();
+  return ending.size() > 1 && !(ending[1] >= '0' && ending[1] <= '9');
+}
+
 /// Pictures of CS184's program need no ending.
 void check_name(const RenderArguments& arguments) {
-  if (is_cs184(arguments) && !std::filesystem::path(arguments.output).has_extension()) return;
+  if (is_cs184(arguments) && !has_ending(arguments.output)) return;
   check_image_name(arguments.output);
 }
 

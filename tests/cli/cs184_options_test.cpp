@@ -123,6 +123,8 @@ TEST_CASE("what CS184's program swallowed is refused in the option's name") {
   CHECK(message_of({"-d", "0"}) == "accepted");
   CHECK(message_of({"-f", ""}) == "-f: its value is empty");
   CHECK(message_of({"-z"}) == "there is no option -z");
+  CHECK(message_of({"-f", "-H"}) == "-f: its value is missing; -H is an option");
+  CHECK_THROWS_WITH(parse_cs184_arguments({""}), "SCENE: its value is empty");
   CHECK(message_of({"b.dae"}) == "\"scene.dae\" is one word too many");
 }
 

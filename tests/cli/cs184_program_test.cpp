@@ -100,7 +100,7 @@ TEST_CASE("progress never stops short of 100 per cent, and never goes back") {
 
 TEST_CASE("the ending of -f decides the format, and a name without one is a PNG") {
   const TemporaryFolder folder;
-  for (const char* name : {"a.png", "a", "a.b.PNG"}) {
+  for (const char* name : {"a.png", "a", "a.b.PNG", "floor_0.05", "a."}) {
     REQUIRE(run_cs184(folder, lit_floor(), fmt::format("-r 16 12 -f {} ", name)).exit_code == 0);
     CHECK(read_text(folder.file(name)).substr(1, 3) == "PNG");
   }
