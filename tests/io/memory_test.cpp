@@ -50,6 +50,35 @@ std::string sheet(int side, const std::string& kind, int parts) {
       "<node><instance_geometry url=\"#shape\"/></node>");
 }
 
+/// The sheet as a skin of two joints, each vertex moved by both.
+std::string skinned(const std::string& sheet, int vertices) {
+  const auto source = [](const std::string& id, const std::string& array) {
+    return fmt::format(
+        "<source id=\"{0}\">{1}<technique_common><accessor source=\"#{0}-array\" count=\"2\" "
+        "stride=\"1\"><param name=\"A\"/></accessor></technique_common></source>",
+        id, array);
+  };
+  std::string vcount, v;
+  for (int i = 0; i < vertices; ++i) vcount += "2 ", v += "0 0 1 1 ";
+  const std::string identity = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 ";
+  const std::string controller =
+      "<library_controllers><controller id=\"c\"><skin source=\"#shape\">" +
+      source("j", "<Name_array id=\"j-array\" count=\"2\">a b</Name_array>") +
+      source("b", "<float_array id=\"b-array\" count=\"32\">" + identity + identity + "</float_array>") +
+      source("w", "<float_array id=\"w-array\" count=\"2\">0.25 0.75</float_array>") +
+      "<joints><input semantic=\"JOINT\" source=\"#j\"/><input semantic=\"INV_BIND_MATRIX\" "
+      "source=\"#b\"/></joints><vertex_weights count=\"" +
+      std::to_string(vertices) +
+      "\"><input semantic=\"JOINT\" source=\"#j\" offset=\"0\"/><input semantic=\"WEIGHT\" source=\"#w\" "
+      "offset=\"1\"/><vcount>" +
+      vcount + "</vcount><v>" + v + "</v></vertex_weights></skin></controller></library_controllers>\n";
+  std::string text = sheet;
+  const std::string instance = "<instance_geometry url=\"#shape\"/></node>";
+  text.replace(text.find(instance), instance.size(),
+               "<instance_controller url=\"#c\"/></node><node sid=\"a\"/><node sid=\"b\"/>");
+  return text.insert(text.find("<library_visual_scenes>"), controller);
+}
+
 /// The file's size, and what reading it takes at most.
 struct Reading {
   std::size_t file, memory, triangles;
@@ -77,6 +106,15 @@ TEST_CASE("reading a file of megabytes takes at most four times its size") {
       CHECK(reading.memory <= most_factor * reading.file);
       CHECK(reading.memory > reading.file);  // the text itself: so something is counted
     }
+}
+
+TEST_CASE("reading a skin takes at most four times the size of its file") {
+  constexpr int side = 400;
+  const Reading reading = read(skinned(sheet(side, "triangles", 1), side * side));
+  CAPTURE(reading.file, reading.memory);
+  CHECK(reading.triangles == 2 * (side - 1) * (side - 1));
+  CHECK(reading.memory <= most_factor * reading.file);
+  CHECK(reading.memory > reading.file);
 }
 
 }  // namespace twinray::test
