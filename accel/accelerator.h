@@ -17,6 +17,7 @@
 #include "core/denormals.h"
 #include "core/geometry.h"
 #include "core/hit.h"
+#include "core/instruction_sets.h"
 
 namespace twinray {
 
@@ -111,10 +112,6 @@ std::vector<Backend> available_backends();
 Backend default_backend();
 /// "bvh", "embree", "embree-native", "brute-force".
 std::string backend_name(Backend backend);
-
-/// The names that BuildOptions::simd may have on this machine: "best", then from the fastest on "avx512",
-/// "avx2" and "sse4" where it has them, and "scalar".
-std::vector<std::string> available_instruction_sets();
 
 /// The builders of BVHs of this build, our own first.
 std::vector<BvhBuilder> available_builders();

@@ -69,6 +69,7 @@ void add_light_words(CLI::App& app, RenderRequest& request) {
   RenderArguments& arguments = request.arguments;
   group.add_choice<IntegratorKind>("--integrator", arguments.integrator,
                                    {{"path", IntegratorKind::path},
+                                    {"path-reference", IntegratorKind::path_reference},
                                     {"direct", IntegratorKind::direct},
                                     {"normals", IntegratorKind::normals},
                                     {"cost", IntegratorKind::cost}},

@@ -16,7 +16,7 @@ struct Asked {
   const RenderArguments& arguments;
 
   bool is_lit() const {
-    return arguments.integrator == IntegratorKind::path || arguments.integrator == IntegratorKind::direct;
+    return arguments.integrator != IntegratorKind::normals && arguments.integrator != IntegratorKind::cost;
   }
   bool is_check() const { return arguments.check_with.has_value(); }
   bool has(Backend backend) const {

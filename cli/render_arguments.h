@@ -13,7 +13,7 @@
 
 namespace twinray {
 
-enum class IntegratorKind { path, direct, normals, cost };
+enum class IntegratorKind { path, path_reference, direct, normals, cost };
 
 struct Lens {
   float radius = 0, focal_distance = 1;  ///< In scene units; the distance is > 0 where the radius is.

@@ -25,6 +25,7 @@
 #include "core/memory.h"
 #include "integrators/normals.h"
 #include "integrators/path.h"
+#include "integrators/path_reference.h"
 #include "io/camera_file.h"
 #include "io/cs184_camera.h"
 #include "io/environment_file.h"
@@ -40,6 +41,8 @@ std::unique_ptr<Integrator> make_integrator(const RenderArguments& arguments, co
   if (arguments.integrator == IntegratorKind::normals)
     return std::make_unique<NormalsIntegrator>(
         scene, is_cs184(arguments) ? NormalsIntegrator::Mixture::as_it_is : NormalsIntegrator::Mixture::unit);
+  if (arguments.integrator == IntegratorKind::path_reference)
+    return std::make_unique<PathReference>(scene, arguments.path);
   return std::make_unique<PathIntegrator>(scene, arguments.path);
 }
 

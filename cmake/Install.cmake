@@ -44,7 +44,6 @@ set(private_headers
   accel/embree/leaf.h
   accel/embree/ray.h
   accel/embree/rounding.h
-  accel/instruction_sets.h
   accel/wide/batch-inl.h
   accel/wide/box_test-inl.h
   accel/wide/build.h
@@ -58,7 +57,20 @@ set(private_headers
   accel/wide/statistics.h
   check/exact.h
   core/fork_join.h
-  core/lanes.h)
+  core/lanes.h
+  integrators/wave/camera_stage.h
+  integrators/wave/columns.h
+  integrators/wave/draws-inl.h
+  integrators/wave/lanes-inl.h
+  integrators/wave/light-inl.h
+  integrators/wave/path_wave.h
+  integrators/wave/requests.h
+  integrators/wave/scatter-inl.h
+  integrators/wave/shape_table.h
+  integrators/wave/stages.h
+  integrators/wave/surfaces-inl.h
+  integrators/wave/warp-inl.h
+  integrators/wave/wave.h)
 list(TRANSFORM private_headers REPLACE "\\." "\\\\." OUTPUT_VARIABLE private_patterns)
 list(JOIN private_patterns "|" private_patterns)
 

@@ -35,6 +35,11 @@ Words words_of(Int128 units) {
 
 void FixedSum::add(double x) {
   assert(std::fabs(x) <= Film::max_value);
+  constexpr double one_word = 0x1p19;
+  if (std::fabs(x) < one_word) {
+    words_ = words_of(units_of(words_) + std::llrint(x * 0x1p43));
+    return;
+  }
   // Whole units of 2^-11, and what is left of x in units of 2^-43: nothing is rounded but the last one.
   const double scaled = x * 0x1p11;
   const double upper = std::trunc(scaled);
@@ -52,6 +57,13 @@ double FixedSum::value() const { return double(units_of(words_)) * 0x1p-43; }
 void FixedSquareSum::add_square_of(double x) {
   const double square = x * x;
   assert(square < 0x1.0001p60);
+  constexpr double one_word = 0x1p16;
+  if (square < one_word) {
+    const double scaled = square * 0x1p46;
+    const auto whole = std::int64_t(scaled);
+    units_ += std::uint64_t(whole + (double(whole) < scaled));
+    return;
+  }
   const double upper = std::trunc(square);
   const auto lower = std::uint64_t(std::ceil((square - upper) * 0x1p46));
   units_ += (Unsigned128(std::uint64_t(upper)) << 46) + lower;

@@ -27,6 +27,9 @@ class LightSet {
   explicit LightSet(const Scene& scene);
 
   std::uint32_t size() const { return std::uint32_t(lights_.size()); }
+  const Light& light(std::uint32_t index) const { return lights_[index]; }
+  /// The triangles of a mesh light by their areas; empty for any other.
+  const Distribution& triangles(std::uint32_t light) const { return triangles_[light]; }
   /// Whether the light is a point or a direction, which no ray can hit by chance: one sample is exact.
   bool is_delta(std::uint32_t light) const;
 

@@ -17,22 +17,10 @@
 #include <cassert>
 
 #include "core/error.h"
+#include "core/hash.h"
 
 namespace twinray {
 namespace {
-
-/// The finalizer of SplitMix64 (Steele, Lea and Flood 2014), a bijection.
-std::uint64_t mix(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
-// Odd steps between the inputs of `mix`, one for each kind of input.
-constexpr std::uint64_t step = 0x9e3779b97f4a7c15u;
-constexpr std::uint64_t vertex_step = 0xd6e8feb86659fd93u;
-constexpr std::uint64_t index_step = 0xa0761d6478bd642fu;
-constexpr std::uint64_t stream_step = 0xe7037ed1a0b428dbu;
 
 using Lanes = std::array<std::uint32_t, 4>;
 
@@ -42,15 +30,6 @@ constexpr std::uint32_t reversed(std::uint32_t x) {
   x = ((x & 0xf0f0f0f0u) >> 4) | ((x & 0x0f0f0f0fu) << 4);
   x = ((x & 0xccccccccu) >> 2) | ((x & 0x33333333u) << 2);
   return ((x & 0xaaaaaaaau) >> 1) | ((x & 0x55555555u) << 1);
-}
-
-/// A nested scramble of reversed words: Laine and Karras 2011, with the constants of Vegdahl 2021.
-std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
-  x ^= x * 0x3d20adeau;
-  x += seed;
-  x *= (seed >> 16) | 1;
-  x ^= x * 0x05526c56u;
-  return x ^ (x * 0x53a22864u);
 }
 
 /// Each digit of two bits (t, b) as an element t + b w of the field, times w: w^2 = w + 1.
@@ -91,16 +70,16 @@ float to_unit(std::uint32_t x) { return float(std::int32_t(x >> 8)) * 0x1p-24f; 
 
 inline std::array<float, 4> independent_set(std::uint64_t key, std::uint64_t index, std::uint32_t number) {
   const std::uint64_t start = mix(key + (index + 1) * index_step);
-  const std::uint64_t a = mix(start + (2 * number + 1) * step);
-  const std::uint64_t b = mix(start + (2 * number + 2) * step);
+  const std::uint64_t a = mix(start + (2 * number + 1) * hash_step);
+  const std::uint64_t b = mix(start + (2 * number + 2) * hash_step);
   return {to_unit(std::uint32_t(a)), to_unit(std::uint32_t(a >> 32)), to_unit(std::uint32_t(b)),
           to_unit(std::uint32_t(b >> 32))};
 }
 
 inline std::array<float, 4> sobol_set(std::uint64_t key, std::uint32_t index, std::uint32_t number) {
-  const std::uint64_t a = mix(key + (3 * number + 1) * step);
-  const std::uint64_t b = mix(key + (3 * number + 2) * step);
-  const std::uint64_t c = mix(key + (3 * number + 3) * step);
+  const std::uint64_t a = mix(key + (3 * number + 1) * hash_step);
+  const std::uint64_t b = mix(key + (3 * number + 2) * hash_step);
+  const std::uint64_t c = mix(key + (3 * number + 3) * hash_step);
   const Lanes seeds = {std::uint32_t(b), std::uint32_t(b >> 32), std::uint32_t(c), std::uint32_t(c >> 32)};
   const std::uint32_t shuffled = scrambled(reversed(index), std::uint32_t(a >> 32));
   Lanes x{};
@@ -122,7 +101,7 @@ inline std::array<float, 4> make_set(SamplerKind kind, std::uint64_t key, std::u
 }  // namespace
 
 PathKey::PathKey(const SampleKey& key)
-    : pixel(mix(mix(key.seed + step) + (std::uint64_t(key.y) << 32 | key.x))), index(key.index) {}
+    : pixel(mix(mix(key.seed + hash_step) + (std::uint64_t(key.y) << 32 | key.x))), index(key.index) {}
 
 VertexSampler::VertexSampler(SamplerKind kind, const PathKey& key, std::uint32_t vertex)
     : kind_(kind), index_(key.index), key_(mix(key.pixel + (vertex + std::uint64_t(1)) * vertex_step)) {}

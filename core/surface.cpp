@@ -4,46 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/area_vector.h"
 #include "core/lanes.h"
 #include "core/octahedron.h"
 #include "core/offset.h"
+#include "core/triangle_weights.h"
 
 namespace twinray {
 namespace {
-
-/// Weights of the three corners.
-struct Weights {
-  float a, b, c;
-};
-
-// How many offsets a point keeps from the edges, and what part of the triangle's height that may cost.
-constexpr double edge_offsets = 8;
-constexpr float most_inward = 0x1p-6f;
-
-/// Moves a point that lies closer to an edge than `distance` to that distance. In a corner where two walls
-/// meet at the angle theta, a point at the distance s from the edge that is then moved off its wall by the
-/// offset stands in front of the other wall by s sin(theta) - offset cos(theta). That is one offset or more,
-/// which is what a ray needs to hit that wall, for s = cot(theta / 2) offset: 8 offsets do for angles
-/// from 14.3 degrees. In a triangle too small for that a point moves by most_inward of a height, no more.
-Weights inward(const Vec3& a, const Vec3& b, const Vec3& c, const Weights& weights, double distance) {
-  if (std::min(weights.a, std::min(weights.b, weights.c)) >= most_inward) return weights;
-  const double distance_by_area = distance / AreaVector(a, b, c).length();
-  const auto least = [&](const Vec3& edge) {  // the distance over the height of that edge
-    return float(std::min(distance_by_area * length(edge), double(most_inward)));
-  };
-  const float wa = std::max(weights.a, least(c - b));
-  const float wb = std::max(weights.b, least(a - c));
-  const float wc = std::max(weights.c, least(b - a));
-  const float sum = wa + wb + wc;
-  return {1 - wb / sum - wc / sum, wb / sum, wc / sum};
-}
 
 Float4 lanes_of(const Vec3& v) { return Float4{v.x, v.y, v.z, 0}; }
 
 /// Interpolates, and stays within the box of the corners: a point of a wall never lies behind the wall beside
 /// it because of rounding.
-Vec3 interpolate(const Vec3& corner_a, const Vec3& corner_b, const Vec3& corner_c, const Weights& weights) {
+Vec3 interpolate(const Vec3& corner_a, const Vec3& corner_b, const Vec3& corner_c,
+                 const TriangleWeights& weights) {
   const Float4 a = lanes_of(corner_a), b = lanes_of(corner_b), c = lanes_of(corner_c);
   const Float4 p = a * weights.a + b * weights.b + c * weights.c;
   const Float4 low = min(min(c, b), a), high = max(max(c, b), a);
@@ -80,7 +54,7 @@ SurfacePoint triangle_point(const Geometry& geometry, std::uint32_t shape, std::
   const Facet& facet = geometry.facet(shape, triangle);
   SurfacePoint point;
   point.offset = facet.offset;
-  point.position = interpolate(a, b, c, inward(a, b, c, {1 - u - v, u, v}, edge_offsets * facet.offset));
+  point.position = interpolate(a, b, c, keep_off_edges(a, b, c, {1 - u - v, u, v}, facet.offset));
   point.geometric_normal = point.shading_normal = facet.normal;
   point.uv = {u, v};
   point.shape = shape;

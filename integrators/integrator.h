@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "core/ray.h"
@@ -10,7 +11,13 @@
 
 namespace twinray {
 
-/// What one sample of a picture starts with.
+/// One sample of a picture: its pixel, and its number within it.
+struct PixelSample {
+  int x = 0, y = 0;
+  std::uint32_t index = 0;
+};
+
+/// What it starts with.
 struct CameraSample {
   Ray ray;  ///< Its direction need not be a unit vector.
   SampleKey key;

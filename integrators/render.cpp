@@ -12,10 +12,10 @@
 
 #include "core/denormals.h"
 #include "core/error.h"
-#include "core/lens.h"
 #include "core/parallel.h"
 #include "core/visible_pixels.h"
 #include "integrators/tiles.h"
+#include "integrators/wave/camera_stage.h"
 
 namespace twinray {
 namespace {
@@ -65,6 +65,8 @@ class Renderer {
         options_(options),
         report_(progress),
         camera_(fit_frame(scene.camera, options.width, options.height)),
+        camera_stage_(camera_,
+                      {options.width, options.height, options.samples, options.sampler, options.seed}),
         visible_pixels_(pixels_with_light(scene, camera_, accelerator.bounds(), options)),
         film_(options.width, options.height, window_of(options)),
         tiles_(spiral_tiles(film_.window(), tile_size)) {
@@ -145,22 +147,12 @@ class Renderer {
   }
 
   void add(std::span<const PixelSample> samples, Tracer& tracer) {
-    std::vector<CameraSample> camera_samples;
-    camera_samples.reserve(samples.size());
-    for (const PixelSample& sample : samples) camera_samples.push_back(camera_sample(sample));
+    std::vector<CameraSample> camera_samples(samples.size());
+    camera_stage_.make(samples, camera_samples);
     std::vector<Rgb> radiances(samples.size());
     integrator_.radiances(camera_samples, options_.sampler, tracer, radiances);
     for (std::size_t i = 0; i < samples.size(); ++i)
       film_.add(0, samples[i].x, samples[i].y, samples[i].index, radiances[i]);
-  }
-
-  CameraSample camera_sample(const PixelSample& sample) const {
-    const SampleKey key{options_.seed, std::uint32_t(sample.x), std::uint32_t(sample.y), sample.index};
-    VertexSampler sampler(options_.sampler, key, 0);
-    const Vec2 in_pixel = options_.samples == 1 ? Vec2{0.5f, 0.5f} : sampler.draw_2d(Purpose::pixel);
-    const Vec2 frame{(float(sample.x) + in_pixel.x) / float(options_.width),
-                     (float(sample.y) + in_pixel.y) / float(options_.height)};
-    return {lens_ray(camera_, frame, sampler), key};
   }
 
   void finish_tile(const PixelRect& tile, std::uint32_t samples, const RayCounts& rays) {
@@ -176,6 +168,7 @@ class Renderer {
   const RenderOptions& options_;
   const std::function<void(const RenderProgress&)>& report_;
   Camera camera_;
+  CameraStage camera_stage_;
   PixelRect visible_pixels_;  ///< All others are black for certain.
   Film film_;
   std::vector<PixelRect> tiles_;

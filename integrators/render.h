@@ -15,12 +15,6 @@
 
 namespace twinray {
 
-/// One sample of a picture: its pixel, and its number within it.
-struct PixelSample {
-  int x = 0, y = 0;
-  std::uint32_t index = 0;
-};
-
 struct RenderOptions {
   int width = 480, height = 360;    ///< Of the full frame, in pixels.
   std::optional<PixelRect> window;  ///< The part of it to render; all if not set.

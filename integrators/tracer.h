@@ -64,6 +64,11 @@ class Tracer {
     note(rays, RayKind::bounce, counts_.bounce);
     closest(rays, hits);
   }
+  /// The visibility along a shadow ray, likewise.
+  Rgb visibility(const Ray& shadow_ray) {
+    note({&shadow_ray, 1}, RayKind::shadow, counts_.shadow);
+    return is_blocked(shadow_ray) ? Rgb{} : Rgb{1, 1, 1};
+  }
   /// The visibility along each shadow ray (core/spawn_ray.h), per channel: white where nothing blocks it.
   /// Valid until the next call.
   std::span<const Rgb> visibilities(std::span<const Ray> shadow_rays);

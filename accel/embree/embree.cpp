@@ -17,7 +17,7 @@
 #include "accel/embree/embree.h"
 #include "accel/embree/leaf.h"
 #include "accel/embree/ray.h"
-#include "accel/instruction_sets.h"
+#include "core/instruction_sets.h"
 
 namespace twinray {
 namespace {

@@ -2,7 +2,7 @@
 // The leaf that Embree calls, compiled once for each instruction set.
 #include "accel/embree/leaf.h"
 
-#include "accel/instruction_sets.h"
+#include "core/instruction_sets.h"
 
 #define HWY_TARGET_INCLUDE "accel/embree/leaf.cpp"
 #include <hwy/foreach_target.h>

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "accel/counting.h"
-#include "accel/instruction_sets.h"
+#include "core/instruction_sets.h"
 #include "accel/wide/scalar.h"
 
 #define HWY_TARGET_INCLUDE "accel/wide/kernel.cpp"

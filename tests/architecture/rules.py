@@ -26,7 +26,8 @@ SOURCE_FOLDERS = (*MAY_INCLUDE, "tests")
 # Outside library: its headers, and the one file or folder that may include them.
 DOORS = {
     "Embree": (r"embree[34]?/", r"accel/embree/"),
-    "Highway and intrinsics": (r"hwy/|\w+intrin\.h", r"accel/|core/denormals\.cpp"),  # denormals: FTZ and DAZ
+    "Highway and intrinsics": (r"hwy/|\w+intrin\.h",  # denormals: FTZ and DAZ
+                               r"accel/|core/(denormals|instruction_sets)\.cpp|integrators/wave/"),
     "Boost": (r"boost/", r"check/exact\.h"),
     "oneTBB": (r"tbb/|oneapi/", r"core/parallel\.cpp"),
     "OpenImageIO": (r"OpenImageIO/", r"io/openimageio_codec\.cpp"),

@@ -97,6 +97,16 @@ TEST_CASE("render is the subcommand that may be left out") {
   CHECK(read_image(folder.file("a.exr")).pixels == read_image(folder.file("b.exr")).pixels);
 }
 
+TEST_CASE("paths one after the other give the picture of the default, and are named in help") {
+  const TemporaryFolder folder;
+  const std::string options = box + small + "-s 3 -l 2 -m 6 ";
+  REQUIRE(run_program(options + "-o " + quoted(folder.file("a.exr"))).exit_code == 0);
+  REQUIRE(run_program(options + "--integrator=path-reference -o " + quoted(folder.file("b.exr"))).exit_code ==
+          0);
+  CHECK(read_image(folder.file("a.exr")).pixels == read_image(folder.file("b.exr")).pixels);
+  CHECK(run_program("render --help").out.find("path-reference") != std::string::npos);
+}
+
 TEST_CASE("adaptive sampling writes its sample rates beside the picture") {
   const TemporaryFolder folder;
   REQUIRE(run_program(box + small + "-s 64 -a 8 0.5 -o " + quoted(folder.file("a.png"))).exit_code == 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private: the instruction sets that kernels are compiled for, and the choice of one. To be included before
+// The instruction sets that kernels are compiled for, and the choice of one. To be included before
 // Highway, which it tells for which of its targets.
 #pragma once
 #include <string>
@@ -12,6 +12,10 @@ namespace twinray {
 
 /// The name of a Highway target for users: "avx512", "avx2", "sse4".
 std::string simd_name(const char* target);
+
+/// The names that BuildOptions::simd may have on this machine: "best", then from the fastest on "avx512",
+/// "avx2" and "sse4" where it has them, and "scalar".
+std::vector<std::string> available_instruction_sets();
 
 /// Throws Error that lists the valid names of this machine.
 [[noreturn]] void throw_no_such_set(const std::string& simd);

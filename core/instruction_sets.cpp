@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "accel/instruction_sets.h"
+#include "core/instruction_sets.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "accel/accelerator.h"
 #include "core/error.h"
 
 namespace twinray {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+#include "core/rgb.h"
+#include "integrators/direct_light.h"
+
+namespace twinray {
+
+/// When a path is given up at random (and its weight raised, so that the mean stays).
+struct Roulette {
+  /// A fixed probability of going on, in (0, 1], from the second bounce on. 0: the path's largest throughput
+  /// component, up to 1, from the fourth bounce on.
+  float continuation = 0;
+
+  /// Whether a path may be given up at a bounce (counted from 1). Light of three bounces is much of a room's:
+  /// paths that end by their throughput before they bring it cost more noise than they save time.
+  bool applies(int bounce) const { return bounce >= (continuation > 0 ? 2 : 4); }
+  /// The probability of going on, in [0, 1].
+  float probability(const Rgb& throughput) const {
+    return continuation > 0 ? continuation : std::min(1.0f, max_component(throughput));
+  }
+};
+
+struct PathOptions {
+  int max_depth = 5;  ///< Scattering events: 0 emission only, 1 direct light, ...; 0 to 100.
+  /// Only light that was scattered first_depth to last_depth times is added up (within max_depth).
+  int first_depth = 0, last_depth = std::numeric_limits<int>::max();
+  DirectMethod direct = DirectMethod::lights;
+  std::uint32_t samples_per_light = 1;  ///< 1 to 65536.
+  Roulette roulette;
+
+  bool counts(int depth) const { return depth >= first_depth && depth <= last_depth; }
+  int depth_limit() const { return std::min(max_depth, last_depth); }
+};
+
+/// Throws Error for options out of range.
+void check(const PathOptions& options);
+
+}  // namespace twinray

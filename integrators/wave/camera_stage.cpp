@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrators/wave/camera_stage.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "core/lens.h"
+
+namespace twinray {
+
+struct CameraStage::Draws {
+  Keys pixel, vertex;
+  Words index;
+  Floats pixel_x, pixel_y, lens_x, lens_y;
+};
+
+CameraStage::Draws& CameraStage::draws_of_this_thread() {
+  static thread_local const auto draws = std::make_unique<Draws>();
+  return *draws;
+}
+
+CameraStage::CameraStage(const Camera& camera, const CameraSampling& sampling, const std::string& simd)
+    : camera_(camera), sampling_(sampling), stages_(wave_stages_of(simd)) {}
+
+void CameraStage::make(std::span<const PixelSample> samples, std::span<CameraSample> made) const {
+  for (std::size_t first = 0; first < samples.size(); first += wave_size) {
+    const std::size_t size = std::min(wave_size, samples.size() - first);
+    make_together(samples.subspan(first, size), made.subspan(first, size));
+  }
+}
+
+CameraSample CameraStage::make_alone(const PixelSample& sample) const {
+  const SampleKey key = key_of(sample);
+  VertexSampler sampler(sampling_.kind, key, 0);
+  const Vec2 in_pixel = sampling_.samples == 1 ? Vec2{0.5f, 0.5f} : sampler.draw_2d(Purpose::pixel);
+  return {lens_ray(camera_, frame_point(sample, in_pixel), sampler), key};
+}
+
+void CameraStage::draw(std::span<const PixelSample> samples, Draws& draws) const {
+  PixelKeys pixel_key;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    draws.pixel.set(i, pixel_key(key_of(samples[i])));
+    draws.index[i] = samples[i].index;
+  }
+  stages_->hash_vertices(draws.pixel, samples.size(), 0, draws.vertex);
+  stages_->draw(draws.vertex, draws.index, samples.size(), {sampling_.kind, Purpose::pixel}, draws.pixel_x,
+                draws.pixel_y);
+  if (camera_.lens_radius != 0)
+    stages_->draw(draws.vertex, draws.index, samples.size(), {sampling_.kind, Purpose::lens}, draws.lens_x,
+                  draws.lens_y);
+}
+
+void CameraStage::make_together(std::span<const PixelSample> samples, std::span<CameraSample> made) const {
+  if (!stages_ || sampling_.samples == 1) {
+    for (std::size_t i = 0; i < samples.size(); ++i) made[i] = make_alone(samples[i]);
+    return;
+  }
+  Draws& draws = draws_of_this_thread();
+  draw(samples, draws);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Vec2 frame = frame_point(samples[i], {draws.pixel_x[i], draws.pixel_y[i]});
+    const Vec2 lens = camera_.lens_radius == 0 ? Vec2{} : square_to_disc({draws.lens_x[i], draws.lens_y[i]});
+    made[i] = {camera_ray(camera_, frame, lens), key_of(samples[i])};
+  }
+}
+
+}  // namespace twinray

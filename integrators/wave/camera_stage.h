@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: the first stage of a wave.
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/camera.h"
+#include "integrators/integrator.h"
+#include "integrators/wave/stages.h"
+
+namespace twinray {
+
+/// Of what the samples are.
+struct CameraSampling {
+  int width = 0, height = 0;  ///< Of the full frame, in pixels.
+  std::uint32_t samples = 1;  ///< Per pixel.
+  SamplerKind kind = SamplerKind::sobol;
+  std::uint64_t seed = 0;
+};
+
+/// Makes the camera rays of samples: through the pixel's centre where it has one sample, else through random
+/// points of it, from random points of the lens.
+class CameraStage {
+ public:
+  /// The camera is that of the whole frame; `simd` is one of available_instruction_sets().
+  CameraStage(const Camera& camera, const CameraSampling& sampling, const std::string& simd = "best");
+  /// made[i] is that of samples[i].
+  void make(std::span<const PixelSample> samples, std::span<CameraSample> made) const;
+
+ private:
+  struct Draws;
+  static Draws& draws_of_this_thread();
+  SampleKey key_of(const PixelSample& sample) const {
+    return {sampling_.seed, std::uint32_t(sample.x), std::uint32_t(sample.y), sample.index};
+  }
+  Vec2 frame_point(const PixelSample& sample, Vec2 in_pixel) const {
+    return {(float(sample.x) + in_pixel.x) / float(sampling_.width),
+            (float(sample.y) + in_pixel.y) / float(sampling_.height)};
+  }
+  CameraSample make_alone(const PixelSample& sample) const;
+  /// The draws of up to wave_size samples.
+  void draw(std::span<const PixelSample> samples, Draws& draws) const;
+  void make_together(std::span<const PixelSample> samples, std::span<CameraSample> made) const;
+
+  const Camera camera_;
+  const CameraSampling sampling_;
+  const std::optional<WaveStages> stages_;
+};
+
+}  // namespace twinray

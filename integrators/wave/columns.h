@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: structures of arrays, in which a wave of paths is kept: number i of each column belongs to path i.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "core/vec.h"
+
+namespace twinray {
+
+/// How many paths grow together, at most: what is known of them, some 500 bytes each, stays in the second
+/// cache.
+inline constexpr std::size_t wave_size = 512;
+
+/// Room behind the last path, so that full vectors can be read and written there.
+inline constexpr std::size_t column_padding = 16;
+
+template <typename T>
+struct alignas(64) Column {
+  T values[wave_size + column_padding];
+
+  T& operator[](std::size_t i) { return values[i]; }
+  const T& operator[](std::size_t i) const { return values[i]; }
+};
+
+using Floats = Column<float>;
+using Words = Column<std::uint32_t>;
+
+/// 64-bit words in halves.
+struct Keys {
+  Words low, high;
+
+  void set(std::size_t i, std::uint64_t key) {
+    low[i] = std::uint32_t(key);
+    high[i] = std::uint32_t(key >> 32);
+  }
+};
+
+/// Vectors, or colours.
+struct Columns3 {
+  Floats x, y, z;
+
+  template <typename Triple>
+  void set(std::size_t i, const Triple& v) {
+    const auto& [a, b, c] = v;
+    x[i] = a;
+    y[i] = b;
+    z[i] = c;
+  }
+  template <typename Triple = Vec3>
+  Triple at(std::size_t i) const {
+    return {x[i], y[i], z[i]};
+  }
+};
+
+}  // namespace twinray

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: direct light in lanes, compiled once for each instruction set: samples of mesh lights and of the
+// hemisphere, what surfaces scatter of them, and their sum.
+#if defined(TWINRAY_WAVE_LIGHT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TWINRAY_WAVE_LIGHT_INL_H
+#undef TWINRAY_WAVE_LIGHT_INL_H
+#else
+#define TWINRAY_WAVE_LIGHT_INL_H
+#endif
+
+#include "integrators/wave/requests.h"
+#include "integrators/wave/surfaces-inl.h"
+#include "integrators/wave/warp-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace twinray::HWY_NAMESPACE {
+
+/// Density per solid angle of points chosen with density 1 / area; in double, since areas may be tiny.
+HWY_ATTR HWY_INLINE hn::Vec<HalfTag> area_to_solid_angle(double area, hn::Vec<HalfTag> distance_squared,
+                                                         hn::Vec<HalfTag> cosine) {
+  const auto projected = hn::Mul(hn::PromoteTo(DoubleTag(), hn::Abs(cosine)), hn::Set(DoubleTag(), area));
+  return hn::DemoteTo(HalfTag(), hn::Div(hn::PromoteTo(DoubleTag(), distance_squared), projected));
+}
+HWY_ATTR HWY_INLINE Lanes area_to_solid_angle(double area, Lanes distance_squared, Lanes cosine) {
+  const HalfTag half;
+  return hn::Combine(
+      FloatTag(),
+      area_to_solid_angle(area, hn::UpperHalf(half, distance_squared), hn::UpperHalf(half, cosine)),
+      area_to_solid_angle(area, hn::LowerHalf(half, distance_squared), hn::LowerHalf(half, cosine)));
+}
+
+HWY_ATTR HWY_INLINE LaneMask emits(EmissionSide side, Lanes cos_front) {
+  const Lanes zero = hn::Zero(FloatTag());
+  if (side == EmissionSide::both) return hn::Ne(cos_front, zero);
+  return side == EmissionSide::front ? hn::Gt(cos_front, zero) : hn::Lt(cos_front, zero);
+}
+
+HWY_ATTR void sample_mesh_light(const Surfaces& surfaces, const MeshLightRequest& light,
+                                LightSamples& samples, std::size_t size) {
+  for (std::size_t i = 0; i < size; i += lane_count) {
+    const Lanes u = load(samples.triangle.u, i), v = load(samples.triangle.v, i);
+    const Lanes half = hn::Mul(splat(0.5f), hn::Min(u, v));
+    const WeightLanes weights = weights_of(hn::Sub(u, half), hn::Sub(v, half));
+    const Lanes3 position = position_of(samples.triangle, samples.point.offset, i, weights);
+    const Lanes3 normal = load(samples.point.normal, i);
+    const Lanes3 between = position - load(surfaces.point.position, i);
+    const Lanes squared = dot(between, between);
+    const Lanes3 direction = between / hn::Sqrt(squared);
+    const Lanes cos_front = hn::Neg(dot(normal, direction));
+    const LaneMask arrives = hn::And(is_positive_and_finite(squared), emits(light.side, cos_front));
+    const Lanes3 origin = leave_surface(surfaces.point, i, between);
+    const Lanes3 target = leave_surface(position, normal, load(samples.point.offset, i), -between);
+    store(zero_unless(arrives, direction), samples.direction, i);
+    store(zero_unless(arrives, splat(light.radiance.r, light.radiance.g, light.radiance.b)), samples.radiance,
+          i);
+    store(area_to_solid_angle(light.area, squared, cos_front), samples.pdf, i);
+    store(origin, samples.origin, i);
+    store(target - origin, samples.towards, i);
+    store(splat(1), samples.t_max, i);
+  }
+}
+
+HWY_ATTR void sample_hemisphere(const Surfaces& surfaces, LightSamples& samples, std::size_t size) {
+  for (std::size_t i = 0; i < size; i += lane_count) {
+    const Lanes3 local = square_to_uniform_hemisphere(load(samples.ux, i), load(samples.uy, i));
+    const Lanes3 direction = to_world(load(surfaces.shading, i), local);
+    store(direction, samples.direction, i);
+    store(splat(1, 1, 1), samples.radiance, i);
+    store(splat(1), samples.pdf, i);
+    store(leave_surface(surfaces.point, i, direction), samples.origin, i);
+    store(direction, samples.towards, i);
+    store(splat(std::numeric_limits<float>::infinity()), samples.t_max, i);
+  }
+}
+
+/// The indices of the lanes in the mask, from i on, written behind the first `count` of a list.
+HWY_ATTR HWY_INLINE std::size_t append(LaneMask mask, std::size_t i, Words& list, std::size_t count) {
+  const WordLanes indices = hn::Iota(WordTag(), std::uint32_t(i));
+  return count +
+         hn::CompressBlendedStore(indices, hn::RebindMask(WordTag(), mask), WordTag(), list.values + count);
+}
+
+HWY_ATTR void scatter_light(const Surfaces& surfaces, const LightSamples& samples, std::size_t size,
+                            Connections& connections) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < size; i += lane_count) {
+    const Lanes3 direction = load(samples.direction, i);
+    const Lanes z = dot(direction, load(surfaces.shading, i));
+    const LaneMask reflects =
+        hn::And(is_consistent(surfaces, i, direction), is_positive(hn::Mul(load(surfaces.wo_z, i), z)));
+    const Lanes3 scattered =
+        zero_unless(reflects, bsdf(surfaces, i) * hn::Abs(z)) * load(samples.radiance, i);
+    const LaneMask counts = hn::And(is_not_black(scattered), within(i, size));
+    store(zero_unless(counts, scattered), connections.scattered, i);
+    count = append(counts, i, connections.surface, count);
+  }
+  connections.size = count;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = connections.surface[k];
+    connections.rays[k] = {.origin = samples.origin.at(i),
+                           .direction = samples.towards.at(i),
+                           .t_min = 0,
+                           .t_max = samples.t_max[i]};
+  }
+}
+
+HWY_ATTR void add_connections(const LightSamples& samples, std::size_t size, Connections& connections) {
+  for (std::size_t i = 0; i < size; i += lane_count) {
+    const Lanes3 scattered = load(connections.scattered, i);
+    const Lanes3 term = scattered * load(connections.arriving, i) / load(samples.pdf, i);
+    store(load(connections.of_light, i) + zero_unless(is_not_black(scattered), term), connections.of_light,
+          i);
+  }
+}
+
+}  // namespace twinray::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrators/wave/path_wave.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/octahedron.h"
+#include "core/warp.h"
+
+namespace twinray {
+
+PathWave::PathWave(const WaveContext& context, SamplerKind kind, Tracer& tracer, Wave& wave,
+                   std::span<const CameraSample> samples, std::span<Rgb> estimates)
+    : context_(context),
+      stages_(context.stages),
+      kind_(kind),
+      tracer_(tracer),
+      wave_(wave),
+      paths_(wave.paths),
+      surfaces_(wave.surfaces),
+      light_(wave.light),
+      connections_(wave.connections),
+      samples_(samples),
+      estimates_(estimates) {}
+
+void PathWave::trace() {
+  start();
+  const std::span<const Ray> rays(wave_.rays);
+  const std::span<Hit> hits(wave_.hits);
+  tracer_.camera_hits(rays.first(paths_.size), hits.first(paths_.size));
+  for (;; ++depth_) {
+    tracer_.arrive();
+    if (depth_ == 0 && context_.options.counts(0)) add_emission();
+    if (depth_ >= context_.options.depth_limit()) return;
+    drop_misses();
+    if (paths_.size == 0) return;
+    arrive();
+    if (context_.options.counts(depth_ + 1)) add_direct_light();
+    // The ray after the last surface could only hit emission that direct light has counted.
+    if (depth_ + 1 >= context_.options.depth_limit() || !scatter()) return;
+    tracer_.bounce_hits(rays.first(paths_.size), hits.first(paths_.size));
+  }
+}
+
+void PathWave::start() {
+  paths_.size = samples_.size();
+  PixelKeys pixel_key;
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    estimates_[i] = {};
+    paths_.sample[i] = std::uint32_t(i);
+    paths_.pixel.set(i, pixel_key(samples_[i].key));
+    paths_.index[i] = samples_[i].key.index;
+    paths_.throughput.set(i, Rgb{1, 1, 1});
+    paths_.direction.set(i, samples_[i].ray.direction);
+    wave_.rays[i] = samples_[i].ray;
+  }
+}
+
+void PathWave::add_emission() {
+  const LightSet& lights = context_.transport.lights;
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    const Hit& hit = wave_.hits[i];
+    if (!hit.is_miss() && !context_.shapes[hit.mesh].emits) continue;
+    const Vec3 direction = normalize(paths_.direction.at(i));
+    const Rgb radiance =
+        hit.is_miss() ? lights.background(direction)
+                      : lights.emitted(surface_at(*context_.transport.scene.geometry, hit), -direction);
+    estimates_[i] += Rgb{1, 1, 1} * radiance;
+  }
+}
+
+void PathWave::drop_misses() {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    wave_.kept[kept] = std::uint32_t(i);
+    kept += !wave_.hits[i].is_miss();
+  }
+  if (kept == paths_.size) return;
+  for (std::size_t k = 0; k < kept; ++k) wave_.hits[k] = wave_.hits[wave_.kept[k]];
+  compact(kept);
+}
+
+void PathWave::arrive() {
+  expand_hits();
+  stages_.find_points(surfaces_, paths_.size);
+  place_spheres();
+  stages_.find_interactions(paths_, surfaces_);
+  stages_.hash_vertices(paths_.pixel, paths_.size, std::uint32_t(depth_) + 1, surfaces_.vertex);
+}
+
+namespace {
+
+/// How many hits ahead memory is asked for what a hit is expanded from: for the triangle, and once that is
+/// there for its corners.
+constexpr std::size_t triangle_ahead = 16, corners_ahead = 8;
+
+void prefetch_triangle(const ShapeEntry& shape, std::uint32_t triangle) {
+  if (!shape.positions) return;
+  __builtin_prefetch(shape.triangles + triangle);
+  __builtin_prefetch(shape.facets + triangle);
+  if (shape.normals) __builtin_prefetch(shape.normal_indices + triangle);
+}
+
+void prefetch_corners(const ShapeEntry& shape, std::uint32_t triangle) {
+  if (!shape.positions) return;
+  for (const std::uint32_t corner : shape.triangles[triangle]) __builtin_prefetch(shape.positions + corner);
+  if (shape.normals)
+    for (const std::uint32_t corner : shape.normal_indices[triangle])
+      __builtin_prefetch(shape.normals + corner);
+}
+
+/// The corners of a triangle, for position `i` of the columns.
+void gather_corners(const Vec3* positions, const Triangle& triangle, TrianglePoints& points, std::size_t i) {
+  points.a.set(i, positions[triangle[0]]);
+  points.b.set(i, positions[triangle[1]]);
+  points.c.set(i, positions[triangle[2]]);
+}
+
+void gather_facet(const Facet& facet, Points& points, std::size_t i) {
+  points.normal.set(i, facet.normal);
+  points.offset[i] = facet.offset;
+}
+
+}  // namespace
+
+void PathWave::expand_hits() {
+  const auto ahead = [&](std::size_t i) -> const Hit& { return wave_.hits[std::min(i, paths_.size - 1)]; };
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    const Hit &hit = wave_.hits[i], &later = ahead(i + triangle_ahead), &next = ahead(i + corners_ahead);
+    prefetch_triangle(context_.shapes[later.mesh], later.primitive);
+    prefetch_corners(context_.shapes[next.mesh], next.primitive);
+    const ShapeEntry& shape = context_.shapes[hit.mesh];
+    surfaces_.reflectance.set(i, shape.reflectance);
+    surfaces_.triangle.u[i] = hit.u;
+    surfaces_.triangle.v[i] = hit.v;
+    if (!shape.positions) continue;
+    gather_corners(shape.positions, shape.triangles[hit.primitive], surfaces_.triangle, i);
+    gather_facet(shape.facets[hit.primitive], surfaces_.point, i);
+    if (shape.normals) {
+      const auto& [a, b, c] = shape.normal_indices[hit.primitive];
+      surfaces_.normal_a.set(i, shape.normals[a]);
+      surfaces_.normal_b.set(i, shape.normals[b]);
+      surfaces_.normal_c.set(i, shape.normals[c]);
+    } else {
+      for (Columns3* const normal : {&surfaces_.normal_a, &surfaces_.normal_b, &surfaces_.normal_c})
+        normal->set(i, Vec3{});
+    }
+  }
+}
+
+void PathWave::place_spheres() {
+  const Geometry& geometry = *context_.transport.scene.geometry;
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    const Hit& hit = wave_.hits[i];
+    if (context_.shapes[hit.mesh].positions) continue;
+    const SurfacePoint point = surface_at(geometry, hit);
+    surfaces_.point.position.set(i, point.position);
+    surfaces_.point.normal.set(i, point.geometric_normal);
+    surfaces_.point.offset[i] = point.offset;
+    surfaces_.shading.set(i, point.shading_normal);
+  }
+}
+
+void PathWave::add_direct_light() {
+  std::fill_n(connections_.sum.x.values, paths_.size, 0.0f);
+  std::fill_n(connections_.sum.y.values, paths_.size, 0.0f);
+  std::fill_n(connections_.sum.z.values, paths_.size, 0.0f);
+  if (context_.transport.method == DirectMethod::lights)
+    add_lights();
+  else
+    add_hemisphere();
+  for (std::size_t i = 0; i < paths_.size; ++i)
+    estimates_[paths_.sample[i]] += paths_.throughput.at<Rgb>(i) * connections_.sum.at<Rgb>(i);
+}
+
+void PathWave::add_lights() {
+  for (std::uint32_t light = 0; light < context_.transport.lights.size(); ++light) {
+    sample_light(light);
+    const float count = float(context_.transport.samples_of(light));
+    for (std::size_t i = 0; i < paths_.size; ++i)
+      connections_.sum.set(i, connections_.sum.at<Rgb>(i) + connections_.of_light.at<Rgb>(i) / count);
+  }
+}
+
+void PathWave::draw(Purpose purpose, std::uint32_t part, std::uint32_t parts, std::uint32_t stream, Floats& x,
+                    Floats& y) {
+  stages_.draw(surfaces_.vertex, paths_.index, paths_.size, {kind_, purpose, part, parts, stream}, x, y);
+}
+
+void PathWave::sample_light(std::uint32_t light) {
+  for (Floats* const column : {&connections_.of_light.x, &connections_.of_light.y, &connections_.of_light.z})
+    std::fill_n(column->values, paths_.size, 0.0f);
+  const auto* mesh = std::get_if<MeshLight>(&context_.transport.lights.light(light).source);
+  if (mesh && context_.transport.lights.triangles(light).total() == 0) return;
+  const std::uint32_t count = context_.transport.samples_of(light);
+  for (std::uint32_t part = 0; part < count; ++part) {
+    draw(Purpose::light_point, part, count, light, light_.ux, light_.uy);
+    if (mesh)
+      sample_mesh_light(light, *mesh);
+    else
+      sample_other_light(light);
+    stages_.scatter_light(surfaces_, light_, paths_.size, connections_);
+    connect();
+    stages_.add_connections(light_, paths_.size, connections_);
+  }
+}
+
+void PathWave::sample_mesh_light(std::uint32_t light, const MeshLight& mesh) {
+  const Distribution& triangles = context_.transport.lights.triangles(light);
+  const ShapeEntry& shape = context_.shapes[mesh.shape];
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    const Distribution::Choice choice = triangles.sample(light_.ux[i]);
+    light_.triangle.u[i] = choice.remainder;
+    light_.triangle.v[i] = light_.uy[i];
+    gather_corners(shape.positions, shape.triangles[choice.index], light_.triangle, i);
+    gather_facet(shape.facets[choice.index], light_.point, i);
+  }
+  stages_.sample_mesh_light(surfaces_, {mesh.radiance, mesh.side, triangles.total()}, light_, paths_.size);
+}
+
+void PathWave::sample_other_light(std::uint32_t light) {
+  SurfacePoint from;
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    from.position = surfaces_.point.position.at(i);
+    from.geometric_normal = surfaces_.point.normal.at(i);
+    from.offset = surfaces_.point.offset[i];
+    const LightSample sample = context_.transport.lights.sample(light, from, {light_.ux[i], light_.uy[i]});
+    light_.direction.set(i, sample.direction);
+    light_.radiance.set(i, sample.radiance);
+    light_.pdf[i] = sample.pdf;
+    light_.origin.set(i, sample.shadow_ray.origin);
+    light_.towards.set(i, sample.shadow_ray.direction);
+    light_.t_max[i] = sample.shadow_ray.t_max;
+  }
+}
+
+void PathWave::connect() {
+  const std::span<const Rgb> visible =
+      tracer_.visibilities(std::span(connections_.rays).first(connections_.size));
+  for (std::size_t k = 0; k < connections_.size; ++k)
+    connections_.arriving.set(connections_.surface[k], visible[k]);
+}
+
+void PathWave::add_hemisphere() {
+  const std::uint32_t count = context_.transport.directions();
+  if (count == 0) return;
+  for (Floats* const column : {&connections_.of_light.x, &connections_.of_light.y, &connections_.of_light.z})
+    std::fill_n(column->values, paths_.size, 0.0f);
+  for (std::uint32_t part = 0; part < count; ++part) {
+    draw(Purpose::light_point, part, count, 0, light_.ux, light_.uy);
+    stages_.sample_hemisphere(surfaces_, light_, paths_.size);
+    stages_.scatter_light(surfaces_, light_, paths_.size, connections_);
+    const std::span<Hit> hits = std::span(connections_.hits).first(connections_.size);
+    tracer_.bounce_hits(std::span(connections_.rays).first(connections_.size), hits);
+    for (std::size_t k = 0; k < connections_.size; ++k)
+      connections_.arriving.set(connections_.surface[k],
+                                lamp_radiance(context_.transport, hits[k], connections_.rays[k].direction));
+    stages_.add_connections(light_, paths_.size, connections_);
+  }
+  const float divisor = float(count) * uniform_hemisphere_pdf();
+  for (std::size_t i = 0; i < paths_.size; ++i)
+    connections_.sum.set(i, connections_.of_light.at<Rgb>(i) / divisor);
+}
+
+bool PathWave::scatter() {
+  draw(Purpose::direction, 0, 1, 0, wave_.ux, wave_.uy);
+  std::size_t kept = stages_.scatter_paths(surfaces_, wave_);
+  if (context_.options.roulette.applies(depth_ + 1)) kept = play_roulette(kept);
+  for (std::size_t k = 0; k < kept; ++k) {
+    const std::size_t i = wave_.kept[k];
+    wave_.rays[k] = {.origin = wave_.origin.at(i), .direction = paths_.direction.at(i)};
+  }
+  compact(kept);
+  return kept > 0;
+}
+
+std::size_t PathWave::play_roulette(std::size_t kept) {
+  const Roulette& roulette = context_.options.roulette;
+  draw(Purpose::roulette, 0, 1, 0, wave_.ux, wave_.uy);
+  std::size_t surviving = 0;
+  for (std::size_t k = 0; k < kept; ++k) {
+    const std::size_t i = wave_.kept[k];
+    const Rgb throughput = paths_.throughput.at<Rgb>(i);
+    const float probability = roulette.probability(throughput);
+    if (probability < 1) {
+      if (wave_.ux[i] >= probability) continue;
+      paths_.throughput.set(i, throughput / probability);
+    }
+    wave_.kept[surviving++] = std::uint32_t(i);
+  }
+  return surviving;
+}
+
+void PathWave::compact(std::size_t kept) {
+  if (kept != paths_.size) {
+    const auto compact_column = [&](auto& column) {
+      for (std::size_t k = 0; k < kept; ++k) column[k] = column[wave_.kept[k]];
+    };
+    for (Words* const column : {&paths_.sample, &paths_.pixel.low, &paths_.pixel.high, &paths_.index})
+      compact_column(*column);
+    for (Columns3* const columns : {&paths_.throughput, &paths_.direction}) {
+      compact_column(columns->x);
+      compact_column(columns->y);
+      compact_column(columns->z);
+    }
+  }
+  paths_.size = kept;
+}
+
+}  // namespace twinray

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: how the stages of a wave follow each other.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "integrators/direct_light.h"
+#include "integrators/integrator.h"
+#include "integrators/path_options.h"
+#include "integrators/wave/shape_table.h"
+#include "integrators/wave/stages.h"
+#include "integrators/wave/wave.h"
+
+namespace twinray {
+
+/// What all waves of a render share.
+struct WaveContext {
+  const WaveStages& stages;
+  const PathOptions& options;
+  LightTransport transport;
+  std::span<const ShapeEntry> shapes;
+};
+
+/// The paths of up to wave_size samples, grown together vertex by vertex: all of them to their next surfaces,
+/// then their shadow rays, then their bounce rays. The terms of each path are added in the order that they
+/// would have if it were traced alone, so the estimates have the bits of PathReference.
+class PathWave {
+ public:
+  /// All must outlive the wave; estimates[i] is that of samples[i].
+  PathWave(const WaveContext& context, SamplerKind kind, Tracer& tracer, Wave& wave,
+           std::span<const CameraSample> samples, std::span<Rgb> estimates);
+  void trace();
+
+ private:
+  void start();
+  /// Adds what the hits of camera rays emit, and what those that miss see.
+  void add_emission();
+  /// Takes the paths out that have hit nothing.
+  void drop_misses();
+  void arrive();
+  void expand_hits();
+  void place_spheres();
+  void add_direct_light();
+  void add_lights();
+  void add_hemisphere();
+  void draw(Purpose purpose, std::uint32_t part, std::uint32_t parts, std::uint32_t stream, Floats& x,
+            Floats& y);
+  void sample_light(std::uint32_t light);
+  void sample_mesh_light(std::uint32_t light, const MeshLight& mesh);
+  void sample_other_light(std::uint32_t light);
+  void connect();
+  bool scatter();
+  std::size_t play_roulette(std::size_t kept);
+  void compact(std::size_t kept);
+
+  const WaveContext& context_;
+  const WaveStages& stages_;
+  const SamplerKind kind_;
+  Tracer& tracer_;
+  Wave& wave_;
+  Paths& paths_;
+  Surfaces& surfaces_;
+  LightSamples& light_;
+  Connections& connections_;
+  std::span<const CameraSample> samples_;
+  std::span<Rgb> estimates_;
+  int depth_ = 0;  ///< Scattering events before the current rays.
+};
+
+}  // namespace twinray

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: where paths go on, in lanes, compiled once for each instruction set.
+#if defined(TWINRAY_WAVE_SCATTER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TWINRAY_WAVE_SCATTER_INL_H
+#undef TWINRAY_WAVE_SCATTER_INL_H
+#else
+#define TWINRAY_WAVE_SCATTER_INL_H
+#endif
+
+#include "integrators/wave/light-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace twinray::HWY_NAMESPACE {
+
+HWY_ATTR std::size_t scatter_paths(const Surfaces& surfaces, Wave& wave) {
+  Paths& paths = wave.paths;
+  const Lanes zero = hn::Zero(FloatTag());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < paths.size; i += lane_count) {
+    const Lanes3 local = square_to_cosine_hemisphere(load(wave.ux, i), load(wave.uy, i));
+    const Lanes pdf = hn::Div(hn::Max(zero, local.z), splat(pi));
+    const Lanes3 wi = to_world(load(surfaces.shading, i), local);
+    const Lanes3 throughput = load(paths.throughput, i) * bsdf(surfaces, i) * hn::Div(hn::Abs(local.z), pdf);
+    const LaneMask is_scattered =
+        hn::And(hn::And(is_not_black(load(surfaces.reflectance, i)), is_positive(local.z)),
+                hn::And(hn::Ne(load(surfaces.wo_z, i), zero), hn::Ne(pdf, zero)));
+    const LaneMask goes_on = hn::And(hn::And(is_scattered, is_consistent(surfaces, i, wi)),
+                                     hn::And(is_not_black(throughput), within(i, paths.size)));
+    store(throughput, paths.throughput, i);
+    store(wi, paths.direction, i);
+    store(leave_surface(surfaces.point, i, wi), wave.origin, i);
+    kept = append(goes_on, i, wave.kept, kept);
+  }
+  return kept;
+}
+
+}  // namespace twinray::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

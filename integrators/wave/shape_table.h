@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: what a wave reads of a scene's shapes, side by side.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/rgb.h"
+#include "core/scene.h"
+
+namespace twinray {
+
+/// A shape as its hits are expanded; pointers into the scene.
+struct ShapeEntry {
+  const Vec3* positions = nullptr;  ///< Null for a set of spheres.
+  const Triangle* triangles = nullptr;
+  const Vec3* normals = nullptr;  ///< Null where a mesh has none.
+  const Triangle* normal_indices = nullptr;
+  const Facet* facets = nullptr;
+  Rgb reflectance;
+  bool emits = false;
+};
+
+/// One entry for each shape of the scene, which must outlive them.
+std::vector<ShapeEntry> shape_table(const Scene& scene);
+
+}  // namespace twinray

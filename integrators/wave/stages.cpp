@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stages of a wave, compiled once for each instruction set.
+#include "integrators/wave/stages.h"
+
+#include "core/instruction_sets.h"
+
+#define HWY_TARGET_INCLUDE "integrators/wave/stages.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#include "integrators/wave/draws-inl.h"
+#include "integrators/wave/light-inl.h"
+#include "integrators/wave/scatter-inl.h"
+#include "integrators/wave/surfaces-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace twinray::HWY_NAMESPACE {
+namespace {
+
+WaveStages stages() {
+  return {simd_name(hwy::TargetName(HWY_TARGET)),
+          hash_vertices,
+          draw,
+          find_points,
+          find_interactions,
+          sample_mesh_light,
+          sample_hemisphere,
+          scatter_light,
+          add_connections,
+          scatter_paths};
+}
+
+}  // namespace
+}  // namespace twinray::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
+
+#if HWY_ONCE
+namespace twinray {
+
+std::vector<WaveStages> wave_stages() {
+  std::vector<WaveStages> stages;
+  [[maybe_unused]] const auto supported = hwy::SupportedTargets();
+#if HWY_TARGETS & HWY_AVX3
+  if (supported & HWY_AVX3) stages.push_back(N_AVX3::stages());
+#endif
+#if HWY_TARGETS & HWY_AVX2
+  if (supported & HWY_AVX2) stages.push_back(N_AVX2::stages());
+#endif
+#if HWY_TARGETS & HWY_SSE4
+  if (supported & HWY_SSE4) stages.push_back(N_SSE4::stages());
+#endif
+#if HWY_TARGETS & HWY_NEON
+  if (supported & HWY_NEON) stages.push_back(N_NEON::stages());
+#endif
+  return stages;
+}
+
+std::optional<WaveStages> wave_stages_of(const std::string& simd) {
+  const std::vector<WaveStages> all = wave_stages();
+  if (simd == "scalar" || all.empty()) return std::nullopt;
+  return chosen(all, simd);
+}
+
+}  // namespace twinray
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: the stages of a wave that run in lanes, compiled once for each instruction set. Each gives the
+// bits of the scalar code that it names, for the first `size` paths.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "integrators/wave/requests.h"
+#include "integrators/wave/wave.h"
+
+namespace twinray {
+
+struct WaveStages {
+  std::string name;  ///< Of the instruction set: "avx512", "avx2", "sse4".
+  /// Keys of pixels -> keys of a vertex: VertexSampler's.
+  void (*hash_vertices)(const Keys& pixels, std::size_t size, std::uint32_t vertex, Keys& vertices);
+  /// Keys of a vertex, indices of samples -> draws in the unit square.
+  void (*draw)(const Keys& vertices, const Words& index, std::size_t size, const DrawRequest&, Floats& x,
+               Floats& y);
+  /// Surfaces::triangle, normal_a, b, c -> point.position, shading: triangle_point and the shading normal.
+  void (*find_points)(Surfaces&, std::size_t size);
+  /// Surfaces -> shading, facing, wo_z: Interaction.
+  void (*find_interactions)(const Paths&, Surfaces&);
+  /// LightSamples::triangle (u and v in the unit square), point.normal, point.offset -> the rest of them:
+  /// LightSet::sample of a mesh light.
+  void (*sample_mesh_light)(const Surfaces&, const MeshLightRequest&, LightSamples&, std::size_t size);
+  /// Draws -> directions, with the radiance 1: uniform in the hemisphere.
+  void (*sample_hemisphere)(const Surfaces&, LightSamples&, std::size_t size);
+  /// LightSamples -> Connections::scattered, size, surface, rays: Interaction::scattered times the radiance.
+  void (*scatter_light)(const Surfaces&, const LightSamples&, std::size_t size, Connections&);
+  /// Connections::scattered * arriving / pdf, added to of_light.
+  void (*add_connections)(const LightSamples&, std::size_t size, Connections&);
+  /// Draws of a direction -> throughput, direction, origin, kept: Bsdf::sample and spawn_ray. The paths are
+  /// not compacted yet. Returns how many are kept.
+  std::size_t (*scatter_paths)(const Surfaces&, Wave&);
+};
+
+/// Those that this machine can run, the fastest first; none where it has no such instruction set.
+std::vector<WaveStages> wave_stages();
+
+/// Those of one of available_instruction_sets(); none for "scalar", or where this machine has no lanes.
+std::optional<WaveStages> wave_stages_of(const std::string& simd);
+
+}  // namespace twinray

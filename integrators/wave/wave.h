@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: what is known of a wave of paths that have the same number of vertices.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/hit.h"
+#include "core/ray.h"
+#include "core/rgb.h"
+#include "core/sampler.h"
+#include "integrators/wave/columns.h"
+
+namespace twinray {
+
+/// Hashes of seed and pixel, PathKey::pixel: those of neighbouring samples are often the same.
+class PixelKeys {
+ public:
+  std::uint64_t operator()(const SampleKey& sample) {
+    if (sample.x != last_.x || sample.y != last_.y || sample.seed != last_.seed || is_first_) {
+      pixel_ = PathKey(sample).pixel;
+      last_ = sample;
+      is_first_ = false;
+    }
+    return pixel_;
+  }
+
+ private:
+  SampleKey last_;
+  std::uint64_t pixel_ = 0;
+  bool is_first_ = true;
+};
+
+/// Paths on their way. Written by the camera, compacted by whatever ends paths.
+struct Paths {
+  std::size_t size = 0;
+  Words sample;         ///< Which of the wave's samples.
+  Keys pixel;           ///< PathKey::pixel.
+  Words index;          ///< PathKey::index.
+  Columns3 throughput;  ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
+  Columns3 direction;   ///< Of the current ray, of any length.
+};
+
+/// Points of triangles, before they are worked out.
+struct TrianglePoints {
+  Columns3 a, b, c;  ///< Corners.
+  Floats u, v;       ///< Weights of b and c.
+};
+
+/// Where points lie on surfaces, as SurfacePoint has it.
+struct Points {
+  Columns3 position;
+  Columns3 normal;  ///< The geometric one.
+  Floats offset;
+};
+
+/// The surfaces that the paths have come to: an Interaction each.
+struct Surfaces {
+  TrianglePoints triangle;
+  Columns3 normal_a, normal_b, normal_c;  ///< At the corners; zero without.
+  Points point;
+  Columns3 shading;  ///< First the interpolated normal, then the one of the frame, on the viewer's side.
+  Floats facing;     ///< 1, or -1 where the geometric normal looks away from the viewer.
+  Floats wo_z;       ///< Cosine of the direction to the viewer and the shading normal.
+  Columns3 reflectance;
+  Keys vertex;  ///< What the draws at the surface are hashed from.
+};
+
+/// Light that may arrive at each surface: a LightSample each, its shadow ray in parts.
+struct LightSamples {
+  Floats ux, uy;            ///< The draws.
+  TrianglePoints triangle;  ///< Of a mesh light: on it.
+  Points point;
+  Columns3 direction;
+  Columns3 radiance;
+  Floats pdf;
+  Columns3 origin, towards;
+  Floats t_max;
+};
+
+/// What of it is scattered to the viewer.
+struct Connections {
+  Columns3 scattered;      ///< f L |cos|; zero where nothing is.
+  std::size_t size = 0;    ///< How many are not black:
+  Words surface;           ///< the surface of each of those, in order,
+  std::vector<Ray> rays;   ///< and its ray towards the light.
+  std::vector<Hit> hits;   ///< What these hit, by hemisphere sampling.
+  Columns3 arriving;       ///< Visibility, or the radiance that was found; for each surface.
+  Columns3 of_light, sum;  ///< Added up so far, for each surface.
+};
+
+/// All of it, for one thread.
+struct Wave {
+  Paths paths;
+  Surfaces surfaces;
+  LightSamples light;
+  Connections connections;
+  Floats ux, uy;          ///< Draws of a direction, or of roulette.
+  Words kept;             ///< The paths that go on.
+  Columns3 origin;        ///< Of their rays.
+  std::vector<Ray> rays;  ///< Of the paths, as accelerators take them.
+  std::vector<Hit> hits;
+};
+
+}  // namespace twinray

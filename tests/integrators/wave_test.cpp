@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Waves of paths against the path tracer that traces one after the other: every bit, every ray.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/instruction_sets.h"
+#include "integrators/path.h"
+#include "integrators/path_reference.h"
+#include "integrators/wave/camera_stage.h"
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+#include "tests/support/scenes.h"
+#include "tests/support/shapes.h"
+
+namespace twinray::test {
+namespace {
+
+/// A picture of random colours, some of them black.
+std::shared_ptr<const Image> random_sky() {
+  auto map = std::make_shared<Image>(8, 4);
+  Random random(5);
+  for (Rgb& pixel : map->pixels) pixel = {random.below(3) == 0 ? 0 : random.unit(), random.unit(), 0.25f};
+  return map;
+}
+
+/// Corner normals that contradict the geometry here and there.
+void add_normals(Mesh& mesh) {
+  Random random(11);
+  for (const Triangle& triangle : mesh.triangles) {
+    const auto first = std::uint32_t(mesh.normals.size());
+    for (int corner = 0; corner < 3; ++corner) mesh.normals.push_back(normalize(random.in_ball()));
+    mesh.normal_indices.push_back({first, first + 1, first + 2});
+    static_cast<void>(triangle);
+  }
+}
+
+/// Random triangles of which many lie close to an edge of another, spheres, and a light of every kind.
+Scene scene_of_everything() {
+  Mesh mesh = soup(60, 0.7f, 3);
+  add_normals(mesh);
+  Scene scene = scene_of(std::move(mesh), {0.8f, 0.7f, 0}, {0, 0.3f, 3}, {0, 0, 0});
+  add_lamp(scene, floor_square(0.5f, 1.2f), {3, 2, 1}, EmissionSide::both);
+  add_lamp(scene, floor_square(0.25f, -0.9f), {1, 2, 3}, EmissionSide::front);
+  add_lamp(scene, inward_box(1.7f), {0.1f, 0.1f, 0.2f}, EmissionSide::back);
+  add_lamp(scene, SphereSet{"ball", {{{0.3f, 0.8f, 0.4f}, 0.2f}}}, {2, 2, 2}, EmissionSide::front);
+  add_light(scene, PointLight{{0.3f, 0.2f, 0.1f}, {1, 2, 3}, {}});
+  add_light(scene, SpotLight{{0, 1, 0}, {0, -1, 0}, {4, 4, 4}, {}, 70, 2});
+  add_light(scene, DirectionalLight{normalize({1, -2, -1}), {0.5f, 0.5f, 0.4f}});
+  add_light(scene, AmbientLight{{0, 1, 0}, {0.1f, 0.2f, 0.1f}});
+  add_light(scene, EnvironmentLight{random_sky()});
+  return scene;
+}
+
+std::vector<CameraSample> samples_of(const Scene& scene, std::uint32_t count) {
+  const Camera camera = fit_frame(scene.camera, 4, 3);
+  std::vector<CameraSample> samples;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Vec2 frame{(float(i % 50) + 0.5f) / 50, (float(i / 50 % 40) + 0.5f) / 40};
+    samples.push_back({camera_ray(camera, frame, {}), {7, i % 50, i / 50, i * 2654435761u}});
+  }
+  return samples;
+}
+
+const PathOptions cases[] = {{},
+                             {.max_depth = 0},
+                             {.max_depth = 1},
+                             {.max_depth = 12},
+                             {.max_depth = 3, .samples_per_light = 5},
+                             {.max_depth = 4, .first_depth = 2, .last_depth = 3},
+                             {.max_depth = 6, .roulette = {0.6f}},
+                             {.max_depth = 6, .samples_per_light = 65536 / 64, .roulette = {1e-3f}},
+                             {.max_depth = 3, .direct = DirectMethod::hemisphere, .samples_per_light = 2},
+                             {.max_depth = 1, .direct = DirectMethod::hemisphere}};
+
+/// Checks that waves have the bits and the rays of the reference for every sampler and instruction set.
+void check_bits(const Scene& scene, const PathOptions& options, std::uint32_t count) {
+  const auto accelerator = build_accelerator(Backend::bvh, scene.geometry);
+  const std::vector<CameraSample> samples = samples_of(scene, count);
+  const PathReference reference(scene, options);
+  for (const SamplerKind kind : {SamplerKind::sobol, SamplerKind::independent}) {
+    std::vector<Rgb> expected(count);
+    Tracer alone(*accelerator, true);
+    reference.radiances(samples, kind, alone, expected);
+    for (const std::string& simd : available_instruction_sets()) {
+      CAPTURE(simd, sampler_name(kind), options.max_depth, options.samples_per_light);
+      std::vector<Rgb> found(count);
+      Tracer together(*accelerator, true);
+      PathIntegrator(scene, options, simd).radiances(samples, kind, together, found);
+      std::size_t first = 0;
+      while (first < count && found[first] == expected[first]) ++first;
+      CHECK(first == count);
+      CHECK(together.counts() == alone.counts());
+    }
+  }
+}
+
+/// Samples of a few pixels, some of them in one order and some in another.
+std::vector<PixelSample> pixel_samples() {
+  std::vector<PixelSample> samples;
+  for (int i = 0; i < 1500; ++i) samples.push_back({i / 7 % 64, i / 300, std::uint32_t(i % 7)});
+  return samples;
+}
+
+}  // namespace
+
+TEST_CASE("waves of paths have the bits and the rays of paths one after the other") {
+  const Scene everything = scene_of_everything();
+  const Scene room = small_room();
+  for (const PathOptions& options : cases) {
+    const std::uint32_t count = options.samples_per_light > 100 ? 20 : 2100;
+    check_bits(everything, options, count);
+    check_bits(room, options, count);
+  }
+}
+
+TEST_CASE("camera rays made together have the bits of each alone") {
+  Camera camera = fit_frame(small_room().camera, 64, 48);
+  const std::vector<PixelSample> pixels = pixel_samples();
+  for (const float lens_radius : {0.0f, 0.2f})
+    for (const SamplerKind kind : {SamplerKind::sobol, SamplerKind::independent}) {
+      camera.lens_radius = lens_radius;
+      const CameraSampling sampling{64, 48, 7, kind, 3};
+      std::vector<CameraSample> expected(pixels.size()), found(pixels.size());
+      CameraStage(camera, sampling, "scalar").make(pixels, expected);
+      for (const std::string& simd : available_instruction_sets()) {
+        CameraStage(camera, sampling, simd).make(pixels, found);
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+          CAPTURE(simd, i);
+          REQUIRE(found[i].ray.origin == expected[i].ray.origin);
+          REQUIRE(found[i].ray.direction == expected[i].ray.direction);
+          REQUIRE(found[i].key.x == expected[i].key.x);
+          REQUIRE(found[i].key.index == expected[i].key.index);
+        }
+      }
+    }
+}
+
+TEST_CASE("a wave of one path records its rays in the order of a path alone") {
+  const Scene scene = scene_of_everything();
+  const auto accelerator = build_accelerator(Backend::bvh, scene.geometry);
+  for (const PathOptions& options : cases) {
+    if (options.samples_per_light > 100) continue;
+    const PathReference reference(scene, options);
+    const PathIntegrator waves(scene, options);
+    for (const CameraSample& sample : samples_of(scene, 40)) {
+      std::vector<RecordedRay> expected, found;
+      Tracer alone(*accelerator, false, &expected), wave(*accelerator, false, &found);
+      CHECK(waves.radiance(sample.ray, SamplerKind::sobol, sample.key, wave) ==
+            reference.radiance(sample.ray, SamplerKind::sobol, sample.key, alone));
+      REQUIRE(found.size() == expected.size());
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        CHECK(found[i].ray.origin == expected[i].ray.origin);
+        CHECK(found[i].ray.direction == expected[i].ray.direction);
+        CHECK(found[i].ray.t_max == expected[i].ray.t_max);
+        CHECK(found[i].kind == expected[i].kind);
+        CHECK(found[i].vertex == expected[i].vertex);
+      }
+    }
+  }
+}
+
+}  // namespace twinray::test
