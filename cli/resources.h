@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a command needs of the machine, asked before it begins.
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "accel/accelerator.h"
 #include "check/recorded_rays.h"
 #include "core/memory.h"
 #include "integrators/render.h"
@@ -12,6 +14,10 @@ namespace twinray {
 
 /// The film, and the pictures that are made of it.
 std::vector<MemoryNeed> memory_needs(const RenderOptions& options);
+
+/// The engine's tree over so many primitives, at the worst moment of its building; an estimate. Nothing for
+/// an engine without a tree.
+std::vector<MemoryNeed> memory_needs(Backend backend, const BuildOptions& build, std::size_t primitives);
 
 /// The rays of a picture, at most, each held twice: all together, and by kind.
 std::vector<MemoryNeed> memory_needs(const Recording& recording);

@@ -3,8 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "accel/accelerator.h"
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "accel/engines.h"
 #include "core/threads.h"
+#include "io/generated/generated.h"
 #include "io/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
@@ -61,6 +66,53 @@ ProcessResult render_with_few(int threads, const std::string& options) {
 }
 
 }  // namespace
+
+namespace {
+
+/// The most memory that a process of its own takes to make a forest, and a tree over it if one is asked for.
+std::uint64_t peak_bytes(const std::optional<Engine>& engine) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const Scene scene = generated::make_forest(400'000);
+    if (engine) build_accelerator(engine->backend, scene.geometry, engine->build);
+    _exit(0);
+  }
+  int status = 0;
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
+  REQUIRE(status == 0);
+  return 1024 * std::uint64_t(usage.ru_maxrss);
+}
+
+}  // namespace
+
+TEST_CASE("what a tree is said to need is what building it takes, and at most 1.6 times as much") {
+  const std::uint64_t scene = peak_bytes(std::nullopt);
+  const std::size_t primitives = generated::make_forest(400'000).geometry->primitive_count();
+  for (const std::string name : {"bvh", "bvh-2", "embree"}) {
+    const std::optional<Engine> engine = find_engine(name);
+    if (!engine) continue;  // This build lacks it.
+    const std::vector<MemoryNeed> needs = memory_needs(engine->backend, engine->build, primitives);
+    REQUIRE(needs.size() == 1);
+    CAPTURE(name);
+    CHECK(needs[0].name ==
+          fmt::format("the tree of {} over {} primitives", backend_name(engine->backend), primitives));
+    const double taken = double(peak_bytes(engine) - scene);
+    CHECK(taken <= double(needs[0].bytes));
+    CHECK(taken >= double(needs[0].bytes) / 1.6);
+  }
+  CHECK(memory_needs(Backend::brute_force, {}, 1000).empty());
+}
+
+TEST_CASE("a tree larger than the memory is an error that says so") {
+  // Room for the scene of 130 MB, and not for a tree of 500 MB beside it.
+  const ProcessResult result =
+      run_shell("ulimit -v 700000; timeout 60 '" TWINRAY_PROGRAM
+                "' generated:forest:2000000 --accel=bvh --bvh-width=2 -r 8 6 -s 1 -q "
+                "-o /dev/null");
+  CHECK(result.exit_code == 1);
+  CHECK(result.err.find("for the tree of bvh over ") != std::string::npos);
+}
 
 TEST_CASE("a picture larger than the memory is an error before rendering that says how much of what") {
   const TemporaryFolder folder;
