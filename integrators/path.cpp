@@ -34,10 +34,15 @@ class PathIntegrator::Waves {
         options_(options),
         scene_(scene),
         lights_(scene),
-        shapes_(shape_table(scene)) {}
+        shapes_(shape_table(scene)),
+        few_triangles_(few_triangles(scene, lights_)) {}
 
   WaveContext context() const {
-    return {*stages, options_, {scene_, lights_, options_.direct, options_.samples_per_light}, shapes_};
+    return {*stages,
+            options_,
+            {scene_, lights_, options_.direct, options_.samples_per_light},
+            shapes_,
+            few_triangles_};
   }
 
   const PathReference reference;
@@ -48,6 +53,7 @@ class PathIntegrator::Waves {
   const Scene& scene_;
   const LightSet lights_;
   const std::vector<ShapeEntry> shapes_;
+  const std::vector<FewTriangles> few_triangles_;
 };
 
 PathIntegrator::PathIntegrator(const Scene& scene, const PathOptions& options, const std::string& simd)

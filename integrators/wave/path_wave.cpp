@@ -207,7 +207,15 @@ void PathWave::sample_light(std::uint32_t light) {
 
 void PathWave::sample_mesh_light(std::uint32_t light, const MeshLight& mesh) {
   const Distribution& triangles = context_.transport.lights.triangles(light);
-  const ShapeEntry& shape = context_.shapes[mesh.shape];
+  const FewTriangles& few = context_.few_triangles[light];
+  if (few.size > 0)
+    stages_.choose_of_few(few, light_, paths_.size);
+  else
+    choose_of_many(triangles, context_.shapes[mesh.shape]);
+  stages_.sample_mesh_light(surfaces_, {mesh.radiance, mesh.side, triangles.total()}, light_, paths_.size);
+}
+
+void PathWave::choose_of_many(const Distribution& triangles, const ShapeEntry& shape) {
   for (std::size_t i = 0; i < paths_.size; ++i) {
     const Distribution::Choice choice = triangles.sample(light_.ux[i]);
     light_.triangle.u[i] = choice.remainder;
@@ -215,7 +223,6 @@ void PathWave::sample_mesh_light(std::uint32_t light, const MeshLight& mesh) {
     gather_corners(shape.positions, shape.triangles[choice.index], light_.triangle, i);
     gather_facet(shape.facets[choice.index], light_.point, i);
   }
-  stages_.sample_mesh_light(surfaces_, {mesh.radiance, mesh.side, triangles.total()}, light_, paths_.size);
 }
 
 void PathWave::sample_other_light(std::uint32_t light) {

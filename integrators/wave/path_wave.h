@@ -19,6 +19,7 @@ struct WaveContext {
   const PathOptions& options;
   LightTransport transport;
   std::span<const ShapeEntry> shapes;
+  std::span<const FewTriangles> few_triangles;  ///< Of each light.
 };
 
 /// The paths of up to wave_size samples, grown together vertex by vertex: all of them to their next surfaces,
@@ -47,6 +48,7 @@ class PathWave {
             Floats& y);
   void sample_light(std::uint32_t light);
   void sample_mesh_light(std::uint32_t light, const MeshLight& mesh);
+  void choose_of_many(const Distribution& triangles, const ShapeEntry& shape);
   void sample_other_light(std::uint32_t light);
   void connect();
   bool scatter();

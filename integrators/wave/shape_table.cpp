@@ -26,4 +26,28 @@ std::vector<ShapeEntry> shape_table(const Scene& scene) {
   return table;
 }
 
+std::vector<FewTriangles> few_triangles(const Scene& scene, const LightSet& lights) {
+  std::vector<FewTriangles> all(lights.size());
+  for (std::uint32_t light = 0; light < lights.size(); ++light) {
+    const auto* emitter = std::get_if<MeshLight>(&lights.light(light).source);
+    const Distribution& areas = lights.triangles(light);
+    if (!emitter || areas.size() > FewTriangles::most || areas.total() == 0) continue;
+    const Mesh& mesh = *scene.geometry->mesh(emitter->shape);
+    FewTriangles& few = all[light];
+    few.size = areas.size();
+    few.last = areas.last();
+    for (std::uint32_t i = 0; i < few.size; ++i) {
+      const auto& [a, b, c] = mesh.triangles[i];
+      few.a[i] = mesh.positions[a];
+      few.b[i] = mesh.positions[b];
+      few.c[i] = mesh.positions[c];
+      const Facet& facet = scene.geometry->facet(emitter->shape, i);
+      few.normal[i] = facet.normal;
+      few.offset[i] = facet.offset;
+      few.sums[i + 1] = areas.sum_before(i + 1);
+    }
+  }
+  return all;
+}
+
 }  // namespace twinray

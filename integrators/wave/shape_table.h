@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/light_set.h"
 #include "core/rgb.h"
 #include "core/scene.h"
+#include "integrators/wave/requests.h"
 
 namespace twinray {
 
@@ -22,5 +24,8 @@ struct ShapeEntry {
 
 /// One entry for each shape of the scene, which must outlive them.
 std::vector<ShapeEntry> shape_table(const Scene& scene);
+
+/// One entry for each light: the triangles of those that have few.
+std::vector<FewTriangles> few_triangles(const Scene& scene, const LightSet& lights);
 
 }  // namespace twinray

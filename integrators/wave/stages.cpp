@@ -24,6 +24,7 @@ WaveStages stages() {
           draw,
           find_points,
           find_interactions,
+          choose_of_few,
           sample_mesh_light,
           sample_hemisphere,
           scatter_light,

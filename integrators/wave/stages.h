@@ -24,6 +24,9 @@ struct WaveStages {
   void (*find_points)(Surfaces&, std::size_t size);
   /// Surfaces -> shading, facing, wo_z: Interaction.
   void (*find_interactions)(const Paths&, Surfaces&);
+  /// Draws -> LightSamples::triangle (u and v in the unit square), point.normal, point.offset: a triangle by
+  /// area, as Distribution::sample chooses it.
+  void (*choose_of_few)(const FewTriangles&, LightSamples&, std::size_t size);
   /// LightSamples::triangle (u and v in the unit square), point.normal, point.offset -> the rest of them:
   /// LightSet::sample of a mesh light.
   void (*sample_mesh_light)(const Surfaces&, const MeshLightRequest&, LightSamples&, std::size_t size);

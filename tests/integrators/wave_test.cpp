@@ -35,6 +35,16 @@ void add_normals(Mesh& mesh) {
   }
 }
 
+/// A lamp of triangles of very different areas, the last of them without any.
+Mesh lamp_of(int triangles) {
+  Mesh mesh{.name = "lamp"};
+  float size = 0.001f;
+  for (int i = 0; i < triangles; ++i, size *= 5)
+    add_triangle(mesh, {size, 1.3f, size}, {2 * size, 1.4f, size}, {size, 1.5f, -size});
+  mesh.triangles.back()[2] = mesh.triangles.back()[1];
+  return mesh;
+}
+
 /// Random triangles of which many lie close to an edge of another, spheres, and a light of every kind.
 Scene scene_of_everything() {
   Mesh mesh = soup(60, 0.7f, 3);
@@ -42,6 +52,8 @@ Scene scene_of_everything() {
   Scene scene = scene_of(std::move(mesh), {0.8f, 0.7f, 0}, {0, 0.3f, 3}, {0, 0, 0});
   add_lamp(scene, floor_square(0.5f, 1.2f), {3, 2, 1}, EmissionSide::both);
   add_lamp(scene, floor_square(0.25f, -0.9f), {1, 2, 3}, EmissionSide::front);
+  add_lamp(scene, lamp_of(4), {1, 1, 2}, EmissionSide::both);
+  add_lamp(scene, lamp_of(5), {2, 1, 1}, EmissionSide::both);
   add_lamp(scene, inward_box(1.7f), {0.1f, 0.1f, 0.2f}, EmissionSide::back);
   add_lamp(scene, SphereSet{"ball", {{{0.3f, 0.8f, 0.4f}, 0.2f}}}, {2, 2, 2}, EmissionSide::front);
   add_light(scene, PointLight{{0.3f, 0.2f, 0.1f}, {1, 2, 3}, {}});
