@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "core/area_vector.h"
 #include "core/error.h"
@@ -107,11 +110,24 @@ Geometry::Geometry(std::vector<Shape> shapes) : shapes_(std::move(shapes)), face
   }
 }
 
+namespace {
+
+/// std::nextafter(x, infinity), which the C library makes a call of: each test of a sphere asks for six.
+float next_up(float x) {
+  if (!std::isfinite(x)) return x == -Aabb::infinity ? std::numeric_limits<float>::lowest() : x;
+  if (x == 0) return std::numeric_limits<float>::denorm_min();
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  return std::bit_cast<float>(x > 0 ? bits + 1 : bits - 1);
+}
+float next_down(float x) { return -next_up(-x); }
+
+}  // namespace
+
 Aabb sphere_bounds(const Sphere& sphere) {
   Aabb box;
   for (int axis = 0; axis < 3; ++axis) {
-    box.lower[axis] = std::nextafter(sphere.center[axis] - sphere.radius, -Aabb::infinity);
-    box.upper[axis] = std::nextafter(sphere.center[axis] + sphere.radius, Aabb::infinity);
+    box.lower[axis] = next_down(sphere.center[axis] - sphere.radius);
+    box.upper[axis] = next_up(sphere.center[axis] + sphere.radius);
   }
   return box;
 }

@@ -124,6 +124,17 @@ TEST_CASE("the smallest of triangles has area, however far from the origin of sp
   CHECK(drop_degenerate_triangles(mesh) == 0);
 }
 
+TEST_CASE("the box of a sphere has the next floats beside those that its radius gives") {
+  const float values[] = {0, 0x1p-149f, 0x1p-126f, 1, 0x1.fffffep0f, 2, 1e12f, 0x1.fffffep127f};
+  for (const float radius : values)
+    for (const float size : values)
+      for (const float center : {size, -size}) {
+        const Aabb box = sphere_bounds({{center, center, center}, radius});
+        CHECK(box.lower.y == std::nextafter(center - radius, -Aabb::infinity));
+        CHECK(box.upper.y == std::nextafter(center + radius, Aabb::infinity));
+      }
+}
+
 TEST_CASE("a sphere's box holds its rounded extent") {
   const Aabb box = sphere_bounds({{0x1.000002p0f, -1, 0}, 0x1p-30f});
   CHECK(box.lower.x < 0x1.000002p0f);
