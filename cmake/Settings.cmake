@@ -15,6 +15,22 @@ if(TWINRAY_INSTALL_RULES)
 endif()
 set(twinray_module_folder ${CMAKE_INSTALL_LIBDIR}/twinray)
 
+# The builds with and without Embree share most objects of the libraries and the program: the second one takes them from
+# here.
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  find_program(TWINRAY_CCACHE ccache DOC "Compiler cache, of Debian's package ccache; without it more is compiled twice")
+  mark_as_advanced(TWINRAY_CCACHE)
+endif()
+# twinray_share_objects(TARGET): compiles it with the cache. Its options must not name a folder of the build.
+function(twinray_share_objects target)
+  if(TWINRAY_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(cache CCACHE_DIR=${PROJECT_SOURCE_DIR}/build/ccache CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+              CCACHE_MAXSIZE=1G)
+    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER
+                          "${CMAKE_COMMAND};-E;env;${cache};${TWINRAY_CCACHE}")
+  endif()
+endfunction()
+
 # Warnings and sanitizers: linked PRIVATE by every target of ours, never installed.
 add_library(twinray_developer INTERFACE)
 target_compile_options(twinray_developer INTERFACE -Wall -Wextra -Wshadow -Wno-missing-field-initializers
@@ -39,4 +55,5 @@ function(twinray_library name)
   # Nobody reads errno: a square root is one instruction.
   target_compile_options(twinray_${name} PRIVATE -fno-math-errno)
   target_link_libraries(twinray_${name} PRIVATE $<BUILD_INTERFACE:twinray_developer>)
+  twinray_share_objects(twinray_${name})
 endfunction()
