@@ -8,8 +8,8 @@
 #include <span>
 
 #include "accel/counting.h"
-#include "core/instruction_sets.h"
 #include "accel/wide/scalar.h"
+#include "core/instruction_sets.h"
 
 #define HWY_TARGET_INCLUDE "accel/wide/kernel.cpp"
 #include <hwy/foreach_target.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The hand-written eight-wide BVH as an accelerator.
 #include "accel/backends.h"
-#include "core/instruction_sets.h"
 #include "accel/wide/build.h"
 #include "accel/wide/kernel.h"
 #include "accel/wide/scalar.h"
 #include "accel/wide/statistics.h"
+#include "core/instruction_sets.h"
 
 namespace twinray {
 namespace {
