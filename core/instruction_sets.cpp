@@ -28,7 +28,8 @@ void throw_no_such_set(const std::string& simd) {
 std::vector<std::string> available_instruction_sets() {
   std::vector<std::string> names{"best"};
   const std::int64_t usable = std::int64_t(hwy::SupportedTargets()) & HWY_TARGETS;
-  for (const auto& [target, name] : {std::pair{HWY_AVX3, "AVX3"}, {HWY_AVX2, "AVX2"}, {HWY_SSE4, "SSE4"}})
+  for (const auto& [target, name] :
+       {std::pair{HWY_AVX3, "AVX3"}, {HWY_AVX2, "AVX2"}, {HWY_SSE4, "SSE4"}, {HWY_NEON, "NEON"}})
     if (usable & target) names.push_back(simd_name(name));
   names.emplace_back("scalar");
   return names;

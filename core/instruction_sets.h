@@ -5,16 +5,18 @@
 #include <string>
 #include <vector>
 
-/// SSSE3 is no faster than the scalar kernels, AVX3_DL no faster than AVX3.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+/// SSSE3 is no faster than the scalar kernels, AVX3_DL no faster than AVX3. Vectors of the last ones have no
+/// size that a compiler knows: they cannot be members.
+#define HWY_DISABLED_TARGETS \
+  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 
 namespace twinray {
 
-/// The name of a Highway target for users: "avx512", "avx2", "sse4".
+/// The name of a Highway target for users: "avx512", "avx2", "sse4", "neon".
 std::string simd_name(const char* target);
 
 /// The names that BuildOptions::simd may have on this machine: "best", then from the fastest on "avx512",
-/// "avx2" and "sse4" where it has them, and "scalar".
+/// "avx2", "sse4" and "neon" where it has them, and "scalar".
 std::vector<std::string> available_instruction_sets();
 
 /// Throws Error that lists the valid names of this machine.

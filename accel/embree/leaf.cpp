@@ -37,6 +37,8 @@ HWY_ATTR void occlude(const RTCOccludedFunctionNArguments* arguments) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "core/supported_sets.h"
+
 namespace twinray::embree {
 namespace {
 
@@ -59,16 +61,7 @@ void occlude_scalar(const RTCOccludedFunctionNArguments* arguments) {
 
 std::vector<LeafFunctions> leaf_functions() {
   std::vector<LeafFunctions> all;
-  const auto supported = hwy::SupportedTargets();
-#if HWY_TARGETS & HWY_AVX3
-  if (supported & HWY_AVX3) all.push_back(N_AVX3::functions());
-#endif
-#if HWY_TARGETS & HWY_AVX2
-  if (supported & HWY_AVX2) all.push_back(N_AVX2::functions());
-#endif
-#if HWY_TARGETS & HWY_SSE4
-  if (supported & HWY_SSE4) all.push_back(N_SSE4::functions());
-#endif
+  TWINRAY_APPEND_SUPPORTED(all, functions());
   all.push_back({"scalar", intersect_scalar, occlude_scalar});
   return all;
 }

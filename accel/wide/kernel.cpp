@@ -134,6 +134,8 @@ HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
+#include "core/supported_sets.h"
+
 namespace twinray {
 namespace {
 
@@ -164,16 +166,7 @@ struct Scalar {
 template <typename... Counts>
 std::vector<BasicWideKernel<Counts&...>> fast_kernels() {
   std::vector<BasicWideKernel<Counts&...>> kernels;
-  [[maybe_unused]] const auto supported = hwy::SupportedTargets();
-#if HWY_TARGETS & HWY_AVX3
-  if (supported & HWY_AVX3) kernels.push_back(N_AVX3::kernel<Counts...>());
-#endif
-#if HWY_TARGETS & HWY_AVX2
-  if (supported & HWY_AVX2) kernels.push_back(N_AVX2::kernel<Counts...>());
-#endif
-#if HWY_TARGETS & HWY_SSE4
-  if (supported & HWY_SSE4) kernels.push_back(N_SSE4::kernel<Counts...>());
-#endif
+  TWINRAY_APPEND_SUPPORTED(kernels, kernel<Counts...>());
   return kernels;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Private: structures of arrays, in which a wave of paths is kept: number i of each column belongs to path i.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -46,6 +47,10 @@ struct Columns3 {
     x[i] = a;
     y[i] = b;
     z[i] = c;
+  }
+  /// Makes the first `size` of them zero.
+  void clear(std::size_t size) {
+    for (Floats* const column : {&x, &y, &z}) std::fill_n(column->values, size, 0.0f);
   }
   template <typename Triple = Vec3>
   Triple at(std::size_t i) const {

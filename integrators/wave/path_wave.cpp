@@ -2,7 +2,6 @@
 #include "integrators/wave/path_wave.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "core/octahedron.h"
 #include "core/warp.h"
@@ -65,7 +64,7 @@ void PathWave::add_emission() {
     const Rgb radiance =
         hit.is_miss() ? lights.background(direction)
                       : lights.emitted(surface_at(*context_.transport.scene.geometry, hit), -direction);
-    estimates_[i] += Rgb{1, 1, 1} * radiance;
+    estimates_[i] += radiance;
   }
 }
 
@@ -162,9 +161,7 @@ void PathWave::place_spheres() {
 }
 
 void PathWave::add_direct_light() {
-  std::fill_n(connections_.sum.x.values, paths_.size, 0.0f);
-  std::fill_n(connections_.sum.y.values, paths_.size, 0.0f);
-  std::fill_n(connections_.sum.z.values, paths_.size, 0.0f);
+  connections_.sum.clear(paths_.size);
   if (context_.transport.method == DirectMethod::lights)
     add_lights();
   else
@@ -188,8 +185,7 @@ void PathWave::draw(Purpose purpose, std::uint32_t part, std::uint32_t parts, st
 }
 
 void PathWave::sample_light(std::uint32_t light) {
-  for (Floats* const column : {&connections_.of_light.x, &connections_.of_light.y, &connections_.of_light.z})
-    std::fill_n(column->values, paths_.size, 0.0f);
+  connections_.of_light.clear(paths_.size);
   const auto* mesh = std::get_if<MeshLight>(&context_.transport.lights.light(light).source);
   if (mesh && context_.transport.lights.triangles(light).total() == 0) return;
   const std::uint32_t count = context_.transport.samples_of(light);
@@ -251,8 +247,7 @@ void PathWave::connect() {
 void PathWave::add_hemisphere() {
   const std::uint32_t count = context_.transport.directions();
   if (count == 0) return;
-  for (Floats* const column : {&connections_.of_light.x, &connections_.of_light.y, &connections_.of_light.z})
-    std::fill_n(column->values, paths_.size, 0.0f);
+  connections_.of_light.clear(paths_.size);
   for (std::uint32_t part = 0; part < count; ++part) {
     draw(Purpose::light_point, part, count, 0, light_.ux, light_.uy);
     stages_.sample_hemisphere(surfaces_, light_, paths_.size);

@@ -38,23 +38,13 @@ HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
+#include "core/supported_sets.h"
+
 namespace twinray {
 
 std::vector<WaveStages> wave_stages() {
   std::vector<WaveStages> stages;
-  [[maybe_unused]] const auto supported = hwy::SupportedTargets();
-#if HWY_TARGETS & HWY_AVX3
-  if (supported & HWY_AVX3) stages.push_back(N_AVX3::stages());
-#endif
-#if HWY_TARGETS & HWY_AVX2
-  if (supported & HWY_AVX2) stages.push_back(N_AVX2::stages());
-#endif
-#if HWY_TARGETS & HWY_SSE4
-  if (supported & HWY_SSE4) stages.push_back(N_SSE4::stages());
-#endif
-#if HWY_TARGETS & HWY_NEON
-  if (supported & HWY_NEON) stages.push_back(N_NEON::stages());
-#endif
+  TWINRAY_APPEND_SUPPORTED(stages, stages());
   return stages;
 }
 

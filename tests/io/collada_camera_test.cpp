@@ -32,33 +32,33 @@ void check_near(const Vec3& a, const Vec3& b) {
   CHECK(max_abs(a - b) <= tolerance);
 }
 
+/// Half of the frame, in units of the distance to it.
+void check_frame(const Camera& camera, double half_width, double half_height) {
+  CHECK(camera.tan_half_width == Approx(half_width));
+  CHECK(camera.tan_half_height == Approx(half_height));
+}
+
 }  // namespace
 
 TEST_CASE("each legal pair of field and aspect gives the frame") {
   const Camera by_x = lens("<xfov>90</xfov><aspect_ratio>2</aspect_ratio>");
-  CHECK(by_x.tan_half_width == Approx(1));
-  CHECK(by_x.tan_half_height == Approx(0.5));
+  check_frame(by_x, 1, 0.5);
   const Camera both = lens("<xfov>90</xfov><yfov>53.13010235</yfov>");
-  CHECK(both.tan_half_width == Approx(1));
-  CHECK(both.tan_half_height == Approx(0.5));
+  check_frame(both, 1, 0.5);
 }
 
 TEST_CASE("a height is kept where the image has another shape than the aspect ratio") {
   const Camera square = fit_frame(lens("<yfov>90</yfov><aspect_ratio>2</aspect_ratio>"), 100, 100);
-  CHECK(square.tan_half_width == Approx(1));
-  CHECK(square.tan_half_height == Approx(1));
+  check_frame(square, 1, 1);
   const Camera wide = fit_frame(lens("<yfov>90</yfov><aspect_ratio>2</aspect_ratio>"), 200, 100);
-  CHECK(wide.tan_half_width == Approx(2));
-  CHECK(wide.tan_half_height == Approx(1));
+  check_frame(wide, 2, 1);
 }
 
 TEST_CASE("with one field alone the image's shape decides the other") {
   const Camera wide = fit_frame(lens("<xfov>90</xfov>"), 400, 100);
-  CHECK(wide.tan_half_width == Approx(1));
-  CHECK(wide.tan_half_height == Approx(0.25));
+  check_frame(wide, 1, 0.25);
   const Camera tall = fit_frame(lens("<yfov>90</yfov>"), 400, 100);
-  CHECK(tall.tan_half_height == Approx(1));
-  CHECK(tall.tan_half_width == Approx(4));
+  check_frame(tall, 4, 1);
 }
 
 TEST_CASE("a camera stands and turns with its node") {
