@@ -180,17 +180,6 @@ int report(const Check& check, const SceneCrosscheck& found, const RenderArgumen
   return is_good ? 0 : 1;
 }
 
-/// What is still to be made once the scene is there.
-std::vector<MemoryNeed> all_needs(const RenderArguments& arguments, std::size_t primitives) {
-  std::vector<MemoryNeed> needs = memory_needs(arguments.render);
-  const auto add_tree = [&](Backend backend, const BuildOptions& build) {
-    for (MemoryNeed& need : memory_needs(backend, build, primitives)) needs.push_back(std::move(need));
-  };
-  add_tree(arguments.backend, arguments.build);
-  if (arguments.check_with) add_tree(arguments.check_with->backend, arguments.check_with->build);
-  return needs;
-}
-
 int list_cameras(const RenderArguments& arguments) {
   LoadOptions options = arguments.load;
   options.camera_name.clear();
@@ -217,7 +206,7 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   if (!arguments.environment.empty() || is_linear_output(outputs.picture)) load_image_codec_early();
   const LoadedScene loaded = load(arguments, talk);
   choose_engine(*loaded.scene.geometry, arguments);
-  check_memory(all_needs(arguments, loaded.scene.geometry->primitive_count()));
+  check_memory(memory_needs(arguments, loaded.scene.geometry->primitive_count()));
   const ImageMetadata metadata = picture_metadata(arguments, words);
   const auto integrator = make_integrator(arguments, loaded.scene);
   talk.building(arguments, *loaded.scene.geometry);

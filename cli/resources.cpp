@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/film.h"
 #include "core/threads.h"
 
@@ -40,6 +42,16 @@ std::vector<MemoryNeed> memory_needs(const RenderOptions& options) {
   const std::uint64_t pixels = std::uint64_t(window.width()) * std::uint64_t(window.height());
   return {{fmt::format("the film of {} x {} pixels", window.width(), window.height()), Film::bytes(pixels)},
           {"the pictures made of it", pixels * picture_bytes_a_pixel}};
+}
+
+std::vector<MemoryNeed> memory_needs(const RenderArguments& arguments, std::size_t primitives) {
+  std::vector<MemoryNeed> needs = memory_needs(arguments.render);
+  const auto add_tree = [&](Backend backend, const BuildOptions& build) {
+    for (MemoryNeed& need : memory_needs(backend, build, primitives)) needs.push_back(std::move(need));
+  };
+  add_tree(arguments.backend, arguments.build);
+  if (arguments.check_with) add_tree(arguments.check_with->backend, arguments.check_with->build);
+  return needs;
 }
 
 std::vector<MemoryNeed> memory_needs(const Recording& recording) {

@@ -7,6 +7,7 @@
 
 #include "accel/accelerator.h"
 #include "check/recorded_rays.h"
+#include "cli/render_arguments.h"
 #include "core/memory.h"
 #include "integrators/render.h"
 
@@ -18,6 +19,9 @@ std::vector<MemoryNeed> memory_needs(const RenderOptions& options);
 /// The engine's tree over so many primitives, at the worst moment of its building; an estimate. Nothing for
 /// an engine without a tree.
 std::vector<MemoryNeed> memory_needs(Backend backend, const BuildOptions& build, std::size_t primitives);
+
+/// Film, pictures and trees: what is still to be made for a render once its scene is there.
+std::vector<MemoryNeed> memory_needs(const RenderArguments& arguments, std::size_t primitives);
 
 /// The rays of a picture, at most, each held twice: all together, and by kind.
 std::vector<MemoryNeed> memory_needs(const Recording& recording);

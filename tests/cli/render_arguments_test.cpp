@@ -240,6 +240,9 @@ TEST_CASE("an option without effect is named with the reason, and refused by a s
   CHECK(no_effect({"-a", "32", "0.05", "-s", "32"}) ==
         "--adaptive: no effect, for a batch of 32 is all of the 32 samples");
   CHECK(no_effect({"-a", "32", "0.05", "-s", "33"}).empty());
+  for (const char* integrator : {"--integrator=path", "--integrator=path-reference"})
+    CHECK(
+        no_effect({integrator, "-l", "4", "-m", "3", "-H", "--roulette=0.5", "--attenuation=file"}).empty());
 #ifdef TWINRAY_WITH_EMBREE
   CHECK(no_effect({"--accel=bvh", "--embree-mode=fast"}) ==
         "--embree-mode: no effect, for --accel=embree-native alone has modes");

@@ -34,6 +34,16 @@ TEST_CASE("a render needs its film of 64 bytes a pixel, and the pictures made of
   CHECK(memory_needs(options)[0].bytes == 64 * 20 * 40);
 }
 
+TEST_CASE("a render needs the tree of its engine, and that of the engine which checks it") {
+  RenderArguments arguments{.backend = Backend::bvh};
+  CHECK(memory_needs(arguments, 1000).size() == 3);
+  arguments.check_with = named_engine("bvh-2");
+  const std::vector<MemoryNeed> needs = memory_needs(arguments, 1000);
+  REQUIRE(needs.size() == 4);
+  CHECK(needs[2].name == "the tree of bvh over 1000 primitives");
+  CHECK(needs[3].bytes > needs[2].bytes);
+}
+
 TEST_CASE("statistics need the rays of their picture, in two copies") {
   const std::vector<MemoryNeed> needs =
       memory_needs(Recording{.width = 100, .height = 10, .samples = 3, .max_depth = 2});
