@@ -77,7 +77,8 @@ MUTANTS = [
            "",
            "test_cli", "warnings of a scene file are printed by every command, in quiet runs too"),
     Mutant("the tree of the engine that checks needs no memory", "cli/resources.cpp",
-           "  if (arguments.check_with) add_tree(arguments.check_with->backend, arguments.check_with->build);\n",
+           "  if (arguments.check_with) add_tree(arguments.check_with->backend, "
+           "arguments.check_with->build);\n",
            "", "test_cli", "a render needs the tree of its engine, and that of the engine which checks it"),
     Mutant("paths one after the other take no options of light", "cli/no_effect.cpp",
            "arguments.integrator != IntegratorKind::normals && arguments.integrator != IntegratorKind::cost",
