@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/outputs.h"
 
+#include <limits.h>
+
 #include <algorithm>
+#include <filesystem>
 
 #include "cli/console.h"
 #include "io/destination.h"
@@ -12,6 +15,17 @@ namespace twinray {
 void prepare_outputs(const std::vector<std::string>& names) {
   check_outputs(names);
   if (std::any_of(names.begin(), names.end(), is_standard_output)) console::keep_output_for_data();
+}
+
+std::string name_beside(const std::string& name, const std::string& ending) {
+  return std::filesystem::path(name).replace_extension().string() + ending;
+}
+
+std::string partial_name(const std::string& name) {
+  if (name.empty()) return "";
+  const std::filesystem::path path(name);
+  const std::string ending = "_partial" + path.extension().string();
+  return (path.parent_path() / (path.stem().string().substr(0, NAME_MAX - ending.size()) + ending)).string();
 }
 
 }  // namespace twinray

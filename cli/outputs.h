@@ -9,4 +9,11 @@ namespace twinray {
 /// output to them alone where one of them is standard output.
 void prepare_outputs(const std::vector<std::string>& names);
 
+/// The name of what stands beside an output: "a/b.exr" with "_rate.png" is "a/b_rate.png".
+std::string name_beside(const std::string& name, const std::string& ending);
+
+/// The name of what there is of an output after an interruption: "a/b.exr" -> "a/b_partial.exr"; one that
+/// would become too long loses its end. Empty for the empty name.
+std::string partial_name(const std::string& name);
+
 }  // namespace twinray

@@ -2,26 +2,15 @@
 #include "cli/partial_picture.h"
 
 #include <fmt/format.h>
-#include <limits.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 
+#include "cli/outputs.h"
 #include "io/destination.h"
 
 namespace twinray {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A name that would become too long loses its end.
-std::string partial_name(const std::string& name) {
-  if (name.empty()) return "";
-  const fs::path path(name);
-  const std::string ending = "_partial" + path.extension().string();
-  return (path.parent_path() / (path.stem().string().substr(0, NAME_MAX - ending.size()) + ending)).string();
-}
 
 struct SampleRange {
   std::uint32_t least = std::numeric_limits<std::uint32_t>::max(), most = 0;

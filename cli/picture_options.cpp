@@ -6,6 +6,8 @@
 namespace twinray {
 namespace {
 
+constexpr const char* group_name = "Picture";
+
 PixelRect window_of(const std::vector<int>& crop, int width, int height) {
   const int x = crop[0], y = crop[1], w = crop[2], h = crop[3];
   if (x < 0 || y < 0 || w < 1 || h < 1 || w > width || h > height || x > width - w || y > height - h)
@@ -17,11 +19,17 @@ PixelRect window_of(const std::vector<int>& crop, int width, int height) {
 }  // namespace
 
 void add_picture_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, "Picture");
+  OptionGroup group(app, group_name);
   RenderArguments& arguments = request.arguments;
   group.add_word({"-o,--output,-f", "FILE",
                   fmt::format("The picture: .png, .exr (linear floats) or - ({})", arguments.output)},
                  arguments.output);
+  add_frame_options(app, request);
+}
+
+void add_frame_options(CLI::App& app, RenderRequest& request) {
+  OptionGroup group(app, group_name);
+  RenderArguments& arguments = request.arguments;
   add_resolution(group, request.resolution, "Width and height in pixels");
   constexpr Range<int> any{std::numeric_limits<int>::min(), std::numeric_limits<int>::max()};
   group.add_numbers({"-p,--crop", "X Y W H", "Only this part of the frame, from its top left"}, 4,

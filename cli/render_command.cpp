@@ -8,97 +8,23 @@
 #include "check/render_check.h"
 #include "cli/console.h"
 #include "cli/crosscheck_report.h"
-#include "cli/default_light.h"
-#include "cli/frame_note.h"
 #include "cli/interrupt.h"
-#include "cli/no_effect.h"
 #include "cli/outputs.h"
 #include "cli/partial_picture.h"
 #include "cli/picture_metadata.h"
-#include "cli/render_command_line.h"
 #include "cli/render_outputs.h"
+#include "cli/render_scene.h"
 #include "cli/render_talk.h"
 #include "cli/resources.h"
-#include "cli/scene_warnings.h"
 #include "cli/statistics_report.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "integrators/normals.h"
-#include "integrators/path.h"
-#include "integrators/path_reference.h"
-#include "io/camera_file.h"
-#include "io/cs184_camera.h"
-#include "io/environment_file.h"
 #include "io/image_codec.h"
 #include "io/image_file.h"
 #include "io/output_file.h"
 
 namespace twinray {
 namespace {
-
-std::unique_ptr<Integrator> make_integrator(const RenderArguments& arguments, const Scene& scene) {
-  if (arguments.integrator == IntegratorKind::cost) return std::make_unique<CostIntegrator>(arguments.cost);
-  if (arguments.integrator == IntegratorKind::normals)
-    return std::make_unique<NormalsIntegrator>(
-        scene, is_cs184(arguments) ? NormalsIntegrator::Mixture::as_it_is : NormalsIntegrator::Mixture::unit);
-  if (arguments.integrator == IntegratorKind::path_reference)
-    return std::make_unique<PathReference>(scene, arguments.path);
-  return std::make_unique<PathIntegrator>(scene, arguments.path);
-}
-
-/// The camera of CS184's program: its frame is that of a camera settings file, or depends on the picture's
-/// size.
-Camera cs184_camera_of(const RenderArguments& arguments, const Camera& scene_camera) {
-  if (!arguments.camera_file.empty()) return load_cs184_camera_file(arguments.camera_file, scene_camera);
-  return cs184_frame(scene_camera, arguments.render.width, arguments.render.height);
-}
-
-/// The camera as asked for; says so if another view would show more.
-Camera standard_camera_of(const RenderArguments& arguments, const Scene& scene, RenderTalk& talk) {
-  const std::string& file = arguments.camera_file;
-  Camera camera = file.empty() ? scene.camera : load_camera_file(file, scene.camera);
-  if (!arguments.load.clip_as_file) camera = without_clip(camera);
-  const Camera fitted = fit_frame(camera, arguments.render.width, arguments.render.height);
-  if (arguments.view == View::whole) return view_whole(fitted, scene.geometry->bounds());
-  const std::string note = arguments.quiet ? "" : frame_note(fitted, *scene.geometry);
-  if (!note.empty()) talk.note(note);
-  return camera;
-}
-
-Camera camera_of(const RenderArguments& arguments, const Scene& scene, RenderTalk& talk) {
-  Camera camera = is_cs184(arguments) ? cs184_camera_of(arguments, scene.camera)
-                                      : standard_camera_of(arguments, scene, talk);
-  if (arguments.lens) {
-    camera.lens_radius = arguments.lens->radius;
-    camera.focal_distance = arguments.lens->focal_distance;
-  }
-  return camera;
-}
-
-EnvironmentLight read_environment(const RenderArguments& arguments) {
-  LoadedEnvironment loaded = load_environment(arguments.environment);
-  if (!loaded.fault.empty() && !arguments.lenient_environment)
-    throw Error(loaded.fault + "; with --lenient-environment such pixels are black");
-  if (!loaded.fault.empty()) console::warn(loaded.fault + "; such pixels are black");
-  return {std::make_shared<const Image>(std::move(loaded.map))};
-}
-
-LoadedScene load(const RenderArguments& arguments, RenderTalk& talk) {
-  talk.loading();
-  LoadedScene loaded = load_with_warnings(arguments.scene, arguments.load);
-  talk.loaded(loaded.summary);
-  loaded.scene.camera = camera_of(arguments, loaded.scene, talk);
-  if (!arguments.environment.empty())
-    loaded.scene.lights.push_back({"environment", read_environment(arguments)});
-  const std::vector<std::string> without_effect = options_without_effect(loaded.scene, arguments);
-  refuse_if_strict(without_effect, arguments);
-  for (const std::string& warning : without_effect) console::warn(warning);
-  if (arguments.default_light && !is_lit(loaded.scene))
-    loaded.scene.lights.push_back(headlight(loaded.scene.camera));
-  for (const std::string& warning : scene_warnings(loaded.scene, arguments)) console::warn(warning);
-  talk.ready();
-  return loaded;
-}
 
 /// The other engine of --accel=check, and what is found.
 class Check {
@@ -204,7 +130,7 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
     console::warn(fewer);
   if (!arguments.environment.empty() || is_linear_output(outputs.picture)) load_image_codec_early();
-  const LoadedScene loaded = load(arguments, talk);
+  const LoadedScene loaded = load_for_render(arguments, talk);
   choose_engine(*loaded.scene.geometry, arguments);
   check_memory(memory_needs(arguments, loaded.scene.geometry->primitive_count()));
   const ImageMetadata metadata = picture_metadata(arguments, words);

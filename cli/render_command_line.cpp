@@ -18,7 +18,9 @@ void add_options(CLI::App& app, RenderRequest& request) {
   add_run_options(app, request);
 }
 
-RenderArguments resolved(const RenderRequest& request, const Words& given) {
+}  // namespace
+
+RenderArguments resolved_render(const RenderRequest& request, const Words& given) {
   RenderArguments arguments = request.arguments;
   resolve_picture(request, arguments);
   resolve_light(request, arguments);
@@ -30,12 +32,10 @@ RenderArguments resolved(const RenderRequest& request, const Words& given) {
   return arguments;
 }
 
-}  // namespace
-
 std::function<RenderArguments()> add_render_options(CLI::App& app) {
   const auto request = std::make_shared<RenderRequest>();
   add_options(app, *request);
-  return [request, &app] { return resolved(*request, given_options(app)); };
+  return [request, &app] { return resolved_render(*request, given_options(app)); };
 }
 
 void refuse_if_strict(const std::vector<std::string>& without_effect, const RenderArguments& arguments) {

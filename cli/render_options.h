@@ -34,6 +34,11 @@ void add_sampling_options(CLI::App& app, RenderRequest& request);
 void add_engine_options(CLI::App& app, RenderRequest& request);
 void add_run_options(CLI::App& app, RenderRequest& request);
 
+// The picture's group but for its file, and that of sampling but for the number of samples.
+
+void add_frame_options(CLI::App& app, RenderRequest& request);
+void add_sampler_options(CLI::App& app, RenderRequest& request);
+
 // Of the same groups the options without a letter: CS184's program has others with the letters.
 
 void add_light_words(CLI::App& app, RenderRequest& request);
@@ -48,5 +53,9 @@ void resolve_sampling(const RenderRequest& request, RenderArguments& arguments);
 /// After the others: the engine depends on what is computed. Where the scene decides, it is left to
 /// choose_engine().
 void resolve_engine(const RenderRequest& request, RenderArguments& arguments);
+
+/// All of them; `given` are the long names of the options that were given. Throws UsageError, also for an
+/// option without effect where these are errors.
+RenderArguments resolved_render(const RenderRequest& request, const Words& given);
 
 }  // namespace twinray

@@ -4,17 +4,13 @@
 #include <filesystem>
 
 #include "cli/console.h"
+#include "cli/outputs.h"
 #include "io/color_scale.h"
 #include "io/cs184_picture.h"
 #include "io/destination.h"
 
 namespace twinray {
 namespace {
-
-/// "a/b.exr" -> "a/b_rate.png".
-std::string beside(const std::string& picture, const std::string& ending) {
-  return std::filesystem::path(picture).replace_extension().string() + ending;
-}
 
 /// Whether the name has an ending that could be a format's; in "spheres_0.05" there is none.
 bool has_ending(const std::string& name) {
@@ -29,7 +25,7 @@ void check_name(const RenderArguments& arguments) {
 }
 
 std::string rate_name(const RenderArguments& arguments) {
-  return is_cs184(arguments) ? cs184_rate_name(arguments.output) : beside(arguments.output, "_rate.png");
+  return is_cs184(arguments) ? cs184_rate_name(arguments.output) : name_beside(arguments.output, "_rate.png");
 }
 
 ImageFrame frame_of(const Film& film) {
@@ -82,8 +78,8 @@ RenderOutputs render_outputs(const RenderArguments& arguments) {
   check_name(arguments);
   RenderOutputs outputs{.picture = picture, .statistics = arguments.stats_file};
   if (arguments.render.adaptive) outputs.rates = rate_name(arguments);
-  if (arguments.integrator == IntegratorKind::cost) outputs.legend = beside(picture, "_legend.png");
-  if (arguments.check_with) outputs.differences = beside(picture, "_differences.png");
+  if (arguments.integrator == IntegratorKind::cost) outputs.legend = name_beside(picture, "_legend.png");
+  if (arguments.check_with) outputs.differences = name_beside(picture, "_differences.png");
   if (destination_of(picture).kind == Destination::Kind::file) return outputs;
   for (std::string* name : {&outputs.rates, &outputs.legend, &outputs.differences})
     if (!std::exchange(*name, "").empty())

@@ -14,6 +14,11 @@ void add_sampling_options(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, group_name);
   group.add_number({"-s,--samples", "N", "Samples per pixel"}, request.arguments.render.samples,
                    sample_counts);
+  add_sampler_options(app, request);
+}
+
+void add_sampler_options(CLI::App& app, RenderRequest& request) {
+  OptionGroup group(app, group_name);
   const AdaptiveSampling usual;
   group.add_words(
       {"-a,--adaptive", "N T",

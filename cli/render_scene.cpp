@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/render_scene.h"
+
+#include <utility>
+
+#include "cli/console.h"
+#include "cli/default_light.h"
+#include "cli/frame_note.h"
+#include "cli/no_effect.h"
+#include "cli/render_command_line.h"
+#include "cli/scene_warnings.h"
+#include "core/error.h"
+#include "integrators/normals.h"
+#include "integrators/path.h"
+#include "integrators/path_reference.h"
+#include "io/camera_file.h"
+#include "io/cs184_camera.h"
+#include "io/environment_file.h"
+
+namespace twinray {
+namespace {
+
+/// The camera of CS184's program: its frame is that of a camera settings file, or depends on the picture's
+/// size.
+Camera cs184_camera_of(const RenderArguments& arguments, const Camera& scene_camera) {
+  if (!arguments.camera_file.empty()) return load_cs184_camera_file(arguments.camera_file, scene_camera);
+  return cs184_frame(scene_camera, arguments.render.width, arguments.render.height);
+}
+
+/// The camera as asked for; says so if another view would show more.
+Camera standard_camera_of(const RenderArguments& arguments, const Scene& scene, RenderTalk& talk) {
+  const std::string& file = arguments.camera_file;
+  Camera camera = file.empty() ? scene.camera : load_camera_file(file, scene.camera);
+  if (!arguments.load.clip_as_file) camera = without_clip(camera);
+  const Camera fitted = fit_frame(camera, arguments.render.width, arguments.render.height);
+  if (arguments.view == View::whole) return view_whole(fitted, scene.geometry->bounds());
+  const std::string note = arguments.quiet ? "" : frame_note(fitted, *scene.geometry);
+  if (!note.empty()) talk.note(note);
+  return camera;
+}
+
+Camera camera_of(const RenderArguments& arguments, const Scene& scene, RenderTalk& talk) {
+  Camera camera = is_cs184(arguments) ? cs184_camera_of(arguments, scene.camera)
+                                      : standard_camera_of(arguments, scene, talk);
+  if (arguments.lens) {
+    camera.lens_radius = arguments.lens->radius;
+    camera.focal_distance = arguments.lens->focal_distance;
+  }
+  return camera;
+}
+
+EnvironmentLight read_environment(const RenderArguments& arguments) {
+  LoadedEnvironment loaded = load_environment(arguments.environment);
+  if (!loaded.fault.empty() && !arguments.lenient_environment)
+    throw Error(loaded.fault + "; with --lenient-environment such pixels are black");
+  if (!loaded.fault.empty()) console::warn(loaded.fault + "; such pixels are black");
+  return {std::make_shared<const Image>(std::move(loaded.map))};
+}
+
+}  // namespace
+
+LoadedScene load_for_render(const RenderArguments& arguments, RenderTalk& talk) {
+  talk.loading();
+  LoadedScene loaded = load_with_warnings(arguments.scene, arguments.load);
+  talk.loaded(loaded.summary);
+  loaded.scene.camera = camera_of(arguments, loaded.scene, talk);
+  if (!arguments.environment.empty())
+    loaded.scene.lights.push_back({"environment", read_environment(arguments)});
+  const std::vector<std::string> without_effect = options_without_effect(loaded.scene, arguments);
+  refuse_if_strict(without_effect, arguments);
+  for (const std::string& warning : without_effect) console::warn(warning);
+  if (arguments.default_light && !is_lit(loaded.scene))
+    loaded.scene.lights.push_back(headlight(loaded.scene.camera));
+  for (const std::string& warning : scene_warnings(loaded.scene, arguments)) console::warn(warning);
+  talk.ready();
+  return loaded;
+}
+
+std::unique_ptr<Integrator> make_integrator(const RenderArguments& arguments, const Scene& scene) {
+  if (arguments.integrator == IntegratorKind::cost) return std::make_unique<CostIntegrator>(arguments.cost);
+  if (arguments.integrator == IntegratorKind::normals)
+    return std::make_unique<NormalsIntegrator>(
+        scene, is_cs184(arguments) ? NormalsIntegrator::Mixture::as_it_is : NormalsIntegrator::Mixture::unit);
+  if (arguments.integrator == IntegratorKind::path_reference)
+    return std::make_unique<PathReference>(scene, arguments.path);
+  return std::make_unique<PathIntegrator>(scene, arguments.path);
+}
+
+}  // namespace twinray

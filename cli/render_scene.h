@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a render begins with: the scene as its options want it, and the estimator of its light.
+#pragma once
+#include <memory>
+
+#include "cli/render_arguments.h"
+#include "cli/render_talk.h"
+#include "integrators/integrator.h"
+#include "io/scene_file.h"
+
+namespace twinray {
+
+/// The scene with the camera, the lens, the environment and the light that the options ask for; prints what
+/// is to be warned of. Throws Error, and UsageError where options without effect are errors.
+LoadedScene load_for_render(const RenderArguments& arguments, RenderTalk& talk);
+
+/// The scene must outlive it.
+std::unique_ptr<Integrator> make_integrator(const RenderArguments& arguments, const Scene& scene);
+
+}  // namespace twinray
