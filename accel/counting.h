@@ -2,7 +2,7 @@
 // Private: what traversals report their steps to. Each is written once and compiled twice: the timed build
 // with NoCounts, which is nothing, the counting one with Counting.
 #pragma once
-#include "accel/canonical/triangle_block.h"
+#include "accel/canonical/primitive_block.h"
 #include "accel/counters.h"
 
 namespace twinray {
@@ -12,7 +12,7 @@ struct NoCounts {
   void visit_node(const Node&) const {}
   void visit_leaf() const {}
   void test_box() const {}
-  void test_block(const TriangleBlock&) const {}
+  void test_block(const PrimitiveBlock&) const {}
 };
 
 /// Adds steps to the counts of a query.
@@ -27,7 +27,7 @@ struct Counting {
   }
   void visit_leaf() const { ++counts.leaves; }
   void test_box() const { ++counts.boxes; }
-  void test_block(const TriangleBlock& block) const { counts.primitives += block.count; }
+  void test_block(const PrimitiveBlock& block) const { counts.primitives += block.count; }
 };
 
 /// The one that goes with the arguments of a traversal: counts, or none.

@@ -185,7 +185,7 @@ std::vector<Testimony> Oracle::testimonies(const Ray& ray) const {
   // Hits just outside of the interval count, too: the boxes are asked for all t >= 0.
   checked.t_min = 0;
   checked.t_max = std::numeric_limits<float>::infinity();
-  traverse(*tree_, checked, checked.t_max, NoCounts{}, [&](const TriangleBlock& block) {
+  traverse(*tree_, checked, checked.t_max, NoCounts{}, [&](const PrimitiveBlock& block) {
     for (std::uint32_t lane = 0; lane < block.count; ++lane) testify(*geometry_, ray, block.ids[lane], all);
     return false;
   });
@@ -197,7 +197,7 @@ std::vector<Testimony> Oracle::firm_testimonies(const Ray& ray, float t_max) con
   CheckedRay checked;
   if (!load_ray(ray, checked)) return all;
   if (t_max < ray.t_max) checked.t_max = float(std::min(t_max / checked.t_scale, double(checked.t_max)));
-  traverse(*tree_, checked, checked.t_max, NoCounts{}, [&](const TriangleBlock& block) {
+  traverse(*tree_, checked, checked.t_max, NoCounts{}, [&](const PrimitiveBlock& block) {
     for (std::uint32_t lane = 0; lane < block.count; ++lane) {
       const bool is_triangle = block.triangles >> lane & 1;
       if (is_triangle && is_surely_not_firm(ray, block.corner(0, int(lane)), block.corner(1, int(lane)),

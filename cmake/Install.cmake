@@ -29,11 +29,11 @@ set(private_headers
   accel/canonical/load_ray-inl.h
   accel/canonical/moller_trumbore.h
   accel/canonical/nearest.h
+  accel/canonical/primitive_block.h
   accel/canonical/shape_test.h
   accel/canonical/slab.h
   accel/canonical/sphere.h
   accel/canonical/triangle.h
-  accel/canonical/triangle_block.h
   accel/counting.h
   accel/embree/api.h
   accel/embree/bounds.h

@@ -43,9 +43,9 @@ class Layout {
  private:
   NodeRef add_leaf(const BuildTree::Node& node) {
     const std::size_t first = block_ranges_.size();
-    for (std::uint32_t done = 0; done < node.count; done += TriangleBlock::width)
+    for (std::uint32_t done = 0; done < node.count; done += PrimitiveBlock::width)
       block_ranges_.push_back(
-          {node.first + done, std::min<std::uint32_t>(TriangleBlock::width, node.count - done)});
+          {node.first + done, std::min<std::uint32_t>(PrimitiveBlock::width, node.count - done)});
     return {std::uint32_t(first), std::uint32_t(block_ranges_.size() - first)};
   }
 
@@ -54,8 +54,8 @@ class Layout {
   std::vector<BlockRange> block_ranges_;
 };
 
-TriangleBlock make_block(const BuildTree& tree, const BlockRange& range, const Geometry& geometry) {
-  std::array<PrimitiveId, TriangleBlock::width> ids;
+PrimitiveBlock make_block(const BuildTree& tree, const BlockRange& range, const Geometry& geometry) {
+  std::array<PrimitiveId, PrimitiveBlock::width> ids;
   for (std::uint32_t i = 0; i < range.count; ++i) ids[i] = tree.primitives[range.first + i].id;
   return make_block(geometry, std::span(ids).first(range.count));
 }

@@ -8,7 +8,7 @@ namespace {
 
 struct CanonicalLeaf {
   template <QueryKind kind>
-  static void test(const Geometry& geometry, const CheckedRay& ray, const TriangleBlock& block, Hit& best) {
+  static void test(const Geometry& geometry, const CheckedRay& ray, const PrimitiveBlock& block, Hit& best) {
     test_block<kind>(geometry, ray, block, best);
   }
 };

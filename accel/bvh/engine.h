@@ -36,7 +36,7 @@ class BvhEngine final : public Accelerator {
   Hit trace_closest(const CheckedRay& ray, Counts counts) const {
     Hit best;
     float t_max = ray.t_max;
-    traverse(bvh_, ray, t_max, counts, [&](const TriangleBlock& block) {
+    traverse(bvh_, ray, t_max, counts, [&](const PrimitiveBlock& block) {
       Leaf::template test<QueryKind::closest>(geometry(), ray, block, best);
       t_max = std::min(t_max, best.t);
       return false;
@@ -47,7 +47,7 @@ class BvhEngine final : public Accelerator {
   template <typename Counts>
   bool trace_any(const CheckedRay& ray, Counts counts) const {
     Hit found;
-    traverse(bvh_, ray, ray.t_max, counts, [&](const TriangleBlock& block) {
+    traverse(bvh_, ray, ray.t_max, counts, [&](const PrimitiveBlock& block) {
       Leaf::template test<QueryKind::any>(geometry(), ray, block, found);
       return !found.is_miss();
     });

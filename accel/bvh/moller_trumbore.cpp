@@ -21,7 +21,7 @@ void test_triangle(const Mesh& mesh, const CheckedRay& ray, PrimitiveId id, Hit&
 
 struct MollerTrumboreLeaf {
   template <QueryKind>
-  static void test(const Geometry& geometry, const CheckedRay& ray, const TriangleBlock& block, Hit& best) {
+  static void test(const Geometry& geometry, const CheckedRay& ray, const PrimitiveBlock& block, Hit& best) {
     for (std::uint32_t lane = 0; lane < block.count; ++lane) {
       const PrimitiveId id = block.ids[lane];
       if (const Mesh* mesh = geometry.mesh(id.mesh))

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "accel/canonical/triangle_block.h"
+#include "accel/canonical/primitive_block.h"
 #include "core/aabb.h"
 
 namespace twinray {
@@ -46,11 +46,11 @@ struct Bvh {
   Aabb box;
   NodeRef root;
   std::vector<NodePair> pairs;  ///< In depth-first order.
-  std::vector<TriangleBlock>
+  std::vector<PrimitiveBlock>
       blocks;  ///< In the order of the leaves; only a leaf's last one may be part full.
 
   std::size_t bytes() const {
-    return pairs.size() * sizeof(NodePair) + blocks.size() * sizeof(TriangleBlock);
+    return pairs.size() * sizeof(NodePair) + blocks.size() * sizeof(PrimitiveBlock);
   }
 };
 

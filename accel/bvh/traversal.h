@@ -115,7 +115,7 @@ void traverse(const Bvh& bvh, const CheckedRay& ray, const float& t_max, Counts 
     }
     counts.visit_leaf();
     for (std::uint32_t i = 0; i < node.count; ++i) {
-      const TriangleBlock& block = bvh.blocks[node.first + i];
+      const PrimitiveBlock& block = bvh.blocks[node.first + i];
       counts.test_block(block);
       if (test(block)) return;
     }

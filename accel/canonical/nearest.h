@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "accel/canonical/triangle_block.h"
+#include "accel/canonical/primitive_block.h"
 
 namespace twinray {
 
@@ -13,11 +13,11 @@ namespace twinray {
 struct Nearest {
   float t = std::numeric_limits<float>::infinity();
   int lane = 0;
-  const TriangleBlock* block = nullptr;  ///< Null where the hit is `other`.
+  const PrimitiveBlock* block = nullptr;  ///< Null where the hit is `other`.
   /// The edge functions of the second and third corner, and the sum of all three, of each lane.
-  alignas(32) double b[TriangleBlock::width];
-  alignas(32) double c[TriangleBlock::width];
-  alignas(32) double determinant[TriangleBlock::width];
+  alignas(32) double b[PrimitiveBlock::width];
+  alignas(32) double c[PrimitiveBlock::width];
+  alignas(32) double determinant[PrimitiveBlock::width];
   Hit other;  ///< A hit of something else than a triangle, or none.
 
   Hit hit() const {
@@ -30,7 +30,7 @@ struct Nearest {
 
   /// Tests some lanes of a block by the plain canonical test.
   [[gnu::noinline, gnu::cold]] void test(const Geometry& geometry, const CheckedRay& ray,
-                                         const TriangleBlock& tested, std::uint32_t lanes) {
+                                         const PrimitiveBlock& tested, std::uint32_t lanes) {
     const Hit before = hit();
     Hit best = before;
     for (; lanes != 0; lanes &= lanes - 1)
@@ -44,7 +44,7 @@ struct Nearest {
 
 /// Whether the ray hits one of a block's `others`.
 [[gnu::noinline, gnu::cold]] inline bool any_other(const Geometry& geometry, const CheckedRay& ray,
-                                                   const TriangleBlock& block) {
+                                                   const PrimitiveBlock& block) {
   Hit found;
   for (std::uint32_t left = block.others; left != 0 && !found; left &= left - 1)
     test_primitive(geometry, ray, block.ids[std::countr_zero(left)], found);
@@ -52,8 +52,8 @@ struct Nearest {
 }
 
 /// Of some lanes of a block, the one whose hit precedes the others.
-[[gnu::noinline, gnu::cold]] inline int least_lane(const TriangleBlock& block, std::uint32_t lanes,
-                                                   const float t[TriangleBlock::width]) {
+[[gnu::noinline, gnu::cold]] inline int least_lane(const PrimitiveBlock& block, std::uint32_t lanes,
+                                                   const float t[PrimitiveBlock::width]) {
   int least = std::countr_zero(lanes);
   for (lanes &= lanes - 1; lanes != 0; lanes &= lanes - 1) {
     const int lane = std::countr_zero(lanes);

@@ -16,14 +16,14 @@ namespace {
 
 HWY_ATTR void intersect(const RTCIntersectFunctionNArguments* arguments) {
   auto& query = *static_cast<embree::LeafQuery*>(arguments->context);
-  const TriangleBlock& block = query.enter(arguments->primID);
+  const PrimitiveBlock& block = query.enter(arguments->primID);
   BlockRay(query.ray).closest(query.geometry, query.ray, block, query.best);
   query.shorten(*reinterpret_cast<RTCRayHit*>(arguments->rayhit));
 }
 
 HWY_ATTR void occlude(const RTCOccludedFunctionNArguments* arguments) {
   auto& query = *static_cast<embree::LeafQuery*>(arguments->context);
-  const TriangleBlock& block = query.enter(arguments->primID);
+  const PrimitiveBlock& block = query.enter(arguments->primID);
   query.is_hit = BlockRay(query.ray).any(query.geometry, query.ray, block);
   query.end_if_hit(*reinterpret_cast<RTCRay*>(arguments->ray));
 }
@@ -44,7 +44,7 @@ namespace {
 
 void intersect_scalar(const RTCIntersectFunctionNArguments* arguments) {
   auto& query = *static_cast<LeafQuery*>(arguments->context);
-  const TriangleBlock& block = query.enter(arguments->primID);
+  const PrimitiveBlock& block = query.enter(arguments->primID);
   query.best.test(query.geometry, query.ray, block, block.triangles | block.others);
   query.shorten(*reinterpret_cast<RTCRayHit*>(arguments->rayhit));
 }

@@ -12,7 +12,7 @@ namespace twinray::embree {
 
 /// A query on its way through Embree.
 struct LeafQuery : Context {
-  const TriangleBlock* const blocks;
+  const PrimitiveBlock* const blocks;
   const Geometry& geometry;
   const CheckedRay& ray;
   const float t_far_scale;  ///< Multiplies a hit's t into a tfar.
@@ -21,14 +21,14 @@ struct LeafQuery : Context {
   bool is_hit = false;  ///< What an any-hit query found.
 
   // A constructor, for an aggregate is filled with zeros first.
-  LeafQuery(const TriangleBlock* all, const Geometry& shapes, const CheckedRay& checked, float scale,
+  LeafQuery(const PrimitiveBlock* all, const Geometry& shapes, const CheckedRay& checked, float scale,
             QueryCounts* sums)
       : blocks(all), geometry(shapes), ray(checked), t_far_scale(scale), counts(sums) {
     initialize(*this);
   }
   /// The block that Embree asks for, counted.
-  const TriangleBlock& enter(unsigned index) {
-    const TriangleBlock& block = blocks[index];
+  const PrimitiveBlock& enter(unsigned index) {
+    const PrimitiveBlock& block = blocks[index];
     if (counts) {
       ++counts->leaves;
       counts->primitives += block.count;

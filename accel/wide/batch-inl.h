@@ -53,7 +53,7 @@ class ClosestQuery {
     const std::uint32_t met = BoxRay(ray_).intersect(node, t_max_, entries);
     push_sorted(node, met, entries, top_);
   }
-  HWY_ATTR HWY_INLINE void visit(const TriangleBlock& block, const Geometry& geometry) {
+  HWY_ATTR HWY_INLINE void visit(const PrimitiveBlock& block, const Geometry& geometry) {
     BlockRay(ray_).closest(geometry, ray_, block, best_);
     t_max_ = std::min(t_max_, best_.t);
   }
@@ -93,7 +93,7 @@ class AnyQuery {
     const std::uint32_t met = BoxRay(ray_).intersect(node, ray_.t_max, entries);
     push_all(node, met, top_);
   }
-  HWY_ATTR HWY_INLINE void visit(const TriangleBlock& block, const Geometry& geometry) {
+  HWY_ATTR HWY_INLINE void visit(const PrimitiveBlock& block, const Geometry& geometry) {
     is_hit_ = BlockRay(ray_).any(geometry, ray_, block);
     top_ = is_hit_ ? stack_ + 1 : top_;  // Nothing is next then.
   }
@@ -191,7 +191,7 @@ class Batch {
     return false;
   }
   const WideNode& next_node(std::uint32_t query) const { return bvh_.nodes[queries_[query].next().index()]; }
-  const TriangleBlock& next_block(std::uint32_t query) const {
+  const PrimitiveBlock& next_block(std::uint32_t query) const {
     return bvh_.blocks[queries_[query].next().index()];
   }
 

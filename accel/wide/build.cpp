@@ -21,7 +21,7 @@ constexpr std::size_t items_per_task = 2048;
 /// The primitives of a leaf.
 struct Leaf {
   std::uint32_t count = 0;
-  std::array<PrimitiveId, TriangleBlock::width> ids;
+  std::array<PrimitiveId, PrimitiveBlock::width> ids;
 };
 
 /// The places of nodes and blocks, depth first.
@@ -41,7 +41,7 @@ class Layout {
     return WideRef::node(index);
   }
 
-  void make_blocks(const Geometry& geometry, BigVector<TriangleBlock>& blocks) {
+  void make_blocks(const Geometry& geometry, BigVector<PrimitiveBlock>& blocks) {
     blocks.resize(leaves_.size());
     of_blocks_.resize(leaves_.size());
     parallel_for(blocks.size(), items_per_task, 0, [&](std::size_t begin, std::size_t end) {
@@ -119,8 +119,8 @@ class Layout {
 
 /// What the binary tree is built with: leaves that fit into a block, and costs that fill them.
 BuildOptions binary_options(BuildOptions options) {
-  options.max_leaf_size = std::min(options.max_leaf_size, TriangleBlock::width);
-  options.leaf_block = TriangleBlock::width;
+  options.max_leaf_size = std::min(options.max_leaf_size, PrimitiveBlock::width);
+  options.leaf_block = PrimitiveBlock::width;
   if (options.bvh_quality == BvhQuality::fast) options.bvh_bins = std::min(options.bvh_bins, 16);
   return options;
 }

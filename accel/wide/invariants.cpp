@@ -56,8 +56,8 @@ class Inspection {
 
   void visit_block(std::uint32_t index, const Aabb& box) {
     ++blocks_[index];
-    const TriangleBlock& block = bvh_.blocks[index];
-    if (block.count == 0 || block.count > std::uint32_t(TriangleBlock::width))
+    const PrimitiveBlock& block = bvh_.blocks[index];
+    if (block.count == 0 || block.count > std::uint32_t(PrimitiveBlock::width))
       return report("block {} holds {} primitives", index, block.count);
     for (std::uint32_t lane = 0; lane < block.count; ++lane)
       if (const std::string fault = leaves_.add(block.ids[lane], box); !fault.empty()) report("{}", fault);

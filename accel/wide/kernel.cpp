@@ -50,7 +50,7 @@ HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& gi
       ref = nearest_child(node, met, entries, top);
     }
     if (ref.is_block()) {
-      const TriangleBlock& block = bvh.blocks[ref.index()];
+      const PrimitiveBlock& block = bvh.blocks[ref.index()];
       steps.visit_leaf();
       steps.test_block(block);
       block_ray.closest(geometry, ray, block, best);
@@ -84,7 +84,7 @@ HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& given
       ref = any_child(node, met, top);
     }
     if (ref.is_block()) {
-      const TriangleBlock& block = bvh.blocks[ref.index()];
+      const PrimitiveBlock& block = bvh.blocks[ref.index()];
       steps.visit_leaf();
       steps.test_block(block);
       if (block_ray.any(geometry, ray, block)) return true;

@@ -9,7 +9,7 @@
 
 #include "accel/build/big_vector.h"
 #include "accel/build/binary_tree.h"
-#include "accel/canonical/triangle_block.h"
+#include "accel/canonical/primitive_block.h"
 #include "core/aabb.h"
 
 namespace twinray {
@@ -68,10 +68,10 @@ inline constexpr int wide_stack_size = (WideNode::width - 1) * max_wide_depth + 
 struct WideBvh {
   WideRef root;
   BigVector<WideNode> nodes;  ///< In depth-first order.
-  BigVector<TriangleBlock> blocks;
+  BigVector<PrimitiveBlock> blocks;
 
   std::size_t bytes() const {
-    return nodes.size() * sizeof(WideNode) + blocks.size() * sizeof(TriangleBlock);
+    return nodes.size() * sizeof(WideNode) + blocks.size() * sizeof(PrimitiveBlock);
   }
 };
 

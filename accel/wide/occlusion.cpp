@@ -10,14 +10,14 @@ namespace {
 /// A block takes about half as long as a node and what follows from it.
 constexpr float block_cost = 0.5f;
 
-double area(const TriangleBlock& block, int lane) {
+double area(const PrimitiveBlock& block, int lane) {
   const Vec3 a = block.corner(0, lane);
   return 0.5 * length(cross(block.corner(1, lane) - a, block.corner(2, lane) - a));
 }
 
 /// Of all primitives of a block. What is no triangle is taken for a sphere, whose box has twice the half area
 /// of its surface, about.
-double area(const Geometry& geometry, const TriangleBlock& block) {
+double area(const Geometry& geometry, const PrimitiveBlock& block) {
   double sum = 0;
   for (int lane = 0; lane < int(block.count); ++lane)
     sum += block.others >> lane & 1 ? primitive_bounds(geometry, block.ids[lane]).half_area() / 2
@@ -31,7 +31,7 @@ double rank(const Candidate& child) {
 
 }  // namespace
 
-Prospect prospect_of(const Geometry& geometry, const TriangleBlock& block, double half_area) {
+Prospect prospect_of(const Geometry& geometry, const PrimitiveBlock& block, double half_area) {
   const double crossings = half_area > 0 ? area(geometry, block) / half_area : 0;
   const bool is_number = crossings <= 1e9;  // Areas of the largest triangles are not.
   return {is_number ? float(crossings / (1 + crossings)) : 1, block_cost};

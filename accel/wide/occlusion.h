@@ -9,7 +9,7 @@
 #pragma once
 #include <span>
 
-#include "accel/canonical/triangle_block.h"
+#include "accel/canonical/primitive_block.h"
 #include "accel/wide/node.h"
 
 namespace twinray {
@@ -29,7 +29,7 @@ struct Candidate {
 };
 
 /// Of a block whose box has half the area `half_area`.
-Prospect prospect_of(const Geometry& geometry, const TriangleBlock& block, double half_area);
+Prospect prospect_of(const Geometry& geometry, const PrimitiveBlock& block, double half_area);
 
 /// Of a node whose box has half the area `half_area`, and whose children are asked in this order.
 Prospect prospect_of(std::span<const Candidate> children, double half_area);

@@ -32,7 +32,7 @@ void traverse_scalar(const WideBvh& bvh, const CheckedRay& ray, const float& t_m
     const WideRef ref{next.ref};
     if (next.entry > t_max) continue;
     if (ref.is_block()) {
-      const TriangleBlock& block = bvh.blocks[ref.index()];
+      const PrimitiveBlock& block = bvh.blocks[ref.index()];
       ++counts.leaves;
       counts.primitives += block.count;
       if (test(block)) return;
@@ -60,7 +60,7 @@ Hit scalar_closest(const WideBvh& bvh, const Geometry& geometry, const Ray& give
   CheckedRay ray;
   if (!load_ray(given, ray)) return best;
   float t_max = ray.t_max;
-  traverse_scalar<QueryKind::closest>(bvh, ray, t_max, counts, [&](const TriangleBlock& block) {
+  traverse_scalar<QueryKind::closest>(bvh, ray, t_max, counts, [&](const PrimitiveBlock& block) {
     test_block<QueryKind::closest>(geometry, ray, block, best);
     t_max = std::min(t_max, best.t);
     return false;
@@ -73,7 +73,7 @@ bool scalar_any(const WideBvh& bvh, const Geometry& geometry, const Ray& given, 
   Hit found;
   CheckedRay ray;
   if (!load_ray(given, ray)) return false;
-  traverse_scalar<QueryKind::any>(bvh, ray, ray.t_max, counts, [&](const TriangleBlock& block) {
+  traverse_scalar<QueryKind::any>(bvh, ray, ray.t_max, counts, [&](const PrimitiveBlock& block) {
     test_block<QueryKind::any>(geometry, ray, block, found);
     return !found.is_miss();
   });

@@ -74,7 +74,7 @@ Mesh exponential_triangles() {
 }
 
 bool same_trees(const Bvh& a, const Bvh& b) {
-  const auto same_block = [](const TriangleBlock& x, const TriangleBlock& y) {
+  const auto same_block = [](const PrimitiveBlock& x, const PrimitiveBlock& y) {
     return std::memcmp(x.corners, y.corners, sizeof x.corners) == 0 &&
            std::memcmp(x.ids, y.ids, sizeof x.ids) == 0 && x.count == y.count && x.triangles == y.triangles;
   };

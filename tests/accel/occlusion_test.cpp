@@ -46,7 +46,7 @@ TEST_CASE("a line that intersects a block's box crosses its triangles as often a
   add_triangle(mesh, {-0.5f, -0.4f, 0.2f}, {0.7f, -0.3f, -0.3f}, {0.1f, 0.6f, 0.5f});
   const Geometry geometry({mesh});
   const Aabb box = geometry.bounds();
-  const TriangleBlock block = make_block(geometry, std::vector<PrimitiveId>{{0, 0}});
+  const PrimitiveBlock block = make_block(geometry, std::vector<PrimitiveId>{{0, 0}});
   const float occlusion = prospect_of(geometry, block, box.half_area()).occlusion;
   // One triangle is crossed once at most: the mean number of crossings is the share of hits.
   const double crossings = double(occlusion) / (1 - double(occlusion));
@@ -56,7 +56,7 @@ TEST_CASE("a line that intersects a block's box crosses its triangles as often a
 
 TEST_CASE("a sphere's prospect is about what lines through its box find") {
   const Geometry geometry({SphereSet{.spheres = {{{0, 0, 0}, 0.8f}}}});
-  const TriangleBlock block = make_block(geometry, std::vector<PrimitiveId>{{0, 0}});
+  const PrimitiveBlock block = make_block(geometry, std::vector<PrimitiveId>{{0, 0}});
   const Prospect prospect = prospect_of(geometry, block, geometry.bounds().half_area());
   CHECK(prospect.occlusion > 0.25f);
   CHECK(prospect.occlusion < share_of_hits(geometry, geometry.bounds()) + 0.01);
@@ -66,7 +66,7 @@ TEST_CASE("blocks without area, and boxes without, end no query and cost what a 
   Mesh mesh;
   add_triangle(mesh, {0, 0, 0}, {1, 1, 1}, {2, 2, 2});
   const Geometry geometry({mesh});
-  const TriangleBlock block = make_block(geometry, std::vector<PrimitiveId>{{0, 0}});
+  const PrimitiveBlock block = make_block(geometry, std::vector<PrimitiveId>{{0, 0}});
   CHECK(prospect_of(geometry, block, 1).occlusion == 0);
   CHECK(prospect_of(geometry, block, 0).occlusion == 0);
   CHECK(prospect_of(geometry, block, 0).cost > 0);

@@ -33,7 +33,7 @@ TEST_CASE("embree-high lays large primitives into several leaves, and none twice
   for (const int leaf : {1, 4, 32}) {
     const Bvh bvh = build_split(*geometry, leaf);
     int pieces = 0, of_large = 0;
-    for (const TriangleBlock& block : bvh.blocks)
+    for (const PrimitiveBlock& block : bvh.blocks)
       for (std::uint32_t lane = 0; lane < block.count; ++lane) {
         ++pieces;
         of_large += block.ids[lane].mesh == 1;

@@ -29,7 +29,7 @@ bool same_trees(const WideBvh& a, const WideBvh& b) {
     return std::memcmp(x.planes, y.planes, sizeof x.planes) == 0 &&
            std::equal(std::begin(x.children), std::end(x.children), std::begin(y.children));
   };
-  const auto same_block = [](const TriangleBlock& x, const TriangleBlock& y) {
+  const auto same_block = [](const PrimitiveBlock& x, const PrimitiveBlock& y) {
     return std::memcmp(x.corners, y.corners, sizeof x.corners) == 0 &&
            std::memcmp(x.ids, y.ids, sizeof x.ids) == 0 && x.count == y.count && x.triangles == y.triangles;
   };
@@ -135,7 +135,7 @@ TEST_CASE("a wide tree's leaves hold no more than the largest leaf size") {
   for (const int leaf : {1, 2, 3, 4}) {
     const WideBvh bvh = build_wide(*geometry, {.max_leaf_size = leaf, .traversal_cost = 10});
     std::uint32_t largest = 0;
-    for (const TriangleBlock& block : bvh.blocks) largest = std::max(largest, block.count);
+    for (const PrimitiveBlock& block : bvh.blocks) largest = std::max(largest, block.count);
     CHECK(largest == std::uint32_t(leaf));
   }
 }

@@ -10,7 +10,7 @@
 namespace twinray {
 
 /// Up to four primitives: the corners of triangles as a structure of arrays, everything else by its ids.
-struct alignas(64) TriangleBlock {
+struct alignas(64) PrimitiveBlock {
   static constexpr int width = 4;
 
   float corners[3][3][width] = {};  ///< [corner][axis][lane]; zero in lanes without a triangle.
@@ -24,11 +24,11 @@ struct alignas(64) TriangleBlock {
     return {corners[index][0][lane], corners[index][1][lane], corners[index][2][lane]};
   }
 };
-static_assert(sizeof(TriangleBlock) == 192, "three cache lines");
+static_assert(sizeof(PrimitiveBlock) == 192, "three cache lines");
 
 /// The block of up to four primitives of a geometry.
-inline TriangleBlock make_block(const Geometry& geometry, std::span<const PrimitiveId> ids) {
-  TriangleBlock block;
+inline PrimitiveBlock make_block(const Geometry& geometry, std::span<const PrimitiveId> ids) {
+  PrimitiveBlock block;
   for (const PrimitiveId id : ids) {
     const std::uint32_t lane = block.count++;
     block.ids[lane] = id;
@@ -50,7 +50,7 @@ inline TriangleBlock make_block(const Geometry& geometry, std::span<const Primit
 }
 
 /// The box of a block's primitives.
-inline Aabb block_bounds(const Geometry& geometry, const TriangleBlock& block) {
+inline Aabb block_bounds(const Geometry& geometry, const PrimitiveBlock& block) {
   Aabb box;
   for (std::uint32_t lane = 0; lane < block.count; ++lane)
     box.extend(primitive_bounds(geometry, block.ids[lane]));
@@ -63,7 +63,7 @@ enum class QueryKind { closest, any };
 /// Tests the primitives of a block, one after the other, against [ray.t_min, best.t] and keeps the least hit;
 /// QueryKind::any ends with the first.
 template <QueryKind kind>
-inline void test_block(const Geometry& geometry, const CheckedRay& ray, const TriangleBlock& block,
+inline void test_block(const Geometry& geometry, const CheckedRay& ray, const PrimitiveBlock& block,
                        Hit& best) {
   for (std::uint32_t lane = 0; lane < block.count; ++lane) {
     test_primitive(geometry, ray, block.ids[lane], best);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The fast test of a block against the plain canonical one, for every instruction set of this machine: a tree
 // of one block is asked.
-#include "accel/canonical/triangle_block.h"
+#include "accel/canonical/primitive_block.h"
 
 #include <cmath>
 #include <vector>
@@ -116,7 +116,7 @@ TEST_CASE("a block holds spheres, triangles without area and empty lanes beside 
   add_triangle(mesh, {0, 0, 0}, {1, 1, 1}, {2, 2, 2});
   const auto geometry = share({mesh, random_spheres(2, 1, 1)});
   const std::vector<PrimitiveId> mixed{{0, 0}, {1, 0}, {0, 3}};
-  const TriangleBlock block = make_block(*geometry, mixed);
+  const PrimitiveBlock block = make_block(*geometry, mixed);
   CHECK(block.count == 3);
   CHECK(block.triangles == 1);
   CHECK(block.others == 2);
