@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <new>
 #include <span>
 
 #include "accel/counting.h"
@@ -28,7 +29,8 @@ namespace {
 // is nothing else to do, so a predicted branch is faster there.
 
 template <typename... Counts>
-HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given, Counts&... counts) {
+HWY_ATTR HWY_INLINE Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given,
+                                Counts&... counts) {
   const auto steps = steps_of(counts...);
   Hit hit;  // The one variable that every path returns: it is written where it goes.
   CheckedRay ray;
@@ -65,7 +67,8 @@ HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& gi
 }
 
 template <typename... Counts>
-HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& given, Counts&... counts) {
+HWY_ATTR HWY_INLINE bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& given,
+                             Counts&... counts) {
   const auto steps = steps_of(counts...);
   CheckedRay ray;
   if (bvh.root.is_none() || !RayLoader::load(given, ray)) return false;
@@ -92,6 +95,21 @@ HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& given
     if (top == stack) return false;
     ref = {*--top};
   }
+}
+
+// Without a call for each ray, and with each answer written where it goes, what many rays have in common is
+// done once.
+
+template <typename... Counts>
+HWY_ATTR void closest_in_turn(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
+                              Hit* hits, Counts&... counts) {
+  for (const Ray& ray : rays) new (hits++) Hit(closest(bvh, geometry, ray, counts...));
+}
+
+template <typename... Counts>
+HWY_ATTR void any_in_turn(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
+                          std::uint8_t* hits, Counts&... counts) {
+  for (const Ray& ray : rays) *hits++ = any(bvh, geometry, ray, counts...);
 }
 
 template <typename... Counts>
@@ -122,6 +140,8 @@ BasicWideKernel<Counts&...> kernel() {
   return {simd_name(hwy::TargetName(HWY_TARGET)),
           closest<Counts...>,
           any<Counts...>,
+          closest_in_turn<Counts...>,
+          any_in_turn<Counts...>,
           closest_batch<Counts...>,
           any_batch<Counts...>,
           load,
@@ -158,7 +178,8 @@ struct Scalar {
     for (const Ray& ray : rays) *hits++ = any(bvh, geometry, ray);
   }
   static WideKernel kernel() {
-    return {"scalar", closest, any, closest_batch, any_batch, load_ray, intersect_children};
+    return {"scalar",      closest,   any,      closest_batch,     any_batch,
+            closest_batch, any_batch, load_ray, intersect_children};
   }
 };
 

@@ -22,6 +22,9 @@ struct BasicWideKernel {
   std::string name;  ///< Of the instruction set: "avx512", "avx2", "sse4", "scalar".
   Hit (*closest)(const WideBvh&, const Geometry&, const Ray&, Counts...);
   bool (*any)(const WideBvh&, const Geometry&, const Ray&, Counts...);
+  /// The same of many rays, one after the other.
+  void (*closest_in_turn)(const WideBvh&, const Geometry&, std::span<const Ray>, Hit* hits, Counts...);
+  void (*any_in_turn)(const WideBvh&, const Geometry&, std::span<const Ray>, std::uint8_t* hits, Counts...);
   /// The same of many rays, several at a time.
   void (*closest_batch)(const WideBvh&, const Geometry&, std::span<const Ray>, Hit* hits, Counts...);
   void (*any_batch)(const WideBvh&, const Geometry&, std::span<const Ray>, std::uint8_t* hits, Counts...);

@@ -31,12 +31,12 @@ class WideAccelerator final : public Accelerator {
                         : kernel_.any(bvh_, geometry(), query.ray);
   }
   void closest_batch(std::span<const Ray> rays, Hit* answers) const noexcept override {
-    if (bvh_.bytes() > cached_bytes) return kernel_.closest_batch(bvh_, geometry(), rays, answers);
-    for (const Ray& ray : rays) *answers++ = kernel_.closest(bvh_, geometry(), ray);
+    const bool is_cached = bvh_.bytes() <= cached_bytes;
+    (is_cached ? kernel_.closest_in_turn : kernel_.closest_batch)(bvh_, geometry(), rays, answers);
   }
   void any_batch(std::span<const Ray> rays, std::uint8_t* answers) const noexcept override {
-    if (bvh_.bytes() > cached_bytes) return kernel_.any_batch(bvh_, geometry(), rays, answers);
-    for (const Ray& ray : rays) *answers++ = kernel_.any(bvh_, geometry(), ray);
+    const bool is_cached = bvh_.bytes() <= cached_bytes;
+    (is_cached ? kernel_.any_in_turn : kernel_.any_batch)(bvh_, geometry(), rays, answers);
   }
 
   WideKernel kernel_;  ///< Chosen once, not for each ray.

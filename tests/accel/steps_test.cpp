@@ -51,6 +51,8 @@ std::vector<Expected> all_expected() {
     const auto geometry = share({soup(3000, size, 1), random_spheres(40, size, 2)});
     all.emplace_back(geometry, mixed_rays(*geometry, 3));
   }
+  const auto spheres = share({random_spheres(2000, 0.1f, 5)});
+  all.emplace_back(spheres, mixed_rays(*spheres, 6));
   // Layers one behind the other, along each axis: where the order of children decides all.
   Mesh layers;
   for (int i = 0; i < 600; ++i) {
@@ -77,6 +79,25 @@ TEST_CASE("the fast kernels take the steps of the scalar traversal, one ray at a
       }
       CHECK(text_of(closest) == text_of(expected.closest));
       CHECK(text_of(any) == text_of(expected.any));
+    }
+}
+
+TEST_CASE("the fast kernels take the steps of the scalar traversal, one ray of many after the other") {
+  for (const Expected& expected : all_expected())
+    for (const CountingWideKernel& kernel : counting_wide_kernels()) {
+      CAPTURE(kernel.name);
+      QueryCounts closest, any;
+      std::vector<Hit> hits(expected.rays.size());
+      std::vector<std::uint8_t> blocked(expected.rays.size());
+      kernel.closest_in_turn(expected.bvh, *expected.geometry, expected.rays, hits.data(), closest);
+      kernel.any_in_turn(expected.bvh, *expected.geometry, expected.rays, blocked.data(), any);
+      CHECK(text_of(closest) == text_of(expected.closest));
+      CHECK(text_of(any) == text_of(expected.any));
+      for (std::size_t i = 0; i < hits.size(); ++i) {
+        QueryCounts ignored;
+        REQUIRE(hits[i] == kernel.closest(expected.bvh, *expected.geometry, expected.rays[i], ignored));
+        REQUIRE(blocked[i] == kernel.any(expected.bvh, *expected.geometry, expected.rays[i], ignored));
+      }
     }
 }
 
