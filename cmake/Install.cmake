@@ -23,6 +23,7 @@ set(private_headers
   accel/bvh/node.h
   accel/bvh/statistics.h
   accel/bvh/traversal.h
+  accel/canonical/block_lanes-inl.h
   accel/canonical/block_test-inl.h
   accel/canonical/checked_ray.h
   accel/canonical/lane_bits-inl.h
@@ -33,6 +34,7 @@ set(private_headers
   accel/canonical/shape_test.h
   accel/canonical/slab.h
   accel/canonical/sphere.h
+  accel/canonical/sphere_test-inl.h
   accel/canonical/triangle.h
   accel/counting.h
   accel/embree/api.h

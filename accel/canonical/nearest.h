@@ -9,23 +9,25 @@
 
 namespace twinray {
 
-/// Of a triangle only its place and what its weights are made of are kept: the divisions wait for the end.
+/// Of what is tested in lanes only its place is kept, and what u and v are made of: the divisions wait for
+/// the end.
 struct Nearest {
   float t = std::numeric_limits<float>::infinity();
   int lane = 0;
   const PrimitiveBlock* block = nullptr;  ///< Null where the hit is `other`.
-  /// The edge functions of the second and third corner, and the sum of all three, of each lane.
-  alignas(32) double b[PrimitiveBlock::width];
-  alignas(32) double c[PrimitiveBlock::width];
-  alignas(32) double determinant[PrimitiveBlock::width];
-  Hit other;  ///< A hit of something else than a triangle, or none.
+  /// Of each lane. Of a triangle: the edge functions of the second and third corner, and the sum of all
+  /// three. Of a sphere: the point that is hit, seen from the centre.
+  alignas(32) double uv_terms[3][PrimitiveBlock::width];
+  Hit other;  ///< A hit of something that is not tested in lanes, or none.
 
   Hit hit() const {
     if (!block) return other;
     const PrimitiveId id = block->ids[lane];
-    const float u = float(b[lane] / determinant[lane]), v = float(c[lane] / determinant[lane]);
-    return {t, u, v, id.primitive, id.mesh, no_instance};
+    const Vec2 uv = block->is_sphere(lane) ? octahedral_encode(term(0), term(1), term(2))
+                                           : Vec2{float(term(0) / term(2)), float(term(1) / term(2))};
+    return {t, uv.x, uv.y, id.primitive, id.mesh, no_instance};
   }
+  double term(int index) const { return uv_terms[index][lane]; }
   PrimitiveId id() const { return block ? block->ids[lane] : PrimitiveId{other.mesh, other.primitive}; }
 
   /// Tests some lanes of a block by the plain canonical test.
@@ -42,7 +44,7 @@ struct Nearest {
   }
 };
 
-/// Whether the ray hits one of a block's `others`.
+/// Whether the ray hits one of a block's `others`, by the plain canonical test.
 [[gnu::noinline, gnu::cold]] inline bool any_other(const Geometry& geometry, const CheckedRay& ray,
                                                    const PrimitiveBlock& block) {
   Hit found;

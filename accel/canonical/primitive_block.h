@@ -9,19 +9,45 @@
 
 namespace twinray {
 
-/// Up to four primitives: the corners of triangles as a structure of arrays, everything else by its ids.
+/// Up to four primitives as structures of arrays: 48 bytes for each lane, whatever it holds.
 struct alignas(64) PrimitiveBlock {
   static constexpr int width = 4;
 
-  float corners[3][3][width] = {};  ///< [corner][axis][lane]; zero in lanes without a triangle.
+  /// [corner][axis][lane]. Of a sphere the first corner is its centre, and the second holds its radius and
+  /// the padding of its box. Zero in lanes without a primitive.
+  float corners[3][3][width] = {};
   PrimitiveId ids[width] = {};
   std::uint32_t count = 0;  ///< Lanes in use, from lane 0 on.
   /// Bit i: lane i is a triangle with an area, for which is_within_box() need not be asked.
   std::uint32_t triangles = 0;
-  std::uint32_t others = 0;  ///< Bit i: lane i is anything else that can be hit.
+  std::uint32_t spheres = 0;  ///< Bit i: lane i is a sphere with a radius.
+  std::uint32_t others = 0;   ///< Bit i: lane i is anything else that can be hit.
 
   Vec3 corner(int index, int lane) const {
     return {corners[index][0][lane], corners[index][1][lane], corners[index][2][lane]};
+  }
+  /// Of the lanes' spheres; of their boxes, how far padded() moves each plane.
+  const float* radii() const { return corners[1][0]; }
+  const float* paddings() const { return corners[1][1]; }
+  bool is_sphere(int lane) const { return (spheres >> lane & 1) != 0; }
+
+  void set_corner(int index, std::uint32_t lane, const Vec3& corner) {
+    for (int axis = 0; axis < 3; ++axis) corners[index][axis][lane] = corner[axis];
+  }
+  void set_triangle(std::uint32_t lane, const Vec3& a, const Vec3& b, const Vec3& c) {
+    if (!has_area(a, b, c)) return;
+    const Aabb box = triangle_bounds(a, b, c);
+    const bool is_proved = std::max(max_abs(box.lower), max_abs(box.upper)) >= min_proved_size;
+    (is_proved ? triangles : others) |= 1u << lane;
+    set_corner(0, lane, a);
+    set_corner(1, lane, b);
+    set_corner(2, lane, c);
+  }
+  void set_sphere(std::uint32_t lane, const Sphere& sphere) {
+    if (!(sphere.radius > 0)) return;
+    spheres |= 1u << lane;
+    set_corner(0, lane, sphere.center);
+    set_corner(1, lane, {sphere.radius, padding_of(sphere_bounds(sphere)), 0});
   }
 };
 static_assert(sizeof(PrimitiveBlock) == 192, "three cache lines");
@@ -32,19 +58,12 @@ inline PrimitiveBlock make_block(const Geometry& geometry, std::span<const Primi
   for (const PrimitiveId id : ids) {
     const std::uint32_t lane = block.count++;
     block.ids[lane] = id;
-    const Mesh* mesh = geometry.mesh(id.mesh);
-    if (!mesh) {
-      block.others |= 1u << lane;
-      continue;
+    if (const Mesh* mesh = geometry.mesh(id.mesh)) {
+      const auto [a, b, c] = mesh->triangles[id.primitive];
+      block.set_triangle(lane, mesh->positions[a], mesh->positions[b], mesh->positions[c]);
+    } else {
+      block.set_sphere(lane, geometry.sphere_set(id.mesh)->spheres[id.primitive]);
     }
-    const auto [a, b, c] = mesh->triangles[id.primitive];
-    const Vec3 corners[3] = {mesh->positions[a], mesh->positions[b], mesh->positions[c]};
-    if (!has_area(corners[0], corners[1], corners[2])) continue;
-    const Aabb box = triangle_bounds(corners[0], corners[1], corners[2]);
-    const bool is_proved = std::max(max_abs(box.lower), max_abs(box.upper)) >= min_proved_size;
-    (is_proved ? block.triangles : block.others) |= 1u << lane;
-    for (int corner = 0; corner < 3; ++corner)
-      for (int axis = 0; axis < 3; ++axis) block.corners[corner][axis][lane] = corners[corner][axis];
   }
   return block;
 }

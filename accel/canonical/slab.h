@@ -20,9 +20,14 @@ struct SlabInterval {
   float near, far;
 };
 
+/// A box's share of the rounding bound, by which each plane of it is moved outward.
+inline float padding_of(const Aabb& box) {
+  return std::max(max_abs(box.lower), max_abs(box.upper)) * slab_margin;
+}
+
 /// A box that is not empty, widened by its share of the rounding bound.
 inline Aabb padded_full(const Aabb& box) {
-  const float pad = std::max(max_abs(box.lower), max_abs(box.upper)) * slab_margin;
+  const float pad = padding_of(box);
   return {box.lower - Vec3{pad, pad, pad}, box.upper + Vec3{pad, pad, pad}};
 }
 

@@ -45,7 +45,7 @@ namespace {
 void intersect_scalar(const RTCIntersectFunctionNArguments* arguments) {
   auto& query = *static_cast<LeafQuery*>(arguments->context);
   const PrimitiveBlock& block = query.enter(arguments->primID);
-  query.best.test(query.geometry, query.ray, block, block.triangles | block.others);
+  query.best.test(query.geometry, query.ray, block, block.triangles | block.spheres | block.others);
   query.shorten(*reinterpret_cast<RTCRayHit*>(arguments->rayhit));
 }
 

@@ -20,8 +20,9 @@ double area(const PrimitiveBlock& block, int lane) {
 double area(const Geometry& geometry, const PrimitiveBlock& block) {
   double sum = 0;
   for (int lane = 0; lane < int(block.count); ++lane)
-    sum += block.others >> lane & 1 ? primitive_bounds(geometry, block.ids[lane]).half_area() / 2
-                                    : area(block, lane);
+    sum += (block.spheres | block.others) >> lane & 1
+               ? primitive_bounds(geometry, block.ids[lane]).half_area() / 2
+               : area(block, lane);
   return sum;
 }
 

@@ -3,62 +3,27 @@
 
 #include "check/judge.h"
 #include "tests/support/catch.h"
-#include "tests/support/hostile.h"
+#include "tests/support/hostile_sphere.h"
 #include "tests/support/trace.h"
 
 namespace twinray {
 namespace {
 
+using test::hostile_sphere;
 using test::Random;
+using test::RayAndSphere;
 using test::trace_sphere;
 
 // In units of 2^-24 of centre - origin plus radius: the double computation of the closest point rounds by up
 // to 32 times 2^-53 of that.
 constexpr double decision_margin = 0x1p-23;
 
-struct Pair {
-  Ray ray;
-  Sphere sphere;
-};
-
-/// A ray near a sphere: through it, tangent to it, from its inside, its surface or far away.
-Pair hostile_sphere(Random& random) {
-  Sphere sphere{random.in_cube(std::ldexp(1.0f, random.between(-10, 10))),
-                std::ldexp(random.uniform(1, 2), random.between(-20, 12))};
-  const Vec3 normal = normalize(random.in_ball());
-  Vec3 side = random.in_ball();
-  side = normalize(side - normal * dot(side, normal));
-  const Vec3 on_surface = sphere.center + normal * sphere.radius;
-  const float distance = std::ldexp(sphere.radius, random.between(-3, 20));
-  Vec3 origin = sphere.center + random.in_ball() * distance, target = on_surface;
-  switch (random.below(6)) {
-    case 0:  // tangent within rounding
-      origin = on_surface + side * distance;
-      break;
-    case 1:  // from the surface
-      origin = on_surface;
-      target = origin + random.in_ball();
-      break;
-    case 2:  // from the inside
-      origin = sphere.center + random.in_ball() * sphere.radius;
-      break;
-    case 3:  // from far away
-      origin = target + random.in_ball() * std::ldexp(1.0f, random.between(10, 58));
-      break;
-    default:
-      target = sphere.center + random.in_ball() * sphere.radius;
-      break;
-  }
-  const Vec3 direction = test::hostile_direction(random, origin, target);
-  return {{.origin = origin, .direction = direction}, sphere};
-}
-
 double length_of(const Vec3& d) {
   return std::sqrt(double(d.x) * d.x + double(d.y) * d.y + double(d.z) * d.z);
 }
 
 /// How far the canonical t of a root may be from the exact one.
-double t_bound(const SphereJudgement& truth, const Pair& pair, int root) {
+double t_bound(const SphereJudgement& truth, const RayAndSphere& pair, int root) {
   const double d = length_of(pair.ray.direction), rounding = 64 * 0x1p-53 * truth.scale;
   const double half_chord = 0.5 * (truth.t[1].value - truth.t[0].value) * d;
   // The squared half chord is off by that rounding times twice the radius, its root accordingly.
@@ -73,7 +38,7 @@ TEST_CASE("a ray hits a sphere where the judge says, unless tangent within round
   Random random(51);
   int hits = 0, misses = 0, far_roots = 0;
   for (int i = 0; i < 150000; ++i) {
-    const Pair pair = hostile_sphere(random);
+    const RayAndSphere pair = hostile_sphere(random);
     const SphereJudgement truth = judge_sphere(pair.ray, pair.sphere);
     const auto hit = trace_sphere(pair.ray, pair.sphere);
     const bool misses_clearly = truth.margin_ulps() < -decision_margin;
@@ -102,7 +67,7 @@ TEST_CASE("a sphere's interval is closed: a ray that ends or starts at its hit f
   Random random(52);
   int tested = 0;
   for (int i = 0; i < 200000; ++i) {
-    Pair pair = hostile_sphere(random);
+    RayAndSphere pair = hostile_sphere(random);
     const auto hit = trace_sphere(pair.ray, pair.sphere);
     if (!hit || hit->t < 0x1p-100f || hit->t > 0x1p100f) continue;
     ++tested;

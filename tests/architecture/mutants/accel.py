@@ -10,6 +10,11 @@ IN_BATCHES = "the fast kernels take the steps of the scalar traversal in batches
 SEARCHES = "reinsertion searches as far as it must"
 TOLD = "Embree is told of each hit, and culls by it as our own tree does"
 
+SPHERES = "spheres in lanes give the canonical hit of a hostile ray"
+HOLDS = ("slab_margin moves origins and reciprocals, too: that alone is more than the rounding of a sphere's "
+         "roots, so none lies outside of the box")
+ANY_SPHERES = "spheres of any size at any place give the canonical hit in lanes"
+
 MUTANTS = [
     Mutant("Embree's padding is a quarter", "accel/embree/rounding.h",
            "(1 + reach) * 0x1p-20f", "(1 + reach) * 0x1p-22f",
@@ -92,7 +97,7 @@ MUTANTS = [
     Mutant("t_min of a long direction is not scaled with it", "accel/canonical/checked_ray.cpp",
            "  checked.t_min = std::ldexp(checked.t_min, k);\n", "",
            TARGET, "the interval is scaled with the direction"),
-    Mutant("of equal hits of two blocks the greater id wins", "accel/canonical/block_test-inl.h",
+    Mutant("of equal hits of two blocks the greater id wins", "accel/canonical/block_lanes-inl.h",
            "best.id() < block.ids[lane]", "block.ids[lane] < best.id()",
            TARGET, "engines agree on coplanar layers and duplicates, where the lowest id wins"),
     Mutant("reinsertion moves the smallest gain first", "accel/build/reinsertion.cpp",
@@ -137,4 +142,36 @@ MUTANTS = [
     Mutant("the binary tree's depth counts nodes", "accel/bvh/statistics.cpp",
            "std::max(stats_.depth, depth)", "std::max(stats_.depth, depth + 1)",
            TARGET, "coincident centres are divided by halves"),
+    Mutant("in lanes a sphere has no far root", "accel/canonical/sphere_test-inl.h",
+           "t = hn::IfThenElse(is_far, far, near);", "t = near;",
+           TARGET, SPHERES),
+    Mutant("in lanes a sphere's normal is that of the near root", "accel/canonical/sphere_test-inl.h",
+           "hn::IfThenElse(is_far, one, hn::Neg(one))", "hn::Neg(one)",
+           TARGET, SPHERES),
+    Mutant("in lanes a sphere's box is not padded", "accel/canonical/sphere_test-inl.h",
+           "hn::Add(hn::BitCast(Floats(), hn::Add(bits, step)), padding_)",
+           "hn::BitCast(Floats(), hn::Add(bits, step))",
+           TARGET, SPHERES, equivalent=HOLDS),
+    Mutant("in lanes a sphere's box is not rounded outward", "accel/canonical/sphere_test-inl.h",
+           "hn::BitCast(Floats(), hn::Add(bits, step))", "x",
+           TARGET, ANY_SPHERES, equivalent=HOLDS),
+    Mutant("in lanes a plane through the origin is rounded inward", "accel/canonical/sphere_test-inl.h",
+           "hn::Sub(boxes.radius_, center)", "hn::Neg(hn::Sub(center, boxes.radius_))",
+           TARGET, ANY_SPHERES),
+    Mutant("in lanes a ray may pass beside a sphere's box", "accel/canonical/sphere_test-inl.h",
+           "met_ & boxes.met() & within", "met_ & within",
+           TARGET, SPHERES, equivalent=HOLDS),
+    Mutant("a sphere's chord is computed with fused steps", "accel/canonical/sphere_test-inl.h",
+           "hn::Add(origin[axis], hn::Mul(closest_, direction_[axis]))",
+           "hn::MulAdd(closest_, direction_[axis], origin[axis])",
+           TARGET, SPHERES),
+    Mutant("0 and -0 are ordered in a sphere's box", "accel/canonical/sphere_test-inl.h",
+           "hn::IfThenElse(hn::Lt(a, b), b, a)", "hn::Max(a, b)",
+           TARGET, ANY_SPHERES),
+    Mutant("any lane of a block is a sphere", "accel/canonical/sphere_test-inl.h",
+           "some_of(block.spheres, first)", "some_of(15, first)",
+           TARGET, "a block holds spheres, triangles without area and empty lanes beside triangles"),
+    Mutant("of two hits in a block the first lane's is kept", "accel/canonical/block_lanes-inl.h",
+           "if (hits & (hits - 1)) lane", "if (false) lane",
+           TARGET, SPHERES),
 ]
