@@ -10,7 +10,7 @@ namespace {
 /// The middle of a pixel where it has one sample, else a point of it.
 Vec2 point_in_pixel(const Recording& recording, const SampleKey& key) {
   if (recording.samples == 1) return {0.5f, 0.5f};
-  return VertexSampler(SamplerKind::independent, key, 0).draw_2d(Purpose::pixel);
+  return VertexSampler(SamplerKind::independent, PathKey(key), 0).draw_2d(Purpose::pixel);
 }
 
 }  // namespace
@@ -18,7 +18,7 @@ Vec2 point_in_pixel(const Recording& recording, const SampleKey& key) {
 void record_sample(const Integrator& integrator, const Camera& camera, const Accelerator& accelerator,
                    Vec2 frame, const SampleKey& key, std::vector<RecordedRay>& rays) {
   Tracer tracer(accelerator, false, &rays);
-  VertexSampler sampler(SamplerKind::independent, key, 0);
+  const VertexSampler sampler(SamplerKind::independent, PathKey(key), 0);
   integrator.radiance(lens_ray(camera, frame, sampler), SamplerKind::independent, key, tracer);
 }
 

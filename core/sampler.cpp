@@ -13,7 +13,7 @@
 // carries from a digit to the later ones only, which is what a nested (Owen) scramble may do.
 #include "core/sampler.h"
 
-#include <bit>
+#include <array>
 #include <cassert>
 
 #include "core/error.h"
@@ -68,34 +68,27 @@ constexpr Table table = make_table();
 /// The upper 24 bits as a number in [0, 1).
 float to_unit(std::uint32_t x) { return float(std::int32_t(x >> 8)) * 0x1p-24f; }
 
-inline std::array<float, 4> independent_set(std::uint64_t key, std::uint64_t index, std::uint32_t number) {
+/// Two dimensions of a set, as 24-bit fractions of 32-bit words.
+Vec2 to_unit(std::uint32_t x, std::uint32_t y) { return {to_unit(x), to_unit(y)}; }
+
+Vec2 independent_pair(std::uint64_t key, std::uint64_t index, const DrawPlace& place) {
   const std::uint64_t start = mix(key + (index + 1) * index_step);
-  const std::uint64_t a = mix(start + (2 * number + 1) * hash_step);
-  const std::uint64_t b = mix(start + (2 * number + 2) * hash_step);
-  return {to_unit(std::uint32_t(a)), to_unit(std::uint32_t(a >> 32)), to_unit(std::uint32_t(b)),
-          to_unit(std::uint32_t(b >> 32))};
+  const std::uint64_t bits = mix(start + (2 * place.set + place.member / 2 + 1) * hash_step);
+  return to_unit(std::uint32_t(bits), std::uint32_t(bits >> 32));
 }
 
-inline std::array<float, 4> sobol_set(std::uint64_t key, std::uint32_t index, std::uint32_t number) {
-  const std::uint64_t a = mix(key + (3 * number + 1) * hash_step);
-  const std::uint64_t b = mix(key + (3 * number + 2) * hash_step);
-  const std::uint64_t c = mix(key + (3 * number + 3) * hash_step);
-  const Lanes seeds = {std::uint32_t(b), std::uint32_t(b >> 32), std::uint32_t(c), std::uint32_t(c >> 32)};
-  const std::uint32_t shuffled = scrambled(reversed(index), std::uint32_t(a >> 32));
-  Lanes x{};
-  for (std::size_t nibble = 0; nibble < 8; ++nibble)
-    for (std::size_t i = 0; i < 4; ++i) x[i] ^= table[nibble][shuffled >> (4 * nibble) & 15][i];
-  std::array<float, 4> set;
-  for (std::size_t i = 0; i < 4; ++i) set[i] = to_unit(reversed(scrambled(x[i], seeds[i])));
-  return set;
-}
-
-/// A set of the sample `index` of the sequence `key`; sobol has one sequence for each 2^32 of them.
-inline std::array<float, 4> make_set(SamplerKind kind, std::uint64_t key, std::uint64_t index,
-                                     std::uint32_t number) {
-  if (kind == SamplerKind::independent) return independent_set(key, index, number);
-  if (index >> 32 != 0) key = mix(key + (index >> 32) * index_step);
-  return sobol_set(key, std::uint32_t(index), number);
+Vec2 sobol_pair(std::uint64_t key, std::uint32_t index, const DrawPlace& place) {
+  const std::uint64_t order = mix(key + (3 * place.set + 1) * hash_step);
+  const std::uint64_t seeds = mix(key + (3 * place.set + place.member / 2 + 2) * hash_step);
+  const std::uint32_t shuffled = scrambled(reversed(index), std::uint32_t(order >> 32));
+  std::uint32_t x = 0, y = 0;
+  for (std::size_t nibble = 0; nibble < table.size(); ++nibble) {
+    const Lanes& columns = table[nibble][shuffled >> (4 * nibble) & 15];
+    x ^= columns[place.member];
+    y ^= columns[place.member + 1];
+  }
+  return to_unit(reversed(scrambled(x, std::uint32_t(seeds))),
+                 reversed(scrambled(y, std::uint32_t(seeds >> 32))));
 }
 
 }  // namespace
@@ -103,20 +96,15 @@ inline std::array<float, 4> make_set(SamplerKind kind, std::uint64_t key, std::u
 PathKey::PathKey(const SampleKey& key)
     : pixel(mix(mix(key.seed + hash_step) + (std::uint64_t(key.y) << 32 | key.x))), index(key.index) {}
 
-VertexSampler::VertexSampler(SamplerKind kind, const PathKey& key, std::uint32_t vertex)
-    : kind_(kind), index_(key.index), key_(mix(key.pixel + (vertex + std::uint64_t(1)) * vertex_step)) {}
-
-void VertexSampler::compute_set(std::uint32_t number) {
-  assert(number < sets_.size());
-  sets_[number] = make_set(kind_, key_, index_, number);
-  known_sets_ |= 1u << number;
-}
-
-Vec2 VertexSampler::draw_part(Purpose purpose, std::uint32_t part, std::uint32_t parts,
-                              std::uint32_t stream) const {
-  const std::uint64_t key = stream == 0 ? key_ : mix(key_ + stream * stream_step);
-  const std::uint64_t index = std::uint64_t(index_) * parts + part;
-  return pair(make_set(kind_, key, index, set_number(purpose)), purpose);
+Vec2 draw_pair(SamplerKind kind, const PathKey& path, const DrawPlace& place, const SubSample& sub) {
+  assert(place.member % 2 == 0 && place.member < 4);
+  assert(sub.part < sub.parts && sub.parts <= 1u << 16);
+  std::uint64_t key = path.pixel + (place.vertex + std::uint64_t(1)) * vertex_step;  // Mixed when it is used.
+  if (sub.stream != 0) key = mix(key + sub.stream * stream_step);
+  const std::uint64_t index = std::uint64_t(path.index) * sub.parts + sub.part;
+  if (kind == SamplerKind::independent) return independent_pair(key, index, place);
+  if (index >> 32 != 0) key = mix(key + (index >> 32) * index_step);  // A sequence has 2^32 points.
+  return sobol_pair(key, std::uint32_t(index), place);
 }
 
 std::string sampler_name(SamplerKind kind) { return kind == SamplerKind::sobol ? "sobol" : "independent"; }

@@ -4,8 +4,6 @@
 // A draw depends on nothing else: not on the draws before it, the tile, the thread or the number of samples.
 // So images can be split, resumed and merged, and a new purpose leaves all others' numbers as they are.
 #pragma once
-#include <array>
-#include <cassert>
 #include <cstdint>
 #include <string>
 
@@ -13,24 +11,55 @@
 
 namespace twinray {
 
-/// What a draw is for. The values are part of the image format of a seed: never renumber, only append.
-/// Grouped in sets of four dimensions (value / 4): the members of a set are stratified against each other.
+/// What a draw is for. Appended to, never renumbered.
 enum class Purpose : std::uint32_t {
-  // Set 0, two pairs.
-  light_point = 0,  ///< 2D: where on a light.
-  direction = 2,    ///< 2D: which way a path goes on.
-  // Set 1, single draws.
-  light_pick = 4,  ///< 1D: which light.
-  lobe = 5,        ///< 1D: which lobe of a material.
-  roulette = 6,    ///< 1D: whether a path goes on.
-  alpha = 7,       ///< 1D: cut-outs.
-  // Set 2: camera.
-  pixel = 8,  ///< 2D: where in the pixel.
-  lens = 10,  ///< 2D: where on the lens.
-  // Set 3.
-  time = 12,    ///< 1D: when.
-  medium = 13,  ///< 1D: how far in a volume.
+  pixel,        ///< 2D: where in the pixel; at the camera.
+  lens,         ///< 2D: where on the lens; at the camera.
+  light_point,  ///< 2D: where on a light.
+  direction,    ///< 2D: which way a path goes on.
+  light_pick,   ///< 1D: which light.
+  lobe,         ///< 1D: which lobe of a material.
+  roulette,     ///< 1D: whether a path goes on.
+  alpha,        ///< 1D: cut-outs.
+  time,         ///< 1D: when; at the camera.
+  medium,       ///< 1D: how far in a volume.
 };
+
+/// Where a draw is found: draws come in sets of four dimensions, whose members are stratified against each
+/// other. Part of the image format of a seed.
+struct DrawPlace {
+  std::uint32_t vertex = 0;  ///< The set belongs to this vertex of the path,
+  std::uint32_t set = 0;     ///< is this one of it, 0 to 4,
+  std::uint32_t member = 0;  ///< and has the draw as its dimension 0 to 3; an even one where it is a pair.
+};
+
+/// Pairs of draws that the same paths depend on most share a set: where a path goes at two vertices that
+/// follow each other, and where a vertex and the next look for light (the camera's own point is the pixel's).
+constexpr DrawPlace place_of(Purpose purpose, std::uint32_t vertex) {
+  switch (purpose) {
+    case Purpose::pixel:
+      return {0, 0, 0};
+    case Purpose::light_point:
+      return {vertex / 2, 0, 2 * (vertex % 2)};
+    case Purpose::direction:
+      return {(vertex - 1) / 2, 1, 2 * ((vertex - 1) % 2)};
+    case Purpose::light_pick:
+      return {vertex, 2, 0};
+    case Purpose::lobe:
+      return {vertex, 2, 1};
+    case Purpose::roulette:
+      return {vertex, 2, 2};
+    case Purpose::alpha:
+      return {vertex, 2, 3};
+    case Purpose::lens:
+      return {0, 3, 0};
+    case Purpose::time:
+      return {0, 3, 2};
+    case Purpose::medium:
+      return {vertex, 4, 0};
+  }
+  return {};
+}
 
 enum class SamplerKind { sobol, independent };
 
@@ -50,55 +79,44 @@ struct PathKey {
   std::uint32_t index = 0;
 };
 
-/// The draws of one vertex of one sample's path: vertex 0 is the camera, 1 the first surface, ...
+/// Which samples of a place: sub-sample `part` of `parts` (1 to 2^16) is sample index x parts + part of a
+/// sequence of its own for each `stream` (such as the index of a light).
+struct SubSample {
+  std::uint32_t part = 0, parts = 1, stream = 0;
+};
+
+/// Two dimensions of a set, `member` and the next, in [0, 1)^2; the member is even.
 ///
 /// `independent` hashes. `sobol` takes shuffled, Owen-scrambled points (Burley, "Practical Hash-based Owen
 /// Scrambling", JCGT 9(4), 2020), so that the samples of a pixel are stratified against each other: in each
 /// aligned block of 2^k indices, every pair of dimensions 0 and 1 or 2 and 3 of a set has one sample in each
 /// elementary interval (as Sobol's first two dimensions have); of 4^k, the four together have one in each
-/// with sides of powers of 1/4. Different sets are independent. A set of four dimensions is computed when its
-/// first member is drawn and kept, so repeated draws of a vertex are cheap; the same purpose always gives the
-/// same number.
+/// with sides of powers of 1/4. Different sets are independent.
+Vec2 draw_pair(SamplerKind kind, const PathKey& path, const DrawPlace& place, const SubSample& sub = {});
+
+/// The draws of one vertex of one sample's path: vertex 0 is the camera, 1 the first surface, ...
 class VertexSampler {
  public:
-  VertexSampler(SamplerKind kind, const SampleKey& key, std::uint32_t vertex)
-      : VertexSampler(kind, PathKey(key), vertex) {}
-  VertexSampler(SamplerKind kind, const PathKey& key, std::uint32_t vertex);
+  VertexSampler(SamplerKind kind, const PathKey& path, std::uint32_t vertex)
+      : kind_(kind), path_(path), vertex_(vertex) {}
 
   /// In [0, 1).
-  float draw_1d(Purpose purpose) { return set(purpose)[member(purpose)]; }
-  /// In [0, 1)^2; the purpose is an even member of its set.
-  Vec2 draw_2d(Purpose purpose) { return pair(set(purpose), purpose); }
-
-  /// The draw for sub-sample `part` of `parts` (1 to 2^16): sample index x parts + part of a sequence of its
-  /// own for each `stream` (such as the index of a light). With parts = 1 and stream = 0 it is draw_2d.
-  Vec2 draw_2d(Purpose purpose, std::uint32_t part, std::uint32_t parts, std::uint32_t stream) {
-    assert(part < parts && parts <= 1u << 16);
-    return parts == 1 && stream == 0 ? draw_2d(purpose) : draw_part(purpose, part, parts, stream);
+  float draw_1d(Purpose purpose) const {
+    DrawPlace place = place_of(purpose, vertex_);
+    const bool second = place.member % 2 == 1;
+    place.member -= second;
+    const Vec2 pair = draw_pair(kind_, path_, place);
+    return second ? pair.y : pair.x;
+  }
+  /// In [0, 1)^2.
+  Vec2 draw_2d(Purpose purpose, const SubSample& sub = {}) const {
+    return draw_pair(kind_, path_, place_of(purpose, vertex_), sub);
   }
 
  private:
-  using Set = std::array<float, 4>;
-
-  static std::uint32_t set_number(Purpose purpose) { return std::uint32_t(purpose) / 4; }
-  static std::size_t member(Purpose purpose) { return std::size_t(purpose) % 4; }
-  static Vec2 pair(const Set& values, Purpose purpose) {
-    assert(member(purpose) % 2 == 0);
-    return {values[member(purpose)], values[member(purpose) + 1]};
-  }
-  const Set& set(Purpose purpose) {
-    const std::uint32_t number = set_number(purpose);
-    if ((known_sets_ >> number & 1) == 0) compute_set(number);
-    return sets_[number];
-  }
-  void compute_set(std::uint32_t number);
-  Vec2 draw_part(Purpose purpose, std::uint32_t part, std::uint32_t parts, std::uint32_t stream) const;
-
   SamplerKind kind_;
-  std::uint32_t index_;
-  std::uint64_t key_;             ///< Hash of seed, pixel and vertex.
-  std::uint32_t known_sets_ = 0;  ///< Bit n: sets_[n] has been computed.
-  std::array<Set, 4> sets_;
+  PathKey path_;
+  std::uint32_t vertex_;
 };
 
 /// "sobol", "independent"; parse throws Error that lists them.

@@ -7,12 +7,12 @@
 namespace twinray {
 namespace {
 
-Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, VertexSampler& sampler,
+Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,
                       Tracer& tracer) {
   const std::uint32_t count = transport.directions();
   Rgb sum;
   for (std::uint32_t part = 0; part < count; ++part) {
-    const Vec2 u = sampler.draw_2d(Purpose::light_point, part, count, 0);
+    const Vec2 u = sampler.draw_2d(Purpose::light_point, {part, count, 0});
     const Vec3 direction = at.to_world(square_to_uniform_hemisphere(u));
     const Rgb scattered = at.scattered(direction);
     if (is_black(scattered)) continue;
@@ -24,11 +24,11 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, Ve
 
 /// The light of one source, by the mean of its samples.
 Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Interaction& at,
-                 VertexSampler& sampler, Tracer& tracer) {
+                 const VertexSampler& sampler, Tracer& tracer) {
   const std::uint32_t count = transport.samples_of(light);
   Rgb sum;
   for (std::uint32_t part = 0; part < count; ++part) {
-    const Vec2 u = sampler.draw_2d(Purpose::light_point, part, count, light);
+    const Vec2 u = sampler.draw_2d(Purpose::light_point, {part, count, light});
     const LightSample sample = transport.lights.sample(light, at.point(), u);
     const Rgb scattered = at.scattered(sample.direction) * sample.radiance;
     if (!is_black(scattered)) sum += scattered * tracer.visibility(sample.shadow_ray) / sample.pdf;
@@ -38,7 +38,7 @@ Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Int
 
 }  // namespace
 
-Rgb direct_light(const LightTransport& transport, const Interaction& at, VertexSampler& sampler,
+Rgb direct_light(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,
                  Tracer& tracer) {
   if (transport.method == DirectMethod::hemisphere) return sample_hemisphere(transport, at, sampler, tracer);
   Rgb sum;

@@ -33,7 +33,7 @@ struct LightTransport {
 
 /// An estimate of the light of all emitters, scattered once at a surface; by `hemisphere`, of all but delta
 /// lights. Unbiased.
-Rgb direct_light(const LightTransport& transport, const Interaction& at, VertexSampler& sampler,
+Rgb direct_light(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,
                  Tracer& tracer);
 
 /// Radiance that a ray brings from an emitter that it hits, or from beyond the scene.

@@ -34,7 +34,7 @@ Rgb PathReference::radiance(const Ray& camera_ray, SamplerKind kind, const Sampl
     if (depth >= options_.depth_limit()) return radiance;
 
     const Interaction at(scene_, point, -direction);
-    VertexSampler sampler(kind, path, std::uint32_t(depth) + 1);
+    const VertexSampler sampler(kind, path, std::uint32_t(depth) + 1);
     if (options_.counts(depth + 1)) radiance += throughput * direct_light(transport, at, sampler, tracer);
     // The ray after the last surface could only hit emission that direct light has counted.
     if (depth + 1 >= options_.depth_limit() || !scatter(at, depth, sampler, throughput, ray)) return radiance;
@@ -42,7 +42,7 @@ Rgb PathReference::radiance(const Ray& camera_ray, SamplerKind kind, const Sampl
   }
 }
 
-bool PathReference::scatter(const Interaction& at, int depth, VertexSampler& sampler, Rgb& throughput,
+bool PathReference::scatter(const Interaction& at, int depth, const VertexSampler& sampler, Rgb& throughput,
                             Ray& ray) const {
   const BsdfSample sample = at.bsdf().sample(at.wo_local(), sampler.draw_2d(Purpose::direction));
   if (sample.pdf == 0) return false;
@@ -54,7 +54,7 @@ bool PathReference::scatter(const Interaction& at, int depth, VertexSampler& sam
   return true;
 }
 
-bool PathReference::survives_roulette(int bounce, VertexSampler& sampler, Rgb& throughput) const {
+bool PathReference::survives_roulette(int bounce, const VertexSampler& sampler, Rgb& throughput) const {
   if (!options_.roulette.applies(bounce)) return true;
   const float probability = options_.roulette.probability(throughput);
   if (probability >= 1) return true;

@@ -21,8 +21,9 @@ class PathReference final : public Integrator {
 
  private:
   /// Chooses where the path goes on from its vertex `depth`; false where it ends.
-  bool scatter(const Interaction& at, int depth, VertexSampler& sampler, Rgb& throughput, Ray& ray) const;
-  bool survives_roulette(int bounce, VertexSampler& sampler, Rgb& throughput) const;
+  bool scatter(const Interaction& at, int depth, const VertexSampler& sampler, Rgb& throughput,
+               Ray& ray) const;
+  bool survives_roulette(int bounce, const VertexSampler& sampler, Rgb& throughput) const;
 
   const Scene& scene_;
   PathOptions options_;

@@ -9,7 +9,7 @@
 namespace twinray {
 
 struct CameraStage::Draws {
-  Keys pixel, vertex;
+  Keys pixel;
   Words index;
   Floats pixel_x, pixel_y, lens_x, lens_y;
 };
@@ -31,7 +31,7 @@ void CameraStage::make(std::span<const PixelSample> samples, std::span<CameraSam
 
 CameraSample CameraStage::make_alone(const PixelSample& sample) const {
   const SampleKey key = key_of(sample);
-  VertexSampler sampler(sampling_.kind, key, 0);
+  const VertexSampler sampler(sampling_.kind, PathKey(key), 0);
   const Vec2 in_pixel = sampling_.samples == 1 ? Vec2{0.5f, 0.5f} : sampler.draw_2d(Purpose::pixel);
   return {lens_ray(camera_, frame_point(sample, in_pixel), sampler), key};
 }
@@ -42,12 +42,11 @@ void CameraStage::draw(std::span<const PixelSample> samples, Draws& draws) const
     draws.pixel.set(i, pixel_key(key_of(samples[i])));
     draws.index[i] = samples[i].index;
   }
-  stages_->hash_vertices(draws.pixel, samples.size(), 0, draws.vertex);
-  stages_->draw(draws.vertex, draws.index, samples.size(), {sampling_.kind, Purpose::pixel}, draws.pixel_x,
-                draws.pixel_y);
-  if (camera_.lens_radius != 0)
-    stages_->draw(draws.vertex, draws.index, samples.size(), {sampling_.kind, Purpose::lens}, draws.lens_x,
-                  draws.lens_y);
+  const auto draw_2d = [&](Purpose purpose, Floats& x, Floats& y) {
+    stages_->draw(draws.pixel, draws.index, samples.size(), {sampling_.kind, place_of(purpose, 0), {}}, x, y);
+  };
+  draw_2d(Purpose::pixel, draws.pixel_x, draws.pixel_y);
+  if (camera_.lens_radius != 0) draw_2d(Purpose::lens, draws.lens_x, draws.lens_y);
 }
 
 void CameraStage::make_together(std::span<const PixelSample> samples, std::span<CameraSample> made) const {

@@ -124,8 +124,8 @@ HWY_ATTR HWY_INLINE Pair independent_pair(const LongHalves& key, const LongHalve
 }
 
 /// index * parts + part; an index has 32 bits, parts 17.
-HWY_ATTR HWY_INLINE LongLanes part_index(LongLanes index, const DrawRequest& request) {
-  return hn::Add(multiply_low(index, longs(request.parts)), longs(request.part));
+HWY_ATTR HWY_INLINE LongLanes part_index(LongLanes index, const SubSample& sub) {
+  return hn::Add(multiply_low(index, longs(sub.parts)), longs(sub.part));
 }
 /// Beyond 2^32 samples Sobol's points have another key.
 HWY_ATTR HWY_INLINE LongLanes key_of_block(LongLanes key, LongLanes index) {
@@ -135,32 +135,25 @@ HWY_ATTR HWY_INLINE LongLanes key_of_block(LongLanes key, LongLanes index) {
 }
 
 HWY_ATTR HWY_INLINE Pair draw_pair(LongHalves key, WordLanes index, const DrawRequest& request) {
-  const std::uint32_t set = std::uint32_t(request.purpose) / 4;
-  const bool second = std::uint32_t(request.purpose) % 4 >= 2;
+  const std::uint32_t set = request.place.set;
+  const bool second = request.place.member == 2;
   LongHalves long_index = join(index, hn::Zero(WordTag()));
-  if (request.stream != 0) key = mixed(key, request.stream * stream_step);
-  if (request.parts != 1)
-    long_index = {part_index(long_index.lower, request), part_index(long_index.upper, request)};
+  if (request.sub.stream != 0) key = mixed(key, request.sub.stream * stream_step);
+  if (request.sub.parts != 1)
+    long_index = {part_index(long_index.lower, request.sub), part_index(long_index.upper, request.sub)};
   if (request.kind == SamplerKind::independent) return independent_pair(key, long_index, set, second);
-  if (request.parts > 1)
+  if (request.sub.parts > 1)
     key = {key_of_block(key.lower, long_index.lower), key_of_block(key.upper, long_index.upper)};
   const WordLanes low = low_words(long_index);
   return second ? sobol_pair<true>(key, low, set) : sobol_pair<false>(key, low, set);
 }
 
-HWY_ATTR void hash_vertices(const Keys& pixels, std::size_t size, std::uint32_t vertex, Keys& vertices) {
-  const std::uint64_t step = (vertex + std::uint64_t(1)) * vertex_step;
-  for (std::size_t i = 0; i < size; i += lane_count) {
-    const LongHalves key = mixed(join(load(pixels.low, i), load(pixels.high, i)), step);
-    store(low_words(key), vertices.low, i);
-    store(high_words(key), vertices.high, i);
-  }
-}
-
-HWY_ATTR void draw(const Keys& vertices, const Words& index, std::size_t size, const DrawRequest& request,
+HWY_ATTR void draw(const Keys& pixels, const Words& index, std::size_t size, const DrawRequest& request,
                    Floats& x, Floats& y) {
+  const std::uint64_t step = (request.place.vertex + std::uint64_t(1)) * vertex_step;
   for (std::size_t i = 0; i < size; i += lane_count) {
-    const LongHalves key = join(load(vertices.low, i), load(vertices.high, i));
+    const LongHalves pixel = join(load(pixels.low, i), load(pixels.high, i));
+    const LongHalves key{hn::Add(pixel.lower, longs(step)), hn::Add(pixel.upper, longs(step))};
     const Pair pair = draw_pair(key, load(index, i), request);
     store(pair.x, x, i);
     store(pair.y, y, i);

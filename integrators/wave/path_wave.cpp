@@ -84,7 +84,6 @@ void PathWave::arrive() {
   stages_.find_points(surfaces_, paths_.size);
   place_spheres();
   stages_.find_interactions(paths_, surfaces_);
-  stages_.hash_vertices(paths_.pixel, paths_.size, std::uint32_t(depth_) + 1, surfaces_.vertex);
 }
 
 namespace {
@@ -179,9 +178,9 @@ void PathWave::add_lights() {
   }
 }
 
-void PathWave::draw(Purpose purpose, std::uint32_t part, std::uint32_t parts, std::uint32_t stream, Floats& x,
-                    Floats& y) {
-  stages_.draw(surfaces_.vertex, paths_.index, paths_.size, {kind_, purpose, part, parts, stream}, x, y);
+void PathWave::draw(Purpose purpose, const SubSample& sub, Floats& x, Floats& y) {
+  const DrawPlace place = place_of(purpose, std::uint32_t(depth_) + 1);
+  stages_.draw(paths_.pixel, paths_.index, paths_.size, {kind_, place, sub}, x, y);
 }
 
 void PathWave::sample_light(std::uint32_t light) {
@@ -190,7 +189,7 @@ void PathWave::sample_light(std::uint32_t light) {
   if (mesh && context_.transport.lights.triangles(light).total() == 0) return;
   const std::uint32_t count = context_.transport.samples_of(light);
   for (std::uint32_t part = 0; part < count; ++part) {
-    draw(Purpose::light_point, part, count, light, light_.ux, light_.uy);
+    draw(Purpose::light_point, {part, count, light}, light_.ux, light_.uy);
     if (mesh)
       sample_mesh_light(light, *mesh);
     else
@@ -249,7 +248,7 @@ void PathWave::add_hemisphere() {
   if (count == 0) return;
   connections_.of_light.clear(paths_.size);
   for (std::uint32_t part = 0; part < count; ++part) {
-    draw(Purpose::light_point, part, count, 0, light_.ux, light_.uy);
+    draw(Purpose::light_point, {part, count, 0}, light_.ux, light_.uy);
     stages_.sample_hemisphere(surfaces_, light_, paths_.size);
     stages_.scatter_light(surfaces_, light_, paths_.size, connections_);
     const std::span<Hit> hits = std::span(connections_.hits).first(connections_.size);
@@ -265,7 +264,7 @@ void PathWave::add_hemisphere() {
 }
 
 bool PathWave::scatter() {
-  draw(Purpose::direction, 0, 1, 0, wave_.ux, wave_.uy);
+  draw(Purpose::direction, {}, wave_.ux, wave_.uy);
   std::size_t kept = stages_.scatter_paths(surfaces_, wave_);
   if (context_.options.roulette.applies(depth_ + 1)) kept = play_roulette(kept);
   for (std::size_t k = 0; k < kept; ++k) {
@@ -278,7 +277,7 @@ bool PathWave::scatter() {
 
 std::size_t PathWave::play_roulette(std::size_t kept) {
   const Roulette& roulette = context_.options.roulette;
-  draw(Purpose::roulette, 0, 1, 0, wave_.ux, wave_.uy);
+  draw(Purpose::roulette, {}, wave_.ux, wave_.uy);
   std::size_t surviving = 0;
   for (std::size_t k = 0; k < kept; ++k) {
     const std::size_t i = wave_.kept[k];

@@ -44,8 +44,7 @@ class PathWave {
   void add_direct_light();
   void add_lights();
   void add_hemisphere();
-  void draw(Purpose purpose, std::uint32_t part, std::uint32_t parts, std::uint32_t stream, Floats& x,
-            Floats& y);
+  void draw(Purpose purpose, const SubSample& sub, Floats& x, Floats& y);
   void sample_light(std::uint32_t light);
   void sample_mesh_light(std::uint32_t light, const MeshLight& mesh);
   void choose_of_many(const Distribution& triangles, const ShapeEntry& shape);

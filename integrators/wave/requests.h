@@ -9,11 +9,11 @@
 
 namespace twinray {
 
-/// Which draw of a vertex: VertexSampler::draw_2d.
+/// Which draws: draw_pair.
 struct DrawRequest {
   SamplerKind kind = SamplerKind::sobol;
-  Purpose purpose = Purpose::light_point;
-  std::uint32_t part = 0, parts = 1, stream = 0;
+  DrawPlace place;
+  SubSample sub;
 };
 
 /// A mesh light, as far as the arithmetic of its samples needs it.

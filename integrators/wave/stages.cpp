@@ -20,7 +20,6 @@ namespace {
 
 WaveStages stages() {
   return {simd_name(hwy::TargetName(HWY_TARGET)),
-          hash_vertices,
           draw,
           find_points,
           find_interactions,

@@ -15,10 +15,8 @@ namespace twinray {
 
 struct WaveStages {
   std::string name;  ///< Of the instruction set: "avx512", "avx2", "sse4".
-  /// Keys of pixels -> keys of a vertex: VertexSampler's.
-  void (*hash_vertices)(const Keys& pixels, std::size_t size, std::uint32_t vertex, Keys& vertices);
-  /// Keys of a vertex, indices of samples -> draws in the unit square.
-  void (*draw)(const Keys& vertices, const Words& index, std::size_t size, const DrawRequest&, Floats& x,
+  /// Keys of pixels, indices of samples -> draws in the unit square.
+  void (*draw)(const Keys& pixels, const Words& index, std::size_t size, const DrawRequest&, Floats& x,
                Floats& y);
   /// Surfaces::triangle, normal_a, b, c -> point.position, shading: triangle_point and the shading normal.
   void (*find_points)(Surfaces&, std::size_t size);

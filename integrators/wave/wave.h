@@ -63,7 +63,6 @@ struct Surfaces {
   Floats facing;     ///< 1, or -1 where the geometric normal looks away from the viewer.
   Floats wo_z;       ///< Cosine of the direction to the viewer and the shading normal.
   Columns3 reflectance;
-  Keys vertex;  ///< What the draws at the surface are hashed from.
 };
 
 /// Light that may arrive at each surface: a LightSample each, its shadow ray in parts.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sampler.h"
 
+#include <array>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <vector>
 
 #include "core/error.h"
@@ -13,10 +15,15 @@ namespace twinray {
 namespace {
 
 constexpr SamplerKind kinds[] = {SamplerKind::sobol, SamplerKind::independent};
-constexpr int dimensions = 16;  // The sets' members, named by a purpose or not yet.
+constexpr int dimensions = 16;  // The members of four sets, whether a purpose has them or not.
 
+Vec2 draw_pair_at(SamplerKind kind, const SampleKey& key, std::uint32_t vertex, int dimension) {
+  const auto set = std::uint32_t(dimension) / 4, member = std::uint32_t(dimension) % 4;
+  return draw_pair(kind, PathKey(key), {vertex, set, member});
+}
 float draw(SamplerKind kind, const SampleKey& key, std::uint32_t vertex, int dimension) {
-  return VertexSampler(kind, key, vertex).draw_1d(Purpose(dimension));
+  const Vec2 pair = draw_pair_at(kind, key, vertex, dimension - dimension % 2);
+  return dimension % 2 == 0 ? pair.x : pair.y;
 }
 
 /// Aligned blocks of 2^log_count samples: the whole of a small render, a later pass, and far out.
@@ -34,10 +41,9 @@ bool one_in_each_cell(const SampleKey& start, int first, const std::vector<int>&
   for (std::uint32_t i = 0; i < count; ++i) {
     SampleKey key = start;
     key.index += i;
-    VertexSampler sampler(SamplerKind::sobol, key, 2);
     std::size_t cell = 0;
     for (std::size_t d = 0; d < cells.size(); ++d) {
-      const float u = sampler.draw_1d(Purpose(first + int(d)));
+      const float u = draw(SamplerKind::sobol, key, 2, first + int(d));
       cell = cell * std::size_t(cells[d]) + std::size_t(u * float(cells[d]));
     }
     if (taken[cell]++ != 0) return false;
@@ -93,20 +99,49 @@ TEST_CASE("every set of sobol is a (0,4)-sequence in base 4") {
           }
 }
 
-TEST_CASE("a draw does not depend on the draws before it") {
-  for (const SamplerKind kind : kinds) {
-    const SampleKey key = {.seed = 7, .x = 10, .y = 20, .index = 30};
-    VertexSampler forward(kind, key, 1), backward(kind, key, 1);
-    float values[dimensions];
-    for (int d = 0; d < dimensions; ++d) values[d] = forward.draw_1d(Purpose(d));
-    for (int d = dimensions; d-- > 0;) {
-      CHECK(backward.draw_1d(Purpose(d)) == values[d]);
-      CHECK(backward.draw_1d(Purpose(d)) == values[d]);
-      CHECK(draw(kind, key, 1, d) == values[d]);
-    }
-    for (int d = 0; d < dimensions; d += 2)
-      CHECK(backward.draw_2d(Purpose(d)) == Vec2{values[d], values[d + 1]});
+TEST_CASE("no two draws of a path are found in one place") {
+  std::set<std::array<std::uint32_t, 3>> taken;
+  const auto take = [&](Purpose purpose, std::uint32_t vertex, std::uint32_t size) {
+    const DrawPlace place = place_of(purpose, vertex);
+    CAPTURE(int(purpose), vertex, place.vertex, place.set, place.member);
+    CHECK(place.member % size == 0);
+    for (std::uint32_t i = 0; i < size; ++i)
+      CHECK(taken.insert({place.vertex, place.set, place.member + i}).second);
+  };
+  take(Purpose::pixel, 0, 2);
+  take(Purpose::lens, 0, 2);
+  take(Purpose::time, 0, 1);
+  for (std::uint32_t vertex = 1; vertex <= 101; ++vertex) {
+    for (const Purpose pair : {Purpose::light_point, Purpose::direction}) take(pair, vertex, 2);
+    for (const Purpose one :
+         {Purpose::light_pick, Purpose::lobe, Purpose::roulette, Purpose::alpha, Purpose::medium})
+      take(one, vertex, 1);
   }
+}
+
+TEST_CASE("what a path depends on together is stratified together") {
+  const auto share = [](Purpose a, std::uint32_t vertex_a, Purpose b, std::uint32_t vertex_b) {
+    const DrawPlace first = place_of(a, vertex_a), second = place_of(b, vertex_b);
+    return first.vertex == second.vertex && first.set == second.set;
+  };
+  CHECK(share(Purpose::pixel, 0, Purpose::light_point, 1));
+  CHECK(share(Purpose::direction, 1, Purpose::direction, 2));
+  CHECK(share(Purpose::light_point, 2, Purpose::light_point, 3));
+  CHECK_FALSE(share(Purpose::direction, 2, Purpose::direction, 3));
+}
+
+TEST_CASE("a vertex's draws are those of their places") {
+  const PathKey path(SampleKey{.seed = 7, .x = 10, .y = 20, .index = 30});
+  for (const SamplerKind kind : kinds)
+    for (const std::uint32_t vertex : {1u, 2u, 7u}) {
+      const VertexSampler sampler(kind, path, vertex);
+      CHECK(sampler.draw_2d(Purpose::direction) ==
+            draw_pair(kind, path, place_of(Purpose::direction, vertex)));
+      CHECK(sampler.draw_1d(Purpose::light_pick) == draw_pair(kind, path, {vertex, 2, 0}).x);
+      CHECK(sampler.draw_1d(Purpose::lobe) == draw_pair(kind, path, {vertex, 2, 0}).y);
+      CHECK(sampler.draw_1d(Purpose::roulette) == draw_pair(kind, path, {vertex, 2, 2}).x);
+      CHECK(sampler.draw_1d(Purpose::alpha) == draw_pair(kind, path, {vertex, 2, 2}).y);
+    }
 }
 
 TEST_CASE("draws are uniform multiples of 2^-24, at least 0 and below 1") {
@@ -125,16 +160,14 @@ TEST_CASE("draws are uniform multiples of 2^-24, at least 0 and below 1") {
     }
 }
 
-TEST_CASE("two purposes of a vertex are independent of each other") {
+TEST_CASE("two dimensions of a vertex are independent of each other") {
   for (const SamplerKind kind : kinds)
     for (int a = 0; a < dimensions; ++a)
       for (int b = a + 1; b < dimensions; ++b) {
         CAPTURE(sampler_name(kind), a, b);
         check_pairs(dimensions * (dimensions - 1), [&](auto x, auto y) {
-          VertexSampler sampler(kind, {.seed = 0, .x = x, .y = y, .index = 5}, 1);
-          const float first = sampler.draw_1d(Purpose(a));
-          const float second = sampler.draw_1d(Purpose(b));
-          return std::pair(first, second);
+          const SampleKey key = {.seed = 0, .x = x, .y = y, .index = 5};
+          return std::pair(draw(kind, key, 1, a), draw(kind, key, 1, b));
         });
       }
 }
@@ -171,11 +204,13 @@ TEST_CASE("each dimension of sobol is scrambled on its own") {
       for (int b = a + 1; b < first + 4; ++b) {
         CAPTURE(a, b);
         check_pairs(4 * 6, [&](auto x, auto y) {
-          VertexSampler even(SamplerKind::sobol, {.seed = 6, .x = x, .y = y, .index = 4}, 1);
-          VertexSampler odd(SamplerKind::sobol, {.seed = 6, .x = x, .y = y, .index = 5}, 1);
-          const float p = (cell(even.draw_1d(Purpose(a))) * 4 + cell(even.draw_1d(Purpose(b)))) / 16;
-          const float q = (cell(odd.draw_1d(Purpose(a))) * 4 + cell(odd.draw_1d(Purpose(b)))) / 16;
-          return std::pair(p, q);
+          const auto cells = [&](std::uint32_t index) {
+            const SampleKey key = {.seed = 6, .x = x, .y = y, .index = index};
+            return (cell(draw(SamplerKind::sobol, key, 1, a)) * 4 +
+                    cell(draw(SamplerKind::sobol, key, 1, b))) /
+                   16;
+          };
+          return std::pair(cells(4), cells(5));
         });
       }
 }
@@ -193,16 +228,14 @@ TEST_CASE("samples of the independent kind are independent of each other") {
 
 TEST_CASE("sub-samples continue the sequence of the samples") {
   const SampleKey key = {.seed = 2, .x = 5, .y = 6, .index = 11};
-  for (const SamplerKind kind : kinds) {
-    VertexSampler sampler(kind, key, 3);
-    CHECK(sampler.draw_2d(Purpose::lens, 0, 1, 0) == sampler.draw_2d(Purpose::lens));
+  constexpr DrawPlace place{3, 1, 2};
+  for (const SamplerKind kind : kinds)
     for (std::uint32_t part = 0; part < 5; ++part) {
       SampleKey other = key;
       other.index = key.index * 5 + part;
-      CHECK(sampler.draw_2d(Purpose::lens, part, 5, 0) ==
-            VertexSampler(kind, other, 3).draw_2d(Purpose::lens));
+      CHECK(draw_pair(kind, PathKey(key), place, {.part = part, .parts = 5}) ==
+            draw_pair(kind, PathKey(other), place));
     }
-  }
 }
 
 TEST_CASE("streams of sub-samples are independent of each other and of the samples") {
@@ -210,9 +243,9 @@ TEST_CASE("streams of sub-samples are independent of each other and of the sampl
     for (const std::uint32_t stream : {1u, 2u, 0xffffffffu}) {
       CAPTURE(sampler_name(kind), stream);
       check_pairs(6, [&](auto x, auto y) {
-        VertexSampler sampler(kind, {.seed = 0, .x = x, .y = y, .index = 5}, 1);
-        const Vec2 first = sampler.draw_2d(Purpose::light_point, 1, 4, stream);
-        const Vec2 second = sampler.draw_2d(Purpose::light_point, 1, 4, stream - 1);
+        const VertexSampler sampler(kind, PathKey({.seed = 0, .x = x, .y = y, .index = 5}), 1);
+        const Vec2 first = sampler.draw_2d(Purpose::light_point, {1, 4, stream});
+        const Vec2 second = sampler.draw_2d(Purpose::light_point, {1, 4, stream - 1});
         return std::pair(first.x, second.x);
       });
     }
@@ -221,8 +254,10 @@ TEST_CASE("streams of sub-samples are independent of each other and of the sampl
 TEST_CASE("sub-samples do not repeat beyond 2^32") {
   // 2^16 parts: sample 0x10003 is 2^32 draws after sample 3.
   for (const SamplerKind kind : kinds) {
-    VertexSampler low(kind, {.index = 3}, 1), high(kind, {.index = 0x10003}, 1);
-    CHECK_FALSE(low.draw_2d(Purpose::lens, 7, 1 << 16, 0) == high.draw_2d(Purpose::lens, 7, 1 << 16, 0));
+    const auto draw_of = [&](std::uint32_t index) {
+      return draw_pair(kind, PathKey({.index = index}), {1, 0, 2}, {.part = 7, .parts = 1 << 16});
+    };
+    CHECK_FALSE(draw_of(3) == draw_of(0x10003));
   }
 }
 
@@ -234,26 +269,26 @@ TEST_CASE("the numbers of a seed never change") {
     float sobol, independent;
   };
   const Frozen table[] = {
-      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x0u, 8, 0x1.838b8cp-2f, 0x1.4cd028p-1f},
-      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x0u, 9, 0x1.1f42cep-1f, 0x1.cc828p-3f},
-      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x1u}, 0x0u, 8, 0x1.eb7936p-1f, 0x1.2d6a44p-1f},
-      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 0, 0x1.adb47p-2f, 0x1.78b62ap-1f},
-      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 1, 0x1.732dcp-6f, 0x1.25a4fap-1f},
-      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 2, 0x1.2bc774p-2f, 0x1.73bcp-5f},
-      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 3, 0x1.d5f23ep-1f, 0x1.15576p-3f},
-      {{.seed = 0x1u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 4, 0x1.4b0454p-2f, 0x1.5c5e22p-1f},
-      {{.seed = 0x0u, .x = 1, .y = 0, .index = 0x0u}, 0x1u, 5, 0x1.b72c72p-1f, 0x1.9c1208p-1f},
-      {{.seed = 0x0u, .x = 0, .y = 1, .index = 0x0u}, 0x1u, 6, 0x1.a125ep-4f, 0x1.0ea3b8p-1f},
+      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x0u, 8, 0x1.9a8dfcp-1f, 0x1.71a542p-1f},
+      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x0u, 9, 0x1.f5a8bep-1f, 0x1.3da95ep-1f},
+      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x1u}, 0x0u, 8, 0x1.58004cp-2f, 0x1.4c3094p-2f},
+      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 0, 0x1.8f6f1ep-1f, 0x1.b2ae98p-2f},
+      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 1, 0x1.6a4b3p-3f, 0x1.f395fcp-2f},
+      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 2, 0x1.698e28p-1f, 0x1.716792p-1f},
+      {{.seed = 0x0u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 3, 0x1.cb72p-5f, 0x1.996998p-3f},
+      {{.seed = 0x1u, .x = 0, .y = 0, .index = 0x0u}, 0x1u, 4, 0x1.996c24p-1f, 0x1.10f428p-3f},
+      {{.seed = 0x0u, .x = 1, .y = 0, .index = 0x0u}, 0x1u, 5, 0x1.e532c2p-1f, 0x1.2c81bcp-2f},
+      {{.seed = 0x0u, .x = 0, .y = 1, .index = 0x0u}, 0x1u, 6, 0x1.d7b654p-1f, 0x1.d64f6cp-2f},
       {{.seed = 0x123456789abcdefu, .x = 1919, .y = 1079, .index = 0xfffu},
        0x7u,
        13,
-       0x1.afa44p-1f,
-       0x1.26ce5ep-1f},
+       0x1.50b478p-2f,
+       0x1.a14fe8p-2f},
       {{.seed = 0xffffffffffffffffu, .x = 65535, .y = 65535, .index = 0xffffffffu},
        0xffffffffu,
        15,
-       0x1.798f6cp-2f,
-       0x1.85339ep-1f}};
+       0x1.5e348p-6f,
+       0x1.e3d02ep-1f}};
   for (const Frozen& row : table) {
     CAPTURE(row.key.seed, row.key.x, row.key.y, row.key.index, row.vertex, row.dimension);
     CHECK(draw(SamplerKind::sobol, row.key, row.vertex, row.dimension) == row.sobol);
