@@ -142,11 +142,24 @@ void OptionGroup::add_word(const OptionText& text, std::string& target) {
   add_words(text, 1, [&target](const Words& words) { target = words.front(); });
 }
 
-void add_scene(CLI::App& app, std::string& scene) {
-  app.add_option("SCENE", scene, "The scene: a COLLADA file (.dae), or generated:NAME")
+namespace {
+
+/// A word that a command needs, without an option before it.
+void add_needed(CLI::App& app, const std::string& name, std::string& target, const std::string& description) {
+  app.add_option(name, target, description)
       ->required()
       ->check([](const std::string& word) { return word.empty() ? "its value is empty" : std::string(); }, "")
       ->type_name("");
+}
+
+}  // namespace
+
+void add_scene(CLI::App& app, std::string& scene) {
+  add_needed(app, "SCENE", scene, "The scene: a COLLADA file (.dae), or generated:NAME");
+}
+
+void add_output(CLI::App& app, const std::string& name, std::string& file, const std::string& description) {
+  add_needed(app, name, file, description);
 }
 
 void add_scenes(CLI::App& app, Words& scenes, const std::string& description) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cli/agreement_command.h"
+#include "cli/convert_command.h"
 #include "cli/crosscheck_command.h"
 #include "cli/cs184_program.h"
 #include "cli/options.h"
@@ -29,6 +30,9 @@ Action add_crosscheck(CLI::App& app) {
 Action add_stats(CLI::App& app) {
   return [read = add_stats_options(app)](const Words&) { return stats_command(read()); };
 }
+Action add_convert(CLI::App& app) {
+  return [read = add_convert_options(app)](const Words&) { return convert_command(read()); };
+}
 Action add_study(CLI::App& app) {
   return [read = add_study_options(app)](const Words&) { return study_command(read()); };
 }
@@ -36,7 +40,7 @@ Action add_study(CLI::App& app) {
 const std::vector<Subcommand> subcommands{
     {"render", add_render,
      "Renders a COLLADA scene by path tracing; with --cs184 as CS184's program does (docs/cs184.md).", "Run",
-     "Other commands: twinray agreement, crosscheck, stats and study; each has its --help."},
+     "Other commands: twinray agreement, crosscheck, stats, study and convert; each has its --help."},
     {"agreement", add_agreement,
      "Renders scenes small by every engine, split method, integrator, sampler and number of threads,\n"
      "and compares all pictures and ray counts bit for bit. Exit code 1 if any differs."},
@@ -48,7 +52,10 @@ const std::vector<Subcommand> subcommands{
     {"study", add_study,
      "Makes the write-up of CS184's assignment from a folder of its scenes: one page with every picture, "
      "its\n"
-     "command, times, rays per second, tests per ray and error. Goes on where it was stopped."}};
+     "command, times, rays per second, tests per ray and error. Goes on where it was stopped."},
+    {"convert", add_convert,
+     "Writes a scene in a form that scripts read: a JSON file, and beside it a PLY file for each mesh\n"
+     "and an EXR file for each environment (docs/exchange.md)."}};
 
 bool is_subcommand(const std::string& word) {
   return std::any_of(subcommands.begin(), subcommands.end(),
@@ -59,6 +66,8 @@ std::string usage_of(const std::string& name) {
   if (name == "render") return "twinray [render] SCENE.dae [options]; all options: twinray --help";
   if (name == "study")
     return "twinray study FOLDER --output DIR [options]; all options: twinray study --help";
+  if (name == "convert")
+    return "twinray convert SCENE.dae OUT.json [options]; all options: twinray convert --help";
   const char* scene = name == "agreement" ? "[SCENE.dae]..." : "SCENE.dae";
   return fmt::format("twinray {0} {1} [options]; all options: twinray {0} --help", name, scene);
 }

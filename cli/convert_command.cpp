@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/convert_command.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/console.h"
+#include "cli/interrupt.h"
+#include "cli/options.h"
+#include "cli/outputs.h"
+#include "core/error.h"
+#include "io/environment_file.h"
+
+namespace twinray {
+namespace {
+
+/// The options as they are read.
+struct ConvertRequest {
+  ConvertArguments arguments;
+  std::vector<int> resolution{arguments.frame.width, arguments.frame.height};
+};
+
+void add_options(CLI::App& app, ConvertRequest& request) {
+  ConvertArguments& arguments = request.arguments;
+  add_scene(app, arguments.scene);
+  add_output(app, "OUT.json", arguments.output, "The JSON file; files of the meshes go beside it");
+  OptionGroup group(app, "Options");
+  add_resolution(group, request.resolution, "Of the picture that the camera is for");
+  add_view(group, arguments.view);
+  group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id"},
+                 arguments.load.camera_name);
+  group.add_word({"-e,--environment", "FILE", "Light from a latitude-longitude .exr or .hdr"},
+                 arguments.environment);
+  group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
+}
+
+/// "1 light", "2 lights".
+std::string counted(std::size_t count, const char* name) {
+  return fmt::format("{} {}{}", count, name, count == 1 ? "" : "s");
+}
+
+EnvironmentLight read_environment(const std::string& path) {
+  LoadedEnvironment loaded = load_environment(path);
+  if (!loaded.fault.empty()) throw Error(loaded.fault);
+  return {std::make_shared<const Image>(std::move(loaded.map))};
+}
+
+Scene load(const ConvertArguments& arguments) {
+  Scene scene = load_with_warnings(arguments.scene, arguments.load).scene;
+  scene.camera = camera_of(scene, arguments.view, arguments.frame.width, arguments.frame.height);
+  if (!arguments.environment.empty())
+    scene.lights.push_back({"environment", read_environment(arguments.environment)});
+  return scene;
+}
+
+}  // namespace
+
+std::function<ConvertArguments()> add_convert_options(CLI::App& app) {
+  const auto request = std::make_shared<ConvertRequest>();
+  add_options(app, *request);
+  return [request] {
+    ConvertArguments arguments = request->arguments;
+    arguments.frame = {request->resolution[0], request->resolution[1]};
+    return arguments;
+  };
+}
+
+int convert_command(const ConvertArguments& arguments) {
+  check_exchange_name(arguments.output);
+  prepare_outputs({arguments.output});
+  const Scene scene = load(arguments);
+  const std::vector<std::string> files = exchange_files(scene, arguments.output);
+  const InterruptGuard guard(files);
+  prepare_outputs(files);
+  write_exchange(scene, arguments.output, arguments.frame);
+  if (!arguments.quiet)
+    console::print("{}: {}, {}, {}, {} beside it\n", arguments.output,
+                   counted(scene.materials.size(), "material"), counted(scene.lights.size(), "light"),
+                   counted(scene.geometry->shapes().size(), "shape"), counted(files.size() - 1, "file"));
+  return 0;
+}
+
+}  // namespace twinray

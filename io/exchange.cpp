@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/exchange.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "io/image_file.h"
+#include "io/output_file.h"
+#include "io/ply.h"
+
+namespace twinray {
+namespace {
+
+constexpr std::string_view ending = ".json";
+
+/// Objects keep their order; a number is a float, and has its digits.
+using Json = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t,
+                                  std::uint64_t, float>;
+
+Json json_of(const Vec3& v) { return {v.x, v.y, v.z}; }
+Json json_of(const Rgb& color) { return {color.r, color.g, color.b}; }
+
+/// "room.json" and "-3.ply" -> "room-3.ply".
+std::string beside(const std::string& path, const std::string& suffix) {
+  return path.substr(0, path.size() - ending.size()) + suffix;
+}
+std::string mesh_file(const std::string& path, std::size_t shape) {
+  return beside(path, fmt::format("-{}.ply", shape));
+}
+std::string environment_file(const std::string& path, std::size_t light) {
+  return beside(path, fmt::format("-light-{}.exr", light));
+}
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+const EnvironmentLight* environment(const Light& light) {
+  return std::get_if<EnvironmentLight>(&light.source);
+}
+
+Json camera_json(const Camera& camera) {
+  Json json{{"type", camera.is_orthographic ? "orthographic" : "perspective"},
+            {"position", json_of(camera.position)},
+            {"right", json_of(camera.right)},
+            {"up", json_of(camera.up)},
+            {"forward", json_of(camera.forward)},
+            {camera.is_orthographic ? "half_width" : "tan_half_width", camera.tan_half_width},
+            {camera.is_orthographic ? "half_height" : "tan_half_height", camera.tan_half_height},
+            {"lens_radius", camera.lens_radius},
+            {"focal_distance", camera.focal_distance},
+            {"clip_near", camera.clip_near}};
+  if (std::isfinite(camera.clip_far)) json["clip_far"] = camera.clip_far;
+  json["clip_along"] = camera.clips_by_distance ? "ray" : "forward";
+  return json;
+}
+
+Json model_json(const Lambert& model) {
+  return {{"type", "lambert"}, {"reflectance", json_of(model.reflectance)}};
+}
+Json model_json(const Mirror& model) {
+  return {{"type", "mirror"}, {"reflectance", json_of(model.reflectance)}};
+}
+Json model_json(const Refraction& model) {
+  return {{"type", "refraction"},
+          {"transmittance", json_of(model.transmittance)},
+          {"roughness", model.roughness},
+          {"ior", model.ior}};
+}
+Json model_json(const Glass& model) {
+  return {{"type", "glass"},
+          {"transmittance", json_of(model.transmittance)},
+          {"reflectance", json_of(model.reflectance)},
+          {"roughness", model.roughness},
+          {"ior", model.ior}};
+}
+Json model_json(const Microfacet& model) {
+  return {{"type", "microfacet"},
+          {"distribution", "beckmann"},
+          {"alpha", model.alpha},
+          {"eta", json_of(model.eta)},
+          {"k", json_of(model.k)}};
+}
+
+const char* side_name(EmissionSide side) {
+  if (side == EmissionSide::both) return "both";
+  return side == EmissionSide::front ? "front" : "back";
+}
+
+/// The three coefficients of the fall-off with distance.
+Json json_of(const Attenuation& attenuation) {
+  return {{"constant", attenuation.constant},
+          {"linear", attenuation.linear},
+          {"quadratic", attenuation.quadratic}};
+}
+
+Json source_json(const MeshLight& light) {
+  return {{"type", "mesh"},
+          {"shape", light.shape},
+          {"radiance", json_of(light.radiance)},
+          {"side", side_name(light.side)}};
+}
+Json source_json(const SphereLight& light) {
+  return {{"type", "sphere"}, {"shape", light.shape}, {"radiance", json_of(light.radiance)}};
+}
+Json source_json(const PointLight& light) {
+  return {{"type", "point"},
+          {"position", json_of(light.position)},
+          {"intensity", json_of(light.intensity)},
+          {"attenuation", json_of(light.attenuation)}};
+}
+Json source_json(const SpotLight& light) {
+  return {{"type", "spot"},
+          {"position", json_of(light.position)},
+          {"direction", json_of(light.direction)},
+          {"intensity", json_of(light.intensity)},
+          {"attenuation", json_of(light.attenuation)},
+          {"falloff_angle_degrees", light.falloff_angle_degrees},
+          {"falloff_exponent", light.falloff_exponent}};
+}
+Json source_json(const DirectionalLight& light) {
+  return {{"type", "directional"},
+          {"direction", json_of(light.direction)},
+          {"irradiance", json_of(light.irradiance)}};
+}
+Json source_json(const AmbientLight& light) {
+  return {{"type", "ambient"}, {"up", json_of(light.up)}, {"radiance", json_of(light.radiance)}};
+}
+Json source_json(const EnvironmentLight&) { return {{"type", "environment"}}; }
+
+Json shape_json(const Mesh&) { return {{"type", "mesh"}}; }
+Json shape_json(const SphereSet& set) {
+  Json spheres = Json::array();
+  for (const Sphere& sphere : set.spheres)
+    spheres.push_back({sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius});
+  return {{"type", "spheres"}, {"spheres", spheres}};
+}
+
+/// A name and, behind it, what the entry is.
+Json named(const std::string& name, const Json& entry) {
+  Json json{{"name", name}};
+  json.update(entry);
+  return json;
+}
+
+Json materials_json(const Scene& scene) {
+  Json list = Json::array();
+  for (const Material& material : scene.materials)
+    list.push_back(named(material.name,
+                         std::visit([](const auto& model) { return model_json(model); }, material.model)));
+  return list;
+}
+
+Json lights_json(const Scene& scene, const std::string& path) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const Light& light = scene.lights[i];
+    list.push_back(
+        named(light.name, std::visit([](const auto& source) { return source_json(source); }, light.source)));
+    if (environment(light)) list.back()["file"] = file_name(environment_file(path, i));
+  }
+  return list;
+}
+
+Json shapes_json(const Scene& scene, const std::string& path) {
+  Json list = Json::array();
+  const std::vector<Shape>& shapes = scene.geometry->shapes();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    list.push_back(
+        std::visit([](const auto& shape) { return named(shape.name, shape_json(shape)); }, shapes[i]));
+    if (std::holds_alternative<Mesh>(shapes[i])) list.back()["file"] = file_name(mesh_file(path, i));
+    list.back()["material"] = scene.bindings[i].material;
+    if (scene.bindings[i].light != no_light) list.back()["light"] = scene.bindings[i].light;
+  }
+  return list;
+}
+
+/// On one line. A name may hold bytes that are no letters.
+std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+/// A list with a line for each entry.
+std::string lines(const Json& list) {
+  std::string text = "[";
+  for (const Json& entry : list) text += (text.size() > 1 ? ",\n    " : "\n    ") + line(entry);
+  return text + (list.empty() ? "]" : "\n  ]");
+}
+
+}  // namespace
+
+void check_exchange_name(const std::string& path) {
+  const std::string name = file_name(path);
+  if (name.size() <= ending.size() || !name.ends_with(ending))
+    throw Error(
+        fmt::format("{}: a scene is written to a file whose name ends in .json; files of its meshes "
+                    "are put beside it",
+                    path));
+}
+
+std::vector<std::string> exchange_files(const Scene& scene, const std::string& path) {
+  std::vector<std::string> files;
+  for (std::size_t i = 0; i < scene.geometry->shapes().size(); ++i)
+    if (scene.geometry->mesh(std::uint32_t(i))) files.push_back(mesh_file(path, i));
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    if (environment(scene.lights[i])) files.push_back(environment_file(path, i));
+  files.push_back(path);
+  return files;
+}
+
+std::string exchange_json(const Scene& scene, const std::string& path, const ExchangeFrame& frame) {
+  const Camera camera = fit_frame(scene.camera, frame.width, frame.height);
+  return fmt::format(
+      "{{\n  \"format\": \"twinray scene\",\n  \"version\": 1,\n  \"resolution\": [{},{}],\n"
+      "  \"camera\": {},\n  \"materials\": {},\n  \"lights\": {},\n  \"shapes\": {}\n}}\n",
+      frame.width, frame.height, line(camera_json(camera)), lines(materials_json(scene)),
+      lines(lights_json(scene, path)), lines(shapes_json(scene, path)));
+}
+
+void write_exchange(const Scene& scene, const std::string& path, const ExchangeFrame& frame) {
+  check_exchange_name(path);
+  for (std::size_t i = 0; i < scene.geometry->shapes().size(); ++i)
+    if (const Mesh* mesh = scene.geometry->mesh(std::uint32_t(i)))
+      write_file(mesh_file(path, i), ply_bytes(*mesh));
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    if (const EnvironmentLight* light = environment(scene.lights[i]))
+      write_exr(environment_file(path, i), *light->map);
+  write_file(path, exchange_json(scene, path, frame));
+}
+
+}  // namespace twinray

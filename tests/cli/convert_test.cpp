@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/convert_command.h"
+#include "core/error.h"
+#include "io/image_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
+
+std::string quoted(const std::string& path) { return "'" + path + "'"; }
+
+nlohmann::json read_json(const std::string& path) { return nlohmann::json::parse(read_text(path)); }
+
+ConvertArguments parse(const Words& words) {
+  return parse_alone<ConvertArguments>(add_convert_options, words);
+}
+
+}  // namespace
+
+TEST_CASE("convert writes a scene's files, and says how many") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("box.json");
+  const ProcessResult result = run_program("convert " + box + " " + quoted(path));
+  CHECK(result.exit_code == 0);
+  CHECK(result.err.empty());
+  const auto json = read_json(path);
+  const std::size_t shapes = json["shapes"].size();
+  CHECK(result.out == fmt::format("{}: {} materials, {} light, {} shapes, {} files beside it\n", path,
+                                  json["materials"].size(), json["lights"].size(), shapes, shapes));
+  CHECK(folder.file_count() == 1 + shapes);
+  for (const auto& shape : json["shapes"])
+    CHECK(read_text(folder.file(shape["file"].get<std::string>())).starts_with("ply\n"));
+  CHECK(json["shapes"][json["lights"][0]["shape"].get<std::size_t>()]["light"] == 0);
+}
+
+TEST_CASE("converting twice gives the same bytes") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("box.json");
+  CHECK(run_program("convert -q " + box + " " + quoted(path)).out.empty());
+  const std::string text = read_text(path), mesh = read_text(folder.file("box-0.ply"));
+  CHECK(run_program("convert -q " + box + " " + quoted(path)).exit_code == 0);
+  CHECK(read_text(path) == text);
+  CHECK(read_text(folder.file("box-0.ply")) == mesh);
+}
+
+TEST_CASE("convert writes the camera for the view and the size that are asked for") {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("file.json"), whole = folder.file("whole.json");
+  CHECK(run_program("convert -q " + box + " " + quoted(file)).exit_code == 0);
+  CHECK(run_program("convert -q --view=whole -r 40 20 " + box + " " + quoted(whole)).exit_code == 0);
+  CHECK(read_json(file)["resolution"] == nlohmann::json({480, 360}));
+  const auto json = read_json(whole);
+  CHECK(json["resolution"] == nlohmann::json({40, 20}));
+  const auto& camera = json["camera"];
+  CHECK(camera["position"] != read_json(file)["camera"]["position"]);
+  CHECK(camera["tan_half_width"].get<double>() == Approx(2 * camera["tan_half_height"].get<double>()));
+}
+
+TEST_CASE("convert writes an environment beside the scene") {
+  const TemporaryFolder folder;
+  Image map(2, 1);
+  map.pixels = {{1, 2, 3}, {4, 5, 6}};
+  write_exr(folder.file("sky.exr"), map);
+  const std::string command = "convert -q -e " + quoted(folder.file("sky.exr")) + " " + box + " ";
+  CHECK(run_program(command + quoted(folder.file("a.json"))).exit_code == 0);
+  const auto lights = read_json(folder.file("a.json"))["lights"];
+  REQUIRE(lights.size() == 2);
+  CHECK(lights[1]["type"] == "environment");
+  CHECK(read_image(folder.file(lights[1]["file"].get<std::string>())).pixels[1].b == 6);
+}
+
+TEST_CASE("a wrong convert command line ends with 2, and a file that is not there or not writable with 1") {
+  CHECK_THROWS_WITH(parse({}), "SCENE is missing");
+  CHECK_THROWS_WITH(parse({"a.dae"}), "OUT.json is missing");
+  CHECK_THROWS_WITH(parse({"a.dae", "b.json", "c"}), "\"c\" is one word too many");
+  CHECK_THROWS_WITH(parse({"a.dae", "b.json", "-r", "0", "1"}),
+                    "--resolution: \"0\" is not a whole number from 1 to 65536");
+  CHECK(parse({"a.dae", "b.json"}).view == View::file);
+  const TemporaryFolder folder;
+  const ProcessResult unknown = run_program("convert --vieww=file " + box + " a.json");
+  CHECK(unknown.exit_code == 2);
+  CHECK(unknown.err ==
+        "twinray: there is no option --vieww=file; did you mean --view?\n"
+        "usage: twinray convert SCENE.dae OUT.json [options]; all options: twinray convert --help\n");
+  const ProcessResult output = run_program("convert " + box + " -");
+  CHECK(output.exit_code == 1);
+  CHECK(output.err ==
+        "twinray: -: a scene is written to a file whose name ends in .json; files of its meshes are put "
+        "beside it\n");
+  const ProcessResult missing = run_program("convert no-such-scene.dae " + quoted(folder.file("a.json")));
+  CHECK(missing.exit_code == 1);
+  CHECK(missing.err.find("no-such-scene.dae") != std::string::npos);
+  const ProcessResult nowhere = run_program("convert " + box + " " + quoted(folder.file("none/a.json")));
+  CHECK(nowhere.exit_code == 1);
+  CHECK(nowhere.err ==
+        fmt::format("twinray: {}: there is no folder {}\n", folder.file("none/a.json"), folder.file("none")));
+  CHECK(folder.file_count() == 0);
+}
+
+TEST_CASE("convert writes nothing where one of its files cannot be written") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.file("box-1.ply"));
+  const ProcessResult result = run_program("convert " + box + " " + quoted(folder.file("box.json")));
+  CHECK(result.exit_code == 1);
+  CHECK(result.err.find("box-1.ply") != std::string::npos);
+  CHECK(folder.file_count() == 1);
+}
+
+}  // namespace twinray::test
