@@ -24,6 +24,7 @@ ELSEWHERE = (
     (r"\./run test$", "it is what runs this test"),
     (r"\./run bench\b", "the tests run every benchmark for an instant"),
     (r"\./run study\b", "the tests make a study of small scenes"),
+    (r"\./run peers\b", "the peers are outside of the project; the tests run it with stand-ins"),
     (r"\./run format\b", "it writes the source files"),
     (r"cmake --install\b", "the test of an installed twinray"),
     (r"cmake --(preset|build)\b|ctest --preset\b", "run builds and tests by presets"),

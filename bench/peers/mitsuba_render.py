@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Renders a scene in exchange form by Mitsuba 3; run by the Python that has it. Prints its version."""
+import argparse
+import math
+import sys
+from array import array
+
+import drjit
+import mitsuba
+
+import exr
+from exchange import Unsupported, read_scene
+from mitsuba_scene import mitsuba_scene
+
+
+def loadable(value):
+    """The dictionary with Mitsuba's own transforms, and a field of view in degrees."""
+    if not isinstance(value, dict):
+        return value
+    result = {key: loadable(entry) for key, entry in value.items()}
+    if "to_world" in result:
+        result["to_world"] = mitsuba.ScalarTransform4f(result["to_world"])
+    if "tan_half_width" in result:
+        result["fov"] = 2 * math.degrees(math.atan(result.pop("tan_half_width")))
+        result["fov_axis"] = "x"
+    return result
+
+
+def read_arguments():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("scene")
+    parser.add_argument("output")
+    parser.add_argument("--variant", default="llvm_ad_rgb")
+    parser.add_argument("--sampler", default="independent")
+    parser.add_argument("--samples", type=int, default=64)
+    parser.add_argument("--depth", type=int, default=5)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--size", type=int, nargs=2)
+    parser.add_argument("--roulette", action="store_true")
+    return parser.parse_args()
+
+
+def main():
+    arguments = read_arguments()
+    mitsuba.set_variant(arguments.variant)
+    drjit.set_thread_count(arguments.threads)
+    scene = read_scene(arguments.scene)
+    if arguments.size:
+        scene["resolution"] = arguments.size
+    description = mitsuba_scene(scene, arguments.samples, arguments.depth, arguments.sampler,
+                                arguments.seed, arguments.roulette)
+    picture = mitsuba.render(mitsuba.load_dict(loadable(description)), seed=arguments.seed)
+    width, height = scene["resolution"]
+    exr.write(arguments.output, exr.Picture(width, height, array("f", picture.array)))
+    print(f"Mitsuba {mitsuba.__version__}, {arguments.variant}")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except Unsupported as error:
+        sys.exit(str(error))

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A scene in exchange form as a dictionary of Mitsuba 3, with plain values: a transform is four rows.
+
+mitsuba_render.py gives it to Mitsuba. Our depth m is Mitsuba's max_depth m + 1, for it counts the light's
+vertex, too.
+"""
+from exchange import Unsupported, cross, has_normals, read_ply, rectangle, unit
+
+NO_ROULETTE = 1 << 20  # Mitsuba's roulette begins at a depth that no path has
+DEFAULT_ROULETTE = 5
+
+
+def rgb(values):
+    return {"type": "rgb", "value": list(values)}
+
+
+def columns_as_rows(x, y, z, origin):
+    """The transform whose columns are given, as rows."""
+    return [[x[k], y[k], z[k], origin[k]] for k in range(3)] + [[0, 0, 0, 1]]
+
+
+def camera(scene, samples, sampler, seed):
+    ours = scene["camera"]
+    width, height = scene["resolution"]
+    orthographic = ours["type"] == "orthographic"
+    half = [ours[("half_" if orthographic else "tan_half_") + side] for side in ("width", "height")]
+    if abs(half[0] / half[1] - width / height) > 1e-4 * width / height:
+        raise Unsupported("Mitsuba has no camera with oblong pixels")
+    left = [-x for x in ours["right"]]  # Mitsuba's x axis points to the left
+    size = half[0] if orthographic else 1
+    sensor = {"to_world": columns_as_rows([size * x for x in left], [size * x for x in ours["up"]],
+                                          ours["forward"], ours["position"]),
+              "near_clip": max(ours["clip_near"], 1e-3), "far_clip": ours.get("clip_far", 1e4),
+              "sampler": {"type": sampler, "sample_count": samples, "seed": seed},
+              "film": {"type": "hdrfilm", "width": width, "height": height, "pixel_format": "rgb",
+                       "component_format": "float32", "rfilter": {"type": "box"}}}
+    if orthographic:
+        return {"type": "orthographic", **sensor}
+    sensor["tan_half_width"] = half[0]
+    if ours["lens_radius"] > 0:
+        return {"type": "thinlens", "aperture_radius": ours["lens_radius"],
+                "focus_distance": ours["focal_distance"], **sensor}
+    return {"type": "perspective", **sensor}
+
+
+def material(ours):
+    kind = ours["type"]
+    if kind == "lambert":
+        return {"type": "twosided", "bsdf": {"type": "diffuse", "reflectance": rgb(ours["reflectance"])}}
+    if kind == "mirror":
+        return {"type": "twosided", "bsdf": {"type": "conductor", "material": "none",
+                                             "specular_reflectance": rgb(ours["reflectance"])}}
+    if kind == "glass":
+        return {"type": "dielectric", "int_ior": ours["ior"], "ext_ior": 1.0,
+                "specular_reflectance": rgb(ours["reflectance"]),
+                "specular_transmittance": rgb(ours["transmittance"])}
+    if kind == "microfacet":
+        return {"type": "twosided", "bsdf": {"type": "roughconductor", "distribution": ours["distribution"],
+                                             "alpha": ours["alpha"], "eta": rgb(ours["eta"]),
+                                             "k": rgb(ours["k"])}}
+    raise Unsupported(f"Mitsuba has no material like \"{ours['name']}\", which is of the type {kind}")
+
+
+def mesh(shape, light):
+    """A mesh; where it emits and is a rectangle, Mitsuba's rectangle."""
+    if light is None:  # without normals of the file Mitsuba would make smooth ones
+        return {"type": "ply", "filename": shape["file"], "face_normals": not has_normals(shape["file"])}
+    if light["side"] == "both":
+        raise Unsupported(f"Mitsuba's light \"{light['name']}\" would emit on one side only")
+    found = rectangle(read_ply(shape["file"]))
+    flip = light["side"] == "back"
+    if found is None:
+        return {"type": "ply", "filename": shape["file"], "face_normals": True, "flip_normals": flip}
+    u = [-x for x in found.u] if flip else found.u
+    return {"type": "rectangle",
+            "to_world": columns_as_rows(u, found.v, unit(cross(u, found.v)), found.center)}
+
+
+def spheres(shape):
+    for x, y, z, radius in shape["spheres"]:
+        yield {"type": "sphere", "center": [x, y, z], "radius": radius}
+
+
+def has_inverse_square_law(light):
+    return list(light["attenuation"].values()) == [0, 0, 1]
+
+
+def emitter(light):
+    """A light that is no shape."""
+    kind = light["type"]
+    if kind == "point" and has_inverse_square_law(light):
+        return {"type": "point", "position": light["position"], "intensity": rgb(light["intensity"])}
+    if kind == "directional":
+        return {"type": "directional", "direction": light["direction"],
+                "irradiance": rgb(light["irradiance"])}
+    if kind == "environment":
+        return {"type": "envmap", "filename": light["file"],
+                "to_world": [[0, 0, 1, 0], [0, 1, 0, 0], [1, 0, 0, 0], [0, 0, 0, 1]]}
+    raise Unsupported(f"Mitsuba has no light like \"{light['name']}\", which is of the type {kind}")
+
+
+def shapes(scene):
+    for shape in scene["shapes"]:
+        light = scene["lights"][shape["light"]] if "light" in shape else None
+        for entry in [mesh(shape, light)] if shape["type"] == "mesh" else spheres(shape):
+            entry["bsdf"] = material(scene["materials"][shape["material"]])
+            if light is not None:
+                entry["emitter"] = {"type": "area", "radiance": rgb(light["radiance"])}
+            yield entry
+
+
+def mitsuba_scene(scene, samples, depth, sampler="independent", seed=0, roulette=False):
+    """The dictionary of mitsuba.load_dict, but for transforms and the camera's field of view."""
+    result = {"type": "scene",
+              "integrator": {"type": "path", "max_depth": depth + 1,
+                             "rr_depth": DEFAULT_ROULETTE if roulette else NO_ROULETTE},
+              "sensor": camera(scene, samples, sampler, seed)}
+    for number, entry in enumerate(shapes(scene)):
+        result[f"shape_{number}"] = entry
+    free = [light for light in scene["lights"] if light["type"] not in ("mesh", "sphere")]
+    for number, light in enumerate(free):
+        result[f"light_{number}"] = emitter(light)
+    return result

@@ -1,0 +1,398 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""What bench/peers does without a peer: peers_test.py PROGRAM"""
+import contextlib
+import io
+import json
+import math
+import random
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+from array import array
+from pathlib import Path
+from unittest import mock
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "bench" / "peers"))
+import compare  # noqa: E402
+import cycles_scene  # noqa: E402
+import exchange  # noqa: E402
+import exr  # noqa: E402
+import measure  # noqa: E402
+import mitsuba_scene  # noqa: E402
+import peers  # noqa: E402
+import renderers  # noqa: E402
+
+PROGRAM = sys.argv.pop(1)
+CAMERA = {"type": "perspective", "position": [0, 1, 5], "right": [1, 0, 0], "up": [0, 1, 0],
+          "forward": [0, 0, -1], "tan_half_width": 0.5, "tan_half_height": 0.25, "lens_radius": 0,
+          "focal_distance": 1, "clip_near": 0, "clip_along": "forward"}
+BLACK = {"name": "black", "type": "lambert", "reflectance": [0, 0, 0]}
+GREY = {"name": "grey", "type": "lambert", "reflectance": [0.5, 0.5, 0.5]}
+DOWN = [(-1, 3, -2), (1, 3, -2), (1, 3, 2), (-1, 3, 2)]  # seen counter-clockwise from below
+
+
+def ply(vertices, faces, normals=()):
+    header = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(vertices)}\n"
+    for name in "x y z nx ny nz".split()[:6 if normals else 3]:
+        header += f"property float {name}\n"
+    header += f"element face {len(faces)}\nproperty list uchar uint vertex_indices\nend_header\n"
+    rows = [(*v, *n) for v, n in zip(vertices, normals)] if normals else vertices
+    return (header.encode() + b"".join(struct.pack(f"<{len(row)}f", *row) for row in rows) +
+            b"".join(struct.pack("<B3I", 3, *face) for face in faces))
+
+
+class Folder(unittest.TestCase):
+    """A test with a folder for its files."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def scene(self, shapes=(), lights=(), materials=(GREY, BLACK), **camera):
+        """Written to a file and read again."""
+        path = self.folder / "scene.json"
+        path.write_text(json.dumps({"format": "twinray scene", "version": 1, "resolution": [40, 20],
+                                    "camera": {**CAMERA, **camera}, "materials": materials, "lights": lights,
+                                    "shapes": shapes}))
+        return exchange.read_scene(path)
+
+    def lamp(self, **light):
+        """A scene of one rectangle that shines down."""
+        (self.folder / "lamp.ply").write_bytes(ply(DOWN, [(0, 1, 2), (0, 2, 3)]))
+        shape = {"name": "lamp", "type": "mesh", "file": "lamp.ply", "material": 1, "light": 0}
+        return self.scene([shape], [{"name": "lamp", "type": "mesh", "shape": 0, "radiance": [10, 5, 0],
+                                     "side": "front", **light}])
+
+
+class Exchange(Folder):
+    def test_a_mesh_is_read_with_all_its_numbers(self):
+        rng = random.Random(1)
+        rows = [list(array("f", [rng.uniform(-9, 9) for _ in range(6)])) for _ in range(9)]
+        faces = [tuple(rng.randrange(9) for _ in range(3)) for _ in range(20)]
+        path = self.folder / "a.ply"
+        path.write_bytes(ply([row[:3] for row in rows], faces, [row[3:] for row in rows]))
+        mesh = exchange.read_ply(path)
+        self.assertEqual(list(mesh.positions), [x for row in rows for x in row[:3]])
+        self.assertEqual(list(mesh.normals), [x for row in rows for x in row[3:]])
+        self.assertEqual(list(mesh.triangles), [i for face in faces for i in face])
+        self.assertTrue(exchange.has_normals(path))
+
+    def test_two_triangles_are_a_rectangle_whatever_their_order(self):
+        for faces in ([0, 1, 2, 0, 2, 3], [2, 0, 1, 3, 0, 2], [3, 0, 1, 1, 2, 3]):
+            mesh = exchange.Mesh(array("f", [x for corner in DOWN for x in corner]), array("I", faces))
+            found = exchange.rectangle(mesh)
+            self.assertEqual(found.center, (0, 3, 0))
+            self.assertEqual(exchange.cross(found.u, found.v), (0, -2, 0))
+
+    def test_what_is_no_rectangle_is_none(self):
+        skew = [(0, 0, 0), (1, 0, 0), (1.5, 1, 0), (0.5, 1, 0)]
+        for corners, faces in ((skew, [0, 1, 2, 0, 2, 3]), (DOWN, [0, 1, 2, 0, 1, 2]), (DOWN, [0, 1, 2])):
+            mesh = exchange.Mesh(array("f", [x for corner in corners for x in corner]), array("I", faces))
+            self.assertIsNone(exchange.rectangle(mesh))
+
+    def test_another_version_is_refused(self):
+        path = self.folder / "a.json"
+        path.write_text('{"format": "twinray scene", "version": 2}')
+        with self.assertRaisesRegex(exchange.Unsupported, "no scene in twinray's exchange form, version 1"):
+            exchange.read_scene(path)
+
+    def test_our_scenes_are_converted_for_both_peers(self):
+        for name in ("box", "cornell-bunny"):
+            path = self.folder / f"{name}.json"
+            source = str(ROOT / "scenes" / f"{name}.dae")
+            subprocess.run([PROGRAM, "convert", "-q", source, str(path)], check=True)
+            scene = exchange.read_scene(path)
+            for_mitsuba = mitsuba_scene.mitsuba_scene(scene, 4, 5)
+            emitting = [entry["type"] for entry in for_mitsuba.values() if "emitter" in entry]
+            self.assertEqual(emitting, ["rectangle"])
+            for_cycles = cycles_scene.cycles_scene(scene, 4, 5)
+            self.assertEqual(len(for_cycles["shapes"]), len(scene["shapes"]))
+            self.assertEqual(sum(shape["lamp"] is not None for shape in for_cycles["shapes"]), 1)
+
+
+class Mitsuba(Folder):
+    def convert(self, scene, **options):
+        return mitsuba_scene.mitsuba_scene(scene, 64, 5, **options)
+
+    def test_the_camera_and_the_settings(self):
+        made = self.convert(self.scene(), sampler="multijitter", seed=7)
+        self.assertEqual(made["integrator"], {"type": "path", "max_depth": 6, "rr_depth": 1 << 20})
+        sensor = made["sensor"]
+        self.assertEqual(sensor["to_world"], [[-1, 0, 0, 0], [0, 1, 0, 1], [0, 0, -1, 5], [0, 0, 0, 1]])
+        self.assertEqual((sensor["type"], sensor["tan_half_width"]), ("perspective", 0.5))
+        self.assertEqual(sensor["sampler"], {"type": "multijitter", "sample_count": 64, "seed": 7})
+        self.assertEqual((sensor["film"]["width"], sensor["film"]["height"]), (40, 20))
+        self.assertEqual(sensor["film"]["rfilter"], {"type": "box"})
+        self.assertEqual(self.convert(self.scene(), roulette=True)["integrator"]["rr_depth"], 5)
+
+    def test_an_emitting_rectangle_faces_as_ours(self):
+        for side, y in (("front", -1), ("back", 1)):
+            shape = self.convert(self.lamp(side=side))["shape_0"]
+            self.assertEqual(shape["type"], "rectangle")
+            self.assertEqual([row[2] for row in shape["to_world"]], [0, y, 0, 0])
+            self.assertEqual([row[3] for row in shape["to_world"]], [0, 3, 0, 1])
+            self.assertEqual(shape["emitter"]["radiance"]["value"], [10, 5, 0])
+
+    def test_a_mesh_without_normals_is_flat(self):
+        for normals in ((), [(0, 0, 1)] * 3):
+            (self.folder / "a.ply").write_bytes(ply(DOWN[:3], [(0, 1, 2)], normals))
+            shape = {"name": "a", "type": "mesh", "file": "a.ply", "material": 0}
+            made = self.convert(self.scene([shape]))["shape_0"]
+            self.assertEqual(made["face_normals"], not normals)
+            self.assertEqual(made["bsdf"]["bsdf"]["reflectance"]["value"], [0.5, 0.5, 0.5])
+
+    def test_spheres_and_their_materials(self):
+        glass = {"name": "g", "type": "glass", "reflectance": [1, 1, 1], "transmittance": [0.5, 1, 1],
+                 "roughness": 0, "ior": 1.25}
+        shape = {"name": "a", "type": "spheres", "spheres": [[1, 2, 3, 4], [5, 6, 7, 8]], "material": 0}
+        made = self.convert(self.scene([shape], materials=[glass]))
+        self.assertEqual((made["shape_1"]["center"], made["shape_1"]["radius"]), ([5, 6, 7], 8))
+        self.assertEqual(made["shape_0"]["bsdf"]["int_ior"], 1.25)
+        self.assertEqual(made["shape_0"]["bsdf"]["specular_transmittance"]["value"], [0.5, 1, 1])
+
+    def test_what_mitsuba_has_not_is_named(self):
+        law = {"constant": 0, "linear": 0, "quadratic": 1}
+        point = {"name": "p", "type": "point", "position": [0, 0, 0], "intensity": [1, 1, 1],
+                 "attenuation": law}
+        self.assertEqual(self.convert(self.scene(lights=[point]))["light_0"]["type"], "point")
+        flat = {**point, "attenuation": {**law, "constant": 1}}
+        for scene, text in ((self.scene(lights=[flat]), "no light like \"p\", which is of the type point"),
+                            (self.scene(lights=[{"name": "s", "type": "spot"}]), "no light like \"s\""),
+                            (self.lamp(side="both"), "light \"lamp\" would emit on one side only"),
+                            (self.scene(tan_half_width=0.6), "oblong pixels")):
+            with self.assertRaisesRegex(exchange.Unsupported, text):
+                self.convert(scene)
+
+
+class Cycles(Folder):
+    def convert(self, scene, **options):
+        return cycles_scene.cycles_scene(scene, 64, 5, **options)
+
+    def test_the_camera_and_the_settings(self):
+        made = self.convert(self.scene(), seed=7)
+        self.assertEqual(made["camera"]["matrix"], [[1, 0, 0, 0], [0, 1, 0, 1], [0, 0, 1, 5], [0, 0, 0, 1]])
+        self.assertAlmostEqual(made["camera"]["angle_x"], 2 * math.atan(0.5))
+        settings = made["settings"]
+        self.assertEqual({settings[key] for key in settings if key.endswith("_bounces")}, {4, 1024})
+        self.assertEqual((settings["samples"], settings["seed"], settings["max_bounces"]), (64, 7, 4))
+        self.assertFalse(settings["use_adaptive_sampling"] or settings["use_denoising"])
+        self.assertEqual(settings["min_light_bounces"], 1024)
+        self.assertNotIn("min_light_bounces", self.convert(self.scene(), roulette=True)["settings"])
+
+    def test_an_emitting_rectangle_is_a_lamp_before_a_black_one(self):
+        for side, y in (("front", -1), ("back", 1)):
+            shape, = self.convert(self.lamp(side=side))["shapes"]
+            lamp = shape["lamp"]
+            self.assertEqual([row[2] for row in lamp["matrix"]][:3], [0, -y, 0])  # it shines along -z
+            self.assertEqual({lamp["size"], lamp["size_y"]}, {2, 4})
+            self.assertEqual(lamp["color"], [1, 0.5, 0])
+            self.assertGreater(-y * lamp["behind"][1], 0)
+            self.assertEqual(shape["material"]["inputs"]["Color"], [0, 0, 0, 1])
+            self.assertEqual(cycles_scene.area_lamp_power(lamp, (3, 4, 1)), 4 * 8 * 10)
+            self.assertAlmostEqual(cycles_scene.area_lamp_power(lamp, (5, 0, 1)), math.pi * 8 * 10)
+
+    def test_both_sides_of_a_mesh_emit_by_its_material(self):
+        shape, = self.convert(self.lamp(side="both"))["shapes"]
+        self.assertIsNone(shape["lamp"])
+        self.assertEqual(shape["material"]["node"], "ShaderNodeEmission")
+
+    def test_a_sphere_is_closed_and_faces_outward(self):
+        vertices, faces = cycles_scene.sphere_mesh((1, 2, 3), 2)
+        for vertex in vertices:
+            self.assertAlmostEqual(math.dist(vertex, (1, 2, 3)), 2)
+        edges = [(face[i - 1], face[i]) for face in faces for i in range(len(face))]
+        self.assertEqual(len(set(edges)), len(edges))
+        self.assertEqual({(b, a) for a, b in edges}, set(edges))
+        for face in faces:
+            a, b, c = (vertices[i] for i in face[:3])
+            front = exchange.cross(exchange.subtract(b, a), exchange.subtract(c, a))
+            self.assertGreater(exchange.dot(front, exchange.subtract(a, (1, 2, 3))), 0)
+
+    def test_triangles_turn_to_their_normals(self):
+        (self.folder / "a.ply").write_bytes(ply(DOWN, [(0, 1, 2), (2, 3, 0)], [(0, 1, 0)] * 4))
+        mesh = exchange.read_ply(self.folder / "a.ply")
+        self.assertEqual(cycles_scene.faces_along_normals(mesh), [(2, 1, 0), (0, 3, 2)])
+        mesh.normals = array("f", [0, -1, 0] * 4)
+        self.assertEqual(cycles_scene.faces_along_normals(mesh), [(0, 1, 2), (2, 3, 0)])
+
+    def test_what_is_not_converted_is_named(self):
+        for scene, text in ((self.scene(lens_radius=0.1), "lens"),
+                            (self.scene(tan_half_width=0.6), "oblong pixels"),
+                            (self.scene(lights=[{"name": "s", "type": "ambient"}]), "\"s\" \\(ambient\\)")):
+            with self.assertRaisesRegex(exchange.Unsupported, text):
+                self.convert(scene)
+
+
+def packed_lines(rows):
+    """Lines of bytes as OpenEXR's ZIP keeps them."""
+    data = b"".join(rows)
+    halves = data[0::2] + data[1::2]
+    steps = bytes([halves[0]]) + bytes((b - a + 128) & 255 for a, b in zip(halves, halves[1:]))
+    return zlib.compress(steps)
+
+
+class Pictures(Folder):
+    def picture(self, width=5, height=19):
+        rng = random.Random(2)
+        return exr.Picture(width, height, array("f", (rng.uniform(0, 9) for _ in range(3 * width * height))))
+
+    def test_a_picture_is_written_and_read(self):
+        picture = self.picture()
+        exr.write(self.folder / "a.exr", picture)
+        self.assertEqual(exr.read(self.folder / "a.exr"), picture)
+
+    def test_compressed_lines_are_read(self):
+        picture = exr.Picture(40, 19, array("f", [x % 7 for x in range(3 * 40 * 19)]))
+        exr.write(self.folder / "a.exr", picture)
+        data = (self.folder / "a.exr").read_bytes()
+        header_end = len(data) - 19 * (8 + 12 * 40) - 8 * 19
+        kind = b"compression\0compression\0\1\0\0\0"
+        header = data[:header_end].replace(kind + b"\0", kind + b"\3")
+        lines = [data[-(19 - y) * 488:][8:488] for y in range(19)]
+        blocks = [(0, packed_lines(lines[:16])), (16, packed_lines(lines[16:]))]
+        offsets = struct.pack("<2Q", header_end + 16, header_end + 24 + len(blocks[0][1]))
+        body = b"".join(struct.pack("<iI", y, len(block)) + block for y, block in blocks)
+        (self.folder / "b.exr").write_bytes(header + offsets + body)
+        self.assertEqual(exr.read(self.folder / "b.exr"), picture)
+
+    def test_twinrays_pictures_are_read(self):
+        path = self.folder / "a.exr"
+        box = str(ROOT / "scenes" / "box.dae")
+        subprocess.run([PROGRAM, box, "-q", "-r", "40", "30", "-s", "1", "-o", str(path)], check=True)
+        picture = exr.read(path)
+        self.assertEqual((picture.width, picture.height, len(picture.pixels)), (40, 30, 3600))
+        red, blue = (sum(picture.pixels[3 * (40 * 15 + x) + c] for x in xs)
+                     for c, xs in ((0, range(4)), (2, range(36, 40))))
+        self.assertGreater(red, 0.01)
+        self.assertGreater(blue, 0.01)
+
+    def test_other_files_are_refused(self):
+        (self.folder / "a.exr").write_bytes(b"no picture")
+        with self.assertRaisesRegex(ValueError, "no OpenEXR file"):
+            exr.read(self.folder / "a.exr")
+
+
+class Comparison(unittest.TestCase):
+    def noisy(self, rng, sigma, level=1.0, count=3 * 160 * 120):
+        return array("f", (level + rng.gauss(0, sigma) for _ in range(count)))
+
+    def test_the_noise_of_references_is_no_error(self):
+        rng = random.Random(3)
+        picture, one, other = self.noisy(rng, 0.1), self.noisy(rng, 0.2), self.noisy(rng, 0.2)
+        found = compare.error(picture, one, other, [True] * (160 * 120))
+        self.assertAlmostEqual(found, 0.01, delta=0.001)  # each reference alone would add 0.04
+
+    def test_a_bias_is_an_error(self):
+        rng = random.Random(4)
+        picture, one, other = (self.noisy(rng, 0.1, level) for level in (1.3, 1, 1))
+        self.assertAlmostEqual(compare.error(picture, one, other, [True] * (160 * 120)), 0.1, delta=0.003)
+
+    def test_pixels_beside_a_light_are_left_out(self):
+        picture = array("f", [0.1] * 3 * 25)
+        picture[3 * 7 + 1] = 10  # x 2, y 1
+        mask = compare.without_lights([picture], 5, 5, 2)
+        self.assertEqual([i for i, kept in enumerate(mask) if not kept], [1, 2, 3, 6, 7, 8, 11, 12, 13])
+
+    def test_pictures_agree_unless_the_mean_or_a_tile_differs(self):
+        rng = random.Random(5)
+        mask = [True] * (160 * 120)
+        one = self.noisy(rng, 0.01)
+        self.assertTrue(compare.agreement(self.noisy(rng, 0.01), one, mask, 160, 120).is_good())
+        brighter = compare.agreement(self.noisy(rng, 0.01, 1.01), one, mask, 160, 120)
+        self.assertAlmostEqual(brighter.mean_ratio, 1.01, delta=0.001)
+        self.assertFalse(brighter.is_good())
+        spotted = self.noisy(rng, 0.01)
+        for y in range(20, 30):
+            for i in range(3 * (160 * y + 30), 3 * (160 * y + 40)):
+                spotted[i] += 0.04
+        self.assertFalse(compare.agreement(spotted, one, mask, 160, 120).is_good())
+        spotted_mean = compare.agreement(spotted, one, mask, 160, 120).mean_ratio
+        self.assertAlmostEqual(spotted_mean, 1, delta=0.001)
+
+    def test_a_picture_is_taken_out_of_a_mean(self):
+        pictures = [array("f", [1, 2]), array("f", [3, 6]), array("f", [5, 1])]
+        mean = compare.mean_picture(pictures)
+        self.assertEqual(list(compare.mean_without(mean, 3, pictures[2])), [2, 4])
+
+
+class Measuring(unittest.TestCase):
+    def test_a_process_is_pinned_and_its_seconds_are_counted(self):
+        code = "import os, time\nwhile time.process_time() < 0.3: pass\nprint(len(os.sched_getaffinity(0)))"
+        cost = measure.run([sys.executable, "-c", code], measure.processors(1))
+        self.assertEqual(cost.said, "1")
+        self.assertGreaterEqual(cost.cpu_seconds, 0.3)
+        self.assertGreater(cost.megabytes, 1)
+
+    def test_a_failure_says_why(self):
+        with self.assertRaisesRegex(measure.Failed, "an Error of mine"):
+            code = "print('first'); import sys; print('an Error of mine'); sys.exit('x')"
+            measure.run([sys.executable, "-c", code], measure.processors(1))
+
+    def test_more_threads_than_processors_are_refused(self):
+        with self.assertRaisesRegex(measure.Failed, "--threads: 100000 threads"):
+            measure.processors(100000)
+
+
+class Runs(Folder):
+    """All of a run, the peer being twinray by another sampler."""
+
+    def run_peers(self, *options, peer=("--sampler=independent",)):
+        found = [renderers.Renderer("twinray", "twinray", renderers.twinray(PROGRAM)),
+                 renderers.Renderer("other <1>", "other", renderers.twinray(PROGRAM, peer))]
+        said = io.StringIO()
+        with mock.patch("renderers.installed", return_value=found), contextlib.redirect_stderr(said):
+            code = peers.main([PROGRAM, str(ROOT / "scenes" / "box.dae"), "-r", "64", "48", "--samples", "64",
+                               "--seconds", "0.2", "--rounds", "2", "-o", str(self.folder / "out"), *options])
+        return code, said.getvalue()
+
+    def test_a_run_writes_its_page_and_its_table(self):
+        code, said = self.run_peers()
+        table = (self.folder / "out" / "table.md").read_text()
+        self.assertEqual(table.count("| other <1> |"), 3)
+        self.assertEqual(table.count("| agrees |") + table.count("| DIFFERS |"), 2)
+        self.assertEqual(code, 1 if "DIFFERS" in table else 0)
+        page = (self.folder / "out" / "index.html").read_text()
+        self.assertEqual(page.count("<table>"), 3)
+        self.assertEqual(page.count("<img "), 2)
+        self.assertIn("other &lt;1&gt;", page)
+        self.assertIn("box: round 2 of 2", said)
+        picture = (self.folder / "out" / "box.png").read_bytes()
+        self.assertEqual(struct.unpack(">2I", picture[16:24]), (64, 24))
+
+    def test_a_picture_that_differs_ends_with_1(self):
+        code, _ = self.run_peers("--only", "other", peer=("-m", "2"))
+        self.assertEqual(code, 1)
+        self.assertIn("| DIFFERS |", (self.folder / "out" / "table.md").read_text())
+
+    def test_a_peer_that_fails_is_left_out_and_named(self):
+        code, said = self.run_peers(peer=("--no-such-option",))
+        self.assertEqual(code, 1)
+        self.assertIn("other <1>: left out: twinray: there is no option --no-such-option", said)
+        table = (self.folder / "out" / "table.md").read_text()
+        self.assertIn("other <1> was left out: twinray: there is no option", table)
+
+    def script(self, *words, **options):
+        command = [sys.executable, str(ROOT / "bench" / "peers" / "peers.py"), PROGRAM, *words]
+        return subprocess.run(command, text=True, capture_output=True, check=False, **options)
+
+    def test_without_peers_a_message_says_how_to_have_them(self):
+        done = self.script("--peers", str(self.folder), env={"PATH": ""})
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(f"No peer was found in {self.folder}.", done.stderr)
+        self.assertIn("python3 -m venv DIR && DIR/bin/pip install mitsuba bpy", done.stderr)
+
+    def test_wrong_options_end_with_2(self):
+        for words, text in ((["--seconds", "0"], "--seconds: 0.0 is not above 0"), (["--none"], "--none")):
+            done = self.script(*words)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(text, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
