@@ -65,6 +65,7 @@ set(private_headers
   integrators/wave/draws-inl.h
   integrators/wave/lanes-inl.h
   integrators/wave/light-inl.h
+  integrators/wave/patches-inl.h
   integrators/wave/path_wave.h
   integrators/wave/requests.h
   integrators/wave/scatter-inl.h

@@ -53,19 +53,25 @@ float falloff(const Attenuation& a, float distance) {
   return 1 / (a.constant + a.linear * distance + a.quadratic * distance * distance);
 }
 
-LightSample sample_mesh(const MeshLight& light, const Geometry& geometry, const Distribution& triangles,
-                        const SurfacePoint& from, Vec2 u) {
-  if (triangles.total() == 0) return {};
+/// A point of a mesh light.
+PatchWeights::Choice choose_point(const Distribution& triangles, const PatchLight& patches,
+                                  const Receiver& receiver, Vec2 u) {
+  if (!patches.patches.empty()) return PatchWeights(patches, receiver).choose(u);
   const Distribution::Choice choice = triangles.sample(u.x);
   const Vec2 weights = square_to_triangle({choice.remainder, u.y});
-  const SurfacePoint to = triangle_point(geometry, light.shape, choice.index, weights.x, weights.y);
+  return {choice.index, weights.x, weights.y, 1};
+}
+
+LightSample sample_mesh(const MeshLight& light, const Geometry& geometry, double area,
+                        const PatchWeights::Choice& choice, const SurfacePoint& from) {
+  const SurfacePoint to = triangle_point(geometry, light.shape, choice.triangle, choice.u, choice.v);
   const auto link = towards_point(from.position, to.position);
   if (!link) return {};
   const float cos_front = -dot(to.geometric_normal, link->direction);
   const Rgb radiance = radiance_of_side(light, cos_front);
   if (is_black(radiance)) return {};
-  return {link->direction, radiance,
-          area_to_solid_angle(triangles.total(), link->distance_squared, cos_front), connect(from, to)};
+  const float pdf = choice.density * area_to_solid_angle(area, link->distance_squared, cos_front);
+  return {link->direction, radiance, pdf, connect(from, to)};
 }
 
 /// 1 - cos of the half-angle under which a sphere is seen from a distance; 0 from inside of it.
@@ -137,10 +143,14 @@ LightSet::LightSet(const Scene& scene)
     : lights_(scene.lights),
       bindings_(scene.bindings),
       geometry_(*scene.geometry),
-      triangles_(scene.lights.size()) {
+      triangles_(scene.lights.size()),
+      patches_(scene.lights.size()) {
   for (std::size_t i = 0; i < lights_.size(); ++i)
-    if (const auto* light = std::get_if<MeshLight>(&lights_[i].source))
-      triangles_[i] = triangles_by_area(*geometry_.mesh(light->shape));
+    if (const auto* light = std::get_if<MeshLight>(&lights_[i].source)) {
+      const Mesh& mesh = *geometry_.mesh(light->shape);
+      triangles_[i] = triangles_by_area(mesh);
+      patches_[i] = patch_light(mesh, light->side, triangles_[i].total());
+    }
 }
 
 bool LightSet::is_delta(std::uint32_t light) const {
@@ -149,10 +159,16 @@ bool LightSet::is_delta(std::uint32_t light) const {
          std::holds_alternative<DirectionalLight>(source);
 }
 
-LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, Vec2 u) const {
+LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, const Vec3& normal,
+                             Vec2 u) const {
   const LightSource& source = lights_[light].source;
-  if (const auto* mesh = std::get_if<MeshLight>(&source))
-    return sample_mesh(*mesh, geometry_, triangles_[light], from, u);
+  if (const auto* mesh = std::get_if<MeshLight>(&source)) {
+    const double area = triangles_[light].total();
+    if (area == 0) return {};
+    const Receiver receiver{from.position, normal};
+    return sample_mesh(*mesh, geometry_, area, choose_point(triangles_[light], patches_[light], receiver, u),
+                       from);
+  }
   if (const auto* sphere = std::get_if<SphereLight>(&source))
     return sample_sphere(*sphere, geometry_, from, u);
   if (const auto* point = std::get_if<PointLight>(&source))
@@ -165,17 +181,24 @@ LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, Vec2
   return {-directional.direction, directional.irradiance, 1, spawn_ray(from, -directional.direction)};
 }
 
-float LightSet::pdf(std::uint32_t light, const SurfacePoint& from, const SurfacePoint& on_light) const {
+float LightSet::pdf(std::uint32_t light, const SurfacePoint& from, const Vec3& normal, const Hit& hit) const {
   const LightSource& source = lights_[light].source;
   if (const auto* sphere = std::get_if<SphereLight>(&source)) {
     const Sphere& shape = geometry_.sphere_set(sphere->shape)->spheres[0];
     const float cone = visible_cone(shape, length_squared(shape.center - from.position));
     return cone > 0 ? uniform_cone_pdf(cone) : 0;
   }
+  const SurfacePoint on_light = surface_at(geometry_, hit);
   const auto link = towards_point(from.position, on_light.position);
   if (!std::holds_alternative<MeshLight>(source) || !link) return 0;
   const float cosine = dot(on_light.geometric_normal, link->direction);
-  return cosine == 0 ? 0 : area_to_solid_angle(triangles_[light].total(), link->distance_squared, cosine);
+  if (cosine == 0) return 0;
+  const PatchLight& patches = patches_[light];
+  const float density =
+      patches.patches.empty()
+          ? 1
+          : PatchWeights(patches, {from.position, normal}).density(hit.primitive, hit.u, hit.v);
+  return density * area_to_solid_angle(triangles_[light].total(), link->distance_squared, cosine);
 }
 
 Rgb LightSet::emitted(const SurfacePoint& point, const Vec3& wo) const {

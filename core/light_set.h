@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/distribution.h"
+#include "core/light_patch.h"
 #include "core/ray.h"
 #include "core/scene.h"
 #include "core/surface.h"
@@ -33,10 +34,15 @@ class LightSet {
   /// Whether the light is a point or a direction, which no ray can hit by chance: one sample is exact.
   bool is_delta(std::uint32_t light) const;
 
-  /// Light of one source at a point; black where none of this sample can arrive. u in [0, 1)^2.
-  LightSample sample(std::uint32_t light, const SurfacePoint& from, Vec2 u) const;
-  /// The density, per solid angle at `from`, with which sample() chooses a point of an emissive surface.
-  float pdf(std::uint32_t light, const SurfacePoint& from, const SurfacePoint& on_light) const;
+  /// The patches of a mesh light that has few; none for any other.
+  const PatchLight& patches(std::uint32_t light) const { return patches_[light]; }
+
+  /// Light of one source at a point that is lit on the side of `normal`, its unit shading normal; black where
+  /// none of this sample can arrive. u in [0, 1)^2.
+  LightSample sample(std::uint32_t light, const SurfacePoint& from, const Vec3& normal, Vec2 u) const;
+  /// The density, per solid angle at `from`, with which sample() chooses the point of an emissive surface
+  /// that a ray hits.
+  float pdf(std::uint32_t light, const SurfacePoint& from, const Vec3& normal, const Hit& hit) const;
 
   /// Radiance that an emissive surface sends along the unit direction wo; black for all other surfaces.
   Rgb emitted(const SurfacePoint& point, const Vec3& wo) const;
@@ -49,7 +55,9 @@ class LightSet {
   std::span<const Light> lights_;
   std::span<const ShapeBinding> bindings_;
   const Geometry& geometry_;
-  std::vector<Distribution> triangles_;  ///< By area; one for each light, empty where it is not a mesh.
+  // One for each light:
+  std::vector<Distribution> triangles_;  ///< By area, empty where it is not a mesh.
+  std::vector<PatchLight> patches_;
 };
 
 }  // namespace twinray

@@ -29,7 +29,7 @@ Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Int
   Rgb sum;
   for (std::uint32_t part = 0; part < count; ++part) {
     const Vec2 u = sampler.draw_2d(Purpose::light_point, {part, count, light});
-    const LightSample sample = transport.lights.sample(light, at.point(), u);
+    const LightSample sample = transport.lights.sample(light, at.point(), at.normal(), u);
     const Rgb scattered = at.scattered(sample.direction) * sample.radiance;
     if (!is_black(scattered)) sum += scattered * tracer.visibility(sample.shadow_ray) / sample.pdf;
   }

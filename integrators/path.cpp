@@ -35,14 +35,11 @@ class PathIntegrator::Waves {
         scene_(scene),
         lights_(scene),
         shapes_(shape_table(scene)),
-        few_triangles_(few_triangles(scene, lights_)) {}
+        patches_(patch_tables(scene, lights_)) {}
 
   WaveContext context() const {
-    return {*stages,
-            options_,
-            {scene_, lights_, options_.direct, options_.samples_per_light},
-            shapes_,
-            few_triangles_};
+    return {
+        *stages, options_, {scene_, lights_, options_.direct, options_.samples_per_light}, shapes_, patches_};
   }
 
   const PathReference reference;
@@ -53,7 +50,7 @@ class PathIntegrator::Waves {
   const Scene& scene_;
   const LightSet lights_;
   const std::vector<ShapeEntry> shapes_;
-  const std::vector<FewTriangles> few_triangles_;
+  const std::vector<PatchTable> patches_;
 };
 
 PathIntegrator::PathIntegrator(const Scene& scene, const PathOptions& options, const std::string& simd)

@@ -29,59 +29,6 @@ HWY_ATTR HWY_INLINE Lanes area_to_solid_angle(double area, Lanes distance_square
       area_to_solid_angle(area, hn::LowerHalf(half, distance_squared), hn::LowerHalf(half, cosine)));
 }
 
-/// Where in the areas' sums draws fall: the index of the triangle, and the draw within it.
-struct ChoiceLanes {
-  Lanes index, remainder;
-};
-struct HalfChoice {
-  hn::Vec<HalfTag> index, remainder;
-};
-HWY_ATTR HWY_INLINE HalfChoice choose(const FewTriangles& few, hn::Vec<HalfTag> u) {
-  const DoubleTag doubles;
-  const auto at = [&](double a) HWY_ATTR { return hn::Set(doubles, a); };
-  const auto target = hn::Mul(hn::PromoteTo(doubles, u), at(few.sums[few.size]));
-  auto index = at(0), before = at(few.sums[0]), after = at(few.sums[1]);
-  for (std::size_t i = 1; i <= few.last; ++i) {
-    const auto is_later = hn::Le(at(few.sums[i]), target);
-    index = hn::IfThenElse(is_later, at(double(i)), index);
-    before = hn::IfThenElse(is_later, at(few.sums[i]), before);
-    after = hn::IfThenElse(is_later, at(few.sums[i + 1]), after);
-  }
-  const auto remainder = hn::Div(hn::Sub(target, before), hn::Sub(after, before));
-  return {hn::DemoteTo(HalfTag(), index), hn::DemoteTo(HalfTag(), remainder)};
-}
-HWY_ATTR HWY_INLINE ChoiceLanes choose(const FewTriangles& few, Lanes u) {
-  const HalfChoice lower = choose(few, hn::LowerHalf(HalfTag(), u));
-  const HalfChoice upper = choose(few, hn::UpperHalf(HalfTag(), u));
-  const Lanes remainder = hn::Combine(FloatTag(), upper.remainder, lower.remainder);
-  return {hn::Combine(FloatTag(), upper.index, lower.index), hn::Min(remainder, splat(0x1.fffffep-1f))};
-}
-
-HWY_ATTR HWY_INLINE Lanes3 splat(const Vec3& v) { return splat(v.x, v.y, v.z); }
-
-HWY_ATTR void choose_of_few(const FewTriangles& few, LightSamples& samples, std::size_t size) {
-  for (std::size_t i = 0; i < size; i += lane_count) {
-    const ChoiceLanes choice = choose(few, load(samples.ux, i));
-    Lanes3 a = splat(few.a[0]), b = splat(few.b[0]), c = splat(few.c[0]), normal = splat(few.normal[0]);
-    Lanes offset = splat(few.offset[0]);
-    for (std::size_t k = 1; k < few.size; ++k) {
-      const LaneMask is_it = hn::Eq(choice.index, splat(float(k)));
-      a = select(is_it, splat(few.a[k]), a);
-      b = select(is_it, splat(few.b[k]), b);
-      c = select(is_it, splat(few.c[k]), c);
-      normal = select(is_it, splat(few.normal[k]), normal);
-      offset = select(is_it, splat(few.offset[k]), offset);
-    }
-    store(a, samples.triangle.a, i);
-    store(b, samples.triangle.b, i);
-    store(c, samples.triangle.c, i);
-    store(choice.remainder, samples.triangle.u, i);
-    store(load(samples.uy, i), samples.triangle.v, i);
-    store(normal, samples.point.normal, i);
-    store(offset, samples.point.offset, i);
-  }
-}
-
 HWY_ATTR HWY_INLINE LaneMask emits(EmissionSide side, Lanes cos_front) {
   const Lanes zero = hn::Zero(FloatTag());
   if (side == EmissionSide::both) return hn::Ne(cos_front, zero);
@@ -91,9 +38,7 @@ HWY_ATTR HWY_INLINE LaneMask emits(EmissionSide side, Lanes cos_front) {
 HWY_ATTR void sample_mesh_light(const Surfaces& surfaces, const MeshLightRequest& light,
                                 LightSamples& samples, std::size_t size) {
   for (std::size_t i = 0; i < size; i += lane_count) {
-    const Lanes u = load(samples.triangle.u, i), v = load(samples.triangle.v, i);
-    const Lanes half = hn::Mul(splat(0.5f), hn::Min(u, v));
-    const WeightLanes weights = weights_of(hn::Sub(u, half), hn::Sub(v, half));
+    const WeightLanes weights = weights_of(load(samples.triangle.u, i), load(samples.triangle.v, i));
     const Lanes3 position = position_of(samples.triangle, samples.point.offset, i, weights);
     const Lanes3 normal = load(samples.point.normal, i);
     const Lanes3 between = position - load(surfaces.point.position, i);
@@ -106,7 +51,8 @@ HWY_ATTR void sample_mesh_light(const Surfaces& surfaces, const MeshLightRequest
     store(zero_unless(arrives, direction), samples.direction, i);
     store(zero_unless(arrives, splat(light.radiance.r, light.radiance.g, light.radiance.b)), samples.radiance,
           i);
-    store(area_to_solid_angle(light.area, squared, cos_front), samples.pdf, i);
+    const Lanes uniform = area_to_solid_angle(light.area, squared, cos_front);
+    store(hn::Mul(load(samples.density, i), uniform), samples.pdf, i);
     store(origin, samples.origin, i);
     store(target - origin, samples.towards, i);
     store(splat(1), samples.t_max, i);

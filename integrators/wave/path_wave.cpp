@@ -202,9 +202,9 @@ void PathWave::sample_light(std::uint32_t light) {
 
 void PathWave::sample_mesh_light(std::uint32_t light, const MeshLight& mesh) {
   const Distribution& triangles = context_.transport.lights.triangles(light);
-  const FewTriangles& few = context_.few_triangles[light];
-  if (few.size > 0)
-    stages_.choose_of_few(few, light_, paths_.size);
+  const PatchTable& patches = context_.patches[light];
+  if (patches.light)
+    stages_.choose_of_patches(patches, surfaces_, light_, paths_.size);
   else
     choose_of_many(triangles, context_.shapes[mesh.shape]);
   stages_.sample_mesh_light(surfaces_, {mesh.radiance, mesh.side, triangles.total()}, light_, paths_.size);
@@ -213,8 +213,10 @@ void PathWave::sample_mesh_light(std::uint32_t light, const MeshLight& mesh) {
 void PathWave::choose_of_many(const Distribution& triangles, const ShapeEntry& shape) {
   for (std::size_t i = 0; i < paths_.size; ++i) {
     const Distribution::Choice choice = triangles.sample(light_.ux[i]);
-    light_.triangle.u[i] = choice.remainder;
-    light_.triangle.v[i] = light_.uy[i];
+    const Vec2 weights = square_to_triangle({choice.remainder, light_.uy[i]});
+    light_.triangle.u[i] = weights.x;
+    light_.triangle.v[i] = weights.y;
+    light_.density[i] = 1;
     gather_corners(shape.positions, shape.triangles[choice.index], light_.triangle, i);
     gather_facet(shape.facets[choice.index], light_.point, i);
   }
@@ -226,7 +228,8 @@ void PathWave::sample_other_light(std::uint32_t light) {
     from.position = surfaces_.point.position.at(i);
     from.geometric_normal = surfaces_.point.normal.at(i);
     from.offset = surfaces_.point.offset[i];
-    const LightSample sample = context_.transport.lights.sample(light, from, {light_.ux[i], light_.uy[i]});
+    const LightSample sample =
+        context_.transport.lights.sample(light, from, surfaces_.shading.at(i), {light_.ux[i], light_.uy[i]});
     light_.direction.set(i, sample.direction);
     light_.radiance.set(i, sample.radiance);
     light_.pdf[i] = sample.pdf;

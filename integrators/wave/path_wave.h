@@ -19,7 +19,7 @@ struct WaveContext {
   const PathOptions& options;
   LightTransport transport;
   std::span<const ShapeEntry> shapes;
-  std::span<const FewTriangles> few_triangles;  ///< Of each light.
+  std::span<const PatchTable> patches;  ///< Of each light.
 };
 
 /// The paths of up to wave_size samples, grown together vertex by vertex: all of them to their next surfaces,

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/light.h"
+#include "core/light_patch.h"
 #include "core/sampler.h"
 
 namespace twinray {
@@ -23,15 +24,16 @@ struct MeshLightRequest {
   double area = 0;
 };
 
-/// The triangles of a mesh light that has few: a rectangle's two, mostly. The sums are those of its
-/// Distribution by area.
-struct FewTriangles {
-  static constexpr std::size_t most = 4;
-  std::size_t size = 0;     ///< 0: the light is no mesh, or has more.
-  std::size_t last = 0;     ///< The last one that has area.
-  double sums[most + 1]{};  ///< Of the areas before each.
-  Vec3 a[most], b[most], c[most], normal[most];
-  float offset[most]{};
+/// A triangle of a light, as points of it are made.
+struct PatchTriangle {
+  Vec3 a, b, c, normal;
+  float offset = 0;
+};
+
+/// A mesh light of few patches, with the two triangles of each.
+struct PatchTable {
+  const PatchLight* light = nullptr;  ///< Null: the light is no mesh, or has more.
+  PatchTriangle triangles[PatchLight::most][2];
 };
 
 }  // namespace twinray

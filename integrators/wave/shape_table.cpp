@@ -4,6 +4,16 @@
 #include "core/bsdf.h"
 
 namespace twinray {
+namespace {
+
+PatchTriangle patch_triangle(const Geometry& geometry, std::uint32_t shape, std::uint32_t triangle) {
+  const Mesh& mesh = *geometry.mesh(shape);
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  const Facet& facet = geometry.facet(shape, triangle);
+  return {mesh.positions[a], mesh.positions[b], mesh.positions[c], facet.normal, facet.offset};
+}
+
+}  // namespace
 
 std::vector<ShapeEntry> shape_table(const Scene& scene) {
   std::vector<ShapeEntry> table;
@@ -26,28 +36,18 @@ std::vector<ShapeEntry> shape_table(const Scene& scene) {
   return table;
 }
 
-std::vector<FewTriangles> few_triangles(const Scene& scene, const LightSet& lights) {
-  std::vector<FewTriangles> all(lights.size());
+std::vector<PatchTable> patch_tables(const Scene& scene, const LightSet& lights) {
+  std::vector<PatchTable> tables(lights.size());
   for (std::uint32_t light = 0; light < lights.size(); ++light) {
-    const auto* emitter = std::get_if<MeshLight>(&lights.light(light).source);
-    const Distribution& areas = lights.triangles(light);
-    if (!emitter || areas.size() > FewTriangles::most || areas.total() == 0) continue;
-    const Mesh& mesh = *scene.geometry->mesh(emitter->shape);
-    FewTriangles& few = all[light];
-    few.size = areas.size();
-    few.last = areas.last();
-    for (std::uint32_t i = 0; i < few.size; ++i) {
-      const auto& [a, b, c] = mesh.triangles[i];
-      few.a[i] = mesh.positions[a];
-      few.b[i] = mesh.positions[b];
-      few.c[i] = mesh.positions[c];
-      const Facet& facet = scene.geometry->facet(emitter->shape, i);
-      few.normal[i] = facet.normal;
-      few.offset[i] = facet.offset;
-      few.sums[i + 1] = areas.sum_before(i + 1);
-    }
+    const std::vector<LightPatch>& patches = lights.patches(light).patches;
+    if (patches.empty()) continue;
+    tables[light].light = &lights.patches(light);
+    const std::uint32_t shape = std::get<MeshLight>(lights.light(light).source).shape;
+    for (std::size_t i = 0; i < patches.size(); ++i)
+      for (std::size_t half = 0; half < 2; ++half)
+        tables[light].triangles[i][half] = patch_triangle(*scene.geometry, shape, patches[i].triangles[half]);
   }
-  return all;
+  return tables;
 }
 
 }  // namespace twinray

@@ -25,7 +25,7 @@ struct ShapeEntry {
 /// One entry for each shape of the scene, which must outlive them.
 std::vector<ShapeEntry> shape_table(const Scene& scene);
 
-/// One entry for each light: the triangles of those that have few.
-std::vector<FewTriangles> few_triangles(const Scene& scene, const LightSet& lights);
+/// One entry for each light; scene and lights must outlive them.
+std::vector<PatchTable> patch_tables(const Scene& scene, const LightSet& lights);
 
 }  // namespace twinray

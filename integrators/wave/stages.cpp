@@ -11,6 +11,7 @@
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 #include "integrators/wave/draws-inl.h"
 #include "integrators/wave/light-inl.h"
+#include "integrators/wave/patches-inl.h"
 #include "integrators/wave/scatter-inl.h"
 #include "integrators/wave/surfaces-inl.h"
 
@@ -23,7 +24,7 @@ WaveStages stages() {
           draw,
           find_points,
           find_interactions,
-          choose_of_few,
+          choose_of_patches,
           sample_mesh_light,
           sample_hemisphere,
           scatter_light,

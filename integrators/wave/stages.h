@@ -22,11 +22,10 @@ struct WaveStages {
   void (*find_points)(Surfaces&, std::size_t size);
   /// Surfaces -> shading, facing, wo_z: Interaction.
   void (*find_interactions)(const Paths&, Surfaces&);
-  /// Draws -> LightSamples::triangle (u and v in the unit square), point.normal, point.offset: a triangle by
-  /// area, as Distribution::sample chooses it.
-  void (*choose_of_few)(const FewTriangles&, LightSamples&, std::size_t size);
-  /// LightSamples::triangle (u and v in the unit square), point.normal, point.offset -> the rest of them:
-  /// LightSet::sample of a mesh light.
+  /// Draws -> LightSamples::triangle, point.normal, point.offset, density: PatchWeights::choose.
+  void (*choose_of_patches)(const PatchTable&, const Surfaces&, LightSamples&, std::size_t size);
+  /// LightSamples::triangle, point.normal, point.offset, density -> the rest of them: LightSet::sample of a
+  /// mesh light.
   void (*sample_mesh_light)(const Surfaces&, const MeshLightRequest&, LightSamples&, std::size_t size);
   /// Draws -> directions, with the radiance 1: uniform in the hemisphere.
   void (*sample_hemisphere)(const Surfaces&, LightSamples&, std::size_t size);

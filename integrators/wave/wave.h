@@ -69,6 +69,7 @@ struct Surfaces {
 struct LightSamples {
   Floats ux, uy;            ///< The draws.
   TrianglePoints triangle;  ///< Of a mesh light: on it.
+  Floats density;           ///< Likewise: per area, times the light's area.
   Points point;
   Columns3 direction;
   Columns3 radiance;

@@ -42,7 +42,7 @@ SampleMean inverse_density(const Scene& scene, int seed) {
   Random random{std::uint64_t(seed)};
   SampleMean mean;
   for (int i = 0; i < 100000; ++i) {
-    const LightSample sample = lights.sample(0, below(), draw(random));
+    const LightSample sample = lights.sample(0, below(), {0, 1, 0}, draw(random));
     if (!is_black(sample.radiance)) mean.add(1 / double(sample.pdf));
   }
   return mean;
@@ -77,7 +77,7 @@ TEST_CASE("the density of a sample is the density that is asked for") {
     Random random(3);
     int checked = 0;
     for (int i = 0; i < 1000; ++i) {
-      const LightSample sample = lights.sample(0, below(), draw(random));
+      const LightSample sample = lights.sample(0, below(), {0, 1, 0}, draw(random));
       if (is_black(sample.radiance)) continue;
       // The end of the shadow ray lies just off the light; the surface there is where a ray on from it would
       // hit.
@@ -88,7 +88,7 @@ TEST_CASE("the density of a sample is the density that is asked for") {
       const SurfacePoint seen = surface_at(*scene.geometry, hit);
       const Vec3 end = sample.shadow_ray.origin + sample.shadow_ray.direction;
       if (length(seen.position - end) > 1e-4f) continue;  // another part of the light is in front
-      CHECK(lights.pdf(0, below(), seen) == Approx(sample.pdf).epsilon(1e-3));
+      CHECK(lights.pdf(0, below(), {0, 1, 0}, hit) == Approx(sample.pdf).epsilon(1e-3));
       ++checked;
     }
     CHECK(checked > 300);
@@ -117,8 +117,8 @@ TEST_CASE("a sphere light shows its radiance outside, and is black from within")
     CHECK(lights.emitted(point, wo) == (dot(normal, wo) > 0 ? Rgb{3, 2, 1} : Rgb{}));
     SurfacePoint within = below();
     within.position = sphere.center + normal * (0.99f * random.unit());
-    CHECK(is_black(lights.sample(0, within, draw(random)).radiance));
-    CHECK(lights.pdf(0, within, point) == 0);
+    CHECK(is_black(lights.sample(0, within, within.shading_normal, draw(random)).radiance));
+    CHECK(lights.pdf(0, within, within.shading_normal, {.primitive = 0, .mesh = 1}) == 0);
   }
 }
 

@@ -54,6 +54,7 @@ Scene scene_of_everything() {
   add_lamp(scene, floor_square(0.25f, -0.9f), {1, 2, 3}, EmissionSide::front);
   add_lamp(scene, lamp_of(4), {1, 1, 2}, EmissionSide::both);
   add_lamp(scene, lamp_of(5), {2, 1, 1}, EmissionSide::both);
+  add_lamp(scene, icosphere(1), {0.1f, 0.2f, 0.1f}, EmissionSide::back);
   add_lamp(scene, inward_box(1.7f), {0.1f, 0.1f, 0.2f}, EmissionSide::back);
   add_lamp(scene, SphereSet{"ball", {{{0.3f, 0.8f, 0.4f}, 0.2f}}}, {2, 2, 2}, EmissionSide::front);
   add_light(scene, PointLight{{0.3f, 0.2f, 0.1f}, {1, 2, 3}, {}});

@@ -44,7 +44,7 @@ MUTANTS = [
            "if (!asked.accumulates)",
            "if (asked.accumulates)",
            "test_cli", "option -o 0 shows the light of the last bounce that -m allows, and -o 1 all of it"),
-    Mutant("the lens of CS184's options stays in the command line", "cli/render_command.cpp",
+    Mutant("the lens of CS184's options stays in the command line", "cli/render_scene.cpp",
            "camera.focal_distance = arguments.lens->focal_distance;",
            "",
            "test_cli", "option -b is a lens that blurs what is not at the distance of -d"),
