@@ -221,6 +221,16 @@ class Cycles(Folder):
         mesh.normals = array("f", [0, -1, 0] * 4)
         self.assertEqual(cycles_scene.faces_along_normals(mesh), [(0, 1, 2), (2, 3, 0)])
 
+    def test_a_point_light_has_its_intensity_over_the_whole_sphere(self):
+        law = {"constant": 0, "linear": 0, "quadratic": 1}
+        light = {"name": "p", "type": "point", "position": [1, 2, 3], "intensity": [2, 4, 1],
+                 "attenuation": law}
+        point, = self.convert(self.scene(lights=[light]))["points"]
+        self.assertEqual((point["position"], point["color"]), ([1, 2, 3], [0.5, 1, 0.25]))
+        self.assertAlmostEqual(point["energy"], 4 * math.pi * 4)
+        with self.assertRaisesRegex(exchange.Unsupported, "only the inverse square law, unlike the light"):
+            self.convert(self.scene(lights=[{**light, "attenuation": {**law, "linear": 1}}]))
+
     def test_what_is_not_converted_is_named(self):
         for scene, text in ((self.scene(lens_radius=0.1), "lens"),
                             (self.scene(tan_half_width=0.6), "oblong pixels"),
