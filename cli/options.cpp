@@ -142,6 +142,15 @@ void OptionGroup::add_word(const OptionText& text, std::string& target) {
   add_words(text, 1, [&target](const Words& words) { target = words.front(); });
 }
 
+void OptionGroup::add_repeated(const OptionText& text, Words& target) {
+  app_.add_option(text.names, target, text.description)
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name(text.value)
+      ->group(name_);
+}
+
 namespace {
 
 /// A word that a command needs, without an option before it.

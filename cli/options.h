@@ -78,6 +78,9 @@ class OptionGroup {
   /// An option of one word.
   void add_word(const OptionText& text, std::string& target);
 
+  /// An option of one word that may be given again: all its words, in their order.
+  void add_repeated(const OptionText& text, Words& target);
+
   /// An option of one number; its help ends with the target's value: the default.
   template <typename T>
   void add_number(const OptionText& text, T& target, const Range<T>& range) {

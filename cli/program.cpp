@@ -9,6 +9,7 @@
 #include "cli/convert_command.h"
 #include "cli/crosscheck_command.h"
 #include "cli/cs184_program.h"
+#include "cli/error_command.h"
 #include "cli/options.h"
 #include "cli/render_command.h"
 #include "cli/render_command_line.h"
@@ -27,6 +28,9 @@ Action add_agreement(CLI::App& app) {
 Action add_crosscheck(CLI::App& app) {
   return [read = add_crosscheck_options(app)](const Words&) { return crosscheck_command(read()); };
 }
+Action add_error(CLI::App& app) {
+  return [read = add_error_options(app)](const Words& words) { return error_command(read(), words); };
+}
 Action add_stats(CLI::App& app) {
   return [read = add_stats_options(app)](const Words&) { return stats_command(read()); };
 }
@@ -40,12 +44,15 @@ Action add_study(CLI::App& app) {
 const std::vector<Subcommand> subcommands{
     {"render", add_render,
      "Renders a COLLADA scene by path tracing; with --cs184 as CS184's program does (docs/cs184.md).", "Run",
-     "Other commands: twinray agreement, crosscheck, stats, study and convert; each has its --help."},
+     "Other commands: twinray agreement, crosscheck, error, stats, study and convert; each has its --help."},
     {"agreement", add_agreement,
      "Renders scenes small by every engine, split method, integrator, sampler and number of threads,\n"
      "and compares all pictures and ray counts bit for bit. Exit code 1 if any differs."},
     {"crosscheck", add_crosscheck,
      "Shoots the same rays through several engines and judges every difference."},
+    {"error", add_error,
+     "Renders a scene by several sets of options, and compares with a converged picture: error over samples\n"
+     "and over CPU seconds, and whether pictures are biased (docs/error.md)."},
     {"stats", add_stats,
      "Builds every engine and split method over a scene and shoots the rays of its paths, recorded once,\n"
      "through each: build time, tree, and what camera, shadow and bounce rays take."},

@@ -11,6 +11,7 @@
 #include "cli/progress.h"
 #include "cli/render_command.h"
 #include "cli/render_command_line.h"
+#include "cli/shell_text.h"
 #include "cli/version.h"
 #include "core/error.h"
 #include "core/image.h"
@@ -75,23 +76,6 @@ class CountingTalk final : public RenderTalk {
 };
 
 }  // namespace
-
-std::string shell_text(const Words& words) {
-  std::string text;
-  for (const std::string& word : words) {
-    constexpr std::string_view plain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._/=,:+@%-";
-    if (!text.empty()) text += ' ';
-    if (!word.empty() && word.find_first_not_of(plain) == word.npos) {
-      text += word;
-      continue;
-    }
-    text += '\'';
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    text += '\'';
-  }
-  return text;
-}
 
 PictureFolder::PictureFolder(std::string path, const Scale& scale, int threads)
     : path_(std::move(path)), scale_(scale), threads_(threads) {}

@@ -44,7 +44,4 @@ class PictureFolder {
   mutable std::map<std::string, std::uint64_t> scene_hashes_;
 };
 
-/// A command as a shell takes it: words with other characters than those of plain names in quotes.
-std::string shell_text(const Words& words);
-
 }  // namespace twinray::study

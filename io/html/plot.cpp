@@ -59,7 +59,15 @@ class Scale {
   bool is_log_;
 };
 
+/// "1.5e-5"
+std::string small_number(double value) {
+  int exponent = 0;
+  for (; value < 0.9999; value *= 10) --exponent;
+  return fmt::format("{:.3g}e{}", value, exponent);
+}
+
 std::string number(double value) {
+  if (value > 0 && value < 0.9999e-3) return small_number(value);
   if (value >= 1e6) return fmt::format("{:g} M", value * 1e-6);
   if (value >= 1e4) return fmt::format("{:g} k", value * 1e-3);
   return fmt::format("{:g}", value);

@@ -28,7 +28,7 @@ DOORS = {
     "Embree": (r"embree[34]?/", r"accel/embree/"),
     "Highway and intrinsics": (r"hwy/|\w+intrin\.h",  # denormals: FTZ and DAZ
                                r"accel/|core/(denormals|instruction_sets)\.cpp|integrators/wave/"),
-    "Boost": (r"boost/", r"check/exact\.h"),
+    "Boost": (r"boost/", r"check/(exact\.h|welch\.cpp)"),
     "oneTBB": (r"tbb/|oneapi/", r"core/parallel\.cpp"),
     "OpenImageIO": (r"OpenImageIO/", r"io/openimageio_codec\.cpp"),
     "libpng": (r"png\.h", r"io/png\.cpp"),

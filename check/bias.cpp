@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "check/bias.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace twinray {
+namespace {
+
+MeanEstimate converged_pixel(const ConvergedPicture& converged, std::size_t index) {
+  MeanEstimate one{.mean = luminance(converged.mean.pixels[index])};
+  if (!converged.noise) return one;
+  const double noise = luminance(converged.noise->pixels[index]);
+  one.variance = noise * noise;
+  one.freedom = 1;  // of two halves
+  return one;
+}
+
+/// What is compared, and how.
+struct Comparison {
+  const PictureMoments& pictures;
+  const ConvergedPicture& converged;
+  const PixelMask& mask;
+};
+
+TileTest test_tile(const Comparison& compared, const PixelRect& tile) {
+  MeanOfMeans picture, converged;
+  for (int y = tile.y0; y < tile.y1; ++y)
+    for (int x = tile.x0; x < tile.x1; ++x) {
+      const std::size_t i = std::size_t(y) * std::size_t(compared.converged.mean.width) + std::size_t(x);
+      if (!compared.mask[i]) continue;
+      picture.add(compared.pictures.pixel(i));
+      converged.add(converged_pixel(compared.converged, i));
+    }
+  const MeanEstimate a = picture.estimate(), b = converged.estimate();
+  return {tile, picture.count(), a, b, welch_test(a, b)};
+}
+
+}  // namespace
+
+void PictureMoments::add(const Image& picture) {
+  if (count_ == 0) pixels_.resize(picture.pixels.size());
+  if (pixels_.size() != picture.pixels.size()) throw Error("pictures of different sizes have no common mean");
+  ++count_;
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    Moments& moments = pixels_[i];
+    const double difference = luminance(picture.pixels[i]) - moments.mean;
+    moments.mean += difference / double(count_);
+    moments.squares += difference * (luminance(picture.pixels[i]) - moments.mean);
+  }
+}
+
+MeanEstimate PictureMoments::pixel(std::size_t index) const {
+  const auto n = double(count_);
+  return {pixels_[index].mean, pixels_[index].squares / (n - 1) / n, n - 1};
+}
+
+BiasTest test_bias(const PictureMoments& pictures, const ConvergedPicture& converged, const PixelMask& mask,
+                   int tile_size) {
+  const int width = converged.mean.width, height = converged.mean.height;
+  if (pictures.count() < 2) throw Error("a test for bias needs two pictures of different seeds");
+  if (mask.size() != converged.mean.pixels.size()) throw Error("the mask has another size than the picture");
+  const Comparison compared{pictures, converged, mask};
+  BiasTest result;
+  result.whole = test_tile(compared, {0, 0, width, height});
+  double least = result.whole.test.p_value;
+  for (int y = 0; y < height; y += tile_size)
+    for (int x = 0; x < width; x += tile_size) {
+      const PixelRect tile{x, y, std::min(x + tile_size, width), std::min(y + tile_size, height)};
+      const TileTest test = test_tile(compared, tile);
+      if (test.pixels == 0) continue;
+      least = std::min(least, test.test.p_value);
+      result.tiles.push_back(test);
+    }
+  result.p_value = corrected_p_value(least, result.tiles.size() + 1);
+  return result;
+}
+
+}  // namespace twinray

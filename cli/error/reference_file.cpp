@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/error/reference_file.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/outputs.h"
+#include "core/error.h"
+#include "io/image_file.h"
+
+namespace twinray::error {
+namespace {
+
+Image read(const std::string& path, const FrameSize& size) {
+  Image image = read_image(path);
+  if (image.width != size.width || image.height != size.height)
+    throw Error(
+        fmt::format("{}: it has {} x {} pixels, but the pictures to compare have {} x {}; -r sets their "
+                    "size",
+                    path, image.width, image.height, size.width, size.height));
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (!is_finite(image.at(x, y)))
+        throw Error(fmt::format("{}: pixel {} {} is not finite; a reference must be", path, x, y));
+  return image;
+}
+
+}  // namespace
+
+std::string noise_name(const std::string& reference) { return name_beside(reference, "_noise.exr"); }
+
+void check_reference_name(const std::string& path) {
+  if (!is_linear_output(path))
+    throw Error(
+        fmt::format("{}: a reference is a picture of linear floats; its name must end in .exr", path));
+}
+
+ConvergedPicture read_reference(const std::string& path, const FrameSize& size) {
+  check_reference_name(path);
+  ConvergedPicture converged{read(path, size), {}};
+  if (const std::string noise = noise_name(path); std::filesystem::exists(noise))
+    converged.noise = read(noise, size);
+  return converged;
+}
+
+void write_reference(const std::string& path, const ConvergedPicture& converged,
+                     const ImageMetadata& metadata, const ImageFrame& frame) {
+  write_exr(path, converged.mean, metadata, frame);
+  if (converged.noise) write_exr(noise_name(path), *converged.noise, metadata, frame);
+}
+
+}  // namespace twinray::error

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "cli/options.h"
+
+namespace twinray {
+
+/// A command as a shell takes it: words with other characters than those of plain names in quotes.
+std::string shell_text(const Words& words);
+
+}  // namespace twinray
