@@ -103,6 +103,7 @@ std::string valid_word(const Option& option) {
 /// not there, so that no command does more than read its words.
 std::string answer(const std::string& command, const Words& words) {
   std::vector<const char*> arguments{"twinray", command.c_str(), "no-such-scene.dae"};
+  if (command == "convert") arguments.push_back("out.json");
   for (const std::string& word : words) arguments.push_back(word.c_str());
   try {
     twinray::run_program(read_invocation(arguments));
