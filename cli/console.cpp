@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -24,6 +25,8 @@ struct Stream {
 Stream output{stdout, 0};
 Stream errors{stderr, 0};
 bool output_is_for_data = false;
+std::atomic<const char*> speaker_name = "twinray";
+static_assert(std::atomic<const char*>::is_always_lock_free);
 
 void write_to(Stream& stream, std::string_view text) noexcept {
   errno = 0;
@@ -43,6 +46,10 @@ void open() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+void speak_as(const char* name) noexcept { speaker_name = name; }
+
+std::string_view speaker() noexcept { return speaker_name.load(); }
+
 void keep_output_for_data() noexcept { output_is_for_data = true; }
 
 void write(std::string_view text) noexcept { write_to(output_is_for_data ? errors : output, text); }
@@ -56,7 +63,7 @@ void warn(std::string_view text) {
 
 int finish(int code) {
   if (output.error != 0)
-    print_error("twinray: standard output cannot be written: {}\n", std::strerror(output.error));
+    print_error("{}: standard output cannot be written: {}\n", speaker(), std::strerror(output.error));
   return code == 0 && (output.error != 0 || errors.error != 0) ? 1 : code;
 }
 

@@ -14,6 +14,11 @@ namespace twinray::console {
 /// file beyond the limit of sizes, are errors of writing, not signals.
 void open();
 
+/// Messages begin with this name from now on, in place of "twinray"; it must stay as long as the process.
+void speak_as(const char* name) noexcept;
+/// Who speaks in messages; from a signal handler, too.
+std::string_view speaker() noexcept;
+
 /// From now on standard output belongs to data: what print() prints goes to standard error.
 void keep_output_for_data() noexcept;
 

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <string_view>
 
+#include "cli/console.h"
 #include "io/output_file.h"
 
 namespace twinray {
@@ -35,7 +36,8 @@ void say(std::string_view text) {
   if (const std::vector<std::string>* paths = unfinished_paths)
     for (const std::string& path : *paths) unlink(path.c_str());
   if (isatty(STDERR_FILENO)) say("\n");
-  say(signal_number == SIGINT ? "twinray: interrupted" : "twinray: ended by a signal");
+  say(console::speaker());
+  say(signal_number == SIGINT ? ": interrupted" : ": ended by a signal");
   say("; unfinished outputs are removed, old files are as they were\n");
   _exit(exit_code_of(signal_number));
 }

@@ -6,6 +6,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include "cli/console.h"
 #include "cli/program.h"
@@ -15,8 +16,8 @@ namespace {
 
 namespace console = twinray::console;
 
-int fail(const std::string& name, const char* reason, int exit_code) {
-  console::print_error("{}: {}\n", name, reason);
+int fail(const char* reason, int exit_code) {
+  console::print_error("{}: {}\n", console::speaker(), reason);
   return exit_code;
 }
 
@@ -24,11 +25,11 @@ int run(const twinray::Invocation& invocation) {
   try {
     return twinray::run_program(invocation);
   } catch (const twinray::UsageError& error) {
-    return fail(invocation.name, error.what(), 2);
+    return fail(error.what(), 2);
   } catch (const std::bad_alloc&) {
-    return fail(invocation.name, "out of memory", 1);
+    return fail("out of memory", 1);
   } catch (const std::exception& error) {
-    return fail(invocation.name, error.what(), 1);
+    return fail(error.what(), 1);
   }
 }
 
@@ -38,8 +39,8 @@ int run(const twinray::Invocation& invocation) {
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
   } catch (const std::bad_alloc&) {
-    constexpr char message[] = "twinray: out of memory\n";
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message, sizeof message - 1);
+    for (const std::string_view part : {console::speaker(), std::string_view(": out of memory\n")})
+      [[maybe_unused]] const auto written = ::write(STDERR_FILENO, part.data(), part.size());
     std::_Exit(1);
   } catch (...) {
   }
@@ -51,5 +52,7 @@ int run(const twinray::Invocation& invocation) {
 int main(int argc, char** argv) {
   std::set_terminate(end_without_memory);
   console::open();
-  return console::finish(run(twinray::read_invocation({argv, std::size_t(argc)})));
+  const twinray::Invocation invocation = twinray::read_invocation({argv, std::size_t(argc)});
+  console::speak_as(invocation.name.c_str());
+  return console::finish(run(invocation));
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "cli/console.h"
 #include "cli/outputs.h"
 #include "io/destination.h"
 
@@ -46,13 +47,13 @@ std::string sample_range_text(const Film& film, std::uint32_t wanted) {
 std::string write_partial(const RenderOutputs& partial, const RenderArguments& arguments, const Film& film,
                           ImageMetadata metadata) {
   if (sample_range(film).most == 0)
-    return "twinray: interrupted before the first sample; nothing is written\n";
+    return fmt::format("{}: interrupted before the first sample; nothing is written\n", console::speaker());
   const std::string samples = sample_range_text(film, arguments.render.samples);
   for (auto& [name, value] : metadata)
     if (name == "twinray:samples") value = samples;
   write_pictures(partial, arguments, film, metadata);
-  return fmt::format("twinray: interrupted; {} holds what there is: {} samples a pixel\n", partial.picture,
-                     samples);
+  return fmt::format("{}: interrupted; {} holds what there is: {} samples a pixel\n", console::speaker(),
+                     partial.picture, samples);
 }
 
 }  // namespace twinray

@@ -87,7 +87,7 @@ TEST_CASE("Ctrl-C keeps what CS184's program rendered, the rates and a part of t
   program.press_control_c();
   CHECK(program.exit_code() == 130);
   // On a line of its own.
-  CHECK(program.shown().find("\r\ntwinray: interrupted; " + folder.file("a_partial.png")) !=
+  CHECK(program.shown().find("\r\npathtracer: interrupted; " + folder.file("a_partial.png")) !=
         std::string::npos);
   CHECK(program.shown().find("completed") == std::string::npos);
   CHECK(read_image(folder.file("a_partial.png")).width == 30);
@@ -108,6 +108,15 @@ TEST_CASE("a second Ctrl-C ends at once") {
   CHECK(program.shown().find("twinray: interrupted; unfinished outputs are removed, old files are as they "
                              "were") != std::string::npos);
   CHECK(folder.file_count() == 0);
+}
+
+TEST_CASE("under its other name the program ends by a signal under that name, too") {
+  TerminalProgram program({"--cs184", box, "-s", "4000000", "-f", "/dev/null"});
+  REQUIRE(program.wait_for("Rendering... 0%"));
+  program.press_control_c();
+  CHECK(program.exit_code() == 130);
+  CHECK(program.shown().find("\npathtracer: interrupted; unfinished outputs are removed") !=
+        std::string::npos);
 }
 
 TEST_CASE("a picture that has no name has no partial one: Ctrl-C ends at once") {
