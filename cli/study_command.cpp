@@ -87,6 +87,7 @@ class Maker {
   }
 
   int make_all() {
+    name_outdated();
     for (const study::Part& part : study_.parts) {
       for (const study::Picture& picture : pictures_of(part))
         if (const int code = make(picture); code != 0) return code;
@@ -99,6 +100,18 @@ class Maker {
   }
 
  private:
+  /// Why pictures that are there are made again.
+  void name_outdated() const {
+    std::set<std::string> outdated;
+    for (const study::Part& part : study_.parts)
+      for (const study::Picture& picture : pictures_of(part))
+        if (study_.pictures.is_outdated(picture)) outdated.insert(picture.name);
+    if (!outdated.empty() && !arguments_.quiet)
+      console::print(
+          "{} of {} pictures are there, but are made again: their command (with -t, -r and the scale), their "
+          "scene or the program was another\n",
+          outdated.size(), names_.size());
+  }
   int make(const study::Picture& picture) {
     if (!done_.insert(picture.name).second) return 0;
     if (study_.pictures.finished(picture)) {

@@ -113,12 +113,24 @@ std::uint64_t PictureFolder::scene_hash(const std::string& scene) const {
   return entry->second;
 }
 
-std::optional<Record> PictureFolder::finished(const Picture& picture) const {
+std::optional<Record> PictureFolder::old_record(const Picture& picture) const {
   const std::optional<std::string> text = read(file(picture, ".json"));
-  const std::optional<Record> record = text ? parse_record(*text) : std::nullopt;
-  if (!record || record->command != command(picture) || record->program != version_name() ||
-      record->scene_hash != scene_hash(picture.scene))
-    return std::nullopt;
+  return text ? parse_record(*text) : std::nullopt;
+}
+
+bool PictureFolder::is_of(const Record& record, const Picture& picture) const {
+  return record.command == command(picture) && record.program == version_name() &&
+         record.scene_hash == scene_hash(picture.scene);
+}
+
+bool PictureFolder::is_outdated(const Picture& picture) const {
+  const std::optional<Record> record = old_record(picture);
+  return record && !is_of(*record, picture);
+}
+
+std::optional<Record> PictureFolder::finished(const Picture& picture) const {
+  const std::optional<Record> record = old_record(picture);
+  if (!record || !is_of(*record, picture)) return std::nullopt;
   Words endings{".png", ".exr"};
   if (!picture.adaptive.empty()) endings.push_back("_rate.png");
   const bool is_whole = std::all_of(endings.begin(), endings.end(), [&](const std::string& ending) {

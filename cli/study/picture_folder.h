@@ -22,6 +22,9 @@ class PictureFolder {
   /// files are there.
   std::optional<Record> finished(const Picture& picture) const;
 
+  /// Whether the picture is there by another command, program or scene.
+  bool is_outdated(const Picture& picture) const;
+
   /// Renders and writes it all. Returns the exit code of the render: not 0 where it was ended before its
   /// time; nothing is finished then. Throws Error.
   int make(const Picture& picture) const;
@@ -30,6 +33,9 @@ class PictureFolder {
   std::string file(const Picture& picture, const std::string& ending) const;
 
  private:
+  /// What is known of the picture that is there; none where there is none.
+  std::optional<Record> old_record(const Picture& picture) const;
+  bool is_of(const Record& record, const Picture& picture) const;
   /// All words but the output.
   Words words(const Picture& picture) const;
   /// The words after "render" as a reader would type them.

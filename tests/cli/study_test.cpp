@@ -148,6 +148,8 @@ TEST_CASE("a picture is made again where its file is gone, its command or its sc
   write_text(pictures + "CBbunny_m5_l4_s2.json", other);
   const ProcessResult again = run_program(scenes.arguments());
   REQUIRE(again.exit_code == 0);
+  CHECK(again.out.starts_with(fmt::format(
+      "1 of {} pictures are there, but are made again: their command (with -t, ", before.size())));
   CHECK(again.out.find(fmt::format("\n{} of {} pictures", before.size() - 3, before.size())) !=
         std::string::npos);
   for (const auto& [name, time] : records(scenes)) {

@@ -6,12 +6,12 @@ RESUMED = "a picture is made again where its file is gone, its command or its sc
 
 MUTANTS = [
     Mutant("a picture of another command is kept", "cli/study/picture_folder.cpp",
-           "record->command != command(picture) || ",
+           "record.command == command(picture) && ",
            "",
            "test_cli", RESUMED),
     Mutant("a picture of a scene that has changed is kept", "cli/study/picture_folder.cpp",
-           "record->scene_hash != scene_hash(picture.scene)",
-           "false",
+           "record.scene_hash == scene_hash(picture.scene)",
+           "true",
            "test_cli", RESUMED),
     Mutant("a picture that is gone is not missed", "cli/study/picture_folder.cpp",
            "return is_whole ? record : std::nullopt;",
