@@ -18,7 +18,11 @@ enum class Wanted {
 enum class Asked {
   singly,
   in_batches,  ///< Through closest_hits() and any_hits().
-  directly,    ///< By Embree's own functions, without our interface; embree_native only.
+  // By Embree's own functions, without our interface; embree_native only.
+  directly,           ///< Ray by ray.
+  in_packets,         ///< 16 rays a call.
+  in_streams,         ///< 1024 rays a call.
+  in_packet_streams,  ///< 64 packets a call.
 };
 
 inline constexpr std::size_t small_scene = 150'000;
@@ -27,6 +31,10 @@ inline constexpr std::size_t small_scene = 150'000;
 struct Engine : twinray::Engine {
   Wanted wanted = Wanted::always;
   Asked asked = Asked::singly;
+  bool is_coherent = false;  ///< What Embree is told of the rays of a packet or stream.
+
+  /// Whether it can be asked about spheres: Embree's packets and streams know none of ours.
+  bool takes_spheres() const { return asked <= Asked::directly; }
 };
 
 /// All engines of this build. The first is the baseline of every ratio: Embree called directly, with its own

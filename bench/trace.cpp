@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/trace.h"
 
-#include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -9,9 +8,7 @@
 #include <array>
 #include <cmath>
 
-#ifdef TWINRAY_WITH_EMBREE
-#include "accel/embree/direct.h"
-#endif
+#include "bench/asking.h"
 #include "bench/pattern.h"
 #include "core/parallel.h"
 
@@ -25,7 +22,6 @@ constexpr double share_of_memory = 0.25;
 /// No more building once all of a group's builds took this long.
 constexpr double enough_build_seconds = 4;
 constexpr std::size_t brute_force_rays = 16;
-constexpr std::size_t rays_a_batch = 1024;
 
 std::size_t engines_at_a_time(std::size_t primitives) {
   const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
@@ -38,45 +34,6 @@ std::vector<Ray> few_of(const std::vector<Ray>& rays) {
   std::vector<Ray> few;
   for (std::size_t i = 0; i < rays.size(); i += rays.size() / brute_force_rays + 1) few.push_back(rays[i]);
   return few;
-}
-
-void shoot_singly(const Accelerator& accelerator, RayKind kind, std::span<const Ray> rays) {
-  if (kind == RayKind::shadow)
-    for (const Ray& ray : rays) benchmark::DoNotOptimize(accelerator.any_hit(ray));
-  else
-    for (const Ray& ray : rays) benchmark::DoNotOptimize(accelerator.closest_hit(ray));
-}
-
-void shoot_in_batches(const Accelerator& accelerator, RayKind kind, std::span<const Ray> rays) {
-  std::array<Hit, rays_a_batch> hits;
-  std::array<std::uint8_t, rays_a_batch> blocked;
-  for (; !rays.empty(); rays = rays.subspan(std::min(rays_a_batch, rays.size()))) {
-    const std::span<const Ray> batch = rays.first(std::min(rays_a_batch, rays.size()));
-    if (kind == RayKind::shadow)
-      accelerator.any_hits(batch, std::span(blocked).first(batch.size()));
-    else
-      accelerator.closest_hits(batch, std::span(hits).first(batch.size()));
-    benchmark::ClobberMemory();
-  }
-}
-
-void shoot_directly([[maybe_unused]] const Accelerator& accelerator, [[maybe_unused]] RayKind kind,
-                    [[maybe_unused]] std::span<const Ray> rays) {
-#ifdef TWINRAY_WITH_EMBREE
-  benchmark::DoNotOptimize(kind == RayKind::shadow ? embree::any_hits_directly(accelerator, rays)
-                                                   : embree::closest_hits_directly(accelerator, rays));
-#endif
-}
-
-void shoot(const Engine& engine, const Accelerator& accelerator, RayKind kind, std::span<const Ray> rays) {
-  switch (engine.asked) {
-    case Asked::singly:
-      return shoot_singly(accelerator, kind, rays);
-    case Asked::in_batches:
-      return shoot_in_batches(accelerator, kind, rays);
-    case Asked::directly:
-      return shoot_directly(accelerator, kind, rays);
-  }
 }
 
 /// The baseline and some more engines, in memory at the same time.
@@ -166,14 +123,16 @@ class Group {
   std::vector<std::unique_ptr<Accelerator>> accelerators_;
 };
 
-std::vector<Engine> wanted_engines(std::size_t primitives, const TraceOptions& options) {
+std::vector<Engine> wanted_engines(const Workload& workload, const TraceOptions& options) {
+  const bool has_spheres = workload.scene().geometry->sphere_count() > 0;
   std::vector<Engine> wanted;
   const Pattern pattern(options.engine_pattern);
   for (const Engine& engine : engines()) {
     const bool is_named = pattern.matches(engine.name);
     const bool takes_part =
         (engine.wanted != Wanted::full || options.is_full || !options.engine_pattern.empty()) &&
-        (engine.wanted != Wanted::small || primitives <= small_scene);
+        (engine.wanted != Wanted::small || workload.primitives() <= small_scene) &&
+        (engine.takes_spheres() || !has_spheres);
     if (wanted.empty() || (is_named && takes_part)) wanted.push_back(engine);
   }
   return wanted;
@@ -184,7 +143,7 @@ std::vector<Engine> wanted_engines(std::size_t primitives, const TraceOptions& o
 SceneStatistics measure_scene(Workload& workload, const TraceOptions& options,
                               const std::function<void(const std::string&)>& progress) {
   SceneStatistics scene{workload.source().name, workload.source().family, workload.primitives(), {}};
-  const std::vector<Engine> all = wanted_engines(workload.primitives(), options);
+  const std::vector<Engine> all = wanted_engines(workload, options);
   const std::size_t others = engines_at_a_time(workload.primitives()) - 1;
   for (std::size_t begin = 1; begin == 1 || begin < all.size(); begin += others) {
     const std::size_t end = std::min(all.size(), begin + others);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/asking.h"
+
 namespace twinray::bench {
 namespace {
 
@@ -18,13 +20,6 @@ constexpr float native_t_tolerance = 1e-3f;
 /// Fewer rays than this may not stand for a set: a rate of one in a thousand would have no meaning.
 constexpr double least_allowed = 3;
 
-Hit answer(const Accelerator& accelerator, RayKind kind, const Ray& ray) {
-  if (kind != RayKind::shadow) return accelerator.closest_hit(ray);
-  Hit hit;
-  if (accelerator.any_hit(ray)) hit.t = 0;
-  return hit;
-}
-
 bool is_close(const Hit& a, const Hit& b) {
   if (a.is_miss() || b.is_miss()) return a.is_miss() == b.is_miss();
   return std::fabs(a.t - b.t) <= native_t_tolerance * std::fabs(b.t);
@@ -35,6 +30,13 @@ std::size_t proof_step(std::size_t rays, std::size_t primitives) {
   const double affordable = proof_tests / double(std::max<std::size_t>(1, primitives)) / ray_sets.size();
   const std::size_t proved = std::clamp<std::size_t>(std::size_t(affordable), 1, most_proved);
   return rays / proved + 1;
+}
+
+/// The first ray, and each `step` behind.
+std::vector<Ray> every(std::size_t step, const std::vector<Ray>& rays) {
+  std::vector<Ray> some;
+  for (std::size_t i = 0; i < rays.size(); i += step) some.push_back(rays[i]);
+  return some;
 }
 
 }  // namespace
@@ -57,11 +59,14 @@ void Workload::expect() {
   const auto bvh = build_accelerator(Backend::bvh, scene_.geometry, {.bvh_width = 2});
   const auto oracle = build_accelerator(Backend::brute_force, scene_.geometry);
   for (std::size_t set = 0; set < ray_sets.size(); ++set) {
-    for (const Ray& ray : rays_[set]) expected_[set].push_back(answer(*bvh, ray_sets[set].kind, ray));
+    const RayKind kind = ray_sets[set].kind;
+    const Engine singly{};
+    expected_[set] = answers_of(singly, *bvh, kind, rays_[set]);
     const std::size_t step = proof_step(rays_[set].size(), primitives());
-    for (std::size_t i = 0; i < rays_[set].size(); i += step)
-      if (!(answer(*oracle, ray_sets[set].kind, rays_[set][i]) == expected_[set][i]))
-        oracle_complaint_ = fmt::format("brute force differs on ray {} of {}", i, ray_sets[set].name);
+    const std::vector<Hit> proved = answers_of(singly, *oracle, kind, every(step, rays_[set]));
+    for (std::size_t i = 0; i < proved.size(); ++i)
+      if (!(proved[i] == expected_[set][i * step]))
+        oracle_complaint_ = fmt::format("brute force differs on ray {} of {}", i * step, ray_sets[set].name);
   }
 }
 
@@ -72,10 +77,11 @@ std::string Workload::check(const Engine& engine, const Accelerator& accelerator
     const std::vector<Ray>& rays = rays_[set];
     const std::size_t step =
         engine.backend == Backend::brute_force ? proof_step(rays.size(), primitives()) : 1;
+    const std::vector<Hit> found = answers_of(engine, accelerator, ray_sets[set].kind, every(step, rays));
     std::size_t different = 0;
-    for (std::size_t i = 0; i < rays.size(); i += step) {
-      const Hit found = answer(accelerator, ray_sets[set].kind, rays[i]), &expected = expected_[set][i];
-      different += engine.is_canonical() ? !(found == expected) : !is_close(found, expected);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const Hit& expected = expected_[set][i * step];
+      different += engine.is_canonical() ? !(found[i] == expected) : !is_close(found[i], expected);
     }
     const double limit =
         engine.is_canonical() ? 0 : std::max(least_allowed, native_difference_limit * double(rays.size()));

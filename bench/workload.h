@@ -48,9 +48,10 @@ class Workload {
   const std::vector<Ray>& rays(std::size_t set) const { return rays_[set]; }
   std::unique_ptr<Accelerator> build(const Engine& engine, int threads) const;
 
-  /// Compares the engine's answers with those of the binary BVH, which brute force has proved on some rays.
-  /// Empty if the engine may be timed, else what is wrong. Engines with the canonical hit must have the same
-  /// bits; Embree's own triangles may miss, or differ, on one ray of a thousand.
+  /// Compares the answers that the engine gives in its own way with those of the binary BVH, which brute
+  /// force has proved on some rays. Empty if the engine may be timed, else what is wrong. Engines with the
+  /// canonical hit must have the same bits; Embree's own triangles may miss, or differ, on one ray of a
+  /// thousand.
   std::string check(const Engine& engine, const Accelerator& accelerator);
 
  private:

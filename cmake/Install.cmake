@@ -44,6 +44,7 @@ set(private_headers
   accel/embree/direct.h
   accel/embree/embree.h
   accel/embree/leaf.h
+  accel/embree/native.h
   accel/embree/ray.h
   accel/embree/rounding.h
   accel/wide/batch-inl.h

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Private: Embree's interface, and the few lines in which versions 3 and 4 differ.
 #pragma once
+#include <span>
+
 #if TWINRAY_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
 #else
@@ -14,6 +16,13 @@ namespace twinray::embree {
 using Context = RTCRayQueryContext;
 
 inline void initialize(Context& context) { rtcInitRayQueryContext(&context); }
+
+/// What Embree is told of the rays of a packet or stream.
+struct Coherence {
+  RTCRayQueryFlags flags;
+};
+inline constexpr Coherence coherent{RTC_RAY_QUERY_FLAG_COHERENT}, incoherent{RTC_RAY_QUERY_FLAG_INCOHERENT};
+inline constexpr bool has_streams = false;
 
 inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray) {
   RTCIntersectArguments arguments;
@@ -29,17 +38,81 @@ inline void occluded(RTCScene scene, Context& context, RTCRay& ray) {
   rtcOccluded1(scene, &ray, &arguments);
 }
 
+/// Of 16 rays those whose `active` is -1.
+inline void intersect(RTCScene scene, Coherence coherence, const int* active, RTCRayHit16& rays) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.flags = coherence.flags;
+  rtcIntersect16(active, scene, &rays, &arguments);
+}
+
+inline void occluded(RTCScene scene, Coherence coherence, const int* active, RTCRay16& rays) {
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.flags = coherence.flags;
+  rtcOccluded16(active, scene, &rays, &arguments);
+}
+
 #else
 
 using Context = RTCIntersectContext;
 
 inline void initialize(Context& context) { rtcInitIntersectContext(&context); }
 
+/// What Embree is told of the rays of a packet or stream.
+struct Coherence {
+  RTCIntersectContextFlags flags;
+};
+inline constexpr Coherence coherent{RTC_INTERSECT_CONTEXT_FLAG_COHERENT},
+    incoherent{RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT};
+inline constexpr bool has_streams = true;
+
+inline Context context_of(Coherence coherence) {
+  Context context;
+  initialize(context);
+  context.flags = coherence.flags;
+  return context;
+}
+
 inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray) {
   rtcIntersect1(scene, &context, &ray);
 }
 
 inline void occluded(RTCScene scene, Context& context, RTCRay& ray) { rtcOccluded1(scene, &context, &ray); }
+
+/// Of 16 rays those whose `active` is -1.
+inline void intersect(RTCScene scene, Coherence coherence, const int* active, RTCRayHit16& rays) {
+  Context context = context_of(coherence);
+  rtcIntersect16(active, scene, &context, &rays);
+}
+
+inline void occluded(RTCScene scene, Coherence coherence, const int* active, RTCRay16& rays) {
+  Context context = context_of(coherence);
+  rtcOccluded16(active, scene, &context, &rays);
+}
+
+/// Streams: of rays, or of packets of 16. Of those that are not to be traced t_min lies behind t_max.
+inline void intersect(RTCScene scene, Coherence coherence, std::span<RTCRayHit> rays) {
+  Context context = context_of(coherence);
+  rtcIntersect1M(scene, &context, rays.data(), unsigned(rays.size()), sizeof(RTCRayHit));
+}
+
+inline void occluded(RTCScene scene, Coherence coherence, std::span<RTCRay> rays) {
+  Context context = context_of(coherence);
+  rtcOccluded1M(scene, &context, rays.data(), unsigned(rays.size()), sizeof(RTCRay));
+}
+
+inline void intersect(RTCScene scene, Coherence coherence, std::span<RTCRayHit16> packets) {
+  Context context = context_of(coherence);
+  rtcIntersectNM(scene, &context, reinterpret_cast<RTCRayHitN*>(packets.data()), 16, unsigned(packets.size()),
+                 sizeof(RTCRayHit16));
+}
+
+inline void occluded(RTCScene scene, Coherence coherence, std::span<RTCRay16> packets) {
+  Context context = context_of(coherence);
+  rtcOccludedNM(scene, &context, reinterpret_cast<RTCRayN*>(packets.data()), 16, unsigned(packets.size()),
+                sizeof(RTCRay16));
+}
 
 #endif
 

@@ -78,7 +78,9 @@ class EmbreeAccelerator final : public Accelerator {
       const float scale = length_scale(ray);
       embree::LeafQuery leaf_query(blocks_.bvh.blocks.data(), geometry(), ray, embree::told_t_max(scale),
                                    query.counts);
-      RTCRayHit ray_hit = embree::without_hit(embree_ray(ray, scale));
+      RTCRayHit ray_hit;
+      set_ray(ray_hit.ray, ray, scale);
+      embree::set_no_hit(ray_hit.hit);
       embree::intersect(blocks_.scene.get(), leaf_query, ray_hit);
       return leaf_query.best.hit();
     });
@@ -90,7 +92,8 @@ class EmbreeAccelerator final : public Accelerator {
       const float scale = length_scale(ray);
       embree::LeafQuery leaf_query(blocks_.bvh.blocks.data(), geometry(), ray, embree::told_t_max(scale),
                                    query.counts);
-      RTCRay occlusion_ray = embree_ray(ray, scale);
+      RTCRay occlusion_ray;
+      set_ray(occlusion_ray, ray, scale);
       embree::occluded(blocks_.scene.get(), leaf_query, occlusion_ray);
       return leaf_query.is_hit;
     });
@@ -107,9 +110,9 @@ class EmbreeAccelerator final : public Accelerator {
   static float inverse_power(float power) {
     return std::bit_cast<float>((2 * 127u << 23) - std::bit_cast<std::uint32_t>(power));
   }
-  static RTCRay embree_ray(const CheckedRay& ray, float scale) {
-    return embree::make_ray(ray.origin, ray.direction * inverse_power(scale),
-                            embree::told_t_min(ray.t_min * scale), embree::told_t_max(ray.t_max * scale));
+  static void set_ray(RTCRay& to, const CheckedRay& ray, float scale) {
+    embree::set_ray(to, ray.origin, ray.direction * inverse_power(scale),
+                    embree::told_t_min(ray.t_min * scale), embree::told_t_max(ray.t_max * scale));
   }
 
   /// The answer of our own tree. Apart, for its stack is large.

@@ -9,7 +9,7 @@
 #include "accel/canonical/sphere.h"
 #include "accel/embree/bounds.h"
 #include "accel/embree/device.h"
-#include "accel/embree/direct.h"
+#include "accel/embree/native.h"
 #include "accel/embree/ray.h"
 #include "core/error.h"
 
@@ -120,38 +120,7 @@ class EmbreeNative final : public Accelerator {
   EmbreeNative(std::shared_ptr<const Geometry> geometry, NativeWorld world, AccelStats stats)
       : Accelerator(std::move(geometry), std::move(stats)), world_(std::move(world)) {}
 
-  std::size_t closest_hits_directly(std::span<const Ray> rays) const {
-    std::size_t hits = 0;
-    if (!world_.spheres.empty()) {
-      for (const Ray& ray : rays) hits += bool(closest_hit(ray));
-      return hits;
-    }
-    embree::Context context;
-    embree::initialize(context);
-    for (const Ray& ray : rays) {
-      RTCRayHit found =
-          embree::without_hit(embree::make_ray(ray.origin, ray.direction, ray.t_min, ray.t_max));
-      embree::intersect(world_.scene.get(), context, found);
-      hits += found.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-    }
-    return hits;
-  }
-
-  std::size_t any_hits_directly(std::span<const Ray> rays) const {
-    std::size_t hits = 0;
-    if (!world_.spheres.empty()) {
-      for (const Ray& ray : rays) hits += any_hit(ray);
-      return hits;
-    }
-    embree::Context context;
-    embree::initialize(context);
-    for (const Ray& ray : rays) {
-      RTCRay occlusion_ray = embree::make_ray(ray.origin, ray.direction, ray.t_min, ray.t_max);
-      embree::occluded(world_.scene.get(), context, occlusion_ray);
-      hits += occlusion_ray.tfar < 0;
-    }
-    return hits;
-  }
+  embree::NativeScene scene() const { return {world_.scene.get(), !world_.spheres.empty()}; }
 
  private:
   // What Embree's own leaves do cannot be counted.
@@ -159,8 +128,9 @@ class EmbreeNative final : public Accelerator {
     return closest_of(query.ray, [&](const CheckedRay& ray) -> Hit {
       NativeQuery native{{}, ray};
       embree::initialize(native);
-      RTCRayHit found =
-          embree::without_hit(embree::make_ray(ray.origin, ray.direction, ray.t_min, ray.t_max));
+      RTCRayHit found;
+      embree::set_ray(found.ray, ray.origin, ray.direction, ray.t_min, ray.t_max);
+      embree::set_no_hit(found.hit);
       embree::intersect(world_.scene.get(), native, found);
       if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
       return {found.ray.tfar, found.hit.u, found.hit.v, found.hit.primID, found.hit.geomID, no_instance};
@@ -171,7 +141,8 @@ class EmbreeNative final : public Accelerator {
     return any_of(query.ray, [&](const CheckedRay& ray) {
       NativeQuery native{{}, ray};
       embree::initialize(native);
-      RTCRay occlusion_ray = embree::make_ray(ray.origin, ray.direction, ray.t_min, ray.t_max);
+      RTCRay occlusion_ray;
+      embree::set_ray(occlusion_ray, ray.origin, ray.direction, ray.t_min, ray.t_max);
       embree::occluded(world_.scene.get(), native, occlusion_ray);
       return occlusion_ray.tfar < 0;
     });
@@ -179,12 +150,6 @@ class EmbreeNative final : public Accelerator {
 
   NativeWorld world_;
 };
-
-const EmbreeNative& as_native(const Accelerator& accelerator) {
-  const auto* const native = dynamic_cast<const EmbreeNative*>(&accelerator);
-  if (!native) throw Error("only the engine embree-native can be asked without its interface");
-  return *native;
-}
 
 }  // namespace
 
@@ -197,12 +162,10 @@ std::unique_ptr<Accelerator> build_embree_native(std::shared_ptr<const Geometry>
   return std::make_unique<EmbreeNative>(std::move(geometry), std::move(world), std::move(stats));
 }
 
-std::size_t embree::closest_hits_directly(const Accelerator& native, std::span<const Ray> rays) {
-  return as_native(native).closest_hits_directly(rays);
-}
-
-std::size_t embree::any_hits_directly(const Accelerator& native, std::span<const Ray> rays) {
-  return as_native(native).any_hits_directly(rays);
+embree::NativeScene embree::native_scene(const Accelerator& accelerator) {
+  const auto* const native = dynamic_cast<const EmbreeNative*>(&accelerator);
+  if (!native) throw Error("only the engine embree-native can be asked without its interface");
+  return native->scene();
 }
 
 }  // namespace twinray

@@ -6,9 +6,9 @@
 
 namespace twinray::embree {
 
-/// The bounds of t become +0 where they are -0, which Embree compares as an integer.
-inline RTCRay make_ray(const Vec3& origin, const Vec3& direction, float t_min, float t_max) {
-  RTCRay ray;
+/// Writes a ray where Embree will read it: a copy of what was just written in parts stalls, 15 ns. The bounds
+/// of t become +0 where they are -0, which Embree compares as an integer.
+inline void set_ray(RTCRay& ray, const Vec3& origin, const Vec3& direction, float t_min, float t_max) {
   ray.org_x = origin.x;
   ray.org_y = origin.y;
   ray.org_z = origin.z;
@@ -21,18 +21,13 @@ inline RTCRay make_ray(const Vec3& origin, const Vec3& direction, float t_min, f
   ray.mask = 0xffffffff;
   ray.id = 0;
   ray.flags = 0;
-  return ray;
 }
 
-/// The ray with a hit that says none.
-inline RTCRayHit without_hit(const RTCRay& ray) {
-  RTCRayHit result;
-  result.ray = ray;
-  result.hit = {};
-  result.hit.primID = RTC_INVALID_GEOMETRY_ID;
-  result.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  for (unsigned& instance : result.hit.instID) instance = RTC_INVALID_GEOMETRY_ID;
-  return result;
+/// Says that there is no hit; Embree reads nothing else of it.
+inline void set_no_hit(RTCHit& hit) {
+  hit.primID = RTC_INVALID_GEOMETRY_ID;
+  hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  for (unsigned& instance : hit.instID) instance = RTC_INVALID_GEOMETRY_ID;
 }
 
 }  // namespace twinray::embree

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is Embree's own: its triangles as a witness, and its errors. tests/accel/agreement_test.cpp holds
 // Embree with our leaf to the oracle. The file is compiled where Embree is part of the build.
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "accel/accelerator.h"
 #include "accel/embree/direct.h"
 #include "core/error.h"
@@ -57,6 +62,61 @@ TEST_CASE("embree-native called directly hits what it hits through the interface
   }
   const auto canonical = build_accelerator(Backend::bvh, share({}));
   CHECK_THROWS_AS(embree::any_hits_directly(*canonical, {}), Error);
+}
+
+TEST_CASE("packets and streams of embree-native find what its single rays find") {
+  using embree::Call;
+  const auto geometry = share({soup(300, 0.3f, 1), soup(300, 0.2f, 3)});
+  const auto witness = native(geometry);
+  std::vector<Ray> rays = random_rays(2003, geometry->bounds(), 4);  // The last packets are not full.
+  for (std::size_t i = 0; i < rays.size(); i += 3) rays[i].t_max = 0.5f;
+  std::vector<Hit> expected;
+  for (const Ray& ray : rays) expected.push_back(witness->closest_hit(ray));
+  const auto hits =
+      std::size_t(std::count_if(expected.begin(), expected.end(), [](Hit hit) { return bool(hit); }));
+  CHECK(hits > 500);
+  CHECK(hits < 1500);
+  for (const Call call : {Call::single, Call::packets, Call::stream, Call::packet_stream})
+    for (const embree::Rays coherence : {embree::Rays::incoherent, embree::Rays::coherent}) {
+      const embree::DirectCall how{call, coherence};
+      CAPTURE(int(call), int(coherence));
+      if (!embree::has(call)) {
+        CHECK_THROWS_AS(embree::closest_hits_directly(*witness, rays, how), Error);
+        CHECK_THROWS_AS(embree::any_hits_directly(*witness, rays, how), Error);
+        continue;
+      }
+      for (const std::size_t count : {std::size_t(0), std::size_t(1), std::size_t(17), rays.size()}) {
+        const std::span some = std::span(rays).first(count);
+        std::vector<Hit> found(count);
+        std::vector<std::uint8_t> blocked(count, 2);
+        const std::size_t closest = embree::closest_hits_directly(*witness, some, how, found);
+        const std::size_t any = embree::any_hits_directly(*witness, some, how, blocked);
+        CHECK(embree::closest_hits_directly(*witness, some, how) == closest);
+        CHECK(embree::any_hits_directly(*witness, some, how) == any);
+        if (count == rays.size()) CHECK(closest == hits);
+        CHECK(any == closest);
+        for (std::size_t i = 0; i < count; ++i) {
+          REQUIRE(bool(found[i]) == bool(expected[i]));
+          REQUIRE(blocked[i] == std::uint8_t(bool(expected[i])));
+          if (!found[i]) continue;
+          REQUIRE(found[i].mesh == expected[i].mesh);
+          REQUIRE(found[i].primitive == expected[i].primitive);
+          REQUIRE(found[i].t == Approx(expected[i].t).margin(t_tolerance));
+          REQUIRE(found[i].u == Approx(expected[i].u).margin(0.01));
+          REQUIRE(found[i].v == Approx(expected[i].v).margin(0.01));
+        }
+      }
+    }
+}
+
+TEST_CASE("packets and streams of embree-native are not for spheres") {
+  const auto witness = native(share({random_spheres(2, 1, 1)}));
+  CHECK(embree::has(embree::Call::single));
+  CHECK(embree::has(embree::Call::packets));
+  for (const embree::Call call : {embree::Call::packets, embree::Call::stream, embree::Call::packet_stream}) {
+    CHECK_THROWS_AS(embree::closest_hits_directly(*witness, {}, {call}), Error);
+    CHECK_THROWS_AS(embree::any_hits_directly(*witness, {}, {call}), Error);
+  }
 }
 
 TEST_CASE("embree-native gives a sphere's canonical hit") {

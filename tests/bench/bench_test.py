@@ -96,6 +96,22 @@ class Reports(unittest.TestCase):
                     self.assertGreater(statistics["nanoseconds"]["q1"], 0)
                     self.assertGreater(statistics["speed"]["q1"], 0)
 
+    def test_embrees_packets_and_streams_are_timed_where_they_are_asked_for(self):
+        if "Embree" not in self.json["machine"]["libraries"]:
+            return
+        version = int(re.search(r"Embree (\d+)", self.json["machine"]["libraries"])[1])
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "packets.json")
+            spheres = BOX.with_name("spheres.dae")
+            done = bench("--quick", "--scenes=", "--only", "^box$", "spheres", "--engines", "packet|stream",
+                         "--repetitions=1", "--no-renders", f"--json={file}", str(spheres))
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            scenes = {scene["name"]: scene["engines"] for scene in json.loads(file.read_text())["scenes"]}
+        kinds = ["packets"] + (["stream", "packet-stream"] if version < 4 else [])
+        names = [f"embree-{kind}{suffix}" for kind in kinds for suffix in ("", "-coherent")]
+        self.assertEqual([engine["name"] for engine in scenes["box"]], ["embree-direct", *names])
+        self.assertEqual([engine["name"] for engine in scenes["spheres"]], ["embree-direct"])
+
     def test_what_an_engine_does_not_count_is_absent(self):
         for scene in self.json["scenes"]:
             for engine in scene["engines"]:
