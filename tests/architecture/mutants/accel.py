@@ -15,6 +15,8 @@ HOLDS = ("slab_margin moves origins and reciprocals, too: that alone is more tha
          "roots, so none lies outside of the box")
 ANY_SPHERES = "spheres of any size at any place give the canonical hit in lanes"
 
+PACKETS = "packets and streams of embree-native find what its single rays find"
+
 MUTANTS = [
     Mutant("Embree's padding is a quarter", "accel/embree/rounding.h",
            "(1 + reach) * 0x1p-20f", "(1 + reach) * 0x1p-22f",
@@ -174,4 +176,16 @@ MUTANTS = [
     Mutant("of two hits in a block the first lane's is kept", "accel/canonical/block_lanes-inl.h",
            "if (hits & (hits - 1)) lane", "if (false) lane",
            TARGET, SPHERES),
+    Mutant("the answers of a stream overwrite those of the one before", "accel/embree/direct.cpp",
+           "read(queries[i], answers[first + i]);", "read(queries[i], answers[i]);",
+           TARGET, PACKETS),
+    Mutant("the answers of a packet overwrite those of the one before", "accel/embree/direct.cpp",
+           "read(packet, lane, answers[first + lane]);", "read(packet, lane, answers[lane]);",
+           TARGET, PACKETS),
+    Mutant("a packet's old hits are believed", "accel/embree/direct.cpp",
+           "  std::fill_n(packet.hit.geomID, packet_size, RTC_INVALID_GEOMETRY_ID);\n", "",
+           TARGET, PACKETS),
+    Mutant("packets see rays without their ends", "accel/embree/direct.cpp",
+           "packet.tfar[lane] = ray.t_max + 0.0f;", "packet.tfar[lane] = 1e30f;",
+           TARGET, PACKETS),
 ]
