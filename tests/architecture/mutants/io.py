@@ -3,6 +3,19 @@
 from mutant import Mutant
 
 MUTANTS = [
+    Mutant("corners of one normal share texture coordinates in a PLY file", "io/ply.cpp",
+           "mesh.uvs.empty() ? 0 : mesh.uv_indices[i][k]",
+           "0",
+           "test_io", "a PLY file has each corner of each triangle with all bits, and no vertex twice"),
+    Mutant("an exchanged camera keeps the file's frame", "io/exchange.cpp",
+           "const Camera camera = fit_frame(scene.camera, frame.width, frame.height);",
+           "const Camera camera = scene.camera;",
+           "test_io", "each kind of camera in exchange form, its frame as wide as the picture"),
+    Mutant("numbers of the exchange form have six digits", "io/exchange.cpp",
+           "Json json_of(const Vec3& v) { return {v.x, v.y, v.z}; }",
+           "float cut(float x) { return std::stof(fmt::format(\"{:.6g}\", x)); }\n"
+           "Json json_of(const Vec3& v) { return {cut(v.x), cut(v.y), cut(v.z)}; }",
+           "test_io", "every number of the JSON file is read back with all its bits"),
     Mutant("<constant> without a diffuse colour is rendered grey", "io/collada_material.cpp",
            ": effect.shading()->is(\"constant\");",
            ": false;",
