@@ -2,6 +2,7 @@
 """The results of peers.py as a page of HTML that stands alone, and as Markdown."""
 import base64
 import html
+import math
 import platform
 import statistics
 import struct
@@ -37,10 +38,21 @@ def work_seconds(entry, series):
     return [cost.cpu_seconds - entry.start() for cost in series.costs]
 
 
+def rate(entry):
+    """The power of the number of samples by which the error falls, from both series; 1 where that is not
+    known, and never less: no renderer here is worse than random numbers."""
+    few, many = sorted((entry.equal, entry.usual), key=lambda series: series.samples)
+    ratio = statistics.mean(few.errors) / max(statistics.mean(many.errors), 1e-30)
+    if few.samples == many.samples or ratio <= 0:
+        return 1
+    return min(max(math.log(ratio) / math.log(many.samples / few.samples), 1), 2)
+
+
 def seconds_to(entry, series, rmse):
-    """CPU seconds to this error, start and all, as the error falls with the number of samples."""
+    """CPU seconds to this error, start and all."""
     work = statistics.median(work_seconds(entry, series))
-    return entry.start() + work * statistics.mean(series.errors) / rmse ** 2
+    error = max(statistics.mean(series.errors), 1e-30)
+    return entry.start() + work * (error / rmse ** 2) ** (1 / rate(entry))
 
 
 def cells(pairs):
@@ -168,7 +180,8 @@ def strip(result):
 
 
 def figure(entry, picture):
-    data = base64.b64encode(png(entry.equal.pictures[0], picture.width, picture.height)).decode()
+    small = halved(entry.equal.pictures[0], picture.width, picture.height)
+    data = base64.b64encode(png(*small)).decode()
     name = html.escape(entry.renderer.name)
     return (f'<figure><img alt="{name}" src="data:image/png;base64,{data}"><figcaption>{name}</figcaption>'
             "</figure>\n")

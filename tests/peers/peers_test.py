@@ -24,6 +24,7 @@ import exchange  # noqa: E402
 import exr  # noqa: E402
 import measure  # noqa: E402
 import mitsuba_scene  # noqa: E402
+import page  # noqa: E402
 import peers  # noqa: E402
 import renderers  # noqa: E402
 
@@ -347,6 +348,26 @@ class Measuring(unittest.TestCase):
     def test_more_threads_than_processors_are_refused(self):
         with self.assertRaisesRegex(measure.Failed, "--threads: 100000 threads"):
             measure.processors(100000)
+
+
+class Page(unittest.TestCase):
+    def entry(self, *series):
+        """Of a renderer that starts in 1 CPU second, and these (samples, CPU seconds, error)."""
+        entry = peers.Entry(None, [measure.Cost(1, 1, 1, "")])
+        entry.equal, entry.usual = (
+            peers.Series(samples, [measure.Cost(seconds, seconds, 1, "")], [], [error])
+            for samples, seconds, error in series)
+        return entry
+
+    def test_seconds_to_an_error_follow_how_fast_it_falls(self):
+        random_numbers = self.entry((64, 9, 4e-4), (64, 5, 8e-4))
+        self.assertAlmostEqual(page.seconds_to(random_numbers, random_numbers.equal, 0.01), 1 + 8 * 4)
+        self.assertAlmostEqual(page.seconds_to(random_numbers, random_numbers.usual, 0.01), 1 + 4 * 8)
+        faster = self.entry((64, 9, 1e-4), (16, 3, 8e-4))
+        self.assertAlmostEqual(page.rate(faster), 1.5)
+        self.assertAlmostEqual(page.seconds_to(faster, faster.usual, 0.01), 1 + 2 * 4)
+        slower = self.entry((64, 9, 1e-4), (16, 3, 2e-4))
+        self.assertEqual(page.rate(slower), 1)
 
 
 class Runs(Folder):
