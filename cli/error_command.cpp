@@ -158,11 +158,12 @@ class ErrorRun {
   int stopped(const StopRequest& stop) {
     line_.finish();
     if (measurement_.curves.empty() || measurement_.curves.front().points.front().errors.empty()) {
-      console::write_error("twinray: interrupted before the first picture; nothing is written\n");
+      console::write_error(
+          fmt::format("{}: interrupted before the first picture; nothing is written\n", console::speaker()));
       return stop.exit_code();
     }
     write(partial_);
-    console::write_error(fmt::format("twinray: interrupted{}\n", holders()));
+    console::write_error(fmt::format("{}: interrupted{}\n", console::speaker(), holders()));
     return stop.exit_code();
   }
   /// "; the table, a_partial.csv hold what there is"

@@ -33,7 +33,7 @@ std::string mse_cell(const Row& row) {
 
 std::string row_html(const CurveSummary& curve, const Row& row, const Summary& summary) {
   const bool is_first = &row == &curve.rows.front();
-  const std::string p = p_value_cell(row);
+  const std::string p = html::escaped(p_value_cell(row));
   return html::row(
       {is_first ? html::escaped(row.name) : "", samples_cell(row), seconds_cell(row.cpu_seconds),
        mse_cell(row), fmt::format("{:.3g}", rmse(row)), fmt::format("{:.3g}", row.relative_mse),
@@ -110,14 +110,20 @@ std::string plots(const Summary& summary) {
          "</div>\n";
 }
 
+/// "= 0.34", "<1e-300"
+std::string compared(const std::string& p_value) {
+  return p_value.starts_with('<') ? p_value : "= " + p_value;
+}
+
 /// Of each set, with its largest number of samples.
 std::string maps(const Summary& summary) {
   std::string figures;
   for (const CurveSummary& curve : summary.curves)
     if (!curve.rows.empty() && curve.rows.back().bias)
-      figures += fmt::format("<figure><figcaption>{}, {} samples: p = {}</figcaption>{}</figure>\n",
+      figures += fmt::format("<figure><figcaption>{}, {} samples: p {}</figcaption>{}</figure>\n",
                              html::escaped(curve.name), curve.rows.back().samples,
-                             p_value_cell(curve.rows.back()), tile_map(*curve.rows.back().bias));
+                             html::escaped(compared(p_value_cell(curve.rows.back()))),
+                             tile_map(*curve.rows.back().bias));
   if (figures.empty()) return "";
   return "<h2>Where pictures differ from the reference</h2>\n"
          "<p>Tiles of 16 x 16 pixels, by Welch's test: red is brighter than the reference, blue darker; the "
