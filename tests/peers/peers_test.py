@@ -379,11 +379,11 @@ class Runs(Folder):
         said = io.StringIO()
         with mock.patch("renderers.installed", return_value=found), contextlib.redirect_stderr(said):
             code = peers.main([PROGRAM, str(ROOT / "scenes" / "box.dae"), "-r", "64", "48", "--samples", "64",
-                               "--seconds", "0.2", "--rounds", "2", "-o", str(self.folder / "out"), *options])
+                               "--seconds", "0.2", "--rounds", "1", "-o", str(self.folder / "out"), *options])
         return code, said.getvalue()
 
     def test_a_run_writes_its_page_and_its_table(self):
-        code, said = self.run_peers()
+        code, said = self.run_peers("--rounds", "2")
         table = (self.folder / "out" / "table.md").read_text()
         self.assertEqual(table.count("| other <1> |"), 3)
         self.assertEqual(table.count("| agrees |") + table.count("| DIFFERS |"), 2)
