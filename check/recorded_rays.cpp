@@ -24,7 +24,7 @@ void record_sample(const Integrator& integrator, const Camera& camera, const Acc
 
 std::vector<RecordedRay> record_rays(const Scene& scene, const Recording& recording) {
   const auto accelerator = build_accelerator(Backend::bvh, scene.geometry);
-  const PathIntegrator path(scene, {.max_depth = recording.max_depth});
+  const PathIntegrator path(scene, {.max_depth = recording.max_depth, .direct = DirectMethod::lights});
   const Camera camera = fit_frame(scene.camera, recording.width, recording.height);
   std::vector<RecordedRay> rays;
   for (int y = 0; y < recording.height; ++y)

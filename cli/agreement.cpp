@@ -27,7 +27,7 @@ constexpr double rays_per_sample = 15;
 using NamedIntegrators = std::vector<std::pair<std::string, std::unique_ptr<Integrator>>>;
 
 NamedIntegrators integrators_of(const Scene& scene) {
-  const PathOptions by_lights{.max_depth = 1};
+  const PathOptions by_lights{.max_depth = 1, .direct = DirectMethod::lights};
   const PathOptions by_hemisphere{.max_depth = 1, .direct = DirectMethod::hemisphere};
   NamedIntegrators all;
   all.emplace_back("normals", std::make_unique<NormalsIntegrator>(scene));

@@ -37,6 +37,7 @@ struct Cs184Request {
     arguments.render.threads = 1;
     arguments.render.counting = true;
     arguments.path.max_depth = 1;
+    arguments.path.direct = DirectMethod::lights;
     render.resolution = {800, 600};
     render.roulette = "0.7";
     render.accel = "bvh";

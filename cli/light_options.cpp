@@ -33,7 +33,9 @@ void add_path_words(OptionGroup& group, RenderRequest& request) {
                   fmt::format("By throughput from bounce 4, or a probability ({})", request.roulette)},
                  request.roulette);
   group.add_choice<DirectMethod>("--direct", request.arguments.path.direct,
-                                 {{"lights", DirectMethod::lights}, {"hemisphere", DirectMethod::hemisphere}},
+                                 {{"mis", DirectMethod::mis},
+                                  {"lights", DirectMethod::lights},
+                                  {"hemisphere", DirectMethod::hemisphere}},
                                  "How direct light is sampled");
 }
 

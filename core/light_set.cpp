@@ -22,6 +22,15 @@ Distribution triangles_by_area(const Mesh& mesh) {
   return Distribution(areas);
 }
 
+/// As far around a mesh as half of its diagonal.
+Zone zone_around(const Mesh& mesh) {
+  Aabb box;
+  for (const Triangle& triangle : mesh.triangles)
+    for (const std::uint32_t corner : triangle) box.extend(mesh.positions[corner]);
+  if (box.is_empty()) return {};
+  return {box, 0.25f * length_squared(box.extent())};
+}
+
 /// Radiance of a mesh light seen from the side that cos_front = cos(front normal, direction to the viewer)
 /// names.
 Rgb radiance_of_side(const MeshLight& light, float cos_front) {
@@ -144,13 +153,21 @@ LightSet::LightSet(const Scene& scene)
       bindings_(scene.bindings),
       geometry_(*scene.geometry),
       triangles_(scene.lights.size()),
-      patches_(scene.lights.size()) {
+      patches_(scene.lights.size()),
+      zones_(scene.lights.size()) {
   for (std::size_t i = 0; i < lights_.size(); ++i)
     if (const auto* light = std::get_if<MeshLight>(&lights_[i].source)) {
       const Mesh& mesh = *geometry_.mesh(light->shape);
       triangles_[i] = triangles_by_area(mesh);
       patches_[i] = patch_light(mesh, light->side, triangles_[i].total());
+      zones_[i] = zone_around(mesh);
+    } else if (std::holds_alternative<EnvironmentLight>(lights_[i].source)) {
+      zones_[i] = {{{0, 0, 0}, {0, 0, 0}}, std::numeric_limits<float>::infinity()};
     }
+}
+
+bool LightSet::is_in_a_zone(const Vec3& position) const {
+  return std::any_of(zones_.begin(), zones_.end(), [&](const Zone& zone) { return zone.contains(position); });
 }
 
 bool LightSet::is_delta(std::uint32_t light) const {
@@ -181,7 +198,7 @@ LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, cons
   return {-directional.direction, directional.irradiance, 1, spawn_ray(from, -directional.direction)};
 }
 
-float LightSet::pdf(std::uint32_t light, const SurfacePoint& from, const Vec3& normal, const Hit& hit) const {
+float LightSet::pdf(std::uint32_t light, const Receiver& from, const Hit& hit) const {
   const LightSource& source = lights_[light].source;
   if (const auto* sphere = std::get_if<SphereLight>(&source)) {
     const Sphere& shape = geometry_.sphere_set(sphere->shape)->spheres[0];
@@ -195,9 +212,7 @@ float LightSet::pdf(std::uint32_t light, const SurfacePoint& from, const Vec3& n
   if (cosine == 0) return 0;
   const PatchLight& patches = patches_[light];
   const float density =
-      patches.patches.empty()
-          ? 1
-          : PatchWeights(patches, {from.position, normal}).density(hit.primitive, hit.u, hit.v);
+      patches.patches.empty() ? 1 : PatchWeights(patches, from).density(hit.primitive, hit.u, hit.v);
   return density * area_to_solid_angle(triangles_[light].total(), link->distance_squared, cosine);
 }
 

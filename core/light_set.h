@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The lights of a scene, prepared for sampling.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/aabb.h"
 #include "core/distribution.h"
 #include "core/light_patch.h"
 #include "core/ray.h"
@@ -22,6 +24,21 @@ struct LightSample {
   Ray shadow_ray;  ///< The light arrives if nothing blocks it.
 };
 
+/// The points within a distance of a box.
+struct Zone {
+  Aabb box;
+  float squared_distance = 0;  ///< 0: no point at all; infinity: all.
+
+  bool contains(const Vec3& p) const {
+    const auto beyond = [](float least, float x, float largest) {
+      return std::max(std::max(least - x, x - largest), 0.0f);
+    };
+    const Vec3 between{beyond(box.lower.x, p.x, box.upper.x), beyond(box.lower.y, p.y, box.upper.y),
+                       beyond(box.lower.z, p.z, box.upper.z)};
+    return length_squared(between) < squared_distance;
+  }
+};
+
 /// All lights of one scene; it keeps a reference to the scene's data, which must outlive it.
 class LightSet {
  public:
@@ -37,12 +54,18 @@ class LightSet {
   /// The patches of a mesh light that has few; none for any other.
   const PatchLight& patches(std::uint32_t light) const { return patches_[light]; }
 
+  /// Where a light should be looked for by scattered directions as well, since its samples are chosen badly:
+  /// close to a mesh light, whose nearest part brings most, and everywhere for an environment.
+  const Zone& zone(std::uint32_t light) const { return zones_[light]; }
+  /// Whether any light should be.
+  bool is_in_a_zone(const Vec3& position) const;
+
   /// Light of one source at a point that is lit on the side of `normal`, its unit shading normal; black where
   /// none of this sample can arrive. u in [0, 1)^2.
   LightSample sample(std::uint32_t light, const SurfacePoint& from, const Vec3& normal, Vec2 u) const;
   /// The density, per solid angle at `from`, with which sample() chooses the point of an emissive surface
   /// that a ray hits.
-  float pdf(std::uint32_t light, const SurfacePoint& from, const Vec3& normal, const Hit& hit) const;
+  float pdf(std::uint32_t light, const Receiver& from, const Hit& hit) const;
 
   /// Radiance that an emissive surface sends along the unit direction wo; black for all other surfaces.
   Rgb emitted(const SurfacePoint& point, const Vec3& wo) const;
@@ -58,6 +81,7 @@ class LightSet {
   // One for each light:
   std::vector<Distribution> triangles_;  ///< By area, empty where it is not a mesh.
   std::vector<PatchLight> patches_;
+  std::vector<Zone> zones_;
 };
 
 }  // namespace twinray

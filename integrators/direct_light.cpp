@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/direct_light.h"
 
+#include "core/mis.h"
 #include "core/spawn_ray.h"
 #include "core/warp.h"
 
@@ -22,6 +23,14 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
   return count == 0 ? Rgb{} : sum / (float(count) * uniform_hemisphere_pdf());
 }
 
+/// The part of a light's sample that scattered rays do not find.
+float weight_of(const LightTransport& transport, std::uint32_t light, const Interaction& at,
+                const LightSample& sample) {
+  if (transport.method != DirectMethod::mis) return 1;
+  if (!transport.lights.zone(light).contains(at.point().position)) return 1;
+  return power_heuristic(float(transport.samples_of(light)) * sample.pdf, at.pdf(sample.direction));
+}
+
 /// The light of one source, by the mean of its samples.
 Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Interaction& at,
                  const VertexSampler& sampler, Tracer& tracer) {
@@ -30,7 +39,8 @@ Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Int
   for (std::uint32_t part = 0; part < count; ++part) {
     const Vec2 u = sampler.draw_2d(Purpose::light_point, {part, count, light});
     const LightSample sample = transport.lights.sample(light, at.point(), at.normal(), u);
-    const Rgb scattered = at.scattered(sample.direction) * sample.radiance;
+    const Rgb scattered =
+        at.scattered(sample.direction) * sample.radiance * weight_of(transport, light, at, sample);
     if (!is_black(scattered)) sum += scattered * tracer.visibility(sample.shadow_ray) / sample.pdf;
   }
   return sum / float(count);
@@ -45,6 +55,23 @@ Rgb direct_light(const LightTransport& transport, const Interaction& at, const V
   for (std::uint32_t light = 0; light < transport.lights.size(); ++light)
     sum += sample_light(transport, light, at, sampler, tracer);
   return sum;
+}
+
+Rgb found_light(const LightTransport& transport, const Departure& departure, const Hit& hit,
+                const Vec3& direction) {
+  if (transport.method != DirectMethod::mis) return {};
+  const LightSet& lights = transport.lights;
+  const float count = float(transport.samples_per_light);
+  if (hit.is_miss())
+    return lights.background(direction) * power_heuristic(departure.pdf, count * uniform_sphere_pdf());
+  const std::uint32_t light = transport.scene.bindings[hit.mesh].light;
+  if (light == no_light || !lights.zone(light).contains(departure.from.position)) return {};
+  return lights.emitted(surface_at(*transport.scene.geometry, hit), -direction) *
+         power_heuristic(departure.pdf, count * lights.pdf(light, departure.from, hit));
+}
+
+bool may_find_light(const LightTransport& transport, const Vec3& position) {
+  return transport.method == DirectMethod::mis && transport.lights.is_in_a_zone(position);
 }
 
 Rgb lamp_radiance(const LightTransport& transport, const Hit& hit, const Vec3& direction) {

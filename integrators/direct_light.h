@@ -11,7 +11,8 @@
 namespace twinray {
 
 enum class DirectMethod {
-  lights,      ///< Points of the lights are sampled.
+  mis,     ///< As by lights; within a light's zone (core/light_set.h) scattered rays that hit it count, too.
+  lights,  ///< Points of the lights are sampled.
   hemisphere,  ///< Directions are sampled, uniformly; the emitters that they hit count. Never hits a delta
                ///< light.
 };
@@ -20,7 +21,7 @@ enum class DirectMethod {
 struct LightTransport {
   const Scene& scene;
   const LightSet& lights;
-  DirectMethod method = DirectMethod::lights;
+  DirectMethod method = DirectMethod::mis;
   std::uint32_t samples_per_light = 1;  ///< For each light that is not a delta light; >= 1.
 
   /// How many samples a light gets.
@@ -31,10 +32,22 @@ struct LightTransport {
   std::uint32_t directions() const { return lights.size() * samples_per_light; }
 };
 
+/// Where a scattered ray comes from, and how likely it was.
+struct Departure {
+  Receiver from;
+  float pdf = 1;  ///< Of its direction, per solid angle.
+};
+
 /// An estimate of the light of all emitters, scattered once at a surface; by `hemisphere`, of all but delta
-/// lights. Unbiased.
+/// lights; by `mis`, but for the part that scattered rays find. Unbiased.
 Rgb direct_light(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,
                  Tracer& tracer);
+
+/// That part, by the ray that a path goes on along: its hit, and its unit direction. Black by other methods.
+Rgb found_light(const LightTransport& transport, const Departure& departure, const Hit& hit,
+                const Vec3& direction);
+/// Whether a ray from there could find any.
+bool may_find_light(const LightTransport& transport, const Vec3& position);
 
 /// Radiance that a ray brings from an emitter that it hits, or from beyond the scene.
 Rgb lamp_radiance(const LightTransport& transport, const Hit& hit, const Vec3& direction);

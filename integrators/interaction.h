@@ -33,6 +33,8 @@ class Interaction {
     const Vec3 local = to_local(wi);
     return bsdf_.evaluate(wo_local_, local) * std::fabs(local.z);
   }
+  /// The density, per solid angle, with which scattering chooses a unit direction in world space.
+  float pdf(const Vec3& wi) const { return bsdf_.pdf(wo_local_, to_local(wi)); }
   /// Whether a direction lies on one side of both the shading and the geometric normal.
   bool is_consistent(const Vec3& wi) const {
     return (dot(facing_normal_, wi) > 0) == (dot(frame_.normal, wi) > 0);

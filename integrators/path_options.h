@@ -28,7 +28,7 @@ struct PathOptions {
   int max_depth = 5;  ///< Scattering events: 0 emission only, 1 direct light, ...; 0 to 100.
   /// Only light that was scattered first_depth to last_depth times is added up (within max_depth).
   int first_depth = 0, last_depth = std::numeric_limits<int>::max();
-  DirectMethod direct = DirectMethod::lights;
+  DirectMethod direct = DirectMethod::mis;
   std::uint32_t samples_per_light = 1;  ///< 1 to 65536.
   Roulette roulette;
 

@@ -16,41 +16,46 @@ PathReference::PathReference(const Scene& scene, const PathOptions& options)
 Rgb PathReference::radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key,
                             Tracer& tracer) const {
   const LightTransport transport{scene_, lights_, options_.direct, options_.samples_per_light};
-  const PathKey path(key);
+  const PathKey path_key(key);
   Rgb radiance;
-  Rgb throughput{1, 1, 1};  // Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
-  Ray ray = camera_ray;
-  Hit hit = tracer.camera_hit(ray);
+  State path{.ray = camera_ray};
+  Hit hit = tracer.camera_hit(path.ray);
   for (int depth = 0;; ++depth) {  // Scattering events before the current ray.
     tracer.arrive();
-    const Vec3 direction = normalize(ray.direction);
-    const bool sees_emission = depth == 0 && options_.counts(0);
-    if (hit.is_miss()) {
-      if (sees_emission) radiance += throughput * lights_.background(direction);
-      return radiance;
-    }
-    const SurfacePoint point = surface_at(*scene_.geometry, hit);
-    if (sees_emission) radiance += throughput * lights_.emitted(point, -direction);
-    if (depth >= options_.depth_limit()) return radiance;
+    if (options_.counts(depth)) radiance += path.throughput * emission(transport, path, hit, depth);
+    if (hit.is_miss() || depth >= options_.depth_limit()) return radiance;
 
-    const Interaction at(scene_, point, -direction);
-    const VertexSampler sampler(kind, path, std::uint32_t(depth) + 1);
-    if (options_.counts(depth + 1)) radiance += throughput * direct_light(transport, at, sampler, tracer);
-    // The ray after the last surface could only hit emission that direct light has counted.
-    if (depth + 1 >= options_.depth_limit() || !scatter(at, depth, sampler, throughput, ray)) return radiance;
-    hit = tracer.bounce_hit(ray);
+    const SurfacePoint point = surface_at(*scene_.geometry, hit);
+    const Interaction at(scene_, point, -normalize(path.ray.direction));
+    const VertexSampler sampler(kind, path_key, std::uint32_t(depth) + 1);
+    if (options_.counts(depth + 1))
+      radiance += path.throughput * direct_light(transport, at, sampler, tracer);
+    // The ray after the last surface only looks for light.
+    const bool is_last = depth + 1 >= options_.depth_limit();
+    if (is_last && !may_find_light(transport, point.position)) return radiance;
+    if (!scatter(at, depth, sampler, path)) return radiance;
+    hit = tracer.bounce_hit(path.ray);
   }
 }
 
-bool PathReference::scatter(const Interaction& at, int depth, const VertexSampler& sampler, Rgb& throughput,
-                            Ray& ray) const {
+Rgb PathReference::emission(const LightTransport& transport, const State& path, const Hit& hit,
+                            int depth) const {
+  const Vec3 direction = normalize(path.ray.direction);
+  if (depth > 0) return found_light(transport, path.departure, hit, direction);
+  return hit.is_miss() ? lights_.background(direction)
+                       : lights_.emitted(surface_at(*scene_.geometry, hit), -direction);
+}
+
+bool PathReference::scatter(const Interaction& at, int depth, const VertexSampler& sampler,
+                            State& path) const {
   const BsdfSample sample = at.bsdf().sample(at.wo_local(), sampler.draw_2d(Purpose::direction));
   if (sample.pdf == 0) return false;
   const Vec3 wi = at.to_world(sample.wi);
   if (!at.is_consistent(wi)) return false;
-  throughput = throughput * sample.value * (std::fabs(sample.wi.z) / sample.pdf);
-  if (is_black(throughput) || !survives_roulette(depth + 1, sampler, throughput)) return false;
-  ray = spawn_ray(at.point(), wi);
+  path.throughput = path.throughput * sample.value * (std::fabs(sample.wi.z) / sample.pdf);
+  if (is_black(path.throughput) || !survives_roulette(depth + 1, sampler, path.throughput)) return false;
+  path.departure = {{at.point().position, at.normal()}, sample.pdf};
+  path.ray = spawn_ray(at.point(), wi);
   return true;
 }
 

@@ -11,8 +11,8 @@ namespace twinray {
 /// one path after the other: the code to read first, and what PathIntegrator's waves are held to, bit for
 /// bit.
 ///
-/// At vertex d the light scattered d + 1 times is estimated by direct_light; emission that a bounce ray hits
-/// has been counted there, so it is added for the camera ray alone.
+/// At vertex d the light scattered d + 1 times is estimated by direct_light; of the emission that a bounce
+/// ray hits, found_light adds what has not been counted there.
 class PathReference final : public Integrator {
  public:
   /// The scene must outlive the integrator. Throws Error for options out of range.
@@ -20,9 +20,18 @@ class PathReference final : public Integrator {
   Rgb radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key, Tracer& tracer) const override;
 
  private:
+  /// A path on its way.
+  struct State {
+    Ray ray;
+    Departure departure;  ///< Of the ray, behind the first surface.
+    Rgb throughput{1, 1,
+                   1};  ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
+  };
+  /// What a ray brings after `depth` scattering events from an emitter that it hits, or from beyond the
+  /// scene.
+  Rgb emission(const LightTransport& transport, const State& path, const Hit& hit, int depth) const;
   /// Chooses where the path goes on from its vertex `depth`; false where it ends.
-  bool scatter(const Interaction& at, int depth, const VertexSampler& sampler, Rgb& throughput,
-               Ray& ray) const;
+  bool scatter(const Interaction& at, int depth, const VertexSampler& sampler, State& path) const;
   bool survives_roulette(int bounce, const VertexSampler& sampler, Rgb& throughput) const;
 
   const Scene& scene_;

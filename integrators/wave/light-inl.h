@@ -79,16 +79,36 @@ HWY_ATTR HWY_INLINE std::size_t append(LaneMask mask, std::size_t i, Words& list
          hn::CompressBlendedStore(indices, hn::RebindMask(WordTag(), mask), WordTag(), list.values + count);
 }
 
+HWY_ATTR HWY_INLINE LaneMask contains(const Zone& zone, const Lanes3& p) {
+  const auto beyond = [](float low, Lanes x, float high) HWY_ATTR {
+    const Lanes outside = hn::Max(hn::Sub(splat(low), x), hn::Sub(x, splat(high)));
+    return hn::Max(outside, hn::Zero(FloatTag()));
+  };
+  const Lanes3 between{beyond(zone.box.lower.x, p.x, zone.box.upper.x),
+                       beyond(zone.box.lower.y, p.y, zone.box.upper.y),
+                       beyond(zone.box.lower.z, p.z, zone.box.upper.z)};
+  return hn::Lt(dot(between, between), splat(zone.squared_distance));
+}
+
+/// The power heuristic within the zone, for samples that a surface scatters with the cosine z.
+HWY_ATTR HWY_INLINE Lanes weight_of(const MisRequest& request, const Lanes3& position, Lanes pdf, Lanes z) {
+  const Lanes one = splat(1);
+  const Lanes scattered_pdf = hn::Div(hn::Abs(z), splat(pi));
+  const Lanes ratio = hn::Div(scattered_pdf, hn::Mul(splat(request.count), pdf));
+  return select(contains(request.zone, position), hn::Div(one, hn::Add(one, hn::Mul(ratio, ratio))), one);
+}
+
 HWY_ATTR void scatter_light(const Surfaces& surfaces, const LightSamples& samples, std::size_t size,
-                            Connections& connections) {
+                            const MisRequest& mis, Connections& connections) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < size; i += lane_count) {
     const Lanes3 direction = load(samples.direction, i);
     const Lanes z = dot(direction, load(surfaces.shading, i));
     const LaneMask reflects =
         hn::And(is_consistent(surfaces, i, direction), is_positive(hn::Mul(load(surfaces.wo_z, i), z)));
-    const Lanes3 scattered =
-        zero_unless(reflects, bsdf(surfaces, i) * hn::Abs(z)) * load(samples.radiance, i);
+    Lanes3 scattered = zero_unless(reflects, bsdf(surfaces, i) * hn::Abs(z)) * load(samples.radiance, i);
+    if (mis.zone.squared_distance > 0)
+      scattered = scattered * weight_of(mis, load(surfaces.point.position, i), load(samples.pdf, i), z);
     const LaneMask counts = hn::And(is_not_black(scattered), within(i, size));
     store(zero_unless(counts, scattered), connections.scattered, i);
     count = append(counts, i, connections.surface, count);

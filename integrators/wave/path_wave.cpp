@@ -29,14 +29,15 @@ void PathWave::trace() {
   tracer_.camera_hits(rays.first(paths_.size), hits.first(paths_.size));
   for (;; ++depth_) {
     tracer_.arrive();
-    if (depth_ == 0 && context_.options.counts(0)) add_emission();
+    if (context_.options.counts(depth_)) depth_ == 0 ? add_emission() : add_found_light();
     if (depth_ >= context_.options.depth_limit()) return;
     drop_misses();
     if (paths_.size == 0) return;
     arrive();
     if (context_.options.counts(depth_ + 1)) add_direct_light();
-    // The ray after the last surface could only hit emission that direct light has counted.
-    if (depth_ + 1 >= context_.options.depth_limit() || !scatter()) return;
+    // The ray after the last surface only looks for light.
+    const bool is_last = depth_ + 1 >= context_.options.depth_limit();
+    if ((is_last && !may_find_light()) || !scatter(is_last)) return;
     tracer_.bounce_hits(rays.first(paths_.size), hits.first(paths_.size));
   }
 }
@@ -66,6 +67,25 @@ void PathWave::add_emission() {
                       : lights.emitted(surface_at(*context_.transport.scene.geometry, hit), -direction);
     estimates_[i] += radiance;
   }
+}
+
+void PathWave::add_found_light() {
+  if (context_.transport.method != DirectMethod::mis) return;
+  for (std::size_t k = 0; k < paths_.size; ++k) {
+    const Hit& hit = wave_.hits[k];
+    if (!hit.is_miss() && !context_.shapes[hit.mesh].emits) continue;
+    const std::size_t i = wave_.kept[k];  // The surface that the path comes from.
+    const Departure departure{{surfaces_.point.position.at(i), surfaces_.shading.at(i)}, wave_.pdf[i]};
+    const Vec3 direction = normalize(paths_.direction.at(k));
+    estimates_[paths_.sample[k]] +=
+        paths_.throughput.at<Rgb>(k) * found_light(context_.transport, departure, hit, direction);
+  }
+}
+
+bool PathWave::may_find_light() const {
+  for (std::size_t i = 0; i < paths_.size; ++i)
+    if (twinray::may_find_light(context_.transport, surfaces_.point.position.at(i))) return true;
+  return false;
 }
 
 void PathWave::drop_misses() {
@@ -161,10 +181,10 @@ void PathWave::place_spheres() {
 
 void PathWave::add_direct_light() {
   connections_.sum.clear(paths_.size);
-  if (context_.transport.method == DirectMethod::lights)
-    add_lights();
-  else
+  if (context_.transport.method == DirectMethod::hemisphere)
     add_hemisphere();
+  else
+    add_lights();
   for (std::size_t i = 0; i < paths_.size; ++i)
     estimates_[paths_.sample[i]] += paths_.throughput.at<Rgb>(i) * connections_.sum.at<Rgb>(i);
 }
@@ -188,13 +208,15 @@ void PathWave::sample_light(std::uint32_t light) {
   const auto* mesh = std::get_if<MeshLight>(&context_.transport.lights.light(light).source);
   if (mesh && context_.transport.lights.triangles(light).total() == 0) return;
   const std::uint32_t count = context_.transport.samples_of(light);
+  MisRequest mis{.count = float(count)};
+  if (context_.transport.method == DirectMethod::mis) mis.zone = context_.transport.lights.zone(light);
   for (std::uint32_t part = 0; part < count; ++part) {
     draw(Purpose::light_point, {part, count, light}, light_.ux, light_.uy);
     if (mesh)
       sample_mesh_light(light, *mesh);
     else
       sample_other_light(light);
-    stages_.scatter_light(surfaces_, light_, paths_.size, connections_);
+    stages_.scatter_light(surfaces_, light_, paths_.size, mis, connections_);
     connect();
     stages_.add_connections(light_, paths_.size, connections_);
   }
@@ -253,7 +275,7 @@ void PathWave::add_hemisphere() {
   for (std::uint32_t part = 0; part < count; ++part) {
     draw(Purpose::light_point, {part, count, 0}, light_.ux, light_.uy);
     stages_.sample_hemisphere(surfaces_, light_, paths_.size);
-    stages_.scatter_light(surfaces_, light_, paths_.size, connections_);
+    stages_.scatter_light(surfaces_, light_, paths_.size, {}, connections_);
     const std::span<Hit> hits = std::span(connections_.hits).first(connections_.size);
     tracer_.bounce_hits(std::span(connections_.rays).first(connections_.size), hits);
     for (std::size_t k = 0; k < connections_.size; ++k)
@@ -266,9 +288,10 @@ void PathWave::add_hemisphere() {
     connections_.sum.set(i, connections_.of_light.at<Rgb>(i) / divisor);
 }
 
-bool PathWave::scatter() {
+bool PathWave::scatter(bool is_last) {
   draw(Purpose::direction, {}, wave_.ux, wave_.uy);
   std::size_t kept = stages_.scatter_paths(surfaces_, wave_);
+  if (is_last) kept = keep_light_seekers(kept);
   if (context_.options.roulette.applies(depth_ + 1)) kept = play_roulette(kept);
   for (std::size_t k = 0; k < kept; ++k) {
     const std::size_t i = wave_.kept[k];
@@ -276,6 +299,16 @@ bool PathWave::scatter() {
   }
   compact(kept);
   return kept > 0;
+}
+
+std::size_t PathWave::keep_light_seekers(std::size_t kept) {
+  std::size_t seeking = 0;
+  for (std::size_t k = 0; k < kept; ++k) {
+    const std::uint32_t i = wave_.kept[k];
+    wave_.kept[seeking] = i;
+    seeking += twinray::may_find_light(context_.transport, surfaces_.point.position.at(i));
+  }
+  return seeking;
 }
 
 std::size_t PathWave::play_roulette(std::size_t kept) {

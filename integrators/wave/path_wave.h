@@ -36,6 +36,8 @@ class PathWave {
   void start();
   /// Adds what the hits of camera rays emit, and what those that miss see.
   void add_emission();
+  /// Adds what bounce rays have found of the lights.
+  void add_found_light();
   /// Takes the paths out that have hit nothing.
   void drop_misses();
   void arrive();
@@ -50,7 +52,11 @@ class PathWave {
   void choose_of_many(const Distribution& triangles, const ShapeEntry& shape);
   void sample_other_light(std::uint32_t light);
   void connect();
-  bool scatter();
+  /// Whether any path may go on from its last surface.
+  bool may_find_light() const;
+  bool scatter(bool is_last);
+  /// Of the paths that leave their last surfaces, those whose rays may find light.
+  std::size_t keep_light_seekers(std::size_t kept);
   std::size_t play_roulette(std::size_t kept);
   void compact(std::size_t kept);
 

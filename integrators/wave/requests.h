@@ -6,6 +6,7 @@
 
 #include "core/light.h"
 #include "core/light_patch.h"
+#include "core/light_set.h"
 #include "core/sampler.h"
 
 namespace twinray {
@@ -22,6 +23,12 @@ struct MeshLightRequest {
   Rgb radiance;
   EmissionSide side = EmissionSide::both;
   double area = 0;
+};
+
+/// Where and how light samples are weighted by multiple importance sampling.
+struct MisRequest {
+  Zone zone;        ///< None: not at all.
+  float count = 1;  ///< Of the light's samples.
 };
 
 /// A triangle of a light, as points of it are made.

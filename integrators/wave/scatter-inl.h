@@ -28,6 +28,7 @@ HWY_ATTR std::size_t scatter_paths(const Surfaces& surfaces, Wave& wave) {
                                      hn::And(is_not_black(throughput), within(i, paths.size)));
     store(throughput, paths.throughput, i);
     store(wi, paths.direction, i);
+    store(pdf, wave.pdf, i);
     store(leave_surface(surfaces.point, i, wi), wave.origin, i);
     kept = append(goes_on, i, wave.kept, kept);
   }

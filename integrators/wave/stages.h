@@ -29,12 +29,14 @@ struct WaveStages {
   void (*sample_mesh_light)(const Surfaces&, const MeshLightRequest&, LightSamples&, std::size_t size);
   /// Draws -> directions, with the radiance 1: uniform in the hemisphere.
   void (*sample_hemisphere)(const Surfaces&, LightSamples&, std::size_t size);
-  /// LightSamples -> Connections::scattered, size, surface, rays: Interaction::scattered times the radiance.
-  void (*scatter_light)(const Surfaces&, const LightSamples&, std::size_t size, Connections&);
+  /// LightSamples -> Connections::scattered, size, surface, rays: Interaction::scattered times the radiance
+  /// and the weight.
+  void (*scatter_light)(const Surfaces&, const LightSamples&, std::size_t size, const MisRequest&,
+                        Connections&);
   /// Connections::scattered * arriving / pdf, added to of_light.
   void (*add_connections)(const LightSamples&, std::size_t size, Connections&);
-  /// Draws of a direction -> throughput, direction, origin, kept: Bsdf::sample and spawn_ray. The paths are
-  /// not compacted yet. Returns how many are kept.
+  /// Draws of a direction -> throughput, direction, pdf, origin, kept: Bsdf::sample and spawn_ray. The paths
+  /// are not compacted yet. Returns how many are kept.
   std::size_t (*scatter_paths)(const Surfaces&, Wave&);
 };
 

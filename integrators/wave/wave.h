@@ -96,7 +96,8 @@ struct Wave {
   LightSamples light;
   Connections connections;
   Floats ux, uy;          ///< Draws of a direction, or of roulette.
-  Words kept;             ///< The paths that go on.
+  Words kept;             ///< The paths that go on; until they arrive, the surfaces that they come from.
+  Floats pdf;             ///< At each surface: of the direction that goes on, per solid angle.
   Columns3 origin;        ///< Of their rays.
   std::vector<Ray> rays;  ///< Of the paths, as accelerators take them.
   std::vector<Hit> hits;

@@ -88,7 +88,7 @@ TEST_CASE("the density of a sample is the density that is asked for") {
       const SurfacePoint seen = surface_at(*scene.geometry, hit);
       const Vec3 end = sample.shadow_ray.origin + sample.shadow_ray.direction;
       if (length(seen.position - end) > 1e-4f) continue;  // another part of the light is in front
-      CHECK(lights.pdf(0, below(), {0, 1, 0}, hit) == Approx(sample.pdf).epsilon(1e-3));
+      CHECK(lights.pdf(0, {below().position, {0, 1, 0}}, hit) == Approx(sample.pdf).epsilon(1e-3));
       ++checked;
     }
     CHECK(checked > 300);
@@ -118,7 +118,7 @@ TEST_CASE("a sphere light shows its radiance outside, and is black from within")
     SurfacePoint within = below();
     within.position = sphere.center + normal * (0.99f * random.unit());
     CHECK(is_black(lights.sample(0, within, within.shading_normal, draw(random)).radiance));
-    CHECK(lights.pdf(0, within, within.shading_normal, {.primitive = 0, .mesh = 1}) == 0);
+    CHECK(lights.pdf(0, {within.position, within.shading_normal}, {.primitive = 0, .mesh = 1}) == 0);
   }
 }
 

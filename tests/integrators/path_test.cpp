@@ -48,8 +48,8 @@ TEST_CASE("no path of the default ends at random before its fourth bounce, and t
   // not traced, light sampling has counted what it would find.
   const Scene scene = emissive_enclosure(1, 0.5f);
   const auto bounces = [&](int depth, Roulette roulette) {
-    const RenderResult result =
-        render_with(scene, PathIntegrator(scene, {.max_depth = depth, .roulette = roulette}), options(64));
+    const PathOptions path{.max_depth = depth, .direct = DirectMethod::lights, .roulette = roulette};
+    const RenderResult result = render_with(scene, PathIntegrator(scene, path), options(64));
     return double(result.rays.bounce) / double(result.rays.camera);
   };
   constexpr double tolerance = 0.012;  // Four standard errors of 7680 paths; 0 where nothing is random.

@@ -33,8 +33,10 @@ RenderOptions options(std::uint32_t samples) {
 }
 
 /// Of direct light. An error of 5 % would be seen, whatever the light and the method.
+constexpr DirectMethod all_methods[] = {DirectMethod::mis, DirectMethod::lights, DirectMethod::hemisphere};
+
 void check_radiance(const Scene& scene, double expected, DirectMethod method) {
-  const RenderOptions render = options(method == DirectMethod::lights ? 4096 : 20000);
+  const RenderOptions render = options(method == DirectMethod::hemisphere ? 20000 : 4096);
   check_mean(estimate(scene, {.max_depth = 1, .direct = method}, render), expected, 0.05);
 }
 
@@ -98,7 +100,7 @@ TEST_CASE("a directional light lights a floor by its irradiance and the cosine")
 }
 
 TEST_CASE("an ambient light lights a floor under its hemisphere by its radiance times the reflectance") {
-  for (const DirectMethod method : {DirectMethod::lights, DirectMethod::hemisphere}) {
+  for (const DirectMethod method : all_methods) {
     Scene scene = floor_scene();
     add_light(scene, AmbientLight{{0, 1, 0}, {2, 2, 2}});
     check_radiance(scene, reflectance * 2, method);
@@ -108,7 +110,7 @@ TEST_CASE("an ambient light lights a floor under its hemisphere by its radiance 
 }
 
 TEST_CASE("a uniform environment lights a floor by its radiance times the reflectance, and fills the sky") {
-  for (const DirectMethod method : {DirectMethod::lights, DirectMethod::hemisphere}) {
+  for (const DirectMethod method : all_methods) {
     Scene scene = floor_scene();
     auto map = std::make_shared<Image>(8, 4);
     for (Rgb& pixel : map->pixels) pixel = {2, 2, 2};
@@ -122,7 +124,7 @@ TEST_CASE("a uniform environment lights a floor by its radiance times the reflec
 }
 
 TEST_CASE("a square light lights a floor by its form factor, from its emitting side only") {
-  for (const DirectMethod method : {DirectMethod::lights, DirectMethod::hemisphere}) {
+  for (const DirectMethod method : all_methods) {
     for (const EmissionSide side : {EmissionSide::front, EmissionSide::back, EmissionSide::both}) {
       Scene scene = floor_scene();
       add_lamp(scene, floor_square(2, 3), {5, 5, 5}, side);  // its front faces up, away from the floor
@@ -134,8 +136,29 @@ TEST_CASE("a square light lights a floor by its form factor, from its emitting s
   }
 }
 
+TEST_CASE("a square light close to a floor lights it by its form factor, by mis with a third of the noise") {
+  Scene scene = floor_scene();
+  scene.camera = camera_at({0, 0.2f, 0}, {0, 0, 0.01f});
+  add_lamp(scene, floor_square(2, 0.3f), {5, 5, 5}, EmissionSide::both);
+  const double expected = reflectance * 5 * square_form_factor(2, 0.3);
+  const Estimate by_both = estimate(scene, {.max_depth = 1}, options(4096));
+  const Estimate by_lights = estimate(scene, {.max_depth = 1, .direct = DirectMethod::lights}, options(4096));
+  check_mean(by_both, expected, 0.02);
+  CHECK(by_both.standard_error < by_lights.standard_error / 3);
+}
+
+TEST_CASE("a lamp under a ceiling that it lights has the mean of hemisphere sampling by mis") {
+  Scene scene = small_room();
+  std::get<MeshLight>(scene.lights.at(0).source).side = EmissionSide::both;
+  const PathOptions by_directions{.max_depth = 3, .direct = DirectMethod::hemisphere};
+  const PathOptions by_lights{.max_depth = 3, .direct = DirectMethod::lights};
+  const Estimate by_both = estimate(scene, {.max_depth = 3}, options(512));
+  check_same_mean(by_both, estimate(scene, by_directions, options(4096)), 0.2);
+  CHECK(by_both.standard_error < 0.5 * estimate(scene, by_lights, options(512)).standard_error);
+}
+
 TEST_CASE("a sphere light overhead lights a floor by (r / d)^2") {
-  for (const DirectMethod method : {DirectMethod::lights, DirectMethod::hemisphere}) {
+  for (const DirectMethod method : all_methods) {
     Scene scene = floor_scene();
     add_lamp(scene, SphereSet{"lamp", {{{0, 4, 0}, 1.5f}}}, {5, 5, 5}, EmissionSide::both);
     check_radiance(scene, reflectance * 5 * (1.5 * 1.5) / 16, method);
@@ -185,7 +208,7 @@ TEST_CASE("inside of walls that emit and reflect, radiance is the geometric seri
 TEST_CASE("a white convex body in a furnace vanishes") {
   Scene scene = scene_of(icosphere(2), {1, 1, 1}, {0, 0, 3}, {0, 0, 0});
   add_lamp(scene, inward_box(4), {2, 2, 2}, EmissionSide::both);
-  for (const DirectMethod method : {DirectMethod::lights, DirectMethod::hemisphere}) {
+  for (const DirectMethod method : all_methods) {
     const Estimate found = estimate(scene, {.max_depth = 6, .direct = method}, options(2048));
     check_mean(found, 2, method == DirectMethod::lights ? 0.07 : 0.02);
   }

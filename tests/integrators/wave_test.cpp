@@ -78,6 +78,7 @@ std::vector<CameraSample> samples_of(const Scene& scene, std::uint32_t count) {
 const PathOptions cases[] = {{},
                              {.max_depth = 0},
                              {.max_depth = 1},
+                             {.max_depth = 3, .direct = DirectMethod::lights},
                              {.max_depth = 12},
                              {.max_depth = 3, .samples_per_light = 5},
                              {.max_depth = 4, .first_depth = 2, .last_depth = 3},
