@@ -76,7 +76,7 @@ def read_arguments(words):
     parser.add_argument("--only", metavar="TEXT", default="", help="only peers whose name holds this text")
     parser.add_argument("-o", "--output", metavar="DIR", default="peers",
                         help="of page, table and pictures (peers)")
-    arguments = parser.parse_args(words)
+    arguments = parser.parse_intermixed_args(words)
     for name in ("seconds", "samples", "rounds", "depth", "threads", "rmse"):
         if not getattr(arguments, name) > 0:
             parser.error(f"--{name}: {getattr(arguments, name)} is not above 0")
@@ -211,9 +211,13 @@ def main(words):
     if len(found) == 1:
         say(f"--only: no peer's name holds \"{arguments.only}\"")
         return 2
-    results = [measured(arguments, scene, found) for scene in arguments.scenes]
     output = Path(arguments.output)
-    output.mkdir(exist_ok=True)
+    try:
+        output.mkdir(exist_ok=True)
+    except OSError as error:
+        say(f"--output: {output}: this folder cannot be made: {error.strerror}")
+        return 1
+    results = [measured(arguments, scene, found) for scene in arguments.scenes]
     (output / "index.html").write_text(page.html_page(results, arguments), encoding="utf-8")
     (output / "table.md").write_text(page.markdown(results, arguments), encoding="utf-8")
     for result in results:

@@ -418,6 +418,16 @@ class Runs(Folder):
         self.assertIn(f"No peer was found in {self.folder}.", done.stderr)
         self.assertIn("python3 -m venv DIR && DIR/bin/pip install mitsuba bpy", done.stderr)
 
+    def test_a_folder_that_cannot_be_made_ends_before_the_work(self):
+        code, said = self.run_peers("-o", str(self.folder / "none" / "out"))
+        self.assertEqual(code, 1)
+        self.assertEqual(said, f"--output: {self.folder}/none/out: this folder cannot be made: "
+                               "No such file or directory\n")
+
+    def test_scenes_stand_anywhere_on_the_command_line(self):
+        found = peers.read_arguments(["program", "-m", "3", "a.dae", "-r", "4", "3", "b.dae"])
+        self.assertEqual((found.scenes, found.depth, found.resolution), (["a.dae", "b.dae"], 3, [4, 3]))
+
     def test_wrong_options_end_with_2(self):
         for words, text in ((["--seconds", "0"], "--seconds: 0.0 is not above 0"), (["--none"], "--none")):
             done = self.script(*words)
