@@ -7,17 +7,18 @@ namespace twinray {
 namespace {
 
 /// White where the first hit emits, else black.
-class EmitterIntegrator final : public Integrator {
+class EmitterIntegrator final : public PlainIntegrator {
  public:
   explicit EmitterIntegrator(const Scene& scene) : scene_(scene) {}
-  Rgb radiance(const Ray& camera_ray, SamplerKind, const SampleKey&, Tracer& tracer) const override {
-    const Hit hit = tracer.camera_hit(camera_ray);
+
+ private:
+  Rgb radiance_of(const CameraSample& sample, SamplerKind, Tracer& tracer) const override {
+    const Hit hit = tracer.camera_hit(sample.ray);
     if (hit.is_miss()) return {};
     const std::uint32_t shape = surface_at(*scene_.geometry, hit).shape;
     return scene_.bindings[shape].light == no_light ? Rgb{} : Rgb{1, 1, 1};
   }
 
- private:
   const Scene& scene_;
 };
 

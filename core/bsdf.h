@@ -23,6 +23,8 @@ class Bsdf {
  public:
   explicit Bsdf(const Material& material);
 
+  /// How much of the light from all around is scattered.
+  Rgb albedo() const { return reflectance_; }
   /// f(wo, wi), without the cosine.
   Rgb evaluate(const Vec3& wo, const Vec3& wi) const {
     return wo.z * wi.z > 0 ? reflectance_ * (1 / pi) : Rgb{};

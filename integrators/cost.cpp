@@ -3,9 +3,9 @@
 
 namespace twinray {
 
-Rgb CostIntegrator::radiance(const Ray& camera_ray, SamplerKind, const SampleKey&, Tracer& tracer) const {
+Rgb CostIntegrator::radiance_of(const CameraSample& sample, SamplerKind, Tracer& tracer) const {
   const QueryCounts before = tracer.counts().queries;
-  tracer.camera_hit(camera_ray);
+  tracer.camera_hit(sample.ray);
   const QueryCounts& after = tracer.counts().queries;
   const std::uint64_t count =
       kind_ == CostKind::nodes ? after.nodes - before.nodes : after.primitives - before.primitives;

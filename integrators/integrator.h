@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "core/ray.h"
+#include "core/record.h"
 #include "core/rgb.h"
 #include "core/sampler.h"
 #include "integrators/tracer.h"
@@ -23,20 +23,32 @@ struct CameraSample {
   SampleKey key;
 };
 
-/// Estimates the radiance that arrives along a camera ray. Immutable: any number of threads may ask.
+/// Estimates the radiance that arrives along camera rays. Immutable: any number of threads may ask.
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  /// One sample: a pure function of the ray and the key. The ray's direction need not be a unit vector.
-  virtual Rgb radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key,
-                       Tracer& tracer) const = 0;
-  /// Many at a time: estimates[i] has the bits of radiance() for samples[i], in whatever order the samples'
-  /// rays are traced. Both spans have the same length.
-  virtual void radiances(std::span<const CameraSample> samples, SamplerKind kind, Tracer& tracer,
-                         std::span<Rgb> estimates) const {
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      estimates[i] = radiance(samples[i].ray, kind, samples[i].key, tracer);
+  /// Writes all layers that are asked for, of as many records as there are samples; a layer that an
+  /// integrator knows nothing of becomes black. Each record is a pure function of its sample, whichever
+  /// others are made with it and in whatever order their rays are traced.
+  virtual void sample(std::span<const CameraSample> samples, SamplerKind kind, Tracer& tracer,
+                      const RecordSpans& records) const = 0;
+  /// The radiance of one sample alone.
+  Rgb radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key, Tracer& tracer) const {
+    const CameraSample one{camera_ray, key};
+    Rgb radiance;
+    sample({&one, 1}, kind, tracer, RecordSpans({&radiance, 1}));
+    return radiance;
   }
+};
+
+/// An integrator that makes its samples one after the other, and knows their radiance alone.
+class PlainIntegrator : public Integrator {
+ public:
+  void sample(std::span<const CameraSample> samples, SamplerKind kind, Tracer& tracer,
+              const RecordSpans& records) const final;
+
+ protected:
+  virtual Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer) const = 0;
 };
 
 }  // namespace twinray

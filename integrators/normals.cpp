@@ -5,8 +5,8 @@
 
 namespace twinray {
 
-Rgb NormalsIntegrator::radiance(const Ray& camera_ray, SamplerKind, const SampleKey&, Tracer& tracer) const {
-  const Hit hit = tracer.camera_hit(camera_ray);
+Rgb NormalsIntegrator::radiance_of(const CameraSample& sample, SamplerKind, Tracer& tracer) const {
+  const Hit hit = tracer.camera_hit(sample.ray);
   if (hit.is_miss()) return {};
   const Vec3 n = mixture_ == Mixture::unit ? surface_at(*scene_.geometry, hit).shading_normal
                                            : mixed_normal(*scene_.geometry, hit);

@@ -7,7 +7,7 @@ namespace twinray {
 
 /// The shading normal n of what the camera sees, as the colour (n + 1) / 2; black for nothing. One ray a
 /// sample.
-class NormalsIntegrator final : public Integrator {
+class NormalsIntegrator final : public PlainIntegrator {
  public:
   /// Between the corners of a triangle their normals are mixed: the mixture is made a unit vector, or shown
   /// as it is, shorter where the corners' normals differ.
@@ -16,9 +16,10 @@ class NormalsIntegrator final : public Integrator {
   /// The scene must outlive the integrator.
   explicit NormalsIntegrator(const Scene& scene, Mixture mixture = Mixture::unit)
       : scene_(scene), mixture_(mixture) {}
-  Rgb radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key, Tracer& tracer) const override;
 
  private:
+  Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer) const override;
+
   const Scene& scene_;
   Mixture mixture_;
 };

@@ -57,22 +57,14 @@ PathIntegrator::PathIntegrator(const Scene& scene, const PathOptions& options, c
     : waves_(std::make_unique<const Waves>(scene, options, simd)) {}
 PathIntegrator::~PathIntegrator() = default;
 
-Rgb PathIntegrator::radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key,
-                             Tracer& tracer) const {
-  const CameraSample sample{camera_ray, key};
-  Rgb estimate;
-  radiances({&sample, 1}, kind, tracer, {&estimate, 1});
-  return estimate;
-}
-
-void PathIntegrator::radiances(std::span<const CameraSample> samples, SamplerKind kind, Tracer& tracer,
-                               std::span<Rgb> estimates) const {
-  if (!waves_->stages) return waves_->reference.radiances(samples, kind, tracer, estimates);
+void PathIntegrator::sample(std::span<const CameraSample> samples, SamplerKind kind, Tracer& tracer,
+                            const RecordSpans& records) const {
+  if (!waves_->stages) return waves_->reference.sample(samples, kind, tracer, records);
   const WaveContext context = waves_->context();
   for (std::size_t first = 0; first < samples.size(); first += wave_size) {
     const std::size_t size = std::min(wave_size, samples.size() - first);
     PathWave(context, kind, tracer, arrays_of_this_thread(), samples.subspan(first, size),
-             estimates.subspan(first, size))
+             records.part(first, size))
         .trace();
   }
 }

@@ -18,9 +18,8 @@ class PathIntegrator final : public Integrator {
   /// path after path. Throws Error for options out of range.
   PathIntegrator(const Scene& scene, const PathOptions& options, const std::string& simd = "best");
   ~PathIntegrator() override;
-  Rgb radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key, Tracer& tracer) const override;
-  void radiances(std::span<const CameraSample> samples, SamplerKind kind, Tracer& tracer,
-                 std::span<Rgb> estimates) const override;
+  void sample(std::span<const CameraSample> samples, SamplerKind kind, Tracer& tracer,
+              const RecordSpans& records) const override;
 
  private:
   class Waves;

@@ -7,26 +7,43 @@
 #include "integrators/direct_light.h"
 
 namespace twinray {
+namespace {
+
+void record_surface(const Interaction& at, const RecordSpans& record) {
+  if (record.has(Layer::albedo)) record[Layer::albedo][0] = at.bsdf().albedo();
+  if (record.has(Layer::normal)) record[Layer::normal][0] = {at.normal().x, at.normal().y, at.normal().z};
+}
+
+}  // namespace
 
 PathReference::PathReference(const Scene& scene, const PathOptions& options)
     : scene_(scene), options_(options), lights_(scene) {
   check(options);
 }
 
-Rgb PathReference::radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key,
-                            Tracer& tracer) const {
+void PathReference::sample(std::span<const CameraSample> samples, SamplerKind kind, Tracer& tracer,
+                           const RecordSpans& records) const {
+  records.clear();
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    records[Layer::color][i] = radiance_of(samples[i], kind, tracer, records.part(i, 1));
+}
+
+Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer,
+                               const RecordSpans& record) const {
   const LightTransport transport{scene_, lights_, options_.direct, options_.samples_per_light};
-  const PathKey path_key(key);
+  const PathKey path_key(sample.key);
   Rgb radiance;
-  State path{.ray = camera_ray};
+  State path{.ray = sample.ray};
   Hit hit = tracer.camera_hit(path.ray);
   for (int depth = 0;; ++depth) {  // Scattering events before the current ray.
     tracer.arrive();
     if (options_.counts(depth)) radiance += path.throughput * emission(transport, path, hit, depth);
-    if (hit.is_miss() || depth >= options_.depth_limit()) return radiance;
+    if (hit.is_miss()) return radiance;
 
     const SurfacePoint point = surface_at(*scene_.geometry, hit);
     const Interaction at(scene_, point, -normalize(path.ray.direction));
+    if (depth == 0) record_surface(at, record);
+    if (depth >= options_.depth_limit()) return radiance;
     const VertexSampler sampler(kind, path_key, std::uint32_t(depth) + 1);
     if (options_.counts(depth + 1))
       radiance += path.throughput * direct_light(transport, at, sampler, tracer);

@@ -17,7 +17,8 @@ class PathReference final : public Integrator {
  public:
   /// The scene must outlive the integrator. Throws Error for options out of range.
   PathReference(const Scene& scene, const PathOptions& options);
-  Rgb radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key, Tracer& tracer) const override;
+  void sample(std::span<const CameraSample> samples, SamplerKind kind, Tracer& tracer,
+              const RecordSpans& records) const override;
 
  private:
   /// A path on its way.
@@ -27,6 +28,9 @@ class PathReference final : public Integrator {
     Rgb throughput{1, 1,
                    1};  ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
   };
+  /// One path; `record` has room for one sample.
+  Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer,
+                  const RecordSpans& record) const;
   /// What a ray brings after `depth` scattering events from an emitter that it hits, or from beyond the
   /// scene.
   Rgb emission(const LightTransport& transport, const State& path, const Hit& hit, int depth) const;

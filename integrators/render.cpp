@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <set>
 #include <vector>
 
 #include "core/denormals.h"
@@ -30,6 +31,10 @@ constexpr std::size_t samples_together = 1024;
 void check(const RenderOptions& options) {
   if (options.samples < 1 || options.samples > Film::max_samples)
     throw Error(fmt::format("{} samples per pixel; valid are 1 to {}", options.samples, Film::max_samples));
+  if (options.layers.empty() || options.layers.front() != Layer::color)
+    throw Error("the first layer of a render is color");
+  if (std::set(options.layers.begin(), options.layers.end()).size() != options.layers.size())
+    throw Error("a layer of a render is asked for twice");
   if (!options.adaptive) return;
   if (options.adaptive->batch < 1)
     throw Error(
@@ -37,6 +42,12 @@ void check(const RenderOptions& options) {
   if (!(options.adaptive->tolerance >= 0) || !std::isfinite(options.adaptive->tolerance))
     throw Error(
         fmt::format("a tolerance of {}; it must be finite and not negative", options.adaptive->tolerance));
+}
+
+std::vector<std::string> names_of(const std::vector<Layer>& layers) {
+  std::vector<std::string> names;
+  for (const Layer layer : layers) names.push_back(layer_name(layer));
+  return names;
 }
 
 PixelRect window_of(const RenderOptions& options) {
@@ -68,7 +79,7 @@ class Renderer {
         camera_stage_(camera_,
                       {options.width, options.height, options.samples, options.sampler, options.seed}),
         visible_pixels_(pixels_with_light(scene, camera_, accelerator.bounds(), options)),
-        film_(options.width, options.height, window_of(options)),
+        film_(options.width, options.height, window_of(options), names_of(options.layers)),
         tiles_(spiral_tiles(film_.window(), tile_size)) {
     progress_.samples_total =
         std::uint64_t(film_.window().width()) * std::uint64_t(film_.window().height()) * options.samples;
@@ -109,9 +120,10 @@ class Renderer {
     std::vector<RecordedRay> rays;
     Tracer tracer(accelerator_, options_.counting, options_.observe ? &rays : nullptr);
     const std::size_t together = options_.observe ? 1 : samples_together;
-    std::vector<PixelSample> samples;
+    Batch batch(options_, together);
+    std::vector<PixelSample>& samples = batch.samples;
     const auto finish = [&] {
-      add(samples, tracer);
+      add(batch, tracer);
       if (options_.observe) options_.observe(samples.front(), rays);
       samples.clear();
       rays.clear();
@@ -146,13 +158,30 @@ class Renderer {
            (!contains(visible_pixels_, x, y) || has_enough_samples(pixel, *options_.adaptive));
   }
 
-  void add(std::span<const PixelSample> samples, Tracer& tracer) {
-    std::vector<CameraSample> camera_samples(samples.size());
-    camera_stage_.make(samples, camera_samples);
-    std::vector<Rgb> radiances(samples.size());
-    integrator_.radiances(camera_samples, options_.sampler, tracer, radiances);
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      film_.add(0, samples[i].x, samples[i].y, samples[i].index, radiances[i]);
+  /// What the samples of a batch are made in.
+  struct Batch {
+    explicit Batch(const RenderOptions& options, std::size_t size)
+        : camera_samples(size), records(options.layers, size) {
+      samples.reserve(size);
+    }
+    std::vector<PixelSample> samples;
+    std::vector<CameraSample> camera_samples;
+    Records records;
+  };
+
+  void add(Batch& batch, Tracer& tracer) {
+    const std::span<CameraSample> camera_samples =
+        std::span(batch.camera_samples).first(batch.samples.size());
+    const RecordSpans records = batch.records.spans(batch.samples.size());
+    camera_stage_.make(batch.samples, camera_samples);
+    integrator_.sample(camera_samples, options_.sampler, tracer, records);
+    for (std::size_t layer = 0; layer < options_.layers.size(); ++layer) {
+      const std::span<const Rgb> values = records[options_.layers[layer]];
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const PixelSample& sample = batch.samples[i];
+        film_.add(layer, sample.x, sample.y, sample.index, values[i]);
+      }
+    }
   }
 
   void finish_tile(const PixelRect& tile, std::uint32_t samples, const RayCounts& rays) {

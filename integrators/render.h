@@ -5,9 +5,11 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "accel/accelerator.h"
 #include "core/film.h"
+#include "core/record.h"
 #include "core/sampler.h"
 #include "core/scene.h"
 #include "integrators/adaptive.h"
@@ -20,6 +22,7 @@ struct RenderOptions {
   std::optional<PixelRect> window;  ///< The part of it to render; all if not set.
   std::uint32_t samples = 32;       ///< Per pixel; the most per pixel where sampling is adaptive.
   std::optional<AdaptiveSampling> adaptive;
+  std::vector<Layer> layers{Layer::color};  ///< Of the film, in this order: color first, each once.
   SamplerKind sampler = SamplerKind::sobol;
   std::uint64_t seed = 0;
   int threads = 0;        ///< 0: as many as the process may use.

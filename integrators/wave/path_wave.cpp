@@ -9,7 +9,7 @@
 namespace twinray {
 
 PathWave::PathWave(const WaveContext& context, SamplerKind kind, Tracer& tracer, Wave& wave,
-                   std::span<const CameraSample> samples, std::span<Rgb> estimates)
+                   std::span<const CameraSample> samples, const RecordSpans& records)
     : context_(context),
       stages_(context.stages),
       kind_(kind),
@@ -20,7 +20,8 @@ PathWave::PathWave(const WaveContext& context, SamplerKind kind, Tracer& tracer,
       light_(wave.light),
       connections_(wave.connections),
       samples_(samples),
-      estimates_(estimates) {}
+      records_(records),
+      radiance_(records[Layer::color]) {}
 
 void PathWave::trace() {
   start();
@@ -30,10 +31,13 @@ void PathWave::trace() {
   for (;; ++depth_) {
     tracer_.arrive();
     if (context_.options.counts(depth_)) depth_ == 0 ? add_emission() : add_found_light();
-    if (depth_ >= context_.options.depth_limit()) return;
+    const bool has_ended = depth_ >= context_.options.depth_limit();
+    if (has_ended && !(depth_ == 0 && records_.has_surface())) return;
     drop_misses();
     if (paths_.size == 0) return;
     arrive();
+    if (depth_ == 0) record_surfaces();
+    if (has_ended) return;
     if (context_.options.counts(depth_ + 1)) add_direct_light();
     // The ray after the last surface only looks for light.
     const bool is_last = depth_ + 1 >= context_.options.depth_limit();
@@ -44,9 +48,9 @@ void PathWave::trace() {
 
 void PathWave::start() {
   paths_.size = samples_.size();
+  records_.clear();
   PixelKeys pixel_key;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    estimates_[i] = {};
     paths_.sample[i] = std::uint32_t(i);
     paths_.pixel.set(i, pixel_key(samples_[i].key));
     paths_.index[i] = samples_[i].key.index;
@@ -54,6 +58,15 @@ void PathWave::start() {
     paths_.direction.set(i, samples_[i].ray.direction);
     wave_.rays[i] = samples_[i].ray;
   }
+}
+
+void PathWave::record_surfaces() {
+  const auto record = [&](Layer layer, const Columns3& column) {
+    if (records_.has(layer))
+      for (std::size_t i = 0; i < paths_.size; ++i) records_[layer][paths_.sample[i]] = column.at<Rgb>(i);
+  };
+  record(Layer::albedo, surfaces_.reflectance);
+  record(Layer::normal, surfaces_.shading);
 }
 
 void PathWave::add_emission() {
@@ -65,7 +78,7 @@ void PathWave::add_emission() {
     const Rgb radiance =
         hit.is_miss() ? lights.background(direction)
                       : lights.emitted(surface_at(*context_.transport.scene.geometry, hit), -direction);
-    estimates_[i] += radiance;
+    radiance_[i] += radiance;
   }
 }
 
@@ -77,7 +90,7 @@ void PathWave::add_found_light() {
     const std::size_t i = wave_.kept[k];  // The surface that the path comes from.
     const Departure departure{{surfaces_.point.position.at(i), surfaces_.shading.at(i)}, wave_.pdf[i]};
     const Vec3 direction = normalize(paths_.direction.at(k));
-    estimates_[paths_.sample[k]] +=
+    radiance_[paths_.sample[k]] +=
         paths_.throughput.at<Rgb>(k) * found_light(context_.transport, departure, hit, direction);
   }
 }
@@ -186,7 +199,7 @@ void PathWave::add_direct_light() {
   else
     add_lights();
   for (std::size_t i = 0; i < paths_.size; ++i)
-    estimates_[paths_.sample[i]] += paths_.throughput.at<Rgb>(i) * connections_.sum.at<Rgb>(i);
+    radiance_[paths_.sample[i]] += paths_.throughput.at<Rgb>(i) * connections_.sum.at<Rgb>(i);
 }
 
 void PathWave::add_lights() {

@@ -27,9 +27,9 @@ struct WaveContext {
 /// would have if it were traced alone, so the estimates have the bits of PathReference.
 class PathWave {
  public:
-  /// All must outlive the wave; estimates[i] is that of samples[i].
+  /// All must outlive the wave; there is room for a record of each sample.
   PathWave(const WaveContext& context, SamplerKind kind, Tracer& tracer, Wave& wave,
-           std::span<const CameraSample> samples, std::span<Rgb> estimates);
+           std::span<const CameraSample> samples, const RecordSpans& records);
   void trace();
 
  private:
@@ -41,6 +41,8 @@ class PathWave {
   /// Takes the paths out that have hit nothing.
   void drop_misses();
   void arrive();
+  /// Writes what the records say of the first surfaces.
+  void record_surfaces();
   void expand_hits();
   void place_spheres();
   void add_direct_light();
@@ -70,8 +72,9 @@ class PathWave {
   LightSamples& light_;
   Connections& connections_;
   std::span<const CameraSample> samples_;
-  std::span<Rgb> estimates_;
-  int depth_ = 0;  ///< Scattering events before the current rays.
+  const RecordSpans records_;
+  const std::span<Rgb> radiance_;  ///< Of each sample.
+  int depth_ = 0;                  ///< Scattering events before the current rays.
 };
 
 }  // namespace twinray

@@ -13,19 +13,19 @@ namespace twinray::test {
 namespace {
 
 /// Keeps the camera rays, of a render on one thread.
-class RayKeeper final : public Integrator {
+class RayKeeper final : public PlainIntegrator {
  public:
-  Rgb radiance(const Ray& camera_ray, SamplerKind, const SampleKey& key, Tracer&) const override {
-    rays.push_back({camera_ray, key});
+  Rgb radiance_of(const CameraSample& sample, SamplerKind, Tracer&) const override {
+    rays.push_back(sample);
     return {};
   }
   mutable std::vector<CameraSample> rays;
 };
 
 /// Spoils all samples of one pixel but the first.
-class SpoiledPixel final : public Integrator {
- public:
-  Rgb radiance(const Ray&, SamplerKind, const SampleKey& key, Tracer&) const override {
+class SpoiledPixel final : public PlainIntegrator {
+  Rgb radiance_of(const CameraSample& sample, SamplerKind, Tracer&) const override {
+    const SampleKey& key = sample.key;
     const bool is_spoiled = key.x == 3 && key.y == 2 && key.index >= 1;
     return is_spoiled ? Rgb{NAN, 0, 0} : Rgb{1, 1, 1};
   }

@@ -105,7 +105,7 @@ TEST_CASE("samples estimated together have the bits of each alone, and as many r
     const PathIntegrator path(scene, options);
     Tracer alone(*accelerator, true), together(*accelerator, true);
     std::vector<Rgb> estimates(samples.size());
-    path.radiances(samples, SamplerKind::sobol, together, estimates);
+    path.sample(samples, SamplerKind::sobol, together, RecordSpans(estimates));
     for (std::size_t i = 0; i < samples.size(); ++i)
       CHECK(path.radiance(samples[i].ray, SamplerKind::sobol, samples[i].key, alone) == estimates[i]);
     CHECK(alone.counts() == together.counts());

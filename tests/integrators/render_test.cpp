@@ -35,9 +35,9 @@ std::uint64_t sample_count(const Film& film) {
 }
 
 /// A path integrator that spoils the samples of one pixel.
-class SpoiledIntegrator final : public Integrator {
- public:
-  Rgb radiance(const Ray&, SamplerKind, const SampleKey& key, Tracer&) const override {
+class SpoiledIntegrator final : public PlainIntegrator {
+  Rgb radiance_of(const CameraSample& sample, SamplerKind, Tracer&) const override {
+    const SampleKey& key = sample.key;
     if (key.x == 3 && key.y == 2 && key.index >= 1) return {NAN, 0, 0};
     return {1, 1, 1};
   }

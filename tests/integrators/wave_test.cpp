@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Waves of paths against the path tracer that traces one after the other: every bit, every ray.
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -87,23 +88,27 @@ const PathOptions cases[] = {{},
                              {.max_depth = 3, .direct = DirectMethod::hemisphere, .samples_per_light = 2},
                              {.max_depth = 1, .direct = DirectMethod::hemisphere}};
 
+constexpr Layer every_layer[] = {Layer::color, Layer::albedo, Layer::normal};
+
 /// Checks that waves have the bits and the rays of the reference for every sampler and instruction set.
 void check_bits(const Scene& scene, const PathOptions& options, std::uint32_t count) {
   const auto accelerator = build_accelerator(Backend::bvh, scene.geometry);
   const std::vector<CameraSample> samples = samples_of(scene, count);
   const PathReference reference(scene, options);
   for (const SamplerKind kind : {SamplerKind::sobol, SamplerKind::independent}) {
-    std::vector<Rgb> expected(count);
+    Records expected(every_layer, count);
     Tracer alone(*accelerator, true);
-    reference.radiances(samples, kind, alone, expected);
+    reference.sample(samples, kind, alone, expected.spans(count));
     for (const std::string& simd : available_instruction_sets()) {
       CAPTURE(simd, sampler_name(kind), options.max_depth, options.samples_per_light);
-      std::vector<Rgb> found(count);
+      Records found(every_layer, count);
       Tracer together(*accelerator, true);
-      PathIntegrator(scene, options, simd).radiances(samples, kind, together, found);
-      std::size_t first = 0;
-      while (first < count && found[first] == expected[first]) ++first;
-      CHECK(first == count);
+      PathIntegrator(scene, options, simd).sample(samples, kind, together, found.spans(count));
+      for (const Layer layer : every_layer) {
+        const std::span<const Rgb> values = found.spans(count)[layer], same = expected.spans(count)[layer];
+        CAPTURE(layer_name(layer));
+        CHECK(std::mismatch(values.begin(), values.end(), same.begin()).first == values.end());
+      }
       CHECK(together.counts() == alone.counts());
     }
   }

@@ -62,8 +62,8 @@ MUTANTS = [
            "inside of walls that emit and reflect, radiance is the geometric series of all "
            "bounces"),
     Mutant("one bounce too many", "integrators/wave/path_wave.cpp",
-           "if (depth_ >= context_.options.depth_limit()) return;",
-           "if (depth_ > context_.options.depth_limit()) return;",
+           "const bool has_ended = depth_ >= context_.options.depth_limit();",
+           "const bool has_ended = depth_ > context_.options.depth_limit();",
            "test_integrators",
            "inside of walls that emit and reflect, radiance is the geometric series of all "
            "bounces"),
@@ -149,6 +149,12 @@ MUTANTS = [
            "a square light close to a floor lights it by its form factor, by mis with a third of the noise"),
     Mutant("paths of the waves end at their last surface", "integrators/wave/path_wave.cpp",
            "if ((is_last && !may_find_light()) ||", "if (is_last ||", "test_integrators", WAVE_BITS),
+    Mutant("records of the waves keep what was in them", "integrators/wave/path_wave.cpp",
+           "  records_.clear();\n", "", "test_integrators",
+           "albedo and normal are those of the surface that is hit first, on the viewer's side"),
+    Mutant("a layer is added to the film's first", "integrators/render.cpp",
+           "film_.add(layer, sample.x", "film_.add(0, sample.x", "test_integrators",
+           "a render keeps the layers that are asked for, and its color has the bits that it has alone"),
     Mutant("lanes keep the first patch of a lamp", "integrators/wave/patches-inl.h",
            "index = select(is_later, splat(float(i)), index);", "", "test_integrators", WAVE_BITS),
     Mutant("lanes choose points of a lamp by area alone", "integrators/wave/patches-inl.h",
