@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -11,8 +12,9 @@ namespace twinray {
 
 /// When a path is given up at random (and its weight raised, so that the mean stays).
 struct Roulette {
-  /// A fixed probability of going on, in (0, 1], from the second bounce on. 0: the path's largest throughput
-  /// component, up to 1, from the fourth bounce on.
+  /// A fixed probability of going on, in (0, 1], from the second bounce on. 0: the square root of the path's
+  /// largest throughput component, up to 1, from the fourth bounce on. By the throughput itself too few paths
+  /// go on, and each weighs too much: docs/sampling.md has both measured.
   float continuation = 0;
 
   /// Whether a path may be given up at a bounce (counted from 1). Light of three bounces is much of a room's:
@@ -20,7 +22,7 @@ struct Roulette {
   bool applies(int bounce) const { return bounce >= (continuation > 0 ? 2 : 4); }
   /// The probability of going on, in [0, 1].
   float probability(const Rgb& throughput) const {
-    return continuation > 0 ? continuation : std::min(1.0f, max_component(throughput));
+    return continuation > 0 ? continuation : std::min(1.0f, std::sqrt(max_component(throughput)));
   }
 };
 

@@ -55,7 +55,7 @@ TEST_CASE("no path of the default ends at random before its fourth bounce, and t
   constexpr double tolerance = 0.012;  // Four standard errors of 7680 paths; 0 where nothing is random.
   CHECK(bounces(4, {}) == 3);
   CHECK(bounces(5, {1}) == 4);
-  CHECK(bounces(5, {}) == Approx(3 + 0.0625).margin(tolerance));  // By a throughput of 0.5^4 then.
+  CHECK(bounces(5, {}) == Approx(3 + 0.25).margin(2 * tolerance));  // By the root of a throughput of 0.5^4.
   CHECK(bounces(3, {0.25f}) == Approx(1 + 0.25).margin(2 * tolerance));
 }
 
