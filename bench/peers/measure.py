@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs a renderer as a process, pinned to its processors, and says what it took."""
+import json
 import os
 import re
 import statistics
 import subprocess
+import sys
 import tempfile
-import time
 from dataclasses import dataclass
+from pathlib import Path
+
+STARTED = Path(__file__).resolve().with_name("started.py")
 
 
 class Failed(Exception):
@@ -16,7 +20,6 @@ class Failed(Exception):
 @dataclass(frozen=True)
 class Cost:
     cpu_seconds: float  # of the process and its children, in user and system mode
-    seconds: float      # by the clock on the wall
     megabytes: float    # the largest resident size
     said: str
 
@@ -33,18 +36,17 @@ def pinned(processors):
 
 
 def run(command, processors):
-    with tempfile.TemporaryFile() as said:
-        start = time.monotonic()
-        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=said, stderr=subprocess.STDOUT,
-                                   preexec_fn=pinned(processors))
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        seconds = time.monotonic() - start
-        said.seek(0)
-        text = said.read().decode(errors="replace").strip()
-    if process.returncode != 0:
-        raise Failed(reason(text) or f"it ended with {process.returncode}")
-    return Cost(usage.ru_utime + usage.ru_stime, seconds, usage.ru_maxrss / 1024, text)
+    with tempfile.NamedTemporaryFile("r", encoding="utf-8") as report:
+        done = subprocess.run([sys.executable, "-IS", str(STARTED), report.name, *command],
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              preexec_fn=pinned(processors), check=False)
+        text = done.stdout.decode(errors="replace").strip()
+        if done.returncode != 0:
+            raise Failed(reason(text))
+        code, cpu_seconds, kilobytes = json.load(report)
+    if code != 0:
+        raise Failed(reason(text) or f"it ended with {code}")
+    return Cost(cpu_seconds, kilobytes / 1024, text)
 
 
 def processors(threads):

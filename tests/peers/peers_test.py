@@ -332,30 +332,12 @@ class Comparison(unittest.TestCase):
         self.assertEqual(list(compare.mean_without(mean, 3, pictures[2])), [2, 4])
 
 
-class Measuring(unittest.TestCase):
-    def test_a_process_is_pinned_and_its_seconds_are_counted(self):
-        code = "import os, time\nwhile time.process_time() < 0.3: pass\nprint(len(os.sched_getaffinity(0)))"
-        cost = measure.run([sys.executable, "-c", code], measure.processors(1))
-        self.assertEqual(cost.said, "1")
-        self.assertGreaterEqual(cost.cpu_seconds, 0.3)
-        self.assertGreater(cost.megabytes, 1)
-
-    def test_a_failure_says_why(self):
-        with self.assertRaisesRegex(measure.Failed, "an Error of mine"):
-            code = "print('first'); import sys; print('an Error of mine'); sys.exit('x')"
-            measure.run([sys.executable, "-c", code], measure.processors(1))
-
-    def test_more_threads_than_processors_are_refused(self):
-        with self.assertRaisesRegex(measure.Failed, "--threads: 100000 threads"):
-            measure.processors(100000)
-
-
 class Page(unittest.TestCase):
     def entry(self, *series):
         """Of a renderer that starts in 1 CPU second, and these (samples, CPU seconds, error)."""
-        entry = peers.Entry(None, [measure.Cost(1, 1, 1, "")])
+        entry = peers.Entry(None, [measure.Cost(1, 1, "")])
         entry.equal, entry.usual = (
-            peers.Series(samples, [measure.Cost(seconds, seconds, 1, "")], [], [error])
+            peers.Series(samples, [measure.Cost(seconds, 1, "")], [], [error])
             for samples, seconds, error in series)
         return entry
 
