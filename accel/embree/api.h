@@ -11,6 +11,9 @@
 
 namespace twinray::embree {
 
+// trace() finds the closest hit of what has room for it (RTCRayHit, RTCRayHit16), and whether there is any of
+// what has none (RTCRay, RTCRay16).
+
 #if TWINRAY_EMBREE_MAJOR >= 4
 
 using Context = RTCRayQueryContext;
@@ -24,14 +27,14 @@ struct Coherence {
 inline constexpr Coherence coherent{RTC_RAY_QUERY_FLAG_COHERENT}, incoherent{RTC_RAY_QUERY_FLAG_INCOHERENT};
 inline constexpr bool has_streams = false;
 
-inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray) {
+inline void trace(RTCScene scene, Context& context, RTCRayHit& ray) {
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
   arguments.context = &context;
   rtcIntersect1(scene, &ray, &arguments);
 }
 
-inline void occluded(RTCScene scene, Context& context, RTCRay& ray) {
+inline void trace(RTCScene scene, Context& context, RTCRay& ray) {
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
   arguments.context = &context;
@@ -39,14 +42,14 @@ inline void occluded(RTCScene scene, Context& context, RTCRay& ray) {
 }
 
 /// Of 16 rays those whose `active` is -1.
-inline void intersect(RTCScene scene, Coherence coherence, const int* active, RTCRayHit16& rays) {
+inline void trace(RTCScene scene, Coherence coherence, const int* active, RTCRayHit16& rays) {
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
   arguments.flags = coherence.flags;
   rtcIntersect16(active, scene, &rays, &arguments);
 }
 
-inline void occluded(RTCScene scene, Coherence coherence, const int* active, RTCRay16& rays) {
+inline void trace(RTCScene scene, Coherence coherence, const int* active, RTCRay16& rays) {
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
   arguments.flags = coherence.flags;
@@ -74,41 +77,39 @@ inline Context context_of(Coherence coherence) {
   return context;
 }
 
-inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray) {
-  rtcIntersect1(scene, &context, &ray);
-}
+inline void trace(RTCScene scene, Context& context, RTCRayHit& ray) { rtcIntersect1(scene, &context, &ray); }
 
-inline void occluded(RTCScene scene, Context& context, RTCRay& ray) { rtcOccluded1(scene, &context, &ray); }
+inline void trace(RTCScene scene, Context& context, RTCRay& ray) { rtcOccluded1(scene, &context, &ray); }
 
 /// Of 16 rays those whose `active` is -1.
-inline void intersect(RTCScene scene, Coherence coherence, const int* active, RTCRayHit16& rays) {
+inline void trace(RTCScene scene, Coherence coherence, const int* active, RTCRayHit16& rays) {
   Context context = context_of(coherence);
   rtcIntersect16(active, scene, &context, &rays);
 }
 
-inline void occluded(RTCScene scene, Coherence coherence, const int* active, RTCRay16& rays) {
+inline void trace(RTCScene scene, Coherence coherence, const int* active, RTCRay16& rays) {
   Context context = context_of(coherence);
   rtcOccluded16(active, scene, &context, &rays);
 }
 
 /// Streams: of rays, or of packets of 16. Of those that are not to be traced t_min lies behind t_max.
-inline void intersect(RTCScene scene, Coherence coherence, std::span<RTCRayHit> rays) {
+inline void trace(RTCScene scene, Coherence coherence, std::span<RTCRayHit> rays) {
   Context context = context_of(coherence);
   rtcIntersect1M(scene, &context, rays.data(), unsigned(rays.size()), sizeof(RTCRayHit));
 }
 
-inline void occluded(RTCScene scene, Coherence coherence, std::span<RTCRay> rays) {
+inline void trace(RTCScene scene, Coherence coherence, std::span<RTCRay> rays) {
   Context context = context_of(coherence);
   rtcOccluded1M(scene, &context, rays.data(), unsigned(rays.size()), sizeof(RTCRay));
 }
 
-inline void intersect(RTCScene scene, Coherence coherence, std::span<RTCRayHit16> packets) {
+inline void trace(RTCScene scene, Coherence coherence, std::span<RTCRayHit16> packets) {
   Context context = context_of(coherence);
   rtcIntersectNM(scene, &context, reinterpret_cast<RTCRayHitN*>(packets.data()), 16, unsigned(packets.size()),
                  sizeof(RTCRayHit16));
 }
 
-inline void occluded(RTCScene scene, Coherence coherence, std::span<RTCRay16> packets) {
+inline void trace(RTCScene scene, Coherence coherence, std::span<RTCRay16> packets) {
   Context context = context_of(coherence);
   rtcOccludedNM(scene, &context, reinterpret_cast<RTCRayN*>(packets.data()), 16, unsigned(packets.size()),
                 sizeof(RTCRay16));

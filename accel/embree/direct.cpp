@@ -87,11 +87,6 @@ template <>
 struct Queries<Hit> {
   using One = RTCRayHit;
   using Packet = RTCRayHit16;
-  static void ask(RTCScene scene, Context& context, One& query) { intersect(scene, context, query); }
-  template <typename... Arguments>
-  static void ask(RTCScene scene, Coherence coherence, Arguments&&... arguments) {
-    intersect(scene, coherence, arguments...);
-  }
   static bool through_interface(const Accelerator& native, const Ray& ray, Hit& answer) {
     return bool(answer = native.closest_hit(ray));
   }
@@ -100,11 +95,6 @@ template <>
 struct Queries<std::uint8_t> {
   using One = RTCRay;
   using Packet = RTCRay16;
-  static void ask(RTCScene scene, Context& context, One& query) { occluded(scene, context, query); }
-  template <typename... Arguments>
-  static void ask(RTCScene scene, Coherence coherence, Arguments&&... arguments) {
-    occluded(scene, coherence, arguments...);
-  }
   static bool through_interface(const Accelerator& native, const Ray& ray, std::uint8_t& answer) {
     return (answer = native.any_hit(ray)) != 0;
   }
@@ -118,7 +108,7 @@ std::size_t ask_singly(RTCScene scene, std::span<const Ray> rays, std::span<Answ
   for (std::size_t i = 0; i < rays.size(); ++i) {
     typename Queries<Answer>::One query;
     fill(query, rays[i]);
-    Queries<Answer>::ask(scene, context, query);
+    trace(scene, context, query);
     hits += is_hit(query);
     if (!answers.empty()) read(query, answers[i]);
   }
@@ -144,7 +134,7 @@ std::size_t ask_in_packets(RTCScene scene, std::span<const Ray> rays, Coherence 
     const std::size_t count = std::min(packet_size, rays.size() - first);
     typename Queries<Answer>::Packet packet;
     fill(packet, rays.subspan(first, count));
-    Queries<Answer>::ask(scene, coherence, Active(count).lanes, packet);
+    trace(scene, coherence, Active(count).lanes, packet);
     hits += finish(packet, first, count, answers);
   }
   return hits;
@@ -158,7 +148,7 @@ std::size_t ask_in_streams(RTCScene scene, std::span<const Ray> rays, Coherence 
   for (std::size_t first = 0; first < rays.size(); first += rays_a_stream) {
     const std::size_t count = std::min(rays_a_stream, rays.size() - first);
     for (std::size_t i = 0; i < count; ++i) fill(queries[i], rays[first + i]);
-    Queries<Answer>::ask(scene, coherence, std::span(queries).first(count));
+    trace(scene, coherence, std::span(queries).first(count));
     for (std::size_t i = 0; i < count; ++i) hits += is_hit(queries[i]);
     if (!answers.empty())
       for (std::size_t i = 0; i < count; ++i) read(queries[i], answers[first + i]);
@@ -178,7 +168,7 @@ std::size_t ask_in_packet_streams(RTCScene scene, std::span<const Ray> rays, Coh
       return some.subspan(i * packet_size, std::min(packet_size, some.size() - i * packet_size));
     };
     for (std::size_t i = 0; i < used; ++i) fill(packets[i], rays_of(i));
-    Queries<Answer>::ask(scene, coherence, std::span(packets).first(used));
+    trace(scene, coherence, std::span(packets).first(used));
     for (std::size_t i = 0; i < used; ++i)
       hits += finish(packets[i], first + i * packet_size, rays_of(i).size(), answers);
   }

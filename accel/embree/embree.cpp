@@ -81,7 +81,7 @@ class EmbreeAccelerator final : public Accelerator {
       RTCRayHit ray_hit;
       set_ray(ray_hit.ray, ray, scale);
       embree::set_no_hit(ray_hit.hit);
-      embree::intersect(blocks_.scene.get(), leaf_query, ray_hit);
+      embree::trace(blocks_.scene.get(), leaf_query, ray_hit);
       return leaf_query.best.hit();
     });
   }
@@ -94,7 +94,7 @@ class EmbreeAccelerator final : public Accelerator {
                                    query.counts);
       RTCRay occlusion_ray;
       set_ray(occlusion_ray, ray, scale);
-      embree::occluded(blocks_.scene.get(), leaf_query, occlusion_ray);
+      embree::trace(blocks_.scene.get(), leaf_query, occlusion_ray);
       return leaf_query.is_hit;
     });
   }

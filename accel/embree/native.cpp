@@ -131,7 +131,7 @@ class EmbreeNative final : public Accelerator {
       RTCRayHit found;
       embree::set_ray(found.ray, ray.origin, ray.direction, ray.t_min, ray.t_max);
       embree::set_no_hit(found.hit);
-      embree::intersect(world_.scene.get(), native, found);
+      embree::trace(world_.scene.get(), native, found);
       if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
       return {found.ray.tfar, found.hit.u, found.hit.v, found.hit.primID, found.hit.geomID, no_instance};
     });
@@ -143,7 +143,7 @@ class EmbreeNative final : public Accelerator {
       embree::initialize(native);
       RTCRay occlusion_ray;
       embree::set_ray(occlusion_ray, ray.origin, ray.direction, ray.t_min, ray.t_max);
-      embree::occluded(world_.scene.get(), native, occlusion_ray);
+      embree::trace(world_.scene.get(), native, occlusion_ray);
       return occlusion_ray.tfar < 0;
     });
   }
