@@ -66,6 +66,27 @@ std::vector<Expected> all_expected() {
   return all;
 }
 
+/// Steps and answers of a kernel's functions for many rays.
+void check_many(decltype(CountingWideKernel::closest_batch) CountingWideKernel::*closest_of,
+                decltype(CountingWideKernel::any_batch) CountingWideKernel::*any_of) {
+  for (const Expected& expected : all_expected())
+    for (const CountingWideKernel& kernel : counting_wide_kernels()) {
+      CAPTURE(kernel.name);
+      QueryCounts closest, any;
+      std::vector<Hit> hits(expected.rays.size());
+      std::vector<std::uint8_t> blocked(expected.rays.size());
+      (kernel.*closest_of)(expected.bvh, *expected.geometry, expected.rays, hits.data(), closest);
+      (kernel.*any_of)(expected.bvh, *expected.geometry, expected.rays, blocked.data(), any);
+      CHECK(text_of(closest) == text_of(expected.closest));
+      CHECK(text_of(any) == text_of(expected.any));
+      for (std::size_t i = 0; i < hits.size(); ++i) {
+        QueryCounts ignored;
+        REQUIRE(hits[i] == kernel.closest(expected.bvh, *expected.geometry, expected.rays[i], ignored));
+        REQUIRE(blocked[i] == kernel.any(expected.bvh, *expected.geometry, expected.rays[i], ignored));
+      }
+    }
+}
+
 }  // namespace
 
 TEST_CASE("the fast kernels take the steps of the scalar traversal, one ray at a time") {
@@ -83,36 +104,11 @@ TEST_CASE("the fast kernels take the steps of the scalar traversal, one ray at a
 }
 
 TEST_CASE("the fast kernels take the steps of the scalar traversal, one ray of many after the other") {
-  for (const Expected& expected : all_expected())
-    for (const CountingWideKernel& kernel : counting_wide_kernels()) {
-      CAPTURE(kernel.name);
-      QueryCounts closest, any;
-      std::vector<Hit> hits(expected.rays.size());
-      std::vector<std::uint8_t> blocked(expected.rays.size());
-      kernel.closest_in_turn(expected.bvh, *expected.geometry, expected.rays, hits.data(), closest);
-      kernel.any_in_turn(expected.bvh, *expected.geometry, expected.rays, blocked.data(), any);
-      CHECK(text_of(closest) == text_of(expected.closest));
-      CHECK(text_of(any) == text_of(expected.any));
-      for (std::size_t i = 0; i < hits.size(); ++i) {
-        QueryCounts ignored;
-        REQUIRE(hits[i] == kernel.closest(expected.bvh, *expected.geometry, expected.rays[i], ignored));
-        REQUIRE(blocked[i] == kernel.any(expected.bvh, *expected.geometry, expected.rays[i], ignored));
-      }
-    }
+  check_many(&CountingWideKernel::closest_in_turn, &CountingWideKernel::any_in_turn);
 }
 
 TEST_CASE("the fast kernels take the steps of the scalar traversal in batches") {
-  for (const Expected& expected : all_expected())
-    for (const CountingWideKernel& kernel : counting_wide_kernels()) {
-      CAPTURE(kernel.name);
-      QueryCounts closest, any;
-      std::vector<Hit> hits(expected.rays.size());
-      std::vector<std::uint8_t> blocked(expected.rays.size());
-      kernel.closest_batch(expected.bvh, *expected.geometry, expected.rays, hits.data(), closest);
-      kernel.any_batch(expected.bvh, *expected.geometry, expected.rays, blocked.data(), any);
-      CHECK(text_of(closest) == text_of(expected.closest));
-      CHECK(text_of(any) == text_of(expected.any));
-    }
+  check_many(&CountingWideKernel::closest_batch, &CountingWideKernel::any_batch);
 }
 
 TEST_CASE("a counting kernel gives the bits of the timed one") {
