@@ -41,51 +41,49 @@ embree::DirectCall call_of(const Engine& engine) {
   return {call_of(engine.asked), engine.is_coherent ? embree::Rays::coherent : embree::Rays::incoherent};
 }
 
-std::size_t closest_directly(const Engine& engine, const Accelerator& accelerator, std::span<const Ray> rays,
-                             std::span<Hit> answers) {
+std::size_t ask_directly(const Engine& engine, const Accelerator& accelerator, std::span<const Ray> rays,
+                         std::span<Hit> answers) {
   return embree::closest_hits_directly(accelerator, rays, call_of(engine), answers);
 }
-
-std::size_t any_directly(const Engine& engine, const Accelerator& accelerator, std::span<const Ray> rays,
+std::size_t ask_directly(const Engine& engine, const Accelerator& accelerator, std::span<const Ray> rays,
                          std::span<std::uint8_t> answers) {
   return embree::any_hits_directly(accelerator, rays, call_of(engine), answers);
 }
 #else
-std::size_t closest_directly(const Engine&, const Accelerator&, std::span<const Ray>, std::span<Hit>) {
-  return 0;
-}
-std::size_t any_directly(const Engine&, const Accelerator&, std::span<const Ray>, std::span<std::uint8_t>) {
+template <typename Answer>
+std::size_t ask_directly(const Engine&, const Accelerator&, std::span<const Ray>, std::span<Answer>) {
   return 0;
 }
 #endif
 
-void ask_closest(const Engine& engine, const Accelerator& accelerator, std::span<const Ray> rays,
-                 std::span<Hit> answers) {
-  switch (engine.asked) {
-    case Asked::singly:
-      for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = accelerator.closest_hit(rays[i]);
-      return;
-    case Asked::in_batches:
-      return for_batches(rays.size(), [&](std::size_t first, std::size_t count) {
-        accelerator.closest_hits(rays.subspan(first, count), answers.subspan(first, count));
-      });
-    default:
-      closest_directly(engine, accelerator, rays, answers);
-  }
+// The type of an answer says what is asked: a Hit for the closest one, a byte for any.
+
+void ask_one(const Accelerator& accelerator, const Ray& ray, Hit& answer) {
+  answer = accelerator.closest_hit(ray);
+}
+void ask_one(const Accelerator& accelerator, const Ray& ray, std::uint8_t& answer) {
+  answer = accelerator.any_hit(ray);
+}
+void ask_batch(const Accelerator& accelerator, std::span<const Ray> rays, std::span<Hit> answers) {
+  accelerator.closest_hits(rays, answers);
+}
+void ask_batch(const Accelerator& accelerator, std::span<const Ray> rays, std::span<std::uint8_t> answers) {
+  accelerator.any_hits(rays, answers);
 }
 
-void ask_any(const Engine& engine, const Accelerator& accelerator, std::span<const Ray> rays,
-             std::span<std::uint8_t> answers) {
+template <typename Answer>
+void ask(const Engine& engine, const Accelerator& accelerator, std::span<const Ray> rays,
+         std::span<Answer> answers) {
   switch (engine.asked) {
     case Asked::singly:
-      for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = accelerator.any_hit(rays[i]);
+      for (std::size_t i = 0; i < rays.size(); ++i) ask_one(accelerator, rays[i], answers[i]);
       return;
     case Asked::in_batches:
       return for_batches(rays.size(), [&](std::size_t first, std::size_t count) {
-        accelerator.any_hits(rays.subspan(first, count), answers.subspan(first, count));
+        ask_batch(accelerator, rays.subspan(first, count), answers.subspan(first, count));
       });
     default:
-      any_directly(engine, accelerator, rays, answers);
+      ask_directly(engine, accelerator, rays, answers);
   }
 }
 
@@ -110,8 +108,9 @@ void shoot_in_batches(const Accelerator& accelerator, RayKind kind, std::span<co
 
 void shoot_directly(const Engine& engine, const Accelerator& accelerator, RayKind kind,
                     std::span<const Ray> rays) {
-  benchmark::DoNotOptimize(kind == RayKind::shadow ? any_directly(engine, accelerator, rays, {})
-                                                   : closest_directly(engine, accelerator, rays, {}));
+  benchmark::DoNotOptimize(kind == RayKind::shadow
+                               ? ask_directly(engine, accelerator, rays, std::span<std::uint8_t>())
+                               : ask_directly(engine, accelerator, rays, std::span<Hit>()));
 }
 
 }  // namespace
@@ -120,11 +119,11 @@ std::vector<Hit> answers_of(const Engine& engine, const Accelerator& accelerator
                             std::span<const Ray> rays) {
   std::vector<Hit> hits(rays.size());
   if (kind != RayKind::shadow) {
-    ask_closest(engine, accelerator, rays, hits);
+    ask(engine, accelerator, rays, std::span(hits));
     return hits;
   }
   std::vector<std::uint8_t> blocked(rays.size());
-  ask_any(engine, accelerator, rays, blocked);
+  ask(engine, accelerator, rays, std::span(blocked));
   for (std::size_t i = 0; i < rays.size(); ++i)
     if (blocked[i]) hits[i].t = 0;
   return hits;

@@ -21,19 +21,13 @@ constexpr double bytes_per_primitive = 250;
 constexpr double share_of_memory = 0.25;
 /// No more building once all of a group's builds took this long.
 constexpr double enough_build_seconds = 4;
+/// From all over a set; with all it would take too long.
 constexpr std::size_t brute_force_rays = 16;
 
 std::size_t engines_at_a_time(std::size_t primitives) {
   const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
   const double each = bytes_per_primitive * double(std::max<std::size_t>(1, primitives));
   return std::size_t(std::clamp(share_of_memory * memory / each, 2.0, 64.0));
-}
-
-/// Some rays from all over a set, for engines that would take too long with all.
-std::vector<Ray> few_of(const std::vector<Ray>& rays) {
-  std::vector<Ray> few;
-  for (std::size_t i = 0; i < rays.size(); i += rays.size() / brute_force_rays + 1) few.push_back(rays[i]);
-  return few;
 }
 
 /// The baseline and some more engines, in memory at the same time.
@@ -72,7 +66,7 @@ class Group {
 
   void trace(std::size_t set) {
     const std::vector<Ray>& all = workload_.rays(set);
-    const std::vector<Ray> few = few_of(all);
+    const std::vector<Ray> few = every(all.size() / brute_force_rays + 1, all);
     std::vector<std::size_t> sound;  // The engines that may be timed.
     std::vector<Timed> timed;
     for (std::size_t i = 0; i < engines_.size(); ++i) {

@@ -32,14 +32,13 @@ std::size_t proof_step(std::size_t rays, std::size_t primitives) {
   return rays / proved + 1;
 }
 
-/// The first ray, and each `step` behind.
+}  // namespace
+
 std::vector<Ray> every(std::size_t step, const std::vector<Ray>& rays) {
   std::vector<Ray> some;
   for (std::size_t i = 0; i < rays.size(); i += step) some.push_back(rays[i]);
   return some;
 }
-
-}  // namespace
 
 Workload::Workload(const SceneSource& source, int width, int height)
     : source_(source), scene_(source.make()) {

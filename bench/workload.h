@@ -36,6 +36,9 @@ struct SceneSource {
   std::string file = {};  ///< Empty for a generated scene.
 };
 
+/// The first ray, and each `step` behind.
+std::vector<Ray> every(std::size_t step, const std::vector<Ray>& rays);
+
 class Workload {
  public:
   /// Makes the scene and records the rays of a picture of that size, one sample a pixel.
