@@ -7,14 +7,15 @@ from array import array
 from dataclasses import dataclass
 
 TILES = (16, 12)       # across and down
-TILE_TOLERANCE = 0.02  # of a tile's mean, and of this share of the picture's where the tile is darker
+TILE_TOLERANCE = 0.02  # of a tile's mean, or of DARK of the picture's mean where the tile is darker than that
+DARK = 0.25
 MEAN_TOLERANCE = 0.003
 
 
 @dataclass
 class Agreement:
     mean_ratio: float   # of the picture to that which it is compared with
-    tile_difference: float  # the largest of all tiles, relative
+    tile_difference: float  # the largest of all tiles, as TILE_TOLERANCE
 
     def is_good(self):
         return abs(self.mean_ratio - 1) < MEAN_TOLERANCE and self.tile_difference < TILE_TOLERANCE
@@ -56,7 +57,7 @@ def agreement(picture, other, mask, width, height):
     whole = sum(counts)
     mean = sum(value * count for value, count in zip(theirs, counts)) / whole
     mean_of_picture = sum(value * count for value, count in zip(ours, counts)) / whole
-    worst = max(abs(a - b) / max(b, mean / 4) for a, b in zip(ours, theirs))
+    worst = max(abs(a - b) / max(b, DARK * mean) for a, b in zip(ours, theirs))
     return Agreement(mean_of_picture / mean, worst)
 
 

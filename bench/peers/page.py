@@ -40,7 +40,7 @@ def work_seconds(entry, series):
 
 def rate(entry):
     """The power of the number of samples by which the error falls, from both series; 1 where that is not
-    known, and never less: no renderer here is worse than random numbers."""
+    known. Never below 1, for no renderer here is worse than random numbers, nor above 2."""
     few, many = sorted((entry.equal, entry.usual), key=lambda series: series.samples)
     ratio = statistics.mean(few.errors) / max(statistics.mean(many.errors), 1e-30)
     if few.samples == many.samples or ratio <= 0:
