@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Renders a scene in exchange form by Cycles; run by the Python that has Blender's module bpy, or by
 `blender --background --python cycles_render.py --`. Prints its version."""
-import argparse
 import os
 import sys
 
@@ -9,8 +8,9 @@ import bpy
 from mathutils import Matrix, Vector
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import task  # noqa: E402
 from cycles_scene import area_lamp_power, cycles_scene, faces_along_normals, sphere_mesh  # noqa: E402
-from exchange import Unsupported, read_ply, read_scene  # noqa: E402
+from exchange import read_ply  # noqa: E402
 
 
 def add_object(name, data, matrix=None):
@@ -115,25 +115,14 @@ def set_up(description, threads, output):
 
 
 def read_arguments():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("scene")
-    parser.add_argument("output")
-    parser.add_argument("--samples", type=int, default=64)
-    parser.add_argument("--depth", type=int, default=5)
-    parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--threads", type=int, default=1)
-    parser.add_argument("--size", type=int, nargs=2)
-    parser.add_argument("--roulette", action="store_true")
     words = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else sys.argv[1:]
-    return parser.parse_args(words)
+    return task.parser().parse_args(words)
 
 
 def main():
     arguments = read_arguments()
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    scene = read_scene(arguments.scene)
-    if arguments.size:
-        scene["resolution"] = arguments.size
+    scene = task.scene_of(arguments)
     description = cycles_scene(scene, arguments.samples, arguments.depth, arguments.seed, arguments.roulette)
     set_up(description, arguments.threads, arguments.output)
     add_camera(description["camera"])
@@ -146,7 +135,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Unsupported as error:
-        sys.exit(str(error))
+    task.run(main)

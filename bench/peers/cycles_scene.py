@@ -6,30 +6,23 @@ rectangle stands just behind it. Our depth m is Cycles' m - 1 bounces behind the
 """
 import math
 
-from exchange import Unsupported, cross, dot, read_ply, rectangle, scaled, subtract, unit
+from exchange import (Unsupported, columns_as_rows, cross, dot, half_size, has_inverse_square_law, light_of,
+                      read_ply, rectangle, scaled, subtract, unit)
 
 BEHIND = 1e-4  # the distance of the black rectangle, of the lamp's half width
 RINGS = 128    # of a sphere's mesh, each of twice as many faces
 
 
-def columns_as_rows(x, y, z, origin):
-    return [[x[k], y[k], z[k], origin[k]] for k in range(3)] + [[0, 0, 0, 1]]
-
-
 def camera(ours, resolution):
-    width, height = resolution
-    orthographic = ours["type"] == "orthographic"
-    half = [ours[("half_" if orthographic else "tan_half_") + side] for side in ("width", "height")]
-    if abs(half[0] / half[1] - width / height) > 1e-4 * width / height:
-        raise Unsupported("a camera with oblong pixels is not converted for Cycles")
+    half_width = half_size(ours, resolution, "Cycles")[0]
     if ours["lens_radius"] > 0:
         raise Unsupported("a camera with a lens is not converted for Cycles")
     result = {"matrix": columns_as_rows(ours["right"], ours["up"], scaled(ours["forward"], -1),
                                         ours["position"]),
               "clip_start": max(ours["clip_near"], 1e-4), "clip_end": ours.get("clip_far", 1e5)}
-    if orthographic:
-        return {**result, "type": "ORTHO", "ortho_scale": 2 * half[0]}
-    return {**result, "type": "PERSP", "angle_x": 2 * math.atan(half[0])}
+    if ours["type"] == "orthographic":
+        return {**result, "type": "ORTHO", "ortho_scale": 2 * half_width}
+    return {**result, "type": "PERSP", "angle_x": 2 * math.atan(half_width)}
 
 
 def shader(node, color, **inputs):
@@ -55,7 +48,7 @@ def area_lamp(found, radiance, flip):
     """The lamp, which emits along its -z axis. Its power is left to area_lamp_power()."""
     u = scaled(found.u, -1) if flip else found.u
     normal = unit(cross(u, found.v))
-    half_width, half_height = (math.sqrt(sum(x * x for x in side)) for side in (u, found.v))
+    half_width, half_height = (math.sqrt(dot(side, side)) for side in (u, found.v))
     area = 4 * half_width * half_height
     return {"matrix": columns_as_rows(scaled(unit(u), -1), unit(found.v), scaled(normal, -1), found.center),
             "size": 2 * half_width, "size_y": 2 * half_height,
@@ -70,7 +63,7 @@ def area_lamp_power(lamp, version):
 
 def point_lamp(light):
     """A point of Blender's power P has the radiant intensity P / (4 pi); measured: 5.0."""
-    if list(light["attenuation"].values()) != [0, 0, 1]:
+    if not has_inverse_square_law(light):
         raise Unsupported(f"Cycles has only the inverse square law, unlike the light \"{light['name']}\"")
     peak = max(light["intensity"])
     return {"position": light["position"], "energy": 4 * math.pi * peak,
@@ -133,8 +126,7 @@ def one_shape(shape, ours, light):
 def cycles_scene(scene, samples, depth, seed=0, roulette=False):
     shapes, points = [], []
     for shape in scene["shapes"]:
-        light = scene["lights"][shape["light"]] if "light" in shape else None
-        shapes.append(one_shape(shape, scene["materials"][shape["material"]], light))
+        shapes.append(one_shape(shape, scene["materials"][shape["material"]], light_of(scene, shape)))
     for light in scene["lights"]:
         if light["type"] == "point":
             points.append(point_lamp(light))

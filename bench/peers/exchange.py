@@ -51,6 +51,11 @@ def unit(a):
     return scaled(a, 1 / dot(a, a) ** 0.5)
 
 
+def columns_as_rows(x, y, z, origin):
+    """The transform whose columns are given, as rows."""
+    return [[x[k], y[k], z[k], origin[k]] for k in range(3)] + [[0, 0, 0, 1]]
+
+
 def read_scene(path):
     """The scene as its JSON file has it, each "file" as a whole path."""
     scene = json.loads(Path(path).read_text(encoding="utf-8"))
@@ -60,6 +65,26 @@ def read_scene(path):
         if "file" in entry:
             entry["file"] = str(Path(path).resolve().parent / entry["file"])
     return scene
+
+
+def light_of(scene, shape):
+    """The light that a shape is; None where it is none."""
+    return scene["lights"][shape["light"]] if "light" in shape else None
+
+
+def has_inverse_square_law(light):
+    law = light["attenuation"]
+    return (law["constant"], law["linear"], law["quadratic"]) == (0, 0, 1)
+
+
+def half_size(camera, resolution, peer):
+    """Half of what a camera sees across and down, at the distance 1 if it is a perspective one."""
+    kind = "half_" if camera["type"] == "orthographic" else "tan_half_"
+    half = (camera[kind + "width"], camera[kind + "height"])
+    aspect = resolution[0] / resolution[1]
+    if abs(half[0] / half[1] - aspect) > 1e-4 * aspect:
+        raise Unsupported(f"a camera with oblong pixels is not converted for {peer}")
+    return half
 
 
 def read_ply(path):

@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Renders a scene in exchange form by Mitsuba 3; run by the Python that has it. Prints its version."""
-import argparse
 import math
-import sys
 from array import array
 
 import drjit
 import mitsuba
 
 import exr
-from exchange import Unsupported, read_scene
+import task
 from mitsuba_scene import mitsuba_scene
 
 
@@ -27,17 +25,9 @@ def loadable(value):
 
 
 def read_arguments():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("scene")
-    parser.add_argument("output")
+    parser = task.parser()
     parser.add_argument("--variant", default="llvm_ad_rgb")
     parser.add_argument("--sampler", default="independent")
-    parser.add_argument("--samples", type=int, default=64)
-    parser.add_argument("--depth", type=int, default=5)
-    parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--threads", type=int, default=1)
-    parser.add_argument("--size", type=int, nargs=2)
-    parser.add_argument("--roulette", action="store_true")
     return parser.parse_args()
 
 
@@ -45,9 +35,7 @@ def main():
     arguments = read_arguments()
     mitsuba.set_variant(arguments.variant)
     drjit.set_thread_count(arguments.threads + 1)  # with one thread Mitsuba 3.9 never ends reading a picture
-    scene = read_scene(arguments.scene)
-    if arguments.size:
-        scene["resolution"] = arguments.size
+    scene = task.scene_of(arguments)
     description = mitsuba_scene(scene, arguments.samples, arguments.depth, arguments.sampler,
                                 arguments.seed, arguments.roulette)
     loaded = mitsuba.load_dict(loadable(description))
@@ -59,7 +47,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Unsupported as error:
-        sys.exit(str(error))
+    task.run(main)

@@ -4,7 +4,8 @@
 mitsuba_render.py gives it to Mitsuba. Our depth m is Mitsuba's max_depth m + 1, for it counts the light's
 vertex, too.
 """
-from exchange import Unsupported, cross, has_normals, read_ply, rectangle, unit
+from exchange import (Unsupported, columns_as_rows, cross, half_size, has_inverse_square_law, has_normals,
+                      light_of, read_ply, rectangle, scaled, unit)
 
 NO_ROULETTE = 1 << 20  # Mitsuba's roulette begins at a depth that no path has
 DEFAULT_ROULETTE = 5
@@ -14,29 +15,21 @@ def rgb(values):
     return {"type": "rgb", "value": list(values)}
 
 
-def columns_as_rows(x, y, z, origin):
-    """The transform whose columns are given, as rows."""
-    return [[x[k], y[k], z[k], origin[k]] for k in range(3)] + [[0, 0, 0, 1]]
-
-
 def camera(scene, samples, sampler, seed):
     ours = scene["camera"]
     width, height = scene["resolution"]
     orthographic = ours["type"] == "orthographic"
-    half = [ours[("half_" if orthographic else "tan_half_") + side] for side in ("width", "height")]
-    if abs(half[0] / half[1] - width / height) > 1e-4 * width / height:
-        raise Unsupported("Mitsuba has no camera with oblong pixels")
-    left = [-x for x in ours["right"]]  # Mitsuba's x axis points to the left
-    size = half[0] if orthographic else 1
-    sensor = {"to_world": columns_as_rows([size * x for x in left], [size * x for x in ours["up"]],
-                                          ours["forward"], ours["position"]),
+    half_width = half_size(ours, (width, height), "Mitsuba")[0]
+    size = half_width if orthographic else 1
+    sensor = {"to_world": columns_as_rows(scaled(ours["right"], -size),  # Mitsuba's x axis points to the left
+                                          scaled(ours["up"], size), ours["forward"], ours["position"]),
               "near_clip": max(ours["clip_near"], 1e-3), "far_clip": ours.get("clip_far", 1e4),
               "sampler": {"type": sampler, "sample_count": samples, "seed": seed},
               "film": {"type": "hdrfilm", "width": width, "height": height, "pixel_format": "rgb",
                        "component_format": "float32", "rfilter": {"type": "box"}}}
     if orthographic:
         return {"type": "orthographic", **sensor}
-    sensor["tan_half_width"] = half[0]
+    sensor["tan_half_width"] = half_width
     if ours["lens_radius"] > 0:
         return {"type": "thinlens", "aperture_radius": ours["lens_radius"],
                 "focus_distance": ours["focal_distance"], **sensor}
@@ -71,7 +64,7 @@ def mesh(shape, light):
     flip = light["side"] == "back"
     if found is None:
         return {"type": "ply", "filename": shape["file"], "face_normals": True, "flip_normals": flip}
-    u = [-x for x in found.u] if flip else found.u
+    u = scaled(found.u, -1) if flip else found.u
     return {"type": "rectangle",
             "to_world": columns_as_rows(u, found.v, unit(cross(u, found.v)), found.center)}
 
@@ -79,10 +72,6 @@ def mesh(shape, light):
 def spheres(shape):
     for x, y, z, radius in shape["spheres"]:
         yield {"type": "sphere", "center": [x, y, z], "radius": radius}
-
-
-def has_inverse_square_law(light):
-    return list(light["attenuation"].values()) == [0, 0, 1]
 
 
 def emitter(light):
@@ -101,7 +90,7 @@ def emitter(light):
 
 def shapes(scene):
     for shape in scene["shapes"]:
-        light = scene["lights"][shape["light"]] if "light" in shape else None
+        light = light_of(scene, shape)
         for entry in [mesh(shape, light)] if shape["type"] == "mesh" else spheres(shape):
             entry["bsdf"] = material(scene["materials"][shape["material"]])
             if light is not None:

@@ -27,6 +27,7 @@ import mitsuba_scene  # noqa: E402
 import page  # noqa: E402
 import peers  # noqa: E402
 import renderers  # noqa: E402
+import task  # noqa: E402
 
 PROGRAM = sys.argv.pop(1)
 CAMERA = {"type": "perspective", "position": [0, 1, 5], "right": [1, 0, 0], "up": [0, 1, 0],
@@ -96,6 +97,14 @@ class Exchange(Folder):
         for corners, faces in ((skew, [0, 1, 2, 0, 2, 3]), (DOWN, [0, 1, 2, 0, 1, 2]), (DOWN, [0, 1, 2])):
             mesh = exchange.Mesh(array("f", [x for corner in corners for x in corner]), array("I", faces))
             self.assertIsNone(exchange.rectangle(mesh))
+
+    def test_oblong_pixels_are_those_whose_sides_differ(self):
+        sizes = {"half_width": 8, "half_height": 4, "tan_half_width": 3, "tan_half_height": 2}
+        for kind, good, bad in (("orthographic", (40, 20), (30, 20)), ("perspective", (30, 20), (40, 20))):
+            camera = {"type": kind, **sizes}
+            self.assertEqual(exchange.half_size(camera, good, "X")[0], 8 if kind == "orthographic" else 3)
+            with self.assertRaisesRegex(exchange.Unsupported, "oblong pixels is not converted for X"):
+                exchange.half_size(camera, bad, "X")
 
     def test_another_version_is_refused(self):
         path = self.folder / "a.json"
@@ -350,6 +359,20 @@ class Page(unittest.TestCase):
         self.assertAlmostEqual(page.seconds_to(faster, faster.usual, 0.01), 1 + 2 * 4)
         slower = self.entry((64, 9, 1e-4), (16, 3, 2e-4))
         self.assertEqual(page.rate(slower), 1)
+
+
+class Scripts(Folder):
+    def test_the_scripts_of_the_peers_understand_what_they_are_told(self):
+        self.scene()
+        picture = renderers.Picture("a.dae", str(self.folder / "scene.json"), 40, 20, 7, 3)
+        for request in (renderers.Request("a.exr", 16, 9, True),
+                        renderers.Request("a.exr", 1, 2, False, (16, 12))):
+            told = task.parser().parse_args(renderers.common_words(picture, request))
+            self.assertEqual((told.scene, told.output), (picture.exchange, "a.exr"))
+            self.assertEqual((told.samples, told.seed, told.roulette),
+                             (request.samples, request.seed, request.roulette))
+            self.assertEqual((told.depth, told.threads), (7, 3))
+            self.assertEqual(task.scene_of(told)["resolution"], list(request.size or (40, 20)))
 
 
 class Runs(Folder):
