@@ -24,10 +24,6 @@ class Distribution {
 
   double total() const { return sums_.back(); }
   std::size_t size() const { return sums_.size() - 1; }
-  /// Of the weights before an index; of all at size().
-  double sum_before(std::size_t index) const { return sums_[index]; }
-  /// The last index that may be chosen.
-  std::size_t last() const { return last_; }
   /// The probability that `sample` chooses the index; 0 for weight zero, else at least 2^-126, so that it can
   /// be divided by.
   float probability(std::uint32_t index) const;

@@ -6,15 +6,14 @@
 #include <numeric>
 #include <optional>
 
-#include "core/area_vector.h"
+#include "core/mesh_area.h"
 #include "core/warp.h"
 
 namespace twinray {
 namespace {
 
 double area_of(const Mesh& mesh, std::uint32_t triangle) {
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  return 0.5 * AreaVector(mesh.positions[a], mesh.positions[b], mesh.positions[c]).length();
+  return area_vector(mesh, mesh.triangles[triangle]).area();
 }
 
 Vec3 vertex(const Mesh& mesh, std::uint32_t triangle, int corner) {
@@ -120,8 +119,7 @@ PatchLight patch_light(const Mesh& mesh, EmissionSide side, double area) {
     const auto [first, second] = patch.triangles;
     const double own = area_of(mesh, first) + (second != first ? area_of(mesh, second) : 0);
     patch.share = float(own / area);
-    patch.normal =
-        AreaVector(vertex(mesh, first, 0), vertex(mesh, first, 1), vertex(mesh, first, 2)).normal();
+    patch.normal = area_vector(mesh, mesh.triangles[first]).normal();
     if (light.patches.size() == PatchLight::most || patch.share < least_share) return {};
     light.patches.push_back(patch);
   }
@@ -137,8 +135,8 @@ PatchWeights::PatchWeights(const PatchLight& light, const Receiver& receiver) : 
     mean += probability(i);
   }
   const bool is_known = mean > 0 && std::isfinite(mean);
-  for (std::array<float, 4>& corners : corners_)
-    for (float& weight : corners)
+  for (std::size_t i = 0; i < light.patches.size(); ++i)
+    for (float& weight : corners_[i])
       weight = is_known ? (weight / mean + PatchLight::floor) * (1 / (1 + PatchLight::floor)) : 1;
 }
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <optional>
 
-#include "core/area_vector.h"
 #include "core/elementary.h"
 #include "core/environment.h"
 #include "core/frame.h"
+#include "core/mesh_area.h"
 #include "core/spawn_ray.h"
 #include "core/warp.h"
 
@@ -17,8 +17,7 @@ namespace {
 Distribution triangles_by_area(const Mesh& mesh) {
   std::vector<double> areas;
   areas.reserve(mesh.triangles.size());
-  for (const auto& [a, b, c] : mesh.triangles)
-    areas.push_back(0.5 * AreaVector(mesh.positions[a], mesh.positions[b], mesh.positions[c]).length());
+  for (const Triangle& triangle : mesh.triangles) areas.push_back(area_vector(mesh, triangle).area());
   return Distribution(areas);
 }
 

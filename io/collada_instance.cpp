@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/area_vector.h"
+#include "core/mesh_area.h"
 #include "io/cs184_normals.h"
 
 namespace twinray {
@@ -70,17 +70,12 @@ void drop_unused_vertices(Mesh& mesh) {
     for (std::uint32_t& i : triangle) i = moved[i];
 }
 
-Vec3 face_normal(const Mesh& mesh, const Triangle& triangle) {
-  const auto [a, b, c] = triangle;
-  return AreaVector(mesh.positions[a], mesh.positions[b], mesh.positions[c]).normal();
-}
-
 std::size_t fill_zero_normals(Mesh& mesh) {
   std::size_t filled = 0;
   for (std::size_t t = 0; t < mesh.normal_indices.size(); ++t)
     for (std::uint32_t& i : mesh.normal_indices[t]) {
       if (max_abs(mesh.normals[i]) > 0) continue;
-      mesh.normals.push_back(face_normal(mesh, mesh.triangles[t]));
+      mesh.normals.push_back(area_vector(mesh, mesh.triangles[t]).normal());
       i = std::uint32_t(mesh.normals.size() - 1);
       ++filled;
     }

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/area_vector.h"
+#include "core/mesh_area.h"
 #include "core/warp.h"
 
 namespace twinray {
@@ -13,8 +13,7 @@ namespace {
 
 double mesh_area(const Mesh& mesh) {
   double sum = 0;
-  for (const auto& [a, b, c] : mesh.triangles)
-    sum += AreaVector(mesh.positions[a], mesh.positions[b], mesh.positions[c]).length() / 2;
+  for (const Triangle& triangle : mesh.triangles) sum += area_vector(mesh, triangle).area();
   return sum;
 }
 

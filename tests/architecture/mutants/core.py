@@ -95,10 +95,9 @@ MUTANTS = [
            "film.pixel(layer, std::min(x, window.x1 - 1), std::min(y, window.y1 - 1)).mean()",
            "test_core", "a mean image has the window's pixels, from the top left"),
     Mutant("the light of a mesh is chosen by triangle, not by area", "core/light_set.cpp",
-           "areas.push_back(0.5 * AreaVector(mesh.positions[a], mesh.positions[b], "
-           "mesh.positions[c]).length());",
-           "areas.push_back(0.5 + 0 * double(a + b + c));",
-           "test_core", "a mesh light is sampled by area: the mean of 1 / density is its solid angle"),
+           "areas.push_back(area_vector(mesh, triangle).area());",
+           "areas.push_back(4 / 50.0 + 0 * double(triangle[0]));",
+           "test_core", "the mean of 1 / density of a mesh light of many triangles is its solid angle"),
     Mutant("a spot's falloff is linear", "core/light_set.cpp",
            "float(pow_of(std::max(cosine, 0.0), light.falloff_exponent))",
            "float(std::max(cosine, 0.0))",
