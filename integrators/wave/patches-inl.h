@@ -10,6 +10,7 @@
 
 #include "integrators/wave/lanes-inl.h"
 #include "integrators/wave/requests.h"
+#include "integrators/wave/wave.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
@@ -142,12 +143,23 @@ HWY_ATTR HWY_INLINE TriangleLanes point_of_patch(const LightPatch& patch, const 
                 triangle_lanes(triangles[1], above[second[1]], above[second[2]]));
 }
 
-HWY_ATTR void choose_of_patches(const PatchTable& table, const Surfaces& surfaces, LightSamples& samples,
+HWY_ATTR void weigh_patches(const PatchLight& light, const Surfaces& surfaces, std::size_t size,
+                            PatchCorners& corners) {
+  CornerLanes weights[PatchLight::most];
+  for (std::size_t i = 0; i < size; i += lane_count) {
+    weigh_corners(light, load(surfaces.point.position, i), load(surfaces.shading, i), weights);
+    for (std::size_t patch = 0; patch < light.patches.size(); ++patch)
+      for (std::size_t k = 0; k < 4; ++k) store(weights[patch].at[k], corners.weights[patch][k], i);
+  }
+}
+
+HWY_ATTR void choose_of_patches(const PatchTable& table, const PatchCorners& corners, LightSamples& samples,
                                 std::size_t size) {
   const PatchLight& light = *table.light;
   CornerLanes weights[PatchLight::most];
   for (std::size_t i = 0; i < size; i += lane_count) {
-    weigh_corners(light, load(surfaces.point.position, i), load(surfaces.shading, i), weights);
+    for (std::size_t patch = 0; patch < light.patches.size(); ++patch)
+      for (std::size_t k = 0; k < 4; ++k) weights[patch].at[k] = load(corners.weights[patch][k], i);
     const PatchChoice choice = choose_patch(light, weights, load(samples.ux, i));
     const SquareLanes square = choose_in_square(choice, load(samples.uy, i));
     TriangleLanes point = point_of_patch(light.patches[0], table.triangles[0], square);

@@ -223,6 +223,8 @@ void PathWave::sample_light(std::uint32_t light) {
   const std::uint32_t count = context_.transport.samples_of(light);
   MisRequest mis{.count = float(count)};
   if (context_.transport.method == DirectMethod::mis) mis.zone = context_.transport.lights.zone(light);
+  if (const PatchLight* patches = context_.patches[light].light)
+    stages_.weigh_patches(*patches, surfaces_, paths_.size, wave_.corners);
   for (std::uint32_t part = 0; part < count; ++part) {
     draw(Purpose::light_point, {part, count, light}, light_.ux, light_.uy);
     if (mesh)
@@ -239,7 +241,7 @@ void PathWave::sample_mesh_light(std::uint32_t light, const MeshLight& mesh) {
   const Distribution& triangles = context_.transport.lights.triangles(light);
   const PatchTable& patches = context_.patches[light];
   if (patches.light)
-    stages_.choose_of_patches(patches, surfaces_, light_, paths_.size);
+    stages_.choose_of_patches(patches, wave_.corners, light_, paths_.size);
   else
     choose_of_many(triangles, context_.shapes[mesh.shape]);
   stages_.sample_mesh_light(surfaces_, {mesh.radiance, mesh.side, triangles.total()}, light_, paths_.size);

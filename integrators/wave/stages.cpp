@@ -24,6 +24,7 @@ WaveStages stages() {
           draw,
           find_points,
           find_interactions,
+          weigh_patches,
           choose_of_patches,
           sample_mesh_light,
           sample_hemisphere,

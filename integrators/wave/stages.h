@@ -22,8 +22,10 @@ struct WaveStages {
   void (*find_points)(Surfaces&, std::size_t size);
   /// Surfaces -> shading, facing, wo_z: Interaction.
   void (*find_interactions)(const Paths&, Surfaces&);
-  /// Draws -> LightSamples::triangle, point.normal, point.offset, density: PatchWeights::choose.
-  void (*choose_of_patches)(const PatchTable&, const Surfaces&, LightSamples&, std::size_t size);
+  /// Surfaces -> what they receive of the light's corners: the constructor of PatchWeights.
+  void (*weigh_patches)(const PatchLight&, const Surfaces&, std::size_t size, PatchCorners&);
+  /// That and draws -> LightSamples::triangle, point.normal, point.offset, density: PatchWeights::choose.
+  void (*choose_of_patches)(const PatchTable&, const PatchCorners&, LightSamples&, std::size_t size);
   /// LightSamples::triangle, point.normal, point.offset, density -> the rest of them: LightSet::sample of a
   /// mesh light.
   void (*sample_mesh_light)(const Surfaces&, const MeshLightRequest&, LightSamples&, std::size_t size);

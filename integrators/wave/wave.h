@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/hit.h"
+#include "core/light_patch.h"
 #include "core/ray.h"
 #include "core/rgb.h"
 #include "core/sampler.h"
@@ -78,6 +79,11 @@ struct LightSamples {
   Floats t_max;
 };
 
+/// What each surface receives of the corners of a light's patches; of as many as it has.
+struct PatchCorners {
+  Floats weights[PatchLight::most][4];
+};
+
 /// What of it is scattered to the viewer.
 struct Connections {
   Columns3 scattered;      ///< f L |cos|; zero where nothing is.
@@ -93,6 +99,7 @@ struct Connections {
 struct Wave {
   Paths paths;
   Surfaces surfaces;
+  PatchCorners corners;
   LightSamples light;
   Connections connections;
   Floats ux, uy;          ///< Draws of a direction, or of roulette.
