@@ -56,11 +56,27 @@ TEST_CASE("a sphere is sampled within the solid angle it covers, and uniformly")
   CHECK(inverse_density(scene, 1).mean() == Approx(solid_angle).epsilon(rounding));
 }
 
-TEST_CASE("a mesh light is sampled by area: the mean of 1 / density is its solid angle") {
+TEST_CASE("the mean of 1 / density of a mesh light is its solid angle") {
   Mesh square = floor_square(1, 1);  // seen from two below its centre line
   for (Vec3& p : square.positions) p = p + Vec3{0.2f, 0, 0.3f};
   const SampleMean mean = inverse_density(scene_with(square), 2);
   // Of a square of half-width a at height h: 4 asin(a^2 / (a^2 + h^2)).
+  const double solid_angle = 4 * std::asin(1.0 / 5);
+  CHECK(z_test(mean, solid_angle) > sidak_level(1));
+  CHECK(seen_error(mean.standard_error(), sidak_level(1)) <= 0.01 * solid_angle);
+}
+
+TEST_CASE("the mean of 1 / density of a mesh light of many triangles is its solid angle") {
+  Mesh square;  // The same square, of 50 triangles whose areas differ by a factor of 10,000.
+  const float at[] = {-1, -0.98f, -0.9f, -0.5f, 0, 1};
+  for (const float z : at)
+    for (const float x : at) square.positions.push_back({x + 0.2f, 1, z + 0.3f});
+  for (std::uint32_t row = 0; row < 5; ++row)
+    for (std::uint32_t i = 6 * row; i < 6 * row + 5; ++i) {
+      square.triangles.push_back({i, i + 1, i + 7});
+      square.triangles.push_back({i, i + 7, i + 6});
+    }
+  const SampleMean mean = inverse_density(scene_with(square), 4);
   const double solid_angle = 4 * std::asin(1.0 / 5);
   CHECK(z_test(mean, solid_angle) > sidak_level(1));
   CHECK(seen_error(mean.standard_error(), sidak_level(1)) <= 0.01 * solid_angle);

@@ -144,6 +144,7 @@ TEST_CASE("a square light close to a floor lights it by its form factor, by mis 
   const Estimate by_both = estimate(scene, {.max_depth = 1}, options(4096));
   const Estimate by_lights = estimate(scene, {.max_depth = 1, .direct = DirectMethod::lights}, options(4096));
   check_mean(by_both, expected, 0.02);
+  check_mean(estimate(scene, {.max_depth = 1, .samples_per_light = 4}, options(4096)), expected, 0.02);
   CHECK(by_both.standard_error < by_lights.standard_error / 3);
 }
 
