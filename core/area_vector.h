@@ -22,6 +22,8 @@ struct AreaVector {
   bool is_zero() const { return x == 0 && y == 0 && z == 0; }
   /// Twice the triangle's area.
   double length() const { return std::sqrt(x * x + y * y + z * z); }
+  /// The triangle's area.
+  double area() const { return length() / 2; }
   /// The unit normal out of the triangle's front; of one without area, NaNs.
   Vec3 normal() const {
     const double scale = 1 / length();

@@ -57,7 +57,7 @@ class LightSet {
   /// Where a light should be looked for by scattered directions as well, since its samples are chosen badly:
   /// close to a mesh light, whose nearest part brings most, and everywhere for an environment.
   const Zone& zone(std::uint32_t light) const { return zones_[light]; }
-  /// Whether any light should be.
+  /// Whether a point lies in the zone of any light.
   bool is_in_a_zone(const Vec3& position) const;
 
   /// Light of one source at a point that is lit on the side of `normal`, its unit shading normal; black where

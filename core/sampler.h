@@ -11,7 +11,7 @@
 
 namespace twinray {
 
-/// What a draw is for. Appended to, never renumbered.
+/// What a draw is for; place_of() says where it is found.
 enum class Purpose : std::uint32_t {
   pixel,        ///< 2D: where in the pixel; at the camera.
   lens,         ///< 2D: where on the lens; at the camera.

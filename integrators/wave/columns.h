@@ -9,7 +9,7 @@
 
 namespace twinray {
 
-/// How many paths grow together, at most: what is known of them, some 500 bytes each, stays in the second
+/// How many paths grow together, at most: what is known of them, some 550 bytes each, stays in the second
 /// cache.
 inline constexpr std::size_t wave_size = 512;
 
