@@ -18,13 +18,10 @@ from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "bench" / "peers"))
-import compare  # noqa: E402
 import cycles_scene  # noqa: E402
 import exchange  # noqa: E402
 import exr  # noqa: E402
-import measure  # noqa: E402
 import mitsuba_scene  # noqa: E402
-import page  # noqa: E402
 import peers  # noqa: E402
 import renderers  # noqa: E402
 import task  # noqa: E402
@@ -93,8 +90,9 @@ class Exchange(Folder):
             self.assertEqual(exchange.cross(found.u, found.v), (0, -2, 0))
 
     def test_what_is_no_rectangle_is_none(self):
-        skew = [(0, 0, 0), (1, 0, 0), (1.5, 1, 0), (0.5, 1, 0)]
-        for corners, faces in ((skew, [0, 1, 2, 0, 2, 3]), (DOWN, [0, 1, 2, 0, 1, 2]), (DOWN, [0, 1, 2])):
+        skew, hardly = ([(0, 0, 0), (1, 0, 0), (1 + x, 1, 0), (x, 1, 0)] for x in (0.5, 0.001))
+        for corners, faces in ((skew, [0, 1, 2, 0, 2, 3]), (hardly, [0, 1, 2, 0, 2, 3]),
+                               (DOWN, [0, 1, 2, 0, 1, 2]), (DOWN, [0, 1, 2])):
             mesh = exchange.Mesh(array("f", [x for corner in corners for x in corner]), array("I", faces))
             self.assertIsNone(exchange.rectangle(mesh))
 
@@ -149,6 +147,21 @@ class Mitsuba(Folder):
             self.assertEqual([row[3] for row in shape["to_world"]], [0, 3, 0, 1])
             self.assertEqual(shape["emitter"]["radiance"]["value"], [10, 5, 0])
 
+    def test_cameras_with_a_lens_and_without_perspective(self):
+        lens = self.convert(self.scene(lens_radius=0.1, focal_distance=3))["sensor"]
+        self.assertEqual(lens["type"], "thinlens")
+        self.assertEqual((lens["aperture_radius"], lens["focus_distance"]), (0.1, 3))
+        flat = self.convert(self.scene(type="orthographic", half_width=4, half_height=2))["sensor"]
+        self.assertEqual(flat["type"], "orthographic")
+        self.assertEqual(flat["to_world"], [[-4, 0, 0, 0], [0, 4, 0, 1], [0, 0, -1, 5], [0, 0, 0, 1]])
+
+    def test_an_emitting_mesh_faces_as_ours(self):
+        for side, flip in (("front", False), ("back", True)):
+            scene = self.lamp(side=side)
+            (self.folder / "lamp.ply").write_bytes(ply(DOWN[:3], [(0, 1, 2)]))
+            shape = self.convert(scene)["shape_0"]
+            self.assertEqual((shape["type"], shape["flip_normals"]), ("ply", flip))
+
     def test_a_mesh_without_normals_is_flat(self):
         for normals in ((), [(0, 0, 1)] * 3):
             (self.folder / "a.ply").write_bytes(ply(DOWN[:3], [(0, 1, 2)], normals))
@@ -200,12 +213,20 @@ class Cycles(Folder):
             shape, = self.convert(self.lamp(side=side))["shapes"]
             lamp = shape["lamp"]
             self.assertEqual([row[2] for row in lamp["matrix"]][:3], [0, -y, 0])  # it shines along -z
-            self.assertEqual({lamp["size"], lamp["size_y"]}, {2, 4})
+            x, y_axis, z, center = (tuple(row[k] for row in lamp["matrix"][:3]) for k in range(4))
+            self.assertEqual(exchange.cross(x, y_axis), z)
+            corners = {tuple(c + i * lamp["size"] / 2 * a + j * lamp["size_y"] / 2 * b
+                             for a, b, c in zip(x, y_axis, center)) for i in (-1, 1) for j in (-1, 1)}
+            self.assertEqual(corners, set(DOWN))
             self.assertEqual(lamp["color"], [1, 0.5, 0])
             self.assertGreater(-y * lamp["behind"][1], 0)
             self.assertEqual(shape["material"]["inputs"]["Color"], [0, 0, 0, 1])
             self.assertEqual(cycles_scene.area_lamp_power(lamp, (3, 4, 1)), 4 * 8 * 10)
             self.assertAlmostEqual(cycles_scene.area_lamp_power(lamp, (5, 0, 1)), math.pi * 8 * 10)
+
+    def test_an_orthographic_camera_sees_its_whole_width(self):
+        made = self.convert(self.scene(type="orthographic", half_width=4, half_height=2))["camera"]
+        self.assertEqual((made["type"], made["ortho_scale"]), ("ORTHO", 8))
 
     def test_both_sides_of_a_mesh_emit_by_its_material(self):
         shape, = self.convert(self.lamp(side="both"))["shapes"]
@@ -296,69 +317,6 @@ class Pictures(Folder):
         (self.folder / "a.exr").write_bytes(b"no picture")
         with self.assertRaisesRegex(ValueError, "no OpenEXR file"):
             exr.read(self.folder / "a.exr")
-
-
-class Comparison(unittest.TestCase):
-    def noisy(self, rng, sigma, level=1.0, count=3 * 160 * 120):
-        return array("f", (level + rng.gauss(0, sigma) for _ in range(count)))
-
-    def test_the_noise_of_references_is_no_error(self):
-        rng = random.Random(3)
-        picture, one, other = self.noisy(rng, 0.1), self.noisy(rng, 0.2), self.noisy(rng, 0.2)
-        found = compare.error(picture, one, other, [True] * (160 * 120))
-        self.assertAlmostEqual(found, 0.01, delta=0.001)  # each reference alone would add 0.04
-
-    def test_a_bias_is_an_error(self):
-        rng = random.Random(4)
-        picture, one, other = (self.noisy(rng, 0.1, level) for level in (1.3, 1, 1))
-        self.assertAlmostEqual(compare.error(picture, one, other, [True] * (160 * 120)), 0.1, delta=0.003)
-
-    def test_pixels_beside_a_light_are_left_out(self):
-        picture = array("f", [0.1] * 3 * 25)
-        picture[3 * 7 + 1] = 10  # x 2, y 1
-        mask = compare.without_lights([picture], 5, 5, 2)
-        self.assertEqual([i for i, kept in enumerate(mask) if not kept], [1, 2, 3, 6, 7, 8, 11, 12, 13])
-
-    def test_pictures_agree_unless_the_mean_or_a_tile_differs(self):
-        rng = random.Random(5)
-        mask = [True] * (160 * 120)
-        one = self.noisy(rng, 0.01)
-        self.assertTrue(compare.agreement(self.noisy(rng, 0.01), one, mask, 160, 120).is_good())
-        brighter = compare.agreement(self.noisy(rng, 0.01, 1.01), one, mask, 160, 120)
-        self.assertAlmostEqual(brighter.mean_ratio, 1.01, delta=0.001)
-        self.assertFalse(brighter.is_good())
-        spotted = self.noisy(rng, 0.01)
-        for y in range(20, 30):
-            for i in range(3 * (160 * y + 30), 3 * (160 * y + 40)):
-                spotted[i] += 0.04
-        self.assertFalse(compare.agreement(spotted, one, mask, 160, 120).is_good())
-        spotted_mean = compare.agreement(spotted, one, mask, 160, 120).mean_ratio
-        self.assertAlmostEqual(spotted_mean, 1, delta=0.001)
-
-    def test_a_picture_is_taken_out_of_a_mean(self):
-        pictures = [array("f", [1, 2]), array("f", [3, 6]), array("f", [5, 1])]
-        mean = compare.mean_picture(pictures)
-        self.assertEqual(list(compare.mean_without(mean, 3, pictures[2])), [2, 4])
-
-
-class Page(unittest.TestCase):
-    def entry(self, *series):
-        """Of a renderer that starts in 1 CPU second, and these (samples, CPU seconds, error)."""
-        entry = peers.Entry(None, [measure.Cost(1, 1, "")])
-        entry.equal, entry.usual = (
-            peers.Series(samples, [measure.Cost(seconds, 1, "")], [], [error])
-            for samples, seconds, error in series)
-        return entry
-
-    def test_seconds_to_an_error_follow_how_fast_it_falls(self):
-        random_numbers = self.entry((64, 9, 4e-4), (64, 5, 8e-4))
-        self.assertAlmostEqual(page.seconds_to(random_numbers, random_numbers.equal, 0.01), 1 + 8 * 4)
-        self.assertAlmostEqual(page.seconds_to(random_numbers, random_numbers.usual, 0.01), 1 + 4 * 8)
-        faster = self.entry((64, 9, 1e-4), (16, 3, 8e-4))
-        self.assertAlmostEqual(page.rate(faster), 1.5)
-        self.assertAlmostEqual(page.seconds_to(faster, faster.usual, 0.01), 1 + 2 * 4)
-        slower = self.entry((64, 9, 1e-4), (16, 3, 2e-4))
-        self.assertEqual(page.rate(slower), 1)
 
 
 class Scripts(Folder):
