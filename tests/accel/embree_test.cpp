@@ -67,7 +67,11 @@ TEST_CASE("embree-native called directly hits what it hits through the interface
 TEST_CASE("packets and streams of embree-native find what its single rays find") {
   using embree::Call;
   const auto geometry = share({soup(300, 0.3f, 1), soup(300, 0.2f, 3)});
-  const auto witness = native(geometry);
+  // Debian's Embree 3.13 traces all rays of a packet with AVX2, and the active ones only with AVX-512, which
+  // it chooses by default where the machine has it.
+  const std::string isa = GENERATE(as<std::string>(), "avx2", "default");
+  CAPTURE(isa);
+  const auto witness = native(geometry, {.embree_isa = isa});
   std::vector<Ray> rays = random_rays(2003, geometry->bounds(), 4);  // The last packets are not full.
   for (std::size_t i = 0; i < rays.size(); i += 3) rays[i].t_max = 0.5f;
   std::vector<Hit> expected;

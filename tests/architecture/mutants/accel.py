@@ -188,4 +188,7 @@ MUTANTS = [
     Mutant("packets see rays without their ends", "accel/embree/direct.cpp",
            "packet.tfar[lane] = ray.t_max + 0.0f;", "packet.tfar[lane] = 1e30f;",
            TARGET, PACKETS),
+    Mutant("a packet's last ray is not active", "accel/embree/direct.cpp",
+           "lane < count ? -1 : 0", "lane + 1 < count ? -1 : 0",
+           TARGET, PACKETS),
 ]
