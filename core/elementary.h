@@ -3,6 +3,8 @@
 // whatever reaches a pixel or a decision must not. Each states its largest error over its range, and a test
 // holds it to that.
 #pragma once
+#include <bit>
+#include <cstdint>
 
 namespace twinray {
 
@@ -29,6 +31,41 @@ inline SinCos sincos_turns(float turns) {
     default:
       return {0 - cosine, sine};
   }
+}
+
+/// e^x. Relative error below 2^-22 for x in [-87, 88]; 0 below, and as at 88 above.
+inline float exp_of(float x) {
+  if (!(x >= -87)) return 0;
+  const float bounded = x < 88 ? x : 88;
+  const int power = int(bounded * 1.44269504f + (bounded < 0 ? -0.5f : 0.5f));
+  // ln 2 in two parts, so that the first product is exact.
+  const float r = (bounded - float(power) * 0.693359375f) + float(power) * 2.12194440e-4f;
+  const float tail =
+      0.5f + r * (0.16666598f + r * (0.0416665035f + r * (0.00835987286f + r * 0.00139295951f)));
+  return (1 + (r + r * r * tail)) * std::bit_cast<float>(std::uint32_t(power + 127) << 23);
+}
+
+/// The natural logarithm of a normal x > 0. Relative error below 2^-21.
+inline float log_of(float x) {
+  // x = m 2^power with m in [sqrt(1/2), sqrt(2)); log(m) = 2 atanh((m - 1) / (m + 1)).
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(x);
+  const std::uint32_t shift = (bits - 0x3f3504f3u) & 0xff800000u;
+  const float m = std::bit_cast<float>(bits - shift);
+  const float s = (m - 1) / (m + 1), z = s * s;
+  const float series = 2 * s + 2 * s * z * (1.0f / 3 + z * (1.0f / 5 + z * (1.0f / 7 + z * (1.0f / 9))));
+  return float(std::int32_t(shift) >> 23) * 0.693147181f + series;
+}
+
+/// The complementary error function of x >= 0. Absolute error below 2^-21.
+inline float erfc_of(float x) {
+  const float t = 1 / (1 + 0.3275911f * x);
+  const float series =
+      0.18481207f +
+      t * (0.184556006f +
+           t * (0.183661286f +
+                t * (0.0905037280f +
+                     t * (0.346487486f + t * (-0.306111573f + t * (0.446947452f + t * -0.130856481f))))));
+  return t * series * exp_of(-x * x);
 }
 
 /// In double, for set-up work (cameras, scene files). |x| up to 10^4 radians, NaN beyond. Relative error

@@ -80,6 +80,30 @@ TEST_CASE("quarter turns are exact") {
   }
 }
 
+TEST_CASE("exp, log and erfc in float are within their stated errors") {
+  Worst exp, log;
+  double erfc = 0;
+  for (int i = 0; i <= sweep; ++i) {
+    const float part = float(i) / sweep;
+    const float power = -87 + 175 * part;
+    exp.see(exp_of(power), std::exp((long double)power));
+    const float x = exp_of(power), close_to_1 = 0.5f + part;
+    if (x != 1) log.see(log_of(x), std::log((long double)x));
+    if (close_to_1 != 1) log.see(log_of(close_to_1), std::log((long double)close_to_1));
+    const float distance = 10 * part;
+    erfc = std::max(erfc, double(std::fabs(erfc_of(distance) - std::erfc((long double)distance))));
+  }
+  CHECK(exp.error < 0x1p-22);
+  CHECK(log.error < 0x1p-21);
+  CHECK(erfc < 0x1p-21);
+  CHECK(exp_of(0) == 1);
+  CHECK(exp_of(-88) == 0);
+  CHECK(exp_of(NAN) == 0);
+  CHECK(exp_of(1e30f) == exp_of(88));
+  CHECK(log_of(1) == 0);
+  CHECK(erfc_of(1e10f) == 0);
+}
+
 TEST_CASE("sine, cosine and tangent are within their stated errors") {
   test::Random random(11);
   Worst sine, cosine, tangent;
