@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "core/rgb.h"
+#include "core/vec.h"
+
+namespace twinray {
+
+/// A direction in which light is scattered, in the frame of core/bsdf.h.
+struct BsdfSample {
+  Vec3 wi;
+  Rgb value;      ///< The BSDF f(wo, wi); of a delta direction the factor of its light, over |cos(wi)|.
+  float pdf = 0;  ///< Per solid angle; of a delta direction its probability. 0: nothing is scattered.
+  bool is_delta = false;  ///< Whether no other direction near wi is scattered to: a mirror's.
+  float eta = 1;          ///< Index of refraction on the side of wi, to that on the side of wo.
+};
+
+}  // namespace twinray

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rough surfaces as heights whose small facets are smooth mirrors or boundaries. What such a surface scatters
+// depends on how its facets are oriented (D), how much of them a direction sees (G) and what one of them
+// reflects (core/fresnel.h).
+//
+// Directions and facet normals are unit vectors with z along the surface's normal.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "core/elementary.h"
+#include "core/vec.h"
+#include "core/warp.h"
+
+namespace twinray {
+
+/// Facets distributed as on an ellipsoid: GGX (Walter et al. 2007), which is Trowbridge and Reitz's (1975);
+/// Smith's masking. Alphas along x and y, > 0; 1 is very rough.
+class Ggx {
+ public:
+  Ggx(float alpha_x, float alpha_y) : x_(alpha_x), y_(alpha_y) {}
+  explicit Ggx(float alpha) : Ggx(alpha, alpha) {}
+
+  float alpha_x() const { return x_; }
+  float alpha_y() const { return y_; }
+
+  /// The area of facets with the normal m, per solid angle and per area of the surface: the integral of
+  /// D(m) m.z is 1. m.z >= 0.
+  float density(const Vec3& m) const {
+    const float x = m.x / x_, y = m.y / y_;
+    const float ellipsoid = x * x + y * y + m.z * m.z;
+    return 1 / (pi * x_ * y_ * ellipsoid * ellipsoid);
+  }
+  /// The area that w sees hidden, relative to what it sees (Smith's Lambda, Heitz 2014). w.z != 0.
+  float lambda(const Vec3& w) const {
+    const float x = x_ * w.x, y = y_ * w.y;
+    const float slope2 = (x * x + y * y) / (w.z * w.z);
+    // (sqrt(1 + s) - 1) / 2 without the loss of digits for small s.
+    return 0.5f * slope2 / (1 + std::sqrt(1 + slope2));
+  }
+  /// The part of the facets' area towards w that is not hidden from w.
+  float masking(const Vec3& w) const { return 1 / (1 + lambda(w)); }
+  /// The part that neither of two directions, on one side or on two, has hidden: correlated by height, since
+  /// high facets are seen from everywhere.
+  float shadowing_masking(const Vec3& wo, const Vec3& wi) const { return 1 / (1 + lambda(wo) + lambda(wi)); }
+
+  /// The density, per solid angle, of the normals that w (w.z > 0) sees: G1(w) max(0, w.m) D(m) / w.z.
+  float visible_density(const Vec3& w, const Vec3& m) const {
+    return masking(w) * std::max(0.0f, dot(w, m)) * density(m) / w.z;
+  }
+  /// A normal with that density, from u in the unit square: stretched to a half-sphere, the normals are half
+  /// way between w and a uniform spherical cap (Dupuy and Benyoub, "Sampling Visible GGX Normals with
+  /// Spherical Caps", 2023).
+  Vec3 sample_visible(const Vec3& w, Vec2 u) const {
+    const Vec3 stretched = normalize({x_ * w.x, y_ * w.y, w.z});
+    const float z = (1 - u.y) * (1 + stretched.z) - stretched.z;
+    const float r = std::sqrt(std::max(0.0f, (1 - z) * (1 + z)));
+    const SinCos angle = sincos_turns(u.x);
+    const Vec3 m{x_ * (r * angle.cos + stretched.x), y_ * (r * angle.sin + stretched.y),
+                 std::max(0.0f, z + stretched.z)};
+    const float length2 = length_squared(m);
+    return length2 > 0 ? m / std::sqrt(length2) : Vec3{0, 0, 1};
+  }
+
+ private:
+  float x_, y_;
+};
+
+/// The mirror image of w at the facet normal m: both point away from the facet.
+constexpr Vec3 reflected(const Vec3& w, const Vec3& m) { return 2 * dot(w, m) * m - w; }
+
+}  // namespace twinray
