@@ -142,7 +142,6 @@ bool print_verdict(const std::vector<Row>& rows) {
 /// The options as they are read.
 struct AgreementRequest {
   AgreementArguments arguments;
-  std::vector<int> resolution{arguments.options.width, arguments.options.height};
   bool plant_difference = false;
 };
 
@@ -152,7 +151,7 @@ void add_options(CLI::App& app, AgreementRequest& request) {
   add_scenes(app, arguments.scenes,
              "Scene files; without any, all of the source tree and of the folder\nTWINRAY_SCENES");
   OptionGroup group(app, "Options");
-  add_resolution(group, request.resolution, "Width and height in pixels");
+  add_resolution(group, options.width, options.height, "Width and height in pixels");
   group.add_number({"-s,--samples", "N", "Samples per pixel"}, options.samples, sample_counts);
   group.add_number({"--seed", "N", "Another seed, other rays"}, options.seed, seeds);
   group.add_choice<std::vector<View>>(
@@ -171,8 +170,6 @@ std::function<AgreementArguments()> add_agreement_options(CLI::App& app) {
   add_options(app, *request);
   return [request] {
     AgreementArguments arguments = request->arguments;
-    arguments.options.width = request->resolution[0];
-    arguments.options.height = request->resolution[1];
     if (request->plant_difference) arguments.options.engines.push_back(differing_engine());
     return arguments;
   };

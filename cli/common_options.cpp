@@ -21,10 +21,9 @@ Camera camera_of(const Scene& scene, View view, int width, int height) {
   return view_whole(fit_frame(scene.camera, width, height), scene.geometry->bounds());
 }
 
-void add_resolution(OptionGroup& group, std::vector<int>& width_and_height, const std::string& description) {
-  group.add_numbers(
-      {"-r,--resolution", "W H", fmt::format("{} ({})", description, fmt::join(width_and_height, " "))}, 2,
-      width_and_height, frame_sides);
+void add_resolution(OptionGroup& group, int& width, int& height, const std::string& description) {
+  group.add_pair({"-r,--resolution", "W H", fmt::format("{} ({} {})", description, width, height)}, width,
+                 height, frame_sides);
 }
 
 void add_view(OptionGroup& group, View& view) {

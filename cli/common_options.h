@@ -27,7 +27,7 @@ inline constexpr Range<std::uint32_t> light_sample_counts{1, 65536};
 inline constexpr Range<int> thread_counts{1, 1024};
 
 /// The help gives width and height as they are.
-void add_resolution(OptionGroup& group, std::vector<int>& width_and_height, const std::string& description);
+void add_resolution(OptionGroup& group, int& width, int& height, const std::string& description);
 void add_view(OptionGroup& group, View& view);
 void add_threads(OptionGroup& group, int& threads);
 

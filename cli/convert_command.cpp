@@ -15,18 +15,12 @@
 namespace twinray {
 namespace {
 
-/// The options as they are read.
-struct ConvertRequest {
-  ConvertArguments arguments;
-  std::vector<int> resolution{arguments.frame.width, arguments.frame.height};
-};
-
-void add_options(CLI::App& app, ConvertRequest& request) {
-  ConvertArguments& arguments = request.arguments;
+void add_options(CLI::App& app, ConvertArguments& arguments) {
   add_scene(app, arguments.scene);
   add_output(app, "OUT.json", arguments.output, "The JSON file; files of the meshes go beside it");
   OptionGroup group(app, "Options");
-  add_resolution(group, request.resolution, "Of the picture that the camera is for");
+  add_resolution(group, arguments.frame.width, arguments.frame.height,
+                 "Of the picture that the camera is for");
   add_view(group, arguments.view);
   group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id"},
                  arguments.load.camera_name);
@@ -57,13 +51,9 @@ Scene load(const ConvertArguments& arguments) {
 }  // namespace
 
 std::function<ConvertArguments()> add_convert_options(CLI::App& app) {
-  const auto request = std::make_shared<ConvertRequest>();
-  add_options(app, *request);
-  return [request] {
-    ConvertArguments arguments = request->arguments;
-    arguments.frame = {request->resolution[0], request->resolution[1]};
-    return arguments;
-  };
+  const auto arguments = std::make_shared<ConvertArguments>();
+  add_options(app, *arguments);
+  return [arguments] { return *arguments; };
 }
 
 int convert_command(const ConvertArguments& arguments) {

@@ -33,12 +33,13 @@ struct Cs184Request {
     arguments.load.interpretation = Interpretation::cs184;
     arguments.quiet = true;
     arguments.output.clear();
+    arguments.render.width = 800;
+    arguments.render.height = 600;
     arguments.render.samples = 1;
     arguments.render.threads = 1;
     arguments.render.counting = true;
     arguments.path.max_depth = 1;
     arguments.path.direct = DirectMethod::lights;
-    render.resolution = {800, 600};
     render.roulette = "0.7";
     render.accel = "bvh";
   }
@@ -60,7 +61,7 @@ void add_bounce_letters(OptionGroup& group, Cs184Request& request) {
 
 void add_picture_letters(OptionGroup& group, Cs184Request& request) {
   RenderArguments& arguments = request.render.arguments;
-  group.add_numbers({"-r", "INT INT", ""}, 2, request.render.resolution, frame_sides);
+  group.add_pair({"-r", "INT INT", ""}, arguments.render.width, arguments.render.height, frame_sides);
   group.add_numbers({"-p", "INT INT INT INT", ""}, 4, request.cell, cell_numbers);
   group.add_number({"-b", "FLOAT", ""}, request.lens_radius, lens_lengths);
   group.add_number({"-d", "FLOAT", ""}, request.focal_distance, lens_lengths);

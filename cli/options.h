@@ -101,6 +101,16 @@ class OptionGroup {
     });
   }
 
+  /// An option of two numbers.
+  template <typename T>
+  void add_pair(const OptionText& text, T& first, T& second, const Range<T>& range) {
+    const std::string option = long_name(text.names);
+    add_words(text, 2, [&first, &second, option, range](const Words& words) {
+      first = parse_number(option, words[0], range);
+      second = parse_number(option, words[1], range);
+    });
+  }
+
   /// An option whose value is one of a few words; its help ends with the target's word, the default, where
   /// one stands for it. In place of the words `value` may stand for them.
   template <typename T>

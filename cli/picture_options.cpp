@@ -30,7 +30,7 @@ void add_picture_options(CLI::App& app, RenderRequest& request) {
 void add_frame_options(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, group_name);
   RenderArguments& arguments = request.arguments;
-  add_resolution(group, request.resolution, "Width and height in pixels");
+  add_resolution(group, arguments.render.width, arguments.render.height, "Width and height in pixels");
   constexpr Range<int> any{std::numeric_limits<int>::min(), std::numeric_limits<int>::max()};
   group.add_numbers({"-p,--crop", "X Y W H", "Only this part of the frame, from its top left"}, 4,
                     request.crop, any);
@@ -44,8 +44,6 @@ void add_frame_options(CLI::App& app, RenderRequest& request) {
 
 void resolve_picture(const RenderRequest& request, RenderArguments& arguments) {
   RenderOptions& render = arguments.render;
-  render.width = request.resolution[0];
-  render.height = request.resolution[1];
   if (!request.crop.empty()) render.window = window_of(request.crop, render.width, render.height);
 }
 

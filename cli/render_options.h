@@ -15,7 +15,6 @@ namespace twinray {
 /// others stand beside the arguments.
 struct RenderRequest {
   RenderArguments arguments;
-  std::vector<int> resolution{arguments.render.width, arguments.render.height};
   std::vector<int> crop;  ///< X Y W H; empty: none.
   Words adaptive;         ///< Batch and tolerance; empty: none.
   std::optional<AdaptiveRule> adaptive_rule;

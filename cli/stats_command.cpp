@@ -19,19 +19,12 @@
 namespace twinray {
 namespace {
 
-/// The options as they are read.
-struct StatsRequest {
-  StatsArguments arguments;
-  std::vector<int> resolution{arguments.options.recording.width, arguments.options.recording.height};
-};
-
-void add_options(CLI::App& app, StatsRequest& request) {
-  StatsArguments& arguments = request.arguments;
+void add_options(CLI::App& app, StatsArguments& arguments) {
+  Recording& recording = arguments.options.recording;
   add_scene(app, arguments.scene);
   OptionGroup group(app, "Options");
-  add_resolution(group, request.resolution, "Of the picture whose rays are shot");
-  group.add_number({"-s,--samples", "N", "Samples per pixel"}, arguments.options.recording.samples,
-                   sample_counts);
+  add_resolution(group, recording.width, recording.height, "Of the picture whose rays are shot");
+  group.add_number({"-s,--samples", "N", "Samples per pixel"}, recording.samples, sample_counts);
   add_view(group, arguments.view);
   add_threads(group, arguments.options.threads);
   group.add_word({"--csv", "FILE", "Write the statistics as a table for other programs"}, arguments.csv_file);
@@ -56,14 +49,9 @@ std::vector<std::string> output_files(const StatsArguments& arguments) {
 }  // namespace
 
 std::function<StatsArguments()> add_stats_options(CLI::App& app) {
-  const auto request = std::make_shared<StatsRequest>();
-  add_options(app, *request);
-  return [request] {
-    StatsArguments arguments = request->arguments;
-    arguments.options.recording.width = request->resolution[0];
-    arguments.options.recording.height = request->resolution[1];
-    return arguments;
-  };
+  const auto arguments = std::make_shared<StatsArguments>();
+  add_options(app, *arguments);
+  return [arguments] { return *arguments; };
 }
 
 int stats_command(const StatsArguments& arguments) {
