@@ -39,13 +39,6 @@ OutputNames partial_names(const OutputNames& names) {
   return {partial(names.csv), partial(names.html)};
 }
 
-std::vector<std::string> given(std::initializer_list<std::string> names) {
-  std::vector<std::string> all;
-  for (const std::string& name : names)
-    if (!name.empty()) all.push_back(name);
-  return all;
-}
-
 error::FrameSize frame_size(const RenderOptions& options) {
   const PixelRect window = options.window.value_or(PixelRect{0, 0, options.width, options.height});
   return {window.width(), window.height()};
@@ -73,7 +66,7 @@ class ErrorRun {
         line_(progress_line(!arguments.quiet)) {}
 
   int run() {
-    prepare_outputs(given({names_.csv, names_.html, arguments_.save_reference, saved_noise()}));
+    prepare_outputs(given_names({names_.csv, names_.html, arguments_.save_reference, saved_noise()}));
     check_memory(memory_needs(arguments_));
     warn_of_options();
     if (!arguments_.reference.empty() || !arguments_.save_reference.empty()) load_image_codec_early();
@@ -90,11 +83,11 @@ class ErrorRun {
     return arguments_.save_reference.empty() ? "" : error::noise_name(arguments_.save_reference);
   }
   std::vector<std::string> all_outputs() const {
-    return given(
+    return given_names(
         {names_.csv, names_.html, partial_.csv, partial_.html, arguments_.save_reference, saved_noise()});
   }
   void warn_of_options() const {
-    for (const std::string& name : given({arguments_.reference, arguments_.save_reference}))
+    for (const std::string& name : given_names({arguments_.reference, arguments_.save_reference}))
       error::check_reference_name(name);
     for (const error::OptionSet& set : arguments_.sets)
       for (const std::string& warning : set.arguments.without_effect)
@@ -168,7 +161,7 @@ class ErrorRun {
   }
   /// "; the table, a_partial.csv hold what there is"
   std::string holders() const {
-    std::vector<std::string> names = given({partial_.csv, partial_.html});
+    std::vector<std::string> names = given_names({partial_.csv, partial_.html});
     if (!arguments_.quiet) names.insert(names.begin(), "the table");
     if (names.empty()) return "";
     return fmt::format("; {} {} what there is", fmt::join(names, ", "), names.size() == 1 ? "holds" : "hold");

@@ -17,6 +17,11 @@ void prepare_outputs(const std::vector<std::string>& names) {
   if (std::any_of(names.begin(), names.end(), is_standard_output)) console::keep_output_for_data();
 }
 
+std::vector<std::string> given_names(std::vector<std::string> names) {
+  std::erase(names, "");
+  return names;
+}
+
 std::string name_beside(const std::string& name, const std::string& ending) {
   return std::filesystem::path(name).replace_extension().string() + ending;
 }

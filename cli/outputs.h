@@ -9,6 +9,9 @@ namespace twinray {
 /// output to them alone where one of them is standard output.
 void prepare_outputs(const std::vector<std::string>& names);
 
+/// Those of the names that are not empty: of the outputs that are asked for.
+std::vector<std::string> given_names(std::vector<std::string> names);
+
 /// The name of what stands beside an output: "a/b.exr" with "_rate.png" is "a/b_rate.png".
 std::string name_beside(const std::string& name, const std::string& ending);
 

@@ -60,10 +60,7 @@ void write_costs(const RenderOutputs& outputs, const Film& film, const ImageMeta
 }  // namespace
 
 std::vector<std::string> RenderOutputs::names() const {
-  std::vector<std::string> all;
-  for (const std::string& name : {picture, rates, legend, differences, statistics})
-    if (!name.empty()) all.push_back(name);
-  return all;
+  return given_names({picture, rates, legend, differences, statistics});
 }
 
 std::vector<std::string> all_names(std::initializer_list<RenderOutputs> all) {

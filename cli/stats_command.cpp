@@ -40,10 +40,7 @@ Scene load(const StatsArguments& arguments) {
 }
 
 std::vector<std::string> output_files(const StatsArguments& arguments) {
-  std::vector<std::string> files;
-  for (const std::string& file : {arguments.csv_file, arguments.json_file})
-    if (!file.empty()) files.push_back(file);
-  return files;
+  return given_names({arguments.csv_file, arguments.json_file});
 }
 
 }  // namespace
