@@ -35,7 +35,7 @@ RenderCheck::RenderCheck(std::shared_ptr<const Geometry> geometry, const Checked
       crosscheck_(geometry_, {reference, other}),
       width_(options.width),
       samples_(options.samples),
-      window_(options.window.value_or(PixelRect{0, 0, options.width, options.height})),
+      window_(window_of(options)),
       kept_(kept),
       marks_(std::size_t(window_.width()) * std::size_t(window_.height())),
       report_(2, kept) {}

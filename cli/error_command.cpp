@@ -40,7 +40,7 @@ OutputNames partial_names(const OutputNames& names) {
 }
 
 error::FrameSize frame_size(const RenderOptions& options) {
-  const PixelRect window = options.window.value_or(PixelRect{0, 0, options.width, options.height});
+  const PixelRect window = window_of(options);
   return {window.width(), window.height()};
 }
 
@@ -144,7 +144,7 @@ class ErrorRun {
   }
   ImageFrame frame() const {
     const RenderOptions& options = arguments_.common.arguments.render;
-    const PixelRect window = options.window.value_or(PixelRect{});
+    const PixelRect window = window_of(options);
     return {window.x0, window.y0, options.width, options.height};
   }
 

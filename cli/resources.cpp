@@ -38,7 +38,7 @@ std::vector<MemoryNeed> memory_needs(Backend backend, const BuildOptions& build,
 }
 
 std::vector<MemoryNeed> memory_needs(const RenderOptions& options) {
-  const PixelRect window = options.window.value_or(PixelRect{0, 0, options.width, options.height});
+  const PixelRect window = window_of(options);
   const std::uint64_t pixels = std::uint64_t(window.width()) * std::uint64_t(window.height());
   return {{fmt::format("the film of {} x {} pixels", window.width(), window.height()),
            Film::bytes(pixels, options.layers.size())},

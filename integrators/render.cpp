@@ -50,10 +50,6 @@ std::vector<std::string> names_of(const std::vector<Layer>& layers) {
   return names;
 }
 
-PixelRect window_of(const RenderOptions& options) {
-  return options.window.value_or(PixelRect{0, 0, options.width, options.height});
-}
-
 /// The pixels through which a camera ray may see something; all, where there is an environment.
 PixelRect pixels_with_light(const Scene& scene, const Camera& camera, const Aabb& bounds,
                             const RenderOptions& options) {
@@ -207,6 +203,10 @@ class Renderer {
 };
 
 }  // namespace
+
+PixelRect window_of(const RenderOptions& options) {
+  return options.window.value_or(PixelRect{0, 0, options.width, options.height});
+}
 
 RenderResult render(const Scene& scene, const Accelerator& accelerator, const Integrator& integrator,
                     const RenderOptions& options,

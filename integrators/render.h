@@ -35,6 +35,9 @@ struct RenderOptions {
   std::function<bool()> is_stopped;
 };
 
+/// The pixels that are rendered: the window or, without one, the full frame.
+PixelRect window_of(const RenderOptions& options);
+
 struct RenderProgress {
   std::uint64_t samples_done = 0;  ///< Pixel samples, those that adaptive sampling saved included.
   std::uint64_t samples_total = 0;

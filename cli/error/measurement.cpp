@@ -101,8 +101,7 @@ PixelMask Subject::without_emitters() const {
 }
 
 std::uint64_t Subject::pixel_count() const {
-  const RenderOptions& options = set_.arguments.render;
-  const PixelRect window = options.window.value_or(PixelRect{0, 0, options.width, options.height});
+  const PixelRect window = window_of(set_.arguments.render);
   return std::uint64_t(window.width()) * std::uint64_t(window.height());
 }
 
