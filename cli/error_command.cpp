@@ -66,14 +66,14 @@ class ErrorRun {
         line_(progress_line(!arguments.quiet)) {}
 
   int run() {
+    if (!arguments_.save_reference.empty()) error::check_reference_name(arguments_.save_reference);
     prepare_outputs(given_names({names_.csv, names_.html, arguments_.save_reference, saved_noise()}));
     check_memory(memory_needs(arguments_));
     warn_of_options();
     if (!arguments_.reference.empty() || !arguments_.save_reference.empty()) load_image_codec_early();
-    const error::FrameSize size = frame_size(arguments_.common.arguments.render);
-    measurement_.width = size.width;
-    measurement_.height = size.height;
-    if (!arguments_.converges) measurement_.converged = error::read_reference(arguments_.reference, size);
+    if (!arguments_.converges)
+      measurement_.converged =
+          error::read_reference(arguments_.reference, frame_size(arguments_.common.arguments.render));
     for (const error::OptionSet& set : arguments_.sets) subjects_.emplace_back(set);
     return measure();
   }
@@ -87,8 +87,6 @@ class ErrorRun {
         {names_.csv, names_.html, partial_.csv, partial_.html, arguments_.save_reference, saved_noise()});
   }
   void warn_of_options() const {
-    for (const std::string& name : given_names({arguments_.reference, arguments_.save_reference}))
-      error::check_reference_name(name);
     for (const error::OptionSet& set : arguments_.sets)
       for (const std::string& warning : set.arguments.without_effect)
         console::warn(set.options.empty() ? warning : fmt::format("{}: {}", set.name, warning));
@@ -169,7 +167,8 @@ class ErrorRun {
 
   void write(const OutputNames& names) const {
     const error::Summary summary = error::summary_of(measurement_, arguments_.targets);
-    const error::Heading heading{arguments_.common.arguments.scene, measurement_.width, measurement_.height,
+    const Image& picture = measurement_.converged.mean;
+    const error::Heading heading{arguments_.common.arguments.scene, picture.width, picture.height,
                                  arguments_.leaves_out_emitters, reference_origin()};
     if (const std::string warning = error::reference_warning(summary); !warning.empty())
       console::warn(warning);

@@ -67,7 +67,6 @@ struct Curve {
 };
 
 struct Measurement {
-  int width = 0, height = 0;  ///< Of the pictures.
   ConvergedPicture converged;
   PixelMask mask;
   std::vector<Curve> curves;  ///< One a set.
@@ -86,7 +85,8 @@ struct Rounds {
 bool measure(const std::vector<Subject>& subjects, const Rounds& rounds, const Watch& watch,
              Measurement& measurement);
 
-/// Two pictures of half the samples each, with this seed and the next. None where it was stopped.
+/// Two pictures of half the samples each, with this seed and the next. None where it was
+/// stopped.
 std::optional<ConvergedPicture> render_converged(const Subject& subject, std::uint32_t samples,
                                                  std::uint64_t seed, const Watch& watch);
 

@@ -35,7 +35,7 @@ std::string row_html(const CurveSummary& curve, const Row& row, const Summary& s
   const bool is_first = &row == &curve.rows.front();
   const std::string p = html::escaped(p_value_cell(row));
   return html::row(
-      {is_first ? html::escaped(row.name) : "", samples_cell(row), seconds_cell(row.cpu_seconds),
+      {is_first ? html::escaped(curve.name) : "", samples_cell(row), seconds_cell(row.cpu_seconds),
        mse_cell(row), fmt::format("{:.3g}", rmse(row)), fmt::format("{:.3g}", row.relative_mse),
        bias_cell(row), is_biased(row, summary) ? fmt::format("<span class=\"bad\">{}</span>", p) : p},
       is_first ? "base" : "");
@@ -83,7 +83,7 @@ std::string plot(const Summary& summary, const Axes& axes) {
       if (!(row.mse > 0) || !(axes.x(row) > 0)) continue;
       const double y = axes.y(row), part = row.mse_standard_error / row.mse;
       series.marks.push_back({axes.x(row), y, y * (1 - part), y * (1 + part),
-                              fmt::format("{}: {} samples, {} s, {:.3g}", row.name, samples_cell(row),
+                              fmt::format("{}: {} samples, {} s, {:.3g}", series.name, samples_cell(row),
                                           seconds_cell(row.cpu_seconds), row.mse)});
     }
     if (!series.marks.empty()) curves.series.push_back(std::move(series));

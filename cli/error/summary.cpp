@@ -30,14 +30,13 @@ double standard_error(const std::vector<double>& values) {
   return std::sqrt(squares / (n - 1) / n);
 }
 
-Row row_of(const Curve& curve, const Point& point, const Measurement& measurement, const SquaredError& own) {
+Row row_of(const Point& point, const Measurement& measurement, const SquaredError& own) {
   std::vector<double> mses, relatives;
   for (const SquaredError& one : point.errors) {
     mses.push_back(one.mse);
     relatives.push_back(one.relative);
   }
-  Row row{.name = curve.name,
-          .samples = point.samples,
+  Row row{.samples = point.samples,
           .samples_per_pixel = mean(point.samples_per_pixel),
           .seeds = point.errors.size(),
           .cpu_seconds = median(point.cpu_seconds),
@@ -78,7 +77,7 @@ Summary summary_of(const Measurement& measurement, const std::vector<double>& ta
   for (const Curve& curve : measurement.curves) {
     CurveSummary& one = summary.curves.emplace_back(CurveSummary{curve.name, curve.options, {}, {}});
     for (const Point& point : curve.points)
-      if (!point.errors.empty()) one.rows.push_back(row_of(curve, point, measurement, summary.own_error));
+      if (!point.errors.empty()) one.rows.push_back(row_of(point, measurement, summary.own_error));
     for (const double target : target_rmses) one.targets.push_back(target_of(one.rows, target));
   }
   return summary;

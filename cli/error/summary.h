@@ -13,7 +13,6 @@ namespace twinray::error {
 /// One set of options with one number of samples, over all seeds. Errors are without the converged picture's
 /// own.
 struct Row {
-  std::string name;
   std::uint32_t samples = 0;
   double samples_per_pixel = 0;
   std::size_t seeds = 0;

@@ -38,8 +38,8 @@ std::string spread_cell(const Row& row) {
   return fmt::format("{:.1f} %", 100 * row.mse_standard_error / row.mse);
 }
 
-std::string text_row(const Row& row, std::size_t name_width) {
-  return fmt::format("{:<{}}  {:>8}  {:>9}  {:>9.3g}  {:>7}  {:>8.3g}  {:>9.3g}  {:>18}  {:>8}\n", row.name,
+std::string text_row(const std::string& name, const Row& row, std::size_t name_width) {
+  return fmt::format("{:<{}}  {:>8}  {:>9}  {:>9.3g}  {:>7}  {:>8.3g}  {:>9.3g}  {:>18}  {:>8}\n", name,
                      name_width, samples_cell(row), seconds_cell(row.cpu_seconds), row.mse, spread_cell(row),
                      rmse(row), row.relative_mse, bias_cell(row), p_value_cell(row));
 }
@@ -74,7 +74,7 @@ std::string csv_bias(const Row& row) {
 }
 
 std::string csv_row(const Row& row, const CurveSummary& curve) {
-  std::string text = fmt::format("{},{},{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{}", quoted(row.name),
+  std::string text = fmt::format("{},{},{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{}", quoted(curve.name),
                                  row.samples, row.samples_per_pixel, row.seeds, row.cpu_seconds, row.mse,
                                  row.mse_standard_error, row.relative_mse, csv_bias(row));
   for (const Target& target : curve.targets) {
@@ -161,7 +161,7 @@ std::string text_table(const Heading& heading, const Summary& summary) {
   text += fmt::format("{:<{}}  {:>8}  {:>9}  {:>9}  {:>7}  {:>8}  {:>9}  {:>18}  {:>8}\n", "settings", width,
                       "samples", "CPU s", "MSE", "±", "RMSE", "rel. MSE", "bias", "p");
   for (const CurveSummary& curve : summary.curves)
-    for (const Row& row : curve.rows) text += text_row(row, width);
+    for (const Row& row : curve.rows) text += text_row(curve.name, row, width);
   text += target_lines(summary, width) + "\n";
   for (const std::string& verdict : verdicts(summary)) text += verdict + "\n";
   return text;

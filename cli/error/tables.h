@@ -15,7 +15,7 @@ struct Heading {
   std::string reference;  ///< Where it is from.
 };
 
-/// "120 x 90 pixels, 10400 of 10800 counted: those that see an emitter are left out".
+/// "120 x 90 pixels, without 400 that see an emitter".
 std::string pixels_text(const Heading& heading, const Summary& summary);
 /// Where the reference is from, and its own noise.
 std::string reference_text(const Heading& heading, const Summary& summary);

@@ -125,6 +125,9 @@ TEST_CASE("a reference must be linear and of the frame's size") {
   const ProcessResult png = run_program(error_command("--reference a.png"));
   CHECK(png.exit_code == 1);
   CHECK(contains(png.err, "a.png: a reference is a picture of linear floats; its name must end in .exr"));
+  const ProcessResult saved = run_program(error_command("--converge --save-reference a.png"));
+  CHECK(saved.exit_code == 1);
+  CHECK(contains(saved.err, "a.png: a reference is a picture of linear floats; its name must end in .exr"));
   const std::string small = folder.file("small.exr");
   write_exr(small, Image(20, 30));
   const ProcessResult result = run_program(error_command("--reference '" + small + "'"));
