@@ -102,7 +102,7 @@ class ErrorRun {
                              }};
     if (arguments_.converges && !converge(watch)) return stopped(stop);
     measurement_.mask = arguments_.leaves_out_emitters
-                            ? subjects_.front().without_emitters()
+                            ? subjects_.front().without_emitters(watch.is_stopped)
                             : PixelMask(measurement_.converged.mean.pixels.size(), 1);
     line_ = progress_line(!arguments_.quiet);
     const bool is_complete = error::measure(subjects_, arguments_.rounds, watch, measurement_);

@@ -96,8 +96,10 @@ Sampled Subject::render(std::uint64_t seed, std::uint32_t samples, const std::fu
   return {mean_image(result.film), seconds, samples_per_pixel(result.film), result.is_complete};
 }
 
-PixelMask Subject::without_emitters() const {
-  return pixels_without_emitters(*scene_, *accelerator_, set_.arguments.render);
+PixelMask Subject::without_emitters(const std::function<bool()>& is_stopped) const {
+  RenderOptions options = set_.arguments.render;
+  options.is_stopped = is_stopped;
+  return pixels_without_emitters(*scene_, *accelerator_, options);
 }
 
 std::uint64_t Subject::pixel_count() const {

@@ -40,8 +40,8 @@ class Subject {
   /// With this seed and number of samples in place of the set's own; `progress` gets the pixel samples done.
   Sampled render(std::uint64_t seed, std::uint32_t samples, const std::function<bool()>& is_stopped,
                  const std::function<void(std::uint64_t)>& progress) const;
-  /// The pixels that see no emitter.
-  PixelMask without_emitters() const;
+  /// The pixels that see no emitter; those of a search that was stopped say nothing.
+  PixelMask without_emitters(const std::function<bool()>& is_stopped) const;
   std::uint64_t pixel_count() const;
 
  private:

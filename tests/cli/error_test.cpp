@@ -11,6 +11,7 @@
 #include "cli/error/option_set.h"
 #include "cli/error/reference_file.h"
 #include "cli/error/tile_map.h"
+#include "cli/error_command.h"
 #include "io/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/html.h"
@@ -118,6 +119,16 @@ TEST_CASE("wrong command lines of error are refused with what would be valid") {
   }
   CHECK(contains(run_program(error_command("--converge --settings 'a: -r 3 4'")).err,
                  "valid there are render's options of light, sampling and engine"));
+}
+
+TEST_CASE("the search for emitters ends when it is stopped") {
+  const error::OptionSet set =
+      parse_alone<ErrorArguments>(add_error_options, {spheres, "--converge", "-r", "40", "30", "--view=file"})
+          .common;
+  const error::Subject subject(set);
+  const PixelMask all(std::size_t(subject.pixel_count()), 1);
+  CHECK(subject.without_emitters([] { return false; }) != all);
+  CHECK(subject.without_emitters([] { return true; }) == all);
 }
 
 TEST_CASE("a reference must be linear and of the frame's size") {
