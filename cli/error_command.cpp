@@ -179,8 +179,8 @@ class ErrorRun {
   }
   std::string reference_origin() const {
     if (!arguments_.converges) return arguments_.reference;
-    return fmt::format("2 x {} samples per pixel, --seed={} and the next",
-                       (arguments_.reference_samples + 1) / 2, reference_seed());
+    return fmt::format("2 x {} samples per pixel, --seed={} and the next", arguments_.reference_samples / 2,
+                       reference_seed());
   }
 
   const ErrorArguments& arguments_;

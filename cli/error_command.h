@@ -16,7 +16,7 @@ struct ErrorArguments {
   error::Rounds rounds{{4, 16, 64}, 4, 0};
   bool converges = false;               ///< Else the reference is read.
   std::string reference;                ///< Its file.
-  std::uint32_t reference_samples = 0;  ///< Per pixel.
+  std::uint32_t reference_samples = 0;  ///< Per pixel, in two halves: an even number.
   std::string save_reference;           ///< Empty: nowhere.
   bool leaves_out_emitters = true;
   std::vector<double> targets{0.005};  ///< Root mean squared errors.

@@ -116,6 +116,9 @@ std::uint32_t usual_reference_samples(std::uint32_t most) {
   return std::min(usual_reference_factor * most, Film::max_samples);  // 2^26 at most
 }
 
+/// Both halves have as many; the most possible is even.
+std::uint32_t rounded_up_to_even(std::uint32_t samples) { return samples + samples % 2; }
+
 ErrorArguments resolved(const ErrorRequest& request, const Words& given) {
   ErrorArguments arguments = request.arguments;
   arguments.rounds.samples = parse_list("--samples", request.samples, sample_counts);
@@ -126,8 +129,8 @@ ErrorArguments resolved(const ErrorRequest& request, const Words& given) {
   read_sets(common, given, request.settings, arguments);
   check_reference(arguments, request);
   arguments.rounds.first_seed = arguments.common.arguments.render.seed;
-  arguments.reference_samples =
-      request.reference_samples > 0 ? request.reference_samples : usual_reference_samples(most);
+  arguments.reference_samples = rounded_up_to_even(
+      request.reference_samples > 0 ? request.reference_samples : usual_reference_samples(most));
   return arguments;
 }
 

@@ -127,7 +127,7 @@ bool measure(const std::vector<Subject>& subjects, const Rounds& rounds, const W
 
 std::optional<ConvergedPicture> render_converged(const Subject& subject, std::uint32_t samples,
                                                  std::uint64_t seed, const Watch& watch) {
-  const std::uint32_t half = (samples + 1) / 2;
+  const std::uint32_t half = samples / 2;
   Progress progress(watch, 2 * half * subject.pixel_count());
   std::vector<Image> halves;
   for (const std::uint64_t one : {seed, seed + 1}) {

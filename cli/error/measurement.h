@@ -85,7 +85,7 @@ struct Rounds {
 bool measure(const std::vector<Subject>& subjects, const Rounds& rounds, const Watch& watch,
              Measurement& measurement);
 
-/// Two pictures of half the samples each, with this seed and the next. None where it was
+/// Two pictures of half the samples each, an even number, with this seed and the next. None where it was
 /// stopped.
 std::optional<ConvergedPicture> render_converged(const Subject& subject, std::uint32_t samples,
                                                  std::uint64_t seed, const Watch& watch);

@@ -121,6 +121,19 @@ TEST_CASE("wrong command lines of error are refused with what would be valid") {
                  "valid there are render's options of light, sampling and engine"));
 }
 
+TEST_CASE("a reference has two halves of as many samples") {
+  const auto reference_samples = [](const Words& more) {
+    Words words{"a.dae", "--converge", "-s", "5"};
+    words.insert(words.end(), more.begin(), more.end());
+    return parse_alone<ErrorArguments>(add_error_options, words).reference_samples;
+  };
+  CHECK(reference_samples({}) == 80);
+  CHECK(reference_samples({"--reference-samples", "9"}) == 10);
+  CHECK(reference_samples({"--reference-samples", "10"}) == 10);
+  CHECK(reference_samples({"--reference-samples", "4194304"}) == 4194304);
+  CHECK(reference_samples({"--reference-samples", "4194303"}) == 4194304);
+}
+
 TEST_CASE("the search for emitters ends when it is stopped") {
   const error::OptionSet set =
       parse_alone<ErrorArguments>(add_error_options, {spheres, "--converge", "-r", "40", "30", "--view=file"})
