@@ -16,8 +16,6 @@ namespace {
 
 const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
 
-std::string quoted(const std::string& path) { return "'" + path + "'"; }
-
 nlohmann::json read_json(const std::string& path) { return nlohmann::json::parse(read_text(path)); }
 
 ConvertArguments parse(const Words& words) {

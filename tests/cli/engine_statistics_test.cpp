@@ -43,8 +43,6 @@ std::string counts_text(const EngineStatistics& statistics) {
 
 StatsArguments parse(const Words& words) { return parse_alone<StatsArguments>(add_stats_options, words); }
 
-std::string quoted(const std::string& path) { return "'" + path + "'"; }
-
 std::size_t count_of(const std::string& text, const std::string& part) {
   std::size_t count = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;

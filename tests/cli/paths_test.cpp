@@ -18,8 +18,6 @@ const std::string view =
 const std::vector<std::string> names{"two words", "Größe",   "箱", "🐇",    "quote\"s",
                                      "$HOME",     "a;b|c&d", "-q", "#%{}", "bytes\xff\xfe"};
 
-std::string quoted(const std::string& path) { return "'" + path + "'"; }
-
 }  // namespace
 
 TEST_CASE("names of files may hold spaces, any letters and any bytes, whichever option they go with") {

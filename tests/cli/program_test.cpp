@@ -16,8 +16,6 @@ namespace {
 const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
 const std::string small = " -r 24 18 -s 2 -q ";
 
-std::string quoted(const std::string& path) { return "'" + path + "'"; }
-
 }  // namespace
 
 TEST_CASE("a wrong command line ends with 2, the reason and the usage") {

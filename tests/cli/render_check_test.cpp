@@ -14,8 +14,6 @@ namespace {
 const std::string bunny = TWINRAY_SOURCE_DIR "/scenes/cornell-bunny.dae";
 const std::string small = " -r 24 18 -s 2 ";
 
-std::string quoted(const std::string& path) { return "'" + path + "'"; }
-
 /// The first line that begins with these words.
 std::string line_of(const std::string& text, const std::string& words) {
   const std::size_t begin = text.find("\n" + words) + 1;

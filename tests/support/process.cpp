@@ -9,6 +9,8 @@
 
 namespace twinray::test {
 
+std::string quoted(const std::string& path) { return "'" + path + "'"; }
+
 ProcessResult run_shell(const std::string& shell_command) {
   const TemporaryFolder folder;
   const std::string out = folder.file("out"), err = folder.file("err");

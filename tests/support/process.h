@@ -5,6 +5,9 @@
 
 namespace twinray::test {
 
+/// A path as one word of the shell; it must not have a ' itself.
+std::string quoted(const std::string& path);
+
 struct ProcessResult {
   int exit_code = -1;
   std::string out, err;
