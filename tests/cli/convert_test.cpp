@@ -113,4 +113,16 @@ TEST_CASE("convert writes nothing where one of its files cannot be written") {
   CHECK(folder.file_count() == 1);
 }
 
+TEST_CASE("convert writes nothing where two of its files are the same place") {
+  const TemporaryFolder folder;
+  write_text(folder.file("box-0.ply"), "old");
+  std::filesystem::create_symlink("box-0.ply", folder.file("box-1.ply"));
+  const ProcessResult result = run_program("convert " + box + " " + quoted(folder.file("box.json")));
+  CHECK(result.exit_code == 1);
+  CHECK(result.err == fmt::format("twinray: {}: the same place as {}; every output needs its own\n",
+                                  folder.file("box-1.ply"), folder.file("box-0.ply")));
+  CHECK(read_text(folder.file("box-0.ply")) == "old");
+  CHECK(folder.file_count() == 2);
+}
+
 }  // namespace twinray::test
