@@ -111,6 +111,26 @@ TEST_CASE("the converged picture's noise counts where it is known, else it is ta
   CHECK(test_bias(moments, rough, all, tile).p_value < 1e-6);
 }
 
+TEST_CASE("means have the variance of seeds and of halves, over the number of pixels") {
+  const auto grey = [](float value) {
+    Image picture(2, 2);
+    for (Rgb& pixel : picture.pixels) pixel = {value, value, value};
+    return picture;
+  };
+  PictureMoments moments;
+  for (const float value : {1.0f, 2.0f, 3.0f}) moments.add(grey(value));
+  const TileTest whole =
+      test_bias(moments, converged_picture(grey(1), grey(1.5f)), PixelMask(4, 1), tile).whole;
+  // 1, 2 and 3: a variance of 1, and of their mean 1/3; 2 degrees of freedom a pixel.
+  CHECK(whole.picture.mean == Approx(2));
+  CHECK(whole.picture.variance == Approx(1.0 / 3 / 4));
+  CHECK(whole.picture.freedom == Approx(8));
+  // Halves of 1 and 1.5: a variance of 1/8, and of their mean 1/16; 1 degree of freedom a pixel.
+  CHECK(whole.converged.mean == Approx(1.25));
+  CHECK(whole.converged.variance == Approx(1.0 / 16 / 4));
+  CHECK(whole.converged.freedom == Approx(4));
+}
+
 TEST_CASE("pixels that do not count, and tiles of them alone, are left out") {
   PixelMask mask = all;
   for (int y = 0; y < 16; ++y)
