@@ -61,12 +61,21 @@ class Ggx {
     const float length2 = length_squared(m);
     return length2 > 0 ? m / std::sqrt(length2) : Vec3{0, 0, 1};
   }
+  /// The density, per solid angle, of the mirror image of w at such a normal. Both z > 0.
+  float reflection_pdf(const Vec3& w, const Vec3& image) const {
+    // Turning m by an angle turns the image by twice that: dm = dwi / (4 w.m), and w.m cancels.
+    return masking(w) * density(normalize(w + image)) / (4 * w.z);
+  }
+  /// D G / (4 wo.z wi.z): what facets that reflect everything scatter from wi to wo. Both z > 0.
+  float reflection(const Vec3& wo, const Vec3& wi) const {
+    return density(normalize(wo + wi)) * shadowing_masking(wo, wi) / (4 * wo.z * wi.z);
+  }
 
  private:
   float x_, y_;
 };
 
-/// The mirror image of w at the facet normal m: both point away from the facet.
+/// The mirror image of w at the facet normal m: both point away from the facet. Unit, as far as w and m are.
 constexpr Vec3 reflected(const Vec3& w, const Vec3& m) { return 2 * dot(w, m) * m - w; }
 
 }  // namespace twinray

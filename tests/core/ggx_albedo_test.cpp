@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tables, also between their entries, against the integrals that they stand for.
+#include "core/ggx_albedo.h"
+
+#include "core/fresnel.h"
+#include "tests/support/catch.h"
+#include "tests/support/lobe_checks.h"
+
+namespace twinray {
+namespace {
+
+constexpr float alphas[] = {0.02f, 0.1f, 0.25f, 0.43f, 0.7f, 0.98f};
+constexpr float cosines[] = {0.02f, 0.09f, 0.3f, 0.55f, 0.83f, 1.0f};
+
+/// The mean of f(wi) / p(wi) = F G2 / G1 over `count`^2 visible normals; `fresnel` of the cosine to them.
+template <class Fresnel>
+double reflected_part(float cosine, float alpha, int count, const Fresnel& fresnel) {
+  const Ggx ggx(alpha);
+  const Vec3 wo = test::direction_at(cosine);
+  double sum = 0;
+  for (int i = 0; i < count; ++i)
+    for (int j = 0; j < count; ++j) {
+      const Vec3 m =
+          ggx.sample_visible(wo, {(float(i) + 0.5f) / float(count), (float(j) + 0.5f) / float(count)});
+      const Vec3 wi = reflected(wo, m);
+      if (wi.z <= 0) continue;
+      sum += ggx.shadowing_masking(wo, wi) / ggx.masking(wo) * fresnel(std::min(1.0f, dot(wo, m)));
+    }
+  return sum / count / count;
+}
+
+/// The integral of 2 cos f(cos), cos = t^2.
+template <class Function>
+double average(const Function& f) {
+  constexpr int count = 50;
+  double sum = 0;
+  for (int i = 0; i < count; ++i) {
+    const float t = (float(i) + 0.5f) / count;
+    sum += 4 * t * t * t * f(t * t) / count;
+  }
+  return sum;
+}
+
+float one(float) { return 1; }
+
+}  // namespace
+
+TEST_CASE("what facets lose after one reflection is tabulated within the stated error") {
+  constexpr double stated = 3e-3;
+  for (const float alpha : alphas)
+    for (const float cosine : cosines) {
+      CAPTURE(alpha, cosine);
+      CHECK(std::fabs(ggx_loss(cosine, alpha) - (1 - reflected_part(cosine, alpha, 300, one))) <= stated);
+    }
+  for (const float alpha : alphas) {
+    CAPTURE(alpha);
+    const double exact = average([&](float c) { return 1 - reflected_part(c, alpha, 250, one); });
+    CHECK(std::fabs(average_ggx_loss(alpha) - exact) <= 2e-3);
+  }
+  CHECK(ggx_loss(1, 1) == Approx(std::log(2)).epsilon(2e-3));  // The integral's closed form.
+}
+
+TEST_CASE("smooth facets lose nothing, and the tables end where facets do") {
+  for (const float cosine : cosines) CHECK(ggx_loss(cosine, 0) <= 4e-3f);
+  CHECK(average_ggx_loss(0) <= 1e-4f);
+  CHECK(ggx_loss(1, 2) == ggx_loss(1, 1));
+  CHECK(std::isfinite(ggx_loss(0, 0)));
+  CHECK(ggx_dielectric_reflectance(0.5f, 0.5f, 0.9f) == 0);
+  CHECK(ggx_dielectric_reflectance(0.5f, 0.5f, 5) == ggx_dielectric_reflectance(0.5f, 0.5f, 3));
+}
+
+TEST_CASE("what dielectric facets reflect is tabulated within the stated error") {
+  for (const float ior : {1.2f, 1.33f, 1.5f, 1.8f, 2.5f}) {
+    const auto fresnel = [&](float c) { return fresnel_dielectric(c, ior); };
+    for (const float alpha : alphas) {
+      for (const float cosine : cosines) {
+        CAPTURE(ior, alpha, cosine);
+        const double stated = cosine < 0.1f ? 2e-2 : 5e-3;
+        CHECK(std::fabs(ggx_dielectric_reflectance(cosine, alpha, ior) -
+                        reflected_part(cosine, alpha, 100, fresnel)) <= stated);
+      }
+      CAPTURE(ior, alpha);
+      const double exact = average([&](float c) { return reflected_part(c, alpha, 80, fresnel); });
+      CHECK(std::fabs(average_ggx_dielectric_reflectance(alpha, ior) - exact) <= 3e-3);
+    }
+    CHECK(average_ggx_dielectric_reflectance(0, ior) == Approx(average_fresnel_dielectric(ior)).margin(3e-3));
+  }
+}
+
+}  // namespace twinray
