@@ -21,7 +21,14 @@ constexpr std::array<std::array<const char*, 2>, std::variant_size_v<SurfaceMode
      {"mirror", "reflectance"},
      {"refraction", "transmittance"},
      {"glass", "transmittance"},
-     {"microfacet", "reflectance at normal incidence"}}};
+     {"microfacet", "reflectance at normal incidence"},
+     {"dielectric", "transmittance"},
+     {"conductor", "reflectance at normal incidence"},
+     {"diffuse transmission", "reflectance"},
+     {"rough diffuse", "reflectance"},
+     {"coated diffuse", "reflectance"},
+     {"coated conductor", "reflectance at normal incidence"},
+     {"mix", "mean, grey,"}}};
 
 std::string unmet_lights(const Scene& scene) {
   const LightSet lights(scene);

@@ -1,22 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/bsdf.h"
 
+#include "core/fresnel.h"
+
 namespace twinray {
 namespace {
 
-/// ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2): a conductor seen along its normal.
-float normal_fresnel(float eta, float k) {
-  const float minus = (eta - 1) * (eta - 1), plus = (eta + 1) * (eta + 1);
-  return (minus + k * k) / (plus + k * k);
-}
-
 struct LambertReflectance {
-  Rgb operator()(const Lambert& m) const { return m.reflectance; }
-  Rgb operator()(const Mirror& m) const { return m.reflectance; }
   Rgb operator()(const Refraction& m) const { return m.transmittance; }
   Rgb operator()(const Glass& m) const { return m.transmittance; }
-  Rgb operator()(const Microfacet& m) const {
-    return {normal_fresnel(m.eta.r, m.k.r), normal_fresnel(m.eta.g, m.k.g), normal_fresnel(m.eta.b, m.k.b)};
+  Rgb operator()(const Microfacet& m) const { return fresnel_conductor(1, m.eta, m.k); }
+  Rgb operator()(const Dielectric& m) const { return m.transmittance; }
+  Rgb operator()(const Conductor& m) const { return m.reflectance * fresnel_conductor(1, m.eta, m.k); }
+  Rgb operator()(const CoatedConductor& m) const { return m.reflectance * fresnel_conductor(1, m.eta, m.k); }
+  Rgb operator()(const Mix&) const { return {0.5f, 0.5f, 0.5f}; }
+  template <typename Model>
+  Rgb operator()(const Model& m) const {
+    return m.reflectance;
+  }
+};
+
+/// Which lobe a model has on the viewer's side.
+struct LobesOf {
+  Side side;
+
+  /// Of what is beyond the surface, to what is before it.
+  float ratio(float ior) const { return side == Side::outside ? ior : 1 / ior; }
+
+  Bsdf::Lobes operator()(const Lambert& m) const { return LambertLobe{m.reflectance}; }
+  Bsdf::Lobes operator()(const Mirror& m) const { return MirrorLobe(m.reflectance); }
+  Bsdf::Lobes operator()(const Refraction& m) const { return RefractionLobe(ratio(m.ior), m.transmittance); }
+  Bsdf::Lobes operator()(const Glass& m) const {
+    return SmoothDielectricLobe(ratio(m.ior), m.reflectance, m.transmittance);
+  }
+  Bsdf::Lobes operator()(const Dielectric& m) const {
+    if (m.is_thin) return ThinDielectricLobe(m.ior, m.reflectance, m.transmittance);
+    return SmoothDielectricLobe(ratio(m.ior), m.reflectance, m.transmittance);
+  }
+  Bsdf::Lobes operator()(const Conductor& m) const { return SmoothConductorLobe(m.eta, m.k, m.reflectance); }
+  template <typename Model>
+  Bsdf::Lobes operator()(const Model& m) const {
+    return LambertLobe{lambert_reflectance(m)};
   }
 };
 
@@ -24,19 +48,6 @@ struct LambertReflectance {
 
 Rgb lambert_reflectance(const SurfaceModel& model) { return std::visit(LambertReflectance{}, model); }
 
-Bsdf::Bsdf(const Material& material) : reflectance_(lambert_reflectance(material.model)) {}
-
-float Bsdf::pdf(const Vec3& wo, const Vec3& wi) const {
-  return wo.z * wi.z > 0 ? cosine_hemisphere_pdf(std::fabs(wi.z)) : 0;
-}
-
-BsdfSample Bsdf::sample(const Vec3& wo, Vec2 u) const {
-  if (is_black(reflectance_) || wo.z == 0) return {};
-  Vec3 wi = square_to_cosine_hemisphere(u);
-  if (wi.z <= 0) return {};
-  const float pdf = cosine_hemisphere_pdf(wi.z);
-  if (wo.z < 0) wi.z = -wi.z;
-  return {wi, reflectance_ * (1 / pi), pdf};
-}
+Bsdf::Bsdf(const SurfaceModel& model, Side side) : lobes_(std::visit(LobesOf{side}, model)) {}
 
 }  // namespace twinray

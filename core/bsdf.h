@@ -1,41 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scattering at a surface. Directions are unit vectors in the local frame whose z axis is the shading normal:
 // wo points to the viewer, wi to the light, both away from the surface. They lie on one side for reflection,
-// on two for refraction.
+// on two for transmission.
 #pragma once
-#include <cmath>
+#include <variant>
 
+#include "core/bsdf_sample.h"
+#include "core/lobes/lambert.h"
+#include "core/lobes/specular.h"
 #include "core/material.h"
-#include "core/vec.h"
-#include "core/warp.h"
 
 namespace twinray {
 
-/// A direction in which light is scattered.
-struct BsdfSample {
-  Vec3 wi;
-  Rgb value;      ///< The BSDF f(wo, wi).
-  float pdf = 0;  ///< Per solid angle. 0: nothing is scattered, and the rest is zero.
-};
+/// On which side of a surface the viewer is; outside is where the normal points that the scene gave it.
+enum class Side { outside, inside };
 
-/// The scattering function of a material at a point.
+/// The scattering function of a model at a point: one of a closed set of lobes, each a small class with these
+/// functions.
 class Bsdf {
  public:
-  explicit Bsdf(const Material& material);
+  /// Not of a Mix, which stands for one of its two materials at each point.
+  explicit Bsdf(const SurfaceModel& model, Side side = Side::outside);
 
-  /// How much of the light from all around is scattered.
-  Rgb albedo() const { return reflectance_; }
-  /// f(wo, wi), without the cosine.
-  Rgb evaluate(const Vec3& wo, const Vec3& wi) const {
-    return wo.z * wi.z > 0 ? reflectance_ * (1 / pi) : Rgb{};
+  /// How much of the light from all around is scattered, about; in [0, 1].
+  Rgb albedo() const {
+    return std::visit([](const auto& lobe) { return lobe.albedo(); }, lobes_);
   }
-  /// The density, per solid angle, with which sample() chooses wi.
-  float pdf(const Vec3& wo, const Vec3& wi) const;
-  /// A direction, from two numbers in the unit square.
-  BsdfSample sample(const Vec3& wo, Vec2 u) const;
+  /// f(wo, wi), without the cosine, of all but delta directions.
+  Rgb evaluate(const Vec3& wo, const Vec3& wi) const {
+    return std::visit([&](const auto& lobe) { return lobe.evaluate(wo, wi); }, lobes_);
+  }
+  /// The density, per solid angle, with which sample() chooses wi among all but delta directions.
+  float pdf(const Vec3& wo, const Vec3& wi) const {
+    return std::visit([&](const auto& lobe) { return lobe.pdf(wo, wi); }, lobes_);
+  }
+  /// A direction, from a number in [0, 1) that chooses among ways of scattering and two in the unit square.
+  BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const {
+    return std::visit([&](const auto& l) { return l.sample(wo, lobe, u); }, lobes_);
+  }
+
+  using Lobes = std::variant<LambertLobe, MirrorLobe, SmoothConductorLobe, SmoothDielectricLobe,
+                             RefractionLobe, ThinDielectricLobe>;
 
  private:
-  Rgb reflectance_;
+  Lobes lobes_;
 };
 
 /// The reflectance of a Lambert surface that stands in for a model: its own, that of a mirror, the

@@ -2,32 +2,44 @@
 // What a surface is made of, as a scene describes it: plain values. core/bsdf.h makes a scattering function
 // of them.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/rgb.h"
 
 namespace twinray {
+
+/// Width of the microfacets' distribution (GGX) along the tangent and the bitangent, each in [0, 1]; a smooth
+/// surface has 0.
+struct Roughness {
+  float x = 0, y = 0;
+
+  bool operator==(const Roughness&) const = default;
+};
 
 /// Reflects evenly in all directions, on both sides. Reflectance in [0, 1].
 struct Lambert {
   Rgb reflectance{0.5f, 0.5f, 0.5f};
 };
 
-/// A perfect mirror. Reflectance in [0, 1].
+/// A perfect mirror, on both sides. Reflectance in [0, 1].
 struct Mirror {
   Rgb reflectance{1, 1, 1};
 };
 
-/// A smooth boundary that only refracts. Transmittance in [0, 1]; ior is that of the inside to the outside, >
-/// 0.
+/// CS184's smooth boundary that only refracts; where light cannot be refracted, it is reflected.
+/// Transmittance in [0, 1]; ior is that of the inside to the outside, > 0. The roughness is read, and has no
+/// effect.
 struct Refraction {
   Rgb transmittance{1, 1, 1};
   float roughness = 0;
   float ior = 1.5f;
 };
 
-/// A smooth dielectric boundary: reflects and refracts by Fresnel's equations.
+/// CS184's smooth dielectric boundary: reflects and refracts by Fresnel's equations, each in its colour. The
+/// roughness is read, and has no effect.
 struct Glass {
   Rgb transmittance{1, 1, 1};
   Rgb reflectance{1, 1, 1};
@@ -35,7 +47,7 @@ struct Glass {
   float ior = 1.5f;
 };
 
-/// A rough conductor: Beckmann facets of width alpha (> 0), complex index of refraction eta + i k per
+/// CS184's rough conductor: Beckmann facets of width alpha (> 0), complex index of refraction eta + i k per
 /// channel.
 struct Microfacet {
   float alpha = 0.5f;
@@ -43,7 +55,62 @@ struct Microfacet {
   Rgb k{3.9f, 2.4f, 2.2f};
 };
 
-using SurfaceModel = std::variant<Lambert, Mirror, Refraction, Glass, Microfacet>;
+/// A boundary between two media that reflects and refracts by Fresnel's equations. ior is that of the inside
+/// to the outside, > 0. A thin one is a sheet: both of its boundaries in one surface, so that light goes
+/// straight on; it is smooth whatever its roughness.
+struct Dielectric {
+  float ior = 1.5f;
+  Roughness roughness;
+  Rgb reflectance{1, 1, 1}, transmittance{1, 1, 1};  ///< Factors, in [0, 1].
+  bool is_thin = false;
+};
+
+/// A metal: complex index of refraction eta + i k per channel, and a factor in [0, 1].
+struct Conductor {
+  Rgb eta{0.2f, 0.9f, 1.1f};
+  Rgb k{3.9f, 2.4f, 2.2f};
+  Roughness roughness;
+  Rgb reflectance{1, 1, 1};
+};
+
+/// Scatters evenly, to the side that the light comes from and to the other; their sum in [0, 1].
+struct DiffuseTransmission {
+  Rgb reflectance{0.25f, 0.25f, 0.25f};
+  Rgb transmittance{0.25f, 0.25f, 0.25f};
+};
+
+/// A rough diffuse surface (EON). The albedo of one event and the roughness are in [0, 1].
+struct RoughDiffuse {
+  Rgb reflectance{0.5f, 0.5f, 0.5f};
+  float roughness = 0.5f;
+};
+
+/// A diffuse surface under a layer of a dielectric, such as varnish. ior is that of the coat to the outside.
+struct CoatedDiffuse {
+  Rgb reflectance{0.5f, 0.5f, 0.5f};
+  Roughness roughness;
+  float ior = 1.5f;
+};
+
+/// A metal under a layer of a dielectric. eta and k are the metal's to the vacuum.
+struct CoatedConductor {
+  Rgb eta{0.2f, 0.9f, 1.1f};
+  Rgb k{3.9f, 2.4f, 2.2f};
+  Roughness roughness;
+  Rgb reflectance{1, 1, 1};  ///< A factor of the metal's, in [0, 1].
+  Roughness coat_roughness;
+  float coat_ior = 1.5f;
+};
+
+/// One of two materials at each point, at random: the second with the probability `amount`, in [0, 1].
+/// Indices into Scene::materials, of materials that stand before this one.
+struct Mix {
+  std::uint32_t first = 0, second = 0;
+  float amount = 0.5f;
+};
+
+using SurfaceModel = std::variant<Lambert, Mirror, Refraction, Glass, Microfacet, Dielectric, Conductor,
+                                  DiffuseTransmission, RoughDiffuse, CoatedDiffuse, CoatedConductor, Mix>;
 
 struct Material {
   std::string name;

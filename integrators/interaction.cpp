@@ -20,6 +20,6 @@ Interaction::Interaction(const Scene& scene, const SurfacePoint& point, const Ve
       facing_normal_(facing(point.geometric_normal, wo)),
       frame_(usable_shading_normal(point, wo, facing_normal_)),
       wo_local_(frame_.to_local(wo)),
-      bsdf_(scene.materials[scene.bindings[point.shape].material]) {}
+      bsdf_(Lambert{lambert_reflectance(scene.materials[scene.bindings[point.shape].material].model)}) {}
 
 }  // namespace twinray

@@ -65,7 +65,7 @@ Rgb PathReference::emission(const LightTransport& transport, const State& path, 
 
 bool PathReference::scatter(const Interaction& at, int depth, const VertexSampler& sampler,
                             State& path) const {
-  const BsdfSample sample = at.bsdf().sample(at.wo_local(), sampler.draw_2d(Purpose::direction));
+  const BsdfSample sample = at.bsdf().sample(at.wo_local(), 0, sampler.draw_2d(Purpose::direction));
   if (sample.pdf == 0) return false;
   const Vec3 wi = at.to_world(sample.wi);
   if (!at.is_consistent(wi)) return false;

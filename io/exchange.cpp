@@ -82,6 +82,48 @@ Json model_json(const Microfacet& model) {
           {"eta", json_of(model.eta)},
           {"k", json_of(model.k)}};
 }
+Json json_of(const Roughness& roughness) { return {roughness.x, roughness.y}; }
+Json model_json(const Dielectric& model) {
+  return {{"type", model.is_thin ? "thin_dielectric" : "dielectric"},
+          {"ior", model.ior},
+          {"alpha", json_of(model.roughness)},
+          {"reflectance", json_of(model.reflectance)},
+          {"transmittance", json_of(model.transmittance)}};
+}
+Json model_json(const Conductor& model) {
+  return {{"type", "conductor"},
+          {"eta", json_of(model.eta)},
+          {"k", json_of(model.k)},
+          {"alpha", json_of(model.roughness)},
+          {"reflectance", json_of(model.reflectance)}};
+}
+Json model_json(const DiffuseTransmission& model) {
+  return {{"type", "diffuse_transmission"},
+          {"reflectance", json_of(model.reflectance)},
+          {"transmittance", json_of(model.transmittance)}};
+}
+Json model_json(const RoughDiffuse& model) {
+  return {
+      {"type", "rough_diffuse"}, {"reflectance", json_of(model.reflectance)}, {"roughness", model.roughness}};
+}
+Json model_json(const CoatedDiffuse& model) {
+  return {{"type", "coated_diffuse"},
+          {"reflectance", json_of(model.reflectance)},
+          {"alpha", json_of(model.roughness)},
+          {"ior", model.ior}};
+}
+Json model_json(const CoatedConductor& model) {
+  return {{"type", "coated_conductor"},
+          {"eta", json_of(model.eta)},
+          {"k", json_of(model.k)},
+          {"alpha", json_of(model.roughness)},
+          {"reflectance", json_of(model.reflectance)},
+          {"coat_alpha", json_of(model.coat_roughness)},
+          {"coat_ior", model.coat_ior}};
+}
+Json model_json(const Mix& model) {
+  return {{"type", "mix"}, {"first", model.first}, {"second", model.second}, {"amount", model.amount}};
+}
 
 const char* side_name(EmissionSide side) {
   if (side == EmissionSide::both) return "both";

@@ -10,7 +10,7 @@
 namespace twinray {
 namespace {
 
-Bsdf lambert(float reflectance) { return Bsdf({"", Lambert{{reflectance, reflectance, reflectance}}}); }
+Bsdf lambert(float reflectance) { return Bsdf(Lambert{{reflectance, reflectance, reflectance}}); }
 
 Vec3 random_direction(test::Random& random) {
   const float u = random.unit();
@@ -41,7 +41,7 @@ TEST_CASE("sampled directions have the stated density, from both sides") {
     for (int i = 0; i < 100000; ++i) {
       const float u = random.unit();
       const float v = random.unit();
-      const BsdfSample sample = bsdf.sample(wo, {u, v});
+      const BsdfSample sample = bsdf.sample(wo, 0, {u, v});
       REQUIRE(sample.wi.z * side > 0);
       REQUIRE(sample.pdf == bsdf.pdf(wo, sample.wi));
       REQUIRE(sample.value == bsdf.evaluate(wo, sample.wi));

@@ -135,19 +135,41 @@ TEST_CASE("an empty scene has empty lists") {
 
 TEST_CASE("each kind of material in exchange form") {
   Scene scene;
-  scene.materials = {{"a", Lambert{{0.25f, 0.5f, 1}}},
-                     {"b", Mirror{{0.25f, 0.5f, 1}}},
-                     {"c", Refraction{{0.25f, 0.5f, 1}, 0.125f, 1.25f}},
-                     {"d", Glass{{0.25f, 0.5f, 1}, {1, 0.5f, 0.25f}, 0.125f, 1.25f}},
-                     {"e", Microfacet{0.75f, {1, 2, 3}, {4, 5, 6}}}};
-  CHECK(list_text(scene, "materials") == R"(  "materials": [
+  scene.materials = {
+      {"a", Lambert{{0.25f, 0.5f, 1}}},
+      {"b", Mirror{{0.25f, 0.5f, 1}}},
+      {"c", Refraction{{0.25f, 0.5f, 1}, 0.125f, 1.25f}},
+      {"d", Glass{{0.25f, 0.5f, 1}, {1, 0.5f, 0.25f}, 0.125f, 1.25f}},
+      {"e", Microfacet{0.75f, {1, 2, 3}, {4, 5, 6}}},
+      {"f", Dielectric{1.25f, {0.25f, 0.5f}, {1, 0.5f, 0.25f}, {0.25f, 0.5f, 1}, false}},
+      {"g", Dielectric{.is_thin = true}},
+      {"h", Conductor{{1, 2, 3}, {4, 5, 6}, {0.25f, 0.5f}, {1, 0.5f, 0.25f}}},
+      {"i", DiffuseTransmission{{1, 0.5f, 0.25f}, {0.25f, 0.5f, 1}}},
+      {"j", RoughDiffuse{{1, 0.5f, 0.25f}, 0.75f}},
+      {"k", CoatedDiffuse{{1, 0.5f, 0.25f}, {0.25f, 0.5f}, 1.25f}},
+      {"l", CoatedConductor{{1, 2, 3}, {4, 5, 6}, {0.25f, 0.5f}, {1, 0.5f, 0.25f}, {0.5f, 0.75f}, 1.25f}},
+      {"m", Mix{3, 4, 0.25f}}};
+  CHECK(list_text(scene, "materials") ==
+        R"(  "materials": [
     {"name":"a","type":"lambert","reflectance":[0.25,0.5,1.0]},
     {"name":"b","type":"mirror","reflectance":[0.25,0.5,1.0]},
     {"name":"c","type":"refraction","transmittance":[0.25,0.5,1.0],"roughness":0.125,"ior":1.25},
     {"name":"d","type":"glass","transmittance":[0.25,0.5,1.0],"reflectance":[1.0,0.5,0.25],)"
-                                         R"("roughness":0.125,"ior":1.25},
+        R"("roughness":0.125,"ior":1.25},
     {"name":"e","type":"microfacet","distribution":"beckmann","alpha":0.75,"eta":[1.0,2.0,3.0],)"
-                                         R"("k":[4.0,5.0,6.0]})");
+        R"("k":[4.0,5.0,6.0]},
+    {"name":"f","type":"dielectric","ior":1.25,"alpha":[0.25,0.5],"reflectance":[1.0,0.5,0.25],)"
+        R"("transmittance":[0.25,0.5,1.0]},
+    {"name":"g","type":"thin_dielectric","ior":1.5,"alpha":[0.0,0.0],"reflectance":[1.0,1.0,1.0],)"
+        R"("transmittance":[1.0,1.0,1.0]},
+    {"name":"h","type":"conductor","eta":[1.0,2.0,3.0],"k":[4.0,5.0,6.0],"alpha":[0.25,0.5],)"
+        R"("reflectance":[1.0,0.5,0.25]},
+    {"name":"i","type":"diffuse_transmission","reflectance":[1.0,0.5,0.25],"transmittance":[0.25,0.5,1.0]},
+    {"name":"j","type":"rough_diffuse","reflectance":[1.0,0.5,0.25],"roughness":0.75},
+    {"name":"k","type":"coated_diffuse","reflectance":[1.0,0.5,0.25],"alpha":[0.25,0.5],"ior":1.25},
+    {"name":"l","type":"coated_conductor","eta":[1.0,2.0,3.0],"k":[4.0,5.0,6.0],"alpha":[0.25,0.5],)"
+        R"("reflectance":[1.0,0.5,0.25],"coat_alpha":[0.5,0.75],"coat_ior":1.25},
+    {"name":"m","type":"mix","first":3,"second":4,"amount":0.25})");
 }
 
 TEST_CASE("each kind of light in exchange form") {
