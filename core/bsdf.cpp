@@ -20,6 +20,14 @@ struct LambertReflectance {
   }
 };
 
+/// Below this alpha, as in pbrt, what facets scatter is too narrow for float, and looks like a smooth surface.
+constexpr float least_alpha = 1e-3f;
+
+bool is_smooth(const Roughness& r) { return std::max(r.x, r.y) < least_alpha; }
+
+/// Of a surface that is rough along one axis at least.
+Ggx facets(const Roughness& r) { return {std::max(r.x, least_alpha), std::max(r.y, least_alpha)}; }
+
 /// Which lobe a model has on the viewer's side.
 struct LobesOf {
   Side side;
@@ -35,9 +43,19 @@ struct LobesOf {
   }
   Bsdf::Lobes operator()(const Dielectric& m) const {
     if (m.is_thin) return ThinDielectricLobe(m.ior, m.reflectance, m.transmittance);
-    return SmoothDielectricLobe(ratio(m.ior), m.reflectance, m.transmittance);
+    if (is_smooth(m.roughness) || m.ior == 1)
+      return SmoothDielectricLobe(ratio(m.ior), m.reflectance, m.transmittance);
+    return RoughDielectricLobe(facets(m.roughness), ratio(m.ior), m.reflectance, m.transmittance);
   }
-  Bsdf::Lobes operator()(const Conductor& m) const { return SmoothConductorLobe(m.eta, m.k, m.reflectance); }
+  Bsdf::Lobes operator()(const Conductor& m) const {
+    if (is_smooth(m.roughness)) return SmoothConductorLobe(m.eta, m.k, m.reflectance);
+    return RoughConductorLobe(facets(m.roughness), m.eta, m.k, m.reflectance);
+  }
+  Bsdf::Lobes operator()(const Microfacet& m) const { return Cs184MicrofacetLobe(m.alpha, m.eta, m.k); }
+  Bsdf::Lobes operator()(const DiffuseTransmission& m) const {
+    return DiffuseTransmissionLobe{m.reflectance, m.transmittance};
+  }
+  Bsdf::Lobes operator()(const RoughDiffuse& m) const { return RoughDiffuseLobe(m.reflectance, m.roughness); }
   template <typename Model>
   Bsdf::Lobes operator()(const Model& m) const {
     return LambertLobe{lambert_reflectance(m)};

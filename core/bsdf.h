@@ -6,7 +6,12 @@
 #include <variant>
 
 #include "core/bsdf_sample.h"
+#include "core/lobes/cs184_microfacet.h"
+#include "core/lobes/diffuse_transmission.h"
 #include "core/lobes/lambert.h"
+#include "core/lobes/rough_conductor.h"
+#include "core/lobes/rough_dielectric.h"
+#include "core/lobes/rough_diffuse.h"
 #include "core/lobes/specular.h"
 #include "core/material.h"
 
@@ -40,7 +45,8 @@ class Bsdf {
   }
 
   using Lobes = std::variant<LambertLobe, MirrorLobe, SmoothConductorLobe, SmoothDielectricLobe,
-                             RefractionLobe, ThinDielectricLobe>;
+                             RefractionLobe, ThinDielectricLobe, RoughConductorLobe, RoughDielectricLobe,
+                             Cs184MicrofacetLobe, DiffuseTransmissionLobe, RoughDiffuseLobe>;
 
  private:
   Lobes lobes_;

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/lobes/rough_dielectric.h"
+
+#include "core/fresnel.h"
+#include "tests/support/lobe_checks.h"
+
+namespace twinray {
+namespace {
+
+using test::direction_at;
+
+constexpr Rgb white{1, 1, 1};
+/// Refraction narrows peaks, and ends at an edge.
+constexpr int fine = 48;
+const float cosines[] = {1.0f, 0.6f, 0.2f};
+const Ggx distributions[] = {Ggx(0.15f), Ggx(0.4f), Ggx(1.0f), Ggx(0.15f, 0.5f)};
+/// Into glass, out of it, and out of diamond.
+const float ratios[] = {1.5f, 1 / 1.5f, 1 / 2.4f};
+
+RoughDielectricLobe glass(const Ggx& facets, float eta) { return {facets, eta, white, white}; }
+
+/// The same boundary, for a viewer on its other side.
+RoughDielectricLobe other_side(const Ggx& facets, float eta) { return glass(facets, 1 / eta); }
+
+}  // namespace
+
+TEST_CASE("a rough dielectric is sampled with its density, from both sides") {
+  for (const Ggx& facets : distributions)
+    for (const float eta : ratios)
+      for (const float cosine : cosines) {
+        CAPTURE(facets.alpha_x(), facets.alpha_y(), eta, cosine);
+        test::check_sampling(glass(facets, eta), direction_at(cosine), 40, fine);
+      }
+  test::check_sampling(RoughDielectricLobe(Ggx(0.3f), 1.5f, {0.1f, 0.2f, 0.3f}, {0.5f, 0.9f, 0.5f}),
+                       direction_at(0.3f), 40, fine);
+  test::check_sampling(RoughDielectricLobe(Ggx(0.3f), 1.5f, {}, white), direction_at(0.3f), 40, fine);
+  test::check_sampling(RoughDielectricLobe(Ggx(0.3f), 1.5f, white, {}), direction_at(0.3f), 40, fine);
+}
+
+TEST_CASE("a rough dielectric is reciprocal, by eta squared where it transmits") {
+  test::Random random(3);
+  int refracted = 0;
+  for (const Ggx& facets : distributions)
+    for (const float eta : ratios)
+      for (int i = 0; i < 200; ++i) {
+        Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
+        wo.z = std::fabs(wo.z);
+        if (wi.z > 0) {
+          const float there = glass(facets, eta).evaluate(wo, wi).g;
+          CHECK(there == Approx(glass(facets, eta).evaluate(wi, wo).g).epsilon(1e-4));
+          continue;
+        }
+        const float there = glass(facets, eta).evaluate(wo, wi).g;
+        const float back = other_side(facets, eta).evaluate(test::flipped(wi), test::flipped(wo)).g;
+        CAPTURE(eta, wo.z, wi.z);
+        CHECK(there * eta * eta == Approx(back).epsilon(1e-3).margin(1e-6));
+        if (there > 0) ++refracted;
+      }
+  CHECK(refracted > 300);
+}
+
+TEST_CASE("a rough dielectric scatters never more than it receives, and all when nearly smooth") {
+  for (const float eta : ratios)
+    for (const float cosine : cosines) {
+      CAPTURE(eta, cosine);
+      const auto all = [&](float alpha) {
+        return test::sampled_albedo(glass(Ggx(alpha), eta), direction_at(cosine), 50000).g;
+      };
+      constexpr double rounding = 1e-4;
+      CHECK(all(0.002f) == Approx(1).margin(0.002));
+      CHECK(all(0.1f) > 0.89);
+      CHECK(all(0.1f) < 1 + rounding);
+      CHECK(all(0.5f) < 1 + rounding);
+      CHECK(all(1.0f) > 0.3);
+      CHECK(all(1.0f) < 1 + rounding);
+    }
+}
+
+TEST_CASE("a nearly smooth dielectric splits light as a smooth one") {
+  const RoughDielectricLobe lobe = glass(Ggx(0.001f), 1.5f);
+  for (const float cosine : cosines) {
+    CAPTURE(cosine);
+    const Vec3 wo = direction_at(cosine);
+    const float fresnel = fresnel_dielectric(cosine, 1.5f);
+    const BsdfSample reflected = lobe.sample(wo, fresnel * 0.5f, {0.3f, 0.5f});
+    CHECK(length(reflected.wi - Vec3{-wo.x, -wo.y, wo.z}) < 5e-3f);
+    CHECK(reflected.eta == 1);
+    const BsdfSample refracted = lobe.sample(wo, fresnel * 1.5f, {0.3f, 0.5f});
+    CHECK(length(refracted.wi - Vec3{-wo.x / 1.5f, -wo.y / 1.5f, -refracted_cosine(cosine, 1.5f)}) < 5e-3f);
+    CHECK(refracted.eta == 1.5f);
+    // Radiance within the glass is that outside, compressed by eta^2.
+    CHECK(refracted.value.g * std::fabs(refracted.wi.z) / refracted.pdf == Approx(1 / 2.25).epsilon(1e-2));
+  }
+}
+
+}  // namespace twinray
