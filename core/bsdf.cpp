@@ -20,13 +20,18 @@ struct LambertReflectance {
   }
 };
 
-/// Below this alpha, as in pbrt, what facets scatter is too narrow for float, and looks like a smooth surface.
+/// Below this alpha, as in pbrt, what facets scatter is too narrow for float, and looks like a smooth
+/// surface.
 constexpr float least_alpha = 1e-3f;
 
 bool is_smooth(const Roughness& r) { return std::max(r.x, r.y) < least_alpha; }
 
 /// Of a surface that is rough along one axis at least.
 Ggx facets(const Roughness& r) { return {std::max(r.x, least_alpha), std::max(r.y, least_alpha)}; }
+
+Coat coat(float ior, const Roughness& roughness) {
+  return is_smooth(roughness) ? Coat(ior) : Coat(ior, facets(roughness));
+}
 
 /// Which lobe a model has on the viewer's side.
 struct LobesOf {
@@ -56,6 +61,9 @@ struct LobesOf {
     return DiffuseTransmissionLobe{m.reflectance, m.transmittance};
   }
   Bsdf::Lobes operator()(const RoughDiffuse& m) const { return RoughDiffuseLobe(m.reflectance, m.roughness); }
+  Bsdf::Lobes operator()(const CoatedDiffuse& m) const {
+    return CoatedDiffuseLobe(coat(m.ior, m.roughness), m.reflectance);
+  }
   template <typename Model>
   Bsdf::Lobes operator()(const Model& m) const {
     return LambertLobe{lambert_reflectance(m)};

@@ -55,8 +55,7 @@ float average_ggx_dielectric_reflectance(float alpha, float ior) {
 }
 
 MultipleScattering::MultipleScattering(const Ggx& facets)
-    : alpha_(std::sqrt(0.5f * (facets.alpha_x() * facets.alpha_x() + facets.alpha_y() * facets.alpha_y()))),
-      average_loss_(average_ggx_loss(alpha_)) {}
+    : alpha_(facets.mean_alpha()), average_loss_(average_ggx_loss(alpha_)) {}
 
 float MultipleScattering::evaluate(float cos_o, float cos_i) const {
   return average_loss_ > 0 ? loss(cos_o) * loss(cos_i) / (pi * average_loss_) : 0;

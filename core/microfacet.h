@@ -23,6 +23,8 @@ class Ggx {
 
   float alpha_x() const { return x_; }
   float alpha_y() const { return y_; }
+  /// The root mean square of both: the alpha of facets without direction that lose about as much.
+  float mean_alpha() const { return std::sqrt(0.5f * (x_ * x_ + y_ * y_)); }
 
   /// The area of facets with the normal m, per solid angle and per area of the surface: the integral of
   /// D(m) m.z is 1. m.z >= 0.

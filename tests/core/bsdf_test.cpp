@@ -5,6 +5,7 @@
 #include "core/warp.h"
 #include "tests/support/catch.h"
 #include "tests/support/chi_square.h"
+#include "tests/support/lobe_checks.h"
 #include "tests/support/random.h"
 
 namespace twinray {
@@ -59,6 +60,31 @@ TEST_CASE("the models that are not rendered yet stand in as Lambert of their mai
   // gives 1.
   CHECK(lambert_reflectance(Microfacet{0.5f, {3, 3, 3}, {0, 0, 1e4f}}).r == Approx(0.25));
   CHECK(lambert_reflectance(Microfacet{0.5f, {3, 3, 3}, {0, 0, 1e4f}}).b == Approx(1).epsilon(1e-6));
+}
+
+TEST_CASE("facets narrower than a thousandth are smooth, and wider ones near that look smooth") {
+  const Vec3 wo = test::direction_at(0.6f), image{-wo.x, -wo.y, wo.z};
+  const auto is_delta = [&](const SurfaceModel& model) {
+    return Bsdf(model).sample(wo, 0, {0.3f, 0.6f}).is_delta;
+  };
+  for (const float alpha : {0.0f, 9e-4f, 1.1e-3f}) {
+    const Roughness roughness{alpha, 0};
+    const bool smooth = alpha < 1e-3f;
+    CAPTURE(alpha);
+    CHECK(is_delta(Conductor{.roughness = roughness}) == smooth);
+    CHECK(is_delta(Dielectric{.roughness = roughness}) == smooth);
+    CHECK(is_delta(CoatedDiffuse{.roughness = roughness}) == smooth);
+    CHECK(length(Bsdf(Conductor{.roughness = roughness}).sample(wo, 0.5f, {0.3f, 0.6f}).wi - image) < 5e-3f);
+  }
+  CHECK(is_delta(Dielectric{.ior = 1, .roughness = {0.5f, 0.5f}}));
+}
+
+TEST_CASE("a rough boundary is seen from the side that the viewer is on") {
+  const Dielectric glass{.ior = 1.5f, .roughness = {0.2f, 0.2f}};
+  // With the draw 1 facets refract: into the denser medium, or out of it.
+  const Vec3 wo{0.3f, 0, std::sqrt(1 - 0.09f)};
+  CHECK(Bsdf(glass, Side::outside).sample(wo, 1, {0.5f, 0.9f}).eta == 1.5f);
+  CHECK(Bsdf(glass, Side::inside).sample(wo, 1, {0.5f, 0.9f}).eta == 1 / 1.5f);
 }
 
 TEST_CASE("a frame is orthonormal around any normal, and maps back and forth") {

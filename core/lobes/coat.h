@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "core/bsdf_sample.h"
+#include "core/microfacet.h"
+
+namespace twinray {
+
+/// The boundary of a layer of a clear dielectric on top of something else: what it reflects, and what it lets
+/// through. Smooth, or with GGX facets; what facets do not reflect at once goes through. Seen from above,
+/// wo.z > 0. An ior below 1 is taken as 1: no coat.
+class Coat {
+ public:
+  explicit Coat(float ior);
+  Coat(float ior, const Ggx& facets);
+
+  bool is_smooth() const { return is_smooth_; }
+  float ior() const { return ior_; }
+  /// Of the facets; 0 if smooth.
+  float alpha() const { return alpha_; }
+
+  /// The part of light from a direction above that is reflected; the rest goes through.
+  float reflectance(float cosine) const;
+  float transmittance(float cosine) const { return 1 - reflectance(cosine); }
+  /// The same of light from all directions above.
+  float average_reflectance() const { return average_reflectance_; }
+  /// The part of light from all directions below that is reflected back down, most of it totally.
+  float average_reflectance_below() const { return 1 - (1 - average_reflectance_) / (ior_ * ior_); }
+
+  /// f(wo, wi) of what a rough coat reflects; 0 for a smooth one, which reflects to a delta direction.
+  float evaluate(const Vec3& wo, const Vec3& wi) const;
+  /// The density, per solid angle, of the directions of a rough coat's facets; 0 for a smooth one.
+  float pdf(const Vec3& wo, const Vec3& wi) const;
+  /// Where it reflects wo to: has that density. May lie below the surface.
+  Vec3 sample(const Vec3& wo, Vec2 u) const;
+
+ private:
+  bool is_smooth_;
+  float ior_, alpha_, average_reflectance_;
+  Ggx facets_;
+};
+
+}  // namespace twinray

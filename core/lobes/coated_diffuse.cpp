@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/lobes/coated_diffuse.h"
+
+#include "core/warp.h"
+
+namespace twinray {
+
+CoatedDiffuseLobe::CoatedDiffuseLobe(const Coat& coat, const Rgb& reflectance) : coat_(coat) {
+  const float back = coat.average_reflectance_below(), spread = coat.ior() * coat.ior();
+  const auto channel = [&](float r) { return r / ((1 - r * back) * spread); };
+  base_ = {channel(reflectance.r), channel(reflectance.g), channel(reflectance.b)};
+}
+
+Rgb CoatedDiffuseLobe::albedo() const {
+  const float reflected = coat_.average_reflectance(), through = 1 - reflected;
+  return Rgb{reflected, reflected, reflected} + base_ * (through * through);
+}
+
+float CoatedDiffuseLobe::coat_probability(float reflectance) const {
+  const float through = (1 - reflectance) * (1 - coat_.average_reflectance());
+  const float all = reflectance + through * max_component(base_);
+  return all > 0 ? reflectance / all : 1;
+}
+
+Rgb CoatedDiffuseLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
+  if (!(wo.z > 0 && wi.z > 0)) return {};
+  const float coat = coat_.evaluate(wo, wi);
+  return Rgb{coat, coat, coat} + base_ * (coat_.transmittance(wo.z) * coat_.transmittance(wi.z) / pi);
+}
+
+float CoatedDiffuseLobe::pdf(const Vec3& wo, const Vec3& wi) const {
+  if (!(wo.z > 0 && wi.z > 0)) return 0;
+  const float coat = coat_probability(coat_.reflectance(wo.z));
+  return coat * coat_.pdf(wo, wi) + (1 - coat) * cosine_hemisphere_pdf(wi.z);
+}
+
+BsdfSample CoatedDiffuseLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
+  if (!(wo.z > 0)) return {};
+  const float reflectance = coat_.reflectance(wo.z), probability = coat_probability(reflectance);
+  const bool reflects = lobe < probability;
+  const Vec3 wi = reflects ? coat_.sample(wo, u) : square_to_cosine_hemisphere(u);
+  if (!(wi.z > 0)) return {};
+  if (reflects && coat_.is_smooth()) {
+    const float value = reflectance / wi.z;
+    return {.wi = wi, .value = {value, value, value}, .pdf = probability, .is_delta = true};
+  }
+  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi)};
+}
+
+}  // namespace twinray

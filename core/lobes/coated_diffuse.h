@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "core/lobes/coat.h"
+
+namespace twinray {
+
+/// A diffuse surface under a coat, with all reflections between the two: pbrt's layers without a medium, in
+/// closed form. A diffuse base forgets where light came from, so that what leaves it is
+///
+///   f = T(wo) T(wi) / ior^2 * reflectance / (1 - reflectance R) / pi,
+///
+/// T: what the coat lets through along each direction, R: what it reflects back down of light from all
+/// directions below. Reciprocal; a white base loses nothing, while pbrt's rough coats lose what their facets
+/// scatter to each other. wo.z > 0.
+class CoatedDiffuseLobe {
+ public:
+  /// Reflectance of the base, in [0, 1].
+  CoatedDiffuseLobe(const Coat& coat, const Rgb& reflectance);
+
+  Rgb albedo() const;
+  Rgb evaluate(const Vec3& wo, const Vec3& wi) const;
+  float pdf(const Vec3& wo, const Vec3& wi) const;
+  BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
+
+ private:
+  /// The probability of sampling the coat's reflection.
+  float coat_probability(float reflectance) const;
+
+  Coat coat_;
+  Rgb base_;  ///< reflectance / (1 - reflectance R) / ior^2: radiosity below the coat.
+};
+
+}  // namespace twinray
