@@ -64,6 +64,13 @@ struct LobesOf {
   Bsdf::Lobes operator()(const CoatedDiffuse& m) const {
     return CoatedDiffuseLobe(coat(m.ior, m.roughness), m.reflectance);
   }
+  Bsdf::Lobes operator()(const CoatedConductor& m) const {
+    const float ior = std::max(1.0f, m.coat_ior);
+    const Rgb eta = m.eta / ior, k = m.k / ior;
+    if (is_smooth(m.roughness) && is_smooth(m.coat_roughness))
+      return SmoothCoatedConductorLobe(ior, eta, k, m.reflectance);
+    return CoatedConductorLobe(coat(ior, m.coat_roughness), facets(m.roughness), eta, k, m.reflectance);
+  }
   template <typename Model>
   Bsdf::Lobes operator()(const Model& m) const {
     return LambertLobe{lambert_reflectance(m)};

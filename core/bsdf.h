@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "core/bsdf_sample.h"
+#include "core/lobes/coated_conductor.h"
 #include "core/lobes/coated_diffuse.h"
 #include "core/lobes/cs184_microfacet.h"
 #include "core/lobes/diffuse_transmission.h"
@@ -45,10 +46,10 @@ class Bsdf {
     return std::visit([&](const auto& l) { return l.sample(wo, lobe, u); }, lobes_);
   }
 
-  using Lobes =
-      std::variant<LambertLobe, MirrorLobe, SmoothConductorLobe, SmoothDielectricLobe, RefractionLobe,
-                   ThinDielectricLobe, RoughConductorLobe, RoughDielectricLobe, Cs184MicrofacetLobe,
-                   DiffuseTransmissionLobe, RoughDiffuseLobe, CoatedDiffuseLobe>;
+  using Lobes = std::variant<LambertLobe, MirrorLobe, SmoothConductorLobe, SmoothDielectricLobe,
+                             RefractionLobe, ThinDielectricLobe, RoughConductorLobe, RoughDielectricLobe,
+                             Cs184MicrofacetLobe, DiffuseTransmissionLobe, RoughDiffuseLobe,
+                             CoatedDiffuseLobe, SmoothCoatedConductorLobe, CoatedConductorLobe>;
 
  private:
   Lobes lobes_;

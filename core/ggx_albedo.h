@@ -29,6 +29,8 @@ class MultipleScattering {
 
   /// The part of light along a direction with this cosine that meets several facets.
   float loss(float cosine) const { return ggx_loss(cosine, alpha_); }
+  /// The same for light that is the same from all directions.
+  float average_loss() const { return average_loss_; }
   /// f(wo, wi) of facets that absorb nothing, for the cosines of both.
   float evaluate(float cos_o, float cos_i) const;
   /// The factor of that for facets whose reflectance is `average` over all directions: some is absorbed at

@@ -15,6 +15,11 @@ RoughConductorLobe::RoughConductorLobe(const Ggx& facets, const Rgb& eta, const 
       average_fresnel_(average_fresnel_conductor(eta, k)),
       multiple_factor_(multiple_.absorption(average_fresnel_)) {}
 
+Rgb RoughConductorLobe::albedo() const {
+  const float loss = multiple_.average_loss();
+  return reflectance_ * (average_fresnel_ * (1 - loss) + multiple_factor_ * loss);
+}
+
 Rgb RoughConductorLobe::single_scattering(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
   const Vec3 m = normalize(wo + wi);

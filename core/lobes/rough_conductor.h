@@ -14,7 +14,7 @@ class RoughConductorLobe {
   /// Complex index of refraction eta + i k per channel, relative to the viewer's side; a factor in [0, 1].
   RoughConductorLobe(const Ggx& facets, const Rgb& eta, const Rgb& k, const Rgb& reflectance);
 
-  Rgb albedo() const { return reflectance_ * average_fresnel_; }
+  Rgb albedo() const;
   Rgb evaluate(const Vec3& wo, const Vec3& wi) const;
   float pdf(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;

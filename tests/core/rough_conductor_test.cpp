@@ -81,6 +81,17 @@ TEST_CASE("a nearly smooth conductor reflects as much as a smooth one") {
   }
 }
 
+TEST_CASE("a rough conductor's albedo is about what it scatters of light from all around") {
+  for (const float alpha : {0.1f, 0.5f, 1.0f}) {
+    double sum = 0;
+    for (int i = 0; i < 10; ++i) {
+      const float cosine = (float(i) + 0.5f) / 10;
+      sum += 2 * cosine * test::scattered(copper(Ggx(alpha)), direction_at(cosine), 12).g / 10;
+    }
+    CHECK(copper(Ggx(alpha)).albedo().g == Approx(sum).epsilon(0.03));
+  }
+}
+
 TEST_CASE("a brushed metal's highlight is long across its grooves") {
   const RoughConductorLobe lobe = copper(Ggx(0.5f, 0.05f));
   const Vec3 wo{0, 0, 1}, along_x = normalize({0.5f, 0, 1}), along_y = normalize({0, 0.5f, 1});
