@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 #include "cli/console.h"
 #include "cli/interrupt.h"
@@ -26,6 +27,7 @@ void add_options(CLI::App& app, ConvertArguments& arguments) {
                  arguments.load.camera_name);
   group.add_word({"-e,--environment", "FILE", "Light from a latitude-longitude .exr or .hdr"},
                  arguments.environment);
+  add_environment_placement(group, arguments.placement);
   group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
 }
 
@@ -34,17 +36,16 @@ std::string counted(std::size_t count, const char* name) {
   return fmt::format("{} {}{}", count, name, count == 1 ? "" : "s");
 }
 
-EnvironmentLight read_environment(const std::string& path) {
-  LoadedEnvironment loaded = load_environment(path);
+EnvironmentLight read_environment(const ConvertArguments& arguments) {
+  LoadedEnvironment loaded = load_environment(arguments.environment);
   if (!loaded.fault.empty()) throw Error(loaded.fault);
-  return {std::make_shared<const Image>(std::move(loaded.map))};
+  return placed_environment(std::move(loaded.map), arguments.placement, arguments.environment);
 }
 
 Scene load(const ConvertArguments& arguments) {
   Scene scene = load_with_warnings(arguments.scene, arguments.load).scene;
   scene.camera = camera_of(scene, arguments.view, arguments.frame.width, arguments.frame.height);
-  if (!arguments.environment.empty())
-    scene.lights.push_back({"environment", read_environment(arguments.environment)});
+  if (!arguments.environment.empty()) scene.lights.push_back({"environment", read_environment(arguments)});
   return scene;
 }
 

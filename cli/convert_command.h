@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/common_options.h"
+#include "cli/environment_options.h"
 #include "io/exchange.h"
 
 namespace twinray {
@@ -13,6 +14,7 @@ struct ConvertArguments {
   std::string scene;
   std::string output;       ///< The JSON file.
   std::string environment;  ///< Empty: none.
+  EnvironmentPlacement placement;
   LoadOptions load;
   View view = View::file;
   ExchangeFrame frame;

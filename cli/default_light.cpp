@@ -19,8 +19,9 @@ struct Strength {
   Rgb operator()(const AmbientLight& light) const { return light.radiance; }
   Rgb operator()(const EnvironmentLight& light) const {
     const std::vector<Rgb>& pixels = light.map->pixels;
-    const auto bright = std::find_if_not(pixels.begin(), pixels.end(), is_black);
-    return bright == pixels.end() ? Rgb{} : *bright;
+    const auto bright = std::find_if(pixels.begin(), pixels.end(),
+                                     [&](const Rgb& pixel) { return !is_black(light.scale * pixel); });
+    return bright == pixels.end() ? Rgb{} : light.scale * *bright;
   }
 };
 

@@ -80,6 +80,7 @@ void add_light_words(CLI::App& app, RenderRequest& request) {
       "--cost", request.cost, {{"nodes", CostKind::nodes}, {"primitives", CostKind::primitives}},
       "Of a camera ray, for cost (nodes if counted)");
   add_path_words(group, request);
+  add_environment_placement(group, arguments.placement);
   group.add_flag("--lenient-environment", arguments.lenient_environment,
                  "Its pixels that are not radiance are black");
   group.add_choice<bool>("--attenuation", arguments.load.attenuation_as_file,

@@ -44,6 +44,10 @@ std::string needs_light(const Asked& asked) {
   return asked.is_lit() ? "" : "for normals and costs are rendered without light";
 }
 
+std::string needs_environment(const Asked& asked) {
+  return asked.arguments.environment.empty() ? "for there is no --environment" : needs_light(asked);
+}
+
 std::string needs_fall_off(const Asked& asked) {
   return asked.arguments.load.interpretation == Interpretation::cs184
              ? "for point lights do not fall off in CS184's program"
@@ -147,6 +151,9 @@ constexpr Rule rules[]{
     {"--hemisphere", needs_direct_light},
     {"--light-samples", needs_direct_light},
     {"--environment", needs_light},
+    {"--environment-layout", needs_environment},
+    {"--environment-rotation", needs_environment},
+    {"--environment-scale", needs_environment},
     {"--attenuation", needs_fall_off},
     {"--default-light", needs_light},
     {"--clip", needs_file_view},
@@ -169,10 +176,8 @@ constexpr Rule rules[]{
 };
 
 bool has_area_light(const Scene& scene) {
-  const LightSet lights(scene);
-  for (std::uint32_t light = 0; light < lights.size(); ++light)
-    if (!lights.is_delta(light)) return true;
-  return false;
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const Light& light) { return !is_delta(light.source); });
 }
 
 bool is_given(const char* option, const RenderArguments& arguments) {

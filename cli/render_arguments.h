@@ -6,6 +6,7 @@
 
 #include "accel/engines.h"
 #include "cli/common_options.h"
+#include "cli/environment_options.h"
 #include "integrators/cost.h"
 #include "integrators/path.h"
 #include "integrators/render.h"
@@ -28,6 +29,7 @@ struct RenderArguments {
   View view = View::file;
   std::optional<Lens> lens;          ///< In place of the camera's.
   std::string environment;           ///< Empty: none.
+  EnvironmentPlacement placement;    ///< Of the environment.
   bool lenient_environment = false;  ///< Its pixels that are not radiance are black; else they are an error.
   LoadOptions load;
   bool default_light = false;  ///< A scene without light is lit from the camera.

@@ -54,7 +54,7 @@ EnvironmentLight read_environment(const RenderArguments& arguments) {
   if (!loaded.fault.empty() && !arguments.lenient_environment)
     throw Error(loaded.fault + "; with --lenient-environment such pixels are black");
   if (!loaded.fault.empty()) console::warn(loaded.fault + "; such pixels are black");
-  return {std::make_shared<const Image>(std::move(loaded.map))};
+  return placed_environment(std::move(loaded.map), arguments.placement, arguments.environment);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include <variant>
 
 #include "cli/default_light.h"
-#include "core/light_set.h"
 
 namespace twinray {
 namespace {
@@ -31,10 +30,9 @@ constexpr std::array<std::array<const char*, 2>, std::variant_size_v<SurfaceMode
      {"mix", "mean, grey,"}}};
 
 std::string unmet_lights(const Scene& scene) {
-  const LightSet lights(scene);
   std::vector<std::string> names;
-  for (std::uint32_t light = 0; light < lights.size(); ++light)
-    if (lights.is_delta(light)) names.push_back(fmt::format("\"{}\"", scene.lights[light].name));
+  for (const Light& light : scene.lights)
+    if (is_delta(light.source)) names.push_back(fmt::format("\"{}\"", light.name));
   if (names.empty()) return {};
   return fmt::format(
       "hemisphere sampling finds no light from a point or a single direction: {} {} nothing to the "

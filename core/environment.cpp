@@ -4,29 +4,141 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/elementary.h"
 #include "core/radiance.h"
 
 namespace twinray {
+namespace {
 
-Rgb environment_radiance(const Image& map, const Vec3& direction) {
-  const double polar =
-      atan2_turns(std::sqrt(double(direction.x) * direction.x + double(direction.z) * direction.z),
-                  direction.y);  // 0 at +y, 1/2 at -y
-  const double around = atan2_turns(-direction.z, direction.x) + 0.5;
-  const double column = around * map.width - 0.5, row = polar * 2 * map.height - 0.5;
-  const double left = std::floor(column), above = std::floor(row);
-  const auto s = float(column - left), t = float(row - above);
-  const auto at = [&](int dx, int dy) {
-    const int x = (int(left) + dx + map.width) % map.width;
-    return map.at(x, std::clamp(int(above) + dy, 0, map.height - 1));
+/// Cells take 8 bytes each; more than so many would choose hardly better.
+constexpr std::int64_t most_cells = 1 << 22;
+/// A part of the mean below which what is left of a cell is rounding.
+constexpr double residue = 1e-6;
+
+int ceil_divide(int a, int b) { return (a + b - 1) / b; }
+
+int block_for(const Image& map) {
+  int block = 1;
+  while (std::int64_t(ceil_divide(map.width, block)) * ceil_divide(map.height, block) > most_cells) ++block;
+  return block;
+}
+
+/// The mean over a pixel of the luminance as bilinear filtering has it.
+double filtered_luminance(MapLayout layout, const Image& map, int x, int y) {
+  constexpr double weights[] = {0.125, 0.75, 0.125};
+  double sum = 0;
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      sum +=
+          weights[dx + 1] * weights[dy + 1] * double(luminance(wrapped_pixel(layout, map, x + dx, y + dy)));
+  return sum;
+}
+
+/// A direction of the world in the space of the map: the transpose of a rotation turns back.
+Vec3 turned_back(const Transform& rotation, const Vec3& d) {
+  const auto& m = rotation.m;
+  const auto along = [&](int column) {
+    return float(m[0][column] * d.x + m[1][column] * d.y + m[2][column] * d.z);
   };
-  const Rgb upper = at(0, 0) * (1 - s) + at(1, 0) * s;
-  const Rgb lower = at(0, 1) * (1 - s) + at(1, 1) * s;
-  const Rgb radiance = upper * (1 - t) + lower * t;
-  // The weights' sum is rounded: between two pixels of the greatest radiance it could exceed it.
+  return {along(0), along(1), along(2)};
+}
+
+}  // namespace
+
+Environment::Environment(const EnvironmentLight& light, double compensation)
+    : light_(light),
+      block_(block_for(*light.map)),
+      columns_(ceil_divide(light.map->width, block_)),
+      rows_(ceil_divide(light.map->height, block_)) {
+  for (int row = 0; row < rows_; ++row)
+    row_solid_angle_.push_back(
+        solid_angle(light_.layout, {{0, cell(0, row).lower.y}, {1, cell(0, row).upper.y}}));
+  std::vector<double> weights = mean_luminances();
+  subtract(weights, compensation);
+  std::vector<double> sums, of_row(static_cast<std::size_t>(columns_));
+  for (int row = 0; row < rows_; ++row) {
+    for (int column = 0; column < columns_; ++column)
+      of_row[std::size_t(column)] = weights[std::size_t(row) * std::size_t(columns_) + std::size_t(column)] *
+                                    cell_solid_angle(column, row);
+    sums.push_back(columns_of_.emplace_back(of_row).total());
+  }
+  row_ = Distribution(sums);
+}
+
+std::vector<double> Environment::mean_luminances() const {
+  std::vector<double> luminances;
+  luminances.reserve(std::size_t(columns_) * std::size_t(rows_));
+  for (int row = 0; row < rows_; ++row)
+    for (int column = 0; column < columns_; ++column) luminances.push_back(mean_luminance(column, row));
+  return luminances;
+}
+
+void Environment::subtract(std::vector<double>& luminances, double compensation) const {
+  if (compensation == 0) return;
+  double sum = 0;
+  for (std::size_t i = 0; i < luminances.size(); ++i)
+    sum += luminances[i] * cell_solid_angle(int(i % std::size_t(columns_)), int(i / std::size_t(columns_)));
+  constexpr double all_directions = 12.566370614359172;
+  const double mean = sum / all_directions;
+  for (double& luminance : luminances) {
+    const double left = luminance - compensation * mean;
+    luminance = left > residue * mean ? left : 0;
+  }
+}
+
+Environment::Sample Environment::sample(Vec2 u) const {
+  if (!(row_.total() > 0)) return {};
+  const Distribution::Choice row = row_.sample(u.y);
+  const Distribution::Choice column = columns_of_[row.index].sample(u.x);
+  const Vec3 local = direction_within(light_.layout, cell(int(column.index), int(row.index)),
+                                      {column.remainder, row.remainder});
+  // The direction is rounded: all that is said of it is that of the point where it lies now.
+  const Vec3 direction = light_.rotation.vector(local);
+  const MapPoint point = point_of(direction);
+  const float pdf = pdf_at(point);
+  if (!(pdf > 0)) return {};
+  return {direction, radiance_at(point), pdf};
+}
+
+MapPoint Environment::point_of(const Vec3& direction) const {
+  return map_point(light_.layout, turned_back(light_.rotation, direction));
+}
+
+Rgb Environment::radiance_at(MapPoint point) const {
+  const Rgb radiance = light_.scale * map_value(light_.layout, *light_.map, point);
   return {std::min(radiance.r, max_radiance), std::min(radiance.g, max_radiance),
           std::min(radiance.b, max_radiance)};
+}
+
+float Environment::pdf_at(MapPoint point) const {
+  if (!(row_.total() > 0)) return 0;
+  const int column = std::clamp(int(point.x * light_.map->width) / block_, 0, columns_ - 1);
+  const int row = std::clamp(int(point.y * light_.map->height) / block_, 0, rows_ - 1);
+  const Distribution& columns = columns_of_[std::size_t(row)];
+  if (!(columns.total() > 0)) return 0;
+  const double probability =
+      double(row_.probability(std::uint32_t(row))) * columns.probability(std::uint32_t(column));
+  return float(probability / cell_solid_angle(column, row));
+}
+
+MapCell Environment::cell(int column, int row) const {
+  const auto fraction = [&](int cells, int size) { return double(std::min(cells * block_, size)) / size; };
+  const int w = light_.map->width, h = light_.map->height;
+  return {{fraction(column, w), fraction(row, h)}, {fraction(column + 1, w), fraction(row + 1, h)}};
+}
+
+double Environment::cell_solid_angle(int column, int row) const {
+  const MapCell all = cell(column, row);
+  return row_solid_angle_[std::size_t(row)] * (all.upper.x - all.lower.x);
+}
+
+double Environment::mean_luminance(int column, int row) const {
+  const Image& map = *light_.map;
+  const int right = std::min((column + 1) * block_, map.width);
+  const int below = std::min((row + 1) * block_, map.height);
+  double sum = 0;
+  for (int y = row * block_; y < below; ++y)
+    for (int x = column * block_; x < right; ++x) sum += filtered_luminance(light_.layout, map, x, y);
+  return sum / (double(right - column * block_) * double(below - row * block_));
 }
 
 }  // namespace twinray

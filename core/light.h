@@ -8,6 +8,7 @@
 
 #include "core/image.h"
 #include "core/rgb.h"
+#include "core/transform.h"
 #include "core/vec.h"
 
 namespace twinray {
@@ -64,13 +65,40 @@ struct AmbientLight {
   Rgb radiance;
 };
 
-/// Light from all around, as a picture: latitude-longitude, the top row towards +y.
+/// How the points of a picture are directions, in the picture's own space.
+enum class MapLayout {
+  /// Rows from +y to -y, columns once around: with p = atan2(-z, x) in turns, column (p + 1/2) mod 1 of the
+  /// width, as CS184's program has it.
+  latitude_longitude,
+  /// A square around +z, x to the right and y downwards, whose four corners are -z: every pixel covers the
+  /// same solid angle (Clarberg 2008). pbrt-v4's environments are such pictures.
+  equal_area,
+};
+
+/// Light from all around, as a picture. The camera sees it. A picture of one pixel is a constant sky.
 struct EnvironmentLight {
-  std::shared_ptr<const Image> map;  ///< Never null, at least one pixel, radiance.
+  std::shared_ptr<const Image> map;  ///< Never null, at least one pixel, radiance. A square if equal_area.
+  MapLayout layout = MapLayout::latitude_longitude;
+  Transform rotation;  ///< From the picture's space to the world; may mirror. It does not translate.
+  Rgb scale{1, 1, 1};  ///< Times the picture's radiance; finite and >= 0.
 };
 
 using LightSource = std::variant<MeshLight, SphereLight, PointLight, SpotLight, DirectionalLight,
                                  AmbientLight, EnvironmentLight>;
+
+/// Whether a source is a point or a direction, which no ray can hit by chance: one sample is exact.
+inline bool is_delta(const LightSource& source) {
+  return std::holds_alternative<PointLight>(source) || std::holds_alternative<SpotLight>(source) ||
+         std::holds_alternative<DirectionalLight>(source);
+}
+/// Whether a ray that leaves the scene may find the source.
+inline bool is_distant(const LightSource& source) {
+  return std::holds_alternative<AmbientLight>(source) || std::holds_alternative<EnvironmentLight>(source);
+}
+/// Whether a ray of the camera's that leaves the scene sees the source.
+inline bool is_background(const LightSource& source) {
+  return std::holds_alternative<EnvironmentLight>(source);
+}
 
 struct Light {
   std::string name;

@@ -139,40 +139,44 @@ LightSample sample_ambient(const AmbientLight& light, const SurfacePoint& from, 
   return {direction, light.radiance, uniform_hemisphere_pdf(), spawn_ray(from, direction)};
 }
 
-LightSample sample_environment(const EnvironmentLight& light, const SurfacePoint& from, Vec2 u) {
-  const Vec3 direction = square_to_uniform_sphere(u);
-  return {direction, environment_radiance(*light.map, direction), uniform_sphere_pdf(),
-          spawn_ray(from, direction)};
+LightSample sample_environment(const Environment& environment, const SurfacePoint& from, Vec2 u) {
+  const Environment::Sample sample = environment.sample(u);
+  if (sample.pdf == 0) return {};
+  return {sample.direction, sample.radiance, sample.pdf, spawn_ray(from, sample.direction)};
+}
+
+/// Radiance of an ambient light along a unit direction towards it.
+Rgb ambient_radiance(const AmbientLight& light, const Vec3& direction) {
+  return dot(light.up, direction) > 0 ? light.radiance : Rgb{};
 }
 
 }  // namespace
 
-LightSet::LightSet(const Scene& scene)
+LightSet::LightSet(const Scene& scene, double compensation)
     : lights_(scene.lights),
       bindings_(scene.bindings),
       geometry_(*scene.geometry),
       triangles_(scene.lights.size()),
       patches_(scene.lights.size()),
-      zones_(scene.lights.size()) {
-  for (std::size_t i = 0; i < lights_.size(); ++i)
+      zones_(scene.lights.size()),
+      environment_of_(scene.lights.size()) {
+  for (std::uint32_t i = 0; i < size(); ++i) {
     if (const auto* light = std::get_if<MeshLight>(&lights_[i].source)) {
       const Mesh& mesh = *geometry_.mesh(light->shape);
       triangles_[i] = triangles_by_area(mesh);
       patches_[i] = patch_light(mesh, light->side, triangles_[i].total());
       zones_[i] = zone_around(mesh);
-    } else if (std::holds_alternative<EnvironmentLight>(lights_[i].source)) {
+    } else if (const auto* environment = std::get_if<EnvironmentLight>(&lights_[i].source)) {
       zones_[i] = {{{0, 0, 0}, {0, 0, 0}}, std::numeric_limits<float>::infinity()};
+      environment_of_[i] = std::uint32_t(environments_.size());
+      environments_.emplace_back(*environment, compensation);
     }
+    if (is_distant(lights_[i].source)) distant_.push_back(i);
+  }
 }
 
 bool LightSet::is_in_a_zone(const Vec3& position) const {
   return std::any_of(zones_.begin(), zones_.end(), [&](const Zone& zone) { return zone.contains(position); });
-}
-
-bool LightSet::is_delta(std::uint32_t light) const {
-  const LightSource& source = lights_[light].source;
-  return std::holds_alternative<PointLight>(source) || std::holds_alternative<SpotLight>(source) ||
-         std::holds_alternative<DirectionalLight>(source);
 }
 
 LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, const Vec3& normal,
@@ -191,8 +195,8 @@ LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, cons
     return sample_position(point->position, point->intensity, point->attenuation, from);
   if (const auto* spot = std::get_if<SpotLight>(&source)) return sample_spot(*spot, from);
   if (const auto* ambient = std::get_if<AmbientLight>(&source)) return sample_ambient(*ambient, from, u);
-  if (const auto* environment = std::get_if<EnvironmentLight>(&source))
-    return sample_environment(*environment, from, u);
+  if (std::holds_alternative<EnvironmentLight>(source))
+    return sample_environment(environments_[environment_of_[light]], from, u);
   const auto& directional = std::get<DirectionalLight>(source);
   return {-directional.direction, directional.irradiance, 1, spawn_ray(from, -directional.direction)};
 }
@@ -225,20 +229,34 @@ Rgb LightSet::emitted(const SurfacePoint& point, const Vec3& wo) const {
   return sphere && cos_front > 0 ? sphere->radiance : Rgb{};
 }
 
+float LightSet::pdf(std::uint32_t light, const Vec3& direction) const {
+  const LightSource& source = lights_[light].source;
+  if (const auto* ambient = std::get_if<AmbientLight>(&source))
+    return dot(ambient->up, direction) > 0 ? uniform_hemisphere_pdf() : 0;
+  if (std::holds_alternative<EnvironmentLight>(source))
+    return environments_[environment_of_[light]].pdf(direction);
+  return 0;
+}
+
+Rgb LightSet::radiance(std::uint32_t light, const Vec3& direction) const {
+  const LightSource& source = lights_[light].source;
+  if (const auto* ambient = std::get_if<AmbientLight>(&source)) return ambient_radiance(*ambient, direction);
+  if (std::holds_alternative<EnvironmentLight>(source))
+    return environments_[environment_of_[light]].radiance(direction);
+  return {};
+}
+
 Rgb LightSet::escaped(const Vec3& direction) const {
-  Rgb radiance = background(direction);
-  for (const Light& light : lights_)
-    if (const auto* ambient = std::get_if<AmbientLight>(&light.source))
-      if (dot(ambient->up, direction) > 0) radiance += ambient->radiance;
-  return radiance;
+  Rgb sum;
+  for (const std::uint32_t light : distant_) sum += radiance(light, direction);
+  return sum;
 }
 
 Rgb LightSet::background(const Vec3& direction) const {
-  Rgb radiance;
-  for (const Light& light : lights_)
-    if (const auto* environment = std::get_if<EnvironmentLight>(&light.source))
-      radiance += environment_radiance(*environment->map, direction);
-  return radiance;
+  Rgb sum;
+  for (const std::uint32_t light : distant_)
+    if (is_background(lights_[light].source)) sum += radiance(light, direction);
+  return sum;
 }
 
 }  // namespace twinray

@@ -62,8 +62,14 @@ Rgb found_light(const LightTransport& transport, const Departure& departure, con
   if (transport.method != DirectMethod::mis) return {};
   const LightSet& lights = transport.lights;
   const float count = float(transport.samples_per_light);
-  if (hit.is_miss())
-    return lights.background(direction) * power_heuristic(departure.pdf, count * uniform_sphere_pdf());
+  if (hit.is_miss()) {
+    Rgb sum;
+    for (const std::uint32_t light : lights.distant())
+      if (lights.zone(light).contains(departure.from.position))
+        sum += lights.radiance(light, direction) *
+               power_heuristic(departure.pdf, count * lights.pdf(light, direction));
+    return sum;
+  }
   const std::uint32_t light = transport.scene.bindings[hit.mesh].light;
   if (light == no_light || !lights.zone(light).contains(departure.from.position)) return {};
   return lights.emitted(surface_at(*transport.scene.geometry, hit), -direction) *

@@ -32,6 +32,11 @@ struct LightTransport {
   std::uint32_t directions() const { return lights.size() * samples_per_light; }
 };
 
+/// How much the environments' samples leave to scattered rays (core/environment.h).
+inline double compensation_for(DirectMethod method, std::uint32_t samples_per_light) {
+  return method == DirectMethod::mis ? mis_compensation(samples_per_light) : 0;
+}
+
 /// Where a scattered ray comes from, and how likely it was.
 struct Departure {
   Receiver from;

@@ -17,7 +17,9 @@ void record_surface(const Interaction& at, const RecordSpans& record) {
 }  // namespace
 
 PathReference::PathReference(const Scene& scene, const PathOptions& options)
-    : scene_(scene), options_(options), lights_(scene) {
+    : scene_(scene),
+      options_(options),
+      lights_(scene, compensation_for(options.direct, options.samples_per_light)) {
   check(options);
 }
 

@@ -50,13 +50,11 @@ std::vector<std::string> names_of(const std::vector<Layer>& layers) {
   return names;
 }
 
-/// The pixels through which a camera ray may see something; all, where there is an environment.
+/// The pixels through which a camera ray may see something; all, where the background shines.
 PixelRect pixels_with_light(const Scene& scene, const Camera& camera, const Aabb& bounds,
                             const RenderOptions& options) {
-  const auto is_environment = [](const Light& light) {
-    return std::holds_alternative<EnvironmentLight>(light.source);
-  };
-  if (std::any_of(scene.lights.begin(), scene.lights.end(), is_environment))
+  const auto is_behind_all = [](const Light& light) { return is_background(light.source); };
+  if (std::any_of(scene.lights.begin(), scene.lights.end(), is_behind_all))
     return {0, 0, options.width, options.height};
   return visible_pixels(camera, bounds, options.width, options.height);
 }

@@ -169,7 +169,19 @@ Json source_json(const DirectionalLight& light) {
 Json source_json(const AmbientLight& light) {
   return {{"type", "ambient"}, {"up", json_of(light.up)}, {"radiance", json_of(light.radiance)}};
 }
-Json source_json(const EnvironmentLight&) { return {{"type", "environment"}}; }
+/// The columns of a rotation: where the axes of the picture's space point to.
+Json rotation_json(const Transform& rotation) {
+  return {{"x", json_of(rotation.vector({1, 0, 0}))},
+          {"y", json_of(rotation.vector({0, 1, 0}))},
+          {"z", json_of(rotation.vector({0, 0, 1}))}};
+}
+Json source_json(const EnvironmentLight& light) {
+  const bool is_square = light.layout == MapLayout::equal_area;
+  return {{"type", "environment"},
+          {"layout", is_square ? "equal-area" : "latitude-longitude"},
+          {"rotation", rotation_json(light.rotation)},
+          {"scale", json_of(light.scale)}};
+}
 
 Json shape_json(const Mesh&) { return {{"type", "mesh"}}; }
 Json shape_json(const SphereSet& set) {

@@ -50,7 +50,7 @@ struct Summarize {
     return {"",
             fmt::format("environment, {} x {} pixels", light.map->width, light.map->height),
             "mean of pixels",
-            Rgb{float(r / n), float(g / n), float(b / n)},
+            light.scale * Rgb{float(r / n), float(g / n), float(b / n)},
             {}};
   }
 };

@@ -83,9 +83,17 @@ def emitter(light):
         return {"type": "directional", "direction": light["direction"],
                 "irradiance": rgb(light["irradiance"])}
     if kind == "environment":
-        return {"type": "envmap", "filename": light["file"],
-                "to_world": [[0, 0, 1, 0], [0, 1, 0, 0], [1, 0, 0, 0], [0, 0, 0, 1]]}
+        return environment(light)
     raise Unsupported(f"Mitsuba has no light like \"{light['name']}\", which is of the type {kind}")
+
+
+def environment(light):
+    """Mitsuba's map looks along -z where ours looks along +x."""
+    axes, scale = light["rotation"], light["scale"]
+    if light["layout"] != "latitude-longitude" or len(set(scale)) > 1:
+        raise Unsupported(f"Mitsuba has no equal-area environment and no coloured scale: \"{light['name']}\"")
+    return {"type": "envmap", "filename": light["file"], "scale": scale[0],
+            "to_world": columns_as_rows(axes["z"], axes["y"], axes["x"], [0, 0, 0])}
 
 
 def shapes(scene):

@@ -2,6 +2,7 @@
 // Pixels of an environment map that are not radiance, through the program.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "io/image_file.h"
@@ -64,6 +65,48 @@ TEST_CASE("a sun of 5 * 10^6 in the environment is not lost") {
   CHECK(result.exit_code == 0);
   CHECK(result.err.empty());
   CHECK(read_image(folder.file("a.exr")).at(0, 0) == Rgb{5e6f, 1e9f, 1});
+}
+
+TEST_CASE("an environment is turned counter-clockwise as seen from above, and made brighter") {
+  const TemporaryFolder folder;
+  Image sky(8, 4), turned(8, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 8; ++x) {
+      sky.at(x, y) = {float(x), float(y), float(x * y)};
+      turned.at((x + 2) % 8, y) = sky.at(x, y) * 3;
+    }
+  const std::string emission_only = "--view=whole -m 0 ";
+  REQUIRE(render_under(folder, turned, emission_only).exit_code == 0);
+  const Image expected = read_image(folder.file("a.exr"));
+  REQUIRE(render_under(folder, sky, emission_only + "--environment-rotation=90 --environment-scale 3")
+              .exit_code == 0);
+  const Image seen = read_image(folder.file("a.exr"));
+  REQUIRE(seen.pixels.size() == expected.pixels.size());
+  float brightest = 0;
+  for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
+    CHECK(max_component(seen.pixels[i] - expected.pixels[i]) < 1e-3f);
+    CHECK(max_component(expected.pixels[i] - seen.pixels[i]) < 1e-3f);
+    brightest = std::max(brightest, max_component(seen.pixels[i]));
+  }
+  CHECK(brightest > 9);  // The sky is seen.
+}
+
+TEST_CASE("an equal-area environment is a square, and its options need an environment") {
+  const TemporaryFolder folder;
+  const ProcessResult oblong = render_under(folder, grey_sky(), "--environment-layout=equal-area");
+  CHECK(oblong.exit_code == 1);
+  CHECK(oblong.err == fmt::format("twinray: {}: 8 x 4 pixels; an equal-area environment is a square\n",
+                                  folder.file("sky.exr")));
+  Image square(4, 4);
+  CHECK(render_under(folder, square, "--environment-layout=equal-area").exit_code == 0);
+  const ProcessResult wide = render_under(folder, grey_sky(), "--environment-rotation=361");
+  CHECK(wide.exit_code == 2);
+  CHECK(wide.err.starts_with("twinray: --environment-rotation: \"361\" is not a number from -360 to 360\n"));
+  const ProcessResult none =
+      run_program("'" TWINRAY_SOURCE_DIR "/scenes/lights.dae' -r 4 3 -s 1 -q --environment-scale=2 -o '" +
+                  folder.file("b.png") + "'");
+  CHECK(none.err.find("--environment-scale") != std::string::npos);
+  CHECK(none.err.find("for there is no --environment") != std::string::npos);
 }
 
 }  // namespace twinray::test

@@ -150,20 +150,48 @@ TEST_CASE("the camera sees an environment but no ambient light, and bounces see 
   CHECK(lights.escaped({0, -1, 0}) == Rgb{0.25f, 0.5f, 2});
 }
 
+TEST_CASE("distant lights state the density and the radiance of their samples, one by one") {
+  Scene scene = scene_of(floor_square(5, -1), {0.5f, 0.5f, 0.5f}, {0, 1, 5}, {0, 0, 0});
+  add_light(scene, PointLight{{0, 1, 0}, {1, 1, 1}, {}});
+  add_light(scene, AmbientLight{normalize({1, 1, 0}), {1, 2, 3}});
+  for (const int seed : {1, 2}) {
+    auto map = std::make_shared<Image>(6, 3);
+    Random random{std::uint64_t(seed)};
+    for (Rgb& pixel : map->pixels) pixel = {random.unit(), random.unit(), random.unit()};
+    add_light(scene, EnvironmentLight{map});
+  }
+  const LightSet lights(scene, 1);
+  CHECK(std::vector(lights.distant().begin(), lights.distant().end()) == std::vector<std::uint32_t>{1, 2, 3});
+  CHECK(lights.pdf(0, {0, 1, 0}) == 0);
+  Random random(3);
+  for (int i = 0; i < 1000; ++i) {
+    Rgb all;
+    for (const std::uint32_t light : lights.distant()) {
+      const LightSample sample = lights.sample(light, below(), {0, 1, 0}, draw(random));
+      CHECK(lights.pdf(light, sample.direction) == sample.pdf);
+      CHECK(lights.radiance(light, sample.direction) == sample.radiance);
+      all += lights.radiance(light, normalize({0.3f, 0.2f, 0.1f}));
+    }
+    CHECK(lights.escaped(normalize({0.3f, 0.2f, 0.1f})) == all);
+  }
+}
+
 TEST_CASE("an environment's rows run from up to down, its columns once around") {
   Image map(8, 4);
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 8; ++x) map.at(x, y) = {float(x), float(y), 1};
+  const auto seen = [&](const Vec3& direction) {
+    return map_value(MapLayout::latitude_longitude, map, map_point(MapLayout::latitude_longitude, direction));
+  };
   // The poles: the first and the last row.
-  CHECK(environment_radiance(map, {0, 1, 0}).g == 0);
-  CHECK(environment_radiance(map, {0, -1, 0}).g == 3);
+  CHECK(seen({0, 1, 0}).g == 0);
+  CHECK(seen({0, -1, 0}).g == 3);
   // On the horizon, between the rows 1 and 2; +x is the middle column line, -z a quarter turn on, -x the
   // seam.
-  CHECK(environment_radiance(map, {1, 0, 0}) == Rgb{3.5f, 1.5f, 1});
-  CHECK(environment_radiance(map, {0, 0, -1}) == Rgb{5.5f, 1.5f, 1});
-  CHECK(environment_radiance(map, {0, 0, 1}) == Rgb{1.5f, 1.5f, 1});
-  CHECK(environment_radiance(map, {-1, 0, 0}) ==
-        Rgb{3.5f, 1.5f, 1});  // half of column 7 and half of column 0
+  CHECK(seen({1, 0, 0}) == Rgb{3.5f, 1.5f, 1});
+  CHECK(seen({0, 0, -1}) == Rgb{5.5f, 1.5f, 1});
+  CHECK(seen({0, 0, 1}) == Rgb{1.5f, 1.5f, 1});
+  CHECK(seen({-1, 0, 0}) == Rgb{3.5f, 1.5f, 1});  // half of column 7 and half of column 0
 }
 
 }  // namespace twinray::test

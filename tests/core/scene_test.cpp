@@ -58,4 +58,24 @@ TEST_CASE("a light whose shape is not of its kind is named") {
   CHECK(message_of(scene) == "light 1 names shape 2, which is not a set of one sphere");
 }
 
+TEST_CASE("an environment needs a picture of its layout, a rotation and a scale") {
+  Scene scene = valid_scene();
+  const auto with = [&scene](EnvironmentLight light) {
+    Scene lit = scene;
+    add_light(lit, std::move(light));
+    return message_of(lit);
+  };
+  const auto map = std::make_shared<const Image>(4, 2), square = std::make_shared<const Image>(2, 2);
+  const Transform turn = Transform::rotation({1, 2, 3}, 50);
+  CHECK(with({map, MapLayout::latitude_longitude, turn * Transform::scaling(-1, 1, 1)}) == "valid");
+  CHECK(with({square, MapLayout::equal_area}) == "valid");
+  CHECK(with({}) == "light 2 is an environment without a picture");
+  CHECK(with({map, MapLayout::equal_area}) ==
+        "light 2 is an equal-area environment of 4 x 2 pixels; it must be a square");
+  CHECK(with({map, {}, turn * Transform::scaling(1, 1.001, 1)}) ==
+        "light 2 is an environment whose rotation also scales or shears");
+  CHECK(with({map, {}, turn, {1, -1, 1}}) ==
+        "light 2 is an environment whose scale is (1, -1, 1); each must be finite and not negative");
+}
+
 }  // namespace twinray::test

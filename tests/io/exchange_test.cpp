@@ -181,20 +181,30 @@ TEST_CASE("each kind of light in exchange form") {
                   {"e", SpotLight{{1, 2, 3}, {0, 1, 0}, {4, 5, 6}, {}, 90, 2}},
                   {"f", DirectionalLight{{0, 1, 0}, {4, 5, 6}}},
                   {"g", AmbientLight{{0, 0, 1}, {4, 5, 6}}},
-                  {"h", EnvironmentLight{std::make_shared<const Image>(2, 1)}}};
-  CHECK(list_text(scene, "lights") == R"(  "lights": [
+                  {"h", EnvironmentLight{std::make_shared<const Image>(2, 2),
+                                         MapLayout::equal_area,
+                                         Transform{{{0, 0, 1, 0}, {0, 1, 0, 0}, {-1, 0, 0, 0}}},
+                                         {3, 4, 5}}},
+                  {"i", EnvironmentLight{std::make_shared<const Image>(2, 1)}}};
+  CHECK(list_text(scene, "lights") ==
+        R"(  "lights": [
     {"name":"a","type":"mesh","shape":3,"radiance":[1.0,2.0,3.0],"side":"both"},
     {"name":"b","type":"mesh","shape":4,"radiance":[1.0,2.0,3.0],"side":"back"},
     {"name":"c","type":"sphere","shape":5,"radiance":[1.0,2.0,3.0]},
     {"name":"d","type":"point","position":[1.0,2.0,3.0],"intensity":[4.0,5.0,6.0],)"
-                                      R"("attenuation":{"constant":7.0,"linear":8.0,"quadratic":9.0}},
+        R"("attenuation":{"constant":7.0,"linear":8.0,"quadratic":9.0}},
     {"name":"e","type":"spot","position":[1.0,2.0,3.0],"direction":[0.0,1.0,0.0],)"
-                                      R"("intensity":[4.0,5.0,6.0],)"
-                                      R"("attenuation":{"constant":0.0,"linear":0.0,"quadratic":1.0},)"
-                                      R"("falloff_angle_degrees":90.0,"falloff_exponent":2.0},
+        R"("intensity":[4.0,5.0,6.0],)"
+        R"("attenuation":{"constant":0.0,"linear":0.0,"quadratic":1.0},)"
+        R"("falloff_angle_degrees":90.0,"falloff_exponent":2.0},
     {"name":"f","type":"directional","direction":[0.0,1.0,0.0],"irradiance":[4.0,5.0,6.0]},
     {"name":"g","type":"ambient","up":[0.0,0.0,1.0],"radiance":[4.0,5.0,6.0]},
-    {"name":"h","type":"environment","file":"a-light-7.exr"})");
+    {"name":"h","type":"environment","layout":"equal-area",)"
+        R"("rotation":{"x":[0.0,0.0,-1.0],"y":[0.0,1.0,0.0],"z":[1.0,0.0,0.0]},)"
+        R"("scale":[3.0,4.0,5.0],"file":"a-light-7.exr"},
+    {"name":"i","type":"environment","layout":"latitude-longitude",)"
+        R"("rotation":{"x":[1.0,0.0,0.0],"y":[0.0,1.0,0.0],"z":[0.0,0.0,1.0]},)"
+        R"("scale":[1.0,1.0,1.0],"file":"a-light-8.exr"})");
 }
 
 TEST_CASE("each kind of camera in exchange form, its frame as wide as the picture") {

@@ -68,8 +68,8 @@ MUTANTS = [
            "inside of walls that emit and reflect, radiance is the geometric series of all "
            "bounces"),
     Mutant("a bounce that escapes counts the environment again", "integrators/direct_light.cpp",
-           "lights.background(direction) * power_heuristic(departure.pdf, count * uniform_sphere_pdf())",
-           "lights.background(direction)",
+           "power_heuristic(departure.pdf, count * lights.pdf(light, direction))",
+           "1.0f",
            "test_integrators",
            "a uniform environment lights a floor by its radiance times the reflectance, and "
            "fills the sky"),

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures whose points are directions: where each lies, and what the picture holds between its pixels. All
+// in the picture's own space, and in double, since a map of 16384 columns is finer than a float's turns.
+#pragma once
+#include "core/image.h"
+#include "core/light.h"
+#include "core/vec.h"
+
+namespace twinray {
+
+/// A point of a picture: fractions of its width, from the left, and of its height, from the top, in [0, 1].
+struct MapPoint {
+  double x = 0, y = 0;
+};
+
+/// A rectangle of a picture.
+struct MapCell {
+  MapPoint lower, upper;
+};
+
+/// The point of a direction, of any length but 0.
+MapPoint map_point(MapLayout layout, const Vec3& direction);
+/// A unit direction whose point lies in the cell, uniform by solid angle for u uniform in [0, 1)^2.
+Vec3 direction_within(MapLayout layout, const MapCell& cell, Vec2 u);
+/// How much of all directions, 4 pi, a cell covers.
+double solid_angle(MapLayout layout, const MapCell& cell);
+
+/// The pixel at a position that may lie up to one pixel beside the picture: where the sphere goes on there.
+const Rgb& wrapped_pixel(MapLayout layout, const Image& map, int x, int y);
+/// Bilinear between the centres of the pixels.
+Rgb map_value(MapLayout layout, const Image& map, MapPoint point);
+
+}  // namespace twinray
