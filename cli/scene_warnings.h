@@ -9,8 +9,7 @@
 namespace twinray {
 
 /// What a picture will not show as the scene describes it, by the way it is to be rendered: no light at all,
-/// lights that hemisphere sampling cannot find, materials that are rendered as Lambert. None for normals and
-/// cost.
+/// lights that hemisphere sampling cannot find. None for normals and cost.
 std::vector<std::string> scene_warnings(const Scene& scene, const RenderArguments& arguments);
 
 }  // namespace twinray

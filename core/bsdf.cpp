@@ -1,24 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/bsdf.h"
 
-#include "core/fresnel.h"
 
 namespace twinray {
 namespace {
-
-struct LambertReflectance {
-  Rgb operator()(const Refraction& m) const { return m.transmittance; }
-  Rgb operator()(const Glass& m) const { return m.transmittance; }
-  Rgb operator()(const Microfacet& m) const { return fresnel_conductor(1, m.eta, m.k); }
-  Rgb operator()(const Dielectric& m) const { return m.transmittance; }
-  Rgb operator()(const Conductor& m) const { return m.reflectance * fresnel_conductor(1, m.eta, m.k); }
-  Rgb operator()(const CoatedConductor& m) const { return m.reflectance * fresnel_conductor(1, m.eta, m.k); }
-  Rgb operator()(const Mix&) const { return {0.5f, 0.5f, 0.5f}; }
-  template <typename Model>
-  Rgb operator()(const Model& m) const {
-    return m.reflectance;
-  }
-};
 
 /// Below this alpha, as in pbrt, what facets scatter is too narrow for float, and looks like a smooth
 /// surface.
@@ -71,15 +56,10 @@ struct LobesOf {
       return SmoothCoatedConductorLobe(ior, eta, k, m.reflectance);
     return CoatedConductorLobe(coat(ior, m.coat_roughness), facets(m.roughness), eta, k, m.reflectance);
   }
-  template <typename Model>
-  Bsdf::Lobes operator()(const Model& m) const {
-    return LambertLobe{lambert_reflectance(m)};
-  }
+  Bsdf::Lobes operator()(const Mix&) const { return LambertLobe{}; }
 };
 
 }  // namespace
-
-Rgb lambert_reflectance(const SurfaceModel& model) { return std::visit(LambertReflectance{}, model); }
 
 Bsdf::Bsdf(const SurfaceModel& model, Side side) : lobes_(std::visit(LobesOf{side}, model)) {}
 

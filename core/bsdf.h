@@ -55,8 +55,4 @@ class Bsdf {
   Lobes lobes_;
 };
 
-/// The reflectance of a Lambert surface that stands in for a model: its own, that of a mirror, the
-/// transmittance of glass and refraction, the Fresnel reflectance at normal incidence of a conductor.
-Rgb lambert_reflectance(const SurfaceModel& model);
-
 }  // namespace twinray

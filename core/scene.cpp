@@ -39,6 +39,13 @@ void check_environment(const EnvironmentLight& light, std::size_t index) {
                     index, light.scale.r, light.scale.g, light.scale.b));
 }
 
+void check_material(const Scene& scene, std::size_t index) {
+  const auto* mix = std::get_if<Mix>(&scene.materials[index].model);
+  if (mix && (mix->first >= index || mix->second >= index))
+    throw Error(fmt::format("material {} mixes materials {} and {}; valid are those before it", index,
+                            mix->first, mix->second));
+}
+
 void check_light(const Scene& scene, std::size_t index) {
   const std::size_t shapes = scene.geometry->shapes().size();
   const auto* mesh = std::get_if<MeshLight>(&scene.lights[index].source);
@@ -56,6 +63,7 @@ void check_light(const Scene& scene, std::size_t index) {
 }  // namespace
 
 void check_scene(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) check_material(scene, i);
   if (scene.bindings.size() != scene.geometry->shapes().size())
     throw Error(
         fmt::format("{} shapes but {} bindings", scene.geometry->shapes().size(), scene.bindings.size()));

@@ -28,7 +28,8 @@ struct Scene {
   Camera camera;
 };
 
-/// Throws Error where an index points nowhere or a light's shape is not of the light's kind.
+/// Throws Error where an index points nowhere, a light's shape is not of the light's kind or a mixture is one
+/// of materials behind it.
 void check_scene(const Scene& scene);
 
 }  // namespace twinray

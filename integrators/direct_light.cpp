@@ -13,12 +13,11 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
   const std::uint32_t count = transport.directions();
   Rgb sum;
   for (std::uint32_t part = 0; part < count; ++part) {
-    const Vec2 u = sampler.draw_2d(Purpose::light_point, {part, count, 0});
-    const Vec3 direction = at.to_world(square_to_uniform_hemisphere(u));
-    const Rgb scattered = at.scattered(direction);
+    const Look look = look_around(at, sampler.draw_2d(Purpose::light_point, {part, count, 0}));
+    const Rgb scattered = at.scattered(look.direction);
     if (is_black(scattered)) continue;
-    const Hit hit = tracer.bounce_hit(spawn_ray(at.point(), direction));
-    sum += scattered * lamp_radiance(transport, hit, direction);
+    const Hit hit = tracer.bounce_hit(spawn_ray(at.point(), look.direction));
+    sum += scattered * lamp_radiance(transport, hit, look.direction) / look.density;
   }
   return count == 0 ? Rgb{} : sum / (float(count) * uniform_hemisphere_pdf());
 }
@@ -26,8 +25,8 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
 /// The part of a light's sample that scattered rays do not find.
 float weight_of(const LightTransport& transport, std::uint32_t light, const Interaction& at,
                 const LightSample& sample) {
-  if (transport.method != DirectMethod::mis) return 1;
-  if (!transport.lights.zone(light).contains(at.point().position)) return 1;
+  if (transport.method != DirectMethod::mis || transport.lights.is_delta(light)) return 1;
+  if (at.is_lambert() && !transport.lights.zone(light).contains(at.point().position)) return 1;
   return power_heuristic(float(transport.samples_of(light)) * sample.pdf, at.pdf(sample.direction));
 }
 
@@ -39,14 +38,27 @@ Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Int
   for (std::uint32_t part = 0; part < count; ++part) {
     const Vec2 u = sampler.draw_2d(Purpose::light_point, {part, count, light});
     const LightSample sample = transport.lights.sample(light, at.point(), at.normal(), u);
-    const Rgb scattered =
-        at.scattered(sample.direction) * sample.radiance * weight_of(transport, light, at, sample);
+    const Rgb scattered = scattered_sample(transport, light, at, sample);
     if (!is_black(scattered)) sum += scattered * tracer.visibility(sample.shadow_ray) / sample.pdf;
   }
   return sum / float(count);
 }
 
+bool is_sought(const LightSet& lights, const Departure& departure, std::uint32_t light) {
+  return departure.seeking == Seeking::all || lights.zone(light).contains(departure.from.position);
+}
+
 }  // namespace
+
+Look look_around(const Interaction& at, Vec2 u) {
+  if (at.is_lambert()) return {at.to_world(square_to_uniform_hemisphere(u))};
+  return {at.to_world(square_to_uniform_sphere(u)), uniform_sphere_pdf() / uniform_hemisphere_pdf()};
+}
+
+Rgb scattered_sample(const LightTransport& transport, std::uint32_t light, const Interaction& at,
+                     const LightSample& sample) {
+  return at.scattered(sample.direction) * sample.radiance * weight_of(transport, light, at, sample);
+}
 
 Rgb direct_light(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,
                  Tracer& tracer) {
@@ -59,25 +71,28 @@ Rgb direct_light(const LightTransport& transport, const Interaction& at, const V
 
 Rgb found_light(const LightTransport& transport, const Departure& departure, const Hit& hit,
                 const Vec3& direction) {
+  if (departure.seeking == Seeking::alone) return lamp_radiance(transport, hit, direction);
   if (transport.method != DirectMethod::mis) return {};
   const LightSet& lights = transport.lights;
   const float count = float(transport.samples_per_light);
   if (hit.is_miss()) {
     Rgb sum;
     for (const std::uint32_t light : lights.distant())
-      if (lights.zone(light).contains(departure.from.position))
+      if (is_sought(lights, departure, light))
         sum += lights.radiance(light, direction) *
                power_heuristic(departure.pdf, count * lights.pdf(light, direction));
     return sum;
   }
   const std::uint32_t light = transport.scene.bindings[hit.mesh].light;
-  if (light == no_light || !lights.zone(light).contains(departure.from.position)) return {};
+  if (light == no_light || !is_sought(lights, departure, light)) return {};
   return lights.emitted(surface_at(*transport.scene.geometry, hit), -direction) *
          power_heuristic(departure.pdf, count * lights.pdf(light, departure.from, hit));
 }
 
-bool may_find_light(const LightTransport& transport, const Vec3& position) {
-  return transport.method == DirectMethod::mis && transport.lights.is_in_a_zone(position);
+bool may_find_light(const LightTransport& transport, const Departure& departure) {
+  if (departure.seeking == Seeking::alone) return true;
+  if (transport.method != DirectMethod::mis) return false;
+  return departure.seeking == Seeking::all || transport.lights.is_in_a_zone(departure.from.position);
 }
 
 Rgb lamp_radiance(const LightTransport& transport, const Hit& hit, const Vec3& direction) {

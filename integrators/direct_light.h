@@ -37,22 +37,45 @@ inline double compensation_for(DirectMethod method, std::uint32_t samples_per_li
   return method == DirectMethod::mis ? mis_compensation(samples_per_light) : 0;
 }
 
+/// Which light a scattered ray is to bring from a surface.
+enum class Seeking {
+  zones,  ///< By mis: of lights in whose zones the surface is. A Lambert surface scatters evenly: of others,
+          ///< light samples bring most.
+  all,    ///< By mis: of all lights, since the surface may scatter most from a few directions.
+  alone,  ///< By all methods: all light, since no sample of a light has the direction of a mirror.
+};
+
 /// Where a scattered ray comes from, and how likely it was.
 struct Departure {
   Receiver from;
-  float pdf = 1;  ///< Of its direction, per solid angle.
+  float pdf = 1;  ///< Of its direction, per solid angle; no meaning for one that seeks alone.
+  Seeking seeking = Seeking::zones;
 };
 
-/// An estimate of the light of all emitters, scattered once at a surface; by `hemisphere`, of all but delta
-/// lights; by `mis`, but for the part that scattered rays find. Unbiased.
+/// A direction in which hemisphere sampling looks for emitters.
+struct Look {
+  Vec3 direction;     ///< Unit, in world space.
+  float density = 1;  ///< Per solid angle, relative to uniform_hemisphere_pdf().
+};
+/// Uniform in the hemisphere of a Lambert surface; all around others, which may let light through. u in
+/// [0, 1)^2.
+Look look_around(const Interaction& at, Vec2 u);
+
+/// What a surface scatters of a light's sample before its visibility and density, but for the part that
+/// scattered rays find.
+Rgb scattered_sample(const LightTransport& transport, std::uint32_t light, const Interaction& at,
+                     const LightSample& sample);
+
+/// An estimate of the light of all emitters, scattered once at a surface into all but delta directions; by
+/// `hemisphere`, of all but delta lights; by `mis`, but for the part that scattered rays find. Unbiased.
 Rgb direct_light(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,
                  Tracer& tracer);
 
-/// That part, by the ray that a path goes on along: its hit, and its unit direction. Black by other methods.
+/// What is left out there, by the ray that a path goes on along: its hit, and its unit direction.
 Rgb found_light(const LightTransport& transport, const Departure& departure, const Hit& hit,
                 const Vec3& direction);
 /// Whether a ray from there could find any.
-bool may_find_light(const LightTransport& transport, const Vec3& position);
+bool may_find_light(const LightTransport& transport, const Departure& departure);
 
 /// Radiance that a ray brings from an emitter that it hits, or from beyond the scene.
 Rgb lamp_radiance(const LightTransport& transport, const Hit& hit, const Vec3& direction);

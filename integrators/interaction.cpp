@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/interaction.h"
 
+#include "core/surface_model.h"
+
 namespace twinray {
 namespace {
 
@@ -12,14 +14,24 @@ Vec3 usable_shading_normal(const SurfacePoint& point, const Vec3& wo, const Vec3
   return dot(shading, wo) > 0 ? shading : facing_normal;
 }
 
+Side side_of(const SurfacePoint& point, const Vec3& wo) {
+  const bool is_before = dot(point.geometric_normal, wo) > 0;
+  const bool points_outside = dot(point.geometric_normal, point.shading_normal) >= 0;
+  return is_before == points_outside ? Side::outside : Side::inside;
+}
+
 }  // namespace
 
 Interaction::Interaction(const Scene& scene, const SurfacePoint& point, const Vec3& wo)
+    : Interaction(model_at(scene, point), point, wo) {}
+
+Interaction::Interaction(const SurfaceModel& model, const SurfacePoint& point, const Vec3& wo)
     : point_(point),
       wo_(wo),
       facing_normal_(facing(point.geometric_normal, wo)),
       frame_(usable_shading_normal(point, wo, facing_normal_)),
       wo_local_(frame_.to_local(wo)),
-      bsdf_(Lambert{lambert_reflectance(scene.materials[scene.bindings[point.shape].material].model)}) {}
+      bsdf_(model, side_of(point, wo)),
+      is_lambert_(std::holds_alternative<Lambert>(model)) {}
 
 }  // namespace twinray

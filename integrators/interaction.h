@@ -12,28 +12,32 @@ namespace twinray {
 /// A surface point together with the direction it is seen from: what scattering needs.
 ///
 /// Both normals are turned to the viewer's side. Where interpolated normals contradict the geometry (the
-/// viewer lies behind the shading normal), the geometric one shades.
+/// viewer lies behind the shading normal), the geometric one shades. Outside is where the shape's shading
+/// normals point, if it has any, else its fronts.
 class Interaction {
  public:
-  /// The point must outlive this; `wo` is a unit vector to the viewer.
+  /// `wo` is a unit vector to the viewer.
   Interaction(const Scene& scene, const SurfacePoint& point, const Vec3& wo);
 
   const SurfacePoint& point() const { return point_; }
   const Bsdf& bsdf() const { return bsdf_; }
+  /// Whether light is scattered evenly, so that light samples bring nearly all of it well.
+  bool is_lambert() const { return is_lambert_; }
   const Vec3& wo() const { return wo_; }              ///< World space.
   const Vec3& wo_local() const { return wo_local_; }  ///< z > 0.
   const Vec3& normal() const { return frame_.normal; }
 
   Vec3 to_local(const Vec3& v) const { return frame_.to_local(v); }
   Vec3 to_world(const Vec3& v) const { return frame_.to_world(v); }
-  /// f(wo, wi) |cos(wi)| for a unit direction in world space; black where wi leaves on another side of the
-  /// surface than of its shading normal, so that no light leaks through.
+  /// f(wo, wi) |cos(wi)| for a unit direction in world space, of all but delta directions; black where wi
+  /// leaves on another side of the surface than of its shading normal, so that no light leaks through.
   Rgb scattered(const Vec3& wi) const {
     if (!is_consistent(wi)) return {};
     const Vec3 local = to_local(wi);
     return bsdf_.evaluate(wo_local_, local) * std::fabs(local.z);
   }
-  /// The density, per solid angle, with which scattering chooses a unit direction in world space.
+  /// The density, per solid angle, with which scattering chooses a unit direction in world space among all
+  /// but delta directions.
   float pdf(const Vec3& wi) const { return bsdf_.pdf(wo_local_, to_local(wi)); }
   /// Whether a direction lies on one side of both the shading and the geometric normal.
   bool is_consistent(const Vec3& wi) const {
@@ -41,12 +45,15 @@ class Interaction {
   }
 
  private:
-  const SurfacePoint& point_;
+  SurfacePoint point_;
   Vec3 wo_;
   Vec3 facing_normal_;  ///< The geometric normal on the viewer's side.
   Frame frame_;
   Vec3 wo_local_;
   Bsdf bsdf_;
+  bool is_lambert_;
+
+  Interaction(const SurfaceModel& model, const SurfacePoint& point, const Vec3& wo);
 };
 
 }  // namespace twinray

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/path_reference.h"
 
-#include <cmath>
-
 #include "core/spawn_ray.h"
 #include "integrators/direct_light.h"
+#include "integrators/scattering.h"
 
 namespace twinray {
 namespace {
@@ -49,10 +48,10 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     const VertexSampler sampler(kind, path_key, std::uint32_t(depth) + 1);
     if (options_.counts(depth + 1))
       radiance += path.throughput * direct_light(transport, at, sampler, tracer);
+    if (!scatter(at, depth, sampler, path)) return radiance;
     // The ray after the last surface only looks for light.
     const bool is_last = depth + 1 >= options_.depth_limit();
-    if (is_last && !may_find_light(transport, point.position)) return radiance;
-    if (!scatter(at, depth, sampler, path)) return radiance;
+    if (is_last && !may_find_light(transport, path.departure)) return radiance;
     hit = tracer.bounce_hit(path.ray);
   }
 }
@@ -67,23 +66,23 @@ Rgb PathReference::emission(const LightTransport& transport, const State& path, 
 
 bool PathReference::scatter(const Interaction& at, int depth, const VertexSampler& sampler,
                             State& path) const {
-  const BsdfSample sample = at.bsdf().sample(at.wo_local(), 0, sampler.draw_2d(Purpose::direction));
-  if (sample.pdf == 0) return false;
-  const Vec3 wi = at.to_world(sample.wi);
-  if (!at.is_consistent(wi)) return false;
-  path.throughput = path.throughput * sample.value * (std::fabs(sample.wi.z) / sample.pdf);
-  if (is_black(path.throughput) || !survives_roulette(depth + 1, sampler, path.throughput)) return false;
-  path.departure = {{at.point().position, at.normal()}, sample.pdf};
-  path.ray = spawn_ray(at.point(), wi);
-  return true;
+  const Vec2 u = sampler.draw_2d(Purpose::direction);
+  const float lobe = at.is_lambert() ? 0 : sampler.draw_1d(Purpose::lobe);
+  const auto next = twinray::scatter(at, path.throughput, lobe, u);
+  if (!next) return false;
+  path.throughput = next->throughput;
+  path.eta_squared *= next->eta * next->eta;
+  path.departure = next->departure;
+  path.ray = spawn_ray(at.point(), next->direction);
+  return survives_roulette(depth + 1, sampler, path);
 }
 
-bool PathReference::survives_roulette(int bounce, const VertexSampler& sampler, Rgb& throughput) const {
+bool PathReference::survives_roulette(int bounce, const VertexSampler& sampler, State& path) const {
   if (!options_.roulette.applies(bounce)) return true;
-  const float probability = options_.roulette.probability(throughput);
+  const float probability = options_.roulette.probability(path.throughput * path.eta_squared);
   if (probability >= 1) return true;
   if (sampler.draw_1d(Purpose::roulette) >= probability) return false;
-  throughput = throughput / probability;
+  path.throughput = path.throughput / probability;
   return true;
 }
 

@@ -26,7 +26,8 @@ class PathReference final : public Integrator {
     Ray ray;
     Departure departure;  ///< Of the ray, behind the first surface.
     Rgb throughput{1, 1,
-                   1};  ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
+                   1};      ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
+    float eta_squared = 1;  ///< Product of eta^2: where the camera is, radiance is that much smaller.
   };
   /// One path; `record` has room for one sample.
   Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer,
@@ -36,7 +37,7 @@ class PathReference final : public Integrator {
   Rgb emission(const LightTransport& transport, const State& path, const Hit& hit, int depth) const;
   /// Chooses where the path goes on from its vertex `depth`; false where it ends.
   bool scatter(const Interaction& at, int depth, const VertexSampler& sampler, State& path) const;
-  bool survives_roulette(int bounce, const VertexSampler& sampler, Rgb& throughput) const;
+  bool survives_roulette(int bounce, const VertexSampler& sampler, State& path) const;
 
   const Scene& scene_;
   PathOptions options_;

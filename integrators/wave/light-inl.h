@@ -100,7 +100,6 @@ HWY_ATTR HWY_INLINE Lanes weight_of(const MisRequest& request, const Lanes3& pos
 
 HWY_ATTR void scatter_light(const Surfaces& surfaces, const LightSamples& samples, std::size_t size,
                             const MisRequest& mis, Connections& connections) {
-  std::size_t count = 0;
   for (std::size_t i = 0; i < size; i += lane_count) {
     const Lanes3 direction = load(samples.direction, i);
     const Lanes z = dot(direction, load(surfaces.shading, i));
@@ -109,8 +108,14 @@ HWY_ATTR void scatter_light(const Surfaces& surfaces, const LightSamples& sample
     Lanes3 scattered = zero_unless(reflects, bsdf(surfaces, i) * hn::Abs(z)) * load(samples.radiance, i);
     if (mis.zone.squared_distance > 0)
       scattered = scattered * weight_of(mis, load(surfaces.point.position, i), load(samples.pdf, i), z);
-    const LaneMask counts = hn::And(is_not_black(scattered), within(i, size));
-    store(zero_unless(counts, scattered), connections.scattered, i);
+    store(scattered, connections.scattered, i);
+  }
+}
+
+HWY_ATTR void make_shadow_rays(const LightSamples& samples, std::size_t size, Connections& connections) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < size; i += lane_count) {
+    const LaneMask counts = hn::And(is_not_black(load(connections.scattered, i)), within(i, size));
     count = append(counts, i, connections.surface, count);
   }
   connections.size = count;

@@ -55,6 +55,7 @@ void PathWave::start() {
     paths_.pixel.set(i, pixel_key(samples_[i].key));
     paths_.index[i] = samples_[i].key.index;
     paths_.throughput.set(i, Rgb{1, 1, 1});
+    paths_.eta_squared[i] = 1;
     paths_.direction.set(i, samples_[i].ray.direction);
     wave_.rays[i] = samples_[i].ray;
   }
@@ -83,21 +84,27 @@ void PathWave::add_emission() {
 }
 
 void PathWave::add_found_light() {
-  if (context_.transport.method != DirectMethod::mis) return;
+  if (context_.transport.method != DirectMethod::mis && wave_.others.empty()) return;
   for (std::size_t k = 0; k < paths_.size; ++k) {
     const Hit& hit = wave_.hits[k];
     if (!hit.is_miss() && !context_.shapes[hit.mesh].emits) continue;
-    const std::size_t i = wave_.kept[k];  // The surface that the path comes from.
-    const Departure departure{{surfaces_.point.position.at(i), surfaces_.shading.at(i)}, wave_.pdf[i]};
+    const Departure departure = departure_from(wave_.kept[k]);
     const Vec3 direction = normalize(paths_.direction.at(k));
     radiance_[paths_.sample[k]] +=
         paths_.throughput.at<Rgb>(k) * found_light(context_.transport, departure, hit, direction);
   }
 }
 
+Departure PathWave::departure_from(std::size_t surface) const {
+  return {{surfaces_.point.position.at(surface), surfaces_.shading.at(surface)},
+          wave_.pdf[surface],
+          Seeking(wave_.seeking[surface])};
+}
+
 bool PathWave::may_find_light() const {
+  if (!wave_.others.empty()) return true;
   for (std::size_t i = 0; i < paths_.size; ++i)
-    if (twinray::may_find_light(context_.transport, surfaces_.point.position.at(i))) return true;
+    if (twinray::may_find_light(context_.transport, departure_from(i))) return true;
   return false;
 }
 
@@ -117,6 +124,8 @@ void PathWave::arrive() {
   stages_.find_points(surfaces_, paths_.size);
   place_spheres();
   stages_.find_interactions(paths_, surfaces_);
+  std::fill_n(wave_.seeking.values, paths_.size, std::uint32_t(Seeking::zones));
+  find_others();
 }
 
 namespace {
@@ -232,6 +241,8 @@ void PathWave::sample_light(std::uint32_t light) {
     else
       sample_other_light(light);
     stages_.scatter_light(surfaces_, light_, paths_.size, mis, connections_);
+    scatter_light_at_others(light);
+    stages_.make_shadow_rays(light_, paths_.size, connections_);
     connect();
     stages_.add_connections(light_, paths_.size, connections_);
   }
@@ -291,6 +302,8 @@ void PathWave::add_hemisphere() {
     draw(Purpose::light_point, {part, count, 0}, light_.ux, light_.uy);
     stages_.sample_hemisphere(surfaces_, light_, paths_.size);
     stages_.scatter_light(surfaces_, light_, paths_.size, {}, connections_);
+    look_around_others();
+    stages_.make_shadow_rays(light_, paths_.size, connections_);
     const std::span<Hit> hits = std::span(connections_.hits).first(connections_.size);
     tracer_.bounce_hits(std::span(connections_.rays).first(connections_.size), hits);
     for (std::size_t k = 0; k < connections_.size; ++k)
@@ -305,7 +318,10 @@ void PathWave::add_hemisphere() {
 
 bool PathWave::scatter(bool is_last) {
   draw(Purpose::direction, {}, wave_.ux, wave_.uy);
-  std::size_t kept = stages_.scatter_paths(surfaces_, wave_);
+  keep_throughput_at_others();
+  stages_.scatter_paths(surfaces_, wave_);
+  scatter_at_others();
+  std::size_t kept = stages_.keep_paths(wave_);
   if (is_last) kept = keep_light_seekers(kept);
   if (context_.options.roulette.applies(depth_ + 1)) kept = play_roulette(kept);
   for (std::size_t k = 0; k < kept; ++k) {
@@ -321,7 +337,7 @@ std::size_t PathWave::keep_light_seekers(std::size_t kept) {
   for (std::size_t k = 0; k < kept; ++k) {
     const std::uint32_t i = wave_.kept[k];
     wave_.kept[seeking] = i;
-    seeking += twinray::may_find_light(context_.transport, surfaces_.point.position.at(i));
+    seeking += twinray::may_find_light(context_.transport, departure_from(i));
   }
   return seeking;
 }
@@ -333,7 +349,7 @@ std::size_t PathWave::play_roulette(std::size_t kept) {
   for (std::size_t k = 0; k < kept; ++k) {
     const std::size_t i = wave_.kept[k];
     const Rgb throughput = paths_.throughput.at<Rgb>(i);
-    const float probability = roulette.probability(throughput);
+    const float probability = roulette.probability(throughput * paths_.eta_squared[i]);
     if (probability < 1) {
       if (wave_.ux[i] >= probability) continue;
       paths_.throughput.set(i, throughput / probability);
@@ -350,6 +366,7 @@ void PathWave::compact(std::size_t kept) {
     };
     for (Words* const column : {&paths_.sample, &paths_.pixel.low, &paths_.pixel.high, &paths_.index})
       compact_column(*column);
+    compact_column(paths_.eta_squared);
     for (Columns3* const columns : {&paths_.throughput, &paths_.direction}) {
       compact_column(columns->x);
       compact_column(columns->y);

@@ -45,6 +45,18 @@ class PathWave {
   void record_surfaces();
   void expand_hits();
   void place_spheres();
+  /// What is done alone, since lanes know Lambert surfaces only (integrators/wave/other_surfaces.cpp): finds
+  /// these surfaces,
+  void find_others();
+  /// writes what they scatter of a light's samples,
+  void scatter_light_at_others(std::uint32_t light);
+  /// looks for light all around them, where lanes look in the hemisphere,
+  void look_around_others();
+  /// remembers the throughput of the paths that have come there, which scattering in lanes overwrites,
+  void keep_throughput_at_others();
+  /// and chooses where these go on.
+  void scatter_at_others();
+  Departure departure_from(std::size_t surface) const;
   void add_direct_light();
   void add_lights();
   void add_hemisphere();

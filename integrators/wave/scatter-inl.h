@@ -12,10 +12,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 
-HWY_ATTR std::size_t scatter_paths(const Surfaces& surfaces, Wave& wave) {
+HWY_ATTR void scatter_paths(const Surfaces& surfaces, Wave& wave) {
   Paths& paths = wave.paths;
   const Lanes zero = hn::Zero(FloatTag());
-  std::size_t kept = 0;
   for (std::size_t i = 0; i < paths.size; i += lane_count) {
     const Lanes3 local = square_to_cosine_hemisphere(load(wave.ux, i), load(wave.uy, i));
     const Lanes pdf = hn::Div(hn::Max(zero, local.z), splat(pi));
@@ -24,14 +23,20 @@ HWY_ATTR std::size_t scatter_paths(const Surfaces& surfaces, Wave& wave) {
     const LaneMask is_scattered =
         hn::And(hn::And(is_not_black(load(surfaces.reflectance, i)), is_positive(local.z)),
                 hn::And(hn::Ne(load(surfaces.wo_z, i), zero), hn::Ne(pdf, zero)));
-    const LaneMask goes_on = hn::And(hn::And(is_scattered, is_consistent(surfaces, i, wi)),
-                                     hn::And(is_not_black(throughput), within(i, paths.size)));
-    store(throughput, paths.throughput, i);
+    store(zero_unless(hn::And(is_scattered, is_consistent(surfaces, i, wi)), throughput), paths.throughput,
+          i);
     store(wi, paths.direction, i);
     store(pdf, wave.pdf, i);
     store(leave_surface(surfaces.point, i, wi), wave.origin, i);
-    kept = append(goes_on, i, wave.kept, kept);
   }
+}
+
+HWY_ATTR std::size_t keep_paths(Wave& wave) {
+  const Paths& paths = wave.paths;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < paths.size; i += lane_count)
+    kept =
+        append(hn::And(is_not_black(load(paths.throughput, i)), within(i, paths.size)), i, wave.kept, kept);
   return kept;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/wave/shape_table.h"
 
-#include "core/bsdf.h"
-
 namespace twinray {
 namespace {
 
@@ -20,7 +18,9 @@ std::vector<ShapeEntry> shape_table(const Scene& scene) {
   const Geometry& geometry = *scene.geometry;
   for (std::uint32_t shape = 0; shape < geometry.shapes().size(); ++shape) {
     const ShapeBinding& binding = scene.bindings[shape];
-    ShapeEntry entry{.reflectance = lambert_reflectance(scene.materials[binding.material].model),
+    const auto* lambert = std::get_if<Lambert>(&scene.materials[binding.material].model);
+    ShapeEntry entry{.reflectance = lambert ? lambert->reflectance : Rgb{},
+                     .is_lambert = lambert != nullptr,
                      .emits = binding.light != no_light};
     if (const Mesh* mesh = geometry.mesh(shape); mesh && !mesh->triangles.empty()) {
       entry.positions = mesh->positions.data();

@@ -18,7 +18,8 @@ struct ShapeEntry {
   const Vec3* normals = nullptr;  ///< Null where a mesh has none.
   const Triangle* normal_indices = nullptr;
   const Facet* facets = nullptr;
-  Rgb reflectance;
+  Rgb reflectance;         ///< Of a Lambert surface.
+  bool is_lambert = true;  ///< Of one material, whose model is Lambert's.
   bool emits = false;
 };
 

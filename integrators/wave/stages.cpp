@@ -29,8 +29,10 @@ WaveStages stages() {
           sample_mesh_light,
           sample_hemisphere,
           scatter_light,
+          make_shadow_rays,
           add_connections,
-          scatter_paths};
+          scatter_paths,
+          keep_paths};
 }
 
 }  // namespace

@@ -31,15 +31,19 @@ struct WaveStages {
   void (*sample_mesh_light)(const Surfaces&, const MeshLightRequest&, LightSamples&, std::size_t size);
   /// Draws -> directions, with the radiance 1: uniform in the hemisphere.
   void (*sample_hemisphere)(const Surfaces&, LightSamples&, std::size_t size);
-  /// LightSamples -> Connections::scattered, size, surface, rays: Interaction::scattered times the radiance
+  /// LightSamples -> Connections::scattered: Interaction::scattered of Lambert surfaces times the radiance
   /// and the weight.
   void (*scatter_light)(const Surfaces&, const LightSamples&, std::size_t size, const MisRequest&,
                         Connections&);
+  /// Connections::scattered -> size, surface, rays.
+  void (*make_shadow_rays)(const LightSamples&, std::size_t size, Connections&);
   /// Connections::scattered * arriving / pdf, added to of_light.
   void (*add_connections)(const LightSamples&, std::size_t size, Connections&);
-  /// Draws of a direction -> throughput, direction, pdf, origin, kept: Bsdf::sample and spawn_ray. The paths
-  /// are not compacted yet. Returns how many are kept.
-  std::size_t (*scatter_paths)(const Surfaces&, Wave&);
+  /// Draws of a direction -> throughput, direction, pdf, origin: Bsdf::sample of Lambert surfaces, and
+  /// spawn_ray. The throughput of paths that end is black.
+  void (*scatter_paths)(const Surfaces&, Wave&);
+  /// Throughput -> kept: the paths that go on. Returns how many.
+  std::size_t (*keep_paths)(Wave&);
 };
 
 /// Those that this machine can run, the fastest first; none where it has no such instruction set.

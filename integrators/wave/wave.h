@@ -10,6 +10,7 @@
 #include "core/ray.h"
 #include "core/rgb.h"
 #include "core/sampler.h"
+#include "integrators/interaction.h"
 #include "integrators/wave/columns.h"
 
 namespace twinray {
@@ -39,7 +40,15 @@ struct Paths {
   Keys pixel;           ///< PathKey::pixel.
   Words index;          ///< PathKey::index.
   Columns3 throughput;  ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
+  Floats eta_squared;   ///< Product of eta^2: where the camera is, radiance is that much smaller.
   Columns3 direction;   ///< Of the current ray, of any length.
+
+  PathKey key(std::size_t i) const {
+    PathKey key;
+    key.pixel = std::uint64_t(pixel.high[i]) << 32 | pixel.low[i];
+    key.index = index[i];
+    return key;
+  }
 };
 
 /// Points of triangles, before they are worked out.
@@ -60,10 +69,17 @@ struct Surfaces {
   TrianglePoints triangle;
   Columns3 normal_a, normal_b, normal_c;  ///< At the corners; zero without.
   Points point;
-  Columns3 shading;  ///< First the interpolated normal, then the one of the frame, on the viewer's side.
-  Floats facing;     ///< 1, or -1 where the geometric normal looks away from the viewer.
-  Floats wo_z;       ///< Cosine of the direction to the viewer and the shading normal.
-  Columns3 reflectance;
+  Columns3 shading;      ///< First the interpolated normal, then the one of the frame, on the viewer's side.
+  Floats facing;         ///< 1, or -1 where the geometric normal looks away from the viewer.
+  Floats wo_z;           ///< Cosine of the direction to the viewer and the shading normal.
+  Columns3 reflectance;  ///< Of Lambert surfaces; the albedo of others.
+};
+
+/// A surface that is not Lambert's: what it scatters is worked out alone, by the functions of PathReference.
+struct OtherSurface {
+  std::uint32_t index = 0;  ///< Among the surfaces.
+  Interaction at;
+  Rgb throughput;  ///< Of the path that has come there.
 };
 
 /// Light that may arrive at each surface: a LightSample each, its shadow ray in parts.
@@ -102,9 +118,11 @@ struct Wave {
   PatchCorners corners;
   LightSamples light;
   Connections connections;
-  Floats ux, uy;          ///< Draws of a direction, or of roulette.
+  std::vector<OtherSurface> others;  ///< In the order of the surfaces.
+  Floats ux, uy;                     ///< Draws of a direction, or of roulette.
   Words kept;             ///< The paths that go on; until they arrive, the surfaces that they come from.
   Floats pdf;             ///< At each surface: of the direction that goes on, per solid angle.
+  Words seeking;          ///< Likewise: which light its ray is to bring, a Seeking.
   Columns3 origin;        ///< Of their rays.
   std::vector<Ray> rays;  ///< Of the paths, as accelerators take them.
   std::vector<Hit> hits;

@@ -77,18 +77,6 @@ TEST_CASE("hemisphere sampling names the delta lights that it cannot find") {
                  "\"bulb\", \"torch\" add nothing to the picture; --direct=lights would show them"});
 }
 
-TEST_CASE("each kind of material that is rendered as Lambert is warned of once, with the names") {
-  Scene scene = lit_scene();
-  scene.materials = {{"silver", Mirror{}}, {"clay", Lambert{}},     {"window", Glass{}},
-                     {"lens", Glass{}},    {"water", Refraction{}}, {"copper", Microfacet{}}};
-  CHECK(warnings_of(scene) ==
-        Warnings{"mirror is rendered as Lambert of its reflectance: \"silver\"",
-                 "refraction is rendered as Lambert of its transmittance: \"water\"",
-                 "glass is rendered as Lambert of its transmittance: \"window\", \"lens\"",
-                 "microfacet is rendered as Lambert of its reflectance at normal incidence: \"copper\""});
-  CHECK(warnings_of(scene, {"--integrator=normals"}).empty());
-}
-
 TEST_CASE("light samples have no effect where every light is a point or a direction") {
   Scene scene;
   scene.lights.push_back({"sun", DirectionalLight{}});

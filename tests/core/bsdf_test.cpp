@@ -52,16 +52,6 @@ TEST_CASE("sampled directions have the stated density, from both sides") {
   }
 }
 
-TEST_CASE("the models that are not rendered yet stand in as Lambert of their main colour") {
-  CHECK(lambert_reflectance(Mirror{{0.9f, 0.8f, 0.7f}}) == Rgb{0.9f, 0.8f, 0.7f});
-  CHECK(lambert_reflectance(Glass{{0.5f, 0.6f, 0.7f}, {1, 1, 1}, 0, 1.5f}) == Rgb{0.5f, 0.6f, 0.7f});
-  CHECK(lambert_reflectance(Refraction{{0.1f, 0.2f, 0.3f}, 0, 1.5f}) == Rgb{0.1f, 0.2f, 0.3f});
-  // Normal incidence: ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2); eta = 3, k = 0 gives 1/4, k -> infinity
-  // gives 1.
-  CHECK(lambert_reflectance(Microfacet{0.5f, {3, 3, 3}, {0, 0, 1e4f}}).r == Approx(0.25));
-  CHECK(lambert_reflectance(Microfacet{0.5f, {3, 3, 3}, {0, 0, 1e4f}}).b == Approx(1).epsilon(1e-6));
-}
-
 TEST_CASE("facets narrower than a thousandth are smooth, and wider ones near that look smooth") {
   const Vec3 wo = test::direction_at(0.6f), image{-wo.x, -wo.y, wo.z};
   const auto is_delta = [&](const SurfaceModel& model) {

@@ -68,6 +68,41 @@ Scene scene_of_everything() {
   return scene;
 }
 
+/// The same lights upon surfaces of every model, balls among them.
+Scene scene_of_every_model() {
+  Scene scene = scene_of_everything();
+  const SurfaceModel models[] = {Mirror{{0.9f, 0.8f, 0.7f}},
+                                 Refraction{.ior = 1.3f},
+                                 Glass{{0.9f, 1, 0.8f}, {1, 0.5f, 1}, 0, 1.5f},
+                                 Microfacet{.alpha = 0.4f},
+                                 Dielectric{.ior = 1.4f},
+                                 Dielectric{.ior = 1.5f, .roughness = {0.3f, 0.2f}},
+                                 Dielectric{.is_thin = true},
+                                 Conductor{},
+                                 Conductor{.roughness = {0.1f, 0.4f}},
+                                 DiffuseTransmission{},
+                                 RoughDiffuse{},
+                                 CoatedDiffuse{},
+                                 CoatedDiffuse{.roughness = {0.2f, 0.2f}},
+                                 CoatedConductor{},
+                                 CoatedConductor{.roughness = {0.3f, 0.3f}, .coat_roughness = {0.2f, 0.2f}},
+                                 Mix{0, 4, 0.3f}};
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  std::uint64_t seed = 20;
+  for (const SurfaceModel& model : models) {
+    scene.materials.push_back({"", model});
+    const auto material = std::uint32_t(scene.materials.size() - 1);
+    Mesh mesh = soup(12, 0.7f, seed++);
+    if (seed % 2 == 0) add_normals(mesh);
+    shapes.push_back(std::move(mesh));
+    shapes.push_back(SphereSet{"", {{Random(seed).in_ball(), 0.2f}}});
+    scene.bindings.push_back({material});
+    scene.bindings.push_back({material});
+  }
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  return scene;
+}
+
 std::vector<CameraSample> samples_of(const Scene& scene, std::uint32_t count) {
   const Camera camera = fit_frame(scene.camera, 4, 3);
   std::vector<CameraSample> samples;
@@ -130,10 +165,12 @@ std::vector<PixelSample> pixel_samples() {
 
 TEST_CASE("waves of paths have the bits and the rays of paths one after the other") {
   const Scene everything = scene_of_everything();
+  const Scene models = scene_of_every_model();
   const Scene room = small_room();
   for (const PathOptions& options : cases) {
     const std::uint32_t count = options.samples_per_light > 100 ? 20 : 2100;
     check_bits(everything, options, count);
+    check_bits(models, options, count);
     check_bits(room, options, count);
   }
 }
@@ -161,7 +198,7 @@ TEST_CASE("camera rays made together have the bits of each alone") {
 }
 
 TEST_CASE("a wave of one path records its rays in the order of a path alone") {
-  const Scene scene = scene_of_everything();
+  const Scene scene = scene_of_every_model();
   const auto accelerator = build_accelerator(Backend::bvh, scene.geometry);
   for (const PathOptions& options : cases) {
     if (options.samples_per_light > 100) continue;

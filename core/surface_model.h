@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "core/scene.h"
+#include "core/surface.h"
+
+namespace twinray {
+
+/// What a surface is made of at a point: the model of its shape's material; of a Mix, the model of the one of
+/// its two that is chosen there. The choice is a hash of the point: the same whenever it is asked for.
+const SurfaceModel& model_at(const Scene& scene, const SurfacePoint& point);
+
+}  // namespace twinray

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrators/scattering.h"
+
+#include <cmath>
+
+namespace twinray {
+namespace {
+
+Seeking seeking_of(const Interaction& at, const BsdfSample& sample) {
+  if (sample.is_delta) return Seeking::alone;
+  return at.is_lambert() ? Seeking::zones : Seeking::all;
+}
+
+}  // namespace
+
+std::optional<Scattering> scatter(const Interaction& at, const Rgb& throughput, float lobe, Vec2 u) {
+  const BsdfSample sample = at.bsdf().sample(at.wo_local(), lobe, u);
+  if (sample.pdf == 0) return std::nullopt;
+  const Vec3 wi = at.to_world(sample.wi);
+  if (!at.is_consistent(wi)) return std::nullopt;
+  const Rgb next = throughput * sample.value * (std::fabs(sample.wi.z) / sample.pdf);
+  if (is_black(next)) return std::nullopt;
+  return Scattering{
+      wi, next, {{at.point().position, at.normal()}, sample.pdf, seeking_of(at, sample)}, sample.eta};
+}
+
+}  // namespace twinray

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <optional>
+
+#include "integrators/direct_light.h"
+#include "integrators/interaction.h"
+
+namespace twinray {
+
+/// How a path goes on from a surface.
+struct Scattering {
+  Vec3 direction;  ///< Unit, in world space.
+  Rgb throughput;  ///< Of the path, behind the surface; not black.
+  Departure departure;
+  float eta = 1;  ///< Index of refraction behind the surface, to that before it; 1 where light is reflected.
+};
+
+/// Chooses a direction by the surface's scattering function; none where the path ends. `lobe` in [0, 1), u in
+/// [0, 1)^2.
+std::optional<Scattering> scatter(const Interaction& at, const Rgb& throughput, float lobe, Vec2 u);
+
+}  // namespace twinray

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a wave does at surfaces that are not Lambert's: one by one, by the functions of the reference. The
+// lanes have worked there, too, as if the surfaces were black; what they wrote is overwritten.
+#include "core/spawn_ray.h"
+#include "core/warp.h"
+#include "integrators/scattering.h"
+#include "integrators/wave/path_wave.h"
+
+namespace twinray {
+
+void PathWave::find_others() {
+  wave_.others.clear();
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    const Hit& hit = wave_.hits[i];
+    if (context_.shapes[hit.mesh].is_lambert) continue;
+    const Scene& scene = context_.transport.scene;
+    const Interaction at(scene, surface_at(*scene.geometry, hit), -normalize(paths_.direction.at(i)));
+    wave_.others.push_back({std::uint32_t(i), at, {}});
+    surfaces_.reflectance.set(i, at.bsdf().albedo());
+  }
+}
+
+void PathWave::scatter_light_at_others(std::uint32_t light) {
+  for (const OtherSurface& other : wave_.others) {
+    const std::size_t i = other.index;
+    const LightSample sample{light_.direction.at(i), light_.radiance.at<Rgb>(i), light_.pdf[i], {}};
+    connections_.scattered.set(i, scattered_sample(context_.transport, light, other.at, sample));
+  }
+}
+
+void PathWave::look_around_others() {
+  for (const OtherSurface& other : wave_.others) {
+    const std::size_t i = other.index;
+    const Look look = look_around(other.at, {light_.ux[i], light_.uy[i]});
+    const Ray ray = spawn_ray(other.at.point(), look.direction);
+    light_.direction.set(i, look.direction);
+    light_.pdf[i] = look.density;
+    light_.origin.set(i, ray.origin);
+    light_.towards.set(i, ray.direction);
+    connections_.scattered.set(i, other.at.scattered(look.direction));
+  }
+}
+
+void PathWave::keep_throughput_at_others() {
+  for (OtherSurface& other : wave_.others) other.throughput = paths_.throughput.at<Rgb>(other.index);
+}
+
+void PathWave::scatter_at_others() {
+  for (const OtherSurface& other : wave_.others) {
+    const std::size_t i = other.index;
+    const VertexSampler sampler(kind_, paths_.key(i), std::uint32_t(depth_) + 1);
+    const float lobe = sampler.draw_1d(Purpose::lobe);
+    const auto next = twinray::scatter(other.at, other.throughput, lobe, {wave_.ux[i], wave_.uy[i]});
+    paths_.throughput.set(i, next ? next->throughput : Rgb{});
+    if (!next) continue;
+    paths_.direction.set(i, next->direction);
+    paths_.eta_squared[i] *= next->eta * next->eta;
+    wave_.pdf[i] = next->departure.pdf;
+    wave_.seeking[i] = std::uint32_t(next->departure.seeking);
+    wave_.origin.set(i, leave_surface(other.at.point(), next->direction));
+  }
+}
+
+}  // namespace twinray

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces of every model: in scenes whose radiance is known, and by ways of finding light that must agree.
+#include <cmath>
+
+#include "core/fresnel.h"
+#include "core/surface_model.h"
+#include "tests/support/catch.h"
+#include "tests/support/estimate.h"
+#include "tests/support/random.h"
+#include "tests/support/scenes.h"
+
+namespace twinray::test {
+namespace {
+
+/// Relative, of a few floats.
+constexpr double rounding = 1e-5;
+constexpr DirectMethod all_methods[] = {DirectMethod::mis, DirectMethod::lights, DirectMethod::hemisphere};
+constexpr float sky_radiance = 2;
+
+RenderOptions options(std::uint32_t samples) {
+  return {.width = 4,
+          .height = 4,
+          .samples = samples,
+          .sampler = SamplerKind::independent,
+          .seed = 7,
+          .threads = 1};
+}
+
+EnvironmentLight grey_sky(float radiance) {
+  Image map(1, 1);
+  map.pixels[0] = {radiance, radiance, radiance};
+  return {std::make_shared<const Image>(std::move(map))};
+}
+
+/// A ball of a material that fills the picture, under a constant sky.
+Scene ball_under_sky(const SurfaceModel& model) {
+  Scene scene = scene_of({}, {}, {0, 0, 3}, {0, 0, 0});
+  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{SphereSet{"ball", {{{0, 0, 0}, 1}}}});
+  scene.materials = {{"ball", model}};
+  scene.camera.tan_half_width = scene.camera.tan_half_height = 0.1f;
+  add_light(scene, grey_sky(sky_radiance));
+  return scene;
+}
+
+/// A square that is seen at 45 degrees, and a lamp where a mirror there shows it, which nothing else does.
+Scene mirror_scene(const SurfaceModel& model, EmissionSide side) {
+  Scene scene = scene_of(floor_square(1, 0), {}, {0, 2, 2}, {0, 0, 0});
+  scene.materials[0].model = model;
+  scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-3f;
+  Mesh lamp;
+  lamp.positions = {{-1, 1, -2}, {1, 1, -2}, {0, 3, -2}};
+  lamp.triangles = {{0, 1, 2}};
+  add_lamp(scene, lamp, {3, 2, 1}, side);
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a mirror shows a lamp with its reflectance, by every way of finding direct light") {
+  for (const DirectMethod method : all_methods) {
+    const PathOptions path{.max_depth = 1, .direct = method};
+    const Scene lit = mirror_scene(Mirror{{0.5f, 0.5f, 0.5f}}, EmissionSide::front);
+    CHECK(estimate(lit, path, options(4)).mean == Approx(0.5 * luminance(Rgb{3, 2, 1})).epsilon(rounding));
+    const Scene dark = mirror_scene(Mirror{}, EmissionSide::back);
+    CHECK(estimate(dark, path, options(4)).mean == 0);
+    // At depth 0 there is emission alone, and of light scattered twice there is none.
+    CHECK(estimate(lit, {.max_depth = 0, .direct = method}, options(4)).mean == 0);
+    CHECK(estimate(lit, {.max_depth = 5, .first_depth = 2, .direct = method}, options(4)).mean == 0);
+  }
+}
+
+TEST_CASE("a smooth metal reflects by Fresnel's equations at the angle that it is seen under") {
+  const Conductor metal{.eta = {1.5f, 1.5f, 1.5f}, .k = {2, 2, 2}};
+  const double expected = fresnel_conductor(std::sqrt(0.5f), metal.eta, metal.k).r * luminance(Rgb{3, 2, 1});
+  const double found = estimate(mirror_scene(metal, EmissionSide::both), {.max_depth = 1}, options(4)).mean;
+  constexpr double picture = 1e-3;  // Its pixels see the square under slightly other angles.
+  CHECK(found == Approx(expected).epsilon(picture));
+}
+
+TEST_CASE("a ball that loses no light is as bright as the sky around it, sample by sample") {
+  const SurfaceModel models[] = {Mirror{}, Glass{}, Glass{.ior = 0.7f}, Dielectric{.ior = 1.33f},
+                                 Dielectric{.is_thin = true}};
+  // Paths go on until they leave: the part of the light that is reflected within the ball a hundred times is
+  // below rounding.
+  for (const SurfaceModel& model : models)
+    for (const DirectMethod method : all_methods) {
+      CAPTURE(model.index(), int(method));
+      const auto found =
+          estimate(ball_under_sky(model), {.max_depth = 100, .direct = method, .roulette = {1}}, options(64));
+      CHECK(found.mean == Approx(sky_radiance).epsilon(rounding));
+      CHECK(found.standard_error < rounding);
+    }
+}
+
+TEST_CASE("roulette does not see the change of radiance at boundaries") {
+  // Within glass of an index of 3, throughput is a ninth: by that alone two of three paths would be given up.
+  const Scene scene = ball_under_sky(Glass{.ior = 3});
+  const auto found = estimate(scene, {.max_depth = 100}, options(64));
+  CHECK(found.mean == Approx(sky_radiance).epsilon(rounding));
+  CHECK(found.standard_error < rounding);
+}
+
+TEST_CASE(
+    "a surface that only refracts shows what lies behind it, and nothing where all would be reflected") {
+  const Scene outside = ball_under_sky(Refraction{});
+  CHECK(estimate(outside, {.max_depth = 2}, options(16)).mean == Approx(sky_radiance).epsilon(rounding));
+  CHECK(estimate(outside, {.max_depth = 1}, options(16)).mean == 0);  // Still within the ball.
+  // From within glass, the sky is seen brighter by the square of the index, and only up to the critical
+  // angle.
+  Scene inside = ball_under_sky(Refraction{});
+  inside.camera = camera_at({0, 0, 0.9f}, {0, 1, 0.9f});
+  inside.camera.tan_half_width = inside.camera.tan_half_height = 1e-3f;
+  CHECK(estimate(inside, {.max_depth = 1}, options(16)).mean == 0);
+  inside.camera.position = {0, 0, 0};
+  CHECK(estimate(inside, {.max_depth = 1}, options(16)).mean ==
+        Approx(2.25 * sky_radiance).epsilon(rounding));
+}
+
+TEST_CASE("rough surfaces are equally bright by every way of finding direct light") {
+  const SurfaceModel models[] = {Conductor{.roughness = {0.5f, 0.3f}},
+                                 Dielectric{.roughness = {0.5f, 0.5f}},
+                                 CoatedDiffuse{.roughness = {0.4f, 0.4f}},
+                                 CoatedConductor{.roughness = {0.5f, 0.5f}, .coat_roughness = {0.4f, 0.4f}},
+                                 DiffuseTransmission{},
+                                 RoughDiffuse{},
+                                 Microfacet{.alpha = 0.5f}};
+  for (const SurfaceModel& model : models) {
+    CAPTURE(model.index());
+    // Lit by a lamp above, a part of the sky, and a lamp below, whose light some of them let through.
+    Scene scene = ball_under_sky(model);
+    scene.lights[0].source = AmbientLight{{0, 0.6f, 0.8f}, {1, 1, 1}};
+    add_lamp(scene, floor_square(0.8f, 1.5f), {4, 4, 4}, EmissionSide::both);
+    add_lamp(scene, floor_square(0.8f, -1.5f), {4, 4, 4}, EmissionSide::both);
+    add_lamp(scene, SphereSet{"bulb", {{{1.5f, 0, 1}, 0.5f}}}, {4, 4, 4}, EmissionSide::front);
+    const auto found = [&](DirectMethod method, std::uint32_t samples) {
+      return estimate(scene, {.max_depth = 2, .direct = method, .roulette = {1}}, options(samples));
+    };
+    const Estimate expected = found(DirectMethod::mis, 20000);
+    check_same_mean(found(DirectMethod::lights, 20000), expected, 0.05);
+    check_same_mean(found(DirectMethod::hemisphere, 20000), expected, 0.05);
+  }
+}
+
+TEST_CASE("a point light is as bright on a rough surface by mis as by light samples") {
+  Scene scene = ball_under_sky(Conductor{.roughness = {0.3f, 0.3f}});
+  scene.lights.clear();
+  add_light(scene, PointLight{{0.5f, 0.5f, 4}, {10, 10, 10}, {}});
+  const Estimate by_lights = estimate(scene, {.max_depth = 1, .direct = DirectMethod::lights}, options(16));
+  CHECK(estimate(scene, {.max_depth = 1}, options(16)).mean == by_lights.mean);
+  CHECK(by_lights.mean > 0.1);
+}
+
+TEST_CASE("an ambient light is seen in a mirror, not by the camera") {
+  Scene scene = ball_under_sky(Mirror{{0.5f, 0.5f, 0.5f}});
+  scene.lights.clear();
+  add_light(scene, AmbientLight{{0, 0, 1}, {1, 1, 1}});
+  CHECK(estimate(scene, {.max_depth = 1}, options(4)).mean == Approx(0.5).epsilon(rounding));
+  CHECK(estimate(scene, {.max_depth = 0}, options(4)).mean == 0);
+}
+
+TEST_CASE("a mixture is its second material at the stated part of its points") {
+  Scene scene = ball_under_sky(Lambert{});
+  scene.materials = {{"black", Lambert{{0, 0, 0}}}, {"silver", Mirror{}}, {"both", Mix{0, 1, 0.3f}}};
+  scene.bindings[0].material = 2;
+  constexpr int points = 20000;
+  int silver = 0;
+  Random random(3);
+  for (int i = 0; i < points; ++i) {
+    SurfacePoint point;
+    point.position = random.in_ball();
+    const SurfaceModel* const model = &model_at(scene, point);
+    REQUIRE((model == &scene.materials[0].model || model == &scene.materials[1].model));
+    REQUIRE(model == &model_at(scene, point));
+    silver += model == &scene.materials[1].model;
+  }
+  const double deviation = std::sqrt(points * 0.3 * 0.7);
+  CHECK(std::fabs(silver - points * 0.3) < 4 * deviation);
+  check_mean(estimate(scene, {.max_depth = 1}, options(4096)), 0.3 * sky_radiance, 0.05);
+}
+
+}  // namespace twinray::test
