@@ -3,6 +3,7 @@
 #include "core/ggx_albedo.h"
 
 #include "core/ggx_albedo_tables.h"
+#include "core/ggx_boundary_tables.h"
 
 namespace twinray {
 namespace {
@@ -29,29 +30,56 @@ float at(const float (*table)[count], Place y, Place x) {
 }
 
 /// By the fourth root of the reflectance along the normal, relative to that of an ior of 3.
-Place place_of_ior(float ior) {
-  return {std::sqrt(std::max(0.0f, 2 * (ior - 1) / (ior + 1))), tables::ior_count};
+Place place_of_ior(float ior, int count) {
+  return {std::sqrt(std::max(0.0f, 2 * (ior - 1) / (ior + 1))), count};
 }
+
+/// Where losses stand for a direction: they depend on how its cosine compares with alpha, mostly.
+Place place_of_angle(float cosine, float alpha, int count) {
+  return {std::sqrt(cosine * (1 + alpha) / std::max(cosine + alpha, 1e-6f)), count};
+}
+
+/// The rows of boundaries into the denser medium, or out of it, around an index.
+struct BoundaryPlace {
+  bool is_inside;
+  Place layer;
+
+  explicit BoundaryPlace(float eta)
+      : is_inside(eta < 1), layer(place_of_ior(eta < 1 ? 1 / eta : eta, tables::boundary_ior_count)) {}
+};
 
 }  // namespace
 
 float ggx_loss(float cosine, float alpha) {
-  // The loss depends on how cosine compares with alpha, mostly.
-  const float angle = std::sqrt(cosine * (1 + alpha) / std::max(cosine + alpha, 1e-6f));
-  return at(tables::loss, Place(alpha, tables::loss_count), Place(angle, tables::loss_count));
+  return at(tables::loss, Place(alpha, tables::loss_count),
+            place_of_angle(cosine, alpha, tables::loss_count));
 }
 
 float average_ggx_loss(float alpha) { return at(tables::average_loss, Place(alpha, tables::loss_count)); }
 
 float ggx_dielectric_reflectance(float cosine, float alpha, float ior) {
-  const Place layer = place_of_ior(ior), y(std::sqrt(alpha), tables::alpha_count),
+  const Place layer = place_of_ior(ior, tables::ior_count), y(std::sqrt(alpha), tables::alpha_count),
               x(std::sqrt(cosine), tables::cosine_count);
   return mix(at(tables::dielectric[layer.first], y, x), at(tables::dielectric[layer.first + 1], y, x),
              layer.part);
 }
 
 float average_ggx_dielectric_reflectance(float alpha, float ior) {
-  return at(tables::average_dielectric, place_of_ior(ior), Place(std::sqrt(alpha), tables::alpha_count));
+  return at(tables::average_dielectric, place_of_ior(ior, tables::ior_count),
+            Place(std::sqrt(alpha), tables::alpha_count));
+}
+
+float ggx_boundary_loss(float cosine, float alpha, float eta) {
+  const BoundaryPlace place(eta);
+  const auto& layers = tables::boundary_loss[place.is_inside];
+  const Place y(alpha, tables::boundary_count), x = place_of_angle(cosine, alpha, tables::boundary_count);
+  return mix(at(layers[place.layer.first], y, x), at(layers[place.layer.first + 1], y, x), place.layer.part);
+}
+
+float average_ggx_boundary_loss(float alpha, float eta) {
+  const BoundaryPlace place(eta);
+  return at(tables::average_boundary_loss[place.is_inside], place.layer,
+            Place(alpha, tables::boundary_count));
 }
 
 MultipleScattering::MultipleScattering(const Ggx& facets)
@@ -64,6 +92,28 @@ float MultipleScattering::evaluate(float cos_o, float cos_i) const {
 Rgb MultipleScattering::absorption(const Rgb& average) const {
   const auto channel = [&](float f) { return f * f * (1 - average_loss_) / (1 - f * average_loss_); };
   return {channel(average.r), channel(average.g), channel(average.b)};
+}
+
+DielectricMultipleScattering::DielectricMultipleScattering(const Ggx& facets, float eta)
+    : alpha_(facets.mean_alpha()), eta_(eta) {
+  const float here = average_ggx_boundary_loss(alpha_, eta),
+              there = average_ggx_boundary_loss(alpha_, 1 / eta);
+  // What a smooth boundary transmits of light from all directions: eta^2 times as much into the denser side.
+  const float dense = eta < 1 ? 1 / eta : eta, in = 1 - average_ggx_dielectric_reflectance(0, dense);
+  const float transmitted = eta < 1 ? in / (dense * dense) : in;
+  // Reciprocity: the parts transmitted from both sides, over the other side's loss, are as eta^2 to 1.
+  const float share = transmitted / std::max(here, there);
+  reflected_ = 1 - share * there;
+  reflected_scale_ = reflected_ / (pi * here);
+  transmitted_scale_ = share / (pi * eta * eta);
+}
+
+float DielectricMultipleScattering::reflection(float cos_o, float cos_i) const {
+  return reflected_scale_ * loss(cos_o) * loss(cos_i);
+}
+
+float DielectricMultipleScattering::transmission(float cos_o, float cos_i) const {
+  return transmitted_scale_ * loss(cos_o) * ggx_boundary_loss(cos_i, alpha_, 1 / eta_);
 }
 
 }  // namespace twinray

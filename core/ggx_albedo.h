@@ -20,6 +20,13 @@ float ggx_dielectric_reflectance(float cosine, float alpha, float ior);
 /// The same for light that is the same from all directions. Within 3e-3.
 float average_ggx_dielectric_reflectance(float alpha, float ior);
 
+/// The part of light along a direction that facets of a boundary between two media reflect or refract to
+/// other facets, instead of away. alpha in [0, 1]; eta, the index of refraction behind to that in front, is
+/// taken as within [1/3, 3]. Within 0.03.
+float ggx_boundary_loss(float cosine, float alpha, float eta);
+/// The same for light that is the same from all directions. Within 0.02.
+float average_ggx_boundary_loss(float alpha, float eta);
+
 /// What GGX facets reflect after light met several of them: nearly diffuse, reciprocal, and as much as is
 /// missing (Kulla and Conty, "Revisiting Physically Based Shading at Imageworks", 2017). Facets of two alphas
 /// count as those of their root mean square, whose losses differ by up to 0.05, and 0.1 at the horizon.
@@ -39,6 +46,28 @@ class MultipleScattering {
 
  private:
   float alpha_, average_loss_;
+};
+
+/// The same for a boundary between two media: what its facets lose at once leaves nearly diffuse on both
+/// sides, shared as all of the light from all directions is, as far as reciprocity allows.
+class DielectricMultipleScattering {
+ public:
+  /// eta: index of refraction on the other side, to that on the viewer's.
+  DielectricMultipleScattering(const Ggx& facets, float eta);
+
+  /// The part of light along a direction on the viewer's side that meets several facets.
+  float loss(float cosine) const { return ggx_boundary_loss(cosine, alpha_, eta_); }
+  /// The part of that which is reflected in the end, in [0, 1].
+  float reflected_part() const { return reflected_; }
+  /// f(wo, wi), for both cosines on the viewer's side.
+  float reflection(float cos_o, float cos_i) const;
+  /// f(wo, wi) of radiance, for a cosine on the viewer's side and one, > 0, on the other.
+  float transmission(float cos_o, float cos_i) const;
+
+ private:
+  float alpha_, eta_;
+  float reflected_;
+  float reflected_scale_, transmitted_scale_;  ///< Of the product of both directions' losses.
 };
 
 }  // namespace twinray

@@ -1,69 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/lobes/rough_dielectric.h"
 
-#include "core/fresnel.h"
-
 namespace twinray {
-namespace {
 
-/// wo refracted at the facet normal m, w.m > 0, into a medium of relative index eta; its z may have any sign.
-Vec3 refracted(const Vec3& w, const Vec3& m, float cos_i, float eta) {
-  return normalize(m * (cos_i / eta - refracted_cosine(cos_i, eta)) - w / eta);
-}
+RoughDielectricLobe::RoughDielectricLobe(const Ggx& facets, float eta, const Rgb& reflectance,
+                                         const Rgb& transmittance)
+    : facets_(facets, eta, reflectance, transmittance),
+      multiple_(facets, eta),
+      eta_(eta),
+      reflectance_(reflectance),
+      transmittance_(transmittance) {}
 
-}  // namespace
-
-Vec3 RoughDielectricLobe::refracting_normal(const Vec3& wo, const Vec3& wi) const {
-  const Vec3 m = normalize(wo + wi * eta_);
-  return m.z < 0 ? -m : m;
-}
-
-float RoughDielectricLobe::reflection_probability(float fresnel) const {
-  const float reflected = fresnel * max_component(reflectance_);
-  const float transmitted = (1 - fresnel) * max_component(transmittance_);
-  return reflected > 0 ? reflected / (reflected + transmitted) : 0;
+float RoughDielectricLobe::multiple_probability(float cosine) const {
+  return is_black(reflectance_ + transmittance_) ? 0 : multiple_.loss(cosine);
 }
 
 Rgb RoughDielectricLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0) || wi.z == 0) return {};
-  if (wi.z > 0) {
-    const float fresnel = fresnel_dielectric(std::min(1.0f, dot(wo, normalize(wo + wi))), eta_);
-    return reflectance_ * (fresnel * facets_.reflection(wo, wi));
-  }
-  const Vec3 m = refracting_normal(wo, wi);
-  const float cos_o = dot(wo, m), cos_i = dot(wi, m);
-  if (!(cos_o > 0 && cos_i < 0)) return {};
-  const float across = cos_o + eta_ * cos_i;
-  const float facets = facets_.density(m) * facets_.shadowing_masking(wo, wi);
-  const float geometry = cos_o * cos_i / (wo.z * wi.z * across * across);
-  return transmittance_ * ((1 - fresnel_dielectric(std::min(1.0f, cos_o), eta_)) * facets * geometry);
+  const Rgb once = facets_.evaluate(wo, wi);
+  return wi.z > 0 ? once + reflectance_ * multiple_.reflection(wo.z, wi.z)
+                  : once + transmittance_ * multiple_.transmission(wo.z, -wi.z);
 }
 
 float RoughDielectricLobe::pdf(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0) || wi.z == 0) return 0;
-  if (wi.z > 0) {
-    const float fresnel = fresnel_dielectric(std::min(1.0f, dot(wo, normalize(wo + wi))), eta_);
-    return reflection_probability(fresnel) * facets_.reflection_pdf(wo, wi);
-  }
-  const Vec3 m = refracting_normal(wo, wi);
-  const float cos_o = dot(wo, m), cos_i = dot(wi, m);
-  if (!(cos_o > 0 && cos_i < 0)) return 0;
-  // Turning m turns wi: dm = eta^2 |wi.m| / (wo.m + eta wi.m)^2 dwi.
-  const float across = cos_o + eta_ * cos_i;
-  const float turned = eta_ * eta_ * -cos_i / (across * across);
-  const float fresnel = fresnel_dielectric(std::min(1.0f, cos_o), eta_);
-  return (1 - reflection_probability(fresnel)) * facets_.visible_density(wo, m) * turned;
+  const float multiple = multiple_probability(wo.z), reflected = multiple_.reflected_part();
+  const float diffuse = (wi.z > 0 ? reflected : 1 - reflected) * cosine_hemisphere_pdf(std::fabs(wi.z));
+  return (1 - multiple) * facets_.pdf(wo, wi) + multiple * diffuse;
 }
 
 BsdfSample RoughDielectricLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
   if (!(wo.z > 0)) return {};
-  const Vec3 m = facets_.sample_visible(wo, u);
-  const float cos_o = std::min(1.0f, dot(wo, m));
-  if (!(cos_o > 0)) return {};
-  const bool reflects = lobe < reflection_probability(fresnel_dielectric(cos_o, eta_));
-  const Vec3 wi = reflects ? reflected(wo, m) : refracted(wo, m, cos_o, eta_);
-  if (reflects ? !(wi.z > 0) : !(wi.z < 0)) return {};
-  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi), .eta = reflects ? 1 : eta_};
+  const float multiple = multiple_probability(wo.z);
+  Vec3 wi;
+  if (lobe < multiple) {
+    wi = square_to_cosine_hemisphere(u);
+    if (lobe >= multiple * multiple_.reflected_part()) wi.z = -wi.z;
+  } else {
+    const BsdfSample once = facets_.sample(wo, (lobe - multiple) / (1 - multiple), u);
+    if (once.pdf == 0) return {};
+    wi = once.wi;
+  }
+  if (wi.z == 0) return {};
+  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi), .eta = wi.z > 0 ? 1 : eta_};
 }
 
 }  // namespace twinray

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "core/bsdf_sample.h"
-#include "core/microfacet.h"
+#include "core/ggx_albedo.h"
+#include "core/lobes/dielectric_facets.h"
 
 namespace twinray {
 
-/// A rough boundary between two media: GGX facets that reflect and refract by Fresnel's equations (Walter et
-/// al., "Microfacet Models for Refraction through Rough Surfaces", 2007). wo.z > 0. Light that meets several
-/// facets is left out, as in pbrt: docs/materials.md says how much that is.
+/// A rough boundary between two media: its facets, and what is scattered by several of them, so that a
+/// boundary that absorbs nothing loses nothing. wo.z > 0.
 class RoughDielectricLobe {
  public:
   /// eta: index of refraction on the other side, to that on the viewer's, > 0 and not 1. Factors in [0, 1].
-  RoughDielectricLobe(const Ggx& facets, float eta, const Rgb& reflectance, const Rgb& transmittance)
-      : facets_(facets), eta_(eta), reflectance_(reflectance), transmittance_(transmittance) {}
+  RoughDielectricLobe(const Ggx& facets, float eta, const Rgb& reflectance, const Rgb& transmittance);
 
   Rgb albedo() const { return transmittance_; }
   Rgb evaluate(const Vec3& wo, const Vec3& wi) const;
@@ -20,12 +18,11 @@ class RoughDielectricLobe {
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 
  private:
-  /// The normal of facets that refract wi to wo, on the viewer's side: along wo + eta wi.
-  Vec3 refracting_normal(const Vec3& wo, const Vec3& wi) const;
-  /// The probability that a facet is taken to reflect, where it reflects this part.
-  float reflection_probability(float fresnel) const;
+  /// The probability of sampling light that met several facets.
+  float multiple_probability(float cosine) const;
 
-  Ggx facets_;
+  DielectricFacets facets_;
+  DielectricMultipleScattering multiple_;
   float eta_;
   Rgb reflectance_, transmittance_;
 };

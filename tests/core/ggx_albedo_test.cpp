@@ -3,6 +3,7 @@
 #include "core/ggx_albedo.h"
 
 #include "core/fresnel.h"
+#include "core/lobes/dielectric_facets.h"
 #include "tests/support/catch.h"
 #include "tests/support/lobe_checks.h"
 
@@ -85,6 +86,24 @@ TEST_CASE("what dielectric facets reflect is tabulated within the stated error")
     }
     CHECK(average_ggx_dielectric_reflectance(0, ior) == Approx(average_fresnel_dielectric(ior)).margin(3e-3));
   }
+}
+
+TEST_CASE("what a boundary's facets lose is tabulated within the stated error, on both sides") {
+  constexpr int samples = 60000;
+  for (const float eta : {1.2f, 1.5f, 2.4f, 1 / 1.2f, 1 / 1.5f, 1 / 2.4f})
+    for (const float alpha : alphas) {
+      double average = 0;
+      for (int i = 0; i < 10; ++i) {
+        const float cosine = (float(i) + 0.5f) / 10;
+        CAPTURE(eta, alpha, cosine);
+        const DielectricFacets facets(Ggx(alpha), eta, {1, 1, 1}, {1, 1, 1});
+        const double lost = 1 - test::sampled_albedo(facets, test::direction_at(cosine), samples).g;
+        CHECK(std::fabs(ggx_boundary_loss(cosine, alpha, eta) - lost) <= 0.03);
+        average += 2 * cosine * lost / 10;
+      }
+      CAPTURE(eta, alpha);
+      CHECK(std::fabs(average_ggx_boundary_loss(alpha, eta) - average) <= 0.02);
+    }
 }
 
 }  // namespace twinray

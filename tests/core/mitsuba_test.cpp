@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Our lobes beside Mitsuba's, direction by direction, from a stored table.
 #include "core/lobes/coated_diffuse.h"
+#include "core/lobes/dielectric_facets.h"
 #include "core/lobes/rough_conductor.h"
-#include "core/lobes/rough_dielectric.h"
 #include "tests/core/mitsuba_table.h"
 #include "tests/support/catch.h"
 
@@ -48,12 +48,12 @@ TEST_CASE("rough conductors are Mitsuba's, but for light that meets several face
   }
 }
 
-TEST_CASE("rough dielectrics are Mitsuba's, in value and density, from both sides") {
+TEST_CASE("rough dielectrics are Mitsuba's from both sides, but for light that meets several facets") {
   for (const Reference& r : test::dielectrics) {
     CAPTURE(r.alpha_x, r.eta, r.theta_o, r.theta_i, r.phi_i);
     const Ggx facets(r.alpha_x, r.alpha_y);
     const Vec3 wo = viewer(r), wi = light(r);
-    const RoughDielectricLobe lobe(facets, r.eta, {1, 1, 1}, {1, 1, 1});
+    const DielectricFacets lobe(facets, r.eta, {1, 1, 1}, {1, 1, 1});
     check_same(lobe.evaluate(wo, wi) * uncorrelated(facets, wo, wi), r.value, rounding);
     CHECK(lobe.pdf(wo, wi) == Approx(r.pdf).epsilon(rounding).margin(1e-7));
   }

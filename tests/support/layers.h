@@ -2,7 +2,7 @@
 // Layers as pbrt-v4 has them (LayeredBxDF without a medium): light goes to and fro between a coat and a base
 // until it leaves. Slow, and free of closed forms: the oracle of coated materials.
 #pragma once
-#include "core/lobes/rough_dielectric.h"
+#include "core/lobes/dielectric_facets.h"
 #include "core/lobes/specular.h"
 #include "tests/support/lobe_checks.h"
 #include "tests/support/statistics.h"
@@ -15,9 +15,9 @@ struct LayerWalk {
   Rgb weight;
 };
 
-/// One walk from wo through a coat of index `ior` (alpha 0: smooth) over a base. `depth`: how many times
-/// light may meet a layer below the first boundary; pbrt cuts at 10.
-template <class Base>
+/// One walk from wo through a coat of index `ior` (alpha 0: smooth; else a boundary of this kind) over a
+/// base. `depth`: how many times light may meet a layer below the first boundary; pbrt cuts at 10.
+template <class Boundary, class Base>
 LayerWalk walk_layers(float ior, float alpha, const Base& base, const Vec3& wo, int depth, Random& random) {
   constexpr Rgb white{1, 1, 1};
   const auto sample = [&](const auto& lobe, const Vec3& w) {
@@ -29,7 +29,7 @@ LayerWalk walk_layers(float ior, float alpha, const Base& base, const Vec3& wo, 
     return s;
   };
   const auto boundary = [&](const Vec3& w, float eta) {
-    return alpha > 0 ? sample(RoughDielectricLobe(Ggx(alpha), eta, white, white), w)
+    return alpha > 0 ? sample(Boundary(Ggx(alpha), eta, white, white), w)
                      : sample(SmoothDielectricLobe(eta, white, white), w);
   };
   const BsdfSample first = boundary(wo, ior);
@@ -51,14 +51,15 @@ LayerWalk walk_layers(float ior, float alpha, const Base& base, const Vec3& wo, 
 }
 
 /// What `walks` such walks bring into each of `count` rings of equal projected area (cos^2), of all light:
-/// mean and standard error in green. Delta directions are in it.
-template <class Base>
+/// mean and standard error in green. Delta directions are in it. pbrt's boundaries are facets that lose
+/// light.
+template <class Boundary = DielectricFacets, class Base>
 std::vector<SampleMean> layer_rings(float ior, float alpha, const Base& base, const Vec3& wo, int depth) {
   constexpr int walks = 100000, count = 8;
   std::vector<SampleMean> rings(count);
   Random random(37);
   for (int i = 0; i < walks; ++i) {
-    const LayerWalk walk = walk_layers(ior, alpha, base, wo, depth, random);
+    const LayerWalk walk = walk_layers<Boundary>(ior, alpha, base, wo, depth, random);
     const int ring = std::min(int(walk.wi.z * walk.wi.z * count), count - 1);
     for (int j = 0; j < count; ++j) rings[std::size_t(j)].add(j == ring ? walk.weight.g : 0);
   }

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "core/bsdf_sample.h"
+#include "core/microfacet.h"
+
+namespace twinray {
+
+/// Light that meets one facet of a rough boundary between two media: GGX facets that reflect and refract by
+/// Fresnel's equations (Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007), as
+/// in pbrt. wo.z > 0.
+class DielectricFacets {
+ public:
+  /// eta: index of refraction on the other side, to that on the viewer's, > 0 and not 1. Factors in [0, 1].
+  DielectricFacets(const Ggx& facets, float eta, const Rgb& reflectance, const Rgb& transmittance)
+      : facets_(facets), eta_(eta), reflectance_(reflectance), transmittance_(transmittance) {}
+
+  Rgb evaluate(const Vec3& wo, const Vec3& wi) const;
+  float pdf(const Vec3& wo, const Vec3& wi) const;
+  BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
+
+ private:
+  /// The normal of facets that refract wi to wo, on the viewer's side: along wo + eta wi.
+  Vec3 refracting_normal(const Vec3& wo, const Vec3& wi) const;
+  /// The probability that a facet is taken to reflect, where it reflects this part.
+  float reflection_probability(float fresnel) const;
+
+  Ggx facets_;
+  float eta_;
+  Rgb reflectance_, transmittance_;
+};
+
+}  // namespace twinray
