@@ -38,11 +38,9 @@ SceneSource from_maker(const generated::GeneratedScene& maker, std::size_t trian
 /// The scene files of a folder by name, in the order of their paths.
 std::vector<std::pair<std::string, std::string>> files_of(const std::string& folder) {
   if (!fs::is_directory(folder)) throw Error(fmt::format("{} is not a folder of scenes", folder));
-  const std::vector<std::string> endings = scene_extensions();
   std::vector<std::pair<std::string, std::string>> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file() &&
-        std::find(endings.begin(), endings.end(), entry.path().extension().string()) != endings.end())
+    if (entry.is_regular_file() && is_scene_file(entry.path().string()))
       files.push_back({entry.path().stem().string(), entry.path().string()});
   std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   return files;

@@ -42,10 +42,8 @@ template <typename Iterator>
 std::vector<SceneFile> scene_files(const fs::path& folder, const fs::path& top) {
   std::vector<SceneFile> files;
   if (folder.empty() || !fs::is_directory(folder)) return files;
-  const std::vector<std::string> valid = scene_extensions();
   for (const fs::directory_entry& entry : Iterator(folder)) {
-    const std::string extension = entry.path().extension().string();
-    if (entry.is_regular_file() && std::find(valid.begin(), valid.end(), extension) != valid.end())
+    if (entry.is_regular_file() && is_scene_file(entry.path().string()))
       files.push_back({entry.path().lexically_relative(top).string(), entry.path().string()});
   }
   std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.label < b.label; });

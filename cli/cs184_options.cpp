@@ -117,7 +117,7 @@ RenderArguments resolved(const Cs184Request& asked, const Words& given) {
   const std::string shorter = shorten_paths(request.arguments.path);
   if (!asked.accumulates) request.bounces = RenderRequest::Bounces::last;
   RenderArguments arguments = request.arguments;
-  resolve_picture(request, arguments);
+  resolve_picture(arguments);
   if (!asked.cell.empty())
     arguments.render.window = window_of(asked.cell, arguments.render.width, arguments.render.height);
   resolve_adaptive(asked, arguments);

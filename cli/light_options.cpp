@@ -49,10 +49,14 @@ Roulette parse_roulette(const std::string& word) {
   return {probability};
 }
 
-void choose_bounces(Bounces bounces, PathOptions& path) {
-  if (bounces == Bounces::indirect && path.max_depth < 2)
+void check_indirect(int max_depth) {
+  if (max_depth < 2)
     throw UsageError(fmt::format("--bounces=indirect: indirect light takes two bounces, and {} is made",
-                                 path.max_depth == 0 ? "none" : "only one"));
+                                 max_depth == 0 ? "none" : "only one"));
+}
+
+void choose_bounces(Bounces bounces, PathOptions& path) {
+  if (bounces == Bounces::indirect) check_indirect(path.max_depth);
   if (bounces == Bounces::direct) path.last_depth = 1;
   if (bounces == Bounces::indirect) path.first_depth = 2;
   if (bounces == Bounces::last) path.first_depth = path.last_depth = path.max_depth;
@@ -97,6 +101,16 @@ void resolve_light(const RenderRequest& request, RenderArguments& arguments) {
   if (arguments.integrator == IntegratorKind::direct) path.max_depth = std::min(path.max_depth, 1);
   path.roulette = parse_roulette(request.roulette);
   choose_bounces(request.bounces, path);
+}
+
+void take_depth(int max_depth, RenderArguments& arguments) {
+  PathOptions& path = arguments.path;
+  const bool is_last_alone = path.first_depth > 0 && path.first_depth == path.last_depth;
+  path.max_depth = arguments.integrator == IntegratorKind::direct ? std::min(max_depth, 1) : max_depth;
+  if (is_last_alone)
+    path.first_depth = path.last_depth = path.max_depth;
+  else if (path.first_depth == 2)
+    check_indirect(path.max_depth);
 }
 
 }  // namespace twinray

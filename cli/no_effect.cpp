@@ -180,10 +180,6 @@ bool has_area_light(const Scene& scene) {
                      [](const Light& light) { return !is_delta(light.source); });
 }
 
-bool is_given(const char* option, const RenderArguments& arguments) {
-  return std::find(arguments.given.begin(), arguments.given.end(), option) != arguments.given.end();
-}
-
 }  // namespace
 
 std::vector<std::string> options_without_effect(const RenderRequest& request,

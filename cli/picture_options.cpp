@@ -33,7 +33,7 @@ void add_frame_options(CLI::App& app, RenderRequest& request) {
   add_resolution(group, arguments.render.width, arguments.render.height, "Width and height in pixels");
   constexpr Range<int> any{std::numeric_limits<int>::min(), std::numeric_limits<int>::max()};
   group.add_numbers({"-p,--crop", "X Y W H", "Only this part of the frame, from its top left"}, 4,
-                    request.crop, any);
+                    arguments.crop, any);
   add_view(group, arguments.view);
   group.add_choice<bool>("--clip", arguments.load.clip_as_file, {{"none", false}, {"file", true}},
                          "Whether the file's clip distances cut the view");
@@ -42,9 +42,22 @@ void add_frame_options(CLI::App& app, RenderRequest& request) {
                  arguments.load.camera_name);
 }
 
-void resolve_picture(const RenderRequest& request, RenderArguments& arguments) {
+void resolve_picture(RenderArguments& arguments) {
   RenderOptions& render = arguments.render;
-  if (!request.crop.empty()) render.window = window_of(request.crop, render.width, render.height);
+  const bool is_sized = is_given("--resolution", arguments) || !has_defaults(arguments.scene);
+  if (is_sized && !arguments.crop.empty())
+    render.window = window_of(arguments.crop, render.width, render.height);
+}
+
+void take_frame(const RenderDefaults& defaults, RenderArguments& arguments) {
+  RenderOptions& render = arguments.render;
+  if (defaults.resolution && !is_given("--resolution", arguments)) {
+    render.width = defaults.resolution->width;
+    render.height = defaults.resolution->height;
+    if (arguments.crop.empty() && defaults.crop)
+      arguments.crop.assign(defaults.crop->begin(), defaults.crop->end());
+  }
+  if (!arguments.crop.empty()) render.window = window_of(arguments.crop, render.width, render.height);
 }
 
 }  // namespace twinray

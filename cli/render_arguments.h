@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,7 @@ struct RenderArguments {
   CostKind cost = CostKind::nodes;  ///< Of the integrator cost; something that the backend counts.
   PathOptions path;
   RenderOptions render;
+  std::vector<int> crop;  ///< X Y W H of render.window, as they were given; empty: none.
   bool quiet = false;
   std::vector<std::string> given;           ///< The long names of the options that were given.
   std::vector<std::string> without_effect;  ///< Those that change nothing, each with the reason.
@@ -52,6 +54,11 @@ struct RenderArguments {
 /// Whether scene and picture are those of CS184's program.
 inline bool is_cs184(const RenderArguments& arguments) {
   return arguments.load.interpretation == Interpretation::cs184;
+}
+
+/// Whether an option was given, by its long name.
+inline bool is_given(const char* option, const RenderArguments& arguments) {
+  return std::find(arguments.given.begin(), arguments.given.end(), option) != arguments.given.end();
 }
 
 /// Where the scene is to decide: the fastest engine for it, by what benchmarks measured.

@@ -22,14 +22,21 @@ void add_options(CLI::App& app, RenderRequest& request) {
 
 RenderArguments resolved_render(const RenderRequest& request, const Words& given) {
   RenderArguments arguments = request.arguments;
-  resolve_picture(request, arguments);
+  arguments.given = given;
+  resolve_picture(arguments);
   resolve_light(request, arguments);
   resolve_sampling(request, arguments);
   resolve_engine(request, arguments);
-  arguments.given = given;
   arguments.without_effect = options_without_effect(request, arguments);
   refuse_if_strict(arguments.without_effect, arguments);
   return arguments;
+}
+
+void take_defaults(const RenderDefaults& defaults, RenderArguments& arguments) {
+  if (is_cs184(arguments)) return;
+  take_frame(defaults, arguments);
+  if (defaults.samples && !is_given("--samples", arguments)) arguments.render.samples = *defaults.samples;
+  if (defaults.max_depth && !is_given("--max-depth", arguments)) take_depth(*defaults.max_depth, arguments);
 }
 
 std::function<RenderArguments()> add_render_options(CLI::App& app) {

@@ -15,8 +15,7 @@ namespace twinray {
 /// others stand beside the arguments.
 struct RenderRequest {
   RenderArguments arguments;
-  std::vector<int> crop;  ///< X Y W H; empty: none.
-  Words adaptive;         ///< Batch and tolerance; empty: none.
+  Words adaptive;  ///< Batch and tolerance; empty: none.
   std::optional<AdaptiveRule> adaptive_rule;
   std::string roulette = "throughput";
   bool hemisphere = false;
@@ -46,12 +45,19 @@ void add_run_words(CLI::App& app, RenderRequest& request);
 
 // Each throws UsageError where its options contradict each other.
 
-void resolve_picture(const RenderRequest& request, RenderArguments& arguments);
+void resolve_picture(RenderArguments& arguments);
 void resolve_light(const RenderRequest& request, RenderArguments& arguments);
 void resolve_sampling(const RenderRequest& request, RenderArguments& arguments);
 /// After the others: the engine depends on what is computed. Where the scene decides, it is left to
 /// choose_engine().
 void resolve_engine(const RenderRequest& request, RenderArguments& arguments);
+
+/// Takes what a scene file says about its picture, where no option says something else, and the crop of the
+/// command line, once the picture's size is known. Throws UsageError where they contradict each other.
+void take_defaults(const RenderDefaults& defaults, RenderArguments& arguments);
+/// The part of it that concerns the picture's frame, and that of paths.
+void take_frame(const RenderDefaults& defaults, RenderArguments& arguments);
+void take_depth(int max_depth, RenderArguments& arguments);
 
 /// All of them; `given` are the long names of the options that were given. Throws UsageError, also for an
 /// option without effect where these are errors.

@@ -8,6 +8,7 @@
 #include "cli/frame_note.h"
 #include "cli/no_effect.h"
 #include "cli/render_command_line.h"
+#include "cli/render_options.h"
 #include "cli/scene_warnings.h"
 #include "core/error.h"
 #include "integrators/normals.h"
@@ -59,9 +60,10 @@ EnvironmentLight read_environment(const RenderArguments& arguments) {
 
 }  // namespace
 
-LoadedScene load_for_render(const RenderArguments& arguments, RenderTalk& talk) {
+LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk) {
   talk.loading();
   LoadedScene loaded = load_with_warnings(arguments.scene, arguments.load);
+  take_defaults(loaded.defaults, arguments);
   talk.loaded(loaded.summary);
   loaded.scene.camera = camera_of(arguments, loaded.scene, talk);
   if (!arguments.environment.empty())

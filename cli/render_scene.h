@@ -11,8 +11,9 @@
 namespace twinray {
 
 /// The scene with the camera, the lens, the environment and the light that the options ask for; prints what
-/// is to be warned of. Throws Error, and UsageError where options without effect are errors.
-LoadedScene load_for_render(const RenderArguments& arguments, RenderTalk& talk);
+/// is to be warned of. What the file says about its picture becomes an argument where no option was given.
+/// Throws Error, and UsageError where options without effect are errors.
+LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk);
 
 /// The scene must outlive it.
 std::unique_ptr<Integrator> make_integrator(const RenderArguments& arguments, const Scene& scene);

@@ -4,6 +4,7 @@
 
 #include "core/scene.h"
 #include "io/diagnostic.h"
+#include "io/render_defaults.h"
 #include "io/scene_summary.h"
 
 namespace twinray {
@@ -13,6 +14,7 @@ struct LoadedScene {
   Scene scene;  ///< Checked by check_scene().
   std::vector<Diagnostic> warnings;
   SceneSummary summary;
+  RenderDefaults defaults;
 };
 
 }  // namespace twinray

@@ -3,18 +3,22 @@
 // scene.
 #pragma once
 #include <string>
-#include <vector>
 
 #include "io/load_options.h"
 #include "io/loaded_scene.h"
 
 namespace twinray {
 
-/// Reads a scene file: COLLADA 1.4 or 1.5 (.dae, .zae); or makes a generated scene (io/generated/generated.h)
-/// of a name such as "generated:ball". Throws Error, with the place in the file and what would be valid.
+/// Reads a scene file: COLLADA 1.4 or 1.5 (.dae, .zae) or pbrt-v4 (.pbrt, .pbrt.gz); or makes a generated
+/// scene (io/generated/generated.h) of a name such as "generated:ball". Throws Error, with the place in the
+/// file and what would be valid.
 LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
 
-/// The extensions that load_scene reads, with their dots.
-std::vector<std::string> scene_extensions();
+/// Whether a file of this name may say something about its picture (LoadedScene::defaults).
+bool has_defaults(const std::string& path);
+
+/// Whether a file is a scene, by its extension; one of pbrt's must also begin a world, for parts of scenes
+/// have the same extension.
+bool is_scene_file(const std::string& path);
 
 }  // namespace twinray

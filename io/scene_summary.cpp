@@ -82,9 +82,10 @@ void count_scene(const Scene& scene, SceneSummary& summary) {
 
 std::vector<std::string> summary_lines(const SceneSummary& summary) {
   std::vector<std::string> lines;
-  lines.push_back(fmt::format("unit: {} ({:g} m), kept as it is; up axis: {}{}", summary.unit_name,
-                              summary.unit_meters, summary.up_axis,
-                              summary.up_axis == 'Y' ? "" : ", turned to Y"));
+  if (!summary.unit_name.empty())
+    lines.push_back(fmt::format("unit: {} ({:g} m), kept as it is; up axis: {}{}", summary.unit_name,
+                                summary.unit_meters, summary.up_axis,
+                                summary.up_axis == 'Y' ? "" : ", turned to Y"));
   lines.push_back(
       summary.camera.empty()
           ? "camera: none in the file; a default one sees the whole scene from the front, right and above"

@@ -19,7 +19,7 @@ struct LightSummary {
 };
 
 struct SceneSummary {
-  std::string unit_name = "meter";
+  std::string unit_name = "meter";   ///< "" of a format that has neither units nor an axis that is up.
   double unit_meters = 1;            ///< Coordinates stay in this unit.
   char up_axis = 'Y';                ///< Of the file: X, Y or Z. The scene itself has Y up.
   std::string camera;                ///< Its name; "" where the file has none and a default one was made.

@@ -6,10 +6,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
-#include <fstream>
 #include <set>
 
+#include "io/input_file.h"
 #include "io/number_list.h"
 #include "io/xml_lexer.h"
 #include "io/xml_skeleton.h"
@@ -23,33 +22,6 @@ Place whole_file(const std::string& file) {
   Place place;
   place.file = file;
   return place;
-}
-
-void check_size(const std::string& path, std::uintmax_t bytes) {
-  if (bytes > XmlDocument::max_bytes)
-    throw error_at(whole_file(path),
-                   fmt::format("the file has {} bytes; at most {} are read", bytes, XmlDocument::max_bytes));
-}
-
-std::string read_file(const std::string& path) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw error_at(whole_file(path), "there is no such file");
-  if (std::filesystem::is_directory(status))
-    throw error_at(whole_file(path), "this is a directory; a scene file is needed");
-  const std::uintmax_t size = std::filesystem::file_size(path, error);  // a FIFO has none before it is read
-  if (!error) check_size(path, size);
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw error_at(whole_file(path), "the file cannot be opened; may it be read?");
-  std::string text;
-  if (!error) text.reserve(std::size_t(size));
-  char block[1 << 16];
-  while (stream.read(block, sizeof block) || stream.gcount() > 0) {
-    text.append(block, std::size_t(stream.gcount()));
-    check_size(path, text.size());
-  }
-  if (stream.bad()) throw error_at(whole_file(path), "the file cannot be read to its end");
-  return text;
 }
 
 /// The format of bytes that are not text in UTF-8, by how they start; "" where they may be.
@@ -176,7 +148,7 @@ XmlDocument::XmlDocument(std::string text, std::string file)
 XmlDocument::~XmlDocument() = default;
 
 std::unique_ptr<XmlDocument> XmlDocument::load(const std::string& path) {
-  return parse(read_file(path), path);
+  return parse(read_input_file(path, "scene file"), path);
 }
 
 std::unique_ptr<XmlDocument> XmlDocument::parse(std::string text, const std::string& name) {

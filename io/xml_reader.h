@@ -100,13 +100,11 @@ class XmlElement {
 /// A parsed XML file. It is neither copied nor moved: its elements point to it.
 class XmlDocument {
  public:
-  /// Reads a file. Throws Error where it does not exist, is a directory, is empty, has more than max_bytes,
-  /// or is not XML in UTF-8 (with or without a byte order mark).
+  /// Reads a file. Throws Error where it does not exist, is a directory, is empty, has more than
+  /// max_input_bytes (io/input_file.h), or is not XML in UTF-8 (with or without a byte order mark).
   static std::unique_ptr<XmlDocument> load(const std::string& path);
   /// Parses a text; `name` stands for the file in messages.
   static std::unique_ptr<XmlDocument> parse(std::string text, const std::string& name);
-
-  static constexpr std::size_t max_bytes = std::size_t(1) << 30;
 
   ~XmlDocument();
   XmlDocument(const XmlDocument&) = delete;

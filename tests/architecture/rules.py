@@ -32,6 +32,7 @@ DOORS = {
     "oneTBB": (r"tbb/|oneapi/", r"core/parallel\.cpp"),
     "OpenImageIO": (r"OpenImageIO/", r"io/openimageio_codec\.cpp"),
     "libpng": (r"png\.h", r"io/png\.cpp"),
+    "zlib": (r"zlib\.h", r"io/gzip\.cpp"),
     "libzip": (r"zip\.h", r"io/zip_archive\.cpp"),
     "tinyxml2": (r"tinyxml2\.h", r"io/xml_reader\.(h|cpp)"),
     "CLI11": (r"CLI/", r"cli/|bench/options\.cpp"),

@@ -17,7 +17,8 @@ const std::filesystem::path folder = std::filesystem::path(TWINRAY_SOURCE_DIR) /
 std::vector<std::string> bad_files() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ".dae") names.push_back(entry.path().filename().string());
+    if (entry.path().extension() == ".dae" || entry.path().extension() == ".pbrt")
+      names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -88,7 +89,9 @@ TEST_CASE("a missing file, a directory and another format are named") {
   CHECK(message(folder.string()) == folder.string() + ": this is a directory; a scene file is needed");
   const std::string text = (folder / "empty.txt").string();
   CHECK(message(text) ==
-        text + ": \".txt\" is not the extension of a scene file; valid are .dae and .zae (COLLADA)");
+        text +
+            ": \".txt\" is not the extension of a scene file; valid are .dae and .zae (COLLADA), "
+            ".pbrt and .pbrt.gz");
 }
 
 }  // namespace twinray

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt_builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/mesh_area.h"
+#include "core/radiance.h"
+
+namespace twinray {
+namespace {
+
+double area_of(const Shape& shape) {
+  constexpr double pi = 3.14159265358979323846;
+  double area = 0;
+  if (const auto* set = std::get_if<SphereSet>(&shape))
+    for (const Sphere& sphere : set->spheres) area += 4 * pi * double(sphere.radius) * double(sphere.radius);
+  if (const auto* mesh = std::get_if<Mesh>(&shape))
+    for (const Triangle& triangle : mesh->triangles) area += area_vector(*mesh, triangle).area();
+  return area;
+}
+
+void check_coordinates(const Shape& shape, const PbrtPlace& place) {
+  const auto is_near = [](const Vec3& p) { return is_finite(p) && max_abs(p) <= max_coordinate; };
+  bool is_good = true;
+  if (const auto* set = std::get_if<SphereSet>(&shape))
+    for (const Sphere& sphere : set->spheres)
+      is_good = is_good && is_near(sphere.center) && sphere.radius <= max_coordinate;
+  if (const auto* mesh = std::get_if<Mesh>(&shape))
+    for (const Vec3& p : mesh->positions) is_good = is_good && is_near(p);
+  if (!is_good)
+    place.fail(fmt::format("a coordinate of this shape lies beyond +-{:g}", double(max_coordinate)));
+}
+
+/// Within what film and lights can hold.
+Rgb bounded(const Rgb& radiance, const PbrtPlace& place, WarningList& warnings) {
+  if (max_component(radiance) <= max_radiance) return radiance;
+  place.warn(warnings, fmt::format("a radiance of {:g} is taken as {:g}, the most that a picture can hold",
+                                   max_component(radiance), max_radiance));
+  return {std::min(radiance.r, max_radiance), std::min(radiance.g, max_radiance),
+          std::min(radiance.b, max_radiance)};
+}
+
+}  // namespace
+
+void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& parameters,
+                            const PbrtState& state) {
+  auto shape = read_shape(type, parameters, context_);
+  if (!shape) return;
+  if (shape->mesh.name.empty()) shape->mesh.name = fmt::format("{}, line {}", type, parameters.place().line);
+  const Part part{std::make_shared<const PbrtShape>(std::move(*shape)),
+                  state.transform,
+                  state.is_reversed,
+                  state.material,
+                  state.area_light,
+                  parameters.place()};
+  if (object_)
+    object_->push_back(part);
+  else
+    place(part, part.to_world);
+}
+
+void PbrtBuilder::check_room(const Part& part) {
+  triangles_ += part.shape->mesh.triangles.size();
+  if (triangles_ > max_triangles || shapes_.size() >= max_triangles)
+    part.place.fail(
+        fmt::format("the scene has more than {} triangles or shapes, instances included", max_triangles));
+}
+
+void PbrtBuilder::place(const Part& part, const Transform& to_world) {
+  const bool emits = part.light && !context_.options.surfaces_only;
+  if (materials_.is_interface(part.material) && !emits) return;
+  check_room(part);
+  Shape shape =
+      place_shape(*part.shape, to_world, part.is_reversed, emits && part.light->is_two_sided, account_);
+  check_coordinates(shape, part.place);
+  shapes_.push_back(std::move(shape));
+  ShapeBinding binding{part.material, no_light};
+  if (emits) add_emission(part, binding);
+  if (materials_.is_interface(part.material)) binding.material = black();
+  bindings_.push_back(binding);
+}
+
+/// A mesh emits from its front, which is pbrt's outside.
+void PbrtBuilder::add_emission(const Part& part, ShapeBinding& binding) {
+  const Rgb radiance =
+      bounded(part.light->radiance_of(area_of(shapes_.back())), part.place, context_.warnings);
+  if (is_black(radiance)) return;
+  const std::uint32_t shape = std::uint32_t(shapes_.size() - 1);
+  binding.light = std::uint32_t(shape_lights_.size());
+  const std::string name = fmt::format("area light, line {}", part.place.line);
+  if (std::holds_alternative<SphereSet>(shapes_.back()))
+    shape_lights_.push_back({name, SphereLight{shape, radiance}});
+  else
+    shape_lights_.push_back(
+        {name,
+         MeshLight{shape, radiance, part.light->is_two_sided ? EmissionSide::both : EmissionSide::front}});
+}
+
+std::uint32_t PbrtBuilder::black() {
+  materials_.materials.push_back({"emits alone", Lambert{{0, 0, 0}}});
+  return std::uint32_t(materials_.materials.size() - 1);
+}
+
+void PbrtBuilder::add_light(const std::string& type, const PbrtParameters& parameters,
+                            const PbrtState& state) {
+  const auto light = read_light(type, parameters, state.transform, context_);
+  if (light && !context_.options.surfaces_only)
+    lights_.push_back({fmt::format("{} light, line {}", type, parameters.place().line), *light});
+}
+
+void PbrtBuilder::begin_object(const std::string& name, const PbrtPlace& place) {
+  if (object_) place.fail("an object stands within another one; ObjectEnd belongs between them");
+  if (objects_.count(name) > 0) place.fail(fmt::format("the object \"{}\" is defined a second time", name));
+  object_ = &objects_[name];
+}
+
+void PbrtBuilder::add_instance(const std::string& name, const Transform& to_world, const PbrtPlace& place) {
+  const auto object = objects_.find(name);
+  if (object_) place.fail("an instance stands within an object, which pbrt does not have either");
+  if (object == objects_.end()) {
+    std::vector<std::string_view> known;
+    for (const auto& [each, parts] : objects_) known.push_back(each);
+    const std::string nearest = nearest_name(name, known);
+    place.fail(fmt::format("no object \"{}\" is defined before this{}", name,
+                           nearest.empty() ? "" : fmt::format("; \"{}\" is the nearest one", nearest)));
+  }
+  for (const Part& part : object->second) this->place(part, to_world * part.to_world);
+}
+
+LoadedScene PbrtBuilder::finish(float exposure) {
+  materials_.check_all_made();
+  LoadedScene loaded;
+  Scene& scene = loaded.scene;
+  scene.lights = std::move(shape_lights_);
+  scene.lights.insert(scene.lights.end(), lights_.begin(), lights_.end());
+  for (Light& light : scene.lights)
+    if (exposure != 1) scale_light(light.source, exposure);
+  if (exposure != 1)
+    context_.notes.push_back(
+        fmt::format("all light is times {:g}, the film's exposure (shutter x iso / 100)", exposure));
+  scene.bindings = std::move(bindings_);
+  scene.materials = std::move(materials_.materials);
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes_));
+  check_scene(scene);
+  loaded.summary.dropped_triangles = account_.dropped_triangles;
+  if (account_.replaced_normals > 0)
+    context_.notes.push_back(
+        fmt::format("{} shading normals have no direction; those of their triangles stand for them",
+                    account_.replaced_normals));
+  count_scene(scene, loaded.summary);
+  return loaded;
+}
+
+}  // namespace twinray

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gathers the shapes, lights and materials of a scene that is read from pbrt's format.
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/loaded_scene.h"
+#include "io/pbrt_camera.h"
+#include "io/pbrt_material.h"
+#include "io/pbrt_shape.h"
+#include "io/pbrt_state.h"
+
+namespace twinray {
+
+class PbrtBuilder {
+ public:
+  explicit PbrtBuilder(PbrtContext& context) : context_(context), materials_(context) {}
+
+  PbrtMaterials& materials() { return materials_; }
+
+  void add_shape(const std::string& type, const PbrtParameters& parameters, const PbrtState& state);
+  void add_light(const std::string& type, const PbrtParameters& parameters, const PbrtState& state);
+
+  /// Shapes up to end_object() are parts of an object that instances show; the scene does not.
+  void begin_object(const std::string& name, const PbrtPlace& place);
+  void end_object() { object_ = nullptr; }
+  /// Copies an object's shapes. Throws Error where there is none of this name.
+  void add_instance(const std::string& name, const Transform& to_world, const PbrtPlace& place);
+
+  /// The scene, but for its camera, with all light times the exposure. Throws Error where a name was used
+  /// that nothing was given.
+  LoadedScene finish(float exposure);
+
+  static constexpr std::size_t max_triangles = std::size_t(1) << 28;
+
+ private:
+  /// A shape with what it is made of.
+  struct Part {
+    std::shared_ptr<const PbrtShape> shape;
+    Transform to_world;
+    bool is_reversed;
+    std::uint32_t material;
+    std::shared_ptr<const PbrtAreaLight> light;
+    PbrtPlace place;
+  };
+  using Object = std::vector<Part>;
+
+  void place(const Part& part, const Transform& to_world);
+  void add_emission(const Part& part, ShapeBinding& binding);
+  void check_room(const Part& part);
+  std::uint32_t black();
+
+  PbrtContext& context_;
+  PbrtMaterials materials_;
+  std::vector<Shape> shapes_;
+  std::vector<ShapeBinding> bindings_;
+  std::vector<Light> shape_lights_, lights_;
+  std::map<std::string, Object> objects_;
+  Object* object_ = nullptr;  ///< The one that shapes belong to.
+  PlacedShapes account_;
+  std::size_t triangles_ = 0;
+};
+
+}  // namespace twinray

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt_files.h"
+
+#include <filesystem>
+
+#include "io/gzip.h"
+#include "io/input_file.h"
+
+namespace twinray {
+namespace {
+
+std::filesystem::path beside(const std::string& file, const std::string& name) {
+  return std::filesystem::path(file).parent_path() / name;  // an absolute name stays as it is
+}
+
+}  // namespace
+
+std::string read_unpacked(const std::string& path) {
+  std::string bytes = read_input_file(path, "file");
+  return is_gzip(bytes) ? unpack_gzip(bytes, path) : bytes;
+}
+
+PbrtFiles::PbrtFiles(const std::string& scene, Read read) : scene_(scene), read_(std::move(read)) {}
+
+std::string PbrtFiles::path(const PbrtPlace& place, const std::string& name) const {
+  const std::filesystem::path first = beside(scene_, name), second = beside(place.file->name, name);
+  std::error_code error;
+  const bool is_second =
+      is_disk() && !std::filesystem::exists(first, error) && std::filesystem::exists(second, error);
+  return (is_second ? second : first).string();
+}
+
+std::string PbrtFiles::bytes(const PbrtPlace& place, const std::string& path) const {
+  try {
+    return read_ ? read_(path) : read_unpacked(path);
+  } catch (const Error& error) {
+    place.fail(error.what());
+  }
+}
+
+}  // namespace twinray

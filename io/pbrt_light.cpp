@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt_light.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/elementary.h"
+#include "io/pbrt_spectrum.h"
+
+namespace twinray {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double radians_per_degree = pi / 180;
+constexpr NumberRange scales{0, 1e12}, any_power{-1e30, 1e30};
+constexpr Rgb white{1, 1, 1};
+
+/// The color of a light times its scale.
+Rgb scaled_color(const PbrtParameters& parameters, const char* name, PbrtContext& context) {
+  return color_of(parameters, name, white, ColorRole::light, context.files) *
+         parameters.real("scale", 1, scales);
+}
+
+/// A power or an illuminance takes the place of "scale" as far as the light of `unit` gives 1. Not above 0:
+/// it is not given.
+Rgb with_strength(const Rgb& color, const char* name, double unit, const PbrtParameters& parameters) {
+  const float wanted = parameters.real(name, -1, any_power);
+  return wanted > 0 ? color * float(double(wanted) / unit) : color;
+}
+
+Vec3 direction(const Vec3& from, const Vec3& to, const Transform& to_world,
+               const PbrtParameters& parameters) {
+  const Vec3 d = to_world.vector(to - from);
+  if (!(length(d) > 0))
+    parameters.place().fail("this light has no direction: \"from\" and \"to\" are one point");
+  return normalize(d);
+}
+
+std::optional<LightSource> read_point(const PbrtParameters& parameters, const Transform& to_world,
+                                      PbrtContext& context) {
+  const Rgb intensity = scaled_color(parameters, "I", context);
+  return PointLight{to_world.point(parameters.point("from", {0, 0, 0})),
+                    with_strength(intensity, "power", 4 * pi, parameters),
+                    {}};
+}
+
+std::optional<LightSource> read_spot(const PbrtParameters& parameters, const Transform& to_world,
+                                     PbrtContext& context) {
+  const Vec3 from = parameters.point("from", {0, 0, 0}), to = parameters.point("to", {0, 0, 1});
+  const float angle = parameters.real("coneangle", 30, {0, 180});
+  const float delta = parameters.real("conedeltaangle", 5, {0, 180});
+  const double end = cos_radians(double(angle) * radians_per_degree);
+  const double start = cos_radians(double(std::max(0.0f, angle - delta)) * radians_per_degree);
+  const Rgb intensity = scaled_color(parameters, "I", context);
+  const double unit = 2 * pi * ((1 - start) + (start - end) / 2);
+  if (delta > 0)
+    parameters.place().warn(
+        context.warnings, "the soft edge of a spot light is not rendered: it is sharp, in the edge's middle");
+  SpotLight spot{to_world.point(from), direction(from, to, to_world, parameters),
+                 with_strength(intensity, "power", unit, parameters)};
+  spot.falloff_angle_degrees = std::max(2 * angle - delta, 1e-3f);
+  return spot;
+}
+
+std::optional<LightSource> read_distant(const PbrtParameters& parameters, const Transform& to_world,
+                                        PbrtContext& context) {
+  const Vec3 from = parameters.point("from", {0, 0, 0}), to = parameters.point("to", {0, 0, 1});
+  const Rgb irradiance = scaled_color(parameters, "L", context);
+  return DirectionalLight{direction(from, to, to_world, parameters),
+                          with_strength(irradiance, "illuminance", 1, parameters)};
+}
+
+std::optional<LightSource> read_infinite(const PbrtParameters& parameters, const Transform&,
+                                         PbrtContext& context) {
+  Rgb radiance = with_strength(scaled_color(parameters, "L", context), "illuminance", pi, parameters);
+  if (const PbrtParameter* portal = parameters.find("portal"))
+    portal->place.warn(context.warnings, "\"portal\" is left out: light comes from all around");
+  if (const PbrtParameter* file = parameters.find("filename"))
+    file->place.warn(context.warnings, "the picture of an infinite light is not rendered: its light is even");
+  auto map = std::make_shared<Image>(1, 1);
+  map->at(0, 0) = radiance;
+  return EnvironmentLight{std::move(map)};
+}
+
+/// A light whose picture is not read: a point light stands for it.
+std::optional<LightSource> read_pictured(const PbrtParameters& parameters, const Transform& to_world,
+                                         PbrtContext& context) {
+  for (const char* known : {"filename", "fov"}) parameters.find(known);
+  parameters.place().warn(context.warnings,
+                          "the picture of this light is not rendered: it shines evenly all around");
+  return read_point(parameters, to_world, context);
+}
+
+struct Reader {
+  std::string_view type;
+  std::optional<LightSource> (*read)(const PbrtParameters&, const Transform&, PbrtContext&);
+};
+constexpr std::array<Reader, 6> readers{{{"point", read_point},
+                                         {"spot", read_spot},
+                                         {"distant", read_distant},
+                                         {"infinite", read_infinite},
+                                         {"goniometric", read_pictured},
+                                         {"projection", read_pictured}}};
+
+Rgb* strength(LightSource& light) {
+  if (auto* mesh = std::get_if<MeshLight>(&light)) return &mesh->radiance;
+  if (auto* sphere = std::get_if<SphereLight>(&light)) return &sphere->radiance;
+  if (auto* point = std::get_if<PointLight>(&light)) return &point->intensity;
+  if (auto* spot = std::get_if<SpotLight>(&light)) return &spot->intensity;
+  if (auto* directional = std::get_if<DirectionalLight>(&light)) return &directional->irradiance;
+  return nullptr;
+}
+
+}  // namespace
+
+Rgb PbrtAreaLight::radiance_of(double area) const {
+  const double unit = (is_two_sided ? 2 : 1) * pi * area;
+  return power > 0 && unit > 0 ? radiance * float(double(power) / unit) : radiance;
+}
+
+PbrtAreaLight read_area_light(const std::string& type, const PbrtParameters& parameters,
+                              PbrtContext& context) {
+  if (type != "diffuse")
+    parameters.place().fail(fmt::format("there is no area light \"{}\"; valid is diffuse", type));
+  PbrtAreaLight light;
+  light.radiance = scaled_color(parameters, "L", context);
+  light.power = parameters.real("power", -1, any_power);
+  light.is_two_sided = parameters.flag("twosided", false);
+  if (const PbrtParameter* file = parameters.find("filename"))
+    file->place.warn(context.warnings, "the picture of an area light is not rendered: it emits evenly");
+  parameters.warn_of_unused(context.warnings);
+  return light;
+}
+
+std::optional<LightSource> read_light(const std::string& type, const PbrtParameters& parameters,
+                                      const Transform& to_world, PbrtContext& context) {
+  const auto reader =
+      std::find_if(readers.begin(), readers.end(), [&](const Reader& r) { return r.type == type; });
+  if (reader == readers.end()) {
+    std::vector<std::string_view> names;
+    for (const Reader& each : readers) names.push_back(each.type);
+    parameters.place().fail(fmt::format("there is no light \"{}\"; valid are {}", type, list_names(names)));
+  }
+  auto light = reader->read(parameters, to_world, context);
+  parameters.warn_of_unused(context.warnings);
+  return light;
+}
+
+void scale_light(LightSource& light, float factor) {
+  if (Rgb* value = strength(light)) *value = *value * factor;
+  if (auto* environment = std::get_if<EnvironmentLight>(&light)) {
+    auto map = std::make_shared<Image>(*environment->map);
+    for (Rgb& pixel : map->pixels) pixel = pixel * factor;
+    environment->map = std::move(map);
+  }
+}
+
+}  // namespace twinray

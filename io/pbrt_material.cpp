@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt_material.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "io/pbrt_spectrum.h"
+
+namespace twinray {
+namespace {
+
+/// Reads the inputs of a material, each a value or a texture.
+struct Inputs {
+  const PbrtParameters& parameters;
+  PbrtTextures& textures;
+  PbrtContext& context;
+
+  bool has(const std::string& name) const { return parameters.find(name.c_str()) != nullptr; }
+
+  Rgb color(const char* name, const Rgb& fallback, ColorRole role = ColorRole::reflectance) const {
+    const PbrtParameter* found = parameters.find(name);
+    if (!found) return fallback;
+    if (found->type != PbrtType::texture) return color_of(parameters, *found, role, context.files);
+    const Rgb mean = textures.mean(parameters, *found);
+    if (role != ColorRole::reflectance) return mean;
+    return {std::clamp(mean.r, 0.0f, 1.0f), std::clamp(mean.g, 0.0f, 1.0f), std::clamp(mean.b, 0.0f, 1.0f)};
+  }
+
+  float number(const char* name, float fallback) const {
+    const PbrtParameter* found = parameters.find(name);
+    if (found && found->type == PbrtType::texture) return luminance(textures.mean(parameters, *found));
+    return parameters.real(name, fallback);
+  }
+
+  /// An index of refraction; of a spectrum the mean as the eye weighs it.
+  float ior(const char* name) const {
+    const PbrtParameter* found = parameters.find(name);
+    if (!found) return 1.5f;
+    const float value = luminance(color_of(parameters, *found, ColorRole::unbounded, context.files));
+    if (!(value > 0 && value <= 100))
+      found->place.fail(fmt::format("\"{}\" is {:g}; an index of refraction lies in (0, 100]", name, value));
+    return value;
+  }
+
+  /// The width of microfacets, of "roughness" and what stands before and behind it ("interface.uroughness").
+  Roughness roughness(const std::string& prefix = "") const {
+    const float both = number((prefix + "roughness").c_str(), 0);
+    const float u = number((prefix + "uroughness").c_str(), both);
+    const float v = number((prefix + "vroughness").c_str(), both);
+    const bool is_remapped = parameters.flag("remaproughness", true);
+    const float x = alpha(u, is_remapped), y = alpha(v, is_remapped);
+    constexpr float smooth = 1e-3f;  // pbrt takes what is below it for smooth
+    return std::max(x, y) < smooth ? Roughness{} : Roughness{x, y};
+  }
+
+ private:
+  float alpha(float roughness, bool is_remapped) const {
+    if (!(roughness >= 0 && roughness <= 1))
+      parameters.place().warn(
+          context.warnings,
+          fmt::format("a roughness of {:g} is taken as the nearest one in [0, 1]", roughness));
+    const float r = std::clamp(roughness, 0.0f, 1.0f);
+    return is_remapped ? std::sqrt(r) : r;
+  }
+};
+
+constexpr Rgb half{0.5f, 0.5f, 0.5f}, quarter{0.25f, 0.25f, 0.25f};
+
+SurfaceModel read_diffuse(const Inputs& in) { return Lambert{in.color("reflectance", half)}; }
+
+/// The metal of this reflectance where light falls straight on it, as pbrt has it: eta is 1.
+Rgb absorption_of(const Rgb& reflectance) {
+  const auto k = [](float r) {
+    const float most = std::clamp(r, 0.0f, 0.9999f);
+    return 2 * std::sqrt(most) / std::sqrt(1 - most);
+  };
+  return {k(reflectance.r), k(reflectance.g), k(reflectance.b)};
+}
+
+struct Metal {
+  Rgb eta, k;
+};
+
+/// Copper where nothing is said.
+Metal read_metal(const Inputs& in, const std::string& prefix) {
+  const std::string eta = prefix + "eta", k = prefix + "k";
+  if (in.has("reflectance")) {
+    if (in.has(eta) || in.has(k))
+      in.parameters.find("reflectance")
+          ->place.fail("a metal has \"reflectance\" or \"eta\" and \"k\", not both");
+    return {{1, 1, 1}, absorption_of(in.color("reflectance", half))};
+  }
+  return {in.color(eta.c_str(), named_spectrum("metal-Cu-eta")->color, ColorRole::unbounded),
+          in.color(k.c_str(), named_spectrum("metal-Cu-k")->color, ColorRole::unbounded)};
+}
+
+SurfaceModel read_conductor(const Inputs& in) {
+  const Metal metal = read_metal(in, "");
+  return Conductor{metal.eta, metal.k, in.roughness()};
+}
+
+SurfaceModel read_dielectric(const Inputs& in) { return Dielectric{in.ior("eta"), in.roughness()}; }
+
+SurfaceModel read_thin(const Inputs& in) {
+  Dielectric sheet{in.ior("eta")};
+  sheet.is_thin = true;
+  return sheet;
+}
+
+/// What lies between the layers of a coated material.
+void read_between(const Inputs& in) {
+  for (const char* known : {"thickness", "g", "maxdepth", "nsamples"}) in.parameters.find(known);
+  if (!is_black(in.color("albedo", {})))
+    in.parameters.find("albedo")->place.warn(in.context.warnings,
+                                             "what scatters between the layers is not rendered");
+}
+
+SurfaceModel read_coated_diffuse(const Inputs& in) {
+  read_between(in);
+  return CoatedDiffuse{in.color("reflectance", half), in.roughness(), in.ior("eta")};
+}
+
+SurfaceModel read_coated_conductor(const Inputs& in) {
+  read_between(in);
+  const Metal metal = read_metal(in, "conductor.");
+  CoatedConductor coated{metal.eta, metal.k, in.roughness("conductor.")};
+  coated.coat_roughness = in.roughness("interface.");
+  coated.coat_ior = in.ior("interface.eta");
+  return coated;
+}
+
+/// Where reflectance and transmittance sum up to more than 1, both are made smaller.
+SurfaceModel read_transmission(const Inputs& in) {
+  const float scale = in.parameters.real("scale", 1, {0, 1e6});
+  DiffuseTransmission sheet{in.color("reflectance", quarter) * scale,
+                            in.color("transmittance", quarter) * scale};
+  const float most = max_component(sheet.reflectance + sheet.transmittance);
+  if (most > 1) {
+    in.parameters.place().warn(
+        in.context.warnings,
+        fmt::format("this surface would scatter {:g} of the light; it scatters all of it", most));
+    sheet.reflectance = sheet.reflectance / most, sheet.transmittance = sheet.transmittance / most;
+  }
+  return sheet;
+}
+
+SurfaceModel instead(const Inputs& in, const char* what, const char* shown, const SurfaceModel& model) {
+  in.parameters.place().warn(in.context.warnings,
+                             fmt::format("{} is not rendered; {} stands for it", what, shown));
+  return model;
+}
+
+SurfaceModel read_subsurface(const Inputs& in) {
+  for (const char* known : {"sigma_a", "sigma_s", "mfp", "g", "scale", "name"}) in.parameters.find(known);
+  const Rgb pale{0.8f, 0.8f, 0.8f};
+  return instead(
+      in, "light below a surface (subsurface)", "a coated diffuse surface",
+      CoatedDiffuse{in.color("reflectance", pale), in.roughness(), in.has("eta") ? in.ior("eta") : 1.33f});
+}
+
+SurfaceModel read_hair(const Inputs& in) {
+  for (const char* known : {"sigma_a", "eumelanin", "pheomelanin", "eta", "beta_m", "beta_n", "alpha"})
+    in.parameters.find(known);
+  const Rgb brown{0.2f, 0.12f, 0.08f};
+  return instead(in, "hair", "a diffuse surface", Lambert{in.color("reflectance", in.color("color", brown))});
+}
+
+SurfaceModel read_measured(const Inputs& in) {
+  in.parameters.find("filename");
+  return instead(in, "a measured material", "a diffuse surface of 0.5", Lambert{half});
+}
+
+struct Reader {
+  std::string_view type;
+  SurfaceModel (*read)(const Inputs&);
+};
+constexpr std::array<Reader, 10> readers{{{"diffuse", read_diffuse},
+                                          {"conductor", read_conductor},
+                                          {"dielectric", read_dielectric},
+                                          {"thindielectric", read_thin},
+                                          {"coateddiffuse", read_coated_diffuse},
+                                          {"coatedconductor", read_coated_conductor},
+                                          {"diffusetransmission", read_transmission},
+                                          {"subsurface", read_subsurface},
+                                          {"hair", read_hair},
+                                          {"measured", read_measured}}};
+
+SurfaceModel read_model(const std::string& type, const Inputs& in) {
+  const auto reader =
+      std::find_if(readers.begin(), readers.end(), [&](const Reader& r) { return r.type == type; });
+  if (reader != readers.end()) return reader->read(in);
+  std::vector<std::string_view> names;
+  for (const Reader& each : readers) names.push_back(each.type);
+  for (const char* name : {"mix", "interface"}) names.push_back(name);
+  in.parameters.place().fail(
+      fmt::format("there is no material \"{}\"; valid are {}", type, list_names(names)));
+}
+
+void warn_of_bumps(const PbrtParameters& parameters, WarningList& warnings) {
+  for (const char* name : {"displacement", "normalmap"})
+    if (const PbrtParameter* bump = parameters.find(name))
+      bump->place.warn(warnings, fmt::format("\"{}\" is not rendered: the surface is smooth", name));
+}
+
+}  // namespace
+
+PbrtMaterials::PbrtMaterials(PbrtContext& context) : textures(context), context_(context) {
+  new_entry("default", {});
+}
+
+std::uint32_t PbrtMaterials::new_entry(const std::string& name, const Entry& entry) {
+  materials.push_back({name});
+  entries_.push_back(entry);
+  return std::uint32_t(materials.size() - 1);
+}
+
+std::uint32_t PbrtMaterials::add(const std::string& type, const PbrtParameters& parameters) {
+  const std::uint32_t index = new_entry(fmt::format("{}, line {}", type, parameters.place().line), {});
+  make(index, type, parameters);
+  return index;
+}
+
+void PbrtMaterials::add_named(const std::string& name, const PbrtParameters& parameters) {
+  const auto known = named_.find(name);
+  if (known != named_.end() && entries_[known->second].is_made)
+    parameters.place().fail(fmt::format("the material \"{}\" is made a second time", name));
+  const std::string type = parameters.text("type", "");
+  if (type.empty()) parameters.place().fail("MakeNamedMaterial needs the kind of material, \"string type\"");
+  const std::uint32_t index = known != named_.end() ? known->second : new_entry(name, {});
+  named_[name] = index;
+  entries_[index].is_made = true;
+  make(index, type, parameters);
+}
+
+std::uint32_t PbrtMaterials::named(const std::string& name, const PbrtPlace& place) {
+  const auto known = named_.find(name);
+  if (known != named_.end()) return known->second;
+  return named_[name] = new_entry(name, {false, false, place});
+}
+
+void PbrtMaterials::check_all_made() const {
+  std::vector<std::string_view> made;
+  for (const auto& [name, index] : named_)
+    if (entries_[index].is_made) made.push_back(name);
+  for (const auto& [name, index] : named_) {
+    if (entries_[index].is_made) continue;
+    const std::string nearest = nearest_name(name, made);
+    entries_[index].first_use.fail(
+        fmt::format("no MakeNamedMaterial makes \"{}\"{}", name,
+                    nearest.empty() ? "" : fmt::format("; \"{}\" is the nearest one", nearest)));
+  }
+}
+
+void PbrtMaterials::make(std::uint32_t index, const std::string& type, const PbrtParameters& parameters) {
+  const Inputs in{parameters, textures, context_};
+  if (type == "interface" || type == "none" || type.empty())
+    entries_[index].is_interface = true;
+  else if (type == "mix")
+    materials[index].model = read_mix(index, in.number("amount", 0.5f), parameters);
+  else
+    materials[index].model = read_model(type, in);
+  warn_of_bumps(parameters, context_.warnings);
+  parameters.warn_of_unused(context_.warnings);
+}
+
+Mix PbrtMaterials::read_mix(std::uint32_t index, float amount, const PbrtParameters& parameters) {
+  const std::span<const std::string> names = parameters.texts("materials");
+  if (names.size() != 2) parameters.place().fail("a mix needs two names in \"string materials\"");
+  std::array<std::uint32_t, 2> indices{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto known = named_.find(names[i]);
+    if (known == named_.end() || !entries_[known->second].is_made || known->second >= index)
+      parameters.find("materials")
+          ->place.fail(fmt::format("a mix is of materials that are made before it; \"{}\" is not", names[i]));
+    if (is_interface(known->second))
+      parameters.find("materials")
+          ->place.fail(fmt::format("\"{}\" is an interface, which cannot be mixed", names[i]));
+    indices[i] = known->second;
+  }
+  return {indices[0], indices[1], std::clamp(amount, 0.0f, 1.0f)};
+}
+
+}  // namespace twinray

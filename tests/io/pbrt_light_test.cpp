@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt_light.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/pbrt_text.h"
+
+namespace twinray {
+namespace {
+
+using test::load_pbrt_text;
+using test::load_pbrt_world;
+using test::pbrt_triangle;
+
+constexpr double pi = 3.14159265358979323846;
+
+template <typename Source>
+Source light_of(const std::string& statements) {
+  const LoadedScene loaded = load_pbrt_world(statements);
+  REQUIRE(loaded.scene.lights.size() == 1);
+  return std::get<Source>(loaded.scene.lights[0].source);
+}
+
+}  // namespace
+
+TEST_CASE("an area light emits from the outside of its shape, or from both sides") {
+  const auto triangle = [](const std::string& more) {
+    return light_of<MeshLight>("AreaLightSource \"diffuse\" \"rgb L\" [ 1 2 3 ] \"float scale\" 2 " + more +
+                               "\n" + pbrt_triangle);
+  };
+  CHECK(triangle("").radiance == Rgb{2, 4, 6});
+  CHECK(triangle("").side == EmissionSide::front);
+  CHECK(triangle("\"bool twosided\" true").side == EmissionSide::both);
+  CHECK(light_of<SphereLight>("AreaLightSource \"diffuse\" Shape \"sphere\"").radiance == Rgb{1, 1, 1});
+}
+
+TEST_CASE("an area light of a power has it, over the area and both sides") {
+  const std::string light = "AreaLightSource \"diffuse\" \"float power\" 100 ";
+  CHECK(light_of<MeshLight>(light + pbrt_triangle).radiance.g == Approx(100 / (pi * 0.5)));
+  CHECK(light_of<MeshLight>(light + "\"bool twosided\" true " + pbrt_triangle).radiance.g ==
+        Approx(100 / pi));
+  CHECK(light_of<SphereLight>(light + "Shape \"sphere\" \"float radius\" 2").radiance.g ==
+        Approx(100 / (pi * 16 * pi)));
+}
+
+TEST_CASE("an area light ends with the state that it stands in") {
+  const LoadedScene loaded =
+      load_pbrt_world("AttributeBegin AreaLightSource \"diffuse\" AttributeEnd " + pbrt_triangle);
+  CHECK(loaded.scene.lights.empty());
+}
+
+TEST_CASE("point, spot and distant lights stand where the transform puts them") {
+  const auto point = light_of<PointLight>(
+      "Translate 1 0 0 LightSource \"point\" \"point3 from\" [ 0 2 0 ] \"rgb I\" [ 1 2 3 ] \"float power\" "
+      "10");
+  CHECK(point.position == Vec3{1, 2, 0});
+  CHECK(point.intensity.b == Approx(3 * 10 / (4 * pi)));
+  const auto distant = light_of<DirectionalLight>(
+      "Rotate 90 0 0 1 LightSource \"distant\" \"point3 from\" [ 0 0 0 ] \"point3 to\" [ 2 0 0 ] \"rgb L\" [ "
+      "1 1 1 ]"
+      " \"float illuminance\" 5");
+  CHECK(distant.direction.y == Approx(1));
+  CHECK(distant.irradiance.r == Approx(5));
+}
+
+TEST_CASE("light of a black body has the luminance of its scale") {
+  const auto light = light_of<PointLight>("LightSource \"point\" \"blackbody I\" 3000 \"float scale\" 7");
+  CHECK(luminance(light.intensity) == Approx(7).epsilon(1e-3));
+  CHECK(light.intensity.r > 2 * light.intensity.b);
+}
+
+TEST_CASE("the exposure of film and shutter multiplies all light") {
+  const LoadedScene loaded = load_pbrt_text(
+      "Camera \"perspective\" \"float shutterclose\" 0.5 Film \"rgb\" \"float iso\" 400 WorldBegin "
+      "LightSource "
+      "\"point\" AreaLightSource \"diffuse\" " +
+      pbrt_triangle);
+  CHECK(std::get<MeshLight>(loaded.scene.lights[0].source).radiance == Rgb{2, 2, 2});
+  CHECK(std::get<PointLight>(loaded.scene.lights[1].source).intensity == Rgb{2, 2, 2});
+  CHECK(loaded.summary.notes.back() == "all light is times 2, the film's exposure (shutter x iso / 100)");
+}
+
+}  // namespace twinray

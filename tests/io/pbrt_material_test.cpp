@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt_material.h"
+
+#include <cmath>
+
+#include "io/pbrt_spectrum.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/pbrt_text.h"
+
+namespace twinray {
+namespace {
+
+using test::load_pbrt_text;
+using test::load_pbrt_world;
+
+template <typename Model>
+Model model_of(const std::string& material) {
+  const LoadedScene loaded = load_pbrt_world("Material " + material);
+  CHECK(loaded.warnings.empty());
+  REQUIRE(loaded.scene.materials.size() == 2);
+  return std::get<Model>(loaded.scene.materials[1].model);
+}
+
+std::string warning_of(const std::string& statements) {
+  const LoadedScene loaded = load_pbrt_world(statements);
+  return loaded.warnings.empty() ? "" : loaded.warnings[0].message;
+}
+
+std::string error_of(const std::string& statements) {
+  try {
+    load_pbrt_world(statements);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("each material becomes its model, with pbrt's values where the file has none") {
+  CHECK(model_of<Lambert>("\"diffuse\"").reflectance == Rgb{0.5f, 0.5f, 0.5f});
+  CHECK(model_of<Lambert>("\"diffuse\" \"rgb reflectance\" [ .1 .2 .3 ]").reflectance ==
+        Rgb{0.1f, 0.2f, 0.3f});
+  CHECK(model_of<Dielectric>("\"dielectric\"").ior == 1.5f);
+  CHECK(model_of<Dielectric>("\"dielectric\" \"spectrum eta\" \"glass-LASF9\"").ior == Approx(1.8556));
+  CHECK_FALSE(model_of<Dielectric>("\"dielectric\"").is_thin);
+  CHECK(model_of<Dielectric>("\"thindielectric\" \"float eta\" 1.3").is_thin);
+  CHECK(model_of<Conductor>("\"conductor\"").eta == named_spectrum("metal-Cu-eta")->color);
+  CHECK(model_of<Conductor>("\"conductor\" \"rgb k\" [ 3 2 1 ]").k == Rgb{3, 2, 1});
+  CHECK(model_of<CoatedDiffuse>("\"coateddiffuse\" \"float eta\" 1.4").ior == Approx(1.4));
+  const auto leaf = model_of<DiffuseTransmission>("\"diffusetransmission\" \"float scale\" 0.5");
+  CHECK(leaf.transmittance == Rgb{0.125f, 0.125f, 0.125f});
+}
+
+TEST_CASE("a roughness is the square of alpha, unless it is not remapped") {
+  const auto alpha = [](const std::string& more) {
+    return model_of<Conductor>("\"conductor\" " + more).roughness;
+  };
+  CHECK(alpha("\"float roughness\" 0.25") == Roughness{0.5f, 0.5f});
+  CHECK(alpha("\"float roughness\" 0.25 \"bool remaproughness\" false") == Roughness{0.25f, 0.25f});
+  CHECK(alpha("\"float uroughness\" 0.04 \"float vroughness\" 0.25") == Roughness{0.2f, 0.5f});
+  CHECK(alpha("\"float uroughness\" 0.04") == Roughness{0.2f, 0});
+  CHECK(alpha("\"float roughness\" 9e-7") == Roughness{});
+  CHECK(alpha("") == Roughness{});
+}
+
+TEST_CASE("a metal of a reflectance has it where light falls straight on it") {
+  const auto metal = model_of<Conductor>("\"conductor\" \"rgb reflectance\" [ 0.9 0.5 0 ]");
+  CHECK(metal.eta == Rgb{1, 1, 1});
+  const auto reflected = [](float k) { return k * k / (4 + k * k); };
+  CHECK(reflected(metal.k.r) == Approx(0.9));
+  CHECK(reflected(metal.k.g) == Approx(0.5));
+  CHECK(metal.k.b == 0);
+  CHECK(error_of("Material \"conductor\" \"rgb reflectance\" [ 1 1 1 ] \"rgb eta\" [ 1 1 1 ]")
+            .find("a metal has \"reflectance\" or \"eta\" and \"k\", not both") != std::string::npos);
+}
+
+TEST_CASE("the layers of a coated conductor have names of their own") {
+  const auto coated = model_of<CoatedConductor>(
+      "\"coatedconductor\" \"float interface.roughness\" 0.04 \"float conductor.roughness\" 0.25 \"float "
+      "interface.eta\" 1.7 \"rgb conductor.eta\" [ 1 2 3 ] \"rgb conductor.k\" [ 4 5 6 ]");
+  CHECK(coated.coat_roughness == Roughness{0.2f, 0.2f});
+  CHECK(coated.roughness == Roughness{0.5f, 0.5f});
+  CHECK(coated.coat_ior == Approx(1.7));
+  CHECK(coated.eta == Rgb{1, 2, 3});
+  CHECK(coated.k == Rgb{4, 5, 6});
+}
+
+TEST_CASE("named materials may be used before they are made, and a mix is of those before it") {
+  const LoadedScene loaded = load_pbrt_world(
+      "NamedMaterial \"late\" " + test::pbrt_triangle +
+      "MakeNamedMaterial \"a\" \"string type\" \"diffuse\" MakeNamedMaterial \"late\" \"string type\" "
+      "\"dielectric\" MakeNamedMaterial \"both\" \"string type\" \"mix\" \"string materials\" [ \"a\" "
+      "\"late\" ] "
+      "\"float amount\" 0.3");
+  const Scene& scene = loaded.scene;
+  CHECK(std::holds_alternative<Dielectric>(scene.materials[scene.bindings[0].material].model));
+  const Mix mix = std::get<Mix>(scene.materials.back().model);
+  CHECK(scene.materials[mix.first].name == "a");
+  CHECK(scene.materials[mix.second].name == "late");
+  CHECK(mix.amount == 0.3f);
+  CHECK(error_of("NamedMaterial \"gless\" MakeNamedMaterial \"glass\" \"string type\" \"dielectric\"")
+            .find("no MakeNamedMaterial makes \"gless\"; \"glass\" is the nearest one") != std::string::npos);
+  CHECK(error_of("MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" [ \"m\" \"m\" ]")
+            .find("a mix is of materials that are made before it; \"m\" is not") != std::string::npos);
+}
+
+TEST_CASE("what is not rendered is named, with what stands for it") {
+  CHECK(warning_of("Material \"hair\"") == "hair is not rendered; a diffuse surface stands for it");
+  CHECK(warning_of("Material \"subsurface\"") ==
+        "light below a surface (subsurface) is not rendered; a coated diffuse surface stands for it");
+  CHECK(warning_of("Material \"measured\" \"string filename\" \"a\"") ==
+        "a measured material is not rendered; a diffuse surface of 0.5 stands for it");
+  CHECK(warning_of("MediumInterface \"fog\" \"\"") == "media are not rendered: space is empty");
+  CHECK(warning_of("Shape \"curve\" \"point3 P\" [ 0 0 0 1 1 1 2 2 2 3 3 3 ]") ==
+        "curves are not rendered; this one is left out");
+  CHECK(error_of("Material \"plastic\"").find("there is no material \"plastic\"; valid are diffuse") !=
+        std::string::npos);
+  CHECK(error_of("Material \"diffuse\" \"rgb reflectance\" [ 1 1.5 1 ]")
+            .find("\"reflectance\" is 1 1.5 1; each must lie in [0, 1]") != std::string::npos);
+}
+
+TEST_CASE("an interface is no surface") {
+  CHECK(load_pbrt_world("Material \"interface\" " + test::pbrt_triangle).scene.geometry->triangle_count() ==
+        0);
+  const LoadedScene lit =
+      load_pbrt_world("Material \"interface\" AreaLightSource \"diffuse\" " + test::pbrt_triangle);
+  CHECK(lit.scene.lights.size() == 1);
+}
+
+}  // namespace twinray
