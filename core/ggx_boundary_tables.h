@@ -8,8 +8,8 @@ namespace twinray::tables {
 inline constexpr int boundary_ior_count = 7, boundary_count = 12;
 
 /// ggx_boundary_loss, first into the denser medium, then out of it: layers
-/// sqrt(2 (ior - 1) / (ior + 1)) = i / (boundary_ior_count - 1), rows alpha = j / (boundary_count - 1), columns
-/// sqrt(cos (1 + alpha) / (cos + alpha)) = k / (boundary_count - 1).
+/// sqrt(2 (ior - 1) / (ior + 1)) = i / (boundary_ior_count - 1), rows alpha = j / (boundary_count - 1),
+/// columns sqrt(cos (1 + alpha) / (cos + alpha)) = k / (boundary_count - 1).
 inline constexpr float boundary_loss[2][boundary_ior_count][boundary_count][boundary_count] = {
  {
  {

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Defects in core/lobes/ and what they stand on."""
+from mutant import Mutant
+
+MITSUBA_CONDUCTORS = "rough conductors are Mitsuba's, but for light that meets several facets"
+COATED_FURNACE = "a coated white surface passes the furnace"
+
+MUTANTS = [
+    Mutant("a conductor's Fresnel reflectance forgets what it absorbs", "core/fresnel.cpp",
+           "const float difference = eta * eta - k * k - sin2;", "const float difference = eta * eta - sin2;",
+           "test_core", "a conductor reflects by Fresnel's equations"),
+    Mutant("light from within glass is never reflected totally", "core/fresnel.h",
+           "if (cos_t == 0) return 1;", "", "test_core",
+           "total internal reflection begins at the critical angle, Brewster's angle has half a reflection"),
+    Mutant("visible normals lack their cosine", "core/microfacet.h",
+           "masking(w) * std::max(0.0f, dot(w, m)) * density(m) / w.z", "masking(w) * density(m) / w.z",
+           "test_core", "the facets that a direction sees have its projected area"),
+    Mutant("facets are hidden as if their alphas were exchanged", "core/microfacet.h",
+           "const float x = x_ * w.x, y = y_ * w.y;", "const float x = y_ * w.x, y = x_ * w.y;",
+           "test_core", MITSUBA_CONDUCTORS),
+    Mutant("rough metal loses what meets several facets", "core/lobes/rough_conductor.cpp",
+           " + reflectance_ * multiple_factor_ * multiple_.evaluate(wo.z, wi.z);", ";", "test_core", "a rough white metal passes the furnace"),
+    Mutant("refracted radiance is not compressed", "core/lobes/dielectric_facets.cpp",
+           "const float geometry = cos_o * cos_i /", "const float geometry = eta_ * eta_ * cos_o * cos_i /",
+           "test_core", "a rough dielectric is reciprocal, by eta squared where it transmits"),
+    Mutant("the inside of rough glass is taken for its outside", "core/bsdf.cpp",
+           "side == Side::outside ? ior : 1 / ior", "ior",
+           "test_core", "a rough boundary is seen from the side that the viewer is on"),
+    Mutant("a coat lets light out as from a medium like the outside", "core/lobes/coated_diffuse.cpp",
+           "(1 - r * back) * spread", "(1 - r * back)", "test_core", COATED_FURNACE),
+    Mutant("light below a coat leaves at the first try", "core/lobes/coated_diffuse.cpp",
+           "(1 - r * back) * spread", "spread", "test_core", COATED_FURNACE),
+    Mutant("a metal's density is that within its coat", "core/lobes/coated_conductor.cpp",
+           "metal_.pdf(below(wo), inside) * narrower", "metal_.pdf(below(wo), inside)", "test_core",
+           "a coated conductor is sampled with its density, and is reciprocal"),
+    Mutant("a rough diffuse surface scatters light once only", "core/lobes/rough_diffuse.cpp",
+           "once + multiple_ * (missing / std::max(least, 1 - average_))", "once", "test_core",
+           "a rough white diffuse surface passes the furnace"),
+    Mutant("CS184's masking has the root of pi", "core/lobes/cs184_microfacet.cpp",
+           "exp_of(-a * a) / (a * pi)", "exp_of(-a * a) / (a * 1.77245385f)", "test_core",
+           "CS184's microfacets have the values of the course's formulas"),
+]
