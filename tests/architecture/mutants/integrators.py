@@ -190,7 +190,8 @@ MUTANTS = [
     Mutant("the inside of glass is where its normals point", "integrators/interaction.cpp",
            "is_before == points_outside ? Side::outside", "is_before != points_outside ? Side::outside",
            "test_integrators",
-           "a surface that only refracts shows what lies behind it, and nothing where all would be reflected"),
+           "a surface that only refracts shows what lies behind it, and nothing where all would be "
+           "reflected"),
     Mutant("a mixture takes its first material as often as its second should be", "core/surface_model.cpp",
            "? mix->second : mix->first", "? mix->first : mix->second", "test_integrators",
            "a mixture is its second material at the stated part of its points"),
