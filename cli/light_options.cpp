@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 
 #include "cli/render_options.h"
 
@@ -32,6 +35,11 @@ void add_path_words(OptionGroup& group, RenderRequest& request) {
   group.add_word({"--roulette", "throughput|P",
                   fmt::format("By throughput from bounce 4, or a probability ({})", request.roulette)},
                  request.roulette);
+  group.add_word({"--clamp", "off|X",
+                  fmt::format("Greatest term of light of two or more bounces; biased ({})", request.clamp)},
+                 request.clamp);
+  group.add_flag("--regularize", request.arguments.path.regularize,
+                 "Rougher surfaces behind the first wide bounce; biased");
   group.add_choice<DirectMethod>("--direct", request.arguments.path.direct,
                                  {{"mis", DirectMethod::mis},
                                   {"lights", DirectMethod::lights},
@@ -39,14 +47,29 @@ void add_path_words(OptionGroup& group, RenderRequest& request) {
                                  "How direct light is sampled");
 }
 
+/// A whole word as a number.
+std::optional<float> number_of(const std::string& word) {
+  float number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return number;
+}
+
 Roulette parse_roulette(const std::string& word) {
   if (word == "throughput") return {};
-  float probability = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), probability);
-  if (error != std::errc() || end != word.data() + word.size() || !(probability > 0 && probability <= 1))
+  const std::optional<float> probability = number_of(word);
+  if (!probability || !(*probability > 0 && *probability <= 1))
     throw UsageError(
         fmt::format("--roulette: \"{}\"; valid are throughput and a probability in (0, 1]", word));
-  return {probability};
+  return {*probability};
+}
+
+float parse_clamp(const std::string& word) {
+  if (word == "off") return std::numeric_limits<float>::infinity();
+  const std::optional<float> clamp = number_of(word);
+  if (!clamp || !(*clamp > 0) || !std::isfinite(*clamp))
+    throw UsageError(fmt::format("--clamp: \"{}\"; valid are off and a radiance > 0", word));
+  return *clamp;
 }
 
 void check_indirect(int max_depth) {
@@ -100,6 +123,7 @@ void resolve_light(const RenderRequest& request, RenderArguments& arguments) {
   if (request.hemisphere) path.direct = DirectMethod::hemisphere;
   if (arguments.integrator == IntegratorKind::direct) path.max_depth = std::min(path.max_depth, 1);
   path.roulette = parse_roulette(request.roulette);
+  path.clamp = parse_clamp(request.clamp);
   choose_bounces(request.bounces, path);
 }
 

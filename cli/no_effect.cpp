@@ -66,6 +66,12 @@ std::string needs_more_bounces(const Asked& asked) {
              : "";
 }
 
+std::string needs_indirect_light(const Asked& asked) {
+  if (!asked.is_lit()) return needs_light(asked);
+  const bool has_any = asked.arguments.path.depth_limit() >= 2;
+  return has_any ? "" : "for light of one bounce is left as it is";
+}
+
 std::string needs_roulette(const Asked& asked) {
   if (!asked.is_lit()) return needs_light(asked);
   const PathOptions& path = asked.arguments.path;
@@ -147,6 +153,8 @@ constexpr Rule rules[]{
     {"--max-depth", needs_more_bounces},
     {"--bounces", needs_bounces},
     {"--roulette", needs_roulette},
+    {"--clamp", needs_indirect_light},
+    {"--regularize", needs_indirect_light},
     {"--direct", needs_direct_light},
     {"--hemisphere", needs_direct_light},
     {"--light-samples", needs_direct_light},

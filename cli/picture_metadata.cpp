@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
@@ -25,6 +26,18 @@ std::string time_stamp(const std::string& seconds_since_1970) {
   return fmt::format("{:%Y:%m:%d %H:%M:%S}", fmt::gmtime(std::time_t(seconds)));
 }
 
+namespace {
+
+/// What keeps a picture from converging to the scene's light; empty: nothing.
+std::string biases_of(const PathOptions& path) {
+  std::vector<std::string> biases;
+  if (std::isfinite(path.clamp)) biases.push_back(fmt::format("clamp {}", path.clamp));
+  if (path.regularize) biases.push_back("regularize");
+  return fmt::format("{}", fmt::join(biases, ", "));
+}
+
+}  // namespace
+
 ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vector<std::string>& words) {
   ImageMetadata metadata{{"Software", version_name()},
                          {"twinray:scene", arguments.scene},
@@ -32,6 +45,8 @@ ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vect
                          {"twinray:seed", fmt::format("{}", arguments.render.seed)},
                          {"twinray:engine", engine_name(arguments)},
                          {"twinray:samples", fmt::format("{}", arguments.render.samples)}};
+  if (const std::string biases = biases_of(arguments.path); !biases.empty())
+    metadata.emplace_back("twinray:biased_by", biases);
   if (const char* time = std::getenv("SOURCE_DATE_EPOCH"); time && *time)
     metadata.emplace_back("DateTime", time_stamp(time));
   return metadata;

@@ -18,6 +18,7 @@ struct RenderRequest {
   Words adaptive;  ///< Batch and tolerance; empty: none.
   std::optional<AdaptiveRule> adaptive_rule;
   std::string roulette = "throughput";
+  std::string clamp = "off";
   bool hemisphere = false;
   enum class Bounces { all, direct, indirect, last } bounces = Bounces::all;
   std::optional<CostKind> cost;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/interaction.h"
 
+#include "core/regularize.h"
 #include "core/surface_model.h"
 
 namespace twinray {
@@ -22,8 +23,10 @@ Side side_of(const SurfacePoint& point, const Vec3& wo) {
 
 }  // namespace
 
-Interaction::Interaction(const Scene& scene, const SurfacePoint& point, const Vec3& wo)
-    : Interaction(model_at(scene, point), point, wo) {}
+Interaction::Interaction(const Scene& scene, const SurfacePoint& point, const Vec3& wo, Materials materials)
+    : Interaction(
+          materials == Materials::exact ? model_at(scene, point) : regularized(model_at(scene, point)), point,
+          wo) {}
 
 Interaction::Interaction(const SurfaceModel& model, const SurfacePoint& point, const Vec3& wo)
     : point_(point),

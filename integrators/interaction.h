@@ -9,6 +9,9 @@
 
 namespace twinray {
 
+/// How materials scatter: as the scene says, or so rough that light samples find it (core/regularize.h).
+enum class Materials { exact, regularized };
+
 /// A surface point together with the direction it is seen from: what scattering needs.
 ///
 /// Both normals are turned to the viewer's side. Where interpolated normals contradict the geometry (the
@@ -17,7 +20,8 @@ namespace twinray {
 class Interaction {
  public:
   /// `wo` is a unit vector to the viewer.
-  Interaction(const Scene& scene, const SurfacePoint& point, const Vec3& wo);
+  Interaction(const Scene& scene, const SurfacePoint& point, const Vec3& wo,
+              Materials materials = Materials::exact);
 
   const SurfacePoint& point() const { return point_; }
   const Bsdf& bsdf() const { return bsdf_; }

@@ -15,6 +15,7 @@ void check(const PathOptions& options) {
   if (!(options.roulette.continuation >= 0 && options.roulette.continuation <= 1))
     throw Error(fmt::format("the probability of going on is {}; it must lie in (0, 1]",
                             options.roulette.continuation));
+  if (!(options.clamp > 0)) throw Error(fmt::format("the clamp is {}; it must be > 0", options.clamp));
 }
 
 }  // namespace twinray

@@ -33,7 +33,18 @@ struct PathOptions {
   DirectMethod direct = DirectMethod::mis;
   std::uint32_t samples_per_light = 1;  ///< 1 to 65536.
   Roulette roulette;
+  /// Biased, for less noise: no channel of a term of light that was scattered twice or more exceeds this; >
+  /// 0.
+  float clamp = std::numeric_limits<float>::infinity();
+  /// Biased, for less noise: surfaces are rougher to paths that have been scattered widely
+  /// (core/regularize.h), so that light samples find what only a mirror's or a lens's ray could.
+  bool regularize = false;
 
+  /// A term of light that was scattered `depth` times, as it is added up: its color stays, clamped or not.
+  Rgb clamped(const Rgb& term, int depth) const {
+    const float largest = max_component(term);
+    return depth >= 2 && largest > clamp ? term * (clamp / largest) : term;
+  }
   bool counts(int depth) const { return depth >= first_depth && depth <= last_depth; }
   int depth_limit() const { return std::min(max_depth, last_depth); }
 };

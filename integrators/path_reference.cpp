@@ -38,16 +38,17 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
   Hit hit = tracer.camera_hit(path.ray);
   for (int depth = 0;; ++depth) {  // Scattering events before the current ray.
     tracer.arrive();
-    if (options_.counts(depth)) radiance += path.throughput * emission(transport, path, hit, depth);
+    if (options_.counts(depth))
+      radiance += options_.clamped(path.throughput * emission(transport, path, hit, depth), depth);
     if (hit.is_miss()) return radiance;
 
     const SurfacePoint point = surface_at(*scene_.geometry, hit);
-    const Interaction at(scene_, point, -normalize(path.ray.direction));
+    const Interaction at(scene_, point, -normalize(path.ray.direction), path.materials);
     if (depth == 0) record_surface(at, record);
     if (depth >= options_.depth_limit()) return radiance;
     const VertexSampler sampler(kind, path_key, std::uint32_t(depth) + 1);
     if (options_.counts(depth + 1))
-      radiance += path.throughput * direct_light(transport, at, sampler, tracer);
+      radiance += options_.clamped(path.throughput * direct_light(transport, at, sampler, tracer), depth + 1);
     if (!scatter(at, depth, sampler, path)) return radiance;
     // The ray after the last surface only looks for light.
     const bool is_last = depth + 1 >= options_.depth_limit();
@@ -73,6 +74,8 @@ bool PathReference::scatter(const Interaction& at, int depth, const VertexSample
   path.throughput = next->throughput;
   path.eta_squared *= next->eta * next->eta;
   path.departure = next->departure;
+  if (options_.regularize && next->departure.seeking != Seeking::alone)
+    path.materials = Materials::regularized;
   path.ray = spawn_ray(at.point(), next->direction);
   return survives_roulette(depth + 1, sampler, path);
 }

@@ -14,7 +14,8 @@ void PathWave::find_others() {
     const Hit& hit = wave_.hits[i];
     if (context_.shapes[hit.mesh].is_lambert) continue;
     const Scene& scene = context_.transport.scene;
-    const Interaction at(scene, surface_at(*scene.geometry, hit), -normalize(paths_.direction.at(i)));
+    const Interaction at(scene, surface_at(*scene.geometry, hit), -normalize(paths_.direction.at(i)),
+                         Materials(paths_.materials[i]));
     wave_.others.push_back({std::uint32_t(i), at, {}});
     surfaces_.reflectance.set(i, at.bsdf().albedo());
   }

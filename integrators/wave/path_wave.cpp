@@ -55,6 +55,7 @@ void PathWave::start() {
     paths_.pixel.set(i, pixel_key(samples_[i].key));
     paths_.index[i] = samples_[i].key.index;
     paths_.throughput.set(i, Rgb{1, 1, 1});
+    paths_.materials[i] = std::uint32_t(Materials::exact);
     paths_.eta_squared[i] = 1;
     paths_.direction.set(i, samples_[i].ray.direction);
     wave_.rays[i] = samples_[i].ray;
@@ -90,8 +91,8 @@ void PathWave::add_found_light() {
     if (!hit.is_miss() && !context_.shapes[hit.mesh].emits) continue;
     const Departure departure = departure_from(wave_.kept[k]);
     const Vec3 direction = normalize(paths_.direction.at(k));
-    radiance_[paths_.sample[k]] +=
-        paths_.throughput.at<Rgb>(k) * found_light(context_.transport, departure, hit, direction);
+    radiance_[paths_.sample[k]] += context_.options.clamped(
+        paths_.throughput.at<Rgb>(k) * found_light(context_.transport, departure, hit, direction), depth_);
   }
 }
 
@@ -208,7 +209,8 @@ void PathWave::add_direct_light() {
   else
     add_lights();
   for (std::size_t i = 0; i < paths_.size; ++i)
-    radiance_[paths_.sample[i]] += paths_.throughput.at<Rgb>(i) * connections_.sum.at<Rgb>(i);
+    radiance_[paths_.sample[i]] +=
+        context_.options.clamped(paths_.throughput.at<Rgb>(i) * connections_.sum.at<Rgb>(i), depth_ + 1);
 }
 
 void PathWave::add_lights() {
@@ -321,6 +323,7 @@ bool PathWave::scatter(bool is_last) {
   keep_throughput_at_others();
   stages_.scatter_paths(surfaces_, wave_);
   scatter_at_others();
+  if (context_.options.regularize) regularize_scattered();
   std::size_t kept = stages_.keep_paths(wave_);
   if (is_last) kept = keep_light_seekers(kept);
   if (context_.options.roulette.applies(depth_ + 1)) kept = play_roulette(kept);
@@ -330,6 +333,12 @@ bool PathWave::scatter(bool is_last) {
   }
   compact(kept);
   return kept > 0;
+}
+
+void PathWave::regularize_scattered() {
+  for (std::size_t i = 0; i < paths_.size; ++i)
+    if (Seeking(wave_.seeking[i]) != Seeking::alone)
+      paths_.materials[i] = std::uint32_t(Materials::regularized);
 }
 
 std::size_t PathWave::keep_light_seekers(std::size_t kept) {
@@ -364,7 +373,8 @@ void PathWave::compact(std::size_t kept) {
     const auto compact_column = [&](auto& column) {
       for (std::size_t k = 0; k < kept; ++k) column[k] = column[wave_.kept[k]];
     };
-    for (Words* const column : {&paths_.sample, &paths_.pixel.low, &paths_.pixel.high, &paths_.index})
+    for (Words* const column :
+         {&paths_.sample, &paths_.pixel.low, &paths_.pixel.high, &paths_.index, &paths_.materials})
       compact_column(*column);
     compact_column(paths_.eta_squared);
     for (Columns3* const columns : {&paths_.throughput, &paths_.direction}) {

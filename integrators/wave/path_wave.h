@@ -69,6 +69,8 @@ class PathWave {
   /// Whether any path may go on from its last surface.
   bool may_find_light() const;
   bool scatter(bool is_last);
+  /// Of paths that were scattered widely.
+  void regularize_scattered();
   /// Of the paths that leave their last surfaces, those whose rays may find light.
   std::size_t keep_light_seekers(std::size_t kept);
   std::size_t play_roulette(std::size_t kept);

@@ -40,6 +40,7 @@ struct Paths {
   Keys pixel;           ///< PathKey::pixel.
   Words index;          ///< PathKey::index.
   Columns3 throughput;  ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
+  Words materials;      ///< How the next surface scatters, a Materials.
   Floats eta_squared;   ///< Product of eta^2: where the camera is, radiance is that much smaller.
   Columns3 direction;   ///< Of the current ray, of any length.
 

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "accel/fastest_engine.h"
+#include "cli/picture_metadata.h"
 #include "core/error.h"
 #include "tests/support/catch.h"
 
@@ -198,6 +199,34 @@ TEST_CASE("the bounces that are shown are ranges of depth") {
   CHECK(last.path.first_depth == 3);
   CHECK(last.path.last_depth == 3);
   CHECK(parse({"--integrator=direct"}).path.max_depth == 1);
+}
+
+TEST_CASE("the clamp is off or a radiance, and changes indirect light alone") {
+  CHECK(std::isinf(parse({}).path.clamp));
+  CHECK(std::isinf(parse({"--clamp=off"}).path.clamp));
+  CHECK(parse({"--clamp=2.5"}).path.clamp == 2.5f);
+  for (const std::string word : {"0", "-1", "inf", "nan", "2x", "on"})
+    CHECK(message_of({"--clamp=" + word}) == "--clamp: \"" + word + "\"; valid are off and a radiance > 0");
+  for (const std::string option : {"--clamp", "--regularize"}) {
+    const std::string word = option == "--clamp" ? "--clamp=2" : option;
+    const std::string too_short = option + ": no effect, for light of one bounce is left as it is";
+    CHECK(no_effect({word, "-m", "1"}) == too_short);
+    CHECK(no_effect({word, "--bounces=direct"}) == too_short);
+    CHECK(no_effect({word, "-m", "2"}).empty());
+    CHECK(no_effect({word, "--integrator=normals"}) ==
+          option + ": no effect, for normals and costs are rendered without light");
+  }
+}
+
+TEST_CASE("a picture names what keeps it from converging to the scene's light") {
+  const auto biased_by = [](const std::vector<std::string>& words) {
+    for (const auto& [key, value] : picture_metadata(parse(words), words))
+      if (key == "twinray:biased_by") return value;
+    return std::string("nothing");
+  };
+  CHECK(biased_by({}) == "nothing");
+  CHECK(biased_by({"--clamp=2.5"}) == "clamp 2.5");
+  CHECK(biased_by({"--regularize", "--clamp=4"}) == "clamp 4, regularize");
 }
 
 TEST_CASE("roulette takes a probability or the word throughput") {

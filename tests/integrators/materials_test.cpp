@@ -26,9 +26,9 @@ RenderOptions options(std::uint32_t samples) {
           .threads = 1};
 }
 
-EnvironmentLight grey_sky(float radiance) {
+EnvironmentLight colored_sky(const Rgb& radiance) {
   Image map(1, 1);
-  map.pixels[0] = {radiance, radiance, radiance};
+  map.pixels[0] = radiance;
   return {std::make_shared<const Image>(std::move(map))};
 }
 
@@ -38,7 +38,7 @@ Scene ball_under_sky(const SurfaceModel& model) {
   scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{SphereSet{"ball", {{{0, 0, 0}, 1}}}});
   scene.materials = {{"ball", model}};
   scene.camera.tan_half_width = scene.camera.tan_half_height = 0.1f;
-  add_light(scene, grey_sky(sky_radiance));
+  add_light(scene, colored_sky({sky_radiance, sky_radiance, sky_radiance}));
   return scene;
 }
 
@@ -156,6 +156,48 @@ TEST_CASE("an ambient light is seen in a mirror, not by the camera") {
   add_light(scene, AmbientLight{{0, 0, 1}, {1, 1, 1}});
   CHECK(estimate(scene, {.max_depth = 1}, options(4)).mean == Approx(0.5).epsilon(rounding));
   CHECK(estimate(scene, {.max_depth = 0}, options(4)).mean == 0);
+}
+
+TEST_CASE("a clamp bounds light of two bounces and more, and keeps its color") {
+  const Scene once = mirror_scene(Mirror{}, EmissionSide::front);
+  CHECK(estimate(once, {.max_depth = 5, .clamp = 0.5f}, options(4)).mean ==
+        Approx(luminance(Rgb{3, 2, 1})).epsilon(rounding));
+  Scene twice = ball_under_sky(Glass{});
+  twice.lights[0].source = colored_sky({4, 2, 1});
+  const PathOptions clamped{.max_depth = 100, .clamp = 2};
+  const RenderResult result = render_with(twice, PathIntegrator(twice, clamped), options(64));
+  // All light has gone through the ball: two bounces at least, but for what it reflects, one.
+  const Rgb expected = Rgb{2, 1, 0.5f};
+  const Rgb mean = mean_image(result.film).at(1, 1);
+  const double reflected = fresnel_dielectric(1, 1.5f);
+  CHECK(mean.r == Approx(expected.r * (1 + reflected)).epsilon(0.05));
+  CHECK(mean.g / mean.r == Approx(0.5).epsilon(rounding));
+  CHECK(mean.b / mean.r == Approx(0.25).epsilon(rounding));
+}
+
+TEST_CASE("regularized, a mirror behind a diffuse surface lets lights be found") {
+  // A floor sees a small lamp by way of a mirror beside it: only a scattered ray finds that light, unless the
+  // mirror is rough.
+  Scene scene = mirror_scene(Lambert{{0.8f, 0.8f, 0.8f}}, EmissionSide::front);
+  scene.materials.push_back({"mirror", Mirror{}});
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  Mesh mirror;
+  mirror.positions = {{-3, -1, 2.5f}, {3, -1, 2.5f}, {0, 5, 2.5f}};
+  mirror.triangles = {{0, 1, 2}};
+  shapes.push_back(mirror);
+  scene.bindings.push_back({std::uint32_t(scene.materials.size() - 1)});
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  const PathOptions caustic{.max_depth = 2, .first_depth = 2, .direct = DirectMethod::lights};
+  PathOptions regularized = caustic;
+  regularized.regularize = true;
+  const Estimate exact = estimate(scene, caustic, options(4096));
+  const Estimate rough = estimate(scene, regularized, options(4096));
+  CHECK(rough.mean == Approx(exact.mean).epsilon(0.5));
+  CHECK(rough.standard_error < 0.6 * exact.standard_error);
+  // Light that comes by mirrors alone is as it was.
+  const Scene direct = mirror_scene(Mirror{}, EmissionSide::front);
+  CHECK(estimate(direct, {.max_depth = 5, .regularize = true}, options(4)).mean ==
+        Approx(luminance(Rgb{3, 2, 1})).epsilon(rounding));
 }
 
 TEST_CASE("a mixture is its second material at the stated part of its points") {

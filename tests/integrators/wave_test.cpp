@@ -121,6 +121,7 @@ const PathOptions cases[] = {{},
                              {.max_depth = 3, .samples_per_light = 5},
                              {.max_depth = 4, .first_depth = 2, .last_depth = 3},
                              {.max_depth = 6, .roulette = {0.6f}},
+                             {.max_depth = 6, .clamp = 0.3f, .regularize = true},
                              {.max_depth = 6, .samples_per_light = 65536 / 64, .roulette = {1e-3f}},
                              {.max_depth = 3, .direct = DirectMethod::hemisphere, .samples_per_light = 2},
                              {.max_depth = 1, .direct = DirectMethod::hemisphere}};
