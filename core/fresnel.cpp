@@ -20,16 +20,18 @@ double average_from_outside(double n) {
 }  // namespace
 
 float fresnel_conductor(float cos_i, float eta, float k) {
+  if (!(cos_i > 0)) return 1;
   const float cos2 = cos_i * cos_i, sin2 = 1 - cos2;
   // (a + i b)^2 = (eta + i k)^2 - sin^2: the refracted wave's cosine times the index.
   const float difference = eta * eta - k * k - sin2;
   const float squares = std::sqrt(difference * difference + 4 * eta * eta * k * k);  // a^2 + b^2
   const float a = std::sqrt(std::max(0.0f, 0.5f * (squares + difference)));
   const float across = 2 * a * cos_i;
-  const float perpendicular = (squares + cos2 - across) / (squares + cos2 + across);
+  // What is left where both media are alike may be rounded to below 0.
+  const float perpendicular = std::max(0.0f, squares + cos2 - across) / (squares + cos2 + across);
   const float along = across * sin2, rest = cos2 * squares + sin2 * sin2;
   if (!(rest + along > 0)) return perpendicular;
-  return 0.5f * perpendicular * (1 + (rest - along) / (rest + along));
+  return 0.5f * perpendicular * (1 + std::max(0.0f, rest - along) / (rest + along));
 }
 
 float average_fresnel_dielectric(float eta) {

@@ -13,7 +13,8 @@ namespace twinray {
 /// refraction behind the boundary relative to that of the side the light comes from, > 0. 0 at total internal
 /// reflection.
 inline float refracted_cosine(float cos_i, float eta) {
-  return std::sqrt(std::max(0.0f, 1 - (1 - cos_i * cos_i) / (eta * eta)));
+  // 1 - sin^2 / eta^2, without the loss of a small cosine where eta is close to 1.
+  return std::sqrt(std::max(0.0f, (eta * eta - 1) + cos_i * cos_i)) / eta;
 }
 
 /// The reflectance of a dielectric in [0, 1], 1 at total internal reflection. cos_i and eta as above.

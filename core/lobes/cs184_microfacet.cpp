@@ -27,6 +27,7 @@ Rgb Cs184MicrofacetLobe::fresnel(float cos_i) const {
 float Cs184MicrofacetLobe::density(const Vec3& m) const {
   const float cos2 = m.z * m.z, alpha2 = alpha_ * alpha_;
   const float tan2 = (m.x * m.x + m.y * m.y) / cos2;
+  if (!(tan2 < 87 * alpha2)) return 0;  // exp_of() is 0, and cos2^2 may be.
   return exp_of(-tan2 / alpha2) / (pi * alpha2 * cos2 * cos2);
 }
 
