@@ -3,6 +3,7 @@
 // clang-format off
 #pragma once
 #include "core/rgb.h"
+#include "core/vec.h"
 
 namespace twinray::test {
 
@@ -11,6 +12,15 @@ struct Reference {
   float alpha_x, alpha_y, eta, theta_o, phi_o, theta_i, phi_i;
   Rgb value;
   float pdf;
+};
+
+/// A viewer at an angle with azimuth 0: the probability of reflection, and the last draw's direction and its
+/// light's factor.
+struct SmoothReference {
+  bool is_thin;
+  float eta, theta_o, reflection;
+  Vec3 wi;
+  float factor;
 };
 
 /// roughconductor, ggx, sample_visible; eta 0.2 0.92 1.1, k 3.9 2.45 2.14.
@@ -193,6 +203,19 @@ inline constexpr Reference rough_plastics[] = {
     {0.3, 0.3, 1.5, 75, 200, 50, 200, {0.0246972, 0.0675438, 0.126354}, 0.147652},
     {0.3, 0.3, 1.5, 75, 200, 70, 215, {0.0232788, 0.0622551, 0.115753}, 0.0813102},
     {0.3, 0.3, 1.5, 75, 200, 75, 20, {2.15547, 2.1928, 2.24404}, 0.967138},
+};
+
+/// thindielectric and dielectric.
+inline constexpr SmoothReference smooth[] = {
+    {true, 1.5, 10, 0.0769517, {-0.173648, 0, -0.984808}, 1},
+    {true, 1.5, 50, 0.109038, {-0.766044, 0, -0.642788}, 1},
+    {true, 1.5, 75, 0.403908, {-0.965926, 0, -0.258819}, 1},
+    {false, 1.5, 10, 0.0400155, {-0.115765, 0, -0.993277}, 0.444444},
+    {false, 1.5, 50, 0.0576629, {-0.510696, 0, -0.859761}, 0.444444},
+    {false, 1.5, 75, 0.253061, {-0.643951, 0, -0.765067}, 0.444444},
+    {false, 0.6666667, 10, 0.040083, {-0.260472, 0, -0.965481}, 2.25},
+    {false, 0.6666667, 50, 1, {-0.766044, 0, 0.642788}, 1},
+    {false, 0.6666667, 75, 1, {-0.965926, 0, 0.258819}, 1},
 };
 
 }  // namespace twinray::test

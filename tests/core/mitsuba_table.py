@@ -33,8 +33,8 @@ def row(parameters, bsdf, viewer, light):
             f"{density:.6g}}},")
 
 
-def table(name, comment, rows):
-    print(f"\n/// {comment}\ninline constexpr Reference {name}[] = {{")
+def table(name, comment, rows, kind="Reference"):
+    print(f"\n/// {comment}\ninline constexpr {kind} {name}[] = {{")
     print("\n".join(rows) + "\n};")
 
 
@@ -69,11 +69,27 @@ def rough_plastics():
         yield from (row((alpha, alpha, 1.5), bsdf, o, i) for o in VIEWERS for i in REFLECTED)
 
 
+def smooth():
+    """Where light goes that is sampled last, and how likely it is that it is reflected."""
+    kinds = (("thindielectric", 1.5, 1.0), ("dielectric", 1.5, 1.0), ("dielectric", 1.0, 1.5))
+    for kind, inside, outside in kinds:
+        bsdf = mi.load_dict({"type": kind, "int_ior": inside, "ext_ior": outside})
+        for theta in (10, 50, 75):
+            at = mi.SurfaceInteraction3f()
+            at.wi, at.t, at.n, at.sh_frame = direction((theta, 0)), 1, [0, 0, 1], mi.Frame3f([0, 0, 1])
+            first, _ = bsdf.sample(mi.BSDFContext(), at, 0.0, [0.5, 0.5])
+            last, weight = bsdf.sample(mi.BSDFContext(), at, 0.999, [0.5, 0.5])
+            thin = str(kind == "thindielectric").lower()
+            yield (f"    {{{thin}, {inside / outside:.7g}, {theta}, {first.pdf:.6g}, "
+                   f"{{{last.wo.x:.6g}, 0, {last.wo.z:.6g}}}, {weight[0]:.6g}}},")
+
+
 print(f"""// SPDX-License-Identifier: Apache-2.0
 // By tests/core/mitsuba_table.py: BSDFs of Mitsuba {mi.__version__}, variant scalar_rgb, without the cosine.
 // clang-format off
 #pragma once
 #include "core/rgb.h"
+#include "core/vec.h"
 
 namespace twinray::test {{
 
@@ -82,9 +98,19 @@ struct Reference {{
   float alpha_x, alpha_y, eta, theta_o, phi_o, theta_i, phi_i;
   Rgb value;
   float pdf;
+}};
+
+/// A viewer at an angle with azimuth 0: the probability of reflection, and the last draw's direction and its
+/// light's factor.
+struct SmoothReference {{
+  bool is_thin;
+  float eta, theta_o, reflection;
+  Vec3 wi;
+  float factor;
 }};""")
 table("conductors", "roughconductor, ggx, sample_visible; eta 0.2 0.92 1.1, k 3.9 2.45 2.14.", conductors())
 table("dielectrics", "roughdielectric, ggx, sample_visible; eta = int_ior / ext_ior.", dielectrics())
 table("plastics", "plastic, nonlinear; diffuse_reflectance 0.2 0.5 0.8; without its mirror.", plastics())
 table("rough_plastics", "roughplastic, ggx, nonlinear; diffuse_reflectance 0.2 0.5 0.8.", rough_plastics())
+table("smooth", "thindielectric and dielectric.", smooth(), "SmoothReference")
 print("\n}  // namespace twinray::test")
