@@ -17,11 +17,15 @@ struct Strength {
   Rgb operator()(const SpotLight& light) const { return light.intensity; }
   Rgb operator()(const DirectionalLight& light) const { return light.irradiance; }
   Rgb operator()(const AmbientLight& light) const { return light.radiance; }
-  Rgb operator()(const EnvironmentLight& light) const {
-    const std::vector<Rgb>& pixels = light.map->pixels;
-    const auto bright = std::find_if(pixels.begin(), pixels.end(),
-                                     [&](const Rgb& pixel) { return !is_black(light.scale * pixel); });
-    return bright == pixels.end() ? Rgb{} : light.scale * *bright;
+  Rgb operator()(const SunLight& light) const { return light.irradiance; }
+  Rgb operator()(const EnvironmentLight& light) const { return of_picture(*light.map, light.scale); }
+  Rgb operator()(const GoniometricLight& light) const { return of_picture(*light.map, light.intensity); }
+  Rgb operator()(const ProjectionLight& light) const { return of_picture(*light.picture, light.intensity); }
+  /// The first pixel that is not black, times a scale.
+  static Rgb of_picture(const Image& picture, const Rgb& scale) {
+    for (const Rgb& pixel : picture.pixels)
+      if (!is_black(scale * pixel)) return scale * pixel;
+    return {};
   }
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/bsdf.h"
 
-
 namespace twinray {
 namespace {
 

@@ -91,14 +91,30 @@ const Rgb& wrapped_pixel(MapLayout layout, const Image& map, int x, int y) {
   return map.at(x, y);
 }
 
-Rgb map_value(MapLayout layout, const Image& map, MapPoint point) {
-  const double column = point.x * map.width - 0.5, row = point.y * map.height - 0.5;
+namespace {
+
+/// Bilinear between the centres of the pixels; pixel(x, y) also gives those up to one beside the picture.
+template <typename Pixel>
+Rgb bilinear(double column, double row, const Pixel& pixel) {
   const double left = std::floor(column), above = std::floor(row);
   const auto s = float(column - left), t = float(row - above);
-  const auto at = [&](int dx, int dy) { return wrapped_pixel(layout, map, int(left) + dx, int(above) + dy); };
-  const Rgb upper = at(0, 0) * (1 - s) + at(1, 0) * s;
-  const Rgb lower = at(0, 1) * (1 - s) + at(1, 1) * s;
+  const int x = int(left), y = int(above);
+  const Rgb upper = pixel(x, y) * (1 - s) + pixel(x + 1, y) * s;
+  const Rgb lower = pixel(x, y + 1) * (1 - s) + pixel(x + 1, y + 1) * s;
   return upper * (1 - t) + lower * t;
+}
+
+}  // namespace
+
+Rgb clamped_value(const Image& picture, MapPoint point) {
+  return bilinear(point.x * picture.width - 0.5, point.y * picture.height - 0.5, [&](int x, int y) {
+    return picture.at(std::clamp(x, 0, picture.width - 1), std::clamp(y, 0, picture.height - 1));
+  });
+}
+
+Rgb map_value(MapLayout layout, const Image& map, MapPoint point) {
+  return bilinear(point.x * map.width - 0.5, point.y * map.height - 0.5,
+                  [&](int x, int y) { return wrapped_pixel(layout, map, x, y); });
 }
 
 }  // namespace twinray

@@ -27,7 +27,9 @@ double solid_angle(MapLayout layout, const MapCell& cell);
 
 /// The pixel at a position that may lie up to one pixel beside the picture: where the sphere goes on there.
 const Rgb& wrapped_pixel(MapLayout layout, const Image& map, int x, int y);
-/// Bilinear between the centres of the pixels.
+/// Bilinear between the centres of the pixels, and beyond the outermost as they are.
+Rgb clamped_value(const Image& picture, MapPoint point);
+/// Bilinear between the centres of the pixels, all around.
 Rgb map_value(MapLayout layout, const Image& map, MapPoint point);
 
 }  // namespace twinray

@@ -33,15 +33,6 @@ double filtered_luminance(MapLayout layout, const Image& map, int x, int y) {
   return sum;
 }
 
-/// A direction of the world in the space of the map: the transpose of a rotation turns back.
-Vec3 turned_back(const Transform& rotation, const Vec3& d) {
-  const auto& m = rotation.m;
-  const auto along = [&](int column) {
-    return float(m[0][column] * d.x + m[1][column] * d.y + m[2][column] * d.z);
-  };
-  return {along(0), along(1), along(2)};
-}
-
 }  // namespace
 
 Environment::Environment(const EnvironmentLight& light, double compensation)
@@ -100,7 +91,7 @@ Environment::Sample Environment::sample(Vec2 u) const {
 }
 
 MapPoint Environment::point_of(const Vec3& direction) const {
-  return map_point(light_.layout, turned_back(light_.rotation, direction));
+  return map_point(light_.layout, light_.rotation.transposed_vector(direction));
 }
 
 Rgb Environment::radiance_at(MapPoint point) const {

@@ -43,7 +43,7 @@ struct PointLight {
 };
 
 /// A point light confined to a cone: full strength times cos(angle to the axis)^falloff_exponent inside of
-/// it.
+/// it; within the penumbra, along the cone's edge, it falls smoothly to none.
 struct SpotLight {
   Vec3 position;
   Vec3 direction{0, 0, -1};  ///< The axis, a unit vector along which the light travels.
@@ -51,6 +51,7 @@ struct SpotLight {
   Attenuation attenuation;
   float falloff_angle_degrees = 180;  ///< The whole opening of the cone, in (0, 360].
   float falloff_exponent = 0;         ///< >= 0.
+  float penumbra_degrees = 0;         ///< How wide; in [0, half of the opening]. pbrt's conedeltaangle.
 };
 
 /// Light from infinitely far away.
@@ -83,21 +84,48 @@ struct EnvironmentLight {
   Rgb scale{1, 1, 1};  ///< Times the picture's radiance; finite and >= 0.
 };
 
+/// A point light whose strength in each direction is a picture's, by the physical law.
+struct GoniometricLight {
+  Vec3 position;
+  Rgb intensity;                     ///< Times the picture.
+  std::shared_ptr<const Image> map;  ///< As an environment's; the direction is that in which light travels.
+  MapLayout layout = MapLayout::equal_area;
+  Transform rotation;  ///< As an environment's.
+};
+
+/// A point light that throws a picture, by the physical law: its frame lies as a camera's at the same place.
+struct ProjectionLight {
+  Vec3 position;
+  Vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  ///< Unit vectors at right angles.
+  float tan_half_width = 1, tan_half_height = 1;        ///< Of the frame's angles; > 0.
+  Rgb intensity;                                        ///< Times the picture.
+  std::shared_ptr<const Image> picture;                 ///< Never null, at least one pixel.
+};
+
+/// A disc of constant radiance infinitely far away. The camera sees it.
+struct SunLight {
+  Vec3 direction{0, 0, -1};        ///< The unit vector along which the light of its centre travels.
+  Rgb irradiance;                  ///< On a surface that faces it.
+  float diameter_degrees = 0.53f;  ///< The angle under which it is seen; in (0, 180).
+};
+
 using LightSource = std::variant<MeshLight, SphereLight, PointLight, SpotLight, DirectionalLight,
-                                 AmbientLight, EnvironmentLight>;
+                                 AmbientLight, EnvironmentLight, GoniometricLight, ProjectionLight, SunLight>;
 
 /// Whether a source is a point or a direction, which no ray can hit by chance: one sample is exact.
 inline bool is_delta(const LightSource& source) {
   return std::holds_alternative<PointLight>(source) || std::holds_alternative<SpotLight>(source) ||
-         std::holds_alternative<DirectionalLight>(source);
+         std::holds_alternative<GoniometricLight>(source) ||
+         std::holds_alternative<ProjectionLight>(source) || std::holds_alternative<DirectionalLight>(source);
 }
 /// Whether a ray that leaves the scene may find the source.
 inline bool is_distant(const LightSource& source) {
-  return std::holds_alternative<AmbientLight>(source) || std::holds_alternative<EnvironmentLight>(source);
+  return std::holds_alternative<AmbientLight>(source) || std::holds_alternative<EnvironmentLight>(source) ||
+         std::holds_alternative<SunLight>(source);
 }
 /// Whether a ray of the camera's that leaves the scene sees the source.
 inline bool is_background(const LightSource& source) {
-  return std::holds_alternative<EnvironmentLight>(source);
+  return std::holds_alternative<EnvironmentLight>(source) || std::holds_alternative<SunLight>(source);
 }
 
 struct Light {

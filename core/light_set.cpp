@@ -8,6 +8,7 @@
 #include "core/environment.h"
 #include "core/frame.h"
 #include "core/mesh_area.h"
+#include "core/point_light.h"
 #include "core/spawn_ray.h"
 #include "core/warp.h"
 
@@ -55,10 +56,6 @@ std::optional<Towards> towards_point(const Vec3& from, const Vec3& to) {
 /// distance.
 float area_to_solid_angle(double area, float distance_squared, float cos_theta) {
   return float(distance_squared / (std::fabs(cos_theta) * area));
-}
-
-float falloff(const Attenuation& a, float distance) {
-  return 1 / (a.constant + a.linear * distance + a.quadratic * distance * distance);
 }
 
 /// A point of a mesh light.
@@ -115,25 +112,6 @@ LightSample sample_sphere(const SphereLight& light, const Geometry& geometry, co
   return {direction, light.radiance, uniform_cone_pdf(one_minus_cos), connect(from, to)};
 }
 
-LightSample sample_position(const Vec3& position, const Rgb& intensity, const Attenuation& attenuation,
-                            const SurfacePoint& from) {
-  const auto link = towards_point(from.position, position);
-  if (!link) return {};
-  const Rgb irradiance = intensity * falloff(attenuation, std::sqrt(link->distance_squared));
-  return {link->direction, irradiance, 1, connect(from, position)};
-}
-
-LightSample sample_spot(const SpotLight& light, const SurfacePoint& from) {
-  LightSample sample = sample_position(light.position, light.intensity, light.attenuation, from);
-  if (is_black(sample.radiance)) return {};
-  const double cosine = -dot(light.direction, sample.direction);
-  constexpr double radians_per_degree = 3.14159265358979323846 / 180;
-  if (cosine < cos_radians(0.5 * light.falloff_angle_degrees * radians_per_degree)) return {};
-  if (light.falloff_exponent > 0)
-    sample.radiance = sample.radiance * float(pow_of(std::max(cosine, 0.0), light.falloff_exponent));
-  return sample;
-}
-
 LightSample sample_ambient(const AmbientLight& light, const SurfacePoint& from, Vec2 u) {
   const Vec3 direction = Frame(light.up).to_world(square_to_uniform_hemisphere(u));
   return {direction, light.radiance, uniform_hemisphere_pdf(), spawn_ray(from, direction)};
@@ -143,6 +121,32 @@ LightSample sample_environment(const Environment& environment, const SurfacePoin
   const Environment::Sample sample = environment.sample(u);
   if (sample.pdf == 0) return {};
   return {sample.direction, sample.radiance, sample.pdf, spawn_ray(from, sample.direction)};
+}
+
+/// A sun's disc, as the cone of directions towards it.
+struct Disc {
+  float one_minus_cos;  ///< Of its half-angle.
+  Rgb radiance;
+};
+
+Disc disc_of(const SunLight& sun) {
+  constexpr double radians_per_degree = 3.14159265358979323846 / 180;
+  const double radius = 0.5 * sun.diameter_degrees * radians_per_degree;
+  const double half = sin_radians(0.5 * radius), edge = sin_radians(radius);
+  return {float(2 * half * half), sun.irradiance / float(pi * edge * edge)};
+}
+
+LightSample sample_sun(const SunLight& sun, const SurfacePoint& from, Vec2 u) {
+  const Disc disc = disc_of(sun);
+  const Vec3 direction =
+      normalize(Frame(-sun.direction).to_world(square_to_uniform_cone(u, disc.one_minus_cos)));
+  return {direction, disc.radiance, uniform_cone_pdf(disc.one_minus_cos), spawn_ray(from, direction)};
+}
+
+/// Whether a unit direction points into the disc: 1 - cos is half of the squared chord, which keeps its
+/// digits where the cosine has none left.
+bool is_in_disc(const SunLight& sun, const Vec3& direction) {
+  return 0.5f * length_squared(direction + sun.direction) <= disc_of(sun).one_minus_cos;
 }
 
 /// Radiance of an ambient light along a unit direction towards it.
@@ -191,9 +195,11 @@ LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, cons
   }
   if (const auto* sphere = std::get_if<SphereLight>(&source))
     return sample_sphere(*sphere, geometry_, from, u);
-  if (const auto* point = std::get_if<PointLight>(&source))
-    return sample_position(point->position, point->intensity, point->attenuation, from);
-  if (const auto* spot = std::get_if<SpotLight>(&source)) return sample_spot(*spot, from);
+  if (const auto* point = std::get_if<PointLight>(&source)) return light_from(*point, from);
+  if (const auto* spot = std::get_if<SpotLight>(&source)) return light_from(*spot, from);
+  if (const auto* goniometric = std::get_if<GoniometricLight>(&source)) return light_from(*goniometric, from);
+  if (const auto* projection = std::get_if<ProjectionLight>(&source)) return light_from(*projection, from);
+  if (const auto* sun = std::get_if<SunLight>(&source)) return sample_sun(*sun, from, u);
   if (const auto* ambient = std::get_if<AmbientLight>(&source)) return sample_ambient(*ambient, from, u);
   if (std::holds_alternative<EnvironmentLight>(source))
     return sample_environment(environments_[environment_of_[light]], from, u);
@@ -235,6 +241,8 @@ float LightSet::pdf(std::uint32_t light, const Vec3& direction) const {
     return dot(ambient->up, direction) > 0 ? uniform_hemisphere_pdf() : 0;
   if (std::holds_alternative<EnvironmentLight>(source))
     return environments_[environment_of_[light]].pdf(direction);
+  if (const auto* sun = std::get_if<SunLight>(&source))
+    return is_in_disc(*sun, direction) ? uniform_cone_pdf(disc_of(*sun).one_minus_cos) : 0;
   return 0;
 }
 
@@ -243,6 +251,8 @@ Rgb LightSet::radiance(std::uint32_t light, const Vec3& direction) const {
   if (const auto* ambient = std::get_if<AmbientLight>(&source)) return ambient_radiance(*ambient, direction);
   if (std::holds_alternative<EnvironmentLight>(source))
     return environments_[environment_of_[light]].radiance(direction);
+  if (const auto* sun = std::get_if<SunLight>(&source))
+    return is_in_disc(*sun, direction) ? disc_of(*sun).radiance : Rgb{};
   return {};
 }
 

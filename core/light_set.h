@@ -10,20 +10,12 @@
 #include "core/distribution.h"
 #include "core/environment.h"
 #include "core/light_patch.h"
+#include "core/light_sample.h"
 #include "core/ray.h"
 #include "core/scene.h"
 #include "core/surface.h"
 
 namespace twinray {
-
-/// Light that may arrive at a surface from one light, before anything is in its way.
-struct LightSample {
-  Vec3 direction;  ///< Unit, from the surface to the light; zero where the radiance is black.
-  Rgb radiance;    ///< Arriving; for a delta light, irradiance on a surface that faces it. Black for none at
-                   ///< all.
-  float pdf = 1;   ///< Per solid angle; 1 for a delta light.
-  Ray shadow_ray;  ///< The light arrives if nothing blocks it.
-};
 
 /// The points within a distance of a box.
 struct Zone {

@@ -112,9 +112,18 @@ struct Mix {
 using SurfaceModel = std::variant<Lambert, Mirror, Refraction, Glass, Microfacet, Dielectric, Conductor,
                                   DiffuseTransmission, RoughDiffuse, CoatedDiffuse, CoatedConductor, Mix>;
 
+/// What of a model a texture may give, point by point: a member of that name. Numbers take a texture's red.
+enum class MaterialInput { reflectance, transmittance, roughness, amount };
+
+struct TextureUse {
+  MaterialInput input = MaterialInput::reflectance;
+  std::uint32_t texture = 0;  ///< Index into Scene::textures.
+};
+
 struct Material {
   std::string name;
   SurfaceModel model = Lambert{};
+  std::vector<TextureUse> textures;  ///< In place of the model's own numbers; mostly none.
 };
 
 }  // namespace twinray

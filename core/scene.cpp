@@ -3,48 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
+#include "core/check_light.h"
 #include "core/error.h"
+#include "core/textured_material.h"
 
 namespace twinray {
 namespace {
-
-/// Whether the columns of A are unit vectors at right angles, but for the rounding of a file's numbers.
-bool is_rotation(const Transform& transform) {
-  constexpr double tolerance = 1e-4;
-  const auto& m = transform.m;
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b <= a; ++b) {
-      const double product = m[0][a] * m[0][b] + m[1][a] * m[1][b] + m[2][a] * m[2][b];
-      if (!(std::fabs(product - (a == b ? 1 : 0)) <= tolerance)) return false;
-    }
-  return true;
-}
-
-bool is_scale(const Rgb& c) { return is_finite(c) && c.r >= 0 && c.g >= 0 && c.b >= 0; }
-
-void check_environment(const EnvironmentLight& light, std::size_t index) {
-  if (!light.map || light.map->pixels.empty())
-    throw Error(fmt::format("light {} is an environment without a picture", index));
-  if (light.layout == MapLayout::equal_area && light.map->width != light.map->height)
-    throw Error(fmt::format("light {} is an equal-area environment of {} x {} pixels; it must be a square",
-                            index, light.map->width, light.map->height));
-  if (!is_rotation(light.rotation))
-    throw Error(fmt::format("light {} is an environment whose rotation also scales or shears", index));
-  if (!is_scale(light.scale))
-    throw Error(
-        fmt::format("light {} is an environment whose scale is ({}, {}, {}); each must be finite and "
-                    "not negative",
-                    index, light.scale.r, light.scale.g, light.scale.b));
-}
-
-void check_material(const Scene& scene, std::size_t index) {
-  const auto* mix = std::get_if<Mix>(&scene.materials[index].model);
-  if (mix && (mix->first >= index || mix->second >= index))
-    throw Error(fmt::format("material {} mixes materials {} and {}; valid are those before it", index,
-                            mix->first, mix->second));
-}
 
 void check_light(const Scene& scene, std::size_t index) {
   const std::size_t shapes = scene.geometry->shapes().size();
@@ -56,8 +20,23 @@ void check_light(const Scene& scene, std::size_t index) {
                  scene.geometry->sphere_set(sphere->shape)->spheres.size() != 1))
     throw Error(
         fmt::format("light {} names shape {}, which is not a set of one sphere", index, sphere->shape));
-  if (const auto* environment = std::get_if<EnvironmentLight>(&scene.lights[index].source))
-    check_environment(*environment, index);
+  check_numbers(scene.lights[index].source, fmt::format("light {}", index));
+}
+
+void check_material(const Scene& scene, std::size_t index) {
+  const Material& material = scene.materials[index];
+  const auto* mix = std::get_if<Mix>(&material.model);
+  if (mix && (mix->first >= index || mix->second >= index))
+    throw Error(fmt::format("material {} mixes materials {} and {}; valid are those before it", index,
+                            mix->first, mix->second));
+  for (const TextureUse& use : material.textures) {
+    if (use.texture >= scene.textures.size())
+      throw Error(fmt::format("material {} names texture {}; there are {}", index, use.texture,
+                              scene.textures.size()));
+    if (!has_input(material.model, use.input))
+      throw Error(fmt::format("material {} has a texture for its {}, and its model has none", index,
+                              input_name(use.input)));
+  }
 }
 
 }  // namespace
@@ -76,6 +55,8 @@ void check_scene(const Scene& scene) {
                               scene.lights.size()));
   }
   for (std::size_t i = 0; i < scene.lights.size(); ++i) check_light(scene, i);
+  check_textures(scene.textures);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) check_material(scene, i);
 }
 
 }  // namespace twinray

@@ -8,6 +8,7 @@
 #include "core/geometry.h"
 #include "core/light.h"
 #include "core/material.h"
+#include "core/texture.h"
 
 namespace twinray {
 
@@ -25,6 +26,7 @@ struct Scene {
   std::vector<ShapeBinding> bindings;  ///< One for each of the geometry's shapes.
   std::vector<Material> materials;
   std::vector<Light> lights;
+  std::vector<Texture> textures;
   Camera camera;
 };
 

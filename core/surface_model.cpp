@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "core/hash.h"
+#include "core/textured_material.h"
 
 namespace twinray {
 namespace {
@@ -18,11 +19,19 @@ float random_at(const SurfacePoint& point, std::uint32_t material) {
 
 }  // namespace
 
-const SurfaceModel& model_at(const Scene& scene, const SurfacePoint& point) {
-  std::uint32_t material = scene.bindings[point.shape].material;
-  while (const auto* mix = std::get_if<Mix>(&scene.materials[material].model))
-    material = random_at(point, material) < mix->amount ? mix->second : mix->first;
-  return scene.materials[material].model;
+const Material& material_at(const Scene& scene, const SurfacePoint& point) {
+  std::uint32_t index = scene.bindings[point.shape].material;
+  for (;;) {
+    const Material& material = scene.materials[index];
+    if (!std::holds_alternative<Mix>(material.model)) return material;
+    const SurfaceModel model = textured_model(material, scene.textures, {point.uv});
+    const Mix& mix = std::get<Mix>(model);
+    index = random_at(point, index) < mix.amount ? mix.second : mix.first;
+  }
+}
+
+SurfaceModel model_at(const Scene& scene, const SurfacePoint& point) {
+  return textured_model(material_at(scene, point), scene.textures, {point.uv});
 }
 
 }  // namespace twinray

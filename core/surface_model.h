@@ -5,8 +5,11 @@
 
 namespace twinray {
 
-/// What a surface is made of at a point: the model of its shape's material; of a Mix, the model of the one of
-/// its two that is chosen there. The choice is a hash of the point: the same whenever it is asked for.
-const SurfaceModel& model_at(const Scene& scene, const SurfacePoint& point);
+/// What a surface is made of at a point: its shape's material; of a Mix, the one of its two that is chosen
+/// there. The choice is a hash of the point: the same whenever it is asked for.
+const Material& material_at(const Scene& scene, const SurfacePoint& point);
+
+/// The model of that material, with what its textures have at the point.
+SurfaceModel model_at(const Scene& scene, const SurfacePoint& point);
 
 }  // namespace twinray

@@ -44,6 +44,11 @@ Vec3 Transform::vector(const Vec3& v) const {
   return {float(row_times(m, 0, v)), float(row_times(m, 1, v)), float(row_times(m, 2, v))};
 }
 
+Vec3 Transform::transposed_vector(const Vec3& v) const {
+  const auto column = [&](int k) { return float(m[0][k] * v.x + m[1][k] * v.y + m[2][k] * v.z); };
+  return {column(0), column(1), column(2)};
+}
+
 Vec3 Transform::normal(const Vec3& n) const {
   Vec3 result;
   for (int row = 0; row < 3; ++row)

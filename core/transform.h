@@ -14,6 +14,8 @@ struct Transform {
   Vec3 point(const Vec3& p) const;
   /// A direction: the translation does not take part.
   Vec3 vector(const Vec3& v) const;
+  /// The transpose of A times a vector: a rotation's inverse.
+  Vec3 transposed_vector(const Vec3& v) const;
   /// A normal, by the cofactors of A, so that it stays perpendicular to its surface; not of unit length, and
   /// turned with the orientation of transformed triangles where A mirrors.
   Vec3 normal(const Vec3& n) const;

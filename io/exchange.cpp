@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/textured_material.h"
 #include "io/image_file.h"
 #include "io/output_file.h"
 #include "io/ply.h"
@@ -31,13 +32,17 @@ std::string beside(const std::string& path, const std::string& suffix) {
 std::string mesh_file(const std::string& path, std::size_t shape) {
   return beside(path, fmt::format("-{}.ply", shape));
 }
-std::string environment_file(const std::string& path, std::size_t light) {
+std::string light_file(const std::string& path, std::size_t light) {
   return beside(path, fmt::format("-light-{}.exr", light));
 }
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-const EnvironmentLight* environment(const Light& light) {
-  return std::get_if<EnvironmentLight>(&light.source);
+/// The picture that a light is made of; null for most.
+const Image* picture_of(const Light& light) {
+  if (const auto* source = std::get_if<EnvironmentLight>(&light.source)) return source->map.get();
+  if (const auto* source = std::get_if<GoniometricLight>(&light.source)) return source->map.get();
+  const auto* projection = std::get_if<ProjectionLight>(&light.source);
+  return projection ? projection->picture.get() : nullptr;
 }
 
 Json camera_json(const Camera& camera) {
@@ -159,7 +164,8 @@ Json source_json(const SpotLight& light) {
           {"intensity", json_of(light.intensity)},
           {"attenuation", json_of(light.attenuation)},
           {"falloff_angle_degrees", light.falloff_angle_degrees},
-          {"falloff_exponent", light.falloff_exponent}};
+          {"falloff_exponent", light.falloff_exponent},
+          {"penumbra_degrees", light.penumbra_degrees}};
 }
 Json source_json(const DirectionalLight& light) {
   return {{"type", "directional"},
@@ -175,12 +181,37 @@ Json rotation_json(const Transform& rotation) {
           {"y", json_of(rotation.vector({0, 1, 0}))},
           {"z", json_of(rotation.vector({0, 0, 1}))}};
 }
+const char* layout_name(MapLayout layout) {
+  return layout == MapLayout::equal_area ? "equal-area" : "latitude-longitude";
+}
 Json source_json(const EnvironmentLight& light) {
-  const bool is_square = light.layout == MapLayout::equal_area;
   return {{"type", "environment"},
-          {"layout", is_square ? "equal-area" : "latitude-longitude"},
+          {"layout", layout_name(light.layout)},
           {"rotation", rotation_json(light.rotation)},
           {"scale", json_of(light.scale)}};
+}
+Json source_json(const GoniometricLight& light) {
+  return {{"type", "goniometric"},
+          {"position", json_of(light.position)},
+          {"intensity", json_of(light.intensity)},
+          {"layout", layout_name(light.layout)},
+          {"rotation", rotation_json(light.rotation)}};
+}
+Json source_json(const ProjectionLight& light) {
+  return {{"type", "projection"},
+          {"position", json_of(light.position)},
+          {"right", json_of(light.right)},
+          {"up", json_of(light.up)},
+          {"forward", json_of(light.forward)},
+          {"tan_half_width", light.tan_half_width},
+          {"tan_half_height", light.tan_half_height},
+          {"intensity", json_of(light.intensity)}};
+}
+Json source_json(const SunLight& light) {
+  return {{"type", "sun"},
+          {"direction", json_of(light.direction)},
+          {"irradiance", json_of(light.irradiance)},
+          {"diameter_degrees", light.diameter_degrees}};
 }
 
 Json shape_json(const Mesh&) { return {{"type", "mesh"}}; }
@@ -198,11 +229,16 @@ Json named(const std::string& name, const Json& entry) {
   return json;
 }
 
+Json material_json(const Material& material) {
+  Json json =
+      named(material.name, std::visit([](const auto& model) { return model_json(model); }, material.model));
+  for (const TextureUse& use : material.textures) json["textured"].push_back(input_name(use.input));
+  return json;
+}
+
 Json materials_json(const Scene& scene) {
   Json list = Json::array();
-  for (const Material& material : scene.materials)
-    list.push_back(named(material.name,
-                         std::visit([](const auto& model) { return model_json(model); }, material.model)));
+  for (const Material& material : scene.materials) list.push_back(material_json(material));
   return list;
 }
 
@@ -212,7 +248,7 @@ Json lights_json(const Scene& scene, const std::string& path) {
     const Light& light = scene.lights[i];
     list.push_back(
         named(light.name, std::visit([](const auto& source) { return source_json(source); }, light.source)));
-    if (environment(light)) list.back()["file"] = file_name(environment_file(path, i));
+    if (picture_of(light)) list.back()["file"] = file_name(light_file(path, i));
   }
   return list;
 }
@@ -256,7 +292,7 @@ std::vector<std::string> exchange_files(const Scene& scene, const std::string& p
   for (std::size_t i = 0; i < scene.geometry->shapes().size(); ++i)
     if (scene.geometry->mesh(std::uint32_t(i))) files.push_back(mesh_file(path, i));
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    if (environment(scene.lights[i])) files.push_back(environment_file(path, i));
+    if (picture_of(scene.lights[i])) files.push_back(light_file(path, i));
   files.push_back(path);
   return files;
 }
@@ -276,8 +312,7 @@ void write_exchange(const Scene& scene, const std::string& path, const ExchangeF
     if (const Mesh* mesh = scene.geometry->mesh(std::uint32_t(i)))
       write_file(mesh_file(path, i), ply_bytes(*mesh));
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    if (const EnvironmentLight* light = environment(scene.lights[i]))
-      write_exr(environment_file(path, i), *light->map);
+    if (const Image* picture = picture_of(scene.lights[i])) write_exr(light_file(path, i), *picture);
   write_file(path, exchange_json(scene, path, frame));
 }
 

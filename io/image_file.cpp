@@ -55,11 +55,18 @@ bool is_encoded(PictureFormat format) {
   return format == PictureFormat::png || format == PictureFormat::jpeg;
 }
 
-Image decode(PictureFormat format, const PictureBytes& picture) {
-  check_picture_header(format, picture);
+/// Throws Error where a picture has more pixels than its reader wants.
+void check_pixels(const PictureSize& size, const ReadOptions& options, const std::string& path) {
+  if (size.width * size.height > options.most_pixels)
+    throw Error(fmt::format("{}: {} x {} pixels; valid are up to {} here", path, size.width, size.height,
+                            options.most_pixels));
+}
+
+Image decode(PictureFormat format, const PictureBytes& picture, const ReadOptions& options) {
+  check_pixels(check_picture_header(format, picture), options, picture.path);
   const auto check = [&](const ImageCodec::Header& header) { check_kind(header, format, picture); };
   Image image = image_codec().read(format, picture, check);
-  if (is_encoded(format)) decode_srgb(image);
+  if (is_encoded(format) && options.role == PictureRole::color) decode_srgb(image);
   return image;
 }
 
@@ -107,14 +114,14 @@ void write_image(const std::string& path, const Image& image, const ImageMetadat
     write_png(path, encode_srgb(image), metadata);
 }
 
-Image read_image(const std::string& path) {
+Image read_image(const std::string& path, const ReadOptions& options) {
   const PictureFormat format = picture_format(path);
   const std::string bytes = read_bytes(path);
-  return decode(format, {bytes, path});
+  return decode(format, {bytes, path}, options);
 }
 
 Image decode_image(std::string_view bytes, const std::string& name) {
-  return decode(picture_format(name), {bytes, name});
+  return decode(picture_format(name), {bytes, name}, {});
 }
 
 }  // namespace twinray

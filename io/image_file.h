@@ -2,6 +2,7 @@
 // Pictures on disk. PNGs are written by PNG's own library; OpenImageIO, which takes long to load, does the
 // rest.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -30,9 +31,18 @@ void write_exr(const std::string& path, const Image& image, const ImageMetadata&
 void write_image(const std::string& path, const Image& image, const ImageMetadata& metadata = {},
                  const ImageFrame& frame = {});
 
+/// What the numbers of a PNG or JPEG are: colours, encoded as sRGB has it, or data such as a roughness, kept
+/// as they stand. An EXR or HDR holds linear numbers, whatever they mean.
+enum class PictureRole { color, data };
+
+struct ReadOptions {
+  PictureRole role = PictureRole::color;
+  std::int64_t most_pixels = std::int64_t(1) << 28;  ///< A larger picture is refused before it is read.
+};
+
 /// Reads an EXR, HDR, PNG or JPEG picture of up to 2^28 pixels as linear colours: the first three channels,
-/// or the first one as grey; PNG and JPEG are taken as sRGB, of 8 bits and of 16. Throws Error.
-Image read_image(const std::string& path);
+/// or the first one as grey; PNG and JPEG are of 8 bits or of 16. Throws Error.
+Image read_image(const std::string& path, const ReadOptions& options = {});
 
 /// The same from the bytes of a file; the name says the format, and messages begin with it.
 Image decode_image(std::string_view bytes, const std::string& name);

@@ -37,6 +37,16 @@ struct Summarize {
   LightSummary operator()(const SpotLight& light) const {
     return {"", "spot", "intensity", light.intensity, {}};
   }
+  LightSummary operator()(const GoniometricLight& light) const {
+    return {"", "goniometric", "intensity, times the picture,", light.intensity, {}};
+  }
+  LightSummary operator()(const ProjectionLight& light) const {
+    return {"", "projection", "intensity, times the picture,", light.intensity, {}};
+  }
+  LightSummary operator()(const SunLight& light) const {
+    return {
+        "", fmt::format("sun of {:g} degrees", light.diameter_degrees), "irradiance", light.irradiance, {}};
+  }
   LightSummary operator()(const DirectionalLight& light) const {
     return {"", "directional", "irradiance", light.irradiance, {}};
   }

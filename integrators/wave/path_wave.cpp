@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/octahedron.h"
+#include "core/textured_material.h"
 #include "core/warp.h"
 
 namespace twinray {
@@ -164,6 +165,12 @@ void gather_facet(const Facet& facet, Points& points, std::size_t i) {
 
 }  // namespace
 
+Rgb PathWave::textured_reflectance(const ShapeEntry& shape, const Hit& hit) const {
+  const Scene& scene = context_.transport.scene;
+  const TexturePoint at{surface_at(*scene.geometry, hit).uv};
+  return std::get<Lambert>(textured_model(*shape.textured, scene.textures, at)).reflectance;
+}
+
 void PathWave::expand_hits() {
   const auto ahead = [&](std::size_t i) -> const Hit& { return wave_.hits[std::min(i, paths_.size - 1)]; };
   for (std::size_t i = 0; i < paths_.size; ++i) {
@@ -171,7 +178,7 @@ void PathWave::expand_hits() {
     prefetch_triangle(context_.shapes[later.mesh], later.primitive);
     prefetch_corners(context_.shapes[next.mesh], next.primitive);
     const ShapeEntry& shape = context_.shapes[hit.mesh];
-    surfaces_.reflectance.set(i, shape.reflectance);
+    surfaces_.reflectance.set(i, shape.textured ? textured_reflectance(shape, hit) : shape.reflectance);
     surfaces_.triangle.u[i] = hit.u;
     surfaces_.triangle.v[i] = hit.v;
     if (!shape.positions) continue;

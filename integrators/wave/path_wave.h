@@ -44,6 +44,7 @@ class PathWave {
   /// Writes what the records say of the first surfaces.
   void record_surfaces();
   void expand_hits();
+  Rgb textured_reflectance(const ShapeEntry& shape, const Hit& hit) const;
   void place_spheres();
   /// What is done alone, since lanes know Lambert surfaces only (integrators/wave/other_surfaces.cpp): finds
   /// these surfaces,

@@ -18,8 +18,10 @@ std::vector<ShapeEntry> shape_table(const Scene& scene) {
   const Geometry& geometry = *scene.geometry;
   for (std::uint32_t shape = 0; shape < geometry.shapes().size(); ++shape) {
     const ShapeBinding& binding = scene.bindings[shape];
-    const auto* lambert = std::get_if<Lambert>(&scene.materials[binding.material].model);
+    const Material& material = scene.materials[binding.material];
+    const auto* lambert = std::get_if<Lambert>(&material.model);
     ShapeEntry entry{.reflectance = lambert ? lambert->reflectance : Rgb{},
+                     .textured = lambert && !material.textures.empty() ? &material : nullptr,
                      .is_lambert = lambert != nullptr,
                      .emits = binding.light != no_light};
     if (const Mesh* mesh = geometry.mesh(shape); mesh && !mesh->triangles.empty()) {

@@ -18,8 +18,9 @@ struct ShapeEntry {
   const Vec3* normals = nullptr;  ///< Null where a mesh has none.
   const Triangle* normal_indices = nullptr;
   const Facet* facets = nullptr;
-  Rgb reflectance;         ///< Of a Lambert surface.
-  bool is_lambert = true;  ///< Of one material, whose model is Lambert's.
+  Rgb reflectance;                     ///< Of a Lambert surface without textures.
+  const Material* textured = nullptr;  ///< A Lambert surface's material that has textures.
+  bool is_lambert = true;              ///< Of one material, whose model is Lambert's.
   bool emits = false;
 };
 

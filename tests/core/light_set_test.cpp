@@ -176,6 +176,33 @@ TEST_CASE("distant lights state the density and the radiance of their samples, o
   }
 }
 
+TEST_CASE("a sun shines from a disc whose irradiance is the stated one, and is seen as it is sampled") {
+  constexpr double rounding_of_disc = 1e-4;
+  for (const float degrees : {0.01f, 0.53f, 20.0f, 170.0f}) {
+    CAPTURE(degrees);
+    Scene scene = scene_of(floor_square(5, -1), {0.5f, 0.5f, 0.5f}, {0, 1, 5}, {0, 0, 0});
+    const Vec3 towards = normalize({0.3f, 0.9f, -0.2f});
+    add_light(scene, SunLight{-towards, {3, 2, 1}, degrees});
+    const LightSet lights(scene);
+    CHECK_FALSE(lights.is_delta(0));
+    const double radius = degrees * M_PI / 360;
+    CHECK(lights.background(towards).r == Approx(3 / (M_PI * std::sin(radius) * std::sin(radius))));
+    CHECK(is_black(lights.background(-towards)));
+    Random random(5);
+    SampleMean irradiance;
+    int outside = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const LightSample sample = lights.sample(0, below(), {0, 1, 0}, draw(random));
+      CHECK(sample.pdf == Approx(1 / (2 * M_PI * (1 - std::cos(radius)))).epsilon(1e-3));
+      irradiance.add(double(sample.radiance.r) * double(dot(sample.direction, towards)) / double(sample.pdf));
+      // Rounded directions may lie just beyond the edge.
+      if (lights.pdf(0, sample.direction) != sample.pdf) ++outside;
+    }
+    CHECK(irradiance.mean() == Approx(3).epsilon(degrees > 90 ? 0.01 : rounding_of_disc + 0.001));
+    CHECK(outside < 200);
+  }
+}
+
 TEST_CASE("an environment's rows run from up to down, its columns once around") {
   Image map(8, 4);
   for (int y = 0; y < 4; ++y)

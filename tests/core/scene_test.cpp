@@ -71,11 +71,41 @@ TEST_CASE("an environment needs a picture of its layout, a rotation and a scale"
   CHECK(with({square, MapLayout::equal_area}) == "valid");
   CHECK(with({}) == "light 2 is an environment without a picture");
   CHECK(with({map, MapLayout::equal_area}) ==
-        "light 2 is an equal-area environment of 4 x 2 pixels; it must be a square");
+        "light 2 is an environment whose equal-area picture has 4 x 2 pixels; it must be a square");
   CHECK(with({map, {}, turn * Transform::scaling(1, 1.001, 1)}) ==
         "light 2 is an environment whose rotation also scales or shears");
   CHECK(with({map, {}, turn, {1, -1, 1}}) ==
         "light 2 is an environment whose scale is (1, -1, 1); each must be finite and not negative");
+}
+
+TEST_CASE("numbers of lights that lie out of range are named") {
+  const auto with = [](LightSource light) {
+    Scene lit = valid_scene();
+    add_light(lit, std::move(light));
+    return message_of(lit);
+  };
+  const auto picture = std::make_shared<const Image>(4, 2);
+  ProjectionLight slide;
+  slide.picture = picture;
+  CHECK(with(slide) == "valid");
+  slide.tan_half_width = 0;
+  CHECK(with(slide) ==
+        "light 2 is a projection light whose frame is 0 x 1; each must be finite and positive");
+  slide.up = {0, 2, 0};
+  CHECK(with(slide) == "light 2 is a projection light whose axes are not unit vectors at right angles");
+  CHECK(with(ProjectionLight{}) == "light 2 is a projection light without a picture");
+  CHECK(with(GoniometricLight{{}, {1, 1, 1}, picture}) ==
+        "light 2 is a goniometric light whose equal-area picture has 4 x 2 pixels; it must be a square");
+  CHECK(with(GoniometricLight{{}, {-1, 1, 1}, picture, MapLayout::latitude_longitude}) ==
+        "light 2 is a goniometric light whose intensity is (-1, 1, 1); each must be finite and not negative");
+  CHECK(with(SunLight{{0, -1, 0}, {1, 1, 1}, 180}) ==
+        "light 2 is a sun of 180 degrees; valid are more than 0 and less than 180");
+  CHECK(with(SunLight{{0, -1, 0}, {1, 1, 1}, 0.5f}) == "valid");
+  SpotLight spot;
+  spot.falloff_angle_degrees = 60;
+  spot.penumbra_degrees = 31;
+  CHECK(with(spot) ==
+        "light 2 is a spot whose penumbra is 31 degrees wide; valid are 0 to 30, half of its cone");
 }
 
 }  // namespace twinray::test

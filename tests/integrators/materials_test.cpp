@@ -210,9 +210,9 @@ TEST_CASE("a mixture is its second material at the stated part of its points") {
   for (int i = 0; i < points; ++i) {
     SurfacePoint point;
     point.position = random.in_ball();
-    const SurfaceModel* const model = &model_at(scene, point);
+    const SurfaceModel* const model = &material_at(scene, point).model;
     REQUIRE((model == &scene.materials[0].model || model == &scene.materials[1].model));
-    REQUIRE(model == &model_at(scene, point));
+    REQUIRE(model == &material_at(scene, point).model);
     silver += model == &scene.materials[1].model;
   }
   const double deviation = std::sqrt(points * 0.3 * 0.7);

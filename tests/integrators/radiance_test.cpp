@@ -123,6 +123,56 @@ TEST_CASE("a uniform environment lights a floor by its radiance times the reflec
   }
 }
 
+TEST_CASE("a sun lights a floor by its irradiance and the cosine, by every way of sampling, and is seen") {
+  for (const DirectMethod method : all_methods) {
+    Scene scene = floor_scene();
+    const Vec3 towards = normalize(Vec3{1, 2, 2});
+    add_light(scene, SunLight{-towards, {3, 3, 3}, 60});
+    check_radiance(scene, reflectance / M_PI * 3 * (2.0 / 3), method);
+    scene.camera = camera_at({0, 1, 0}, Vec3{0, 1, 0} + towards);
+    CHECK(estimate(scene, {.max_depth = 0}, options(1)).mean == Approx(3 / (M_PI / 4)).epsilon(rounding));
+  }
+}
+
+TEST_CASE("an environment of two halves lights a floor as emissive walls around all of it do") {
+  // Bright where x > 0, dim elsewhere: columns from -z over +x to +z are the middle half.
+  auto map = std::make_shared<Image>(64, 32);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 64; ++x) map->at(x, y) = x >= 16 && x < 48 ? Rgb{3, 3, 3} : Rgb{1, 1, 1};
+  Scene under_walls = floor_scene(), under_sky = floor_scene();
+  const auto add_half = [&](float x, float radiance) {
+    Mesh box = inward_box(20);
+    for (Vec3& p : box.positions) p.x = p.x * x > 0 ? p.x : 0;
+    // The wall at x = 0 has a front, and is dropped: it would part the room.
+    std::erase_if(box.triangles, [&](const Triangle& t) {
+      return box.positions[t[0]].x == 0 && box.positions[t[1]].x == 0 && box.positions[t[2]].x == 0;
+    });
+    add_lamp(under_walls, std::move(box), {radiance, radiance, radiance}, EmissionSide::front);
+  };
+  add_half(1, 3);
+  add_half(-1, 1);
+  add_light(under_sky, EnvironmentLight{map});
+  // Seen from the middle of the floor, half of the cosine-weighted hemisphere is bright; a soft seam in both.
+  check_mean(estimate(under_walls, {.max_depth = 1}, options(20000)), reflectance * 2, 0.05);
+  check_mean(estimate(under_sky, {.max_depth = 1}, options(20000)), reflectance * 2, 0.05);
+}
+
+TEST_CASE("a floor has the reflectance of its texture where it is seen") {
+  auto picture = Image(2, 2);
+  picture.pixels = {{0.1f, 0.1f, 0.1f}, {0.3f, 0.3f, 0.3f}, {0.9f, 0.9f, 0.9f}, {0.7f, 0.7f, 0.7f}};
+  for (const DirectMethod method : all_methods) {
+    Scene scene = floor_scene();
+    add_light(scene, AmbientLight{{0, 1, 0}, {2, 2, 2}});
+    // The floor is seen where its coordinates are (1/3, 1/3): these become (0.43, 0.33), lower left.
+    scene.textures = {{"", ImageTexture{std::make_shared<const MipMap>(picture),
+                                        WrapMode::repeat,
+                                        TextureFilter::nearest,
+                                        {{{1, 0, 0.1f}, {0, 1, 0}}}}}};
+    scene.materials[0].textures = {{MaterialInput::reflectance, 0}};
+    check_radiance(scene, 0.9 * 2, method);
+  }
+}
+
 TEST_CASE("a square light lights a floor by its form factor, from its emitting side only") {
   for (const DirectMethod method : all_methods) {
     for (const EmissionSide side : {EmissionSide::front, EmissionSide::back, EmissionSide::both}) {

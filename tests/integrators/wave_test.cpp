@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/instruction_sets.h"
+#include "core/textured_material.h"
 #include "integrators/path.h"
 #include "integrators/path_reference.h"
 #include "integrators/wave/camera_stage.h"
@@ -18,12 +19,15 @@ namespace twinray::test {
 namespace {
 
 /// A picture of random colours, some of them black.
-std::shared_ptr<const Image> random_sky() {
-  auto map = std::make_shared<Image>(8, 4);
+std::shared_ptr<const Image> random_picture(int width, int height) {
+  auto map = std::make_shared<Image>(width, height);
   Random random(5);
   for (Rgb& pixel : map->pixels) pixel = {random.below(3) == 0 ? 0 : random.unit(), random.unit(), 0.25f};
   return map;
 }
+
+std::shared_ptr<const Image> random_sky() { return random_picture(8, 4); }
+std::shared_ptr<const Image> random_square() { return random_picture(5, 5); }
 
 /// Corner normals that contradict the geometry here and there.
 void add_normals(Mesh& mesh) {
@@ -65,6 +69,14 @@ Scene scene_of_everything() {
   add_light(scene, DirectionalLight{normalize({1, -2, -1}), {0.5f, 0.5f, 0.4f}});
   add_light(scene, AmbientLight{{0, 1, 0}, {0.1f, 0.2f, 0.1f}});
   add_light(scene, EnvironmentLight{random_sky()});
+  EnvironmentLight square{random_square(), MapLayout::equal_area};
+  square.rotation = Transform::rotation({1, 2, 3}, 40);
+  square.scale = {0.5f, 0.25f, 1};
+  add_light(scene, std::move(square));
+  add_light(scene, GoniometricLight{{-0.4f, 0.5f, 0.6f}, {1, 2, 1}, random_square()});
+  ProjectionLight slide{.position = {0.5f, 0.5f, 1.2f}, .intensity = {3, 2, 1}, .picture = random_sky()};
+  add_light(scene, std::move(slide));
+  add_light(scene, SunLight{normalize({-1, -2, 1}), {0.5f, 0.3f, 0.2f}, 5});
   return scene;
 }
 
@@ -100,6 +112,24 @@ Scene scene_of_every_model() {
     scene.bindings.push_back({material});
   }
   scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  return scene;
+}
+
+/// The same, every input of every material by a texture.
+Scene textured(Scene scene) {
+  const ImageTexture image{std::make_shared<const MipMap>(*random_square()),
+                           WrapMode::repeat,
+                           TextureFilter::bilinear,
+                           {{{7, 1, 0}, {0, 5, 0}}}};
+  scene.textures = {{"", ConstantTexture{{0.2f, 0.6f, 0.9f}}},
+                    {"", image},
+                    {"", CheckerboardTexture{0, 1, {{{4, 0, 0}, {0, 4, 0}}}}}};
+  for (Material& material : scene.materials)
+    for (const MaterialInput input : {MaterialInput::reflectance, MaterialInput::transmittance,
+                                      MaterialInput::roughness, MaterialInput::amount})
+      if (has_input(material.model, input))
+        material.textures.push_back({input, std::uint32_t(input) % 2 + 1});
+  check_scene(scene);
   return scene;
 }
 
@@ -168,11 +198,14 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
   const Scene everything = scene_of_everything();
   const Scene models = scene_of_every_model();
   const Scene room = small_room();
+  const Scene textures = textured(scene_of_every_model()), lamps = textured(scene_of_everything());
   for (const PathOptions& options : cases) {
     const std::uint32_t count = options.samples_per_light > 100 ? 20 : 2100;
     check_bits(everything, options, count);
     check_bits(models, options, count);
     check_bits(room, options, count);
+    check_bits(textures, options, count);
+    check_bits(lamps, options, count);
   }
 }
 

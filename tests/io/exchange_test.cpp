@@ -178,14 +178,24 @@ TEST_CASE("each kind of light in exchange form") {
                   {"b", MeshLight{4, {1, 2, 3}, EmissionSide::back}},
                   {"c", SphereLight{5, {1, 2, 3}}},
                   {"d", PointLight{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}},
-                  {"e", SpotLight{{1, 2, 3}, {0, 1, 0}, {4, 5, 6}, {}, 90, 2}},
+                  {"e", SpotLight{{1, 2, 3}, {0, 1, 0}, {4, 5, 6}, {}, 90, 2, 5}},
                   {"f", DirectionalLight{{0, 1, 0}, {4, 5, 6}}},
                   {"g", AmbientLight{{0, 0, 1}, {4, 5, 6}}},
                   {"h", EnvironmentLight{std::make_shared<const Image>(2, 2),
                                          MapLayout::equal_area,
                                          Transform{{{0, 0, 1, 0}, {0, 1, 0, 0}, {-1, 0, 0, 0}}},
                                          {3, 4, 5}}},
-                  {"i", EnvironmentLight{std::make_shared<const Image>(2, 1)}}};
+                  {"i", EnvironmentLight{std::make_shared<const Image>(2, 1)}},
+                  {"j", GoniometricLight{{1, 2, 3}, {4, 5, 6}, std::make_shared<const Image>(2, 2)}},
+                  {"k", ProjectionLight{{1, 2, 3},
+                                        {1, 0, 0},
+                                        {0, 1, 0},
+                                        {0, 0, -1},
+                                        2,
+                                        0.5f,
+                                        {4, 5, 6},
+                                        std::make_shared<const Image>(2, 2)}},
+                  {"l", SunLight{{0, -1, 0}, {4, 5, 6}, 0.5f}}};
   CHECK(list_text(scene, "lights") ==
         R"(  "lights": [
     {"name":"a","type":"mesh","shape":3,"radiance":[1.0,2.0,3.0],"side":"both"},
@@ -196,7 +206,7 @@ TEST_CASE("each kind of light in exchange form") {
     {"name":"e","type":"spot","position":[1.0,2.0,3.0],"direction":[0.0,1.0,0.0],)"
         R"("intensity":[4.0,5.0,6.0],)"
         R"("attenuation":{"constant":0.0,"linear":0.0,"quadratic":1.0},)"
-        R"("falloff_angle_degrees":90.0,"falloff_exponent":2.0},
+        R"("falloff_angle_degrees":90.0,"falloff_exponent":2.0,"penumbra_degrees":5.0},
     {"name":"f","type":"directional","direction":[0.0,1.0,0.0],"irradiance":[4.0,5.0,6.0]},
     {"name":"g","type":"ambient","up":[0.0,0.0,1.0],"radiance":[4.0,5.0,6.0]},
     {"name":"h","type":"environment","layout":"equal-area",)"
@@ -204,7 +214,15 @@ TEST_CASE("each kind of light in exchange form") {
         R"("scale":[3.0,4.0,5.0],"file":"a-light-7.exr"},
     {"name":"i","type":"environment","layout":"latitude-longitude",)"
         R"("rotation":{"x":[1.0,0.0,0.0],"y":[0.0,1.0,0.0],"z":[0.0,0.0,1.0]},)"
-        R"("scale":[1.0,1.0,1.0],"file":"a-light-8.exr"})");
+        R"("scale":[1.0,1.0,1.0],"file":"a-light-8.exr"},
+    {"name":"j","type":"goniometric","position":[1.0,2.0,3.0],"intensity":[4.0,5.0,6.0],)"
+                                      R"("layout":"equal-area",)"
+        R"("rotation":{"x":[1.0,0.0,0.0],"y":[0.0,1.0,0.0],"z":[0.0,0.0,1.0]},)"
+        R"("file":"a-light-9.exr"},
+    {"name":"k","type":"projection","position":[1.0,2.0,3.0],"right":[1.0,0.0,0.0],"up":[0.0,1.0,0.0],)"
+        R"("forward":[0.0,0.0,-1.0],"tan_half_width":2.0,"tan_half_height":0.5,)"
+        R"("intensity":[4.0,5.0,6.0],"file":"a-light-10.exr"},
+    {"name":"l","type":"sun","direction":[0.0,-1.0,0.0],"irradiance":[4.0,5.0,6.0],"diameter_degrees":0.5})");
 }
 
 TEST_CASE("each kind of camera in exchange form, its frame as wide as the picture") {

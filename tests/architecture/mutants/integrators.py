@@ -67,6 +67,9 @@ MUTANTS = [
            "test_integrators",
            "inside of walls that emit and reflect, radiance is the geometric series of all "
            "bounces"),
+    Mutant("waves see a texture's surface as its constant", "integrators/wave/path_wave.cpp",
+           "shape.textured ? textured_reflectance(shape, hit) : shape.reflectance", "shape.reflectance",
+           "test_integrators", "waves of paths have the bits and the rays of paths one after the other"),
     Mutant("a bounce that escapes counts the environment again", "integrators/direct_light.cpp",
            "power_heuristic(departure.pdf, count * lights.pdf(light, direction))",
            "1.0f",
@@ -194,7 +197,7 @@ MUTANTS = [
            "a surface that only refracts shows what lies behind it, and nothing where all would be "
            "reflected"),
     Mutant("a mixture takes its first material as often as its second should be", "core/surface_model.cpp",
-           "? mix->second : mix->first", "? mix->first : mix->second", "test_integrators",
+           "? mix.second : mix.first", "? mix.first : mix.second", "test_integrators",
            "a mixture is its second material at the stated part of its points"),
     Mutant("the clamp takes light of one bounce as well", "integrators/path_options.h",
            "return depth >= 2 && largest", "return depth >= 1 && largest", "test_integrators",

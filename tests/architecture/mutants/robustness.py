@@ -43,7 +43,7 @@ MUTANTS = [
            "      return IOMemReader::pread(buffer, size, offset);", "test_io",
            "an EXR whose pixels would lie outside of its file is refused"),
     Mutant("a library opens a picture before its header is checked", "io/image_file.cpp",
-           "  check_picture_header(format, picture);\n", "", "test_io",
+           "check_pixels(check_picture_header(format, picture), options, picture.path);", "", "test_io",
            "what any picture's header promises is checked before a library opens it"),
     Mutant("a segment of a JPEG is passed over by a byte too many", "io/picture_header.cpp",
            "at += std::size_t(big_endian(bytes.substr(at, 2)));",

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/mip_map.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace twinray {
+namespace {
+
+/// What a pixel of a smaller row covers of a larger one: pixels from `first` on, with their parts.
+struct Cover {
+  int first = 0;
+  std::vector<double> parts;  ///< Their sum is 1.
+};
+
+std::vector<Cover> covers(int large, int small) {
+  const double ratio = double(large) / small;
+  std::vector<Cover> all(static_cast<std::size_t>(small));
+  for (int i = 0; i < small; ++i) {
+    const double begin = i * ratio, end = std::min((i + 1) * ratio, double(large));
+    Cover& cover = all[std::size_t(i)];
+    cover.first = int(begin);
+    for (int x = cover.first; x < large && x < end; ++x)
+      cover.parts.push_back((std::min(x + 1.0, end) - std::max(double(x), begin)) / ratio);
+  }
+  return all;
+}
+
+Image halved(const Image& large) {
+  Image small(std::max(large.width / 2, 1), std::max(large.height / 2, 1));
+  const std::vector<Cover> columns = covers(large.width, small.width);
+  const std::vector<Cover> rows = covers(large.height, small.height);
+  for (int y = 0; y < small.height; ++y)
+    for (int x = 0; x < small.width; ++x) {
+      const Cover &column = columns[std::size_t(x)], &row = rows[std::size_t(y)];
+      double r = 0, g = 0, b = 0;
+      for (std::size_t j = 0; j < row.parts.size(); ++j)
+        for (std::size_t i = 0; i < column.parts.size(); ++i) {
+          const Rgb& pixel = large.at(column.first + int(i), row.first + int(j));
+          const double part = row.parts[j] * column.parts[i];
+          r += part * pixel.r, g += part * pixel.g, b += part * pixel.b;
+        }
+      small.at(x, y) = {float(r), float(g), float(b)};
+    }
+  return small;
+}
+
+}  // namespace
+
+MipMap::MipMap(Image picture) {
+  assert(!picture.pixels.empty());
+  levels_.push_back(std::move(picture));
+  while (levels_.back().pixels.size() > 1) {
+    Image next = halved(levels_.back());
+    levels_.push_back(std::move(next));
+  }
+}
+
+}  // namespace twinray

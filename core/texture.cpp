@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/texture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/elementary.h"
+#include "core/error.h"
+
+namespace twinray {
+namespace {
+
+/// The pixel at a position, which is a whole number of pixels of any size: coordinates may be large.
+Rgb wrapped(const Image& image, WrapMode wrap, double x, double y) {
+  const double w = image.width, h = image.height;
+  if (wrap == WrapMode::repeat) {
+    x -= w * std::floor(x / w);
+    y -= h * std::floor(y / h);
+  } else if (wrap == WrapMode::black && !(x >= 0 && x < w && y >= 0 && y < h)) {
+    return {};
+  }
+  return image.at(int(std::clamp(x, 0.0, w - 1)), int(std::clamp(y, 0.0, h - 1)));
+}
+
+Rgb bilinear(const Image& image, WrapMode wrap, Vec2 uv) {
+  const double column = double(uv.x) * image.width - 0.5, row = (1 - double(uv.y)) * image.height - 0.5;
+  const double left = std::floor(column), above = std::floor(row);
+  const auto s = float(column - left), t = float(row - above);
+  const auto at = [&](int dx, int dy) { return wrapped(image, wrap, left + dx, above + dy); };
+  const Rgb upper = at(0, 0) * (1 - s) + at(1, 0) * s;
+  const Rgb lower = at(0, 1) * (1 - s) + at(1, 1) * s;
+  return upper * (1 - t) + lower * t;
+}
+
+/// How much a transform stretches at most, about: the larger of its columns' lengths.
+float stretch(const UvTransform& uv) {
+  const auto& m = uv.m;
+  return std::sqrt(std::max(m[0][0] * m[0][0] + m[1][0] * m[1][0], m[0][1] * m[0][1] + m[1][1] * m[1][1]));
+}
+
+/// The level whose pixels are as wide as the footprint, in [0, levels - 1].
+double level_of(const MipMap& image, float footprint) {
+  const double pixels = double(footprint) * std::max(image.level(0).width, image.level(0).height);
+  if (!(pixels > 1)) return 0;
+  return std::min(log2_of(pixels), double(image.levels() - 1));
+}
+
+struct Evaluate {
+  std::span<const Texture> textures;
+  const TexturePoint& at;
+
+  Rgb of(std::uint32_t index) const { return evaluate(textures, index, at); }
+
+  Rgb operator()(const ConstantTexture& texture) const { return texture.value; }
+  Rgb operator()(const ScaleTexture& texture) const { return of(texture.first) * of(texture.second); }
+  Rgb operator()(const MixTexture& texture) const {
+    const float amount = of(texture.amount).r;
+    return of(texture.first) * (1 - amount) + of(texture.second) * amount;
+  }
+  Rgb operator()(const CheckerboardTexture& texture) const {
+    const Vec2 uv = texture.uv(at.uv);
+    const double sum = std::floor(double(uv.x)) + std::floor(double(uv.y));
+    return of(sum == 2 * std::floor(sum / 2) ? texture.first : texture.second);
+  }
+  Rgb operator()(const ImageTexture& texture) const {
+    const Vec2 uv = texture.uv(at.uv);
+    if (!(std::isfinite(uv.x) && std::isfinite(uv.y))) return {};
+    const Image& picture = texture.image->level(0);
+    if (texture.filter == TextureFilter::nearest)
+      return wrapped(picture, texture.wrap, std::floor(double(uv.x) * picture.width),
+                     std::floor((1 - double(uv.y)) * picture.height));
+    if (texture.filter == TextureFilter::bilinear) return bilinear(picture, texture.wrap, uv);
+    const double level = level_of(*texture.image, at.footprint * stretch(texture.uv));
+    const int finer = int(level);
+    const auto t = float(level - finer);
+    const Rgb fine = bilinear(texture.image->level(finer), texture.wrap, uv);
+    if (t == 0) return fine;
+    return fine * (1 - t) + bilinear(texture.image->level(finer + 1), texture.wrap, uv) * t;
+  }
+};
+
+struct Check {
+  std::size_t index;
+
+  void names(std::uint32_t other) const {
+    if (other >= index)
+      throw Error(fmt::format("texture {} names texture {}, which does not stand before it", index, other));
+  }
+  void operator()(const ConstantTexture&) const {}
+  void operator()(const ImageTexture& texture) const {
+    if (!texture.image) throw Error(fmt::format("texture {} has no picture", index));
+  }
+  void operator()(const ScaleTexture& texture) const {
+    names(texture.first);
+    names(texture.second);
+  }
+  void operator()(const MixTexture& texture) const {
+    names(texture.first);
+    names(texture.second);
+    names(texture.amount);
+  }
+  void operator()(const CheckerboardTexture& texture) const {
+    names(texture.first);
+    names(texture.second);
+  }
+};
+
+}  // namespace
+
+Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at) {
+  return std::visit(Evaluate{textures, at}, textures[index].model);
+}
+
+void check_textures(std::span<const Texture> textures) {
+  for (std::size_t i = 0; i < textures.size(); ++i) std::visit(Check{i}, textures[i].model);
+}
+
+}  // namespace twinray

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Colours, or numbers, that differ over a surface: plain values, linked by index. A texture may name others
+// that stand before it in Scene::textures.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <variant>
+
+#include "core/mip_map.h"
+#include "core/rgb.h"
+#include "core/vec.h"
+
+namespace twinray {
+
+/// What lies beside a picture: the picture again, its outermost pixels, nothing.
+enum class WrapMode { repeat, clamp, black };
+
+/// How a value between pixels is made: the nearest one; bilinear of the four around; of the two levels of the
+/// mip-map whose pixels are about as large as the footprint (trilinear).
+enum class TextureFilter { nearest, bilinear, trilinear };
+
+/// An affine map of texture coordinates: u' = m[0] . (u, v, 1), v' = m[1] . (u, v, 1).
+struct UvTransform {
+  float m[2][3] = {{1, 0, 0}, {0, 1, 0}};
+
+  Vec2 operator()(Vec2 uv) const {
+    return {m[0][0] * uv.x + m[0][1] * uv.y + m[0][2], m[1][0] * uv.x + m[1][1] * uv.y + m[1][2]};
+  }
+};
+
+/// The same everywhere.
+struct ConstantTexture {
+  Rgb value{1, 1, 1};
+};
+
+/// A picture: u runs to the right, v upwards, (0, 0) is its lower left corner, (1, 1) its upper right one.
+struct ImageTexture {
+  std::shared_ptr<const MipMap> image;  ///< Never null. Linear values.
+  WrapMode wrap = WrapMode::repeat;
+  TextureFilter filter = TextureFilter::trilinear;
+  UvTransform uv;
+};
+
+/// The product of two textures.
+struct ScaleTexture {
+  std::uint32_t first = 0, second = 0;
+};
+
+/// (1 - amount) first + amount second; the amount is a texture's red.
+struct MixTexture {
+  std::uint32_t first = 0, second = 0, amount = 0;
+};
+
+/// Squares of side 1 of the transformed coordinates, like a chess board: the first has (0, 0) at its corner.
+struct CheckerboardTexture {
+  std::uint32_t first = 0, second = 0;
+  UvTransform uv;
+};
+
+using TextureModel =
+    std::variant<ConstantTexture, ImageTexture, ScaleTexture, MixTexture, CheckerboardTexture>;
+
+struct Texture {
+  std::string name;
+  TextureModel model;
+};
+
+/// Where a texture is asked for.
+struct TexturePoint {
+  Vec2 uv;
+  float footprint = 0;  ///< The width, in texture coordinates, of what one sample sees; 0: a point.
+};
+
+/// The value of a texture of a scene. The same bits on every machine.
+Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at);
+
+/// Throws Error where a texture names one that does not stand before it, or has no picture.
+void check_textures(std::span<const Texture> textures);
+
+}  // namespace twinray

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// A material at a point, where textures give some of its numbers.
+#pragma once
+#include <span>
+
+#include "core/material.h"
+#include "core/texture.h"
+
+namespace twinray {
+
+/// "reflectance", ...
+const char* input_name(MaterialInput input);
+/// Whether a model has such a number or colour.
+bool has_input(const SurfaceModel& model, MaterialInput input);
+
+/// The material's model with what its textures have at the point, each within its range: [0, 1].
+SurfaceModel textured_model(const Material& material, std::span<const Texture> textures,
+                            const TexturePoint& at);
+
+}  // namespace twinray

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/texture.h"
+
+#include <cmath>
+
+#include "core/textured_material.h"
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+
+namespace twinray::test {
+namespace {
+
+/// Red grows to the right, green upwards, blue is 1.
+std::shared_ptr<const MipMap> ramp(int width, int height) {
+  Image image(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) image.at(x, y) = {float(x), float(height - 1 - y), 1};
+  return std::make_shared<const MipMap>(image);
+}
+
+Rgb value(const TextureModel& model, Vec2 uv, float footprint = 0) {
+  const Texture texture{"", model};
+  return evaluate({&texture, 1}, 0, {uv, footprint});
+}
+
+const Texture red{"red", ConstantTexture{{1, 0, 0}}}, half{"half", ConstantTexture{{0.5f, 0.25f, 1}}};
+
+}  // namespace
+
+TEST_CASE("a picture's u runs to the right and its v upwards, and pixels' centres have their values") {
+  for (const TextureFilter filter :
+       {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear}) {
+    const ImageTexture image{ramp(4, 2), WrapMode::clamp, filter, {}};
+    CHECK(value(image, {0.125f, 0.25f}) == Rgb{0, 0, 1});
+    CHECK(value(image, {0.875f, 0.25f}) == Rgb{3, 0, 1});
+    CHECK(value(image, {0.375f, 0.75f}) == Rgb{1, 1, 1});
+  }
+  const ImageTexture smooth{ramp(4, 2), WrapMode::clamp, TextureFilter::bilinear, {}};
+  CHECK(value(smooth, {0.5f, 0.5f}) == Rgb{1.5f, 0.5f, 1});
+  const ImageTexture sharp{ramp(4, 2), WrapMode::clamp, TextureFilter::nearest, {}};
+  CHECK(value(sharp, {0.49f, 0.51f}) == Rgb{1, 1, 1});
+}
+
+TEST_CASE("beside a picture lie the picture again, its edge, or nothing") {
+  const auto at = [](WrapMode wrap, Vec2 uv) {
+    return value(ImageTexture{ramp(4, 2), wrap, TextureFilter::bilinear, {}}, uv);
+  };
+  CHECK(at(WrapMode::repeat, {2.375f, -0.25f}) == Rgb{1, 1, 1});
+  CHECK(at(WrapMode::repeat, {1, 0.25f}) ==
+        Rgb{1.5f, 0, 1});  // Half of the last and half of the first column.
+  CHECK(at(WrapMode::clamp, {7, -3}) == Rgb{3, 0, 1});
+  CHECK(at(WrapMode::black, {1.2f, 0.5f}) == Rgb{});
+  CHECK(at(WrapMode::black, {1, 0.25f}) == Rgb{1.5f, 0, 0.5f});
+  // Far away, where a float has no fractions left, and beyond all numbers.
+  CHECK(at(WrapMode::repeat, {3e30f, 0.25f}).b == 1);
+  CHECK(at(WrapMode::clamp, {-3e30f, 0.25f}) == Rgb{0, 0, 1});
+  CHECK(at(WrapMode::clamp, {std::numeric_limits<float>::infinity(), 0}) == Rgb{});
+  CHECK(at(WrapMode::clamp, {std::numeric_limits<float>::quiet_NaN(), 0}) == Rgb{});
+}
+
+TEST_CASE("trilinear filtering takes the level whose pixels are as wide as the footprint") {
+  Image noise(64, 64);
+  Random random(2);
+  for (Rgb& pixel : noise.pixels) pixel = {random.unit(), 0, 0};
+  const auto map = std::make_shared<const MipMap>(noise);
+  const ImageTexture image{map, WrapMode::repeat, TextureFilter::trilinear, {}};
+  const auto centre = [&](int level, int x, int y) {  // Of a pixel of a level.
+    const float n = float(map->level(level).width);
+    return Vec2{(float(x) + 0.5f) / n, 1 - (float(y) + 0.5f) / n};
+  };
+  CHECK(value(image, centre(0, 5, 9), 0) == map->level(0).at(5, 9));
+  CHECK(value(image, centre(0, 5, 9), 1 / 64.0f) == map->level(0).at(5, 9));
+  CHECK(value(image, centre(3, 5, 6), 8 / 64.0f).r == Approx(map->level(3).at(5, 6).r));
+  CHECK(value(image, {0.3f, 0.4f}, 100) == map->level(6).at(0, 0));
+  // Halfway, by the logarithm, between two levels.
+  const Vec2 there{0.3f, 0.6f};
+  const double between = value(image, there, float(std::sqrt(2.0) * 4 / 64)).r;
+  CHECK(between ==
+        Approx(0.5 * (double(value(image, there, 4 / 64.0f).r) + double(value(image, there, 8 / 64.0f).r)))
+            .epsilon(1e-5));
+  // A transform that shrinks the picture widens the footprint on it.
+  const ImageTexture dense{map, WrapMode::repeat, TextureFilter::trilinear, {{{8, 0, 0}, {0, 2, 0}}}};
+  CHECK(value(dense, {0.01f, 0.02f}, 1 / 64.0f).r == Approx(value(image, {0.08f, 0.04f}, 8 / 64.0f).r));
+}
+
+TEST_CASE("coordinates are transformed before a picture is looked up") {
+  const UvTransform turned{{{0, 1, 0.25f}, {-1, 0, 1}}};
+  const ImageTexture plain{ramp(4, 4), WrapMode::repeat, TextureFilter::bilinear, {}};
+  const ImageTexture moved{ramp(4, 4), WrapMode::repeat, TextureFilter::bilinear, turned};
+  CHECK(value(moved, {0.5f, 0.125f}) == value(plain, {0.375f, 0.5f}));
+}
+
+TEST_CASE("textures scale, mix and alternate those that stand before them") {
+  const std::vector<Texture> textures{red,
+                                      half,
+                                      {"", ScaleTexture{0, 1}},
+                                      {"", MixTexture{0, 1, 1}},
+                                      {"", CheckerboardTexture{0, 1, {{{2, 0, 0}, {0, 2, 0}}}}},
+                                      {"", ScaleTexture{4, 4}}};
+  CHECK_NOTHROW(check_textures(textures));
+  CHECK(evaluate(textures, 2, {}) == Rgb{0.5f, 0, 0});
+  CHECK(evaluate(textures, 3, {}) == Rgb{0.75f, 0.125f, 0.5f});
+  const Rgb first{1, 0, 0}, second{0.5f, 0.25f, 1};
+  CHECK(evaluate(textures, 4, {{0.2f, 0.3f}}) == first);
+  CHECK(evaluate(textures, 4, {{0.7f, 0.3f}}) == second);
+  CHECK(evaluate(textures, 4, {{0.7f, 0.8f}}) == first);
+  CHECK(evaluate(textures, 4, {{-0.2f, 0.3f}}) == second);
+  CHECK(evaluate(textures, 4, {{-0.2f, -0.3f}}) == first);
+  CHECK(evaluate(textures, 5, {{0.7f, 0.3f}}) == second * second);
+}
+
+TEST_CASE("a texture that names itself, a later one or no picture is an error") {
+  CHECK_THROWS_WITH(check_textures(std::vector<Texture>{red, {"", ScaleTexture{0, 1}}}),
+                    "texture 1 names texture 1, which does not stand before it");
+  CHECK_THROWS_WITH(check_textures(std::vector<Texture>{red, {"", MixTexture{0, 0, 2}}, half}),
+                    "texture 1 names texture 2, which does not stand before it");
+  CHECK_THROWS_WITH(check_textures(std::vector<Texture>{{"", CheckerboardTexture{0, 0}}}),
+                    "texture 0 names texture 0, which does not stand before it");
+  CHECK_THROWS_WITH(check_textures(std::vector<Texture>{{"", ImageTexture{}}}), "texture 0 has no picture");
+}
+
+TEST_CASE("a material takes its numbers from textures, within their range, and keeps the rest") {
+  const std::vector<Texture> textures{half, {"", ConstantTexture{{2, -1, 0.5f}}}};
+  const Material paint{
+      "", CoatedDiffuse{.ior = 1.7f}, {{MaterialInput::reflectance, 1}, {MaterialInput::roughness, 0}}};
+  const SurfaceModel at = textured_model(paint, textures, {});
+  const CoatedDiffuse& coated = std::get<CoatedDiffuse>(at);
+  CHECK(coated.reflectance == Rgb{1, 0, 0.5f});
+  CHECK(coated.roughness == Roughness{0.5f, 0.5f});
+  CHECK(coated.ior == 1.7f);
+  const Material blend{"", Mix{3, 4, 0}, {{MaterialInput::amount, 0}}};
+  CHECK(std::get<Mix>(textured_model(blend, textures, {})).amount == 0.5f);
+  CHECK(has_input(RoughDiffuse{}, MaterialInput::roughness));
+  CHECK_FALSE(has_input(Lambert{}, MaterialInput::roughness));
+  CHECK_FALSE(has_input(Mix{}, MaterialInput::reflectance));
+  CHECK(has_input(Glass{}, MaterialInput::transmittance));
+}
+
+}  // namespace twinray::test
