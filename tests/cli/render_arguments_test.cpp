@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/render_command_line.h"
+#include "cli/render_options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -404,6 +405,35 @@ TEST_CASE("words that are missing, unknown or too many are named") {
   } catch (const UsageError& error) {
     CHECK(std::string(error.what()) == "--stats: FILE is missing");
   }
+}
+
+TEST_CASE("what a scene file says about its picture holds where no option says something else") {
+  const RenderDefaults defaults{RenderDefaults::Resolution{200, 100}, std::array{0, 0, 100, 50}, 7, 9};
+  const auto with = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), "scene.pbrt");
+    RenderArguments arguments = parse_render_arguments(words);
+    take_defaults(defaults, arguments);
+    return arguments;
+  };
+  const RenderArguments plain = with({});
+  CHECK(plain.render.width == 200);
+  CHECK(plain.render.height == 100);
+  CHECK(plain.render.window == PixelRect{0, 0, 100, 50});
+  CHECK(plain.render.samples == 7);
+  CHECK(plain.path.max_depth == 9);
+  const RenderArguments given = with({"-r", "40", "30", "-s", "3", "-m", "2"});
+  CHECK(given.render.width == 40);
+  CHECK_FALSE(given.render.window);
+  CHECK(given.render.samples == 3);
+  CHECK(given.path.max_depth == 2);
+  CHECK(with({"-p", "150", "50", "50", "50"}).render.window == PixelRect{150, 50, 200, 100});
+  CHECK_THROWS_WITH(with({"-p", "150", "50", "51", "50"}),
+                    "--crop: 150 50 51 50 (X Y W H) is not a part of 200 x 100 pixels");
+  CHECK(with({"--bounces=last"}).path.first_depth == 9);
+  CHECK(with({"--integrator=direct"}).path.max_depth == 1);
+  RenderArguments other = parse_render_arguments({"scene.pbrt"});
+  take_defaults({}, other);
+  CHECK(other.render.width == RenderOptions{}.width);
 }
 
 }  // namespace twinray::test

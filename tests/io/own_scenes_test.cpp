@@ -106,4 +106,16 @@ TEST_CASE("the scene of lights has one of each kind") {
                      "COLLADA's default, no fall-off"});
 }
 
+TEST_CASE("still-life.pbrt shows a gold, a glass and a varnished ball under two lamps") {
+  const LoadedScene loaded = load("still-life.pbrt");
+  CHECK(loaded.scene.geometry->sphere_count() == 3);
+  REQUIRE(loaded.scene.lights.size() == 2);
+  for (const Light& light : loaded.scene.lights) {  // They look down.
+    const auto& lamp = std::get<MeshLight>(light.source);
+    CHECK(lamp.side == EmissionSide::front);
+    CHECK(loaded.scene.geometry->facet(lamp.shape, 0).normal.z < -0.999f);
+  }
+  CHECK(*loaded.defaults.max_depth == 8);
+}
+
 }  // namespace twinray
