@@ -10,7 +10,7 @@ MUTANTS = [
            "const float difference = eta * eta - k * k - sin2;", "const float difference = eta * eta - sin2;",
            "test_core", "a conductor reflects by Fresnel's equations"),
     Mutant("light from within glass is never reflected totally", "core/fresnel.h",
-           "if (cos_t == 0) return 1;", "", "test_core",
+           "if (cos_t == 0) return 1;", "if (cos_t == 0) return 0;", "test_core",
            "total internal reflection begins at the critical angle, Brewster's angle has half a reflection"),
     Mutant("visible normals lack their cosine", "core/microfacet.h",
            "masking(w) * std::max(0.0f, dot(w, m)) * density(m) / w.z", "masking(w) * density(m) / w.z",
