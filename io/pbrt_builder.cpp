@@ -33,6 +33,12 @@ void check_coordinates(const Shape& shape, const PbrtPlace& place) {
     place.fail(fmt::format("a coordinate of this shape lies beyond +-{:g}", double(max_coordinate)));
 }
 
+/// The texture coordinates that pbrt gives each triangle of a mesh without any.
+void add_default_uvs(Mesh& mesh) {
+  mesh.uvs = {{0, 0}, {1, 0}, {1, 1}};
+  mesh.uv_indices.assign(mesh.triangles.size(), {0, 1, 2});
+}
+
 /// Within what film and lights can hold.
 Rgb bounded(const Rgb& radiance, const PbrtPlace& place, WarningList& warnings) {
   if (max_component(radiance) <= max_radiance) return radiance;
@@ -73,13 +79,22 @@ void PbrtBuilder::place(const Part& part, const Transform& to_world) {
   if (materials_.is_interface(part.material) && !emits) return;
   check_room(part);
   Shape shape =
-      place_shape(*part.shape, to_world, part.is_reversed, emits && part.light->is_two_sided, account_);
+      place_shape(*with_uvs(part), to_world, part.is_reversed, emits && part.light->is_two_sided, account_);
   check_coordinates(shape, part.place);
   shapes_.push_back(std::move(shape));
   ShapeBinding binding{part.material, no_light};
   if (emits) add_emission(part, binding);
   if (materials_.is_interface(part.material)) binding.material = black();
   bindings_.push_back(binding);
+}
+
+std::shared_ptr<const PbrtShape> PbrtBuilder::with_uvs(const Part& part) const {
+  const Mesh& mesh = part.shape->mesh;
+  if (mesh.triangles.empty() || !mesh.uvs.empty() || materials_.materials[part.material].textures.empty())
+    return part.shape;
+  auto shape = std::make_shared<PbrtShape>(*part.shape);
+  add_default_uvs(shape->mesh);
+  return shape;
 }
 
 /// A mesh emits from its front, which is pbrt's outside.
@@ -142,6 +157,7 @@ LoadedScene PbrtBuilder::finish(float exposure) {
         fmt::format("all light is times {:g}, the film's exposure (shutter x iso / 100)", exposure));
   scene.bindings = std::move(bindings_);
   scene.materials = std::move(materials_.materials);
+  scene.textures = std::move(materials_.textures.textures);
   scene.geometry = std::make_shared<const Geometry>(std::move(shapes_));
   check_scene(scene);
   loaded.summary.dropped_triangles = account_.dropped_triangles;

@@ -48,6 +48,8 @@ class PbrtBuilder {
   using Object = std::vector<Part>;
 
   void place(const Part& part, const Transform& to_world);
+  /// The shape; where textures need coordinates and it has none, with those that pbrt gives each triangle.
+  std::shared_ptr<const PbrtShape> with_uvs(const Part& part) const;
   void add_emission(const Part& part, ShapeBinding& binding);
   void check_room(const Part& part);
   std::uint32_t black();

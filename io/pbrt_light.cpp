@@ -8,7 +8,9 @@
 #include <cmath>
 
 #include "core/elementary.h"
+#include "io/environment_file.h"
 #include "io/pbrt_spectrum.h"
+#include "io/pbrt_transform.h"
 
 namespace twinray {
 namespace {
@@ -56,12 +58,10 @@ std::optional<LightSource> read_spot(const PbrtParameters& parameters, const Tra
   const double start = cos_radians(double(std::max(0.0f, angle - delta)) * radians_per_degree);
   const Rgb intensity = scaled_color(parameters, "I", context);
   const double unit = 2 * pi * ((1 - start) + (start - end) / 2);
-  if (delta > 0)
-    parameters.place().warn(
-        context.warnings, "the soft edge of a spot light is not rendered: it is sharp, in the edge's middle");
   SpotLight spot{to_world.point(from), direction(from, to, to_world, parameters),
                  with_strength(intensity, "power", unit, parameters)};
-  spot.falloff_angle_degrees = std::max(2 * angle - delta, 1e-3f);
+  spot.falloff_angle_degrees = std::max(2 * angle, 1e-3f);
+  spot.penumbra_degrees = std::min(delta, spot.falloff_angle_degrees / 2);
   return spot;
 }
 
@@ -73,25 +73,93 @@ std::optional<LightSource> read_distant(const PbrtParameters& parameters, const 
                           with_strength(irradiance, "illuminance", 1, parameters)};
 }
 
-std::optional<LightSource> read_infinite(const PbrtParameters& parameters, const Transform&,
-                                         PbrtContext& context) {
-  Rgb radiance = with_strength(scaled_color(parameters, "L", context), "illuminance", pi, parameters);
-  if (const PbrtParameter* portal = parameters.find("portal"))
-    portal->place.warn(context.warnings, "\"portal\" is left out: light comes from all around");
-  if (const PbrtParameter* file = parameters.find("filename"))
-    file->place.warn(context.warnings, "the picture of an infinite light is not rendered: its light is even");
-  auto map = std::make_shared<Image>(1, 1);
-  map->at(0, 0) = radiance;
-  return EnvironmentLight{std::move(map)};
+/// The turn of a light's picture, without its place.
+Transform rotation_of(const Transform& to_world, const PbrtParameters& parameters, PbrtContext& context) {
+  const double scale = similarity_scale(to_world);
+  if (!(scale > 0)) {
+    parameters.place().warn(context.warnings,
+                            "the transform stretches the picture of this light; it is not turned at all");
+    return {};
+  }
+  Transform rotation = Transform::scaling(1 / scale, 1 / scale, 1 / scale) * to_world;
+  for (auto& row : rotation.m) row[3] = 0;
+  return rotation;
 }
 
-/// A light whose picture is not read: a point light stands for it.
-std::optional<LightSource> read_pictured(const PbrtParameters& parameters, const Transform& to_world,
+/// The picture that a light names; nothing where it names none, or, with a warning, where it cannot be used.
+std::shared_ptr<const Image> picture_of(const PbrtParameters& parameters, PbrtContext& context) {
+  const std::string name = parameters.text("filename", "");
+  if (name.empty()) return nullptr;
+  const PbrtPlace& place = parameters.find("filename")->place;
+  try {
+    if (!context.files.is_disk()) throw Error(name + ": pictures are read from disk alone");
+    LoadedEnvironment loaded = load_environment(context.files.path(place, name));
+    if (!loaded.fault.empty()) place.warn(context.warnings, loaded.fault + "; such pixels are black");
+    return std::make_shared<const Image>(std::move(loaded.map));
+  } catch (const Error& error) {
+    place.warn(context.warnings, fmt::format("{}; the light is even", error.what()));
+    return nullptr;
+  }
+}
+
+/// "power" and "illuminance" of pictures are integrals over their pixels.
+void warn_of_strength(const char* name, const PbrtParameters& parameters, PbrtContext& context) {
+  if (const PbrtParameter* strength = parameters.find(name))
+    strength->place.warn(context.warnings, fmt::format("\"{}\" of a light with a picture is left out", name));
+}
+
+std::shared_ptr<const Image> one_pixel(const Rgb& value) {
+  auto map = std::make_shared<Image>(1, 1);
+  map->at(0, 0) = value;
+  return map;
+}
+
+MapLayout layout_of(const Image& map) {
+  return map.width == map.height ? MapLayout::equal_area : MapLayout::latitude_longitude;
+}
+
+std::optional<LightSource> read_infinite(const PbrtParameters& parameters, const Transform& to_world,
                                          PbrtContext& context) {
-  for (const char* known : {"filename", "fov"}) parameters.find(known);
-  parameters.place().warn(context.warnings,
-                          "the picture of this light is not rendered: it shines evenly all around");
-  return read_point(parameters, to_world, context);
+  if (const PbrtParameter* portal = parameters.find("portal"))
+    portal->place.warn(context.warnings, "\"portal\" is left out: light comes from all around");
+  const Rgb radiance = scaled_color(parameters, "L", context);
+  if (const auto map = picture_of(parameters, context)) {
+    warn_of_strength("illuminance", parameters, context);
+    return EnvironmentLight{map, layout_of(*map), rotation_of(to_world, parameters, context), radiance};
+  }
+  return EnvironmentLight{one_pixel(with_strength(radiance, "illuminance", pi, parameters))};
+}
+
+/// The light's y axis is the picture's z axis.
+std::optional<LightSource> read_goniometric(const PbrtParameters& parameters, const Transform& to_world,
+                                            PbrtContext& context) {
+  const auto map = picture_of(parameters, context);
+  if (!map) return read_point(parameters, to_world, context);
+  warn_of_strength("power", parameters, context);
+  auto grey = std::make_shared<Image>(*map);
+  for (Rgb& pixel : grey->pixels) {
+    const float mean = (pixel.r + pixel.g + pixel.b) / 3;
+    pixel = {mean, mean, mean};
+  }
+  const Transform swap{{{1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}}};
+  return GoniometricLight{to_world.point({0, 0, 0}), scaled_color(parameters, "I", context), grey,
+                          layout_of(*grey), rotation_of(to_world, parameters, context) * swap};
+}
+
+std::optional<LightSource> read_projection(const PbrtParameters& parameters, const Transform& to_world,
+                                           PbrtContext& context) {
+  const double fov = double(parameters.real("fov", 90, {1e-3, 179.9}));
+  const auto picture = picture_of(parameters, context);
+  if (!picture) return read_point(parameters, to_world, context);
+  warn_of_strength("power", parameters, context);
+  const Transform turn = rotation_of(to_world, parameters, context);
+  const double half = tan_radians(fov * radians_per_degree / 2);
+  const double aspect = double(picture->width) / double(picture->height);
+  const float strength = parameters.real("scale", 1, scales);
+  return ProjectionLight{to_world.point({0, 0, 0}),           normalize(turn.vector({1, 0, 0})),
+                         normalize(turn.vector({0, 1, 0})),   normalize(turn.vector({0, 0, 1})),
+                         float(half * std::max(aspect, 1.0)), float(half * std::max(1 / aspect, 1.0)),
+                         {strength, strength, strength},      picture};
 }
 
 struct Reader {
@@ -102,8 +170,8 @@ constexpr std::array<Reader, 6> readers{{{"point", read_point},
                                          {"spot", read_spot},
                                          {"distant", read_distant},
                                          {"infinite", read_infinite},
-                                         {"goniometric", read_pictured},
-                                         {"projection", read_pictured}}};
+                                         {"goniometric", read_goniometric},
+                                         {"projection", read_projection}}};
 
 Rgb* strength(LightSource& light) {
   if (auto* mesh = std::get_if<MeshLight>(&light)) return &mesh->radiance;
@@ -111,6 +179,9 @@ Rgb* strength(LightSource& light) {
   if (auto* point = std::get_if<PointLight>(&light)) return &point->intensity;
   if (auto* spot = std::get_if<SpotLight>(&light)) return &spot->intensity;
   if (auto* directional = std::get_if<DirectionalLight>(&light)) return &directional->irradiance;
+  if (auto* environment = std::get_if<EnvironmentLight>(&light)) return &environment->scale;
+  if (auto* goniometric = std::get_if<GoniometricLight>(&light)) return &goniometric->intensity;
+  if (auto* projection = std::get_if<ProjectionLight>(&light)) return &projection->intensity;
   return nullptr;
 }
 
@@ -151,11 +222,6 @@ std::optional<LightSource> read_light(const std::string& type, const PbrtParamet
 
 void scale_light(LightSource& light, float factor) {
   if (Rgb* value = strength(light)) *value = *value * factor;
-  if (auto* environment = std::get_if<EnvironmentLight>(&light)) {
-    auto map = std::make_shared<Image>(*environment->map);
-    for (Rgb& pixel : map->pixels) pixel = pixel * factor;
-    environment->map = std::move(map);
-  }
 }
 
 }  // namespace twinray

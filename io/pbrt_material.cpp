@@ -17,6 +17,8 @@ struct Inputs {
   const PbrtParameters& parameters;
   PbrtTextures& textures;
   PbrtContext& context;
+  std::vector<TextureUse>& uses;  ///< Textures that the model's inputs have.
+  bool is_metal = false;          ///< Whose "reflectance" is no input of the model.
 
   bool has(const std::string& name) const { return parameters.find(name.c_str()) != nullptr; }
 
@@ -24,15 +26,37 @@ struct Inputs {
     const PbrtParameter* found = parameters.find(name);
     if (!found) return fallback;
     if (found->type != PbrtType::texture) return color_of(parameters, *found, role, context.files);
-    const Rgb mean = textures.mean(parameters, *found);
+    const PbrtTextures::Named& texture = textures.named(parameters, *found);
+    const bool is_reflectance = std::string_view(name) == "reflectance" && !is_metal;
+    if (is_reflectance)
+      uses.push_back({MaterialInput::reflectance, texture.index});
+    else if (std::string_view(name) == "transmittance")
+      uses.push_back({MaterialInput::transmittance, texture.index});
+    else
+      warn_of_mean(*found);
+    const Rgb& mean = texture.mean;
     if (role != ColorRole::reflectance) return mean;
     return {std::clamp(mean.r, 0.0f, 1.0f), std::clamp(mean.g, 0.0f, 1.0f), std::clamp(mean.b, 0.0f, 1.0f)};
   }
 
   float number(const char* name, float fallback) const {
     const PbrtParameter* found = parameters.find(name);
-    if (found && found->type == PbrtType::texture) return luminance(textures.mean(parameters, *found));
-    return parameters.real(name, fallback);
+    if (!found || found->type != PbrtType::texture) return parameters.real(name, fallback);
+    const PbrtTextures::Named& texture = textures.named(parameters, *found);
+    const bool is_alpha = std::string_view(name) == "roughness" && !parameters.flag("remaproughness", true);
+    if (std::string_view(name) == "amount")
+      uses.push_back({MaterialInput::amount, texture.index});
+    else if (is_alpha)
+      uses.push_back({MaterialInput::roughness, texture.index});
+    else
+      warn_of_mean(*found);
+    return texture.mean.r;
+  }
+
+  void warn_of_mean(const PbrtParameter& parameter) const {
+    parameter.place.warn(
+        context.warnings,
+        fmt::format("a texture of \"{}\" is not rendered here: its mean stands for it", parameter.name));
   }
 
   /// An index of refraction; of a spectrum the mean as the eye weighs it.
@@ -255,13 +279,15 @@ void PbrtMaterials::check_all_made() const {
 }
 
 void PbrtMaterials::make(std::uint32_t index, const std::string& type, const PbrtParameters& parameters) {
-  const Inputs in{parameters, textures, context_};
+  std::vector<TextureUse> uses;
+  const Inputs in{parameters, textures, context_, uses, type == "conductor" || type == "coatedconductor"};
   if (type == "interface" || type == "none" || type.empty())
     entries_[index].is_interface = true;
   else if (type == "mix")
     materials[index].model = read_mix(index, in.number("amount", 0.5f), parameters);
   else
     materials[index].model = read_model(type, in);
+  materials[index].textures = std::move(uses);
   warn_of_bumps(parameters, context_.warnings);
   parameters.warn_of_unused(context_.warnings);
 }

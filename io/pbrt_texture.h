@@ -1,37 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
-#include "core/rgb.h"
+#include "core/texture.h"
 #include "io/pbrt_context.h"
 #include "io/pbrt_parameters.h"
 
 namespace twinray {
 
-/// The textures that a file names. Pictures and patterns are not rendered: each stands for its mean color.
+/// The textures that a file names, as a scene has them. What core/texture.h has no pattern for stands for its
+/// mean.
 class PbrtTextures {
  public:
+  /// A texture, and the value that stands for it where a number is needed.
+  struct Named {
+    std::uint32_t index = 0;  ///< Into `textures`.
+    Rgb mean;
+  };
+
   explicit PbrtTextures(PbrtContext& context) : context_(context) {}
 
   /// Defines the texture that a Texture statement describes: its name, "float" or "spectrum", and its class.
   void define(const std::string& name, const std::string& type, const std::string& texture_class,
               const PbrtParameters& parameters);
-  /// The mean of the texture that a parameter of type texture names, with a warning unless it is constant.
-  /// Throws Error where none of this name was defined before.
-  Rgb mean(const PbrtParameters& parameters, const PbrtParameter& parameter);
+  /// The texture that a parameter of type texture names. Throws Error where none of this name was defined
+  /// before.
+  const Named& named(const PbrtParameters& parameters, const PbrtParameter& parameter) const;
+
+  std::vector<Texture> textures;
 
  private:
-  struct Texture {
-    Rgb mean;
-    bool is_constant = false;
-  };
-  Texture value(const PbrtParameters& parameters, const char* name, float fallback);
-  Texture mean_of(const std::string& texture_class, const PbrtParameters& parameters);
-  Texture read_picture(const PbrtParameters& parameters);
+  Named add(const TextureModel& model, const Rgb& mean);
+  Named constant(const Rgb& value) { return add(ConstantTexture{value}, value); }
+  Named value(const PbrtParameters& parameters, const char* name, float fallback);
+  Named make(const std::string& texture_class, const PbrtParameters& parameters);
+  Named read_picture(const PbrtParameters& parameters);
+  Named instead(const Rgb& mean, const PbrtParameters& parameters, const char* why);
+  UvTransform read_mapping(const PbrtParameters& parameters);
 
   PbrtContext& context_;
-  std::map<std::string, Texture> textures_;
+  std::map<std::string, Named> named_;
 };
 
 }  // namespace twinray

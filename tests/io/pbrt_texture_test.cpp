@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt_texture.h"
+
+#include "io/image_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/pbrt_text.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray {
+namespace {
+
+using test::load_pbrt_world;
+
+const std::string checks =
+    "Texture \"checks\" \"spectrum\" \"checkerboard\" \"rgb tex1\" [ 1 0 0 ] \"float uscale\" 4 \"float "
+    "vdelta\" .5\n";
+
+/// A folder with a picture of one red and one black pixel, and a scene beside it.
+struct Folder {
+  Folder() {
+    Image picture(2, 1);
+    picture.at(0, 0) = {1, 0, 0};
+    write_exr(folder.file("red.exr"), picture);
+    Image sky(4, 4);
+    for (Rgb& pixel : sky.pixels) pixel = {2, 2, 2};
+    write_exr(folder.file("sky.exr"), sky);
+  }
+  LoadedScene load(const std::string& statements) const {
+    test::write_text(folder.file("scene.pbrt"), "WorldBegin\n" + statements);
+    return load_pbrt(folder.file("scene.pbrt"));
+  }
+  test::TemporaryFolder folder;
+};
+
+}  // namespace
+
+TEST_CASE("a texture of a reflectance belongs to its material, and scaled ones name others before them") {
+  const LoadedScene loaded = load_pbrt_world(
+      checks +
+      "Texture \"half\" \"spectrum\" \"scale\" \"texture tex\" \"checks\" \"float scale\" .5\n"
+      "Material \"diffuse\" \"texture reflectance\" \"half\"\n" +
+      test::pbrt_triangle);
+  CHECK(loaded.warnings.empty());
+  const Scene& scene = loaded.scene;
+  const TextureUse use = scene.materials[1].textures.at(0);
+  CHECK(use.input == MaterialInput::reflectance);
+  CHECK(evaluate(scene.textures, use.texture, {{0.1f, 0.1f}}) == Rgb{0.5f, 0, 0});
+  CHECK(evaluate(scene.textures, use.texture, {{0.3f, 0.1f}}) == Rgb{0, 0, 0});
+  CHECK(evaluate(scene.textures, use.texture, {{0.3f, 0.6f}}) == Rgb{0.5f, 0, 0});
+  CHECK(std::get<Lambert>(scene.materials[1].model).reflectance == Rgb{0.25f, 0, 0});
+}
+
+TEST_CASE("a mesh without texture coordinates has those that pbrt gives each triangle") {
+  const LoadedScene loaded =
+      load_pbrt_world(checks + "Material \"diffuse\" \"texture reflectance\" \"checks\" ReverseOrientation " +
+                      test::pbrt_triangle);
+  const Mesh& mesh = *loaded.scene.geometry->mesh(0);
+  REQUIRE(mesh.uvs.size() == 3);
+  for (std::size_t corner = 0; corner < 3; ++corner)  // The winding is turned, and the coordinates with it.
+    CHECK(mesh.uv_indices[0][corner] == mesh.triangles[0][corner]);
+  CHECK(load_pbrt_world(test::pbrt_triangle).scene.geometry->mesh(0)->uvs.empty());
+}
+
+TEST_CASE("a picture is a texture, with its scale and wrap") {
+  const Folder folder;
+  const LoadedScene loaded = folder.load(
+      "Texture \"red\" \"spectrum\" \"imagemap\" \"string filename\" \"red.exr\" \"string wrap\" \"clamp\" "
+      "\"float "
+      "scale\" .5\nMaterial \"diffuse\" \"texture reflectance\" \"red\"\n");
+  CHECK(loaded.warnings.empty());
+  const TextureUse use = loaded.scene.materials[1].textures.at(0);
+  CHECK(evaluate(loaded.scene.textures, use.texture, {{-3, 0.5f}}) == Rgb{0.5f, 0, 0});
+  CHECK(evaluate(loaded.scene.textures, use.texture, {{3, 0.5f}}) == Rgb{0, 0, 0});
+}
+
+TEST_CASE("a picture that is missing is named, and shows as magenta") {
+  const Folder folder;
+  const LoadedScene loaded = folder.load(
+      "Texture \"red\" \"spectrum\" \"imagemap\" \"string filename\" \"none.exr\"\nMaterial \"diffuse\" "
+      "\"texture reflectance\" \"red\"\n");
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].message.find("none.exr") != std::string::npos);
+  CHECK(evaluate(loaded.scene.textures, loaded.scene.materials[1].textures.at(0).texture, {}) ==
+        Rgb{1, 0, 1});
+}
+
+TEST_CASE("inputs that take no texture take its mean, with a warning") {
+  const LoadedScene loaded = load_pbrt_world(checks + "Material \"conductor\" \"texture eta\" \"checks\"");
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].message == "a texture of \"eta\" is not rendered here: its mean stands for it");
+  CHECK(std::get<Conductor>(loaded.scene.materials[1].model).eta == Rgb{0.5f, 0, 0});
+}
+
+TEST_CASE("the picture of an infinite light is turned with it, and a square one has equal areas") {
+  const Folder folder;
+  const LoadedScene loaded = folder.load(
+      "Translate 1 2 3 Rotate 90 0 0 1 Scale 2 2 2\nLightSource \"infinite\" \"string filename\" \"sky.exr\" "
+      "\"float "
+      "scale\" 3\n");
+  CHECK(loaded.warnings.empty());
+  const auto light = std::get<EnvironmentLight>(loaded.scene.lights.at(0).source);
+  CHECK(light.layout == MapLayout::equal_area);
+  CHECK(light.map->width == 4);
+  CHECK(light.scale == Rgb{3, 3, 3});
+  CHECK(length(light.rotation.vector({1, 0, 0}) - Vec3{0, 1, 0}) < 1e-6f);
+  CHECK(light.rotation.m[0][3] == 0);
+}
+
+TEST_CASE("a projection light's frame is a camera's, its shorter side has the fov") {
+  const Folder folder;
+  const LoadedScene loaded = folder.load(
+      "LightSource \"projection\" \"string filename\" \"red.exr\" \"float fov\" 90 \"float scale\" 5\n");
+  const auto light = std::get<ProjectionLight>(loaded.scene.lights.at(0).source);
+  CHECK(light.tan_half_height == Approx(1));
+  CHECK(light.tan_half_width == Approx(2));
+  CHECK(light.forward == Vec3{0, 0, 1});
+  CHECK(light.intensity == Rgb{5, 5, 5});
+}
+
+TEST_CASE("a spot light has pbrt's cone and soft edge") {
+  const LoadedScene loaded =
+      load_pbrt_world("LightSource \"spot\" \"float coneangle\" 40 \"float conedeltaangle\" 10");
+  CHECK(loaded.warnings.empty());
+  const auto light = std::get<SpotLight>(loaded.scene.lights.at(0).source);
+  CHECK(light.falloff_angle_degrees == 80);
+  CHECK(light.penumbra_degrees == 10);
+}
+
+}  // namespace twinray
