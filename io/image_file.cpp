@@ -15,6 +15,7 @@
 #include "io/image_codec.h"
 #include "io/output_file.h"
 #include "io/picture_header.h"
+#include "io/plain_picture.h"
 #include "io/png.h"
 
 namespace twinray {
@@ -50,9 +51,18 @@ void check_kind(const ImageCodec::Header& header, PictureFormat format, const Pi
              std::uint64_t(header.width) * std::uint64_t(header.height) * sizeof(Rgb));
 }
 
-/// PNG and JPEG are sRGB whatever their depth; the others hold linear numbers.
+/// PNG, JPEG and TGA are sRGB whatever their depth; the others hold linear numbers.
 bool is_encoded(PictureFormat format) {
-  return format == PictureFormat::png || format == PictureFormat::jpeg;
+  return format == PictureFormat::png || format == PictureFormat::jpeg || format == PictureFormat::tga;
+}
+
+bool is_plain(PictureFormat format) { return format == PictureFormat::pfm || format == PictureFormat::tga; }
+
+Image decode_plain(PictureFormat format, const PictureBytes& picture) {
+  const PictureSize size = format == PictureFormat::pfm ? pfm_size(picture) : tga_size(picture);
+  check_room(fmt::format("the {} x {} pixels of {}", size.width, size.height, picture.path),
+             std::uint64_t(size.width) * std::uint64_t(size.height) * sizeof(Rgb));
+  return format == PictureFormat::pfm ? decode_pfm(picture) : decode_tga(picture);
 }
 
 /// Throws Error where a picture has more pixels than its reader wants.
@@ -65,7 +75,7 @@ void check_pixels(const PictureSize& size, const ReadOptions& options, const std
 Image decode(PictureFormat format, const PictureBytes& picture, const ReadOptions& options) {
   check_pixels(check_picture_header(format, picture), options, picture.path);
   const auto check = [&](const ImageCodec::Header& header) { check_kind(header, format, picture); };
-  Image image = image_codec().read(format, picture, check);
+  Image image = is_plain(format) ? decode_plain(format, picture) : image_codec().read(format, picture, check);
   if (is_encoded(format) && options.role == PictureRole::color) decode_srgb(image);
   return image;
 }

@@ -40,8 +40,8 @@ struct ReadOptions {
   std::int64_t most_pixels = std::int64_t(1) << 28;  ///< A larger picture is refused before it is read.
 };
 
-/// Reads an EXR, HDR, PNG or JPEG picture of up to 2^28 pixels as linear colours: the first three channels,
-/// or the first one as grey; PNG and JPEG are of 8 bits or of 16. Throws Error.
+/// Reads an EXR, HDR, PNG, JPEG, PFM or TGA picture of up to 2^28 pixels as linear colours: the first three
+/// channels, or the first one as grey; PNG and JPEG are of 8 bits or of 16. Throws Error.
 Image read_image(const std::string& path, const ReadOptions& options = {});
 
 /// The same from the bytes of a file; the name says the format, and messages begin with it.

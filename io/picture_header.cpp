@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "core/error.h"
+#include "io/plain_picture.h"
 
 namespace twinray {
 namespace {
@@ -24,6 +25,10 @@ long long most_pixels_a_byte(PictureFormat format) {
       return 1 << 14;
     case PictureFormat::jpeg:
       return 1 << 10;
+    case PictureFormat::tga:  // runs of 128
+      return 1 << 7;
+    case PictureFormat::pfm:
+      return 1;
     default:
       return 1 << 15;
   }
@@ -110,6 +115,10 @@ PictureSize stated_size(PictureFormat format, const PictureBytes& picture) {
       return jpeg_size(picture);
     case PictureFormat::hdr:
       return hdr_size(picture);
+    case PictureFormat::pfm:
+      return pfm_size(picture);
+    case PictureFormat::tga:
+      return tga_size(picture);
     default:
       return check_exr_header(picture);
   }
@@ -130,8 +139,10 @@ PictureFormat picture_format(const std::string& path) {
   if (ending == ".hdr") return PictureFormat::hdr;
   if (ending == ".png") return PictureFormat::png;
   if (ending == ".jpg" || ending == ".jpeg") return PictureFormat::jpeg;
-  throw Error(
-      fmt::format("{}: not a picture that can be read; valid endings are .exr, .hdr, .png, .jpg", path));
+  if (ending == ".pfm") return PictureFormat::pfm;
+  if (ending == ".tga") return PictureFormat::tga;
+  throw Error(fmt::format(
+      "{}: not a picture that can be read; valid endings are .exr, .hdr, .png, .jpg, .pfm, .tga", path));
 }
 
 PictureSize check_picture_header(PictureFormat format, const PictureBytes& picture) {

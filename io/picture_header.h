@@ -6,7 +6,7 @@
 
 namespace twinray {
 
-enum class PictureFormat { exr, hdr, png, jpeg };
+enum class PictureFormat { exr, hdr, png, jpeg, pfm, tga };
 
 /// The ending of a name with its dot, in small letters: ".png".
 std::string picture_ending(const std::string& path);

@@ -165,9 +165,45 @@ TEST_CASE("a file that is no picture, or another kind of one, is refused") {
   CHECK_THROWS_WITH(read_image(folder.file("none.exr")),
                     fmt::format("{}: there is no such file", folder.file("none.exr")));
   CHECK_THROWS_WITH(
-      read_image(folder.file("a.tga")),
-      fmt::format("{}: not a picture that can be read; valid endings are .exr, .hdr, .png, .jpg",
-                  folder.file("a.tga")));
+      read_image(folder.file("a.bmp")),
+      fmt::format("{}: not a picture that can be read; valid endings are .exr, .hdr, .png, .jpg, .pfm, .tga",
+                  folder.file("a.bmp")));
+}
+
+TEST_CASE("PFM pictures are read from the bottom up, in both byte orders") {
+  const auto pixel = [](const char(&raw)[13]) { return std::string(raw, 12); };
+  const std::string one = pixel("\x00\x00\x80\x3f\x00\x00\x00\x40\x00\x00\x00\x00");  // 1 2 0
+  const std::string zero(12, '\0');
+  const Image image = decode_image("PF\n1 2\n-1.0\n" + zero + one, "a.pfm");
+  CHECK(image.at(0, 0) == Rgb{1, 2, 0});
+  CHECK(image.at(0, 1) == Rgb{0, 0, 0});
+  CHECK(decode_image(std::string("Pf 1 1 1\n\x3f\x80\x00\x00", 13), "a.pfm").at(0, 0) == Rgb{1, 1, 1});
+  CHECK_THROWS_WITH(decode_image("PF\n1 2\n-1.0\n" + one, "a.pfm"), "a.pfm: cannot be read: it is cut off");
+  CHECK_THROWS_WITH(decode_image("PF\n1 x\n-1.0\n" + one, "a.pfm"),
+                    "a.pfm: cannot be read: its header states no size");
+}
+
+TEST_CASE("TGA pictures are read, packed in runs or not, from the bottom or the top") {
+  const auto header = [](char kind, char width, char height, char depth, char order) {
+    std::string bytes(18, '\0');
+    bytes[2] = kind, bytes[12] = width, bytes[14] = height, bytes[16] = depth, bytes[17] = order;
+    return bytes;
+  };
+  const std::string blue = "\xff" + std::string(2, '\0'), red = std::string(2, '\0') + "\xff";
+  const Image plain = decode_image(header(2, 1, 2, 24, 0) + blue + red, "a.tga");
+  CHECK(plain.at(0, 0) == Rgb{1, 0, 0});
+  CHECK(plain.at(0, 1) == Rgb{0, 0, 1});
+  const Image packed =
+      decode_image(header(10, 3, 1, 24, 32) + "\x81" + red + std::string(1, '\0') + blue, "a.tga");
+  CHECK(packed.at(1, 0) == Rgb{1, 0, 0});
+  CHECK(packed.at(2, 0) == Rgb{0, 0, 1});
+  CHECK(decode_image(header(3, 1, 1, 8, 0) + "\xff", "a.tga").at(0, 0) == Rgb{1, 1, 1});
+  CHECK_THROWS_WITH(decode_image(header(2, 1, 2, 24, 0) + blue, "a.tga"),
+                    "a.tga: cannot be read: it is cut off");
+  CHECK_THROWS_WITH(
+      decode_image(header(1, 1, 1, 8, 0) + "\xff", "a.tga"),
+      "a.tga: cannot be read: TGA pictures are read of 24 or 32 bits a pixel, or 8 of grey, without a "
+      "palette");
 }
 
 TEST_CASE("an EXR cut short is refused") {
