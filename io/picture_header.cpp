@@ -163,8 +163,4 @@ void check_picture_size(PictureFormat format, const PictureSize& size, const Pic
                     picture.path, width, height, bytes));
 }
 
-void fail_picture(const PictureBytes& picture, const std::string& reason) {
-  throw Error(fmt::format("{}: cannot be read: {}", picture.path, reason));
-}
-
 }  // namespace twinray

@@ -2,7 +2,8 @@
 // What a picture's file says of itself, read before a library opens it: libraries take memory by it at once.
 #pragma once
 #include <string>
-#include <string_view>
+
+#include "io/picture_bytes.h"
 
 namespace twinray {
 
@@ -15,16 +16,6 @@ std::string picture_ending(const std::string& path);
 /// stranger's file. Throws Error where it is none that is read.
 PictureFormat picture_format(const std::string& path);
 
-struct PictureSize {
-  long long width = 0, height = 0;
-};
-
-/// The bytes of a picture's file, and the name by which messages call it.
-struct PictureBytes {
-  std::string_view bytes;
-  const std::string& path;
-};
-
 /// The size that the header of a picture states. Throws Error unless the header is there, of this format, and
 /// its sizes are in range and fit the number of bytes.
 PictureSize check_picture_header(PictureFormat format, const PictureBytes& picture);
@@ -35,8 +26,5 @@ PictureSize check_exr_header(const PictureBytes& picture);
 /// Throws Error where a picture of this size has more than 2^28 pixels, or none, or more than so many bytes
 /// of this format can hold.
 void check_picture_size(PictureFormat format, const PictureSize& size, const PictureBytes& picture);
-
-/// Throws the Error of a picture that cannot be read for this reason.
-[[noreturn]] void fail_picture(const PictureBytes& picture, const std::string& reason);
 
 }  // namespace twinray

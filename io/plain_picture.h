@@ -3,7 +3,7 @@
 // channel, packed in runs or not; no palettes).
 #pragma once
 #include "core/image.h"
-#include "io/picture_header.h"
+#include "io/picture_bytes.h"
 
 namespace twinray {
 
