@@ -9,6 +9,7 @@ from exchange import (Unsupported, columns_as_rows, cross, half_size, has_invers
 
 NO_ROULETTE = 1 << 20  # Mitsuba's roulette begins at a depth that no path has
 DEFAULT_ROULETTE = 5
+SMOOTH = 1e-3  # alpha below which a surface is a smooth one, as here and in pbrt
 
 
 def rgb(values):
@@ -36,6 +37,39 @@ def camera(scene, samples, sampler, seed):
     return {"type": "perspective", **sensor}
 
 
+def facets(alpha):
+    return {"distribution": "ggx", "alpha_u": alpha[0], "alpha_v": alpha[1]}
+
+
+def dielectric(ours):
+    values = {"int_ior": ours["ior"], "ext_ior": 1.0, "specular_reflectance": rgb(ours["reflectance"]),
+              "specular_transmittance": rgb(ours["transmittance"])}
+    if ours["type"] == "thin_dielectric":
+        return {"type": "thindielectric", **values}
+    alpha = ours.get("alpha", [0, 0])  # CS184's glass has none
+    if max(alpha) < SMOOTH:
+        return {"type": "dielectric", **values}
+    return {"type": "roughdielectric", **values, **facets(alpha)}
+
+
+def conductor(ours):
+    values = {"eta": rgb(ours["eta"]), "k": rgb(ours["k"]), "specular_reflectance": rgb(ours["reflectance"])}
+    if max(ours["alpha"]) < SMOOTH:
+        return {"type": "conductor", **values}
+    return {"type": "roughconductor", **values, **facets(ours["alpha"])}
+
+
+def coated_diffuse(ours):
+    values = {"int_ior": ours["ior"], "ext_ior": 1.0, "diffuse_reflectance": rgb(ours["reflectance"]),
+              "nonlinear": True}
+    alpha = ours["alpha"]
+    if max(alpha) < SMOOTH:
+        return {"type": "plastic", **values}
+    if alpha[0] != alpha[1]:
+        raise Unsupported(f"Mitsuba's coats are isotropic: \"{ours['name']}\"")
+    return {"type": "roughplastic", "distribution": "ggx", "alpha": alpha[0], **values}
+
+
 def material(ours):
     kind = ours["type"]
     if kind == "lambert":
@@ -43,14 +77,16 @@ def material(ours):
     if kind == "mirror":
         return {"type": "twosided", "bsdf": {"type": "conductor", "material": "none",
                                              "specular_reflectance": rgb(ours["reflectance"])}}
-    if kind == "glass":
-        return {"type": "dielectric", "int_ior": ours["ior"], "ext_ior": 1.0,
-                "specular_reflectance": rgb(ours["reflectance"]),
-                "specular_transmittance": rgb(ours["transmittance"])}
+    if kind in ("glass", "dielectric", "thin_dielectric"):
+        return dielectric(ours)
     if kind == "microfacet":
         return {"type": "twosided", "bsdf": {"type": "roughconductor", "distribution": ours["distribution"],
                                              "alpha": ours["alpha"], "eta": rgb(ours["eta"]),
                                              "k": rgb(ours["k"])}}
+    if kind == "conductor":
+        return {"type": "twosided", "bsdf": conductor(ours)}
+    if kind == "coated_diffuse":
+        return {"type": "twosided", "bsdf": coated_diffuse(ours)}
     raise Unsupported(f"Mitsuba has no material like \"{ours['name']}\", which is of the type {kind}")
 
 
