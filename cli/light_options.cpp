@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cli/render_options.h"
+#include "core/radiance.h"
 
 namespace twinray {
 namespace {
@@ -67,8 +68,8 @@ Roulette parse_roulette(const std::string& word) {
 float parse_clamp(const std::string& word) {
   if (word == "off") return std::numeric_limits<float>::infinity();
   const std::optional<float> clamp = number_of(word);
-  if (!clamp || !(*clamp > 0) || !std::isfinite(*clamp))
-    throw UsageError(fmt::format("--clamp: \"{}\"; valid are off and a radiance > 0", word));
+  if (!clamp || !(*clamp > 0 && *clamp <= max_radiance))
+    throw UsageError(fmt::format("--clamp: \"{}\"; valid are off and a radiance in (0, 10^9]", word));
   return *clamp;
 }
 

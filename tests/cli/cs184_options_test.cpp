@@ -158,7 +158,7 @@ TEST_CASE("options without a letter mean what they mean elsewhere") {
   CHECK(parse({"--bvh-split=median"}).without_effect.empty());
   CHECK(parse({"--default-light"}).default_light);
   CHECK(message_of({"--view=whole"}) == "there is no option --view=whole");
-  CHECK(message_of({"--clip=file"}) == "there is no option --clip=file");
+  CHECK(message_of({"--clip=file"}) == "there is no option --clip=file; did you mean --clamp?");
   CHECK(parse({"--attenuation=file"}).without_effect ==
         Words{"--attenuation: no effect, for point lights do not fall off in CS184's program"});
   CHECK(parse({"--accel=brute-force", "--bvh-split=median"}).without_effect ==

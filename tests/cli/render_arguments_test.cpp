@@ -206,8 +206,9 @@ TEST_CASE("the clamp is off or a radiance, and changes indirect light alone") {
   CHECK(std::isinf(parse({}).path.clamp));
   CHECK(std::isinf(parse({"--clamp=off"}).path.clamp));
   CHECK(parse({"--clamp=2.5"}).path.clamp == 2.5f);
-  for (const std::string word : {"0", "-1", "inf", "nan", "2x", "on"})
-    CHECK(message_of({"--clamp=" + word}) == "--clamp: \"" + word + "\"; valid are off and a radiance > 0");
+  for (const std::string word : {"0", "-1", "inf", "nan", "2x", "on", "2e9"})
+    CHECK(message_of({"--clamp=" + word}) ==
+          "--clamp: \"" + word + "\"; valid are off and a radiance in (0, 10^9]");
   for (const std::string option : {"--clamp", "--regularize"}) {
     const std::string word = option == "--clamp" ? "--clamp=2" : option;
     const std::string too_short = option + ": no effect, for light of one bounce is left as it is";
