@@ -40,6 +40,7 @@ struct Cs184Request {
     arguments.render.counting = true;
     arguments.path.max_depth = 1;
     arguments.path.direct = DirectMethod::lights;
+    arguments.path.many_lights = ManyLights::all;
     render.roulette = "0.7";
     render.accel = "bvh";
   }

@@ -46,6 +46,10 @@ void add_path_words(OptionGroup& group, RenderRequest& request) {
                                   {"lights", DirectMethod::lights},
                                   {"hemisphere", DirectMethod::hemisphere}},
                                  "How direct light is sampled");
+  group.add_choice<ManyLights>(
+      "--many-lights", request.arguments.path.many_lights,
+      {{"tree", ManyLights::tree}, {"power", ManyLights::power}, {"all", ManyLights::all}},
+      "By what one is chosen, if more than 8; or all");
 }
 
 /// A whole word as a number.

@@ -158,6 +158,7 @@ constexpr Rule rules[]{
     {"--direct", needs_direct_light},
     {"--hemisphere", needs_direct_light},
     {"--light-samples", needs_direct_light},
+    {"--many-lights", needs_direct_light},
     {"--environment", needs_light},
     {"--environment-layout", needs_environment},
     {"--environment-rotation", needs_environment},

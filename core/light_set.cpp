@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/light_set.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/elementary.h"
 #include "core/environment.h"
 #include "core/frame.h"
+#include "core/hash.h"
+#include "core/light_bounds.h"
 #include "core/mesh_area.h"
 #include "core/point_light.h"
 #include "core/spawn_ray.h"
@@ -30,6 +35,8 @@ Zone zone_around(const Mesh& mesh) {
   if (box.is_empty()) return {};
   return {box, 0.25f * length_squared(box.extent())};
 }
+
+constexpr Zone everywhere{{{0, 0, 0}, {0, 0, 0}}, std::numeric_limits<float>::infinity()};
 
 /// Radiance of a mesh light seen from the side that cos_front = cos(front normal, direction to the viewer)
 /// names.
@@ -156,35 +163,93 @@ Rgb ambient_radiance(const AmbientLight& light, const Vec3& direction) {
 
 }  // namespace
 
-LightSet::LightSet(const Scene& scene, double compensation)
+LightSet::LightSet(const Scene& scene, const LightSetOptions& options)
     : lights_(scene.lights),
       bindings_(scene.bindings),
       geometry_(*scene.geometry),
       triangles_(scene.lights.size()),
       patches_(scene.lights.size()),
-      zones_(scene.lights.size()),
+      zones_(scene.lights.size() + 2),
+      group_of_(scene.lights.size(), no_group),
+      place_in_group_(scene.lights.size()),
       environment_of_(scene.lights.size()) {
-  for (std::uint32_t i = 0; i < size(); ++i) {
-    if (const auto* light = std::get_if<MeshLight>(&lights_[i].source)) {
-      const Mesh& mesh = *geometry_.mesh(light->shape);
-      triangles_[i] = triangles_by_area(mesh);
-      patches_[i] = patch_light(mesh, light->side, triangles_[i].total());
-      zones_[i] = zone_around(mesh);
-    } else if (const auto* environment = std::get_if<EnvironmentLight>(&lights_[i].source)) {
-      zones_[i] = {{{0, 0, 0}, {0, 0, 0}}, std::numeric_limits<float>::infinity()};
-      environment_of_[i] = std::uint32_t(environments_.size());
-      environments_.emplace_back(*environment, compensation);
-    }
-    if (is_distant(lights_[i].source)) distant_.push_back(i);
+  for (std::uint32_t i = 0; i < size(); ++i) prepare(i, options.compensation);
+  make_groups(options.many);
+}
+
+void LightSet::prepare(std::uint32_t i, double compensation) {
+  if (const MeshLight* light = mesh(i)) {
+    const Mesh& emitter = *geometry_.mesh(light->shape);
+    triangles_[i] = triangles_by_area(emitter);
+    patches_[i] = patch_light(emitter, light->side, triangles_[i].total());
+    zones_[i] = zone_around(emitter);
+  } else if (const auto* environment = std::get_if<EnvironmentLight>(&lights_[i].source)) {
+    zones_[i] = everywhere;
+    is_all_a_zone_ = true;
+    environment_of_[i] = std::uint32_t(environments_.size());
+    environments_.emplace_back(*environment, compensation);
   }
+  if (is_distant(lights_[i].source)) distant_.push_back(i);
+}
+
+void LightSet::make_groups(ManyLights many) {
+  for (std::uint32_t i = 0; i < size(); ++i) {
+    const LightSource& source = lights_[i].source;
+    if (is_distant(source) || std::holds_alternative<DirectionalLight>(source))
+      sampled_.push_back(i);
+    else
+      groups_[twinray::is_delta(source) ? points : surfaces].lights.push_back(i);
+  }
+  for (std::uint32_t g = 0; g < 2; ++g) {
+    Group& group = groups_[g];
+    if (many == ManyLights::all || group.lights.size() <= most_alone) {
+      sampled_.insert(sampled_.end(), group.lights.begin(), group.lights.end());
+      continue;
+    }
+    std::vector<LightBounds> bounds;
+    for (const std::uint32_t light : group.lights) {
+      place_in_group_[light] = std::uint32_t(bounds.size());
+      group_of_[light] = g;
+      bounds.push_back(bounds_of(lights_[light].source, geometry_));
+      if (g == surfaces) zones_[light] = everywhere;
+    }
+    group.tree = LightTree(
+        bounds, many == ManyLights::power ? LightTree::Choice::power : LightTree::Choice::importance);
+    sampled_.push_back(size() + g);
+    if (g == surfaces) {
+      zones_[size() + g] = everywhere;
+      is_all_a_zone_ = true;
+    }
+  }
+  std::sort(sampled_.begin(), sampled_.end());
 }
 
 bool LightSet::is_in_a_zone(const Vec3& position) const {
-  return std::any_of(zones_.begin(), zones_.end(), [&](const Zone& zone) { return zone.contains(position); });
+  return is_all_a_zone_ ||
+         std::any_of(zones_.begin(), zones_.end(), [&](const Zone& zone) { return zone.contains(position); });
+}
+
+LightSample LightSet::sample_group(const Group& group, const SurfacePoint& from, const Vec3& normal,
+                                   Vec2 u) const {
+  const auto pick = group.tree.pick({from.position, normal}, u.x);
+  if (!pick) return {};
+  // The pick takes most of u.x: what is left of it would be a few points. A hash of both stands in.
+  const std::uint64_t bits =
+      std::uint64_t(std::bit_cast<std::uint32_t>(u.x)) << 32 | std::bit_cast<std::uint32_t>(u.y);
+  const float fresh = float(mix(bits + hash_step) >> 40) * 0x1p-24f;
+  LightSample chosen = sample(group.lights[pick->light], from, normal, {fresh, u.y});
+  chosen.pdf *= pick->probability;
+  if (!(chosen.pdf > 0)) return {};
+  return chosen;
+}
+
+float LightSet::probability_in_group(std::uint32_t light, const Receiver& from) const {
+  return groups_[group_of_[light]].tree.probability(place_in_group_[light], from);
 }
 
 LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, const Vec3& normal,
                              Vec2 u) const {
+  if (light >= size()) return sample_group(groups_[light - size()], from, normal, u);
   const LightSource& source = lights_[light].source;
   if (const auto* mesh = std::get_if<MeshLight>(&source)) {
     const double area = triangles_[light].total();
@@ -207,7 +272,7 @@ LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, cons
   return {-directional.direction, directional.irradiance, 1, spawn_ray(from, -directional.direction)};
 }
 
-float LightSet::pdf(std::uint32_t light, const Receiver& from, const Hit& hit) const {
+float LightSet::pdf_alone(std::uint32_t light, const Receiver& from, const Hit& hit) const {
   const LightSource& source = lights_[light].source;
   if (const auto* sphere = std::get_if<SphereLight>(&source)) {
     const Sphere& shape = geometry_.sphere_set(sphere->shape)->spheres[0];

@@ -11,6 +11,7 @@
 #include "core/environment.h"
 #include "core/light_patch.h"
 #include "core/light_sample.h"
+#include "core/light_tree.h"
 #include "core/ray.h"
 #include "core/scene.h"
 #include "core/surface.h"
@@ -32,18 +33,42 @@ struct Zone {
   }
 };
 
+/// How a scene's lights are sampled where it has more than a few.
+enum class ManyLights {
+  tree,   ///< One is chosen, by what it may bring to the surface (core/light_tree.h).
+  power,  ///< One is chosen, by its power alone.
+  all,    ///< Each of them is sampled.
+};
+
+struct LightSetOptions {
+  double compensation =
+      0;  ///< Of the environments (core/environment.h), 0 where light samples alone find them.
+  ManyLights many = ManyLights::tree;
+};
+
 /// All lights of one scene; it keeps a reference to the scene's data, which must outlive it.
 class LightSet {
  public:
-  /// `compensation`: of the environments (core/environment.h), 0 where light samples alone find them.
-  explicit LightSet(const Scene& scene, double compensation = 0);
+  explicit LightSet(const Scene& scene, const LightSetOptions& options = {});
 
   std::uint32_t size() const { return std::uint32_t(lights_.size()); }
   const Light& light(std::uint32_t index) const { return lights_[index]; }
+
+  /// More lights than these of one kind (such that have a surface; points) are sampled as a group.
+  static constexpr std::size_t most_alone = 8;
+  /// What is sampled at a surface: lights, and groups, whose numbers follow those of all lights. A sample of
+  /// a group is one of one of its lights.
+  std::span<const std::uint32_t> sampled() const { return sampled_; }
+  /// The mesh light of this number; null for another light and for a group.
+  const MeshLight* mesh(std::uint32_t light) const {
+    return light < size() ? std::get_if<MeshLight>(&lights_[light].source) : nullptr;
+  }
   /// The triangles of a mesh light by their areas; empty for any other.
   const Distribution& triangles(std::uint32_t light) const { return triangles_[light]; }
   /// Whether the light is a point or a direction, which no ray can hit by chance: one sample is exact.
-  bool is_delta(std::uint32_t light) const { return twinray::is_delta(lights_[light].source); }
+  bool is_delta(std::uint32_t light) const {
+    return light < size() ? twinray::is_delta(lights_[light].source) : light == size() + points;
+  }
 
   /// The patches of a mesh light that has few; none for any other.
   const PatchLight& patches(std::uint32_t light) const { return patches_[light]; }
@@ -59,7 +84,10 @@ class LightSet {
   LightSample sample(std::uint32_t light, const SurfacePoint& from, const Vec3& normal, Vec2 u) const;
   /// The density, per solid angle at `from`, with which sample() chooses the point of an emissive surface
   /// that a ray hits.
-  float pdf(std::uint32_t light, const Receiver& from, const Hit& hit) const;
+  float pdf(std::uint32_t light, const Receiver& from, const Hit& hit) const {
+    const float alone = pdf_alone(light, from, hit);
+    return group_of_[light] == no_group ? alone : alone * probability_in_group(light, from);
+  }
   /// The density, per solid angle, with which sample() chooses a unit direction towards a light that rays
   /// find by leaving the scene: one of distant(); 0 for all others.
   float pdf(std::uint32_t light, const Vec3& direction) const;
@@ -76,16 +104,33 @@ class LightSet {
   Rgb background(const Vec3& direction) const;
 
  private:
+  /// Lights that are chosen from.
+  struct Group {
+    std::vector<std::uint32_t> lights;
+    LightTree tree;
+  };
+  static constexpr std::uint32_t surfaces = 0, points = 1, no_group = 2;  ///< Indices into groups_.
+
+  void prepare(std::uint32_t light, double compensation);
+  void make_groups(ManyLights many);
+  LightSample sample_group(const Group& group, const SurfacePoint& from, const Vec3& normal, Vec2 u) const;
+  float pdf_alone(std::uint32_t light, const Receiver& from, const Hit& hit) const;
+  float probability_in_group(std::uint32_t light, const Receiver& from) const;
+
   std::span<const Light> lights_;
   std::span<const ShapeBinding> bindings_;
   const Geometry& geometry_;
   // One for each light:
   std::vector<Distribution> triangles_;  ///< By area, empty where it is not a mesh.
   std::vector<PatchLight> patches_;
-  std::vector<Zone> zones_;
+  std::vector<Zone> zones_;  ///< And one for each group.
+  std::vector<std::uint32_t> group_of_, place_in_group_;
   std::vector<std::uint32_t> environment_of_;  ///< Which of environments_; of no meaning for other lights.
   std::vector<Environment> environments_;
   std::vector<std::uint32_t> distant_;
+  Group groups_[2];
+  std::vector<std::uint32_t> sampled_;
+  bool is_all_a_zone_ = false;
 };
 
 }  // namespace twinray

@@ -64,7 +64,7 @@ Rgb direct_light(const LightTransport& transport, const Interaction& at, const V
                  Tracer& tracer) {
   if (transport.method == DirectMethod::hemisphere) return sample_hemisphere(transport, at, sampler, tracer);
   Rgb sum;
-  for (std::uint32_t light = 0; light < transport.lights.size(); ++light)
+  for (const std::uint32_t light : transport.lights.sampled())
     sum += sample_light(transport, light, at, sampler, tracer);
   return sum;
 }

@@ -29,7 +29,7 @@ struct LightTransport {
     return lights.is_delta(light) ? 1 : samples_per_light;
   }
   /// How many directions hemisphere sampling takes.
-  std::uint32_t directions() const { return lights.size() * samples_per_light; }
+  std::uint32_t directions() const { return std::uint32_t(lights.sampled().size()) * samples_per_light; }
 };
 
 /// How much the environments' samples leave to scattered rays (core/environment.h).

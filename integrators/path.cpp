@@ -33,7 +33,7 @@ class PathIntegrator::Waves {
         stages(wave_stages_of(simd)),
         options_(options),
         scene_(scene),
-        lights_(scene, compensation_for(options.direct, options.samples_per_light)),
+        lights_(scene, {compensation_for(options.direct, options.samples_per_light), options.many_lights}),
         shapes_(shape_table(scene)),
         patches_(patch_tables(scene, lights_)) {}
 

@@ -33,6 +33,7 @@ struct PathOptions {
   DirectMethod direct = DirectMethod::mis;
   std::uint32_t samples_per_light = 1;  ///< 1 to 65536.
   Roulette roulette;
+  ManyLights many_lights = ManyLights::tree;
   /// Biased, for less noise: no channel of a term of light that was scattered twice or more exceeds this; >
   /// 0.
   float clamp = std::numeric_limits<float>::infinity();

@@ -18,7 +18,7 @@ void record_surface(const Interaction& at, const RecordSpans& record) {
 PathReference::PathReference(const Scene& scene, const PathOptions& options)
     : scene_(scene),
       options_(options),
-      lights_(scene, compensation_for(options.direct, options.samples_per_light)) {
+      lights_(scene, {compensation_for(options.direct, options.samples_per_light), options.many_lights}) {
   check(options);
 }
 

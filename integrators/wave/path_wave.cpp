@@ -221,7 +221,7 @@ void PathWave::add_direct_light() {
 }
 
 void PathWave::add_lights() {
-  for (std::uint32_t light = 0; light < context_.transport.lights.size(); ++light) {
+  for (const std::uint32_t light : context_.transport.lights.sampled()) {
     sample_light(light);
     const float count = float(context_.transport.samples_of(light));
     for (std::size_t i = 0; i < paths_.size; ++i)
@@ -236,12 +236,12 @@ void PathWave::draw(Purpose purpose, const SubSample& sub, Floats& x, Floats& y)
 
 void PathWave::sample_light(std::uint32_t light) {
   connections_.of_light.clear(paths_.size);
-  const auto* mesh = std::get_if<MeshLight>(&context_.transport.lights.light(light).source);
+  const MeshLight* mesh = context_.transport.lights.mesh(light);
   if (mesh && context_.transport.lights.triangles(light).total() == 0) return;
   const std::uint32_t count = context_.transport.samples_of(light);
   MisRequest mis{.count = float(count)};
   if (context_.transport.method == DirectMethod::mis) mis.zone = context_.transport.lights.zone(light);
-  if (const PatchLight* patches = context_.patches[light].light)
+  if (const PatchLight* patches = mesh ? context_.patches[light].light : nullptr)
     stages_.weigh_patches(*patches, surfaces_, paths_.size, wave_.corners);
   for (std::uint32_t part = 0; part < count; ++part) {
     draw(Purpose::light_point, {part, count, light}, light_.ux, light_.uy);

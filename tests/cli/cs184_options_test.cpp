@@ -36,6 +36,7 @@ TEST_CASE("CS184's defaults hold where its program runs") {
   CHECK(arguments.path.first_depth == 0);
   CHECK(arguments.path.direct == DirectMethod::lights);
   CHECK(arguments.path.roulette.continuation == 0.7f);
+  CHECK(arguments.path.many_lights == ManyLights::all);
   REQUIRE(arguments.render.adaptive);
   CHECK(arguments.render.adaptive->batch == 32);
   CHECK(arguments.render.adaptive->tolerance == 0.05);

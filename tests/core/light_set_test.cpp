@@ -160,7 +160,7 @@ TEST_CASE("distant lights state the density and the radiance of their samples, o
     for (Rgb& pixel : map->pixels) pixel = {random.unit(), random.unit(), random.unit()};
     add_light(scene, EnvironmentLight{map});
   }
-  const LightSet lights(scene, 1);
+  const LightSet lights(scene, {.compensation = 1});
   CHECK(std::vector(lights.distant().begin(), lights.distant().end()) == std::vector<std::uint32_t>{1, 2, 3});
   CHECK(lights.pdf(0, {0, 1, 0}) == 0);
   Random random(3);

@@ -4,6 +4,7 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/estimate.h"
+#include "tests/support/random.h"
 #include "tests/support/scenes.h"
 
 namespace twinray::test {
@@ -155,6 +156,29 @@ TEST_CASE("an environment of two halves lights a floor as emissive walls around 
   // Seen from the middle of the floor, half of the cosine-weighted hemisphere is bright; a soft seam in both.
   check_mean(estimate(under_walls, {.max_depth = 1}, options(20000)), reflectance * 2, 0.05);
   check_mean(estimate(under_sky, {.max_depth = 1}, options(20000)), reflectance * 2, 0.05);
+}
+
+TEST_CASE("one of many lights chosen by a tree or by power has the mean of all of them") {
+  Scene scene = floor_scene();
+  Random random(2);
+  for (int i = 0; i < 30; ++i) {
+    const Vec3 place = Vec3{0, 2.5f, 0} + random.in_ball() * 2;
+    Mesh lamp = floor_square(0.2f, 0);
+    for (Vec3& p : lamp.positions) p = p + place;
+    add_lamp(scene, std::move(lamp), {1, 2, 3}, i % 3 ? EmissionSide::back : EmissionSide::both);
+    add_light(scene, PointLight{random.in_ball() + Vec3{0, 2, 0}, {0.05f, 0.05f, 0.05f}, {}});
+  }
+  const auto by = [&](ManyLights many, DirectMethod method, std::uint32_t samples) {
+    return estimate(scene, {.max_depth = 1, .direct = method, .many_lights = many}, options(samples));
+  };
+  const Estimate all = by(ManyLights::all, DirectMethod::lights, 256);
+  for (const DirectMethod method : {DirectMethod::mis, DirectMethod::lights}) {
+    const Estimate by_tree = by(ManyLights::tree, method, 8192),
+                   by_power = by(ManyLights::power, method, 8192);
+    check_same_mean(all, by_tree, 0.05);
+    check_same_mean(all, by_power, 0.1);
+    CHECK(by_tree.standard_error < by_power.standard_error);
+  }
 }
 
 TEST_CASE("a floor has the reflectance of its texture where it is seen") {

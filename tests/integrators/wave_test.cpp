@@ -115,6 +115,24 @@ Scene scene_of_every_model() {
   return scene;
 }
 
+/// Lamps, balls and points of light, more of each than are sampled alone.
+Scene scene_of_many_lights() {
+  Scene scene = scene_of(soup(60, 0.7f, 3), {0.8f, 0.7f, 0.6f}, {0, 0.3f, 1.6f}, {0, 0, 0});
+  Random random(8);
+  for (int i = 0; i < 7; ++i) {
+    const Vec3 place = random.in_ball() * 1.4f;
+    Mesh lamp = floor_square(0.1f, 0);
+    for (Vec3& p : lamp.positions) p = p + place;
+    add_lamp(scene, std::move(lamp), {3, 2, float(i)}, i % 2 ? EmissionSide::back : EmissionSide::both);
+    const Vec3 center = random.in_ball() * 1.3f;
+    add_lamp(scene, SphereSet{"ball", {{center, 0.1f}}}, {2, 2, 2}, EmissionSide::front);
+    add_light(scene, PointLight{random.in_ball(), {0.1f, 0.2f, 0.3f}, {}});
+    add_light(scene, SpotLight{random.in_ball(), {0, -1, 0}, {1, 1, 1}, {}, 70, 2});
+  }
+  add_light(scene, EnvironmentLight{random_sky()});
+  return scene;
+}
+
 /// The same, every input of every material by a texture.
 Scene textured(Scene scene) {
   const ImageTexture image{std::make_shared<const MipMap>(*random_square()),
@@ -198,7 +216,8 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
   const Scene everything = scene_of_everything();
   const Scene models = scene_of_every_model();
   const Scene room = small_room();
-  const Scene textures = textured(scene_of_every_model()), lamps = textured(scene_of_everything());
+  const Scene textures = textured(scene_of_every_model()), many = scene_of_many_lights(),
+              lamps = textured(scene_of_everything());
   for (const PathOptions& options : cases) {
     const std::uint32_t count = options.samples_per_light > 100 ? 20 : 2100;
     check_bits(everything, options, count);
@@ -206,6 +225,7 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
     check_bits(room, options, count);
     check_bits(textures, options, count);
     check_bits(lamps, options, count);
+    check_bits(many, options, count);
   }
 }
 
