@@ -179,6 +179,34 @@ class Mitsuba(Folder):
         self.assertEqual(made["shape_0"]["bsdf"]["int_ior"], 1.25)
         self.assertEqual(made["shape_0"]["bsdf"]["specular_transmittance"]["value"], [0.5, 1, 1])
 
+    def bsdf(self, **material):
+        shape = {"name": "a", "type": "spheres", "spheres": [[1, 2, 3, 4]], "material": 0}
+        made = self.convert(self.scene([shape], materials=[{"name": "m", **material}]))["shape_0"]["bsdf"]
+        return made.get("bsdf", made)
+
+    def test_rough_materials_have_their_facets(self):
+        white = {"reflectance": [1, 1, 1], "transmittance": [1, 1, 1]}
+        for kind, smooth, rough, values in (
+                ("dielectric", "dielectric", "roughdielectric", {"ior": 1.25, **white}),
+                ("thin_dielectric", "thindielectric", "thindielectric", {"ior": 1.25, **white}),
+                ("conductor", "conductor", "roughconductor",
+                 {"eta": [1, 2, 3], "k": [4, 5, 6], "reflectance": [1, 0.5, 0.25]}),
+                ("coated_diffuse", "plastic", "roughplastic", {"ior": 1.25, "reflectance": [1, 0.5, 0.25]})):
+            self.assertEqual(self.bsdf(type=kind, alpha=[0, 0], **values)["type"], smooth)
+            made = self.bsdf(type=kind, alpha=[0.25, 0.25], **values)
+            self.assertEqual(made["type"], rough)
+            if rough != "thindielectric":
+                self.assertEqual(made.get("alpha", made.get("alpha_u")), 0.25)
+        metal = self.bsdf(type="conductor", eta=[1, 2, 3], k=[4, 5, 6], reflectance=[1, 0.5, 0.25],
+                          alpha=[0.25, 0.5])
+        self.assertEqual((metal["alpha_u"], metal["alpha_v"]), (0.25, 0.5))
+        self.assertEqual((metal["eta"]["value"], metal["k"]["value"]), ([1, 2, 3], [4, 5, 6]))
+        self.assertEqual(metal["specular_reflectance"]["value"], [1, 0.5, 0.25])
+        with self.assertRaisesRegex(exchange.Unsupported, "coats are isotropic: \"m\""):
+            self.bsdf(type="coated_diffuse", ior=1.5, reflectance=[1, 1, 1], alpha=[0.25, 0.5])
+        with self.assertRaisesRegex(exchange.Unsupported, "no material like \"m\", which is of the type mix"):
+            self.bsdf(type="mix", first=0, second=0, amount=0.5)
+
     def test_what_mitsuba_has_not_is_named(self):
         law = {"constant": 0, "linear": 0, "quadratic": 1}
         point = {"name": "p", "type": "point", "position": [0, 0, 0], "intensity": [1, 1, 1],
