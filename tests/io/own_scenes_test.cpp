@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scenes of this project: each loads without a word, and is what its comment says.
 #include <map>
+#include <set>
 #include <utility>
 
 #include "io/scene_file.h"
@@ -116,6 +117,17 @@ TEST_CASE("still-life.pbrt shows a gold, a glass and a varnished ball under two 
     CHECK(loaded.scene.geometry->facet(lamp.shape, 0).normal.z < -0.999f);
   }
   CHECK(*loaded.defaults.max_depth == 8);
+}
+
+TEST_CASE("materials.pbrt shows ten balls of ten models before a texture, under a lamp and a sky") {
+  const LoadedScene loaded = load("materials.pbrt");
+  CHECK(loaded.scene.geometry->sphere_count() == 10);
+  std::set<std::uint32_t> materials;
+  for (std::uint32_t shape = 0; shape < loaded.scene.bindings.size(); ++shape)
+    if (loaded.scene.geometry->sphere_set(shape)) materials.insert(loaded.scene.bindings[shape].material);
+  CHECK(materials.size() == 10);
+  CHECK_FALSE(loaded.scene.textures.empty());
+  CHECK(loaded.scene.lights.size() == 2);
 }
 
 }  // namespace twinray
