@@ -216,7 +216,7 @@ TEST_CASE("each kind of light in exchange form") {
         R"("rotation":{"x":[1.0,0.0,0.0],"y":[0.0,1.0,0.0],"z":[0.0,0.0,1.0]},)"
         R"("scale":[1.0,1.0,1.0],"file":"a-light-8.exr"},
     {"name":"j","type":"goniometric","position":[1.0,2.0,3.0],"intensity":[4.0,5.0,6.0],)"
-                                      R"("layout":"equal-area",)"
+        R"("layout":"equal-area",)"
         R"("rotation":{"x":[1.0,0.0,0.0],"y":[0.0,1.0,0.0],"z":[0.0,0.0,1.0]},)"
         R"("file":"a-light-9.exr"},
     {"name":"k","type":"projection","position":[1.0,2.0,3.0],"right":[1.0,0.0,0.0],"up":[0.0,1.0,0.0],)"
