@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <limits>
+
+#include "io/decimal.h"
 
 namespace twinray {
 namespace {
@@ -39,30 +40,21 @@ std::string problem(std::string_view token) {
   return fmt::format("\"{}\" is not a number; valid are decimal numbers such as -1.5 or 2e-3", shown(token));
 }
 
-/// from_chars says "out of range" for numbers too small as well as too large.
-bool is_tiny(std::string_view token) {
-  constexpr std::size_t longest = 64;  // so that the digits cannot outweigh the exponent
-  const std::size_t e = token.find_first_of("eE");
-  return token.size() <= longest && e != std::string_view::npos && e + 1 < token.size() &&
-         token[e + 1] == '-';
-}
-
 template <typename Real>
 Real parse_real(std::string_view token, std::size_t offset) {
-  std::string_view digits = token;
-  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-' && digits[1] != '+') digits.remove_prefix(1);
-  Real value = 0;
-  const char* end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, value);
-  if (stop != end || error == std::errc::invalid_argument) throw NumberError{offset, problem(token)};
-  if (error == std::errc::result_out_of_range) {
-    if (is_tiny(digits)) return 0;
-    throw NumberError{offset, fmt::format("\"{}\" is too large; numbers lie within +-{:.2g}", shown(token),
-                                          std::numeric_limits<Real>::max())};
+  const Decimal<Real> number = read_decimal<Real>(token);
+  switch (number.fault) {
+    case DecimalFault::none:
+      return number.value;
+    case DecimalFault::no_number:
+      throw NumberError{offset, problem(token)};
+    case DecimalFault::too_large:
+      throw NumberError{offset, fmt::format("\"{}\" is too large; numbers lie within +-{:.2g}", shown(token),
+                                            std::numeric_limits<Real>::max())};
+    case DecimalFault::not_finite:
+      break;
   }
-  if (!std::isfinite(value))
-    throw NumberError{offset, fmt::format("\"{}\" is not finite; every number must be", shown(token))};
-  return value;
+  throw NumberError{offset, fmt::format("\"{}\" is not finite; every number must be", shown(token))};
 }
 
 std::size_t count_tokens(std::string_view text) {

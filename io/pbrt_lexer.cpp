@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <limits>
+
+#include "io/decimal.h"
 
 namespace twinray {
 namespace {
@@ -21,28 +21,13 @@ std::string cut(std::string_view text) {
                                       : std::string(text.substr(0, longest_shown)) + "...";
 }
 
-/// from_chars says "out of range" for numbers too small as well as too large.
-bool is_tiny(std::string_view digits) {
-  constexpr std::size_t longest = 64;  // so that the digits cannot outweigh the exponent
-  const std::size_t e = digits.find_first_of("eE");
-  return digits.size() <= longest && e != std::string_view::npos && e + 1 < digits.size() &&
-         digits[e + 1] == '-';
-}
-
 template <typename Number>
 Number parse(const PbrtToken& token, const char* kind) {
-  std::string_view digits = token.text;
-  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
-  Number value{};
-  const char* end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, value);
-  const bool is_whole = token.kind == PbrtToken::Kind::word && stop == end;
-  if (is_whole && error == std::errc() && std::isfinite(double(value))) return value;
-  if (is_whole && error == std::errc::result_out_of_range) {
-    if (is_tiny(digits)) return 0;
+  const Decimal<Number> number = read_decimal<Number>(token.text);
+  if (token.kind == PbrtToken::Kind::word && number.fault == DecimalFault::none) return number.value;
+  if (token.kind == PbrtToken::Kind::word && number.fault == DecimalFault::too_large)
     token.place.fail(fmt::format("{} is too large; numbers lie within +-{:.10g}", shown(token),
                                  double(std::numeric_limits<Number>::max())));
-  }
   token.place.fail(fmt::format("{} is not a {}", shown(token), kind));
 }
 

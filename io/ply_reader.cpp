@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
+#include "io/decimal.h"
 #include "io/diagnostic.h"
 #include "io/ply_header.h"
 #include "io/polygon.h"
@@ -83,14 +84,13 @@ class Numbers {
     while (at_ < bytes_.size() && is_space(bytes_[at_])) ++at_;
     last_ = at_;
     while (at_ < bytes_.size() && !is_space(bytes_[at_])) ++at_;
-    std::string_view word = bytes_.substr(last_, at_ - last_);
+    const std::string_view word = bytes_.substr(last_, at_ - last_);
     if (word.empty()) fail_cut();
-    if (word.size() > 1 && word[0] == '+') word.remove_prefix(1);
-    double number = 0;
-    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    const bool is_number = stop == word.data() + word.size() && error != std::errc::invalid_argument;
-    if (!is_number) fail(fmt::format("\"{}\" is not a number", word.substr(0, 32)));
-    return number;  // 0 where it is out of double's range, tiny or huge; neither is a coordinate
+    const Decimal<double> number = read_decimal<double>(word);
+    if (number.fault == DecimalFault::no_number)
+      fail(fmt::format("\"{}\" is not a number", word.substr(0, 32)));
+    // Whoever needs a finite number says so; others are not asked for.
+    return number.fault == DecimalFault::none ? number.value : std::numeric_limits<double>::infinity();
   }
 
   std::string_view bytes_;

@@ -105,6 +105,9 @@ TEST_CASE("what is wrong with a PLY file is named, with its place") {
             .starts_with("a.ply:19:9: the index 4 is out of range; valid are whole numbers from 0 to 3"));
   CHECK(error_of(replaced(square, "1 0 0 255", "1 nan 0 255"))
             .starts_with("a.ply:16:15: the position of vertex 1 is not finite"));
+  for (const char* word : {"1 1e999 0 255", "1 -1e39 0 255"})
+    CHECK_THAT(error_of(replaced(square, "1 0 0 255", word)),
+               Catch::Contains(": the position of vertex 1 is not finite"));
   CHECK(
       error_of(replaced(square, "1 0 0 255", "1 x 0 255")).starts_with("a.ply:16:3: \"x\" is not a number"));
   CHECK(error_of(replaced(square, "vertex 4", "vertex 400000000")) ==
