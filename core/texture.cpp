@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/elementary.h"
 #include "core/error.h"
@@ -81,29 +82,29 @@ struct Evaluate {
   }
 };
 
+/// Checks a texture, and counts what it is made of: itself, and all that it names, as often as it does.
 struct Check {
   std::size_t index;
+  const std::vector<std::uint64_t>& parts;  ///< Of the textures before it.
 
-  void names(std::uint32_t other) const {
+  std::uint64_t of(std::uint32_t other) const {
     if (other >= index)
       throw Error(fmt::format("texture {} names texture {}, which does not stand before it", index, other));
+    return parts[other];
   }
-  void operator()(const ConstantTexture&) const {}
-  void operator()(const ImageTexture& texture) const {
+  std::uint64_t operator()(const ConstantTexture&) const { return 1; }
+  std::uint64_t operator()(const ImageTexture& texture) const {
     if (!texture.image) throw Error(fmt::format("texture {} has no picture", index));
+    return 1;
   }
-  void operator()(const ScaleTexture& texture) const {
-    names(texture.first);
-    names(texture.second);
+  std::uint64_t operator()(const ScaleTexture& texture) const {
+    return 1 + of(texture.first) + of(texture.second);
   }
-  void operator()(const MixTexture& texture) const {
-    names(texture.first);
-    names(texture.second);
-    names(texture.amount);
+  std::uint64_t operator()(const MixTexture& texture) const {
+    return 1 + of(texture.first) + of(texture.second) + of(texture.amount);
   }
-  void operator()(const CheckerboardTexture& texture) const {
-    names(texture.first);
-    names(texture.second);
+  std::uint64_t operator()(const CheckerboardTexture& texture) const {
+    return 1 + of(texture.first) + of(texture.second);
   }
 };
 
@@ -114,7 +115,13 @@ Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const Textu
 }
 
 void check_textures(std::span<const Texture> textures) {
-  for (std::size_t i = 0; i < textures.size(); ++i) std::visit(Check{i}, textures[i].model);
+  std::vector<std::uint64_t> parts;
+  parts.reserve(textures.size());
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    parts.push_back(std::visit(Check{i, parts}, textures[i].model));
+    if (parts.back() > most_texture_parts)
+      throw Error(fmt::format("texture {} is made of more than {} textures", i, most_texture_parts));
+  }
 }
 
 }  // namespace twinray

@@ -76,7 +76,11 @@ struct TexturePoint {
 /// The value of a texture of a scene. The same bits on every machine.
 Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at);
 
-/// Throws Error where a texture names one that does not stand before it, or has no picture.
+/// What a texture may be made of, each part counted as often as it is named: all are evaluated at each hit.
+inline constexpr std::uint64_t most_texture_parts = 4096;
+
+/// Throws Error where a texture names one that does not stand before it, has no picture, or is made of too
+/// many.
 void check_textures(std::span<const Texture> textures);
 
 }  // namespace twinray

@@ -109,6 +109,14 @@ TEST_CASE("textures scale, mix and alternate those that stand before them") {
   CHECK(evaluate(textures, 5, {{0.7f, 0.3f}}) == second * second);
 }
 
+TEST_CASE("a texture of which few statements make very many is an error") {
+  std::vector<Texture> doubled{red};
+  for (std::uint32_t i = 0; i < 11; ++i) doubled.push_back({"", ScaleTexture{i, i}});
+  CHECK_NOTHROW(check_textures(doubled));  // 2^12 - 1 parts.
+  doubled.push_back({"", ScaleTexture{11, 0}});
+  CHECK_THROWS_WITH(check_textures(doubled), "texture 12 is made of more than 4096 textures");
+}
+
 TEST_CASE("a texture that names itself, a later one or no picture is an error") {
   CHECK_THROWS_WITH(check_textures(std::vector<Texture>{red, {"", ScaleTexture{0, 1}}}),
                     "texture 1 names texture 1, which does not stand before it");
