@@ -2,7 +2,6 @@
 // What a wave does at surfaces that are not Lambert's: one by one, by the functions of the reference. The
 // lanes have worked there, too, as if the surfaces were black; what they wrote is overwritten.
 #include "core/spawn_ray.h"
-#include "core/warp.h"
 #include "integrators/scattering.h"
 #include "integrators/wave/path_wave.h"
 

@@ -17,15 +17,6 @@ constexpr double rounding = 1e-5;
 constexpr DirectMethod all_methods[] = {DirectMethod::mis, DirectMethod::lights, DirectMethod::hemisphere};
 constexpr float sky_radiance = 2;
 
-RenderOptions options(std::uint32_t samples) {
-  return {.width = 4,
-          .height = 4,
-          .samples = samples,
-          .sampler = SamplerKind::independent,
-          .seed = 7,
-          .threads = 1};
-}
-
 EnvironmentLight colored_sky(const Rgb& radiance) {
   Image map(1, 1);
   map.pixels[0] = radiance;
@@ -60,19 +51,21 @@ TEST_CASE("a mirror shows a lamp with its reflectance, by every way of finding d
   for (const DirectMethod method : all_methods) {
     const PathOptions path{.max_depth = 1, .direct = method};
     const Scene lit = mirror_scene(Mirror{{0.5f, 0.5f, 0.5f}}, EmissionSide::front);
-    CHECK(estimate(lit, path, options(4)).mean == Approx(0.5 * luminance(Rgb{3, 2, 1})).epsilon(rounding));
+    CHECK(estimate(lit, path, small_picture(4)).mean ==
+          Approx(0.5 * luminance(Rgb{3, 2, 1})).epsilon(rounding));
     const Scene dark = mirror_scene(Mirror{}, EmissionSide::back);
-    CHECK(estimate(dark, path, options(4)).mean == 0);
+    CHECK(estimate(dark, path, small_picture(4)).mean == 0);
     // At depth 0 there is emission alone, and of light scattered twice there is none.
-    CHECK(estimate(lit, {.max_depth = 0, .direct = method}, options(4)).mean == 0);
-    CHECK(estimate(lit, {.max_depth = 5, .first_depth = 2, .direct = method}, options(4)).mean == 0);
+    CHECK(estimate(lit, {.max_depth = 0, .direct = method}, small_picture(4)).mean == 0);
+    CHECK(estimate(lit, {.max_depth = 5, .first_depth = 2, .direct = method}, small_picture(4)).mean == 0);
   }
 }
 
 TEST_CASE("a smooth metal reflects by Fresnel's equations at the angle that it is seen under") {
   const Conductor metal{.eta = {1.5f, 1.5f, 1.5f}, .k = {2, 2, 2}};
   const double expected = fresnel_conductor(std::sqrt(0.5f), metal.eta, metal.k).r * luminance(Rgb{3, 2, 1});
-  const double found = estimate(mirror_scene(metal, EmissionSide::both), {.max_depth = 1}, options(4)).mean;
+  const double found =
+      estimate(mirror_scene(metal, EmissionSide::both), {.max_depth = 1}, small_picture(4)).mean;
   constexpr double picture = 1e-3;  // Its pixels see the square under slightly other angles.
   CHECK(found == Approx(expected).epsilon(picture));
 }
@@ -85,8 +78,8 @@ TEST_CASE("a ball that loses no light is as bright as the sky around it, sample 
   for (const SurfaceModel& model : models)
     for (const DirectMethod method : all_methods) {
       CAPTURE(model.index(), int(method));
-      const auto found =
-          estimate(ball_under_sky(model), {.max_depth = 100, .direct = method, .roulette = {1}}, options(64));
+      const auto found = estimate(ball_under_sky(model),
+                                  {.max_depth = 100, .direct = method, .roulette = {1}}, small_picture(64));
       CHECK(found.mean == Approx(sky_radiance).epsilon(rounding));
       CHECK(found.standard_error < rounding);
     }
@@ -95,7 +88,7 @@ TEST_CASE("a ball that loses no light is as bright as the sky around it, sample 
 TEST_CASE("roulette does not see the change of radiance at boundaries") {
   // Within glass of an index of 3, throughput is a ninth: by that alone two of three paths would be given up.
   const Scene scene = ball_under_sky(Glass{.ior = 3});
-  const auto found = estimate(scene, {.max_depth = 100}, options(64));
+  const auto found = estimate(scene, {.max_depth = 100}, small_picture(64));
   CHECK(found.mean == Approx(sky_radiance).epsilon(rounding));
   CHECK(found.standard_error < rounding);
 }
@@ -103,16 +96,17 @@ TEST_CASE("roulette does not see the change of radiance at boundaries") {
 TEST_CASE(
     "a surface that only refracts shows what lies behind it, and nothing where all would be reflected") {
   const Scene outside = ball_under_sky(Refraction{});
-  CHECK(estimate(outside, {.max_depth = 2}, options(16)).mean == Approx(sky_radiance).epsilon(rounding));
-  CHECK(estimate(outside, {.max_depth = 1}, options(16)).mean == 0);  // Still within the ball.
+  CHECK(estimate(outside, {.max_depth = 2}, small_picture(16)).mean ==
+        Approx(sky_radiance).epsilon(rounding));
+  CHECK(estimate(outside, {.max_depth = 1}, small_picture(16)).mean == 0);  // Still within the ball.
   // From within glass, the sky is seen brighter by the square of the index, and only up to the critical
   // angle.
   Scene inside = ball_under_sky(Refraction{});
   inside.camera = camera_at({0, 0, 0.9f}, {0, 1, 0.9f});
   inside.camera.tan_half_width = inside.camera.tan_half_height = 1e-3f;
-  CHECK(estimate(inside, {.max_depth = 1}, options(16)).mean == 0);
+  CHECK(estimate(inside, {.max_depth = 1}, small_picture(16)).mean == 0);
   inside.camera.position = {0, 0, 0};
-  CHECK(estimate(inside, {.max_depth = 1}, options(16)).mean ==
+  CHECK(estimate(inside, {.max_depth = 1}, small_picture(16)).mean ==
         Approx(2.25 * sky_radiance).epsilon(rounding));
 }
 
@@ -133,7 +127,7 @@ TEST_CASE("rough surfaces are equally bright by every way of finding direct ligh
     add_lamp(scene, floor_square(0.8f, -1.5f), {4, 4, 4}, EmissionSide::both);
     add_lamp(scene, SphereSet{"bulb", {{{1.5f, 0, 1}, 0.5f}}}, {4, 4, 4}, EmissionSide::front);
     const auto found = [&](DirectMethod method, std::uint32_t samples) {
-      return estimate(scene, {.max_depth = 2, .direct = method, .roulette = {1}}, options(samples));
+      return estimate(scene, {.max_depth = 2, .direct = method, .roulette = {1}}, small_picture(samples));
     };
     const Estimate expected = found(DirectMethod::mis, 20000);
     check_same_mean(found(DirectMethod::lights, 20000), expected, 0.1);
@@ -145,8 +139,9 @@ TEST_CASE("a point light is as bright on a rough surface by mis as by light samp
   Scene scene = ball_under_sky(Conductor{.roughness = {0.3f, 0.3f}});
   scene.lights.clear();
   add_light(scene, PointLight{{0.5f, 0.5f, 4}, {10, 10, 10}, {}});
-  const Estimate by_lights = estimate(scene, {.max_depth = 1, .direct = DirectMethod::lights}, options(16));
-  CHECK(estimate(scene, {.max_depth = 1}, options(16)).mean == by_lights.mean);
+  const Estimate by_lights =
+      estimate(scene, {.max_depth = 1, .direct = DirectMethod::lights}, small_picture(16));
+  CHECK(estimate(scene, {.max_depth = 1}, small_picture(16)).mean == by_lights.mean);
   CHECK(by_lights.mean > 0.1);
 }
 
@@ -154,18 +149,18 @@ TEST_CASE("an ambient light is seen in a mirror, not by the camera") {
   Scene scene = ball_under_sky(Mirror{{0.5f, 0.5f, 0.5f}});
   scene.lights.clear();
   add_light(scene, AmbientLight{{0, 0, 1}, {1, 1, 1}});
-  CHECK(estimate(scene, {.max_depth = 1}, options(4)).mean == Approx(0.5).epsilon(rounding));
-  CHECK(estimate(scene, {.max_depth = 0}, options(4)).mean == 0);
+  CHECK(estimate(scene, {.max_depth = 1}, small_picture(4)).mean == Approx(0.5).epsilon(rounding));
+  CHECK(estimate(scene, {.max_depth = 0}, small_picture(4)).mean == 0);
 }
 
 TEST_CASE("a clamp bounds light of two bounces and more, and keeps its color") {
   const Scene once = mirror_scene(Mirror{}, EmissionSide::front);
-  CHECK(estimate(once, {.max_depth = 5, .clamp = 0.5f}, options(4)).mean ==
+  CHECK(estimate(once, {.max_depth = 5, .clamp = 0.5f}, small_picture(4)).mean ==
         Approx(luminance(Rgb{3, 2, 1})).epsilon(rounding));
   Scene twice = ball_under_sky(Glass{});
   twice.lights[0].source = colored_sky({4, 2, 1});
   const PathOptions clamped{.max_depth = 100, .clamp = 2};
-  const RenderResult result = render_with(twice, PathIntegrator(twice, clamped), options(64));
+  const RenderResult result = render_with(twice, PathIntegrator(twice, clamped), small_picture(64));
   // All light has gone through the ball: two bounces at least, but for what it reflects, one.
   const Rgb expected = Rgb{2, 1, 0.5f};
   const Rgb mean = mean_image(result.film).at(1, 1);
@@ -190,13 +185,13 @@ TEST_CASE("regularized, a mirror behind a diffuse surface lets lights be found")
   const PathOptions caustic{.max_depth = 2, .first_depth = 2, .direct = DirectMethod::lights};
   PathOptions regularized = caustic;
   regularized.regularize = true;
-  const Estimate exact = estimate(scene, caustic, options(4096));
-  const Estimate rough = estimate(scene, regularized, options(4096));
+  const Estimate exact = estimate(scene, caustic, small_picture(4096));
+  const Estimate rough = estimate(scene, regularized, small_picture(4096));
   CHECK(rough.mean == Approx(exact.mean).epsilon(0.5));
   CHECK(rough.standard_error < 0.6 * exact.standard_error);
   // Light that comes by mirrors alone is as it was.
   const Scene direct = mirror_scene(Mirror{}, EmissionSide::front);
-  CHECK(estimate(direct, {.max_depth = 5, .regularize = true}, options(4)).mean ==
+  CHECK(estimate(direct, {.max_depth = 5, .regularize = true}, small_picture(4)).mean ==
         Approx(luminance(Rgb{3, 2, 1})).epsilon(rounding));
 }
 
@@ -217,7 +212,7 @@ TEST_CASE("a mixture is its second material at the stated part of its points") {
   }
   const double deviation = std::sqrt(points * 0.3 * 0.7);
   CHECK(std::fabs(silver - points * 0.3) < 4 * deviation);
-  check_mean(estimate(scene, {.max_depth = 1}, options(4096)), 0.3 * sky_radiance, 0.05);
+  check_mean(estimate(scene, {.max_depth = 1}, small_picture(4096)), 0.3 * sky_radiance, 0.05);
 }
 
 }  // namespace twinray::test

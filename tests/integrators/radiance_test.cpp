@@ -24,20 +24,11 @@ Scene floor_scene() {
   return scene;
 }
 
-RenderOptions options(std::uint32_t samples) {
-  return {.width = 4,
-          .height = 4,
-          .samples = samples,
-          .sampler = SamplerKind::independent,
-          .seed = 7,
-          .threads = 1};
-}
-
 /// Of direct light. An error of 5 % would be seen, whatever the light and the method.
 constexpr DirectMethod all_methods[] = {DirectMethod::mis, DirectMethod::lights, DirectMethod::hemisphere};
 
 void check_radiance(const Scene& scene, double expected, DirectMethod method) {
-  const RenderOptions render = options(method == DirectMethod::hemisphere ? 20000 : 4096);
+  const RenderOptions render = small_picture(method == DirectMethod::hemisphere ? 20000 : 4096);
   check_mean(estimate(scene, {.max_depth = 1, .direct = method}, render), expected, 0.05);
 }
 
@@ -90,7 +81,7 @@ TEST_CASE("a spot light lights within its cone by its falloff and not outside of
     spot.falloff_angle_degrees = 10;
     Scene scene = floor_scene();
     add_light(scene, spot);
-    CHECK(estimate(scene, {.max_depth = 1}, options(16)).mean == 0);
+    CHECK(estimate(scene, {.max_depth = 1}, small_picture(16)).mean == 0);
   }
 }
 
@@ -106,7 +97,7 @@ TEST_CASE("an ambient light lights a floor under its hemisphere by its radiance 
     add_light(scene, AmbientLight{{0, 1, 0}, {2, 2, 2}});
     check_radiance(scene, reflectance * 2, method);
     scene.camera = camera_at({0, 1, 0}, {0, 2, 0.5f});
-    CHECK(estimate(scene, {.max_depth = 0}, options(1)).mean == 0);  // the camera does not see it
+    CHECK(estimate(scene, {.max_depth = 0}, small_picture(1)).mean == 0);  // the camera does not see it
   }
 }
 
@@ -118,9 +109,10 @@ TEST_CASE("a uniform environment lights a floor by its radiance times the reflec
     add_light(scene, EnvironmentLight{map});
     check_radiance(scene, reflectance * 2, method);
     // What leaves a floor has no second bounce, so that a greater depth adds nothing.
-    check_mean(estimate(scene, {.max_depth = 3, .direct = method}, options(20000)), reflectance * 2, 0.05);
+    check_mean(estimate(scene, {.max_depth = 3, .direct = method}, small_picture(20000)), reflectance * 2,
+               0.05);
     scene.camera = camera_at({0, 1, 0}, {0, 2, 0.5f});
-    CHECK(estimate(scene, {.max_depth = 0}, options(1)).mean == Approx(2).epsilon(rounding));
+    CHECK(estimate(scene, {.max_depth = 0}, small_picture(1)).mean == Approx(2).epsilon(rounding));
   }
 }
 
@@ -131,7 +123,8 @@ TEST_CASE("a sun lights a floor by its irradiance and the cosine, by every way o
     add_light(scene, SunLight{-towards, {3, 3, 3}, 60});
     check_radiance(scene, reflectance / M_PI * 3 * (2.0 / 3), method);
     scene.camera = camera_at({0, 1, 0}, Vec3{0, 1, 0} + towards);
-    CHECK(estimate(scene, {.max_depth = 0}, options(1)).mean == Approx(3 / (M_PI / 4)).epsilon(rounding));
+    CHECK(estimate(scene, {.max_depth = 0}, small_picture(1)).mean ==
+          Approx(3 / (M_PI / 4)).epsilon(rounding));
   }
 }
 
@@ -154,8 +147,8 @@ TEST_CASE("an environment of two halves lights a floor as emissive walls around 
   add_half(-1, 1);
   add_light(under_sky, EnvironmentLight{map});
   // Seen from the middle of the floor, half of the cosine-weighted hemisphere is bright; a soft seam in both.
-  check_mean(estimate(under_walls, {.max_depth = 1}, options(20000)), reflectance * 2, 0.05);
-  check_mean(estimate(under_sky, {.max_depth = 1}, options(20000)), reflectance * 2, 0.05);
+  check_mean(estimate(under_walls, {.max_depth = 1}, small_picture(20000)), reflectance * 2, 0.05);
+  check_mean(estimate(under_sky, {.max_depth = 1}, small_picture(20000)), reflectance * 2, 0.05);
 }
 
 TEST_CASE("one of many lights chosen by a tree or by power has the mean of all of them") {
@@ -169,7 +162,7 @@ TEST_CASE("one of many lights chosen by a tree or by power has the mean of all o
     add_light(scene, PointLight{random.in_ball() + Vec3{0, 2, 0}, {0.05f, 0.05f, 0.05f}, {}});
   }
   const auto by = [&](ManyLights many, DirectMethod method, std::uint32_t samples) {
-    return estimate(scene, {.max_depth = 1, .direct = method, .many_lights = many}, options(samples));
+    return estimate(scene, {.max_depth = 1, .direct = method, .many_lights = many}, small_picture(samples));
   };
   const Estimate all = by(ManyLights::all, DirectMethod::lights, 256);
   for (const DirectMethod method : {DirectMethod::mis, DirectMethod::lights}) {
@@ -203,7 +196,7 @@ TEST_CASE("a square light lights a floor by its form factor, from its emitting s
       Scene scene = floor_scene();
       add_lamp(scene, floor_square(2, 3), {5, 5, 5}, side);  // its front faces up, away from the floor
       if (side == EmissionSide::front)
-        CHECK(estimate(scene, {.max_depth = 1, .direct = method}, options(64)).mean == 0);
+        CHECK(estimate(scene, {.max_depth = 1, .direct = method}, small_picture(64)).mean == 0);
       else
         check_radiance(scene, reflectance * 5 * square_form_factor(2, 3), method);
     }
@@ -215,10 +208,11 @@ TEST_CASE("a square light close to a floor lights it by its form factor, by mis 
   scene.camera = camera_at({0, 0.2f, 0}, {0, 0, 0.01f});
   add_lamp(scene, floor_square(2, 0.3f), {5, 5, 5}, EmissionSide::both);
   const double expected = reflectance * 5 * square_form_factor(2, 0.3);
-  const Estimate by_both = estimate(scene, {.max_depth = 1}, options(4096));
-  const Estimate by_lights = estimate(scene, {.max_depth = 1, .direct = DirectMethod::lights}, options(4096));
+  const Estimate by_both = estimate(scene, {.max_depth = 1}, small_picture(4096));
+  const Estimate by_lights =
+      estimate(scene, {.max_depth = 1, .direct = DirectMethod::lights}, small_picture(4096));
   check_mean(by_both, expected, 0.02);
-  check_mean(estimate(scene, {.max_depth = 1, .samples_per_light = 4}, options(4096)), expected, 0.02);
+  check_mean(estimate(scene, {.max_depth = 1, .samples_per_light = 4}, small_picture(4096)), expected, 0.02);
   CHECK(by_both.standard_error < by_lights.standard_error / 3);
 }
 
@@ -227,9 +221,9 @@ TEST_CASE("a lamp under a ceiling that it lights has the mean of hemisphere samp
   std::get<MeshLight>(scene.lights.at(0).source).side = EmissionSide::both;
   const PathOptions by_directions{.max_depth = 3, .direct = DirectMethod::hemisphere};
   const PathOptions by_lights{.max_depth = 3, .direct = DirectMethod::lights};
-  const Estimate by_both = estimate(scene, {.max_depth = 3}, options(512));
-  check_same_mean(by_both, estimate(scene, by_directions, options(4096)), 0.2);
-  CHECK(by_both.standard_error < 0.5 * estimate(scene, by_lights, options(512)).standard_error);
+  const Estimate by_both = estimate(scene, {.max_depth = 3}, small_picture(512));
+  check_same_mean(by_both, estimate(scene, by_directions, small_picture(4096)), 0.2);
+  CHECK(by_both.standard_error < 0.5 * estimate(scene, by_lights, small_picture(512)).standard_error);
 }
 
 TEST_CASE("a sphere light overhead lights a floor by (r / d)^2") {
@@ -251,10 +245,10 @@ TEST_CASE("lights of every kind add up, and more samples of each keep the mean")
   const double delta = reflectance / M_PI * (3 * (2.0 / 3) + 0.5);
   for (const std::uint32_t samples : {1u, 16u}) {
     const PathOptions by_lights{.max_depth = 1, .samples_per_light = samples};
-    check_mean(estimate(scene, by_lights, options(8192 / samples)), extended + delta, 0.02);
+    check_mean(estimate(scene, by_lights, small_picture(8192 / samples)), extended + delta, 0.02);
     const PathOptions by_directions{
         .max_depth = 1, .direct = DirectMethod::hemisphere, .samples_per_light = samples};
-    check_mean(estimate(scene, by_directions, options(8192 / samples)), extended, 0.02);
+    check_mean(estimate(scene, by_directions, small_picture(8192 / samples)), extended, 0.02);
   }
 }
 
@@ -268,13 +262,13 @@ TEST_CASE("inside of walls that emit and reflect, radiance is the geometric seri
   const Scene box = emissive_enclosure(emitted, albedo), ball = emissive_ball();
   for (const int depth : {0, 1, 2, 5, 30}) {
     const PathOptions by_directions{.max_depth = depth, .direct = DirectMethod::hemisphere};
-    check(box, by_directions, options(2048), default_backend(), 0.02);
-    check(ball, {.max_depth = depth}, options(1024), default_backend(), 0.02);
+    check(box, by_directions, small_picture(2048), default_backend(), 0.02);
+    check(ball, {.max_depth = depth}, small_picture(1024), default_backend(), 0.02);
   }
   // A gross error would be seen with any engine and sampler; small ones are, by the bits of pictures.
   for (const Backend backend : available_backends())
     for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
-      RenderOptions few = options(64);
+      RenderOptions few = small_picture(64);
       few.sampler = sampler;
       for (const int depth : {0, 5}) check(ball, {.max_depth = depth}, few, backend, 0.1);
     }
@@ -284,7 +278,7 @@ TEST_CASE("a white convex body in a furnace vanishes") {
   Scene scene = scene_of(icosphere(2), {1, 1, 1}, {0, 0, 3}, {0, 0, 0});
   add_lamp(scene, inward_box(4), {2, 2, 2}, EmissionSide::both);
   for (const DirectMethod method : all_methods) {
-    const Estimate found = estimate(scene, {.max_depth = 6, .direct = method}, options(2048));
+    const Estimate found = estimate(scene, {.max_depth = 6, .direct = method}, small_picture(2048));
     check_mean(found, 2, method == DirectMethod::lights ? 0.07 : 0.02);
   }
 }

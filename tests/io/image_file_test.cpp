@@ -189,7 +189,7 @@ TEST_CASE("TGA pictures are read, packed in runs or not, from the bottom or the 
     bytes[2] = kind, bytes[12] = width, bytes[14] = height, bytes[16] = depth, bytes[17] = order;
     return bytes;
   };
-  const std::string blue = "\xff" + std::string(2, '\0'), red = std::string(2, '\0') + "\xff";
+  const std::string blue{'\xff', '\0', '\0'}, red{'\0', '\0', '\xff'};
   const Image plain = decode_image(header(2, 1, 2, 24, 0) + blue + red, "a.tga");
   CHECK(plain.at(0, 0) == Rgb{1, 0, 0});
   CHECK(plain.at(0, 1) == Rgb{0, 0, 1});

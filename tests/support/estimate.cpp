@@ -14,6 +14,15 @@ constexpr double rounding = 1e-5;
 
 }  // namespace
 
+RenderOptions small_picture(std::uint32_t samples) {
+  return {.width = 4,
+          .height = 4,
+          .samples = samples,
+          .sampler = SamplerKind::independent,
+          .seed = 7,
+          .threads = 1};
+}
+
 RenderResult render_with(const Scene& scene, const Integrator& integrator, const RenderOptions& options,
                          Backend backend) {
   const auto accelerator = build_accelerator(backend, scene.geometry);

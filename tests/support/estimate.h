@@ -12,6 +12,9 @@ struct Estimate {
   double standard_error = 0;  ///< From the pixels' own variances; an upper bound for stratified samples.
 };
 
+/// A picture of 4 x 4 pixels, of independent samples, by one thread.
+RenderOptions small_picture(std::uint32_t samples);
+
 /// Renders with one thread by default, on the engine.
 RenderResult render_with(const Scene& scene, const Integrator& integrator, const RenderOptions& options,
                          Backend backend = default_backend());
