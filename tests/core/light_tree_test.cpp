@@ -111,6 +111,20 @@ TEST_CASE("no light that reaches a receiver has the probability 0") {
   CHECK(lit > 5000);
 }
 
+TEST_CASE("a lamp is found from where the middle of those beside it cannot be seen") {
+  // Stairs of lamps that all face up: a receiver over a lower one lies below the middle of them all.
+  std::vector<LightBounds> lamps;
+  for (int i = 0; i < 64; ++i)
+    lamps.push_back(lamp({float(i), 0.25f * float(i), 0}, 0.01f, 1, EmissionCone{{0, 1, 0}, 0}));
+  const LightTree tree(lamps);
+  for (std::uint32_t light = 0; light < 64; ++light)
+    for (const float side : {-3.0f, -1.0f, 0.5f}) {
+      const Vec3 above = Vec3{float(light) + side, 0.25f * float(light) + 0.1f, 0};
+      CAPTURE(light, side);
+      CHECK(tree.probability(light, {above, {0, -1, 0}}) > 0);
+    }
+}
+
 TEST_CASE("the importance of bounds is at least what each of its lights sends") {
   Random random(8);
   const std::vector<LightBounds> lamps = random_lamps(30);

@@ -80,7 +80,7 @@ MUTANTS = [
            "test_core", "a cone around two cones holds both"),
     Mutant("a light tree looks at boxes as if they were points", "core/light_tree.cpp",
            "squared_radius / squared;", "0 * squared_radius / squared;",
-           "test_core", "no light that reaches a receiver has the probability 0"),
+           "test_core", "a lamp is found from where the middle of those beside it cannot be seen"),
     Mutant("a spot's cone is twice as wide", "core/point_light.cpp",
            "cone = cos_degrees(0.5 * light.falloff_angle_degrees)",
            "cone = cos_degrees(light.falloff_angle_degrees)",
