@@ -33,6 +33,8 @@ class Bsdf {
   Rgb albedo() const {
     return std::visit([](const auto& lobe) { return lobe.albedo(); }, lobes_);
   }
+  /// Whether light is reflected evenly, on the viewer's side alone.
+  bool is_lambert() const { return std::holds_alternative<LambertLobe>(lobes_); }
   /// f(wo, wi), without the cosine, of all but delta directions.
   Rgb evaluate(const Vec3& wo, const Vec3& wi) const {
     return std::visit([&](const auto& lobe) { return lobe.evaluate(wo, wi); }, lobes_);

@@ -30,8 +30,4 @@ const Material& material_at(const Scene& scene, const SurfacePoint& point) {
   }
 }
 
-SurfaceModel model_at(const Scene& scene, const SurfacePoint& point) {
-  return textured_model(material_at(scene, point), scene.textures, {point.uv});
-}
-
 }  // namespace twinray

@@ -9,7 +9,4 @@ namespace twinray {
 /// there. The choice is a hash of the point: the same whenever it is asked for.
 const Material& material_at(const Scene& scene, const SurfacePoint& point);
 
-/// The model of that material, with what its textures have at the point.
-SurfaceModel model_at(const Scene& scene, const SurfacePoint& point);
-
 }  // namespace twinray

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/interaction.h"
 
-#include "core/regularize.h"
-#include "core/surface_model.h"
-
 namespace twinray {
 namespace {
 
@@ -23,18 +20,13 @@ Side side_of(const SurfacePoint& point, const Vec3& wo) {
 
 }  // namespace
 
-Interaction::Interaction(const Scene& scene, const SurfacePoint& point, const Vec3& wo, Materials materials)
-    : Interaction(
-          materials == Materials::exact ? model_at(scene, point) : regularized(model_at(scene, point)), point,
-          wo) {}
-
-Interaction::Interaction(const SurfaceModel& model, const SurfacePoint& point, const Vec3& wo)
+Interaction::Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo,
+                         Materials materials)
     : point_(point),
       wo_(wo),
       facing_normal_(facing(point.geometric_normal, wo)),
       frame_(usable_shading_normal(point, wo, facing_normal_)),
       wo_local_(frame_.to_local(wo)),
-      bsdf_(model, side_of(point, wo)),
-      is_lambert_(std::holds_alternative<Lambert>(model)) {}
+      bsdf_(bsdfs.at(point, side_of(point, wo), materials)) {}
 
 }  // namespace twinray

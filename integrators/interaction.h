@@ -2,15 +2,11 @@
 #pragma once
 #include <cmath>
 
-#include "core/bsdf.h"
+#include "core/bsdf_table.h"
 #include "core/frame.h"
-#include "core/scene.h"
 #include "core/surface.h"
 
 namespace twinray {
-
-/// How materials scatter: as the scene says, or so rough that light samples find it (core/regularize.h).
-enum class Materials { exact, regularized };
 
 /// A surface point together with the direction it is seen from: what scattering needs.
 ///
@@ -20,13 +16,13 @@ enum class Materials { exact, regularized };
 class Interaction {
  public:
   /// `wo` is a unit vector to the viewer.
-  Interaction(const Scene& scene, const SurfacePoint& point, const Vec3& wo,
+  Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo,
               Materials materials = Materials::exact);
 
   const SurfacePoint& point() const { return point_; }
   const Bsdf& bsdf() const { return bsdf_; }
   /// Whether light is scattered evenly, so that light samples bring nearly all of it well.
-  bool is_lambert() const { return is_lambert_; }
+  bool is_lambert() const { return bsdf_.is_lambert(); }
   const Vec3& wo() const { return wo_; }              ///< World space.
   const Vec3& wo_local() const { return wo_local_; }  ///< z > 0.
   const Vec3& normal() const { return frame_.normal; }
@@ -55,9 +51,6 @@ class Interaction {
   Frame frame_;
   Vec3 wo_local_;
   Bsdf bsdf_;
-  bool is_lambert_;
-
-  Interaction(const SurfaceModel& model, const SurfacePoint& point, const Vec3& wo);
 };
 
 }  // namespace twinray

@@ -34,12 +34,13 @@ class PathIntegrator::Waves {
         options_(options),
         scene_(scene),
         lights_(scene, {compensation_for(options.direct, options.samples_per_light), options.many_lights}),
+        bsdfs_(scene),
         shapes_(shape_table(scene)),
         patches_(patch_tables(scene, lights_)) {}
 
   WaveContext context() const {
-    return {
-        *stages, options_, {scene_, lights_, options_.direct, options_.samples_per_light}, shapes_, patches_};
+    return {*stages, options_, {scene_, lights_, options_.direct, options_.samples_per_light},
+            bsdfs_,  shapes_,  patches_};
   }
 
   const PathReference reference;
@@ -49,6 +50,7 @@ class PathIntegrator::Waves {
   const PathOptions options_;
   const Scene& scene_;
   const LightSet lights_;
+  const BsdfTable bsdfs_;
   const std::vector<ShapeEntry> shapes_;
   const std::vector<PatchTable> patches_;
 };

@@ -18,7 +18,8 @@ void record_surface(const Interaction& at, const RecordSpans& record) {
 PathReference::PathReference(const Scene& scene, const PathOptions& options)
     : scene_(scene),
       options_(options),
-      lights_(scene, {compensation_for(options.direct, options.samples_per_light), options.many_lights}) {
+      lights_(scene, {compensation_for(options.direct, options.samples_per_light), options.many_lights}),
+      bsdfs_(scene) {
   check(options);
 }
 
@@ -43,7 +44,7 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     if (hit.is_miss()) return radiance;
 
     const SurfacePoint point = surface_at(*scene_.geometry, hit);
-    const Interaction at(scene_, point, -normalize(path.ray.direction), path.materials);
+    const Interaction at(bsdfs_, point, -normalize(path.ray.direction), path.materials);
     if (depth == 0) record_surface(at, record);
     if (depth >= options_.depth_limit()) return radiance;
     const VertexSampler sampler(kind, path_key, std::uint32_t(depth) + 1);

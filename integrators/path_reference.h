@@ -43,6 +43,7 @@ class PathReference final : public Integrator {
   const Scene& scene_;
   PathOptions options_;
   LightSet lights_;
+  BsdfTable bsdfs_;
 };
 
 }  // namespace twinray

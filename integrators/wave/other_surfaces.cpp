@@ -12,8 +12,8 @@ void PathWave::find_others() {
   for (std::size_t i = 0; i < paths_.size; ++i) {
     const Hit& hit = wave_.hits[i];
     if (context_.shapes[hit.mesh].is_lambert) continue;
-    const Scene& scene = context_.transport.scene;
-    const Interaction at(scene, surface_at(*scene.geometry, hit), -normalize(paths_.direction.at(i)),
+    const SurfacePoint point = surface_at(*context_.transport.scene.geometry, hit);
+    const Interaction at(context_.bsdfs, point, -normalize(paths_.direction.at(i)),
                          Materials(paths_.materials[i]));
     wave_.others.push_back({std::uint32_t(i), at, {}});
     surfaces_.reflectance.set(i, at.bsdf().albedo());

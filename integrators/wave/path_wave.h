@@ -18,6 +18,7 @@ struct WaveContext {
   const WaveStages& stages;
   const PathOptions& options;
   LightTransport transport;
+  const BsdfTable& bsdfs;
   std::span<const ShapeEntry> shapes;
   std::span<const PatchTable> patches;  ///< Of each light.
 };

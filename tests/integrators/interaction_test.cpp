@@ -54,6 +54,7 @@ TEST_CASE("no light is scattered through a surface, whatever its two normals") {
   Scene scene;
   scene.bindings.push_back({});
   scene.materials.push_back({"", Lambert{{1, 1, 1}}});
+  const BsdfTable bsdfs(scene);
   Random random(3);
   int black = 0, bright = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -62,7 +63,7 @@ TEST_CASE("no light is scattered through a surface, whatever its two normals") {
     const Vec3 wo = normalize(random.in_ball());
     const Vec3 wi = normalize(random.in_ball());
     const SurfacePoint point = point_with(geometric, shading);
-    const Interaction at(scene, point, wo);
+    const Interaction at(bsdfs, point, wo);
     const bool same_side = dot(geometric, wo) * dot(geometric, wi) > 0;
     const bool in_front = dot(at.normal(), wi) > 0;
     const float expected = same_side && in_front ? dot(at.normal(), wi) / pi : 0;
@@ -78,6 +79,7 @@ TEST_CASE(
   Scene scene;
   scene.bindings.push_back({});
   scene.materials.push_back({"", Lambert{{1, 1, 1}}});
+  const BsdfTable bsdfs(scene);
   Random random(4);
   int geometric_ones = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -85,7 +87,7 @@ TEST_CASE(
     const Vec3 shading = normalize(random.in_ball());
     const Vec3 wo = normalize(random.in_ball());
     const SurfacePoint point = point_with(geometric, shading);
-    const Interaction at(scene, point, wo);
+    const Interaction at(bsdfs, point, wo);
     CHECK(dot(at.normal(), wo) > 0);
     CHECK(at.wo_local().z == Approx(dot(at.normal(), wo)).margin(1e-6));
     const Vec3 front = dot(geometric, wo) < 0 ? -geometric : geometric;

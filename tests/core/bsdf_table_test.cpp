@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/bsdf_table.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+
+namespace twinray::test {
+namespace {
+
+constexpr Side sides[] = {Side::outside, Side::inside};
+constexpr Materials all_materials[] = {Materials::exact, Materials::regularized};
+
+/// Shape i is made of material i.
+Scene scene_of(std::vector<Material> materials) {
+  Scene scene;
+  for (std::uint32_t i = 0; i < materials.size(); ++i) scene.bindings.push_back({i});
+  scene.materials = std::move(materials);
+  return scene;
+}
+
+SurfacePoint point_of(std::uint32_t shape, Vec2 uv = {}) {
+  SurfacePoint point;
+  point.shape = shape;
+  point.uv = uv;
+  return point;
+}
+
+/// Whether they scatter alike, as far as one sample and what it says can tell.
+bool are_alike(const Bsdf& a, const Bsdf& b, Random& random) {
+  const Vec3 up = normalize(random.in_ball());
+  const Vec3 wo = up.z > 0 ? up : -up;
+  const float lobe = random.unit(), x = random.unit(), y = random.unit();
+  const BsdfSample first = a.sample(wo, lobe, {x, y}), second = b.sample(wo, lobe, {x, y});
+  return first.wi == second.wi && first.value == second.value && first.pdf == second.pdf &&
+         first.eta == second.eta && a.evaluate(wo, first.wi) == b.evaluate(wo, first.wi) &&
+         a.pdf(wo, first.wi) == b.pdf(wo, first.wi) && a.albedo() == b.albedo();
+}
+
+}  // namespace
+
+TEST_CASE("a table has the scattering function of each material, side and kind") {
+  const Scene scene = scene_of({{"chalk", Lambert{}},
+                                {"glass", Glass{}},
+                                {"frosted", Dielectric{.roughness = {0.2f, 0.3f}}},
+                                {"gold", Conductor{}},
+                                {"varnish", CoatedDiffuse{}}});
+  const BsdfTable table(scene);
+  Random random(1);
+  for (std::uint32_t shape = 0; shape < scene.materials.size(); ++shape)
+    for (const Side side : sides)
+      for (const Materials materials : all_materials) {
+        const SurfaceModel& model = scene.materials[shape].model;
+        const Bsdf expected(materials == Materials::exact ? model : regularized(model), side);
+        CAPTURE(shape, int(side), int(materials));
+        for (int i = 0; i < 20; ++i)
+          CHECK(are_alike(table.at(point_of(shape), side, materials), expected, random));
+      }
+}
+
+TEST_CASE("where a texture has a part in a material, its function is that of the point") {
+  Scene scene = scene_of({{"squares", CoatedDiffuse{}}});
+  const Rgb red{1, 0, 0}, blue{0, 0, 1};
+  scene.textures = {{"", ConstantTexture{red}}, {"", ConstantTexture{blue}}, {"", CheckerboardTexture{0, 1}}};
+  scene.materials[0].textures = {{MaterialInput::reflectance, 2}};
+  const BsdfTable table(scene);
+  Random random(2);
+  for (const Side side : sides)
+    for (const Materials materials : all_materials)
+      for (const auto& [u, color] : {std::pair{0.5f, red}, {1.5f, blue}}) {
+        const SurfaceModel model = CoatedDiffuse{.reflectance = color};
+        const Bsdf expected(materials == Materials::exact ? model : regularized(model), side);
+        CHECK(are_alike(table.at(point_of(0, {u, 0.5f}), side, materials), expected, random));
+      }
+}
+
+}  // namespace twinray::test
