@@ -10,8 +10,9 @@ struct BsdfSample {
   Vec3 wi;
   Rgb value;      ///< The BSDF f(wo, wi); of a delta direction the factor of its light, over |cos(wi)|.
   float pdf = 0;  ///< Per solid angle; of a delta direction its probability. 0: nothing is scattered.
-  bool is_delta = false;  ///< Whether no other direction near wi is scattered to: a mirror's.
-  float eta = 1;          ///< Index of refraction on the side of wi, to that on the side of wo.
+  bool is_delta = false;    ///< Whether no other direction near wi is scattered to: a mirror's.
+  float eta = 1;            ///< Index of refraction on the side of wi, to that on the side of wo.
+  bool is_diffuse = false;  ///< Whether a matte part of the surface chose wi, and no highlight.
 };
 
 }  // namespace twinray

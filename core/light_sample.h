@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdint>
+
 #include "core/ray.h"
 #include "core/rgb.h"
 #include "core/vec.h"
@@ -13,6 +15,7 @@ struct LightSample {
                    ///< all.
   float pdf = 1;   ///< Per solid angle; 1 for a delta light.
   Ray shadow_ray;  ///< The light arrives if nothing blocks it.
+  std::uint32_t light = 0;  ///< Of a group of lights: the one that was chosen.
 };
 
 }  // namespace twinray

@@ -238,6 +238,7 @@ LightSample LightSet::sample_group(const Group& group, const SurfacePoint& from,
       std::uint64_t(std::bit_cast<std::uint32_t>(u.x)) << 32 | std::bit_cast<std::uint32_t>(u.y);
   const float fresh = float(mix(bits + hash_step) >> 40) * 0x1p-24f;
   LightSample chosen = sample(group.lights[pick->light], from, normal, {fresh, u.y});
+  chosen.light = group.lights[pick->light];
   chosen.pdf *= pick->probability;
   if (!(chosen.pdf > 0)) return {};
   return chosen;

@@ -17,17 +17,12 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
     const Rgb scattered = at.scattered(look.direction);
     if (is_black(scattered)) continue;
     const Hit hit = tracer.bounce_hit(spawn_ray(at.point(), look.direction));
-    sum += scattered * lamp_radiance(transport, hit, look.direction) / look.density;
+    const Rgb found = lamp_radiance(transport, hit, look.direction);
+    sum += scattered * found / look.density;
+    tracer.observer().looked_around({look.direction, look.density * uniform_hemisphere_pdf(),
+                                     light_at(transport.scene, hit), found, scattered});
   }
   return count == 0 ? Rgb{} : sum / (float(count) * uniform_hemisphere_pdf());
-}
-
-/// The part of a light's sample that scattered rays do not find.
-float weight_of(const LightTransport& transport, std::uint32_t light, const Interaction& at,
-                const LightSample& sample) {
-  if (transport.method != DirectMethod::mis || transport.lights.is_delta(light)) return 1;
-  if (at.is_lambert() && !transport.lights.zone(light).contains(at.point().position)) return 1;
-  return power_heuristic(float(transport.samples_of(light)) * sample.pdf, at.pdf(sample.direction));
 }
 
 /// The light of one source, by the mean of its samples.
@@ -39,7 +34,9 @@ Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Int
     const Vec2 u = sampler.draw_2d(Purpose::light_point, {part, count, light});
     const LightSample sample = transport.lights.sample(light, at.point(), at.normal(), u);
     const Rgb scattered = scattered_sample(transport, light, at, sample);
-    if (!is_black(scattered)) sum += scattered * tracer.visibility(sample.shadow_ray) / sample.pdf;
+    const Rgb visibility = is_black(scattered) ? Rgb{} : tracer.visibility(sample.shadow_ray);
+    if (!is_black(scattered)) sum += scattered * visibility / sample.pdf;
+    tracer.observer().sampled_light(transport, at, {light, sample, scattered, visibility});
   }
   return sum / float(count);
 }
@@ -48,7 +45,22 @@ bool is_sought(const LightSet& lights, const Departure& departure, std::uint32_t
   return departure.seeking == Seeking::all || lights.zone(light).contains(departure.from.position);
 }
 
+/// Light of which no light sample brings any.
+Rgb found_alone(const LightTransport& transport, const Hit& hit, const Vec3& direction,
+                PathObserver& observer) {
+  const Rgb radiance = lamp_radiance(transport, hit, direction);
+  observer.found_light({.light = light_at(transport.scene, hit), .radiance = radiance});
+  return radiance;
+}
+
 }  // namespace
+
+float light_sample_weight(const LightTransport& transport, std::uint32_t light, const Interaction& at,
+                          const LightSample& sample) {
+  if (transport.method != DirectMethod::mis || transport.lights.is_delta(light)) return 1;
+  if (at.is_lambert() && !transport.lights.zone(light).contains(at.point().position)) return 1;
+  return power_heuristic(float(transport.samples_of(light)) * sample.pdf, at.pdf(sample.direction));
+}
 
 Look look_around(const Interaction& at, Vec2 u) {
   if (at.is_lambert()) return {at.to_world(square_to_uniform_hemisphere(u))};
@@ -57,7 +69,7 @@ Look look_around(const Interaction& at, Vec2 u) {
 
 Rgb scattered_sample(const LightTransport& transport, std::uint32_t light, const Interaction& at,
                      const LightSample& sample) {
-  return at.scattered(sample.direction) * sample.radiance * weight_of(transport, light, at, sample);
+  return at.scattered(sample.direction) * sample.radiance * light_sample_weight(transport, light, at, sample);
 }
 
 Rgb direct_light(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,
@@ -70,29 +82,37 @@ Rgb direct_light(const LightTransport& transport, const Interaction& at, const V
 }
 
 Rgb found_light(const LightTransport& transport, const Departure& departure, const Hit& hit,
-                const Vec3& direction) {
-  if (departure.seeking == Seeking::alone) return lamp_radiance(transport, hit, direction);
+                const Vec3& direction, PathObserver& observer) {
+  if (departure.seeking == Seeking::alone) return found_alone(transport, hit, direction, observer);
   if (transport.method != DirectMethod::mis) return {};
   const LightSet& lights = transport.lights;
   const float count = float(transport.samples_per_light);
+  const auto weighted = [&](std::uint32_t light, const Rgb& radiance, float pdf) {
+    const FoundLight found{light, radiance, count * pdf, power_heuristic(departure.pdf, count * pdf)};
+    observer.found_light(found);
+    return found.radiance * found.weight;
+  };
   if (hit.is_miss()) {
     Rgb sum;
     for (const std::uint32_t light : lights.distant())
       if (is_sought(lights, departure, light))
-        sum += lights.radiance(light, direction) *
-               power_heuristic(departure.pdf, count * lights.pdf(light, direction));
+        sum += weighted(light, lights.radiance(light, direction), lights.pdf(light, direction));
     return sum;
   }
   const std::uint32_t light = transport.scene.bindings[hit.mesh].light;
   if (light == no_light || !is_sought(lights, departure, light)) return {};
-  return lights.emitted(surface_at(*transport.scene.geometry, hit), -direction) *
-         power_heuristic(departure.pdf, count * lights.pdf(light, departure.from, hit));
+  return weighted(light, lights.emitted(surface_at(*transport.scene.geometry, hit), -direction),
+                  lights.pdf(light, departure.from, hit));
 }
 
 bool may_find_light(const LightTransport& transport, const Departure& departure) {
   if (departure.seeking == Seeking::alone) return true;
   if (transport.method != DirectMethod::mis) return false;
   return departure.seeking == Seeking::all || transport.lights.is_in_a_zone(departure.from.position);
+}
+
+std::uint32_t light_at(const Scene& scene, const Hit& hit) {
+  return hit.is_miss() ? no_light : scene.bindings[hit.mesh].light;
 }
 
 Rgb lamp_radiance(const LightTransport& transport, const Hit& hit, const Vec3& direction) {

@@ -61,6 +61,10 @@ struct Look {
 /// [0, 1)^2.
 Look look_around(const Interaction& at, Vec2 u);
 
+/// The part of a light's sample that scattered rays do not find.
+float light_sample_weight(const LightTransport& transport, std::uint32_t light, const Interaction& at,
+                          const LightSample& sample);
+
 /// What a surface scatters of a light's sample before its visibility and density, but for the part that
 /// scattered rays find.
 Rgb scattered_sample(const LightTransport& transport, std::uint32_t light, const Interaction& at,
@@ -73,10 +77,12 @@ Rgb direct_light(const LightTransport& transport, const Interaction& at, const V
 
 /// What is left out there, by the ray that a path goes on along: its hit, and its unit direction.
 Rgb found_light(const LightTransport& transport, const Departure& departure, const Hit& hit,
-                const Vec3& direction);
+                const Vec3& direction, PathObserver& observer);
 /// Whether a ray from there could find any.
 bool may_find_light(const LightTransport& transport, const Departure& departure);
 
+/// The light that a ray has found by its hit, as FoundLight has it.
+std::uint32_t light_at(const Scene& scene, const Hit& hit);
 /// Radiance that a ray brings from an emitter that it hits, or from beyond the scene.
 Rgb lamp_radiance(const LightTransport& transport, const Hit& hit, const Vec3& direction);
 

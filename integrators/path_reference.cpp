@@ -34,23 +34,26 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
                                const RecordSpans& record) const {
   const LightTransport transport{scene_, lights_, options_.direct, options_.samples_per_light};
   const PathKey path_key(sample.key);
+  PathObserver& observer = tracer.observer();
   Rgb radiance;
   State path{.ray = sample.ray};
   Hit hit = tracer.camera_hit(path.ray);
   for (int depth = 0;; ++depth) {  // Scattering events before the current ray.
     tracer.arrive();
+    observer.arrived({path.ray, hit, path.throughput});
     if (options_.counts(depth))
-      radiance += options_.clamped(path.throughput * emission(transport, path, hit, depth), depth);
+      radiance += term(path.throughput * emission(transport, path, hit, depth, observer), depth, observer);
     if (hit.is_miss()) return radiance;
 
     const SurfacePoint point = surface_at(*scene_.geometry, hit);
     const Interaction at(bsdfs_, point, -normalize(path.ray.direction), path.materials);
+    observer.stands_at(at, path.materials);
     if (depth == 0) record_surface(at, record);
     if (depth >= options_.depth_limit()) return radiance;
     const VertexSampler sampler(kind, path_key, std::uint32_t(depth) + 1);
     if (options_.counts(depth + 1))
-      radiance += options_.clamped(path.throughput * direct_light(transport, at, sampler, tracer), depth + 1);
-    if (!scatter(at, depth, sampler, path)) return radiance;
+      radiance += term(path.throughput * direct_light(transport, at, sampler, tracer), depth + 1, observer);
+    if (!scatter(at, depth, sampler, path, observer)) return radiance;
     // The ray after the last surface only looks for light.
     const bool is_last = depth + 1 >= options_.depth_limit();
     if (is_last && !may_find_light(transport, path.departure)) return radiance;
@@ -58,19 +61,28 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
   }
 }
 
-Rgb PathReference::emission(const LightTransport& transport, const State& path, const Hit& hit,
-                            int depth) const {
+Rgb PathReference::emission(const LightTransport& transport, const State& path, const Hit& hit, int depth,
+                            PathObserver& observer) const {
   const Vec3 direction = normalize(path.ray.direction);
-  if (depth > 0) return found_light(transport, path.departure, hit, direction);
-  return hit.is_miss() ? lights_.background(direction)
-                       : lights_.emitted(surface_at(*scene_.geometry, hit), -direction);
+  if (depth > 0) return found_light(transport, path.departure, hit, direction, observer);
+  const Rgb radiance = hit.is_miss() ? lights_.background(direction)
+                                     : lights_.emitted(surface_at(*scene_.geometry, hit), -direction);
+  observer.found_light({.light = light_at(scene_, hit), .radiance = radiance});
+  return radiance;
 }
 
-bool PathReference::scatter(const Interaction& at, int depth, const VertexSampler& sampler,
-                            State& path) const {
+Rgb PathReference::term(const Rgb& light, int depth, PathObserver& observer) const {
+  const Rgb term = options_.clamped(light, depth);
+  observer.added({light, term});
+  return term;
+}
+
+bool PathReference::scatter(const Interaction& at, int depth, const VertexSampler& sampler, State& path,
+                            PathObserver& observer) const {
   const Vec2 u = sampler.draw_2d(Purpose::direction);
   const float lobe = at.is_lambert() ? 0 : sampler.draw_1d(Purpose::lobe);
   const auto next = twinray::scatter(at, path.throughput, lobe, u);
+  observer.scattered(lobe, u, next ? &*next : nullptr);
   if (!next) return false;
   path.throughput = next->throughput;
   path.eta_squared *= next->eta * next->eta;
@@ -78,16 +90,18 @@ bool PathReference::scatter(const Interaction& at, int depth, const VertexSample
   if (options_.regularize && next->departure.seeking != Seeking::alone)
     path.materials = Materials::regularized;
   path.ray = spawn_ray(at.point(), next->direction);
-  return survives_roulette(depth + 1, sampler, path);
+  return survives_roulette(depth + 1, sampler, path, observer);
 }
 
-bool PathReference::survives_roulette(int bounce, const VertexSampler& sampler, State& path) const {
+bool PathReference::survives_roulette(int bounce, const VertexSampler& sampler, State& path,
+                                      PathObserver& observer) const {
   if (!options_.roulette.applies(bounce)) return true;
   const float probability = options_.roulette.probability(path.throughput * path.eta_squared);
   if (probability >= 1) return true;
-  if (sampler.draw_1d(Purpose::roulette) >= probability) return false;
-  path.throughput = path.throughput / probability;
-  return true;
+  const RouletteGame game{probability, sampler.draw_1d(Purpose::roulette), path.throughput / probability};
+  observer.played_roulette(game);
+  path.throughput = game.throughput;
+  return game.is_survived();
 }
 
 }  // namespace twinray

@@ -12,7 +12,7 @@ namespace twinray {
 /// bit.
 ///
 /// At vertex d the light scattered d + 1 times is estimated by direct_light; of the emission that a bounce
-/// ray hits, found_light adds what has not been counted there.
+/// ray hits, found_light adds what has not been counted there. The tracer's observer is told every step.
 class PathReference final : public Integrator {
  public:
   /// The scene must outlive the integrator. Throws Error for options out of range.
@@ -35,10 +35,14 @@ class PathReference final : public Integrator {
                   const RecordSpans& record) const;
   /// What a ray brings after `depth` scattering events from an emitter that it hits, or from beyond the
   /// scene.
-  Rgb emission(const LightTransport& transport, const State& path, const Hit& hit, int depth) const;
+  Rgb emission(const LightTransport& transport, const State& path, const Hit& hit, int depth,
+               PathObserver& observer) const;
+  /// The term of the radiance that light is which was scattered `depth` times.
+  Rgb term(const Rgb& light, int depth, PathObserver& observer) const;
   /// Chooses where the path goes on from its vertex `depth`; false where it ends.
-  bool scatter(const Interaction& at, int depth, const VertexSampler& sampler, State& path) const;
-  bool survives_roulette(int bounce, const VertexSampler& sampler, State& path) const;
+  bool scatter(const Interaction& at, int depth, const VertexSampler& sampler, State& path,
+               PathObserver& observer) const;
+  bool survives_roulette(int bounce, const VertexSampler& sampler, State& path, PathObserver& observer) const;
 
   const Scene& scene_;
   PathOptions options_;

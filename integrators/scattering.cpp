@@ -11,6 +11,11 @@ Seeking seeking_of(const Interaction& at, const BsdfSample& sample) {
   return at.is_lambert() ? Seeking::zones : Seeking::all;
 }
 
+ScatterKind kind_of(const BsdfSample& sample) {
+  if (sample.wi.z < 0) return ScatterKind::transmission;
+  return sample.is_diffuse ? ScatterKind::diffuse : ScatterKind::glossy;
+}
+
 }  // namespace
 
 std::optional<Scattering> scatter(const Interaction& at, const Rgb& throughput, float lobe, Vec2 u) {
@@ -20,8 +25,11 @@ std::optional<Scattering> scatter(const Interaction& at, const Rgb& throughput, 
   if (!at.is_consistent(wi)) return std::nullopt;
   const Rgb next = throughput * sample.value * (std::fabs(sample.wi.z) / sample.pdf);
   if (is_black(next)) return std::nullopt;
-  return Scattering{
-      wi, next, {{at.point().position, at.normal()}, sample.pdf, seeking_of(at, sample)}, sample.eta};
+  return Scattering{wi,
+                    next,
+                    {{at.point().position, at.normal()}, sample.pdf, seeking_of(at, sample)},
+                    sample.eta,
+                    kind_of(sample)};
 }
 
 }  // namespace twinray

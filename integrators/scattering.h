@@ -7,12 +7,17 @@
 
 namespace twinray {
 
+/// What kind of scattering it is: a diffuse or a glossy reflection, a mirror's among the latter, or the way
+/// through the surface.
+enum class ScatterKind : std::uint32_t { diffuse, glossy, transmission };
+
 /// How a path goes on from a surface.
 struct Scattering {
   Vec3 direction;  ///< Unit, in world space.
   Rgb throughput;  ///< Of the path, behind the surface; not black.
   Departure departure;
   float eta = 1;  ///< Index of refraction behind the surface, to that before it; 1 where light is reflected.
+  ScatterKind kind = ScatterKind::diffuse;
 };
 
 /// Chooses a direction by the surface's scattering function; none where the path ends. `lobe` in [0, 1), u in

@@ -6,6 +6,7 @@
 
 #include "accel/accelerator.h"
 #include "core/rgb.h"
+#include "integrators/path_observer.h"
 
 namespace twinray {
 
@@ -35,13 +36,16 @@ struct RecordedRay {
   int vertex = 0;  ///< The path's vertex where it starts: 0 the camera, 1 the first surface, ...
 };
 
-/// An integrator's only way to rays: asks an accelerator and keeps the counts of one thread's work.
+/// An integrator's only way to rays: asks an accelerator and keeps the counts of one thread's work. Who
+/// watches a path (integrators/path_observer.h) is found here, too.
 class Tracer {
  public:
   /// With `counting`, each query goes through the slower counting traversal. Where `record` is given, each
   /// ray is appended to it; it must outlive the tracer.
   Tracer(const Accelerator& accelerator, bool counting, std::vector<RecordedRay>* record = nullptr)
       : accelerator_(accelerator), counting_(counting), record_(record) {}
+  Tracer(const Tracer&) = delete;
+  Tracer& operator=(const Tracer&) = delete;
 
   /// A new path begins.
   Hit camera_hit(const Ray& ray) {
@@ -77,6 +81,10 @@ class Tracer {
   void arrive() { ++vertex_; }
   const RayCounts& counts() const { return counts_; }
 
+  /// From now on PathReference tells the observer, which must outlive the tracer, what it does.
+  void watch(PathObserver& observer) { observer_ = &observer; }
+  PathObserver& observer() const { return *observer_; }
+
  private:
   void note(std::span<const Ray> rays, RayKind kind, std::uint64_t& count) {
     count += rays.size();
@@ -96,6 +104,8 @@ class Tracer {
   std::vector<RecordedRay>* record_;
   int vertex_ = 0;
   RayCounts counts_;
+  PathObserver nobody_;
+  PathObserver* observer_ = &nobody_;
   std::vector<std::uint8_t> blocked_;
   std::vector<Rgb> visible_;
 };

@@ -44,7 +44,7 @@ BsdfSample CoatedDiffuseLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
     const float value = reflectance / wi.z;
     return {.wi = wi, .value = {value, value, value}, .pdf = probability, .is_delta = true};
   }
-  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi)};
+  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi), .is_diffuse = !reflects};
 }
 
 }  // namespace twinray

@@ -23,7 +23,7 @@ struct DiffuseTransmissionLobe {
     Vec3 wi = square_to_cosine_hemisphere(u);
     if (is_black(albedo()) || !(wi.z > 0)) return {};
     if (lobe >= reflection_probability()) wi.z = -wi.z;
-    return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi)};
+    return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi), .is_diffuse = true};
   }
 
  private:

@@ -24,7 +24,7 @@ struct LambertLobe {
     if (wi.z <= 0) return {};
     const float pdf = cosine_hemisphere_pdf(wi.z);
     if (wo.z < 0) wi.z = -wi.z;
-    return {wi, reflectance * (1 / pi), pdf};
+    return {.wi = wi, .value = reflectance * (1 / pi), .pdf = pdf, .is_diffuse = true};
   }
 };
 

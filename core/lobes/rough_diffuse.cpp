@@ -39,7 +39,7 @@ Rgb RoughDiffuseLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
 BsdfSample RoughDiffuseLobe::sample(const Vec3& wo, float /*lobe*/, Vec2 u) const {
   const Vec3 wi = square_to_cosine_hemisphere(u);
   if (is_black(reflectance_) || !(wo.z > 0 && wi.z > 0)) return {};
-  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi)};
+  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi), .is_diffuse = true};
 }
 
 }  // namespace twinray

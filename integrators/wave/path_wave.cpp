@@ -93,7 +93,9 @@ void PathWave::add_found_light() {
     const Departure departure = departure_from(wave_.kept[k]);
     const Vec3 direction = normalize(paths_.direction.at(k));
     radiance_[paths_.sample[k]] += context_.options.clamped(
-        paths_.throughput.at<Rgb>(k) * found_light(context_.transport, departure, hit, direction), depth_);
+        paths_.throughput.at<Rgb>(k) *
+            found_light(context_.transport, departure, hit, direction, tracer_.observer()),
+        depth_);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Waves of paths against the path tracer that traces one after the other: every bit, every ray.
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "core/instruction_sets.h"
 #include "core/textured_material.h"
 #include "integrators/path.h"
+#include "integrators/path_log.h"
 #include "integrators/path_reference.h"
 #include "integrators/wave/camera_stage.h"
 #include "tests/support/catch.h"
@@ -203,6 +205,72 @@ void check_bits(const Scene& scene, const PathOptions& options, std::uint32_t co
   }
 }
 
+/// What the lights found bring together.
+Rgb found_together(const PathVertex& vertex) {
+  Rgb sum;
+  for (const FoundLight& found : vertex.found) sum += found.radiance * found.weight;
+  return sum;
+}
+
+/// Direct light by the light samples of a vertex, source by source.
+Rgb light_of_samples(const std::vector<LoggedLightSample>& samples) {
+  Rgb sum;
+  for (std::size_t first = 0, next = 0; first < samples.size(); first = next) {
+    Rgb of_source;
+    for (next = first; next < samples.size() && samples[next].taken.source == samples[first].taken.source;
+         ++next) {
+      const TakenLightSample& taken = samples[next].taken;
+      if (!is_black(taken.scattered)) of_source += taken.scattered * taken.visibility / taken.sample.pdf;
+    }
+    sum += of_source / float(next - first);
+  }
+  return sum;
+}
+
+/// Checks that what is written of a vertex makes the terms that it adds, and the throughput behind it.
+void check_vertex(const PathVertex& vertex, DirectMethod method) {
+  const Rgb throughput = vertex.arrival.throughput;
+  if (vertex.emission) CHECK(vertex.emission->light == throughput * found_together(vertex));
+  if (vertex.direct_light && method != DirectMethod::hemisphere)
+    CHECK(vertex.direct_light->light == throughput * light_of_samples(vertex.light_samples));
+  for (const auto& [taken, weight, bsdf_pdf] : vertex.light_samples)
+    CHECK(taken.scattered ==
+          vertex.surface->scattered(taken.sample.direction) * taken.sample.radiance * weight);
+  if (!vertex.scattering || !vertex.scattering->next) return;
+  const auto& [sample, next] = *vertex.scattering;
+  CHECK(next->throughput == throughput * sample.value * (std::fabs(sample.wi.z) / sample.pdf));
+  CHECK((next->kind == ScatterKind::transmission) == (sample.wi.z < 0));
+  if (vertex.roulette) CHECK(vertex.roulette->throughput == next->throughput / vertex.roulette->probability);
+}
+
+/// Checks that paths that are watched have the bits of waves, and that what is written of them adds up.
+void check_logs(const Scene& scene, const PathOptions& options, std::uint32_t count) {
+  const auto accelerator = build_accelerator(Backend::bvh, scene.geometry);
+  const PathReference reference(scene, options);
+  const PathIntegrator waves(scene, options);
+  Tracer wave(*accelerator, false);
+  for (const CameraSample& sample : samples_of(scene, count)) {
+    PathLog log;
+    Tracer watched(*accelerator, false);
+    watched.watch(log);
+    const Rgb radiance = reference.radiance(sample.ray, SamplerKind::sobol, sample.key, watched);
+    CHECK(radiance == waves.radiance(sample.ray, SamplerKind::sobol, sample.key, wave));
+    CHECK(log.sum() == radiance);
+    const std::vector<PathVertex>& vertices = log.vertices();
+    REQUIRE(!vertices.empty());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      check_vertex(vertices[i], options.direct);
+      if (i + 1 == vertices.size()) break;
+      const auto& [scattered, next] = *vertices[i].scattering;
+      CHECK(vertices[i + 1].arrival.throughput ==
+            (vertices[i].roulette ? vertices[i].roulette->throughput : next->throughput));
+      CHECK(vertices[i + 1].arrival.ray.direction == next->direction);
+    }
+    CHECK((log.end() == PathEnd::left) == vertices.back().arrival.hit.is_miss());
+    if (log.end() == PathEnd::depth) CHECK(int(vertices.size()) == options.depth_limit() + 1);
+  }
+}
+
 /// Samples of a few pixels, some of them in one order and some in another.
 std::vector<PixelSample> pixel_samples() {
   std::vector<PixelSample> samples;
@@ -226,6 +294,17 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
     check_bits(textures, options, count);
     check_bits(lamps, options, count);
     check_bits(many, options, count);
+  }
+}
+
+TEST_CASE("what is written of a path adds up to the bits of its sample, as waves make it") {
+  const Scene everything = scene_of_everything(), models = scene_of_every_model(),
+              many = scene_of_many_lights();
+  const Scene textures = textured(scene_of_every_model()), room = small_room();
+  for (const PathOptions& options : cases) {
+    if (options.samples_per_light > 100) continue;
+    for (const Scene* scene : {&everything, &models, &many, &textures, &room})
+      check_logs(*scene, options, 60);
   }
 }
 

@@ -2,6 +2,7 @@
 """Defects in integrators/."""
 from mutant import Mutant
 
+PATH_LOG = "what is written of a path adds up to the bits of its sample, as waves make it"
 WAVE_BITS = "waves of paths have the bits and the rays of paths one after the other"
 
 MUTANTS = [
@@ -71,8 +72,8 @@ MUTANTS = [
            "shape.textured ? textured_reflectance(shape, hit) : shape.reflectance", "shape.reflectance",
            "test_integrators", "waves of paths have the bits and the rays of paths one after the other"),
     Mutant("a bounce that escapes counts the environment again", "integrators/direct_light.cpp",
-           "power_heuristic(departure.pdf, count * lights.pdf(light, direction))",
-           "1.0f",
+           "lights.radiance(light, direction), lights.pdf(light, direction));",
+           "lights.radiance(light, direction), 0);",
            "test_integrators",
            "a uniform environment lights a floor by its radiance times the reflectance, and "
            "fills the sky"),
@@ -147,7 +148,7 @@ MUTANTS = [
            "return power_heuristic(float(transport", "return 1 + 0 * power_heuristic(float(transport",
            "test_integrators", WAVE_BITS),
     Mutant("scattered rays count all of the light that they find", "integrators/direct_light.cpp",
-           "power_heuristic(departure.pdf, count * lights.pdf(light, departure.from, hit))", "1.0f",
+           "lights.pdf(light, departure.from, hit));", "0);",
            "test_integrators",
            "a square light close to a floor lights it by its form factor, by mis with a third of the noise"),
     Mutant("paths of the waves end at their last surface", "integrators/wave/path_wave.cpp",
@@ -176,8 +177,8 @@ MUTANTS = [
            "camera rays made together have the bits of each alone"),
     Mutant("a ray from a mirror brings only the light that a rough surface's would",
            "integrators/direct_light.cpp",
-           "  if (departure.seeking == Seeking::alone) return lamp_radiance(transport, hit, "
-           "direction);\n", "",
+           "  if (departure.seeking == Seeking::alone) return found_alone(transport, hit, "
+           "direction, observer);\n", "",
            "test_integrators",
            "a mirror shows a lamp with its reflectance, by every way of finding direct light"),
     Mutant("rays from rough surfaces bring the light of lamps close by alone", "integrators/scattering.cpp",
@@ -205,4 +206,29 @@ MUTANTS = [
     Mutant("what a mirror shows is regularized", "integrators/path_reference.cpp",
            "options_.regularize && next->departure.seeking != Seeking::alone", "options_.regularize",
            "test_integrators", WAVE_BITS),
+    Mutant("a path is written down without the clamp", "integrators/path_reference.cpp",
+           "observer.added({light, term});",
+           "observer.added({light, light});",
+           "test_integrators", PATH_LOG),
+    Mutant("the log forgets what rays have found by themselves", "integrators/path_log.cpp",
+           "    if (vertex.emission) sum += vertex.emission->term;\n",
+           "",
+           "test_integrators", PATH_LOG),
+    Mutant("the reference weighs each light sample as if it were the only one",
+           "integrators/direct_light.cpp",
+           "return power_heuristic(float(transport.samples_of(light)) * sample.pdf",
+           "return power_heuristic(sample.pdf",
+           "test_integrators", WAVE_BITS),
+    Mutant("light found in the background is written down with the weight 1", "integrators/direct_light.cpp",
+           "    observer.found_light(found);\n",
+           "    observer.found_light({light, radiance, count * pdf, 1});\n",
+           "test_integrators", PATH_LOG),
+    Mutant("roulette is told with the throughput before it", "integrators/path_reference.cpp",
+           "sampler.draw_1d(Purpose::roulette), path.throughput / probability};",
+           "sampler.draw_1d(Purpose::roulette), path.throughput};",
+           "test_integrators", PATH_LOG),
+    Mutant("a ray that is refracted counts as reflected", "integrators/scattering.cpp",
+           "if (sample.wi.z < 0) return ScatterKind::transmission;",
+           "if (sample.wi.z < -0.5f) return ScatterKind::transmission;",
+           "test_integrators", PATH_LOG),
 ]

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrators/replay.h"
+
+#include <bit>
+#include <cmath>
+
+#include "core/denormals.h"
+#include "integrators/path_reference.h"
+#include "integrators/wave/camera_stage.h"
+
+namespace twinray {
+namespace {
+
+CameraSample camera_sample(const Scene& scene, const RenderOptions& render, const PixelSample& sample) {
+  const Camera camera = fit_frame(scene.camera, render.width, render.height);
+  const CameraSampling sampling{render.width, render.height, render.samples, render.sampler, render.seed};
+  CameraSample made;
+  CameraStage(camera, sampling).make({&sample, 1}, {&made, 1});
+  return made;
+}
+
+bool same_bits(float a, float b) {
+  return (std::isnan(a) && std::isnan(b)) ||
+         std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+}  // namespace
+
+Replay replay(const ReplayScene& of, const PathOptions& path, const RenderOptions& render,
+              const PixelSample& sample) {
+  const KeepDenormals keep;
+  Replay made{.sample = camera_sample(of.scene, render, sample)};
+  Tracer rendering(of.accelerator, false);
+  made.radiance = of.integrator.radiance(made.sample.ray, render.sampler, made.sample.key, rendering);
+  Tracer watched(of.accelerator, false);
+  watched.watch(made.path);
+  PathReference(of.scene, path).radiance(made.sample.ray, render.sampler, made.sample.key, watched);
+  return made;
+}
+
+bool same_bits(const Rgb& a, const Rgb& b) {
+  return same_bits(a.r, b.r) && same_bits(a.g, b.g) && same_bits(a.b, b.b);
+}
+
+}  // namespace twinray
