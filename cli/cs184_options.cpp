@@ -81,6 +81,7 @@ void add_options(CLI::App& app, Cs184Request& request) {
   add_light_words(app, request.render);
   add_sampling_words(app, request.render);
   add_engine_options(app, request.render);
+  add_replay_options(app, request.render);
   add_run_words(app, request.render);
 }
 
@@ -128,6 +129,7 @@ RenderArguments resolved(const Cs184Request& asked, const Words& given) {
   // Who leaves the choice of the engine to the program wants the fastest one.
   if (request.accel == "auto") arguments.render.counting = false;
   resolve_engine(request, arguments);
+  resolve_replay(request, arguments);
   arguments.given = given;
   arguments.without_effect = options_without_effect(request, arguments);
   if (!shorter.empty()) arguments.without_effect.push_back(shorter);

@@ -29,7 +29,7 @@ void name_screenshot(RenderArguments& arguments) {
 }
 
 int render_cs184(RenderArguments arguments, const Words& words) {
-  if (arguments.output.empty()) name_screenshot(arguments);
+  if (arguments.output.empty() && !arguments.replay) name_screenshot(arguments);
   Cs184Talk talk(arguments);
   return render_command(arguments, words, talk);
 }

@@ -89,6 +89,7 @@ std::string needs_bounces(const Asked& asked) {
 }
 
 std::string needs_batches(const Asked& asked) {
+  if (asked.arguments.replay) return "for --replay renders no picture";
   const RenderOptions& render = asked.arguments.render;
   return render.samples > render.adaptive->batch ? ""
                                                  : fmt::format("for a batch of {} is all of the {} samples",
@@ -128,6 +129,14 @@ std::string needs_sah(const Asked& asked) {
   return asked.build().bvh_split == BvhSplit::sah ? "" : "for --bvh-split=sah alone has bins";
 }
 
+std::string needs_replay(const Asked& asked) {
+  return asked.arguments.replay ? "" : "for there is no --replay";
+}
+
+std::string needs_picture(const Asked& asked) {
+  return asked.arguments.replay ? "for --replay renders no picture" : "";
+}
+
 std::string needs_lanes(const Asked& asked) {
   return asked.arguments.is_auto || asked.is_wide() || asked.has(Backend::embree)
              ? ""
@@ -145,6 +154,7 @@ std::string needs_embree(const Asked& asked) {
 }
 
 std::string needs_counts(const Asked& asked) {
+  if (asked.arguments.replay) return "for --replay renders no picture";
   return asked.arguments.backend == Backend::embree_native ? "for embree-native does not count" : "";
 }
 
@@ -166,6 +176,12 @@ constexpr Rule rules[]{
     {"--attenuation", needs_fall_off},
     {"--default-light", needs_light},
     {"--clip", needs_file_view},
+    {"--output", needs_picture},
+    {"--crop", needs_picture},
+    {"--stats", needs_picture},
+    {"--threads", needs_picture},
+    {"--replay-json", needs_replay},
+    {"--replay-obj", needs_replay},
     {"--adaptive", needs_batches},
     {"--check-with", needs_check},
     {"--plant-difference", needs_check},

@@ -13,7 +13,8 @@
 namespace twinray {
 namespace {
 
-/// Help without the ranges and counts that CLI11 appends to an option's value.
+/// Help without the ranges and counts that CLI11 appends to an option's value, and without empty lines
+/// between groups: that of a render fills a screen.
 class BriefFormatter final : public CLI::Formatter {
  public:
   BriefFormatter() { column_width(41); }
@@ -27,6 +28,7 @@ class BriefFormatter final : public CLI::Formatter {
                          std::vector<const CLI::Option*> options) const override {
     std::string text = is_positional ? "" : group + ":\n";
     for (const CLI::Option* option : options) text += make_option(option, is_positional);
+    if (!is_positional) text.pop_back();  // CLI11 puts a line's end behind a group.
     return is_positional ? text + "\n" : text;
   }
 };

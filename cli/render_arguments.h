@@ -17,6 +17,18 @@ namespace twinray {
 
 enum class IntegratorKind { path, path_reference, direct, normals, cost };
 
+/// Whether it makes samples of paths, which can be replayed.
+inline bool traces_paths(IntegratorKind kind) {
+  return kind == IntegratorKind::path || kind == IntegratorKind::path_reference ||
+         kind == IntegratorKind::direct;
+}
+
+/// The path of one sample, in place of a picture.
+struct ReplayRequest {
+  PixelSample sample;               ///< Of the full frame.
+  std::string json_file, obj_file;  ///< Empty: none.
+};
+
 struct Lens {
   float radius = 0, focal_distance = 1;  ///< In scene units; the distance is > 0 where the radius is.
 };
@@ -45,6 +57,7 @@ struct RenderArguments {
   CostKind cost = CostKind::nodes;  ///< Of the integrator cost; something that the backend counts.
   PathOptions path;
   RenderOptions render;
+  std::optional<ReplayRequest> replay;
   std::vector<int> crop;  ///< X Y W H of render.window, as they were given; empty: none.
   bool quiet = false;
   std::vector<std::string> given;           ///< The long names of the options that were given.

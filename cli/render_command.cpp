@@ -15,6 +15,7 @@
 #include "cli/render_outputs.h"
 #include "cli/render_scene.h"
 #include "cli/render_talk.h"
+#include "cli/replay_command.h"
 #include "cli/resources.h"
 #include "cli/statistics_report.h"
 #include "core/error.h"
@@ -122,6 +123,7 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   RenderArguments arguments = asked;
   if (asked.load.camera_name == "?") return list_cameras(asked);
   for (const std::string& warning : arguments.without_effect) console::warn(warning);
+  if (asked.replay) return replay_command(asked);
   check_memory(memory_needs(arguments.render));
   const RenderOutputs outputs = render_outputs(arguments);
   const RenderOutputs partial = partial_outputs(outputs);

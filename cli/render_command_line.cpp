@@ -15,6 +15,7 @@ void add_options(CLI::App& app, RenderRequest& request) {
   add_light_options(app, request);
   add_sampling_options(app, request);
   add_engine_options(app, request);
+  add_replay_options(app, request);
   add_run_options(app, request);
 }
 
@@ -27,6 +28,7 @@ RenderArguments resolved_render(const RenderRequest& request, const Words& given
   resolve_light(request, arguments);
   resolve_sampling(request, arguments);
   resolve_engine(request, arguments);
+  resolve_replay(request, arguments);
   arguments.without_effect = options_without_effect(request, arguments);
   refuse_if_strict(arguments.without_effect, arguments);
   return arguments;

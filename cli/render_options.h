@@ -23,6 +23,8 @@ struct RenderRequest {
   enum class Bounces { all, direct, indirect, last } bounces = Bounces::all;
   std::optional<CostKind> cost;
   std::optional<int> bvh_width;
+  std::vector<std::uint32_t> replay;  ///< X Y INDEX; empty: none.
+  std::string replay_json, replay_obj;
   std::string accel = "auto";  ///< Or a backend's name, or check.
   std::string check_with;      ///< Empty: the usual one.
 };
@@ -32,6 +34,7 @@ void add_light_options(CLI::App& app, RenderRequest& request);
 void add_sampling_options(CLI::App& app, RenderRequest& request);
 void add_engine_options(CLI::App& app, RenderRequest& request);
 void add_run_options(CLI::App& app, RenderRequest& request);
+void add_replay_options(CLI::App& app, RenderRequest& request);
 
 // The picture's group but for its file, and that of sampling but for the number of samples.
 
@@ -52,6 +55,7 @@ void resolve_sampling(const RenderRequest& request, RenderArguments& arguments);
 /// After the others: the engine depends on what is computed. Where the scene decides, it is left to
 /// choose_engine().
 void resolve_engine(const RenderRequest& request, RenderArguments& arguments);
+void resolve_replay(const RenderRequest& request, RenderArguments& arguments);
 
 /// Takes what a scene file says about its picture, where no option says something else, and the crop of the
 /// command line, once the picture's size is known. Throws UsageError where they contradict each other.

@@ -126,10 +126,18 @@ ordered_json engine_json(const EngineStatistics& engine) {
   return json;
 }
 
-/// The option that renders this pixel alone.
-std::string pixel_option(const RejectedSample& at, int frame_height, const RenderArguments& arguments) {
-  if (is_cs184(arguments)) return fmt::format("-p {} {} 1 1", at.x, frame_height - 1 - at.y);
-  return fmt::format("--crop {} {} 1 1", at.x, at.y);
+/// What shows how the sample came about, or at least renders its pixel alone.
+std::string remedy(const RejectedSample& at, int frame_height, const RenderArguments& arguments) {
+  if (traces_paths(arguments.integrator))
+    return fmt::format("--replay {} {} {} shows its path", at.x, at.y, at.index);
+  if (is_cs184(arguments)) return fmt::format("-p {} {} 1 1 renders it alone", at.x, frame_height - 1 - at.y);
+  return fmt::format("--crop {} {} 1 1 renders it alone", at.x, at.y);
+}
+
+ordered_json rejected_json(const Film& film) {
+  if (film.rejected_count() == 0) return nullptr;
+  const RejectedSample first = film.first_rejected();
+  return {{"x", first.x}, {"y", first.y}, {"sample", first.index}};
 }
 
 int threads_used(const StatsArguments& arguments) {
@@ -166,7 +174,10 @@ std::string statistics_json(const RenderArguments& arguments, const AccelStats& 
       {"samples_per_pixel", arguments.render.samples},
       {"resolution", {arguments.render.width, arguments.render.height}},
       {"build", build_json(accel)},
-      {"render", {{"seconds", result.seconds}, {"rejected_samples", result.film.rejected_count()}}},
+      {"render",
+       {{"seconds", result.seconds},
+        {"rejected_samples", result.film.rejected_count()},
+        {"first_rejected", rejected_json(result.film)}}},
       {"rays",
        {{"camera", rays.camera}, {"shadow", rays.shadow}, {"bounce", rays.bounce}, {"total", rays.total()}}},
       {"rays_per_second", rays_per_second(result)}};
@@ -180,10 +191,9 @@ std::string rejection_text(const Film& film, const RenderArguments& arguments) {
   if (film.rejected_count() == 0) return {};
   const RejectedSample first = film.first_rejected();
   return fmt::format(
-      "{} samples were rejected: not finite or beyond {:g}. The first: pixel {} {}, sample {}; render it "
-      "alone with {}",
+      "{} samples were rejected: not finite or beyond {:g}. The first: pixel {} {}, sample {}; {}",
       film.rejected_count(), Film::max_value, first.x, first.y, first.index,
-      pixel_option(first, film.frame_height(), arguments));
+      remedy(first, film.frame_height(), arguments));
 }
 
 std::string stats_text(const StatsArguments& arguments, const SceneStatistics& statistics) {

@@ -278,6 +278,14 @@ std::string lines(const Json& list) {
 
 }  // namespace
 
+std::string type_of(const SurfaceModel& model) {
+  return std::visit([](const auto& m) { return model_json(m); }, model)["type"];
+}
+
+std::string type_of(const LightSource& source) {
+  return std::visit([](const auto& s) { return source_json(s); }, source)["type"];
+}
+
 void check_exchange_name(const std::string& path) {
   const std::string name = file_name(path);
   if (name.size() <= ending.size() || !name.ends_with(ending))

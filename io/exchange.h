@@ -17,6 +17,10 @@ struct ExchangeFrame {
 /// Throws Error unless the name ends in .json, and is more than that.
 void check_exchange_name(const std::string& path);
 
+/// The words for them in that file: "lambert", "thin_dielectric", ..., and "mesh", "point", ...
+std::string type_of(const SurfaceModel& model);
+std::string type_of(const LightSource& source);
+
 /// All files of a scene: those of its meshes and environments, and last the JSON file, `path`.
 std::vector<std::string> exchange_files(const Scene& scene, const std::string& path);
 

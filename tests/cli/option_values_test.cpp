@@ -75,7 +75,7 @@ const std::vector<Option>& options_of(const std::string& command) {
 }
 
 bool is_numbers(const Option& option) {
-  static const Words kinds{"N", "W H", "X Y W H", "N T", "C", "P", "throughput|P"};
+  static const Words kinds{"N", "W H", "X Y W H", "X Y INDEX", "N T", "C", "P", "throughput|P"};
   return option.value.starts_with("<INT>") || option.value == "<FLOAT>" ||
          std::find(kinds.begin(), kinds.end(), option.value) != kinds.end();
 }

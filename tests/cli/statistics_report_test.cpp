@@ -42,7 +42,7 @@ TEST_CASE("nothing traced in no time has no speed") {
   CHECK(holds(text, "0.0000 leaves, 0.0000 intersection tests"));
 }
 
-TEST_CASE("a rejected sample can be rendered alone again") {
+TEST_CASE("a rejected sample can be replayed, or its pixel rendered alone") {
   Film film(20, 10, {2, 1, 18, 9});
   CHECK(rejection_text(film, {}).empty());
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -52,10 +52,13 @@ TEST_CASE("a rejected sample can be rendered alone again") {
   const std::string text = rejection_text(film, {});
   CHECK(holds(text, "3 samples were rejected"));
   CHECK(holds(text, "pixel 5 4, sample 3;"));
-  CHECK(holds(text, "--crop 5 4 1 1"));
-  RenderArguments cs184;
-  cs184.load.interpretation = Interpretation::cs184;
-  CHECK(holds(rejection_text(film, cs184), "alone with -p 5 5 1 1"));  // 5 from the bottom of 10 rows
+  CHECK(holds(text, "; --replay 5 4 3 shows its path"));
+  RenderArguments normals;
+  normals.integrator = IntegratorKind::normals;
+  CHECK(holds(rejection_text(film, normals), "; --crop 5 4 1 1 renders it alone"));
+  normals.load.interpretation = Interpretation::cs184;
+  CHECK(
+      holds(rejection_text(film, normals), "; -p 5 5 1 1 renders it alone"));  // 5 from the bottom of 10 rows
 }
 
 }  // namespace twinray::test

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "cli/render_arguments.h"
+#include "integrators/replay.h"
+
+namespace twinray {
+
+/// A sample that was traced again, and all that its numbers refer to.
+struct ReplayedSample {
+  const RenderArguments& arguments;
+  const Scene& scene;
+  const Replay& replay;
+
+  const PixelSample& place() const { return arguments.replay->sample; }
+};
+
+}  // namespace twinray

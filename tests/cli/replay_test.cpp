@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// twinray render --replay, as a program.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "io/image_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+using nlohmann::json;
+
+const std::string spheres = "'" TWINRAY_SOURCE_DIR "/scenes/spheres.dae' ";
+const std::string materials = "'" TWINRAY_SOURCE_DIR "/scenes/materials.pbrt' ";
+const std::string small = "-r 48 36 -s 1 ";
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != text.npos; ++at) ++count;
+  return count;
+}
+
+Rgb rgb_of(const json& list) { return {list[0], list[1], list[2]}; }
+
+/// A floor under a lamp so strong and near that a sample of its light is no radiance any more.
+const std::string glaring =
+    "LookAt 0 3 1  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 0.2\n"
+    "Film \"rgb\" \"integer xresolution\" 8 \"integer yresolution\" 6\nSampler \"independent\" "
+    "\"integer pixelsamples\" 2\nWorldBegin\n"
+    "LightSource \"point\" \"point3 from\" [ 0 0.0001 0 ] \"rgb I\" [ 1e8 1e8 1e8 ]\n"
+    "Shape \"trianglemesh\" \"point3 P\" [ -9 0 -9  -9 0 9  9 0 9  9 0 -9 ] \"integer indices\" [ 0 1 2 0 2 "
+    "3 ]\n";
+
+}  // namespace
+
+TEST_CASE("a replayed sample is the pixel of a picture of one sample, by every way of finding light") {
+  const TemporaryFolder folder;
+  const std::string picture = folder.file("a.exr"), replay = folder.file("a.json");
+  for (const std::string& scene : {spheres, materials})
+    for (const std::string options :
+         {"", "--direct=hemisphere -l 64 ", "--integrator=path-reference --seed 3 "}) {
+      CAPTURE(scene, options);
+      const std::string command = scene + small + options;
+      REQUIRE(run_program(command + "-q -o " + quoted(picture)).exit_code == 0);
+      const Image image = read_image(picture);
+      for (const auto& [x, y] : {std::pair(24, 20), std::pair(10, 30)}) {
+        const ProcessResult replayed =
+            run_program(command + fmt::format("-q --replay {} {} 0 --replay-json ", x, y) + quoted(replay));
+        CHECK(replayed.exit_code == 0);
+        CHECK(replayed.out.empty());
+        CHECK(replayed.err.empty());
+        const json path = json::parse(read_text(replay));
+        CHECK(rgb_of(path["sum"]) == image.at(x, y));
+        CHECK(path["rendered"] == path["sum"]);
+        CHECK_FALSE(is_black(rgb_of(path["sum"])));
+      }
+    }
+}
+
+TEST_CASE("a replay says in words what happens at each vertex, and why the path ends") {
+  const ProcessResult result = run_program(spheres + small + "--replay 24 34 0");
+  CHECK(result.exit_code == 0);
+  CHECK(result.err.empty());
+  CHECK(result.out.find("Pixel 24 34, sample 0 of 1: ") == 0);
+  for (const char* part :
+       {"48 x 36 pixels, seed 0, sampler sobol\n", "\nCamera\n  ray              from ", "\nVertex 1: shape ",
+        "\n  point            ", "\n  geometric normal ", "\n  shading normal   ", "\n  uv               ",
+        "\n  material         \"", "lambert, albedo ", "\n  light sample     \"", "(mesh): along ",
+        "MIS weight ", "\n  adds             ", "\n  goes on          by diffuse reflection along ",
+        "\n  density          ", "\n  throughput       1 1 1\n",
+        "\nVertex 2: ", "\nThe path ends: ", "\nAll that it adds   "})
+    CHECK(holds(result.out, part));
+  const std::string sum = result.out.substr(result.out.find("All that it adds   ") + 19);
+  CHECK(holds(sum, "\nRendered sample    " + sum.substr(0, sum.find('\n')) + "\n"));
+}
+
+TEST_CASE("a replay draws the path as lines from the camera to its vertices") {
+  const TemporaryFolder folder;
+  const std::string obj = folder.file("a.obj"), text = folder.file("a.json");
+  REQUIRE(run_program(spheres + small + "-q --replay 24 34 0 --replay-obj " + quoted(obj) +
+                      " --replay-json " + quoted(text))
+              .exit_code == 0);
+  const json path = json::parse(read_text(text));
+  std::istringstream lines(read_text(obj));
+  std::string line;
+  const auto next_is = [&](const std::string& wanted) {
+    REQUIRE(std::getline(lines, line));
+    CHECK(line == wanted);
+  };
+  next_is("o path");
+  const auto point = [](const json& p) {
+    return fmt::format("v {} {} {}", p[0].get<float>(), p[1].get<float>(), p[2].get<float>());
+  };
+  next_is(point(path["vertices"][0]["ray"]["origin"]));
+  std::size_t light_samples = 0, surfaces = 0;
+  for (const json& vertex : path["vertices"]) {
+    if (!vertex.contains("surface")) continue;
+    next_is(point(vertex["surface"]["point"]));
+    ++surfaces;
+    for (const json& sample : vertex["light_samples"]) light_samples += sample["is_traced"].get<bool>();
+  }
+  const std::string all = read_text(obj);
+  const std::size_t normals = all.find("o normals\n");
+  REQUIRE(normals != all.npos);
+  CHECK(count_of(all.substr(normals), "\nl ") == surfaces);
+  CHECK(count_of(all.substr(0, normals), "\nl ") == 1 + light_samples);
+}
+
+TEST_CASE("JSON on standard output stands there alone") {
+  const ProcessResult result = run_program(spheres + small + "--replay 1 1 0 --replay-json -");
+  CHECK(result.exit_code == 0);
+  CHECK(json::parse(result.out)["pixel"] == json({1, 1}));
+  CHECK(holds(result.err, "The path ends: "));
+}
+
+TEST_CASE("a sample that is no radiance is rejected, counted, and named so that it can be replayed") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("glaring.pbrt"), statistics = folder.file("a.json");
+  write_text(scene, glaring);
+  const ProcessResult render = run_program(quoted(scene) + " -q -o " + quoted(folder.file("a.exr")) +
+                                           " --stats " + quoted(statistics));
+  CHECK(render.exit_code == 0);
+  CHECK(holds(render.err, " samples were rejected: not finite or beyond 1e+09. The first: pixel "));
+  const json found = json::parse(read_text(statistics))["render"];
+  CHECK(found["rejected_samples"].get<int>() > 0);
+  const json first = found["first_rejected"];
+  const std::string option = fmt::format("--replay {} {} {}", first["x"].get<int>(), first["y"].get<int>(),
+                                         first["sample"].get<int>());
+  CHECK(holds(render.err, "; " + option + " shows its path\n"));
+  const ProcessResult replay = run_program(quoted(scene) + " -q " + option + " --replay-json -");
+  CHECK(replay.exit_code == 0);
+  CHECK(json::parse(replay.out)["rendered"][0].get<double>() > 1e9);
+}
+
+TEST_CASE("a sample that the picture does not have is an error that says which it has") {
+  const auto said = [](const std::string& options) {
+    const ProcessResult result = run_program(spheres + small + options);
+    CHECK(result.exit_code == 2);
+    return result.err.substr(0, result.err.find("\nusage"));
+  };
+  CHECK(said("--replay 48 0 0") ==
+        "twinray: --replay: pixel 48 0 is not in the picture of 48 x 36 pixels; the last is 47 35");
+  CHECK(said("--replay 0 36 0") ==
+        "twinray: --replay: pixel 0 36 is not in the picture of 48 x 36 pixels; the last is 47 35");
+  CHECK(said("--replay 0 0 1") ==
+        "twinray: --replay: sample 1 is not in the picture: of 1 samples a pixel the last is 0");
+  CHECK(said("--replay 0 -1 0") == "twinray: --replay: \"-1\" is not a whole number from 0 to 65535");
+  CHECK(said("--integrator=normals --replay 0 0 0") ==
+        "twinray: --replay: --integrator=path, path-reference and direct alone trace paths");
+  CHECK(said("--accel=check --replay 0 0 0") ==
+        "twinray: --replay asks one engine alone; it does not go with --accel=check");
+}
+
+TEST_CASE("what has no effect on a replay, or without one, is named") {
+  const TemporaryFolder folder;
+  const ProcessResult result =
+      run_program(spheres + small + "-t 2 --stats a.json --crop 0 0 9 9 --replay 1 1 0 -o " +
+                  quoted(folder.file("a.png")));
+  CHECK(result.exit_code == 0);
+  for (const char* option : {"--output", "--stats", "--crop", "--threads"})
+    CHECK(
+        holds(result.err, fmt::format("warning: {}: no effect, for --replay renders no picture\n", option)));
+  CHECK(folder.file_count() == 0);
+  const ProcessResult without = run_program(
+      spheres + small + "-q --replay-json b.json --replay-obj b.obj -o " + quoted(folder.file("a.png")));
+  CHECK(holds(without.err, "warning: --replay-json: no effect, for there is no --replay\n"));
+  CHECK(holds(without.err, "warning: --replay-obj: no effect, for there is no --replay\n"));
+}
+
+}  // namespace twinray::test
