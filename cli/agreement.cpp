@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "check/difference.h"
+#include "integrators/ambient_occlusion.h"
+#include "integrators/furnace.h"
 #include "integrators/normals.h"
 #include "integrators/path.h"
 #include "integrators/render.h"
@@ -21,8 +23,8 @@ namespace {
 constexpr std::array<std::pair<const char*, SamplerKind>, 2> samplers{
     {{"sobol", SamplerKind::sobol}, {"independent", SamplerKind::independent}}};
 
-/// Rays of one sample by all four integrators together, roughly.
-constexpr double rays_per_sample = 15;
+/// Rays of one sample by all integrators together, roughly.
+constexpr double rays_per_sample = 22;
 
 using NamedIntegrators = std::vector<std::pair<std::string, std::unique_ptr<Integrator>>>;
 
@@ -31,6 +33,8 @@ NamedIntegrators integrators_of(const Scene& scene) {
   const PathOptions by_hemisphere{.max_depth = 1, .direct = DirectMethod::hemisphere};
   NamedIntegrators all;
   all.emplace_back("normals", std::make_unique<NormalsIntegrator>(scene));
+  all.emplace_back("ambient occlusion", std::make_unique<AmbientOcclusionIntegrator>(scene));
+  all.emplace_back("furnace", std::make_unique<FurnaceIntegrator>(scene, PathOptions{}.max_depth));
   all.emplace_back("direct by lights", std::make_unique<PathIntegrator>(scene, by_lights));
   all.emplace_back("direct by hemisphere", std::make_unique<PathIntegrator>(scene, by_hemisphere));
   all.emplace_back("path", std::make_unique<PathIntegrator>(scene, PathOptions{}));

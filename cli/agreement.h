@@ -47,11 +47,11 @@ struct SceneAgreement {
   std::vector<std::string> differences;  ///< One for each render that differs from the first of its kind.
 };
 
-/// Renders normals, direct light by lights and by hemisphere, and paths, each with both samplers: by each
-/// engine, with 1, 2 and 7 threads. Every film is compared with the first engine's on one thread, and so are
-/// rays by kind. Where brute force would need more tests than the options allow, it renders the middle of the
-/// frame alone. `progress`, if set, is called after each render with the number done and of all. Throws Error
-/// for options out of range.
+/// Renders normals, ambient occlusion, a furnace, direct light by lights and by hemisphere, and paths, each
+/// with both samplers: by each engine, with 1, 2 and 7 threads. Every film is compared with the first
+/// engine's on one thread, and so are rays by kind. Where brute force would need more tests than the options
+/// allow, it renders the middle of the frame alone. `progress`, if set, is called after each render with the
+/// number done and of all. Throws Error for options out of range.
 SceneAgreement compare_engines(const Scene& scene, const AgreementOptions& options,
                                const std::function<void(std::size_t, std::size_t)>& progress = {});
 

@@ -14,6 +14,13 @@ using Bounces = RenderRequest::Bounces;
 
 constexpr const char* group_name = "Light";
 
+const Choices<IntegratorKind> integrators{
+    {"path", IntegratorKind::path},       {"path-reference", IntegratorKind::path_reference},
+    {"direct", IntegratorKind::direct},   {"ambient-occlusion", IntegratorKind::ambient_occlusion},
+    {"furnace", IntegratorKind::furnace}, {"normals", IntegratorKind::normals},
+    {"cost", IntegratorKind::cost}};
+constexpr Range<double> distances{1e-12, 1e12};
+
 /// What has a letter, too.
 void add_light_letters(OptionGroup& group, RenderRequest& request) {
   RenderArguments& arguments = request.arguments;
@@ -92,6 +99,12 @@ void choose_bounces(Bounces bounces, PathOptions& path) {
 
 }  // namespace
 
+std::string integrator_name(IntegratorKind kind) {
+  for (const auto& [name, value] : integrators)
+    if (value == kind) return name;
+  return "unknown";
+}
+
 void add_light_options(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, group_name);
   add_light_letters(group, request);
@@ -101,13 +114,9 @@ void add_light_options(CLI::App& app, RenderRequest& request) {
 void add_light_words(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, group_name);
   RenderArguments& arguments = request.arguments;
-  group.add_choice<IntegratorKind>("--integrator", arguments.integrator,
-                                   {{"path", IntegratorKind::path},
-                                    {"path-reference", IntegratorKind::path_reference},
-                                    {"direct", IntegratorKind::direct},
-                                    {"normals", IntegratorKind::normals},
-                                    {"cost", IntegratorKind::cost}},
-                                   "What is computed");
+  group.add_choice<IntegratorKind>("--integrator", arguments.integrator, integrators, "What is computed");
+  group.add_number({"--ao-distance", "X", "How far ambient occlusion looks for obstacles"},
+                   arguments.occlusion_distance, distances);
   group.add_choice<std::optional<CostKind>>(
       "--cost", request.cost, {{"nodes", CostKind::nodes}, {"primitives", CostKind::primitives}},
       "Of a camera ray, for cost (nodes if counted)");

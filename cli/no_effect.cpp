@@ -15,9 +15,7 @@ struct Asked {
   const RenderRequest& request;
   const RenderArguments& arguments;
 
-  bool is_lit() const {
-    return arguments.integrator != IntegratorKind::normals && arguments.integrator != IntegratorKind::cost;
-  }
+  bool is_lit() const { return traces_paths(arguments.integrator); }
   bool is_check() const { return arguments.check_with.has_value(); }
   bool has(Backend backend) const {
     return (!arguments.is_auto && arguments.backend == backend) ||
@@ -41,7 +39,9 @@ struct Rule {
 };
 
 std::string needs_light(const Asked& asked) {
-  return asked.is_lit() ? "" : "for normals and costs are rendered without light";
+  return asked.is_lit() ? ""
+                        : fmt::format("for --integrator={} does not ask for the scene's light",
+                                      integrator_name(asked.arguments.integrator));
 }
 
 std::string needs_environment(const Asked& asked) {
@@ -60,6 +60,7 @@ std::string needs_direct_light(const Asked& asked) {
 }
 
 std::string needs_more_bounces(const Asked& asked) {
+  if (asked.arguments.integrator == IntegratorKind::furnace) return "";
   if (!asked.is_lit()) return needs_light(asked);
   return asked.arguments.integrator == IntegratorKind::direct && asked.request.arguments.path.max_depth > 1
              ? "for --integrator=direct ends paths after one bounce"
@@ -98,6 +99,12 @@ std::string needs_batches(const Asked& asked) {
 
 std::string needs_file_view(const Asked& asked) {
   return asked.arguments.view == View::file ? "" : "for --view=whole leaves no clip distances";
+}
+
+std::string needs_occlusion(const Asked& asked) {
+  return asked.arguments.integrator == IntegratorKind::ambient_occlusion
+             ? ""
+             : "for --integrator=ambient-occlusion alone looks around";
 }
 
 std::string needs_cost(const Asked& asked) {
@@ -160,6 +167,7 @@ std::string needs_counts(const Asked& asked) {
 
 constexpr Rule rules[]{
     {"--cost", needs_cost},
+    {"--ao-distance", needs_occlusion},
     {"--max-depth", needs_more_bounces},
     {"--bounces", needs_bounces},
     {"--roulette", needs_roulette},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +16,10 @@
 
 namespace twinray {
 
-enum class IntegratorKind { path, path_reference, direct, normals, cost };
+enum class IntegratorKind { path, path_reference, direct, ambient_occlusion, furnace, normals, cost };
+/// As --integrator takes it: "path", "path-reference", ...
+std::string integrator_name(IntegratorKind kind);
+
 
 /// Whether it makes samples of paths, which can be replayed.
 inline bool traces_paths(IntegratorKind kind) {
@@ -55,6 +59,8 @@ struct RenderArguments {
   bool plant_difference = false;  ///< check_with breaks the promise of equal bits, and is held to it.
   IntegratorKind integrator = IntegratorKind::path;
   CostKind cost = CostKind::nodes;  ///< Of the integrator cost; something that the backend counts.
+  /// Of the integrator ambient_occlusion, in scene units.
+  double occlusion_distance = std::numeric_limits<double>::infinity();
   PathOptions path;
   RenderOptions render;
   std::optional<ReplayRequest> replay;

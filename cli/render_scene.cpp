@@ -11,6 +11,8 @@
 #include "cli/render_options.h"
 #include "cli/scene_warnings.h"
 #include "core/error.h"
+#include "integrators/ambient_occlusion.h"
+#include "integrators/furnace.h"
 #include "integrators/normals.h"
 #include "integrators/path.h"
 #include "integrators/path_reference.h"
@@ -83,6 +85,10 @@ std::unique_ptr<Integrator> make_integrator(const RenderArguments& arguments, co
   if (arguments.integrator == IntegratorKind::normals)
     return std::make_unique<NormalsIntegrator>(
         scene, is_cs184(arguments) ? NormalsIntegrator::Mixture::as_it_is : NormalsIntegrator::Mixture::unit);
+  if (arguments.integrator == IntegratorKind::ambient_occlusion)
+    return std::make_unique<AmbientOcclusionIntegrator>(scene, float(arguments.occlusion_distance));
+  if (arguments.integrator == IntegratorKind::furnace)
+    return std::make_unique<FurnaceIntegrator>(scene, arguments.path.max_depth);
   if (arguments.integrator == IntegratorKind::path_reference)
     return std::make_unique<PathReference>(scene, arguments.path);
   return std::make_unique<PathIntegrator>(scene, arguments.path);

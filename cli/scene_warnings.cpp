@@ -25,8 +25,7 @@ std::string unmet_lights(const Scene& scene) {
 }  // namespace
 
 std::vector<std::string> scene_warnings(const Scene& scene, const RenderArguments& arguments) {
-  if (arguments.integrator == IntegratorKind::normals || arguments.integrator == IntegratorKind::cost)
-    return {};
+  if (!traces_paths(arguments.integrator)) return {};
   std::vector<std::string> warnings;
   const auto add = [&warnings](std::string warning) {
     if (!warning.empty()) warnings.push_back(std::move(warning));

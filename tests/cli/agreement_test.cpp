@@ -16,10 +16,10 @@ namespace twinray::test {
 namespace {
 
 const std::string scenes = TWINRAY_SOURCE_DIR "/scenes/";
-/// By four integrators and two samplers, on each of the engines' numbers of threads.
+/// By six integrators and two samplers, on each of the engines' numbers of threads.
 std::size_t renders_of(const std::vector<AgreementEngine>& engines) {
   std::size_t renders = 0;
-  for (const AgreementEngine& engine : engines) renders += 4 * 2 * engine.threads.size();
+  for (const AgreementEngine& engine : engines) renders += 6 * 2 * engine.threads.size();
   return renders;
 }
 

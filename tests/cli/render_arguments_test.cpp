@@ -157,9 +157,17 @@ TEST_CASE("cost shows what the engine counts: nodes of the bvh, else primitives"
   CHECK(no_effect({"--clip=file", "--view=whole"}) ==
         "--clip: no effect, for --view=whole leaves no clip distances");
   CHECK(no_effect({"--integrator=normals", "--attenuation=file"}) ==
-        "--attenuation: no effect, for normals and costs are rendered without light");
+        "--attenuation: no effect, for --integrator=normals does not ask for the scene's light");
   CHECK(no_effect({"--integrator=normals", "--default-light"}) ==
-        "--default-light: no effect, for normals and costs are rendered without light");
+        "--default-light: no effect, for --integrator=normals does not ask for the scene's light");
+  CHECK(no_effect({"--integrator=furnace", "--default-light"}) ==
+        "--default-light: no effect, for --integrator=furnace does not ask for the scene's light");
+  CHECK(no_effect({"--integrator=furnace", "-m", "3"}).empty());
+  CHECK(no_effect({"--ao-distance=2"}) ==
+        "--ao-distance: no effect, for --integrator=ambient-occlusion alone looks around");
+  CHECK(parse({"--integrator=ambient-occlusion", "--ao-distance=2"}).occlusion_distance == 2);
+  CHECK(message_of({"--integrator=ambient-occlusion", "--ao-distance=0"}) ==
+        "--ao-distance: \"0\" is not a number from 1e-12 to 1000000000000");
   CHECK(no_effect({"--cost=nodes"}) == "--cost: no effect, for --integrator=cost alone shows costs");
 #ifdef TWINRAY_WITH_EMBREE
   CHECK(parse({"--integrator=cost", "--accel=embree"}).cost == CostKind::primitives);
@@ -216,7 +224,7 @@ TEST_CASE("the clamp is off or a radiance, and changes indirect light alone") {
     CHECK(no_effect({word, "--bounces=direct"}) == too_short);
     CHECK(no_effect({word, "-m", "2"}).empty());
     CHECK(no_effect({word, "--integrator=normals"}) ==
-          option + ": no effect, for normals and costs are rendered without light");
+          option + ": no effect, for --integrator=normals does not ask for the scene's light");
   }
 }
 
@@ -320,7 +328,8 @@ TEST_CASE("an option of light has no effect where light of its kind is not compu
   for (const char* option :
        {"--direct=hemisphere", "-H", "-l4", "--bounces=last", "--roulette=0.5", "-esky.exr"})
     CHECK(no_effect({"--integrator=normals", option})
-              .find(": no effect, for normals and costs are rendered without light") != std::string::npos);
+              .find(": no effect, for --integrator=normals does not ask for the scene's light") !=
+          std::string::npos);
   CHECK(no_effect({"-m", "0", "-l", "4"}) ==
         "--light-samples: no effect, for --max-depth=0 leaves the light of emitters alone");
   CHECK(no_effect({"-m", "1", "-l", "4"}).empty());

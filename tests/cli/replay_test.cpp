@@ -85,7 +85,7 @@ TEST_CASE("a replay says in words what happens at each vertex, and why the path 
 TEST_CASE("a replay draws the path as lines from the camera to its vertices") {
   const TemporaryFolder folder;
   const std::string obj = folder.file("a.obj"), text = folder.file("a.json");
-  REQUIRE(run_program(spheres + small + "-q --replay 24 34 0 --replay-obj " + quoted(obj) +
+  REQUIRE(run_program(spheres + small + "-q --replay 16 29 0 --replay-obj " + quoted(obj) +
                       " --replay-json " + quoted(text))
               .exit_code == 0);
   const json path = json::parse(read_text(text));
@@ -100,18 +100,27 @@ TEST_CASE("a replay draws the path as lines from the camera to its vertices") {
     return fmt::format("v {} {} {}", p[0].get<float>(), p[1].get<float>(), p[2].get<float>());
   };
   next_is(point(path["vertices"][0]["ray"]["origin"]));
-  std::size_t light_samples = 0, surfaces = 0;
+  std::size_t seen = 0, blocked = 0, surfaces = 0;
   for (const json& vertex : path["vertices"]) {
     if (!vertex.contains("surface")) continue;
     next_is(point(vertex["surface"]["point"]));
     ++surfaces;
-    for (const json& sample : vertex["light_samples"]) light_samples += sample["is_traced"].get<bool>();
+    for (const json& sample : vertex["light_samples"]) {
+      const bool is_seen = !is_black(rgb_of(sample["visibility"]));
+      seen += is_seen;
+      blocked += sample["is_traced"].get<bool>() && !is_seen;
+    }
   }
   const std::string all = read_text(obj);
-  const std::size_t normals = all.find("o normals\n");
-  REQUIRE(normals != all.npos);
-  CHECK(count_of(all.substr(normals), "\nl ") == surfaces);
-  CHECK(count_of(all.substr(0, normals), "\nl ") == 1 + light_samples);
+  const auto lines_of = [&](const std::string& object) {
+    const std::size_t begin = all.find("o " + object + "\n");
+    REQUIRE(begin != all.npos);
+    return count_of(all.substr(begin, all.find("\no ", begin) - begin), "\nl ");
+  };
+  CHECK(lines_of("path") == 1);
+  CHECK(lines_of("normals") == surfaces);
+  CHECK(lines_of("light_samples") == seen);
+  CHECK(lines_of("blocked_light_samples") == blocked);
 }
 
 TEST_CASE("JSON on standard output stands there alone") {

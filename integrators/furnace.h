@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "core/bsdf_table.h"
+#include "core/scene.h"
+#include "integrators/integrator.h"
+
+namespace twinray {
+
+/// The white furnace: the scene's surfaces under a sky of radiance 1 all around, all its own lights out. A
+/// material that loses no energy cannot be told from the sky; what is darker has absorbed light, what is
+/// brighter has made some.
+///
+/// Directions are sampled by the scattering functions alone, and no path is given up at random: of a surface
+/// that loses nothing each sample is 1, without noise, where its sampling is perfect. Light of paths that are
+/// scattered more than `max_depth` times is lost.
+class FurnaceIntegrator final : public PlainIntegrator {
+ public:
+  /// The scene must outlive the integrator.
+  FurnaceIntegrator(const Scene& scene, int max_depth)
+      : scene_(scene), bsdfs_(scene), max_depth_(max_depth) {}
+
+ private:
+  Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer) const override;
+
+  const Scene& scene_;
+  BsdfTable bsdfs_;
+  int max_depth_;
+};
+
+}  // namespace twinray
