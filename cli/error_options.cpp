@@ -76,6 +76,7 @@ void add_options(CLI::App& app, ErrorRequest& request) {
   add_reference_options(app, request);
   add_frame_options(app, request.common);
   add_light_options(app, request.common);
+  add_texture_options(app, request.common);
   add_sampler_options(app, request.common);
   add_engine_options(app, request.common);
   OptionGroup group(app, "Run");

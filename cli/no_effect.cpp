@@ -183,6 +183,7 @@ constexpr Rule rules[]{
     {"--environment-scale", needs_environment},
     {"--attenuation", needs_fall_off},
     {"--default-light", needs_light},
+    {"--texture-filter", needs_light},
     {"--clip", needs_file_view},
     {"--output", needs_picture},
     {"--crop", needs_picture},
@@ -207,6 +208,12 @@ constexpr Rule rules[]{
     {"--embree-isa", needs_embree},
     {"--count", needs_counts},
 };
+
+bool has_picture(const Scene& scene) {
+  return std::any_of(scene.textures.begin(), scene.textures.end(), [](const Texture& texture) {
+    return std::holds_alternative<ImageTexture>(texture.model);
+  });
+}
 
 bool has_area_light(const Scene& scene) {
   return std::any_of(scene.lights.begin(), scene.lights.end(),
@@ -234,6 +241,8 @@ std::vector<std::string> options_without_effect(const Scene& scene, const Render
   if (is_given("--light-samples", arguments) && arguments.path.direct != DirectMethod::hemisphere &&
       !has_area_light(scene))
     found.push_back("--light-samples: no effect, for no light of the scene has an area");
+  if (is_given("--texture-filter", arguments) && !has_picture(scene))
+    found.push_back("--texture-filter: no effect, for the scene has no picture on its surfaces");
   return found;
 }
 

@@ -62,6 +62,8 @@ struct RenderArguments {
   /// Of the integrator ambient_occlusion, in scene units.
   double occlusion_distance = std::numeric_limits<double>::infinity();
   PathOptions path;
+  /// Of all pictures but those that the scene wants without any; not set: each as the scene file says.
+  std::optional<TextureFilter> texture_filter = TextureFilter::stochastic;
   RenderOptions render;
   std::optional<ReplayRequest> replay;
   std::vector<int> crop;  ///< X Y W H of render.window, as they were given; empty: none.

@@ -13,6 +13,7 @@ void add_options(CLI::App& app, RenderRequest& request) {
   add_scene(app, request.arguments.scene);
   add_picture_options(app, request);
   add_light_options(app, request);
+  add_texture_options(app, request);
   add_sampling_options(app, request);
   add_engine_options(app, request);
   add_replay_options(app, request);

@@ -31,6 +31,7 @@ struct RenderRequest {
 
 void add_picture_options(CLI::App& app, RenderRequest& request);
 void add_light_options(CLI::App& app, RenderRequest& request);
+void add_texture_options(CLI::App& app, RenderRequest& request);
 void add_sampling_options(CLI::App& app, RenderRequest& request);
 void add_engine_options(CLI::App& app, RenderRequest& request);
 void add_run_options(CLI::App& app, RenderRequest& request);

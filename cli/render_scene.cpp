@@ -68,6 +68,7 @@ LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk) {
   take_defaults(loaded.defaults, arguments);
   talk.loaded(loaded.summary);
   loaded.scene.camera = camera_of(arguments, loaded.scene, talk);
+  if (arguments.texture_filter) set_filter(loaded.scene.textures, *arguments.texture_filter);
   if (!arguments.environment.empty())
     loaded.scene.lights.push_back({"environment", read_environment(arguments)});
   const std::vector<std::string> without_effect = options_without_effect(loaded.scene, arguments);

@@ -24,7 +24,7 @@ BsdfTable::BsdfTable(const Scene& scene) : scene_(scene) {
 Bsdf BsdfTable::at(const SurfacePoint& point, Side side, Materials materials) const {
   const Material& material = material_at(scene_, point);
   if (!material.textures.empty())
-    return bsdf_of(textured_model(material, scene_.textures, {point.uv}), side, materials);
+    return bsdf_of(textured_model(material, scene_.textures, texture_point(point)), side, materials);
   const auto index = std::size_t(&material - scene_.materials.data());
   return made_[4 * index + 2 * std::size_t(materials) + std::size_t(side)];
 }

@@ -24,7 +24,7 @@ const Material& material_at(const Scene& scene, const SurfacePoint& point) {
   for (;;) {
     const Material& material = scene.materials[index];
     if (!std::holds_alternative<Mix>(material.model)) return material;
-    const SurfaceModel model = textured_model(material, scene.textures, {point.uv});
+    const SurfaceModel model = textured_model(material, scene.textures, texture_point(point));
     const Mix& mix = std::get<Mix>(model);
     index = random_at(point, index) < mix.amount ? mix.second : mix.first;
   }

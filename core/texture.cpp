@@ -35,6 +35,24 @@ Rgb bilinear(const Image& image, WrapMode wrap, Vec2 uv) {
   return upper * (1 - t) + lower * t;
 }
 
+/// What is left of a draw in [0, 1) once it has chosen one of two: the second with the given probability.
+struct ChoiceOfTwo {
+  bool second;
+  float draw;  ///< Uniform again.
+};
+ChoiceOfTwo choose(float probability, float draw) {
+  if (draw < probability) return {true, draw / probability};
+  return {false, (draw - probability) / (1 - probability)};
+}
+
+/// One of the pixels that bilinear would mix, each with the probability that is its part there.
+Rgb stochastic(const Image& image, WrapMode wrap, Vec2 uv, Vec2 draw) {
+  const double column = double(uv.x) * image.width - 0.5, row = (1 - double(uv.y)) * image.height - 0.5;
+  const double left = std::floor(column), above = std::floor(row);
+  const bool is_right = draw.x < float(column - left), is_below = draw.y < float(row - above);
+  return wrapped(image, wrap, left + is_right, above + is_below);
+}
+
 /// How much a transform stretches at most, about: the larger of its columns' lengths.
 float stretch(const UvTransform& uv) {
   const auto& m = uv.m;
@@ -45,7 +63,8 @@ float stretch(const UvTransform& uv) {
 double level_of(const MipMap& image, float footprint) {
   const double pixels = double(footprint) * std::max(image.level(0).width, image.level(0).height);
   if (!(pixels > 1)) return 0;
-  return std::min(log2_of(pixels), double(image.levels() - 1));
+  const double coarsest = image.levels() - 1;
+  return pixels < 0x1p30 ? std::min(log2_of(pixels), coarsest) : coarsest;
 }
 
 struct Evaluate {
@@ -76,6 +95,11 @@ struct Evaluate {
     const double level = level_of(*texture.image, at.footprint * stretch(texture.uv));
     const int finer = int(level);
     const auto t = float(level - finer);
+    if (texture.filter == TextureFilter::stochastic) {
+      const ChoiceOfTwo coarser = choose(t, at.draw.x);
+      return stochastic(texture.image->level(finer + coarser.second), texture.wrap, uv,
+                        {coarser.draw, at.draw.y});
+    }
     const Rgb fine = bilinear(texture.image->level(finer), texture.wrap, uv);
     if (t == 0) return fine;
     return fine * (1 - t) + bilinear(texture.image->level(finer + 1), texture.wrap, uv) * t;
@@ -109,6 +133,13 @@ struct Check {
 };
 
 }  // namespace
+
+void set_filter(std::span<Texture> textures, TextureFilter filter) {
+  for (Texture& texture : textures)
+    if (auto* image = std::get_if<ImageTexture>(&texture.model);
+        image && image->filter != TextureFilter::nearest)
+      image->filter = filter;
+}
 
 Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at) {
   return std::visit(Evaluate{textures, at}, textures[index].model);

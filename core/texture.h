@@ -17,9 +17,11 @@ namespace twinray {
 /// What lies beside a picture: the picture again, its outermost pixels, nothing.
 enum class WrapMode { repeat, clamp, black };
 
-/// How a value between pixels is made: the nearest one; bilinear of the four around; of the two levels of the
-/// mip-map whose pixels are about as large as the footprint (trilinear).
-enum class TextureFilter { nearest, bilinear, trilinear };
+/// How a value between pixels is made. Of the picture itself: the nearest one; bilinear of the four around.
+/// Of the two levels of the mip-map whose pixels are about as large as the footprint: trilinear of the eight
+/// around; or one of these at random, whose mean is trilinear's (Fajardo et al., "Stochastic Texture
+/// Filtering", 2023).
+enum class TextureFilter { nearest, bilinear, trilinear, stochastic };
 
 /// An affine map of texture coordinates: u' = m[0] . (u, v, 1), v' = m[1] . (u, v, 1).
 struct UvTransform {
@@ -39,7 +41,7 @@ struct ConstantTexture {
 struct ImageTexture {
   std::shared_ptr<const MipMap> image;  ///< Never null. Linear values.
   WrapMode wrap = WrapMode::repeat;
-  TextureFilter filter = TextureFilter::trilinear;
+  TextureFilter filter = TextureFilter::stochastic;
   UvTransform uv;
 };
 
@@ -71,7 +73,13 @@ struct Texture {
 struct TexturePoint {
   Vec2 uv;
   float footprint = 0;  ///< The width, in texture coordinates, of what one sample sees; 0: a point.
+  /// In [0, 1)^2: chooses the pixels of stochastic filters, the same for all textures of a surface. So one
+  /// point of the surface is shaded, and the mean over the draws is that of shaded points.
+  Vec2 draw{0.5f, 0.5f};
 };
+
+/// Gives all pictures this filter but those that have `nearest`: whoever asks for pixels wants to see them.
+void set_filter(std::span<Texture> textures, TextureFilter filter);
 
 /// The value of a texture of a scene. The same bits on every machine.
 Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at);

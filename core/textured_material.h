@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/material.h"
+#include "core/surface.h"
 #include "core/texture.h"
 
 namespace twinray {
@@ -12,6 +13,11 @@ namespace twinray {
 const char* input_name(MaterialInput input);
 /// Whether a model has such a number or colour.
 bool has_input(const SurfaceModel& model, MaterialInput input);
+
+/// Where a surface's textures are asked for.
+inline TexturePoint texture_point(const SurfacePoint& point) {
+  return {point.uv, point.footprint, point.texture_draw};
+}
 
 /// The material's model with what its textures have at the point, each within its range: [0, 1].
 SurfaceModel textured_model(const Material& material, std::span<const Texture> textures,

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/ray.h"
+#include "core/ray_cone.h"
 #include "core/record.h"
 #include "core/rgb.h"
 #include "core/sampler.h"
@@ -21,6 +22,7 @@ struct PixelSample {
 struct CameraSample {
   Ray ray;  ///< Its direction need not be a unit vector.
   SampleKey key;
+  RayCone cone;  ///< Around the ray; without one, textures are seen at points.
 };
 
 /// Estimates the radiance that arrives along camera rays. Immutable: any number of threads may ask.
@@ -34,7 +36,9 @@ class Integrator {
                       const RecordSpans& records) const = 0;
   /// The radiance of one sample alone.
   Rgb radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key, Tracer& tracer) const {
-    const CameraSample one{camera_ray, key};
+    return radiance({camera_ray, key}, kind, tracer);
+  }
+  Rgb radiance(const CameraSample& one, SamplerKind kind, Tracer& tracer) const {
     Rgb radiance;
     sample({&one, 1}, kind, tracer, RecordSpans({&radiance, 1}));
     return radiance;

@@ -36,7 +36,7 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
   const PathKey path_key(sample.key);
   PathObserver& observer = tracer.observer();
   Rgb radiance;
-  State path{.ray = sample.ray};
+  State path{.ray = sample.ray, .cone = sample.cone};
   Hit hit = tracer.camera_hit(path.ray);
   for (int depth = 0;; ++depth) {  // Scattering events before the current ray.
     tracer.arrive();
@@ -45,12 +45,12 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
       radiance += term(path.throughput * emission(transport, path, hit, depth, observer), depth, observer);
     if (hit.is_miss()) return radiance;
 
-    const SurfacePoint point = surface_at(*scene_.geometry, hit);
+    const VertexSampler sampler(kind, path_key, std::uint32_t(depth) + 1);
+    const SurfacePoint point = arrive(hit, sampler, path);
     const Interaction at(bsdfs_, point, -normalize(path.ray.direction), path.materials);
     observer.stands_at(at, path.materials);
     if (depth == 0) record_surface(at, record);
     if (depth >= options_.depth_limit()) return radiance;
-    const VertexSampler sampler(kind, path_key, std::uint32_t(depth) + 1);
     if (options_.counts(depth + 1))
       radiance += term(path.throughput * direct_light(transport, at, sampler, tracer), depth + 1, observer);
     if (!scatter(at, depth, sampler, path, observer)) return radiance;
@@ -77,6 +77,16 @@ Rgb PathReference::term(const Rgb& light, int depth, PathObserver& observer) con
   return term;
 }
 
+SurfacePoint PathReference::arrive(const Hit& hit, const VertexSampler& sampler, State& path) const {
+  SurfacePoint point = surface_at(*scene_.geometry, hit);
+  if (scene_.textures.empty()) return point;
+  const Vec3& direction = path.ray.direction;
+  path.cone = path.cone.at(hit.t * length(direction));
+  point.footprint = texture_footprint(*scene_.geometry, hit, point, path.cone.width, direction);
+  point.texture_draw = sampler.draw_2d(Purpose::texture);
+  return point;
+}
+
 bool PathReference::scatter(const Interaction& at, int depth, const VertexSampler& sampler, State& path,
                             PathObserver& observer) const {
   const Vec2 u = sampler.draw_2d(Purpose::direction);
@@ -87,6 +97,7 @@ bool PathReference::scatter(const Interaction& at, int depth, const VertexSample
   path.throughput = next->throughput;
   path.eta_squared *= next->eta * next->eta;
   path.departure = next->departure;
+  if (next->departure.seeking != Seeking::alone) path.cone = path.cone.scattered(next->departure.pdf);
   if (options_.regularize && next->departure.seeking != Seeking::alone)
     path.materials = Materials::regularized;
   path.ray = spawn_ray(at.point(), next->direction);

@@ -28,6 +28,7 @@ class PathReference final : public Integrator {
     Rgb throughput{1, 1,
                    1};  ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
     Materials materials = Materials::exact;  ///< Regularized after a wide lobe, where that is asked for.
+    RayCone cone;                            ///< Around the ray; followed where there are textures.
     float eta_squared = 1;  ///< Product of eta^2: where the camera is, radiance is that much smaller.
   };
   /// One path; `record` has room for one sample.
@@ -39,6 +40,8 @@ class PathReference final : public Integrator {
                PathObserver& observer) const;
   /// The term of the radiance that light is which was scattered `depth` times.
   Rgb term(const Rgb& light, int depth, PathObserver& observer) const;
+  /// The surface that a path has come to, and there its cone and what textures need to know of it.
+  SurfacePoint arrive(const Hit& hit, const VertexSampler& sampler, State& path) const;
   /// Chooses where the path goes on from its vertex `depth`; false where it ends.
   bool scatter(const Interaction& at, int depth, const VertexSampler& sampler, State& path,
                PathObserver& observer) const;

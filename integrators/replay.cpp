@@ -31,10 +31,10 @@ Replay replay(const ReplayScene& of, const PathOptions& path, const RenderOption
   const KeepDenormals keep;
   Replay made{.sample = camera_sample(of.scene, render, sample)};
   Tracer rendering(of.accelerator, false);
-  made.radiance = of.integrator.radiance(made.sample.ray, render.sampler, made.sample.key, rendering);
+  made.radiance = of.integrator.radiance(made.sample, render.sampler, rendering);
   Tracer watched(of.accelerator, false);
   watched.watch(made.path);
-  PathReference(of.scene, path).radiance(made.sample.ray, render.sampler, made.sample.key, watched);
+  PathReference(of.scene, path).radiance(made.sample, render.sampler, watched);
   return made;
 }
 

@@ -18,6 +18,7 @@ std::string trimmed(const std::string& text) {
 /// What differs between the sets. The picture's frame does not: else nothing could be compared.
 std::function<void()> add_options(CLI::App& app, RenderRequest& request, const Words& given, OptionSet& set) {
   add_light_options(app, request);
+  add_texture_options(app, request);
   add_sampler_options(app, request);
   add_engine_options(app, request);
   return [&app, &request, &given, &set] {

@@ -20,7 +20,10 @@ CameraStage::Draws& CameraStage::draws_of_this_thread() {
 }
 
 CameraStage::CameraStage(const Camera& camera, const CameraSampling& sampling, const std::string& simd)
-    : camera_(camera), sampling_(sampling), stages_(wave_stages_of(simd)) {}
+    : camera_(camera),
+      sampling_(sampling),
+      cone_(camera_cone(camera, sampling.width, sampling.height, sampling.samples)),
+      stages_(wave_stages_of(simd)) {}
 
 void CameraStage::make(std::span<const PixelSample> samples, std::span<CameraSample> made) const {
   for (std::size_t first = 0; first < samples.size(); first += wave_size) {
@@ -33,7 +36,7 @@ CameraSample CameraStage::make_alone(const PixelSample& sample) const {
   const SampleKey key = key_of(sample);
   const VertexSampler sampler(sampling_.kind, PathKey(key), 0);
   const Vec2 in_pixel = sampling_.samples == 1 ? Vec2{0.5f, 0.5f} : sampler.draw_2d(Purpose::pixel);
-  return {lens_ray(camera_, frame_point(sample, in_pixel), sampler), key};
+  return {lens_ray(camera_, frame_point(sample, in_pixel), sampler), key, cone_};
 }
 
 void CameraStage::draw(std::span<const PixelSample> samples, Draws& draws) const {
@@ -59,7 +62,7 @@ void CameraStage::make_together(std::span<const PixelSample> samples, std::span<
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Vec2 frame = frame_point(samples[i], {draws.pixel_x[i], draws.pixel_y[i]});
     const Vec2 lens = camera_.lens_radius == 0 ? Vec2{} : square_to_disc({draws.lens_x[i], draws.lens_y[i]});
-    made[i] = {camera_ray(camera_, frame, lens), key_of(samples[i])};
+    made[i] = {camera_ray(camera_, frame, lens), key_of(samples[i]), cone_};
   }
 }
 

@@ -45,6 +45,7 @@ class CameraStage {
 
   const Camera camera_;
   const CameraSampling sampling_;
+  const RayCone cone_;  ///< Of all rays.
   const std::optional<WaveStages> stages_;
 };
 

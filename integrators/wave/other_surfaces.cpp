@@ -12,8 +12,7 @@ void PathWave::find_others() {
   for (std::size_t i = 0; i < paths_.size; ++i) {
     const Hit& hit = wave_.hits[i];
     if (context_.shapes[hit.mesh].is_lambert) continue;
-    const SurfacePoint point = surface_at(*context_.transport.scene.geometry, hit);
-    const Interaction at(context_.bsdfs, point, -normalize(paths_.direction.at(i)),
+    const Interaction at(context_.bsdfs, surface_of(i), -normalize(paths_.direction.at(i)),
                          Materials(paths_.materials[i]));
     wave_.others.push_back({std::uint32_t(i), at, {}});
     surfaces_.reflectance.set(i, at.bsdf().albedo());

@@ -59,6 +59,8 @@ void PathWave::start() {
     paths_.materials[i] = std::uint32_t(Materials::exact);
     paths_.eta_squared[i] = 1;
     paths_.direction.set(i, samples_[i].ray.direction);
+    paths_.cone_width[i] = samples_[i].cone.width;
+    paths_.cone_spread[i] = samples_[i].cone.spread;
     wave_.rays[i] = samples_[i].ray;
   }
 }
@@ -124,6 +126,7 @@ void PathWave::drop_misses() {
 }
 
 void PathWave::arrive() {
+  if (has_textures()) prepare_textures();
   expand_hits();
   stages_.find_points(surfaces_, paths_.size);
   place_spheres();
@@ -167,10 +170,28 @@ void gather_facet(const Facet& facet, Points& points, std::size_t i) {
 
 }  // namespace
 
-Rgb PathWave::textured_reflectance(const ShapeEntry& shape, const Hit& hit) const {
-  const Scene& scene = context_.transport.scene;
-  const TexturePoint at{surface_at(*scene.geometry, hit).uv};
-  return std::get<Lambert>(textured_model(*shape.textured, scene.textures, at)).reflectance;
+void PathWave::prepare_textures() {
+  draw(Purpose::texture, {}, wave_.texture_x, wave_.texture_y);
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    const float distance = wave_.hits[i].t * length(paths_.direction.at(i));
+    paths_.cone_width[i] = RayCone{paths_.cone_width[i], paths_.cone_spread[i]}.at(distance).width;
+  }
+}
+
+SurfacePoint PathWave::surface_of(std::size_t i) const {
+  const Geometry& geometry = *context_.transport.scene.geometry;
+  const Hit& hit = wave_.hits[i];
+  SurfacePoint point = surface_at(geometry, hit);
+  if (!has_textures()) return point;
+  point.footprint = texture_footprint(geometry, hit, point, paths_.cone_width[i], paths_.direction.at(i));
+  point.texture_draw = {wave_.texture_x[i], wave_.texture_y[i]};
+  return point;
+}
+
+Rgb PathWave::textured_reflectance(const ShapeEntry& shape, std::size_t i) const {
+  const TexturePoint at = texture_point(surface_of(i));
+  return std::get<Lambert>(textured_model(*shape.textured, context_.transport.scene.textures, at))
+      .reflectance;
 }
 
 void PathWave::expand_hits() {
@@ -180,7 +201,7 @@ void PathWave::expand_hits() {
     prefetch_triangle(context_.shapes[later.mesh], later.primitive);
     prefetch_corners(context_.shapes[next.mesh], next.primitive);
     const ShapeEntry& shape = context_.shapes[hit.mesh];
-    surfaces_.reflectance.set(i, shape.textured ? textured_reflectance(shape, hit) : shape.reflectance);
+    surfaces_.reflectance.set(i, shape.textured ? textured_reflectance(shape, i) : shape.reflectance);
     surfaces_.triangle.u[i] = hit.u;
     surfaces_.triangle.v[i] = hit.v;
     if (!shape.positions) continue;
@@ -333,6 +354,7 @@ bool PathWave::scatter(bool is_last) {
   stages_.scatter_paths(surfaces_, wave_);
   scatter_at_others();
   if (context_.options.regularize) regularize_scattered();
+  if (has_textures()) widen_cones();
   std::size_t kept = stages_.keep_paths(wave_);
   if (is_last) kept = keep_light_seekers(kept);
   if (context_.options.roulette.applies(depth_ + 1)) kept = play_roulette(kept);
@@ -348,6 +370,12 @@ void PathWave::regularize_scattered() {
   for (std::size_t i = 0; i < paths_.size; ++i)
     if (Seeking(wave_.seeking[i]) != Seeking::alone)
       paths_.materials[i] = std::uint32_t(Materials::regularized);
+}
+
+void PathWave::widen_cones() {
+  for (std::size_t i = 0; i < paths_.size; ++i)
+    if (Seeking(wave_.seeking[i]) != Seeking::alone)
+      paths_.cone_spread[i] = RayCone{0, paths_.cone_spread[i]}.scattered(wave_.pdf[i]).spread;
 }
 
 std::size_t PathWave::keep_light_seekers(std::size_t kept) {
@@ -386,6 +414,10 @@ void PathWave::compact(std::size_t kept) {
          {&paths_.sample, &paths_.pixel.low, &paths_.pixel.high, &paths_.index, &paths_.materials})
       compact_column(*column);
     compact_column(paths_.eta_squared);
+    if (has_textures()) {
+      compact_column(paths_.cone_width);
+      compact_column(paths_.cone_spread);
+    }
     for (Columns3* const columns : {&paths_.throughput, &paths_.direction}) {
       compact_column(columns->x);
       compact_column(columns->y);

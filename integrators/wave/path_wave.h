@@ -45,7 +45,12 @@ class PathWave {
   /// Writes what the records say of the first surfaces.
   void record_surfaces();
   void expand_hits();
-  Rgb textured_reflectance(const ShapeEntry& shape, const Hit& hit) const;
+  /// Of a scene with textures: where the paths' cones have come to, and the draws of pixels.
+  void prepare_textures();
+  bool has_textures() const { return !context_.transport.scene.textures.empty(); }
+  /// The surface that path `i` has come to, with what textures need to know of it.
+  SurfacePoint surface_of(std::size_t i) const;
+  Rgb textured_reflectance(const ShapeEntry& shape, std::size_t i) const;
   void place_spheres();
   /// What is done alone, since lanes know Lambert surfaces only (integrators/wave/other_surfaces.cpp): finds
   /// these surfaces,
@@ -73,6 +78,8 @@ class PathWave {
   bool scatter(bool is_last);
   /// Of paths that were scattered widely.
   void regularize_scattered();
+  /// The cones of paths that were scattered, where there are textures.
+  void widen_cones();
   /// Of the paths that leave their last surfaces, those whose rays may find light.
   std::size_t keep_light_seekers(std::size_t kept);
   std::size_t play_roulette(std::size_t kept);

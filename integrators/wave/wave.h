@@ -43,6 +43,9 @@ struct Paths {
   Words materials;      ///< How the next surface scatters, a Materials.
   Floats eta_squared;   ///< Product of eta^2: where the camera is, radiance is that much smaller.
   Columns3 direction;   ///< Of the current ray, of any length.
+  // Where the scene has textures:
+  Floats cone_width;   ///< of the cone around the ray, where it starts or, once the paths have arrived, ends;
+  Floats cone_spread;  ///< RayCone.
 
   PathKey key(std::size_t i) const {
     PathKey key;
@@ -121,6 +124,7 @@ struct Wave {
   Connections connections;
   std::vector<OtherSurface> others;  ///< In the order of the surfaces.
   Floats ux, uy;                     ///< Draws of a direction, or of roulette.
+  Floats texture_x, texture_y;       ///< Draws of the pixels of textures, where there are any.
   Words kept;             ///< The paths that go on; until they arrive, the surfaces that they come from.
   Floats pdf;             ///< At each surface: of the direction that goes on, per solid angle.
   Words seeking;          ///< Likewise: which light its ray is to bring, a Seeking.

@@ -112,7 +112,8 @@ TEST_CASE("no two draws of a path are found in one place") {
   take(Purpose::lens, 0, 2);
   take(Purpose::time, 0, 1);
   for (std::uint32_t vertex = 1; vertex <= 101; ++vertex) {
-    for (const Purpose pair : {Purpose::light_point, Purpose::direction}) take(pair, vertex, 2);
+    for (const Purpose pair : {Purpose::light_point, Purpose::direction, Purpose::texture})
+      take(pair, vertex, 2);
     for (const Purpose one :
          {Purpose::light_pick, Purpose::lobe, Purpose::roulette, Purpose::alpha, Purpose::medium})
       take(one, vertex, 1);

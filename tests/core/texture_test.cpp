@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/texture.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/textured_material.h"
@@ -71,7 +72,8 @@ TEST_CASE("trilinear filtering takes the level whose pixels are as wide as the f
   CHECK(value(image, centre(0, 5, 9), 0) == map->level(0).at(5, 9));
   CHECK(value(image, centre(0, 5, 9), 1 / 64.0f) == map->level(0).at(5, 9));
   CHECK(value(image, centre(3, 5, 6), 8 / 64.0f).r == Approx(map->level(3).at(5, 6).r));
-  CHECK(value(image, {0.3f, 0.4f}, 100) == map->level(6).at(0, 0));
+  for (const float wide : {100.0f, 1e30f, std::numeric_limits<float>::infinity()})
+    CHECK(value(image, {0.3f, 0.4f}, wide) == map->level(6).at(0, 0));
   // Halfway, by the logarithm, between two levels.
   const Vec2 there{0.3f, 0.6f};
   const double between = value(image, there, float(std::sqrt(2.0) * 4 / 64)).r;
@@ -81,6 +83,44 @@ TEST_CASE("trilinear filtering takes the level whose pixels are as wide as the f
   // A transform that shrinks the picture widens the footprint on it.
   const ImageTexture dense{map, WrapMode::repeat, TextureFilter::trilinear, {{{8, 0, 0}, {0, 2, 0}}}};
   CHECK(value(dense, {0.01f, 0.02f}, 1 / 64.0f).r == Approx(value(image, {0.08f, 0.04f}, 8 / 64.0f).r));
+}
+
+TEST_CASE("stochastic filtering has one pixel for each draw, and trilinear filtering's value for its mean") {
+  Image noise(16, 16);
+  Random random(3);
+  for (Rgb& pixel : noise.pixels) pixel = {random.unit(), 0, 0};
+  const auto map = std::make_shared<const MipMap>(noise);
+  const ImageTexture one{map, WrapMode::repeat, TextureFilter::stochastic, {}};
+  const ImageTexture eight{map, WrapMode::repeat, TextureFilter::trilinear, {}};
+  const Texture texture{"", one};
+  constexpr int draws = 256;
+  for (int i = 0; i < 20; ++i) {
+    const Vec2 uv{random.unit(), random.unit()};
+    const float footprint = random.unit() * 0.4f;
+    double sum = 0;
+    for (int y = 0; y < draws; ++y)
+      for (int x = 0; x < draws; ++x) {
+        const Vec2 draw{(float(x) + 0.5f) / draws, (float(y) + 0.5f) / draws};
+        const Rgb value = evaluate({&texture, 1}, 0, {uv, footprint, draw});
+        sum += double(value.r);
+        bool is_pixel = false;
+        for (int level = 0; level < map->levels() && !is_pixel; ++level)
+          is_pixel = std::find(map->level(level).pixels.begin(), map->level(level).pixels.end(), value) !=
+                     map->level(level).pixels.end();
+        if (!is_pixel) FAIL("no pixel has the value " << value.r);
+      }
+    // A choice by a step of the draws is off by up to one of them; there are three such choices.
+    CHECK(sum / (draws * draws) == Approx(value(eight, uv, footprint).r).margin(3.0 / draws));
+  }
+}
+
+TEST_CASE("a filter is set for all pictures but those whose pixels are to be seen") {
+  std::vector<Texture> textures{half,
+                                {"", ImageTexture{ramp(4, 2), WrapMode::clamp, TextureFilter::nearest, {}}},
+                                {"", ImageTexture{ramp(4, 2), WrapMode::clamp, TextureFilter::bilinear, {}}}};
+  set_filter(textures, TextureFilter::trilinear);
+  CHECK(std::get<ImageTexture>(textures[1].model).filter == TextureFilter::nearest);
+  CHECK(std::get<ImageTexture>(textures[2].model).filter == TextureFilter::trilinear);
 }
 
 TEST_CASE("coordinates are transformed before a picture is looked up") {

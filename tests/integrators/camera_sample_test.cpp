@@ -68,7 +68,7 @@ TEST_CASE("points of the pixel and of the lens are uniform, and independent of e
   constexpr float radius = 0.5f;
   for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
     std::vector<std::size_t> counts(256);
-    for (const auto& [ray, key] : camera_samples(scene_with_lens(radius), 8192, sampler)) {
+    for (const auto& [ray, key, cone] : camera_samples(scene_with_lens(radius), 8192, sampler)) {
       const Vec2 seen = frame_point(ray), lens = polar(ray.origin.x / radius, ray.origin.y / radius);
       REQUIRE(lens.y <= 1 + 1e-6f);
       const Vec2 in_pixel{seen.x - float(key.x), seen.y - float(key.y)};
@@ -82,13 +82,13 @@ TEST_CASE("points of the pixel and of the lens are uniform, and independent of e
 }
 
 TEST_CASE("a picture without a lens has all its rays from one point") {
-  for (const auto& [ray, key] : camera_samples(scene_with_lens(0), 16, SamplerKind::sobol))
+  for (const auto& [ray, key, cone] : camera_samples(scene_with_lens(0), 16, SamplerKind::sobol))
     CHECK(ray.origin == Vec3{0, 0, 0});
 }
 
 TEST_CASE("a picture of one sample a pixel still uses the whole lens") {
   Aabb lens;
-  for (const auto& [ray, key] : camera_samples(scene_with_lens(1), 1, SamplerKind::independent)) {
+  for (const auto& [ray, key, cone] : camera_samples(scene_with_lens(1), 1, SamplerKind::independent)) {
     const Vec2 seen = frame_point(ray);
     CHECK(seen.x - float(key.x) == Approx(0.5).margin(1e-5));
     CHECK(seen.y - float(key.y) == Approx(0.5).margin(1e-5));

@@ -136,11 +136,9 @@ Scene scene_of_many_lights() {
 }
 
 /// The same, every input of every material by a texture.
-Scene textured(Scene scene) {
-  const ImageTexture image{std::make_shared<const MipMap>(*random_square()),
-                           WrapMode::repeat,
-                           TextureFilter::bilinear,
-                           {{{7, 1, 0}, {0, 5, 0}}}};
+Scene textured(Scene scene, TextureFilter filter) {
+  const ImageTexture image{
+      std::make_shared<const MipMap>(*random_square()), WrapMode::repeat, filter, {{{7, 1, 0}, {0, 5, 0}}}};
   scene.textures = {{"", ConstantTexture{{0.2f, 0.6f, 0.9f}}},
                     {"", image},
                     {"", CheckerboardTexture{0, 1, {{{4, 0, 0}, {0, 4, 0}}}}}};
@@ -158,7 +156,8 @@ std::vector<CameraSample> samples_of(const Scene& scene, std::uint32_t count) {
   std::vector<CameraSample> samples;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Vec2 frame{(float(i % 50) + 0.5f) / 50, (float(i / 50 % 40) + 0.5f) / 40};
-    samples.push_back({camera_ray(camera, frame, {}), {7, i % 50, i / 50, i * 2654435761u}});
+    samples.push_back(
+        {camera_ray(camera, frame, {}), {7, i % 50, i / 50, i * 2654435761u}, {0.001f, 0.004f}});
   }
   return samples;
 }
@@ -284,8 +283,9 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
   const Scene everything = scene_of_everything();
   const Scene models = scene_of_every_model();
   const Scene room = small_room();
-  const Scene textures = textured(scene_of_every_model()), many = scene_of_many_lights(),
-              lamps = textured(scene_of_everything());
+  const Scene textures = textured(scene_of_every_model(), TextureFilter::stochastic),
+              many = scene_of_many_lights(),
+              lamps = textured(scene_of_everything(), TextureFilter::trilinear);
   for (const PathOptions& options : cases) {
     const std::uint32_t count = options.samples_per_light > 100 ? 20 : 2100;
     check_bits(everything, options, count);
@@ -300,7 +300,7 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
 TEST_CASE("what is written of a path adds up to the bits of its sample, as waves make it") {
   const Scene everything = scene_of_everything(), models = scene_of_every_model(),
               many = scene_of_many_lights();
-  const Scene textures = textured(scene_of_every_model()), room = small_room();
+  const Scene textures = textured(scene_of_every_model(), TextureFilter::stochastic), room = small_room();
   for (const PathOptions& options : cases) {
     if (options.samples_per_light > 100) continue;
     for (const Scene* scene : {&everything, &models, &many, &textures, &room})

@@ -2,6 +2,11 @@
 """Defects in core/."""
 from mutant import Mutant
 
+BEHIND_A_WIDE_LOBE = ("behind a surface that scatters widely a texture is seen at a coarse level, "
+                      "however narrow the ray")
+STOCHASTIC_MEAN = ("stochastic filtering has one pixel for each draw, "
+                   "and trilinear filtering's value for its mean")
+
 MUTANTS = [
     Mutant("a sphere lamp emits inwards too", "core/light_set.cpp",
            "return sphere && cos_front > 0 ? sphere->radiance : Rgb{};",
@@ -224,4 +229,28 @@ MUTANTS = [
            "  rejected += other.rejected;\n",
            "",
            "test_core", "any order and partition of the samples merges to the same bits"),
+    Mutant("a cone does not widen with the distance", "core/ray_cone.h",
+           "return {width + spread * distance, spread};", "return {width + spread, spread};",
+           "test_integrators", "a texture in a mirror is seen at the level of the whole way to it"),
+    Mutant("a cone forgets the way before its last surface", "integrators/path_reference.cpp",
+           "path.cone = path.cone.at(", "path.cone = RayCone{0, path.cone.spread}.at(", "test_integrators",
+           "a texture in a mirror is seen at the level of the whole way to it"),
+    Mutant("scattering leaves a cone as it is", "integrators/path_reference.cpp",
+           "path.cone = path.cone.scattered(next->departure.pdf)", "path.cone = RayCone(path.cone)",
+           "test_integrators",
+           BEHIND_A_WIDE_LOBE),
+    Mutant("the cones of a wave are not compacted with its paths", "integrators/wave/path_wave.cpp",
+           "      compact_column(paths_.cone_width);\n", "", "test_integrators",
+           "waves of paths have the bits and the rays of paths one after the other"),
+    Mutant("a wave's textures have the draws of another vertex", "integrators/wave/path_wave.cpp",
+           "draw(Purpose::texture, {}, wave_.texture_x, wave_.texture_y);",
+           "draw(Purpose::direction, {}, wave_.texture_x, wave_.texture_y);", "test_integrators",
+           "waves of paths have the bits and the rays of paths one after the other"),
+    Mutant("a footprint has the ratio of areas, not its root", "core/ray_cone.cpp",
+           "return std::sqrt(std::fabs(s.x * t.y - s.y * t.x) / area);",
+           "return std::fabs(s.x * t.y - s.y * t.x) / area;", "test_core",
+           "a footprint is what a cone covers of a surface's texture coordinates"),
+    Mutant("a stochastic filter takes level and column by one draw", "core/texture.cpp",
+           "return {true, draw / probability};", "return {true, draw};", "test_core",
+           STOCHASTIC_MEAN),
 ]
