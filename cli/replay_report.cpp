@@ -75,7 +75,7 @@ Json json_of(const Scene& scene, const TakenDirection& taken) {
 Json surface_json(const Scene& scene, const PathVertex& vertex) {
   const Interaction& at = *vertex.surface;
   const SurfacePoint& point = at.point();
-  const Material& material = material_at(scene, point);
+  const Material& material = scene.materials[material_at(scene, point)];
   const Hit& hit = vertex.arrival.hit;
   return {
       {"shape", hit.mesh},

@@ -48,10 +48,11 @@ class Bsdf {
     return std::visit([&](const auto& l) { return l.sample(wo, lobe, u); }, lobes_);
   }
 
-  using Lobes = std::variant<LambertLobe, MirrorLobe, SmoothConductorLobe, SmoothDielectricLobe,
-                             RefractionLobe, ThinDielectricLobe, RoughConductorLobe, RoughDielectricLobe,
-                             Cs184MicrofacetLobe, DiffuseTransmissionLobe, RoughDiffuseLobe,
-                             CoatedDiffuseLobe, SmoothCoatedConductorLobe, CoatedConductorLobe>;
+  using Lobes =
+      std::variant<LambertLobe, MirrorLobe, SmoothConductorLobe, SmoothDielectricLobe, RefractionLobe,
+                   ThinDielectricLobe, PassageLobe, RoughConductorLobe, RoughDielectricLobe,
+                   Cs184MicrofacetLobe, DiffuseTransmissionLobe, RoughDiffuseLobe, CoatedDiffuseLobe,
+                   SmoothCoatedConductorLobe, CoatedConductorLobe>;
 
  private:
   Lobes lobes_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/bsdf_table.h"
 
-#include "core/surface_model.h"
 #include "core/textured_material.h"
 
 namespace twinray {
@@ -21,12 +20,18 @@ BsdfTable::BsdfTable(const Scene& scene) : scene_(scene) {
         made_.push_back(bsdf_of(material.model, side, materials));
 }
 
-Bsdf BsdfTable::at(const SurfacePoint& point, Side side, Materials materials) const {
-  const Material& material = material_at(scene_, point);
-  if (!material.textures.empty())
-    return bsdf_of(textured_model(material, scene_.textures, texture_point(point)), side, materials);
-  const auto index = std::size_t(&material - scene_.materials.data());
-  return made_[4 * index + 2 * std::size_t(materials) + std::size_t(side)];
+Bsdf BsdfTable::at(std::uint32_t material, const SurfacePoint& point, Side side,
+                   const Viewing& viewing) const {
+  const Surroundings around =
+      viewing.interiors.empty()
+          ? Surroundings{}
+          : surroundings_of(scene_.materials, material, side == Side::inside, viewing.interiors);
+  if (around.is_hidden) return Bsdf(Interface{}, side);
+  const Material& made_of = scene_.materials[material];
+  if (made_of.textures.empty() && around.ior == 1)
+    return made_[4 * material + 2 * std::size_t(viewing.materials) + std::size_t(side)];
+  const SurfaceModel model = textured_model(made_of, scene_.textures, texture_point(point));
+  return bsdf_of(around.ior == 1 ? model : immersed(model, around.ior), side, viewing.materials);
 }
 
 }  // namespace twinray

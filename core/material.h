@@ -102,6 +102,9 @@ struct CoatedConductor {
   float coat_ior = 1.5f;
 };
 
+/// No surface at all: light goes straight on. Where an interior begins without a boundary that reflects.
+struct Interface {};
+
 /// One of two materials at each point, at random: the second with the probability `amount`, in [0, 1].
 /// Indices into Scene::materials, of materials that stand before this one.
 struct Mix {
@@ -109,8 +112,9 @@ struct Mix {
   float amount = 0.5f;
 };
 
-using SurfaceModel = std::variant<Lambert, Mirror, Refraction, Glass, Microfacet, Dielectric, Conductor,
-                                  DiffuseTransmission, RoughDiffuse, CoatedDiffuse, CoatedConductor, Mix>;
+using SurfaceModel =
+    std::variant<Lambert, Mirror, Refraction, Glass, Microfacet, Dielectric, Conductor, DiffuseTransmission,
+                 RoughDiffuse, CoatedDiffuse, CoatedConductor, Interface, Mix>;
 
 /// What of a model a texture may give, point by point: a member of that name. Numbers take a texture's red.
 enum class MaterialInput { reflectance, transmittance, roughness, amount };
@@ -120,10 +124,26 @@ struct TextureUse {
   std::uint32_t texture = 0;  ///< Index into Scene::textures.
 };
 
+/// What lies within a closed surface that lets light in. Rays from the camera start outside of all.
+struct Interior {
+  Rgb absorption;  ///< Per unit of length, >= 0: light that goes a way d is times e^(-absorption d).
+  /// Where interiors overlap, the one of the highest priority is there; those of 0 do not hide others, nor
+  /// are hidden. >= 0.
+  std::int32_t priority = 0;
+
+  bool operator==(const Interior&) const = default;
+};
+
 struct Material {
   std::string name;
   SurfaceModel model = Lambert{};
   std::vector<TextureUse> textures;  ///< In place of the model's own numbers; mostly none.
+  Interior interior = {};
 };
+
+/// Whether paths must know that they are within a surface of this material.
+inline bool has_interior(const Material& material) { return material.interior != Interior{}; }
+/// Whether there is something within a closed surface of this model.
+bool lets_light_in(const SurfaceModel& model);
 
 }  // namespace twinray

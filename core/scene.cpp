@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/check_light.h"
 #include "core/error.h"
+#include "core/interiors.h"
 #include "core/textured_material.h"
 
 namespace twinray {
@@ -39,10 +42,27 @@ void check_material(const Scene& scene, std::size_t index) {
   }
 }
 
+void check_interior(const Scene& scene, std::size_t index) {
+  const Material& material = scene.materials[index];
+  if (!has_interior(material)) return;
+  if (!lets_light_in(material.model))
+    throw Error(fmt::format("material {} has an interior, and its surface lets no light in", index));
+  if (index >= Interiors::most_materials)
+    throw Error(fmt::format("material {} has an interior; only the first {} materials may", index,
+                            Interiors::most_materials));
+  const Rgb& absorption = material.interior.absorption;
+  if (!is_finite(absorption) || std::min({absorption.r, absorption.g, absorption.b}) < 0)
+    throw Error(fmt::format("material {} has an absorption of {:g} {:g} {:g}; each must be finite and >= 0",
+                            index, absorption.r, absorption.g, absorption.b));
+  if (material.interior.priority < 0)
+    throw Error(
+        fmt::format("material {} has the priority {}; it must be >= 0", index, material.interior.priority));
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene) {
-  for (std::size_t i = 0; i < scene.materials.size(); ++i) check_material(scene, i);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) check_interior(scene, i);
   if (scene.bindings.size() != scene.geometry->shapes().size())
     throw Error(
         fmt::format("{} shapes but {} bindings", scene.geometry->shapes().size(), scene.bindings.size()));

@@ -19,11 +19,11 @@ float random_at(const SurfacePoint& point, std::uint32_t material) {
 
 }  // namespace
 
-const Material& material_at(const Scene& scene, const SurfacePoint& point) {
+std::uint32_t material_at(const Scene& scene, const SurfacePoint& point) {
   std::uint32_t index = scene.bindings[point.shape].material;
   for (;;) {
     const Material& material = scene.materials[index];
-    if (!std::holds_alternative<Mix>(material.model)) return material;
+    if (!std::holds_alternative<Mix>(material.model)) return index;
     const SurfaceModel model = textured_model(material, scene.textures, texture_point(point));
     const Mix& mix = std::get<Mix>(model);
     index = random_at(point, index) < mix.amount ? mix.second : mix.first;

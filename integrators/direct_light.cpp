@@ -16,8 +16,10 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
     const Look look = look_around(at, sampler.draw_2d(Purpose::light_point, {part, count, 0}));
     const Rgb scattered = at.scattered(look.direction);
     if (is_black(scattered)) continue;
-    const Hit hit = tracer.bounce_hit(spawn_ray(at.point(), look.direction));
-    const Rgb found = lamp_radiance(transport, hit, look.direction);
+    const Ray ray = spawn_ray(at.point(), look.direction);
+    const Hit hit = tracer.bounce_hit(ray);
+    const Rgb found = lamp_radiance(transport, hit, look.direction) *
+                      transmittance(transport, at.interiors(look.direction), ray, hit.t);
     sum += scattered * found / look.density;
     tracer.observer().looked_around({look.direction, look.density * uniform_hemisphere_pdf(),
                                      light_at(transport.scene, hit), found, scattered});
@@ -69,7 +71,10 @@ Look look_around(const Interaction& at, Vec2 u) {
 
 Rgb scattered_sample(const LightTransport& transport, std::uint32_t light, const Interaction& at,
                      const LightSample& sample) {
-  return at.scattered(sample.direction) * sample.radiance * light_sample_weight(transport, light, at, sample);
+  const Rgb arriving =
+      transmittance(transport, at.interiors(sample.direction), sample.shadow_ray, sample.shadow_ray.t_max);
+  return at.scattered(sample.direction) * sample.radiance *
+         light_sample_weight(transport, light, at, sample) * arriving;
 }
 
 Rgb direct_light(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,

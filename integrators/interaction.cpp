@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/interaction.h"
 
+#include "core/surface_model.h"
+
 namespace twinray {
 namespace {
 
@@ -18,15 +20,28 @@ Side side_of(const SurfacePoint& point, const Vec3& wo) {
   return is_before == points_outside ? Side::outside : Side::inside;
 }
 
+/// What is behind a surface to a viewer who sees its outside or inside.
+Interiors behind(const Material& material, std::uint32_t index, Side side, Interiors before) {
+  if (!has_interior(material)) return before;
+  if (side == Side::outside)
+    before.enter(index);
+  else
+    before.leave(index);
+  return before;
+}
+
 }  // namespace
 
 Interaction::Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo,
-                         Materials materials)
+                         const Viewing& viewing)
     : point_(point),
+      material_(material_at(bsdfs.scene(), point)),
       wo_(wo),
       facing_normal_(facing(point.geometric_normal, wo)),
       frame_(usable_shading_normal(point, wo, facing_normal_)),
       wo_local_(frame_.to_local(wo)),
-      bsdf_(bsdfs.at(point, side_of(point, wo), materials)) {}
+      bsdf_(bsdfs.at(material_, point, side_of(point, wo), viewing)),
+      before_(viewing.interiors),
+      behind_(behind(bsdfs.scene().materials[material_], material_, side_of(point, wo), before_)) {}
 
 }  // namespace twinray

@@ -16,10 +16,11 @@ namespace twinray {
 class Interaction {
  public:
   /// `wo` is a unit vector to the viewer.
-  Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo,
-              Materials materials = Materials::exact);
+  Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo, const Viewing& viewing = {});
 
   const SurfacePoint& point() const { return point_; }
+  /// Index into the scene's materials.
+  std::uint32_t material() const { return material_; }
   const Bsdf& bsdf() const { return bsdf_; }
   /// Whether light is scattered evenly, so that light samples bring nearly all of it well.
   bool is_lambert() const { return bsdf_.is_lambert(); }
@@ -44,13 +45,18 @@ class Interaction {
     return (dot(facing_normal_, wi) > 0) == (dot(frame_.normal, wi) > 0);
   }
 
+  /// Where a direction leads: before the surface, where the viewer is, or behind it.
+  const Interiors& interiors(const Vec3& wi) const { return dot(facing_normal_, wi) > 0 ? before_ : behind_; }
+
  private:
   SurfacePoint point_;
+  std::uint32_t material_;
   Vec3 wo_;
   Vec3 facing_normal_;  ///< The geometric normal on the viewer's side.
   Frame frame_;
   Vec3 wo_local_;
   Bsdf bsdf_;
+  Interiors before_, behind_;
 };
 
 }  // namespace twinray

@@ -39,8 +39,13 @@ class PathIntegrator::Waves {
         patches_(patch_tables(scene, lights_)) {}
 
   WaveContext context() const {
-    return {*stages, options_, {scene_, lights_, options_.direct, options_.samples_per_light},
-            bsdfs_,  shapes_,  patches_};
+    return {*stages,
+            options_,
+            {scene_, lights_, options_.direct, options_.samples_per_light},
+            bsdfs_,
+            shapes_,
+            patches_,
+            std::any_of(scene_.materials.begin(), scene_.materials.end(), has_interior)};
   }
 
   const PathReference reference;

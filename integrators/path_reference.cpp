@@ -40,6 +40,7 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
   Hit hit = tracer.camera_hit(path.ray);
   for (int depth = 0;; ++depth) {  // Scattering events before the current ray.
     tracer.arrive();
+    path.throughput = path.throughput * transmittance(transport, path.viewing.interiors, path.ray, hit.t);
     observer.arrived({path.ray, hit, path.throughput});
     if (options_.counts(depth))
       radiance += term(path.throughput * emission(transport, path, hit, depth, observer), depth, observer);
@@ -47,8 +48,8 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
 
     const VertexSampler sampler(kind, path_key, std::uint32_t(depth) + 1);
     const SurfacePoint point = arrive(hit, sampler, path);
-    const Interaction at(bsdfs_, point, -normalize(path.ray.direction), path.materials);
-    observer.stands_at(at, path.materials);
+    const Interaction at(bsdfs_, point, -normalize(path.ray.direction), path.viewing);
+    observer.stands_at(at, path.viewing.materials);
     if (depth == 0) record_surface(at, record);
     if (depth >= options_.depth_limit()) return radiance;
     if (options_.counts(depth + 1))
@@ -97,9 +98,10 @@ bool PathReference::scatter(const Interaction& at, int depth, const VertexSample
   path.throughput = next->throughput;
   path.eta_squared *= next->eta * next->eta;
   path.departure = next->departure;
+  path.viewing.interiors = next->interiors;
   if (next->departure.seeking != Seeking::alone) path.cone = path.cone.scattered(next->departure.pdf);
   if (options_.regularize && next->departure.seeking != Seeking::alone)
-    path.materials = Materials::regularized;
+    path.viewing.materials = Materials::regularized;
   path.ray = spawn_ray(at.point(), next->direction);
   return survives_roulette(depth + 1, sampler, path, observer);
 }

@@ -25,11 +25,8 @@ std::optional<Scattering> scatter(const Interaction& at, const Rgb& throughput, 
   if (!at.is_consistent(wi)) return std::nullopt;
   const Rgb next = throughput * sample.value * (std::fabs(sample.wi.z) / sample.pdf);
   if (is_black(next)) return std::nullopt;
-  return Scattering{wi,
-                    next,
-                    {{at.point().position, at.normal()}, sample.pdf, seeking_of(at, sample)},
-                    sample.eta,
-                    kind_of(sample)};
+  const Departure departure{{at.point().position, at.normal()}, sample.pdf, seeking_of(at, sample)};
+  return Scattering{wi, next, departure, at.interiors(wi), sample.eta, kind_of(sample)};
 }
 
 }  // namespace twinray

@@ -16,6 +16,7 @@ struct Scattering {
   Vec3 direction;  ///< Unit, in world space.
   Rgb throughput;  ///< Of the path, behind the surface; not black.
   Departure departure;
+  Interiors interiors;  ///< That it is in there.
   float eta = 1;  ///< Index of refraction behind the surface, to that before it; 1 where light is reflected.
   ScatterKind kind = ScatterKind::diffuse;
 };

@@ -126,6 +126,7 @@ Json model_json(const CoatedConductor& model) {
           {"coat_alpha", json_of(model.coat_roughness)},
           {"coat_ior", model.coat_ior}};
 }
+Json model_json(const Interface&) { return {{"type", "interface"}}; }
 Json model_json(const Mix& model) {
   return {{"type", "mix"}, {"first", model.first}, {"second", model.second}, {"amount", model.amount}};
 }
@@ -233,6 +234,9 @@ Json material_json(const Material& material) {
   Json json =
       named(material.name, std::visit([](const auto& model) { return model_json(model); }, material.model));
   for (const TextureUse& use : material.textures) json["textured"].push_back(input_name(use.input));
+  if (has_interior(material))
+    json["interior"] = {{"absorption", json_of(material.interior.absorption)},
+                        {"priority", material.interior.priority}};
   return json;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "core/mesh_area.h"
 #include "core/radiance.h"
@@ -59,6 +60,7 @@ void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& param
                   state.transform,
                   state.is_reversed,
                   state.material,
+                  state.absorption_inside,
                   state.area_light,
                   parameters.place()};
   if (object_)
@@ -76,7 +78,8 @@ void PbrtBuilder::check_room(const Part& part) {
 
 void PbrtBuilder::place(const Part& part, const Transform& to_world) {
   const bool emits = part.light && !context_.options.surfaces_only;
-  if (materials_.is_interface(part.material) && !emits) return;
+  const bool is_filled = !is_black(part.absorption);
+  if (materials_.is_interface(part.material) && !emits && !is_filled) return;
   check_room(part);
   Shape shape =
       place_shape(*with_uvs(part), to_world, part.is_reversed, emits && part.light->is_two_sided, account_);
@@ -84,7 +87,8 @@ void PbrtBuilder::place(const Part& part, const Transform& to_world) {
   shapes_.push_back(std::move(shape));
   ShapeBinding binding{part.material, no_light};
   if (emits) add_emission(part, binding);
-  if (materials_.is_interface(part.material)) binding.material = black();
+  if (materials_.is_interface(part.material) && emits) binding.material = black();
+  if (is_filled) absorptions_[bindings_.size()] = part.absorption;
   bindings_.push_back(binding);
 }
 
@@ -118,6 +122,22 @@ std::uint32_t PbrtBuilder::black() {
   return std::uint32_t(materials_.materials.size() - 1);
 }
 
+void PbrtBuilder::fill_interiors() {
+  std::vector<Material>& materials = materials_.materials;
+  std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> filled;
+  for (const auto& [shape, absorption] : absorptions_) {
+    std::uint32_t& material = bindings_[shape].material;
+    if (!lets_light_in(materials[material].model)) continue;
+    const auto key = std::tuple(material, absorption.r, absorption.g, absorption.b);
+    const auto [entry, is_new] = filled.try_emplace(key, std::uint32_t(materials.size()));
+    if (is_new) {
+      materials.push_back(materials[material]);
+      materials.back().interior.absorption = absorption;
+    }
+    material = entry->second;
+  }
+}
+
 void PbrtBuilder::add_light(const std::string& type, const PbrtParameters& parameters,
                             const PbrtState& state) {
   const auto light = read_light(type, parameters, state.transform, context_);
@@ -146,6 +166,7 @@ void PbrtBuilder::add_instance(const std::string& name, const Transform& to_worl
 
 LoadedScene PbrtBuilder::finish(float exposure) {
   materials_.check_all_made();
+  fill_interiors();
   LoadedScene loaded;
   Scene& scene = loaded.scene;
   scene.lights = std::move(shape_lights_);

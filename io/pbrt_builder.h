@@ -9,6 +9,7 @@
 #include "io/loaded_scene.h"
 #include "io/pbrt_camera.h"
 #include "io/pbrt_material.h"
+#include "io/pbrt_medium.h"
 #include "io/pbrt_shape.h"
 #include "io/pbrt_state.h"
 
@@ -16,9 +17,10 @@ namespace twinray {
 
 class PbrtBuilder {
  public:
-  explicit PbrtBuilder(PbrtContext& context) : context_(context), materials_(context) {}
+  explicit PbrtBuilder(PbrtContext& context) : context_(context), materials_(context), media_(context) {}
 
   PbrtMaterials& materials() { return materials_; }
+  PbrtMedia& media() { return media_; }
 
   void add_shape(const std::string& type, const PbrtParameters& parameters, const PbrtState& state);
   void add_light(const std::string& type, const PbrtParameters& parameters, const PbrtState& state);
@@ -42,6 +44,7 @@ class PbrtBuilder {
     Transform to_world;
     bool is_reversed;
     std::uint32_t material;
+    Rgb absorption;  ///< Within.
     std::shared_ptr<const PbrtAreaLight> light;
     PbrtPlace place;
   };
@@ -53,11 +56,15 @@ class PbrtBuilder {
   void add_emission(const Part& part, ShapeBinding& binding);
   void check_room(const Part& part);
   std::uint32_t black();
+  /// Gives shapes with something in them materials of their own.
+  void fill_interiors();
 
   PbrtContext& context_;
   PbrtMaterials materials_;
+  PbrtMedia media_;
   std::vector<Shape> shapes_;
   std::vector<ShapeBinding> bindings_;
+  std::map<std::size_t, Rgb> absorptions_;  ///< Within those of the bindings' shapes that have any.
   std::vector<Light> shape_lights_, lights_;
   std::map<std::string, Object> objects_;
   Object* object_ = nullptr;  ///< The one that shapes belong to.

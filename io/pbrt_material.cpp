@@ -282,12 +282,14 @@ void PbrtMaterials::make(std::uint32_t index, const std::string& type, const Pbr
   std::vector<TextureUse> uses;
   const Inputs in{parameters, textures, context_, uses, type == "conductor" || type == "coatedconductor"};
   if (type == "interface" || type == "none" || type.empty())
-    entries_[index].is_interface = true;
+    entries_[index].is_interface = true, materials[index].model = Interface{};
   else if (type == "mix")
     materials[index].model = read_mix(index, in.number("amount", 0.5f), parameters);
   else
     materials[index].model = read_model(type, in);
   materials[index].textures = std::move(uses);
+  if (lets_light_in(materials[index].model))
+    materials[index].interior.priority = parameters.integer("priority", 0, {0, 1e6});
   warn_of_bumps(parameters, context_.warnings);
   parameters.warn_of_unused(context_.warnings);
 }

@@ -117,6 +117,8 @@ class Reader {
     const PbrtParameters& parameters = statement.parameters;
     switch (statement.directive) {
       case camera:
+        if (!is_black(states_.now().absorption_outside))
+          statement.place.warn(context_.warnings, "the camera is taken to be in no medium");
         camera_ = read_camera(statement.words[0], parameters, states_.now().transform, context_);
         states_.name_camera();
         return true;
@@ -179,14 +181,16 @@ class Reader {
         parameters.set_defaults(states_.defaults(PbrtTarget::texture));
         builder_.materials().textures.define(type, statement.words[1], statement.words[2], parameters);
         break;
+      case make_named_medium:
+        parameters.set_defaults(states_.defaults(PbrtTarget::medium));
+        builder_.media().define(type, parameters);
+        break;
+      case medium_interface:
+        state.absorption_inside = builder_.media().absorption(statement.words.front(), statement.place);
+        state.absorption_outside = builder_.media().absorption(statement.words.back(), statement.place);
+        break;
       case object_instance:
         builder_.add_instance(type, state.transform, statement.place);
-        break;
-      case make_named_medium:
-      case medium_interface:
-        if (std::any_of(statement.words.begin(), statement.words.end(),
-                        [](const auto& w) { return !w.empty(); }))
-          statement.place.warn(context_.warnings, "media are not rendered: space is empty");
         break;
       default:
         break;

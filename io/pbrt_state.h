@@ -21,6 +21,7 @@ struct PbrtState {
   bool is_start_active = true;  ///< Transforms change it; else only what motion would end with.
   bool is_reversed = false;
   std::uint32_t material = 0;
+  Rgb absorption_inside, absorption_outside;  ///< Of closed shapes (MediumInterface).
   std::shared_ptr<const PbrtAreaLight> area_light;
   PbrtColorSpace color_space = PbrtColorSpace::srgb;
   std::array<std::shared_ptr<const PbrtParameters>, 5> defaults;  ///< By PbrtTarget.

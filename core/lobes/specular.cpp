@@ -53,6 +53,11 @@ BsdfSample RefractionLobe::sample(const Vec3& wo, float /*lobe*/, Vec2 /*u*/) co
   return delta_sample(*wi, transmittance / (eta * eta), 1, eta);
 }
 
+BsdfSample PassageLobe::sample(const Vec3& wo, float /*lobe*/, Vec2 /*u*/) const {
+  if (wo.z == 0) return {};
+  return delta_sample(-wo, {1, 1, 1}, 1);
+}
+
 BsdfSample ThinDielectricLobe::sample(const Vec3& wo, float lobe, Vec2 /*u*/) const {
   if (wo.z == 0) return {};
   // R + T R T + T R R R T + ...: the light that is reflected within the sheet once, three times, ...

@@ -53,6 +53,12 @@ struct RefractionLobe : DeltaLobe {
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 };
 
+/// No surface: light goes straight on.
+struct PassageLobe : DeltaLobe {
+  Rgb albedo() const { return {1, 1, 1}; }
+  BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
+};
+
 /// A smooth sheet: both boundaries of a dielectric in one surface, with all reflections between them. Light
 /// goes straight on.
 struct ThinDielectricLobe : DeltaLobe {

@@ -35,6 +35,7 @@ struct Keys {
     low[i] = std::uint32_t(key);
     high[i] = std::uint32_t(key >> 32);
   }
+  std::uint64_t at(std::size_t i) const { return std::uint64_t(high[i]) << 32 | low[i]; }
 };
 
 /// Vectors, or colours.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a wave does at surfaces that are not Lambert's: one by one, by the functions of the reference. The
 // lanes have worked there, too, as if the surfaces were black; what they wrote is overwritten.
+#include <algorithm>
+
 #include "core/spawn_ray.h"
 #include "integrators/scattering.h"
 #include "integrators/wave/path_wave.h"
@@ -12,8 +14,8 @@ void PathWave::find_others() {
   for (std::size_t i = 0; i < paths_.size; ++i) {
     const Hit& hit = wave_.hits[i];
     if (context_.shapes[hit.mesh].is_lambert) continue;
-    const Interaction at(context_.bsdfs, surface_of(i), -normalize(paths_.direction.at(i)),
-                         Materials(paths_.materials[i]));
+    const Viewing viewing{Materials(paths_.materials[i]), paths_.interiors_at(i)};
+    const Interaction at(context_.bsdfs, surface_of(i), -normalize(paths_.direction.at(i)), viewing);
     wave_.others.push_back({std::uint32_t(i), at, {}});
     surfaces_.reflectance.set(i, at.bsdf().albedo());
   }
@@ -22,7 +24,8 @@ void PathWave::find_others() {
 void PathWave::scatter_light_at_others(std::uint32_t light) {
   for (const OtherSurface& other : wave_.others) {
     const std::size_t i = other.index;
-    const LightSample sample{light_.direction.at(i), light_.radiance.at<Rgb>(i), light_.pdf[i], {}};
+    const LightSample sample{light_.direction.at(i), light_.radiance.at<Rgb>(i), light_.pdf[i],
+                             light_.ray(i)};
     connections_.scattered.set(i, scattered_sample(context_.transport, light, other.at, sample));
   }
 }
@@ -40,6 +43,15 @@ void PathWave::look_around_others() {
   }
 }
 
+Interiors PathWave::interiors_of(std::size_t connection) const {
+  const std::uint32_t surface = connections_.surface[connection];
+  const auto other =
+      std::lower_bound(wave_.others.begin(), wave_.others.end(), surface,
+                       [](const OtherSurface& a, std::uint32_t index) { return a.index < index; });
+  if (other == wave_.others.end() || other->index != surface) return paths_.interiors_at(surface);
+  return other->at.interiors(connections_.rays[connection].direction);
+}
+
 void PathWave::keep_throughput_at_others() {
   for (OtherSurface& other : wave_.others) other.throughput = paths_.throughput.at<Rgb>(other.index);
 }
@@ -53,6 +65,7 @@ void PathWave::scatter_at_others() {
     paths_.throughput.set(i, next ? next->throughput : Rgb{});
     if (!next) continue;
     paths_.direction.set(i, next->direction);
+    if (context_.has_interiors) paths_.interiors.set(i, next->interiors.bits());
     paths_.eta_squared[i] *= next->eta * next->eta;
     wave_.pdf[i] = next->departure.pdf;
     wave_.seeking[i] = std::uint32_t(next->departure.seeking);

@@ -31,6 +31,7 @@ void PathWave::trace() {
   tracer_.camera_hits(rays.first(paths_.size), hits.first(paths_.size));
   for (;; ++depth_) {
     tracer_.arrive();
+    if (context_.has_interiors) absorb();
     if (context_.options.counts(depth_)) depth_ == 0 ? add_emission() : add_found_light();
     const bool has_ended = depth_ >= context_.options.depth_limit();
     if (has_ended && !(depth_ == 0 && records_.has_surface())) return;
@@ -57,12 +58,20 @@ void PathWave::start() {
     paths_.index[i] = samples_[i].key.index;
     paths_.throughput.set(i, Rgb{1, 1, 1});
     paths_.materials[i] = std::uint32_t(Materials::exact);
+    paths_.interiors.set(i, 0);
     paths_.eta_squared[i] = 1;
     paths_.direction.set(i, samples_[i].ray.direction);
     paths_.cone_width[i] = samples_[i].cone.width;
     paths_.cone_spread[i] = samples_[i].cone.spread;
     wave_.rays[i] = samples_[i].ray;
   }
+}
+
+void PathWave::absorb() {
+  for (std::size_t i = 0; i < paths_.size; ++i)
+    if (const Interiors interiors = paths_.interiors_at(i); !interiors.empty())
+      paths_.throughput.set(i, paths_.throughput.at<Rgb>(i) * transmittance(context_.transport, interiors,
+                                                                            wave_.rays[i], wave_.hits[i].t));
 }
 
 void PathWave::record_surfaces() {
@@ -273,6 +282,7 @@ void PathWave::sample_light(std::uint32_t light) {
     else
       sample_other_light(light);
     stages_.scatter_light(surfaces_, light_, paths_.size, mis, connections_);
+    if (context_.has_interiors) absorb_light();
     scatter_light_at_others(light);
     stages_.make_shadow_rays(light_, paths_.size, connections_);
     connect();
@@ -326,6 +336,14 @@ void PathWave::connect() {
     connections_.arriving.set(connections_.surface[k], visible[k]);
 }
 
+void PathWave::absorb_light() {
+  for (std::size_t i = 0; i < paths_.size; ++i)
+    if (const Interiors interiors = paths_.interiors_at(i); !interiors.empty())
+      connections_.scattered.set(
+          i, connections_.scattered.at<Rgb>(i) *
+                 transmittance(context_.transport, interiors, light_.ray(i), light_.t_max[i]));
+}
+
 void PathWave::add_hemisphere() {
   const std::uint32_t count = context_.transport.directions();
   if (count == 0) return;
@@ -339,13 +357,20 @@ void PathWave::add_hemisphere() {
     const std::span<Hit> hits = std::span(connections_.hits).first(connections_.size);
     tracer_.bounce_hits(std::span(connections_.rays).first(connections_.size), hits);
     for (std::size_t k = 0; k < connections_.size; ++k)
-      connections_.arriving.set(connections_.surface[k],
-                                lamp_radiance(context_.transport, hits[k], connections_.rays[k].direction));
+      connections_.arriving.set(connections_.surface[k], found_around(k));
     stages_.add_connections(light_, paths_.size, connections_);
   }
   const float divisor = float(count) * uniform_hemisphere_pdf();
   for (std::size_t i = 0; i < paths_.size; ++i)
     connections_.sum.set(i, connections_.of_light.at<Rgb>(i) / divisor);
+}
+
+Rgb PathWave::found_around(std::size_t connection) const {
+  const Ray& ray = connections_.rays[connection];
+  const Hit& hit = connections_.hits[connection];
+  const Rgb radiance = lamp_radiance(context_.transport, hit, ray.direction);
+  if (!context_.has_interiors) return radiance;
+  return radiance * transmittance(context_.transport, interiors_of(connection), ray, hit.t);
 }
 
 bool PathWave::scatter(bool is_last) {
@@ -413,6 +438,8 @@ void PathWave::compact(std::size_t kept) {
     for (Words* const column :
          {&paths_.sample, &paths_.pixel.low, &paths_.pixel.high, &paths_.index, &paths_.materials})
       compact_column(*column);
+    if (context_.has_interiors)
+      for (Words* const column : {&paths_.interiors.low, &paths_.interiors.high}) compact_column(*column);
     compact_column(paths_.eta_squared);
     if (has_textures()) {
       compact_column(paths_.cone_width);

@@ -21,6 +21,7 @@ struct WaveContext {
   const BsdfTable& bsdfs;
   std::span<const ShapeEntry> shapes;
   std::span<const PatchTable> patches;  ///< Of each light.
+  bool has_interiors = false;           ///< Of the scene: paths must know where they are.
 };
 
 /// The paths of up to wave_size samples, grown together vertex by vertex: all of them to their next surfaces,
@@ -39,6 +40,10 @@ class PathWave {
   void add_emission();
   /// Adds what bounce rays have found of the lights.
   void add_found_light();
+  /// Takes from the paths what interiors absorb on the way to the hits.
+  void absorb();
+  /// Takes from a light's samples what interiors absorb on the way from Lambert surfaces.
+  void absorb_light();
   /// Takes the paths out that have hit nothing.
   void drop_misses();
   void arrive();
@@ -73,6 +78,9 @@ class PathWave {
   void choose_of_many(const Distribution& triangles, const ShapeEntry& shape);
   void sample_other_light(std::uint32_t light);
   void connect();
+  /// What the ray of a hemisphere sample's connection brings.
+  Rgb found_around(std::size_t connection) const;
+  Interiors interiors_of(std::size_t connection) const;
   /// Whether any path may go on from its last surface.
   bool may_find_light() const;
   bool scatter(bool is_last);

@@ -41,15 +41,17 @@ struct Paths {
   Words index;          ///< PathKey::index.
   Columns3 throughput;  ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
   Words materials;      ///< How the next surface scatters, a Materials.
+  Keys interiors;       ///< That they are in: Interiors' bits, where the scene has any.
   Floats eta_squared;   ///< Product of eta^2: where the camera is, radiance is that much smaller.
   Columns3 direction;   ///< Of the current ray, of any length.
   // Where the scene has textures:
   Floats cone_width;   ///< of the cone around the ray, where it starts or, once the paths have arrived, ends;
   Floats cone_spread;  ///< RayCone.
 
+  Interiors interiors_at(std::size_t i) const { return Interiors(interiors.at(i)); }
   PathKey key(std::size_t i) const {
     PathKey key;
-    key.pixel = std::uint64_t(pixel.high[i]) << 32 | pixel.low[i];
+    key.pixel = pixel.at(i);
     key.index = index[i];
     return key;
   }
@@ -97,6 +99,10 @@ struct LightSamples {
   Floats pdf;
   Columns3 origin, towards;
   Floats t_max;
+
+  Ray ray(std::size_t i) const {
+    return {.origin = origin.at(i), .direction = towards.at(i), .t_max = t_max[i]};
+  }
 };
 
 /// What each surface receives of the corners of a light's patches; of as many as it has.

@@ -10,17 +10,14 @@ namespace {
 constexpr Side sides[] = {Side::outside, Side::inside};
 constexpr Materials all_materials[] = {Materials::exact, Materials::regularized};
 
-/// Shape i is made of material i.
 Scene scene_of(std::vector<Material> materials) {
   Scene scene;
-  for (std::uint32_t i = 0; i < materials.size(); ++i) scene.bindings.push_back({i});
   scene.materials = std::move(materials);
   return scene;
 }
 
-SurfacePoint point_of(std::uint32_t shape, Vec2 uv = {}) {
+SurfacePoint point_of(Vec2 uv) {
   SurfacePoint point;
-  point.shape = shape;
   point.uv = uv;
   return point;
 }
@@ -46,14 +43,14 @@ TEST_CASE("a table has the scattering function of each material, side and kind")
                                 {"varnish", CoatedDiffuse{}}});
   const BsdfTable table(scene);
   Random random(1);
-  for (std::uint32_t shape = 0; shape < scene.materials.size(); ++shape)
+  for (std::uint32_t material = 0; material < scene.materials.size(); ++material)
     for (const Side side : sides)
       for (const Materials materials : all_materials) {
-        const SurfaceModel& model = scene.materials[shape].model;
+        const SurfaceModel& model = scene.materials[material].model;
         const Bsdf expected(materials == Materials::exact ? model : regularized(model), side);
-        CAPTURE(shape, int(side), int(materials));
+        CAPTURE(material, int(side), int(materials));
         for (int i = 0; i < 20; ++i)
-          CHECK(are_alike(table.at(point_of(shape), side, materials), expected, random));
+          CHECK(are_alike(table.at(material, {}, side, {materials}), expected, random));
       }
 }
 
@@ -69,8 +66,30 @@ TEST_CASE("where a texture has a part in a material, its function is that of the
       for (const auto& [u, color] : {std::pair{0.5f, red}, {1.5f, blue}}) {
         const SurfaceModel model = CoatedDiffuse{.reflectance = color};
         const Bsdf expected(materials == Materials::exact ? model : regularized(model), side);
-        CHECK(are_alike(table.at(point_of(0, {u, 0.5f}), side, materials), expected, random));
+        CHECK(are_alike(table.at(0, point_of({u, 0.5f}), side, {materials}), expected, random));
       }
+}
+
+TEST_CASE("within something else, the function is that of a boundary to it, or of none") {
+  Scene scene = scene_of({{"glass", Glass{.ior = 1.5f}}, {"water", Glass{.ior = 1.25f}}});
+  scene.materials[0].interior.priority = 1;
+  scene.materials[1].interior.priority = 2;
+  const BsdfTable table(scene);
+  Random random(3);
+  Viewing viewing;
+  viewing.interiors.enter(1);
+  for (int i = 0; i < 20; ++i) {
+    CHECK(are_alike(table.at(0, {}, Side::outside, viewing), Bsdf(Interface{}), random));
+    CHECK(are_alike(table.at(1, {}, Side::inside, viewing), Bsdf(Glass{.ior = 1.25f}, Side::inside), random));
+  }
+  viewing.interiors = {};
+  viewing.interiors.enter(0);
+  for (const Materials materials : all_materials) {
+    viewing.materials = materials;
+    const SurfaceModel model = Glass{.ior = 1.25f / 1.5f};
+    const Bsdf expected(materials == Materials::exact ? model : regularized(model), Side::outside);
+    for (int i = 0; i < 20; ++i) CHECK(are_alike(table.at(1, {}, Side::outside, viewing), expected, random));
+  }
 }
 
 }  // namespace twinray::test

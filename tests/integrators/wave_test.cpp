@@ -117,6 +117,25 @@ Scene scene_of_every_model() {
   return scene;
 }
 
+/// The same in fog, with overlapping bodies that absorb or hide each other.
+Scene scene_of_interiors() {
+  Scene scene = scene_of_every_model();
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  Random random(30);
+  for (int i = 0; i < 12; ++i) {
+    const float ior = 1.1f + 0.1f * float(i % 5);
+    Material material{"", i % 3 == 0 ? SurfaceModel(Interface{}) : Dielectric{ior}};
+    if (i % 4 == 1) material.model = Dielectric{ior, {0.3f, 0.3f}};
+    material.interior = {{random.unit(), i % 2 == 0 ? 0 : random.unit(), 0.5f}, i % 4};
+    scene.materials.push_back(material);
+    scene.bindings.push_back({std::uint32_t(scene.materials.size() - 1)});
+    shapes.push_back(SphereSet{"", {{random.in_ball() * 0.3f, i == 0 ? 1.3f : 0.5f}}});
+  }
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  check_scene(scene);
+  return scene;
+}
+
 /// Lamps, balls and points of light, more of each than are sampled alone.
 Scene scene_of_many_lights() {
   Scene scene = scene_of(soup(60, 0.7f, 3), {0.8f, 0.7f, 0.6f}, {0, 0.3f, 1.6f}, {0, 0, 0});
@@ -285,7 +304,8 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
   const Scene room = small_room();
   const Scene textures = textured(scene_of_every_model(), TextureFilter::stochastic),
               many = scene_of_many_lights(),
-              lamps = textured(scene_of_everything(), TextureFilter::trilinear);
+              lamps = textured(scene_of_everything(), TextureFilter::trilinear),
+              interiors = scene_of_interiors();
   for (const PathOptions& options : cases) {
     const std::uint32_t count = options.samples_per_light > 100 ? 20 : 2100;
     check_bits(everything, options, count);
@@ -294,6 +314,7 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
     check_bits(textures, options, count);
     check_bits(lamps, options, count);
     check_bits(many, options, count);
+    check_bits(interiors, options, count);
   }
 }
 

@@ -112,7 +112,6 @@ TEST_CASE("what is not rendered is named, with what stands for it") {
         "light below a surface (subsurface) is not rendered; a coated diffuse surface stands for it");
   CHECK(warning_of("Material \"measured\" \"string filename\" \"a\"") ==
         "a measured material is not rendered; a diffuse surface of 0.5 stands for it");
-  CHECK(warning_of("MediumInterface \"fog\" \"\"") == "media are not rendered: space is empty");
   CHECK(warning_of("Shape \"curve\" \"point3 P\" [ 0 0 0 1 1 1 2 2 2 3 3 3 ]") ==
         "curves are not rendered; this one is left out");
   CHECK(error_of("Material \"plastic\"").find("there is no material \"plastic\"; valid are diffuse") !=

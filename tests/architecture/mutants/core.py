@@ -253,4 +253,13 @@ MUTANTS = [
     Mutant("a stochastic filter takes level and column by one draw", "core/texture.cpp",
            "return {true, draw / probability};", "return {true, draw};", "test_core",
            STOCHASTIC_MEAN),
+    Mutant("of equal interiors the one entered first prevails", "core/interiors.cpp",
+           "[material].interior.priority > materials", "[material].interior.priority >= materials",
+           "test_core", "of several interiors that of the highest priority is there, of equals the last"),
+    Mutant("a body that is left lies around itself", "core/interiors.cpp",
+           "if (is_inside) interiors.leave(material);", "", "test_core",
+           "a surface in something of a higher priority is hidden, in something lower a boundary to it"),
+    Mutant("a metal in water reflects as in air", "core/interiors.cpp",
+           "model.eta = model.eta / ior, model.k = model.k / ior", "model.eta = model.eta", "test_core",
+           "within something denser, indices of refraction are smaller"),
 ]

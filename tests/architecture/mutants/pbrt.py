@@ -40,4 +40,11 @@ MUTANTS = [
            "return 1 + std::max(of(texture.first), of(texture.second));\n  }\n  std::uint64_t operator()"
            "(const MixTexture",
            "test_core", "a texture of which few statements make very many is an error"),
+    Mutant("a medium's scale is not that of its absorption", "io/pbrt_medium.cpp",
+           "const Rgb absorption = scale * color_of", "const Rgb absorption = color_of", "test_io",
+           "what light is absorbed by within a shape becomes its material's interior"),
+    Mutant("shapes of one medium share the material of another", "io/pbrt_builder.cpp",
+           "std::tuple(material, absorption.r, absorption.g, absorption.b)",
+           "std::tuple(material, 0.0f, 0.0f, 0.0f)", "test_io",
+           "what light is absorbed by within a shape becomes its material's interior"),
 ]

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/interiors.h"
+
+#include <type_traits>
+
+#include "core/elementary.h"
+
+namespace twinray {
+namespace {
+
+constexpr int slots = 4;
+
+std::uint64_t slot(std::uint64_t bits, int i) { return bits >> (16 * i) & 0xffff; }
+
+float ior_of(const SurfaceModel& model) {
+  return std::visit(
+      [](const auto& m) {
+        if constexpr (requires { m.ior; }) return m.ior;
+        return 1.0f;
+      },
+      model);
+}
+
+struct Immersed {
+  float ior;
+
+  template <typename Model>
+  SurfaceModel operator()(Model model) const {
+    if constexpr (requires { model.ior; }) model.ior /= ior;
+    if constexpr (requires { model.coat_ior; }) model.coat_ior /= ior;
+    if constexpr (requires { model.eta; }) model.eta = model.eta / ior, model.k = model.k / ior;
+    return model;
+  }
+};
+
+}  // namespace
+
+void Interiors::leave(std::uint32_t material) {
+  for (int i = 0; i < slots; ++i) {
+    if (slot(bits_, i) != material + 1) continue;
+    const std::uint64_t later = (std::uint64_t(1) << (16 * i)) - 1;
+    bits_ = (bits_ & later) | (bits_ >> 16 & ~later);
+    return;
+  }
+}
+
+std::uint32_t Interiors::prevailing(std::span<const Material> materials) const {
+  std::uint32_t found = none;
+  for (int i = 0; i < slots && slot(bits_, i) != 0; ++i) {
+    const auto material = std::uint32_t(slot(bits_, i) - 1);
+    if (found == none || materials[material].interior.priority > materials[found].interior.priority)
+      found = material;
+  }
+  return found;
+}
+
+Rgb transmittance(std::span<const Material> materials, const Interiors& interiors, float length) {
+  if (interiors.empty()) return {1, 1, 1};
+  const Rgb& absorption = materials[interiors.prevailing(materials)].interior.absorption;
+  const auto channel = [&](float a) { return a > 0 ? exp_of(-a * length) : 1.0f; };
+  return {channel(absorption.r), channel(absorption.g), channel(absorption.b)};
+}
+
+Surroundings surroundings_of(std::span<const Material> materials, std::uint32_t material, bool is_inside,
+                             Interiors interiors) {
+  const Material& surface = materials[material];
+  if (is_inside) interiors.leave(material);
+  const std::uint32_t around = interiors.prevailing(materials);
+  const bool is_body = lets_light_in(surface.model);
+  if (around == Interiors::none || (is_body && surface.interior.priority == 0)) return {};
+  const int priority = materials[around].interior.priority;
+  if (priority == 0) return {};
+  return {is_body && priority > surface.interior.priority, ior_of(materials[around].model)};
+}
+
+SurfaceModel immersed(const SurfaceModel& model, float ior) { return std::visit(Immersed{ior}, model); }
+
+}  // namespace twinray

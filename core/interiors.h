@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a path is: in which of the closed surfaces that it has entered, and what that means for its light.
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "core/material.h"
+
+namespace twinray {
+
+/// The interiors that a path is in, as materials of a scene. Up to four: where a fifth is entered, the one
+/// entered first is forgotten.
+class Interiors {
+ public:
+  /// Materials of higher indices have no interior.
+  static constexpr std::uint32_t most_materials = 0xffff;
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  Interiors() = default;
+  /// What bits() gave.
+  explicit Interiors(std::uint64_t bits) : bits_(bits) {}
+  std::uint64_t bits() const { return bits_; }
+
+  bool empty() const { return bits_ == 0; }
+  void enter(std::uint32_t material) { bits_ = bits_ << 16 | (material + 1); }
+  /// Leaves it once; nothing happens where it was not entered.
+  void leave(std::uint32_t material);
+  /// The index of the one that is there, of several: that of the highest priority, of equals the one entered
+  /// last. `none` outside of all.
+  std::uint32_t prevailing(std::span<const Material> materials) const;
+
+ private:
+  std::uint64_t bits_ = 0;  ///< Four indices plus one, the last one entered lowest; 0 for none.
+};
+
+/// The part of light that is left behind a way through interiors; `length` may be infinite.
+Rgb transmittance(std::span<const Material> materials, const Interiors& interiors, float length);
+
+/// What a surface is a boundary to, by the priorities of nested interiors (Schmidt and Budge, "Simple Nested
+/// Dielectrics in Ray Traced Images", 2002).
+struct Surroundings {
+  /// Whether the surface lies within something of a higher priority: it is not there.
+  bool is_hidden = false;
+  /// The index of refraction of what is outside of the surface, to the vacuum.
+  float ior = 1;
+};
+/// Of a surface of a material, to a viewer who is in `interiors` and sees it from outside or inside. Surfaces
+/// that let light in and have priority 0, and all that lie in interiors of priority 0, are boundaries to
+/// whatever they were described for.
+Surroundings surroundings_of(std::span<const Material> materials, std::uint32_t material, bool is_inside,
+                             Interiors interiors);
+
+/// The model whose indices of refraction are relative to the vacuum, within something of another index.
+SurfaceModel immersed(const SurfaceModel& model, float ior);
+
+}  // namespace twinray

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/interiors.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "core/scene.h"
+#include "tests/support/catch.h"
+
+namespace twinray::test {
+namespace {
+
+Interiors within(std::initializer_list<std::uint32_t> materials) {
+  Interiors interiors;
+  for (const std::uint32_t material : materials) interiors.enter(material);
+  return interiors;
+}
+
+Material glass(float ior, int priority, const Rgb& absorption = {}) {
+  Material material{"glass", Dielectric{ior}};
+  material.interior = {absorption, priority};
+  return material;
+}
+
+}  // namespace
+
+TEST_CASE("interiors are left in whatever order, and where they were not entered nothing happens") {
+  Interiors interiors = within({3, 0, 7});
+  interiors.leave(3);
+  CHECK(interiors.bits() == within({0, 7}).bits());
+  interiors.leave(5);
+  CHECK(interiors.bits() == within({0, 7}).bits());
+  interiors.leave(7);
+  interiors.leave(0);
+  CHECK(interiors.empty());
+  // Two bodies of one material overlap: one of them is left.
+  interiors = within({4, 2, 4});
+  interiors.leave(4);
+  CHECK(interiors.bits() == within({4, 2}).bits());
+  // The first one of five is forgotten.
+  CHECK(within({1, 2, 3, 4, 5}).bits() == within({2, 3, 4, 5}).bits());
+  interiors = within({65534, 9, 65534, 8});
+  interiors.leave(65534);
+  CHECK(interiors.bits() == within({65534, 9, 8}).bits());
+}
+
+TEST_CASE("of several interiors that of the highest priority is there, of equals the last") {
+  const std::vector<Material> materials{glass(1.5f, 1), glass(1.3f, 3), glass(1.4f, 1), glass(1.2f, 0)};
+  CHECK(within({}).prevailing(materials) == Interiors::none);
+  CHECK(within({0}).prevailing(materials) == 0);
+  CHECK(within({0, 2}).prevailing(materials) == 2);
+  CHECK(within({2, 0}).prevailing(materials) == 0);
+  CHECK(within({0, 1, 2}).prevailing(materials) == 1);
+  CHECK(within({1, 3}).prevailing(materials) == 1);
+}
+
+TEST_CASE("light fades exponentially in what prevails, channel by channel") {
+  const std::vector<Material> materials{glass(1.5f, 1, {0, 1, 2}), glass(1.5f, 2, {0.5f, 0, 0})};
+  const auto infinity = std::numeric_limits<float>::infinity();
+  CHECK(transmittance(materials, {}, infinity) == Rgb{1, 1, 1});
+  const Rgb left = transmittance(materials, within({0}), 1.5f);
+  CHECK(left.r == 1);
+  CHECK(left.g == Approx(std::exp(-1.5)).epsilon(1e-6));
+  CHECK(left.b == Approx(std::exp(-3.0)).epsilon(1e-6));
+  CHECK(transmittance(materials, within({0}), infinity) == Rgb{1, 0, 0});
+  CHECK(transmittance(materials, within({1, 0}), infinity) == Rgb{0, 1, 1});
+}
+
+TEST_CASE("a surface in something of a higher priority is hidden, in something lower a boundary to it") {
+  const std::vector<Material> materials{
+      glass(1.5f, 2), glass(1.33f, 1), glass(1.2f, 0), {"gold", Conductor{}}, {"plain", Dielectric{}}};
+  const auto around = [&](std::uint32_t material, bool is_inside, const Interiors& interiors) {
+    return surroundings_of(materials, material, is_inside, interiors);
+  };
+  CHECK_FALSE(around(0, false, {}).is_hidden);
+  CHECK(around(0, false, {}).ior == 1);
+  // Into the glass, out of water; into the water, within the glass.
+  CHECK_FALSE(around(0, false, within({1})).is_hidden);
+  CHECK(around(0, false, within({1})).ior == 1.33f);
+  CHECK(around(1, false, within({0})).is_hidden);
+  // Out of them: what is around is what else the path is in.
+  CHECK_FALSE(around(0, true, within({1, 0})).is_hidden);
+  CHECK(around(0, true, within({1, 0})).ior == 1.33f);
+  CHECK(around(1, true, within({1, 0})).is_hidden);
+  CHECK_FALSE(around(1, true, within({1})).is_hidden);
+  CHECK(around(1, true, within({1})).ior == 1);
+  // A body of the same priority is a boundary.
+  CHECK_FALSE(around(0, false, within({0})).is_hidden);
+  // Others are never hidden; metals feel what they are in, glass of no priority is as its scene says.
+  CHECK_FALSE(around(3, false, within({1})).is_hidden);
+  CHECK(around(3, false, within({1})).ior == 1.33f);
+  CHECK_FALSE(around(2, false, within({0})).is_hidden);
+  CHECK(around(2, false, within({0})).ior == 1);
+  CHECK(around(4, false, within({0})).ior == 1);
+  CHECK(around(0, false, within({2})).ior == 1);
+}
+
+TEST_CASE("within something denser, indices of refraction are smaller") {
+  CHECK(std::get<Dielectric>(immersed(Dielectric{1.5f}, 1.25f)).ior == Approx(1.2));
+  CHECK(std::get<Glass>(immersed(Glass{.ior = 1.5f}, 1.25f)).ior == Approx(1.2));
+  const auto metal = std::get<Conductor>(immersed(Conductor{{1, 2, 3}, {4, 5, 6}}, 2));
+  CHECK(metal.eta == Rgb{0.5f, 1, 1.5f});
+  CHECK(metal.k == Rgb{2, 2.5f, 3});
+  const auto coated = std::get<CoatedConductor>(immersed(CoatedConductor{.coat_ior = 1.5f}, 1.25f));
+  CHECK(coated.coat_ior == Approx(1.2));
+  CHECK(std::get<Lambert>(immersed(Lambert{}, 2)).reflectance == Lambert{}.reflectance);
+}
+
+TEST_CASE("interiors that cannot be are refused") {
+  const auto error_of = [](const Material& material) {
+    Scene scene;
+    scene.materials.push_back(material);
+    try {
+      check_scene(scene);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(error_of(glass(1.5f, 1, {1, 2, 3})).empty());
+  CHECK(error_of(glass(1.5f, -1)) == "material 0 has the priority -1; it must be >= 0");
+  CHECK(error_of(glass(1.5f, 0, {0, -1, 0})) ==
+        "material 0 has an absorption of 0 -1 0; each must be finite and >= 0");
+  CHECK(error_of(glass(1.5f, 0, {NAN, 0, 0})).find("must be finite") != std::string::npos);
+  Material chalk{"chalk"};
+  chalk.interior.priority = 1;
+  CHECK(error_of(chalk) == "material 0 has an interior, and its surface lets no light in");
+  Scene scene;
+  scene.materials.resize(Interiors::most_materials);
+  scene.materials.push_back(glass(1.5f, 1));
+  CHECK_THROWS_AS(check_scene(scene), Error);
+}
+
+}  // namespace twinray::test

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light within closed surfaces: what is absorbed on its way, and boundaries of bodies that overlap.
+#include <cmath>
+
+#include "core/fresnel.h"
+#include "tests/support/catch.h"
+#include "tests/support/estimate.h"
+#include "tests/support/random.h"
+#include "tests/support/scenes.h"
+
+namespace twinray::test {
+namespace {
+
+constexpr double rounding = 1e-5;
+constexpr Rgb absorption{0.5f, 1, 2};
+
+/// The luminance of white light that has gone a way.
+double left_of(double length) {
+  const auto channel = [&](float a) { return std::exp(-double(a) * length); };
+  return 0.2126 * channel(absorption.r) + 0.7152 * channel(absorption.g) + 0.0722 * channel(absorption.b);
+}
+
+Material body(const SurfaceModel& model, const Interior& interior) {
+  Material material{"body", model};
+  material.interior = interior;
+  return material;
+}
+
+EnvironmentLight sky_of(Image map) { return {std::make_shared<const Image>(std::move(map))}; }
+
+/// Spheres around the origin, from the outermost one inward, each of a material; a camera sees their middle.
+Scene nested_balls(const std::vector<float>& radii, const std::vector<Material>& materials) {
+  Scene scene = scene_of({}, {}, {0, 0, 3}, {0, 0, 0});
+  std::vector<Shape> shapes;
+  scene.bindings.clear();
+  for (std::uint32_t i = 0; i < radii.size(); ++i) {
+    shapes.push_back(SphereSet{"ball", {{{0, 0, 0}, radii[i]}}});
+    scene.bindings.push_back({i});
+  }
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  scene.materials = materials;
+  return scene;
+}
+
+void add_white_sky(Scene& scene) {
+  Image map(1, 1);
+  map.pixels[0] = {1, 1, 1};
+  add_light(scene, sky_of(std::move(map)));
+}
+
+/// One that tells where a ray goes.
+void add_colored_sky(Scene& scene) {
+  Image map(64, 32);
+  for (int i = 0; i < 64 * 32; ++i)
+    map.pixels[std::size_t(i)] = {1 + 0.01f * float(i % 64), 2 + 0.02f * float(i / 64), 1};
+  add_light(scene, sky_of(std::move(map)));
+}
+
+void look_closely(Scene& scene) { scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-4f; }
+
+}  // namespace
+
+TEST_CASE("what is seen through an interior without a surface is darker by its absorption") {
+  Scene scene = nested_balls({1}, {body(Interface{}, {absorption})});
+  look_closely(scene);
+  add_white_sky(scene);
+  CHECK(estimate(scene, {}, small_picture(4)).mean == Approx(left_of(2)).epsilon(rounding));
+  // From within, the way out is not known to be one.
+  scene.camera.position = {0, 0, 0};
+  CHECK(estimate(scene, {}, small_picture(4)).mean == Approx(1).epsilon(rounding));
+}
+
+TEST_CASE("a plate of absorbing glass reflects and lets through what the sum of its reflections says") {
+  Scene scene = scene_of(inward_box(0.25f), {}, {0, 0, 3}, {0, 0, 0});
+  Mesh plate = inward_box(0.25f);
+  for (Triangle& triangle : plate.triangles) std::swap(triangle[1], triangle[2]);  // fronts outward
+  for (Vec3& p : plate.positions) p.x *= 8, p.y *= 8;
+  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{std::move(plate)});
+  scene.materials = {body(Dielectric{1.5f}, {absorption})};
+  look_closely(scene);
+  add_white_sky(scene);
+  const double once = fresnel_dielectric(1, 1.5f);
+  double expected = 0;
+  const double weights[] = {0.2126, 0.7152, 0.0722}, sigma[] = {0.5, 1, 2};
+  for (int c = 0; c < 3; ++c) {
+    const double way = std::exp(-sigma[c] * 0.5), within = 1 - once * once * way * way;
+    const double through = (1 - once) * (1 - once) * way / within;
+    expected += weights[c] * (through + once + through * once * way);
+  }
+  check_mean(estimate(scene, {.max_depth = 100, .roulette = {1}}, small_picture(4096)), expected, 0.02);
+}
+
+TEST_CASE("light samples fade on their way through the interior that a surface stands in") {
+  // A floor in fog that begins 2 above it; a point light 1 above it.
+  Scene scene = scene_of(floor_square(0.5f, 0), {1, 1, 1}, {0, 5, 0}, {0, 0, 0});
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  shapes.push_back(SphereSet{"fog", {{{0, 0, 0}, 2}}});
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  scene.materials.push_back(body(Interface{}, {absorption}));
+  scene.bindings.push_back({1});
+  look_closely(scene);
+  Scene lit = scene;
+  add_light(lit, PointLight{{0, 1, 0}, {1, 1, 1}, {}});
+  for (const DirectMethod method : {DirectMethod::mis, DirectMethod::lights})
+    CHECK(estimate(lit, {.max_depth = 2, .direct = method}, small_picture(4)).mean ==
+          Approx(left_of(1 + 2) / 3.14159265).epsilon(1e-4));
+  // By every method, of a lamp that is not small.
+  add_lamp(scene, SphereSet{"lamp", {{{0, 1, 0.3f}, 0.4f}}}, {4, 4, 4}, EmissionSide::front);
+  const auto found = [&](DirectMethod method) {
+    return estimate(scene, {.max_depth = 2, .direct = method}, small_picture(20000));
+  };
+  const Estimate expected = found(DirectMethod::mis);
+  check_same_mean(found(DirectMethod::lights), expected, 0.05);
+  check_same_mean(found(DirectMethod::hemisphere), expected, 0.05);
+}
+
+TEST_CASE("rough surfaces see lights through interiors alike by every method") {
+  Scene scene = nested_balls({1}, {body(Dielectric{1.4f, {0.5f, 0.5f}}, {absorption})});
+  scene.camera.tan_half_width = scene.camera.tan_half_height = 0.1f;
+  add_lamp(scene, SphereSet{"lamp", {{{0, 0.2f, 0}, 0.5f}}}, {4, 4, 4}, EmissionSide::front);
+  const auto found = [&](DirectMethod method) {
+    return estimate(scene, {.max_depth = 1, .direct = method, .roulette = {1}}, small_picture(40000));
+  };
+  const Estimate expected = found(DirectMethod::mis);
+  check_same_mean(found(DirectMethod::lights), expected, 0.1);
+  check_same_mean(found(DirectMethod::hemisphere), expected, 0.1);
+}
+
+TEST_CASE("bodies one within the other are the boundaries that their priorities say") {
+  // Water in glass, by indices to the vacuum and priorities, and by the index of water to glass.
+  Scene nested = nested_balls(
+      {1, 0.7f}, {body(Refraction{.ior = 1.5f}, {{}, 1}), body(Refraction{.ior = 1.33f}, {absorption, 2})});
+  Scene described = nested_balls(
+      {1, 0.7f}, {{"glass", Refraction{.ior = 1.5f}}, body(Refraction{.ior = 1.33f / 1.5f}, {absorption})});
+  Scene alone = nested_balls({1}, {{"glass", Refraction{.ior = 1.5f}}});
+  for (Scene* const scene : {&nested, &described, &alone}) {
+    scene->camera.tan_half_width = scene->camera.tan_half_height = 0.1f;
+    add_colored_sky(*scene);
+  }
+  const auto mean = [](const Scene& scene) {
+    return estimate(scene, {.max_depth = 20, .roulette = {1}}, small_picture(64)).mean;
+  };
+  CHECK(mean(nested) == Approx(mean(described)).epsilon(1e-4));
+  CHECK(mean(nested) < 0.7 * mean(alone));
+  // Of a lower priority, the inner body is not there, nor what it would absorb.
+  nested.materials[0].interior.priority = 3;
+  CHECK(mean(nested) == Approx(mean(alone)).epsilon(1e-4));
+}
+
+TEST_CASE("two bodies of one index that overlap show no boundary between them") {
+  Scene scene = nested_balls({1, 1}, {body(Glass{.ior = 1.5f}, {{}, 1}), body(Glass{.ior = 1.5f}, {{}, 2})});
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  std::get<SphereSet>(shapes[1]).spheres[0].center = {0, 0, -1};
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  look_closely(scene);
+  add_white_sky(scene);
+  // The camera looks along both centres: two boundaries reflect, at the front and at the back.
+  Scene black = scene;
+  black.lights[0].source = AmbientLight{{0, 0, 1}, {1, 1, 1}};
+  const double once = fresnel_dielectric(1, 1.5f);
+  const auto reflected = estimate(black, {.max_depth = 100, .roulette = {1}}, small_picture(4096));
+  check_mean(reflected, once + (1 - once) * (1 - once) * once / (1 - once * once), 0.1);
+}
+
+}  // namespace twinray::test
