@@ -5,9 +5,9 @@
 
 namespace twinray {
 
-/// All that one question to an accelerator carries; it lives for the call alone, and travels in registers. A
-/// test of acceptance (alpha cut-out: whether a hit counts, as a pure function of ray and hit) would be a
-/// further member here, and the engines would ask it where they keep a hit.
+/// All that one question to an accelerator carries; it lives for the call alone, and travels in registers.
+/// Which hits of a shape with holes count is no part of it: the geometry says so (Geometry::accepts), so that
+/// it is the same for every question, of one ray or of many.
 struct Query {
   const Ray& ray;
   /// Where given, what the query did is added here. The hand-written trees then take their scalar traversal.

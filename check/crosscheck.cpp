@@ -111,8 +111,9 @@ void Crosscheck::check(const Ray& ray, RayClass ray_class, std::uint64_t number,
       continue;
     }
     const bool is_hit_or_miss = bool(reference.closest) != bool(found.closest);
+    const Hit& hit = reference.closest ? reference.closest : found.closest;
     const bool is_leak = is_hit_or_miss && difference != Difference::interval_end &&
-                         is_surrounded(ray, reference.closest ? reference.closest : found.closest);
+                         geometry_->is_opaque(hit.mesh) && is_surrounded(ray, hit);
     report.add({ray_class, number, engine, ray, difference, is_leak, reference, found}, is_hit_or_miss);
   }
 }

@@ -26,10 +26,11 @@ enum class Difference {
   grazing,       ///< |cos| < grazing_cosine at the disputed shape.
   interval_end,  ///< The disputed hit lies within rounding_ulps of t_min or t_max (or the largest float).
   tiny,       ///< The disputed shape is shorter than rounding_ulps: from so far no float test sees its form.
+  cut_out,    ///< Of a shape with holes, where u and v within that rounding lie both beside and in one.
   underflow,  ///< As rounding but for u and v: 2 |d . n| < smallest_divisor, n the product of two edges.
   unexplained
 };
-inline constexpr std::size_t difference_count = 10;
+inline constexpr std::size_t difference_count = 11;
 
 /// "identical", "interval end", ...
 std::string difference_name(Difference difference);
@@ -46,7 +47,7 @@ struct Bvh;
 
 /// What the exact ray does with one primitive, seen with that allowance.
 struct Testimony {
-  enum class Standing { edge, grazing, interval_end, tiny, firm };
+  enum class Standing { edge, grazing, interval_end, tiny, cut_out, firm };
 
   std::uint32_t mesh = 0, primitive = 0;
   Standing standing = Standing::firm;  ///< Why a test may miss it; firm: it may not.
@@ -66,7 +67,8 @@ class Oracle {
   Difference classify(const Ray& ray, const Answer& a, const Answer& b) const;
 
   /// All primitives that an engine may report for this ray, in no particular order; a sphere at most twice,
-  /// once for each root. Primitives whose padded boxes the ray misses are left out unseen.
+  /// once for each root; where a shape has holes, none within them. Primitives whose padded boxes the ray
+  /// misses are left out unseen.
   std::vector<Testimony> testimonies(const Ray& ray) const;
 
  private:

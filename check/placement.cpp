@@ -35,6 +35,11 @@ Similarity similarity_of(Placement placement, const Aabb& bounds) {
 
 Shape placed(const Mesh& mesh, const Similarity& similarity) {
   Mesh result{.name = mesh.name, .positions = mesh.positions, .triangles = mesh.triangles};
+  if (!mesh.is_opaque) {
+    result.uvs = mesh.uvs;
+    result.uv_indices = mesh.uv_indices;
+    result.is_opaque = false;
+  }
   for (Vec3& p : result.positions) p = similarity(p);
   drop_degenerate_triangles(result);
   return result;
@@ -56,7 +61,7 @@ std::shared_ptr<const Geometry> placed_geometry(const std::shared_ptr<const Geom
   std::vector<Shape> shapes;
   for (const Shape& shape : geometry->shapes())
     shapes.push_back(std::visit([&](const auto& s) { return placed(s, similarity); }, shape));
-  return std::make_shared<const Geometry>(std::move(shapes));
+  return std::make_shared<const Geometry>(std::move(shapes), geometry->acceptance());
 }
 
 }  // namespace twinray

@@ -98,10 +98,17 @@ std::size_t drop_degenerate_triangles(Mesh& mesh) {
   return dropped;
 }
 
-Geometry::Geometry(std::vector<Shape> shapes) : shapes_(std::move(shapes)), facets_(shapes_.size()) {
+Geometry::Geometry(std::vector<Shape> shapes, std::shared_ptr<const Acceptance> acceptance)
+    : shapes_(std::move(shapes)), acceptance_(std::move(acceptance)), facets_(shapes_.size()) {
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
-    std::visit([&](const auto& shape) { bounds_.extend(check(shape, shape_label(shape.name, i))); },
-               shapes_[i]);
+    std::visit(
+        [&](const auto& shape) {
+          const std::string label = shape_label(shape.name, i);
+          bounds_.extend(check(shape, label));
+          if (!shape.is_opaque && !acceptance_)
+            throw Error(fmt::format("{}: it is not opaque, but nothing says which of its hits count", label));
+        },
+        shapes_[i]);
     if (const Mesh* m = mesh(std::uint32_t(i))) {
       triangle_count_ += m->triangles.size();
       facets_[i] = facets_of(*m);

@@ -5,11 +5,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "core/aabb.h"
+#include "core/acceptance.h"
 #include "core/vec.h"
 
 namespace twinray {
@@ -26,6 +28,7 @@ struct Mesh {
   std::vector<Triangle> normal_indices;  ///< One for each triangle where there are normals.
   std::vector<Vec2> uvs;                 ///< Texture coordinates, or empty.
   std::vector<Triangle> uv_indices;      ///< One for each triangle where there are uvs.
+  bool is_opaque = true;                 ///< Every hit counts; else Geometry::accepts() is asked.
 };
 
 struct Sphere {
@@ -36,6 +39,7 @@ struct Sphere {
 struct SphereSet {
   std::string name;
   std::vector<Sphere> spheres;
+  bool is_opaque = true;  ///< As a mesh's.
 };
 
 using Shape = std::variant<Mesh, SphereSet>;
@@ -58,12 +62,21 @@ class Geometry {
   Geometry() = default;
   /// Throws Error, naming the shape and the element, for an index out of range, a coordinate that is not
   /// finite or beyond max_coordinate, normals or uvs whose indices do not match the triangles, a negative
-  /// radius.
-  explicit Geometry(std::vector<Shape> shapes);
+  /// radius, a shape that is not opaque where nothing says which hits count.
+  explicit Geometry(std::vector<Shape> shapes, std::shared_ptr<const Acceptance> acceptance = nullptr);
 
   const std::vector<Shape>& shapes() const { return shapes_; }
   const Mesh* mesh(std::uint32_t shape) const { return std::get_if<Mesh>(&shapes_[shape]); }
   const SphereSet* sphere_set(std::uint32_t shape) const { return std::get_if<SphereSet>(&shapes_[shape]); }
+  bool is_opaque(std::uint32_t shape) const {
+    return std::visit([](const auto& s) { return s.is_opaque; }, shapes_[shape]);
+  }
+  /// Whether a hit of a shape that is not opaque counts (core/acceptance.h).
+  bool accepts(const Vec3& origin, const Vec3& direction, const Hit& hit) const noexcept {
+    return acceptance_->accepts(*this, origin, direction, hit);
+  }
+  /// Null where all shapes are opaque, mostly.
+  const std::shared_ptr<const Acceptance>& acceptance() const { return acceptance_; }
   /// Of a triangle of a mesh: worked out once, for every hit asks for it.
   const Facet& facet(std::uint32_t shape, std::uint32_t triangle) const { return facets_[shape][triangle]; }
   /// The box of everything; empty without shapes.
@@ -74,6 +87,7 @@ class Geometry {
 
  private:
   std::vector<Shape> shapes_;
+  std::shared_ptr<const Acceptance> acceptance_;
   std::vector<std::vector<Facet>> facets_;  ///< For each shape; of spheres none.
   Aabb bounds_;
   std::size_t triangle_count_ = 0, sphere_count_ = 0;

@@ -7,12 +7,14 @@
 #include <limits>
 #include <optional>
 
+#include "core/alpha_test.h"
 #include "core/elementary.h"
 #include "core/environment.h"
 #include "core/frame.h"
 #include "core/hash.h"
 #include "core/light_bounds.h"
 #include "core/mesh_area.h"
+#include "core/octahedron.h"
 #include "core/point_light.h"
 #include "core/spawn_ray.h"
 #include "core/warp.h"
@@ -107,6 +109,13 @@ Vec3 entry_normal(const Sphere& sphere, const Vec3& from, const Vec3& direction)
   return {float(x / length), float(y / length), float(z / length)};
 }
 
+/// The hit of a sphere light that a direction towards it means.
+Hit entry_hit(const Sphere& sphere, std::uint32_t shape, const Vec3& from, const Vec3& direction) {
+  const Vec3 normal = entry_normal(sphere, from, direction);
+  const Vec2 uv = octahedral_encode(double(normal.x), double(normal.y), double(normal.z));
+  return {.u = uv.x, .v = uv.y, .mesh = shape};
+}
+
 LightSample sample_sphere(const SphereLight& light, const Geometry& geometry, const SurfacePoint& from,
                           Vec2 u) {
   const Sphere& sphere = geometry.sphere_set(light.shape)->spheres[0];
@@ -156,6 +165,19 @@ bool is_in_disc(const SunLight& sun, const Vec3& direction) {
   return 0.5f * length_squared(direction + sun.direction) <= disc_of(sun).one_minus_cos;
 }
 
+/// The shape of a light that has one, else null.
+const std::uint32_t* shape_of(const LightSource& source) {
+  if (const auto* mesh = std::get_if<MeshLight>(&source)) return &mesh->shape;
+  const auto* sphere = std::get_if<SphereLight>(&source);
+  return sphere ? &sphere->shape : nullptr;
+}
+
+/// As in pbrt-v4, a shape whose alpha is 0 everywhere emits all its light, and is not seen.
+bool is_invisible(std::span<const Texture> textures, std::uint32_t alpha) {
+  const auto* constant = alpha == no_texture ? nullptr : std::get_if<ConstantTexture>(&textures[alpha].model);
+  return constant && !(constant->value.r > 0);
+}
+
 /// Radiance of an ambient light along a unit direction towards it.
 Rgb ambient_radiance(const AmbientLight& light, const Vec3& direction) {
   return dot(light.up, direction) > 0 ? light.radiance : Rgb{};
@@ -166,8 +188,11 @@ Rgb ambient_radiance(const AmbientLight& light, const Vec3& direction) {
 LightSet::LightSet(const Scene& scene, const LightSetOptions& options)
     : lights_(scene.lights),
       bindings_(scene.bindings),
+      textures_(scene.textures),
       geometry_(*scene.geometry),
       triangles_(scene.lights.size()),
+      alphas_(scene.lights.size(), no_texture),
+      is_invisible_(scene.lights.size()),
       patches_(scene.lights.size()),
       zones_(scene.lights.size() + 2),
       group_of_(scene.lights.size(), no_group),
@@ -178,11 +203,13 @@ LightSet::LightSet(const Scene& scene, const LightSetOptions& options)
 }
 
 void LightSet::prepare(std::uint32_t i, double compensation) {
+  if (const std::uint32_t* shape = shape_of(lights_[i].source)) alphas_[i] = bindings_[*shape].alpha;
+  is_invisible_[i] = is_invisible(textures_, alphas_[i]);
   if (const MeshLight* light = mesh(i)) {
     const Mesh& emitter = *geometry_.mesh(light->shape);
     triangles_[i] = triangles_by_area(emitter);
     patches_[i] = patch_light(emitter, light->side, triangles_[i].total());
-    zones_[i] = zone_around(emitter);
+    if (!is_invisible_[i]) zones_[i] = zone_around(emitter);
   } else if (const auto* environment = std::get_if<EnvironmentLight>(&lights_[i].source)) {
     zones_[i] = everywhere;
     is_all_a_zone_ = true;
@@ -195,7 +222,7 @@ void LightSet::prepare(std::uint32_t i, double compensation) {
 void LightSet::make_groups(ManyLights many) {
   for (std::uint32_t i = 0; i < size(); ++i) {
     const LightSource& source = lights_[i].source;
-    if (is_distant(source) || std::holds_alternative<DirectionalLight>(source))
+    if (is_distant(source) || std::holds_alternative<DirectionalLight>(source) || is_invisible_[i])
       sampled_.push_back(i);
     else
       groups_[twinray::is_delta(source) ? points : surfaces].lights.push_back(i);
@@ -248,6 +275,11 @@ float LightSet::probability_in_group(std::uint32_t light, const Receiver& from) 
   return groups_[group_of_[light]].tree.probability(place_in_group_[light], from);
 }
 
+float LightSet::alpha_of(std::uint32_t light, const Hit& hit) const {
+  if (!has_alpha(light) || is_invisible_[light]) return 1;
+  return alpha_at(textures_, alphas_[light], texture_coordinates(geometry_, hit));
+}
+
 LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, const Vec3& normal,
                              Vec2 u) const {
   if (light >= size()) return sample_group(groups_[light - size()], from, normal, u);
@@ -255,12 +287,21 @@ LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, cons
   if (const auto* mesh = std::get_if<MeshLight>(&source)) {
     const double area = triangles_[light].total();
     if (area == 0) return {};
-    const Receiver receiver{from.position, normal};
-    return sample_mesh(*mesh, geometry_, area, choose_point(triangles_[light], patches_[light], receiver, u),
-                       from);
+    const auto choice = choose_point(triangles_[light], patches_[light], {from.position, normal}, u);
+    LightSample chosen = sample_mesh(*mesh, geometry_, area, choice, from);
+    chosen.radiance =
+        chosen.radiance *
+        alpha_of(light, {.u = choice.u, .v = choice.v, .primitive = choice.triangle, .mesh = mesh->shape});
+    return chosen;
   }
-  if (const auto* sphere = std::get_if<SphereLight>(&source))
-    return sample_sphere(*sphere, geometry_, from, u);
+  if (const auto* sphere = std::get_if<SphereLight>(&source)) {
+    LightSample chosen = sample_sphere(*sphere, geometry_, from, u);
+    const Sphere& shape = geometry_.sphere_set(sphere->shape)->spheres[0];
+    if (has_alpha(light))
+      chosen.radiance =
+          chosen.radiance * alpha_of(light, entry_hit(shape, sphere->shape, from.position, chosen.direction));
+    return chosen;
+  }
   if (const auto* point = std::get_if<PointLight>(&source)) return light_from(*point, from);
   if (const auto* spot = std::get_if<SpotLight>(&source)) return light_from(*spot, from);
   if (const auto* goniometric = std::get_if<GoniometricLight>(&source)) return light_from(*goniometric, from);

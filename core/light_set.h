@@ -65,10 +65,15 @@ class LightSet {
   }
   /// The triangles of a mesh light by their areas; empty for any other.
   const Distribution& triangles(std::uint32_t light) const { return triangles_[light]; }
-  /// Whether the light is a point or a direction, which no ray can hit by chance: one sample is exact.
+  /// Whether the light is a point, a direction or an invisible shape, which no ray can hit by chance: one
+  /// sample is enough.
   bool is_delta(std::uint32_t light) const {
-    return light < size() ? twinray::is_delta(lights_[light].source) : light == size() + points;
+    if (light >= size()) return light == size() + points;
+    return twinray::is_delta(lights_[light].source) || is_invisible_[light];
   }
+
+  /// Whether there is less of the light's shape than its geometry (core/alpha_test.h), and so of its light.
+  bool has_alpha(std::uint32_t light) const { return alphas_[light] != no_texture; }
 
   /// The patches of a mesh light that has few; none for any other.
   const PatchLight& patches(std::uint32_t light) const { return patches_[light]; }
@@ -114,14 +119,18 @@ class LightSet {
   void prepare(std::uint32_t light, double compensation);
   void make_groups(ManyLights many);
   LightSample sample_group(const Group& group, const SurfacePoint& from, const Vec3& normal, Vec2 u) const;
+  float alpha_of(std::uint32_t light, const Hit& hit) const;
   float pdf_alone(std::uint32_t light, const Receiver& from, const Hit& hit) const;
   float probability_in_group(std::uint32_t light, const Receiver& from) const;
 
   std::span<const Light> lights_;
   std::span<const ShapeBinding> bindings_;
+  std::span<const Texture> textures_;
   const Geometry& geometry_;
   // One for each light:
   std::vector<Distribution> triangles_;  ///< By area, empty where it is not a mesh.
+  std::vector<std::uint32_t> alphas_;    ///< The textures that cut their shapes out, if any.
+  std::vector<bool> is_invisible_;       ///< Their alpha is 0 everywhere.
   std::vector<PatchLight> patches_;
   std::vector<Zone> zones_;  ///< And one for each group.
   std::vector<std::uint32_t> group_of_, place_in_group_;

@@ -26,6 +26,23 @@ void check_light(const Scene& scene, std::size_t index) {
   check_numbers(scene.lights[index].source, fmt::format("light {}", index));
 }
 
+void check_binding(const Scene& scene, std::uint32_t shape) {
+  const ShapeBinding& binding = scene.bindings[shape];
+  if (binding.material >= scene.materials.size())
+    throw Error(fmt::format("shape {} names material {}; there are {}", shape, binding.material,
+                            scene.materials.size()));
+  if (binding.light != no_light && binding.light >= scene.lights.size())
+    throw Error(
+        fmt::format("shape {} names light {}; there are {}", shape, binding.light, scene.lights.size()));
+  const bool has_alpha = binding.alpha != no_texture;
+  if (has_alpha && binding.alpha >= scene.textures.size())
+    throw Error(
+        fmt::format("shape {} names texture {}; there are {}", shape, binding.alpha, scene.textures.size()));
+  if (scene.geometry->is_opaque(shape) == has_alpha)
+    throw Error(fmt::format("shape {} has {} alpha, but its geometry is{} opaque", shape,
+                            has_alpha ? "an" : "no", has_alpha ? "" : " not"));
+}
+
 void check_material(const Scene& scene, std::size_t index) {
   const Material& material = scene.materials[index];
   const auto* mix = std::get_if<Mix>(&material.model);
@@ -66,14 +83,7 @@ void check_scene(const Scene& scene) {
   if (scene.bindings.size() != scene.geometry->shapes().size())
     throw Error(
         fmt::format("{} shapes but {} bindings", scene.geometry->shapes().size(), scene.bindings.size()));
-  for (std::size_t i = 0; i < scene.bindings.size(); ++i) {
-    if (scene.bindings[i].material >= scene.materials.size())
-      throw Error(fmt::format("shape {} names material {}; there are {}", i, scene.bindings[i].material,
-                              scene.materials.size()));
-    if (scene.bindings[i].light != no_light && scene.bindings[i].light >= scene.lights.size())
-      throw Error(fmt::format("shape {} names light {}; there are {}", i, scene.bindings[i].light,
-                              scene.lights.size()));
-  }
+  for (std::size_t i = 0; i < scene.bindings.size(); ++i) check_binding(scene, std::uint32_t(i));
   for (std::size_t i = 0; i < scene.lights.size(); ++i) check_light(scene, i);
   check_textures(scene.textures);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) check_material(scene, i);

@@ -14,10 +14,12 @@ namespace twinray {
 
 inline constexpr std::uint32_t no_light = 0xffffffff;
 
-/// What a shape is made of and, where it emits, which light it is: indices into Scene's materials and lights.
+/// What a shape is made of and, where it emits, which light it is: indices into Scene's materials, lights and
+/// textures.
 struct ShapeBinding {
   std::uint32_t material = 0;
   std::uint32_t light = no_light;
+  std::uint32_t alpha = no_texture;  ///< The texture that cuts holes into it (core/alpha_test.h), if any.
 };
 
 /// A whole scene: values, linked by index.
@@ -30,8 +32,8 @@ struct Scene {
   Camera camera;
 };
 
-/// Throws Error where an index points nowhere, a light's shape is not of the light's kind or a mixture is one
-/// of materials behind it.
+/// Throws Error where an index points nowhere, a light's shape is not of the light's kind, a mixture is one
+/// of materials behind it, or a shape is opaque that has an alpha, or the other way round.
 void check_scene(const Scene& scene);
 
 }  // namespace twinray

@@ -95,6 +95,11 @@ SurfacePoint surface_at(const Geometry& geometry, const Hit& hit) {
   return sphere_hit_point(geometry.sphere_set(hit.mesh)->spheres[hit.primitive], hit);
 }
 
+Vec2 texture_coordinates(const Geometry& geometry, const Hit& hit) {
+  const Mesh* mesh = geometry.mesh(hit.mesh);
+  return mesh ? texture_coordinates(*mesh, hit.primitive, hit.u, hit.v) : Vec2{hit.u, hit.v};
+}
+
 Vec3 mixed_normal(const Geometry& geometry, const Hit& hit) {
   const Mesh* mesh = geometry.mesh(hit.mesh);
   if (!mesh) return octahedral_decode(hit.u, hit.v);

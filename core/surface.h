@@ -27,6 +27,9 @@ struct SurfacePoint {
 /// Expands a hit (not a miss) of this geometry.
 SurfacePoint surface_at(const Geometry& geometry, const Hit& hit);
 
+/// The texture coordinates of a hit: of a mesh without, and of a sphere, the hit's u and v.
+Vec2 texture_coordinates(const Geometry& geometry, const Hit& hit);
+
 /// The normals of the triangle's corners mixed by the hit's weights, of whatever length; without such normals
 /// the geometric one. Of a sphere its unit normal.
 Vec3 mixed_normal(const Geometry& geometry, const Hit& hit);

@@ -95,7 +95,7 @@ struct Evaluate {
     const double level = level_of(*texture.image, at.footprint * stretch(texture.uv));
     const int finer = int(level);
     const auto t = float(level - finer);
-    if (texture.filter == TextureFilter::stochastic) {
+    if (texture.filter == TextureFilter::stochastic && !at.is_smooth) {
       const ChoiceOfTwo coarser = choose(t, at.draw.x);
       return stochastic(texture.image->level(finer + coarser.second), texture.wrap, uv,
                         {coarser.draw, at.draw.y});

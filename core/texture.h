@@ -64,6 +64,9 @@ struct CheckerboardTexture {
 using TextureModel =
     std::variant<ConstantTexture, ImageTexture, ScaleTexture, MixTexture, CheckerboardTexture>;
 
+/// The index of "no texture".
+inline constexpr std::uint32_t no_texture = 0xffffffff;
+
 struct Texture {
   std::string name;
   TextureModel model;
@@ -76,6 +79,7 @@ struct TexturePoint {
   /// In [0, 1)^2: chooses the pixels of stochastic filters, the same for all textures of a surface. So one
   /// point of the surface is shaded, and the mean over the draws is that of shaded points.
   Vec2 draw{0.5f, 0.5f};
+  bool is_smooth = false;  ///< Stochastic filters are trilinear here: for what nobody takes the mean of.
 };
 
 /// Gives all pictures this filter but those that have `nearest`: whoever asks for pixels wants to see them.

@@ -266,6 +266,7 @@ Json shapes_json(const Scene& scene, const std::string& path) {
     if (std::holds_alternative<Mesh>(shapes[i])) list.back()["file"] = file_name(mesh_file(path, i));
     list.back()["material"] = scene.bindings[i].material;
     if (scene.bindings[i].light != no_light) list.back()["light"] = scene.bindings[i].light;
+    if (scene.bindings[i].alpha != no_texture) list.back()["textured"].push_back("alpha");
   }
   return list;
 }

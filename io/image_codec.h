@@ -12,6 +12,9 @@
 
 namespace twinray {
 
+/// What of a picture is read.
+enum class PictureLayer { color, alpha };
+
 /// Reads and writes what PNG's own library does not. Any number of threads may use it.
 class ImageCodec {
  public:
@@ -22,9 +25,9 @@ class ImageCodec {
   virtual ~ImageCodec() = default;
 
   /// The first three channels as they are stored, 8 and 16 bits as [0, 1]; the first one as grey where there
-  /// are fewer. `check` sees the header before memory is taken for pixels; it throws Error to refuse the
-  /// file.
-  virtual Image read(PictureFormat format, const PictureBytes& picture,
+  /// are fewer; or the alpha channel as grey, 1 where there is none. `check` sees the header before memory is
+  /// taken for pixels; it throws Error to refuse the file.
+  virtual Image read(PictureFormat format, const PictureBytes& picture, PictureLayer layer,
                      const std::function<void(const Header&)>& check) const = 0;
   /// The bytes of an OpenEXR file; write_exr says of what. `path` stands in messages alone.
   virtual std::vector<unsigned char> encode_exr(const std::string& path, const Image& image,

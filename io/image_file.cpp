@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -58,11 +59,12 @@ bool is_encoded(PictureFormat format) {
 
 bool is_plain(PictureFormat format) { return format == PictureFormat::pfm || format == PictureFormat::tga; }
 
-Image decode_plain(PictureFormat format, const PictureBytes& picture) {
+Image decode_plain(PictureFormat format, const PictureBytes& picture, PictureLayer layer) {
   const PictureSize size = format == PictureFormat::pfm ? pfm_size(picture) : tga_size(picture);
   check_room(fmt::format("the {} x {} pixels of {}", size.width, size.height, picture.path),
              std::uint64_t(size.width) * std::uint64_t(size.height) * sizeof(Rgb));
-  return format == PictureFormat::pfm ? decode_pfm(picture) : decode_tga(picture);
+  if (format == PictureFormat::pfm) return decode_pfm(picture);
+  return (layer == PictureLayer::alpha ? decode_tga_alpha : decode_tga)(picture);
 }
 
 /// Throws Error where a picture has more pixels than its reader wants.
@@ -72,11 +74,35 @@ void check_pixels(const PictureSize& size, const ReadOptions& options, const std
                             options.most_pixels));
 }
 
+Image decode_layer(PictureFormat format, const PictureBytes& picture, PictureLayer layer) {
+  const auto check = [&](const ImageCodec::Header& header) { check_kind(header, format, picture); };
+  return is_plain(format) ? decode_plain(format, picture, layer)
+                          : image_codec().read(format, picture, layer, check);
+}
+
+bool has_alpha(PictureFormat format) {
+  return format == PictureFormat::png || format == PictureFormat::exr || format == PictureFormat::tga;
+}
+
+bool is_all_one(const Image& image) {
+  return std::all_of(image.pixels.begin(), image.pixels.end(), [](const Rgb& p) { return p.r == 1; });
+}
+
 Image decode(PictureFormat format, const PictureBytes& picture, const ReadOptions& options) {
   check_pixels(check_picture_header(format, picture), options, picture.path);
-  const auto check = [&](const ImageCodec::Header& header) { check_kind(header, format, picture); };
-  Image image = is_plain(format) ? decode_plain(format, picture) : image_codec().read(format, picture, check);
+  const bool is_number = options.channels == PictureChannels::number;
+  if (is_number && has_alpha(format)) {
+    Image alpha = decode_layer(format, picture, PictureLayer::alpha);
+    if (!is_all_one(alpha)) return alpha;
+  }
+  Image image = decode_layer(format, picture, PictureLayer::color);
   if (is_encoded(format) && options.role == PictureRole::color) decode_srgb(image);
+  if (is_number)
+    for (Rgb& pixel : image.pixels) {
+      const float mean =
+          pixel.r == pixel.g && pixel.g == pixel.b ? pixel.r : (pixel.r + pixel.g + pixel.b) / 3;
+      pixel = {mean, mean, mean};
+    }
   return image;
 }
 

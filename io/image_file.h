@@ -35,13 +35,19 @@ void write_image(const std::string& path, const Image& image, const ImageMetadat
 /// as they stand. An EXR or HDR holds linear numbers, whatever they mean.
 enum class PictureRole { color, data };
 
+/// What of its channels a pixel is made of: its colour; or one number, as grey: its alpha, where that is not
+/// 1 all over, else the mean of its colour.
+enum class PictureChannels { color, number };
+
 struct ReadOptions {
   PictureRole role = PictureRole::color;
+  PictureChannels channels = PictureChannels::color;
   std::int64_t most_pixels = std::int64_t(1) << 28;  ///< A larger picture is refused before it is read.
 };
 
-/// Reads an EXR, HDR, PNG, JPEG, PFM or TGA picture of up to 2^28 pixels as linear colours: the first three
-/// channels, or the first one as grey; PNG and JPEG are of 8 bits or of 16. Throws Error.
+/// Reads an EXR, HDR, PNG, JPEG, PFM or TGA picture of up to 2^28 pixels as linear colours, those of its file
+/// whatever their alpha: the first three channels, or the first one as grey; PNG and JPEG are of 8 bits or
+/// of 16. Throws Error.
 Image read_image(const std::string& path, const ReadOptions& options = {});
 
 /// The same from the bytes of a file; the name says the format, and messages begin with it.

@@ -44,27 +44,39 @@ const char* reader_for(PictureFormat format) {
   }
 }
 
-/// Reads so many channels of all pixels, row by row: OpenImageIO takes 64 MB for any rows that it reads at
-/// once, however short. Rows of tiles it reads one after the other by itself.
-bool read_channels(OIIO::ImageInput& input, int channels, Image& image) {
+/// Reads so many channels from one on of all pixels, row by row: OpenImageIO takes 64 MB for any rows that it
+/// reads at once, however short. Rows of tiles it reads one after the other by itself.
+bool read_channels(OIIO::ImageInput& input, int first, int channels, Image& image) {
   const OIIO::ImageSpec& spec = input.spec();
   const auto pixel_bytes = OIIO::stride_t(sizeof(Rgb));
   if (spec.tile_width > 0)
-    return input.read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, image.pixels.data(), pixel_bytes);
+    return input.read_image(0, 0, first, first + channels, OIIO::TypeDesc::FLOAT, image.pixels.data(),
+                            pixel_bytes);
   std::vector<float> row(std::size_t(spec.width) * std::size_t(spec.nchannels));
   for (int y = 0; y < spec.height; ++y) {
     if (!input.read_scanline(spec.y + y, 0, OIIO::TypeDesc::FLOAT, row.data())) return false;
     for (int x = 0; x < spec.width; ++x)
-      std::copy_n(&row[std::size_t(x) * std::size_t(spec.nchannels)], channels, &image.at(x, y).r);
+      std::copy_n(&row[std::size_t(x) * std::size_t(spec.nchannels) + std::size_t(first)], channels,
+                  &image.at(x, y).r);
   }
   return true;
 }
 
-/// The first three channels of all pixels, or the first one as grey.
-Image read_pixels(OIIO::ImageInput& input, const ImageCodec::Header& header, const std::string& path) {
+Image all_opaque(const ImageCodec::Header& header) {
   Image image(header.width, header.height);
-  const int channels = header.channels >= 3 ? 3 : 1;
-  if (!read_channels(input, channels, image))
+  std::fill(image.pixels.begin(), image.pixels.end(), Rgb{1, 1, 1});
+  return image;
+}
+
+/// The first three channels of all pixels, or one as grey.
+Image read_pixels(OIIO::ImageInput& input, const ImageCodec::Header& header, PictureLayer layer,
+                  const std::string& path) {
+  const int alpha = input.spec().alpha_channel;
+  if (layer == PictureLayer::alpha && alpha < 0) return all_opaque(header);
+  Image image(header.width, header.height);
+  const int first = layer == PictureLayer::alpha ? alpha : 0;
+  const int channels = layer == PictureLayer::color && header.channels >= 3 ? 3 : 1;
+  if (!read_channels(input, first, channels, image))
     throw Error(fmt::format("{}: cannot be read: {}", path, input.geterror()));
   if (channels == 1)
     for (Rgb& pixel : image.pixels) pixel = {pixel.r, pixel.r, pixel.r};
@@ -92,18 +104,19 @@ class MemoryFile final : public OIIO::Filesystem::IOMemReader {
 
 class OpenImageIOCodec final : public ImageCodec {
  public:
-  Image read(PictureFormat format, const PictureBytes& picture,
+  Image read(PictureFormat format, const PictureBytes& picture, PictureLayer layer,
              const std::function<void(const Header&)>& check) const override {
     use_no_threads();
     MemoryFile memory(picture.bytes);
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(reader_for(format));
-    OIIO::ImageSpec spec;
-    if (!input || !input->set_ioproxy(&memory) || !input->open(picture.path, spec))
+    OIIO::ImageSpec spec, as_stored;
+    as_stored.attribute("oiio:UnassociatedAlpha", 1);  // Else colours come multiplied by their alpha.
+    if (!input || !input->set_ioproxy(&memory) || !input->open(picture.path, spec, as_stored))
       throw Error(
           fmt::format("{}: cannot be read: {}", picture.path, input ? input->geterror() : OIIO::geterror()));
     const Header header{spec.width, spec.height, spec.nchannels, spec.depth > 1 || spec.deep};
     check(header);
-    return read_pixels(*input, header, picture.path);
+    return read_pixels(*input, header, layer, picture.path);
   }
 
   /// Put together in memory: a pipe cannot be written in any other order.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/alpha_test.h"
 #include "core/mesh_area.h"
 #include "core/radiance.h"
 
@@ -54,6 +55,7 @@ Rgb bounded(const Rgb& radiance, const PbrtPlace& place, WarningList& warnings) 
 void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& parameters,
                             const PbrtState& state) {
   auto shape = read_shape(type, parameters, context_);
+  const std::uint32_t alpha = materials_.textures.alpha(parameters);
   if (!shape) return;
   if (shape->mesh.name.empty()) shape->mesh.name = fmt::format("{}, line {}", type, parameters.place().line);
   const Part part{std::make_shared<const PbrtShape>(std::move(*shape)),
@@ -62,6 +64,7 @@ void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& param
                   state.material,
                   state.absorption_inside,
                   state.area_light,
+                  alpha,
                   parameters.place()};
   if (object_)
     object_->push_back(part);
@@ -79,23 +82,36 @@ void PbrtBuilder::check_room(const Part& part) {
 void PbrtBuilder::place(const Part& part, const Transform& to_world) {
   const bool emits = part.light && !context_.options.surfaces_only;
   const bool is_filled = !is_black(part.absorption);
-  if (materials_.is_interface(part.material) && !emits && !is_filled) return;
+  const bool is_nothing = part.alpha != no_texture && materials_.textures.is_at_most(part.alpha, 0);
+  if (!emits && (is_nothing || (materials_.is_interface(part.material) && !is_filled))) return;
   check_room(part);
-  Shape shape =
-      place_shape(*with_uvs(part), to_world, part.is_reversed, emits && part.light->is_two_sided, account_);
+  // A sphere of our own has no poles, by which pbrt's coordinates go.
+  const bool as_mesh = (emits && part.light->is_two_sided) || needs_uvs(part);
+  Shape shape = place_shape(*with_uvs(part), to_world, part.is_reversed, as_mesh, account_);
   check_coordinates(shape, part.place);
   shapes_.push_back(std::move(shape));
-  ShapeBinding binding{part.material, no_light};
+  ShapeBinding binding{part.material, no_light, part.alpha};
   if (emits) add_emission(part, binding);
   if (materials_.is_interface(part.material) && emits) binding.material = black();
   if (is_filled) absorptions_[bindings_.size()] = part.absorption;
   bindings_.push_back(binding);
 }
 
+bool PbrtBuilder::is_textured(std::uint32_t material) const {
+  const Material& made = materials_.materials[material];
+  const auto* mix = std::get_if<Mix>(&made.model);
+  return !made.textures.empty() || (mix && (is_textured(mix->first) || is_textured(mix->second)));
+}
+
+bool PbrtBuilder::needs_uvs(const Part& part) const {
+  const bool is_even = part.alpha == no_texture || std::holds_alternative<ConstantTexture>(
+                                                       materials_.textures.textures[part.alpha].model);
+  return !is_even || is_textured(part.material);
+}
+
 std::shared_ptr<const PbrtShape> PbrtBuilder::with_uvs(const Part& part) const {
   const Mesh& mesh = part.shape->mesh;
-  if (mesh.triangles.empty() || !mesh.uvs.empty() || materials_.materials[part.material].textures.empty())
-    return part.shape;
+  if (mesh.triangles.empty() || !mesh.uvs.empty() || !needs_uvs(part)) return part.shape;
   auto shape = std::make_shared<PbrtShape>(*part.shape);
   add_default_uvs(shape->mesh);
   return shape;
@@ -179,7 +195,8 @@ LoadedScene PbrtBuilder::finish(float exposure) {
   scene.bindings = std::move(bindings_);
   scene.materials = std::move(materials_.materials);
   scene.textures = std::move(materials_.textures.textures);
-  scene.geometry = std::make_shared<const Geometry>(std::move(shapes_));
+  scene.geometry =
+      std::make_shared<const Geometry>(cut_out(std::move(shapes_), scene.bindings, scene.textures));
   check_scene(scene);
   loaded.summary.dropped_triangles = account_.dropped_triangles;
   if (account_.replaced_normals > 0)

@@ -46,11 +46,15 @@ class PbrtBuilder {
     std::uint32_t material;
     Rgb absorption;  ///< Within.
     std::shared_ptr<const PbrtAreaLight> light;
+    std::uint32_t alpha;
     PbrtPlace place;
   };
   using Object = std::vector<Part>;
 
   void place(const Part& part, const Transform& to_world);
+  bool is_textured(std::uint32_t material) const;
+  /// Whether the shape's texture coordinates matter.
+  bool needs_uvs(const Part& part) const;
   /// The shape; where textures need coordinates and it has none, with those that pbrt gives each triangle.
   std::shared_ptr<const PbrtShape> with_uvs(const Part& part) const;
   void add_emission(const Part& part, ShapeBinding& binding);

@@ -91,12 +91,6 @@ constexpr std::array<Reader, 8> readers{{{"trianglemesh", read_triangles},
                                          {"loopsubdiv", read_subdivision},
                                          {"curve", read_curve}}};
 
-void warn_of_alpha(const PbrtParameters& parameters, WarningList& warnings) {
-  const PbrtParameter* alpha = parameters.find("alpha");
-  const bool is_opaque = alpha && alpha->type == PbrtType::real && parameters.reals(*alpha)[0] >= 1;
-  if (alpha && !is_opaque) alpha->place.warn(warnings, "\"alpha\" is not rendered: the surface is opaque");
-}
-
 void turn(Triangle& triangle) { std::swap(triangle[1], triangle[2]); }
 
 /// The facet's normal, of its area.
@@ -170,7 +164,7 @@ std::optional<PbrtShape> read_shape(const std::string& type, const PbrtParameter
     parameters.place().fail(fmt::format("there is no shape \"{}\"; valid are {}", type, list_names(names)));
   }
   auto shape = reader->read(parameters, context);
-  warn_of_alpha(parameters, context.warnings);
+  parameters.find("alpha");  // Of what the shape is made, not where it is: PbrtBuilder reads it.
   parameters.warn_of_unused(context.warnings);
   return shape;
 }

@@ -60,7 +60,9 @@ void PbrtTextures::define(const std::string& name, const std::string& type, cons
     parameters.place().warn(
         context_.warnings,
         fmt::format("the texture \"{}\" is defined a second time; the last one counts", name));
-  const Named made = make(texture_class, parameters);
+  const bool is_number = type == "float";
+  const Named made =
+      make(texture_class, parameters, is_number ? PictureChannels::number : PictureChannels::color);
   textures[made.index].name = name;
   named_[name] = made;
   parameters.warn_of_unused(context_.warnings);
@@ -84,6 +86,19 @@ PbrtTextures::Named PbrtTextures::value(const PbrtParameters& parameters, const 
   return constant(color_of(parameters, *found, ColorRole::unbounded, context_.files));
 }
 
+std::uint32_t PbrtTextures::alpha(const PbrtParameters& parameters) {
+  const PbrtParameter* found = parameters.find("alpha");
+  if (!found) return no_texture;
+  if (found->type == PbrtType::texture) return named(parameters, *found).index;
+  const float alpha = parameters.real("alpha", 1);
+  return alpha >= 1 ? no_texture : constant({alpha, alpha, alpha}).index;
+}
+
+bool PbrtTextures::is_at_most(std::uint32_t texture, float number) const {
+  const auto* constant = std::get_if<ConstantTexture>(&textures[texture].model);
+  return constant && !(constant->value.r > number);
+}
+
 /// Of the mappings only that by the surface's coordinates is there.
 UvTransform PbrtTextures::read_mapping(const PbrtParameters& parameters) {
   const float u = parameters.real("uscale", 1), v = parameters.real("vscale", 1);
@@ -97,9 +112,10 @@ UvTransform PbrtTextures::read_mapping(const PbrtParameters& parameters) {
   return {{{u, 0, du}, {0, v, dv}}};
 }
 
-PbrtTextures::Named PbrtTextures::make(const std::string& texture_class, const PbrtParameters& parameters) {
+PbrtTextures::Named PbrtTextures::make(const std::string& texture_class, const PbrtParameters& parameters,
+                                       PictureChannels channels) {
   if (texture_class == "constant") return value(parameters, "value", 1);
-  if (texture_class == "imagemap") return read_picture(parameters);
+  if (texture_class == "imagemap") return read_picture(parameters, channels);
   if (texture_class == "scale") {
     const Named tex = value(parameters, "tex", 1), scale = value(parameters, "scale", 1);
     return add(ScaleTexture{tex.index, scale.index}, tex.mean * scale.mean);
@@ -127,7 +143,7 @@ PbrtTextures::Named PbrtTextures::make(const std::string& texture_class, const P
   return instead({0.5f, 0.5f, 0.5f}, parameters, "this pattern is not rendered");
 }
 
-PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters) {
+PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters, PictureChannels channels) {
   ImageTexture picture;
   picture.uv = read_mapping(parameters);
   picture.filter = word_of(parameters, "filter", filters);
@@ -138,7 +154,7 @@ PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters)
   const PbrtPlace& place = parameters.find("filename")->place;
   const bool is_data = parameters.text("encoding", "sRGB") == "linear";
   const std::string path = context_.files.is_disk() ? context_.files.path(place, name) : "";
-  LoadedTexture loaded = load_texture(path, is_data ? PictureRole::data : PictureRole::color);
+  LoadedTexture loaded = load_texture(path, is_data ? PictureRole::data : PictureRole::color, channels);
   if (!loaded.warning.empty()) place.warn(context_.warnings, loaded.warning);
   picture.image = loaded.image;
   const MipMap& map = *loaded.image;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/texture.h"
+#include "io/image_file.h"
 #include "io/pbrt_context.h"
 #include "io/pbrt_parameters.h"
 
@@ -30,14 +31,19 @@ class PbrtTextures {
   /// before.
   const Named& named(const PbrtParameters& parameters, const PbrtParameter& parameter) const;
 
+  /// The texture of a shape's "alpha"; no_texture where it is 1 everywhere.
+  std::uint32_t alpha(const PbrtParameters& parameters);
+  /// Whether a texture is this number or less everywhere, as far as its kind tells.
+  bool is_at_most(std::uint32_t texture, float number) const;
+
   std::vector<Texture> textures;
 
  private:
   Named add(const TextureModel& model, const Rgb& mean);
   Named constant(const Rgb& value) { return add(ConstantTexture{value}, value); }
   Named value(const PbrtParameters& parameters, const char* name, float fallback);
-  Named make(const std::string& texture_class, const PbrtParameters& parameters);
-  Named read_picture(const PbrtParameters& parameters);
+  Named make(const std::string& texture_class, const PbrtParameters& parameters, PictureChannels channels);
+  Named read_picture(const PbrtParameters& parameters, PictureChannels channels);
   Named instead(const Rgb& mean, const PbrtParameters& parameters, const char* why);
   UvTransform read_mapping(const PbrtParameters& parameters);
 

@@ -62,9 +62,10 @@ int byte_of(const PictureBytes& picture, std::size_t at) {
 /// The pixels of a TGA file one after the other, out of their runs.
 class TgaPixels {
  public:
-  TgaPixels(const PictureBytes& picture, bool is_packed, std::size_t channels)
+  TgaPixels(const PictureBytes& picture, bool is_packed, std::size_t channels, bool reads_alpha)
       : picture_(picture),
         is_packed_(is_packed),
+        reads_alpha_(reads_alpha),
         channels_(channels),
         at_(tga_header_bytes + std::size_t(byte_of(picture, 0))) {}
 
@@ -80,22 +81,41 @@ class TgaPixels {
   }
 
  private:
-  /// Blue, green and red, or grey alone.
+  /// Blue, green, red and alpha, or grey alone.
   Rgb read() {
     const auto channel = [&](std::size_t i) { return float(byte_of(picture_, at_ + i)) / 255; };
-    const Rgb color =
-        channels_ < 3 ? Rgb{channel(0), channel(0), channel(0)} : Rgb{channel(2), channel(1), channel(0)};
+    const auto grey = [](float value) { return Rgb{value, value, value}; };
+    const Rgb color = reads_alpha_    ? grey(channels_ > 3 ? channel(3) : 1)
+                      : channels_ < 3 ? grey(channel(0))
+                                      : Rgb{channel(2), channel(1), channel(0)};
     at_ += channels_;
     return color;
   }
 
   const PictureBytes& picture_;
-  bool is_packed_;
+  bool is_packed_, reads_alpha_;
   std::size_t channels_, at_;
   int left_ = 0;
   bool is_run_ = false;
   Rgb color_;
 };
+
+Image decode_tga(const PictureBytes& picture, bool reads_alpha) {
+  const PictureSize size = tga_size(picture);
+  const int kind = byte_of(picture, 2), depth = byte_of(picture, 16), order = byte_of(picture, 17);
+  const bool is_grey = (kind & 7) == 3, is_packed = kind >= 8;
+  const bool is_known = (kind == 2 || kind == 3 || kind == 10 || kind == 11) && byte_of(picture, 1) == 0;
+  if (!is_known || (is_grey ? depth != 8 : depth != 24 && depth != 32))
+    fail_picture(picture, "TGA pictures are read of 24 or 32 bits a pixel, or 8 of grey, without a palette");
+  TgaPixels pixels(picture, is_packed, std::size_t(depth / 8), reads_alpha);
+  Image image(int(size.width), int(size.height));
+  const bool from_top = (order & 32) != 0, from_right = (order & 16) != 0;
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column)
+      image.at(from_right ? image.width - 1 - column : column, from_top ? row : image.height - 1 - row) =
+          pixels.next();
+  return image;
+}
 
 }  // namespace
 
@@ -126,21 +146,7 @@ Image decode_pfm(const PictureBytes& picture) {
 
 /// Of the kinds of the format (Truevision, 1991) true color and grey, 2 and 3, and the same in runs, 10 and
 /// 11.
-Image decode_tga(const PictureBytes& picture) {
-  const PictureSize size = tga_size(picture);
-  const int kind = byte_of(picture, 2), depth = byte_of(picture, 16), order = byte_of(picture, 17);
-  const bool is_grey = (kind & 7) == 3, is_packed = kind >= 8;
-  const bool is_known = (kind == 2 || kind == 3 || kind == 10 || kind == 11) && byte_of(picture, 1) == 0;
-  if (!is_known || (is_grey ? depth != 8 : depth != 24 && depth != 32))
-    fail_picture(picture, "TGA pictures are read of 24 or 32 bits a pixel, or 8 of grey, without a palette");
-  TgaPixels pixels(picture, is_packed, std::size_t(depth / 8));
-  Image image(int(size.width), int(size.height));
-  const bool from_top = (order & 32) != 0, from_right = (order & 16) != 0;
-  for (int row = 0; row < image.height; ++row)
-    for (int column = 0; column < image.width; ++column)
-      image.at(from_right ? image.width - 1 - column : column, from_top ? row : image.height - 1 - row) =
-          pixels.next();
-  return image;
-}
+Image decode_tga(const PictureBytes& picture) { return decode_tga(picture, false); }
+Image decode_tga_alpha(const PictureBytes& picture) { return decode_tga(picture, true); }
 
 }  // namespace twinray

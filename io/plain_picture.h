@@ -15,5 +15,7 @@ PictureSize tga_size(const PictureBytes& picture);
 /// a kind that is not read.
 Image decode_pfm(const PictureBytes& picture);
 Image decode_tga(const PictureBytes& picture);
+/// The alpha channel of a TGA picture, as grey; 1 where there is none.
+Image decode_tga_alpha(const PictureBytes& picture);
 
 }  // namespace twinray

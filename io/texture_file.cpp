@@ -31,9 +31,9 @@ std::size_t blacken(Image& image) {
 
 }  // namespace
 
-LoadedTexture load_texture(const std::string& path, PictureRole role) {
+LoadedTexture load_texture(const std::string& path, PictureRole role, PictureChannels channels) {
   try {
-    Image image = read_image(path, {role, most_pixels});
+    Image image = read_image(path, {role, channels, most_pixels});
     const std::size_t blackened = blacken(image);
     std::string warning;
     if (blackened > 0)

@@ -17,6 +17,7 @@ struct LoadedTexture {
 /// Reads a picture of up to 2^26 pixels (with its mip-map, a gigabyte); a larger one is refused before memory
 /// is taken for it. Never throws for what is wrong with the file: a scene is shown without one of its
 /// pictures, in a colour that is not overlooked. Numbers that are not finite become 0.
-LoadedTexture load_texture(const std::string& path, PictureRole role);
+LoadedTexture load_texture(const std::string& path, PictureRole role,
+                           PictureChannels channels = PictureChannels::color);
 
 }  // namespace twinray

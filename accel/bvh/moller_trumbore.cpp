@@ -9,12 +9,14 @@ namespace twinray {
 namespace {
 
 /// As test_primitive() of accel/canonical/shape_test.h.
-void test_triangle(const Mesh& mesh, const CheckedRay& ray, PrimitiveId id, Hit& best) {
+void test_triangle(const Geometry& geometry, const Mesh& mesh, const CheckedRay& ray, PrimitiveId id,
+                   Hit& best) {
   const auto [a, b, c] = mesh.triangles[id.primitive];
   const float t_max = std::min(ray.t_max, best.t);
   ShapeHit found;
   if (!intersect_moller_trumbore(ray, mesh.positions[a], mesh.positions[b], mesh.positions[c], t_max, found))
     return;
+  if (!mesh.is_opaque && !accepts(geometry, ray, id, found)) return;
   const Hit hit{found.t, found.u, found.v, id.primitive, id.mesh, no_instance};
   if (precedes(hit, best)) best = hit;
 }
@@ -25,7 +27,7 @@ struct MollerTrumboreLeaf {
     for (std::uint32_t lane = 0; lane < block.count; ++lane) {
       const PrimitiveId id = block.ids[lane];
       if (const Mesh* mesh = geometry.mesh(id.mesh))
-        test_triangle(*mesh, ray, id, best);
+        test_triangle(geometry, *mesh, ray, id, best);
       else
         test_primitive(geometry, ray, id, best);
     }

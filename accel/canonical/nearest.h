@@ -44,11 +44,11 @@ struct Nearest {
   }
 };
 
-/// Whether the ray hits one of a block's `others`, by the plain canonical test.
+/// Whether the ray hits one of some lanes of a block, by the plain canonical test.
 [[gnu::noinline, gnu::cold]] inline bool any_other(const Geometry& geometry, const CheckedRay& ray,
-                                                   const PrimitiveBlock& block) {
+                                                   const PrimitiveBlock& block, std::uint32_t lanes) {
   Hit found;
-  for (std::uint32_t left = block.others; left != 0 && !found; left &= left - 1)
+  for (std::uint32_t left = lanes; left != 0 && !found; left &= left - 1)
     test_primitive(geometry, ray, block.ids[std::countr_zero(left)], found);
   return bool(found);
 }

@@ -17,7 +17,9 @@ struct alignas(64) PrimitiveBlock {
   /// the padding of its box. Zero in lanes without a primitive.
   float corners[3][3][width] = {};
   PrimitiveId ids[width] = {};
-  std::uint32_t count = 0;  ///< Lanes in use, from lane 0 on.
+  std::uint16_t count = 0;  ///< Lanes in use, from lane 0 on.
+  /// Bit i: lane i is one of `others` for its shape alone, which is not opaque, and else were of `triangles`.
+  std::uint16_t cut_outs = 0;
   /// Bit i: lane i is a triangle with an area, for which is_within_box() need not be asked.
   std::uint32_t triangles = 0;
   std::uint32_t spheres = 0;  ///< Bit i: lane i is a sphere with a radius.
@@ -49,6 +51,14 @@ struct alignas(64) PrimitiveBlock {
     set_corner(0, lane, sphere.center);
     set_corner(1, lane, {sphere.radius, padding_of(sphere_bounds(sphere)), 0});
   }
+  /// Not every hit of the lane's primitive counts.
+  void set_cut_out(std::uint32_t lane) {
+    const std::uint32_t bit = 1u << lane;
+    cut_outs = std::uint16_t(cut_outs | (triangles & bit));
+    others |= (triangles | spheres) & bit;
+    triangles &= ~bit;
+    spheres &= ~bit;
+  }
 };
 static_assert(sizeof(PrimitiveBlock) == 192, "three cache lines");
 
@@ -64,6 +74,7 @@ inline PrimitiveBlock make_block(const Geometry& geometry, std::span<const Primi
     } else {
       block.set_sphere(lane, geometry.sphere_set(id.mesh)->spheres[id.primitive]);
     }
+    if (!geometry.is_opaque(id.mesh)) block.set_cut_out(lane);
   }
   return block;
 }

@@ -12,9 +12,11 @@
 
 namespace twinray {
 
-/// The hit of a ray with a sphere in the closed interval [ray.t_min, t_max]; false for none. u, v: the
-/// octahedral normal of the point.
-inline bool intersect_sphere(const CheckedRay& ray, const Sphere& sphere, float t_max, ShapeHit& hit) {
+/// The nearest hit of a ray with a sphere in the closed interval [ray.t_min, t_max] that `accepts` accepts;
+/// false for none. u, v: the octahedral normal of the point.
+template <typename Accepts>
+bool intersect_sphere(const CheckedRay& ray, const Sphere& sphere, float t_max, ShapeHit& hit,
+                      const Accepts& accepts) {
   if (!(sphere.radius > 0)) return false;
   const double dx = ray.direction.x, dy = ray.direction.y, dz = ray.direction.z;
   const double ox = double(ray.origin.x) - sphere.center.x, oy = double(ray.origin.y) - sphere.center.y,
@@ -32,9 +34,14 @@ inline bool intersect_sphere(const CheckedRay& ray, const Sphere& sphere, float 
     const Vec2 uv = octahedral_encode(cx + h * dx, cy + h * dy, cz + h * dz);
     hit.u = uv.x;
     hit.v = uv.y;
-    return true;
+    if (accepts(hit)) return true;
   }
   return false;
+}
+
+/// The same of all hits.
+inline bool intersect_sphere(const CheckedRay& ray, const Sphere& sphere, float t_max, ShapeHit& hit) {
+  return intersect_sphere(ray, sphere, t_max, hit, [](const ShapeHit&) { return true; });
 }
 
 }  // namespace twinray

@@ -178,10 +178,10 @@ std::size_t ask_in_packet_streams(RTCScene scene, std::span<const Ray> rays, Coh
 template <typename Answer>
 std::size_t ask(const Accelerator& native, std::span<const Ray> rays, DirectCall how,
                 std::span<Answer> answers) {
-  const auto [scene, has_spheres] = native_scene(native);
+  const auto [scene, has_callbacks] = native_scene(native);
   if (!has(how.call)) throw Error("this version of Embree has no streams of rays");
-  if (has_spheres) {
-    if (how.call != Call::single) throw Error("the spheres of embree-native take one ray at a time");
+  if (has_callbacks) {
+    if (how.call != Call::single) throw Error("spheres and cut-outs of embree-native take one ray at a time");
     std::size_t hits = 0;
     Answer unused;
     for (std::size_t i = 0; i < rays.size(); ++i)

@@ -32,8 +32,9 @@ bool has(Call call);
 
 /// How many rays hit something in the scene of an engine embree_native (throws Error for another one, and for
 /// a call that this Embree does not have). `answers`, if not empty, receives each ray's hit. The rays are not
-/// checked: each must be valid. Spheres are ours, and their callbacks want a checked ray: geometry with some
-/// is asked through the interface, ray by ray; other calls than single throw Error for it.
+/// checked: each must be valid. Spheres are ours, as is what cuts holes, and their callbacks want a checked
+/// ray: geometry with some is asked through the interface, ray by ray; other calls than single throw Error
+/// for it.
 std::size_t closest_hits_directly(const Accelerator& native, std::span<const Ray> rays, DirectCall how = {},
                                   std::span<Hit> answers = {});
 /// The same for any hit; answers are 1 where there is one, else 0.

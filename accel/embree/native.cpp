@@ -5,8 +5,7 @@
 
 #include "accel/backends.h"
 #include "accel/build/phase_timer.h"
-#include "accel/canonical/checked_ray.h"
-#include "accel/canonical/sphere.h"
+#include "accel/canonical/shape_test.h"
 #include "accel/embree/bounds.h"
 #include "accel/embree/device.h"
 #include "accel/embree/native.h"
@@ -20,28 +19,32 @@ struct NativeQuery : embree::Context {
   const CheckedRay& ray;
 };
 
-/// What the callbacks of one sphere set know.
-struct SphereGeometry {
-  const SphereSet& set;
+/// What the callbacks of one shape know.
+struct NativeShape {
+  const Geometry& geometry;
+  std::uint32_t index;
   float scene_size;
+
+  const Sphere& sphere(unsigned i) const { return geometry.sphere_set(index)->spheres[i]; }
 };
 
-const Sphere& sphere(const void* user_data, unsigned index) {
-  return static_cast<const SphereGeometry*>(user_data)->set.spheres[index];
+void bound_sphere(const RTCBoundsFunctionArguments* arguments) {
+  const auto& shape = *static_cast<const NativeShape*>(arguments->geometryUserPtr);
+  *arguments->bounds_o = embree::widened(sphere_bounds(shape.sphere(arguments->primID)), shape.scene_size);
 }
 
-void bound_sphere(const RTCBoundsFunctionArguments* arguments) {
-  const auto& geometry = *static_cast<const SphereGeometry*>(arguments->geometryUserPtr);
-  *arguments->bounds_o =
-      embree::widened(sphere_bounds(geometry.set.spheres[arguments->primID]), geometry.scene_size);
+/// The hit of a sphere for a callback's arguments.
+template <typename Arguments>
+bool find_sphere(const Arguments& arguments, float t_max, ShapeHit& found) {
+  const auto& shape = *static_cast<const NativeShape*>(arguments.geometryUserPtr);
+  const CheckedRay& ray = static_cast<const NativeQuery*>(arguments.context)->ray;
+  return intersect_primitive(shape.geometry, ray, {shape.index, arguments.primID}, t_max, found);
 }
 
 void intersect_sphere(const RTCIntersectFunctionNArguments* arguments) {
-  const CheckedRay& ray = static_cast<const NativeQuery*>(arguments->context)->ray;
   auto& [embree_ray, hit] = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
   ShapeHit found;
-  if (!intersect_sphere(ray, sphere(arguments->geometryUserPtr, arguments->primID), embree_ray.tfar, found))
-    return;
+  if (!find_sphere(*arguments, embree_ray.tfar, found)) return;
   embree_ray.tfar = found.t;
   hit.u = found.u;
   hit.v = found.v;
@@ -50,14 +53,23 @@ void intersect_sphere(const RTCIntersectFunctionNArguments* arguments) {
 }
 
 void occlude_sphere(const RTCOccludedFunctionNArguments* arguments) {
-  const CheckedRay& ray = static_cast<const NativeQuery*>(arguments->context)->ray;
   auto& embree_ray = *reinterpret_cast<RTCRay*>(arguments->ray);
   ShapeHit found;
-  if (intersect_sphere(ray, sphere(arguments->geometryUserPtr, arguments->primID), embree_ray.tfar, found))
-    embree_ray.tfar = -Aabb::infinity;
+  if (find_sphere(*arguments, embree_ray.tfar, found)) embree_ray.tfar = -Aabb::infinity;
 }
 
-embree::GeometryOwner make_geometry(RTCDevice device, const Mesh& mesh) {
+/// Of single rays: whether Embree's hit of a triangle counts.
+void filter(const RTCFilterFunctionNArguments* arguments) {
+  const auto& shape = *static_cast<const NativeShape*>(arguments->geometryUserPtr);
+  const CheckedRay& ray = static_cast<const NativeQuery*>(arguments->context)->ray;
+  const float t = reinterpret_cast<const RTCRay*>(arguments->ray)->tfar;
+  const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
+  if (!accepts(shape.geometry, ray, {shape.index, hit.primID}, {t, hit.u, hit.v})) arguments->valid[0] = 0;
+}
+
+/// `shape`, a mesh, must outlive the geometry.
+embree::GeometryOwner make_triangles(RTCDevice device, NativeShape& shape) {
+  const Mesh& mesh = *shape.geometry.mesh(shape.index);
   embree::GeometryOwner geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
   // One vertex more than there are: Embree reads 16 bytes for each.
   void* const vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -68,14 +80,19 @@ embree::GeometryOwner make_geometry(RTCDevice device, const Mesh& mesh) {
   std::memcpy(vertices, mesh.positions.data(), mesh.positions.size() * sizeof(Vec3));
   std::memset(static_cast<char*>(vertices) + mesh.positions.size() * sizeof(Vec3), 0, sizeof(Vec3));
   std::memcpy(indices, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
+  if (mesh.is_opaque) return geometry;
+  rtcSetGeometryUserData(geometry.get(), &shape);
+  rtcSetGeometryIntersectFilterFunction(geometry.get(), filter);
+  rtcSetGeometryOccludedFilterFunction(geometry.get(), filter);
   return geometry;
 }
 
-/// `spheres` must outlive the geometry.
-embree::GeometryOwner make_geometry(RTCDevice device, SphereGeometry& spheres) {
+/// `shape` must outlive the geometry.
+embree::GeometryOwner make_spheres(RTCDevice device, NativeShape& shape) {
   embree::GeometryOwner geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER));
-  rtcSetGeometryUserPrimitiveCount(geometry.get(), unsigned(spheres.set.spheres.size()));
-  rtcSetGeometryUserData(geometry.get(), &spheres);
+  rtcSetGeometryUserPrimitiveCount(geometry.get(),
+                                   unsigned(shape.geometry.sphere_set(shape.index)->spheres.size()));
+  rtcSetGeometryUserData(geometry.get(), &shape);
   rtcSetGeometryBoundsFunction(geometry.get(), bound_sphere, nullptr);
   rtcSetGeometryIntersectFunction(geometry.get(), intersect_sphere);
   rtcSetGeometryOccludedFunction(geometry.get(), occlude_sphere);
@@ -84,9 +101,10 @@ embree::GeometryOwner make_geometry(RTCDevice device, SphereGeometry& spheres) {
 
 /// Embree's tree over all shapes; a shape's number in the scene is its index.
 struct NativeWorld {
-  std::vector<SphereGeometry> spheres;  ///< Never grown, for their addresses are user data.
+  std::vector<NativeShape> shapes;  ///< Never grown, for their addresses are user data.
   embree::Device device;
   embree::Scene scene;
+  bool has_callbacks = false;
 
   explicit NativeWorld(const BuildOptions& options)
       : device(embree::configuration(options)), scene(rtcNewScene(device.get())) {}
@@ -103,14 +121,12 @@ struct NativeWorld {
  private:
   void add_shapes(const Geometry& geometry) {
     const float scene_size = embree::scene_size(geometry);
-    spheres.reserve(geometry.shapes().size());
-    for (std::uint32_t shape = 0; shape < geometry.shapes().size(); ++shape) {
-      if (const Mesh* mesh = geometry.mesh(shape)) {
-        embree::attach(scene.get(), make_geometry(device.get(), *mesh), shape);
-      } else {
-        spheres.push_back({*geometry.sphere_set(shape), scene_size});
-        embree::attach(scene.get(), make_geometry(device.get(), spheres.back()), shape);
-      }
+    shapes.reserve(geometry.shapes().size());
+    for (std::uint32_t i = 0; i < geometry.shapes().size(); ++i) {
+      shapes.push_back({geometry, i, scene_size});
+      const bool is_mesh = geometry.mesh(i) != nullptr;
+      has_callbacks = has_callbacks || !is_mesh || !geometry.is_opaque(i);
+      embree::attach(scene.get(), (is_mesh ? make_triangles : make_spheres)(device.get(), shapes.back()), i);
     }
   }
 };
@@ -120,7 +136,7 @@ class EmbreeNative final : public Accelerator {
   EmbreeNative(std::shared_ptr<const Geometry> geometry, NativeWorld world, AccelStats stats)
       : Accelerator(std::move(geometry), std::move(stats)), world_(std::move(world)) {}
 
-  embree::NativeScene scene() const { return {world_.scene.get(), !world_.spheres.empty()}; }
+  embree::NativeScene scene() const { return {world_.scene.get(), world_.has_callbacks}; }
 
  private:
   // What Embree's own leaves do cannot be counted.

@@ -7,8 +7,8 @@
 namespace twinray::embree {
 
 struct NativeScene {
-  RTCScene scene;  ///< The engine's.
-  bool has_spheres;
+  RTCScene scene;      ///< The engine's.
+  bool has_callbacks;  ///< Which want a checked ray: of spheres, and of shapes that are not opaque.
 };
 
 /// Throws Error for another engine.

@@ -270,6 +270,7 @@ void PathWave::sample_light(std::uint32_t light) {
   connections_.of_light.clear(paths_.size);
   const MeshLight* mesh = context_.transport.lights.mesh(light);
   if (mesh && context_.transport.lights.triangles(light).total() == 0) return;
+  if (mesh && context_.transport.lights.has_alpha(light)) mesh = nullptr;  // Lanes do not know alpha.
   const std::uint32_t count = context_.transport.samples_of(light);
   MisRequest mis{.count = float(count)};
   if (context_.transport.method == DirectMethod::mis) mis.zone = context_.transport.lights.zone(light);

@@ -5,6 +5,7 @@
 
 #include "accel/accelerator.h"
 #include "tests/support/catch.h"
+#include "tests/support/cut_outs.h"
 #include "tests/support/shapes.h"
 #include "tests/support/wide_engine.h"
 
@@ -293,6 +294,23 @@ TEST_CASE("engines agree that the interval of a ray is closed at both ends") {
   CHECK(closed == int(rays.size()) / 5 * 4);
 }
 
+TEST_CASE("engines agree on shapes with holes, beside opaque ones") {
+  const auto geometry =
+      share_cut_out({soup(500, 0.4f, 111), random_spheres(60, 0.4f, 112), soup(100, 0.3f, 113),
+                     random_spheres(20, 0.3f, 114), soup(100, 0.3f, 115)},
+                    {random_alpha(1), random_alpha(2), constant_alpha(0.5f), constant_alpha(0)});
+  Rays rays = concatenate(random_rays(3000, geometry->bounds(), 116),
+                          concatenate(feature_rays(*geometry->mesh(0), {2, 0.5f, 0.1f}, 500, 117),
+                                      feature_rays(*geometry->mesh(0), {1e7f, 2e7f, 1e7f}, 500, 120)));
+  Random random(118);
+  for (Ray& ray : rays)  // Some end before, or begin behind, what they would hit.
+    if (random.below(4) == 0) (random.below(2) ? ray.t_min : ray.t_max) = random.unit() + 0.3f;
+  for (const float length : {1e-20f, 1e20f})
+    for (const Ray& ray : random_rays(200, geometry->bounds(), 119))
+      rays.push_back({.origin = ray.origin, .direction = ray.direction * length});
+  CHECK(check_agreement(geometry, rays) > 1500);
+}
+
 TEST_CASE("engines agree on directions of any length") {
   const auto geometry = share({soup(300, 0.4f, 95), random_spheres(20, 0.3f, 96)});
   Rays rays;
@@ -347,8 +365,8 @@ TEST_CASE("Moeller and Trumbore's test finds the canonical hit but for its round
 }
 
 TEST_CASE("a batch gives the answers of its rays") {
-  const auto geometry = share({soup(200, 0.4f, 111)});
-  const Rays rays = random_rays(100, geometry->bounds(), 112);
+  const auto geometry = share_cut_out({soup(200, 0.4f, 111), soup(100, 0.4f, 113)}, {random_alpha(114)});
+  const Rays rays = random_rays(200, geometry->bounds(), 112);
   for (const Engine& engine : canonical_engines(geometry)) {
     std::vector<Hit> hits(rays.size());
     std::vector<std::uint8_t> found(rays.size());

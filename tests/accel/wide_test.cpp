@@ -135,7 +135,7 @@ TEST_CASE("a wide tree's leaves hold no more than the largest leaf size") {
   for (const int leaf : {1, 2, 3, 4}) {
     const WideBvh bvh = build_wide(*geometry, {.max_leaf_size = leaf, .traversal_cost = 10});
     std::uint32_t largest = 0;
-    for (const PrimitiveBlock& block : bvh.blocks) largest = std::max(largest, block.count);
+    for (const PrimitiveBlock& block : bvh.blocks) largest = std::max(largest, std::uint32_t(block.count));
     CHECK(largest == std::uint32_t(leaf));
   }
 }

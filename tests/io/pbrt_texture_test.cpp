@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/pbrt_texture.h"
 
+#include "core/light_set.h"
 #include "io/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/pbrt_text.h"
@@ -82,6 +83,39 @@ TEST_CASE("a picture that is missing is named, and shows as magenta") {
   CHECK(loaded.warnings[0].message.find("none.exr") != std::string::npos);
   CHECK(evaluate(loaded.scene.textures, loaded.scene.materials[1].textures.at(0).texture, {}) ==
         Rgb{1, 0, 1});
+}
+
+TEST_CASE("an alpha cuts its shape out, of 1 leaves it whole, of 0 leaves nothing") {
+  const auto shape_of = [](const std::string& alpha) {
+    std::string text = test::pbrt_triangle;
+    while (text.back() == '\n' || text.back() == ' ') text.pop_back();
+    return text + " " + alpha + "\n";
+  };
+  const std::string holes = "Texture \"holes\" \"float\" \"checkerboard\" \"float uscale\" 4\n";
+  const LoadedScene loaded =
+      load_pbrt_world(holes + shape_of("\"texture alpha\" \"holes\"") + shape_of("\"float alpha\" .25") +
+                      shape_of("\"float alpha\" 1") + shape_of("\"float alpha\" 0") +
+                      "Shape \"sphere\" \"texture alpha\" \"holes\" Shape \"sphere\" \"float alpha\" .5\n");
+  CHECK(loaded.warnings.empty());
+  const Scene& scene = loaded.scene;
+  REQUIRE(scene.bindings.size() == 5);  // Of the one of alpha 0 nothing is left.
+  CHECK(evaluate(scene.textures, scene.bindings[0].alpha, {{0.1f, 0}}).r == 1);
+  CHECK(evaluate(scene.textures, scene.bindings[0].alpha, {{0.3f, 0}}).r == 0);
+  CHECK(scene.geometry->mesh(0)->uvs.size() == 3);
+  CHECK(evaluate(scene.textures, scene.bindings[1].alpha, {}).r == 0.25f);
+  CHECK(scene.bindings[2].alpha == no_texture);
+  CHECK(scene.geometry->mesh(3));  // With pbrt's coordinates.
+  CHECK(scene.geometry->sphere_set(4));
+  const bool opaque[] = {false, false, true, false, false};
+  for (std::uint32_t i = 0; i < 5; ++i) CHECK(scene.geometry->is_opaque(i) == opaque[i]);
+}
+
+TEST_CASE("a light of alpha 0 stays, for it emits") {
+  const LoadedScene loaded =
+      load_pbrt_world("AreaLightSource \"diffuse\" Shape \"sphere\" \"float alpha\" 0\n");
+  REQUIRE(loaded.scene.lights.size() == 1);
+  const LightSet lights(loaded.scene);
+  CHECK(lights.is_delta(0));
 }
 
 TEST_CASE("inputs that take no texture take its mean, with a warning") {

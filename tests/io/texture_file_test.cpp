@@ -14,6 +14,17 @@ namespace {
 
 constexpr Rgb magenta{1, 0, 1};
 
+/// A PNG of two red pixels, with the alphas 1 and 0; written by Python's zlib and struct.
+std::string rgba_png() {
+  constexpr std::string_view digits =
+      "89504e470d0a1a0a0000000d4948445200000002000000010806000000f4227f8a0000000f49444154789c63f8cfc0f0"
+      "1f88190010f802feace946f80000000049454e44ae426082";
+  std::string bytes;
+  for (std::size_t i = 0; i < digits.size(); i += 2)
+    bytes += char(std::stoi(std::string(digits.substr(i, 2)), nullptr, 16));
+  return bytes;
+}
+
 }  // namespace
 
 TEST_CASE("a texture's colours are decoded from sRGB, its data are kept as they stand") {
@@ -45,6 +56,31 @@ TEST_CASE("an EXR texture is linear in both roles, and what is not finite is bla
     CHECK(texture.warning ==
           fmt::format("{}: 1 of 2 x 1 pixels are not finite; they are black", folder.file("a.exr")));
   }
+}
+
+TEST_CASE("a picture's number is its alpha where that is not 1 all over, else the mean of its colour") {
+  const TemporaryFolder folder;
+  const auto numbers = [&](const std::string& name) {
+    return load_texture(folder.file(name), PictureRole::data, PictureChannels::number).image->level(0);
+  };
+  // TGA: blue, green, red, alpha.
+  const auto write_tga = [&](const std::string& name, const std::string& pixels) {
+    std::string bytes(18, '\0');
+    bytes[2] = 2, bytes[12] = 2, bytes[14] = 1, bytes[16] = 32;
+    std::ofstream(folder.file(name), std::ios::binary) << bytes << pixels;
+  };
+  write_tga("holes.tga", {'\0', '\0', '\377', '\377', '\377', '\377', '\377', '\0'});
+  CHECK(numbers("holes.tga").pixels == std::vector<Rgb>{{1, 1, 1}, {0, 0, 0}});
+  CHECK(load_texture(folder.file("holes.tga"), PictureRole::color).image->level(0).at(1, 0) == Rgb{1, 1, 1});
+  write_tga("full.tga", {'\0', '\0', '\377', '\377', '\377', '\377', '\377', '\377'});
+  CHECK(numbers("full.tga").at(0, 0).g == Approx(1 / 3.0));
+  CHECK(numbers("full.tga").at(1, 0).g == 1);
+  write_png(folder.file("rgb.png"), {1, 1, {51, 102, 153}});
+  CHECK(numbers("rgb.png").at(0, 0).r == Approx(0.4));
+  // Two pixels of red: one opaque, one of an alpha of 0; the colour of both is as it stands in the file.
+  std::ofstream(folder.file("rgba.png"), std::ios::binary) << rgba_png();
+  CHECK(numbers("rgba.png").pixels == std::vector<Rgb>{{1, 1, 1}, {0, 0, 0}});
+  CHECK(load_texture(folder.file("rgba.png"), PictureRole::data).image->level(0).at(1, 0) == Rgb{1, 0, 0});
 }
 
 TEST_CASE("a texture that is missing, broken or too large is magenta, and a warning says why") {

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Defects about shapes with holes, in all folders."""
+from mutant import Mutant
+
+PART = "of an alpha between 0 and 1 this part of the hits counts, each by itself"
+LEAST = "the closest hit is the least of all that count, and any hit whether there is one"
+ENGINES = "engines agree on shapes with holes, beside opaque ones"
+NUMBER = "a picture's number is its alpha where that is not 1 all over, else the mean of its colour"
+EMITTER = "an emitter of alpha a emits this part of its light, by every way of finding it"
+
+MUTANTS = [
+    Mutant("both hits of a ball take one chance", "core/alpha_test.cpp",
+           "  if (is_leaving(geometry, direction, hit)) hash = mix(hash + stream_step);\n", "",
+           "test_accel", PART),
+    Mutant("all primitives along a ray take one chance", "core/alpha_test.cpp",
+           "mix((std::uint64_t(hit.mesh) << 32 | hit.primitive) + hash_step)", "mix(hash_step)",
+           "test_accel", PART),
+    Mutant("what is there at all is there as a whole", "core/alpha_test.cpp",
+           "return alpha > 0 ? std::min(alpha, 1.0f) : 0;", "return alpha > 0 ? 1 : 0;",
+           "test_accel", PART),
+    Mutant("behind a hole in a ball's near side its far one is not seen", "accel/canonical/sphere.h",
+           "if (accepts(hit)) return true;", "return accepts(hit);",
+           "test_accel", LEAST),
+    Mutant("the plain test knows no holes in triangles", "accel/canonical/shape_test.h",
+           "(mesh->is_opaque || accepts(geometry, ray, id, found))", "true",
+           "test_accel", LEAST),
+    Mutant("blocks take triangles with holes for whole ones", "accel/canonical/primitive_block.h",
+           "if (!geometry.is_opaque(id.mesh)) block.set_cut_out(lane);", "",
+           "test_accel", ENGINES),
+    Mutant("a cut-out that is hit at the end of the interval is not looked at",
+           "accel/canonical/block_test-inl.h",
+           "edges.met(block.cut_outs, first) & within(t, ray.t_min, t_max)",
+           "edges.met(block.cut_outs, first) & within(t, ray.t_min, t_max * 0.9f)",
+           "test_accel", ENGINES),
+    Mutant("light samples do not know an emitter's alpha", "core/light_set.cpp",
+           "if (!has_alpha(light) || is_invisible_[light]) return 1;", "return 1;",
+           "test_integrators", EMITTER),
+    Mutant("lanes sample emitters with holes as if they had none", "integrators/wave/path_wave.cpp",
+           "if (mesh && context_.transport.lights.has_alpha(light)) mesh = nullptr;", "",
+           "test_integrators", "waves have the reference's bits where shapes have holes, on every engine"),
+    Mutant("an emitter of alpha 0 emits nothing", "core/light_set.cpp",
+           "return constant && !(constant->value.r > 0);", "return false;",
+           "test_integrators", "an emitter of alpha 0 is not seen, and emits all its light"),
+    Mutant("what scatters is to find an emitter that no ray hits", "core/light_set.cpp",
+           "if (!is_invisible_[i]) zones_[i] = zone_around(emitter);", "zones_[i] = zone_around(emitter);",
+           "test_integrators", "an emitter of alpha 0 is not seen, and emits all its light"),
+    Mutant("Embree's own triangles have no holes", "accel/embree/native.cpp",
+           "arguments->valid[0] = 0;", ";",
+           "test_check",
+           "nothing is unexplained where shapes have holes, and Embree's own triangles have the same ones"),
+    Mutant("the judge knows no holes", "check/oracle.cpp",
+           "  if (testimony.standing != Standing::firm || geometry.is_opaque(testimony.mesh)) return true;\n",
+           "  return true;\n",
+           "test_check",
+           "nothing is unexplained where shapes have holes, and Embree's own triangles have the same ones"),
+    Mutant("a number is its picture's colour, whatever the alpha", "io/image_file.cpp",
+           "if (!is_all_one(alpha)) return alpha;", "",
+           "test_io", NUMBER),
+    Mutant("colours come multiplied by their alpha", "io/openimageio_codec.cpp",
+           'as_stored.attribute("oiio:UnassociatedAlpha", 1);', "",
+           "test_io", NUMBER),
+    Mutant("a light of alpha 0 is left out", "io/pbrt_builder.cpp",
+           "if (!emits && (is_nothing ||", "if (is_nothing || (!emits &&",
+           "test_io", "a light of alpha 0 stays, for it emits"),
+]
