@@ -18,6 +18,15 @@ struct Frame {
     tangent = {1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
     bitangent = {b, sign + n.y * n.y * a, -n.y};
   }
+  /// Of the same kind, with the tangent towards a direction that is not parallel to the normal; as above
+  /// where it is.
+  Frame(const Vec3& n, const Vec3& along) : Frame(n) {
+    const Vec3 across = along - n * dot(along, n);
+    const float squared = length_squared(across);
+    if (!(squared > 0) || !std::isfinite(squared)) return;
+    tangent = across / std::sqrt(squared);
+    bitangent = cross(n, tangent);
+  }
   Vec3 to_local(const Vec3& v) const { return {dot(v, tangent), dot(v, bitangent), dot(v, normal)}; }
   Vec3 to_world(const Vec3& v) const { return tangent * v.x + bitangent * v.y + normal * v.z; }
 };

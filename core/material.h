@@ -119,6 +119,9 @@ using SurfaceModel =
 /// What of a model a texture may give, point by point: a member of that name. Numbers take a texture's red.
 enum class MaterialInput { reflectance, transmittance, roughness, amount };
 
+/// The index of "no texture".
+inline constexpr std::uint32_t no_texture = 0xffffffff;
+
 struct TextureUse {
   MaterialInput input = MaterialInput::reflectance;
   std::uint32_t texture = 0;  ///< Index into Scene::textures.
@@ -139,6 +142,8 @@ struct Material {
   SurfaceModel model = Lambert{};
   std::vector<TextureUse> textures;  ///< In place of the model's own numbers; mostly none.
   Interior interior = {};
+  std::uint32_t normal_map = no_texture;  ///< Textures that bend the shading normal (core/shading_map.h), if
+  std::uint32_t bump_map = no_texture;    ///< any: by its own direction, or by a height in scene units.
 };
 
 /// Whether paths must know that they are within a surface of this material.

@@ -49,6 +49,10 @@ void check_material(const Scene& scene, std::size_t index) {
   if (mix && (mix->first >= index || mix->second >= index))
     throw Error(fmt::format("material {} mixes materials {} and {}; valid are those before it", index,
                             mix->first, mix->second));
+  for (const std::uint32_t map : {material.normal_map, material.bump_map})
+    if (map != no_texture && map >= scene.textures.size())
+      throw Error(
+          fmt::format("material {} names texture {}; there are {}", index, map, scene.textures.size()));
   for (const TextureUse& use : material.textures) {
     if (use.texture >= scene.textures.size())
       throw Error(fmt::format("material {} names texture {}; there are {}", index, use.texture,

@@ -58,6 +58,7 @@ SurfacePoint triangle_point(const Geometry& geometry, std::uint32_t shape, std::
   point.geometric_normal = point.shading_normal = facet.normal;
   point.uv = {u, v};
   point.shape = shape;
+  point.primitive = triangle;
   return point;
 }
 
@@ -85,6 +86,7 @@ SurfacePoint mesh_point(const Geometry& geometry, const Mesh& mesh, const Hit& h
 SurfacePoint sphere_hit_point(const Sphere& sphere, const Hit& hit) {
   SurfacePoint point = sphere_point(sphere, hit.mesh, octahedral_decode(hit.u, hit.v));
   point.uv = {hit.u, hit.v};
+  point.primitive = hit.primitive;
   return point;
 }
 

@@ -19,6 +19,7 @@ struct SurfacePoint {
   float offset =
       0;  ///< How far along the geometric normal a ray must start to leave the surface (core/offset.h).
   std::uint32_t shape = 0;
+  std::uint32_t primitive = 0;  ///< The triangle or sphere of the shape.
   // What a path adds, where textures are looked up:
   float footprint = 0;            ///< how wide, in texture coordinates, what it sees is (core/ray_cone.h),
   Vec2 texture_draw{0.5f, 0.5f};  ///< and what chooses pixels of pictures at random, in [0, 1)^2.

@@ -64,9 +64,6 @@ struct CheckerboardTexture {
 using TextureModel =
     std::variant<ConstantTexture, ImageTexture, ScaleTexture, MixTexture, CheckerboardTexture>;
 
-/// The index of "no texture".
-inline constexpr std::uint32_t no_texture = 0xffffffff;
-
 struct Texture {
   std::string name;
   TextureModel model;

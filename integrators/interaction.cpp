@@ -9,11 +9,6 @@ namespace {
 /// The normal, or its opposite, on the side of another vector.
 Vec3 facing(const Vec3& normal, const Vec3& side) { return dot(normal, side) < 0 ? -normal : normal; }
 
-Vec3 usable_shading_normal(const SurfacePoint& point, const Vec3& wo, const Vec3& facing_normal) {
-  const Vec3 shading = facing(point.shading_normal, facing_normal);
-  return dot(shading, wo) > 0 ? shading : facing_normal;
-}
-
 Side side_of(const SurfacePoint& point, const Vec3& wo) {
   const bool is_before = dot(point.geometric_normal, wo) > 0;
   const bool points_outside = dot(point.geometric_normal, point.shading_normal) >= 0;
@@ -38,8 +33,8 @@ Interaction::Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, cons
       material_(material_at(bsdfs.scene(), point)),
       wo_(wo),
       facing_normal_(facing(point.geometric_normal, wo)),
-      frame_(usable_shading_normal(point, wo, facing_normal_)),
-      wo_local_(frame_.to_local(wo)),
+      shading_(shading_frame(bsdfs.scene(), bsdfs.scene().materials[material_], point, wo)),
+      wo_local_(shading_.frame.to_local(wo)),
       bsdf_(bsdfs.at(material_, point, side_of(point, wo), viewing)),
       before_(viewing.interiors),
       behind_(behind(bsdfs.scene().materials[material_], material_, side_of(point, wo), before_)) {}

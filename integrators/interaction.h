@@ -3,8 +3,9 @@
 #include <cmath>
 
 #include "core/bsdf_table.h"
-#include "core/frame.h"
+#include "core/shadow_terminator.h"
 #include "core/surface.h"
+#include "integrators/shading_frame.h"
 
 namespace twinray {
 
@@ -26,23 +27,29 @@ class Interaction {
   bool is_lambert() const { return bsdf_.is_lambert(); }
   const Vec3& wo() const { return wo_; }              ///< World space.
   const Vec3& wo_local() const { return wo_local_; }  ///< z > 0.
-  const Vec3& normal() const { return frame_.normal; }
+  const Vec3& normal() const { return shading_.frame.normal; }
 
-  Vec3 to_local(const Vec3& v) const { return frame_.to_local(v); }
-  Vec3 to_world(const Vec3& v) const { return frame_.to_world(v); }
+  Vec3 to_local(const Vec3& v) const { return shading_.frame.to_local(v); }
+  Vec3 to_world(const Vec3& v) const { return shading_.frame.to_world(v); }
   /// f(wo, wi) |cos(wi)| for a unit direction in world space, of all but delta directions; black where wi
   /// leaves on another side of the surface than of its shading normal, so that no light leaks through.
   Rgb scattered(const Vec3& wi) const {
     if (!is_consistent(wi)) return {};
     const Vec3 local = to_local(wi);
-    return bsdf_.evaluate(wo_local_, local) * std::fabs(local.z);
+    return bsdf_.evaluate(wo_local_, local) * (std::fabs(local.z) * kept(wi));
   }
   /// The density, per solid angle, with which scattering chooses a unit direction in world space among all
   /// but delta directions.
   float pdf(const Vec3& wi) const { return bsdf_.pdf(wo_local_, to_local(wi)); }
+  /// The part of light from a consistent direction that is left where a map bends the normal, softly falling
+  /// to 0 where the geometry no longer sees it (core/shadow_terminator.h); without a map 1.
+  float kept(const Vec3& wi) const {
+    if (!shading_.is_mapped) return 1;
+    return shadow_terminator(std::fabs(dot(facing_normal_, wi)), dot(facing_normal_, shading_.frame.normal));
+  }
   /// Whether a direction lies on one side of both the shading and the geometric normal.
   bool is_consistent(const Vec3& wi) const {
-    return (dot(facing_normal_, wi) > 0) == (dot(frame_.normal, wi) > 0);
+    return (dot(facing_normal_, wi) > 0) == (dot(shading_.frame.normal, wi) > 0);
   }
 
   /// Where a direction leads: before the surface, where the viewer is, or behind it.
@@ -53,7 +60,7 @@ class Interaction {
   std::uint32_t material_;
   Vec3 wo_;
   Vec3 facing_normal_;  ///< The geometric normal on the viewer's side.
-  Frame frame_;
+  ShadingFrame shading_;
   Vec3 wo_local_;
   Bsdf bsdf_;
   Interiors before_, behind_;

@@ -23,7 +23,7 @@ std::optional<Scattering> scatter(const Interaction& at, const Rgb& throughput, 
   if (sample.pdf == 0) return std::nullopt;
   const Vec3 wi = at.to_world(sample.wi);
   if (!at.is_consistent(wi)) return std::nullopt;
-  const Rgb next = throughput * sample.value * (std::fabs(sample.wi.z) / sample.pdf);
+  const Rgb next = throughput * sample.value * (at.kept(wi) * std::fabs(sample.wi.z) / sample.pdf);
   if (is_black(next)) return std::nullopt;
   const Departure departure{{at.point().position, at.normal()}, sample.pdf, seeking_of(at, sample)};
   return Scattering{wi, next, departure, at.interiors(wi), sample.eta, kind_of(sample)};

@@ -234,6 +234,8 @@ Json material_json(const Material& material) {
   Json json =
       named(material.name, std::visit([](const auto& model) { return model_json(model); }, material.model));
   for (const TextureUse& use : material.textures) json["textured"].push_back(input_name(use.input));
+  if (material.normal_map != no_texture) json["textured"].push_back("normal_map");
+  if (material.bump_map != no_texture) json["textured"].push_back("bump_map");
   if (has_interior(material))
     json["interior"] = {{"absorption", json_of(material.interior.absorption)},
                         {"priority", material.interior.priority}};

@@ -9,6 +9,7 @@
 #include "core/alpha_test.h"
 #include "core/mesh_area.h"
 #include "core/radiance.h"
+#include "core/shading_map.h"
 
 namespace twinray {
 namespace {
@@ -100,7 +101,8 @@ void PbrtBuilder::place(const Part& part, const Transform& to_world) {
 bool PbrtBuilder::is_textured(std::uint32_t material) const {
   const Material& made = materials_.materials[material];
   const auto* mix = std::get_if<Mix>(&made.model);
-  return !made.textures.empty() || (mix && (is_textured(mix->first) || is_textured(mix->second)));
+  return !made.textures.empty() || needs_tangents(made) ||
+         (mix && (is_textured(mix->first) || is_textured(mix->second)));
 }
 
 bool PbrtBuilder::needs_uvs(const Part& part) const {

@@ -223,12 +223,6 @@ SurfaceModel read_model(const std::string& type, const Inputs& in) {
       fmt::format("there is no material \"{}\"; valid are {}", type, list_names(names)));
 }
 
-void warn_of_bumps(const PbrtParameters& parameters, WarningList& warnings) {
-  for (const char* name : {"displacement", "normalmap"})
-    if (const PbrtParameter* bump = parameters.find(name))
-      bump->place.warn(warnings, fmt::format("\"{}\" is not rendered: the surface is smooth", name));
-}
-
 }  // namespace
 
 PbrtMaterials::PbrtMaterials(PbrtContext& context) : textures(context), context_(context) {
@@ -290,7 +284,8 @@ void PbrtMaterials::make(std::uint32_t index, const std::string& type, const Pbr
   materials[index].textures = std::move(uses);
   if (lets_light_in(materials[index].model))
     materials[index].interior.priority = parameters.integer("priority", 0, {0, 1e6});
-  warn_of_bumps(parameters, context_.warnings);
+  materials[index].normal_map = textures.normal_map(parameters);
+  materials[index].bump_map = textures.bump_map(parameters);
   parameters.warn_of_unused(context_.warnings);
 }
 

@@ -86,6 +86,25 @@ PbrtTextures::Named PbrtTextures::value(const PbrtParameters& parameters, const 
   return constant(color_of(parameters, *found, ColorRole::unbounded, context_.files));
 }
 
+std::uint32_t PbrtTextures::normal_map(const PbrtParameters& parameters) {
+  const std::string name = parameters.text("normalmap", "");
+  if (name.empty()) return no_texture;
+  const PbrtPlace& place = parameters.find("normalmap")->place;
+  LoadedTexture loaded = load_normal_map(context_.files.is_disk() ? context_.files.path(place, name) : "");
+  if (!loaded.warning.empty()) place.warn(context_.warnings, loaded.warning);
+  ImageTexture picture{.image = loaded.image};
+  picture.filter = TextureFilter::bilinear;
+  return add(picture, {0.5f, 0.5f, 1}).index;
+}
+
+std::uint32_t PbrtTextures::bump_map(const PbrtParameters& parameters) {
+  const PbrtParameter* found = parameters.find("displacement");
+  if (!found) return no_texture;
+  if (found->type == PbrtType::texture) return named(parameters, *found).index;
+  parameters.real("displacement", 0);
+  return no_texture;
+}
+
 std::uint32_t PbrtTextures::alpha(const PbrtParameters& parameters) {
   const PbrtParameter* found = parameters.find("alpha");
   if (!found) return no_texture;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/material.h"
 #include "core/texture.h"
 #include "io/image_file.h"
 #include "io/pbrt_context.h"
@@ -31,6 +32,10 @@ class PbrtTextures {
   /// before.
   const Named& named(const PbrtParameters& parameters, const PbrtParameter& parameter) const;
 
+  /// The texture of a material's "normalmap", a picture's file; no_texture where it has none.
+  std::uint32_t normal_map(const PbrtParameters& parameters);
+  /// The texture of a material's "displacement", a height; no_texture where it has none, or one everywhere.
+  std::uint32_t bump_map(const PbrtParameters& parameters);
   /// The texture of a shape's "alpha"; no_texture where it is 1 everywhere.
   std::uint32_t alpha(const PbrtParameters& parameters);
   /// Whether a texture is this number or less everywhere, as far as its kind tells.

@@ -20,4 +20,7 @@ struct LoadedTexture {
 LoadedTexture load_texture(const std::string& path, PictureRole role,
                            PictureChannels channels = PictureChannels::color);
 
+/// Reads a normal map, whose numbers are data; flat where the file cannot be used, which a warning says.
+LoadedTexture load_normal_map(const std::string& path);
+
 }  // namespace twinray

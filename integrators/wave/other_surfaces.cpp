@@ -18,6 +18,7 @@ void PathWave::find_others() {
     const Interaction at(context_.bsdfs, surface_of(i), -normalize(paths_.direction.at(i)), viewing);
     wave_.others.push_back({std::uint32_t(i), at, {}});
     surfaces_.reflectance.set(i, at.bsdf().albedo());
+    surfaces_.shading.set(i, at.normal());
   }
 }
 

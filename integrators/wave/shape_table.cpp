@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/wave/shape_table.h"
 
+#include "core/shading_map.h"
+
 namespace twinray {
 namespace {
 
@@ -19,7 +21,7 @@ std::vector<ShapeEntry> shape_table(const Scene& scene) {
   for (std::uint32_t shape = 0; shape < geometry.shapes().size(); ++shape) {
     const ShapeBinding& binding = scene.bindings[shape];
     const Material& material = scene.materials[binding.material];
-    const auto* lambert = std::get_if<Lambert>(&material.model);
+    const auto* lambert = has_map(material) ? nullptr : std::get_if<Lambert>(&material.model);
     ShapeEntry entry{.reflectance = lambert ? lambert->reflectance : Rgb{},
                      .textured = lambert && !material.textures.empty() ? &material : nullptr,
                      .is_lambert = lambert != nullptr,

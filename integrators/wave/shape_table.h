@@ -20,7 +20,7 @@ struct ShapeEntry {
   const Facet* facets = nullptr;
   Rgb reflectance;                     ///< Of a Lambert surface without textures.
   const Material* textured = nullptr;  ///< A Lambert surface's material that has textures.
-  bool is_lambert = true;              ///< Of one material, whose model is Lambert's.
+  bool is_lambert = true;              ///< Of one material without maps, whose model is Lambert's.
   bool emits = false;
 };
 

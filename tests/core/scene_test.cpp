@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/scene.h"
 
+#include "core/alpha_test.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
 
@@ -40,6 +41,25 @@ TEST_CASE("a shape without its own binding, or with an index just out of range, 
   scene = valid_scene();
   scene.bindings.pop_back();
   CHECK(message_of(scene) == "3 shapes but 2 bindings");
+}
+
+TEST_CASE("an alpha, or a map, that names no texture, or a shape that is not cut out by it, is named") {
+  Scene scene = valid_scene();
+  scene.bindings[1].alpha = 0;
+  CHECK(message_of(scene) == "shape 1 names texture 0; there are 0");
+  scene.textures = {{"half", ConstantTexture{{0.5f, 0, 0}}}};
+  CHECK(message_of(scene) == "shape 1 has an alpha, but its geometry is opaque");
+  scene.geometry =
+      std::make_shared<const Geometry>(cut_out(scene.geometry->shapes(), scene.bindings, scene.textures));
+  CHECK(message_of(scene) == "valid");
+  scene.bindings[1].alpha = no_texture;
+  CHECK(message_of(scene) == "shape 1 has no alpha, but its geometry is not opaque");
+  scene = valid_scene();
+  scene.materials[1].normal_map = 0;
+  CHECK(message_of(scene) == "material 1 names texture 0; there are 0");
+  scene = valid_scene();
+  scene.materials[2].bump_map = 4;
+  CHECK(message_of(scene) == "material 2 names texture 4; there are 0");
 }
 
 TEST_CASE("a light whose shape is not of its kind is named") {

@@ -110,6 +110,33 @@ TEST_CASE("an alpha cuts its shape out, of 1 leaves it whole, of 0 leaves nothin
   for (std::uint32_t i = 0; i < 5; ++i) CHECK(scene.geometry->is_opaque(i) == opaque[i]);
 }
 
+TEST_CASE("a normal map is read as data, a displacement is a bump map, and one that is missing is flat") {
+  const Folder folder;
+  write_png(folder.folder.file("bumps.png"), {1, 1, {51, 102, 255}});
+  const LoadedScene loaded = folder.load(
+      "Texture \"waves\" \"float\" \"checkerboard\"\n"
+      "Material \"diffuse\" \"string normalmap\" \"bumps.png\"\n" +
+      test::pbrt_triangle + "Shape \"sphere\"\n" +
+      "Material \"conductor\" \"texture displacement\" \"waves\" \"float uroughness\" .1\n" +
+      test::pbrt_triangle + "Material \"diffuse\" \"float displacement\" 3\n" +
+      "Material \"diffuse\" \"string normalmap\" \"none.png\"\n");
+  const Scene& scene = loaded.scene;
+  const Rgb normal = evaluate(scene.textures, scene.materials[1].normal_map, {});
+  CHECK(normal.r == Approx(0.2));
+  CHECK(normal.g == Approx(0.4));
+  CHECK(scene.materials[1].bump_map == no_texture);
+  CHECK(scene.materials[2].normal_map == no_texture);
+  CHECK(evaluate(scene.textures, scene.materials[2].bump_map, {{0.5f, 0.5f}}).r == 1);
+  CHECK(scene.materials[3].bump_map == no_texture);
+  // Shapes have pbrt's coordinates where maps, or unequal roughnesses, ask for tangents.
+  CHECK(scene.geometry->mesh(0)->uvs.size() == 3);
+  CHECK(scene.geometry->mesh(1));
+  CHECK(scene.geometry->mesh(2)->uvs.size() == 3);
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].message.ends_with("there is no such file; the surface stays flat"));
+  CHECK(evaluate(scene.textures, scene.materials[4].normal_map, {}) == Rgb{0.5f, 0.5f, 1});
+}
+
 TEST_CASE("a light of alpha 0 stays, for it emits") {
   const LoadedScene loaded =
       load_pbrt_world("AreaLightSource \"diffuse\" Shape \"sphere\" \"float alpha\" 0\n");

@@ -15,7 +15,7 @@ MUTANTS = [
            "    if (!is_consistent(wi)) return {};\n",
            "",
            "test_integrators", "no light is scattered through a surface, whatever its two normals"),
-    Mutant("a shading normal that looks away shades all the same", "integrators/interaction.cpp",
+    Mutant("a shading normal that looks away shades all the same", "integrators/shading_frame.cpp",
            "return dot(shading, wo) > 0 ? shading : facing_normal;",
            "return shading;",
            "test_integrators", "no light is scattered through a surface, whatever its two normals"),

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/shading_map.h"
+
+#include <cmath>
+
+#include "core/frame.h"
+#include "core/tangents.h"
+#include "core/textured_material.h"
+
+namespace twinray {
+namespace {
+
+/// How far in texture coordinates a bump map is asked to both sides: pbrt's step where there is no footprint.
+constexpr float bump_step = 0.0005f;
+
+/// A vector without its part along a unit vector.
+Vec3 across(const Vec3& v, const Vec3& n) { return v - n * dot(v, n); }
+
+/// A vector as a unit normal; `otherwise` where it is none.
+Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
+  const float squared = length_squared(v);
+  return squared > 0 && std::isfinite(squared) ? v / std::sqrt(squared) : otherwise;
+}
+
+Vec3 by_normal_map(const Scene& scene, std::uint32_t map, const SurfacePoint& point,
+                   const Tangents& tangents) {
+  const Vec3& n = point.shading_normal;
+  const Rgb color = evaluate(scene.textures, map, texture_point(point));
+  const float x = 2 * color.r - 1, y = 2 * color.g - 1, z = 2 * color.b - 1;
+  if (x == 0 && y == 0) return n;
+  return unit_or(Frame(n, tangents.du).to_world({x, y, z}), n);
+}
+
+Vec3 by_bump_map(const Scene& scene, std::uint32_t map, const SurfacePoint& point, const Tangents& tangents) {
+  const Vec3& n = point.shading_normal;
+  const auto height = [&](float du, float dv) {
+    const Vec2 uv{point.uv.x + du, point.uv.y + dv};
+    return evaluate(scene.textures, map, {uv, point.footprint, {}, true}).r;
+  };
+  const float rise_u = (height(bump_step, 0) - height(-bump_step, 0)) / (2 * bump_step);
+  const float rise_v = (height(0, bump_step) - height(0, -bump_step)) / (2 * bump_step);
+  if (rise_u == 0 && rise_v == 0) return n;
+  const Vec3 du = across(tangents.du, n), dv = across(tangents.dv, n);
+  const Vec3 raised = unit_or(cross(du + n * rise_u, dv + n * rise_v), n);
+  return dot(raised, n) < 0 ? -raised : raised;
+}
+
+struct IsAnisotropic {
+  static bool differ(const Roughness& r) { return r.x != r.y; }
+  static bool differ(float) { return false; }
+
+  template <typename Model>
+  bool operator()(const Model& model) const {
+    bool found = false;
+    if constexpr (requires { model.roughness; }) found = found || differ(model.roughness);
+    if constexpr (requires { model.coat_roughness; }) found = found || differ(model.coat_roughness);
+    return found;
+  }
+};
+
+}  // namespace
+
+bool is_anisotropic(const SurfaceModel& model) { return std::visit(IsAnisotropic{}, model); }
+
+Vec3 mapped_normal(const Scene& scene, const Material& material, const SurfacePoint& point) {
+  if (!has_map(material)) return point.shading_normal;
+  const auto tangents = tangents_at(*scene.geometry, point);
+  if (!tangents) return point.shading_normal;
+  if (material.normal_map != no_texture) return by_normal_map(scene, material.normal_map, point, *tangents);
+  return by_bump_map(scene, material.bump_map, point, *tangents);
+}
+
+}  // namespace twinray

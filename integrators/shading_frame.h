@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "core/frame.h"
+#include "core/scene.h"
+#include "core/surface.h"
+
+namespace twinray {
+
+/// The axes by which a surface scatters: z is the normal that it shades with, x the direction of dp/du where
+/// the material's facets are of unequal widths along both, so that these widths have their directions.
+struct ShadingFrame {
+  Frame frame;
+  bool is_mapped = false;  ///< The normal is one of a map: not the geometry's, nor interpolated.
+};
+
+/// Of a material, not a Mix, at a point seen along the unit vector wo, whose side the normal is on.
+ShadingFrame shading_frame(const Scene& scene, const Material& material, const SurfacePoint& point,
+                           const Vec3& wo);
+
+}  // namespace twinray

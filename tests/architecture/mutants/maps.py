@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Defects about normal maps, bump maps and tangents, in all folders."""
+from mutant import Mutant
+
+CHANNELS = "red of a normal map points along u, green along v, blue along the normal, on both sides"
+RAMP = "a bump map that rises evenly shades as a plane that rises so"
+SOFT = "at the end of what the geometry sees light falls to nothing, instead of breaking off"
+WAVES = "waves have the reference's bits where surfaces have maps, on every engine"
+UNEQUAL = "facets of unequal widths have their directions from the texture coordinates"
+TRIANGLE = "a triangle's tangents lead from corner to corner as its texture coordinates do"
+BALL = "a sphere's tangents are the derivatives of its octahedral coordinates"
+
+MUTANTS = [
+    Mutant("green of a normal map points down", "core/shading_map.cpp",
+           "y = 2 * color.g - 1", "y = 1 - 2 * color.g", "test_integrators", CHANNELS),
+    Mutant("bumps are dents", "core/shading_map.cpp",
+           "cross(du + n * rise_u, dv + n * rise_v)", "cross(du - n * rise_u, dv - n * rise_v)",
+           "test_integrators", RAMP),
+    Mutant("a bump's slope is taken over half of its step", "core/shading_map.cpp",
+           "const float rise_u = (height(bump_step, 0) - height(-bump_step, 0)) / (2 * bump_step);",
+           "const float rise_u = (height(bump_step, 0) - height(-bump_step, 0)) / bump_step;",
+           "test_integrators", RAMP),
+    Mutant("light of mapped surfaces is not softened", "integrators/interaction.h",
+           "if (!shading_.is_mapped) return 1;", "return 1;", "test_integrators", SOFT),
+    Mutant("scattered rays of mapped surfaces are not softened", "integrators/scattering.cpp",
+           "at.kept(wi) * std::fabs(sample.wi.z)", "std::fabs(sample.wi.z)", "test_integrators",
+           "a mapped surface is as bright by every way of finding light"),
+    Mutant("lanes take Lambert's surfaces with maps", "integrators/wave/shape_table.cpp",
+           "has_map(material) ? nullptr : std::get_if<Lambert>(&material.model)",
+           "std::get_if<Lambert>(&material.model)", "test_integrators", WAVES),
+    Mutant("waves sample light for the normal without its map", "integrators/wave/other_surfaces.cpp",
+           "    surfaces_.shading.set(i, at.normal());\n", "", "test_integrators", WAVES),
+    Mutant("unequal widths lie along any axis", "integrators/shading_frame.cpp",
+           "return {Frame(shading, tangents->du), is_mapped};", "return {Frame(shading), is_mapped};",
+           "test_integrators", UNEQUAL),
+    Mutant("dp/dv has the sign of dp/du", "core/tangents.cpp",
+           "solve(-qu, pu)", "solve(qu, pu)", "test_core", TRIANGLE),
+    Mutant("the lower half of a ball is taken for the upper one", "core/tangents.cpp",
+           "const bool is_folded = normal.z < 0;", "const bool is_folded = false;", "test_core", BALL),
+    Mutant("a normal map is decoded as colours are", "io/texture_file.cpp",
+           "{PictureRole::data, PictureChannels::color, most_pixels}, flat",
+           "{PictureRole::color, PictureChannels::color, most_pixels}, flat", "test_io",
+           "a normal map is read as data, a displacement is a bump map, and one that is missing is flat"),
+]
