@@ -244,6 +244,18 @@ TEST_CASE("softening costs this part of the light of an even sky, by how far the
   }
 }
 
+TEST_CASE("what a mirror with a map shows is softened as light samples are") {
+  // Leaning by 30 degrees and seen from above, it reflects at 60 degrees: where alpha^2 = 1 / 24 and tan^2
+  // = 3.
+  Scene scene = scene_of(mapped_square(), {1, 1, 1}, {0, 2, 0}, {0, 0, 0});
+  scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-4f;
+  scene.materials[0].model = Mirror{};
+  add_light(scene, AmbientLight{{0, 1, 0}, {1, 1, 1}});
+  set_normal_map(scene, constant(encoded({0.5f, 0, std::sqrt(0.75f)})));
+  const double expected = 2 / (1 + std::sqrt(1.125));
+  CHECK(estimate(scene, {.max_depth = 1}, small_picture(4)).mean == Approx(expected).epsilon(1e-3));
+}
+
 TEST_CASE("a mapped surface is as bright by every way of finding light") {
   for (const SurfaceModel& model :
        {SurfaceModel{Lambert{{0.8f, 0.8f, 0.8f}}}, SurfaceModel{Conductor{.roughness = {0.4f, 0.4f}}}}) {

@@ -24,7 +24,7 @@ MUTANTS = [
            "if (!shading_.is_mapped) return 1;", "return 1;", "test_integrators", SOFT),
     Mutant("scattered rays of mapped surfaces are not softened", "integrators/scattering.cpp",
            "at.kept(wi) * std::fabs(sample.wi.z)", "std::fabs(sample.wi.z)", "test_integrators",
-           "a mapped surface is as bright by every way of finding light"),
+           "what a mirror with a map shows is softened as light samples are"),
     Mutant("lanes take Lambert's surfaces with maps", "integrators/wave/shape_table.cpp",
            "has_map(material) ? nullptr : std::get_if<Lambert>(&material.model)",
            "std::get_if<Lambert>(&material.model)", "test_integrators", WAVES),
