@@ -38,8 +38,8 @@ Choices<std::string> simd_choices() {
 }
 
 void add_engine_choice(OptionGroup& group, RenderRequest& request) {
-  group.add_choice<std::string>("--accel", request.accel, engine_choices(),
-                                "auto: the fastest; check: bvh and another");
+  group.add_choice<std::string>("--accel", request.accel, engine_choices(), words_of(engine_choices(), ", "),
+                                "NAME");
   group.add_choice<std::string>(
       "--check-with", request.check_with, check_choices(),
       fmt::format("The other ({}); NAME_differences.png shows both", check_choices().front().first),

@@ -40,6 +40,13 @@ void add_path_words(OptionGroup& group, RenderRequest& request) {
                              {"indirect", Bounces::indirect},
                              {"last", Bounces::last}},
                             "Which light is shown");
+  BounceLimits& limits = request.arguments.path.limits;
+  constexpr Range<int> bounces{0, BounceLimits::most};
+  group.add_number({"--diffuse-bounces", "N", "Indirect bounces by diffuse reflection, at most"},
+                   limits.diffuse, bounces);
+  group.add_number({"--glossy-bounces", "N", "By mirrors and glossy reflection"}, limits.glossy, bounces);
+  group.add_number({"--transmission-bounces", "N", "By light that goes through surfaces"},
+                   limits.transmission, bounces);
   group.add_word({"--roulette", "throughput|P",
                   fmt::format("By throughput from bounce 4, or a probability ({})", request.roulette)},
                  request.roulette);

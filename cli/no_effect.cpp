@@ -73,6 +73,16 @@ std::string needs_indirect_light(const Asked& asked) {
   return has_any ? "" : "for light of one bounce is left as it is";
 }
 
+/// Of a number of bounces of one kind. A scene may state the depth, too.
+std::string needs_longer_paths(const Asked& asked, int BounceLimits::*limit) {
+  if (!asked.is_lit()) return needs_light(asked);
+  if (has_defaults(asked.arguments.scene) && !is_given("--max-depth", asked.arguments)) return "";
+  const PathOptions& path = asked.arguments.path;
+  return path.limits.*limit + 1 < path.depth_limit()
+             ? ""
+             : fmt::format("for paths of {} bounces make no more", path.depth_limit());
+}
+
 std::string needs_roulette(const Asked& asked) {
   if (!asked.is_lit()) return needs_light(asked);
   const PathOptions& path = asked.arguments.path;
@@ -170,6 +180,11 @@ constexpr Rule rules[]{
     {"--ao-distance", needs_occlusion},
     {"--max-depth", needs_more_bounces},
     {"--bounces", needs_bounces},
+    {"--diffuse-bounces",
+     [](const Asked& asked) { return needs_longer_paths(asked, &BounceLimits::diffuse); }},
+    {"--glossy-bounces", [](const Asked& asked) { return needs_longer_paths(asked, &BounceLimits::glossy); }},
+    {"--transmission-bounces",
+     [](const Asked& asked) { return needs_longer_paths(asked, &BounceLimits::transmission); }},
     {"--roulette", needs_roulette},
     {"--clamp", needs_indirect_light},
     {"--regularize", needs_indirect_light},

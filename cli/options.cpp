@@ -28,8 +28,8 @@ class BriefFormatter final : public CLI::Formatter {
                          std::vector<const CLI::Option*> options) const override {
     std::string text = is_positional ? "" : group + ":\n";
     for (const CLI::Option* option : options) text += make_option(option, is_positional);
-    if (!is_positional) text.pop_back();  // CLI11 puts a line's end behind a group.
-    return is_positional ? text + "\n" : text;
+    if (!is_positional) text.pop_back();  // CLI11 puts a line's end behind such a group.
+    return text;
   }
 };
 

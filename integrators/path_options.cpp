@@ -10,6 +10,9 @@ namespace twinray {
 void check(const PathOptions& options) {
   if (options.max_depth < 0 || options.max_depth > 100)
     throw Error(fmt::format("the maximum depth is {}; it must lie in [0, 100]", options.max_depth));
+  for (const int limit : {options.limits.diffuse, options.limits.glossy, options.limits.transmission})
+    if (limit < 0 || limit > BounceLimits::most)
+      throw Error(fmt::format("a limit of {} bounces; it must lie in [0, {}]", limit, BounceLimits::most));
   if (options.samples_per_light < 1 || options.samples_per_light > 65536)
     throw Error(fmt::format("{} samples per light; valid are 1 to 65536", options.samples_per_light));
   if (!(options.roulette.continuation >= 0 && options.roulette.continuation <= 1))

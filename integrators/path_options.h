@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/rgb.h"
+#include "integrators/bounce_limits.h"
 #include "integrators/direct_light.h"
 
 namespace twinray {
@@ -32,6 +33,7 @@ struct PathOptions {
   int first_depth = 0, last_depth = std::numeric_limits<int>::max();
   DirectMethod direct = DirectMethod::mis;
   std::uint32_t samples_per_light = 1;  ///< 1 to 65536.
+  BounceLimits limits;                  ///< Besides max_depth.
   Roulette roulette;
   ManyLights many_lights = ManyLights::tree;
   /// Biased, for less noise: no channel of a term of light that was scattered twice or more exceeds this; >
@@ -48,6 +50,10 @@ struct PathOptions {
   }
   bool counts(int depth) const { return depth >= first_depth && depth <= last_depth; }
   int depth_limit() const { return std::min(max_depth, last_depth); }
+  /// Whether a path is scattered no more after `depth` events, which were of these kinds.
+  bool ends(int depth, BounceCounts bounces) const {
+    return depth >= depth_limit() || limits.are_reached(bounces);
+  }
 };
 
 /// Throws Error for options out of range.

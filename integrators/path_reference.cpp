@@ -51,12 +51,12 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     const Interaction at(bsdfs_, point, -normalize(path.ray.direction), path.viewing);
     observer.stands_at(at, path.viewing.materials);
     if (depth == 0) record_surface(at, record);
-    if (depth >= options_.depth_limit()) return radiance;
+    if (options_.ends(depth, path.bounces)) return radiance;
     if (options_.counts(depth + 1))
       radiance += term(path.throughput * direct_light(transport, at, sampler, tracer), depth + 1, observer);
     if (!scatter(at, depth, sampler, path, observer)) return radiance;
     // The ray after the last surface only looks for light.
-    const bool is_last = depth + 1 >= options_.depth_limit();
+    const bool is_last = options_.ends(depth + 1, path.bounces);
     if (is_last && !may_find_light(transport, path.departure)) return radiance;
     hit = tracer.bounce_hit(path.ray);
   }
@@ -96,6 +96,7 @@ bool PathReference::scatter(const Interaction& at, int depth, const VertexSample
   observer.scattered(lobe, u, next ? &*next : nullptr);
   if (!next) return false;
   path.throughput = next->throughput;
+  path.bounces += one_bounce(next->kind);
   path.eta_squared *= next->eta * next->eta;
   path.departure = next->departure;
   path.viewing.interiors = next->interiors;

@@ -26,9 +26,10 @@ class PathReference final : public Integrator {
     Ray ray;
     Departure departure;  ///< Of the ray, behind the first surface.
     Rgb throughput{1, 1,
-                   1};      ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
-    Viewing viewing;        ///< Regularized after a wide lobe, where that is asked for.
-    RayCone cone;           ///< Around the ray; followed where there are textures.
+                   1};  ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
+    Viewing viewing;    ///< Regularized after a wide lobe, where that is asked for.
+    RayCone cone;       ///< Around the ray; followed where there are textures.
+    BounceCounts bounces = 0;
     float eta_squared = 1;  ///< Product of eta^2: where the camera is, radiance is that much smaller.
   };
   /// One path; `record` has room for one sample.

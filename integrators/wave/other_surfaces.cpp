@@ -68,6 +68,7 @@ void PathWave::scatter_at_others() {
     paths_.direction.set(i, next->direction);
     if (context_.has_interiors) paths_.interiors.set(i, next->interiors.bits());
     paths_.eta_squared[i] *= next->eta * next->eta;
+    wave_.kind[i] = std::uint32_t(next->kind);
     wave_.pdf[i] = next->departure.pdf;
     wave_.seeking[i] = std::uint32_t(next->departure.seeking);
     wave_.origin.set(i, leave_surface(other.at.point(), next->direction));

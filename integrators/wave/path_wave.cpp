@@ -35,7 +35,7 @@ void PathWave::trace() {
     if (context_.options.counts(depth_)) depth_ == 0 ? add_emission() : add_found_light();
     const bool has_ended = depth_ >= context_.options.depth_limit();
     if (has_ended && !(depth_ == 0 && records_.has_surface())) return;
-    drop_misses();
+    drop_ended();
     if (paths_.size == 0) return;
     arrive();
     if (depth_ == 0) record_surfaces();
@@ -59,6 +59,7 @@ void PathWave::start() {
     paths_.throughput.set(i, Rgb{1, 1, 1});
     paths_.materials[i] = std::uint32_t(Materials::exact);
     paths_.interiors.set(i, 0);
+    paths_.bounces[i] = 0;
     paths_.eta_squared[i] = 1;
     paths_.direction.set(i, samples_[i].ray.direction);
     paths_.cone_width[i] = samples_[i].cone.width;
@@ -121,17 +122,6 @@ bool PathWave::may_find_light() const {
   for (std::size_t i = 0; i < paths_.size; ++i)
     if (twinray::may_find_light(context_.transport, departure_from(i))) return true;
   return false;
-}
-
-void PathWave::drop_misses() {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < paths_.size; ++i) {
-    wave_.kept[kept] = std::uint32_t(i);
-    kept += !wave_.hits[i].is_miss();
-  }
-  if (kept == paths_.size) return;
-  for (std::size_t k = 0; k < kept; ++k) wave_.hits[k] = wave_.hits[wave_.kept[k]];
-  compact(kept);
 }
 
 void PathWave::arrive() {
@@ -378,11 +368,14 @@ bool PathWave::scatter(bool is_last) {
   draw(Purpose::direction, {}, wave_.ux, wave_.uy);
   keep_throughput_at_others();
   stages_.scatter_paths(surfaces_, wave_);
+  const bool has_limits = context_.options.limits.are_any();
+  if (has_limits) std::fill_n(wave_.kind.values, paths_.size, std::uint32_t(ScatterKind::diffuse));
   scatter_at_others();
+  if (has_limits) count_bounces();
   if (context_.options.regularize) regularize_scattered();
   if (has_textures()) widen_cones();
   std::size_t kept = stages_.keep_paths(wave_);
-  if (is_last) kept = keep_light_seekers(kept);
+  if (is_last || has_limits) kept = keep_light_seekers(kept, is_last);
   if (context_.options.roulette.applies(depth_ + 1)) kept = play_roulette(kept);
   for (std::size_t k = 0; k < kept; ++k) {
     const std::size_t i = wave_.kept[k];
@@ -402,57 +395,6 @@ void PathWave::widen_cones() {
   for (std::size_t i = 0; i < paths_.size; ++i)
     if (Seeking(wave_.seeking[i]) != Seeking::alone)
       paths_.cone_spread[i] = RayCone{0, paths_.cone_spread[i]}.scattered(wave_.pdf[i]).spread;
-}
-
-std::size_t PathWave::keep_light_seekers(std::size_t kept) {
-  std::size_t seeking = 0;
-  for (std::size_t k = 0; k < kept; ++k) {
-    const std::uint32_t i = wave_.kept[k];
-    wave_.kept[seeking] = i;
-    seeking += twinray::may_find_light(context_.transport, departure_from(i));
-  }
-  return seeking;
-}
-
-std::size_t PathWave::play_roulette(std::size_t kept) {
-  const Roulette& roulette = context_.options.roulette;
-  draw(Purpose::roulette, {}, wave_.ux, wave_.uy);
-  std::size_t surviving = 0;
-  for (std::size_t k = 0; k < kept; ++k) {
-    const std::size_t i = wave_.kept[k];
-    const Rgb throughput = paths_.throughput.at<Rgb>(i);
-    const float probability = roulette.probability(throughput * paths_.eta_squared[i]);
-    if (probability < 1) {
-      if (wave_.ux[i] >= probability) continue;
-      paths_.throughput.set(i, throughput / probability);
-    }
-    wave_.kept[surviving++] = std::uint32_t(i);
-  }
-  return surviving;
-}
-
-void PathWave::compact(std::size_t kept) {
-  if (kept != paths_.size) {
-    const auto compact_column = [&](auto& column) {
-      for (std::size_t k = 0; k < kept; ++k) column[k] = column[wave_.kept[k]];
-    };
-    for (Words* const column :
-         {&paths_.sample, &paths_.pixel.low, &paths_.pixel.high, &paths_.index, &paths_.materials})
-      compact_column(*column);
-    if (context_.has_interiors)
-      for (Words* const column : {&paths_.interiors.low, &paths_.interiors.high}) compact_column(*column);
-    compact_column(paths_.eta_squared);
-    if (has_textures()) {
-      compact_column(paths_.cone_width);
-      compact_column(paths_.cone_spread);
-    }
-    for (Columns3* const columns : {&paths_.throughput, &paths_.direction}) {
-      compact_column(columns->x);
-      compact_column(columns->y);
-      compact_column(columns->z);
-    }
-  }
-  paths_.size = kept;
 }
 
 }  // namespace twinray

@@ -44,8 +44,8 @@ class PathWave {
   void absorb();
   /// Takes from a light's samples what interiors absorb on the way from Lambert surfaces.
   void absorb_light();
-  /// Takes the paths out that have hit nothing.
-  void drop_misses();
+  /// Takes the paths out that have hit nothing, and those that are scattered no more.
+  void drop_ended();
   void arrive();
   /// Writes what the records say of the first surfaces.
   void record_surfaces();
@@ -84,12 +84,15 @@ class PathWave {
   /// Whether any path may go on from its last surface.
   bool may_find_light() const;
   bool scatter(bool is_last);
+  /// Of paths that have been scattered as often as limits allow.
+  bool has_ended(std::size_t path) const { return context_.options.limits.are_reached(paths_.bounces[path]); }
+  void count_bounces();
   /// Of paths that were scattered widely.
   void regularize_scattered();
   /// The cones of paths that were scattered, where there are textures.
   void widen_cones();
-  /// Of the paths that leave their last surfaces, those whose rays may find light.
-  std::size_t keep_light_seekers(std::size_t kept);
+  /// Of the paths that leave their last surfaces, as all do or some, those whose rays may find light.
+  std::size_t keep_light_seekers(std::size_t kept, bool is_last);
   std::size_t play_roulette(std::size_t kept);
   void compact(std::size_t kept);
 

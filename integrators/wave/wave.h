@@ -42,6 +42,7 @@ struct Paths {
   Columns3 throughput;  ///< Product of f |cos| / p of all vertices so far (solid angle), and of roulette.
   Words materials;      ///< How the next surface scatters, a Materials.
   Keys interiors;       ///< That they are in: Interiors' bits, where the scene has any.
+  Words bounces;        ///< BounceCounts, where any kind of bounce has a limit.
   Floats eta_squared;   ///< Product of eta^2: where the camera is, radiance is that much smaller.
   Columns3 direction;   ///< Of the current ray, of any length.
   // Where the scene has textures:
@@ -133,6 +134,7 @@ struct Wave {
   Floats texture_x, texture_y;       ///< Draws of the pixels of textures, where there are any.
   Words kept;             ///< The paths that go on; until they arrive, the surfaces that they come from.
   Floats pdf;             ///< At each surface: of the direction that goes on, per solid angle.
+  Words kind;             ///< Likewise: how it is scattered, a ScatterKind; where that has a limit.
   Words seeking;          ///< Likewise: which light its ray is to bring, a Seeking.
   Columns3 origin;        ///< Of their rays.
   std::vector<Ray> rays;  ///< Of the paths, as accelerators take them.

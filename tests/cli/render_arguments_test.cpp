@@ -160,14 +160,6 @@ TEST_CASE("cost shows what the engine counts: nodes of the bvh, else primitives"
         "--attenuation: no effect, for --integrator=normals does not ask for the scene's light");
   CHECK(no_effect({"--integrator=normals", "--default-light"}) ==
         "--default-light: no effect, for --integrator=normals does not ask for the scene's light");
-  CHECK(no_effect({"--integrator=furnace", "--default-light"}) ==
-        "--default-light: no effect, for --integrator=furnace does not ask for the scene's light");
-  CHECK(no_effect({"--integrator=furnace", "-m", "3"}).empty());
-  CHECK(no_effect({"--ao-distance=2"}) ==
-        "--ao-distance: no effect, for --integrator=ambient-occlusion alone looks around");
-  CHECK(parse({"--integrator=ambient-occlusion", "--ao-distance=2"}).occlusion_distance == 2);
-  CHECK(message_of({"--integrator=ambient-occlusion", "--ao-distance=0"}) ==
-        "--ao-distance: \"0\" is not a number from 1e-12 to 1000000000000");
   CHECK(no_effect({"--cost=nodes"}) == "--cost: no effect, for --integrator=cost alone shows costs");
 #ifdef TWINRAY_WITH_EMBREE
   CHECK(parse({"--integrator=cost", "--accel=embree"}).cost == CostKind::primitives);

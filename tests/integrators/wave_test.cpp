@@ -190,6 +190,9 @@ const PathOptions cases[] = {{},
                              {.max_depth = 4, .first_depth = 2, .last_depth = 3},
                              {.max_depth = 6, .roulette = {0.6f}},
                              {.max_depth = 6, .clamp = 0.3f, .regularize = true},
+                             {.max_depth = 8, .limits = {.diffuse = 1, .glossy = 2, .transmission = 3}},
+                             {.max_depth = 4, .limits = {.glossy = 0}, .roulette = {0.6f}},
+                             {.max_depth = 9, .direct = DirectMethod::lights, .limits = {.transmission = 1}},
                              {.max_depth = 6, .samples_per_light = 65536 / 64, .roulette = {1e-3f}},
                              {.max_depth = 3, .direct = DirectMethod::hemisphere, .samples_per_light = 2},
                              {.max_depth = 1, .direct = DirectMethod::hemisphere}};
@@ -206,7 +209,7 @@ void check_bits(const Scene& scene, const PathOptions& options, std::uint32_t co
     Tracer alone(*accelerator, true);
     reference.sample(samples, kind, alone, expected.spans(count));
     // A scene whose paths end at once would show nothing.
-    if (options.depth_limit() >= 5 && options.roulette.continuation == 0)
+    if (options.depth_limit() >= 5 && options.roulette.continuation == 0 && !options.limits.are_any())
       REQUIRE(alone.counts().bounce > count);
     for (const std::string& simd : available_instruction_sets()) {
       CAPTURE(simd, sampler_name(kind), options.max_depth, options.samples_per_light);
@@ -285,7 +288,8 @@ void check_logs(const Scene& scene, const PathOptions& options, std::uint32_t co
       CHECK(vertices[i + 1].arrival.ray.direction == next->direction);
     }
     CHECK((log.end() == PathEnd::left) == vertices.back().arrival.hit.is_miss());
-    if (log.end() == PathEnd::depth) CHECK(int(vertices.size()) == options.depth_limit() + 1);
+    if (log.end() == PathEnd::depth && !options.limits.are_any())
+      CHECK(int(vertices.size()) == options.depth_limit() + 1);
   }
 }
 

@@ -239,7 +239,7 @@ MUTANTS = [
            "path.cone = path.cone.scattered(next->departure.pdf)", "path.cone = RayCone(path.cone)",
            "test_integrators",
            BEHIND_A_WIDE_LOBE),
-    Mutant("the cones of a wave are not compacted with its paths", "integrators/wave/path_wave.cpp",
+    Mutant("the cones of a wave are not compacted with its paths", "integrators/wave/path_ends.cpp",
            "      compact_column(paths_.cone_width);\n", "", "test_integrators",
            "waves of paths have the bits and the rays of paths one after the other"),
     Mutant("a wave's textures have the draws of another vertex", "integrators/wave/path_wave.cpp",
