@@ -9,20 +9,22 @@ namespace twinray {
 Rgb FurnaceIntegrator::radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer) const {
   const PathKey path_key(sample.key);
   Rgb throughput{1, 1, 1};
+  Viewing viewing;
   Ray ray = sample.ray;
   Hit hit = tracer.camera_hit(ray);
   for (int depth = 0; !hit.is_miss(); ++depth) {
     if (depth == max_depth_) return {};
     tracer.arrive();
-    const Interaction at(bsdfs_, surface_at(*scene_.geometry, hit), -normalize(ray.direction));
+    const Interaction at(bsdfs_, surface_at(*scene_.geometry, hit), -normalize(ray.direction), viewing);
     const VertexSampler sampler(kind, path_key, std::uint32_t(depth) + 1);
     const float lobe = sampler.draw_1d(Purpose::lobe);
     const Vec2 u = sampler.draw_2d(Purpose::direction);
     const auto next = scatter(at, throughput, lobe, u);
     if (!next) return {};
-    throughput = next->throughput;
+    viewing.interiors = next->interiors;
     ray = spawn_ray(at.point(), next->direction);
     hit = tracer.bounce_hit(ray);
+    throughput = next->throughput * transmittance(scene_.materials, viewing.interiors, hit.t);
   }
   return throughput;
 }

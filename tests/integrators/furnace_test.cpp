@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/furnace.h"
 
+#include <cmath>
+
 #include "tests/support/catch.h"
 #include "tests/support/estimate.h"
 #include "tests/support/scenes.h"
@@ -69,6 +71,13 @@ TEST_CASE("in a furnace several materials have the radiance that paths find unde
   add_light(under_sky, EnvironmentLight{std::make_shared<const Image>(std::move(white))});
   check_same_mean(furnace(scene, 6, 4096),
                   estimate(under_sky, {.max_depth = 6, .roulette = {1}}, small_picture(4096)), 0.06);
+}
+
+TEST_CASE("in a furnace a body is darker by what it absorbs") {
+  Scene scene = ball_of(Dielectric{.ior = 1});
+  scene.materials[0].interior.absorption = {0.5f, 0.5f, 0.5f};
+  scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-3f;
+  CHECK(furnace(scene, 5).mean == Approx(std::exp(-0.5 * 2)).epsilon(1e-4));  // Pixels see shorter ways, too.
 }
 
 TEST_CASE("in a furnace light is lost that is scattered more often than the depth allows") {

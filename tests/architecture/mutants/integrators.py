@@ -291,4 +291,7 @@ MUTANTS = [
            ".is_diffuse = !reflects};",
            ".is_diffuse = true};",
            "test_integrators", "a coated surface scatters by its coat glossily, and by its base diffusely"),
+    Mutant("a path in the furnace forgets what it is in", "integrators/furnace.cpp",
+           "    viewing.interiors = next->interiors;\n", "",
+           "test_integrators", "in a furnace a body is darker by what it absorbs"),
 ]
