@@ -255,7 +255,8 @@ TEST_CASE("a wrong word of a choice names the right ones") {
         "--bvh-quality: there is no \"best\"; valid are fast, medium, high");
   CHECK(message_of({"--bvh-width=4"}) == "--bvh-width: there is no \"4\"; valid are 2, 8");
   CHECK(message_of({"--integrator=photon"}) ==
-        "--integrator: there is no \"photon\"; valid are path, path-reference, direct, normals, cost");
+        "--integrator: there is no \"photon\"; valid are path, path-reference, direct, "
+        "ambient-occlusion, furnace, normals, cost");
 }
 
 TEST_CASE("an option without effect is named with the reason, and refused by a strict run") {
