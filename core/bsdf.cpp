@@ -55,6 +55,7 @@ struct LobesOf {
       return SmoothCoatedConductorLobe(ior, eta, k, m.reflectance);
     return CoatedConductorLobe(coat(ior, m.coat_roughness), facets(m.roughness), eta, k, m.reflectance);
   }
+  Bsdf::Lobes operator()(const Principled& m) const { return PrincipledLobe(m, side == Side::inside); }
   Bsdf::Lobes operator()(const Interface&) const { return PassageLobe{}; }
   Bsdf::Lobes operator()(const Mix&) const { return LambertLobe{}; }
 };

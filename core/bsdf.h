@@ -11,6 +11,7 @@
 #include "core/lobes/cs184_microfacet.h"
 #include "core/lobes/diffuse_transmission.h"
 #include "core/lobes/lambert.h"
+#include "core/lobes/principled.h"
 #include "core/lobes/rough_conductor.h"
 #include "core/lobes/rough_dielectric.h"
 #include "core/lobes/rough_diffuse.h"
@@ -52,7 +53,7 @@ class Bsdf {
       std::variant<LambertLobe, MirrorLobe, SmoothConductorLobe, SmoothDielectricLobe, RefractionLobe,
                    ThinDielectricLobe, PassageLobe, RoughConductorLobe, RoughDielectricLobe,
                    Cs184MicrofacetLobe, DiffuseTransmissionLobe, RoughDiffuseLobe, CoatedDiffuseLobe,
-                   SmoothCoatedConductorLobe, CoatedConductorLobe>;
+                   SmoothCoatedConductorLobe, CoatedConductorLobe, PrincipledLobe>;
 
  private:
   Lobes lobes_;

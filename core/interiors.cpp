@@ -16,6 +16,7 @@ float ior_of(const SurfaceModel& model) {
   return std::visit(
       [](const auto& m) {
         if constexpr (requires { m.ior; }) return m.ior;
+        if constexpr (requires { m.specular_ior; }) return m.specular_ior;
         return 1.0f;
       },
       model);
@@ -27,6 +28,7 @@ struct Immersed {
   template <typename Model>
   SurfaceModel operator()(Model model) const {
     if constexpr (requires { model.ior; }) model.ior /= ior;
+    if constexpr (requires { model.specular_ior; }) model.specular_ior /= ior;
     if constexpr (requires { model.coat_ior; }) model.coat_ior /= ior;
     if constexpr (requires { model.eta; }) model.eta = model.eta / ior, model.k = model.k / ior;
     return model;

@@ -9,6 +9,9 @@ struct LetsLightIn {
   bool operator()(const Glass&) const { return true; }
   bool operator()(const Interface&) const { return true; }
   bool operator()(const Dielectric& model) const { return !model.is_thin; }
+  bool operator()(const Principled& model) const {
+    return model.transmission_weight > 0 && model.base_metalness < 1 && !model.geometry_thin_walled;
+  }
   template <typename Model>
   bool operator()(const Model&) const {
     return false;

@@ -102,6 +102,36 @@ struct CoatedConductor {
   float coat_ior = 1.5f;
 };
 
+/// OpenPBR's surface, version 1.1, with its names, meanings and defaults (Andersson et al., "OpenPBR
+/// Surface", Academy Software Foundation 2024), but for subsurface scattering, dispersion and thin films; its
+/// opacity is the shape's alpha. Weights, colours and roughnesses lie in [0, 1]. Roughness is the square root
+/// of alpha.
+struct Principled {
+  float base_weight = 1;
+  Rgb base_color{0.8f, 0.8f, 0.8f};
+  float base_diffuse_roughness = 0;
+  float base_metalness = 0;
+  float specular_weight = 1;
+  Rgb specular_color{1, 1, 1};
+  float specular_roughness = 0.3f;
+  float specular_roughness_anisotropy = 0;
+  float specular_ior = 1.5f;  ///< > 0.
+  float transmission_weight = 0;
+  Rgb transmission_color{1, 1, 1};
+  float transmission_depth = 0;  ///< The way at which the colour is reached; 0: a tint of the surface. >= 0.
+  float coat_weight = 0;
+  Rgb coat_color{1, 1, 1};
+  float coat_roughness = 0;
+  float coat_ior = 1.6f;  ///< >= 1.
+  float coat_darkening = 1;
+  float fuzz_weight = 0;
+  Rgb fuzz_color{1, 1, 1};
+  float fuzz_roughness = 0.5f;
+  float emission_luminance = 0;  ///< Of its radiance, >= 0: io makes a light of it.
+  Rgb emission_color{1, 1, 1};
+  bool geometry_thin_walled = false;
+};
+
 /// No surface at all: light goes straight on. Where an interior begins without a boundary that reflects.
 struct Interface {};
 
@@ -114,9 +144,10 @@ struct Mix {
 
 using SurfaceModel =
     std::variant<Lambert, Mirror, Refraction, Glass, Microfacet, Dielectric, Conductor, DiffuseTransmission,
-                 RoughDiffuse, CoatedDiffuse, CoatedConductor, Interface, Mix>;
+                 RoughDiffuse, CoatedDiffuse, CoatedConductor, Principled, Interface, Mix>;
 
-/// What of a model a texture may give, point by point: a member of that name. Numbers take a texture's red.
+/// What of a model a texture may give, point by point: a member of that name (of Principled, base_color and
+/// specular_roughness). Numbers take a texture's red.
 enum class MaterialInput { reflectance, transmittance, roughness, amount };
 
 /// The index of "no texture".

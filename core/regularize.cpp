@@ -2,6 +2,7 @@
 #include "core/regularize.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace twinray {
 namespace {
@@ -26,6 +27,11 @@ struct Regularized {
   SurfaceModel operator()(CoatedConductor m) const {
     m.coat_roughness = regularized(m.coat_roughness);
     return rough(m);
+  }
+  SurfaceModel operator()(Principled m) const {
+    for (float* const roughness : {&m.specular_roughness, &m.coat_roughness})
+      *roughness = std::sqrt(regularized(*roughness * *roughness));
+    return m;
   }
   SurfaceModel operator()(const Dielectric& m) const { return m.is_thin ? m : rough(m); }
   SurfaceModel operator()(const Conductor& m) const { return rough(m); }

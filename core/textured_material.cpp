@@ -17,10 +17,14 @@ template <typename Model, typename Use>
 bool with_input(Model& model, MaterialInput input, const Use& use) {
   if constexpr (requires { model.reflectance; })
     if (input == MaterialInput::reflectance) return use(model.reflectance), true;
+  if constexpr (requires { model.base_color; })
+    if (input == MaterialInput::reflectance) return use(model.base_color), true;
   if constexpr (requires { model.transmittance; })
     if (input == MaterialInput::transmittance) return use(model.transmittance), true;
   if constexpr (requires { model.roughness; })
     if (input == MaterialInput::roughness) return use(model.roughness), true;
+  if constexpr (requires { model.specular_roughness; })
+    if (input == MaterialInput::roughness) return use(model.specular_roughness), true;
   if constexpr (requires { model.amount; })
     if (input == MaterialInput::amount) return use(model.amount), true;
   return false;

@@ -126,6 +126,32 @@ Json model_json(const CoatedConductor& model) {
           {"coat_alpha", json_of(model.coat_roughness)},
           {"coat_ior", model.coat_ior}};
 }
+Json model_json(const Principled& m) {
+  return {{"type", "openpbr"},
+          {"base_weight", m.base_weight},
+          {"base_color", json_of(m.base_color)},
+          {"base_diffuse_roughness", m.base_diffuse_roughness},
+          {"base_metalness", m.base_metalness},
+          {"specular_weight", m.specular_weight},
+          {"specular_color", json_of(m.specular_color)},
+          {"specular_roughness", m.specular_roughness},
+          {"specular_roughness_anisotropy", m.specular_roughness_anisotropy},
+          {"specular_ior", m.specular_ior},
+          {"transmission_weight", m.transmission_weight},
+          {"transmission_color", json_of(m.transmission_color)},
+          {"transmission_depth", m.transmission_depth},
+          {"coat_weight", m.coat_weight},
+          {"coat_color", json_of(m.coat_color)},
+          {"coat_roughness", m.coat_roughness},
+          {"coat_ior", m.coat_ior},
+          {"coat_darkening", m.coat_darkening},
+          {"fuzz_weight", m.fuzz_weight},
+          {"fuzz_color", json_of(m.fuzz_color)},
+          {"fuzz_roughness", m.fuzz_roughness},
+          {"emission_luminance", m.emission_luminance},
+          {"emission_color", json_of(m.emission_color)},
+          {"geometry_thin_walled", m.geometry_thin_walled}};
+}
 Json model_json(const Interface&) { return {{"type", "interface"}}; }
 Json model_json(const Mix& model) {
   return {{"type", "mix"}, {"first", model.first}, {"second", model.second}, {"amount", model.amount}};

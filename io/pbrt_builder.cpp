@@ -156,6 +156,23 @@ void PbrtBuilder::fill_interiors() {
   }
 }
 
+void PbrtBuilder::add_glow() {
+  for (std::uint32_t shape = 0; shape < bindings_.size(); ++shape) {
+    ShapeBinding& binding = bindings_[shape];
+    const Material& material = materials_.materials[binding.material];
+    const auto* model = std::get_if<Principled>(&material.model);
+    if (!model || binding.light != no_light || context_.options.surfaces_only) continue;
+    const float brightness = luminance(model->emission_color);
+    if (model->emission_luminance == 0 || brightness == 0) continue;
+    const Rgb radiance = model->emission_color * (model->emission_luminance / brightness);
+    binding.light = std::uint32_t(shape_lights_.size());
+    if (std::holds_alternative<SphereSet>(shapes_[shape]))
+      shape_lights_.push_back({material.name, SphereLight{shape, radiance}});
+    else
+      shape_lights_.push_back({material.name, MeshLight{shape, radiance, EmissionSide::both}});
+  }
+}
+
 void PbrtBuilder::add_light(const std::string& type, const PbrtParameters& parameters,
                             const PbrtState& state) {
   const auto light = read_light(type, parameters, state.transform, context_);
@@ -185,6 +202,7 @@ void PbrtBuilder::add_instance(const std::string& name, const Transform& to_worl
 LoadedScene PbrtBuilder::finish(float exposure) {
   materials_.check_all_made();
   fill_interiors();
+  add_glow();
   LoadedScene loaded;
   Scene& scene = loaded.scene;
   scene.lights = std::move(shape_lights_);

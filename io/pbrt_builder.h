@@ -62,6 +62,8 @@ class PbrtBuilder {
   std::uint32_t black();
   /// Gives shapes with something in them materials of their own.
   void fill_interiors();
+  /// Makes lights of shapes whose materials emit by themselves.
+  void add_glow();
 
   PbrtContext& context_;
   PbrtMaterials materials_;

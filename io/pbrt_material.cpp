@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "io/pbrt_spectrum.h"
 
 namespace twinray {
@@ -27,7 +28,8 @@ struct Inputs {
     if (!found) return fallback;
     if (found->type != PbrtType::texture) return color_of(parameters, *found, role, context.files);
     const PbrtTextures::Named& texture = textures.named(parameters, *found);
-    const bool is_reflectance = std::string_view(name) == "reflectance" && !is_metal;
+    const bool is_reflectance =
+        (std::string_view(name) == "reflectance" && !is_metal) || std::string_view(name) == "base_color";
     if (is_reflectance)
       uses.push_back({MaterialInput::reflectance, texture.index});
     else if (std::string_view(name) == "transmittance")
@@ -43,7 +45,9 @@ struct Inputs {
     const PbrtParameter* found = parameters.find(name);
     if (!found || found->type != PbrtType::texture) return parameters.real(name, fallback);
     const PbrtTextures::Named& texture = textures.named(parameters, *found);
-    const bool is_alpha = std::string_view(name) == "roughness" && !parameters.flag("remaproughness", true);
+    const bool is_alpha =
+        (std::string_view(name) == "roughness" && !parameters.flag("remaproughness", true)) ||
+        std::string_view(name) == "specular_roughness";
     if (std::string_view(name) == "amount")
       uses.push_back({MaterialInput::amount, texture.index});
     else if (is_alpha)
@@ -171,6 +175,64 @@ SurfaceModel read_transmission(const Inputs& in) {
   return sheet;
 }
 
+struct PrincipledWeight {
+  const char* name;
+  float Principled::*member;
+  float most = 1;
+};
+constexpr PrincipledWeight principled_weights[] = {
+    {"base_weight", &Principled::base_weight},
+    {"base_diffuse_roughness", &Principled::base_diffuse_roughness},
+    {"base_metalness", &Principled::base_metalness},
+    {"specular_weight", &Principled::specular_weight},
+    {"specular_roughness", &Principled::specular_roughness},
+    {"specular_roughness_anisotropy", &Principled::specular_roughness_anisotropy},
+    {"transmission_weight", &Principled::transmission_weight},
+    {"transmission_depth", &Principled::transmission_depth, 1e9f},
+    {"coat_weight", &Principled::coat_weight},
+    {"coat_roughness", &Principled::coat_roughness},
+    {"coat_darkening", &Principled::coat_darkening},
+    {"fuzz_weight", &Principled::fuzz_weight},
+    {"fuzz_roughness", &Principled::fuzz_roughness},
+    {"emission_luminance", &Principled::emission_luminance, 1e9f}};
+
+struct PrincipledColor {
+  const char* name;
+  Rgb Principled::*member;
+};
+constexpr PrincipledColor principled_colors[] = {{"base_color", &Principled::base_color},
+                                                 {"specular_color", &Principled::specular_color},
+                                                 {"transmission_color", &Principled::transmission_color},
+                                                 {"coat_color", &Principled::coat_color},
+                                                 {"fuzz_color", &Principled::fuzz_color},
+                                                 {"emission_color", &Principled::emission_color}};
+
+/// OpenPBR's surface: not one of pbrt's materials.
+SurfaceModel read_principled(const Inputs& in) {
+  Principled model;
+  for (const auto& [name, member, most] : principled_weights) {
+    model.*member = in.number(name, model.*member);
+    if (!(model.*member >= 0 && model.*member <= most))
+      in.parameters.find(name)->place.fail(
+          fmt::format("\"{}\" is {:g}; it lies in [0, {:g}]", name, model.*member, most));
+  }
+  for (const auto& [name, member] : principled_colors) model.*member = in.color(name, model.*member);
+  if (in.has("specular_ior")) model.specular_ior = in.ior("specular_ior");
+  if (in.has("coat_ior")) model.coat_ior = std::max(1.0f, in.ior("coat_ior"));
+  model.geometry_thin_walled = in.parameters.flag("geometry_thin_walled", false);
+  return model;
+}
+
+/// What a clear surface of a colour and a depth absorbs within, per unit of length.
+Rgb absorption_within(const Principled& model) {
+  if (model.transmission_depth == 0) return {};
+  constexpr float least = 1e-4f;
+  const auto channel = [&](float c) { return -log_of(std::max(c, least)) / model.transmission_depth; };
+  const Rgb& color = model.transmission_color;
+  return {std::max(0.0f, channel(color.r)), std::max(0.0f, channel(color.g)),
+          std::max(0.0f, channel(color.b))};
+}
+
 SurfaceModel instead(const Inputs& in, const char* what, const char* shown, const SurfaceModel& model) {
   in.parameters.place().warn(in.context.warnings,
                              fmt::format("{} is not rendered; {} stands for it", what, shown));
@@ -201,13 +263,14 @@ struct Reader {
   std::string_view type;
   SurfaceModel (*read)(const Inputs&);
 };
-constexpr std::array<Reader, 10> readers{{{"diffuse", read_diffuse},
+constexpr std::array<Reader, 11> readers{{{"diffuse", read_diffuse},
                                           {"conductor", read_conductor},
                                           {"dielectric", read_dielectric},
                                           {"thindielectric", read_thin},
                                           {"coateddiffuse", read_coated_diffuse},
                                           {"coatedconductor", read_coated_conductor},
                                           {"diffusetransmission", read_transmission},
+                                          {"openpbr", read_principled},
                                           {"subsurface", read_subsurface},
                                           {"hair", read_hair},
                                           {"measured", read_measured}}};
@@ -284,6 +347,8 @@ void PbrtMaterials::make(std::uint32_t index, const std::string& type, const Pbr
   materials[index].textures = std::move(uses);
   if (lets_light_in(materials[index].model))
     materials[index].interior.priority = parameters.integer("priority", 0, {0, 1e6});
+  if (const auto* model = std::get_if<Principled>(&materials[index].model); model && lets_light_in(*model))
+    materials[index].interior.absorption = absorption_within(*model);
   materials[index].normal_map = textures.normal_map(parameters);
   materials[index].bump_map = textures.bump_map(parameters);
   parameters.warn_of_unused(context_.warnings);

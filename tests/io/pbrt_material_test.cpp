@@ -53,6 +53,48 @@ TEST_CASE("each material becomes its model, with pbrt's values where the file ha
   CHECK(leaf.transmittance == Rgb{0.125f, 0.125f, 0.125f});
 }
 
+TEST_CASE("a surface of OpenPBR has its parameters by name, and its defaults") {
+  const auto plain = model_of<Principled>("\"openpbr\"");
+  CHECK(plain.base_color == Rgb{0.8f, 0.8f, 0.8f});
+  CHECK(plain.specular_roughness == 0.3f);
+  CHECK(plain.coat_ior == 1.6f);
+  const auto m = model_of<Principled>(
+      "\"openpbr\" \"rgb base_color\" [ .1 .2 .3 ] \"float base_metalness\" 0.25 \"float specular_ior\" 1.4 "
+      "\"float coat_weight\" 0.5 \"rgb fuzz_color\" [ .3 .2 .1 ] \"bool geometry_thin_walled\" true "
+      "\"float specular_roughness_anisotropy\" 0.125");
+  CHECK(m.base_color == Rgb{0.1f, 0.2f, 0.3f});
+  CHECK(m.base_metalness == 0.25f);
+  CHECK(m.specular_ior == Approx(1.4));
+  CHECK(m.coat_weight == 0.5f);
+  CHECK(m.fuzz_color == Rgb{0.3f, 0.2f, 0.1f});
+  CHECK(m.specular_roughness_anisotropy == 0.125f);
+  CHECK(m.geometry_thin_walled);
+  CHECK(error_of("Material \"openpbr\" \"float coat_weight\" 1.5")
+            .find("\"coat_weight\" is 1.5; it lies in [0, 1]") != std::string::npos);
+  CHECK(warning_of("Material \"openpbr\" \"float coat_wieght\" 1").find("\"coat_weight\" is") !=
+        std::string::npos);
+}
+
+TEST_CASE("a clear surface of OpenPBR absorbs within, and one that emits is a light") {
+  const LoadedScene loaded = load_pbrt_world(
+      "Material \"openpbr\" \"float transmission_weight\" 1 \"rgb transmission_color\" [ 1 0.5 0 ] \"float "
+      "transmission_depth\" 2 " +
+      test::pbrt_triangle +
+      "Material \"openpbr\" \"float emission_luminance\" 3 \"rgb emission_color\" [ 1 0.5 0 ] " +
+      test::pbrt_triangle);
+  const Scene& scene = loaded.scene;
+  const Rgb& absorption = scene.materials[scene.bindings[0].material].interior.absorption;
+  CHECK(absorption.r == 0);
+  CHECK(absorption.g == Approx(std::log(2.0) / 2));
+  CHECK(absorption.b > 4);
+  CHECK(scene.bindings[0].light == no_light);
+  REQUIRE(scene.lights.size() == 1);
+  CHECK(scene.bindings[1].light == 0);
+  const Rgb radiance = std::get<MeshLight>(scene.lights[0].source).radiance;
+  CHECK(luminance(radiance) == Approx(3));
+  CHECK(radiance.g == Approx(radiance.r / 2));
+}
+
 TEST_CASE("a roughness is the square of alpha, unless it is not remapped") {
   const auto alpha = [](const std::string& more) {
     return model_of<Conductor>("\"conductor\" " + more).roughness;

@@ -68,7 +68,10 @@ MUTANTS = [
            "test_core", "a sun shines from a disc whose irradiance is the stated one, and is seen as it is "
            "sampled"),
     Mutant("a texture's v runs downwards", "core/texture.cpp",
-           "row = (1 - double(uv.y)) * image.height", "row = double(uv.y) * image.height",
+           "row = (1 - double(uv.y)) * image.height - 0.5;\n  const double left = std::floor(column), "
+           "above = std::floor(row);\n  const auto s",
+           "row = double(uv.y) * image.height - 0.5;\n  const double left = std::floor(column), "
+           "above = std::floor(row);\n  const auto s",
            "test_core", "a picture's u runs to the right and its v upwards, and pixels' centres have their "
            "values"),
     Mutant("a mip-map's odd pixels count in full on both sides", "core/mip_map.cpp",
@@ -262,4 +265,20 @@ MUTANTS = [
     Mutant("a metal in water reflects as in air", "core/interiors.cpp",
            "model.eta = model.eta / ior, model.k = model.k / ior", "model.eta = model.eta", "test_core",
            "within something denser, indices of refraction are smaller"),
+    Mutant("fuzz has the exponent of its roughness, not one over it", "core/lobes/fuzz.cpp",
+           "exponent_ = 1 / bounded", "exponent_ = bounded", "test_core",
+           "fuzz scatters what its table says, and never more than arrives"),
+    Mutant("a metal's tint darkens its whole curve", "core/lobes/principled.cpp",
+           "dip_ * (cosine * x5 * x)", "dip_ * (x5 * x)", "test_core",
+           "a principled metal has its colour along the normal and its tint near the rim"),
+    Mutant("a coat lets all light through on its way out", "core/lobes/principled.cpp",
+           "along(wo.z) * along(wi.z) / through_coat_", "along(wo.z)", "test_core",
+           "what a principled surface reflects is reciprocal"),
+    Mutant("the density of a principled surface leaves its coat out", "core/lobes/principled.cpp",
+           "return clear + coat + p.facets", "return clear + p.facets", "test_core",
+           "a principled surface is sampled with its density"),
+    Mutant("a principled surface's gloss does not shade what is below", "core/lobes/principled.cpp",
+           "gloss_.transmittance(wo.z) * gloss_.transmittance(wi.z)", "gloss_.transmittance(wo.z)",
+           "test_core",
+           "at the ends of its weights a principled surface is one of the simple models"),
 ]

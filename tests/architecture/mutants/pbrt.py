@@ -47,4 +47,7 @@ MUTANTS = [
            "std::tuple(material, absorption.r, absorption.g, absorption.b)",
            "std::tuple(material, 0.0f, 0.0f, 0.0f)", "test_io",
            "what light is absorbed by within a shape becomes its material's interior"),
+    Mutant("a clear surface of OpenPBR absorbs at any depth alike", "io/pbrt_material.cpp",
+           "-log_of(std::max(c, least)) / model.transmission_depth", "-log_of(std::max(c, least))", "test_io",
+           "a clear surface of OpenPBR absorbs within, and one that emits is a light"),
 ]

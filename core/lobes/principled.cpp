@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/lobes/principled.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/fresnel.h"
+#include "core/warp.h"
+
+namespace twinray {
+namespace {
+
+constexpr Rgb white{1, 1, 1};
+constexpr float least_alpha = 1e-3f;
+
+float mix(float a, float b, float part) { return a + (b - a) * part; }
+Rgb mix(const Rgb& a, const Rgb& b, float part) { return a + (b - a) * part; }
+
+/// The alphas of a roughness, longer along the tangent; OpenPBR's.
+Ggx facets_of(float roughness, float anisotropy) {
+  const float alpha = roughness * roughness, narrow = 1 - anisotropy;
+  const float along = alpha * std::sqrt(2 / (1 + narrow * narrow));
+  return {std::clamp(along, least_alpha, 1.0f), std::clamp(along * narrow, least_alpha, 1.0f)};
+}
+
+/// A rough coat spreads what is below it as well.
+float coated_roughness(const Principled& m) {
+  const auto fourth = [](float x) { return x * x * x * x; };
+  const float spread = std::min(1.0f, fourth(m.specular_roughness) + 2 * fourth(m.coat_roughness));
+  return mix(m.specular_roughness, std::sqrt(std::sqrt(spread)), m.coat_weight);
+}
+
+/// The index of the base to what is above it, after OpenPBR's weight: a factor of the reflectance along the
+/// normal.
+float weighted_ior(const Principled& m, float above) {
+  const float ior = m.specular_ior / above;
+  const float scaled = std::min(std::sqrt(m.specular_weight) * (ior - 1) / (ior + 1), 0.98f);
+  return (1 + scaled) / (1 - scaled);
+}
+
+/// Of the gloss to the coat; as in OpenPBR, a denser coat is taken the other way round.
+float gloss_ior(const Principled& m, bool is_inside) {
+  const float ior = weighted_ior(m, is_inside ? 1 : mix(1, m.coat_ior, m.coat_weight));
+  return ior < 1 ? 1 / ior : ior;
+}
+
+std::variant<RoughDielectricLobe, ThinDielectricLobe> boundary_of(const Principled& m, const Ggx& facets,
+                                                                  bool is_inside) {
+  const Rgb tint = m.transmission_depth > 0 ? white : m.transmission_color;
+  const float ior = weighted_ior(m, 1);
+  if (m.geometry_thin_walled || ior == 1) return ThinDielectricLobe(ior, m.specular_color, tint);
+  return RoughDielectricLobe(facets, is_inside ? 1 / ior : ior, m.specular_color, tint);
+}
+
+/// What a diffuse base of this reflectance sends up below a layer, as CoatedDiffuseLobe has it.
+Rgb below(const Coat& layer, const Rgb& reflectance) {
+  const float back = layer.average_reflectance_below(), spread = layer.ior() * layer.ior();
+  const auto channel = [&](float r) { return r / ((1 - r * back) * spread); };
+  return {channel(reflectance.r), channel(reflectance.g), channel(reflectance.b)};
+}
+
+}  // namespace
+
+TintedFresnel::TintedFresnel(const Rgb& normal, const Rgb& rim) : normal_(normal) {
+  // The cosine of 82 degrees, nearly, where Schlick's curve is times the tint.
+  constexpr float c = 1.0f / 7, d = 1 - c;
+  const Rgb schlick = normal + (white - normal) * (d * d * d * d * d);
+  dip_ = schlick * (white - rim) / (c * d * d * d * d * d * d);
+}
+
+Rgb TintedFresnel::operator()(float cosine) const {
+  const float x = 1 - cosine, x5 = x * x * x * x * x;
+  const Rgb value = normal_ + (white - normal_) * x5 - dip_ * (cosine * x5 * x);
+  return {std::clamp(value.r, 0.0f, 1.0f), std::clamp(value.g, 0.0f, 1.0f), std::clamp(value.b, 0.0f, 1.0f)};
+}
+
+Rgb TintedFresnel::average() const { return normal_ + (white - normal_) / 21 - dip_ / 126; }
+
+PrincipledLobe::PrincipledLobe(const Principled& m, bool is_inside)
+    : metal_(m.base_metalness),
+      opaque_((1 - m.base_metalness) * (1 - m.transmission_weight)),
+      clear_((1 - m.base_metalness) * m.transmission_weight),
+      specular_weight_(m.specular_weight),
+      coat_weight_(is_inside ? 0 : m.coat_weight),
+      fuzz_weight_(is_inside ? 0 : m.fuzz_weight),
+      specular_color_(m.specular_color),
+      fuzz_color_(m.fuzz_color),
+      facets_(
+          facets_of(is_inside ? m.specular_roughness : coated_roughness(m), m.specular_roughness_anisotropy)),
+      multiple_(facets_),
+      metal_fresnel_(m.base_color * m.base_weight, m.specular_color),
+      metal_multiple_(multiple_.absorption(metal_fresnel_.average())),
+      gloss_(gloss_ior(m, is_inside), facets_),
+      coat_(m.coat_ior, facets_of(m.coat_roughness, 0)),
+      diffuse_(below(gloss_, m.base_color * m.base_weight)),
+      rough_(white, m.base_diffuse_roughness),
+      boundary_(boundary_of(m, facets_, is_inside)),
+      fuzz_(m.fuzz_roughness),
+      through_coat_(1 - coat_weight_ * coat_.average_reflectance()),
+      through_fuzz_(1 - fuzz_weight_ * fuzz_.average_reflectance()),
+      below_coat_(white) {
+  // What the coat reflects back down is absorbed in part, once more and again.
+  const float back = coat_.average_reflectance_below();
+  const auto darkened = [&](float albedo) {
+    return mix(1, albedo < 1 ? (1 - back) / (1 - albedo * back) : 1, m.coat_darkening);
+  };
+  const Rgb base = base_albedo();
+  const Rgb darkening{darkened(base.r), darkened(base.g), darkened(base.b)};
+  below_coat_ = mix(white, m.coat_color * darkening, coat_weight_);
+}
+
+Rgb PrincipledLobe::base_albedo() const {
+  const float reflected = gloss_.average_reflectance(), through = 1 - reflected;
+  const float loss = multiple_.average_loss();
+  const Rgb metal = metal_fresnel_.average() * (1 - loss) + metal_multiple_ * loss;
+  const Rgb clear = std::visit([](const auto& lobe) { return lobe.albedo(); }, boundary_);
+  return metal * (metal_ * specular_weight_) + clear * clear_ +
+         (specular_color_ * reflected + diffuse_ * (through * through)) * opaque_;
+}
+
+Rgb PrincipledLobe::albedo() const {
+  const Rgb coat = white * (1 - through_coat_), fuzz = fuzz_color_ * (1 - through_fuzz_);
+  return fuzz + (coat + below_coat_ * base_albedo() * through_coat_) * through_fuzz_;
+}
+
+Rgb PrincipledLobe::evaluate_base(const Vec3& wo, const Vec3& wi) const {
+  Rgb value;
+  if (wi.z > 0) {
+    const float cosine = std::min(1.0f, dot(wo, normalize(wo + wi)));
+    const float reflected = facets_.reflection(wo, wi);
+    const float through = gloss_.transmittance(wo.z) * gloss_.transmittance(wi.z);
+    const Rgb metal = metal_fresnel_(cosine) * reflected + metal_multiple_ * multiple_.evaluate(wo.z, wi.z);
+    const Rgb gloss = specular_color_ * (fresnel_dielectric(cosine, gloss_.ior()) * reflected);
+    value = metal * (metal_ * specular_weight_) +
+            (gloss + diffuse_ * rough_.evaluate(wo, wi) * through) * opaque_;
+  }
+  if (clear_ == 0) return value;
+  return value + std::visit([&](const auto& lobe) { return lobe.evaluate(wo, wi); }, boundary_) * clear_;
+}
+
+Rgb PrincipledLobe::through_coat(const Vec3& wo, const Vec3& wi) const {
+  if (coat_weight_ == 0) return white;
+  const auto along = [&](float z) { return z > 0 ? 1 - coat_weight_ * coat_.reflectance(z) : through_coat_; };
+  return below_coat_ * (along(wo.z) * along(wi.z) / through_coat_);
+}
+
+float PrincipledLobe::through_fuzz(const Vec3& wo, const Vec3& wi) const {
+  if (fuzz_weight_ == 0) return 1;
+  const auto along = [&](float z) { return z > 0 ? 1 - fuzz_weight_ * fuzz_.reflectance(z) : through_fuzz_; };
+  return along(wo.z) * along(wi.z) / through_fuzz_;
+}
+
+Rgb PrincipledLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
+  if (!(wo.z > 0) || wi.z == 0) return {};
+  Rgb value = evaluate_base(wo, wi) * through_coat(wo, wi);
+  if (coat_weight_ > 0 && wi.z > 0) value += white * (coat_weight_ * coat_.evaluate(wo, wi));
+  value = value * through_fuzz(wo, wi);
+  if (fuzz_weight_ > 0 && wi.z > 0) value += fuzz_color_ * (fuzz_weight_ * fuzz_.evaluate(wo, wi));
+  return value;
+}
+
+PrincipledLobe::Choice PrincipledLobe::choice(const Vec3& wo) const {
+  const float reflected = gloss_.reflectance(wo.z), loss = multiple_.loss(wo.z);
+  const float metal = metal_ * specular_weight_;
+  const float facets = metal * max_component(metal_fresnel_(wo.z)) * (1 - loss) +
+                       opaque_ * max_component(specular_color_) * reflected;
+  const float diffuse =
+      metal * max_component(metal_multiple_) * loss + opaque_ * max_component(diffuse_) * (1 - reflected);
+  const float sum = facets + diffuse + clear_;
+  const float fuzz = fuzz_weight_ * max_component(fuzz_color_) * fuzz_.reflectance(wo.z);
+  const float coat = (1 - fuzz) * coat_weight_ * coat_.reflectance(wo.z), rest = 1 - fuzz - coat;
+  if (!(sum > 0)) return {fuzz, coat, 0, rest, 0};
+  return {fuzz, coat, rest * facets / sum, rest * diffuse / sum, rest * clear_ / sum};
+}
+
+float PrincipledLobe::pdf(const Vec3& wo, const Vec3& wi) const {
+  if (!(wo.z > 0) || wi.z == 0) return 0;
+  const Choice p = choice(wo);
+  const float clear =
+      p.clear > 0 ? p.clear * std::visit([&](const auto& lobe) { return lobe.pdf(wo, wi); }, boundary_) : 0;
+  if (wi.z < 0) return clear;
+  const float coat = p.coat > 0 ? p.coat * coat_.pdf(wo, wi) : 0;
+  return clear + coat + p.facets * facets_.reflection_pdf(wo, wi) +
+         (p.fuzz + p.diffuse) * cosine_hemisphere_pdf(wi.z);
+}
+
+BsdfSample PrincipledLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
+  if (!(wo.z > 0)) return {};
+  const Choice p = choice(wo);
+  const float diffuse = p.fuzz + p.diffuse, coat = diffuse + p.coat, facets = coat + p.facets;
+  if (lobe >= facets && p.clear > 0)
+    return sample_clear(wo, std::min((lobe - facets) / p.clear, 0x1.fffffep-1f), u);
+  const Vec3 wi = lobe < diffuse ? square_to_cosine_hemisphere(u)
+                  : lobe < coat  ? coat_.sample(wo, u)
+                                 : reflected(wo, facets_.sample_visible(wo, u));
+  if (!(wi.z > 0)) return {};
+  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi), .is_diffuse = lobe < diffuse};
+}
+
+BsdfSample PrincipledLobe::sample_clear(const Vec3& wo, float lobe, Vec2 u) const {
+  BsdfSample sample = std::visit([&](const auto& l) { return l.sample(wo, lobe, u); }, boundary_);
+  if (sample.pdf == 0 || sample.wi.z == 0) return {};
+  if (sample.is_delta) {
+    sample.value = sample.value * clear_ * through_coat(wo, sample.wi) * through_fuzz(wo, sample.wi);
+    sample.pdf *= choice(wo).clear;
+    return sample;
+  }
+  sample.value = evaluate(wo, sample.wi);
+  sample.pdf = pdf(wo, sample.wi);
+  return sample;
+}
+
+}  // namespace twinray

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <variant>
+
+#include "core/lobes/coat.h"
+#include "core/lobes/fuzz.h"
+#include "core/lobes/rough_dielectric.h"
+#include "core/lobes/rough_diffuse.h"
+#include "core/lobes/specular.h"
+#include "core/material.h"
+
+namespace twinray {
+
+/// How a metal reflects that is described by two colours, along its normal and near the rim: Schlick's curve,
+/// darkened by a tint at 82 degrees (Hoffman 2023; OpenPBR's).
+class TintedFresnel {
+ public:
+  /// Both in [0, 1].
+  TintedFresnel(const Rgb& normal, const Rgb& rim);
+  Rgb operator()(float cosine) const;
+  /// Of light from all directions: the integral of 2 cos F(cos).
+  Rgb average() const;
+
+ private:
+  Rgb normal_, dip_;
+};
+
+/// OpenPBR's surface (version 1.1): a metal, a glossy diffuse surface and a boundary to something clear,
+/// mixed by weight; on them a coat, and on it fuzz. Each layer lets through what it does not reflect. wo.z >
+/// 0.
+class PrincipledLobe {
+ public:
+  PrincipledLobe(const Principled& model, bool is_inside);
+
+  Rgb albedo() const;
+  Rgb evaluate(const Vec3& wo, const Vec3& wi) const;
+  float pdf(const Vec3& wo, const Vec3& wi) const;
+  BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
+
+ private:
+  /// Probabilities of the ways of scattering; their sum is 1.
+  struct Choice {
+    float fuzz, coat, facets, diffuse, clear;
+  };
+  Choice choice(const Vec3& wo) const;
+  /// What a layer leaves of what is scattered below it: reciprocal, and in the mean all of the light that
+  /// passes along wo. Light that goes through the surface passes the layer once.
+  Rgb through_coat(const Vec3& wo, const Vec3& wi) const;
+  float through_fuzz(const Vec3& wo, const Vec3& wi) const;
+  /// What is below coat and fuzz.
+  Rgb evaluate_base(const Vec3& wo, const Vec3& wi) const;
+  Rgb base_albedo() const;
+  BsdfSample sample_clear(const Vec3& wo, float lobe, Vec2 u) const;
+
+  float metal_, opaque_, clear_;  ///< Weights of the base's three; their sum is 1.
+  float specular_weight_, coat_weight_, fuzz_weight_;
+  Rgb specular_color_, fuzz_color_;
+  Ggx facets_;  ///< Of metal and gloss.
+  MultipleScattering multiple_;
+  TintedFresnel metal_fresnel_;
+  Rgb metal_multiple_;  ///< A factor of what meets several facets.
+  Coat gloss_, coat_;
+  Rgb diffuse_;             ///< Radiosity below the gloss, as in CoatedDiffuseLobe.
+  RoughDiffuseLobe rough_;  ///< The shape of what is scattered there, white.
+  std::variant<RoughDielectricLobe, ThinDielectricLobe> boundary_;
+  Fuzz fuzz_;
+  float through_coat_, through_fuzz_;  ///< The parts of light from all directions that pass.
+  Rgb below_coat_;  ///< A factor of what is below the coat: its colour, and reflections back.
+};
+
+}  // namespace twinray

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/lobes/principled.h"
+
+#include <cmath>
+
+#include "core/bsdf.h"
+#include "core/lobes/coated_diffuse.h"
+#include "tests/support/lobe_checks.h"
+
+namespace twinray {
+namespace {
+
+using test::direction_at;
+
+constexpr Rgb white{1, 1, 1};
+const float cosines[] = {1.0f, 0.6f, 0.2f};
+
+Principled varnished() {
+  Principled m;
+  m.base_color = {0.7f, 0.3f, 0.1f};
+  m.base_diffuse_roughness = 0.4f;
+  m.base_metalness = 0.3f;
+  m.specular_roughness = 0.6f;
+  m.specular_color = {0.9f, 0.8f, 1};
+  m.coat_weight = 0.7f;
+  m.coat_color = {1, 0.9f, 0.6f};
+  m.coat_roughness = 0.5f;
+  m.fuzz_weight = 0.5f;
+  m.fuzz_color = {0.8f, 0.2f, 0.9f};
+  return m;
+}
+
+Principled brushed() {
+  Principled m;
+  m.base_metalness = 1;
+  m.specular_roughness = 0.6f;
+  m.specular_roughness_anisotropy = 0.7f;
+  return m;
+}
+
+Principled clear() {
+  Principled m;
+  m.transmission_weight = 0.8f;
+  m.transmission_color = {0.5f, 0.9f, 0.7f};
+  m.specular_roughness = 0.7f;
+  m.coat_weight = 0.5f;
+  m.coat_roughness = 0.6f;
+  return m;
+}
+
+Principled sheet() {
+  Principled m = clear();
+  m.geometry_thin_walled = true;
+  return m;
+}
+
+/// Nothing of it absorbs.
+Principled whitened(Principled m) {
+  m.base_color = m.specular_color = m.transmission_color = m.coat_color = m.fuzz_color = white;
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("a principled surface is sampled with its density") {
+  for (const Principled& m : {Principled{}, varnished(), brushed(), clear(), sheet()})
+    for (const bool is_inside : {false, true})
+      for (const float cosine : cosines) {
+        CAPTURE(m.coat_weight, m.transmission_weight, is_inside, cosine);
+        test::check_sampling(PrincipledLobe(m, is_inside), direction_at(cosine), 30, 24);
+      }
+}
+
+TEST_CASE("what a principled surface reflects is reciprocal") {
+  test::Random random(3);
+  for (const Principled& m : {Principled{}, varnished(), brushed(), clear()}) {
+    const PrincipledLobe lobe(m, false);
+    for (int i = 0; i < 200; ++i) {
+      Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
+      wo.z = std::fabs(wo.z), wi.z = std::fabs(wi.z);
+      const Rgb there = lobe.evaluate(wo, wi), back = lobe.evaluate(wi, wo);
+      CHECK(there.g == Approx(back.g).epsilon(1e-4));
+      CHECK(there.b == Approx(back.b).epsilon(1e-4));
+    }
+  }
+}
+
+TEST_CASE("a white principled surface passes the furnace within what its layers' fits lose") {
+  Principled coated_metal = whitened(brushed());
+  coated_metal.coat_weight = 1;
+  struct Case {
+    Principled model;
+    double error;
+  };
+  const Case cases[] = {{whitened(Principled{}), 0.01}, {whitened(brushed()), 0.06},
+                        {whitened(varnished()), 0.05},  {whitened(clear()), 0.05},
+                        {whitened(sheet()), 0.03},      {coated_metal, 0.08}};
+  for (const Case& each : cases)
+    for (const float cosine : cosines) {
+      CAPTURE(each.error, cosine);
+      const Rgb albedo = test::sampled_albedo(PrincipledLobe(each.model, false), direction_at(cosine));
+      CHECK(std::fabs(albedo.g - 1) <= each.error);
+    }
+}
+
+TEST_CASE("no principled surface scatters more than arrives, nor stays black where it is not") {
+  for (const Principled& m : {Principled{}, varnished(), brushed(), clear(), sheet()})
+    for (const bool is_inside : {false, true})
+      for (const float cosine : cosines) {
+        CAPTURE(m.coat_weight, m.transmission_weight, is_inside, cosine);
+        const PrincipledLobe lobe(m, is_inside);
+        const Rgb albedo = test::sampled_albedo(lobe, direction_at(cosine), 40000);
+        CHECK(max_component(albedo) < 1.03f);
+        CHECK(max_component(albedo) > 0.2f);
+        if (!is_inside && cosine == 0.6f) CHECK(lobe.albedo().g == Approx(albedo.g).epsilon(0.25));
+      }
+}
+
+TEST_CASE("at the ends of its weights a principled surface is one of the simple models") {
+  test::Random random(5);
+  for (int i = 0; i < 100; ++i) {
+    Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
+    wo.z = std::fabs(wo.z), wi.z = std::fabs(wi.z);
+    const auto same = [](const Rgb& a, const Rgb& b) {
+      CHECK(a.r == Approx(b.r).epsilon(1e-4));
+      CHECK(a.b == Approx(b.b).epsilon(1e-4));
+    };
+    Principled matte;
+    matte.base_color = {0.2f, 0.4f, 0.6f};
+    matte.specular_weight = 0;
+    same(PrincipledLobe(matte, false).evaluate(wo, wi), matte.base_color * (1 / pi));
+    matte.base_diffuse_roughness = 0.5f;
+    same(PrincipledLobe(matte, false).evaluate(wo, wi),
+         matte.base_color * RoughDiffuseLobe(white, 0.5f).evaluate(wo, wi));
+
+    // Gloss over it, and the same as a coat.
+    Principled glossy;
+    glossy.base_color = matte.base_color;
+    const Ggx facets(0.3f * 0.3f);
+    same(PrincipledLobe(glossy, false).evaluate(wo, wi),
+         CoatedDiffuseLobe(Coat(1.5f, facets), matte.base_color).evaluate(wo, wi));
+    Principled coated = matte;
+    coated.base_diffuse_roughness = 0;
+    coated.coat_weight = 1;
+    coated.coat_ior = 1.5f;
+    coated.coat_roughness = 0.3f;
+    same(PrincipledLobe(coated, false).evaluate(wo, wi),
+         CoatedDiffuseLobe(Coat(1.5f, facets), matte.base_color).evaluate(wo, wi));
+
+    Principled glass;
+    glass.transmission_weight = 1;
+    glass.transmission_color = {0.5f, 0.6f, 0.7f};
+    const RoughDielectricLobe outside(facets, 1.5f, white, glass.transmission_color);
+    const RoughDielectricLobe inside(facets, 1 / 1.5f, white, glass.transmission_color);
+    for (const Vec3& w : {wi, test::flipped(wi)}) {
+      same(PrincipledLobe(glass, false).evaluate(wo, w), outside.evaluate(wo, w));
+      same(PrincipledLobe(glass, true).evaluate(wo, w), inside.evaluate(wo, w));
+    }
+  }
+}
+
+TEST_CASE("a principled metal has its colour along the normal and its tint near the rim") {
+  const Rgb normal{0.9f, 0.5f, 0.2f}, rim{1, 0.5f, 0.8f};
+  const TintedFresnel fresnel(normal, rim);
+  CHECK(fresnel(1).g == Approx(0.5));
+  CHECK(fresnel(0).g == Approx(1));
+  constexpr float c = 1.0f / 7;
+  const float schlick = 0.5f + 0.5f * std::pow(1 - c, 5.0f);
+  CHECK(fresnel(c).g == Approx(0.5f * schlick));
+  CHECK(fresnel(c).r == Approx(0.9f + 0.1f * std::pow(1 - c, 5.0f)));
+  double sum = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const float cosine = (float(i) + 0.5f) / 1000;
+    sum += 2 * cosine * fresnel(cosine).b / 1000;
+  }
+  CHECK(fresnel.average().b == Approx(sum).epsilon(1e-3));
+}
+
+TEST_CASE("weights of a principled surface do what they say") {
+  const Vec3 wo = direction_at(0.7f);
+  const auto albedo = [&](const Principled& m) { return test::sampled_albedo(PrincipledLobe(m, false), wo); };
+  Principled m;
+  m.base_color = {0.4f, 0.4f, 0.4f};
+  Principled darker = m, lacquered = m, dusty = m;
+  darker.base_weight = 0.5f;
+  CHECK(albedo(darker).g < 0.75f * albedo(m).g);
+  lacquered.coat_weight = 1;
+  lacquered.coat_color = {1, 0.5f, 0.5f};
+  CHECK(albedo(lacquered).g < 0.7f * albedo(lacquered).r);
+  Principled undarkened = lacquered;
+  undarkened.coat_darkening = 0;
+  CHECK(albedo(undarkened).r > 1.05f * albedo(lacquered).r);
+  dusty.fuzz_weight = 1;
+  dusty.fuzz_color = {0, 1, 0};
+  CHECK(albedo(dusty).g > albedo(dusty).r + 0.1f);
+}
+
+TEST_CASE("a principled surface lets light in where it transmits, is no metal and no sheet") {
+  Principled m;
+  CHECK_FALSE(lets_light_in(m));
+  m.transmission_weight = 0.5f;
+  CHECK(lets_light_in(m));
+  m.geometry_thin_walled = true;
+  CHECK_FALSE(lets_light_in(m));
+  m.geometry_thin_walled = false;
+  m.base_metalness = 1;
+  CHECK_FALSE(lets_light_in(m));
+}
+
+}  // namespace twinray
