@@ -11,7 +11,7 @@ namespace {
 
 /// A measure of a light that is black where it sends none.
 struct Strength {
-  Rgb operator()(const MeshLight& light) const { return light.radiance; }
+  Rgb operator()(const MeshLight& light) const { return mean_radiance(light); }
   Rgb operator()(const SphereLight& light) const { return light.radiance; }
   Rgb operator()(const PointLight& light) const { return light.intensity; }
   Rgb operator()(const SpotLight& light) const { return light.intensity; }

@@ -41,6 +41,9 @@ struct Check {
                               kind, what, c.r, c.g, c.b));
   }
 
+  void operator()(const MeshLight& light) const {
+    if (light.picture) picture("a mesh light", light.picture);
+  }
   void operator()(const EnvironmentLight& light) const {
     map("an environment", light.map, light.layout);
     rotation("an environment", light.rotation);

@@ -38,6 +38,13 @@ ByteImage sample_rate_image(const Film& film, std::uint32_t most) {
   return image;
 }
 
+Rgb mean_of(const Image& image) {
+  double r = 0, g = 0, b = 0;
+  for (const Rgb& pixel : image.pixels) r += pixel.r, g += pixel.g, b += pixel.b;
+  const auto count = double(image.pixels.size());
+  return {float(r / count), float(g / count), float(b / count)};
+}
+
 std::uint8_t encode_srgb(float linear) {
   if (!(linear > 0)) return 0;
   const double x = std::min(1.0, double(linear));

@@ -21,6 +21,9 @@ struct Image {
   const Rgb& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
+/// Of all pixels; there is at least one.
+Rgb mean_of(const Image& image);
+
 /// A picture of 8-bit channels r, g, b, row by row from the top left.
 struct ByteImage {
   int width = 0, height = 0;

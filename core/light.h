@@ -16,13 +16,21 @@ namespace twinray {
 /// Which side of a triangle emits: where its vertices appear counter-clockwise (front), clockwise, or both.
 enum class EmissionSide { front, back, both };
 
-/// A mesh, all of whose triangles emit the same radiance in all directions of its side. An area light's
-/// rectangle is one of two triangles.
+/// A mesh, all of whose triangles emit the same radiance in all directions of its side; with a picture, one
+/// that differs from point to point. An area light's rectangle is one of two triangles.
 struct MeshLight {
   std::uint32_t shape = 0;  ///< Index into Geometry::shapes(); a mesh.
-  Rgb radiance;
+  Rgb radiance;             ///< Times the picture, if there is one.
   EmissionSide side = EmissionSide::both;
+  /// Over the texture coordinates, as an ImageTexture's: bilinear, and beyond [0, 1] as at its edge. Null:
+  /// even; else at least one pixel, all >= 0.
+  std::shared_ptr<const Image> picture = nullptr;
 };
+
+/// The radiance of a mesh light, on the average over its picture.
+inline Rgb mean_radiance(const MeshLight& light) {
+  return light.picture ? light.radiance * mean_of(*light.picture) : light.radiance;
+}
 
 /// A sphere that emits the same radiance in all directions, outward.
 struct SphereLight {

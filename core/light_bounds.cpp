@@ -56,7 +56,7 @@ struct BoundsOf {
       for (const std::uint32_t corner : triangle) bounds.box.extend(mesh.positions[corner]);
     }
     const double sides = light.side == EmissionSide::both ? 2 : 1;
-    bounds.power = sides * pi_double * area * double(luminance(light.radiance));
+    bounds.power = sides * pi_double * area * double(luminance(mean_radiance(light)));
     if (light.side != EmissionSide::both) bounds.cone = cone_of_fronts(mesh);
     if (light.side == EmissionSide::back) bounds.cone.axis = -bounds.cone.axis;
     return bounds;

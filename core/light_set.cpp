@@ -17,6 +17,7 @@
 #include "core/octahedron.h"
 #include "core/point_light.h"
 #include "core/spawn_ray.h"
+#include "core/texture.h"
 #include "core/warp.h"
 
 namespace twinray {
@@ -40,12 +41,13 @@ Zone zone_around(const Mesh& mesh) {
 
 constexpr Zone everywhere{{{0, 0, 0}, {0, 0, 0}}, std::numeric_limits<float>::infinity()};
 
-/// Radiance of a mesh light seen from the side that cos_front = cos(front normal, direction to the viewer)
-/// names.
-Rgb radiance_of_side(const MeshLight& light, float cos_front) {
+/// Radiance of a mesh light at the texture coordinates `uv`, seen from the side that cos_front = cos(front
+/// normal, direction to the viewer) names.
+Rgb radiance_of_side(const MeshLight& light, Vec2 uv, float cos_front) {
   const bool emits =
       light.side == EmissionSide::both || (light.side == EmissionSide::front) == (cos_front > 0);
-  return emits && cos_front != 0 ? light.radiance : Rgb{};
+  if (!emits || cos_front == 0) return {};
+  return light.picture ? light.radiance * bilinear(*light.picture, WrapMode::clamp, uv) : light.radiance;
 }
 
 struct Towards {
@@ -82,7 +84,9 @@ LightSample sample_mesh(const MeshLight& light, const Geometry& geometry, double
   const auto link = towards_point(from.position, to.position);
   if (!link) return {};
   const float cos_front = -dot(to.geometric_normal, link->direction);
-  const Rgb radiance = radiance_of_side(light, cos_front);
+  const Hit chosen{.u = choice.u, .v = choice.v, .primitive = choice.triangle, .mesh = light.shape};
+  const Vec2 uv = light.picture ? texture_coordinates(geometry, chosen) : to.uv;
+  const Rgb radiance = radiance_of_side(light, uv, cos_front);
   if (is_black(radiance)) return {};
   const float pdf = choice.density * area_to_solid_angle(area, link->distance_squared, cos_front);
   return {link->direction, radiance, pdf, connect(from, to)};
@@ -337,7 +341,7 @@ Rgb LightSet::emitted(const SurfacePoint& point, const Vec3& wo) const {
   if (light == no_light) return {};
   const float cos_front = dot(point.geometric_normal, wo);
   if (const auto* mesh = std::get_if<MeshLight>(&lights_[light].source))
-    return radiance_of_side(*mesh, cos_front);
+    return radiance_of_side(*mesh, point.uv, cos_front);
   const auto* sphere = std::get_if<SphereLight>(&lights_[light].source);
   return sphere && cos_front > 0 ? sphere->radiance : Rgb{};
 }

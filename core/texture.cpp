@@ -25,7 +25,10 @@ Rgb wrapped(const Image& image, WrapMode wrap, double x, double y) {
   return image.at(int(std::clamp(x, 0.0, w - 1)), int(std::clamp(y, 0.0, h - 1)));
 }
 
+}  // namespace
+
 Rgb bilinear(const Image& image, WrapMode wrap, Vec2 uv) {
+  if (!(std::isfinite(uv.x) && std::isfinite(uv.y))) return {};
   const double column = double(uv.x) * image.width - 0.5, row = (1 - double(uv.y)) * image.height - 0.5;
   const double left = std::floor(column), above = std::floor(row);
   const auto s = float(column - left), t = float(row - above);
@@ -34,6 +37,8 @@ Rgb bilinear(const Image& image, WrapMode wrap, Vec2 uv) {
   const Rgb lower = at(0, 1) * (1 - s) + at(1, 1) * s;
   return upper * (1 - t) + lower * t;
 }
+
+namespace {
 
 /// What is left of a draw in [0, 1) once it has chosen one of two: the second with the given probability.
 struct ChoiceOfTwo {

@@ -82,6 +82,10 @@ struct TexturePoint {
 /// Gives all pictures this filter but those that have `nearest`: whoever asks for pixels wants to see them.
 void set_filter(std::span<Texture> textures, TextureFilter filter);
 
+/// The value of a picture at a point: bilinear of the four pixels around. Black where the point is not
+/// finite.
+Rgb bilinear(const Image& image, WrapMode wrap, Vec2 uv);
+
 /// The value of a texture of a scene. The same bits on every machine.
 Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at);
 

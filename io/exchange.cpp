@@ -172,7 +172,7 @@ Json json_of(const Attenuation& attenuation) {
 Json source_json(const MeshLight& light) {
   return {{"type", "mesh"},
           {"shape", light.shape},
-          {"radiance", json_of(light.radiance)},
+          {"radiance", json_of(mean_radiance(light))},
           {"side", side_name(light.side)}};
 }
 Json source_json(const SphereLight& light) {

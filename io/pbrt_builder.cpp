@@ -108,7 +108,7 @@ bool PbrtBuilder::is_textured(std::uint32_t material) const {
 bool PbrtBuilder::needs_uvs(const Part& part) const {
   const bool is_even = part.alpha == no_texture || std::holds_alternative<ConstantTexture>(
                                                        materials_.textures.textures[part.alpha].model);
-  return !is_even || is_textured(part.material);
+  return !is_even || is_textured(part.material) || (part.light && part.light->picture);
 }
 
 std::shared_ptr<const PbrtShape> PbrtBuilder::with_uvs(const Part& part) const {
@@ -131,8 +131,8 @@ void PbrtBuilder::add_emission(const Part& part, ShapeBinding& binding) {
     shape_lights_.push_back({name, SphereLight{shape, radiance}});
   else
     shape_lights_.push_back(
-        {name,
-         MeshLight{shape, radiance, part.light->is_two_sided ? EmissionSide::both : EmissionSide::front}});
+        {name, MeshLight{shape, radiance, part.light->is_two_sided ? EmissionSide::both : EmissionSide::front,
+                         part.light->picture}});
 }
 
 std::uint32_t PbrtBuilder::black() {

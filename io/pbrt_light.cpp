@@ -11,6 +11,7 @@
 #include "io/environment_file.h"
 #include "io/pbrt_spectrum.h"
 #include "io/pbrt_transform.h"
+#include "io/texture_file.h"
 
 namespace twinray {
 namespace {
@@ -102,6 +103,22 @@ std::shared_ptr<const Image> picture_of(const PbrtParameters& parameters, PbrtCo
   }
 }
 
+/// The picture that an area light names, if it names one: an ordinary one, of colors that are not negative.
+std::shared_ptr<const Image> emission_of(const PbrtParameters& parameters, PbrtContext& context) {
+  const std::string name = parameters.text("filename", "");
+  if (name.empty()) return nullptr;
+  const PbrtPlace& place = parameters.find("filename")->place;
+  if (const PbrtParameter* color = parameters.find("L"))
+    color->place.fail("an area light has a color \"L\" or a picture \"filename\", not both");
+  const LoadedTexture loaded =
+      load_texture(context.files.is_disk() ? context.files.path(place, name) : "", PictureRole::color);
+  if (!loaded.warning.empty()) place.warn(context.warnings, loaded.warning);
+  auto picture = std::make_shared<Image>(loaded.image->level(0));
+  for (Rgb& pixel : picture->pixels)
+    pixel = {std::max(pixel.r, 0.0f), std::max(pixel.g, 0.0f), std::max(pixel.b, 0.0f)};
+  return picture;
+}
+
 /// "power" and "illuminance" of pictures are integrals over their pixels.
 void warn_of_strength(const char* name, const PbrtParameters& parameters, PbrtContext& context) {
   if (const PbrtParameter* strength = parameters.find(name))
@@ -188,7 +205,8 @@ Rgb* strength(LightSource& light) {
 }  // namespace
 
 Rgb PbrtAreaLight::radiance_of(double area) const {
-  const double unit = (is_two_sided ? 2 : 1) * pi * area;
+  const double mean = picture ? double(luminance(mean_of(*picture))) : 1;
+  const double unit = (is_two_sided ? 2 : 1) * pi * area * mean;
   return power > 0 && unit > 0 ? radiance * float(double(power) / unit) : radiance;
 }
 
@@ -200,8 +218,7 @@ PbrtAreaLight read_area_light(const std::string& type, const PbrtParameters& par
   light.radiance = scaled_color(parameters, "L", context);
   light.power = parameters.real("power", -1, any_power);
   light.is_two_sided = parameters.flag("twosided", false);
-  if (const PbrtParameter* file = parameters.find("filename"))
-    file->place.warn(context.warnings, "the picture of an area light is not rendered: it emits evenly");
+  light.picture = emission_of(parameters, context);
   parameters.warn_of_unused(context.warnings);
   return light;
 }

@@ -2,6 +2,7 @@
 // Lights of pbrt's format. "scale" is photometric there: light of a spectrum or of a black body has the
 // luminance that scale says; light of an rgb color that color times scale.
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,7 @@ struct PbrtAreaLight {
   Rgb radiance;
   float power = 0;  ///< > 0: of the whole shape; its radiance is `radiance` times what gives that power.
   bool is_two_sided = false;
+  std::shared_ptr<const Image> picture;  ///< Times the radiance; null: even.
 
   /// Of a shape of this area.
   Rgb radiance_of(double area) const;

@@ -24,8 +24,8 @@ struct Summarize {
   LightSummary operator()(const MeshLight& light) const {
     const double sides = light.side == EmissionSide::both ? 2 : 1;
     const double factor = sides * pi * mesh_area(*geometry.mesh(light.shape));
-    return {"", sides == 2 ? "mesh, both sides" : "mesh, one side", "radiance", light.radiance,
-            light.radiance * float(factor)};
+    return {"", sides == 2 ? "mesh, both sides" : "mesh, one side", "radiance", mean_radiance(light),
+            mean_radiance(light) * float(factor)};
   }
   LightSummary operator()(const SphereLight& light) const {
     const float radius = geometry.sphere_set(light.shape)->spheres[0].radius;

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/octahedron.h"
-#include "core/textured_material.h"
 #include "core/warp.h"
 
 namespace twinray {
@@ -169,30 +168,6 @@ void gather_facet(const Facet& facet, Points& points, std::size_t i) {
 
 }  // namespace
 
-void PathWave::prepare_textures() {
-  draw(Purpose::texture, {}, wave_.texture_x, wave_.texture_y);
-  for (std::size_t i = 0; i < paths_.size; ++i) {
-    const float distance = wave_.hits[i].t * length(paths_.direction.at(i));
-    paths_.cone_width[i] = RayCone{paths_.cone_width[i], paths_.cone_spread[i]}.at(distance).width;
-  }
-}
-
-SurfacePoint PathWave::surface_of(std::size_t i) const {
-  const Geometry& geometry = *context_.transport.scene.geometry;
-  const Hit& hit = wave_.hits[i];
-  SurfacePoint point = surface_at(geometry, hit);
-  if (!has_textures()) return point;
-  point.footprint = texture_footprint(geometry, hit, point, paths_.cone_width[i], paths_.direction.at(i));
-  point.texture_draw = {wave_.texture_x[i], wave_.texture_y[i]};
-  return point;
-}
-
-Rgb PathWave::textured_reflectance(const ShapeEntry& shape, std::size_t i) const {
-  const TexturePoint at = texture_point(surface_of(i));
-  return std::get<Lambert>(textured_model(*shape.textured, context_.transport.scene.textures, at))
-      .reflectance;
-}
-
 void PathWave::expand_hits() {
   const auto ahead = [&](std::size_t i) -> const Hit& { return wave_.hits[std::min(i, paths_.size - 1)]; };
   for (std::size_t i = 0; i < paths_.size; ++i) {
@@ -260,7 +235,8 @@ void PathWave::sample_light(std::uint32_t light) {
   connections_.of_light.clear(paths_.size);
   const MeshLight* mesh = context_.transport.lights.mesh(light);
   if (mesh && context_.transport.lights.triangles(light).total() == 0) return;
-  if (mesh && context_.transport.lights.has_alpha(light)) mesh = nullptr;  // Lanes do not know alpha.
+  // Lanes know neither alpha nor pictures.
+  if (mesh && (mesh->picture || context_.transport.lights.has_alpha(light))) mesh = nullptr;
   const std::uint32_t count = context_.transport.samples_of(light);
   MisRequest mis{.count = float(count)};
   if (context_.transport.method == DirectMethod::mis) mis.zone = context_.transport.lights.zone(light);
@@ -389,12 +365,6 @@ void PathWave::regularize_scattered() {
   for (std::size_t i = 0; i < paths_.size; ++i)
     if (Seeking(wave_.seeking[i]) != Seeking::alone)
       paths_.materials[i] = std::uint32_t(Materials::regularized);
-}
-
-void PathWave::widen_cones() {
-  for (std::size_t i = 0; i < paths_.size; ++i)
-    if (Seeking(wave_.seeking[i]) != Seeking::alone)
-      paths_.cone_spread[i] = RayCone{0, paths_.cone_spread[i]}.scattered(wave_.pdf[i]).spread;
 }
 
 }  // namespace twinray

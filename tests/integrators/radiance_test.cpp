@@ -203,6 +203,63 @@ TEST_CASE("a square light lights a floor by its form factor, from its emitting s
   }
 }
 
+namespace {
+
+/// A lamp in the plane y = 3 over [x0, x1] x [-2, 2], whose texture coordinates run from (0, 0) to (1, 1).
+Mesh lamp_over(float x0, float x1) {
+  Mesh lamp;
+  lamp.positions = {{x0, 3, -2}, {x1, 3, -2}, {x1, 3, 2}, {x0, 3, 2}};
+  lamp.triangles = lamp.uv_indices = {{0, 1, 2}, {0, 2, 3}};
+  lamp.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  return lamp;
+}
+
+/// So many pixels that what is mixed between the halves is little.
+std::shared_ptr<const Image> two_halves(const Rgb& left, const Rgb& right) {
+  auto image = std::make_shared<Image>(2048, 1);
+  for (int x = 0; x < 2048; ++x) image->at(x, 0) = x < 1024 ? left : right;
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("a lamp with a picture of two halves is two lamps, by every way of finding direct light") {
+  for (const DirectMethod method : all_methods)
+    for (const EmissionSide side : {EmissionSide::front, EmissionSide::back, EmissionSide::both}) {
+      const RenderOptions render = small_picture(method == DirectMethod::hemisphere ? 40000 : 20000);
+      Scene one = floor_scene(), two = floor_scene();
+      add_lamp(one, lamp_over(-0.5f, 3.5f), {5, 5, 5}, side);
+      std::get<MeshLight>(one.lights[0].source).picture = two_halves({}, {1, 0.8f, 0.6f});
+      add_lamp(two, lamp_over(1.5f, 3.5f), {5, 4, 3}, side);
+      add_lamp(two, lamp_over(-0.5f, 1.5f), {}, side);
+      const Estimate pictured = estimate(one, {.max_depth = 1, .direct = method}, render);
+      const Estimate halves = estimate(two, {.max_depth = 1, .direct = method}, render);
+      if (side == EmissionSide::back)
+        CHECK(pictured.mean == 0);
+      else
+        check_same_mean(pictured, halves, 0.05);
+    }
+}
+
+TEST_CASE("the picture of a lamp is seen, from the sides that emit") {
+  Scene scene = floor_scene();
+  add_lamp(scene, lamp_over(-2, 2), {5, 5, 5}, EmissionSide::front);
+  auto image = std::make_shared<Image>(2, 2);
+  image->pixels = {{0.1f, 0.1f, 0.1f}, {0.2f, 0.2f, 0.2f}, {0.3f, 0.3f, 0.3f}, {0.4f, 0.4f, 0.4f}};
+  std::get<MeshLight>(scene.lights[0].source).picture = image;
+  const auto seen = [&](float x, float z) {
+    scene.camera = camera_at({x, 1, z}, {x, 3, z});
+    scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-5f;
+    return estimate(scene, {.max_depth = 0}, small_picture(1)).mean;
+  };
+  // v runs upwards: the lower row of the picture is at z = -1.
+  CHECK(seen(-1, -1) == Approx(5 * 0.3).epsilon(1e-4));
+  CHECK(seen(1, -1) == Approx(5 * 0.4).epsilon(1e-4));
+  CHECK(seen(1, 1) == Approx(5 * 0.2).epsilon(1e-4));
+  std::get<MeshLight>(scene.lights[0].source).side = EmissionSide::back;
+  CHECK(seen(1, 1) == 0);
+}
+
 TEST_CASE("a square light close to a floor lights it by its form factor, by mis with a third of the noise") {
   Scene scene = floor_scene();
   scene.camera = camera_at({0, 0.2f, 0}, {0, 0, 0.01f});

@@ -154,7 +154,7 @@ Scene scene_of_many_lights() {
   return scene;
 }
 
-/// The same, every input of every material by a texture.
+/// The same, every input of every material by a texture, and meshes that emit by a picture.
 Scene textured(Scene scene, TextureFilter filter) {
   const ImageTexture image{
       std::make_shared<const MipMap>(*random_square()), WrapMode::repeat, filter, {{{7, 1, 0}, {0, 5, 0}}}};
@@ -166,6 +166,8 @@ Scene textured(Scene scene, TextureFilter filter) {
                                       MaterialInput::roughness, MaterialInput::amount})
       if (has_input(material.model, input))
         material.textures.push_back({input, std::uint32_t(input) % 2 + 1});
+  for (Light& light : scene.lights)
+    if (auto* const mesh = std::get_if<MeshLight>(&light.source)) mesh->picture = random_square();
   check_scene(scene);
   return scene;
 }

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/pbrt_light.h"
 
+#include <fstream>
+
+#include "io/image_file.h"
+#include "io/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/pbrt_text.h"
+#include "tests/support/temporary_folder.h"
 
 namespace twinray {
 namespace {
@@ -40,6 +45,35 @@ TEST_CASE("an area light of a power has it, over the area and both sides") {
         Approx(100 / pi));
   CHECK(light_of<SphereLight>(light + "Shape \"sphere\" \"float radius\" 2").radiance.g ==
         Approx(100 / (pi * 16 * pi)));
+}
+
+TEST_CASE("an area light's picture is times its scale, and has its power over the mean") {
+  const test::TemporaryFolder folder;
+  Image image(2, 1);
+  image.pixels = {{0.5f, 1, 0.25f}, {0, -3, 0}};
+  write_exr(folder.file("glow.exr"), image);
+  const auto load = [&](const std::string& more, const std::string& shape) {
+    std::ofstream(folder.file("a.pbrt")) << "WorldBegin AreaLightSource \"diffuse\" \"string filename\" "
+                                            "\"glow.exr\" "
+                                         << more << "\n" + shape;
+    return load_scene(folder.file("a.pbrt"), {});
+  };
+  const auto light = [&](const std::string& more, const std::string& shape) {
+    const LoadedScene loaded = load(more, shape);
+    REQUIRE(loaded.warnings.empty());
+    return std::get<MeshLight>(loaded.scene.lights.at(0).source);
+  };
+  const MeshLight plain = light("\"float scale\" 3", pbrt_triangle);
+  CHECK(plain.radiance == Rgb{3, 3, 3});
+  CHECK(plain.picture->pixels == std::vector<Rgb>{{0.5f, 1, 0.25f}, {}});
+  const double mean = double(luminance(Rgb{0.25f, 0.5f, 0.125f}));
+  CHECK(light("\"float power\" 100 \"bool twosided\" true", pbrt_triangle).radiance.g ==
+        Approx(100 / (pi * mean)));
+  // A sphere emits by its texture coordinates: it is a mesh that has them. So has a mesh without.
+  CHECK(light("", "Shape \"sphere\"").side == EmissionSide::front);
+  CHECK(load("", pbrt_triangle).scene.geometry->mesh(0)->uvs.size() == 3);
+  CHECK_THROWS_WITH(load("\"rgb L\" [ 1 1 1 ]", pbrt_triangle),
+                    Catch::Contains("an area light has a color \"L\" or a picture \"filename\", not both"));
 }
 
 TEST_CASE("an area light ends with the state that it stands in") {

@@ -6,6 +6,7 @@ BEHIND_A_WIDE_LOBE = ("behind a surface that scatters widely a texture is seen a
                       "however narrow the ray")
 STOCHASTIC_MEAN = ("stochastic filtering has one pixel for each draw, "
                    "and trilinear filtering's value for its mean")
+TWO_HALVES = "a lamp with a picture of two halves is two lamps, by every way of finding direct light"
 
 MUTANTS = [
     Mutant("a sphere lamp emits inwards too", "core/light_set.cpp",
@@ -245,7 +246,7 @@ MUTANTS = [
     Mutant("the cones of a wave are not compacted with its paths", "integrators/wave/path_ends.cpp",
            "      compact_column(paths_.cone_width);\n", "", "test_integrators",
            "waves of paths have the bits and the rays of paths one after the other"),
-    Mutant("a wave's textures have the draws of another vertex", "integrators/wave/path_wave.cpp",
+    Mutant("a wave's textures have the draws of another purpose", "integrators/wave/textured_surfaces.cpp",
            "draw(Purpose::texture, {}, wave_.texture_x, wave_.texture_y);",
            "draw(Purpose::direction, {}, wave_.texture_x, wave_.texture_y);", "test_integrators",
            "waves of paths have the bits and the rays of paths one after the other"),
@@ -281,4 +282,20 @@ MUTANTS = [
            "gloss_.transmittance(wo.z) * gloss_.transmittance(wi.z)", "gloss_.transmittance(wo.z)",
            "test_core",
            "at the ends of its weights a principled surface is one of the simple models"),
+    Mutant("samples of a lamp do not see its picture", "core/light_set.cpp",
+           "  const Rgb radiance = radiance_of_side(light, uv, cos_front);",
+           "  const Rgb radiance = cos_front != 0 ? light.radiance : Rgb{};", "test_integrators", TWO_HALVES),
+    Mutant("samples of a lamp see its picture at the weights of a triangle", "core/light_set.cpp",
+           "light.picture ? texture_coordinates(", "false ? texture_coordinates(",
+           "test_integrators", TWO_HALVES),
+    Mutant("rays that hit a lamp do not see its picture", "core/light_set.cpp",
+           "return radiance_of_side(*mesh, point.uv, cos_front);",
+           "return cos_front > 0 ? mesh->radiance : Rgb{};", "test_integrators",
+           "the picture of a lamp is seen, from the sides that emit"),
+    Mutant("a wave samples a lamp with a picture in lanes", "integrators/wave/path_wave.cpp",
+           "if (mesh && (mesh->picture || ", "if (mesh && (", "test_integrators",
+           "waves of paths have the bits and the rays of paths one after the other"),
+    Mutant("the power of a lamp's picture is not by its mean", "io/pbrt_light.cpp",
+           "(is_two_sided ? 2 : 1) * pi * area * mean;", "(is_two_sided ? 2 : 1) * pi * area;", "test_io",
+           "an area light's picture is times its scale, and has its power over the mean"),
 ]
