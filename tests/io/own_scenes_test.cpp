@@ -130,4 +130,19 @@ TEST_CASE("materials.pbrt shows ten balls of ten models before a texture, under 
   CHECK(loaded.scene.lights.size() == 2);
 }
 
+TEST_CASE("layers.pbrt shows seven surfaces of OpenPBR, and smoke, tea and amber that absorb light") {
+  const LoadedScene loaded = load("layers.pbrt");
+  CHECK(loaded.warnings.empty());
+  int principled = 0, absorbing = 0, nested = 0;
+  for (const ShapeBinding& binding : loaded.scene.bindings) {
+    const Material& material = loaded.scene.materials[binding.material];
+    principled += std::holds_alternative<Principled>(material.model);
+    absorbing += !is_black(material.interior.absorption);
+    nested += material.interior.priority > 0;
+  }
+  CHECK(principled == 7);
+  CHECK(absorbing == 5);  // The green glass as well; tea has a surface of two shapes.
+  CHECK(nested == 4);
+}
+
 }  // namespace twinray
