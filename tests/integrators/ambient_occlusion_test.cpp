@@ -5,6 +5,7 @@
 
 #include "core/warp.h"
 #include "tests/support/catch.h"
+#include "tests/support/engines.h"
 #include "tests/support/estimate.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shapes.h"
@@ -75,14 +76,7 @@ TEST_CASE("from within a closed box there is no sky, unless the walls are beyond
 
 TEST_CASE("ambient occlusion has the same bits on every engine and number of threads") {
   const Scene scene = small_room();
-  const AmbientOcclusionIntegrator integrator(scene, 0.7f);
-  RenderOptions options{.width = 24, .height = 18, .samples = 4, .threads = 1};
-  const Film expected = render_with(scene, integrator, options, Backend::brute_force).film;
-  for (const Backend backend : available_backends()) {
-    if (backend == Backend::embree_native) continue;
-    options.threads = 3;
-    CHECK(same_bits(render_with(scene, integrator, options, backend).film, expected));
-  }
+  check_engines(scene, AmbientOcclusionIntegrator(scene, 0.7f));
 }
 
 }  // namespace twinray::test

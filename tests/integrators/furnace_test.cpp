@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/support/catch.h"
+#include "tests/support/engines.h"
 #include "tests/support/estimate.h"
 #include "tests/support/scenes.h"
 
@@ -97,14 +98,7 @@ TEST_CASE("the sky of a furnace is white where there is nothing") {
 
 TEST_CASE("a furnace has the same bits on every engine and number of threads") {
   const Scene scene = small_room();
-  const FurnaceIntegrator integrator(scene, 5);
-  RenderOptions options{.width = 24, .height = 18, .samples = 4, .threads = 1};
-  const Film expected = render_with(scene, integrator, options, Backend::brute_force).film;
-  for (const Backend backend : available_backends()) {
-    if (backend == Backend::embree_native) continue;
-    options.threads = 3;
-    CHECK(same_bits(render_with(scene, integrator, options, backend).film, expected));
-  }
+  check_engines(scene, FurnaceIntegrator(scene, 5));
 }
 
 }  // namespace twinray::test

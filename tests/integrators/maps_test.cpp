@@ -7,6 +7,7 @@
 #include "integrators/interaction.h"
 #include "integrators/path_reference.h"
 #include "tests/support/catch.h"
+#include "tests/support/engines.h"
 #include "tests/support/estimate.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shapes.h"
@@ -299,22 +300,7 @@ TEST_CASE("facets of unequal widths have their directions from the texture coord
 }
 
 TEST_CASE("waves have the reference's bits where surfaces have maps, on every engine") {
-  const Scene scene = scene_of_maps();
-  const RenderOptions picture{.width = 24, .height = 18, .samples = 16, .threads = 1};
-  for (const PathOptions& path : {PathOptions{},
-                                  {.max_depth = 3, .direct = DirectMethod::lights, .samples_per_light = 3},
-                                  {.max_depth = 2, .direct = DirectMethod::hemisphere}}) {
-    const RenderResult expected = render_with(scene, PathReference(scene, path), picture);
-    for (const Backend backend : available_backends()) {
-      if (backend == Backend::embree_native) continue;
-      for (const std::string& simd : available_instruction_sets()) {
-        CAPTURE(backend_name(backend), simd, path.max_depth);
-        const RenderResult found = render_with(scene, PathIntegrator(scene, path, simd), picture, backend);
-        CHECK(same_bits(found.film, expected.film));
-        CHECK(found.rays.total() == expected.rays.total());
-      }
-    }
-  }
+  check_waves(scene_of_maps());
 }
 
 }  // namespace twinray::test

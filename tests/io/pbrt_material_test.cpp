@@ -13,6 +13,7 @@ namespace {
 
 using test::load_pbrt_text;
 using test::load_pbrt_world;
+using test::pbrt_error;
 
 template <typename Model>
 Model model_of(const std::string& material) {
@@ -25,15 +26,6 @@ Model model_of(const std::string& material) {
 std::string warning_of(const std::string& statements) {
   const LoadedScene loaded = load_pbrt_world(statements);
   return loaded.warnings.empty() ? "" : loaded.warnings[0].message;
-}
-
-std::string error_of(const std::string& statements) {
-  try {
-    load_pbrt_world(statements);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace
@@ -69,7 +61,7 @@ TEST_CASE("a surface of OpenPBR has its parameters by name, and its defaults") {
   CHECK(m.fuzz_color == Rgb{0.3f, 0.2f, 0.1f});
   CHECK(m.specular_roughness_anisotropy == 0.125f);
   CHECK(m.geometry_thin_walled);
-  CHECK(error_of("Material \"openpbr\" \"float coat_weight\" 1.5")
+  CHECK(pbrt_error("Material \"openpbr\" \"float coat_weight\" 1.5")
             .find("\"coat_weight\" is 1.5; it lies in [0, 1]") != std::string::npos);
   CHECK(warning_of("Material \"openpbr\" \"float coat_wieght\" 1").find("\"coat_weight\" is") !=
         std::string::npos);
@@ -114,7 +106,7 @@ TEST_CASE("a metal of a reflectance has it where light falls straight on it") {
   CHECK(reflected(metal.k.r) == Approx(0.9));
   CHECK(reflected(metal.k.g) == Approx(0.5));
   CHECK(metal.k.b == 0);
-  CHECK(error_of("Material \"conductor\" \"rgb reflectance\" [ 1 1 1 ] \"rgb eta\" [ 1 1 1 ]")
+  CHECK(pbrt_error("Material \"conductor\" \"rgb reflectance\" [ 1 1 1 ] \"rgb eta\" [ 1 1 1 ]")
             .find("a metal has \"reflectance\" or \"eta\" and \"k\", not both") != std::string::npos);
 }
 
@@ -142,9 +134,9 @@ TEST_CASE("named materials may be used before they are made, and a mix is of tho
   CHECK(scene.materials[mix.first].name == "a");
   CHECK(scene.materials[mix.second].name == "late");
   CHECK(mix.amount == 0.3f);
-  CHECK(error_of("NamedMaterial \"gless\" MakeNamedMaterial \"glass\" \"string type\" \"dielectric\"")
+  CHECK(pbrt_error("NamedMaterial \"gless\" MakeNamedMaterial \"glass\" \"string type\" \"dielectric\"")
             .find("no MakeNamedMaterial makes \"gless\"; \"glass\" is the nearest one") != std::string::npos);
-  CHECK(error_of("MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" [ \"m\" \"m\" ]")
+  CHECK(pbrt_error("MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" [ \"m\" \"m\" ]")
             .find("a mix is of materials that are made before it; \"m\" is not") != std::string::npos);
 }
 
@@ -156,9 +148,9 @@ TEST_CASE("what is not rendered is named, with what stands for it") {
         "a measured material is not rendered; a diffuse surface of 0.5 stands for it");
   CHECK(warning_of("Shape \"curve\" \"point3 P\" [ 0 0 0 1 1 1 2 2 2 3 3 3 ]") ==
         "curves are not rendered; this one is left out");
-  CHECK(error_of("Material \"plastic\"").find("there is no material \"plastic\"; valid are diffuse") !=
+  CHECK(pbrt_error("Material \"plastic\"").find("there is no material \"plastic\"; valid are diffuse") !=
         std::string::npos);
-  CHECK(error_of("Material \"diffuse\" \"rgb reflectance\" [ 1 1.5 1 ]")
+  CHECK(pbrt_error("Material \"diffuse\" \"rgb reflectance\" [ 1 1.5 1 ]")
             .find("\"reflectance\" is 1 1.5 1; each must lie in [0, 1]") != std::string::npos);
 }
 

@@ -8,6 +8,7 @@ namespace twinray {
 namespace {
 
 using test::load_pbrt_world;
+using test::pbrt_error;
 
 const std::string ball = "Shape \"sphere\" ";
 const std::string tea =
@@ -22,15 +23,6 @@ std::vector<std::string> warnings_of(const std::string& statements) {
   std::vector<std::string> messages;
   for (const Diagnostic& warning : load_pbrt_world(statements).warnings) messages.push_back(warning.message);
   return messages;
-}
-
-std::string error_of(const std::string& statements) {
-  try {
-    load_pbrt_world(statements);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace
@@ -71,7 +63,7 @@ TEST_CASE("nested bodies have priorities") {
   CHECK(material_of(loaded, 0).interior == Interior{{1, 2, 4}, 3});
   CHECK(material_of(loaded, 1).interior == Interior{});
   REQUIRE(loaded.warnings.size() == 1);  // A diffuse surface has none.
-  CHECK(error_of("Material \"dielectric\" \"integer priority\" -1").find("priority") != std::string::npos);
+  CHECK(pbrt_error("Material \"dielectric\" \"integer priority\" -1").find("priority") != std::string::npos);
 }
 
 TEST_CASE("what of media is not rendered is said, and what is none is an error") {
@@ -82,14 +74,15 @@ TEST_CASE("what of media is not rendered is said, and what is none is an error")
         std::vector<std::string>{"a medium of the kind \"cloud\" is not rendered: it is clear"});
   CHECK(warnings_of(begin + "\"homogeneous\" \"string preset\" \"Skin1\"") ==
         std::vector<std::string>{"measured media are not known here: this one is taken as clear"});
-  CHECK(error_of(begin + "\"fog\"").find("there is no medium \"fog\"; valid are homogeneous") !=
+  CHECK(pbrt_error(begin + "\"fog\"").find("there is no medium \"fog\"; valid are homogeneous") !=
         std::string::npos);
-  CHECK(error_of("MakeNamedMedium \"m\"").find("\"string type\"") != std::string::npos);
-  CHECK(error_of(tea + tea).find("the medium \"tea\" is made a second time") != std::string::npos);
-  CHECK(error_of(tea + "MediumInterface \"tee\" \"\"").find("\"tea\" is the nearest one") !=
+  CHECK(pbrt_error("MakeNamedMedium \"m\"").find("\"string type\"") != std::string::npos);
+  CHECK(pbrt_error(tea + tea).find("the medium \"tea\" is made a second time") != std::string::npos);
+  CHECK(pbrt_error(tea + "MediumInterface \"tee\" \"\"").find("\"tea\" is the nearest one") !=
         std::string::npos);
-  CHECK(error_of(tea + "MediumInterface \"\" \"te\"").find("makes \"te\"") != std::string::npos);
-  CHECK(error_of(begin + "\"homogeneous\" \"rgb sigma_a\" [ 1 -1 1 ]").find("sigma_a") != std::string::npos);
+  CHECK(pbrt_error(tea + "MediumInterface \"\" \"te\"").find("makes \"te\"") != std::string::npos);
+  CHECK(pbrt_error(begin + "\"homogeneous\" \"rgb sigma_a\" [ 1 -1 1 ]").find("sigma_a") !=
+        std::string::npos);
 }
 
 }  // namespace twinray

@@ -26,6 +26,16 @@ inline LoadedScene load_pbrt_world(const std::string& statements, const PbrtText
   return load_pbrt_text("WorldBegin\n" + statements, {}, files);
 }
 
+/// What reading them fails with; empty where it does not.
+inline std::string pbrt_error(const std::string& statements) {
+  try {
+    load_pbrt_world(statements);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
 /// A triangle in the plane z = 0 whose normal is +z.
 inline const std::string pbrt_triangle = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ]\n";
 
