@@ -74,7 +74,11 @@ Rgb TintedFresnel::operator()(float cosine) const {
   return {std::clamp(value.r, 0.0f, 1.0f), std::clamp(value.g, 0.0f, 1.0f), std::clamp(value.b, 0.0f, 1.0f)};
 }
 
-Rgb TintedFresnel::average() const { return normal_ + (white - normal_) / 21 - dip_ / 126; }
+Rgb TintedFresnel::average() const {
+  // Of the curve before it is cut off at 0, where a dark metal's tint takes more than there is.
+  const Rgb mean = normal_ + (white - normal_) / 21 - dip_ / 126;
+  return {std::max(0.0f, mean.r), std::max(0.0f, mean.g), std::max(0.0f, mean.b)};
+}
 
 PrincipledLobe::PrincipledLobe(const Principled& m, bool is_inside)
     : metal_(m.base_metalness),

@@ -174,6 +174,7 @@ TEST_CASE("a principled metal has its colour along the normal and its tint near 
     sum += 2 * cosine * fresnel(cosine).b / 1000;
   }
   CHECK(fresnel.average().b == Approx(sum).epsilon(1e-3));
+  CHECK(TintedFresnel({}, {}).average() == Rgb{});
 }
 
 TEST_CASE("weights of a principled surface do what they say") {
