@@ -15,10 +15,10 @@ void PathWave::find_others() {
     const Hit& hit = wave_.hits[i];
     if (context_.shapes[hit.mesh].is_lambert) continue;
     const Viewing viewing{Materials(paths_.materials[i]), paths_.interiors_at(i)};
-    const Interaction at(context_.bsdfs, surface_of(i), -normalize(paths_.direction.at(i)), viewing);
-    wave_.others.push_back({std::uint32_t(i), at, {}});
-    surfaces_.reflectance.set(i, at.bsdf().albedo());
-    surfaces_.shading.set(i, at.normal());
+    const OtherSurface& other = wave_.others.emplace_back(i, context_.bsdfs, surface_of(i),
+                                                          -normalize(paths_.direction.at(i)), viewing);
+    surfaces_.reflectance.set(i, other.at.bsdf().albedo());
+    surfaces_.shading.set(i, other.at.normal());
   }
 }
 

@@ -84,9 +84,14 @@ struct Surfaces {
 
 /// A surface that is not Lambert's: what it scatters is worked out alone, by the functions of PathReference.
 struct OtherSurface {
-  std::uint32_t index = 0;  ///< Among the surfaces.
+  std::uint32_t index;  ///< Among the surfaces.
   Interaction at;
-  Rgb throughput;  ///< Of the path that has come there.
+  Rgb throughput = {};  ///< Of the path that has come there.
+
+  /// Makes the interaction, which is large, where it stays.
+  OtherSurface(std::size_t i, const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo,
+               const Viewing& viewing)
+      : index(std::uint32_t(i)), at(bsdfs, point, wo, viewing) {}
 };
 
 /// Light that may arrive at each surface: a LightSample each, its shadow ray in parts.
