@@ -20,7 +20,6 @@ enum class IntegratorKind { path, path_reference, direct, ambient_occlusion, fur
 /// As --integrator takes it: "path", "path-reference", ...
 std::string integrator_name(IntegratorKind kind);
 
-
 /// Whether it makes samples of paths, which can be replayed.
 inline bool traces_paths(IntegratorKind kind) {
   return kind == IntegratorKind::path || kind == IntegratorKind::path_reference ||

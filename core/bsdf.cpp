@@ -4,10 +4,6 @@
 namespace twinray {
 namespace {
 
-/// Below this alpha, as in pbrt, what facets scatter is too narrow for float, and looks like a smooth
-/// surface.
-constexpr float least_alpha = 1e-3f;
-
 bool is_smooth(const Roughness& r) { return std::max(r.x, r.y) < least_alpha; }
 
 /// Of a surface that is rough along one axis at least.

@@ -14,6 +14,10 @@
 
 namespace twinray {
 
+/// Below this alpha, as in pbrt, what facets scatter is too narrow for float, and looks like a smooth
+/// surface.
+inline constexpr float least_alpha = 1e-3f;
+
 /// Facets distributed as on an ellipsoid: GGX (Walter et al. 2007), which is Trowbridge and Reitz's (1975);
 /// Smith's masking. Alphas along x and y, > 0; 1 is very rough.
 class Ggx {

@@ -54,6 +54,8 @@ struct IsAnisotropic {
     bool found = false;
     if constexpr (requires { model.roughness; }) found = found || differ(model.roughness);
     if constexpr (requires { model.coat_roughness; }) found = found || differ(model.coat_roughness);
+    if constexpr (requires { model.specular_roughness_anisotropy; })
+      found = found || model.specular_roughness_anisotropy > 0;
     return found;
   }
 };

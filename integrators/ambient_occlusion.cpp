@@ -12,9 +12,12 @@ Rgb AmbientOcclusionIntegrator::radiance_of(const CameraSample& sample, SamplerK
   const Hit hit = tracer.camera_hit(sample.ray);
   if (hit.is_miss()) return {};
   tracer.arrive();
-  const Interaction at(bsdfs_, surface_at(*scene_.geometry, hit), -normalize(sample.ray.direction));
+  const VertexSampler sampler(kind, PathKey(sample.key), 1);
+  SurfacePoint point = surface_at(*bsdfs_.scene().geometry, hit);
+  point.texture_draw = sampler.draw_2d(Purpose::texture);
+  const Interaction at(bsdfs_, point, -normalize(sample.ray.direction));
   // The density cos / pi cancels the cosine and its integral: each direction counts 1 or 0.
-  const Vec2 u = VertexSampler(kind, PathKey(sample.key), 1).draw_2d(Purpose::direction);
+  const Vec2 u = sampler.draw_2d(Purpose::direction);
   const Vec3 towards_sky = at.to_world(square_to_cosine_hemisphere(u));
   if (!at.is_consistent(towards_sky)) return {};
   Ray shadow_ray = spawn_ray(at.point(), towards_sky);

@@ -16,12 +16,11 @@ class AmbientOcclusionIntegrator final : public PlainIntegrator {
   /// The scene must outlive the integrator. Distance in scene units, > 0.
   explicit AmbientOcclusionIntegrator(const Scene& scene,
                                       float distance = std::numeric_limits<float>::infinity())
-      : scene_(scene), bsdfs_(scene), distance_(distance) {}
+      : bsdfs_(scene), distance_(distance) {}
 
  private:
   Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer) const override;
 
-  const Scene& scene_;
   BsdfTable bsdfs_;
   float distance_;
 };

@@ -15,8 +15,10 @@ Rgb FurnaceIntegrator::radiance_of(const CameraSample& sample, SamplerKind kind,
   for (int depth = 0; !hit.is_miss(); ++depth) {
     if (depth == max_depth_) return {};
     tracer.arrive();
-    const Interaction at(bsdfs_, surface_at(*scene_.geometry, hit), -normalize(ray.direction), viewing);
     const VertexSampler sampler(kind, path_key, std::uint32_t(depth) + 1);
+    SurfacePoint point = surface_at(*bsdfs_.scene().geometry, hit);
+    point.texture_draw = sampler.draw_2d(Purpose::texture);
+    const Interaction at(bsdfs_, point, -normalize(ray.direction), viewing);
     const float lobe = sampler.draw_1d(Purpose::lobe);
     const Vec2 u = sampler.draw_2d(Purpose::direction);
     const auto next = scatter(at, throughput, lobe, u);
@@ -24,7 +26,7 @@ Rgb FurnaceIntegrator::radiance_of(const CameraSample& sample, SamplerKind kind,
     viewing.interiors = next->interiors;
     ray = spawn_ray(at.point(), next->direction);
     hit = tracer.bounce_hit(ray);
-    throughput = next->throughput * transmittance(scene_.materials, viewing.interiors, hit.t);
+    throughput = next->throughput * transmittance(bsdfs_.scene().materials, viewing.interiors, hit.t);
   }
   return throughput;
 }

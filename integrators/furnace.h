@@ -16,13 +16,11 @@ namespace twinray {
 class FurnaceIntegrator final : public PlainIntegrator {
  public:
   /// The scene must outlive the integrator.
-  FurnaceIntegrator(const Scene& scene, int max_depth)
-      : scene_(scene), bsdfs_(scene), max_depth_(max_depth) {}
+  FurnaceIntegrator(const Scene& scene, int max_depth) : bsdfs_(scene), max_depth_(max_depth) {}
 
  private:
   Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer) const override;
 
-  const Scene& scene_;
   BsdfTable bsdfs_;
   int max_depth_;
 };

@@ -6,9 +6,6 @@
 namespace twinray {
 namespace {
 
-/// The normal, or its opposite, on the side of another vector.
-Vec3 facing(const Vec3& normal, const Vec3& side) { return dot(normal, side) < 0 ? -normal : normal; }
-
 Side side_of(const SurfacePoint& point, const Vec3& wo) {
   const bool is_before = dot(point.geometric_normal, wo) > 0;
   const bool points_outside = dot(point.geometric_normal, point.shading_normal) >= 0;

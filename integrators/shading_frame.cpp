@@ -7,9 +7,6 @@
 namespace twinray {
 namespace {
 
-/// The normal, or its opposite, on the side of another vector.
-Vec3 facing(const Vec3& normal, const Vec3& side) { return dot(normal, side) < 0 ? -normal : normal; }
-
 /// A shading normal on the viewer's side; the geometric one where the viewer lies behind it.
 Vec3 usable(const Vec3& normal, const Vec3& wo, const Vec3& facing_normal) {
   const Vec3 shading = facing(normal, facing_normal);

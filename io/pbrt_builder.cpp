@@ -124,15 +124,17 @@ void PbrtBuilder::add_emission(const Part& part, ShapeBinding& binding) {
   const Rgb radiance =
       bounded(part.light->radiance_of(area_of(shapes_.back())), part.place, context_.warnings);
   if (is_black(radiance)) return;
-  const std::uint32_t shape = std::uint32_t(shapes_.size() - 1);
-  binding.light = std::uint32_t(shape_lights_.size());
-  const std::string name = fmt::format("area light, line {}", part.place.line);
-  if (std::holds_alternative<SphereSet>(shapes_.back()))
-    shape_lights_.push_back({name, SphereLight{shape, radiance}});
+  const EmissionSide side = part.light->is_two_sided ? EmissionSide::both : EmissionSide::front;
+  binding.light = add_shape_light(fmt::format("area light, line {}", part.place.line),
+                                  {std::uint32_t(shapes_.size() - 1), radiance, side, part.light->picture});
+}
+
+std::uint32_t PbrtBuilder::add_shape_light(const std::string& name, const MeshLight& light) {
+  if (std::holds_alternative<SphereSet>(shapes_[light.shape]))
+    shape_lights_.push_back({name, SphereLight{light.shape, light.radiance}});
   else
-    shape_lights_.push_back(
-        {name, MeshLight{shape, radiance, part.light->is_two_sided ? EmissionSide::both : EmissionSide::front,
-                         part.light->picture}});
+    shape_lights_.push_back({name, light});
+  return std::uint32_t(shape_lights_.size() - 1);
 }
 
 std::uint32_t PbrtBuilder::black() {
@@ -165,11 +167,7 @@ void PbrtBuilder::add_glow() {
     const float brightness = luminance(model->emission_color);
     if (model->emission_luminance == 0 || brightness == 0) continue;
     const Rgb radiance = model->emission_color * (model->emission_luminance / brightness);
-    binding.light = std::uint32_t(shape_lights_.size());
-    if (std::holds_alternative<SphereSet>(shapes_[shape]))
-      shape_lights_.push_back({material.name, SphereLight{shape, radiance}});
-    else
-      shape_lights_.push_back({material.name, MeshLight{shape, radiance, EmissionSide::both}});
+    binding.light = add_shape_light(material.name, {shape, radiance, EmissionSide::both});
   }
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/elementary.h"
+#include "core/radiance.h"
 #include "io/pbrt_spectrum.h"
 
 namespace twinray {
@@ -194,7 +195,8 @@ constexpr PrincipledWeight principled_weights[] = {
     {"coat_darkening", &Principled::coat_darkening},
     {"fuzz_weight", &Principled::fuzz_weight},
     {"fuzz_roughness", &Principled::fuzz_roughness},
-    {"emission_luminance", &Principled::emission_luminance, 1e9f}};
+    // Blue light of this luminance is as bright as a picture can hold.
+    {"emission_luminance", &Principled::emission_luminance, 0.0722f * max_radiance}};
 
 struct PrincipledColor {
   const char* name;

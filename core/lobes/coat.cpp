@@ -24,6 +24,12 @@ float Coat::reflectance(float cosine) const {
   return is_smooth_ ? fresnel_dielectric(cosine, ior_) : ggx_dielectric_reflectance(cosine, alpha_, ior_);
 }
 
+Rgb Coat::diffuse_below(const Rgb& reflectance) const {
+  const float back = average_reflectance_below(), spread = ior_ * ior_;
+  const auto channel = [&](float r) { return r / ((1 - r * back) * spread); };
+  return {channel(reflectance.r), channel(reflectance.g), channel(reflectance.b)};
+}
+
 float Coat::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (is_smooth_) return 0;
   const float cosine = std::min(1.0f, dot(wo, normalize(wo + wi)));

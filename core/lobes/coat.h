@@ -26,6 +26,10 @@ class Coat {
   /// The part of light from all directions below that is reflected back down, most of it totally.
   float average_reflectance_below() const { return 1 - (1 - average_reflectance_) / (ior_ * ior_); }
 
+  /// The f of a diffuse base of this reflectance, times pi, with all reflections between it and the coat, but
+  /// for what the coat lets through of both directions.
+  Rgb diffuse_below(const Rgb& reflectance) const;
+
   /// f(wo, wi) of what a rough coat reflects; 0 for a smooth one, which reflects to a delta direction.
   float evaluate(const Vec3& wo, const Vec3& wi) const;
   /// The density, per solid angle, of the directions of a rough coat's facets; 0 for a smooth one.

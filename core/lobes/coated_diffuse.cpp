@@ -5,11 +5,8 @@
 
 namespace twinray {
 
-CoatedDiffuseLobe::CoatedDiffuseLobe(const Coat& coat, const Rgb& reflectance) : coat_(coat) {
-  const float back = coat.average_reflectance_below(), spread = coat.ior() * coat.ior();
-  const auto channel = [&](float r) { return r / ((1 - r * back) * spread); };
-  base_ = {channel(reflectance.r), channel(reflectance.g), channel(reflectance.b)};
-}
+CoatedDiffuseLobe::CoatedDiffuseLobe(const Coat& coat, const Rgb& reflectance)
+    : coat_(coat), base_(coat.diffuse_below(reflectance)) {}
 
 Rgb CoatedDiffuseLobe::albedo() const {
   const float reflected = coat_.average_reflectance(), through = 1 - reflected;

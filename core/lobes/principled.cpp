@@ -11,7 +11,6 @@ namespace twinray {
 namespace {
 
 constexpr Rgb white{1, 1, 1};
-constexpr float least_alpha = 1e-3f;
 
 float mix(float a, float b, float part) { return a + (b - a) * part; }
 Rgb mix(const Rgb& a, const Rgb& b, float part) { return a + (b - a) * part; }
@@ -52,13 +51,6 @@ std::variant<RoughDielectricLobe, ThinDielectricLobe> boundary_of(const Principl
   return RoughDielectricLobe(facets, is_inside ? 1 / ior : ior, m.specular_color, tint);
 }
 
-/// What a diffuse base of this reflectance sends up below a layer, as CoatedDiffuseLobe has it.
-Rgb below(const Coat& layer, const Rgb& reflectance) {
-  const float back = layer.average_reflectance_below(), spread = layer.ior() * layer.ior();
-  const auto channel = [&](float r) { return r / ((1 - r * back) * spread); };
-  return {channel(reflectance.r), channel(reflectance.g), channel(reflectance.b)};
-}
-
 }  // namespace
 
 TintedFresnel::TintedFresnel(const Rgb& normal, const Rgb& rim) : normal_(normal) {
@@ -96,7 +88,7 @@ PrincipledLobe::PrincipledLobe(const Principled& m, bool is_inside)
       metal_multiple_(multiple_.absorption(metal_fresnel_.average())),
       gloss_(gloss_ior(m, is_inside), facets_),
       coat_(m.coat_ior, facets_of(m.coat_roughness, 0)),
-      diffuse_(below(gloss_, m.base_color * m.base_weight)),
+      diffuse_(gloss_.diffuse_below(m.base_color * m.base_weight)),
       rough_(white, m.base_diffuse_roughness),
       boundary_(boundary_of(m, facets_, is_inside)),
       fuzz_(m.fuzz_roughness),

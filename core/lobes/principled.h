@@ -60,7 +60,7 @@ class PrincipledLobe {
   TintedFresnel metal_fresnel_;
   Rgb metal_multiple_;  ///< A factor of what meets several facets.
   Coat gloss_, coat_;
-  Rgb diffuse_;             ///< Radiosity below the gloss, as in CoatedDiffuseLobe.
+  Rgb diffuse_;             ///< Radiosity below the gloss, Coat::diffuse_below.
   RoughDiffuseLobe rough_;  ///< The shape of what is scattered there, white.
   std::variant<RoughDielectricLobe, ThinDielectricLobe> boundary_;
   Fuzz fuzz_;

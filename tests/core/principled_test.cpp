@@ -5,6 +5,7 @@
 
 #include "core/bsdf.h"
 #include "core/lobes/coated_diffuse.h"
+#include "core/shading_map.h"
 #include "tests/support/lobe_checks.h"
 
 namespace twinray {
@@ -194,6 +195,11 @@ TEST_CASE("weights of a principled surface do what they say") {
   dusty.fuzz_weight = 1;
   dusty.fuzz_color = {0, 1, 0};
   CHECK(albedo(dusty).g > albedo(dusty).r + 0.1f);
+}
+
+TEST_CASE("the facets of a brushed principled surface have a direction") {
+  CHECK(is_anisotropic(brushed()));
+  CHECK_FALSE(is_anisotropic(clear()));
 }
 
 TEST_CASE("a principled surface lets light in where it transmits, is no metal and no sheet") {

@@ -96,6 +96,20 @@ TEST_CASE("the sky of a furnace is white where there is nothing") {
   CHECK(furnace(scene, 0).mean == Approx(1).epsilon(rounding));
 }
 
+TEST_CASE("in a furnace the mean of stochastic textures is that of the pixels around") {
+  // Half way between a black and a white pixel.
+  Image picture(2, 1);
+  picture.pixels = {{}, {1, 1, 1}};
+  const ImageTexture image{std::make_shared<const MipMap>(picture),
+                           WrapMode::clamp,
+                           TextureFilter::stochastic,
+                           {{{0, 0, 0.5f}, {0, 0, 0.5f}}}};
+  Scene scene = ball_of(Lambert{});
+  scene.textures = {{"", image}};
+  scene.materials[0].textures = {{MaterialInput::reflectance, 0}};
+  check_mean(furnace(scene, 5, 65536), 0.5, 0.02);
+}
+
 TEST_CASE("a furnace has the same bits on every engine and number of threads") {
   const Scene scene = small_room();
   check_engines(scene, FurnaceIntegrator(scene, 5));

@@ -63,6 +63,8 @@ TEST_CASE("a surface of OpenPBR has its parameters by name, and its defaults") {
   CHECK(m.geometry_thin_walled);
   CHECK(pbrt_error("Material \"openpbr\" \"float coat_weight\" 1.5")
             .find("\"coat_weight\" is 1.5; it lies in [0, 1]") != std::string::npos);
+  CHECK(pbrt_error("Material \"openpbr\" \"float emission_luminance\" 1e9").find("emission_luminance") !=
+        std::string::npos);
   CHECK(warning_of("Material \"openpbr\" \"float coat_wieght\" 1").find("\"coat_weight\" is") !=
         std::string::npos);
 }

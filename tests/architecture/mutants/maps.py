@@ -41,4 +41,10 @@ MUTANTS = [
            "{PictureRole::data, PictureChannels::color, most_pixels}, flat",
            "{PictureRole::color, PictureChannels::color, most_pixels}, flat", "test_io",
            "a normal map is read as data, a displacement is a bump map, and one that is missing is flat"),
+    Mutant("brushed surfaces of OpenPBR have no direction", "core/shading_map.cpp",
+           "found || model.specular_roughness_anisotropy > 0", "found", "test_core",
+           "the facets of a brushed principled surface have a direction"),
+    Mutant("the furnace takes one pixel of each texture for all samples", "integrators/furnace.cpp",
+           "    point.texture_draw = sampler.draw_2d(Purpose::texture);\n", "", "test_integrators",
+           "in a furnace the mean of stochastic textures is that of the pixels around"),
 ]
