@@ -163,6 +163,21 @@ TEST_CASE("an emitter of alpha 0 is not seen, and emits all its light") {
   }
 }
 
+TEST_CASE("no ray is traced to find an emitter of alpha 0") {
+  // Just below a lamp, where rays are to find it.
+  Scene scene = scene_of(floor_square(2, 0), {0.5f, 0.5f, 0.5f}, {0, 0.15f, 2}, {0, 0, 0});
+  scene.camera.tan_half_width = scene.camera.tan_half_height = 0.01f;
+  add_lamp(scene, floor_square(0.5f, 0.3f), {4, 4, 4}, EmissionSide::both);
+  const auto bounces = [&] {
+    const PathReference integrator(scene, {.max_depth = 1});
+    return render_with(scene, integrator, small_picture(16)).rays.bounce;
+  };
+  const std::uint64_t seen = bounces();
+  set_alpha(scene, 1, constant_alpha(0));
+  CHECK(seen > 0);
+  CHECK(bounces() == 0);
+}
+
 TEST_CASE("waves have the reference's bits where shapes have holes, on every engine") {
   check_waves(scene_of_holes());
 }
