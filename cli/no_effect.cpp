@@ -44,6 +44,14 @@ std::string needs_light(const Asked& asked) {
                                       integrator_name(asked.arguments.integrator));
 }
 
+std::string needs_materials(const Asked& asked) {
+  const IntegratorKind kind = asked.arguments.integrator;
+  return kind == IntegratorKind::normals || kind == IntegratorKind::cost
+             ? fmt::format("for --integrator={} does not ask for the scene's materials",
+                           integrator_name(kind))
+             : "";
+}
+
 std::string needs_environment(const Asked& asked) {
   return asked.arguments.environment.empty() ? "for there is no --environment" : needs_light(asked);
 }
@@ -198,7 +206,7 @@ constexpr Rule rules[]{
     {"--environment-scale", needs_environment},
     {"--attenuation", needs_fall_off},
     {"--default-light", needs_light},
-    {"--texture-filter", needs_light},
+    {"--texture-filter", needs_materials},
     {"--clip", needs_file_view},
     {"--output", needs_picture},
     {"--crop", needs_picture},

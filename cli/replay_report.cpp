@@ -8,7 +8,6 @@
 
 #include "cli/replay_text.h"
 #include "cli/version.h"
-#include "core/surface_model.h"
 #include "io/exchange.h"
 
 namespace twinray {
@@ -75,7 +74,7 @@ Json json_of(const Scene& scene, const TakenDirection& taken) {
 Json surface_json(const Scene& scene, const PathVertex& vertex) {
   const Interaction& at = *vertex.surface;
   const SurfacePoint& point = at.point();
-  const Material& material = scene.materials[material_at(scene, point)];
+  const Material& material = scene.materials[at.material()];
   const Hit& hit = vertex.arrival.hit;
   return {
       {"shape", hit.mesh},

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/surface_model.h"
 #include "io/exchange.h"
 
 namespace twinray {
@@ -113,7 +112,7 @@ std::string scattering_text(const PathVertex& vertex) {
 std::string surface_text(const Scene& scene, const PathVertex& vertex) {
   const Interaction& at = *vertex.surface;
   const SurfacePoint& point = at.point();
-  const Material& material = scene.materials[material_at(scene, point)];
+  const Material& material = scene.materials[at.material()];
   std::string text = line("point", text_of(point.position));
   text += line("geometric normal", text_of(point.geometric_normal));
   text += line("shading normal", text_of(at.normal()) + ", on the viewer's side");

@@ -41,6 +41,10 @@ TEST_CASE("the furnace takes a depth and no light, ambient occlusion a distance"
   CHECK(no_effect({"--integrator=furnace", "--default-light"}) ==
         "--default-light: no effect, for --integrator=furnace does not ask for the scene's light");
   CHECK(no_effect({"--integrator=furnace", "-m", "3"}).empty());
+  CHECK(no_effect({"--integrator=furnace", "--texture-filter=nearest"}).empty());
+  CHECK(no_effect({"--integrator=ambient-occlusion", "--texture-filter=nearest"}).empty());
+  CHECK(no_effect({"--integrator=normals", "--texture-filter=nearest"}) ==
+        "--texture-filter: no effect, for --integrator=normals does not ask for the scene's materials");
   CHECK(no_effect({"--ao-distance=2"}) ==
         "--ao-distance: no effect, for --integrator=ambient-occlusion alone looks around");
   CHECK(parse({"--integrator=ambient-occlusion", "--ao-distance=2"}).occlusion_distance == 2);
