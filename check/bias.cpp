@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "check/tiles.h"
 #include "core/error.h"
 
 namespace twinray {
@@ -65,14 +66,12 @@ BiasTest test_bias(const PictureMoments& pictures, const ConvergedPicture& conve
   BiasTest result;
   result.whole = test_tile(compared, {0, 0, width, height});
   double least = result.whole.test.p_value;
-  for (int y = 0; y < height; y += tile_size)
-    for (int x = 0; x < width; x += tile_size) {
-      const PixelRect tile{x, y, std::min(x + tile_size, width), std::min(y + tile_size, height)};
-      const TileTest test = test_tile(compared, tile);
-      if (test.pixels == 0) continue;
-      least = std::min(least, test.test.p_value);
-      result.tiles.push_back(test);
-    }
+  for (const PixelRect& tile : tiles_of(width, height, tile_size)) {
+    const TileTest test = test_tile(compared, tile);
+    if (test.pixels == 0) continue;
+    least = std::min(least, test.test.p_value);
+    result.tiles.push_back(test);
+  }
   result.p_value = corrected_p_value(least, result.tiles.size() + 1);
   return result;
 }

@@ -6,9 +6,6 @@
 namespace twinray {
 namespace {
 
-/// Keeps the relative error of black pixels finite.
-constexpr double least_square = 0.01;
-
 double square(double x) { return x * x; }
 
 /// `difference(i)` is that of pixel i, an Rgb.
@@ -20,8 +17,7 @@ SquaredError mean_of(const Image& converged, const PixelMask& mask, const Differ
     if (!mask[i]) continue;
     const Rgb d = difference(i), &c = converged.pixels[i];
     sum.mse += square(d.r) + square(d.g) + square(d.b);
-    sum.relative += square(d.r) / (square(c.r) + least_square) + square(d.g) / (square(c.g) + least_square) +
-                    square(d.b) / (square(c.b) + least_square);
+    sum.relative += relative_square(d.r, c.r) + relative_square(d.g, c.g) + relative_square(d.b, c.b);
     count += 3;
   }
   return count == 0 ? SquaredError{} : SquaredError{sum.mse / double(count), sum.relative / double(count)};

@@ -31,6 +31,12 @@ struct SquaredError {
       0;  ///< (x - c)^2 / (c^2 + 0.01): dark parts count like bright ones (Rousselle et al. 2011).
 };
 
+/// A difference's part of the relative error.
+inline double relative_square(double difference, double converged) {
+  constexpr double least_square = 0.01;  // keeps the relative error of black pixels finite
+  return difference * difference / (converged * converged + least_square);
+}
+
 /// The converged picture's own noise included. Zeros where no pixel counts. Throws Error unless pictures and
 /// mask have the same size.
 SquaredError squared_error(const Image& image, const ConvergedPicture& converged, const PixelMask& mask);

@@ -18,7 +18,7 @@ namespace {
 
 void add_options(CLI::App& app, ConvertArguments& arguments) {
   add_scene(app, arguments.scene);
-  add_output(app, "OUT.json", arguments.output, "The JSON file; files of the meshes go beside it");
+  add_file(app, "OUT.json", arguments.output, "The JSON file; files of the meshes go beside it");
   OptionGroup group(app, "Options");
   add_resolution(group, arguments.frame.width, arguments.frame.height,
                  "Of the picture that the camera is for");

@@ -169,7 +169,7 @@ void add_scene(CLI::App& app, std::string& scene) {
   add_needed(app, "SCENE", scene, "The scene: a COLLADA file (.dae), or generated:NAME");
 }
 
-void add_output(CLI::App& app, const std::string& name, std::string& file, const std::string& description) {
+void add_file(CLI::App& app, const std::string& name, std::string& file, const std::string& description) {
   add_needed(app, name, file, description);
 }
 

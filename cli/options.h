@@ -140,8 +140,8 @@ class OptionGroup {
 void add_scene(CLI::App& app, std::string& scene);
 void add_scenes(CLI::App& app, Words& scenes, const std::string& description);
 
-/// Adds the file that a command writes to, called NAME in its help.
-void add_output(CLI::App& app, const std::string& name, std::string& file, const std::string& description);
+/// Adds a file that a command needs, called NAME in its help.
+void add_file(CLI::App& app, const std::string& name, std::string& file, const std::string& description);
 
 /// Adds the folder that a command needs.
 void add_folder(CLI::App& app, std::string& folder, const std::string& description);

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cli/agreement_command.h"
+#include "cli/compare_command.h"
 #include "cli/convert_command.h"
 #include "cli/crosscheck_command.h"
 #include "cli/cs184_program.h"
@@ -31,6 +32,9 @@ Action add_crosscheck(CLI::App& app) {
 Action add_error(CLI::App& app) {
   return [read = add_error_options(app)](const Words& words) { return error_command(read(), words); };
 }
+Action add_compare(CLI::App& app) {
+  return [read = add_compare_options(app)](const Words& words) { return compare_command(read(), words); };
+}
 Action add_stats(CLI::App& app) {
   return [read = add_stats_options(app)](const Words&) { return stats_command(read()); };
 }
@@ -44,10 +48,13 @@ Action add_study(CLI::App& app) {
 const std::vector<Subcommand> subcommands{
     {"render", add_render,
      "Renders a COLLADA scene by path tracing; with --cs184 as CS184's program does (docs/cs184.md).", "Run",
-     "Other commands: twinray agreement, crosscheck, error, stats, study and convert; each has its --help."},
+     "Others: twinray agreement, compare, crosscheck, error, stats, study and convert; each has --help."},
     {"agreement", add_agreement,
      "Renders scenes small by every engine, split method, integrator, sampler and number of threads,\n"
      "and compares all pictures and ray counts bit for bit. Exit code 1 if any differs."},
+    {"compare", add_compare,
+     "Compares two pictures: mean squared error, relative and signed, FLIP, and where they differ most.\n"
+     "Measures of --fail-above: mse, rmse, relative-mse, flip (docs/compare.md)."},
     {"crosscheck", add_crosscheck,
      "Shoots the same rays through several engines and judges every difference."},
     {"error", add_error,
@@ -75,6 +82,8 @@ std::string usage_of(const std::string& name) {
     return "twinray study FOLDER --output DIR [options]; all options: twinray study --help";
   if (name == "convert")
     return "twinray convert SCENE.dae OUT.json [options]; all options: twinray convert --help";
+  if (name == "compare")
+    return "twinray compare PICTURE REFERENCE [options]; all options: twinray compare --help";
   const char* scene = name == "agreement" ? "[SCENE.dae]..." : "SCENE.dae";
   return fmt::format("twinray {0} {1} [options]; all options: twinray {0} --help", name, scene);
 }

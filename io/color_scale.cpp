@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "core/elementary.h"
@@ -80,6 +81,16 @@ Rgb scale_color(float x) {
     (is_in_gamut(from_oklab(lightness, chroma * hue.cos, chroma * hue.sin)) ? held : beyond) = chroma;
   }
   return from_oklab(lightness, held * hue.cos, held * hue.sin);
+}
+
+std::array<std::uint8_t, 3> signed_color(double x) {
+  const double strength = std::isnan(x) ? 0 : std::min(std::abs(x), 1.0);
+  using Full = std::array<float, 3>;
+  const Full full = x > 0 ? Full{0.75f, 0.05f, 0.1f} : Full{0, 0.3f, 0.7f};
+  std::array<std::uint8_t, 3> bytes;
+  for (std::size_t i = 0; i < 3; ++i)
+    bytes[i] = std::uint8_t(255 * (1 - strength * (1 - double(full[i]))) + 0.5);
+  return bytes;
 }
 
 std::uint32_t scale_end(const Image& values) {

@@ -150,6 +150,8 @@ void write_image(const std::string& path, const Image& image, const ImageMetadat
     write_png(path, encode_srgb(image), metadata);
 }
 
+bool holds_radiance(const std::string& path) { return !is_encoded(picture_format(path)); }
+
 Image read_image(const std::string& path, const ReadOptions& options) {
   const PictureFormat format = picture_format(path);
   const std::string bytes = read_bytes(path);

@@ -45,6 +45,10 @@ struct ReadOptions {
   std::int64_t most_pixels = std::int64_t(1) << 28;  ///< A larger picture is refused before it is read.
 };
 
+/// Whether a picture of this name holds radiance, by its ending: EXR, HDR and PFM do; the others hold what a
+/// display shows, from 0 to 1. Throws Error where it is none that is read.
+bool holds_radiance(const std::string& path);
+
 /// Reads an EXR, HDR, PNG, JPEG, PFM or TGA picture of up to 2^28 pixels as linear colours, those of its file
 /// whatever their alpha: the first three channels, or the first one as grey; PNG and JPEG are of 8 bits or
 /// of 16. Throws Error.

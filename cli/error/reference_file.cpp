@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "cli/finite_picture.h"
 #include "cli/outputs.h"
 #include "core/error.h"
 #include "io/image_file.h"
@@ -13,16 +14,12 @@ namespace twinray::error {
 namespace {
 
 Image read(const std::string& path, const FrameSize& size) {
-  Image image = read_image(path);
+  Image image = read_finite_image(path);
   if (image.width != size.width || image.height != size.height)
     throw Error(
         fmt::format("{}: it has {} x {} pixels, but the pictures to compare have {} x {}; -r sets their "
                     "size",
                     path, image.width, image.height, size.width, size.height));
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      if (!is_finite(image.at(x, y)))
-        throw Error(fmt::format("{}: pixel {} {} is not finite; a reference must be", path, x, y));
   return image;
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/elementary.h"
-#include "core/rgb.h"
+#include "io/color_scale.h"
 
 namespace twinray::error {
 namespace {
@@ -20,9 +20,8 @@ constexpr double level = 0.01;
 
 std::string tile_color(const WelchTest& test) {
   const double strength = test.p_value > 0 ? std::min(1.0, -log2_of(test.p_value) / strongest) : 1;
-  const Rgb full = test.t > 0 ? Rgb{0.75f, 0.05f, 0.1f} : Rgb{0, 0.3f, 0.7f};
-  const auto byte = [&](float channel) { return int(255 * (1 - strength * (1 - double(channel))) + 0.5); };
-  return fmt::format("#{:02x}{:02x}{:02x}", byte(full.r), byte(full.g), byte(full.b));
+  const auto [r, g, b] = signed_color(test.t > 0 ? strength : -strength);
+  return fmt::format("#{:02x}{:02x}{:02x}", r, g, b);
 }
 
 std::string tile_map(const BiasTest& test) {
@@ -38,8 +37,9 @@ std::string tile_map(const BiasTest& test) {
         is_rejected ? " stroke=\"#111\"" : "",
         one.converged.mean > 0 ? 100 * (one.picture.mean / one.converged.mean - 1) : 0, one.test.p_value);
   }
-  return fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"where it is biased\">{}</svg>\n",
-                     frame.width(), frame.height(), body);
+  return fmt::format(
+      "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"where the means differ\">{}</svg>\n",
+      frame.width(), frame.height(), body);
 }
 
 }  // namespace twinray::error

@@ -47,7 +47,7 @@ img { max-width: 100%; height: auto; }
   gap: .8rem; align-items: start; margin: 0 0 .8rem; }
 .pictures figure { margin: 0; } .pictures img { display: block; width: 100%; border-radius: 3px;
   background: #000; }
-.pictures img.fine { image-rendering: pixelated; } .pictures img + img { margin-top: .3rem; }
+.pictures img + img { margin-top: .3rem; }
 .pictures figcaption { margin: .4rem 0 .2rem; }
 .command { display: block; text-align: left; white-space: normal; overflow-wrap: anywhere; }
 .words span { display: inline-block; max-width: 100%; } td code.command { min-width: 26rem; }
@@ -57,6 +57,19 @@ img { max-width: 100%; height: auto; }
 .measured dt { color: #666; } .measured dd { margin: 0; text-align: right; }
 .missing { background: #fff6e0; border: 1px solid #ecd9a8; border-radius: 6px; padding: .5rem .8rem;
   max-width: 52rem; }
+.slider figcaption { display: flex; justify-content: space-between; gap: 1rem; }
+.pair { position: relative; --at: 50%; overflow: hidden; background: #000; }
+.pair img, .plots img { display: block; width: 100%; } img.fine { image-rendering: pixelated; }
+.pair img.left { position: absolute; inset: 0; height: 100%; clip-path: inset(0 calc(100% - var(--at)) 0 0); }
+.pair i { position: absolute; top: 0; bottom: 0; left: calc(var(--at) - 1px); width: 2px; background: #fff;
+  box-shadow: 0 0 3px #000; pointer-events: none; }
+.pair input { position: absolute; inset: 0; width: 100%; height: 100%; margin: 0; opacity: 0;
+  appearance: none; cursor: ew-resize; } .pair input:focus-visible { opacity: 1; background: none;
+  outline: 3px solid #0072b2; outline-offset: -3px; }
+.pair input::-webkit-slider-thumb { appearance: none; width: 1px; height: 1px; }
+.pair input::-moz-range-thumb { width: 1px; height: 1px; border: 0; }
+img.scale { width: 100%; height: .8rem; }
+.plots figure small { display: flex; justify-content: space-between; }
 @media (max-width: 40rem) { body { margin: 1rem auto; padding: 0 .8rem; }
   .facts td:first-child { white-space: normal; } svg.curves text { font-size: 17px; }
   td code.command { white-space: nowrap; } td .words span { max-width: none; } }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the program's pages share: each is whole by itself, one file with no script and nothing to load.
+// What the program's pages share: each is whole by itself, one file with nothing to load, and no script but
+// a slider's line (io/html/slider.h).
 #pragma once
 #include <string>
 #include <string_view>

@@ -12,6 +12,7 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "io/png.h"
 
 namespace twinray::html {
 namespace {
@@ -51,6 +52,11 @@ std::string base64(std::string_view bytes) {
 
 std::string picture_address(const std::string& path) {
   return fmt::format("data:{};base64,{}", media_type(path), base64(read(path)));
+}
+
+std::string picture_address(const ByteImage& image) {
+  const std::vector<unsigned char> bytes = encode_png(image, {});
+  return "data:image/png;base64," + base64({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace twinray::html

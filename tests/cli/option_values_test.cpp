@@ -22,10 +22,10 @@ struct Option {
   std::string value;  ///< As the help has it: "N", "W H", "path|direct|normals"; empty for a flag.
 };
 
-/// The other commands, from the last line of the help: "Other commands: twinray a, b and c; each ...".
+/// The other commands, from the last line of the help: "Others: twinray a, b and c; each ...".
 Words read_commands() {
   Words names{"render", "--cs184"};
-  const std::string help = test::run_program("--help").out, mark = "Other commands: twinray ";
+  const std::string help = test::run_program("--help").out, mark = "Others: twinray ";
   const std::size_t begin = help.rfind(mark) + mark.size();
   std::istringstream list(help.substr(begin, help.find(';', begin) - begin));
   for (std::string word; list >> word;)
@@ -104,6 +104,7 @@ std::string valid_word(const Option& option) {
 std::string answer(const std::string& command, const Words& words) {
   std::vector<const char*> arguments{"twinray", command.c_str(), "no-such-scene.dae"};
   if (command == "convert") arguments.push_back("out.json");
+  if (command == "compare") arguments.push_back("no-such-reference.exr");
   for (const std::string& word : words) arguments.push_back(word.c_str());
   try {
     twinray::run_program(read_invocation(arguments));

@@ -36,6 +36,16 @@ std::array<std::uint8_t, 3> encoded(const Rgb& c) {
   return {encode_srgb(c.r), encode_srgb(c.g), encode_srgb(c.b)};
 }
 
+TEST_CASE("a signed colour is blue below 0, white at 0 and red above, and ends at 1") {
+  using Bytes = std::array<std::uint8_t, 3>;
+  CHECK(signed_color(0) == Bytes{255, 255, 255});
+  CHECK(signed_color(-0.5) == Bytes{128, 166, 217});
+  CHECK(signed_color(1) == Bytes{191, 13, 26});
+  CHECK(signed_color(7) == signed_color(1));
+  CHECK(signed_color(-7) == Bytes{0, 77, 178});
+  CHECK(signed_color(std::nan("")) == Bytes{255, 255, 255});
+}
+
 }  // namespace
 
 TEST_CASE("the scale grows evenly in lightness, and sRGB holds all of it") {

@@ -5,6 +5,7 @@
 #include "io/html/page.h"
 #include "io/html/picture_address.h"
 #include "io/html/plot.h"
+#include "io/html/slider.h"
 #include "io/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
@@ -50,6 +51,23 @@ TEST_CASE("a picture's address holds its bytes, by the kind that its name says")
   CHECK(picture_address(folder.file("a.jpeg")) == "data:image/jpeg;base64,Zm9v");
   CHECK_THROWS_AS(picture_address(folder.file("a.exr")), Error);
   CHECK_THROWS_AS(picture_address(folder.file("b.png")), Error);
+}
+
+TEST_CASE("a picture's address may hold its pixels, as a PNG") {
+  const test::TemporaryFolder folder;
+  const ByteImage image{2, 1, {0, 0, 0, 255, 128, 1}};
+  write_png(folder.file("a.png"), image);
+  CHECK(picture_address(image) == picture_address(folder.file("a.png")));
+}
+
+TEST_CASE("a slider holds both pictures, the left one above") {
+  const std::string text =
+      slider({"a < b", "data:image/png;base64,AA==", 40}, {"right", "data:image/png;base64,BB==", 1000});
+  CHECK(test::html_fault(text) == "");
+  CHECK(test::html_load(text) == "");
+  CHECK(text.find("<span>a &lt; b</span><span>right</span>") != text.npos);
+  CHECK(text.find("<img class=\"\" alt=\"right\" src=\"data:image/png;base64,BB==\"><img class=\"fine left\" "
+                  "alt=\"a &lt; b\" src=\"data:image/png;base64,AA==\">") != text.npos);
 }
 
 TEST_CASE("a plot's axes have ticks at powers of ten, and its marks lie in order along them") {

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Defects in what compares two pictures."""
+from mutant import Mutant
+
+DISPLAYED = "FLIP of displayed pictures is that of its authors' program"
+RADIANCE = "FLIP of radiance is that of its authors' program"
+BY_CHANNEL = "differences are the picture's values minus the reference's, by channel and over all"
+
+MUTANTS = [
+    Mutant("FLIP's filters take black for what lies beyond the border", "check/plane.cpp",
+           "padded[std::size_t(i)] = row[std::clamp(i - radius, 0, width - 1)];",
+           "padded[std::size_t(i)] = i < radius ? 0 : row[std::min(i - radius, width - 1)];",
+           "test_check", DISPLAYED),
+    Mutant("FLIP sees points only", "check/flip.cpp",
+           "std::max(edges, points) / std::numbers", "std::max(0 * edges, points) / std::numbers",
+           "test_check", DISPLAYED),
+    Mutant("FLIP's second filter of yellow and blue is left out", "check/flip_filters.cpp",
+           "auto share = float(wide / (wide + narrow))", "auto share = float(wide / (wide + 0 * narrow))",
+           "test_check", DISPLAYED),
+    Mutant("FLIP's dark colours are as colourful as bright ones", "check/flip_color.cpp",
+           "{lightness, 0.01f * lightness * 500 * (x - y), 0.01f * lightness * 200",
+           "{lightness, 500 * (x - y), 0.01f * lightness * 200",
+           "test_check", DISPLAYED),
+    Mutant("FLIP of radiance takes the first exposure alone", "check/flip.cpp",
+           "for (int i = 0; i < exposures.count; ++i) {", "for (int i = 0; i < 1; ++i) {",
+           "test_check", RADIANCE),
+    Mutant("the exposures of FLIP end at half of the brightest", "check/flip.cpp",
+           "values.size() / 2)", "values.size() / 4)",
+           "test_check", RADIANCE),
+    Mutant("FLIP meets negative radiance", "check/flip.cpp",
+           "return {std::max(c.r, 0.0f), std::max(c.g, 0.0f), std::max(c.b, 0.0f)};", "return c;",
+           "test_check", "FLIP of radiance takes negative channels for black"),
+    Mutant("the sign of a difference is turned round", "check/picture_difference.cpp",
+           "double(picture.pixels[i].*channel) - expected;", "expected - double(picture.pixels[i].*channel);",
+           "test_check", BY_CHANNEL),
+    Mutant("the relative error is that of the picture", "check/picture_difference.cpp",
+           "relative_square(difference, expected)", "relative_square(difference, expected + difference)",
+           "test_check", BY_CHANNEL),
+    Mutant("the least differing tiles come first", "check/picture_difference.cpp",
+           "return a.mse > b.mse;", "return a.mse < b.mse;",
+           "test_check", "the tiles that differ most come first, and those that are equal not at all"),
+    Mutant("a limit that is exceeded has no consequence", "cli/compare_command.cpp",
+           "comparison, arguments.limits) ? 1 : 0", "comparison, arguments.limits) ? 0 : 0",
+           "test_cli", "a limit that is exceeded gives exit code 1 and says by what"),
+    Mutant("the measure of a limit is always the first", "cli/compare_command.cpp",
+           "return {measure, parse_number", "return {Measure::mse, parse_number",
+           "test_cli", "a limit that is exceeded gives exit code 1 and says by what"),
+    Mutant("radiance counts although only one picture has it", "cli/compare/comparison.cpp",
+           "holds_radiance(picture) && holds_radiance(reference)",
+           "holds_radiance(picture) || holds_radiance(reference)",
+           "test_cli", "a picture of radiance against one of a display is compared as a display shows it"),
+    Mutant("pixels that are not finite are compared", "cli/finite_picture.cpp",
+           "if (!is_finite(image.at(x, y)))", "if (false)",
+           "test_cli", "pictures that cannot be compared are errors that say why, and no page is written"),
+    Mutant("a slider's pictures change places", "io/html/slider.cpp",
+           'image(right, ""), image(left, " left")', 'image(left, ""), image(right, " left")',
+           "test_io", "a slider holds both pictures, the left one above"),
+]
