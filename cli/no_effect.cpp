@@ -264,8 +264,9 @@ std::vector<std::string> options_without_effect(const Scene& scene, const Render
   if (is_given("--light-samples", arguments) && arguments.path.direct != DirectMethod::hemisphere &&
       !has_area_light(scene))
     found.push_back("--light-samples: no effect, for no light of the scene has an area");
-  if (is_given("--texture-filter", arguments) && !has_picture(scene))
-    found.push_back("--texture-filter: no effect, for the scene has no picture on its surfaces");
+  for (const char* option : {"--texture-filter", "--texture-memory"})
+    if (is_given(option, arguments) && !has_picture(scene))
+      found.push_back(fmt::format("{}: no effect, for the scene has no picture on its surfaces", option));
   return found;
 }
 

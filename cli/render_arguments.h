@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -63,6 +64,8 @@ struct RenderArguments {
   PathOptions path;
   /// Of all pictures but those that the scene wants without any; not set: each as the scene file says.
   std::optional<TextureFilter> texture_filter = TextureFilter::stochastic;
+  std::optional<std::uint64_t>
+      texture_bytes;  ///< Of memory for pictures on surfaces; not set: all there are.
   RenderOptions render;
   std::optional<ReplayRequest> replay;
   std::vector<int> crop;  ///< X Y W H of render.window, as they were given; empty: none.

@@ -152,6 +152,7 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   }
   if (const std::string rejected = rejection_text(result.film, arguments); !rejected.empty())
     console::warn(rejected);
+  if (const std::string unread = unread_tiles_text(arguments); !unread.empty()) console::warn(unread);
   std::optional<SceneCrosscheck> found;
   if (check) found = check->found(result.seconds);
   talk.saving();

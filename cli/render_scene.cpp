@@ -19,6 +19,7 @@
 #include "io/camera_file.h"
 #include "io/cs184_camera.h"
 #include "io/environment_file.h"
+#include "io/texture_store.h"
 
 namespace twinray {
 namespace {
@@ -64,6 +65,8 @@ EnvironmentLight read_environment(const RenderArguments& arguments) {
 
 LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk) {
   talk.loading();
+  if (arguments.texture_bytes)
+    arguments.load.textures = std::make_shared<TextureStore>(*arguments.texture_bytes);
   LoadedScene loaded = load_with_warnings(arguments.scene, arguments.load);
   take_defaults(loaded.defaults, arguments);
   talk.loaded(loaded.summary);

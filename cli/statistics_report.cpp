@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/version.h"
+#include "core/memory.h"
 #include "core/parallel.h"
+#include "io/texture_store.h"
 
 namespace twinray {
 namespace {
@@ -42,6 +44,37 @@ std::string per_ray_text(const RenderArguments& arguments, const AccelStats& acc
   text += fmt::format("{:.4f} leaves, {:.4f} intersection tests", of(counts.leaves), of(counts.primitives));
   if (arguments.backend == Backend::embree) text += " (Embree's way: other machines may count otherwise)";
   return text + "\n";
+}
+
+double hit_rate(const TileStatistics& tiles) {
+  return tiles.lookups == 0 ? 1 : 1 - double(tiles.tiles_read) / double(tiles.lookups);
+}
+
+/// "Textures       2 pictures of 1.2 GB: 340 tiles (16.7 MB) read, ...", where memory for them is bounded.
+std::string texture_text(const RenderArguments& arguments) {
+  if (!arguments.load.textures) return "";
+  const TextureStatistics textures = arguments.load.textures->statistics();
+  return fmt::format(
+      "Textures       {} pictures of {}: {} tiles ({}) read, at most {} of {} in memory, {:.2f} % of {} "
+      "texels "
+      "found there\n",
+      textures.pictures, bytes_text(textures.picture_bytes), textures.tiles.tiles_read,
+      bytes_text(textures.bytes_read()), bytes_text(textures.tiles.peak_bytes),
+      bytes_text(textures.most_bytes), 100 * hit_rate(textures.tiles), textures.tiles.lookups);
+}
+
+ordered_json texture_json(const RenderArguments& arguments) {
+  if (!arguments.load.textures) return nullptr;
+  const TextureStatistics textures = arguments.load.textures->statistics();
+  return {{"pictures", textures.pictures},
+          {"picture_bytes", textures.picture_bytes},
+          {"limit_bytes", textures.most_bytes},
+          {"peak_bytes", textures.tiles.peak_bytes},
+          {"tiles_read", textures.tiles.tiles_read},
+          {"bytes_read", textures.bytes_read()},
+          {"lookups", textures.tiles.lookups},
+          {"hit_rate", hit_rate(textures.tiles)},
+          {"tiles_failed", textures.tiles.tiles_failed}};
 }
 
 /// A number where it is known, else null.
@@ -149,6 +182,7 @@ int threads_used(const StatsArguments& arguments) {
 std::string statistics_text(const RenderArguments& arguments, const AccelStats& accel,
                             const RenderResult& result) {
   const RayCounts& rays = result.rays;
+  const std::string counts = arguments.render.counting ? per_ray_text(arguments, accel, rays) : "";
   const std::string text = fmt::format(
       "Engine         {}: {}\n"
       "Primitives     {}\n"
@@ -159,7 +193,7 @@ std::string statistics_text(const RenderArguments& arguments, const AccelStats& 
       engine_name(arguments), arguments.engine_reason, accel.primitives, accel.build_seconds(),
       tree_text(accel.tree), 1e-6 * double(accel.bytes), result.seconds, rays.total(), rays.camera,
       rays.shadow, rays.bounce, 1e-6 * rays_per_second(result));
-  return arguments.render.counting ? text + per_ray_text(arguments, accel, rays) : text;
+  return text + counts + texture_text(arguments);
 }
 
 std::string statistics_json(const RenderArguments& arguments, const AccelStats& accel,
@@ -183,8 +217,17 @@ std::string statistics_json(const RenderArguments& arguments, const AccelStats& 
       {"rays_per_second", rays_per_second(result)}};
   if (arguments.render.counting)
     add_counts(json, rays.queries, rays.total(), {.nodes = accel.tree.has_value(), .primitives = true});
+  json["textures"] = texture_json(arguments);
   if (!check.empty()) json["check"] = ordered_json::parse(check);
   return text_of(json);
+}
+
+std::string unread_tiles_text(const RenderArguments& arguments) {
+  if (!arguments.load.textures) return {};
+  const TileStatistics tiles = arguments.load.textures->statistics().tiles;
+  if (tiles.tiles_failed == 0) return {};
+  return fmt::format("{} tiles of textures could not be read, and are magenta. The first: {}",
+                     tiles.tiles_failed, tiles.first_failure);
 }
 
 std::string rejection_text(const Film& film, const RenderArguments& arguments) {

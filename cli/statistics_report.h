@@ -22,6 +22,9 @@ std::string statistics_text(const RenderArguments& arguments, const AccelStats& 
 std::string statistics_json(const RenderArguments& arguments, const AccelStats& accel,
                             const RenderResult& result, const std::string& check = "");
 
+/// Says which tiles of textures could not be read; empty if all could.
+std::string unread_tiles_text(const RenderArguments& arguments);
+
 /// Says how to see a rejected sample again; empty if there was none.
 std::string rejection_text(const Film& film, const RenderArguments& arguments);
 

@@ -2,6 +2,11 @@
 #include "cli/render_options.h"
 
 namespace twinray {
+namespace {
+
+constexpr Range<double> texture_megabytes{0, 1e9};
+
+}  // namespace
 
 void add_texture_options(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, "Light");
@@ -12,6 +17,12 @@ void add_texture_options(CLI::App& app, RenderRequest& request) {
                                                   {"nearest", TextureFilter::nearest},
                                                   {"file", std::nullopt}},
                                                  "Of pictures on surfaces; file: as it says", "FILTER");
+  group.add_words({"--texture-memory", "MB", "Of pictures on surfaces, at most in memory (all)"}, 1,
+                  [&request](const Words& words) {
+                    const double megabytes =
+                        parse_number("--texture-memory", words.front(), texture_megabytes);
+                    request.arguments.texture_bytes = std::uint64_t(1e6 * megabytes);
+                  });
 }
 
 }  // namespace twinray

@@ -29,6 +29,14 @@ float random_of(const Geometry& geometry, const Vec3& origin, const Vec3& direct
   return float(hash >> 40) * 0x1p-24f;
 }
 
+/// The textures, with all pictures that alphas are made of in memory: traversal must not wait for a tile.
+std::vector<Texture> for_traversal(std::span<const Texture> textures, std::span<const std::uint32_t> alphas) {
+  std::vector<Texture> copies(textures.begin(), textures.end());
+  for (const std::uint32_t alpha : alphas)
+    if (alpha != no_texture) keep_in_memory(copies, alpha);
+  return copies;
+}
+
 }  // namespace
 
 float alpha_at(std::span<const Texture> textures, std::uint32_t texture, Vec2 uv) {
@@ -54,9 +62,9 @@ Geometry cut_out(std::vector<Shape> shapes, std::span<const ShapeBinding> bindin
   }
   if (std::all_of(alphas.begin(), alphas.end(), [](std::uint32_t alpha) { return alpha == no_texture; }))
     return Geometry(std::move(shapes));
+  std::vector<Texture> looked_up = for_traversal(textures, alphas);
   return Geometry(std::move(shapes),
-                  std::make_shared<const AlphaTest>(std::vector<Texture>(textures.begin(), textures.end()),
-                                                    std::move(alphas)));
+                  std::make_shared<const AlphaTest>(std::move(looked_up), std::move(alphas)));
 }
 
 }  // namespace twinray

@@ -58,4 +58,23 @@ MipMap::MipMap(Image picture) {
   }
 }
 
+Image MipMap::image(int index) const {
+  if (is_in_memory()) return levels_[std::size_t(index)];
+  const MipLevel from = level(index);
+  Image copy(from.width, from.height);
+  // Tile by tile: a row of tiles may be more than there is room for.
+  for (int top = 0; top < copy.height; top += tile_side)
+    for (int left = 0; left < copy.width; left += tile_side)
+      for (int y = top; y < std::min(top + tile_side, copy.height); ++y)
+        for (int x = left; x < std::min(left + tile_side, copy.width); ++x) copy.at(x, y) = from.at(x, y);
+  return copy;
+}
+
+std::shared_ptr<const MipMap> in_memory(const std::shared_ptr<const MipMap>& map) {
+  if (map->is_in_memory()) return map;
+  std::vector<Image> levels;
+  for (int i = 0; i < map->levels(); ++i) levels.push_back(map->image(i));
+  return std::make_shared<const MipMap>(std::move(levels));
+}
+
 }  // namespace twinray

@@ -86,6 +86,8 @@ void with_threads(int threads, const std::function<void()>& body) {
 
 int machine_threads() { return tbb::info::default_concurrency(); }
 
+int thread_index() { return std::max(tbb::this_task_arena::current_thread_index(), 0); }
+
 int available_threads() { return count_threads(0).usable; }
 
 }  // namespace twinray

@@ -22,6 +22,9 @@ void parallel_invoke(const std::function<void()>& a, const std::function<void()>
 /// numbers as above.
 void with_threads(int threads, const std::function<void()>& body);
 
+/// A number >= 0 by which threads that work at the same time in one place mostly differ.
+int thread_index();
+
 /// How many threads the process may use: what 0 stands for outermost.
 int available_threads();
 

@@ -14,7 +14,7 @@ namespace twinray {
 namespace {
 
 /// The pixel at a position, which is a whole number of pixels of any size: coordinates may be large.
-Rgb wrapped(const Image& image, WrapMode wrap, double x, double y) {
+Rgb wrapped(const MipLevel& image, WrapMode wrap, double x, double y) {
   const double w = image.width, h = image.height;
   if (wrap == WrapMode::repeat) {
     x -= w * std::floor(x / w);
@@ -27,7 +27,7 @@ Rgb wrapped(const Image& image, WrapMode wrap, double x, double y) {
 
 }  // namespace
 
-Rgb bilinear(const Image& image, WrapMode wrap, Vec2 uv) {
+Rgb bilinear(const MipLevel& image, WrapMode wrap, Vec2 uv) {
   if (!(std::isfinite(uv.x) && std::isfinite(uv.y))) return {};
   const double column = double(uv.x) * image.width - 0.5, row = (1 - double(uv.y)) * image.height - 0.5;
   const double left = std::floor(column), above = std::floor(row);
@@ -51,7 +51,7 @@ ChoiceOfTwo choose(float probability, float draw) {
 }
 
 /// One of the pixels that bilinear would mix, each with the probability that is its part there.
-Rgb stochastic(const Image& image, WrapMode wrap, Vec2 uv, Vec2 draw) {
+Rgb stochastic(const MipLevel& image, WrapMode wrap, Vec2 uv, Vec2 draw) {
   const double column = double(uv.x) * image.width - 0.5, row = (1 - double(uv.y)) * image.height - 0.5;
   const double left = std::floor(column), above = std::floor(row);
   const bool is_right = draw.x < float(column - left), is_below = draw.y < float(row - above);
@@ -66,7 +66,8 @@ float stretch(const UvTransform& uv) {
 
 /// The level whose pixels are as wide as the footprint, in [0, levels - 1].
 double level_of(const MipMap& image, float footprint) {
-  const double pixels = double(footprint) * std::max(image.level(0).width, image.level(0).height);
+  const MipLevel picture = image.level(0);
+  const double pixels = double(footprint) * std::max(picture.width, picture.height);
   if (!(pixels > 1)) return 0;
   const double coarsest = image.levels() - 1;
   return pixels < 0x1p30 ? std::min(log2_of(pixels), coarsest) : coarsest;
@@ -92,7 +93,7 @@ struct Evaluate {
   Rgb operator()(const ImageTexture& texture) const {
     const Vec2 uv = texture.uv(at.uv);
     if (!(std::isfinite(uv.x) && std::isfinite(uv.y))) return {};
-    const Image& picture = texture.image->level(0);
+    const MipLevel picture = texture.image->level(0);
     if (texture.filter == TextureFilter::nearest)
       return wrapped(picture, texture.wrap, std::floor(double(uv.x) * picture.width),
                      std::floor((1 - double(uv.y)) * picture.height));
@@ -109,6 +110,20 @@ struct Evaluate {
     if (t == 0) return fine;
     return fine * (1 - t) + bilinear(texture.image->level(finer + 1), texture.wrap, uv) * t;
   }
+};
+
+/// Calls of(index) for each texture that one names.
+template <typename Of>
+struct ForEachNamed {
+  const Of& of;
+
+  void operator()(const ConstantTexture&) const {}
+  void operator()(const ImageTexture&) const {}
+  void operator()(const ScaleTexture& texture) const { of(texture.first), of(texture.second); }
+  void operator()(const MixTexture& texture) const {
+    of(texture.first), of(texture.second), of(texture.amount);
+  }
+  void operator()(const CheckerboardTexture& texture) const { of(texture.first), of(texture.second); }
 };
 
 /// Checks a texture, and counts what it is made of: itself, and all that it names, as often as it does.
@@ -144,6 +159,17 @@ void set_filter(std::span<Texture> textures, TextureFilter filter) {
     if (auto* image = std::get_if<ImageTexture>(&texture.model);
         image && image->filter != TextureFilter::nearest)
       image->filter = filter;
+}
+
+void keep_in_memory(std::span<Texture> textures, std::uint32_t index) {
+  std::vector<bool> is_wanted(index + 1);
+  is_wanted[index] = true;
+  for (std::uint32_t i = index + 1; i-- > 0;) {  // A texture is made of some that stand before it.
+    if (!is_wanted[i]) continue;
+    if (auto* image = std::get_if<ImageTexture>(&textures[i].model)) image->image = in_memory(image->image);
+    const auto of = [&](std::uint32_t other) { is_wanted[std::min(other, i)] = true; };
+    std::visit(ForEachNamed<decltype(of)>{of}, textures[i].model);
+  }
 }
 
 Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at) {

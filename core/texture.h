@@ -82,9 +82,12 @@ struct TexturePoint {
 /// Gives all pictures this filter but those that have `nearest`: whoever asks for pixels wants to see them.
 void set_filter(std::span<Texture> textures, TextureFilter filter);
 
+/// Brings the pictures that a texture is made of into memory as a whole.
+void keep_in_memory(std::span<Texture> textures, std::uint32_t index);
+
 /// The value of a picture at a point: bilinear of the four pixels around. Black where the point is not
 /// finite.
-Rgb bilinear(const Image& image, WrapMode wrap, Vec2 uv);
+Rgb bilinear(const MipLevel& image, WrapMode wrap, Vec2 uv);
 
 /// The value of a texture of a scene. The same bits on every machine.
 Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at);

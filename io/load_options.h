@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <memory>
 #include <string>
 
 #include "io/interpretation.h"
 
 namespace twinray {
+
+class TextureStore;
 
 /// What a reader of scene files makes of a file where more than one reading is sensible.
 struct LoadOptions {
@@ -19,6 +22,7 @@ struct LoadOptions {
   /// Leaves the lights out, and the shapes that area lights add to the scene: what CS184's picture of normals
   /// shows.
   bool surfaces_only = false;
+  std::shared_ptr<TextureStore> textures = {};  ///< Keeps the pictures of surfaces; null: all in memory.
 };
 
 }  // namespace twinray

@@ -111,9 +111,9 @@ std::shared_ptr<const Image> emission_of(const PbrtParameters& parameters, PbrtC
   if (const PbrtParameter* color = parameters.find("L"))
     color->place.fail("an area light has a color \"L\" or a picture \"filename\", not both");
   const LoadedTexture loaded =
-      load_texture(context.files.is_disk() ? context.files.path(place, name) : "", PictureRole::color);
+      load_texture(context.files.is_disk() ? context.files.path(place, name) : "", {});
   if (!loaded.warning.empty()) place.warn(context.warnings, loaded.warning);
-  auto picture = std::make_shared<Image>(loaded.image->level(0));
+  auto picture = std::make_shared<Image>(loaded.image->image(0));
   for (Rgb& pixel : picture->pixels)
     pixel = {std::max(pixel.r, 0.0f), std::max(pixel.g, 0.0f), std::max(pixel.b, 0.0f)};
   return picture;

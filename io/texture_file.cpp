@@ -37,7 +37,12 @@ std::size_t blacken(Image& image) {
   return count;
 }
 
-LoadedTexture load(const std::string& path, const ReadOptions& options, const StandIn& stand_in) {
+struct ReadPicture {
+  Image image;
+  std::string warning;
+};
+
+ReadPicture read(const std::string& path, const ReadOptions& options, const StandIn& stand_in) {
   try {
     Image image = read_image(path, options);
     const std::size_t blackened = blacken(image);
@@ -45,21 +50,26 @@ LoadedTexture load(const std::string& path, const ReadOptions& options, const St
     if (blackened > 0)
       warning = fmt::format("{}: {} of {} x {} pixels are not finite; they are black", path, blackened,
                             image.width, image.height);
-    return {std::make_shared<const MipMap>(std::move(image)), warning};
+    return {std::move(image), warning};
   } catch (const Error& error) {
-    return {std::make_shared<const MipMap>(picture_of(stand_in)),
-            fmt::format("{}; {}", error.what(), stand_in.words)};
+    return {picture_of(stand_in), fmt::format("{}; {}", error.what(), stand_in.words)};
   }
+}
+
+LoadedTexture load(ReadPicture picture, TextureStore* store) {
+  MipMap map(std::move(picture.image));
+  return {store ? store->keep(std::move(map)) : std::make_shared<const MipMap>(std::move(map)),
+          std::move(picture.warning)};
 }
 
 }  // namespace
 
-LoadedTexture load_texture(const std::string& path, PictureRole role, PictureChannels channels) {
-  return load(path, {role, channels, most_pixels}, magenta);
+LoadedTexture load_texture(const std::string& path, const PictureMeaning& meaning, TextureStore* store) {
+  return load(read(path, {meaning.role, meaning.channels, most_pixels}, magenta), store);
 }
 
-LoadedTexture load_normal_map(const std::string& path) {
-  return load(path, {PictureRole::data, PictureChannels::color, most_pixels}, flat);
+LoadedTexture load_normal_map(const std::string& path, TextureStore* store) {
+  return load(read(path, {PictureRole::data, PictureChannels::color, most_pixels}, flat), store);
 }
 
 }  // namespace twinray

@@ -5,8 +5,15 @@
 
 #include "core/mip_map.h"
 #include "io/image_file.h"
+#include "io/texture_store.h"
 
 namespace twinray {
+
+/// What a texture makes of a picture's numbers.
+struct PictureMeaning {
+  PictureRole role = PictureRole::color;
+  PictureChannels channels = PictureChannels::color;
+};
 
 /// A picture for core/texture.h.
 struct LoadedTexture {
@@ -16,11 +23,12 @@ struct LoadedTexture {
 
 /// Reads a picture of up to 2^26 pixels (with its mip-map, a gigabyte); a larger one is refused before memory
 /// is taken for it. Never throws for what is wrong with the file: a scene is shown without one of its
-/// pictures, in a colour that is not overlooked. Numbers that are not finite become 0.
-LoadedTexture load_texture(const std::string& path, PictureRole role,
-                           PictureChannels channels = PictureChannels::color);
+/// pictures, in a colour that is not overlooked. Numbers that are not finite become 0. The store, if there is
+/// one, keeps it; throws Error where it cannot.
+LoadedTexture load_texture(const std::string& path, const PictureMeaning& meaning,
+                           TextureStore* store = nullptr);
 
 /// Reads a normal map, whose numbers are data; flat where the file cannot be used, which a warning says.
-LoadedTexture load_normal_map(const std::string& path);
+LoadedTexture load_normal_map(const std::string& path, TextureStore* store = nullptr);
 
 }  // namespace twinray

@@ -28,10 +28,10 @@ TEST_CASE("a mip-map halves down to one pixel, and each level has the picture's 
     CAPTURE(width, height);
     const Image picture = random_image(width, height);
     const MipMap map(picture);
-    CHECK(map.level(0).pixels == picture.pixels);
-    CHECK(map.level(map.levels() - 1).pixels.size() == 1);
+    CHECK(map.image(0).pixels == picture.pixels);
+    CHECK(map.image(map.levels() - 1).pixels.size() == 1);
     for (int level = 1; level < map.levels(); ++level) {
-      const Image &image = map.level(level), &before = map.level(level - 1);
+      const Image image = map.image(level), before = map.image(level - 1);
       CHECK(image.width == std::max(before.width / 2, 1));
       CHECK(image.height == std::max(before.height / 2, 1));
       CHECK(mean_blue(image) == Approx(mean_blue(picture)).epsilon(1e-6));

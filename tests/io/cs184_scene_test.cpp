@@ -6,7 +6,7 @@
 namespace twinray {
 namespace {
 
-constexpr LoadOptions cs184{.interpretation = Interpretation::cs184};
+const LoadOptions cs184{.interpretation = Interpretation::cs184};
 
 std::string light(const std::string& kind, const std::string& extra = "") {
   return "<library_lights><light id=\"light\"><technique_common>" + kind + "</technique_common>" + extra +

@@ -101,4 +101,10 @@ MUTANTS = [
            "result.m[row][column] += shift * b[row] * across[column] / a1;",
            "result.m[row][column] -= shift * b[row] * across[column] / a1;",
            "test_io", "a skew turns its first axis towards the second, along the second"),
+    Mutant("a store's tiles all begin where its file does", "io/texture_store.cpp",
+           "file_->read(begin_ + tile * tile_bytes,", "file_->read(tile * tile_bytes,",
+           "test_io", "a store keeps the texels of all levels of its pictures, whatever its bound"),
+    Mutant("a store keeps pictures of any size in tiles", "io/texture_store.cpp",
+           "if (layout.tiles() <= 2)", "if (layout.tiles() <= 1)",
+           "test_io", "a picture no larger than a tile stays in memory"),
 ]
