@@ -36,13 +36,8 @@ class Bsdf {
   }
   /// Whether light is reflected evenly, on the viewer's side alone.
   bool is_lambert() const { return std::holds_alternative<LambertLobe>(lobes_); }
-  /// f(wo, wi), without the cosine, of all but delta directions.
-  Rgb evaluate(const Vec3& wo, const Vec3& wi) const {
+  BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const {
     return std::visit([&](const auto& lobe) { return lobe.evaluate(wo, wi); }, lobes_);
-  }
-  /// The density, per solid angle, with which sample() chooses wi among all but delta directions.
-  float pdf(const Vec3& wo, const Vec3& wi) const {
-    return std::visit([&](const auto& lobe) { return lobe.pdf(wo, wi); }, lobes_);
   }
   /// A direction, from a number in [0, 1) that chooses among ways of scattering and two in the unit square.
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const {

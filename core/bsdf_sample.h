@@ -5,6 +5,12 @@
 
 namespace twinray {
 
+/// What is scattered from one direction to another, but for delta directions.
+struct BsdfValue {
+  Rgb value;      ///< f(wo, wi), without the cosine.
+  float pdf = 0;  ///< The density, per solid angle, with which the BSDF's sample() chooses wi.
+};
+
 /// A direction in which light is scattered, in the frame of core/bsdf.h.
 struct BsdfSample {
   Vec3 wi;

@@ -57,16 +57,20 @@ float ggx_loss(float cosine, float alpha) {
 
 float average_ggx_loss(float alpha) { return at(tables::average_loss, Place(alpha, tables::loss_count)); }
 
-float ggx_dielectric_reflectance(float cosine, float alpha, float ior) {
-  const Place layer = place_of_ior(ior, tables::ior_count), y(std::sqrt(alpha), tables::alpha_count),
-              x(std::sqrt(cosine), tables::cosine_count);
-  return mix(at(tables::dielectric[layer.first], y, x), at(tables::dielectric[layer.first + 1], y, x),
-             layer.part);
+GgxDielectricReflectance::GgxDielectricReflectance(float alpha, float ior) {
+  const Place layer = place_of_ior(ior, tables::ior_count), y(std::sqrt(alpha), tables::alpha_count);
+  static_assert(std::tuple_size_v<decltype(row_)> == tables::cosine_count);
+  const auto entry = [&](int i, int x) {
+    const auto& rows = tables::dielectric[i];
+    return mix(rows[y.first][x], rows[y.first + 1][x], y.part);
+  };
+  for (int x = 0; x < tables::cosine_count; ++x)
+    row_[std::size_t(x)] = mix(entry(layer.first, x), entry(layer.first + 1, x), layer.part);
+  average_ = at(tables::average_dielectric, layer, y);
 }
 
-float average_ggx_dielectric_reflectance(float alpha, float ior) {
-  return at(tables::average_dielectric, place_of_ior(ior, tables::ior_count),
-            Place(std::sqrt(alpha), tables::alpha_count));
+float GgxDielectricReflectance::operator()(float cosine) const {
+  return at(row_.data(), Place(std::sqrt(cosine), tables::cosine_count));
 }
 
 float ggx_boundary_loss(float cosine, float alpha, float eta) {
@@ -99,7 +103,7 @@ DielectricMultipleScattering::DielectricMultipleScattering(const Ggx& facets, fl
   const float here = average_ggx_boundary_loss(alpha_, eta),
               there = average_ggx_boundary_loss(alpha_, 1 / eta);
   // What a smooth boundary transmits of light from all directions: eta^2 times as much into the denser side.
-  const float dense = eta < 1 ? 1 / eta : eta, in = 1 - average_ggx_dielectric_reflectance(0, dense);
+  const float dense = eta < 1 ? 1 / eta : eta, in = 1 - GgxDielectricReflectance(0, dense).average();
   const float transmitted = eta < 1 ? in / (dense * dense) : in;
   // Reciprocity: the parts transmitted from both sides, over the other side's loss, are as eta^2 to 1.
   const float share = transmitted / std::max(here, there);

@@ -2,6 +2,8 @@
 // How much of the light that falls on GGX facets they scatter after one reflection, as tables: what is
 // missing is light that meets several facets, and light below a rough coat.
 #pragma once
+#include <array>
+
 #include "core/microfacet.h"
 #include "core/rgb.h"
 
@@ -16,9 +18,17 @@ float average_ggx_loss(float alpha);
 /// The part of light along a direction that facets of a dielectric reflect at once: the integral of
 /// F D G / (4 wo.z). alpha in [0, 1], ior (to the side of the light) is taken as within [1, 3]. Within 5e-3,
 /// 2e-2 within 0.1 of the horizon.
-float ggx_dielectric_reflectance(float cosine, float alpha, float ior);
-/// The same for light that is the same from all directions. Within 3e-3.
-float average_ggx_dielectric_reflectance(float alpha, float ior);
+class GgxDielectricReflectance {
+ public:
+  GgxDielectricReflectance(float alpha, float ior);
+  float operator()(float cosine) const;
+  /// The same for light that is the same from all directions. Within 3e-3.
+  float average() const { return average_; }
+
+ private:
+  std::array<float, 16> row_;  ///< By the root of the cosine, equally spaced over [0, 1].
+  float average_;
+};
 
 /// The part of light along a direction that facets of a boundary between two media reflect or refract to
 /// other facets, instead of away. alpha in [0, 1]; eta, the index of refraction behind to that in front, is

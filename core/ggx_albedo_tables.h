@@ -80,7 +80,7 @@ inline constexpr float average_loss[loss_count] = {
   0.5909f
 };
 
-/// ggx_dielectric_reflectance: layers sqrt(2 (ior - 1) / (ior + 1)) = i / (ior_count - 1), rows
+/// GgxDielectricReflectance: layers sqrt(2 (ior - 1) / (ior + 1)) = i / (ior_count - 1), rows
 /// sqrt(alpha) = j / (alpha_count - 1), columns sqrt(cos) = k / (cosine_count - 1).
 inline constexpr float dielectric[ior_count][alpha_count][cosine_count] = {
  {
@@ -409,7 +409,7 @@ inline constexpr float dielectric[ior_count][alpha_count][cosine_count] = {
  },
 };
 
-/// average_ggx_dielectric_reflectance: rows as the layers above, columns as the rows.
+/// GgxDielectricReflectance::average: rows as the layers above, columns as the rows.
 inline constexpr float average_dielectric[ior_count][alpha_count] = {
  {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
  {0.0039f, 0.0038f, 0.0033f, 0.0026f, 0.0019f, 0.0013f, 0.0009f, 0.0007f, 0.0005f, 0.0003f, 0.0003f,

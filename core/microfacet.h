@@ -18,6 +18,13 @@ namespace twinray {
 /// surface.
 inline constexpr float least_alpha = 1e-3f;
 
+/// Two directions of which one is the mirror image of the other at a facet.
+struct FacetReflection {
+  float cosine = 1;  ///< Of each to the facet's normal.
+  float value = 0;   ///< D G / (4 wo.z wi.z): f(wo, wi) of facets that reflect everything.
+  float pdf = 0;     ///< Per solid angle, of wi, where wo is reflected at the normals that it sees.
+};
+
 /// Facets distributed as on an ellipsoid: GGX (Walter et al. 2007), which is Trowbridge and Reitz's (1975);
 /// Smith's masking. Alphas along x and y, > 0; 1 is very rough.
 class Ggx {
@@ -67,14 +74,14 @@ class Ggx {
     const float length2 = length_squared(m);
     return length2 > 0 ? m / std::sqrt(length2) : Vec3{0, 0, 1};
   }
-  /// The density, per solid angle, of the mirror image of w at such a normal. Both z > 0.
-  float reflection_pdf(const Vec3& w, const Vec3& image) const {
-    // Turning m by an angle turns the image by twice that: dm = dwi / (4 w.m), and w.m cancels.
-    return masking(w) * density(normalize(w + image)) / (4 * w.z);
-  }
-  /// D G / (4 wo.z wi.z): what facets that reflect everything scatter from wi to wo. Both z > 0.
-  float reflection(const Vec3& wo, const Vec3& wi) const {
-    return density(normalize(wo + wi)) * shadowing_masking(wo, wi) / (4 * wo.z * wi.z);
+  /// How facets reflect wi to wo; both z > 0.
+  FacetReflection reflection(const Vec3& wo, const Vec3& wi) const {
+    const Vec3 m = normalize(wo + wi);
+    const float facets = density(m), hidden_o = lambda(wo);
+    return {.cosine = std::min(1.0f, dot(wo, m)),
+            .value = facets * (1 / (1 + hidden_o + lambda(wi))) / (4 * wo.z * wi.z),
+            // Turning m by an angle turns wi by twice that: dm = dwi / (4 wo.m), and wo.m cancels.
+            .pdf = 1 / (1 + hidden_o) * facets / (4 * wo.z)};
   }
 
  private:

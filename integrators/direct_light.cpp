@@ -14,7 +14,7 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
   Rgb sum;
   for (std::uint32_t part = 0; part < count; ++part) {
     const Look look = look_around(at, sampler.draw_2d(Purpose::light_point, {part, count, 0}));
-    const Rgb scattered = at.scattered(look.direction);
+    const Rgb scattered = at.scattered(look.direction).value;
     if (is_black(scattered)) continue;
     const Ray ray = spawn_ray(at.point(), look.direction);
     const Hit hit = tracer.bounce_hit(ray);
@@ -58,10 +58,10 @@ Rgb found_alone(const LightTransport& transport, const Hit& hit, const Vec3& dir
 }  // namespace
 
 float light_sample_weight(const LightTransport& transport, std::uint32_t light, const Interaction& at,
-                          const LightSample& sample) {
+                          const LightSample& sample, float scattered_pdf) {
   if (transport.method != DirectMethod::mis || transport.lights.is_delta(light)) return 1;
   if (at.is_lambert() && !transport.lights.zone(light).contains(at.point().position)) return 1;
-  return power_heuristic(float(transport.samples_of(light)) * sample.pdf, at.pdf(sample.direction));
+  return power_heuristic(float(transport.samples_of(light)) * sample.pdf, scattered_pdf);
 }
 
 Look look_around(const Interaction& at, Vec2 u) {
@@ -71,10 +71,12 @@ Look look_around(const Interaction& at, Vec2 u) {
 
 Rgb scattered_sample(const LightTransport& transport, std::uint32_t light, const Interaction& at,
                      const LightSample& sample) {
+  if (is_black(sample.radiance)) return {};
+  const BsdfValue scattered = at.scattered(sample.direction);
   const Rgb arriving =
       transmittance(transport, at.interiors(sample.direction), sample.shadow_ray, sample.shadow_ray.t_max);
-  return at.scattered(sample.direction) * sample.radiance *
-         light_sample_weight(transport, light, at, sample) * arriving;
+  return scattered.value * sample.radiance *
+         light_sample_weight(transport, light, at, sample, scattered.pdf) * arriving;
 }
 
 Rgb direct_light(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,

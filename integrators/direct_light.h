@@ -68,9 +68,10 @@ struct Look {
 /// [0, 1)^2.
 Look look_around(const Interaction& at, Vec2 u);
 
-/// The part of a light's sample that scattered rays do not find.
+/// The part of a light's sample that scattered rays do not find, which have its direction with the density
+/// `scattered_pdf`.
 float light_sample_weight(const LightTransport& transport, std::uint32_t light, const Interaction& at,
-                          const LightSample& sample);
+                          const LightSample& sample, float scattered_pdf);
 
 /// What a surface scatters of a light's sample before its visibility and density, but for the part that
 /// scattered rays find.

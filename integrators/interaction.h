@@ -31,16 +31,14 @@ class Interaction {
 
   Vec3 to_local(const Vec3& v) const { return shading_.frame.to_local(v); }
   Vec3 to_world(const Vec3& v) const { return shading_.frame.to_world(v); }
-  /// f(wo, wi) |cos(wi)| for a unit direction in world space, of all but delta directions; black where wi
-  /// leaves on another side of the surface than of its shading normal, so that no light leaks through.
-  Rgb scattered(const Vec3& wi) const {
-    if (!is_consistent(wi)) return {};
+  /// f(wo, wi) |cos(wi)| for a unit direction in world space, and the density with which scattering chooses
+  /// it, of all but delta directions. Black where wi leaves on another side of the surface than of its
+  /// shading normal, so that no light leaks through.
+  BsdfValue scattered(const Vec3& wi) const {
     const Vec3 local = to_local(wi);
-    return bsdf_.evaluate(wo_local_, local) * (std::fabs(local.z) * kept(wi));
+    const auto [value, pdf] = bsdf_.evaluate(wo_local_, local);
+    return {is_consistent(wi) ? value * (std::fabs(local.z) * kept(wi)) : Rgb{}, pdf};
   }
-  /// The density, per solid angle, with which scattering chooses a unit direction in world space among all
-  /// but delta directions.
-  float pdf(const Vec3& wi) const { return bsdf_.pdf(wo_local_, to_local(wi)); }
   /// The part of light from a consistent direction that is left where a map bends the normal, softly falling
   /// to 0 where the geometry no longer sees it (core/shadow_terminator.h); without a map 1.
   float kept(const Vec3& wi) const {

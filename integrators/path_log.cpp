@@ -14,8 +14,9 @@ void PathLog::found_light(const FoundLight& found) {
 
 void PathLog::sampled_light(const LightTransport& transport, const Interaction& at,
                             const TakenLightSample& taken) {
-  const float weight = light_sample_weight(transport, taken.source, at, taken.sample);
-  last().light_samples.push_back({taken, weight, at.pdf(taken.sample.direction)});
+  const float pdf = at.scattered(taken.sample.direction).pdf;
+  const float weight = light_sample_weight(transport, taken.source, at, taken.sample, pdf);
+  last().light_samples.push_back({taken, weight, pdf});
 }
 
 void PathLog::added(const PathTerm& term) {

@@ -2,7 +2,6 @@
 #include "core/lobes/coat.h"
 
 #include "core/fresnel.h"
-#include "core/ggx_albedo.h"
 
 namespace twinray {
 
@@ -10,18 +9,20 @@ Coat::Coat(float ior)
     : is_smooth_(true),
       ior_(std::max(1.0f, ior)),
       alpha_(0),
-      average_reflectance_(average_fresnel_dielectric(ior_)),
-      facets_(1) {}
+      facets_(1),
+      rough_reflectance_(0, ior_),
+      average_reflectance_(average_fresnel_dielectric(ior_)) {}
 
 Coat::Coat(float ior, const Ggx& facets)
     : is_smooth_(false),
       ior_(std::max(1.0f, ior)),
       alpha_(facets.mean_alpha()),
-      average_reflectance_(average_ggx_dielectric_reflectance(alpha_, ior_)),
-      facets_(facets) {}
+      facets_(facets),
+      rough_reflectance_(alpha_, ior_),
+      average_reflectance_(rough_reflectance_.average()) {}
 
 float Coat::reflectance(float cosine) const {
-  return is_smooth_ ? fresnel_dielectric(cosine, ior_) : ggx_dielectric_reflectance(cosine, alpha_, ior_);
+  return is_smooth_ ? fresnel_dielectric(cosine, ior_) : rough_reflectance_(cosine);
 }
 
 Rgb Coat::diffuse_below(const Rgb& reflectance) const {
@@ -30,14 +31,11 @@ Rgb Coat::diffuse_below(const Rgb& reflectance) const {
   return {channel(reflectance.r), channel(reflectance.g), channel(reflectance.b)};
 }
 
-float Coat::evaluate(const Vec3& wo, const Vec3& wi) const {
-  if (is_smooth_) return 0;
-  const float cosine = std::min(1.0f, dot(wo, normalize(wo + wi)));
-  return fresnel_dielectric(cosine, ior_) * facets_.reflection(wo, wi);
-}
-
-float Coat::pdf(const Vec3& wo, const Vec3& wi) const {
-  return is_smooth_ ? 0 : facets_.reflection_pdf(wo, wi);
+FacetReflection Coat::reflection(const Vec3& wo, const Vec3& wi) const {
+  if (is_smooth_) return {};
+  FacetReflection facets = facets_.reflection(wo, wi);
+  facets.value *= fresnel_dielectric(facets.cosine, ior_);
+  return facets;
 }
 
 Vec3 Coat::sample(const Vec3& wo, Vec2 u) const {

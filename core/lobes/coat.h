@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include "core/bsdf_sample.h"
+#include "core/ggx_albedo.h"
 #include "core/microfacet.h"
 
 namespace twinray {
@@ -30,17 +31,18 @@ class Coat {
   /// for what the coat lets through of both directions.
   Rgb diffuse_below(const Rgb& reflectance) const;
 
-  /// f(wo, wi) of what a rough coat reflects; 0 for a smooth one, which reflects to a delta direction.
-  float evaluate(const Vec3& wo, const Vec3& wi) const;
-  /// The density, per solid angle, of the directions of a rough coat's facets; 0 for a smooth one.
-  float pdf(const Vec3& wo, const Vec3& wi) const;
+  /// What the facets of a rough coat reflect: `value` is their f(wo, wi). Nothing for a smooth one, which
+  /// reflects to a delta direction.
+  FacetReflection reflection(const Vec3& wo, const Vec3& wi) const;
   /// Where it reflects wo to: has that density. May lie below the surface.
   Vec3 sample(const Vec3& wo, Vec2 u) const;
 
  private:
   bool is_smooth_;
-  float ior_, alpha_, average_reflectance_;
+  float ior_, alpha_;
   Ggx facets_;
+  GgxDielectricReflectance rough_reflectance_;  ///< Of a rough coat.
+  float average_reflectance_;
 };
 
 }  // namespace twinray

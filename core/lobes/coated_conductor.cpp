@@ -68,23 +68,22 @@ CoatedConductorLobe::Choice CoatedConductorLobe::choice(float cosine) const {
   return all > 0 ? Choice{reflected / all, metal / all} : Choice{1, 0};
 }
 
-Rgb CoatedConductorLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
+BsdfValue CoatedConductorLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
-  const float out = coat_.reflectance(wo.z), in = coat_.reflectance(wi.z), ior = coat_.ior();
-  const Rgb once = metal_.evaluate(below(wo), below(wi)) * ((1 - out) * (1 - in) / (ior * ior));
+  const float out = coat_.reflectance(wo.z), in = coat_.reflectance(wi.z),
+              squared = coat_.ior() * coat_.ior();
+  const Vec3 inside = below(wi);
+  const FacetReflection coat = coat_.reflection(wo, wi);
+  const BsdfValue below_coat = metal_.evaluate(below(wo), inside);
+  const Rgb once = below_coat.value * ((1 - out) * (1 - in) / squared);
   const Rgb metal = divide(once, white - metal_.albedo() * (0.5f * (out + in)));
   const float more = mean_kept_ > 0 ? kept(wo.z) * kept(wi.z) / (pi * mean_kept_) : 0;
-  return white * coat_.evaluate(wo, wi) + metal + diffuse_ * more;
-}
-
-float CoatedConductorLobe::pdf(const Vec3& wo, const Vec3& wi) const {
-  if (!(wo.z > 0 && wi.z > 0)) return 0;
   const Choice p = choice(wo.z);
-  const Vec3 inside = below(wi);
   // Snell's law: cos dw is ior^2 times smaller within the coat.
-  const float narrower = wi.z / (coat_.ior() * coat_.ior() * inside.z);
-  return p.coat * coat_.pdf(wo, wi) + p.metal * metal_.pdf(below(wo), inside) * narrower +
-         (1 - p.coat - p.metal) * cosine_hemisphere_pdf(wi.z);
+  const float narrower = wi.z / (squared * inside.z);
+  return {white * coat.value + metal + diffuse_ * more,
+          p.coat * coat.pdf + p.metal * below_coat.pdf * narrower +
+              (1 - p.coat - p.metal) * cosine_hemisphere_pdf(wi.z)};
 }
 
 BsdfSample CoatedConductorLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
@@ -103,7 +102,8 @@ BsdfSample CoatedConductorLobe::sample(const Vec3& wo, float lobe, Vec2 u) const
     wi = square_to_cosine_hemisphere(u);
   }
   if (!(wi.z > 0)) return {};
-  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi)};
+  const auto [value, pdf] = evaluate(wo, wi);
+  return {.wi = wi, .value = value, .pdf = pdf};
 }
 
 }  // namespace twinray

@@ -19,16 +19,13 @@ float CoatedDiffuseLobe::coat_probability(float reflectance) const {
   return all > 0 ? reflectance / all : 1;
 }
 
-Rgb CoatedDiffuseLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
+BsdfValue CoatedDiffuseLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
-  const float coat = coat_.evaluate(wo, wi);
-  return Rgb{coat, coat, coat} + base_ * (coat_.transmittance(wo.z) * coat_.transmittance(wi.z) / pi);
-}
-
-float CoatedDiffuseLobe::pdf(const Vec3& wo, const Vec3& wi) const {
-  if (!(wo.z > 0 && wi.z > 0)) return 0;
-  const float coat = coat_probability(coat_.reflectance(wo.z));
-  return coat * coat_.pdf(wo, wi) + (1 - coat) * cosine_hemisphere_pdf(wi.z);
+  const FacetReflection coat = coat_.reflection(wo, wi);
+  const float reflectance = coat_.reflectance(wo.z), probability = coat_probability(reflectance);
+  const float through = (1 - reflectance) * coat_.transmittance(wi.z);
+  return {Rgb{coat.value, coat.value, coat.value} + base_ * (through / pi),
+          probability * coat.pdf + (1 - probability) * cosine_hemisphere_pdf(wi.z)};
 }
 
 BsdfSample CoatedDiffuseLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
@@ -41,7 +38,8 @@ BsdfSample CoatedDiffuseLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
     const float value = reflectance / wi.z;
     return {.wi = wi, .value = {value, value, value}, .pdf = probability, .is_delta = true};
   }
-  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi), .is_diffuse = !reflects};
+  const auto [value, pdf] = evaluate(wo, wi);
+  return {.wi = wi, .value = value, .pdf = pdf, .is_diffuse = !reflects};
 }
 
 }  // namespace twinray

@@ -18,8 +18,7 @@ class CoatedDiffuseLobe {
   CoatedDiffuseLobe(const Coat& coat, const Rgb& reflectance);
 
   Rgb albedo() const;
-  Rgb evaluate(const Vec3& wo, const Vec3& wi) const;
-  float pdf(const Vec3& wo, const Vec3& wi) const;
+  BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 
  private:

@@ -38,16 +38,11 @@ float Cs184MicrofacetLobe::lambda(const Vec3& w) const {
   return 0.5f * (exp_of(-a * a) / (a * pi) - erfc_of(a));
 }
 
-Rgb Cs184MicrofacetLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
+BsdfValue Cs184MicrofacetLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
-  const float masking = 1 / (1 + lambda(wo) + lambda(wi));
-  return fresnel(wi.z) * (masking * density(normalize(wo + wi)) / (4 * wo.z * wi.z));
-}
-
-float Cs184MicrofacetLobe::pdf(const Vec3& wo, const Vec3& wi) const {
-  if (!(wo.z > 0 && wi.z > 0)) return 0;
   const Vec3 m = normalize(wo + wi);
-  return density(m) * m.z / (4 * dot(wo, m));
+  const float facets = density(m), masking = 1 / (1 + lambda(wo) + lambda(wi));
+  return {fresnel(wi.z) * (masking * facets / (4 * wo.z * wi.z)), facets * m.z / (4 * dot(wo, m))};
 }
 
 BsdfSample Cs184MicrofacetLobe::sample(const Vec3& wo, float /*lobe*/, Vec2 u) const {
@@ -56,7 +51,8 @@ BsdfSample Cs184MicrofacetLobe::sample(const Vec3& wo, float /*lobe*/, Vec2 u) c
   const SinCos azimuth = sincos_turns(u.y);
   const Vec3 wi = reflected(wo, normalize({tangent * azimuth.cos, tangent * azimuth.sin, 1}));
   if (!(wi.z > 0)) return {};
-  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi)};
+  const auto [value, pdf] = evaluate(wo, wi);
+  return {.wi = wi, .value = value, .pdf = pdf};
 }
 
 }  // namespace twinray

@@ -13,8 +13,7 @@ class Cs184MicrofacetLobe {
   Cs184MicrofacetLobe(float alpha, const Rgb& eta, const Rgb& k) : alpha_(alpha), eta_(eta), k_(k) {}
 
   Rgb albedo() const { return fresnel(1); }
-  Rgb evaluate(const Vec3& wo, const Vec3& wi) const;
-  float pdf(const Vec3& wo, const Vec3& wi) const;
+  BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 
  private:

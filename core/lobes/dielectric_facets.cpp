@@ -24,35 +24,29 @@ float DielectricFacets::reflection_probability(float fresnel) const {
   return reflected > 0 ? reflected / (reflected + transmitted) : 0;
 }
 
-Rgb DielectricFacets::evaluate(const Vec3& wo, const Vec3& wi) const {
+BsdfValue DielectricFacets::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0) || wi.z == 0) return {};
-  if (wi.z > 0) {
-    const float fresnel = fresnel_dielectric(std::min(1.0f, dot(wo, normalize(wo + wi))), eta_);
-    return reflectance_ * (fresnel * facets_.reflection(wo, wi));
-  }
+  return wi.z > 0 ? evaluate_reflection(wo, wi) : evaluate_transmission(wo, wi);
+}
+
+BsdfValue DielectricFacets::evaluate_reflection(const Vec3& wo, const Vec3& wi) const {
+  const FacetReflection facets = facets_.reflection(wo, wi);
+  const float fresnel = fresnel_dielectric(facets.cosine, eta_);
+  return {reflectance_ * (fresnel * facets.value), reflection_probability(fresnel) * facets.pdf};
+}
+
+BsdfValue DielectricFacets::evaluate_transmission(const Vec3& wo, const Vec3& wi) const {
   const Vec3 m = refracting_normal(wo, wi);
   const float cos_o = dot(wo, m), cos_i = dot(wi, m);
   if (!(cos_o > 0 && cos_i < 0)) return {};
   const float across = cos_o + eta_ * cos_i;
   const float facets = facets_.density(m) * facets_.shadowing_masking(wo, wi);
   const float geometry = cos_o * cos_i / (wo.z * wi.z * across * across);
-  return transmittance_ * ((1 - fresnel_dielectric(std::min(1.0f, cos_o), eta_)) * facets * geometry);
-}
-
-float DielectricFacets::pdf(const Vec3& wo, const Vec3& wi) const {
-  if (!(wo.z > 0) || wi.z == 0) return 0;
-  if (wi.z > 0) {
-    const float fresnel = fresnel_dielectric(std::min(1.0f, dot(wo, normalize(wo + wi))), eta_);
-    return reflection_probability(fresnel) * facets_.reflection_pdf(wo, wi);
-  }
-  const Vec3 m = refracting_normal(wo, wi);
-  const float cos_o = dot(wo, m), cos_i = dot(wi, m);
-  if (!(cos_o > 0 && cos_i < 0)) return 0;
-  // Turning m turns wi: dm = eta^2 |wi.m| / (wo.m + eta wi.m)^2 dwi.
-  const float across = cos_o + eta_ * cos_i;
-  const float turned = eta_ * eta_ * -cos_i / (across * across);
   const float fresnel = fresnel_dielectric(std::min(1.0f, cos_o), eta_);
-  return (1 - reflection_probability(fresnel)) * facets_.visible_density(wo, m) * turned;
+  // Turning m turns wi: dm = eta^2 |wi.m| / (wo.m + eta wi.m)^2 dwi.
+  const float turned = eta_ * eta_ * -cos_i / (across * across);
+  return {transmittance_ * ((1 - fresnel) * facets * geometry),
+          (1 - reflection_probability(fresnel)) * facets_.visible_density(wo, m) * turned};
 }
 
 BsdfSample DielectricFacets::sample(const Vec3& wo, float lobe, Vec2 u) const {
@@ -63,7 +57,8 @@ BsdfSample DielectricFacets::sample(const Vec3& wo, float lobe, Vec2 u) const {
   const bool reflects = lobe < reflection_probability(fresnel_dielectric(cos_o, eta_));
   const Vec3 wi = reflects ? reflected(wo, m) : refracted(wo, m, cos_o, eta_);
   if (reflects ? !(wi.z > 0) : !(wi.z < 0)) return {};
-  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi), .eta = reflects ? 1 : eta_};
+  const auto [value, pdf] = evaluate(wo, wi);
+  return {.wi = wi, .value = value, .pdf = pdf, .eta = reflects ? 1 : eta_};
 }
 
 }  // namespace twinray

@@ -14,11 +14,13 @@ class DielectricFacets {
   DielectricFacets(const Ggx& facets, float eta, const Rgb& reflectance, const Rgb& transmittance)
       : facets_(facets), eta_(eta), reflectance_(reflectance), transmittance_(transmittance) {}
 
-  Rgb evaluate(const Vec3& wo, const Vec3& wi) const;
-  float pdf(const Vec3& wo, const Vec3& wi) const;
+  BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 
  private:
+  /// Of directions on one side, and on two.
+  BsdfValue evaluate_reflection(const Vec3& wo, const Vec3& wi) const;
+  BsdfValue evaluate_transmission(const Vec3& wo, const Vec3& wi) const;
   /// The normal of facets that refract wi to wo, on the viewer's side: along wo + eta wi.
   Vec3 refracting_normal(const Vec3& wo, const Vec3& wi) const;
   /// The probability that a facet is taken to reflect, where it reflects this part.

@@ -12,18 +12,17 @@ struct DiffuseTransmissionLobe {
   Rgb reflectance, transmittance;  ///< Their sum in [0, 1].
 
   Rgb albedo() const { return reflectance + transmittance; }
-  Rgb evaluate(const Vec3&, const Vec3& wi) const {
-    return (wi.z > 0 ? reflectance : transmittance) * (1 / pi);
-  }
-  float pdf(const Vec3&, const Vec3& wi) const {
+  BsdfValue evaluate(const Vec3&, const Vec3& wi) const {
     const float reflects = reflection_probability();
-    return (wi.z > 0 ? reflects : 1 - reflects) * cosine_hemisphere_pdf(std::fabs(wi.z));
+    return {(wi.z > 0 ? reflectance : transmittance) * (1 / pi),
+            (wi.z > 0 ? reflects : 1 - reflects) * cosine_hemisphere_pdf(std::fabs(wi.z))};
   }
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const {
     Vec3 wi = square_to_cosine_hemisphere(u);
     if (is_black(albedo()) || !(wi.z > 0)) return {};
     if (lobe >= reflection_probability()) wi.z = -wi.z;
-    return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi), .is_diffuse = true};
+    const auto [value, pdf] = evaluate(wo, wi);
+    return {.wi = wi, .value = value, .pdf = pdf, .is_diffuse = true};
   }
 
  private:

@@ -12,11 +12,9 @@ struct LambertLobe {
   Rgb reflectance;
 
   Rgb albedo() const { return reflectance; }
-  Rgb evaluate(const Vec3& wo, const Vec3& wi) const {
-    return wo.z * wi.z > 0 ? reflectance * (1 / pi) : Rgb{};
-  }
-  float pdf(const Vec3& wo, const Vec3& wi) const {
-    return wo.z * wi.z > 0 ? cosine_hemisphere_pdf(std::fabs(wi.z)) : 0;
+  BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const {
+    if (!(wo.z * wi.z > 0)) return {};
+    return {reflectance * (1 / pi), cosine_hemisphere_pdf(std::fabs(wi.z))};
   }
   BsdfSample sample(const Vec3& wo, float /*lobe*/, Vec2 u) const {
     if (is_black(reflectance) || wo.z == 0) return {};

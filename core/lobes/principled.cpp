@@ -119,19 +119,15 @@ Rgb PrincipledLobe::albedo() const {
   return fuzz + (coat + below_coat_ * base_albedo() * through_coat_) * through_fuzz_;
 }
 
-Rgb PrincipledLobe::evaluate_base(const Vec3& wo, const Vec3& wi) const {
-  Rgb value;
-  if (wi.z > 0) {
-    const float cosine = std::min(1.0f, dot(wo, normalize(wo + wi)));
-    const float reflected = facets_.reflection(wo, wi);
-    const float through = gloss_.transmittance(wo.z) * gloss_.transmittance(wi.z);
-    const Rgb metal = metal_fresnel_(cosine) * reflected + metal_multiple_ * multiple_.evaluate(wo.z, wi.z);
-    const Rgb gloss = specular_color_ * (fresnel_dielectric(cosine, gloss_.ior()) * reflected);
-    value = metal * (metal_ * specular_weight_) +
-            (gloss + diffuse_ * rough_.evaluate(wo, wi) * through) * opaque_;
-  }
-  if (clear_ == 0) return value;
-  return value + std::visit([&](const auto& lobe) { return lobe.evaluate(wo, wi); }, boundary_) * clear_;
+BsdfValue PrincipledLobe::evaluate_opaque(const Choice& p, const Vec3& wo, const Vec3& wi) const {
+  const FacetReflection facets = facets_.reflection(wo, wi);
+  const float through = gloss_.transmittance(wo.z) * gloss_.transmittance(wi.z);
+  const Rgb metal =
+      metal_fresnel_(facets.cosine) * facets.value + metal_multiple_ * multiple_.evaluate(wo.z, wi.z);
+  const Rgb gloss = specular_color_ * (fresnel_dielectric(facets.cosine, gloss_.ior()) * facets.value);
+  const BsdfValue diffuse = rough_.evaluate(wo, wi);
+  return {metal * (metal_ * specular_weight_) + (gloss + diffuse_ * diffuse.value * through) * opaque_,
+          p.facets * facets.pdf + p.diffuse * diffuse.pdf};
 }
 
 Rgb PrincipledLobe::through_coat(const Vec3& wo, const Vec3& wi) const {
@@ -146,13 +142,24 @@ float PrincipledLobe::through_fuzz(const Vec3& wo, const Vec3& wi) const {
   return along(wo.z) * along(wi.z) / through_fuzz_;
 }
 
-Rgb PrincipledLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
+BsdfValue PrincipledLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0) || wi.z == 0) return {};
-  Rgb value = evaluate_base(wo, wi) * through_coat(wo, wi);
-  if (coat_weight_ > 0 && wi.z > 0) value += white * (coat_weight_ * coat_.evaluate(wo, wi));
-  value = value * through_fuzz(wo, wi);
-  if (fuzz_weight_ > 0 && wi.z > 0) value += fuzz_color_ * (fuzz_weight_ * fuzz_.evaluate(wo, wi));
-  return value;
+  const Choice p = choice(wo);
+  BsdfValue all = wi.z > 0 ? evaluate_opaque(p, wo, wi) : BsdfValue{};
+  const auto add = [&](const Rgb& value, float pdf) { all = {all.value + value, all.pdf + pdf}; };
+  if (clear_ > 0) {
+    const BsdfValue clear = std::visit([&](const auto& lobe) { return lobe.evaluate(wo, wi); }, boundary_);
+    add(clear.value * clear_, p.clear * clear.pdf);
+  }
+  all.value = all.value * through_coat(wo, wi);
+  if (coat_weight_ > 0 && wi.z > 0) {
+    const FacetReflection coat = coat_.reflection(wo, wi);
+    add(white * (coat_weight_ * coat.value), p.coat * coat.pdf);
+  }
+  all.value = all.value * through_fuzz(wo, wi);
+  if (fuzz_weight_ > 0 && wi.z > 0)
+    add(fuzz_color_ * (fuzz_weight_ * fuzz_.evaluate(wo, wi)), p.fuzz * cosine_hemisphere_pdf(wi.z));
+  return all;
 }
 
 PrincipledLobe::Choice PrincipledLobe::choice(const Vec3& wo) const {
@@ -169,17 +176,6 @@ PrincipledLobe::Choice PrincipledLobe::choice(const Vec3& wo) const {
   return {fuzz, coat, rest * facets / sum, rest * diffuse / sum, rest * clear_ / sum};
 }
 
-float PrincipledLobe::pdf(const Vec3& wo, const Vec3& wi) const {
-  if (!(wo.z > 0) || wi.z == 0) return 0;
-  const Choice p = choice(wo);
-  const float clear =
-      p.clear > 0 ? p.clear * std::visit([&](const auto& lobe) { return lobe.pdf(wo, wi); }, boundary_) : 0;
-  if (wi.z < 0) return clear;
-  const float coat = p.coat > 0 ? p.coat * coat_.pdf(wo, wi) : 0;
-  return clear + coat + p.facets * facets_.reflection_pdf(wo, wi) +
-         (p.fuzz + p.diffuse) * cosine_hemisphere_pdf(wi.z);
-}
-
 BsdfSample PrincipledLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
   if (!(wo.z > 0)) return {};
   const Choice p = choice(wo);
@@ -190,7 +186,8 @@ BsdfSample PrincipledLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
                   : lobe < coat  ? coat_.sample(wo, u)
                                  : reflected(wo, facets_.sample_visible(wo, u));
   if (!(wi.z > 0)) return {};
-  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi), .is_diffuse = lobe < diffuse};
+  const auto [value, pdf] = evaluate(wo, wi);
+  return {.wi = wi, .value = value, .pdf = pdf, .is_diffuse = lobe < diffuse};
 }
 
 BsdfSample PrincipledLobe::sample_clear(const Vec3& wo, float lobe, Vec2 u) const {
@@ -201,8 +198,9 @@ BsdfSample PrincipledLobe::sample_clear(const Vec3& wo, float lobe, Vec2 u) cons
     sample.pdf *= choice(wo).clear;
     return sample;
   }
-  sample.value = evaluate(wo, sample.wi);
-  sample.pdf = pdf(wo, sample.wi);
+  const auto [value, pdf] = evaluate(wo, sample.wi);
+  sample.value = value;
+  sample.pdf = pdf;
   return sample;
 }
 

@@ -33,8 +33,7 @@ class PrincipledLobe {
   PrincipledLobe(const Principled& model, bool is_inside);
 
   Rgb albedo() const;
-  Rgb evaluate(const Vec3& wo, const Vec3& wi) const;
-  float pdf(const Vec3& wo, const Vec3& wi) const;
+  BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 
  private:
@@ -47,8 +46,8 @@ class PrincipledLobe {
   /// passes along wo. Light that goes through the surface passes the layer once.
   Rgb through_coat(const Vec3& wo, const Vec3& wi) const;
   float through_fuzz(const Vec3& wo, const Vec3& wi) const;
-  /// What is below coat and fuzz.
-  Rgb evaluate_base(const Vec3& wo, const Vec3& wi) const;
+  /// What metal and glossy diffuse surface reflect, below coat and fuzz; wi.z > 0.
+  BsdfValue evaluate_opaque(const Choice& p, const Vec3& wo, const Vec3& wi) const;
   Rgb base_albedo() const;
   BsdfSample sample_clear(const Vec3& wo, float lobe, Vec2 u) const;
 

@@ -20,18 +20,6 @@ Rgb RoughConductorLobe::albedo() const {
   return reflectance_ * (average_fresnel_ * (1 - loss) + multiple_factor_ * loss);
 }
 
-Rgb RoughConductorLobe::single_scattering(const Vec3& wo, const Vec3& wi) const {
-  if (!(wo.z > 0 && wi.z > 0)) return {};
-  const Vec3 m = normalize(wo + wi);
-  const Rgb fresnel = fresnel_conductor(std::min(1.0f, dot(wo, m)), eta_, k_);
-  return reflectance_ * fresnel * facets_.reflection(wo, wi);
-}
-
-Rgb RoughConductorLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
-  if (!(wo.z > 0 && wi.z > 0)) return {};
-  return single_scattering(wo, wi) + reflectance_ * multiple_factor_ * multiple_.evaluate(wo.z, wi.z);
-}
-
 float RoughConductorLobe::multiple_probability(const Vec3& wo) const {
   const float loss = multiple_.loss(wo.z);
   const float once = (1 - loss) * max_component(average_fresnel_);
@@ -39,10 +27,17 @@ float RoughConductorLobe::multiple_probability(const Vec3& wo) const {
   return more > 0 ? more / (once + more) : 0;
 }
 
-float RoughConductorLobe::pdf(const Vec3& wo, const Vec3& wi) const {
-  if (!(wo.z > 0 && wi.z > 0)) return 0;
+Rgb RoughConductorLobe::single_scattering(const FacetReflection& facets) const {
+  return reflectance_ * fresnel_conductor(facets.cosine, eta_, k_) * facets.value;
+}
+
+BsdfValue RoughConductorLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
+  if (!(wo.z > 0 && wi.z > 0)) return {};
+  const FacetReflection facets = facets_.reflection(wo, wi);
+  const Rgb more = reflectance_ * multiple_factor_ * multiple_.evaluate(wo.z, wi.z);
   const float multiple = multiple_probability(wo);
-  return (1 - multiple) * facets_.reflection_pdf(wo, wi) + multiple * cosine_hemisphere_pdf(wi.z);
+  return {single_scattering(facets) + more,
+          (1 - multiple) * facets.pdf + multiple * cosine_hemisphere_pdf(wi.z)};
 }
 
 BsdfSample RoughConductorLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
@@ -50,7 +45,8 @@ BsdfSample RoughConductorLobe::sample(const Vec3& wo, float lobe, Vec2 u) const 
   const bool is_multiple = lobe < multiple_probability(wo);
   const Vec3 wi = is_multiple ? square_to_cosine_hemisphere(u) : reflected(wo, facets_.sample_visible(wo, u));
   if (!(wi.z > 0)) return {};
-  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi)};
+  const auto [value, pdf] = evaluate(wo, wi);
+  return {.wi = wi, .value = value, .pdf = pdf};
 }
 
 }  // namespace twinray

@@ -15,12 +15,11 @@ class RoughConductorLobe {
   RoughConductorLobe(const Ggx& facets, const Rgb& eta, const Rgb& k, const Rgb& reflectance);
 
   Rgb albedo() const;
-  Rgb evaluate(const Vec3& wo, const Vec3& wi) const;
-  float pdf(const Vec3& wo, const Vec3& wi) const;
+  BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 
   /// f(wo, wi) of the light that meets one facet only.
-  Rgb single_scattering(const Vec3& wo, const Vec3& wi) const;
+  Rgb single_scattering(const FacetReflection& facets) const;
 
  private:
   /// The probability of sampling light that met several facets.

@@ -15,18 +15,14 @@ float RoughDielectricLobe::multiple_probability(float cosine) const {
   return is_black(reflectance_ + transmittance_) ? 0 : multiple_.loss(cosine);
 }
 
-Rgb RoughDielectricLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
+BsdfValue RoughDielectricLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0) || wi.z == 0) return {};
-  const Rgb once = facets_.evaluate(wo, wi);
-  return wi.z > 0 ? once + reflectance_ * multiple_.reflection(wo.z, wi.z)
-                  : once + transmittance_ * multiple_.transmission(wo.z, -wi.z);
-}
-
-float RoughDielectricLobe::pdf(const Vec3& wo, const Vec3& wi) const {
-  if (!(wo.z > 0) || wi.z == 0) return 0;
+  const BsdfValue once = facets_.evaluate(wo, wi);
+  const Rgb more = wi.z > 0 ? reflectance_ * multiple_.reflection(wo.z, wi.z)
+                            : transmittance_ * multiple_.transmission(wo.z, -wi.z);
   const float multiple = multiple_probability(wo.z), reflected = multiple_.reflected_part();
   const float diffuse = (wi.z > 0 ? reflected : 1 - reflected) * cosine_hemisphere_pdf(std::fabs(wi.z));
-  return (1 - multiple) * facets_.pdf(wo, wi) + multiple * diffuse;
+  return {once.value + more, (1 - multiple) * once.pdf + multiple * diffuse};
 }
 
 BsdfSample RoughDielectricLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
@@ -42,7 +38,8 @@ BsdfSample RoughDielectricLobe::sample(const Vec3& wo, float lobe, Vec2 u) const
     wi = once.wi;
   }
   if (wi.z == 0) return {};
-  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi), .eta = wi.z > 0 ? 1 : eta_};
+  const auto [value, pdf] = evaluate(wo, wi);
+  return {.wi = wi, .value = value, .pdf = pdf, .eta = wi.z > 0 ? 1 : eta_};
 }
 
 }  // namespace twinray

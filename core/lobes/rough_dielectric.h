@@ -13,8 +13,7 @@ class RoughDielectricLobe {
   RoughDielectricLobe(const Ggx& facets, float eta, const Rgb& reflectance, const Rgb& transmittance);
 
   Rgb albedo() const { return transmittance_; }
-  Rgb evaluate(const Vec3& wo, const Vec3& wi) const;
-  float pdf(const Vec3& wo, const Vec3& wi) const;
+  BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 
  private:

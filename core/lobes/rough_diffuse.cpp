@@ -25,7 +25,7 @@ float RoughDiffuseLobe::single_albedo(float cosine) const {
   return scale_ * (1 + roughness_ * rim);
 }
 
-Rgb RoughDiffuseLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
+BsdfValue RoughDiffuseLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
   const float s = wo.x * wi.x + wo.y * wi.y;  // The sines of both times the cosine of the azimuth between.
   const float tilt = s > 0 ? s / std::max(wo.z, wi.z) : s;
@@ -33,13 +33,15 @@ Rgb RoughDiffuseLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   // The fit may be a little above 1.
   constexpr float least = 1e-7f;
   const float missing = std::max(least, 1 - single_albedo(wo.z)) * std::max(least, 1 - single_albedo(wi.z));
-  return (once + multiple_ * (missing / std::max(least, 1 - average_))) * (1 / pi);
+  return {(once + multiple_ * (missing / std::max(least, 1 - average_))) * (1 / pi),
+          cosine_hemisphere_pdf(wi.z)};
 }
 
 BsdfSample RoughDiffuseLobe::sample(const Vec3& wo, float /*lobe*/, Vec2 u) const {
   const Vec3 wi = square_to_cosine_hemisphere(u);
   if (is_black(reflectance_) || !(wo.z > 0 && wi.z > 0)) return {};
-  return {.wi = wi, .value = evaluate(wo, wi), .pdf = pdf(wo, wi), .is_diffuse = true};
+  const auto [value, pdf] = evaluate(wo, wi);
+  return {.wi = wi, .value = value, .pdf = pdf, .is_diffuse = true};
 }
 
 }  // namespace twinray

@@ -16,8 +16,7 @@ class RoughDiffuseLobe {
   RoughDiffuseLobe(const Rgb& reflectance, float roughness);
 
   Rgb albedo() const;
-  Rgb evaluate(const Vec3& wo, const Vec3& wi) const;
-  float pdf(const Vec3&, const Vec3& wi) const { return cosine_hemisphere_pdf(wi.z); }
+  BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 
  private:

@@ -8,8 +8,7 @@ namespace twinray {
 
 /// What lobes of delta directions alone have in common.
 struct DeltaLobe {
-  Rgb evaluate(const Vec3&, const Vec3&) const { return {}; }
-  float pdf(const Vec3&, const Vec3&) const { return 0; }
+  BsdfValue evaluate(const Vec3&, const Vec3&) const { return {}; }
 };
 
 /// A perfect mirror.

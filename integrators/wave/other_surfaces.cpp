@@ -15,10 +15,28 @@ void PathWave::find_others() {
     const Hit& hit = wave_.hits[i];
     if (context_.shapes[hit.mesh].is_lambert) continue;
     const Viewing viewing{Materials(paths_.materials[i]), paths_.interiors_at(i)};
-    const OtherSurface& other = wave_.others.emplace_back(i, context_.bsdfs, surface_of(i),
-                                                          -normalize(paths_.direction.at(i)), viewing);
-    surfaces_.reflectance.set(i, other.at.bsdf().albedo());
-    surfaces_.shading.set(i, other.at.normal());
+    wave_.others.emplace_back(i, context_.bsdfs, with_footprint(found_surface(i), i),
+                              -normalize(paths_.direction.at(i)), viewing);
+  }
+}
+
+SurfacePoint PathWave::found_surface(std::size_t i) const {
+  const Hit& hit = wave_.hits[i];
+  SurfacePoint point;
+  point.position = surfaces_.point.position.at(i);
+  point.geometric_normal = surfaces_.point.normal.at(i);
+  point.shading_normal = surfaces_.shading.at(i);
+  point.uv = {hit.u, hit.v};
+  point.offset = surfaces_.point.offset[i];
+  point.shape = hit.mesh;
+  point.primitive = hit.primitive;
+  return point;
+}
+
+void PathWave::show_others() {
+  for (const OtherSurface& other : wave_.others) {
+    surfaces_.reflectance.set(other.index, other.at.bsdf().albedo());
+    surfaces_.shading.set(other.index, other.at.normal());
   }
 }
 
@@ -40,7 +58,7 @@ void PathWave::look_around_others() {
     light_.pdf[i] = look.density;
     light_.origin.set(i, ray.origin);
     light_.towards.set(i, ray.direction);
-    connections_.scattered.set(i, other.at.scattered(look.direction));
+    connections_.scattered.set(i, other.at.scattered(look.direction).value);
   }
 }
 
@@ -58,11 +76,11 @@ void PathWave::keep_throughput_at_others() {
 }
 
 void PathWave::scatter_at_others() {
+  if (!wave_.others.empty()) draw(Purpose::lobe, {}, wave_.unused, wave_.lobe);
   for (const OtherSurface& other : wave_.others) {
     const std::size_t i = other.index;
-    const VertexSampler sampler(kind_, paths_.key(i), std::uint32_t(depth_) + 1);
-    const float lobe = sampler.draw_1d(Purpose::lobe);
-    const auto next = twinray::scatter(other.at, other.throughput, lobe, {wave_.ux[i], wave_.uy[i]});
+    const Vec2 u{wave_.ux[i], wave_.uy[i]};
+    const auto next = twinray::scatter(other.at, other.throughput, wave_.lobe[i], u);
     paths_.throughput.set(i, next ? next->throughput : Rgb{});
     if (!next) continue;
     paths_.direction.set(i, next->direction);

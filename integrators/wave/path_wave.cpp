@@ -128,9 +128,10 @@ void PathWave::arrive() {
   expand_hits();
   stages_.find_points(surfaces_, paths_.size);
   place_spheres();
+  find_others();
   stages_.find_interactions(paths_, surfaces_);
   std::fill_n(wave_.seeking.values, paths_.size, std::uint32_t(Seeking::zones));
-  find_others();
+  show_others();
 }
 
 namespace {
@@ -227,7 +228,8 @@ void PathWave::add_lights() {
 }
 
 void PathWave::draw(Purpose purpose, const SubSample& sub, Floats& x, Floats& y) {
-  const DrawPlace place = place_of(purpose, std::uint32_t(depth_) + 1);
+  DrawPlace place = place_of(purpose, std::uint32_t(depth_) + 1);
+  place.member -= place.member % 2;
   stages_.draw(paths_.pixel, paths_.index, paths_.size, {kind_, place, sub}, x, y);
 }
 

@@ -53,13 +53,17 @@ class PathWave {
   /// Of a scene with textures: where the paths' cones have come to, and the draws of pixels.
   void prepare_textures();
   bool has_textures() const { return !context_.transport.scene.textures.empty(); }
-  /// The surface that path `i` has come to, with what textures need to know of it.
-  SurfacePoint surface_of(std::size_t i) const;
+  /// The surface that path `i` has come to, once its point is found.
+  SurfacePoint found_surface(std::size_t i) const;
+  /// The same with what textures need to know of it, if there are any.
+  SurfacePoint with_footprint(SurfacePoint point, std::size_t i) const;
   Rgb textured_reflectance(const ShapeEntry& shape, std::size_t i) const;
   void place_spheres();
   /// What is done alone, since lanes know Lambert surfaces only (integrators/wave/other_surfaces.cpp): finds
-  /// these surfaces,
+  /// these surfaces before their normals are turned to the viewer,
   void find_others();
+  /// writes their albedos and normals,
+  void show_others();
   /// writes what they scatter of a light's samples,
   void scatter_light_at_others(std::uint32_t light);
   /// looks for light all around them, where lanes look in the hemisphere,
@@ -72,6 +76,7 @@ class PathWave {
   void add_direct_light();
   void add_lights();
   void add_hemisphere();
+  /// The pair of draws that a purpose has, or that its one draw is in.
   void draw(Purpose purpose, const SubSample& sub, Floats& x, Floats& y);
   void sample_light(std::uint32_t light);
   void sample_mesh_light(std::uint32_t light, const MeshLight& mesh);

@@ -13,18 +13,19 @@ void PathWave::prepare_textures() {
   }
 }
 
-SurfacePoint PathWave::surface_of(std::size_t i) const {
+SurfacePoint PathWave::with_footprint(SurfacePoint point, std::size_t i) const {
+  if (!has_textures()) return point;
   const Geometry& geometry = *context_.transport.scene.geometry;
   const Hit& hit = wave_.hits[i];
-  SurfacePoint point = surface_at(geometry, hit);
-  if (!has_textures()) return point;
+  point.uv = texture_coordinates(geometry, hit);
   point.footprint = texture_footprint(geometry, hit, point, paths_.cone_width[i], paths_.direction.at(i));
   point.texture_draw = {wave_.texture_x[i], wave_.texture_y[i]};
   return point;
 }
 
 Rgb PathWave::textured_reflectance(const ShapeEntry& shape, std::size_t i) const {
-  const TexturePoint at = texture_point(surface_of(i));
+  const SurfacePoint point = surface_at(*context_.transport.scene.geometry, wave_.hits[i]);
+  const TexturePoint at = texture_point(with_footprint(point, i));
   return std::get<Lambert>(textured_model(*shape.textured, context_.transport.scene.textures, at))
       .reflectance;
 }

@@ -50,12 +50,6 @@ struct Paths {
   Floats cone_spread;  ///< RayCone.
 
   Interiors interiors_at(std::size_t i) const { return Interiors(interiors.at(i)); }
-  PathKey key(std::size_t i) const {
-    PathKey key;
-    key.pixel = pixel.at(i);
-    key.index = index[i];
-    return key;
-  }
 };
 
 /// Points of triangles, before they are worked out.
@@ -136,6 +130,7 @@ struct Wave {
   Connections connections;
   std::vector<OtherSurface> others;  ///< In the order of the surfaces.
   Floats ux, uy;                     ///< Draws of a direction, or of roulette.
+  Floats lobe, unused;               ///< Draws of how other surfaces scatter, and what comes with them.
   Floats texture_x, texture_y;       ///< Draws of the pixels of textures, where there are any.
   Words kept;             ///< The paths that go on; until they arrive, the surfaces that they come from.
   Floats pdf;             ///< At each surface: of the direction that goes on, per solid angle.

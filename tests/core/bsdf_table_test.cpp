@@ -29,8 +29,8 @@ bool are_alike(const Bsdf& a, const Bsdf& b, Random& random) {
   const float lobe = random.unit(), x = random.unit(), y = random.unit();
   const BsdfSample first = a.sample(wo, lobe, {x, y}), second = b.sample(wo, lobe, {x, y});
   return first.wi == second.wi && first.value == second.value && first.pdf == second.pdf &&
-         first.eta == second.eta && a.evaluate(wo, first.wi) == b.evaluate(wo, first.wi) &&
-         a.pdf(wo, first.wi) == b.pdf(wo, first.wi) && a.albedo() == b.albedo();
+         first.eta == second.eta && a.evaluate(wo, first.wi).value == b.evaluate(wo, first.wi).value &&
+         a.evaluate(wo, first.wi).pdf == b.evaluate(wo, first.wi).pdf && a.albedo() == b.albedo();
 }
 
 }  // namespace

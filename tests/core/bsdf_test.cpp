@@ -28,8 +28,8 @@ TEST_CASE("a Lambert surface scatters reflectance / pi on the viewer's side, and
     const Vec3 wo = random_direction(random);
     const Vec3 wi = random_direction(random);
     const bool same_side = wo.z * wi.z > 0;
-    CHECK(bsdf.evaluate(wo, wi).g == (same_side ? 0.6f * (1 / pi) : 0.0f));
-    CHECK(bsdf.evaluate(wo, wi) == bsdf.evaluate(wi, wo));
+    CHECK(bsdf.evaluate(wo, wi).value.g == (same_side ? 0.6f * (1 / pi) : 0.0f));
+    CHECK(bsdf.evaluate(wo, wi).value == bsdf.evaluate(wi, wo).value);
   }
 }
 
@@ -44,8 +44,8 @@ TEST_CASE("sampled directions have the stated density, from both sides") {
       const float v = random.unit();
       const BsdfSample sample = bsdf.sample(wo, 0, {u, v});
       REQUIRE(sample.wi.z * side > 0);
-      REQUIRE(sample.pdf == bsdf.pdf(wo, sample.wi));
-      REQUIRE(sample.value == bsdf.evaluate(wo, sample.wi));
+      REQUIRE(sample.pdf == bsdf.evaluate(wo, sample.wi).pdf);
+      REQUIRE(sample.value == bsdf.evaluate(wo, sample.wi).value);
       grid.add(double(sample.wi.z) * sample.wi.z, std::atan2(sample.wi.y, sample.wi.x) / (2 * M_PI) + 0.5);
     }
     test::check_uniform(grid.counts(), 2, 0.035);

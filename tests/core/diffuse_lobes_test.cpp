@@ -22,8 +22,8 @@ TEST_CASE("a rough diffuse surface is sampled with its density, and is reciproca
     for (int i = 0; i < 200; ++i) {
       Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
       wo.z = std::fabs(wo.z), wi.z = std::fabs(wi.z);
-      CHECK(lobe.evaluate(wo, wi).r == Approx(lobe.evaluate(wi, wo).r).epsilon(1e-5));
-      CHECK(lobe.evaluate(wo, test::flipped(wi)) == Rgb{});
+      CHECK(lobe.evaluate(wo, wi).value.r == Approx(lobe.evaluate(wi, wo).value.r).epsilon(1e-5));
+      CHECK(lobe.evaluate(wo, test::flipped(wi)).value == Rgb{});
     }
   }
 }
@@ -42,10 +42,11 @@ TEST_CASE("a rough white diffuse surface passes the furnace") {
 TEST_CASE("a diffuse surface without roughness is Lambert's, with roughness it shines back at the light") {
   const Vec3 wo = direction_at(0.5f);
   const Rgb lambert = grey * (1 / pi);
-  CHECK(RoughDiffuseLobe(grey, 0).evaluate(wo, direction_at(0.3f)).g == Approx(lambert.g).epsilon(1e-6));
+  CHECK(RoughDiffuseLobe(grey, 0).evaluate(wo, direction_at(0.3f)).value.g ==
+        Approx(lambert.g).epsilon(1e-6));
   const Vec3 opposite{-wo.x, -wo.y, wo.z};
-  CHECK(RoughDiffuseLobe(grey, 1).evaluate(wo, wo).g >
-        1.5f * RoughDiffuseLobe(grey, 1).evaluate(wo, opposite).g);
+  CHECK(RoughDiffuseLobe(grey, 1).evaluate(wo, wo).value.g >
+        1.5f * RoughDiffuseLobe(grey, 1).evaluate(wo, opposite).value.g);
   // Its albedo, about, is what it scatters of light from all around.
   double sum = 0;
   for (int i = 0; i < 20; ++i) {
@@ -65,8 +66,8 @@ TEST_CASE("diffuse transmission is sampled with its density, and parts the light
     CHECK(test::scattered(lobe, wo).b == Approx(lobe.albedo().b).epsilon(1e-3));
     CHECK(test::sampled_albedo(lobe, wo).b == Approx(lobe.albedo().b).epsilon(2e-2));
   }
-  CHECK(both.evaluate(wo, {0, 0, 1}) == reflectance * (1 / pi));
-  CHECK(both.evaluate(wo, {0, 0, -1}) == transmittance * (1 / pi));
+  CHECK(both.evaluate(wo, {0, 0, 1}).value == reflectance * (1 / pi));
+  CHECK(both.evaluate(wo, {0, 0, -1}).value == transmittance * (1 / pi));
   CHECK((DiffuseTransmissionLobe{{}, {}}.sample(wo, 0.5f, {0.5f, 0.3f}).pdf) == 0);
 }
 

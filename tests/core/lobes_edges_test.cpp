@@ -75,8 +75,8 @@ TEST_CASE("no model scatters what is negative or not finite, at the ends of its 
             if (random.below(2) == 0) wi.z = -wi.z;
             CAPTURE(model.index(), roughness.x, roughness.y, tint.r, int(side), wo.x, wo.y, wo.z, wi.x, wi.y,
                     wi.z);
-            REQUIRE(is_usable(bsdf.evaluate(wo, wi)));
-            const float pdf = bsdf.pdf(wo, wi);
+            REQUIRE(is_usable(bsdf.evaluate(wo, wi).value));
+            const float pdf = bsdf.evaluate(wo, wi).pdf;
             REQUIRE((pdf >= 0 && std::isfinite(pdf)));
             check_sample(bsdf, wo, random);
           }

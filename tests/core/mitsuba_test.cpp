@@ -43,8 +43,9 @@ TEST_CASE("rough conductors are Mitsuba's, but for light that meets several face
     const Ggx facets(r.alpha_x, r.alpha_y);
     const Vec3 wo = viewer(r), wi = light(r);
     const RoughConductorLobe lobe(facets, {0.2f, 0.92f, 1.1f}, {3.9f, 2.45f, 2.14f}, {1, 1, 1});
-    check_same(lobe.single_scattering(wo, wi) * uncorrelated(facets, wo, wi), r.value, rounding);
-    CHECK(facets.reflection_pdf(wo, wi) == Approx(r.pdf).epsilon(rounding));
+    const FacetReflection facet = facets.reflection(wo, wi);
+    check_same(lobe.single_scattering(facet) * uncorrelated(facets, wo, wi), r.value, rounding);
+    CHECK(facet.pdf == Approx(r.pdf).epsilon(rounding));
   }
 }
 
@@ -54,8 +55,8 @@ TEST_CASE("rough dielectrics are Mitsuba's from both sides, but for light that m
     const Ggx facets(r.alpha_x, r.alpha_y);
     const Vec3 wo = viewer(r), wi = light(r);
     const DielectricFacets lobe(facets, r.eta, {1, 1, 1}, {1, 1, 1});
-    check_same(lobe.evaluate(wo, wi) * uncorrelated(facets, wo, wi), r.value, rounding);
-    CHECK(lobe.pdf(wo, wi) == Approx(r.pdf).epsilon(rounding).margin(1e-7));
+    check_same(lobe.evaluate(wo, wi).value * uncorrelated(facets, wo, wi), r.value, rounding);
+    CHECK(lobe.evaluate(wo, wi).pdf == Approx(r.pdf).epsilon(rounding).margin(1e-7));
   }
 }
 
@@ -65,7 +66,7 @@ TEST_CASE("what comes through a smooth coat is that of Mitsuba's plastic") {
   for (const Reference& r : test::plastics) {
     CAPTURE(r.eta, r.theta_o, r.theta_i);
     const CoatedDiffuseLobe lobe(Coat(r.eta), {0.2f, 0.5f, 0.8f});
-    check_same(lobe.evaluate(viewer(r), light(r)), r.value, fit);
+    check_same(lobe.evaluate(viewer(r), light(r)).value, r.value, fit);
   }
 }
 
@@ -75,7 +76,7 @@ TEST_CASE("a rough coat brings Mitsuba's rough plastic, and what that loses") {
     CAPTURE(r.alpha_x, r.theta_o, r.theta_i, r.phi_i);
     const double lost = r.alpha_x < 0.2f ? 0.14 : 0.55;
     const CoatedDiffuseLobe lobe(Coat(r.eta, Ggx(r.alpha_x)), {0.2f, 0.5f, 0.8f});
-    const Rgb ours = lobe.evaluate(viewer(r), light(r));
+    const Rgb ours = lobe.evaluate(viewer(r), light(r)).value;
     CHECK(ours.g > r.value.g * 0.99f);
     CHECK(ours.g < r.value.g * (1 + lost));
     CHECK(ours.b > r.value.b * 0.99f);

@@ -79,7 +79,7 @@ TEST_CASE("what a principled surface reflects is reciprocal") {
     for (int i = 0; i < 200; ++i) {
       Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
       wo.z = std::fabs(wo.z), wi.z = std::fabs(wi.z);
-      const Rgb there = lobe.evaluate(wo, wi), back = lobe.evaluate(wi, wo);
+      const Rgb there = lobe.evaluate(wo, wi).value, back = lobe.evaluate(wi, wo).value;
       CHECK(there.g == Approx(back.g).epsilon(1e-4));
       CHECK(there.b == Approx(back.b).epsilon(1e-4));
     }
@@ -129,24 +129,24 @@ TEST_CASE("at the ends of its weights a principled surface is one of the simple 
     Principled matte;
     matte.base_color = {0.2f, 0.4f, 0.6f};
     matte.specular_weight = 0;
-    same(PrincipledLobe(matte, false).evaluate(wo, wi), matte.base_color * (1 / pi));
+    same(PrincipledLobe(matte, false).evaluate(wo, wi).value, matte.base_color * (1 / pi));
     matte.base_diffuse_roughness = 0.5f;
-    same(PrincipledLobe(matte, false).evaluate(wo, wi),
-         matte.base_color * RoughDiffuseLobe(white, 0.5f).evaluate(wo, wi));
+    same(PrincipledLobe(matte, false).evaluate(wo, wi).value,
+         matte.base_color * RoughDiffuseLobe(white, 0.5f).evaluate(wo, wi).value);
 
     // Gloss over it, and the same as a coat.
     Principled glossy;
     glossy.base_color = matte.base_color;
     const Ggx facets(0.3f * 0.3f);
-    same(PrincipledLobe(glossy, false).evaluate(wo, wi),
-         CoatedDiffuseLobe(Coat(1.5f, facets), matte.base_color).evaluate(wo, wi));
+    same(PrincipledLobe(glossy, false).evaluate(wo, wi).value,
+         CoatedDiffuseLobe(Coat(1.5f, facets), matte.base_color).evaluate(wo, wi).value);
     Principled coated = matte;
     coated.base_diffuse_roughness = 0;
     coated.coat_weight = 1;
     coated.coat_ior = 1.5f;
     coated.coat_roughness = 0.3f;
-    same(PrincipledLobe(coated, false).evaluate(wo, wi),
-         CoatedDiffuseLobe(Coat(1.5f, facets), matte.base_color).evaluate(wo, wi));
+    same(PrincipledLobe(coated, false).evaluate(wo, wi).value,
+         CoatedDiffuseLobe(Coat(1.5f, facets), matte.base_color).evaluate(wo, wi).value);
 
     Principled glass;
     glass.transmission_weight = 1;
@@ -154,8 +154,8 @@ TEST_CASE("at the ends of its weights a principled surface is one of the simple 
     const RoughDielectricLobe outside(facets, 1.5f, white, glass.transmission_color);
     const RoughDielectricLobe inside(facets, 1 / 1.5f, white, glass.transmission_color);
     for (const Vec3& w : {wi, test::flipped(wi)}) {
-      same(PrincipledLobe(glass, false).evaluate(wo, w), outside.evaluate(wo, w));
-      same(PrincipledLobe(glass, true).evaluate(wo, w), inside.evaluate(wo, w));
+      same(PrincipledLobe(glass, false).evaluate(wo, w).value, outside.evaluate(wo, w).value);
+      same(PrincipledLobe(glass, true).evaluate(wo, w).value, inside.evaluate(wo, w).value);
     }
   }
 }

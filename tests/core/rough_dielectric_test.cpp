@@ -46,12 +46,12 @@ TEST_CASE("a rough dielectric is reciprocal, by eta squared where it transmits")
         Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
         wo.z = std::fabs(wo.z);
         if (wi.z > 0) {
-          const float there = glass(facets, eta).evaluate(wo, wi).g;
-          CHECK(there == Approx(glass(facets, eta).evaluate(wi, wo).g).epsilon(1e-4));
+          const float there = glass(facets, eta).evaluate(wo, wi).value.g;
+          CHECK(there == Approx(glass(facets, eta).evaluate(wi, wo).value.g).epsilon(1e-4));
           continue;
         }
-        const float there = glass(facets, eta).evaluate(wo, wi).g;
-        const float back = other_side(facets, eta).evaluate(test::flipped(wi), test::flipped(wo)).g;
+        const float there = glass(facets, eta).evaluate(wo, wi).value.g;
+        const float back = other_side(facets, eta).evaluate(test::flipped(wi), test::flipped(wo)).value.g;
         CAPTURE(eta, wo.z, wi.z);
         CHECK(there * eta * eta == Approx(back).epsilon(1e-3).margin(1e-6));
         if (there > 0) ++refracted;

@@ -43,8 +43,8 @@ TEST_CASE("smooth white surfaces scatter all light, to directions with no densit
     const Vec3 wo = test::direction_at(cosine);
     const auto check = [&](const auto& lobe) {
       CHECK(test::sampled_albedo(lobe, wo, 2000).g == Approx(1).epsilon(1e-4));
-      CHECK(lobe.pdf(wo, {-wo.x, -wo.y, wo.z}) == 0);
-      CHECK(lobe.evaluate(wo, {-wo.x, -wo.y, wo.z}) == Rgb{});
+      CHECK(lobe.evaluate(wo, {-wo.x, -wo.y, wo.z}).pdf == 0);
+      CHECK(lobe.evaluate(wo, {-wo.x, -wo.y, wo.z}).value == Rgb{});
     };
     check(MirrorLobe(white));
     check(SmoothConductorLobe({}, white, white));

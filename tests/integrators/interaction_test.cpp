@@ -67,7 +67,7 @@ TEST_CASE("no light is scattered through a surface, whatever its two normals") {
     const bool same_side = dot(geometric, wo) * dot(geometric, wi) > 0;
     const bool in_front = dot(at.normal(), wi) > 0;
     const float expected = same_side && in_front ? dot(at.normal(), wi) / pi : 0;
-    CHECK(at.scattered(wi).g == Approx(expected).margin(1e-6));
+    CHECK(at.scattered(wi).value.g == Approx(expected).margin(1e-6));
     ++(same_side && in_front ? bright : black);
     CHECK(at.is_consistent(wi) == (same_side == in_front));
   }

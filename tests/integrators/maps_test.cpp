@@ -204,7 +204,7 @@ TEST_CASE("of light from below the true surface a map shows none, whatever its n
     for (int i = 0; i < 2000; ++i) {
       const Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
       const Interaction at = middle_of(scene, bsdfs, wo);
-      const Rgb scattered = at.scattered(wi);
+      const Rgb scattered = at.scattered(wi).value;
       REQUIRE(is_finite(scattered));
       if (wo.y * wi.y <= 0) REQUIRE(is_black(scattered));
       // Softening takes, it never gives.
@@ -220,11 +220,13 @@ TEST_CASE("at the end of what the geometry sees light falls to nothing, instead 
   set_normal_map(scene, constant(encoded(normalize({1, 0, 1}))));
   const BsdfTable bsdfs(scene);
   const Interaction at = middle_of(scene, bsdfs, {0, 1, 0});
-  const auto scattered = [&](float height) { return double(at.scattered(normalize({1, height, 0})).r); };
+  const auto scattered = [&](float height) {
+    return double(at.scattered(normalize({1, height, 0})).value.r);
+  };
   const double whole = 0.8 / double(pi);
   CHECK(scattered(1e-4f) < 0.001 * whole);  // 0.71 of it without softening.
   // From straight above nothing is taken: 45 degrees from the normal.
-  CHECK(double(at.scattered({0, 1, 0}).r) == Approx(whole * std::sqrt(0.5)));
+  CHECK(double(at.scattered({0, 1, 0}).value.r) == Approx(whole * std::sqrt(0.5)));
   double before = 0;
   for (float height = 0.01f; height <= 1; height += 0.01f) {
     REQUIRE(scattered(height) > before);
@@ -289,14 +291,15 @@ TEST_CASE("facets of unequal widths have their directions from the texture coord
   double largest = 0;
   for (const Vec3& towards : {Vec3{0.4f, 1, 0}, {0, 1, 0.4f}, {-0.5f, 1, 0.3f}}) {
     const Vec3 wi = normalize(towards);
-    const double value = double(middle_of(along, first, wo).scattered(wi).r);
-    CHECK(value == Approx(double(middle_of(across, second, wo).scattered(wi).r)).epsilon(1e-4));
-    largest = std::max(largest, std::fabs(value / double(middle_of(other, third, wo).scattered(wi).r) - 1));
+    const double value = double(middle_of(along, first, wo).scattered(wi).value.r);
+    CHECK(value == Approx(double(middle_of(across, second, wo).scattered(wi).value.r)).epsilon(1e-4));
+    largest =
+        std::max(largest, std::fabs(value / double(middle_of(other, third, wo).scattered(wi).value.r) - 1));
   }
   CHECK(largest > 0.5);
   // Facets are wide along v, which is z: light from there is scattered to the viewer.
-  CHECK(middle_of(along, first, {0, 1, 0}).scattered(normalize({0, 1, 0.8f})).r >
-        5 * middle_of(along, first, {0, 1, 0}).scattered(normalize({0.8f, 1, 0})).r);
+  CHECK(middle_of(along, first, {0, 1, 0}).scattered(normalize({0, 1, 0.8f})).value.r >
+        5 * middle_of(along, first, {0, 1, 0}).scattered(normalize({0.8f, 1, 0})).value.r);
 }
 
 TEST_CASE("waves have the reference's bits where surfaces have maps, on every engine") {

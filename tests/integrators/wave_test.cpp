@@ -258,7 +258,7 @@ void check_vertex(const PathVertex& vertex, DirectMethod method) {
     CHECK(vertex.direct_light->light == throughput * light_of_samples(vertex.light_samples));
   for (const auto& [taken, weight, bsdf_pdf] : vertex.light_samples)
     CHECK(taken.scattered ==
-          vertex.surface->scattered(taken.sample.direction) * taken.sample.radiance * weight);
+          vertex.surface->scattered(taken.sample.direction).value * taken.sample.radiance * weight);
   if (!vertex.scattering || !vertex.scattering->next) return;
   const auto& [sample, next] = *vertex.scattering;
   CHECK(next->throughput == throughput * sample.value * (std::fabs(sample.wi.z) / sample.pdf));

@@ -53,7 +53,7 @@ template <class Lobe>
 Rgb scattered(const Lobe& lobe, const Vec3& wo, int parts = 16) {
   double r = 0, g = 0, b = 0;
   SphereGrid::visit(parts, [&](const Vec3& wi, double area, std::size_t) {
-    const Rgb value = lobe.evaluate(wo, wi);
+    const Rgb value = lobe.evaluate(wo, wi).value;
     const double weight = area * std::fabs(wi.z);
     r += value.r * weight, g += value.g * weight, b += value.b * weight;
   });
@@ -89,7 +89,7 @@ void check_sampling(const Lobe& lobe, const Vec3& wo, int tests, int parts = 16)
   std::vector<std::size_t> observed(cells + 3);
   std::vector<double> expected(cells + 3);
   SphereGrid::visit(parts, [&](const Vec3& wi, double area, std::size_t cell) {
-    expected[cell] += samples * area * double(lobe.pdf(wo, wi));
+    expected[cell] += samples * area * double(lobe.evaluate(wo, wi).pdf);
   });
   Random random(29);
   for (int i = 0; i < samples; ++i) {
@@ -101,8 +101,8 @@ void check_sampling(const Lobe& lobe, const Vec3& wo, int tests, int parts = 16)
     const std::size_t delta = cells + (s.wi.z > 0 ? 0 : 1);
     if (!lost) REQUIRE(std::fabs(length(s.wi) - 1) < 1e-5f);
     if (!lost && !s.is_delta) {
-      REQUIRE(s.pdf == Approx(lobe.pdf(wo, s.wi)).epsilon(1e-5));
-      REQUIRE(s.value == lobe.evaluate(wo, s.wi));
+      REQUIRE(s.pdf == Approx(lobe.evaluate(wo, s.wi).pdf).epsilon(1e-5));
+      REQUIRE(s.value == lobe.evaluate(wo, s.wi).value);
       REQUIRE(is_finite(s.value));
     }
     if (!lost && s.is_delta) expected[delta] = samples * double(s.pdf);

@@ -289,7 +289,7 @@ MUTANTS = [
            "along(wo.z) * along(wi.z) / through_coat_", "along(wo.z)", "test_core",
            "what a principled surface reflects is reciprocal"),
     Mutant("the density of a principled surface leaves its coat out", "core/lobes/principled.cpp",
-           "return clear + coat + p.facets", "return clear + p.facets", "test_core",
+           "p.coat * coat.pdf", "0", "test_core",
            "a principled surface is sampled with its density"),
     Mutant("a principled surface's gloss does not shade what is below", "core/lobes/principled.cpp",
            "gloss_.transmittance(wo.z) * gloss_.transmittance(wi.z)", "gloss_.transmittance(wo.z)",
