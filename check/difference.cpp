@@ -25,6 +25,11 @@ std::string pixel_text(const PixelSums& expected, const PixelSums& found) {
   return sums_text("luminance squared", expected.luminance_squared, found.luminance_squared);
 }
 
+std::string layer_text(Layer layer, const Rgb& expected, const Rgb& found) {
+  return fmt::format("{} {:a} {:a} {:a} and {:a} {:a} {:a}", layer_info(layer).name, expected.r, expected.g,
+                     expected.b, found.r, found.g, found.b);
+}
+
 bool holds(const PixelRect& outer, const PixelRect& inner) {
   return outer.x0 <= inner.x0 && outer.y0 <= inner.y0 && outer.x1 >= inner.x1 && outer.y1 >= inner.y1;
 }
@@ -36,12 +41,14 @@ std::optional<std::string> first_difference(const Film& expected, const Film& fo
       expected.layers() != found.layers() || !holds(expected.window(), found.window()))
     return "frames, windows or layers that do not fit";
   const PixelRect& window = found.window();
-  for (std::size_t layer = 0; layer < found.layers().size(); ++layer)
-    for (int y = window.y0; y < window.y1; ++y)
-      for (int x = window.x0; x < window.x1; ++x) {
-        const PixelSums &a = expected.pixel(layer, x, y), &b = found.pixel(layer, x, y);
-        if (!(a == b)) return fmt::format("pixel {} {}: {}", x, y, pixel_text(a, b));
-      }
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x) {
+      const PixelSums &a = expected.pixel(x, y), &b = found.pixel(x, y);
+      if (!(a == b)) return fmt::format("pixel {} {}: {}", x, y, pixel_text(a, b));
+      for (std::size_t layer = 0; layer < found.layers().size(); ++layer)
+        if (const Rgb p = expected.value(layer, x, y), q = found.value(layer, x, y); p != q)
+          return fmt::format("pixel {} {}: {}", x, y, layer_text(found.layers()[layer], p, q));
+    }
   return std::nullopt;
 }
 

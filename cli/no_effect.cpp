@@ -210,6 +210,7 @@ constexpr Rule rules[]{
     {"--clip", needs_file_view},
     {"--output", needs_picture},
     {"--crop", needs_picture},
+    {"--layers", needs_picture},
     {"--stats", needs_picture},
     {"--threads", needs_picture},
     {"--replay-json", needs_replay},

@@ -22,7 +22,7 @@ SampleRange sample_range(const Film& film) {
   const PixelRect& window = film.window();
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x) {
-      const PixelSums& pixel = film.pixel(0, x, y);
+      const PixelSums& pixel = film.pixel(x, y);
       range.least = std::min(range.least, pixel.count + pixel.rejected);
       range.most = std::max(range.most, pixel.count + pixel.rejected);
     }
@@ -45,13 +45,13 @@ std::string sample_range_text(const Film& film, std::uint32_t wanted) {
 }
 
 std::string write_partial(const RenderOutputs& partial, const RenderArguments& arguments, const Film& film,
-                          ImageMetadata metadata) {
+                          PictureNotes notes) {
   if (sample_range(film).most == 0)
     return fmt::format("{}: interrupted before the first sample; nothing is written\n", console::speaker());
   const std::string samples = sample_range_text(film, arguments.render.samples);
-  for (auto& [name, value] : metadata)
+  for (auto& [name, value] : notes.metadata)
     if (name == "twinray:samples") value = samples;
-  write_pictures(partial, arguments, film, metadata);
+  write_pictures(partial, arguments, film, notes);
   return fmt::format("{}: interrupted; {} holds what there is: {} samples a pixel\n", console::speaker(),
                      partial.picture, samples);
 }

@@ -16,7 +16,7 @@ RenderOutputs partial_outputs(const RenderOutputs& outputs);
 /// number of samples the metadata state what the pixels got, as "3 to 5 of 16". Without any sample nothing is
 /// written.
 std::string write_partial(const RenderOutputs& partial, const RenderArguments& arguments, const Film& film,
-                          ImageMetadata metadata);
+                          PictureNotes notes);
 
 /// "3 to 5 of 16", "4 of 16": samples of a pixel, the fewest and the most.
 std::string sample_range_text(const Film& film, std::uint32_t wanted);

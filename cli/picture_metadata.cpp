@@ -12,6 +12,7 @@
 
 #include "cli/version.h"
 #include "core/error.h"
+#include "io/camera_matrices.h"
 
 namespace twinray {
 
@@ -50,6 +51,15 @@ ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vect
   if (const char* time = std::getenv("SOURCE_DATE_EPOCH"); time && *time)
     metadata.emplace_back("DateTime", time_stamp(time));
   return metadata;
+}
+
+PictureNotes picture_notes(const RenderArguments& arguments, const std::vector<std::string>& words,
+                           const Camera& camera) {
+  const RenderOptions& options = arguments.render;
+  const PixelRect window = window_of(options);
+  return {picture_metadata(arguments, words),
+          {window.x0, window.y0, options.width, options.height,
+           camera_matrices(fit_frame(camera, options.width, options.height))}};
 }
 
 }  // namespace twinray

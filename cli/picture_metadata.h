@@ -13,6 +13,14 @@ namespace twinray {
 /// Throws Error where that is not a time.
 ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vector<std::string>& words);
 
+/// What is said of a render's picture: metadata, and the frame with the camera that sees it.
+struct PictureNotes {
+  ImageMetadata metadata;
+  ImageFrame frame;
+};
+PictureNotes picture_notes(const RenderArguments& arguments, const std::vector<std::string>& words,
+                           const Camera& camera);
+
 /// "1700000000" -> "2023:11:14 22:13:20": seconds since 1970, in UTC, as EXIF writes a time. Throws Error.
 std::string time_stamp(const std::string& seconds_since_1970);
 

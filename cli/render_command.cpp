@@ -135,7 +135,7 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   const LoadedScene loaded = load_for_render(arguments, talk);
   choose_engine(*loaded.scene.geometry, arguments);
   check_memory(memory_needs(arguments, loaded.scene.geometry->primitive_count()));
-  const ImageMetadata metadata = picture_metadata(arguments, words);
+  const PictureNotes notes = picture_notes(arguments, words, loaded.scene.camera);
   const auto integrator = make_integrator(arguments, loaded.scene);
   talk.building(arguments, *loaded.scene.geometry);
   const auto accelerator = build_accelerator(arguments.backend, loaded.scene.geometry, arguments.build);
@@ -147,7 +147,7 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
       render_stoppably({loaded.scene, *accelerator, *integrator},
                        check ? check->observed(arguments.render) : arguments.render, partial, talk);
   if (stop_code != 0) {
-    console::write_error(write_partial(partial, arguments, result.film, metadata));
+    console::write_error(write_partial(partial, arguments, result.film, notes));
     return stop_code;
   }
   if (const std::string rejected = rejection_text(result.film, arguments); !rejected.empty())
@@ -156,9 +156,9 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   std::optional<SceneCrosscheck> found;
   if (check) found = check->found(result.seconds);
   talk.saving();
-  write_pictures(outputs, arguments, result.film, metadata);
+  write_pictures(outputs, arguments, result.film, notes);
   if (!outputs.differences.empty())
-    write_image(outputs.differences, check->picture(mean_image(result.film)), metadata);
+    write_image(outputs.differences, check->picture(mean_image(result.film)), notes.metadata);
   talk.saved();
   if (!outputs.statistics.empty())
     write_file(outputs.statistics, statistics_json(arguments, accelerator->stats(), result,

@@ -12,6 +12,7 @@ namespace {
 void add_options(CLI::App& app, RenderRequest& request) {
   add_scene(app, request.arguments.scene);
   add_picture_options(app, request);
+  add_layer_options(app, request);
   add_light_options(app, request);
   add_texture_options(app, request);
   add_sampling_options(app, request);
@@ -30,6 +31,7 @@ RenderArguments resolved_render(const RenderRequest& request, const Words& given
   resolve_sampling(request, arguments);
   resolve_engine(request, arguments);
   resolve_replay(request, arguments);
+  resolve_layers(arguments);
   arguments.without_effect = options_without_effect(request, arguments);
   refuse_if_strict(arguments.without_effect, arguments);
   return arguments;

@@ -30,6 +30,7 @@ struct RenderRequest {
 };
 
 void add_picture_options(CLI::App& app, RenderRequest& request);
+void add_layer_options(CLI::App& app, RenderRequest& request);
 void add_light_options(CLI::App& app, RenderRequest& request);
 void add_texture_options(CLI::App& app, RenderRequest& request);
 void add_sampling_options(CLI::App& app, RenderRequest& request);
@@ -52,6 +53,8 @@ void add_run_words(CLI::App& app, RenderRequest& request);
 
 void resolve_picture(RenderArguments& arguments);
 void resolve_light(const RenderRequest& request, RenderArguments& arguments);
+/// After the light, which decides what is known of layers.
+void resolve_layers(RenderArguments& arguments);
 void resolve_sampling(const RenderRequest& request, RenderArguments& arguments);
 /// After the others: the engine depends on what is computed. Where the scene decides, it is left to
 /// choose_engine().

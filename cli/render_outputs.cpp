@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "cli/console.h"
+#include "cli/layered_picture.h"
 #include "cli/outputs.h"
 #include "io/color_scale.h"
 #include "io/cs184_picture.h"
@@ -28,17 +29,15 @@ std::string rate_name(const RenderArguments& arguments) {
   return is_cs184(arguments) ? cs184_rate_name(arguments.output) : name_beside(arguments.output, "_rate.png");
 }
 
-ImageFrame frame_of(const Film& film) {
-  return {film.window().x0, film.window().y0, film.frame_width(), film.frame_height()};
-}
-
 void write_colors(const RenderOutputs& outputs, const RenderArguments& arguments, const Film& film,
-                  const ImageMetadata& metadata) {
+                  const PictureNotes& notes) {
+  if (!film.layers().empty())
+    return write_exr(outputs.picture, layered_picture(film), notes.metadata, notes.frame);
   const Image mean = mean_image(film);
   if (is_cs184(arguments) && !is_linear_output(outputs.picture))
-    write_png(outputs.picture, encode_cs184(mean), metadata);
+    write_png(outputs.picture, encode_cs184(mean), notes.metadata);
   else
-    write_image(outputs.picture, mean, metadata, frame_of(film));
+    write_image(outputs.picture, mean, notes.metadata, notes.frame);
 }
 
 ByteImage rate_image(const RenderArguments& arguments, const Film& film) {
@@ -47,14 +46,14 @@ ByteImage rate_image(const RenderArguments& arguments, const Film& film) {
 }
 
 /// Costs as colours with their legend; EXR keeps the numbers.
-void write_costs(const RenderOutputs& outputs, const Film& film, const ImageMetadata& metadata) {
+void write_costs(const RenderOutputs& outputs, const Film& film, const PictureNotes& notes) {
   const Image costs = mean_image(film);
   const std::uint32_t end = scale_end(costs);
   if (is_linear_output(outputs.picture))
-    write_exr(outputs.picture, costs, metadata, frame_of(film));
+    write_exr(outputs.picture, costs, notes.metadata, notes.frame);
   else
-    write_png(outputs.picture, scaled_image(costs, end), metadata);
-  if (!outputs.legend.empty()) write_png(outputs.legend, legend_image(end), metadata);
+    write_png(outputs.picture, scaled_image(costs, end), notes.metadata);
+  if (!outputs.legend.empty()) write_png(outputs.legend, legend_image(end), notes.metadata);
 }
 
 }  // namespace
@@ -86,12 +85,12 @@ RenderOutputs render_outputs(const RenderArguments& arguments) {
 }
 
 void write_pictures(const RenderOutputs& outputs, const RenderArguments& arguments, const Film& film,
-                    const ImageMetadata& metadata) {
+                    const PictureNotes& notes) {
   if (arguments.integrator == IntegratorKind::cost)
-    write_costs(outputs, film, metadata);
+    write_costs(outputs, film, notes);
   else
-    write_colors(outputs, arguments, film, metadata);
-  if (!outputs.rates.empty()) write_png(outputs.rates, rate_image(arguments, film), metadata);
+    write_colors(outputs, arguments, film, notes);
+  if (!outputs.rates.empty()) write_png(outputs.rates, rate_image(arguments, film), notes.metadata);
 }
 
 }  // namespace twinray

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/crosscheck_report.h"
+#include "cli/picture_metadata.h"
 #include "cli/render_arguments.h"
 #include "io/image_file.h"
 
@@ -33,6 +34,6 @@ std::vector<std::string> all_names(std::initializer_list<RenderOutputs> all);
 
 /// Writes the picture, its rates and its legend.
 void write_pictures(const RenderOutputs& outputs, const RenderArguments& arguments, const Film& film,
-                    const ImageMetadata& metadata);
+                    const PictureNotes& notes);
 
 }  // namespace twinray

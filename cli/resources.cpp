@@ -14,6 +14,9 @@ namespace {
 /// While files are written: linear colours, bytes, and the buffer of the file's writer.
 constexpr std::uint64_t picture_bytes_a_pixel = 32;
 
+/// Of layers: the file, which may have to move while it grows.
+constexpr std::uint64_t picture_bytes_a_channel = 8;
+
 /// Bytes a primitive, with room: on forests of 200,000 to 2,000,000 triangles these were 162 to 188, 245 to
 /// 282, and 184.
 std::uint64_t tree_bytes_a_primitive(Backend backend, const BuildOptions& build) {
@@ -40,9 +43,11 @@ std::vector<MemoryNeed> memory_needs(Backend backend, const BuildOptions& build,
 std::vector<MemoryNeed> memory_needs(const RenderOptions& options) {
   const PixelRect window = window_of(options);
   const std::uint64_t pixels = std::uint64_t(window.width()) * std::uint64_t(window.height());
+  std::uint64_t channels = 0;
+  for (const Layer layer : options.layers) channels += channel_count(layer);
   return {{fmt::format("the film of {} x {} pixels", window.width(), window.height()),
-           Film::bytes(pixels, options.layers.size())},
-          {"the pictures made of it", pixels * picture_bytes_a_pixel}};
+           Film::bytes(pixels, options.layers)},
+          {"the pictures made of it", pixels * (picture_bytes_a_pixel + channels * picture_bytes_a_channel)}};
 }
 
 std::vector<MemoryNeed> memory_needs(const RenderArguments& arguments, std::size_t primitives) {

@@ -2,50 +2,20 @@
 // The image while it is being made: exact sums, so that no order and no partition of the samples changes a
 // bit.
 #pragma once
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string>
+#include <span>
+#include <variant>
 #include <vector>
 
-#include "core/radiance.h"
+#include "core/fixed_sum.h"
+#include "core/layer.h"
+#include "core/layer_pixels.h"
 #include "core/rgb.h"
 
 namespace twinray {
 
-/// A sum of radiances in 96-bit fixed point, unit 2^-43: addition is exact, so it has neither order nor
-/// rounding.
-class FixedSum {
- public:
-  /// Adds x, rounded to the nearest unit. |x| <= max_radiance; the sum of up to 2^22 such numbers does not
-  /// overflow.
-  void add(double x);
-  FixedSum& operator+=(const FixedSum& other);
-  /// The sum, rounded to double.
-  double value() const;
-  friend bool operator==(const FixedSum&, const FixedSum&) = default;
-
- private:
-  std::array<std::uint32_t, 3> words_{};  ///< Two's complement, the least word first.
-};
-
-/// A sum of squares of radiances in 128-bit fixed point, unit 2^-46.
-class FixedSquareSum {
- public:
-  /// Adds x^2, rounded up to the unit, so that what is too dim to be resolved counts as noise and not as
-  /// certainty. |x| <= max_radiance up to a double's rounding; the sum of up to 2^22 such squares does not
-  /// overflow.
-  void add_square_of(double x);
-  FixedSquareSum& operator+=(const FixedSquareSum& other);
-  /// The sum, rounded to double.
-  double value() const;
-  friend bool operator==(const FixedSquareSum&, const FixedSquareSum&) = default;
-
- private:
-  __extension__ unsigned __int128 units_ = 0;
-};
-
-/// What a pixel of one layer has gathered.
+/// What a pixel has gathered of its samples' radiance.
 struct PixelSums {
   FixedSum r, g, b;
   std::uint32_t count = 0;           ///< Accepted samples.
@@ -70,7 +40,6 @@ static_assert(sizeof(PixelSums) == 64);
 struct RejectedSample {
   int x = 0, y = 0;
   std::uint32_t index = 0;
-  std::size_t layer = 0;
 };
 
 /// A rectangle of pixels: x in [x0, x1), y in [y0, y1).
@@ -81,8 +50,8 @@ struct PixelRect {
   friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
-/// A full frame, of which `window` is rendered, with named layers ("color" first; albedo, normal, ... when
-/// asked for), 64 bytes a pixel and layer. Pixels count from the top left. Different threads may add to
+/// A full frame, of which `window` is rendered: colours, 64 bytes a pixel, and the layers that are asked for,
+/// at most 8 bytes a channel and pixel. Pixels count from the top left. Different threads may add to
 /// different pixels at the same time.
 class Film {
  public:
@@ -90,47 +59,52 @@ class Film {
   static constexpr float max_value = max_radiance;
   static constexpr std::uint32_t max_samples = 1u << 22;
 
-  /// Throws Error for a frame outside [1, 65536]^2, a window that is empty or not within it, or no layer.
-  Film(int frame_width, int frame_height, PixelRect window, std::vector<std::string> layers = {"color"});
+  /// Throws Error for a frame outside [1, 65536]^2, or a window that is empty or not within it.
+  Film(int frame_width, int frame_height, PixelRect window, std::vector<Layer> layers = {});
 
   int frame_width() const { return frame_width_; }
   int frame_height() const { return frame_height_; }
   const PixelRect& window() const { return window_; }
-  const std::vector<std::string>& layers() const { return layers_; }
+  const std::vector<Layer>& layers() const { return layers_; }
 
-  /// Adds one sample to a pixel of the window, the max_samples-th at most. False, and only counted, where it
-  /// is not finite or out of range: in this layer alone.
-  bool add(std::size_t layer, int x, int y, std::uint32_t sample_index, const Rgb& value);
+  /// Adds one sample to a pixel of the window, the max_samples-th at most: its radiance, and its value in
+  /// each layer, of which none is given where there are none. False, and only counted, where the radiance is
+  /// not finite or out of range.
+  bool add(int x, int y, std::uint32_t sample_index, const Rgb& color, std::span<const Rgb> values = {});
 
-  const PixelSums& pixel(std::size_t layer, int x, int y) const;
-  /// Of all pixels and layers.
+  const PixelSums& pixel(int x, int y) const { return pixels_[offset(x, y)]; }
+  /// The value of a layer, by its number among layers(), in as many channels as it has.
+  Rgb value(std::size_t layer, int x, int y) const;
+  /// Of all pixels.
   std::uint64_t rejected_count() const;
-  /// The first rejected sample in the order (y, x, index, layer), so that it does not depend on threads; none
-  /// if count is 0.
+  /// The first rejected sample in the order (y, x, index), so that it does not depend on threads; none if
+  /// count is 0.
   RejectedSample first_rejected() const;
-  /// Memory of a film with that many pixels and layers.
-  static constexpr std::uint64_t bytes(std::uint64_t pixels, std::uint64_t layers = 1) {
-    return pixels * layers * sizeof(PixelSums);
-  }
+  /// Memory of a film with that many pixels and these layers.
+  static std::uint64_t bytes(std::uint64_t pixels, std::span<const Layer> layers = {});
 
   /// Adds the samples of a film of the same frame and layers whose window lies within this one. Throws Error
   /// otherwise, or where a pixel would have more than max_samples, and leaves this film as it was.
   void merge(const Film& other);
 
  private:
-  std::size_t offset(std::size_t layer, int x, int y) const;
+  /// How a layer is kept; not at all where the colours say what it is.
+  using LayerPixels = std::variant<std::monostate, MeanPixels, FirstPixels>;
+  static LayerPixels make_pixels(Layer layer, std::size_t pixels);
+  std::size_t offset(int x, int y) const;
   void check_mergeable(const Film& other) const;
+  void merge_layer(LayerPixels& own, const LayerPixels& other, std::size_t to, std::size_t from);
   template <class Visit>
-  void for_each_sum(const Visit& visit) const {
-    for (std::size_t layer = 0; layer < layers_.size(); ++layer)
-      for (int y = window_.y0; y < window_.y1; ++y)
-        for (int x = window_.x0; x < window_.x1; ++x) visit(layer, x, y, pixel(layer, x, y));
+  void for_each_pixel(const Visit& visit) const {
+    for (int y = window_.y0; y < window_.y1; ++y)
+      for (int x = window_.x0; x < window_.x1; ++x) visit(x, y);
   }
 
   int frame_width_, frame_height_;
   PixelRect window_;
-  std::vector<std::string> layers_;
-  std::vector<PixelSums> pixels_;  ///< Layer after layer, row by row.
+  std::vector<Layer> layers_;
+  std::vector<PixelSums> pixels_;          ///< Row by row.
+  std::vector<LayerPixels> layer_pixels_;  ///< Of each layer.
 };
 
 }  // namespace twinray

@@ -7,12 +7,11 @@
 
 namespace twinray {
 
-Image mean_image(const Film& film, std::size_t layer) {
+Image mean_image(const Film& film) {
   const PixelRect& window = film.window();
   Image image(window.width(), window.height());
   for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      image.at(x, y) = film.pixel(layer, window.x0 + x, window.y0 + y).mean();
+    for (int x = 0; x < image.width; ++x) image.at(x, y) = film.pixel(window.x0 + x, window.y0 + y).mean();
   return image;
 }
 
@@ -32,8 +31,7 @@ ByteImage sample_rate_image(const Film& film, std::uint32_t most) {
   image.bytes.reserve(3 * std::size_t(image.width) * std::size_t(image.height));
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x)
-      for (const std::uint8_t byte :
-           rate_color(std::min(1.0f, float(film.pixel(0, x, y).count) / float(most))))
+      for (const std::uint8_t byte : rate_color(std::min(1.0f, float(film.pixel(x, y).count) / float(most))))
         image.bytes.push_back(byte);
   return image;
 }

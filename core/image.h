@@ -30,8 +30,8 @@ struct ByteImage {
   std::vector<std::uint8_t> bytes;  ///< 3 width height
 };
 
-/// The means of a layer, one pixel for each of the film's window.
-Image mean_image(const Film& film, std::size_t layer = 0);
+/// The mean colours, one pixel for each of the film's window.
+Image mean_image(const Film& film);
 
 /// How many samples each pixel took, as colours: from blue (0) over green (half of `most`) to red (`most`).
 ByteImage sample_rate_image(const Film& film, std::uint32_t most);

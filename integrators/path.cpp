@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/light_set.h"
+#include "integrators/layer_records.h"
 #include "integrators/path_reference.h"
 #include "integrators/wave/path_wave.h"
 
@@ -45,7 +46,8 @@ class PathIntegrator::Waves {
             bsdfs_,
             shapes_,
             patches_,
-            std::any_of(scene_.materials.begin(), scene_.materials.end(), has_interior)};
+            std::any_of(scene_.materials.begin(), scene_.materials.end(), has_interior),
+            has_environment(scene_)};
   }
 
   const PathReference reference;

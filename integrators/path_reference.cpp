@@ -3,23 +3,16 @@
 
 #include "core/spawn_ray.h"
 #include "integrators/direct_light.h"
+#include "integrators/layer_records.h"
 #include "integrators/scattering.h"
 
 namespace twinray {
-namespace {
-
-void record_surface(const Interaction& at, const RecordSpans& record) {
-  if (record.has(Layer::albedo)) record[Layer::albedo][0] = at.bsdf().albedo();
-  if (record.has(Layer::normal)) record[Layer::normal][0] = {at.normal().x, at.normal().y, at.normal().z};
-}
-
-}  // namespace
-
 PathReference::PathReference(const Scene& scene, const PathOptions& options)
     : scene_(scene),
       options_(options),
       lights_(scene, {compensation_for(options.direct, options.samples_per_light), options.many_lights}),
-      bsdfs_(scene) {
+      bsdfs_(scene),
+      has_environment_(has_environment(scene)) {
   check(options);
 }
 
@@ -27,7 +20,7 @@ void PathReference::sample(std::span<const CameraSample> samples, SamplerKind ki
                            const RecordSpans& records) const {
   records.clear();
   for (std::size_t i = 0; i < samples.size(); ++i)
-    records[Layer::color][i] = radiance_of(samples[i], kind, tracer, records.part(i, 1));
+    records.color()[i] = radiance_of(samples[i], kind, tracer, records.part(i, 1));
 }
 
 Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer,
@@ -38,6 +31,7 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
   Rgb radiance;
   State path{.ray = sample.ray, .cone = sample.cone};
   Hit hit = tracer.camera_hit(path.ray);
+  record_alpha(hit, has_environment_, record, 0);
   for (int depth = 0;; ++depth) {  // Scattering events before the current ray.
     tracer.arrive();
     path.throughput = path.throughput * transmittance(transport, path.viewing.interiors, path.ray, hit.t);
@@ -50,8 +44,9 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     const SurfacePoint point = arrive(hit, sampler, path);
     const Interaction at(bsdfs_, point, -normalize(path.ray.direction), path.viewing);
     observer.stands_at(at, path.viewing.materials);
-    if (depth == 0) record_surface(at, record);
-    if (options_.ends(depth, path.bounces)) return radiance;
+    const bool has_ended = options_.ends(depth, path.bounces);
+    if (depth == 0 || !has_ended) record_surface(at, hit, depth, path, record);
+    if (has_ended) return radiance;
     if (options_.counts(depth + 1))
       radiance += term(path.throughput * direct_light(transport, at, sampler, tracer), depth + 1, observer);
     if (!scatter(at, depth, sampler, path, observer)) return radiance;
@@ -60,6 +55,15 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     if (is_last && !may_find_light(transport, path.departure)) return radiance;
     hit = tracer.bounce_hit(path.ray);
   }
+}
+
+void PathReference::record_surface(const Interaction& at, const Hit& hit, int depth, const State& path,
+                                   const RecordSpans& record) const {
+  if (path.is_followed && shows_features(record))
+    record_features({path.throughput, path.eta_squared, at.bsdf().albedo(), at.normal()}, record, 0);
+  if (depth == 0)
+    record_first_surface(scene_, {hit, at.point().position, facing(at.point().geometric_normal, at.wo())},
+                         record, 0);
 }
 
 Rgb PathReference::emission(const LightTransport& transport, const State& path, const Hit& hit, int depth,
@@ -99,6 +103,7 @@ bool PathReference::scatter(const Interaction& at, int depth, const VertexSample
   path.bounces += one_bounce(next->kind);
   path.eta_squared *= next->eta * next->eta;
   path.departure = next->departure;
+  path.is_followed = path.is_followed && next->departure.seeking == Seeking::alone;
   path.viewing.interiors = next->interiors;
   if (next->departure.seeking != Seeking::alone) path.cone = path.cone.scattered(next->departure.pdf);
   if (options_.regularize && next->departure.seeking != Seeking::alone)

@@ -30,7 +30,8 @@ class PathReference final : public Integrator {
     Viewing viewing;    ///< Regularized after a wide lobe, where that is asked for.
     RayCone cone;       ///< Around the ray; followed where there are textures.
     BounceCounts bounces = 0;
-    float eta_squared = 1;  ///< Product of eta^2: where the camera is, radiance is that much smaller.
+    float eta_squared = 1;    ///< Product of eta^2: where the camera is, radiance is that much smaller.
+    bool is_followed = true;  ///< It was scattered by mirrors and the like alone.
   };
   /// One path; `record` has room for one sample.
   Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer,
@@ -41,6 +42,9 @@ class PathReference final : public Integrator {
                PathObserver& observer) const;
   /// The term of the radiance that light is which was scattered `depth` times.
   Rgb term(const Rgb& light, int depth, PathObserver& observer) const;
+  /// Writes what is asked for of the surface that a path has come to after `depth` scattering events.
+  void record_surface(const Interaction& at, const Hit& hit, int depth, const State& path,
+                      const RecordSpans& record) const;
   /// The surface that a path has come to, and there its cone and what textures need to know of it.
   SurfacePoint arrive(const Hit& hit, const VertexSampler& sampler, State& path) const;
   /// Chooses where the path goes on from its vertex `depth`; false where it ends.
@@ -52,6 +56,7 @@ class PathReference final : public Integrator {
   PathOptions options_;
   LightSet lights_;
   BsdfTable bsdfs_;
+  bool has_environment_;
 };
 
 }  // namespace twinray

@@ -31,8 +31,6 @@ constexpr std::size_t samples_together = 1024;
 void check(const RenderOptions& options) {
   if (options.samples < 1 || options.samples > Film::max_samples)
     throw Error(fmt::format("{} samples per pixel; valid are 1 to {}", options.samples, Film::max_samples));
-  if (options.layers.empty() || options.layers.front() != Layer::color)
-    throw Error("the first layer of a render is color");
   if (std::set(options.layers.begin(), options.layers.end()).size() != options.layers.size())
     throw Error("a layer of a render is asked for twice");
   if (!options.adaptive) return;
@@ -42,12 +40,6 @@ void check(const RenderOptions& options) {
   if (!(options.adaptive->tolerance >= 0) || !std::isfinite(options.adaptive->tolerance))
     throw Error(
         fmt::format("a tolerance of {}; it must be finite and not negative", options.adaptive->tolerance));
-}
-
-std::vector<std::string> names_of(const std::vector<Layer>& layers) {
-  std::vector<std::string> names;
-  for (const Layer layer : layers) names.push_back(layer_name(layer));
-  return names;
 }
 
 /// The pixels through which a camera ray may see something; all, where the background shines.
@@ -73,7 +65,7 @@ class Renderer {
         camera_stage_(camera_,
                       {options.width, options.height, options.samples, options.sampler, options.seed}),
         visible_pixels_(pixels_with_light(scene, camera_, accelerator.bounds(), options)),
-        film_(options.width, options.height, window_of(options), names_of(options.layers)),
+        film_(options.width, options.height, window_of(options), options.layers),
         tiles_(spiral_tiles(film_.window(), tile_size)) {
     progress_.samples_total =
         std::uint64_t(film_.window().width()) * std::uint64_t(film_.window().height()) * options.samples;
@@ -146,7 +138,7 @@ class Renderer {
   /// so that a resumed render decides alike: a pixel that has stopped has fewer samples than its next index.
   bool is_converged(int x, int y, std::uint32_t index) const {
     if (!options_.adaptive || index == 0) return false;
-    const PixelSums& pixel = film_.pixel(0, x, y);
+    const PixelSums& pixel = film_.pixel(x, y);
     if (pixel.count + pixel.rejected < index) return true;
     return index % options_.adaptive->batch == 0 &&
            (!contains(visible_pixels_, x, y) || has_enough_samples(pixel, *options_.adaptive));
@@ -155,12 +147,13 @@ class Renderer {
   /// What the samples of a batch are made in.
   struct Batch {
     explicit Batch(const RenderOptions& options, std::size_t size)
-        : camera_samples(size), records(options.layers, size) {
+        : camera_samples(size), records(options.layers, size), values(options.layers.size()) {
       samples.reserve(size);
     }
     std::vector<PixelSample> samples;
     std::vector<CameraSample> camera_samples;
     Records records;
+    std::vector<Rgb> values;  ///< Of one sample in each layer.
   };
 
   void add(Batch& batch, Tracer& tracer) {
@@ -169,12 +162,12 @@ class Renderer {
     const RecordSpans records = batch.records.spans(batch.samples.size());
     camera_stage_.make(batch.samples, camera_samples);
     integrator_.sample(camera_samples, options_.sampler, tracer, records);
-    for (std::size_t layer = 0; layer < options_.layers.size(); ++layer) {
-      const std::span<const Rgb> values = records[options_.layers[layer]];
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        const PixelSample& sample = batch.samples[i];
-        film_.add(layer, sample.x, sample.y, sample.index, values[i]);
-      }
+    for (std::size_t i = 0; i < batch.samples.size(); ++i) {
+      const auto& [x, y, index] = batch.samples[i];
+      for (std::size_t layer = 0; layer < options_.layers.size(); ++layer)
+        if (const Layer shown = options_.layers[layer]; records.has(shown))
+          batch.values[layer] = records[shown][i];
+      film_.add(x, y, index, records.color()[i], batch.values);
     }
   }
 

@@ -22,7 +22,7 @@ struct RenderOptions {
   std::optional<PixelRect> window;  ///< The part of it to render; all if not set.
   std::uint32_t samples = 32;       ///< Per pixel; the most per pixel where sampling is adaptive.
   std::optional<AdaptiveSampling> adaptive;
-  std::vector<Layer> layers{Layer::color};  ///< Of the film, in this order: color first, each once.
+  std::vector<Layer> layers;  ///< Of the film besides its colours, in this order, each once.
   SamplerKind sampler = SamplerKind::sobol;
   std::uint64_t seed = 0;
   int threads = 0;        ///< 0: as many as the process may use.

@@ -8,6 +8,7 @@
 
 #include "core/image.h"
 #include "io/image_metadata.h"
+#include "io/layered_image.h"
 #include "io/picture_header.h"
 
 namespace twinray {
@@ -30,7 +31,7 @@ class ImageCodec {
   virtual Image read(PictureFormat format, const PictureBytes& picture, PictureLayer layer,
                      const std::function<void(const Header&)>& check) const = 0;
   /// The bytes of an OpenEXR file; write_exr says of what. `path` stands in messages alone.
-  virtual std::vector<unsigned char> encode_exr(const std::string& path, const Image& image,
+  virtual std::vector<unsigned char> encode_exr(const std::string& path, const LayeredImage& image,
                                                 const ImageMetadata& metadata,
                                                 const ImageFrame& frame) const = 0;
 };

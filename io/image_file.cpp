@@ -137,9 +137,22 @@ void write_png(const std::string& path, const ByteImage& image, const ImageMetad
 
 bool is_linear_output(const std::string& path) { return picture_ending(path) == ".exr"; }
 
-void write_exr(const std::string& path, const Image& image, const ImageMetadata& metadata,
+void write_exr(const std::string& path, const LayeredImage& image, const ImageMetadata& metadata,
                const ImageFrame& frame) {
   write_bytes(path, image_codec().encode_exr(path, image, metadata, frame));
+}
+
+void write_exr(const std::string& path, const Image& image, const ImageMetadata& metadata,
+               const ImageFrame& frame) {
+  const auto fill_row = [&image](int y, std::span<float> values) {
+    for (std::size_t i = 0; i < values.size(); i += 3) {
+      const Rgb& pixel = image.at(int(i / 3), y);
+      values[i] = pixel.r;
+      values[i + 1] = pixel.g;
+      values[i + 2] = pixel.b;
+    }
+  };
+  write_exr(path, LayeredImage{image.width, image.height, {{"R"}, {"G"}, {"B"}}, fill_row}, metadata, frame);
 }
 
 void write_image(const std::string& path, const Image& image, const ImageMetadata& metadata,

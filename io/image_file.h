@@ -8,6 +8,7 @@
 
 #include "core/image.h"
 #include "io/image_metadata.h"
+#include "io/layered_image.h"
 
 namespace twinray {
 
@@ -26,6 +27,9 @@ void write_png(const std::string& path, const ByteImage& image, const ImageMetad
 /// OpenEXR, channels R, G, B, 32-bit float; the picture is the data window, the frame the display window.
 /// Otherwise as write_png.
 void write_exr(const std::string& path, const Image& image, const ImageMetadata& metadata = {},
+               const ImageFrame& frame = {});
+/// The same of any channels.
+void write_exr(const std::string& path, const LayeredImage& image, const ImageMetadata& metadata = {},
                const ImageFrame& frame = {});
 /// By the name's ending: EXR keeps the linear values, PNG is sRGB.
 void write_image(const std::string& path, const Image& image, const ImageMetadata& metadata = {},

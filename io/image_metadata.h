@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a picture's file has beside the pixels.
 #pragma once
+#include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,10 +12,20 @@ namespace twinray {
 /// Names and values.
 using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 
+/// How a picture's whole frame saw the world, as OpenEXR's attributes have it: 4x4, row by row, for points
+/// that are rows and stand before the matrix.
+struct CameraMatrices {
+  /// To the camera's right, up and forward.
+  std::array<float, 16> world_to_camera;
+  /// To the frame, (0, 0) at its top left and (1, 1) at its bottom right.
+  std::array<float, 16> world_to_ndc;
+};
+
 /// The whole frame of which a picture is a part, and where its left top pixel lies in it.
 struct ImageFrame {
   int x = 0, y = 0;
-  int width = 0, height = 0;  ///< 0: the picture is the whole frame.
+  int width = 0, height = 0;                  ///< 0: the picture is the whole frame.
+  std::optional<CameraMatrices> camera = {};  ///< Kept in an EXR, if it is known.
 };
 
 }  // namespace twinray

@@ -18,16 +18,42 @@ namespace {
 /// OpenEXR would make as many threads as the machine has for every file, and fail where it gets none.
 void use_no_threads() { OIIO::attribute("exr_threads", -1); }
 
-OIIO::ImageSpec exr_spec(const Image& image, const ImageMetadata& metadata, const ImageFrame& frame) {
-  static_assert(sizeof(Rgb) == 3 * sizeof(float));
-  OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::FLOAT);
+void set_channels(OIIO::ImageSpec& spec, const std::vector<PictureChannel>& channels) {
+  spec.channelnames.clear();
+  for (const PictureChannel& channel : channels) {
+    const int index = int(spec.channelnames.size());
+    if (channel.name == "A") spec.alpha_channel = index;
+    if (channel.name == "Z") spec.z_channel = index;
+    spec.channelnames.push_back(channel.name);
+    spec.channelformats.push_back(channel.is_half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
+  }
+}
+
+OIIO::ImageSpec exr_spec(const LayeredImage& image, const ImageMetadata& metadata, const ImageFrame& frame) {
+  OIIO::ImageSpec spec(image.width, image.height, int(image.channels.size()), OIIO::TypeDesc::FLOAT);
+  set_channels(spec, image.channels);
   spec.x = frame.x;
   spec.y = frame.y;
   spec.full_width = frame.width > 0 ? frame.width : image.width;
   spec.full_height = frame.height > 0 ? frame.height : image.height;
   spec.attribute("DateTime", "");  // Without any, OpenImageIO would take the time of now.
   for (const auto& [name, value] : metadata) spec.attribute(name, value);
+  if (frame.camera) {
+    const OIIO::TypeDesc matrix(OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::MATRIX44);
+    spec.attribute("worldToCamera", matrix, frame.camera->world_to_camera.data());
+    spec.attribute("worldToNDC", matrix, frame.camera->world_to_ndc.data());
+  }
   return spec;
+}
+
+/// Row by row; false where the output fails.
+bool write_rows(OIIO::ImageOutput& output, const LayeredImage& image) {
+  std::vector<float> row(std::size_t(image.width) * image.channels.size());
+  for (int y = 0; y < image.height; ++y) {
+    image.fill_row(y, row);
+    if (!output.write_scanline(output.spec().y + y, 0, OIIO::TypeDesc::FLOAT, row.data())) return false;
+  }
+  return true;
 }
 
 /// OpenImageIO's name of the reader.
@@ -120,7 +146,7 @@ class OpenImageIOCodec final : public ImageCodec {
   }
 
   /// Put together in memory: a pipe cannot be written in any other order.
-  std::vector<unsigned char> encode_exr(const std::string& path, const Image& image,
+  std::vector<unsigned char> encode_exr(const std::string& path, const LayeredImage& image,
                                         const ImageMetadata& metadata,
                                         const ImageFrame& frame) const override {
     use_no_threads();
@@ -130,8 +156,7 @@ class OpenImageIOCodec final : public ImageCodec {
     if (!output || !output->set_ioproxy(&memory))
       throw Error(fmt::format("{}: OpenImageIO cannot write OpenEXR: {}", path, OIIO::geterror()));
     const OIIO::ImageSpec spec = exr_spec(image, metadata, frame);
-    if (!output->open(path, spec) || !output->write_image(spec.format, image.pixels.data()) ||
-        !output->close())
+    if (!output->open(path, spec) || !write_rows(*output, image) || !output->close())
       throw Error(fmt::format("{}: cannot be written: {}", path, output->geterror()));
     return bytes;
   }

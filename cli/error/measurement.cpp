@@ -19,8 +19,7 @@ double samples_per_pixel(const Film& film) {
   const PixelRect& window = film.window();
   std::uint64_t samples = 0;
   for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x)
-      samples += film.pixel(0, x, y).count + film.pixel(0, x, y).rejected;
+    for (int x = window.x0; x < window.x1; ++x) samples += film.pixel(x, y).count + film.pixel(x, y).rejected;
   return double(samples) / (double(window.width()) * double(window.height()));
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/octahedron.h"
 #include "core/warp.h"
+#include "integrators/layer_records.h"
 
 namespace twinray {
 
@@ -21,23 +22,24 @@ PathWave::PathWave(const WaveContext& context, SamplerKind kind, Tracer& tracer,
       connections_(wave.connections),
       samples_(samples),
       records_(records),
-      radiance_(records[Layer::color]) {}
+      radiance_(records.color()) {}
 
 void PathWave::trace() {
   start();
   const std::span<const Ray> rays(wave_.rays);
   const std::span<Hit> hits(wave_.hits);
   tracer_.camera_hits(rays.first(paths_.size), hits.first(paths_.size));
+  record_coverage();
   for (;; ++depth_) {
     tracer_.arrive();
     if (context_.has_interiors) absorb();
     if (context_.options.counts(depth_)) depth_ == 0 ? add_emission() : add_found_light();
     const bool has_ended = depth_ >= context_.options.depth_limit();
-    if (has_ended && !(depth_ == 0 && records_.has_surface())) return;
+    if (has_ended && !(depth_ == 0 && records_.has_layers())) return;
     drop_ended();
     if (paths_.size == 0) return;
     arrive();
-    if (depth_ == 0) record_surfaces();
+    record_surfaces();
     if (has_ended) return;
     if (context_.options.counts(depth_ + 1)) add_direct_light();
     // The ray after the last surface only looks for light.
@@ -72,15 +74,6 @@ void PathWave::absorb() {
     if (const Interiors interiors = paths_.interiors_at(i); !interiors.empty())
       paths_.throughput.set(i, paths_.throughput.at<Rgb>(i) * transmittance(context_.transport, interiors,
                                                                             wave_.rays[i], wave_.hits[i].t));
-}
-
-void PathWave::record_surfaces() {
-  const auto record = [&](Layer layer, const Columns3& column) {
-    if (records_.has(layer))
-      for (std::size_t i = 0; i < paths_.size; ++i) records_[layer][paths_.sample[i]] = column.at<Rgb>(i);
-  };
-  record(Layer::albedo, surfaces_.reflectance);
-  record(Layer::normal, surfaces_.shading);
 }
 
 void PathWave::add_emission() {
@@ -349,6 +342,7 @@ bool PathWave::scatter(bool is_last) {
   const bool has_limits = context_.options.limits.are_any();
   if (has_limits) std::fill_n(wave_.kind.values, paths_.size, std::uint32_t(ScatterKind::diffuse));
   scatter_at_others();
+  if (shows_features(records_)) follow_mirrors();
   if (has_limits) count_bounces();
   if (context_.options.regularize) regularize_scattered();
   if (has_textures()) widen_cones();

@@ -22,6 +22,7 @@ struct WaveContext {
   std::span<const ShapeEntry> shapes;
   std::span<const PatchTable> patches;  ///< Of each light.
   bool has_interiors = false;           ///< Of the scene: paths must know where they are.
+  bool has_environment = false;         ///< Of the scene: it is seen where nothing is hit.
 };
 
 /// The paths of up to wave_size samples, grown together vertex by vertex: all of them to their next surfaces,
@@ -47,8 +48,13 @@ class PathWave {
   /// Takes the paths out that have hit nothing, and those that are scattered no more.
   void drop_ended();
   void arrive();
-  /// Writes what the records say of the first surfaces.
+  // Records (integrators/wave/layers.cpp): what the camera rays cover,
+  void record_coverage();
+  /// what is asked for of the surfaces that the paths have come to,
   void record_surfaces();
+  void record_features();
+  /// and which paths go on to what they see in a mirror.
+  void follow_mirrors();
   void expand_hits();
   /// Of a scene with textures: where the paths' cones have come to, and the draws of pixels.
   void prepare_textures();
@@ -114,6 +120,7 @@ class PathWave {
   const RecordSpans records_;
   const std::span<Rgb> radiance_;  ///< Of each sample.
   int depth_ = 0;                  ///< Scattering events before the current rays.
+  bool is_following_ = false;      ///< Some paths were scattered by mirrors and the like alone.
 };
 
 }  // namespace twinray

@@ -136,6 +136,7 @@ struct Wave {
   Floats pdf;             ///< At each surface: of the direction that goes on, per solid angle.
   Words kind;             ///< Likewise: how it is scattered, a ScatterKind; where that has a limit.
   Words seeking;          ///< Likewise: which light its ray is to bring, a Seeking.
+  Words follows;          ///< Of each sample: 1 where its path was scattered by mirrors and the like alone.
   Columns3 origin;        ///< Of their rays.
   std::vector<Ray> rays;  ///< Of the paths, as accelerators take them.
   std::vector<Hit> hits;

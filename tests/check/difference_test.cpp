@@ -14,8 +14,7 @@ Film film_of(PixelRect window) {
   Film film(width, height, window);
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x)
-      for (std::uint32_t index = 0; index < 3; ++index)
-        film.add(0, x, y, index, {float(x + 1), float(y), 0.5f});
+      for (std::uint32_t index = 0; index < 3; ++index) film.add(x, y, index, {float(x + 1), float(y), 0.5f});
   return film;
 }
 
@@ -23,8 +22,8 @@ const PixelRect whole{0, 0, width, height};
 
 std::string difference_after(int x, int y, const Rgb& expected, const Rgb& found) {
   Film a = film_of(whole), b = film_of(whole);
-  a.add(0, x, y, 3, expected);
-  b.add(0, x, y, 3, found);
+  a.add(x, y, 3, expected);
+  b.add(x, y, 3, found);
   return first_difference(a, b).value_or("none");
 }
 
@@ -45,49 +44,49 @@ TEST_CASE("one last bit of one sample is found, with its pixel, its channel and 
 TEST_CASE("a difference beyond the bits of a double is found") {
   // Near 2^20 a double ends at 2^-33; the sums hold 2^-43.
   Film a = film_of(whole), b = film_of(whole);
-  for (Film* film : {&a, &b}) film->add(0, 1, 0, 3, {0x1p20f, 0, 0});
-  a.add(0, 1, 0, 4, {0x1p-40f, 0, 0});
-  b.add(0, 1, 0, 4, {0x1p-41f, 0, 0});
+  for (Film* film : {&a, &b}) film->add(1, 0, 3, {0x1p20f, 0, 0});
+  a.add(1, 0, 4, {0x1p-40f, 0, 0});
+  b.add(1, 0, 4, {0x1p-41f, 0, 0});
   CHECK(first_difference(a, b) == "pixel 1 0: red 0x1.00006p+20, but for bits beyond a double's");
 }
 
 TEST_CASE("the same sums of other samples are found by their squares, their number or a rejection") {
   Film a = film_of(whole), b = film_of(whole);
-  for (const float value : {1.0f, 3.0f}) a.add(0, 1, 1, value > 2, {value, value, value});
-  for (const float value : {2.0f, 2.0f}) b.add(0, 1, 1, 3, {value, value, value});
+  for (const float value : {1.0f, 3.0f}) a.add(1, 1, value > 2, {value, value, value});
+  for (const float value : {2.0f, 2.0f}) b.add(1, 1, 3, {value, value, value});
   CHECK(first_difference(a, b).value_or("").find("pixel 1 1: luminance squared ") == 0);
   Film c = film_of(whole);
-  c.add(0, 0, 0, 3, {0, 0, 0});
+  c.add(0, 0, 3, {0, 0, 0});
   CHECK(first_difference(film_of(whole), c) == "pixel 0 0: samples 3 and 4");
   Film d = film_of(whole);
-  d.add(0, 3, 0, 3, {std::numeric_limits<float>::quiet_NaN(), 0, 0});
+  d.add(3, 0, 3, {std::numeric_limits<float>::quiet_NaN(), 0, 0});
   CHECK(first_difference(film_of(whole), d) == "pixel 3 0: rejected samples 0 and 1");
   Film e = film_of(whole);
-  e.add(0, 3, 0, 4, {std::numeric_limits<float>::quiet_NaN(), 0, 0});
+  e.add(3, 0, 4, {std::numeric_limits<float>::quiet_NaN(), 0, 0});
   CHECK(first_difference(d, e) == "pixel 3 0: first rejected samples 3 and 4");
 }
 
 TEST_CASE("the first of several differences is the one nearest to the top left") {
   Film a = film_of(whole), b = film_of(whole);
-  for (const int x : {1, 3}) b.add(0, x, 1, 3, {1, 1, 1});
-  b.add(0, 0, 2, 3, {1, 1, 1});
+  for (const int x : {1, 3}) b.add(x, 1, 3, {1, 1, 1});
+  b.add(0, 2, 3, {1, 1, 1});
   CHECK(first_difference(a, b) == "pixel 1 1: samples 3 and 4");
 }
 
-TEST_CASE("a difference in a layer behind the first is found") {
-  Film a(width, height, whole, {"color", "depth"}), b(width, height, whole, {"color", "depth"});
-  for (Film* film : {&a, &b})
-    for (const std::size_t layer : {0, 1}) film->add(layer, 2, 1, 0, {1, 1, 1});
-  CHECK_FALSE(first_difference(a, b));
-  b.add(1, 2, 1, 1, {1, 1, 1});
-  CHECK(first_difference(a, b) == "pixel 2 1: samples 1 and 2");
+TEST_CASE("a difference in a layer is found where the colours do not differ") {
+  const std::vector<Layer> layers{Layer::albedo, Layer::depth};
+  Film a(width, height, whole, layers), b(width, height, whole, layers);
+  a.add(2, 1, 0, {1, 1, 1}, std::vector<Rgb>{{0.5f, 0, 1}, {3, 0, 0}});
+  b.add(2, 1, 0, {1, 1, 1}, std::vector<Rgb>{{0.5f, 0, 1}, {3.5f, 0, 0}});
+  CHECK_FALSE(first_difference(a, a));
+  CHECK(first_difference(a, b) == "pixel 2 1: depth 0x1.8p+1 0x0p+0 0x0p+0 and 0x1.cp+1 0x0p+0 0x0p+0");
 }
 
 TEST_CASE("films of other frames, or with more pixels than expected, differ") {
   const std::string misfit = "frames, windows or layers that do not fit";
   CHECK(first_difference(film_of(whole), Film(width, height + 1, whole)) == misfit);
   CHECK(first_difference(film_of({1, 1, 3, 2}), film_of(whole)) == misfit);
-  CHECK(first_difference(film_of(whole), Film(width, height, whole, {"color", "depth"})) == misfit);
+  CHECK(first_difference(film_of(whole), Film(width, height, whole, {Layer::depth})) == misfit);
 }
 
 TEST_CASE("one ray more of any kind is a difference") {

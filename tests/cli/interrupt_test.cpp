@@ -135,9 +135,9 @@ TEST_CASE("a partial picture is named like the whole one, and states the samples
   CHECK(partial_outputs({.picture = folder.file(longest + ".png")}).picture ==
         folder.file(longest.substr(0, 243) + "_partial.png"));
   Film film(2, 1, {0, 0, 2, 1});
-  film.add(0, 0, 0, 0, {1, 1, 1});
+  film.add(0, 0, 0, {1, 1, 1});
   CHECK(sample_range_text(film, 16) == "0 to 1 of 16");
-  film.add(0, 1, 0, 0, {1, 1, 1});
+  film.add(1, 0, 0, {1, 1, 1});
   CHECK(sample_range_text(film, 16) == "1 of 16");
 }
 

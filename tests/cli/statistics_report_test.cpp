@@ -46,9 +46,9 @@ TEST_CASE("a rejected sample can be replayed, or its pixel rendered alone") {
   Film film(20, 10, {2, 1, 18, 9});
   CHECK(rejection_text(film, {}).empty());
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  film.add(0, 7, 4, 9, {nan, 0, 0});
-  film.add(0, 5, 4, 3, {0, nan, 0});
-  film.add(0, 3, 6, 1, {0, 0, nan});
+  film.add(7, 4, 9, {nan, 0, 0});
+  film.add(5, 4, 3, {0, nan, 0});
+  film.add(3, 6, 1, {0, 0, nan});
   const std::string text = rejection_text(film, {});
   CHECK(holds(text, "3 samples were rejected"));
   CHECK(holds(text, "pixel 5 4, sample 3;"));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/film.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <thread>
@@ -47,13 +46,13 @@ std::vector<Sample> random_samples(int width, int height, std::uint32_t count) {
   return samples;
 }
 
-void add(Film& film, const Sample& sample) { film.add(0, sample.x, sample.y, sample.index, sample.value); }
+void add(Film& film, const Sample& sample) { film.add(sample.x, sample.y, sample.index, sample.value); }
 
 void check_equal(const Film& a, const Film& b) {
   for (int y = a.window().y0; y < a.window().y1; ++y)
     for (int x = a.window().x0; x < a.window().x1; ++x) {
       CAPTURE(x, y);
-      CHECK(a.pixel(0, x, y) == b.pixel(0, x, y));
+      CHECK(a.pixel(x, y) == b.pixel(x, y));
     }
   CHECK(a.rejected_count() == b.rejected_count());
   CHECK(a.first_rejected().x == b.first_rejected().x);
@@ -66,7 +65,6 @@ void check_equal(const Film& a, const Film& b) {
 TEST_CASE("a pixel takes 64 bytes for colour, variance, count and rejections") {
   CHECK(sizeof(PixelSums) <= 64);
   CHECK(Film::bytes(640 * 480) == 640 * 480 * sizeof(PixelSums));
-  CHECK(Film::bytes(10, 3) == 30 * sizeof(PixelSums));
 }
 
 TEST_CASE("radiance up to 10^9 is taken, by readers and film alike") {
@@ -157,14 +155,14 @@ TEST_CASE("mean and variance agree with a two-pass computation") {
   double r_sum = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     const float r = random.unit(), g = random.unit() * 3, b = random.unit() * 10;
-    film.add(0, 0, 0, i, {r, g, b});
+    film.add(0, 0, i, {r, g, b});
     luminances.push_back(0.2126 * r + 0.7152 * g + 0.0722 * b);
     r_sum += r;
   }
   double mean = 0, variance = 0;
   for (const double l : luminances) mean += l / count;
   for (const double l : luminances) variance += (l - mean) * (l - mean) / (count - 1);
-  const PixelSums& pixel = film.pixel(0, 0, 0);
+  const PixelSums& pixel = film.pixel(0, 0);
   constexpr double tolerance = 1e-12;  // Rounding of a few sums of 1000 doubles.
   CHECK(pixel.count == count);
   CHECK(pixel.mean().r == float(r_sum / count));
@@ -177,34 +175,34 @@ TEST_CASE("the variance of a constant is nothing but rounding, and never negativ
   for (int trial = 0; trial < 1000; ++trial) {
     const Rgb value = {random.unit(), random.unit(), random.unit()};
     Film film(1, 1, {0, 0, 1, 1});
-    for (std::uint32_t i = 0; i < 50; ++i) film.add(0, 0, 0, i, value);
-    REQUIRE(film.pixel(0, 0, 0).luminance_variance() >= 0);
-    REQUIRE(film.pixel(0, 0, 0).luminance_variance() < 0x1.1p-46);  // The unit, rounded up 50 times.
+    for (std::uint32_t i = 0; i < 50; ++i) film.add(0, 0, i, value);
+    REQUIRE(film.pixel(0, 0).luminance_variance() >= 0);
+    REQUIRE(film.pixel(0, 0).luminance_variance() < 0x1.1p-46);  // The unit, rounded up 50 times.
   }
 }
 
 TEST_CASE("a pixel without samples is black, and one sample has no variance") {
   Film film(2, 1, {0, 0, 2, 1});
-  CHECK(film.pixel(0, 0, 0).mean() == Rgb{});
-  CHECK(film.pixel(0, 0, 0).luminance_mean() == 0);
-  CHECK(film.pixel(0, 0, 0).luminance_variance() == 0);
-  CHECK(film.add(0, 1, 0, 0, {1, 2, 3}));
-  CHECK(film.pixel(0, 1, 0).mean() == Rgb{1, 2, 3});
-  CHECK(film.pixel(0, 1, 0).luminance_variance() == 0);
+  CHECK(film.pixel(0, 0).mean() == Rgb{});
+  CHECK(film.pixel(0, 0).luminance_mean() == 0);
+  CHECK(film.pixel(0, 0).luminance_variance() == 0);
+  CHECK(film.add(1, 0, 0, {1, 2, 3}));
+  CHECK(film.pixel(1, 0).mean() == Rgb{1, 2, 3});
+  CHECK(film.pixel(1, 0).luminance_variance() == 0);
 }
 
 TEST_CASE("as many of the largest samples as a pixel may have do not overflow, and one more is refused") {
   for (const float value : {Film::max_value, -Film::max_value}) {
     Film film(1, 1, {0, 0, 1, 1});
-    CHECK(film.add(0, 0, 0, 0, {value, value, value}));
+    CHECK(film.add(0, 0, 0, {value, value, value}));
     for (int doubling = 0; doubling < 22; ++doubling) film.merge(Film(film));
-    const PixelSums full = film.pixel(0, 0, 0);
+    const PixelSums full = film.pixel(0, 0);
     CHECK(full.count == Film::max_samples);
     CHECK(full.mean() == Rgb{value, value, value});
     CHECK(full.luminance_mean() == Approx(value));
     CHECK(full.luminance_variance() >= 0);
     CHECK_THROWS_WITH(film.merge(Film(film)), "merged, pixel (0, 0) has more than 4194304 samples");
-    CHECK(film.pixel(0, 0, 0) == full);
+    CHECK(film.pixel(0, 0) == full);
   }
 }
 
@@ -242,27 +240,27 @@ TEST_CASE("samples that are not finite or out of range are counted and nothing e
   Film film(10, 10, {2, 3, 8, 9});
   const float beyond = std::nextafter(Film::max_value, infinity);
   CHECK(film.rejected_count() == 0);
-  CHECK_FALSE(film.add(0, 5, 6, 9, {not_a_number, 0, 0}));
-  CHECK_FALSE(film.add(0, 5, 6, 4, {0, infinity, 0}));
-  CHECK_FALSE(film.add(0, 5, 6, 7, {0, 0, -infinity}));
-  CHECK_FALSE(film.add(0, 2, 7, 0, {beyond, 0, 0}));
-  CHECK_FALSE(film.add(0, 7, 6, 1, {0, -beyond, 0}));
-  CHECK(film.add(0, 5, 6, 5, {Film::max_value, -Film::max_value, 0}));
+  CHECK_FALSE(film.add(5, 6, 9, {not_a_number, 0, 0}));
+  CHECK_FALSE(film.add(5, 6, 4, {0, infinity, 0}));
+  CHECK_FALSE(film.add(5, 6, 7, {0, 0, -infinity}));
+  CHECK_FALSE(film.add(2, 7, 0, {beyond, 0, 0}));
+  CHECK_FALSE(film.add(7, 6, 1, {0, -beyond, 0}));
+  CHECK(film.add(5, 6, 5, {Film::max_value, -Film::max_value, 0}));
   CHECK(film.rejected_count() == 5);
-  CHECK(film.pixel(0, 5, 6).rejected == 3);
-  CHECK(film.pixel(0, 5, 6).rejected_index == 4);
-  CHECK(film.pixel(0, 4, 6).rejected == 0);
-  CHECK(film.pixel(0, 5, 6).count == 1);
-  CHECK(film.pixel(0, 2, 7).count == 0);
+  CHECK(film.pixel(5, 6).rejected == 3);
+  CHECK(film.pixel(5, 6).rejected_index == 4);
+  CHECK(film.pixel(4, 6).rejected == 0);
+  CHECK(film.pixel(5, 6).count == 1);
+  CHECK(film.pixel(2, 7).count == 0);
 }
 
 TEST_CASE("the first rejected sample is the least of (y, x, index), in whatever order they came") {
   const std::vector<Sample> samples = {{5, 6, 9, {}}, {5, 6, 4, {}}, {2, 7, 0, {}}, {7, 6, 1, {}}};
   Film forward(10, 10, {2, 3, 8, 9}), backward = forward, merged = forward;
   const Rgb bad = {not_a_number, 0, 0};
-  for (const Sample& s : samples) forward.add(0, s.x, s.y, s.index, bad);
+  for (const Sample& s : samples) forward.add(s.x, s.y, s.index, bad);
   for (std::size_t i = samples.size(); i-- > 0;)
-    backward.add(0, samples[i].x, samples[i].y, samples[i].index, bad);
+    backward.add(samples[i].x, samples[i].y, samples[i].index, bad);
   merged.merge(backward);
   for (const Film* film : {&forward, &backward, &merged}) {
     const RejectedSample first = film->first_rejected();
@@ -272,49 +270,83 @@ TEST_CASE("the first rejected sample is the least of (y, x, index), in whatever 
   }
 }
 
-TEST_CASE("layers are kept apart and merged by name") {
-  Film film(2, 2, {0, 0, 2, 2}, {"color", "albedo"});
-  film.add(1, 1, 1, 0, {1, 2, 3});
-  CHECK(film.pixel(1, 1, 1).mean() == Rgb{1, 2, 3});
-  CHECK(film.pixel(0, 1, 1).count == 0);
-  Film other = film;
-  film.merge(other);
-  CHECK(film.pixel(1, 1, 1).count == 2);
-  CHECK(film.pixel(0, 1, 1).count == 0);
-  CHECK_THROWS_WITH(film.merge(Film(2, 2, {0, 0, 2, 2}, {"color", "normal"})),
-                    "films of different layers cannot be merged: color, albedo and color, normal");
+TEST_CASE("a layer takes at most 8 bytes a channel and pixel") {
+  for (const Layer layer : all_layers()) {
+    CAPTURE(layer_info(layer).name);
+    CHECK(Film::bytes(10, std::vector{layer}) <= 10 * (sizeof(PixelSums) + 8 * channel_count(layer)));
+  }
+  const std::vector<Layer> kept{Layer::albedo, Layer::depth};
+  CHECK(Film::bytes(10, kept) == 10 * (sizeof(PixelSums) + 24 + 8));
 }
 
-TEST_CASE("a sample rejected in one layer counts in that layer alone") {
-  Film film(4, 2, {0, 0, 4, 2}, {"color", "albedo", "normal"});
-  CHECK_FALSE(film.add(1, 2, 1, 5, {not_a_number, 0, 0}));
-  CHECK(film.add(0, 2, 1, 5, {1, 1, 1}));
-  CHECK_FALSE(film.add(2, 2, 1, 3, {not_a_number, 0, 0}));
-  const std::array<std::uint32_t, 3> rejected{0, 1, 1}, counts{1, 0, 0};
-  for (std::size_t layer = 0; layer < 3; ++layer) {
-    CHECK(film.pixel(layer, 2, 1).rejected == rejected[layer]);
-    CHECK(film.pixel(layer, 2, 1).count == counts[layer]);
-  }
-  CHECK(film.rejected_count() == 2);
-  Film merged(4, 2, {0, 0, 4, 2}, {"color", "albedo", "normal"});
-  merged.merge(film);
-  for (const Film* each : {&film, &merged}) {
-    CHECK(each->first_rejected().x == 2);
-    CHECK(each->first_rejected().index == 3);
-    CHECK(each->first_rejected().layer == 2);
-    CHECK(each->pixel(1, 2, 1).rejected_index == 5);
-  }
+TEST_CASE("a film keeps of each layer what its samples say, and what its colours say") {
+  Film film(4, 3, {1, 1, 4, 3}, {Layer::albedo, Layer::depth, Layer::samples, Layer::variance});
+  const std::vector<Rgb> first{{0.5f, 0, 1}, {not_a_number, 0, 0}, {}, {}};
+  const std::vector<Rgb> second{{0, 0, 0.5f}, {7, 0, 0}, {}, {}};
+  const std::vector<Rgb> third{{1, 0, 0}, {3, 0, 0}, {}, {}};
+  film.add(2, 1, 2, {3, 3, 3}, third);
+  film.add(2, 1, 0, {1, 1, 1}, first);
+  film.add(2, 1, 1, {2, 2, 2}, second);
+  CHECK(film.pixel(2, 1).count == 3);
+  CHECK(film.value(0, 2, 1) == Rgb{0.5f, 0, 0.5f});
+  CHECK(film.value(1, 2, 1) == Rgb{7, 0, 0});
+  CHECK(film.value(2, 2, 1).r == 3);
+  CHECK(film.value(3, 2, 1).r == Approx(1.0 / 3));
+  CHECK(film.value(0, 3, 1) == Rgb{});
+  CHECK(film.value(1, 3, 1).r == 1e10f);
+  CHECK(film.value(3, 3, 1).r == 0);
+}
+
+TEST_CASE("any order and partition of the samples gives a layer the same values") {
+  const std::vector<Layer> layers{Layer::normal, Layer::position};
+  const std::vector<Sample> samples = random_samples(5, 4, 30);
+  Film whole(5, 4, {0, 0, 5, 4}, layers), reversed = whole, merged = whole;
+  Film left(5, 4, {0, 0, 2, 4}, layers), right(5, 4, {2, 0, 5, 4}, layers);
+  const auto add_with_layers = [](Film& film, const Sample& sample) {
+    const Rgb value{sample.value.r, sample.value.g, 0};
+    const std::vector<Rgb> values{value, value};
+    film.add(sample.x, sample.y, sample.index, {1, 1, 1}, values);
+  };
+  for (const Sample& sample : samples) add_with_layers(whole, sample);
+  for (std::size_t i = samples.size(); i-- > 0;) add_with_layers(reversed, samples[i]);
+  for (const Sample& sample : samples) add_with_layers(sample.x < 2 ? left : right, sample);
+  merged.merge(right);
+  merged.merge(left);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 5; ++x)
+      for (const std::size_t layer : {0, 1}) {
+        const Rgb expected = whole.value(layer, x, y);
+        CHECK(reversed.value(layer, x, y) == expected);
+        CHECK(merged.value(layer, x, y) == expected);
+      }
+}
+
+TEST_CASE("films of other layers are not merged") {
+  Film film(2, 2, {0, 0, 2, 2}, {Layer::albedo});
+  CHECK_THROWS_WITH(film.merge(Film(2, 2, {0, 0, 2, 2}, {Layer::normal, Layer::depth})),
+                    "films of different layers cannot be merged: color, albedo and color, normal, depth");
+}
+
+TEST_CASE("a sample whose radiance is rejected counts in no layer") {
+  Film film(1, 1, {0, 0, 1, 1}, {Layer::albedo, Layer::depth});
+  const std::vector<Rgb> values{{1, 1, 1}, {5, 0, 0}};
+  CHECK_FALSE(film.add(0, 0, 0, {not_a_number, 0, 0}, values));
+  CHECK(film.value(0, 0, 0) == Rgb{});
+  CHECK(film.value(1, 0, 0).r == 1e10f);
+  CHECK(film.add(0, 0, 1, {1, 1, 1}, values));
+  CHECK(film.value(0, 0, 0) == Rgb{1, 1, 1});
+  CHECK(film.value(1, 0, 0).r == 5);
 }
 
 TEST_CASE("the least index of rejected samples is kept when films are merged, in either order") {
   Film early(1, 1, {0, 0, 1, 1}), late = early, none = early;
   const Rgb bad = {not_a_number, 0, 0};
-  early.add(0, 0, 0, 2, bad);
-  late.add(0, 0, 0, 9, bad);
-  none.add(0, 0, 0, 0, {1, 1, 1});
+  early.add(0, 0, 2, bad);
+  late.add(0, 0, 9, bad);
+  none.add(0, 0, 0, {1, 1, 1});
   const auto merged = [](Film to, const Film& from) {
     to.merge(from);
-    return to.pixel(0, 0, 0);
+    return to.pixel(0, 0);
   };
   CHECK(merged(early, late).rejected_index == 2);
   CHECK(merged(late, early).rejected_index == 2);
@@ -326,12 +358,12 @@ TEST_CASE("the least index of rejected samples is kept when films are merged, in
 
 TEST_CASE("rejected samples count towards the most that a pixel may have") {
   Film film(1, 1, {0, 0, 1, 1});
-  film.add(0, 0, 0, 0, {1, 1, 1});
-  film.add(0, 0, 0, 1, {not_a_number, 0, 0});
+  film.add(0, 0, 0, {1, 1, 1});
+  film.add(0, 0, 1, {not_a_number, 0, 0});
   for (int doubling = 0; doubling < 21; ++doubling) film.merge(Film(film));
-  CHECK(film.pixel(0, 0, 0).count == Film::max_samples / 2);
+  CHECK(film.pixel(0, 0).count == Film::max_samples / 2);
   Film one(1, 1, {0, 0, 1, 1});
-  one.add(0, 0, 0, 0, {1, 1, 1});
+  one.add(0, 0, 0, {1, 1, 1});
   CHECK_THROWS_WITH(film.merge(one), "merged, pixel (0, 0) has more than 4194304 samples");
 }
 
@@ -351,7 +383,6 @@ TEST_CASE("frames and windows out of range are refused") {
   for (const PixelRect& window : {PixelRect{-1, 0, 4, 4}, PixelRect{0, -1, 4, 4}, PixelRect{0, 0, 9, 4},
                                   PixelRect{0, 0, 4, 7}, PixelRect{0, 3, 4, 3}, PixelRect{3, 0, 2, 4}})
     CHECK_THROWS_AS(Film(8, 6, window), Error);
-  CHECK_THROWS_WITH(Film(8, 6, {0, 0, 8, 6}, {}), "a film without layers");
 }
 
 }  // namespace twinray

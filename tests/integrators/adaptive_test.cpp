@@ -33,15 +33,15 @@ Kept kept(const AdaptiveSampling& adaptive, const std::function<float(Random&)>&
     Film film(1, 1, {0, 0, 1, 1});
     double with_rule = -1;
     for (std::uint32_t index = 0; index < most; ++index) {
-      const PixelSums& pixel = film.pixel(0, 0, 0);
+      const PixelSums& pixel = film.pixel(0, 0);
       if (with_rule < 0 && index > 0 && index % adaptive.batch == 0 && has_enough_samples(pixel, adaptive)) {
         with_rule = pixel.luminance_mean();
         taken += index;
       }
       const float value = draw(random);
-      film.add(0, 0, 0, index, {value, value, value});
+      film.add(0, 0, index, {value, value, value});
     }
-    const double mean = film.pixel(0, 0, 0).luminance_mean();
+    const double mean = film.pixel(0, 0).luminance_mean();
     if (with_rule < 0) {
       with_rule = mean;
       taken += most;
@@ -120,7 +120,7 @@ TEST_CASE("pixels beside the scene stop after a batch, unless there is an enviro
   const RenderOptions options{.width = 32, .height = 12, .samples = 96, .adaptive = AdaptiveSampling{32, 0}};
   const auto count = [&] {
     const PathIntegrator integrator(scene, {.max_depth = 1});
-    return render_with(scene, integrator, options).film.pixel(0, 0, 6).count;
+    return render_with(scene, integrator, options).film.pixel(0, 6).count;
   };
   CHECK(count() == 32);
   Image black(1, 1);
@@ -131,10 +131,10 @@ TEST_CASE("pixels beside the scene stop after a batch, unless there is an enviro
 TEST_CASE("one sample is never enough") {
   Film film(1, 1, {0, 0, 1, 1});
   for (const AdaptiveRule rule : {AdaptiveRule::careful, AdaptiveRule::cs184})
-    CHECK_FALSE(has_enough_samples(film.pixel(0, 0, 0), {2, 1e6, rule}));
-  film.add(0, 0, 0, 0, {1, 1, 1});
+    CHECK_FALSE(has_enough_samples(film.pixel(0, 0), {2, 1e6, rule}));
+  film.add(0, 0, 0, {1, 1, 1});
   for (const AdaptiveRule rule : {AdaptiveRule::careful, AdaptiveRule::cs184})
-    CHECK_FALSE(has_enough_samples(film.pixel(0, 0, 0), {2, 1e6, rule}));
+    CHECK_FALSE(has_enough_samples(film.pixel(0, 0), {2, 1e6, rule}));
 }
 
 }  // namespace twinray::test

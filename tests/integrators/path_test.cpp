@@ -12,7 +12,7 @@ RenderOptions options(std::uint32_t samples, SamplerKind sampler = SamplerKind::
   return {.width = 12, .height = 10, .samples = samples, .sampler = sampler, .seed = 3, .threads = 2};
 }
 
-Rgb pixel_mean(const Film& film, int x, int y) { return film.pixel(0, x, y).mean(); }
+Rgb pixel_mean(const Film& film, int x, int y) { return film.pixel(x, y).mean(); }
 
 }  // namespace
 

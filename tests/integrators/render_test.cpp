@@ -30,7 +30,7 @@ std::vector<Backend> canonical_backends() {
 std::uint64_t sample_count(const Film& film) {
   std::uint64_t count = 0;
   for (int y = 0; y < 30; ++y)
-    for (int x = 0; x < 40; ++x) count += film.pixel(0, x, y).count;
+    for (int x = 0; x < 40; ++x) count += film.pixel(x, y).count;
   return count;
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("a part of the frame has the pixels of the whole") {
   part_options.window = PixelRect{7, 5, 29, 22};
   const RenderResult part = render_with(scene, path, part_options);
   for (int y = 5; y < 22; ++y)
-    for (int x = 7; x < 29; ++x) CHECK(part.film.pixel(0, x, y) == whole.film.pixel(0, x, y));
+    for (int x = 7; x < 29; ++x) CHECK(part.film.pixel(x, y) == whole.film.pixel(x, y));
 }
 
 TEST_CASE("normal shading traces one ray a sample and shows (n + 1) / 2") {
@@ -122,7 +122,7 @@ TEST_CASE("normal shading traces one ray a sample and shows (n + 1) / 2") {
   const RenderResult result = render_with(scene, NormalsIntegrator(scene), options(1, 2));
   CHECK(result.rays.camera == 40 * 30);
   CHECK(result.rays.total() == 40 * 30);
-  CHECK(result.film.pixel(0, 20, 15).mean() == Rgb{0.5f, 1, 0.5f});
+  CHECK(result.film.pixel(20, 15).mean() == Rgb{0.5f, 1, 0.5f});
 }
 
 TEST_CASE("normals may be shown as they mix") {
@@ -136,7 +136,7 @@ TEST_CASE("normals may be shown as they mix") {
   const Scene scene = scene_of(roof, {0.5f, 0.5f, 0.5f}, {0, 1, 0}, {0, 0, 0});
   const auto shown = [&](NormalsIntegrator::Mixture mixture) {
     return render_with(scene, NormalsIntegrator(scene, mixture), {.width = 9, .height = 9, .samples = 1})
-        .film.pixel(0, 4, 4)
+        .film.pixel(4, 4)
         .mean();
   };
   CHECK(shown(NormalsIntegrator::Mixture::unit).g == Approx(1).epsilon(1e-3));
@@ -155,7 +155,7 @@ TEST_CASE("one sample goes through the centre of its pixel") {
       const double px = ((2 * (x + 0.5) / 9) - 1) * camera.tan_half_width * 4;
       const double py = ((2 * (y + 0.5) / 9) - 1) * camera.tan_half_height * 4;
       const bool covered = std::fabs(px) < 1 && std::fabs(py) < 1;
-      CHECK((result.film.pixel(0, x, y).mean().g > 0.9f) == covered);
+      CHECK((result.film.pixel(x, y).mean().g > 0.9f) == covered);
     }
 }
 
@@ -167,7 +167,7 @@ TEST_CASE("samples that are not finite are counted, and the first can be found a
   CHECK(result.film.first_rejected().x == 3);
   CHECK(result.film.first_rejected().y == 2);
   CHECK(result.film.first_rejected().index == 1);
-  CHECK(result.film.pixel(0, 3, 2).count == 1);
+  CHECK(result.film.pixel(3, 2).count == 1);
 }
 
 TEST_CASE(
@@ -181,7 +181,7 @@ TEST_CASE(
   std::uint64_t taken = 0;
   for (int y = 0; y < 30; ++y)
     for (int x = 0; x < 40; ++x) {
-      const std::uint32_t count = result.film.pixel(0, x, y).count;
+      const std::uint32_t count = result.film.pixel(x, y).count;
       CHECK(count % 16 == 0);
       CHECK(count >= 16);
       taken += count;
@@ -191,8 +191,8 @@ TEST_CASE(
   RenderOptions spoiled{
       .width = 8, .height = 8, .samples = 64, .adaptive = AdaptiveSampling{8, 0.1, AdaptiveRule::cs184}};
   const RenderResult calm = render_with(scene, SpoiledIntegrator(), spoiled);
-  CHECK(calm.film.pixel(0, 0, 0).count == 8);
-  CHECK(calm.film.pixel(0, 3, 2).count == 1);
+  CHECK(calm.film.pixel(0, 0).count == 8);
+  CHECK(calm.film.pixel(3, 2).count == 1);
 }
 
 TEST_CASE("a pixel that stops has the bits of its samples until then, and each decides for itself") {
@@ -208,10 +208,10 @@ TEST_CASE("a pixel that stops has the bits of its samples until then, and each d
     const Film fixed = render_with(scene, path, options(count, 2)).film;
     for (int y = 0; y < 30; ++y)
       for (int x = 0; x < 40; ++x) {
-        if (film.pixel(0, x, y).count != count) continue;
+        if (film.pixel(x, y).count != count) continue;
         ++stops[i];
-        CHECK(film.pixel(0, x, y) == fixed.pixel(0, x, y));
-        if (count < most) CHECK(has_enough_samples(fixed.pixel(0, x, y), *adaptive.adaptive));
+        CHECK(film.pixel(x, y) == fixed.pixel(x, y));
+        if (count < most) CHECK(has_enough_samples(fixed.pixel(x, y), *adaptive.adaptive));
       }
   }
   CHECK(stops[0] + stops[1] + stops[2] + stops[3] == 40 * 30);
@@ -221,7 +221,7 @@ TEST_CASE("a pixel that stops has the bits of its samples until then, and each d
   adaptive.window = PixelRect{11, 7, 22, 20};
   const Film part = render_with(scene, path, adaptive).film;
   for (int y = 7; y < 20; ++y)
-    for (int x = 11; x < 22; ++x) CHECK(part.pixel(0, x, y) == film.pixel(0, x, y));
+    for (int x = 11; x < 22; ++x) CHECK(part.pixel(x, y) == film.pixel(x, y));
 }
 
 TEST_CASE("adaptive pictures do not depend on threads either") {
@@ -246,9 +246,9 @@ TEST_CASE("a render that is stopped has the samples that were done, and says tha
   CHECK(samples > 1200);
   CHECK(samples < 64 * 1200);
   // The samples of a pixel are the first of those that it would have had.
-  const PixelSums& pixel = result.film.pixel(0, 20, 15);
+  const PixelSums& pixel = result.film.pixel(20, 15);
   REQUIRE(pixel.count > 1);
-  CHECK(render_with(scene, path, options(pixel.count, 1)).film.pixel(0, 20, 15) == pixel);
+  CHECK(render_with(scene, path, options(pixel.count, 1)).film.pixel(20, 15) == pixel);
   stopped.is_stopped = [] { return false; };
   CHECK(render_with(scene, path, stopped).is_complete);
 }

@@ -82,7 +82,7 @@ Estimate block_estimate(const Film& film, const PixelRect& block) {
   double sum = 0, variance = 0;
   for (int y = block.y0; y < block.y1; ++y)
     for (int x = block.x0; x < block.x1; ++x) {
-      const PixelSums& pixel = film.pixel(0, x, y);
+      const PixelSums& pixel = film.pixel(x, y);
       sum += pixel.luminance_mean();
       variance += pixel.luminance_variance() / pixel.count;
     }
@@ -231,10 +231,10 @@ TEST_CASE(
   double samples = 0;
   for (int y = 0; y < options.height; ++y)
     for (int x = 0; x < options.width; ++x) {
-      const double expected = converged.pixel(0, x, y).luminance_mean();
-      const double found = adaptive.pixel(0, x, y).luminance_mean();
+      const double expected = converged.pixel(x, y).luminance_mean();
+      const double found = adaptive.pixel(x, y).luminance_mean();
       good += std::fabs(found - expected) <= tolerance * expected;
-      samples += adaptive.pixel(0, x, y).count;
+      samples += adaptive.pixel(x, y).count;
       ++pixels;
     }
   const Estimate a = estimate_of(adaptive), b = estimate_of(converged);

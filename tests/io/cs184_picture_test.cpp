@@ -44,8 +44,8 @@ TEST_CASE("an image keeps its shape under CS184's tone curve") {
 
 TEST_CASE("the picture of sample rates is of the whole frame, blue where nothing was rendered") {
   Film film(4, 3, {1, 1, 3, 2});
-  for (std::uint32_t i = 0; i < 8; ++i) film.add(0, 1, 1, i, {});
-  for (std::uint32_t i = 0; i < 4; ++i) film.add(0, 2, 1, i, {});
+  for (std::uint32_t i = 0; i < 8; ++i) film.add(1, 1, i, {});
+  for (std::uint32_t i = 0; i < 4; ++i) film.add(2, 1, i, {});
   const ByteImage rates = cs184_rate_image(film, 8);
   CHECK(rates.width == 4);
   CHECK(rates.height == 3);

@@ -99,7 +99,7 @@ TEST_CASE("paths through generated scenes bounce, and the pictures are neither b
     CHECK(result.film.rejected_count() == 0);
     double sum = 0;
     for (int y = 0; y < 60; ++y)
-      for (int x = 0; x < 80; ++x) sum += std::min(1.0, result.film.pixel(0, x, y).luminance_mean());
+      for (int x = 0; x < 80; ++x) sum += std::min(1.0, result.film.pixel(x, y).luminance_mean());
     CHECK(sum / (80 * 60) > 0.1);
     CHECK(sum / (80 * 60) < 0.8);
   }

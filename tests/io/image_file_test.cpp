@@ -141,6 +141,44 @@ TEST_CASE("a part of a frame is an EXR's data window, and the frame its display 
   CHECK(exr_window(folder.file("b.exr"), "displayWindow") == std::array{0, 0, 4, 2});
 }
 
+TEST_CASE("an EXR holds channels of any names, in 16 bits and in 32") {
+  const TemporaryFolder folder;
+  const auto fill_row = [](int y, std::span<float> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = float(i) + 100 * float(y);
+  };
+  const LayeredImage image{2, 3, {{"R"}, {"G"}, {"B"}, {"N.X", true}, {"Z"}}, fill_row};
+  write_exr(folder.file("a.exr"), image);
+  CHECK(read_image(folder.file("a.exr")).at(1, 2) == Rgb{205, 206, 207});
+  const std::string text = read_text(folder.file("a.exr"));
+  const auto holds = [&](const std::string& channel, char type) {
+    return text.find(channel + std::string(1, '\0') + type + std::string(3, '\0')) != text.npos;
+  };
+  constexpr char half = 1, full = 2;
+  CHECK(holds("N.X", half));
+  for (const std::string name : {"R", "G", "B", "Z"}) CHECK(holds(name, full));
+}
+
+TEST_CASE("an EXR holds the matrices of its camera, a picture without one none") {
+  const TemporaryFolder folder;
+  ImageFrame frame{0, 0, 5, 3, CameraMatrices{}};
+  frame.camera->world_to_camera[5] = 7;
+  frame.camera->world_to_ndc[0] = 3;
+  write_exr(folder.file("a.exr"), gradient(), {}, frame);
+  const std::string text = read_text(folder.file("a.exr"));
+  const auto value = [&](const std::string& name, std::size_t number) {
+    const std::string attribute = name + '\0' + "m44f" + '\0' + '\x40' + std::string(3, '\0');
+    const std::size_t at = text.find(attribute);
+    REQUIRE(at != text.npos);
+    float found = 0;
+    std::memcpy(&found, text.data() + at + attribute.size() + number * sizeof found, sizeof found);
+    return found;
+  };
+  CHECK(value("worldToCamera", 5) == 7);
+  CHECK(value("worldToNDC", 0) == 3);
+  write_exr(folder.file("b.exr"), gradient());
+  CHECK(read_text(folder.file("b.exr")).find("worldTo") == std::string::npos);
+}
+
 TEST_CASE("a picture holds no time but that of its metadata") {
   const TemporaryFolder folder;
   REQUIRE(has_time("at 2023:11:14 22:13:20."));

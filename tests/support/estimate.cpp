@@ -33,7 +33,7 @@ Estimate estimate_of(const Film& film) {
   double sum = 0, variance = 0, pixels = 0;
   for (int y = film.window().y0; y < film.window().y1; ++y)
     for (int x = film.window().x0; x < film.window().x1; ++x) {
-      const PixelSums& pixel = film.pixel(0, x, y);
+      const PixelSums& pixel = film.pixel(x, y);
       sum += pixel.luminance_mean();
       variance += pixel.luminance_variance() / pixel.count;
       ++pixels;
@@ -61,10 +61,12 @@ void check_same_mean(const Estimate& a, const Estimate& b, double sees) {
 
 bool same_bits(const Film& a, const Film& b) {
   if (a.window() != b.window() || a.layers() != b.layers()) return false;
-  for (std::size_t layer = 0; layer < a.layers().size(); ++layer)
-    for (int y = a.window().y0; y < a.window().y1; ++y)
-      for (int x = a.window().x0; x < a.window().x1; ++x)
-        if (!(a.pixel(layer, x, y) == b.pixel(layer, x, y))) return false;
+  for (int y = a.window().y0; y < a.window().y1; ++y)
+    for (int x = a.window().x0; x < a.window().x1; ++x) {
+      if (!(a.pixel(x, y) == b.pixel(x, y))) return false;
+      for (std::size_t layer = 0; layer < a.layers().size(); ++layer)
+        if (a.value(layer, x, y) != b.value(layer, x, y)) return false;
+    }
   return true;
 }
 

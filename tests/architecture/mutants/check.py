@@ -117,5 +117,5 @@ MUTANTS = [
            TARGET, "a pixel with an unexplained difference is red, whatever else it has"),
     Mutant("films are compared in their first layer only", "check/difference.cpp",
            "layer < found.layers().size()", "layer < 1",
-           TARGET, "a difference in a layer behind the first is found"),
+           TARGET, "a difference in a layer is found where the colours do not differ"),
 ]

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// --layers: what a picture shows beside its colours.
+#include <algorithm>
+#include <sstream>
+
+#include "cli/render_options.h"
+#include "io/image_file.h"
+
+namespace twinray {
+namespace {
+
+constexpr const char* default_output = "twinray.exr";
+
+Words valid_names() {
+  Words names{"all"};
+  for (const Layer layer : all_layers()) names.push_back(layer_info(layer).name);
+  return names;
+}
+
+/// The layers of one word; "all" stands for all.
+std::vector<Layer> layers_of(const std::string& name) {
+  if (name == "all") return all_layers();
+  for (const Layer layer : all_layers())
+    if (name == layer_info(layer).name) return {layer};
+  throw UsageError(fmt::format("--layers: there is no \"{}\"; valid are {}, one or several with commas", name,
+                               fmt::join(valid_names(), ", ")));
+}
+
+/// Each once, in the order in which files have them; alpha belongs to the colours.
+std::vector<Layer> parse_layers(const std::string& names) {
+  std::vector<Layer> layers{Layer::alpha};
+  std::istringstream list(names);
+  for (std::string name; std::getline(list, name, ',');)
+    for (const Layer layer : layers_of(name)) layers.push_back(layer);
+  std::sort(layers.begin(), layers.end());
+  layers.erase(std::unique(layers.begin(), layers.end()), layers.end());
+  return layers;
+}
+
+}  // namespace
+
+void add_layer_options(CLI::App& app, RenderRequest& request) {
+  OptionGroup group(app, "Picture");
+  group.add_words(
+      {"--layers", "NAME,...", "More layers in an .exr: albedo, normal, ids, ... or all"}, 1,
+      [&request](const Words& words) { request.arguments.render.layers = parse_layers(words.front()); });
+}
+
+void resolve_layers(RenderArguments& arguments) {
+  if (arguments.render.layers.empty()) return;
+  if (!is_given("--output", arguments)) arguments.output = default_output;
+  if (!arguments.replay && !is_linear_output(arguments.output))
+    throw UsageError(
+        fmt::format("--layers: {} cannot hold layers; the name of a picture that can ends in "
+                    ".exr",
+                    arguments.output));
+  if (!traces_paths(arguments.integrator))
+    throw UsageError(
+        fmt::format("--layers: --integrator={} knows of none; path, path-reference and direct do",
+                    integrator_name(arguments.integrator)));
+}
+
+}  // namespace twinray

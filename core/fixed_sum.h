@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sums in fixed point: addition is exact, so it has neither order nor rounding.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "core/radiance.h"
+
+namespace twinray {
+
+__extension__ using Int128 = __int128;
+__extension__ using Unsigned128 = unsigned __int128;
+
+/// Of all sums of single numbers.
+inline constexpr double fixed_unit = 0x1p-43;
+/// x in this unit, rounded to the nearest. |x| <= max_radiance.
+Int128 fixed_units(double x);
+
+/// A sum of radiances in 96-bit fixed point, unit 2^-43.
+class FixedSum {
+ public:
+  /// Adds x, rounded to the nearest unit. |x| <= max_radiance; the sum of up to 2^22 such numbers does not
+  /// overflow.
+  void add(double x);
+  FixedSum& operator+=(const FixedSum& other);
+  /// The sum, rounded to double.
+  double value() const;
+  friend bool operator==(const FixedSum&, const FixedSum&) = default;
+
+ private:
+  std::array<std::uint32_t, 3> words_{};  ///< Two's complement, the least word first.
+};
+
+/// A sum of squares of radiances in 128-bit fixed point, unit 2^-46.
+class FixedSquareSum {
+ public:
+  /// Adds x^2, rounded up to the unit, so that what is too dim to be resolved counts as noise and not as
+  /// certainty. |x| <= max_radiance up to a double's rounding; the sum of up to 2^22 such squares does not
+  /// overflow.
+  void add_square_of(double x);
+  FixedSquareSum& operator+=(const FixedSquareSum& other);
+  /// The sum, rounded to double.
+  double value() const;
+  friend bool operator==(const FixedSquareSum&, const FixedSquareSum&) = default;
+
+ private:
+  Unsigned128 units_ = 0;
+};
+
+}  // namespace twinray

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/layer.h"
+
+#include <array>
+
+namespace twinray {
+namespace {
+
+/// Where the camera sees nothing, as Cycles has it: farther than any scene, and no infinity that a filter
+/// would spread.
+constexpr float no_depth = 1e10f;
+
+}  // namespace
+
+const LayerInfo& layer_info(Layer layer) {
+  static const std::array<LayerInfo, layer_count> table{
+      {{"alpha", {"A"}, Gathering::mean, false},
+       {"albedo", {"albedo.R", "albedo.G", "albedo.B"}, Gathering::mean, true},
+       {"normal", {"N.X", "N.Y", "N.Z"}, Gathering::mean, true},
+       {"geometric-normal", {"Ng.X", "Ng.Y", "Ng.Z"}, Gathering::mean, true},
+       {"depth", {"Z"}, Gathering::first, false, no_depth},
+       {"position", {"P.X", "P.Y", "P.Z"}, Gathering::first, false},
+       {"uv", {"uv.U", "uv.V"}, Gathering::first, false},
+       {"ids", {"id.object", "id.material", "id.instance"}, Gathering::first, false},
+       {"samples", {"samples"}, Gathering::of_color, false},
+       {"variance", {"variance.Y"}, Gathering::of_color, false}}};
+  return table[std::size_t(layer)];
+}
+
+std::size_t channel_count(Layer layer) { return layer_info(layer).channels.size(); }
+
+std::vector<Layer> all_layers() {
+  std::vector<Layer> all;
+  for (std::size_t i = 0; i < layer_count; ++i) all.push_back(Layer(i));
+  return all;
+}
+
+}  // namespace twinray

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrators/layer_records.h"
+
+#include "core/surface.h"
+
+namespace twinray {
+
+void record_first_surface(const Scene& scene, const FirstSurface& surface, const RecordSpans& records,
+                          std::size_t sample) {
+  const auto& [hit, position, normal] = surface;
+  if (records.has(Layer::geometric_normal))
+    records[Layer::geometric_normal][sample] = {normal.x, normal.y, normal.z};
+  if (records.has(Layer::depth)) records[Layer::depth][sample] = {hit.t, 0, 0};
+  if (records.has(Layer::position)) records[Layer::position][sample] = {position.x, position.y, position.z};
+  if (records.has(Layer::uv)) {
+    const Vec2 uv = texture_coordinates(*scene.geometry, hit);
+    records[Layer::uv][sample] = {uv.x, uv.y, 0};
+  }
+  if (records.has(Layer::ids))
+    records[Layer::ids][sample] = {float(hit.mesh) + 1, float(scene.bindings[hit.mesh].material) + 1,
+                                   hit.instance == no_instance ? 0 : float(hit.instance) + 1};
+}
+
+bool has_environment(const Scene& scene) {
+  const auto is_environment = [](const Light& light) {
+    return std::holds_alternative<EnvironmentLight>(light.source);
+  };
+  return std::any_of(scene.lights.begin(), scene.lights.end(), is_environment);
+}
+
+}  // namespace twinray

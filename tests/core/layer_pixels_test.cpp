@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/layer_pixels.h"
+
+#include <limits>
+#include <set>
+#include <string>
+
+#include "core/layer.h"
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+
+namespace twinray {
+namespace {
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+}  // namespace
+
+TEST_CASE("layers have names of their own, one to three channels, and no channel of another's name") {
+  std::set<std::string> names, channels;
+  for (const Layer layer : all_layers()) {
+    CHECK(names.insert(layer_info(layer).name).second);
+    CHECK(channel_count(layer) >= 1);
+    CHECK(channel_count(layer) <= 3);
+    for (const char* const channel : layer_info(layer).channels) CHECK(channels.insert(channel).second);
+  }
+  CHECK(names.size() == layer_count);
+}
+
+TEST_CASE("sums of a layer hold every unit, however large they become") {
+  MeanPixels pixels(2, 3);
+  constexpr int count = 5000;  // 5000 times 10^9 overflows 63 bits of 2^-43 about 5 million times.
+  for (int i = 0; i < count; ++i) pixels.add(1, {1e9f, -1e9f, 0x1p-43f});
+  CHECK(pixels.units(1, 0) == count * fixed_units(1e9));
+  CHECK(pixels.units(1, 1) == -count * fixed_units(1e9));
+  CHECK(pixels.units(1, 2) == count);
+  CHECK(pixels.mean(1, count) == Rgb{1e9f, -1e9f, 0x1p-43f});
+  CHECK(pixels.mean(0, 0) == Rgb{});
+  for (int i = 0; i < count; ++i) pixels.add(1, {-1e9f, 1e9f, 0});
+  CHECK(pixels.units(1, 0) == 0);
+  CHECK(pixels.units(1, 1) == 0);
+}
+
+TEST_CASE("the sums of two films of a layer are those of all samples, as far as the last unit") {
+  test::Random random(3);
+  MeanPixels all(1, 1), even(1, 1), odd(1, 1);
+  for (int i = 0; i < 3000; ++i) {
+    const Rgb value{random.uniform(-1, 1) * (i % 7 == 0 ? 1e9f : 1.0f), 0, 0};
+    all.add(0, value);
+    (i % 2 == 0 ? even : odd).add(0, value);
+  }
+  odd.merge(0, even, 0);
+  CHECK(odd.units(0, 0) == all.units(0, 0));
+}
+
+TEST_CASE("what is no number counts as 0 in a layer, and what is too large as the largest") {
+  MeanPixels pixels(1, 3);
+  pixels.add(0, {not_a_number, 1e30f, -1e30f});
+  CHECK(pixels.mean(0, 1) == Rgb{0, max_radiance, -max_radiance});
+}
+
+TEST_CASE("of points the sample with the least index that has a value counts, in any order") {
+  FirstPixels forward(3, 2), backward(3, 2);
+  const Rgb none{not_a_number, 0, 0};
+  const Rgb values[] = {none, {1, 2, 0}, {3, 4, 0}};
+  for (std::uint32_t i = 0; i < 3; ++i) forward.add(1, i, values[i]);
+  for (std::uint32_t i = 3; i-- > 0;) backward.add(1, i, values[i]);
+  for (const FirstPixels* const pixels : {&forward, &backward}) {
+    CHECK(pixels->has(1));
+    CHECK(pixels->value(1) == Rgb{1, 2, 0});
+    CHECK_FALSE(pixels->has(0));
+  }
+  FirstPixels later(1, 2);
+  later.add(0, 2, values[2]);
+  FirstPixels merged = later;
+  merged.merge(0, forward, 1);
+  CHECK(merged.value(0) == Rgb{1, 2, 0});
+  merged.merge(0, later, 0);
+  merged.merge(0, forward, 0);  // It has none.
+  CHECK(merged.value(0) == Rgb{1, 2, 0});
+}
+
+}  // namespace twinray

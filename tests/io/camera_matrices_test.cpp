@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/camera_matrices.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+
+namespace twinray::test {
+namespace {
+
+/// A point before a matrix, divided by what comes out last.
+Vec3 transformed(const Vec3& p, const std::array<float, 16>& m) {
+  const auto column = [&](std::size_t j) { return p.x * m[j] + p.y * m[4 + j] + p.z * m[8 + j] + m[12 + j]; };
+  return Vec3{column(0), column(1), column(2)} / column(3);
+}
+
+Camera some_camera() {
+  Camera camera;
+  camera.position = {1, -2, 3};
+  camera.forward = normalize({1, 2, -2});
+  camera.right = normalize(cross(camera.forward, Vec3{0, 1, 0}));
+  camera.up = cross(camera.right, camera.forward);
+  return camera;
+}
+
+}  // namespace
+
+TEST_CASE("a picture's matrices say where a point of the world lies in its frame") {
+  constexpr float rounding = 1e-4f;  // Of coordinates up to 50 in floats.
+  Camera camera = some_camera();
+  Random random(4);
+  for (const bool is_orthographic : {false, true}) {
+    camera.is_orthographic = is_orthographic;
+    const CameraMatrices matrices = camera_matrices(camera);
+    for (int trial = 0; trial < 100; ++trial) {
+      const Vec2 frame{random.unit(), random.unit()};
+      const Ray ray = camera_ray(camera, frame, {});
+      const float depth = random.uniform(1, 30);
+      const Vec3 point = ray.origin + ray.direction * depth;
+      const Vec3 seen = transformed(point, matrices.world_to_ndc);
+      CHECK(seen.x == Approx(frame.x).margin(rounding));
+      CHECK(seen.y == Approx(frame.y).margin(rounding));
+      const Vec3 before = transformed(point, matrices.world_to_camera);
+      CHECK(before.z == Approx(depth).epsilon(rounding));
+      CHECK(before.x == Approx(dot(point - camera.position, camera.right)).margin(rounding));
+      CHECK(before.y == Approx(dot(point - camera.position, camera.up)).margin(rounding));
+    }
+  }
+}
+
+}  // namespace twinray::test
