@@ -11,17 +11,24 @@ namespace {
 
 constexpr const char* default_output = "twinray.exr";
 
+constexpr const char* parts_name = "light";  ///< Of all the parts of the colours: one makes no sense alone.
+
+bool is_part(Layer layer) { return layer_info(layer).gathering == Gathering::part; }
+
 Words valid_names() {
   Words names{"all"};
-  for (const Layer layer : all_layers()) names.push_back(layer_info(layer).name);
+  for (const Layer layer : all_layers())
+    if (!is_part(layer)) names.push_back(layer_info(layer).name);
+  names.push_back(parts_name);
   return names;
 }
 
-/// The layers of one word; "all" stands for all.
+/// The layers of one word, which may stand for several.
 std::vector<Layer> layers_of(const std::string& name) {
   if (name == "all") return all_layers();
+  if (name == parts_name) return light_parts();
   for (const Layer layer : all_layers())
-    if (name == layer_info(layer).name) return {layer};
+    if (name == layer_info(layer).name && !is_part(layer)) return {layer};
   throw UsageError(fmt::format("--layers: there is no \"{}\"; valid are {}, one or several with commas", name,
                                fmt::join(valid_names(), ", ")));
 }
@@ -40,7 +47,7 @@ std::vector<Layer> parse_layers(const std::string& names) {
 }  // namespace
 
 void add_layer_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, "Picture");
+  OptionGroup group(app, "Picture and samples");
   group.add_words(
       {"--layers", "NAME,...", "More layers in an .exr: albedo, normal, ids, ... or all"}, 1,
       [&request](const Words& words) { request.arguments.render.layers = parse_layers(words.front()); });

@@ -14,10 +14,12 @@ float* append(const Rgb& value, std::size_t count, float* to) {
 void fill_row(const Film& film, int y, std::span<float> values) {
   const PixelRect& window = film.window();
   float* next = values.data();
+  std::vector<Rgb> layers(film.layers().size());
   for (int x = window.x0; x < window.x1; ++x) {
     next = append(film.pixel(x, y).mean(), 3, next);
-    for (std::size_t layer = 0; layer < film.layers().size(); ++layer)
-      next = append(film.value(layer, x, y), channel_count(film.layers()[layer]), next);
+    film.read_values(x, y, layers);
+    for (std::size_t i = 0; i < layers.size(); ++i)
+      next = append(layers[i], channel_count(film.layers()[i]), next);
   }
 }
 

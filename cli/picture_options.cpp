@@ -6,7 +6,7 @@
 namespace twinray {
 namespace {
 
-constexpr const char* group_name = "Picture";
+constexpr const char* group_name = "Picture and samples";
 
 PixelRect window_of(const std::vector<int>& crop, int width, int height) {
   const int x = crop[0], y = crop[1], w = crop[2], h = crop[3];

@@ -6,7 +6,7 @@ namespace {
 
 constexpr Range<std::uint32_t> batches{2, Film::max_samples};
 constexpr Range<double> tolerances{0, 1e6};
-constexpr const char* group_name = "Sampling";
+constexpr const char* group_name = "Picture and samples";
 
 }  // namespace
 

@@ -58,6 +58,18 @@ struct LobesOf {
 
 }  // namespace
 
+Rgb Bsdf::diffuse(const Vec3& wo, const Vec3& wi) const {
+  const auto of = [&](const auto& lobe) -> Rgb {
+    using Lobe = std::decay_t<decltype(lobe)>;
+    if constexpr (requires { lobe.diffuse(wo, wi); }) return lobe.diffuse(wo, wi);
+    if constexpr (std::is_same_v<Lobe, LambertLobe> || std::is_same_v<Lobe, RoughDiffuseLobe> ||
+                  std::is_same_v<Lobe, DiffuseTransmissionLobe>)
+      return wi.z > 0 ? lobe.evaluate(wo, wi).value : Rgb{};
+    return {};
+  };
+  return std::visit(of, lobes_);
+}
+
 Bsdf::Bsdf(const SurfaceModel& model, Side side) : lobes_(std::visit(LobesOf{side}, model)) {}
 
 }  // namespace twinray

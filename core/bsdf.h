@@ -39,6 +39,8 @@ class Bsdf {
   BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const {
     return std::visit([&](const auto& lobe) { return lobe.evaluate(wo, wi); }, lobes_);
   }
+  /// What of it the matte part of the surface scatters, towards the side of wo.
+  Rgb diffuse(const Vec3& wo, const Vec3& wi) const;
   /// A direction, from a number in [0, 1) that chooses among ways of scattering and two in the unit square.
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const {
     return std::visit([&](const auto& l) { return l.sample(wo, lobe, u); }, lobes_);

@@ -2,6 +2,7 @@
 #include "core/film.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <string>
@@ -10,12 +11,16 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/exact_parts.h"
 
 namespace twinray {
 namespace {
 
 /// In double, so that the variance of a constant pixel is 0 up to a double's rounding.
 double wide_luminance(double r, double g, double b) { return 0.2126 * r + 0.7152 * g + 0.0722 * b; }
+
+/// A part in fixed point; one that is too large for a colour, or none, leaves all to the others.
+Int128 units_of_part(float x) { return std::fabs(x) <= Film::max_value ? fixed_units(x) : 0; }
 
 bool in_range(float x) { return std::fabs(x) <= Film::max_value; }  // A NaN is not.
 
@@ -56,6 +61,7 @@ void PixelSums::reject(std::uint32_t sample_index) {
 Film::LayerPixels Film::make_pixels(Layer layer, std::size_t pixels) {
   switch (layer_info(layer).gathering) {
     case Gathering::mean:
+    case Gathering::part:
       return MeanPixels(pixels, channel_count(layer));
     case Gathering::first:
       return FirstPixels(pixels, channel_count(layer));
@@ -79,7 +85,17 @@ Film::Film(int frame_width, int frame_height, PixelRect window, std::vector<Laye
                     window.x0, window.x1, window.y0, window.y1, frame_width, frame_height));
   const std::size_t count = std::size_t(window.width()) * std::size_t(window.height());
   pixels_.resize(count);
-  for (const Layer layer : layers_) layer_pixels_.push_back(make_pixels(layer, count));
+  for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
+    layer_pixels_.push_back(make_pixels(layers_[layer], count));
+    if (is_part(layers_[layer])) parts_.push_back(layer);
+  }
+  check_parts();
+}
+
+void Film::check_parts() const {
+  if (!parts_.empty() && parts_.size() != light_parts().size())
+    throw Error(fmt::format("{} of the {} parts of light: a film keeps all of them or none", parts_.size(),
+                            light_parts().size()));
 }
 
 std::size_t Film::offset(int x, int y) const {
@@ -101,7 +117,9 @@ bool Film::add(int x, int y, std::uint32_t sample_index, const Rgb& color, std::
   sums.b.add(color.b);
   sums.luminance_squared.add_square_of(wide_luminance(color.r, color.g, color.b));
   ++sums.count;
+  if (!parts_.empty()) add_parts(at, color, values);
   for (std::size_t layer = 0; layer < layer_pixels_.size(); ++layer) {
+    if (is_part(layers_[layer])) continue;
     if (auto* const mean = std::get_if<MeanPixels>(&layer_pixels_[layer])) mean->add(at, values[layer]);
     if (auto* const first = std::get_if<FirstPixels>(&layer_pixels_[layer]))
       first->add(at, sample_index, values[layer]);
@@ -109,24 +127,74 @@ bool Film::add(int x, int y, std::uint32_t sample_index, const Rgb& color, std::
   return true;
 }
 
-Rgb Film::value(std::size_t layer, int x, int y) const {
-  const std::size_t at = offset(x, y);
-  const PixelSums& sums = pixels_[at];
+namespace {
+
+constexpr float Rgb::*channels[] = {&Rgb::r, &Rgb::g, &Rgb::b};
+
+/// The parts of one channel of a colour; there are no more than eight.
+template <typename Number>
+struct ChannelParts {
+  std::array<Number, 8> numbers;
+  std::span<Number> span(std::size_t count) { return std::span<Number>(numbers).first(count); }
+};
+
+}  // namespace
+
+void Film::add_parts(std::size_t pixel, const Rgb& color, std::span<const Rgb> values) {
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    ChannelParts<Int128> parts;
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      parts.numbers[i] = units_of_part(values[parts_[i]].*channels[channel]);
+    make_exact(fixed_units(color.*channels[channel]), parts.span(parts_.size()));
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      std::get<MeanPixels>(layer_pixels_[parts_[i]]).add_units(pixel, channel, parts.numbers[i]);
+  }
+}
+
+Int128 Film::part_units(std::size_t layer, int x, int y, std::size_t channel) const {
+  return std::get<MeanPixels>(layer_pixels_[layer]).units(offset(x, y), channel);
+}
+
+void Film::write_parts(std::size_t pixel, std::span<Rgb> values) const {
+  const Rgb color = pixels_[pixel].mean();
+  for (float Rgb::*const channel : channels) {
+    ChannelParts<float> parts;
+    for (std::size_t i = 0; i < parts_.size(); ++i) parts.numbers[i] = values[parts_[i]].*channel;
+    make_exact(color.*channel, parts.span(parts_.size()));
+    for (std::size_t i = 0; i < parts_.size(); ++i) values[parts_[i]].*channel = parts.numbers[i];
+  }
+}
+
+Rgb Film::kept_value(std::size_t layer, std::size_t pixel) const {
+  const PixelSums& sums = pixels_[pixel];
   if (const auto* const mean = std::get_if<MeanPixels>(&layer_pixels_[layer]))
-    return mean->mean(at, sums.count);
+    return mean->mean(pixel, sums.count);
   if (const auto* const first = std::get_if<FirstPixels>(&layer_pixels_[layer])) {
     const float nothing = layer_info(layers_[layer]).nothing;
-    return first->has(at) ? first->value(at) : Rgb{nothing, nothing, nothing};
+    return first->has(pixel) ? first->value(pixel) : Rgb{nothing, nothing, nothing};
   }
   if (layers_[layer] == Layer::samples) return {float(sums.count), 0, 0};
   return {sums.count == 0 ? 0 : float(sums.luminance_variance() / sums.count), 0, 0};
+}
+
+void Film::read_values(int x, int y, std::span<Rgb> values) const {
+  const std::size_t pixel = offset(x, y);
+  for (std::size_t layer = 0; layer < layers_.size(); ++layer) values[layer] = kept_value(layer, pixel);
+  if (!parts_.empty()) write_parts(pixel, values);
+}
+
+Rgb Film::value(std::size_t layer, int x, int y) const {
+  std::vector<Rgb> values(layers_.size());
+  read_values(x, y, values);
+  return values[layer];
 }
 
 std::uint64_t Film::bytes(std::uint64_t pixels, std::span<const Layer> layers) {
   std::uint64_t bytes = sizeof(PixelSums);
   for (const Layer layer : layers) {
     const Gathering gathering = layer_info(layer).gathering;
-    if (gathering == Gathering::mean) bytes += MeanPixels::bytes(channel_count(layer));
+    if (gathering == Gathering::mean || gathering == Gathering::part)
+      bytes += MeanPixels::bytes(channel_count(layer));
     if (gathering == Gathering::first) bytes += FirstPixels::bytes(channel_count(layer));
   }
   return pixels * bytes;

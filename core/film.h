@@ -59,7 +59,8 @@ class Film {
   static constexpr float max_value = max_radiance;
   static constexpr std::uint32_t max_samples = 1u << 22;
 
-  /// Throws Error for a frame outside [1, 65536]^2, or a window that is empty or not within it.
+  /// Throws Error for a frame outside [1, 65536]^2, a window that is empty or not within it, or some parts of
+  /// the colours without the others.
   Film(int frame_width, int frame_height, PixelRect window, std::vector<Layer> layers = {});
 
   int frame_width() const { return frame_width_; }
@@ -73,8 +74,13 @@ class Film {
   bool add(int x, int y, std::uint32_t sample_index, const Rgb& color, std::span<const Rgb> values = {});
 
   const PixelSums& pixel(int x, int y) const { return pixels_[offset(x, y)]; }
-  /// The value of a layer, by its number among layers(), in as many channels as it has.
+  /// Writes a pixel's value in each layer, in as many channels as that has. Parts of the colours are
+  /// multiples of their last bits: they give the pixel's mean colour, added up as floats in any order.
+  void read_values(int x, int y, std::span<Rgb> values) const;
+  /// One of them, by the layer's number among layers().
   Rgb value(std::size_t layer, int x, int y) const;
+  /// The sum of one channel of a part of the colours, in units of 2^-43.
+  Int128 part_units(std::size_t layer, int x, int y, std::size_t channel) const;
   /// Of all pixels.
   std::uint64_t rejected_count() const;
   /// The first rejected sample in the order (y, x, index), so that it does not depend on threads; none if
@@ -91,6 +97,13 @@ class Film {
   /// How a layer is kept; not at all where the colours say what it is.
   using LayerPixels = std::variant<std::monostate, MeanPixels, FirstPixels>;
   static LayerPixels make_pixels(Layer layer, std::size_t pixels);
+  static bool is_part(Layer layer) { return layer_info(layer).gathering == Gathering::part; }
+  void check_parts() const;
+  /// Adds the parts of a colour; their sums add up to that of the colours, unit by unit.
+  void add_parts(std::size_t pixel, const Rgb& color, std::span<const Rgb> values);
+  Rgb kept_value(std::size_t layer, std::size_t pixel) const;
+  /// Makes the parts among a pixel's values add up.
+  void write_parts(std::size_t pixel, std::span<Rgb> values) const;
   std::size_t offset(int x, int y) const;
   void check_mergeable(const Film& other) const;
   void merge_layer(LayerPixels& own, const LayerPixels& other, std::size_t to, std::size_t from);
@@ -105,6 +118,7 @@ class Film {
   std::vector<Layer> layers_;
   std::vector<PixelSums> pixels_;          ///< Row by row.
   std::vector<LayerPixels> layer_pixels_;  ///< Of each layer.
+  std::vector<std::size_t> parts_;         ///< The layers that are parts of the colours.
 };
 
 }  // namespace twinray

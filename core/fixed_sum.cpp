@@ -36,7 +36,9 @@ FixedSum& FixedSum::operator+=(const FixedSum& other) {
   return *this;
 }
 
-double FixedSum::value() const { return double(units_of(words_)) * fixed_unit; }
+Int128 FixedSum::units() const { return units_of(words_); }
+
+double FixedSum::value() const { return double(units()) * fixed_unit; }
 
 void FixedSquareSum::add_square_of(double x) {
   const double square = x * x;

@@ -23,6 +23,7 @@ class FixedSum {
   /// overflow.
   void add(double x);
   FixedSum& operator+=(const FixedSum& other);
+  Int128 units() const;
   /// The sum, rounded to double.
   double value() const;
   friend bool operator==(const FixedSum&, const FixedSum&) = default;

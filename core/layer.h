@@ -21,14 +21,24 @@ enum class Layer : std::size_t {
   ids,               ///< Of the first surface's shape, material and instance, from 1 on; 0: there is none.
   samples,           ///< How many samples the pixel has.
   variance,          ///< Of the pixel's luminance: that of one sample, over the number of samples.
+  // The light of the picture by the paths that it took (integrators/light_parts.h): these add up to it.
+  emission,     ///< Of what the camera sees directly.
+  environment,  ///< Seen directly behind all.
+  diffuse_direct,
+  diffuse_indirect,
+  glossy_direct,
+  glossy_indirect,
+  transmission_direct,
+  transmission_indirect,
 };
-inline constexpr std::size_t layer_count = 10;
+inline constexpr std::size_t layer_count = 18;
 
 /// How the samples of a pixel become its value in a layer.
 enum class Gathering {
-  mean,     ///< Their mean.
-  first,    ///< The value of the sample with the least index that has one: of points and ids no mean is one.
-  of_color  ///< What the sums of the colours say: nothing else is kept.
+  mean,      ///< Their mean.
+  first,     ///< The value of the sample with the least index that has one: of points and ids no mean is one.
+  of_color,  ///< What the sums of the colours say: nothing else is kept.
+  part  ///< Their mean; all parts together are the colours, to the last bit. They are kept together or not.
 };
 
 /// What is known of a layer, whatever the scene.
@@ -44,5 +54,7 @@ std::size_t channel_count(Layer layer);
 
 /// All layers, in their order.
 std::vector<Layer> all_layers();
+/// Those that are parts of the colours.
+std::vector<Layer> light_parts();
 
 }  // namespace twinray

@@ -31,7 +31,8 @@ std::int64_t Carries::at(std::size_t place) const {
   return found == carries_.end() ? 0 : found->second;
 }
 
-void MeanPixels::add_units(std::size_t place, Int128 units) {
+void MeanPixels::add_units(std::size_t pixel, std::size_t channel, Int128 units) {
+  const std::size_t place = pixel * channels_ + channel;
   const Int128 sum = Int128(sums_[place]) + units;
   sums_[place] = std::int64_t(std::uint64_t(sum));
   const Int128 rest = sum - sums_[place];
@@ -39,13 +40,21 @@ void MeanPixels::add_units(std::size_t place, Int128 units) {
 }
 
 void MeanPixels::add(std::size_t pixel, const Rgb& value) {
-  for (std::size_t channel = 0; channel < channels_; ++channel)
-    add_units(pixel * channels_ + channel, fixed_units(in_range(channel_of(value, channel))));
+  for (std::size_t channel = 0; channel < channels_; ++channel) {
+    const float x = channel_of(value, channel);
+    std::int64_t& sum = sums_[pixel * channels_ + channel];
+    std::int64_t longer = 0;
+    // Nearly always one word is enough.
+    if (std::fabs(x) < 0x1p19f && !__builtin_add_overflow(sum, std::llrint(x * 0x1p43), &longer))
+      sum = longer;
+    else
+      add_units(pixel, channel, fixed_units(in_range(x)));
+  }
 }
 
 void MeanPixels::merge(std::size_t pixel, const MeanPixels& other, std::size_t other_pixel) {
   for (std::size_t channel = 0; channel < channels_; ++channel)
-    add_units(pixel * channels_ + channel, other.units(other_pixel, channel));
+    add_units(pixel, channel, other.units(other_pixel, channel));
 }
 
 Int128 MeanPixels::units(std::size_t pixel, std::size_t channel) const {

@@ -39,6 +39,7 @@ class MeanPixels {
   MeanPixels(std::size_t pixels, std::size_t channels) : channels_(channels), sums_(pixels * channels) {}
   /// Adds one sample. What is not a number counts as 0, what lies beyond +-max_radiance as that.
   void add(std::size_t pixel, const Rgb& value);
+  void add_units(std::size_t pixel, std::size_t channel, Int128 units);
   void merge(std::size_t pixel, const MeanPixels& other, std::size_t other_pixel);
   /// Of so many samples; black of none.
   Rgb mean(std::size_t pixel, std::uint32_t count) const;
@@ -47,8 +48,6 @@ class MeanPixels {
   static constexpr std::size_t bytes(std::size_t channels) { return channels * sizeof(std::int64_t); }
 
  private:
-  void add_units(std::size_t place, Int128 units);
-
   std::size_t channels_;
   std::vector<std::int64_t> sums_;  ///< Modulo 2^64.
   Carries carries_;

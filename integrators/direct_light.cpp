@@ -9,8 +9,9 @@ namespace twinray {
 namespace {
 
 Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,
-                      Tracer& tracer) {
+                      Tracer& tracer, DirectParts* parts) {
   const std::uint32_t count = transport.directions();
+  const float divisor = float(count) * uniform_hemisphere_pdf();
   Rgb sum;
   for (std::uint32_t part = 0; part < count; ++part) {
     const Look look = look_around(at, sampler.draw_2d(Purpose::light_point, {part, count, 0}));
@@ -20,16 +21,18 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
     const Hit hit = tracer.bounce_hit(ray);
     const Rgb found = lamp_radiance(transport, hit, look.direction) *
                       transmittance(transport, at.interiors(look.direction), ray, hit.t);
-    sum += scattered * found / look.density;
+    const Rgb light = scattered * found / look.density;
+    sum += light;
+    if (parts) parts->add(at, look.direction, light / divisor);
     tracer.observer().looked_around({look.direction, look.density * uniform_hemisphere_pdf(),
                                      light_at(transport.scene, hit), found, scattered});
   }
-  return count == 0 ? Rgb{} : sum / (float(count) * uniform_hemisphere_pdf());
+  return count == 0 ? Rgb{} : sum / divisor;
 }
 
 /// The light of one source, by the mean of its samples.
 Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Interaction& at,
-                 const VertexSampler& sampler, Tracer& tracer) {
+                 const VertexSampler& sampler, Tracer& tracer, DirectParts* parts) {
   const std::uint32_t count = transport.samples_of(light);
   Rgb sum;
   for (std::uint32_t part = 0; part < count; ++part) {
@@ -37,7 +40,11 @@ Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Int
     const LightSample sample = transport.lights.sample(light, at.point(), at.normal(), u);
     const Rgb scattered = scattered_sample(transport, light, at, sample);
     const Rgb visibility = is_black(scattered) ? Rgb{} : tracer.visibility(sample.shadow_ray);
-    if (!is_black(scattered)) sum += scattered * visibility / sample.pdf;
+    if (!is_black(scattered)) {
+      const Rgb light_there = scattered * visibility / sample.pdf;
+      sum += light_there;
+      if (parts) parts->add(at, sample.direction, light_there / float(count));
+    }
     tracer.observer().sampled_light(transport, at, {light, sample, scattered, visibility});
   }
   return sum / float(count);
@@ -56,6 +63,13 @@ Rgb found_alone(const LightTransport& transport, const Hit& hit, const Vec3& dir
 }
 
 }  // namespace
+
+void DirectParts::add(const Interaction& at, const Vec3& wi, const Rgb& light) {
+  if (at.to_local(wi).z < 0)
+    transmitted += light;
+  else
+    diffuse += light * at.diffuse_share(wi);
+}
 
 float light_sample_weight(const LightTransport& transport, std::uint32_t light, const Interaction& at,
                           const LightSample& sample, float scattered_pdf) {
@@ -80,11 +94,12 @@ Rgb scattered_sample(const LightTransport& transport, std::uint32_t light, const
 }
 
 Rgb direct_light(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,
-                 Tracer& tracer) {
-  if (transport.method == DirectMethod::hemisphere) return sample_hemisphere(transport, at, sampler, tracer);
+                 Tracer& tracer, DirectParts* parts) {
+  if (transport.method == DirectMethod::hemisphere)
+    return sample_hemisphere(transport, at, sampler, tracer, parts);
   Rgb sum;
   for (const std::uint32_t light : transport.lights.sampled())
-    sum += sample_light(transport, light, at, sampler, tracer);
+    sum += sample_light(transport, light, at, sampler, tracer, parts);
   return sum;
 }
 

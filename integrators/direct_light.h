@@ -78,10 +78,19 @@ float light_sample_weight(const LightTransport& transport, std::uint32_t light, 
 Rgb scattered_sample(const LightTransport& transport, std::uint32_t light, const Interaction& at,
                      const LightSample& sample);
 
+/// Direct light of a surface that is not Lambert's by what scattered it; the rest is glossy.
+struct DirectParts {
+  Rgb diffuse, transmitted;
+
+  /// Adds light that is scattered from a direction, in world space.
+  void add(const Interaction& at, const Vec3& wi, const Rgb& light);
+};
+
 /// An estimate of the light of all emitters, scattered once at a surface into all but delta directions; by
-/// `hemisphere`, of all but delta lights; by `mis`, but for the part that scattered rays find. Unbiased.
+/// `hemisphere`, of all but delta lights; by `mis`, but for the part that scattered rays find. Unbiased. Its
+/// parts are added up where they are asked for.
 Rgb direct_light(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,
-                 Tracer& tracer);
+                 Tracer& tracer, DirectParts* parts = nullptr);
 
 /// What is left out there, by the ray that a path goes on along: its hit, and its unit direction.
 Rgb found_light(const LightTransport& transport, const Departure& departure, const Hit& hit,

@@ -22,7 +22,15 @@ Interiors behind(const Material& material, std::uint32_t index, Side side, Inter
   return before;
 }
 
+float share(float part, float whole) { return part < whole ? part / whole : whole > 0 ? 1.0f : 0.0f; }
+
 }  // namespace
+
+Rgb Interaction::diffuse_share(const Vec3& wi) const {
+  const Vec3 local = to_local(wi);
+  const Rgb all = bsdf_.evaluate(wo_local_, local).value, diffuse = bsdf_.diffuse(wo_local_, local);
+  return {share(diffuse.r, all.r), share(diffuse.g, all.g), share(diffuse.b, all.b)};
+}
 
 Interaction::Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo,
                          const Viewing& viewing)

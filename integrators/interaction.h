@@ -39,6 +39,8 @@ class Interaction {
     const auto [value, pdf] = bsdf_.evaluate(wo_local_, local);
     return {is_consistent(wi) ? value * (std::fabs(local.z) * kept(wi)) : Rgb{}, pdf};
   }
+  /// The part of scattered(wi) that the matte part of the surface scatters, channel by channel, in [0, 1].
+  Rgb diffuse_share(const Vec3& wi) const;
   /// The part of light from a consistent direction that is left where a map bends the normal, softly falling
   /// to 0 where the geometry no longer sees it (core/shadow_terminator.h); without a map 1.
   float kept(const Vec3& wi) const {

@@ -28,6 +28,7 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
   const LightTransport transport{scene_, lights_, options_.direct, options_.samples_per_light};
   const PathKey path_key(sample.key);
   PathObserver& observer = tracer.observer();
+  const bool has_parts = shows_light_parts(record);
   Rgb radiance;
   State path{.ray = sample.ray, .cone = sample.cone};
   Hit hit = tracer.camera_hit(path.ray);
@@ -36,8 +37,13 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     tracer.arrive();
     path.throughput = path.throughput * transmittance(transport, path.viewing.interiors, path.ray, hit.t);
     observer.arrived({path.ray, hit, path.throughput});
-    if (options_.counts(depth))
-      radiance += term(path.throughput * emission(transport, path, hit, depth, observer), depth, observer);
+    if (options_.counts(depth)) {
+      const Rgb found =
+          term(path.throughput * emission(transport, path, hit, depth, observer), depth, observer);
+      radiance += found;
+      if (has_parts && depth == 0) add_seen_light(hit.is_miss(), found, record, 0);
+      if (has_parts && depth > 0) add_scattered_light(path.first, found, depth, record, 0);
+    }
     if (hit.is_miss()) return radiance;
 
     const VertexSampler sampler(kind, path_key, std::uint32_t(depth) + 1);
@@ -47,9 +53,18 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     const bool has_ended = options_.ends(depth, path.bounces);
     if (depth == 0 || !has_ended) record_surface(at, hit, depth, path, record);
     if (has_ended) return radiance;
-    if (options_.counts(depth + 1))
-      radiance += term(path.throughput * direct_light(transport, at, sampler, tracer), depth + 1, observer);
+    if (options_.counts(depth + 1)) {
+      DirectParts parts;
+      const Rgb light =
+          direct_light(transport, at, sampler, tracer, has_parts && depth == 0 ? &parts : nullptr);
+      const Rgb direct = term(path.throughput * light, depth + 1, observer);
+      radiance += direct;
+      if (has_parts && depth == 0) add_direct_light(at, path.throughput, parts, direct, record, 0);
+      if (has_parts && depth > 0) add_scattered_light(path.first, direct, depth + 1, record, 0);
+    }
     if (!scatter(at, depth, sampler, path, observer)) return radiance;
+    if (has_parts && depth == 0)
+      path.first = first_scattering(at, path.ray.direction, path.departure.seeking);
     // The ray after the last surface only looks for light.
     const bool is_last = options_.ends(depth + 1, path.bounces);
     if (is_last && !may_find_light(transport, path.departure)) return radiance;

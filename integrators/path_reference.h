@@ -3,6 +3,7 @@
 #include "core/light_set.h"
 #include "core/scene.h"
 #include "integrators/integrator.h"
+#include "integrators/light_parts.h"
 #include "integrators/path_options.h"
 
 namespace twinray {
@@ -32,6 +33,7 @@ class PathReference final : public Integrator {
     BounceCounts bounces = 0;
     float eta_squared = 1;    ///< Product of eta^2: where the camera is, radiance is that much smaller.
     bool is_followed = true;  ///< It was scattered by mirrors and the like alone.
+    FirstScattering first;    ///< Where the light's parts are asked for.
   };
   /// One path; `record` has room for one sample.
   Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer,

@@ -13,6 +13,11 @@ Rgb CoatedDiffuseLobe::albedo() const {
   return Rgb{reflected, reflected, reflected} + base_ * (through * through);
 }
 
+Rgb CoatedDiffuseLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
+  if (!(wo.z > 0 && wi.z > 0)) return {};
+  return base_ * (coat_.transmittance(wo.z) * coat_.transmittance(wi.z) / pi);
+}
+
 float CoatedDiffuseLobe::coat_probability(float reflectance) const {
   const float through = (1 - reflectance) * (1 - coat_.average_reflectance());
   const float all = reflectance + through * max_component(base_);

@@ -19,6 +19,8 @@ class CoatedDiffuseLobe {
 
   Rgb albedo() const;
   BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;
+  /// What of it comes from the base.
+  Rgb diffuse(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 
  private:

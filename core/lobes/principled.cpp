@@ -162,6 +162,14 @@ BsdfValue PrincipledLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   return all;
 }
 
+Rgb PrincipledLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
+  if (!(wo.z > 0 && wi.z > 0)) return {};
+  const float below = gloss_.transmittance(wi.z) * gloss_.transmittance(wo.z);
+  const float through = below * through_fuzz(wo, wi);
+  const Rgb base = diffuse_ * rough_.evaluate(wo, wi).value * (opaque_ * through) * through_coat(wo, wi);
+  return fuzz_weight_ > 0 ? base + fuzz_color_ * (fuzz_weight_ * fuzz_.evaluate(wo, wi)) : base;
+}
+
 PrincipledLobe::Choice PrincipledLobe::choice(const Vec3& wo) const {
   const float reflected = gloss_.reflectance(wo.z), loss = multiple_.loss(wo.z);
   const float metal = metal_ * specular_weight_;

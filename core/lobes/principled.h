@@ -34,6 +34,8 @@ class PrincipledLobe {
 
   Rgb albedo() const;
   BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;
+  /// What of it comes from the opaque base below the gloss, and from the fuzz.
+  Rgb diffuse(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 
  private:

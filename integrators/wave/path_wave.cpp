@@ -22,7 +22,8 @@ PathWave::PathWave(const WaveContext& context, SamplerKind kind, Tracer& tracer,
       connections_(wave.connections),
       samples_(samples),
       records_(records),
-      radiance_(records.color()) {}
+      radiance_(records.color()),
+      has_parts_(shows_light_parts(records)) {}
 
 void PathWave::trace() {
   start();
@@ -86,6 +87,7 @@ void PathWave::add_emission() {
         hit.is_miss() ? lights.background(direction)
                       : lights.emitted(surface_at(*context_.transport.scene.geometry, hit), -direction);
     radiance_[i] += radiance;
+    if (has_parts_) add_seen_light(hit.is_miss(), radiance, records_, i);
   }
 }
 
@@ -96,10 +98,13 @@ void PathWave::add_found_light() {
     if (!hit.is_miss() && !context_.shapes[hit.mesh].emits) continue;
     const Departure departure = departure_from(wave_.kept[k]);
     const Vec3 direction = normalize(paths_.direction.at(k));
-    radiance_[paths_.sample[k]] += context_.options.clamped(
+    const Rgb found = context_.options.clamped(
         paths_.throughput.at<Rgb>(k) *
             found_light(context_.transport, departure, hit, direction, tracer_.observer()),
         depth_);
+    const std::uint32_t sample = paths_.sample[k];
+    radiance_[sample] += found;
+    if (has_parts_) add_scattered_light(first_scattering_of(sample), found, depth_, records_, sample);
   }
 }
 
@@ -209,6 +214,7 @@ void PathWave::add_direct_light() {
   for (std::size_t i = 0; i < paths_.size; ++i)
     radiance_[paths_.sample[i]] +=
         context_.options.clamped(paths_.throughput.at<Rgb>(i) * connections_.sum.at<Rgb>(i), depth_ + 1);
+  if (has_parts_) add_direct_parts();
 }
 
 void PathWave::add_lights() {
@@ -249,6 +255,7 @@ void PathWave::sample_light(std::uint32_t light) {
     stages_.make_shadow_rays(light_, paths_.size, connections_);
     connect();
     stages_.add_connections(light_, paths_.size, connections_);
+    if (has_parts_ && depth_ == 0) gather_direct_parts(float(count));
   }
 }
 
@@ -309,6 +316,7 @@ void PathWave::absorb_light() {
 void PathWave::add_hemisphere() {
   const std::uint32_t count = context_.transport.directions();
   if (count == 0) return;
+  const float divisor = float(count) * uniform_hemisphere_pdf();
   connections_.of_light.clear(paths_.size);
   for (std::uint32_t part = 0; part < count; ++part) {
     draw(Purpose::light_point, {part, count, 0}, light_.ux, light_.uy);
@@ -321,8 +329,8 @@ void PathWave::add_hemisphere() {
     for (std::size_t k = 0; k < connections_.size; ++k)
       connections_.arriving.set(connections_.surface[k], found_around(k));
     stages_.add_connections(light_, paths_.size, connections_);
+    if (has_parts_ && depth_ == 0) gather_direct_parts(divisor);
   }
-  const float divisor = float(count) * uniform_hemisphere_pdf();
   for (std::size_t i = 0; i < paths_.size; ++i)
     connections_.sum.set(i, connections_.of_light.at<Rgb>(i) / divisor);
 }
@@ -343,6 +351,7 @@ bool PathWave::scatter(bool is_last) {
   if (has_limits) std::fill_n(wave_.kind.values, paths_.size, std::uint32_t(ScatterKind::diffuse));
   scatter_at_others();
   if (shows_features(records_)) follow_mirrors();
+  if (has_parts_ && depth_ == 0) keep_first_scattering();
   if (has_limits) count_bounces();
   if (context_.options.regularize) regularize_scattered();
   if (has_textures()) widen_cones();

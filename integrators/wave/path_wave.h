@@ -6,6 +6,7 @@
 
 #include "integrators/direct_light.h"
 #include "integrators/integrator.h"
+#include "integrators/light_parts.h"
 #include "integrators/path_options.h"
 #include "integrators/wave/shape_table.h"
 #include "integrators/wave/stages.h"
@@ -55,6 +56,13 @@ class PathWave {
   void record_features();
   /// and which paths go on to what they see in a mirror.
   void follow_mirrors();
+  // Parts of the light (integrators/wave/light_parts.cpp): how paths are scattered at their first surfaces,
+  void keep_first_scattering();
+  FirstScattering first_scattering_of(std::uint32_t sample) const;
+  /// what each kind of scattering brings there of a light's sample,
+  void gather_direct_parts(float divisor);
+  /// and where direct light belongs.
+  void add_direct_parts();
   void expand_hits();
   /// Of a scene with textures: where the paths' cones have come to, and the draws of pixels.
   void prepare_textures();
@@ -119,6 +127,7 @@ class PathWave {
   std::span<const CameraSample> samples_;
   const RecordSpans records_;
   const std::span<Rgb> radiance_;  ///< Of each sample.
+  const bool has_parts_;           ///< The light's parts are asked for.
   int depth_ = 0;                  ///< Scattering events before the current rays.
   bool is_following_ = false;      ///< Some paths were scattered by mirrors and the like alone.
 };

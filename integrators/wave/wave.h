@@ -10,6 +10,7 @@
 #include "core/ray.h"
 #include "core/rgb.h"
 #include "core/sampler.h"
+#include "integrators/direct_light.h"
 #include "integrators/interaction.h"
 #include "integrators/wave/columns.h"
 
@@ -80,7 +81,8 @@ struct Surfaces {
 struct OtherSurface {
   std::uint32_t index;  ///< Among the surfaces.
   Interaction at;
-  Rgb throughput = {};  ///< Of the path that has come there.
+  Rgb throughput = {};     ///< Of the path that has come there.
+  DirectParts parts = {};  ///< Of direct light, where they are asked for.
 
   /// Makes the interaction, which is large, where it stays.
   OtherSurface(std::size_t i, const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo,
@@ -132,13 +134,15 @@ struct Wave {
   Floats ux, uy;                     ///< Draws of a direction, or of roulette.
   Floats lobe, unused;               ///< Draws of how other surfaces scatter, and what comes with them.
   Floats texture_x, texture_y;       ///< Draws of the pixels of textures, where there are any.
-  Words kept;             ///< The paths that go on; until they arrive, the surfaces that they come from.
-  Floats pdf;             ///< At each surface: of the direction that goes on, per solid angle.
-  Words kind;             ///< Likewise: how it is scattered, a ScatterKind; where that has a limit.
-  Words seeking;          ///< Likewise: which light its ray is to bring, a Seeking.
-  Words follows;          ///< Of each sample: 1 where its path was scattered by mirrors and the like alone.
-  Columns3 origin;        ///< Of their rays.
-  std::vector<Ray> rays;  ///< Of the paths, as accelerators take them.
+  Words kept;               ///< The paths that go on; until they arrive, the surfaces that they come from.
+  Floats pdf;               ///< At each surface: of the direction that goes on, per solid angle.
+  Words kind;               ///< Likewise: how it is scattered, a ScatterKind; where that has a limit.
+  Words seeking;            ///< Likewise: which light its ray is to bring, a Seeking.
+  Words follows;            ///< Of each sample: 1 where its path was scattered by mirrors and the like alone.
+  Columns3 first_diffuse;   ///< Of each sample, where the light's parts are asked for:
+  Words first_transmitted;  ///< FirstScattering.
+  Columns3 origin;          ///< Of their rays.
+  std::vector<Ray> rays;    ///< Of the paths, as accelerators take them.
   std::vector<Hit> hits;
 };
 

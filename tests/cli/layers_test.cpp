@@ -45,12 +45,14 @@ TEST_CASE("layers are named with commas, each once and in the order of the file"
   CHECK(layers_of({"--layers", "alpha"}) == std::vector{Layer::alpha});
   CHECK(layers_of({"--layers=all"}) == all_layers());
   CHECK(layers_of({"--layers=depth,all"}) == all_layers());
+  CHECK(layers_of({"--layers=light"}).size() == 1 + light_parts().size());
 }
 
 TEST_CASE("layers that there are not, and pictures that cannot hold any, are refused with what is valid") {
   CHECK(message_of({"--layers=albedo,colour"}) ==
         "--layers: there is no \"colour\"; valid are all, alpha, albedo, normal, geometric-normal, depth, "
-        "position, uv, ids, samples, variance, one or several with commas");
+        "position, uv, ids, samples, variance, light, one or several with commas");
+  CHECK(message_of({"--layers=emission"}).starts_with("--layers: there is no \"emission\""));
   CHECK(message_of({"--layers=albedo,,depth"}).starts_with("--layers: there is no \"\""));
   CHECK(message_of({"--layers=all", "-o", "a.png"}) ==
         "--layers: a.png cannot hold layers; the name of a picture that can ends in .exr");
@@ -86,8 +88,10 @@ TEST_CASE("pictures with layers have the same bytes, whichever engine and path t
     REQUIRE(run_program(fmt::format("{} -r 24 18 -s 4 -q --layers=all -o {} {}", scene, folder.file("a.exr"),
                                     options))
                 .exit_code == 0);
-    const std::string file = read_text(folder.file("a.exr"));
-    return file.substr(file.find("worldToNDC"));  // Behind the metadata, which name the options.
+    const std::string file = read_text(folder.file("a.exr")), last = "worldToNDC";
+    // The metadata name the options; behind the last of them are the places of two blocks of 16 rows.
+    const std::size_t end_of_header = file.find(last) + last.size() + sizeof "" + sizeof "m44f" + 4 + 64 + 1;
+    return file.substr(end_of_header + 2 * sizeof(std::uint64_t));
   };
   const std::string expected = pixels("");
   for (const std::string options :

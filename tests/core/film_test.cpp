@@ -321,6 +321,38 @@ TEST_CASE("any order and partition of the samples gives a layer the same values"
       }
 }
 
+TEST_CASE("the parts of the colours are kept so that they add up to them, and all of them or none") {
+  std::vector<Layer> layers = light_parts();
+  Film film(1, 1, {0, 0, 1, 1}, layers);
+  test::Random random(6);
+  for (std::uint32_t index = 0; index < 1000; ++index) {
+    std::vector<Rgb> parts(layers.size());
+    Rgb color;
+    for (Rgb& part : parts) {
+      const float r = random.unit(), g = random.unit() * 1e6f;
+      part = {r, g, random.below(2) == 0 ? 0 : r * 1e-9f};
+      color += part;
+    }
+    film.add(0, 0, index, color, parts);
+  }
+  const Rgb mean = film.pixel(0, 0).mean();
+  for (const bool backward : {false, true}) {
+    Rgb sum;
+    for (std::size_t i = 0; i < layers.size(); ++i)
+      sum += film.value(backward ? layers.size() - 1 - i : i, 0, 0);
+    CHECK(sum == mean);
+  }
+  for (int channel = 0; channel < 3; ++channel) {
+    Int128 units = 0;
+    for (std::size_t i = 0; i < layers.size(); ++i) units += film.part_units(i, 0, 0, std::size_t(channel));
+    const PixelSums& sums = film.pixel(0, 0);
+    CHECK(units == (channel == 0 ? sums.r : channel == 1 ? sums.g : sums.b).units());
+  }
+  layers.pop_back();
+  CHECK_THROWS_WITH(Film(1, 1, {0, 0, 1, 1}, layers),
+                    "7 of the 8 parts of light: a film keeps all of them or none");
+}
+
 TEST_CASE("films of other layers are not merged") {
   Film film(2, 2, {0, 0, 2, 2}, {Layer::albedo});
   CHECK_THROWS_WITH(film.merge(Film(2, 2, {0, 0, 2, 2}, {Layer::normal, Layer::depth})),

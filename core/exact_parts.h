@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts of a number that add up to it exactly, made of parts that were rounded: the largest of them takes
+// what the others leave.
+#pragma once
+#include <span>
+
+#include "core/fixed_sum.h"
+
+namespace twinray {
+
+/// Parts of a whole in fixed point.
+void make_exact(Int128 whole, std::span<Int128> parts);
+
+/// Parts of a whole in floats, each a multiple of the whole's last bit: so they give the whole when they are
+/// added up in floats, in whatever order. None of the parts is negative, nor is the whole.
+void make_exact(float whole, std::span<float> parts);
+
+}  // namespace twinray

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/exact_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+
+namespace twinray {
+
+TEST_CASE("parts in fixed point add up to the whole, and the largest takes what is left") {
+  std::vector<Int128> parts{10, 70, 19};
+  make_exact(Int128(100), parts);
+  CHECK(parts == std::vector<Int128>{10, 71, 19});
+  make_exact(Int128(98), parts);
+  CHECK(parts == std::vector<Int128>{10, 69, 19});
+}
+
+TEST_CASE("parts in floats give the whole to the last bit, added up in any order, and hardly change") {
+  test::Random random(8);
+  for (int trial = 0; trial < 20000; ++trial) {
+    std::vector<float> given(8);
+    for (float& part : given)
+      part = random.below(3) == 0 ? 0 : random.unit() * std::ldexp(1.0f, random.between(-30, 20));
+    const float whole = float(std::accumulate(given.begin(), given.end(), 0.0));
+    std::vector<float> parts = given;
+    make_exact(whole, parts);
+    const float last_bit = std::nextafter(whole, std::numeric_limits<float>::infinity()) - whole;
+    const auto largest = std::max_element(given.begin(), given.end()) - given.begin();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      REQUIRE(parts[i] >= 0);
+      REQUIRE(std::fabs(parts[i] - given[i]) <= (std::ptrdiff_t(i) == largest ? 5.0f : 0.5f) * last_bit);
+    }
+    for (int order = 0; order < 4; ++order) {
+      REQUIRE(std::accumulate(parts.begin(), parts.end(), 0.0f) == whole);
+      for (std::size_t i = parts.size(); i-- > 1;)
+        std::swap(parts[i], parts[random.below(std::uint32_t(i + 1))]);
+    }
+  }
+}
+
+TEST_CASE("the parts of nothing are nothing") {
+  std::vector<float> parts{1e-20f, 0, 1e-30f};
+  make_exact(0.0f, parts);
+  CHECK(parts == std::vector<float>{0, 0, 0});
+}
+
+}  // namespace twinray

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light by path: to which part each bit of it belongs, and that the parts add up.
+#include "integrators/light_parts.h"
+
+#include <map>
+
+#include "integrators/path_reference.h"
+#include "tests/support/catch.h"
+#include "tests/support/estimate.h"
+#include "tests/support/scenes.h"
+
+namespace twinray::test {
+namespace {
+
+RenderOptions with_parts(std::uint32_t samples) {
+  RenderOptions options = small_picture(samples);
+  options.layers = light_parts();
+  return options;
+}
+
+/// The mean of each part over the whole picture, those that are black left out.
+std::map<Layer, double> parts_of(const Film& film) {
+  std::map<Layer, double> parts;
+  for (std::size_t layer = 0; layer < film.layers().size(); ++layer)
+    for (int y = 0; y < film.frame_height(); ++y)
+      for (int x = 0; x < film.frame_width(); ++x)
+        if (const Rgb value = film.value(layer, x, y); !is_black(value))
+          parts[film.layers()[layer]] += luminance(value);
+  return parts;
+}
+
+std::vector<Layer> lit_parts(const Scene& scene, const PathOptions& path) {
+  std::vector<Layer> lit;
+  for (const auto& [layer, sum] :
+       parts_of(render_with(scene, PathIntegrator(scene, path), with_parts(64)).film))
+    lit.push_back(layer);
+  return lit;
+}
+
+Image constant(const Rgb& radiance) {
+  Image map(1, 1);
+  map.pixels[0] = radiance;
+  return map;
+}
+
+/// A ball that fills the picture, of a model, under a white sky.
+Scene ball_under_sky(const SurfaceModel& model) {
+  Scene scene = scene_of({}, {}, {0, 0, 3}, {0, 0, 0});
+  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{SphereSet{"ball", {{{0, 0, 0}, 1}}}});
+  scene.materials = {{"ball", model}};
+  scene.camera.tan_half_width = scene.camera.tan_half_height = 0.1f;
+  add_light(scene, EnvironmentLight{std::make_shared<const Image>(constant({1, 1, 1}))});
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("the parts of a picture's light give its colours, added up as floats, in any order") {
+  const Scene scene = small_room();
+  for (const PathOptions& path : {PathOptions{.max_depth = 4}, PathOptions{.max_depth = 4, .clamp = 0.2f},
+                                  PathOptions{.max_depth = 3, .direct = DirectMethod::hemisphere},
+                                  PathOptions{.max_depth = 4, .first_depth = 2}}) {
+    const Film film = render_with(scene, PathIntegrator(scene, path), with_parts(8)).film;
+    CHECK(parts_of(film).size() >= 1);
+    for (int y = 0; y < 4; ++y)
+      for (int x = 0; x < 4; ++x) {
+        Rgb forward, backward;
+        for (std::size_t i = 0; i < film.layers().size(); ++i) {
+          forward += film.value(i, x, y);
+          backward += film.value(film.layers().size() - 1 - i, x, y);
+        }
+        CHECK(forward == film.pixel(x, y).mean());
+        CHECK(backward == forward);
+      }
+  }
+}
+
+TEST_CASE("the colours of a picture do not depend on whether their parts are asked for") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, {.max_depth = 4});
+  const Film with = render_with(scene, path, with_parts(8)).film;
+  const Film without = render_with(scene, path, small_picture(8)).film;
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) CHECK(with.pixel(x, y) == without.pixel(x, y));
+}
+
+TEST_CASE("what a sample's parts lack of its radiance is rounding") {
+  const Scene scene = small_room();
+  const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
+  std::vector<CameraSample> samples;
+  for (std::uint32_t i = 0; i < 300; ++i)
+    samples.push_back({camera_ray(scene.camera, {float(i % 17) / 17, float(i) / 300}, {}), {7, i, 1, 2}, {}});
+  Records records(light_parts(), samples.size());
+  Tracer tracer(*engine, false);
+  PathReference(scene, {.max_depth = 5})
+      .sample(samples, SamplerKind::independent, tracer, records.spans(samples.size()));
+  const RecordSpans made = records.spans(samples.size());
+  double scattered = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    Rgb sum;
+    for (const Layer part : light_parts()) sum += made[part][i];
+    CHECK(luminance(sum) == Approx(luminance(made.color()[i])).epsilon(1e-5));
+    scattered += luminance(sum);
+  }
+  CHECK(scattered > 0);
+}
+
+TEST_CASE("light belongs to the way in which the first surface scattered it") {
+  using enum Layer;
+  const auto lit = [](const SurfaceModel& model) {
+    return lit_parts(ball_under_sky(model), {.max_depth = 5});
+  };
+  CHECK(lit(Lambert{{0.5f, 0.5f, 0.5f}}) == std::vector{diffuse_direct});
+  CHECK(lit(RoughDiffuse{}) == std::vector{diffuse_direct});
+  CHECK(lit(Mirror{}) == std::vector{glossy_direct});
+  CHECK(lit(Conductor{.roughness = {0.3f, 0.3f}}) == std::vector{glossy_direct});
+  CHECK(lit(DiffuseTransmission{{0.4f, 0.4f, 0.4f}, {0.4f, 0.4f, 0.4f}}) ==
+        std::vector{diffuse_direct, transmission_indirect});
+  CHECK(lit(Dielectric{}) == std::vector{glossy_direct, transmission_indirect});
+  CHECK(lit(CoatedDiffuse{.reflectance = {0.5f, 0.5f, 0.5f}, .roughness = {0.3f, 0.3f}}) ==
+        std::vector{diffuse_direct, glossy_direct});
+}
+
+TEST_CASE("light through a surface is transmission, be it sampled at the light or by the surface") {
+  // A paper lit from behind by a lamp that only its other side sees.
+  Scene scene = scene_of(floor_square(1, 0), {}, {0, 2, 0.1f}, {0, 0, 0});
+  scene.materials[0].model = DiffuseTransmission{{}, {0.8f, 0.8f, 0.8f}};
+  scene.camera.tan_half_width = scene.camera.tan_half_height = 0.1f;
+  Mesh lamp = floor_square(1, -1);
+  add_lamp(scene, std::move(lamp), {1, 1, 1}, EmissionSide::front);
+  for (const DirectMethod method : {DirectMethod::mis, DirectMethod::lights, DirectMethod::hemisphere})
+    CHECK(lit_parts(scene, {.max_depth = 1, .direct = method}) == std::vector{Layer::transmission_direct});
+}
+
+TEST_CASE("what the camera sees directly is emission where it hits something, else environment") {
+  using enum Layer;
+  Scene scene = ball_under_sky(Lambert{});
+  scene.camera = camera_at({0, 0, 3}, {0, 0, 6});
+  CHECK(lit_parts(scene, {}) == std::vector{environment});
+  const Scene enclosure = emissive_enclosure(1, 0.5f);
+  CHECK(lit_parts(enclosure, {.max_depth = 0}) == std::vector{emission});
+  CHECK(lit_parts(enclosure, {.max_depth = 1}) == std::vector{emission, diffuse_direct});
+  CHECK(lit_parts(enclosure, {.max_depth = 3}) == std::vector{emission, diffuse_direct, diffuse_indirect});
+}
+
+TEST_CASE("an enclosure's parts are the terms of its series") {
+  const Scene scene = emissive_enclosure(1, 0.5f);
+  const auto parts =
+      parts_of(render_with(scene, PathIntegrator(scene, {.max_depth = 3}), with_parts(256)).film);
+  constexpr double noise = 0.05;
+  CHECK(parts.at(Layer::emission) == Approx(16));
+  CHECK(parts.at(Layer::diffuse_direct) == Approx(16 * 0.5).epsilon(noise));
+  CHECK(parts.at(Layer::diffuse_indirect) == Approx(16 * (0.25 + 0.125)).epsilon(noise));
+}
+
+TEST_CASE("enamel's coat is glossy, its base diffuse: each as bright as it would be alone") {
+  const CoatedDiffuse enamel{.reflectance = {0.5f, 0.5f, 0.5f}, .roughness = {0.3f, 0.3f}};
+  CoatedDiffuse black = enamel;
+  black.reflectance = {};
+  const auto parts = [](const SurfaceModel& model) {
+    const Scene scene = ball_under_sky(model);
+    return parts_of(render_with(scene, PathIntegrator(scene, {.max_depth = 1}), with_parts(4096)).film);
+  };
+  constexpr double noise = 0.03;
+  CHECK(parts(enamel)[Layer::glossy_direct] == Approx(parts(black)[Layer::glossy_direct]).epsilon(noise));
+  CHECK(parts(enamel)[Layer::diffuse_direct] > 2 * parts(enamel)[Layer::glossy_direct]);
+}
+
+}  // namespace twinray::test
