@@ -41,7 +41,7 @@ MUTANTS = [
            WAVE_BITS),
     Mutant("a path alone shows what is seen in rough surfaces", "integrators/path_reference.cpp",
            "path.is_followed && next->departure.seeking == Seeking::alone", "true",
-           "test_integrators", SEEN),
+           "test_integrators", WAVE_BITS),
     Mutant("what a mirror shows is not tinted by it", "integrators/layer_records.h",
            "const Rgb albedo = tint * seen.albedo;", "const Rgb albedo = seen.albedo;",
            "test_integrators", SEEN),
