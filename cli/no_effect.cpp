@@ -212,6 +212,7 @@ constexpr Rule rules[]{
     {"--crop", needs_picture},
     {"--layers", needs_picture},
     {"--stats", needs_picture},
+    {"--tev", needs_picture},
     {"--threads", needs_picture},
     {"--replay-json", needs_replay},
     {"--replay-obj", needs_replay},

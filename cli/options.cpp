@@ -13,6 +13,9 @@
 namespace twinray {
 namespace {
 
+/// Whether a value is written "[=FILE]": it may be left out.
+bool is_optional_value(const std::string& type) { return type.starts_with("[="); }
+
 /// Help without the ranges and counts that CLI11 appends to an option's value, and without empty lines
 /// between groups: that of a render fills a screen.
 class BriefFormatter final : public CLI::Formatter {
@@ -20,8 +23,14 @@ class BriefFormatter final : public CLI::Formatter {
   BriefFormatter() { column_width(41); }
 
   std::string make_option_opts(const CLI::Option* option) const override {
-    const std::string type = option->get_type_size() == 0 ? "" : option->get_type_name();
-    return type.empty() ? "" : " " + type;
+    const std::string type = option->get_type_name();
+    if (is_optional_value(type)) return type;
+    return option->get_type_size() == 0 || type.empty() ? "" : " " + type;
+  }
+
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    const std::string name = CLI::Formatter::make_option_name(option, is_positional);
+    return name.substr(0, name.find('{'));  // CLI11 appends what stands for a value that is left out.
   }
 
   std::string make_group(std::string group, bool is_positional,
@@ -142,6 +151,12 @@ void OptionGroup::add_words(const OptionText& text, std::size_t count,
 
 void OptionGroup::add_word(const OptionText& text, std::string& target) {
   add_words(text, 1, [&target](const Words& words) { target = words.front(); });
+}
+
+void OptionGroup::add_optional_word(const OptionText& text, const std::string& without, std::string& target) {
+  app_.add_flag(fmt::format("{}{{{}}}", text.names, without), target, text.description)
+      ->type_name(text.value)
+      ->group(name_);
 }
 
 void OptionGroup::add_repeated(const OptionText& text, Words& target) {

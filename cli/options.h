@@ -78,6 +78,9 @@ class OptionGroup {
   /// An option of one word.
   void add_word(const OptionText& text, std::string& target);
 
+  /// An option of one word that stands behind a "=" or is left out: `without` then counts for it.
+  void add_optional_word(const OptionText& text, const std::string& without, std::string& target);
+
   /// An option of one word that may be given again: all its words, in their order.
   void add_repeated(const OptionText& text, Words& target);
 

@@ -14,6 +14,7 @@
 #include "integrators/path.h"
 #include "integrators/render.h"
 #include "io/scene_file.h"
+#include "io/tev_viewer.h"
 
 namespace twinray {
 
@@ -68,6 +69,7 @@ struct RenderArguments {
       texture_bytes;  ///< Of memory for pictures on surfaces; not set: all there are.
   RenderOptions render;
   std::optional<ReplayRequest> replay;
+  std::optional<ViewerAddress> viewer;  ///< Shows the picture as it grows.
   std::vector<int> crop;  ///< X Y W H of render.window, as they were given; empty: none.
   bool quiet = false;
   std::vector<std::string> given;           ///< The long names of the options that were given.

@@ -9,6 +9,7 @@
 #include "cli/console.h"
 #include "cli/crosscheck_report.h"
 #include "cli/interrupt.h"
+#include "cli/live_picture.h"
 #include "cli/outputs.h"
 #include "cli/partial_picture.h"
 #include "cli/picture_metadata.h"
@@ -143,9 +144,11 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   std::optional<Check> check;
   if (arguments.check_with) check.emplace(arguments, loaded.scene, *accelerator);
 
-  const auto [result, stop_code] =
-      render_stoppably({loaded.scene, *accelerator, *integrator},
-                       check ? check->observed(arguments.render) : arguments.render, partial, talk);
+  LivePicture live(arguments.viewer, outputs.picture);
+  const auto [result, stop_code] = render_stoppably(
+      {loaded.scene, *accelerator, *integrator},
+      live.watching(check ? check->observed(arguments.render) : arguments.render), partial, talk);
+  live.show_last(result.film);
   if (stop_code != 0) {
     console::write_error(write_partial(partial, arguments, result.film, notes));
     return stop_code;
@@ -164,6 +167,7 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
     write_file(outputs.statistics, statistics_json(arguments, accelerator->stats(), result,
                                                    found ? check_json(arguments, *found) : ""));
   talk.finished(arguments, accelerator->stats(), result);
+  if (const std::string fault = live.finish(); !fault.empty()) console::warn(fault);
   return check ? report(*check, *found, arguments, outputs.differences) : 0;
 }
 

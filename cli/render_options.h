@@ -27,6 +27,7 @@ struct RenderRequest {
   std::string replay_json, replay_obj;
   std::string accel = "auto";  ///< Or a backend's name, or check.
   std::string check_with;      ///< Empty: the usual one.
+  std::string tev;             ///< A viewer's address; empty: none.
 };
 
 void add_picture_options(CLI::App& app, RenderRequest& request);
@@ -60,6 +61,7 @@ void resolve_sampling(const RenderRequest& request, RenderArguments& arguments);
 /// choose_engine().
 void resolve_engine(const RenderRequest& request, RenderArguments& arguments);
 void resolve_replay(const RenderRequest& request, RenderArguments& arguments);
+void resolve_run(const RenderRequest& request, RenderArguments& arguments);
 
 /// Takes what a scene file says about its picture, where no option says something else, and the crop of the
 /// command line, once the picture's size is known. Throws UsageError where they contradict each other.

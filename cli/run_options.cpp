@@ -21,8 +21,21 @@ void add_run_words(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, group_name);
   RenderArguments& arguments = request.arguments;
   group.add_word({"--stats", "FILE", "Write all statistics as JSON"}, arguments.stats_file);
+  const std::string usual = text_of(ViewerAddress{});
+  group.add_optional_word(
+      {"--tev", "[=HOST:PORT]", fmt::format("Show the growing picture in tev ({})", usual)}, usual,
+      request.tev);
   group.add_flag("--strict", arguments.load.strict,
                  "What a scene file or an option says must have an effect");
+}
+
+void resolve_run(const RenderRequest& request, RenderArguments& arguments) {
+  if (request.tev.empty()) return;
+  try {
+    arguments.viewer = parse_viewer_address(request.tev);
+  } catch (const Error& error) {
+    throw UsageError(fmt::format("--tev: {}", error.what()));
+  }
 }
 
 }  // namespace twinray

@@ -77,6 +77,7 @@ class Renderer {
     for (std::uint32_t begin = 0; begin < options_.samples && !is_stopped();) {
       const std::uint32_t end = end_of_pass(begin);
       render_pass(begin, end, threads);
+      if (options_.pass_done && !is_stopped()) options_.pass_done(film_);
       begin = end;
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

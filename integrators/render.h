@@ -30,6 +30,8 @@ struct RenderOptions {
   /// If set, gets the rays of each sample once it is done: from any thread, those of one pixel one after the
   /// other.
   std::function<void(const PixelSample&, std::span<const RecordedRay>)> observe;
+  /// If set, gets the film after each pass, in which pixels then have all its samples; the next pass waits.
+  std::function<void(const Film&)> pass_done;
   /// If set, asked many times a second, from any thread: once it says true, rendering ends with the samples
   /// that are there.
   std::function<bool()> is_stopped;

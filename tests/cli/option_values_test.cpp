@@ -60,6 +60,7 @@ std::vector<Option> read_options(const std::string& command) {
   for (std::string line; std::getline(help, line);) {
     if (!line.starts_with("  -")) continue;
     const std::string use = line.substr(2, line.find("  ", 2) - 2);  // "-s,--samples N"
+    if (use.find("[=") != use.npos) continue;                        // its value may be left out
     const std::size_t name = use.find("--"), end = use.find_first_of(", ", name), space = use.find(' ');
     options.push_back({use.substr(name, end - name), space == use.npos ? "" : use.substr(space + 1)});
   }

@@ -253,6 +253,28 @@ TEST_CASE("a render that is stopped has the samples that were done, and says tha
   CHECK(render_with(scene, path, stopped).is_complete);
 }
 
+TEST_CASE("whoever watches passes sees all samples of each, more each time, and changes nothing") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, {.max_depth = 2});
+  RenderOptions watched = options(9, 3);
+  std::vector<std::uint64_t> samples;
+  watched.pass_done = [&](const Film& film) { samples.push_back(sample_count(film)); };
+  const RenderResult result = render_with(scene, path, watched, Backend::bvh);
+  CHECK(samples == std::vector<std::uint64_t>{1200, 2 * 1200, 4 * 1200, 8 * 1200, 9 * 1200});
+  CHECK(same_bits(result.film, render_with(scene, path, options(9, 1), Backend::bvh).film));
+}
+
+TEST_CASE("a pass that is stopped is not shown as done") {
+  const Scene scene = small_room();
+  std::atomic<int> asked = 0;
+  RenderOptions stopped = options(64, 1);
+  stopped.is_stopped = [&] { return ++asked > 100; };
+  bool is_shown = false;
+  stopped.pass_done = [&](const Film&) { is_shown = true; };
+  render_with(scene, PathIntegrator(scene, {.max_depth = 2}), stopped, Backend::bvh);
+  CHECK_FALSE(is_shown);
+}
+
 TEST_CASE("a render is complete only with all samples, wherever it is stopped") {
   const Scene scene = small_room();
   const NormalsIntegrator normals(scene);
