@@ -18,21 +18,20 @@ MeanEstimate converged_pixel(const ConvergedPicture& converged, std::size_t inde
   return one;
 }
 
-/// What is compared, and how.
+/// What is compared, and where.
 struct Comparison {
-  const PictureMoments& pictures;
-  const ConvergedPicture& converged;
-  const PixelMask& mask;
+  const PixelMeans &picture, &converged;
+  const MaskedFrame& frame;
 };
 
 TileTest test_tile(const Comparison& compared, const PixelRect& tile) {
   MeanOfMeans picture, converged;
   for (int y = tile.y0; y < tile.y1; ++y)
     for (int x = tile.x0; x < tile.x1; ++x) {
-      const std::size_t i = std::size_t(y) * std::size_t(compared.converged.mean.width) + std::size_t(x);
-      if (!compared.mask[i]) continue;
-      picture.add(compared.pictures.pixel(i));
-      converged.add(converged_pixel(compared.converged, i));
+      const std::size_t i = std::size_t(y) * std::size_t(compared.frame.width) + std::size_t(x);
+      if (!compared.frame.mask[i]) continue;
+      picture.add(compared.picture(i));
+      converged.add(compared.converged(i));
     }
   const MeanEstimate a = picture.estimate(), b = converged.estimate();
   return {tile, picture.count(), a, b, welch_test(a, b)};
@@ -57,16 +56,19 @@ MeanEstimate PictureMoments::pixel(std::size_t index) const {
   return {pixels_[index].mean, pixels_[index].squares / (n - 1) / n, n - 1};
 }
 
-BiasTest test_bias(const PictureMoments& pictures, const ConvergedPicture& converged, const PixelMask& mask,
-                   int tile_size) {
-  const int width = converged.mean.width, height = converged.mean.height;
-  if (pictures.count() < 2) throw Error("a test for bias needs two pictures of different seeds");
-  if (mask.size() != converged.mean.pixels.size()) throw Error("the mask has another size than the picture");
-  const Comparison compared{pictures, converged, mask};
+bool is_rejected(const WelchTest& one, const BiasTest& all) {
+  return corrected_p_value(one.p_value, all.tiles.size() + 1) < test_level;
+}
+
+BiasTest test_means(const PixelMeans& picture, const PixelMeans& converged, const MaskedFrame& frame,
+                    int tile_size) {
+  if (frame.mask.size() != std::size_t(frame.width) * std::size_t(frame.height))
+    throw Error("the mask has another size than the picture");
+  const Comparison compared{picture, converged, frame};
   BiasTest result;
-  result.whole = test_tile(compared, {0, 0, width, height});
+  result.whole = test_tile(compared, {0, 0, frame.width, frame.height});
   double least = result.whole.test.p_value;
-  for (const PixelRect& tile : tiles_of(width, height, tile_size)) {
+  for (const PixelRect& tile : tiles_of(frame.width, frame.height, tile_size)) {
     const TileTest test = test_tile(compared, tile);
     if (test.pixels == 0) continue;
     least = std::min(least, test.test.p_value);
@@ -74,6 +76,14 @@ BiasTest test_bias(const PictureMoments& pictures, const ConvergedPicture& conve
   }
   result.p_value = corrected_p_value(least, result.tiles.size() + 1);
   return result;
+}
+
+BiasTest test_bias(const PictureMoments& pictures, const ConvergedPicture& converged, const PixelMask& mask,
+                   int tile_size) {
+  if (pictures.count() < 2) throw Error("a test for bias needs two pictures of different seeds");
+  return test_means([&](std::size_t i) { return pictures.pixel(i); },
+                    [&](std::size_t i) { return converged_pixel(converged, i); },
+                    {converged.mean.width, converged.mean.height, mask}, tile_size);
 }
 
 }  // namespace twinray

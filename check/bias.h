@@ -7,6 +7,7 @@
 // where they are stratified, but by what differs from seed to seed. Pixels are independent of each other.
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "check/picture_error.h"
@@ -47,6 +48,25 @@ struct BiasTest {
   /// Of the least p-value of the tiles and the whole, corrected for the number of these tests.
   double p_value = 1;
 };
+
+/// The chance to find a difference in some tile, or over all, where there is none.
+inline constexpr double test_level = 0.01;
+/// Whether a tile differs by more than noise, at that level for all tests of the picture together.
+bool is_rejected(const WelchTest& one, const BiasTest& all);
+
+/// What is known of each pixel's mean luminance, by its index.
+using PixelMeans = std::function<MeanEstimate(std::size_t)>;
+
+/// Pixels of a frame, and which of them count.
+struct MaskedFrame {
+  int width = 0, height = 0;
+  const PixelMask& mask;
+};
+
+/// Whether a picture has other means than another one, tile by tile and over all. Throws Error unless the
+/// mask has the size of the frame.
+BiasTest test_means(const PixelMeans& picture, const PixelMeans& converged, const MaskedFrame& frame,
+                    int tile_size = 16);
 
 /// Where the noise of the converged picture is not known it counts as exact: what it has, then, is taken for
 /// bias. Throws Error unless there are two pictures at least, and all have the same size.

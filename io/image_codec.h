@@ -30,6 +30,9 @@ class ImageCodec {
   /// taken for pixels; it throws Error to refuse the file.
   virtual Image read(PictureFormat format, const PictureBytes& picture, PictureLayer layer,
                      const std::function<void(const Header&)>& check) const = 0;
+  /// The channel of that name of an OpenEXR picture, row by row; empty where it has none. `check` as above.
+  virtual std::vector<float> read_channel(const PictureBytes& picture, const std::string& name,
+                                          const std::function<void(const Header&)>& check) const = 0;
   /// The bytes of an OpenEXR file; write_exr says of what. `path` stands in messages alone.
   virtual std::vector<unsigned char> encode_exr(const std::string& path, const LayeredImage& image,
                                                 const ImageMetadata& metadata,

@@ -171,6 +171,16 @@ Image read_image(const std::string& path, const ReadOptions& options) {
   return decode(format, {bytes, path}, options);
 }
 
+std::vector<float> read_channel(const std::string& path, const std::string& name) {
+  if (picture_format(path) != PictureFormat::exr) return {};
+  const std::string bytes = read_bytes(path);
+  const PictureBytes picture{bytes, path};
+  check_picture_header(PictureFormat::exr, picture);
+  return image_codec().read_channel(picture, name, [&](const ImageCodec::Header& header) {
+    check_kind(header, PictureFormat::exr, picture);
+  });
+}
+
 Image decode_image(std::string_view bytes, const std::string& name) {
   return decode(picture_format(name), {bytes, name}, {});
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/image.h"
 #include "io/image_metadata.h"
@@ -58,7 +59,11 @@ bool holds_radiance(const std::string& path);
 /// of 16. Throws Error.
 Image read_image(const std::string& path, const ReadOptions& options = {});
 
-/// The same from the bytes of a file; the name says the format, and messages begin with it.
+/// The channel of that name of an EXR picture ("variance.Y"), row by row; empty where the picture has none,
+/// or is no EXR. Throws Error.
+std::vector<float> read_channel(const std::string& path, const std::string& name);
+
+/// read_image from the bytes of a file; the name says the format, and messages begin with it.
 Image decode_image(std::string_view bytes, const std::string& name);
 
 }  // namespace twinray

@@ -128,21 +128,51 @@ class MemoryFile final : public OIIO::Filesystem::IOMemReader {
   std::string_view bytes_;
 };
 
+/// A picture whose header is read.
+class OpenPicture {
+ public:
+  OpenPicture(PictureFormat format, const PictureBytes& picture)
+      : memory_(picture.bytes), input_(OIIO::ImageInput::create(reader_for(format))) {
+    use_no_threads();
+    OIIO::ImageSpec as_stored;
+    as_stored.attribute("oiio:UnassociatedAlpha", 1);  // Else colours come multiplied by their alpha.
+    if (!input_ || !input_->set_ioproxy(&memory_) || !input_->open(picture.path, spec_, as_stored))
+      throw Error(fmt::format("{}: cannot be read: {}", picture.path,
+                              input_ ? input_->geterror() : OIIO::geterror()));
+  }
+  OIIO::ImageInput& input() { return *input_; }
+  ImageCodec::Header header() const {
+    return {spec_.width, spec_.height, spec_.nchannels, spec_.depth > 1 || spec_.deep};
+  }
+
+ private:
+  MemoryFile memory_;
+  std::unique_ptr<OIIO::ImageInput> input_;
+  OIIO::ImageSpec spec_;
+};
+
 class OpenImageIOCodec final : public ImageCodec {
  public:
   Image read(PictureFormat format, const PictureBytes& picture, PictureLayer layer,
              const std::function<void(const Header&)>& check) const override {
-    use_no_threads();
-    MemoryFile memory(picture.bytes);
-    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(reader_for(format));
-    OIIO::ImageSpec spec, as_stored;
-    as_stored.attribute("oiio:UnassociatedAlpha", 1);  // Else colours come multiplied by their alpha.
-    if (!input || !input->set_ioproxy(&memory) || !input->open(picture.path, spec, as_stored))
-      throw Error(
-          fmt::format("{}: cannot be read: {}", picture.path, input ? input->geterror() : OIIO::geterror()));
-    const Header header{spec.width, spec.height, spec.nchannels, spec.depth > 1 || spec.deep};
-    check(header);
-    return read_pixels(*input, header, layer, picture.path);
+    OpenPicture open(format, picture);
+    check(open.header());
+    return read_pixels(open.input(), open.header(), layer, picture.path);
+  }
+
+  std::vector<float> read_channel(const PictureBytes& picture, const std::string& name,
+                                  const std::function<void(const Header&)>& check) const override {
+    OpenPicture open(PictureFormat::exr, picture);
+    check(open.header());
+    const std::vector<std::string>& names = open.input().spec().channelnames;
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return {};
+    Image image(open.header().width, open.header().height);
+    if (!read_channels(open.input(), int(found - names.begin()), 1, image))
+      throw Error(fmt::format("{}: cannot be read: {}", picture.path, open.input().geterror()));
+    std::vector<float> values;
+    for (const Rgb& pixel : image.pixels) values.push_back(pixel.r);
+    return values;
   }
 
   /// Put together in memory: a pipe cannot be written in any other order.

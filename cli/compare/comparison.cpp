@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/compare/pixel_noise.h"
 #include "cli/finite_picture.h"
 #include "core/error.h"
 #include "core/memory.h"
@@ -36,6 +37,17 @@ void clip(Image& image) {
   for (Rgb& pixel : image.pixels) pixel = {clipped(pixel.r), clipped(pixel.g), clipped(pixel.b)};
 }
 
+/// Without variances of both there is no test.
+std::optional<BiasTest> test_noise(const Comparison& pair) {
+  const PixelNoise a = read_pixel_noise(pair.picture_name), b = read_pixel_noise(pair.reference_name);
+  if (!a.is_known() || !b.is_known()) return std::nullopt;
+  const PixelMask mask = pixels_with_noise(a, b);
+  if (std::count(mask.begin(), mask.end(), 1) == 0) return std::nullopt;
+  return test_means([&](std::size_t i) { return a.estimate(pair.picture.pixels[i], i); },
+                    [&](std::size_t i) { return b.estimate(pair.reference.pixels[i], i); },
+                    {pair.reference.width, pair.reference.height, mask});
+}
+
 }  // namespace
 
 Comparison compare(const std::string& picture, const std::string& reference) {
@@ -59,6 +71,7 @@ Comparison compare(const std::string& picture, const std::string& reference) {
       (result.is_radiance ? hdr_flip : ldr_flip)(result.picture, result.reference, usual_pixels_per_degree);
   result.mean_flip = mean_of(result.flip);
   result.largest_flip = *std::max_element(result.flip.values.begin(), result.flip.values.end());
+  if (result.is_radiance) result.test = test_noise(result);
   return result;
 }
 

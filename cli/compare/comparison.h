@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "check/bias.h"
 #include "check/flip.h"
 #include "check/picture_difference.h"
 
@@ -21,6 +22,7 @@ struct Comparison {
   std::optional<double> psnr;         ///< In decibels, of 8 bits; none for radiance and for equal pictures.
   FlipMap flip;
   double mean_flip = 0, largest_flip = 0;
+  std::optional<BiasTest> test;  ///< Whether more than noise differs: where both have their variances.
 };
 
 /// Reads and compares. Throws Error for pictures that cannot be compared.

@@ -5,6 +5,7 @@
 
 #include "cli/compare/maps.h"
 #include "cli/compare/table.h"
+#include "cli/error/tile_map.h"
 #include "cli/version.h"
 #include "io/html/page.h"
 #include "io/html/picture_address.h"
@@ -69,6 +70,16 @@ std::string flip_map(const Comparison& comparison) {
       html::picture_address(flip_picture(comparison.flip)), html::picture_address(flip_scale()));
 }
 
+/// By Welch's test, where there is one.
+std::string p_value_map(const Comparison& comparison) {
+  if (!comparison.test) return "";
+  return "<figure><figcaption>Welch's test: the fuller the colour, the less likely by noise</figcaption>" +
+         error::tile_map(*comparison.test) +
+         "<small><span>red is brighter than the reference, blue darker</span><span>frames: more than noise, "
+         "at "
+         "1 % for all tiles together</span></small></figure>\n";
+}
+
 std::string tiles(const Comparison& comparison) {
   if (comparison.tiles.empty()) return "";
   std::string rows;
@@ -90,7 +101,7 @@ std::string compare_page(const Comparison& comparison, const std::string& comman
                                         displayed(comparison.reference_name, comparison.reference)) +
                            "<h2>Differences</h2>\n" + measures(comparison) + meanings +
                            "<div class=\"plots\">" + flip_map(comparison) + signed_map(comparison) +
-                           "</div>\n" + tiles(comparison);
+                           p_value_map(comparison) + "</div>\n" + tiles(comparison);
   return html::page(fmt::format("{} against {}", comparison.picture_name, comparison.reference_name), body);
 }
 

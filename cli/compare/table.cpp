@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace twinray::compare {
@@ -34,6 +35,16 @@ std::string psnr_text(const Comparison& comparison) {
   return comparison.psnr ? fmt::format("{:.2f} dB", *comparison.psnr) : "no difference in 8 bits";
 }
 
+/// "p = 0.34: noise explains all", "p = 1e-9: 12 of 300 tiles differ by more than noise"
+std::string test_text(const BiasTest& test) {
+  const auto rejected = std::count_if(test.tiles.begin(), test.tiles.end(),
+                                      [&](const TileTest& one) { return is_rejected(one.test, test); });
+  if (!(test.p_value < test_level))
+    return fmt::format("p = {:.2g}: noise explains the difference", test.p_value);
+  return fmt::format("p = {:.2g}: {} of {} tiles differ by more than noise", test.p_value, rejected,
+                     test.tiles.size());
+}
+
 }  // namespace
 
 std::string pixels_text(const Comparison& comparison) {
@@ -58,6 +69,7 @@ std::vector<std::pair<std::string, std::string>> other_rows(const Comparison& co
       {comparison.is_radiance ? "FLIP (HDR)" : "FLIP",
        fmt::format("{:.4f} in the mean, {:.4f} at most", comparison.mean_flip, comparison.largest_flip)}};
   if (!comparison.is_radiance) rows.emplace_back("PSNR", psnr_text(comparison));
+  if (comparison.test) rows.emplace_back("Welch's test", test_text(*comparison.test));
   rows.emplace_back("largest difference", largest_text(comparison.difference.largest));
   return rows;
 }

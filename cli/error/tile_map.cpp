@@ -13,8 +13,6 @@ namespace {
 
 /// The p-value, as a power of two, from which on a colour is full.
 constexpr double strongest = 20;
-/// Of all tiles together.
-constexpr double level = 0.01;
 
 }  // namespace
 
@@ -29,12 +27,11 @@ std::string tile_map(const BiasTest& test) {
   std::string body =
       fmt::format("<rect width=\"{}\" height=\"{}\" fill=\"#ddd\"/>", frame.width(), frame.height());
   for (const TileTest& one : test.tiles) {
-    const bool is_rejected = corrected_p_value(one.test.p_value, test.tiles.size() + 1) < level;
     body += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"{}><title>{:+.2f} %, p = "
         "{:.2g}</title></rect>",
         one.tile.x0, one.tile.y0, one.tile.width(), one.tile.height(), tile_color(one.test),
-        is_rejected ? " stroke=\"#111\"" : "",
+        is_rejected(one.test, test) ? " stroke=\"#111\"" : "",
         one.converged.mean > 0 ? 100 * (one.picture.mean / one.converged.mean - 1) : 0, one.test.p_value);
   }
   return fmt::format(

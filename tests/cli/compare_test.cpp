@@ -9,6 +9,7 @@
 #include "io/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/html.h"
+#include "tests/support/layered_exr.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -173,6 +174,49 @@ TEST_CASE("the page of a comparison is whole: a slider, two maps, the numbers of
   CHECK(contains(page, "<td>8 x 14</td><td>32</td><td>16</td><td>0.1091</td>"));
   CHECK(contains(page, "<rect x=\"32\" y=\"16\" width=\"8\" height=\"14\""));
   CHECK(contains(page, "full colour from a difference of 0.106 on"));
+}
+
+TEST_CASE("pictures with variances are tested for more than noise, tile by tile") {
+  constexpr std::size_t pixels = 32 * 16;
+  // 9 samples a pixel, with a variance of the mean of 0.01: over 256 pixels the mean is known to 0.00625.
+  Channels channels;
+  for (const char* name : {"R", "G", "B"}) channels[name].assign(pixels, 1.0f);
+  channels["variance.Y"].assign(pixels, 0.01f);
+  channels["samples"].assign(pixels, 9);
+  const TemporaryFolder folder;
+  write_text(folder.file("a.exr"), layered_exr(32, 16, channels));
+  const auto against = [&](float right) {
+    Channels other = channels;
+    for (const char* name : {"R", "G", "B"})
+      for (std::size_t i = 0; i < pixels; ++i) other[name][i] = i % 32 < 16 ? 1.0f : right;
+    write_text(folder.file("b.exr"), layered_exr(32, 16, other));
+    const ProcessResult result =
+        run_program("compare " + quoted(folder.file("a.exr")) + " " + quoted(folder.file("b.exr")) +
+                    " --html=" + quoted(folder.file("page.html")));
+    CAPTURE(result.err);
+    CHECK(result.exit_code == 0);
+    return line_of(result.out, "Welch's test");
+  };
+  // By 1.13 and 5.66 standard errors; over all tiles the difference is half, its standard error 0.71 of that.
+  CHECK(against(1.01f) == "p = 0.59: noise explains the difference");
+  CHECK(against(1.05f) == "p = 4.9e-08: 1 of 2 tiles differ by more than noise");
+  const std::string page = read_text(folder.file("page.html"));
+  CHECK(html_fault(page) == "");
+  CHECK(contains(page, "stroke=\"#111\"><title>-4.76 %, p = "));
+}
+
+TEST_CASE("pictures without variances, or of single samples, are not tested") {
+  const Pair pair(".exr");
+  CHECK_FALSE(contains(pair.compare().out, "Welch"));
+  Channels channels;
+  for (const char* name : {"R", "G", "B", "variance.Y", "samples"}) channels[name].assign(16, 1);
+  write_text(pair.folder.file("one.exr"), layered_exr(4, 4, channels));
+  channels["R"][0] = 9;
+  write_text(pair.folder.file("two.exr"), layered_exr(4, 4, channels));
+  CHECK_FALSE(contains(run_program("compare " + quoted(pair.folder.file("one.exr")) + " " +
+                                   quoted(pair.folder.file("two.exr")))
+                           .out,
+                       "Welch"));
 }
 
 TEST_CASE("maps show where a picture is brighter or darker, and how much people see of it") {

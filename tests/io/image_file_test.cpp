@@ -14,6 +14,7 @@
 #include "io/picture_header.h"
 #include "tests/support/catch.h"
 #include "tests/support/file_size_limit.h"
+#include "tests/support/layered_exr.h"
 #include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
 
@@ -394,6 +395,20 @@ TEST_CASE("a large picture of one color is read, small as its file is") {
     write_image(folder.file(name), Image(3000, 3000));
     CHECK(read_image(folder.file(name)).width == 3000);
   }
+}
+
+TEST_CASE("a channel of an EXR is read by its name, and colours are R, G and B wherever they stand") {
+  const test::TemporaryFolder folder;
+  const test::Channels channels{
+      {"B", {3, 3}}, {"G", {2, 2}}, {"R", {1, 1}}, {"samples", {4, 5}}, {"variance.Y", {0.5f, 7}}};
+  test::write_text(folder.file("a.exr"), test::layered_exr(2, 1, channels));
+  CHECK(read_image(folder.file("a.exr")).pixels == std::vector<Rgb>{{1, 2, 3}, {1, 2, 3}});
+  CHECK(read_channel(folder.file("a.exr"), "variance.Y") == std::vector<float>{0.5f, 7});
+  CHECK(read_channel(folder.file("a.exr"), "samples") == std::vector<float>{4, 5});
+  CHECK(read_channel(folder.file("a.exr"), "Z").empty());
+  write_png(folder.file("a.png"), {1, 1, {0, 0, 0}});
+  CHECK(read_channel(folder.file("a.png"), "R").empty());
+  CHECK_THROWS_AS(read_channel(folder.file("none.exr"), "R"), Error);
 }
 
 }  // namespace twinray::test

@@ -5,6 +5,7 @@ from mutant import Mutant
 DISPLAYED = "FLIP of displayed pictures is that of its authors' program"
 RADIANCE = "FLIP of radiance is that of its authors' program"
 BY_CHANNEL = "differences are the picture's values minus the reference's, by channel and over all"
+NOISE = "pictures with variances are tested for more than noise, tile by tile"
 
 MUTANTS = [
     Mutant("FLIP's filters take black for what lies beyond the border", "check/plane.cpp",
@@ -55,4 +56,17 @@ MUTANTS = [
     Mutant("a slider's pictures change places", "io/html/slider.cpp",
            'image(right, ""), image(left, " left")', 'image(left, ""), image(right, " left")',
            "test_io", "a slider holds both pictures, the left one above"),
+    Mutant("a variance counts as that of one sample", "cli/compare/pixel_noise.h",
+           "double(variances[i]), double(samples[i]) - 1", "double(variances[i] * samples[i]), 8",
+           "test_cli", NOISE),
+    Mutant("pixels of a single sample are tested", "cli/compare/pixel_noise.cpp",
+           "noise.samples[i] >= 2", "noise.samples[i] >= 1",
+           "test_cli", "pictures without variances, or of single samples, are not tested"),
+    Mutant("a channel is always the first", "io/openimageio_codec.cpp",
+           "int(found - names.begin()), 1, image", "0, 1, image",
+           "test_io",
+           "a channel of an EXR is read by its name, and colours are R, G and B wherever they stand"),
+    Mutant("tiles are judged as if each were the only one", "check/bias.cpp",
+           "corrected_p_value(one.p_value, all.tiles.size() + 1)", "0 * corrected_p_value(one.p_value, 1)",
+           "test_cli", NOISE),
 ]

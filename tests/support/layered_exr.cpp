@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/layered_exr.h"
+
+#include <cstdint>
+
+namespace twinray::test {
+namespace {
+
+template <class Number>
+void add(std::string& bytes, Number number) {
+  bytes.append(reinterpret_cast<const char*>(&number), sizeof(number));
+}
+
+void add_text(std::string& bytes, const std::string& text) { bytes.append(text.c_str(), text.size() + 1); }
+
+void add_attribute(std::string& header, const std::string& name, const std::string& type,
+                   const std::string& value) {
+  add_text(header, name);
+  add_text(header, type);
+  add(header, std::int32_t(value.size()));
+  header += value;
+}
+
+template <class Number>
+std::string bytes_of(std::initializer_list<Number> numbers) {
+  std::string bytes;
+  for (const Number number : numbers) add(bytes, number);
+  return bytes;
+}
+
+/// Name, type (2: float), linearity and sampling of each.
+std::string channel_list(const Channels& channels) {
+  std::string list;
+  for (const auto& [name, values] : channels) {
+    add_text(list, name);
+    for (const int number : {2, 0, 1, 1}) add(list, std::int32_t(number));
+  }
+  return list + '\0';
+}
+
+std::string header_of(int width, int height, const Channels& channels) {
+  std::string header = bytes_of<std::uint8_t>({0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0});
+  const std::string window = bytes_of<std::int32_t>({0, 0, width - 1, height - 1});
+  add_attribute(header, "channels", "chlist", channel_list(channels));
+  add_attribute(header, "compression", "compression", std::string(1, '\0'));
+  add_attribute(header, "dataWindow", "box2i", window);
+  add_attribute(header, "displayWindow", "box2i", window);
+  add_attribute(header, "lineOrder", "lineOrder", std::string(1, '\0'));
+  add_attribute(header, "pixelAspectRatio", "float", bytes_of<float>({1}));
+  add_attribute(header, "screenWindowCenter", "v2f", bytes_of<float>({0, 0}));
+  add_attribute(header, "screenWindowWidth", "float", bytes_of<float>({1}));
+  return header + '\0';
+}
+
+}  // namespace
+
+std::string layered_exr(int width, int height, const Channels& channels) {
+  std::string bytes = header_of(width, height, channels);
+  const std::size_t row = std::size_t(width) * channels.size() * sizeof(float);
+  const std::size_t first = bytes.size() + std::size_t(height) * sizeof(std::uint64_t);
+  for (int y = 0; y < height; ++y) add(bytes, std::uint64_t(first + std::size_t(y) * (row + 8)));
+  for (int y = 0; y < height; ++y) {
+    add(bytes, std::int32_t(y));
+    add(bytes, std::int32_t(row));
+    for (const auto& [name, values] : channels)
+      for (int x = 0; x < width; ++x) add(bytes, values[std::size_t(y * width + x)]);
+  }
+  return bytes;
+}
+
+}  // namespace twinray::test
