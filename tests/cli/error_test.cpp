@@ -270,7 +270,7 @@ TEST_CASE("the page is whole by itself, and shows each set with both plots and i
   CHECK(html_fault(page) == "");
   CHECK(html_load(page) == "");
   CHECK(count(page, "<svg class=\"curves\"") == 3);
-  CHECK(count(page, "aria-label=\"where it is biased\"") == 2);
+  CHECK(count(page, "aria-label=\"where the means differ\"") == 2);
   CHECK(count(page, "a&lt;b") > 3);
   CHECK(contains(page, "c, 8 samples: p &lt;1e-300"));  // black, but for what emits
   CHECK(contains(page, "Error over samples"));
