@@ -146,9 +146,42 @@ using SurfaceModel =
     std::variant<Lambert, Mirror, Refraction, Glass, Microfacet, Dielectric, Conductor, DiffuseTransmission,
                  RoughDiffuse, CoatedDiffuse, CoatedConductor, Principled, Interface, Mix>;
 
-/// What of a model a texture may give, point by point: a member of that name (of Principled, base_color and
-/// specular_roughness). Numbers take a texture's red.
-enum class MaterialInput { reflectance, transmittance, roughness, amount };
+/// What of a model a texture may give, point by point: the member of that name. `reflectance` and `roughness`
+/// are Principled's base_color and specular_roughness, too; `roughness_u` and `_v` are the axes of one.
+/// Numbers take a texture's red.
+enum class MaterialInput {
+  reflectance,
+  transmittance,
+  roughness,
+  roughness_u,
+  roughness_v,
+  coat_roughness,
+  coat_roughness_u,
+  coat_roughness_v,
+  amount,
+  eta,
+  k,
+  base_weight,
+  base_diffuse_roughness,
+  base_metalness,
+  specular_weight,
+  specular_color,
+  specular_roughness_anisotropy,
+  transmission_weight,
+  transmission_color,
+  coat_weight,
+  coat_color,
+  coat_darkening,
+  fuzz_weight,
+  fuzz_color,
+  fuzz_roughness
+};
+/// The number of them.
+inline constexpr int material_inputs = int(MaterialInput::fuzz_roughness) + 1;
+
+/// What is made of a texture's value: itself; the roughness whose square it is, as pbrt has it; the k of a
+/// metal of eta 1 that reflects so much of the light that falls straight on it.
+enum class InputMeaning { value, squared_roughness, metal_reflectance };
 
 /// The index of "no texture".
 inline constexpr std::uint32_t no_texture = 0xffffffff;
@@ -156,6 +189,7 @@ inline constexpr std::uint32_t no_texture = 0xffffffff;
 struct TextureUse {
   MaterialInput input = MaterialInput::reflectance;
   std::uint32_t texture = 0;  ///< Index into Scene::textures.
+  InputMeaning meaning = InputMeaning::value;
 };
 
 /// What lies within a closed surface that lets light in. Rays from the camera start outside of all.

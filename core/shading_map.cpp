@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/shading_map.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/frame.h"
 #include "core/tangents.h"
@@ -63,6 +65,17 @@ struct IsAnisotropic {
 }  // namespace
 
 bool is_anisotropic(const SurfaceModel& model) { return std::visit(IsAnisotropic{}, model); }
+
+bool is_anisotropic(const Material& material) {
+  constexpr MaterialInput inputs[] = {MaterialInput::roughness_u, MaterialInput::roughness_v,
+                                      MaterialInput::coat_roughness_u, MaterialInput::coat_roughness_v,
+                                      MaterialInput::specular_roughness_anisotropy};
+  const auto is_one = [&](const TextureUse& use) {
+    return std::find(std::begin(inputs), std::end(inputs), use.input) != std::end(inputs);
+  };
+  return is_anisotropic(material.model) ||
+         std::any_of(material.textures.begin(), material.textures.end(), is_one);
+}
 
 Vec3 mapped_normal(const Scene& scene, const Material& material, const SurfacePoint& point) {
   if (!has_map(material)) return point.shading_normal;

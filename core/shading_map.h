@@ -13,11 +13,11 @@ inline bool has_map(const Material& material) {
 
 /// Whether a model's facets are of unequal widths along tangent and bitangent.
 bool is_anisotropic(const SurfaceModel& model);
+/// The same of a material, whose textures may make them so at some points.
+bool is_anisotropic(const Material& material);
 
 /// Whether a material shades by the directions of texture coordinates.
-inline bool needs_tangents(const Material& material) {
-  return has_map(material) || is_anisotropic(material.model);
-}
+inline bool needs_tangents(const Material& material) { return has_map(material) || is_anisotropic(material); }
 
 /// The unit normal by which a material shades at a point. Of a normal map, red is the part along dp/du, green
 /// that along n x dp/du, blue that along n, the point's shading normal, each from -1 (0) to 1; of a bump map,

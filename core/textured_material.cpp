@@ -2,51 +2,164 @@
 #include "core/textured_material.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <type_traits>
+#include <utility>
 
 namespace twinray {
 namespace {
 
-float unit(float x) { return std::clamp(x, 0.0f, 1.0f); }
+constexpr float most_eta = 1000;
 
-void assign(Rgb& target, const Rgb& value) { target = {unit(value.r), unit(value.g), unit(value.b)}; }
-void assign(float& target, const Rgb& value) { target = unit(value.r); }
-void assign(Roughness& target, const Rgb& value) { target = {unit(value.r), unit(value.r)}; }
+float unit(float x) { return x > 0 ? std::min(x, 1.0f) : 0; }
+
+/// A texture's value, as an input takes it.
+struct Value {
+  Rgb color;
+  InputMeaning meaning;
+
+  float number() const {
+    return meaning == InputMeaning::squared_roughness ? alpha_of_roughness(color.r) : unit(color.r);
+  }
+  /// Of a reflectance or the like.
+  Rgb unit_color() const { return {unit(color.r), unit(color.g), unit(color.b)}; }
+  /// Of eta or k.
+  Rgb metal_color() const {
+    if (meaning == InputMeaning::metal_reflectance) return metal_k(color);
+    const auto positive = [](float x) { return x > 0 ? std::min(x, most_eta) : 0; };
+    return {positive(color.r), positive(color.g), positive(color.b)};
+  }
+};
+
+void assign(Rgb& target, const Value& value) { target = value.unit_color(); }
+void assign(float& target, const Value& value) { target = value.number(); }
+void assign(Roughness& target, const Value& value) {
+  const float alpha = value.number();
+  target = alpha < smooth_below ? Roughness{} : Roughness{alpha, alpha};
+}
+
+/// A member of eta or k, whose range is another.
+struct MetalColor {
+  Rgb& color;
+};
+void assign(MetalColor target, const Value& value) { target.color = value.metal_color(); }
+
+/// The members that Principled alone has.
+template <typename Use>
+bool with_principled_input(Principled& model, MaterialInput input, const Use& use) {
+  constexpr std::pair<MaterialInput, float Principled::*> numbers[] = {
+      {MaterialInput::base_weight, &Principled::base_weight},
+      {MaterialInput::base_diffuse_roughness, &Principled::base_diffuse_roughness},
+      {MaterialInput::base_metalness, &Principled::base_metalness},
+      {MaterialInput::specular_weight, &Principled::specular_weight},
+      {MaterialInput::roughness, &Principled::specular_roughness},
+      {MaterialInput::specular_roughness_anisotropy, &Principled::specular_roughness_anisotropy},
+      {MaterialInput::transmission_weight, &Principled::transmission_weight},
+      {MaterialInput::coat_weight, &Principled::coat_weight},
+      {MaterialInput::coat_roughness, &Principled::coat_roughness},
+      {MaterialInput::coat_darkening, &Principled::coat_darkening},
+      {MaterialInput::fuzz_weight, &Principled::fuzz_weight},
+      {MaterialInput::fuzz_roughness, &Principled::fuzz_roughness}};
+  constexpr std::pair<MaterialInput, Rgb Principled::*> colors[] = {
+      {MaterialInput::reflectance, &Principled::base_color},
+      {MaterialInput::specular_color, &Principled::specular_color},
+      {MaterialInput::transmission_color, &Principled::transmission_color},
+      {MaterialInput::coat_color, &Principled::coat_color},
+      {MaterialInput::fuzz_color, &Principled::fuzz_color}};
+  for (const auto& [name, member] : numbers)
+    if (name == input) return use(model.*member), true;
+  for (const auto& [name, member] : colors)
+    if (name == input) return use(model.*member), true;
+  return false;
+}
+
+/// A roughness of two axes: both, or one of them.
+template <typename Use>
+bool with_roughness(Roughness& roughness, MaterialInput input, MaterialInput both, const Use& use) {
+  if (input == both) return use(roughness), true;
+  if (int(input) == int(both) + 1) return use(roughness.x), true;
+  if (int(input) == int(both) + 2) return use(roughness.y), true;
+  return false;
+}
 
 /// Gives the member of that name to `use`; false where the model has none.
 template <typename Model, typename Use>
 bool with_input(Model& model, MaterialInput input, const Use& use) {
+  if constexpr (requires { model.base_color; }) return with_principled_input(model, input, use);
   if constexpr (requires { model.reflectance; })
     if (input == MaterialInput::reflectance) return use(model.reflectance), true;
-  if constexpr (requires { model.base_color; })
-    if (input == MaterialInput::reflectance) return use(model.base_color), true;
   if constexpr (requires { model.transmittance; })
     if (input == MaterialInput::transmittance) return use(model.transmittance), true;
-  if constexpr (requires { model.roughness; })
+  if constexpr (requires { model.roughness.x; })
+    if (with_roughness(model.roughness, input, MaterialInput::roughness, use)) return true;
+  if constexpr (std::is_same_v<Model, RoughDiffuse> || std::is_same_v<Model, Glass> ||
+                std::is_same_v<Model, Refraction>)
     if (input == MaterialInput::roughness) return use(model.roughness), true;
-  if constexpr (requires { model.specular_roughness; })
-    if (input == MaterialInput::roughness) return use(model.specular_roughness), true;
+  if constexpr (requires { model.coat_roughness.x; })
+    if (with_roughness(model.coat_roughness, input, MaterialInput::coat_roughness, use)) return true;
   if constexpr (requires { model.amount; })
     if (input == MaterialInput::amount) return use(model.amount), true;
+  if constexpr (requires { model.k; }) {
+    if (input == MaterialInput::eta) return use(MetalColor{model.eta}), true;
+    if (input == MaterialInput::k) return use(MetalColor{model.k}), true;
+  }
   return false;
 }
 
 }  // namespace
 
 const char* input_name(MaterialInput input) {
-  constexpr const char* names[] = {"reflectance", "transmittance", "roughness", "amount"};
+  constexpr const char* names[] = {"reflectance",
+                                   "transmittance",
+                                   "roughness",
+                                   "roughness_u",
+                                   "roughness_v",
+                                   "coat_roughness",
+                                   "coat_roughness_u",
+                                   "coat_roughness_v",
+                                   "amount",
+                                   "eta",
+                                   "k",
+                                   "base_weight",
+                                   "base_diffuse_roughness",
+                                   "base_metalness",
+                                   "specular_weight",
+                                   "specular_color",
+                                   "specular_roughness_anisotropy",
+                                   "transmission_weight",
+                                   "transmission_color",
+                                   "coat_weight",
+                                   "coat_color",
+                                   "coat_darkening",
+                                   "fuzz_weight",
+                                   "fuzz_color",
+                                   "fuzz_roughness"};
+  static_assert(std::size(names) == material_inputs);
   return names[std::size_t(input)];
 }
 
 bool has_input(const SurfaceModel& model, MaterialInput input) {
-  return std::visit([&](const auto& m) { return with_input(m, input, [](const auto&) {}); }, model);
+  SurfaceModel copy = model;
+  return std::visit([&](auto& m) { return with_input(m, input, [](const auto&) {}); }, copy);
 }
+
+Rgb metal_k(const Rgb& reflectance) {
+  const auto k = [](float r) {
+    const float most = r > 0 ? std::min(r, 0.9999f) : 0;
+    return 2 * std::sqrt(most) / std::sqrt(1 - most);
+  };
+  return {k(reflectance.r), k(reflectance.g), k(reflectance.b)};
+}
+
+float alpha_of_roughness(float roughness) { return std::sqrt(unit(roughness)); }
 
 SurfaceModel textured_model(const Material& material, std::span<const Texture> textures,
                             const TexturePoint& at) {
   SurfaceModel model = material.model;
   for (const TextureUse& use : material.textures) {
-    const Rgb value = evaluate(textures, use.texture, at);
-    std::visit([&](auto& m) { with_input(m, use.input, [&](auto& member) { assign(member, value); }); },
+    const Value value{evaluate(textures, use.texture, at), use.meaning};
+    std::visit([&](auto& m) { with_input(m, use.input, [&](auto&& member) { assign(member, value); }); },
                model);
   }
   return model;

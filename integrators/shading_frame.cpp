@@ -21,7 +21,7 @@ ShadingFrame shading_frame(const Scene& scene, const Material& material, const S
   const Vec3 normal = has_map(material) ? mapped_normal(scene, material, point) : point.shading_normal;
   const bool is_mapped = normal != point.shading_normal;
   const Vec3 shading = usable(normal, wo, facing_normal);
-  if (is_anisotropic(material.model))
+  if (is_anisotropic(material))
     if (const auto tangents = tangents_at(*scene.geometry, point))
       return {Frame(shading, tangents->du), is_mapped};
   return {Frame(shading), is_mapped};

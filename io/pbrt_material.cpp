@@ -6,13 +6,34 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "core/elementary.h"
 #include "core/radiance.h"
+#include "core/textured_material.h"
 #include "io/pbrt_spectrum.h"
 
 namespace twinray {
 namespace {
+
+/// Names of inputs that are not pbrt's own, or stand for others; all else is called as in core/material.h.
+struct InputAlias {
+  std::string_view name;
+  MaterialInput input;
+};
+constexpr InputAlias input_aliases[] = {{"base_color", MaterialInput::reflectance},
+                                        {"specular_roughness", MaterialInput::roughness},
+                                        {"conductor.eta", MaterialInput::eta},
+                                        {"conductor.k", MaterialInput::k}};
+
+std::optional<MaterialInput> input_named(std::string_view name) {
+  for (const InputAlias& alias : input_aliases)
+    if (alias.name == name) return alias.input;
+  for (int i = 0; i < material_inputs; ++i)
+    if (input_name(MaterialInput(i)) == name) return MaterialInput(i);
+  return std::nullopt;
+}
 
 /// Reads the inputs of a material, each a value or a texture.
 struct Inputs {
@@ -20,7 +41,6 @@ struct Inputs {
   PbrtTextures& textures;
   PbrtContext& context;
   std::vector<TextureUse>& uses;  ///< Textures that the model's inputs have.
-  bool is_metal = false;          ///< Whose "reflectance" is no input of the model.
 
   bool has(const std::string& name) const { return parameters.find(name.c_str()) != nullptr; }
 
@@ -28,16 +48,7 @@ struct Inputs {
     const PbrtParameter* found = parameters.find(name);
     if (!found) return fallback;
     if (found->type != PbrtType::texture) return color_of(parameters, *found, role, context.files);
-    const PbrtTextures::Named& texture = textures.named(parameters, *found);
-    const bool is_reflectance =
-        (std::string_view(name) == "reflectance" && !is_metal) || std::string_view(name) == "base_color";
-    if (is_reflectance)
-      uses.push_back({MaterialInput::reflectance, texture.index});
-    else if (std::string_view(name) == "transmittance")
-      uses.push_back({MaterialInput::transmittance, texture.index});
-    else
-      warn_of_mean(*found);
-    const Rgb& mean = texture.mean;
+    const Rgb mean = use(*found, input_named(name)).mean;
     if (role != ColorRole::reflectance) return mean;
     return {std::clamp(mean.r, 0.0f, 1.0f), std::clamp(mean.g, 0.0f, 1.0f), std::clamp(mean.b, 0.0f, 1.0f)};
   }
@@ -45,23 +56,14 @@ struct Inputs {
   float number(const char* name, float fallback) const {
     const PbrtParameter* found = parameters.find(name);
     if (!found || found->type != PbrtType::texture) return parameters.real(name, fallback);
-    const PbrtTextures::Named& texture = textures.named(parameters, *found);
-    const bool is_alpha =
-        (std::string_view(name) == "roughness" && !parameters.flag("remaproughness", true)) ||
-        std::string_view(name) == "specular_roughness";
-    if (std::string_view(name) == "amount")
-      uses.push_back({MaterialInput::amount, texture.index});
-    else if (is_alpha)
-      uses.push_back({MaterialInput::roughness, texture.index});
-    else
-      warn_of_mean(*found);
-    return texture.mean.r;
+    return use(*found, input_named(name)).mean.r;
   }
 
-  void warn_of_mean(const PbrtParameter& parameter) const {
-    parameter.place.warn(
-        context.warnings,
-        fmt::format("a texture of \"{}\" is not rendered here: its mean stands for it", parameter.name));
+  /// A metal's k by its "reflectance".
+  Rgb k_of_reflectance(const PbrtParameter& reflectance) const {
+    if (reflectance.type != PbrtType::texture)
+      return metal_k(color_of(parameters, reflectance, ColorRole::reflectance, context.files));
+    return metal_k(use(reflectance, MaterialInput::k, InputMeaning::metal_reflectance).mean);
   }
 
   /// An index of refraction; of a spectrum the mean as the eye weighs it.
@@ -74,40 +76,52 @@ struct Inputs {
     return value;
   }
 
-  /// The width of microfacets, of "roughness" and what stands before and behind it ("interface.uroughness").
-  Roughness roughness(const std::string& prefix = "") const {
-    const float both = number((prefix + "roughness").c_str(), 0);
-    const float u = number((prefix + "uroughness").c_str(), both);
-    const float v = number((prefix + "vroughness").c_str(), both);
-    const bool is_remapped = parameters.flag("remaproughness", true);
-    const float x = alpha(u, is_remapped), y = alpha(v, is_remapped);
-    constexpr float smooth = 1e-3f;  // pbrt takes what is below it for smooth
-    return std::max(x, y) < smooth ? Roughness{} : Roughness{x, y};
+  /// The width of microfacets, of "roughness", "uroughness" and "vroughness" and what stands before these
+  /// ("interface."). `input`: the model's.
+  Roughness roughness(const std::string& prefix = "", MaterialInput input = MaterialInput::roughness) const {
+    const PbrtParameter* both = parameters.find((prefix + "roughness").c_str());
+    const PbrtParameter* u = parameters.find((prefix + "uroughness").c_str());
+    const PbrtParameter* v = parameters.find((prefix + "vroughness").c_str());
+    const auto next = [&](int steps) { return MaterialInput(int(input) + steps); };
+    const bool is_even = !u && !v;
+    const float x = axis(u ? u : both, is_even ? input : next(1));
+    const float y = is_even ? x : axis(v ? v : both, next(2));
+    return std::max(x, y) < smooth_below ? Roughness{} : Roughness{x, y};
   }
 
  private:
-  float alpha(float roughness, bool is_remapped) const {
+  const PbrtTextures::Named& use(const PbrtParameter& parameter, std::optional<MaterialInput> input,
+                                 InputMeaning meaning = InputMeaning::value) const {
+    const PbrtTextures::Named& texture = textures.named(parameters, parameter);
+    if (input)
+      uses.push_back({*input, texture.index, meaning});
+    else
+      parameter.place.warn(
+          context.warnings,
+          fmt::format("a texture of \"{}\" is not rendered here: its mean stands for it", parameter.name));
+    return texture;
+  }
+
+  /// The alpha of a roughness along one axis.
+  float axis(const PbrtParameter* found, MaterialInput input) const {
+    const bool is_remapped = parameters.flag("remaproughness", true);
+    const auto meaning = is_remapped ? InputMeaning::squared_roughness : InputMeaning::value;
+    if (!found) return 0;
+    const bool is_texture = found->type == PbrtType::texture;
+    const float roughness =
+        is_texture ? use(*found, input, meaning).mean.r : parameters.real(found->name.c_str(), 0);
     if (!(roughness >= 0 && roughness <= 1))
       parameters.place().warn(
           context.warnings,
           fmt::format("a roughness of {:g} is taken as the nearest one in [0, 1]", roughness));
-    const float r = std::clamp(roughness, 0.0f, 1.0f);
-    return is_remapped ? std::sqrt(r) : r;
+    const float in_range = std::clamp(roughness, 0.0f, 1.0f);
+    return is_remapped ? alpha_of_roughness(in_range) : in_range;
   }
 };
 
 constexpr Rgb half{0.5f, 0.5f, 0.5f}, quarter{0.25f, 0.25f, 0.25f};
 
 SurfaceModel read_diffuse(const Inputs& in) { return Lambert{in.color("reflectance", half)}; }
-
-/// The metal of this reflectance where light falls straight on it, as pbrt has it: eta is 1.
-Rgb absorption_of(const Rgb& reflectance) {
-  const auto k = [](float r) {
-    const float most = std::clamp(r, 0.0f, 0.9999f);
-    return 2 * std::sqrt(most) / std::sqrt(1 - most);
-  };
-  return {k(reflectance.r), k(reflectance.g), k(reflectance.b)};
-}
 
 struct Metal {
   Rgb eta, k;
@@ -120,7 +134,7 @@ Metal read_metal(const Inputs& in, const std::string& prefix) {
     if (in.has(eta) || in.has(k))
       in.parameters.find("reflectance")
           ->place.fail("a metal has \"reflectance\" or \"eta\" and \"k\", not both");
-    return {{1, 1, 1}, absorption_of(in.color("reflectance", half))};
+    return {{1, 1, 1}, in.k_of_reflectance(*in.parameters.find("reflectance"))};
   }
   return {in.color(eta.c_str(), named_spectrum("metal-Cu-eta")->color, ColorRole::unbounded),
           in.color(k.c_str(), named_spectrum("metal-Cu-k")->color, ColorRole::unbounded)};
@@ -156,7 +170,7 @@ SurfaceModel read_coated_conductor(const Inputs& in) {
   read_between(in);
   const Metal metal = read_metal(in, "conductor.");
   CoatedConductor coated{metal.eta, metal.k, in.roughness("conductor.")};
-  coated.coat_roughness = in.roughness("interface.");
+  coated.coat_roughness = in.roughness("interface.", MaterialInput::coat_roughness);
   coated.coat_ior = in.ior("interface.eta");
   return coated;
 }
@@ -339,7 +353,7 @@ void PbrtMaterials::check_all_made() const {
 
 void PbrtMaterials::make(std::uint32_t index, const std::string& type, const PbrtParameters& parameters) {
   std::vector<TextureUse> uses;
-  const Inputs in{parameters, textures, context_, uses, type == "conductor" || type == "coatedconductor"};
+  const Inputs in{parameters, textures, context_, uses};
   if (type == "interface" || type == "none" || type.empty())
     entries_[index].is_interface = true, materials[index].model = Interface{};
   else if (type == "mix")

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/shading_map.h"
 #include "core/textured_material.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
@@ -185,6 +186,51 @@ TEST_CASE("a material takes its numbers from textures, within their range, and k
   CHECK_FALSE(has_input(Lambert{}, MaterialInput::roughness));
   CHECK_FALSE(has_input(Mix{}, MaterialInput::reflectance));
   CHECK(has_input(Glass{}, MaterialInput::transmittance));
+}
+
+TEST_CASE("a metal takes eta, k or its reflectance from textures, and a roughness along each axis") {
+  const std::vector<Texture> textures{{"", ConstantTexture{{0.2f, 3000, -1}}},
+                                      {"", ConstantTexture{{0.25f, 0.5f, 0}}}};
+  const Material metal{"",
+                       Conductor{},
+                       {{MaterialInput::eta, 0},
+                        {MaterialInput::k, 1},
+                        {MaterialInput::roughness_u, 1},
+                        {MaterialInput::roughness_v, 1, InputMeaning::squared_roughness}}};
+  const SurfaceModel at = textured_model(metal, textures, {});
+  CHECK(std::get<Conductor>(at).eta == Rgb{0.2f, 1000, 0});
+  CHECK(std::get<Conductor>(at).k == Rgb{0.25f, 0.5f, 0});
+  CHECK(std::get<Conductor>(at).roughness == Roughness{0.25f, 0.5f});
+  const Material coated{"",
+                        CoatedConductor{.eta = {1, 1, 1}},
+                        {{MaterialInput::k, 1, InputMeaning::metal_reflectance},
+                         {MaterialInput::coat_roughness, 1, InputMeaning::squared_roughness}}};
+  const SurfaceModel layers = textured_model(coated, textures, {});
+  CHECK(std::get<CoatedConductor>(layers).k == metal_k({0.25f, 0.5f, 0}));
+  CHECK(std::get<CoatedConductor>(layers).coat_roughness == Roughness{0.5f, 0.5f});
+  // What textures may make of the axes needs their directions, whatever the model's own numbers are.
+  CHECK(is_anisotropic(metal));
+  CHECK_FALSE(is_anisotropic(coated));
+  // Light that falls straight on a metal of eta 1: k^2 / (4 + k^2).
+  const float k = metal_k({0.25f, 0, 0}).r;
+  CHECK(k * k / (4 + k * k) == Approx(0.25));
+}
+
+TEST_CASE("each input of OpenPBR's surface may be a texture's, and is the member of its name") {
+  const std::vector<Texture> textures{{"", ConstantTexture{{0.125f, 0.5f, 0.75f}}}};
+  const auto with = [&](MaterialInput input) {
+    return std::get<Principled>(textured_model({"", Principled{}, {{input, 0}}}, textures, {}));
+  };
+  int inputs = 0;
+  for (int i = 0; i < material_inputs; ++i) inputs += has_input(Principled{}, MaterialInput(i));
+  CHECK(inputs == 17);
+  CHECK(with(MaterialInput::base_metalness).base_metalness == 0.125f);
+  CHECK(with(MaterialInput::roughness).specular_roughness == 0.125f);
+  CHECK(with(MaterialInput::coat_roughness).coat_roughness == 0.125f);
+  CHECK(with(MaterialInput::fuzz_color).fuzz_color == Rgb{0.125f, 0.5f, 0.75f});
+  CHECK(with(MaterialInput::specular_color).specular_color == Rgb{0.125f, 0.5f, 0.75f});
+  CHECK(with(MaterialInput::specular_color).base_color == Principled{}.base_color);
+  CHECK(with(MaterialInput::transmission_weight).transmission_weight == 0.125f);
 }
 
 }  // namespace twinray::test

@@ -163,10 +163,9 @@ Scene textured(Scene scene, TextureFilter filter) {
                     {"", image},
                     {"", CheckerboardTexture{0, 1, {{{4, 0, 0}, {0, 4, 0}}}}}};
   for (Material& material : scene.materials)
-    for (const MaterialInput input : {MaterialInput::reflectance, MaterialInput::transmittance,
-                                      MaterialInput::roughness, MaterialInput::amount})
-      if (has_input(material.model, input))
-        material.textures.push_back({input, std::uint32_t(input) % 2 + 1});
+    for (int i = 0; i < material_inputs; ++i)
+      if (const auto input = MaterialInput(i); has_input(material.model, input))
+        material.textures.push_back({input, std::uint32_t(i) % 2 + 1});
   for (Light& light : scene.lights)
     if (auto* const mesh = std::get_if<MeshLight>(&light.source)) mesh->picture = random_square();
   check_scene(scene);

@@ -2,6 +2,7 @@
 #include "io/pbrt_texture.h"
 
 #include "core/light_set.h"
+#include "core/textured_material.h"
 #include "io/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/pbrt_text.h"
@@ -72,6 +73,36 @@ TEST_CASE("a picture is a texture, with its scale and wrap") {
   const TextureUse use = loaded.scene.materials[1].textures.at(0);
   CHECK(evaluate(loaded.scene.textures, use.texture, {{-3, 0.5f}}) == Rgb{0.5f, 0, 0});
   CHECK(evaluate(loaded.scene.textures, use.texture, {{3, 0.5f}}) == Rgb{0, 0, 0});
+}
+
+TEST_CASE(
+    "textures of metals, of roughness as pbrt has it, and of OpenPBR's inputs belong to their material") {
+  const LoadedScene loaded = load_pbrt_world(
+      checks + "Texture \"rough\" \"float\" \"checkerboard\" \"float tex1\" .25 \"float tex2\" .01\n" +
+      "Material \"conductor\" \"texture reflectance\" \"checks\" \"texture roughness\" \"rough\"\n" +
+      test::pbrt_triangle +
+      "Material \"coatedconductor\" \"texture conductor.eta\" \"checks\" \"texture interface.roughness\" "
+      "\"rough\" \"texture conductor.uroughness\" \"rough\" \"float conductor.vroughness\" .04\n" +
+      test::pbrt_triangle +
+      "Material \"openpbr\" \"texture base_metalness\" \"rough\" \"texture coat_color\" \"checks\"\n" +
+      test::pbrt_triangle);
+  CHECK(loaded.warnings.empty());
+  const Scene& scene = loaded.scene;
+  const auto at = [&](std::size_t material, Vec2 uv) {
+    return textured_model(scene.materials[material], scene.textures, {uv});
+  };
+  const SurfaceModel red = at(1, {0.1f, 0.1f}), black = at(1, {0.3f, 0.1f});
+  CHECK(std::get<Conductor>(red).eta == Rgb{1, 1, 1});
+  CHECK(std::get<Conductor>(red).k == metal_k({1, 0, 0}));
+  CHECK(std::get<Conductor>(black).k == Rgb{});
+  CHECK(std::get<Conductor>(red).roughness == Roughness{0.5f, 0.5f});
+  const SurfaceModel coated = at(2, {0.1f, 0.1f});
+  CHECK(std::get<CoatedConductor>(coated).eta == Rgb{1, 0, 0});
+  CHECK(std::get<CoatedConductor>(coated).roughness == Roughness{0.5f, 0.2f});
+  CHECK(std::get<CoatedConductor>(coated).coat_roughness == Roughness{0.5f, 0.5f});
+  const SurfaceModel paint = at(3, {0.1f, 0.1f});
+  CHECK(std::get<Principled>(paint).base_metalness == 0.25f);
+  CHECK(std::get<Principled>(paint).coat_color == Rgb{1, 0, 0});
 }
 
 TEST_CASE("a picture that is missing is named, and shows as magenta") {
@@ -146,10 +177,12 @@ TEST_CASE("a light of alpha 0 stays, for it emits") {
 }
 
 TEST_CASE("inputs that take no texture take its mean, with a warning") {
-  const LoadedScene loaded = load_pbrt_world(checks + "Material \"conductor\" \"texture eta\" \"checks\"");
+  const LoadedScene loaded =
+      load_pbrt_world(checks + "Material \"openpbr\" \"texture emission_color\" \"checks\"");
   REQUIRE(loaded.warnings.size() == 1);
-  CHECK(loaded.warnings[0].message == "a texture of \"eta\" is not rendered here: its mean stands for it");
-  CHECK(std::get<Conductor>(loaded.scene.materials[1].model).eta == Rgb{0.5f, 0, 0});
+  CHECK(loaded.warnings[0].message ==
+        "a texture of \"emission_color\" is not rendered here: its mean stands for it");
+  CHECK(std::get<Principled>(loaded.scene.materials[1].model).emission_color == Rgb{0.5f, 0, 0});
 }
 
 TEST_CASE("the picture of an infinite light is turned with it, and a square one has equal areas") {

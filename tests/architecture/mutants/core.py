@@ -6,6 +6,8 @@ BEHIND_A_WIDE_LOBE = ("behind a surface that scatters widely a texture is seen a
                       "however narrow the ray")
 STOCHASTIC_MEAN = ("stochastic filtering has one pixel for each draw, "
                    "and trilinear filtering's value for its mean")
+METAL_INPUTS = ("a metal takes eta, k or its reflectance from textures, "
+                "and a roughness along each axis")
 TWO_HALVES = "a lamp with a picture of two halves is two lamps, by every way of finding direct light"
 
 MUTANTS = [
@@ -81,6 +83,13 @@ MUTANTS = [
     Mutant("pictures that alphas are made of stay in tiles", "core/texture.cpp",
            "is_wanted[std::min(other, i)] = true;", "is_wanted[std::max(other, i)] = true;",
            "test_core", "the pictures that an alpha is made of are brought into memory, and no others"),
+    Mutant("a metal's texture of a reflectance is its k", "core/textured_material.cpp",
+           "if (meaning == InputMeaning::metal_reflectance) return metal_k(color);", "",
+           "test_core", METAL_INPUTS),
+    Mutant("the axes of a roughness are exchanged", "core/textured_material.cpp",
+           "int(input) == int(both) + 1) return use(roughness.x)",
+           "int(input) == int(both) + 1) return use(roughness.y)",
+           "test_core", METAL_INPUTS),
     Mutant("a texture's v runs downwards", "core/texture.cpp",
            "row = (1 - double(uv.y)) * image.height - 0.5;\n  const double left = std::floor(column), "
            "above = std::floor(row);\n  const auto s",

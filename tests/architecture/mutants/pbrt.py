@@ -10,7 +10,7 @@ MUTANTS = [
            "((mirrors != is_reversed ? -1 : 1) / size)", "((mirrors ? -1 : 1) / size)",
            "test_io", "shading normals say which side is outside, whatever the winding"),
     Mutant("a roughness is alpha, remapped or not", "io/pbrt_material.cpp",
-           "is_remapped ? std::sqrt(r) : r", "r",
+           "is_remapped ? alpha_of_roughness(in_range) : in_range", "in_range",
            "test_io", "a roughness is the square of alpha, unless it is not remapped"),
     Mutant("a lamp of two sides has the power of one", "io/pbrt_light.cpp",
            "(is_two_sided ? 2 : 1) * pi * area", "pi * area",
