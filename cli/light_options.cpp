@@ -26,7 +26,6 @@ void add_light_letters(OptionGroup& group, RenderRequest& request) {
   RenderArguments& arguments = request.arguments;
   group.add_number({"-m,--max-depth", "N", "Bounces of light: 0 emission, 1 direct, ..."},
                    arguments.path.max_depth, {0, 100});
-  group.add_flag("-H,--hemisphere", request.hemisphere, "The same as --direct=hemisphere");
   group.add_number({"-l,--light-samples", "N", "Samples of each area light at a hit"},
                    arguments.path.samples_per_light, light_sample_counts);
   group.add_word({"-e,--environment", "FILE", "Light from a latitude-longitude .exr or .hdr"},
@@ -59,7 +58,7 @@ void add_path_words(OptionGroup& group, RenderRequest& request) {
                                  {{"mis", DirectMethod::mis},
                                   {"lights", DirectMethod::lights},
                                   {"hemisphere", DirectMethod::hemisphere}},
-                                 "How direct light is sampled");
+                                 "How direct light is sampled; -H is hemisphere");
   group.add_choice<ManyLights>(
       "--many-lights", request.arguments.path.many_lights,
       {{"tree", ManyLights::tree}, {"power", ManyLights::power}, {"all", ManyLights::all}},
@@ -114,6 +113,7 @@ std::string integrator_name(IntegratorKind kind) {
 
 void add_light_options(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, group_name);
+  OptionGroup(app, "").add_flag("-H,--hemisphere", request.hemisphere, "");  // Help has it at --direct.
   add_light_letters(group, request);
   add_light_words(app, request);
 }

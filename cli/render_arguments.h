@@ -66,7 +66,8 @@ struct RenderArguments {
   /// Of all pictures but those that the scene wants without any; not set: each as the scene file says.
   std::optional<TextureFilter> texture_filter = TextureFilter::stochastic;
   std::optional<std::uint64_t>
-      texture_bytes;  ///< Of memory for pictures on surfaces; not set: all there are.
+      texture_bytes;              ///< Of memory for pictures on surfaces; not set: all there are.
+  bool convert_textures = false;  ///< In place of a picture, pictures of surfaces are written in tiles.
   RenderOptions render;
   std::optional<ReplayRequest> replay;
   std::optional<ViewerAddress> viewer;  ///< Shows the picture as it grows.

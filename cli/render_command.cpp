@@ -19,6 +19,7 @@
 #include "cli/replay_command.h"
 #include "cli/resources.h"
 #include "cli/statistics_report.h"
+#include "cli/texture_command.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "io/image_codec.h"
@@ -123,6 +124,7 @@ int list_cameras(const RenderArguments& arguments) {
 int render_command(const RenderArguments& asked, const std::vector<std::string>& words, RenderTalk& talk) {
   RenderArguments arguments = asked;
   if (asked.load.camera_name == "?") return list_cameras(asked);
+  if (asked.convert_textures) return convert_textures(asked);
   for (const std::string& warning : arguments.without_effect) console::warn(warning);
   if (asked.replay) return replay_command(asked);
   check_memory(memory_needs(arguments.render));

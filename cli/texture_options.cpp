@@ -23,6 +23,8 @@ void add_texture_options(CLI::App& app, RenderRequest& request) {
                         parse_number("--texture-memory", words.front(), texture_megabytes);
                     request.arguments.texture_bytes = std::uint64_t(1e6 * megabytes);
                   });
+  group.add_flag("--convert-textures", request.arguments.convert_textures,
+                 "Write them as .tx beside themselves, and render nothing");
 }
 
 }  // namespace twinray

@@ -3,10 +3,12 @@
 // along some 260 shared libraries, which take longer to load than a small picture to render.
 #pragma once
 #include <functional>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "core/image.h"
+#include "core/mip_map.h"
 #include "io/image_metadata.h"
 #include "io/layered_image.h"
 #include "io/picture_header.h"
@@ -15,6 +17,24 @@ namespace twinray {
 
 /// What of a picture is read.
 enum class PictureLayer { color, alpha };
+
+/// A picture in tiles, with smaller levels, whose file is open. Any number of threads may read.
+class TiledPictureFile {
+ public:
+  struct Size {
+    int width = 0, height = 0, levels = 0;
+    int tile_width = 0, tile_height = 0;
+  };
+  struct Tile {
+    int level = 0, column = 0, row = 0;
+  };
+  virtual ~TiledPictureFile() = default;
+  virtual const Size& size() const = 0;
+  virtual const ImageMetadata& metadata() const = 0;
+  /// All texels of a tile, row by row; what lies beside the level may be anything. Throws Error where the
+  /// file does not have them.
+  virtual void read(const Tile& tile, std::span<Rgb> texels) const = 0;
+};
 
 /// Reads and writes what PNG's own library does not. Any number of threads may use it.
 class ImageCodec {
@@ -37,6 +57,12 @@ class ImageCodec {
   virtual std::vector<unsigned char> encode_exr(const std::string& path, const LayeredImage& image,
                                                 const ImageMetadata& metadata,
                                                 const ImageFrame& frame) const = 0;
+  /// Opens an OpenEXR file of one part in tiles, with channels R, G, B of 32-bit floats alone. Its header was
+  /// checked before. Throws Error.
+  virtual std::unique_ptr<const TiledPictureFile> open_tiled(const std::string& path) const = 0;
+  /// The bytes of such a file, with all levels.
+  virtual std::vector<unsigned char> encode_tiled(const std::string& path, const MipMap& map, int tile_side,
+                                                  const ImageMetadata& metadata) const = 0;
 };
 
 /// The codec. Loads it where that has not been done; throws Error where it cannot be loaded.

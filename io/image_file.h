@@ -10,6 +10,7 @@
 #include "core/image.h"
 #include "io/image_metadata.h"
 #include "io/layered_image.h"
+#include "io/picture_meaning.h"
 
 namespace twinray {
 
@@ -35,14 +36,6 @@ void write_exr(const std::string& path, const LayeredImage& image, const ImageMe
 /// By the name's ending: EXR keeps the linear values, PNG is sRGB.
 void write_image(const std::string& path, const Image& image, const ImageMetadata& metadata = {},
                  const ImageFrame& frame = {});
-
-/// What the numbers of a PNG or JPEG are: colours, encoded as sRGB has it, or data such as a roughness, kept
-/// as they stand. An EXR or HDR holds linear numbers, whatever they mean.
-enum class PictureRole { color, data };
-
-/// What of its channels a pixel is made of: its colour; or one number, as grey: its alpha, where that is not
-/// 1 all over, else the mean of its colour.
-enum class PictureChannels { color, number };
 
 struct ReadOptions {
   PictureRole role = PictureRole::color;

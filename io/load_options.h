@@ -2,8 +2,10 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "io/interpretation.h"
+#include "io/picture_meaning.h"
 
 namespace twinray {
 
@@ -22,6 +24,8 @@ struct LoadOptions {
   /// Leaves the lights out, and the shapes that area lights add to the scene: what CS184's picture of normals
   /// shows.
   bool surfaces_only = false;
+  /// Not null: pictures of surfaces are not read, but added here.
+  std::shared_ptr<std::vector<PictureUse>> pictures = {};
   std::shared_ptr<TextureStore> textures = {};  ///< Keeps the pictures of surfaces; null: all in memory.
 };
 

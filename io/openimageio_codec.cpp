@@ -2,11 +2,17 @@
 // The only door to OpenImageIO: a shared library of its own, which image_codec.cpp loads.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <memory>
+#include <mutex>
 #include <string_view>
 
 #include "core/error.h"
@@ -17,6 +23,11 @@ namespace {
 
 /// OpenEXR would make as many threads as the machine has for every file, and fail where it gets none.
 void use_no_threads() { OIIO::attribute("exr_threads", -1); }
+
+void add_metadata(OIIO::ImageSpec& spec, const ImageMetadata& metadata) {
+  spec.attribute("DateTime", "");  // Without any, OpenImageIO would take the time of now.
+  for (const auto& [name, value] : metadata) spec.attribute(name, value);
+}
 
 void set_channels(OIIO::ImageSpec& spec, const std::vector<PictureChannel>& channels) {
   spec.channelnames.clear();
@@ -36,8 +47,7 @@ OIIO::ImageSpec exr_spec(const LayeredImage& image, const ImageMetadata& metadat
   spec.y = frame.y;
   spec.full_width = frame.width > 0 ? frame.width : image.width;
   spec.full_height = frame.height > 0 ? frame.height : image.height;
-  spec.attribute("DateTime", "");  // Without any, OpenImageIO would take the time of now.
-  for (const auto& [name, value] : metadata) spec.attribute(name, value);
+  add_metadata(spec, metadata);
   if (frame.camera) {
     const OIIO::TypeDesc matrix(OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::MATRIX44);
     spec.attribute("worldToCamera", matrix, frame.camera->world_to_camera.data());
@@ -151,6 +161,92 @@ class OpenPicture {
   OIIO::ImageSpec spec_;
 };
 
+/// A file on disk, of which only what is asked for is read.
+class DiskFile final : public OIIO::Filesystem::IOProxy {
+ public:
+  explicit DiskFile(const std::string& path)
+      : IOProxy(path, Read), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    struct stat status {};
+    if (descriptor_ < 0 || fstat(descriptor_, &status) != 0)
+      throw Error(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+    size_ = std::size_t(status.st_size);
+  }
+  ~DiskFile() override { ::close(descriptor_); }
+  const char* proxytype() const override { return "file"; }
+  std::size_t size() const override { return size_; }
+  std::size_t read(void* buffer, std::size_t size) override {
+    const std::size_t count = pread(buffer, size, m_pos);
+    m_pos += std::int64_t(count);
+    return count;
+  }
+  std::size_t pread(void* buffer, std::size_t size, std::int64_t offset) override {
+    std::size_t done = 0;
+    while (offset >= 0 && done < size) {
+      const ssize_t count =
+          ::pread(descriptor_, static_cast<char*>(buffer) + done, size - done, offset + std::int64_t(done));
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) break;
+      done += std::size_t(count);
+    }
+    return done;
+  }
+
+ private:
+  int descriptor_;
+  std::size_t size_ = 0;
+};
+
+class TiledExr final : public TiledPictureFile {
+ public:
+  explicit TiledExr(const std::string& path)
+      : path_(path), file_(path), input_(OIIO::ImageInput::create("openexr")) {
+    OIIO::ImageSpec spec;
+    if (!input_ || !input_->set_ioproxy(&file_) || !input_->open(path, spec))
+      throw Error(
+          fmt::format("{}: cannot be read: {}", path, input_ ? input_->geterror() : OIIO::geterror()));
+    if (spec.tile_width < 1 || spec.nchannels != 3 || spec.format != OIIO::TypeDesc::FLOAT || spec.deep)
+      throw Error(path + ": not a picture of three channels of 32-bit floats in tiles");
+    size_ = {spec.width, spec.height, 0, spec.tile_width, spec.tile_height};
+    while (input_->seek_subimage(0, size_.levels)) ++size_.levels;
+    for (const OIIO::ParamValue& value : spec.extra_attribs)
+      if (value.type() == OIIO::TypeDesc::STRING)
+        metadata_.emplace_back(value.name().string(), value.get_string());
+  }
+
+  const Size& size() const override { return size_; }
+  const ImageMetadata& metadata() const override { return metadata_; }
+  void read(const Tile& tile, std::span<Rgb> texels) const override {
+    const std::lock_guard lock(mutex_);
+    if (!input_->seek_subimage(0, tile.level))
+      throw Error(fmt::format("{}: it has no level {}", path_, tile.level));
+    const OIIO::ImageSpec spec = input_->spec_dimensions(0, tile.level);
+    if (!input_->read_tile(spec.x + tile.column * size_.tile_width, spec.y + tile.row * size_.tile_height, 0,
+                           &texels[0].r))
+      throw Error(fmt::format("{}: cannot be read: {}", path_, input_->geterror()));
+  }
+
+ private:
+  std::string path_;
+  mutable DiskFile file_;
+  std::unique_ptr<OIIO::ImageInput> input_;  ///< Before its file it ends.
+  mutable std::mutex mutex_;                 ///< Of it: a level is chosen, then read.
+  Size size_;
+  ImageMetadata metadata_;
+};
+
+OIIO::ImageSpec tiled_spec(const MipMap& map, int level, int tile_side, const ImageMetadata& metadata) {
+  const MipLevel size = map.level(level);
+  static_assert(sizeof(Rgb) == 3 * sizeof(float));
+  OIIO::ImageSpec spec(size.width, size.height, 3, OIIO::TypeDesc::FLOAT);
+  add_metadata(spec, metadata);
+  spec.tile_width = spec.tile_height = tile_side;
+  spec.tile_depth = 1;
+  spec.attribute("compression", "zip");
+  spec.attribute("textureformat", "Plain Texture");  // Else there would be one level.
+  spec.attribute("openexr:roundingmode", 0);         // ROUND_DOWN
+  return spec;
+}
+
 class OpenImageIOCodec final : public ImageCodec {
  public:
   Image read(PictureFormat format, const PictureBytes& picture, PictureLayer layer,
@@ -188,6 +284,33 @@ class OpenImageIOCodec final : public ImageCodec {
     const OIIO::ImageSpec spec = exr_spec(image, metadata, frame);
     if (!output->open(path, spec) || !write_rows(*output, image) || !output->close())
       throw Error(fmt::format("{}: cannot be written: {}", path, output->geterror()));
+    return bytes;
+  }
+
+  std::unique_ptr<const TiledPictureFile> open_tiled(const std::string& path) const override {
+    use_no_threads();
+    return std::make_unique<const TiledExr>(path);
+  }
+
+  std::vector<unsigned char> encode_tiled(const std::string& path, const MipMap& map, int tile_side,
+                                          const ImageMetadata& metadata) const override {
+    use_no_threads();
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("openexr");
+    const auto check = [&](bool is_done) {
+      if (!is_done)
+        throw Error(
+            fmt::format("{}: cannot be written: {}", path, output ? output->geterror() : OIIO::geterror()));
+    };
+    check(output && output->set_ioproxy(&memory));
+    for (int level = 0; level < map.levels(); ++level) {
+      const OIIO::ImageSpec spec = tiled_spec(map, level, tile_side, metadata);
+      check(output->open(path, spec,
+                         level == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel));
+      check(output->write_image(OIIO::TypeDesc::FLOAT, map.image(level).pixels.data()));
+    }
+    check(output->close());
     return bytes;
   }
 };

@@ -90,8 +90,8 @@ std::uint32_t PbrtTextures::normal_map(const PbrtParameters& parameters) {
   const std::string name = parameters.text("normalmap", "");
   if (name.empty()) return no_texture;
   const PbrtPlace& place = parameters.find("normalmap")->place;
-  LoadedTexture loaded = load_normal_map(context_.files.is_disk() ? context_.files.path(place, name) : "",
-                                         context_.options.textures.get());
+  LoadedTexture loaded =
+      load_normal_map(context_.files.is_disk() ? context_.files.path(place, name) : "", context_.options);
   if (!loaded.warning.empty()) place.warn(context_.warnings, loaded.warning);
   ImageTexture picture{.image = loaded.image};
   picture.filter = TextureFilter::bilinear;
@@ -174,8 +174,8 @@ PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters,
   const PbrtPlace& place = parameters.find("filename")->place;
   const bool is_data = parameters.text("encoding", "sRGB") == "linear";
   const std::string path = context_.files.is_disk() ? context_.files.path(place, name) : "";
-  LoadedTexture loaded = load_texture(path, {is_data ? PictureRole::data : PictureRole::color, channels},
-                                      context_.options.textures.get());
+  LoadedTexture loaded =
+      load_texture(path, {is_data ? PictureRole::data : PictureRole::color, channels}, context_.options);
   if (!loaded.warning.empty()) place.warn(context_.warnings, loaded.warning);
   picture.image = loaded.image;
   const MipMap& map = *loaded.image;

@@ -3,14 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "core/error.h"
+#include "io/texture_store.h"
+#include "io/tiled_texture.h"
 
 namespace twinray {
 namespace {
-
-constexpr std::int64_t most_pixels = 1 << 26;
 
 /// What is shown in place of a file that cannot be used, and how a warning names it.
 struct StandIn {
@@ -42,34 +44,111 @@ struct ReadPicture {
   std::string warning;
 };
 
-ReadPicture read(const std::string& path, const ReadOptions& options, const StandIn& stand_in) {
+ReadPicture read(const PictureUse& picture) {
+  Image image =
+      read_image(picture.path, {picture.meaning.role, picture.meaning.channels, most_texture_pixels});
+  const std::size_t blackened = blacken(image);
+  if (blackened == 0) return {std::move(image), ""};
+  std::string warning = fmt::format("{}: {} of {} x {} pixels are not finite; they are black", picture.path,
+                                    blackened, image.width, image.height);
+  return {std::move(image), std::move(warning)};
+}
+
+/// Whether a file is there, and not older than the picture that it was made of, where that is there.
+bool is_fresh(const std::string& tiled, const std::string& picture) {
+  namespace fs = std::filesystem;
+  std::error_code error, no_picture;
+  const auto made = fs::last_write_time(tiled, error);
+  if (error) return false;
+  const auto drawn = fs::last_write_time(picture, no_picture);
+  return no_picture || made >= drawn;
+}
+
+/// Opens a file of tiles for a texture. Throws Error where it was made for another use of the picture.
+TiledTexture open_for(const std::string& path, const PictureMeaning& meaning) {
+  TiledTexture texture = open_tiled(path);
+  const bool is_other = is_tiled_name(path) && texture.meaning.channels != meaning.channels;
+  if (is_other && meaning.channels == PictureChannels::number)
+    throw Error(path + ": it holds colours, and a number is wanted; --convert-textures writes those");
+  return texture;
+}
+
+std::shared_ptr<const MipMap> kept(TiledTexture texture, TextureStore* store) {
+  return store ? store->keep(std::move(texture)) : std::make_shared<const MipMap>(read_whole(texture));
+}
+
+std::shared_ptr<const MipMap> kept(Image image, TextureStore* store) {
+  MipMap map(std::move(image));
+  return store ? store->keep(std::move(map)) : std::make_shared<const MipMap>(std::move(map));
+}
+
+/// The tiles that were made of a picture; null where there are none. What is wrong with them goes into the
+/// warning.
+std::shared_ptr<const MipMap> load_converted(const PictureUse& picture, TextureStore* store,
+                                             std::string& warning) {
+  const std::string tiled = tiled_name(picture.path, picture.meaning);
+  if (picture.path.empty() || !is_fresh(tiled, picture.path)) return nullptr;
   try {
-    Image image = read_image(path, options);
-    const std::size_t blackened = blacken(image);
-    std::string warning;
-    if (blackened > 0)
-      warning = fmt::format("{}: {} of {} x {} pixels are not finite; they are black", path, blackened,
-                            image.width, image.height);
-    return {std::move(image), warning};
+    return kept(open_for(tiled, picture.meaning), store);
   } catch (const Error& error) {
-    return {picture_of(stand_in), fmt::format("{}; {}", error.what(), stand_in.words)};
+    warning = fmt::format("{}; {} is read in its place", error.what(), picture.path);
+    return nullptr;
   }
 }
 
-LoadedTexture load(ReadPicture picture, TextureStore* store) {
-  MipMap map(std::move(picture.image));
-  return {store ? store->keep(std::move(map)) : std::make_shared<const MipMap>(std::move(map)),
-          std::move(picture.warning)};
+LoadedTexture load(const PictureUse& picture, const StandIn& stand_in, const LoadOptions& options) {
+  TextureStore* const store = options.textures.get();
+  if (options.pictures) {
+    options.pictures->push_back(picture);
+    return {kept(picture_of(stand_in), nullptr), ""};
+  }
+  std::string warning;
+  Image image;
+  try {
+    if (is_tiled_name(picture.path)) return {kept(open_for(picture.path, picture.meaning), store), ""};
+    if (auto converted = load_converted(picture, store, warning)) return {std::move(converted), ""};
+    ReadPicture source = read(picture);
+    image = std::move(source.image);
+    if (warning.empty()) warning = std::move(source.warning);
+  } catch (const Error& error) {
+    image = picture_of(stand_in);
+    warning = fmt::format("{}; {}", error.what(), stand_in.words);
+  }
+  return {kept(std::move(image), store), std::move(warning)};
+}
+
+/// Whether a file of tiles can be used as it is.
+bool is_good(const std::string& tiled, const PictureMeaning& meaning) {
+  try {
+    return open_tiled(tiled).meaning == meaning;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 }  // namespace
 
-LoadedTexture load_texture(const std::string& path, const PictureMeaning& meaning, TextureStore* store) {
-  return load(read(path, {meaning.role, meaning.channels, most_pixels}, magenta), store);
+LoadedTexture load_texture(const std::string& path, const PictureMeaning& meaning,
+                           const LoadOptions& options) {
+  return load({path, meaning}, magenta, options);
 }
 
-LoadedTexture load_normal_map(const std::string& path, TextureStore* store) {
-  return load(read(path, {PictureRole::data, PictureChannels::color, most_pixels}, flat), store);
+LoadedTexture load_normal_map(const std::string& path, const LoadOptions& options) {
+  return load({path, {PictureRole::data, PictureChannels::color}}, flat, options);
+}
+
+ConvertedTexture convert_texture(const PictureUse& picture) {
+  ConvertedTexture made{tiled_name(picture.path, picture.meaning)};
+  if (is_tiled_name(picture.path)) made.path = picture.path;
+  made.is_new = !is_fresh(made.path, picture.path) || !is_good(made.path, picture.meaning);
+  if (!made.is_new || is_tiled_name(picture.path)) {
+    const TileLayout layout = open_tiled(made.path).layout;
+    return {made.path, false, layout.level(0).width, layout.level(0).height, layout.levels(), ""};
+  }
+  ReadPicture source = read(picture);
+  const MipMap map(std::move(source.image));
+  write_tiled(made.path, map, picture.meaning);
+  return {made.path, true, map.level(0).width, map.level(0).height, map.levels(), std::move(source.warning)};
 }
 
 }  // namespace twinray

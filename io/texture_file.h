@@ -5,15 +5,9 @@
 
 #include "core/mip_map.h"
 #include "io/image_file.h"
-#include "io/texture_store.h"
+#include "io/load_options.h"
 
 namespace twinray {
-
-/// What a texture makes of a picture's numbers.
-struct PictureMeaning {
-  PictureRole role = PictureRole::color;
-  PictureChannels channels = PictureChannels::color;
-};
 
 /// A picture for core/texture.h.
 struct LoadedTexture {
@@ -22,13 +16,27 @@ struct LoadedTexture {
 };
 
 /// Reads a picture of up to 2^26 pixels (with its mip-map, a gigabyte); a larger one is refused before memory
-/// is taken for it. Never throws for what is wrong with the file: a scene is shown without one of its
-/// pictures, in a colour that is not overlooked. Numbers that are not finite become 0. The store, if there is
-/// one, keeps it; throws Error where it cannot.
+/// is taken for it. Where convert_texture made a file of it that is not older, that one is taken; so is one
+/// that is named itself. Never throws for what is wrong with the file: a scene is shown without one of its
+/// pictures, in a colour that is not overlooked. Numbers that are not finite become 0. The store of the
+/// options, if there is one, keeps it; throws Error where it cannot. If they only want to know of pictures,
+/// it is one pixel.
 LoadedTexture load_texture(const std::string& path, const PictureMeaning& meaning,
-                           TextureStore* store = nullptr);
+                           const LoadOptions& options = {});
 
 /// Reads a normal map, whose numbers are data; flat where the file cannot be used, which a warning says.
-LoadedTexture load_normal_map(const std::string& path, TextureStore* store = nullptr);
+LoadedTexture load_normal_map(const std::string& path, const LoadOptions& options = {});
+
+/// What became of a picture that was to be converted.
+struct ConvertedTexture {
+  std::string path;    ///< Of the file with its tiles.
+  bool is_new = true;  ///< Else it was there, and is not older than the picture.
+  int width = 0, height = 0, levels = 0;
+  std::string warning;  ///< Of the picture; empty where nothing is wrong.
+};
+
+/// Writes a picture with its mip-map beside it (io/tiled_texture.h), unless that is there. Throws Error where
+/// it cannot be read or written.
+ConvertedTexture convert_texture(const PictureUse& picture);
 
 }  // namespace twinray

@@ -7,11 +7,15 @@
 #include <vector>
 
 #include "io/scratch_file.h"
+#include "io/tiled_texture.h"
 
 namespace twinray {
 namespace {
 
 constexpr std::uint64_t tile_bytes = texels_a_tile * sizeof(Rgb);
+
+/// Whether a picture is no larger than a tile.
+bool is_small(const TileLayout& layout) { return layout.tiles() <= 2; }
 
 /// Tiles that lie one behind the other from a place on.
 class ScratchTiles final : public TileSource {
@@ -64,15 +68,25 @@ TextureStore::TextureStore(std::uint64_t bytes) : cache_(std::make_shared<TileCa
 std::shared_ptr<const MipMap> TextureStore::keep(MipMap map) {
   const MipLevel picture = map.level(0);
   const TileLayout layout(picture.width, picture.height);
-  if (layout.tiles() <= 2) return std::make_shared<const MipMap>(std::move(map));
+  if (is_small(layout)) return std::make_shared<const MipMap>(std::move(map));
   if (!file_) file_ = std::make_shared<ScratchFile>();
   const std::uint64_t begin = write_tiles(map, layout, *file_);
+  return keep(layout, std::make_unique<const ScratchTiles>(file_, begin));
+}
+
+std::shared_ptr<const MipMap> TextureStore::keep(TiledTexture texture) {
+  if (is_small(texture.layout)) return std::make_shared<const MipMap>(read_whole(texture));
+  return keep(texture.layout, std::move(texture.tiles));
+}
+
+std::shared_ptr<const MipMap> TextureStore::keep(const TileLayout& layout,
+                                                 std::unique_ptr<const TileSource> tiles) {
   ++kept_.pictures;
-  for (int level = 0; level < map.levels(); ++level)
+  for (int i = 0; i < layout.levels(); ++i)
     kept_.picture_bytes +=
-        std::uint64_t(map.level(level).width) * std::uint64_t(map.level(level).height) * sizeof(Rgb);
-  return std::make_shared<const MipMap>(std::make_unique<const TiledPicture>(
-      layout, cache_, std::make_unique<const ScratchTiles>(file_, begin)));
+        std::uint64_t(layout.level(i).width) * std::uint64_t(layout.level(i).height) * sizeof(Rgb);
+  return std::make_shared<const MipMap>(
+      std::make_unique<const TiledPicture>(layout, cache_, std::move(tiles)));
 }
 
 TextureStatistics TextureStore::statistics() const {

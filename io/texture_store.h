@@ -11,6 +11,7 @@
 namespace twinray {
 
 class ScratchFile;
+struct TiledTexture;
 
 /// What a store holds, and what its cache did.
 struct TextureStatistics {
@@ -31,9 +32,13 @@ class TextureStore {
   /// A mip-map of the same texels, written to a file without a name in the system's folder for temporary
   /// files (TMPDIR); itself if it is no larger than a tile. Throws Error where the file cannot be written.
   std::shared_ptr<const MipMap> keep(MipMap map);
+  /// The same of texels that are in tiles, which stay where they are.
+  std::shared_ptr<const MipMap> keep(TiledTexture texture);
   TextureStatistics statistics() const;
 
  private:
+  std::shared_ptr<const MipMap> keep(const TileLayout& layout, std::unique_ptr<const TileSource> tiles);
+
   std::shared_ptr<TileCache> cache_;
   std::shared_ptr<ScratchFile> file_;  ///< Null as long as nothing is in it.
   TextureStatistics kept_;

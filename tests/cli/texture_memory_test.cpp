@@ -2,6 +2,7 @@
 // Pictures on surfaces in bounded memory, as a program.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "io/image_file.h"
@@ -69,6 +70,41 @@ TEST_CASE("a picture has the same bytes with any memory for textures, which is k
       CHECK(json["bytes_read"] == 49152 * json["tiles_read"].get<std::uint64_t>());
     }
   }
+}
+
+TEST_CASE("pictures are converted once, and what is rendered from their tiles has the same pixels") {
+  const TemporaryFolder folder;
+  write_text(folder.file("a.pbrt"), scene);
+  write_noise(folder.file("noise.png"), 300, 200);
+  write_noise(folder.file("holes.png"), 150, 100);
+  const std::string name = quoted(folder.file("a.pbrt"));
+  const auto pixels = [&](const std::string& options) {
+    const std::string picture = folder.file("a.exr");
+    const ProcessResult result =
+        run_program(fmt::format("{} -r 40 30 -s 2 -q {} -o {}", name, options, quoted(picture)));
+    CHECK(result.err.empty());
+    return read_image(picture).pixels;
+  };
+  const auto before = pixels("");
+  const ProcessResult first = run_program(name + " --convert-textures");
+  CHECK(first.exit_code == 0);
+  CHECK(first.err.empty());
+  CHECK(first.out == fmt::format("{0}: 300 x 200 pixels, 9 levels\n{1}: 150 x 100 pixels, 8 levels\n"
+                                 "{2}: 300 x 200 pixels, 9 levels\n",
+                                 folder.file("noise.png.tx"), folder.file("holes.png.data.number.tx"),
+                                 folder.file("noise.png.data.tx")));
+  const ProcessResult second = run_program(name + " --convert-textures");
+  CHECK(second.out.find("noise.png.tx: 300 x 200 pixels, 9 levels; it is there already\n") !=
+        std::string::npos);
+  CHECK(pixels("") == before);
+  CHECK(pixels("--texture-memory=0.1") == before);
+  std::filesystem::remove(folder.file("noise.png"));  // The tiles stand for it.
+  CHECK(pixels("") == before);
+  std::filesystem::remove(folder.file("holes.png.data.number.tx"));
+  std::filesystem::remove(folder.file("holes.png"));
+  const ProcessResult broken = run_program(name + " --convert-textures");
+  CHECK(broken.exit_code == 1);
+  CHECK(broken.err.find("holes.png: there is no such file") != std::string::npos);
 }
 
 TEST_CASE("a wrong amount of memory for textures, and one without effect, are named") {

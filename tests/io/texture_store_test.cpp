@@ -60,13 +60,13 @@ TEST_CASE("a texture in a store has the bits of one in memory, and its warning")
   Random random(5);
   for (int i = 0; i < 3 * 200 * 90; ++i) bytes.bytes.push_back(std::uint8_t(256 * random.unit()));
   write_png(folder.file("a.png"), bytes);
-  TextureStore store(50'000);
-  const LoadedTexture kept = load_texture(folder.file("a.png"), {}, &store);
+  const LoadOptions bounded{.textures = std::make_shared<TextureStore>(50'000)};
+  const LoadedTexture kept = load_texture(folder.file("a.png"), {}, bounded);
   const LoadedTexture whole = load_texture(folder.file("a.png"), {});
   CHECK_FALSE(kept.image->is_in_memory());
   for (int level = 0; level < whole.image->levels(); ++level)
     CHECK(kept.image->image(level).pixels == whole.image->image(level).pixels);
-  CHECK(load_texture(folder.file("none.png"), {}, &store).warning ==
+  CHECK(load_texture(folder.file("none.png"), {}, bounded).warning ==
         fmt::format("{}: there is no such file; it is shown magenta", folder.file("none.png")));
 }
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/texture_command.h"
+
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/common_options.h"
+#include "cli/console.h"
+#include "core/error.h"
+#include "io/texture_file.h"
+#include "io/tiled_texture.h"
+
+namespace twinray {
+namespace {
+
+std::vector<PictureUse> pictures_of(const RenderArguments& arguments) {
+  LoadOptions options = arguments.load;
+  options.pictures = std::make_shared<std::vector<PictureUse>>();
+  load_with_warnings(arguments.scene, options);
+  return *options.pictures;
+}
+
+/// False where it cannot be done, which is said.
+bool convert(const PictureUse& picture, bool is_quiet) {
+  try {
+    const ConvertedTexture made = convert_texture(picture);
+    if (!made.warning.empty()) console::warn(made.warning);
+    if (!is_quiet)
+      console::print("{}: {} x {} pixels, {} levels{}\n", made.path, made.width, made.height, made.levels,
+                     made.is_new ? "" : "; it is there already");
+    return true;
+  } catch (const Error& error) {
+    console::print_error("{}: {}\n", console::speaker(), error.what());
+    return false;
+  }
+}
+
+}  // namespace
+
+int convert_textures(const RenderArguments& arguments) {
+  const std::vector<PictureUse> pictures = pictures_of(arguments);
+  if (pictures.empty())
+    console::warn("the scene has no picture on its surfaces: there is nothing to convert");
+  std::set<std::string> names;
+  bool is_all_done = true;
+  for (const PictureUse& picture : pictures)
+    if (names.insert(tiled_name(picture.path, picture.meaning)).second)
+      is_all_done = convert(picture, arguments.quiet) && is_all_done;
+  return is_all_done ? 0 : 1;
+}
+
+}  // namespace twinray
