@@ -142,6 +142,7 @@ TEST_CASE("a viewer that goes without a word is noticed before the next picture"
   std::optional<ViewerServer> server(std::in_place, Manner::reads_nothing);
   const TevViewer viewer({"127.0.0.1", server->port()});
   wait_until_idle(viewer);
+  server->wait_for_connections(1);  // else it would be refused, not closed
   server.reset();
   while (viewer.fault().empty()) std::this_thread::yield();
   CHECK_FALSE(viewer.is_idle());
