@@ -119,7 +119,7 @@ bool Film::add(int x, int y, std::uint32_t sample_index, const Rgb& color, std::
   ++sums.count;
   if (!parts_.empty()) add_parts(at, color, values);
   for (std::size_t layer = 0; layer < layer_pixels_.size(); ++layer) {
-    if (is_part(layers_[layer])) continue;
+    if (!parts_.empty() && is_part(layers_[layer])) continue;
     if (auto* const mean = std::get_if<MeanPixels>(&layer_pixels_[layer])) mean->add(at, values[layer]);
     if (auto* const first = std::get_if<FirstPixels>(&layer_pixels_[layer]))
       first->add(at, sample_index, values[layer]);
@@ -142,12 +142,21 @@ struct ChannelParts {
 
 void Film::add_parts(std::size_t pixel, const Rgb& color, std::span<const Rgb> values) {
   for (std::size_t channel = 0; channel < 3; ++channel) {
+    const float whole = color.*channels[channel];
+    if (whole == 0) continue;  // No part is negative: all are 0.
+    // Most of the others are 0 as well.
     ChannelParts<Int128> parts;
-    for (std::size_t i = 0; i < parts_.size(); ++i)
-      parts.numbers[i] = units_of_part(values[parts_[i]].*channels[channel]);
-    make_exact(fixed_units(color.*channels[channel]), parts.span(parts_.size()));
-    for (std::size_t i = 0; i < parts_.size(); ++i)
-      std::get<MeanPixels>(layer_pixels_[parts_[i]]).add_units(pixel, channel, parts.numbers[i]);
+    ChannelParts<std::size_t> layers;
+    std::size_t count = 0;
+    for (const std::size_t layer : parts_) {
+      const float part = values[layer].*channels[channel];
+      if (part == 0 && layer != parts_.front()) continue;
+      layers.numbers[count] = layer;
+      parts.numbers[count++] = units_of_part(part);
+    }
+    make_exact(fixed_units(whole), parts.span(count));
+    for (std::size_t i = 0; i < count; ++i)
+      std::get<MeanPixels>(layer_pixels_[layers.numbers[i]]).add_units(pixel, channel, parts.numbers[i]);
   }
 }
 

@@ -37,6 +37,7 @@ inline void add_seen_light(bool is_miss, const Rgb& term, const RecordSpans& rec
 /// Adds a term of light that was scattered `depth` times, 1 or more.
 inline void add_scattered_light(const FirstScattering& first, const Rgb& term, int depth,
                                 const RecordSpans& records, std::size_t sample) {
+  if (is_black(term)) return;
   const bool is_direct = depth == 1;
   if (first.is_transmitted) {
     records[is_direct ? Layer::transmission_direct : Layer::transmission_indirect][sample] += term;

@@ -85,7 +85,7 @@ MUTANTS = [
            "test_core",
            "parts in floats give the whole to the last bit, added up in any order, and hardly change"),
     Mutant("a film keeps its parts as they were rounded", "core/film.cpp",
-           "    make_exact(fixed_units(color.*channels[channel]), parts.span(parts_.size()));\n", "",
+           "    make_exact(fixed_units(whole), parts.span(count));\n", "",
            "test_core",
            "the parts of the colours are kept so that they add up to them, and all of them or none"),
     Mutant("direct light is indirect", "integrators/light_parts.h",
