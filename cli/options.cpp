@@ -40,13 +40,6 @@ class BriefFormatter final : public CLI::Formatter {
     if (!is_positional) text.pop_back();  // CLI11 puts a line's end behind such a group.
     return text;
   }
-
-  /// CLI11 leaves an empty line for options that are hidden.
-  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
-    std::string text = CLI::Formatter::make_help(app, name, mode);
-    for (std::size_t at = text.find("\n\n"); at != text.npos; at = text.find("\n\n", at)) text.erase(at, 1);
-    return text;
-  }
 };
 
 void prepare(CLI::App& app) {
@@ -230,7 +223,7 @@ int run_subcommand(const std::vector<Subcommand>& subcommands, const Words& word
     Action action = subcommand.add(*options);
     options->set_version_flag("--version", version_text(), "Print versions, engines, instruction sets")
         ->group(subcommand.last_group);
-    options->set_help_flag("-h,--help", "Print this help")->group("");  // Whoever reads it knows it.
+    options->set_help_flag("-h,--help", "Print this help")->group(subcommand.last_group);
     if (subcommand.name == words.front()) chosen = std::move(action);
   }
   try {

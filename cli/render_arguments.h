@@ -71,7 +71,7 @@ struct RenderArguments {
   RenderOptions render;
   std::optional<ReplayRequest> replay;
   std::optional<ViewerAddress> viewer;  ///< Shows the picture as it grows.
-  std::vector<int> crop;  ///< X Y W H of render.window, as they were given; empty: none.
+  std::vector<int> crop;                ///< X Y W H of render.window, as they were given; empty: none.
   bool quiet = false;
   std::vector<std::string> given;           ///< The long names of the options that were given.
   std::vector<std::string> without_effect;  ///< Those that change nothing, each with the reason.
