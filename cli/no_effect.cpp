@@ -214,6 +214,7 @@ constexpr Rule rules[]{
     {"--stats", needs_picture},
     {"--tev", needs_picture},
     {"--threads", needs_picture},
+    {"--seconds", needs_picture},
     {"--replay-json", needs_replay},
     {"--replay-obj", needs_replay},
     {"--adaptive", needs_batches},

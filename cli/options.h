@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,6 +93,15 @@ class OptionGroup {
               [&target, option, range](const Words& words) {
                 target = parse_number(option, words.front(), range);
               });
+  }
+
+  /// An option of one number that need not be given.
+  template <typename T>
+  void add_number(const OptionText& text, std::optional<T>& target, const Range<T>& range) {
+    const std::string option = long_name(text.names);
+    add_words(text, 1, [&target, option, range](const Words& words) {
+      target = parse_number(option, words.front(), range);
+    });
   }
 
   /// An option of `count` numbers.

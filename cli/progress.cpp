@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "cli/console.h"
 
 namespace twinray {
@@ -14,9 +16,19 @@ ProgressLine progress_line(bool enabled) {
   return {isatty(STDERR_FILENO) != 0, write};
 }
 
-std::string progress_text(const RenderProgress& progress, double elapsed_seconds) {
-  const double done =
+namespace {
+
+/// The part that is done, of samples or of time.
+double part_done(const RenderProgress& progress, double elapsed_seconds) {
+  const double of_samples =
       progress.samples_total == 0 ? 1 : double(progress.samples_done) / double(progress.samples_total);
+  return std::min(1.0, std::max(of_samples, elapsed_seconds / progress.seconds_total));
+}
+
+}  // namespace
+
+std::string progress_text(const RenderProgress& progress, double elapsed_seconds) {
+  const double done = part_done(progress, elapsed_seconds);
   const double rate = elapsed_seconds > 0 ? double(progress.rays) / elapsed_seconds : 0;
   std::string text = fmt::format("{:3.0f} % | {:.1f} of {:.1f} M samples | {:.2f} M rays/s | {}", 100 * done,
                                  1e-6 * double(progress.samples_done), 1e-6 * double(progress.samples_total),

@@ -10,7 +10,8 @@ namespace twinray {
 /// The line on standard error; with `enabled` false nothing is shown.
 ProgressLine progress_line(bool enabled);
 
-/// "42 % | 1.2 of 2.9 M samples | 3.1 M rays/s | 12 s, 17 s left".
+/// "42 % | 1.2 of 2.9 M samples | 3.1 M rays/s | 12 s, 17 s left"; of samples or of time, whichever ends
+/// first.
 std::string progress_text(const RenderProgress& progress, double elapsed_seconds);
 
 }  // namespace twinray

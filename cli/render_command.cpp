@@ -138,7 +138,7 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   const LoadedScene loaded = load_for_render(arguments, talk);
   choose_engine(*loaded.scene.geometry, arguments);
   check_memory(memory_needs(arguments, loaded.scene.geometry->primitive_count()));
-  const PictureNotes notes = picture_notes(arguments, words, loaded.scene.camera);
+  PictureNotes notes = picture_notes(arguments, words, loaded.scene.camera);
   const auto integrator = make_integrator(arguments, loaded.scene);
   talk.building(arguments, *loaded.scene.geometry);
   const auto accelerator = build_accelerator(arguments.backend, loaded.scene.geometry, arguments.build);
@@ -154,6 +154,10 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   if (stop_code != 0) {
     console::write_error(write_partial(partial, arguments, result.film, notes));
     return stop_code;
+  }
+  if (arguments.render.seconds) {
+    arguments.render.samples = result.samples;
+    notes = picture_notes(arguments, words, loaded.scene.camera);
   }
   if (const std::string rejected = rejection_text(result.film, arguments); !rejected.empty())
     console::warn(rejected);

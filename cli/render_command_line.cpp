@@ -41,7 +41,8 @@ RenderArguments resolved_render(const RenderRequest& request, const Words& given
 void take_defaults(const RenderDefaults& defaults, RenderArguments& arguments) {
   if (is_cs184(arguments)) return;
   take_frame(defaults, arguments);
-  if (defaults.samples && !is_given("--samples", arguments)) arguments.render.samples = *defaults.samples;
+  if (defaults.samples && !is_given("--samples", arguments) && !arguments.render.seconds)
+    arguments.render.samples = *defaults.samples;
   if (defaults.max_depth && !is_given("--max-depth", arguments)) take_depth(*defaults.max_depth, arguments);
 }
 

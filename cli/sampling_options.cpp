@@ -6,6 +6,7 @@ namespace {
 
 constexpr Range<std::uint32_t> batches{2, Film::max_samples};
 constexpr Range<double> tolerances{0, 1e6};
+constexpr Range<double> time_limits{1e-3, 1e9};
 constexpr const char* group_name = "Picture and samples";
 
 }  // namespace
@@ -14,6 +15,8 @@ void add_sampling_options(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, group_name);
   group.add_number({"-s,--samples", "N", "Samples per pixel"}, request.arguments.render.samples,
                    sample_counts);
+  group.add_number({"--seconds", "T", "As many samples as this time allows; at most N if given"},
+                   request.arguments.render.seconds, time_limits);
   add_sampler_options(app, request);
 }
 
@@ -41,6 +44,8 @@ void add_sampling_words(CLI::App& app, RenderRequest& request) {
 }
 
 void resolve_sampling(const RenderRequest& request, RenderArguments& arguments) {
+  if (arguments.render.seconds && !is_given("--samples", arguments))
+    arguments.render.samples = Film::max_samples;
   if (request.adaptive.empty()) {
     if (request.adaptive_rule) throw UsageError("--adaptive-rule goes with --adaptive");
     return;

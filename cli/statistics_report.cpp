@@ -177,6 +177,11 @@ int threads_used(const StatsArguments& arguments) {
   return arguments.options.threads > 0 ? arguments.options.threads : available_threads();
 }
 
+/// ", 37 samples per pixel" where time decided how many.
+std::string timed_samples_text(const RenderOptions& render) {
+  return render.seconds ? fmt::format(", {} samples per pixel", render.samples) : "";
+}
+
 }  // namespace
 
 std::string statistics_text(const RenderArguments& arguments, const AccelStats& accel,
@@ -187,12 +192,12 @@ std::string statistics_text(const RenderArguments& arguments, const AccelStats& 
       "Engine         {}: {}\n"
       "Primitives     {}\n"
       "Build          {:.4f} s, {}{:.1f} MB\n"
-      "Render         {:.4f} s\n"
+      "Render         {:.4f} s{}\n"
       "Rays           {} ({} camera, {} shadow, {} bounce)\n"
       "Speed          {:.4f} million rays per second\n",
       engine_name(arguments), arguments.engine_reason, accel.primitives, accel.build_seconds(),
-      tree_text(accel.tree), 1e-6 * double(accel.bytes), result.seconds, rays.total(), rays.camera,
-      rays.shadow, rays.bounce, 1e-6 * rays_per_second(result));
+      tree_text(accel.tree), 1e-6 * double(accel.bytes), result.seconds, timed_samples_text(arguments.render),
+      rays.total(), rays.camera, rays.shadow, rays.bounce, 1e-6 * rays_per_second(result));
   return text + counts + texture_text(arguments);
 }
 

@@ -31,6 +31,8 @@ constexpr std::size_t samples_together = 1024;
 void check(const RenderOptions& options) {
   if (options.samples < 1 || options.samples > Film::max_samples)
     throw Error(fmt::format("{} samples per pixel; valid are 1 to {}", options.samples, Film::max_samples));
+  if (options.seconds && !(*options.seconds > 0 && std::isfinite(*options.seconds)))
+    throw Error(fmt::format("{} seconds; they must be finite and more than 0", *options.seconds));
   if (std::set(options.layers.begin(), options.layers.end()).size() != options.layers.size())
     throw Error("a layer of a render is asked for twice");
   if (!options.adaptive) return;
@@ -67,24 +69,42 @@ class Renderer {
         visible_pixels_(pixels_with_light(scene, camera_, accelerator.bounds(), options)),
         film_(options.width, options.height, window_of(options), options.layers),
         tiles_(spiral_tiles(film_.window(), tile_size)) {
-    progress_.samples_total =
-        std::uint64_t(film_.window().width()) * std::uint64_t(film_.window().height()) * options.samples;
+    progress_.samples_total = pixel_count() * options.samples;
+    if (options.seconds) progress_.seconds_total = *options.seconds;
   }
 
   RenderResult run() {
-    const auto start = std::chrono::steady_clock::now();
-    const int threads = options_.threads > 0 ? options_.threads : available_threads();
-    for (std::uint32_t begin = 0; begin < options_.samples && !is_stopped();) {
-      const std::uint32_t end = end_of_pass(begin);
-      render_pass(begin, end, threads);
-      if (options_.pass_done && !is_stopped()) options_.pass_done(film_);
-      begin = end;
+    std::uint32_t done = 0;
+    bool is_over = false;
+    while (!is_over && !is_stopped()) {
+      const std::uint64_t rays = rays_.total();
+      const std::uint32_t begin = done;
+      done = end_in_time(begin, end_of_pass(begin));
+      if (done > begin) render_pass(begin, done);
+      // Where time is to decide, a pass may find that all pixels have converged.
+      is_over = done == options_.samples || (options_.seconds && rays_.total() == rays);
     }
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    return {std::move(film_), rays_, seconds.count(), progress_.samples_done == progress_.samples_total};
+    const bool is_complete = is_over && progress_.samples_done == pixel_count() * done;
+    return {std::move(film_), rays_, seconds(), is_complete, done};
   }
 
  private:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  std::uint64_t pixel_count() const {
+    return std::uint64_t(film_.window().width()) * std::uint64_t(film_.window().height());
+  }
+
+  /// The end of a pass, drawn in so that it is over in time, by the time that the last one took; its begin
+  /// where there is none for one more sample.
+  std::uint32_t end_in_time(std::uint32_t begin, std::uint32_t end) const {
+    if (!options_.seconds || begin == 0) return end;
+    const double left = std::max(0.0, *options_.seconds - seconds());
+    return left >= pass_seconds_ * (end - begin) ? end : begin + std::uint32_t(left / pass_seconds_);
+  }
+
   bool is_stopped() const { return options_.is_stopped && options_.is_stopped(); }
 
   /// Adaptive sampling decides between passes alone.
@@ -95,12 +115,16 @@ class Renderer {
                : end;
   }
 
-  void render_pass(std::uint32_t begin, std::uint32_t end, int threads) {
+  void render_pass(std::uint32_t begin, std::uint32_t end) {
+    const double start = seconds();
+    const int threads = options_.threads > 0 ? options_.threads : available_threads();
     std::atomic<std::size_t> next = 0;
     parallel_for(std::size_t(threads), 1, threads, [&](std::size_t, std::size_t) {
       for (std::size_t i = next++; i < tiles_.size() && !is_stopped(); i = next++)
         render_tile(tiles_[i], begin, end);
     });
+    if (options_.pass_done && !is_stopped()) options_.pass_done(film_);
+    pass_seconds_ = (seconds() - start) / (end - begin);
   }
 
   void render_tile(const PixelRect& tile, std::uint32_t begin, std::uint32_t end) {
@@ -189,6 +213,8 @@ class Renderer {
   PixelRect visible_pixels_;  ///< All others are black for certain.
   Film film_;
   std::vector<PixelRect> tiles_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double pass_seconds_ = 0;  ///< Of a sample of all pixels, in the last pass.
   std::mutex mutex_;
   RenderProgress progress_;
   RayCounts rays_;

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -22,6 +23,9 @@ struct RenderOptions {
   std::optional<PixelRect> window;  ///< The part of it to render; all if not set.
   std::uint32_t samples = 32;       ///< Per pixel; the most per pixel where sampling is adaptive.
   std::optional<AdaptiveSampling> adaptive;
+  /// If set, sampling ends with the last pass over all pixels that is likely to be over by then, wall-clock
+  /// time, or with the first one; the picture is that of as many samples.
+  std::optional<double> seconds;
   std::vector<Layer> layers;  ///< Of the film besides its colours, in this order, each once.
   SamplerKind sampler = SamplerKind::sobol;
   std::uint64_t seed = 0;
@@ -43,14 +47,16 @@ PixelRect window_of(const RenderOptions& options);
 struct RenderProgress {
   std::uint64_t samples_done = 0;  ///< Pixel samples, those that adaptive sampling saved included.
   std::uint64_t samples_total = 0;
+  double seconds_total = std::numeric_limits<double>::infinity();  ///< That sampling may take.
   std::uint64_t rays = 0;
 };
 
 struct RenderResult {
   Film film;
   RayCounts rays;
-  double seconds = 0;       ///< Wall-clock time of the sampling alone.
-  bool is_complete = true;  ///< False where it was stopped; pixels then have different numbers of samples.
+  double seconds = 0;         ///< Wall-clock time of the sampling alone.
+  bool is_complete = true;    ///< False where it was stopped; pixels then have different numbers of samples.
+  std::uint32_t samples = 0;  ///< Of the passes that were begun, per pixel; the most where it is adaptive.
 };
 
 /// Renders the scene as its camera sees it. The film depends on scene, integrator and options alone: not on

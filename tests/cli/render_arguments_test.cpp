@@ -344,11 +344,19 @@ TEST_CASE("indirect light of paths that have none is a contradiction, not a blac
   CHECK(message_of({"-m", "2", "--bounces=indirect"}) == "accepted");
 }
 
+TEST_CASE("time decides how many samples there are, and a number of samples is the most") {
+  CHECK_FALSE(parse({}).render.seconds);
+  CHECK(parse({"--seconds=2.5"}).render.seconds == 2.5);
+  CHECK(parse({"--seconds=2.5"}).render.samples == Film::max_samples);
+  CHECK(parse({"--seconds=2.5", "-s", "7"}).render.samples == 7);
+}
+
 TEST_CASE("a number out of range, or no number, is refused in the option's name with what is valid") {
   CHECK(message_of({"-r", "0", "10"}) == "--resolution: \"0\" is not a whole number from 1 to 65536");
   CHECK(message_of({"-r", "10", "48x"}) == "--resolution: \"48x\" is not a whole number from 1 to 65536");
   CHECK(message_of({"-r", "64"}) == "--resolution: 2 numbers are needed, not 1");
   CHECK(message_of({"--adaptive-rule=cs184"}) == "--adaptive-rule goes with --adaptive");
+  CHECK(message_of({"--seconds=0"}) == "--seconds: \"0\" is not a number from 0.001 to 1000000000");
   CHECK(message_of({"-a", "1", "0.05"}) == "--adaptive: \"1\" is not a whole number from 2 to 4194304");
   CHECK(message_of({"-a", "32.5", "0.05"}) == "--adaptive: \"32.5\" is not a whole number from 2 to 4194304");
   CHECK(message_of({"-a", "32", "-1"}) == "--adaptive: \"-1\" is not a number from 0 to 1000000");

@@ -275,6 +275,42 @@ TEST_CASE("a pass that is stopped is not shown as done") {
   CHECK_FALSE(is_shown);
 }
 
+TEST_CASE("a render whose time is over has whole passes, those of a render of as many samples") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, {.max_depth = 2});
+  RenderOptions timed = options(Film::max_samples, 2);
+  for (const double seconds : {1e-9, 0.2}) {
+    timed.seconds = seconds;
+    const RenderResult result = render_with(scene, path, timed);
+    CAPTURE(seconds, result.samples);
+    CHECK(result.is_complete);
+    REQUIRE(result.samples >= 1);
+    CHECK(sample_count(result.film) == 1200 * std::uint64_t(result.samples));
+    if (seconds < 1e-3) CHECK(result.samples == 1);
+    // One sample alone goes through the pixel's centre.
+    if (result.samples > 1)
+      CHECK(same_bits(result.film, render_with(scene, path, options(result.samples, 1)).film));
+  }
+  RenderOptions sampled = options(5, 2);
+  sampled.seconds = 1e6;
+  const RenderResult result = render_with(scene, path, sampled);
+  CHECK(result.is_complete);
+  CHECK(result.samples == 5);
+  CHECK(same_bits(result.film, render_with(scene, path, options(5, 1)).film));
+}
+
+TEST_CASE("a render of any time ends when all pixels have converged") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, {.max_depth = 2});
+  RenderOptions timed = options(Film::max_samples, 2);
+  timed.seconds = 1e6;
+  timed.adaptive = AdaptiveSampling{8, 10};
+  const RenderResult result = render_with(scene, path, timed);
+  CHECK(result.is_complete);
+  CHECK(result.samples >= 8);
+  CHECK(result.samples < 64);
+}
+
 TEST_CASE("a render is complete only with all samples, wherever it is stopped") {
   const Scene scene = small_room();
   const NormalsIntegrator normals(scene);
@@ -302,6 +338,8 @@ TEST_CASE("render options out of range are refused") {
                     "a batch of 0 samples; adaptive sampling needs at least 1");
   CHECK_THROWS_WITH(render_with(scene, normals, {.samples = 4, .adaptive = AdaptiveSampling{8, -1}}),
                     "a tolerance of -1; it must be finite and not negative");
+  CHECK_THROWS_WITH(render_with(scene, normals, {.seconds = 0}),
+                    "0 seconds; they must be finite and more than 0");
 }
 
 }  // namespace twinray::test

@@ -28,12 +28,17 @@ MUTANTS = [
            "float(count) * uniform_hemisphere_pdf()",
            "float(context_.transport.samples_per_light) * uniform_hemisphere_pdf()",
            "test_integrators", "lights of every kind add up, and more samples of each keep the mean"),
+    Mutant("a render that has time takes one pass", "integrators/render.cpp",
+           "const double left = std::max(0.0, *options_.seconds - seconds());",
+           "const double left = 0;", "test_integrators",
+           "a render whose time is over has whole passes, those of a render of as many samples"),
+    Mutant("converged pixels are asked until time is over", "integrators/render.cpp",
+           "(options_.seconds && rays_.total() == rays)", "(options_.seconds && done == begin)",
+           "test_integrators", "a render of any time ends when all pixels have converged"),
     Mutant("the progress of a crop counts its width twice, and its height not at all",
            "integrators/render.cpp",
-           "std::uint64_t(film_.window().width()) * std::uint64_t(film_.window().height()) * "
-           "options.samples",
-           "std::uint64_t(film_.window().width()) * std::uint64_t(film_.window().width()) * "
-           "options.samples",
+           "return std::uint64_t(film_.window().width()) * std::uint64_t(film_.window().height());",
+           "return std::uint64_t(film_.window().width()) * std::uint64_t(film_.window().width());",
            "test_integrators",
            "progress counts the samples of a part of the frame, whatever its shape, and all "
            "rays"),
