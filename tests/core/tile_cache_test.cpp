@@ -105,7 +105,7 @@ TEST_CASE("a cache holds no more than its bound, and gives up the tile that was 
   ask(3);  // Takes the place of 1.
   ask(0), ask(2), ask(3);
   CHECK(reads == 4);
-  ask(1);
+  ask(1), ask(1);  // It is back, and stays.
   CHECK(reads == 5);
   CHECK(cache->statistics().peak_bytes == 3 * tile_bytes);
 }
