@@ -16,7 +16,7 @@ bool has_noise(const PixelNoise& noise, std::size_t i) {
 }  // namespace
 
 PixelNoise read_pixel_noise(const std::string& path) {
-  return {read_channel(path, "variance.Y"), read_channel(path, "samples")};
+  return {read_channel(path, "variance.Y"), read_channel(path, "samples.X")};
 }
 
 PixelMask pixels_with_noise(const PixelNoise& a, const PixelNoise& b) {

@@ -176,13 +176,28 @@ TEST_CASE("the page of a comparison is whole: a slider, two maps, the numbers of
   CHECK(contains(page, "full colour from a difference of 0.106 on"));
 }
 
+TEST_CASE("two renders with their variances differ by no more than noise") {
+  const TemporaryFolder folder;
+  const auto rendered = [&](int seed) {
+    const std::string file = folder.file(fmt::format("{}.exr", seed));
+    const ProcessResult result =
+        run_program(fmt::format("render {} -s 16 -r 40 30 -q --layers=variance,samples --seed {} -o {}",
+                                quoted(TWINRAY_SOURCE_DIR "/scenes/spheres.dae"), seed, quoted(file)));
+    REQUIRE(result.exit_code == 0);
+    return quoted(file);
+  };
+  const std::string first = rendered(1), second = rendered(2);
+  const ProcessResult result = run_program("compare " + first + " " + second);
+  CHECK(contains(line_of(result.out, "Welch's test"), "noise explains the difference"));
+}
+
 TEST_CASE("pictures with variances are tested for more than noise, tile by tile") {
   constexpr std::size_t pixels = 32 * 16;
   // 9 samples a pixel, with a variance of the mean of 0.01: over 256 pixels the mean is known to 0.00625.
   Channels channels;
   for (const char* name : {"R", "G", "B"}) channels[name].assign(pixels, 1.0f);
   channels["variance.Y"].assign(pixels, 0.01f);
-  channels["samples"].assign(pixels, 9);
+  channels["samples.X"].assign(pixels, 9);
   const TemporaryFolder folder;
   write_text(folder.file("a.exr"), layered_exr(32, 16, channels));
   const auto against = [&](float right) {
@@ -209,7 +224,7 @@ TEST_CASE("pictures without variances, or of single samples, are not tested") {
   const Pair pair(".exr");
   CHECK_FALSE(contains(pair.compare().out, "Welch"));
   Channels channels;
-  for (const char* name : {"R", "G", "B", "variance.Y", "samples"}) channels[name].assign(16, 1);
+  for (const char* name : {"R", "G", "B", "variance.Y", "samples.X"}) channels[name].assign(16, 1);
   write_text(pair.folder.file("one.exr"), layered_exr(4, 4, channels));
   channels["R"][0] = 9;
   write_text(pair.folder.file("two.exr"), layered_exr(4, 4, channels));
