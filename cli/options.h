@@ -186,7 +186,7 @@ struct Subcommand {
   const char* name;
   Action (*add)(CLI::App&);  ///< Adds its options.
   const char* description;
-  const char* last_group = "Options";  ///< Of its help; has --version, too.
+  const char* last_group = "Options";  ///< Of its help; has --help and --version, too.
   const char* footer = "";             ///< The help's last line.
 };
 

@@ -40,8 +40,9 @@ RenderOutputs partial_outputs(const RenderOutputs& outputs) {
 
 std::string sample_range_text(const Film& film, std::uint32_t wanted) {
   const auto [least, most] = sample_range(film);
-  return least == most ? fmt::format("{} of {}", most, wanted)
-                       : fmt::format("{} to {} of {}", least, most, wanted);
+  std::string text = least == most ? fmt::format("{}", most) : fmt::format("{} to {}", least, most);
+  if (wanted < Film::max_samples) text += fmt::format(" of {}", wanted);
+  return text;
 }
 
 std::string write_partial(const RenderOutputs& partial, const RenderArguments& arguments, const Film& film,

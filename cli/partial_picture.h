@@ -18,7 +18,8 @@ RenderOutputs partial_outputs(const RenderOutputs& outputs);
 std::string write_partial(const RenderOutputs& partial, const RenderArguments& arguments, const Film& film,
                           PictureNotes notes);
 
-/// "3 to 5 of 16", "4 of 16": samples of a pixel, the fewest and the most.
+/// "3 to 5 of 16", "4 of 16": samples of a pixel, the fewest and the most; where as many were wanted as a
+/// film takes, time was to decide, and "of" is left out.
 std::string sample_range_text(const Film& film, std::uint32_t wanted);
 
 }  // namespace twinray

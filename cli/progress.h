@@ -11,7 +11,7 @@ namespace twinray {
 ProgressLine progress_line(bool enabled);
 
 /// "42 % | 1.2 of 2.9 M samples | 3.1 M rays/s | 12 s, 17 s left"; of samples or of time, whichever ends
-/// first.
+/// first, and without the number of samples that time will not allow.
 std::string progress_text(const RenderProgress& progress, double elapsed_seconds);
 
 }  // namespace twinray

@@ -118,8 +118,12 @@ bool Film::add(int x, int y, std::uint32_t sample_index, const Rgb& color, std::
   sums.luminance_squared.add_square_of(wide_luminance(color.r, color.g, color.b));
   ++sums.count;
   if (!parts_.empty()) add_parts(at, color, values);
+  auto part = parts_.begin();
   for (std::size_t layer = 0; layer < layer_pixels_.size(); ++layer) {
-    if (!parts_.empty() && is_part(layers_[layer])) continue;
+    if (part != parts_.end() && *part == layer) {
+      ++part;
+      continue;
+    }
     if (auto* const mean = std::get_if<MeanPixels>(&layer_pixels_[layer])) mean->add(at, values[layer]);
     if (auto* const first = std::get_if<FirstPixels>(&layer_pixels_[layer]))
       first->add(at, sample_index, values[layer]);

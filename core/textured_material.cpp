@@ -36,7 +36,7 @@ void assign(Rgb& target, const Value& value) { target = value.unit_color(); }
 void assign(float& target, const Value& value) { target = value.number(); }
 void assign(Roughness& target, const Value& value) {
   const float alpha = value.number();
-  target = alpha < smooth_below ? Roughness{} : Roughness{alpha, alpha};
+  target = {alpha, alpha};
 }
 
 /// A member of eta or k, whose range is another.
@@ -74,12 +74,21 @@ bool with_principled_input(Principled& model, MaterialInput input, const Use& us
   return false;
 }
 
-/// A roughness of two axes: both, or one of them.
+/// The inputs of a roughness of two axes.
+struct RoughnessInputs {
+  MaterialInput both, x, y;
+};
+constexpr RoughnessInputs surface_roughness{MaterialInput::roughness, MaterialInput::roughness_u,
+                                            MaterialInput::roughness_v};
+constexpr RoughnessInputs coat_roughness{MaterialInput::coat_roughness, MaterialInput::coat_roughness_u,
+                                         MaterialInput::coat_roughness_v};
+
 template <typename Use>
-bool with_roughness(Roughness& roughness, MaterialInput input, MaterialInput both, const Use& use) {
-  if (input == both) return use(roughness), true;
-  if (int(input) == int(both) + 1) return use(roughness.x), true;
-  if (int(input) == int(both) + 2) return use(roughness.y), true;
+bool with_roughness(Roughness& roughness, MaterialInput input, const RoughnessInputs& inputs,
+                    const Use& use) {
+  if (input == inputs.both) return use(roughness), true;
+  if (input == inputs.x) return use(roughness.x), true;
+  if (input == inputs.y) return use(roughness.y), true;
   return false;
 }
 
@@ -92,12 +101,12 @@ bool with_input(Model& model, MaterialInput input, const Use& use) {
   if constexpr (requires { model.transmittance; })
     if (input == MaterialInput::transmittance) return use(model.transmittance), true;
   if constexpr (requires { model.roughness.x; })
-    if (with_roughness(model.roughness, input, MaterialInput::roughness, use)) return true;
+    if (with_roughness(model.roughness, input, surface_roughness, use)) return true;
   if constexpr (std::is_same_v<Model, RoughDiffuse> || std::is_same_v<Model, Glass> ||
                 std::is_same_v<Model, Refraction>)
     if (input == MaterialInput::roughness) return use(model.roughness), true;
   if constexpr (requires { model.coat_roughness.x; })
-    if (with_roughness(model.coat_roughness, input, MaterialInput::coat_roughness, use)) return true;
+    if (with_roughness(model.coat_roughness, input, coat_roughness, use)) return true;
   if constexpr (requires { model.amount; })
     if (input == MaterialInput::amount) return use(model.amount), true;
   if constexpr (requires { model.k; }) {

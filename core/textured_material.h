@@ -23,8 +23,6 @@ inline TexturePoint texture_point(const SurfacePoint& point) {
 Rgb metal_k(const Rgb& reflectance);
 /// Alpha of pbrt's roughness, in [0, 1]: its root.
 float alpha_of_roughness(float roughness);
-/// A surface of a smaller alpha, along both axes, is smooth, as in pbrt.
-inline constexpr float smooth_below = 1e-3f;
 
 /// The material's model with what its textures have at the point, each within its range: eta and k from 0 to
 /// 1000, all else in [0, 1].

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/elementary.h"
+#include "core/microfacet.h"
 #include "core/radiance.h"
 #include "core/textured_material.h"
 #include "io/pbrt_spectrum.h"
@@ -86,7 +87,7 @@ struct Inputs {
     const bool is_even = !u && !v;
     const float x = axis(u ? u : both, is_even ? input : next(1));
     const float y = is_even ? x : axis(v ? v : both, next(2));
-    return std::max(x, y) < smooth_below ? Roughness{} : Roughness{x, y};
+    return std::max(x, y) < least_alpha ? Roughness{} : Roughness{x, y};
   }
 
  private:

@@ -139,6 +139,7 @@ TEST_CASE("a partial picture is named like the whole one, and states the samples
   CHECK(sample_range_text(film, 16) == "0 to 1 of 16");
   film.add(1, 0, 0, {1, 1, 1});
   CHECK(sample_range_text(film, 16) == "1 of 16");
+  CHECK(sample_range_text(film, Film::max_samples) == "1");
 }
 
 }  // namespace twinray::test

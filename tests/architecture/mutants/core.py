@@ -87,8 +87,8 @@ MUTANTS = [
            "if (meaning == InputMeaning::metal_reflectance) return metal_k(color);", "",
            "test_core", METAL_INPUTS),
     Mutant("the axes of a roughness are exchanged", "core/textured_material.cpp",
-           "int(input) == int(both) + 1) return use(roughness.x)",
-           "int(input) == int(both) + 1) return use(roughness.y)",
+           "input == inputs.x) return use(roughness.x)",
+           "input == inputs.x) return use(roughness.y)",
            "test_core", METAL_INPUTS),
     Mutant("a texture's v runs downwards", "core/texture.cpp",
            "row = (1 - double(uv.y)) * image.height - 0.5;\n  const double left = std::floor(column), "
