@@ -105,6 +105,17 @@ TEST_CASE("what a sample's parts lack of its radiance is rounding") {
   CHECK(scattered > 0);
 }
 
+TEST_CASE("light of one channel alone belongs to its part as any other does") {
+  Records records(light_parts(), 1);
+  for (const Rgb& term : {Rgb{2, 0, 0}, Rgb{0, 2, 0}, Rgb{0, 0, 2}}) {
+    const RecordSpans spans = records.spans(1);
+    spans.clear();
+    add_scattered_light({.diffuse = {0.25f, 0.25f, 0.25f}}, term, 2, spans, 0);
+    CHECK(spans[Layer::diffuse_indirect][0] == term * 0.25f);
+    CHECK(spans[Layer::glossy_indirect][0] == term * 0.75f);
+  }
+}
+
 TEST_CASE("light belongs to the way in which the first surface scattered it") {
   using enum Layer;
   const auto lit = [](const SurfaceModel& model) {
