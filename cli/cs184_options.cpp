@@ -103,7 +103,7 @@ void resolve_adaptive(const Cs184Request& request, RenderArguments& arguments) {
 void resolve_lens(const Cs184Request& request, RenderArguments& arguments) {
   if (request.lens_radius > 0 && !(request.focal_distance > 0))
     throw UsageError("-d: behind a lens (-b) something is in focus at a distance greater than 0 only");
-  arguments.lens = Lens{float(request.lens_radius), float(request.focal_distance)};
+  arguments.changes.lens = Lens{float(request.lens_radius), float(request.focal_distance)};
 }
 
 /// Paths of CS184's program may have any depth. Beyond the most bounces nothing is left: roulette at 0.7 lets

@@ -37,7 +37,8 @@ bool is_lit(const Scene& scene) {
 }
 
 Light headlight(const Camera& camera) {
-  if (camera.is_orthographic) return {"headlight", DirectionalLight{camera.forward, Rgb{pi, pi, pi}}};
+  if (camera.projection == Projection::orthographic)
+    return {"headlight", DirectionalLight{camera.forward, Rgb{pi, pi, pi}}};
   constexpr Attenuation none{1, 0, 0};
   return {"headlight", PointLight{camera.position, Rgb{pi, pi, pi}, none}};
 }

@@ -25,21 +25,24 @@ double distance(const HalfSpace& half, const Point& p) {
   return half.x * p.x + half.y * p.y + half.z * p.z - half.offset;
 }
 
+/// A half space through the origin.
+HalfSpace unit(double x, double y, double z) {
+  const double length = std::sqrt(x * x + y * y + z * z);
+  return {x / length, y / length, z / length, 0};
+}
+
 class Frustum {
  public:
   explicit Frustum(const Camera& camera) : camera_(camera) {
-    const double w = camera.tan_half_width, h = camera.tan_half_height;
-    const double across = std::sqrt(1 + w * w), along = std::sqrt(1 + h * h);
+    const double left = camera.frame_center.x - camera.tan_half_width,
+                 right = camera.frame_center.x + camera.tan_half_width,
+                 down = camera.frame_center.y - camera.tan_half_height,
+                 up = camera.frame_center.y + camera.tan_half_height;
     const HalfSpace near{0, 0, 1, camera.clip_near}, far{0, 0, -1, -double(camera.clip_far)};
-    if (camera.is_orthographic)
-      halves_ = {HalfSpace{1, 0, 0, -w}, {-1, 0, 0, -w}, {0, 1, 0, -h}, {0, -1, 0, -h}, near, far};
+    if (camera.projection == Projection::orthographic)
+      halves_ = {HalfSpace{1, 0, 0, left}, {-1, 0, 0, -right}, {0, 1, 0, down}, {0, -1, 0, -up}, near, far};
     else
-      halves_ = {HalfSpace{1 / across, 0, w / across, 0},
-                 {-1 / across, 0, w / across, 0},
-                 {0, 1 / along, h / along, 0},
-                 {0, -1 / along, h / along, 0},
-                 near,
-                 far};
+      halves_ = {unit(1, 0, -left), unit(-1, 0, right), unit(0, 1, -down), unit(0, -1, up), near, far};
   }
 
   InView of(const Sphere& sphere) const {
@@ -119,6 +122,7 @@ void add(const Geometry& geometry, std::uint32_t shape, Frustum& frustum, Tally&
 }  // namespace
 
 InView in_view(const Camera& camera, const Geometry& geometry) {
+  if (is_panorama(camera.projection)) return InView::whole;
   Frustum frustum(camera);
   Tally tally;
   for (std::uint32_t shape = 0; shape < geometry.shapes().size() && !tally.is_decided(); ++shape)

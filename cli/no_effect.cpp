@@ -115,8 +115,9 @@ std::string needs_batches(const Asked& asked) {
                                                                render.adaptive->batch, render.samples);
 }
 
-std::string needs_file_view(const Asked& asked) {
-  return asked.arguments.view == View::file ? "" : "for --view=whole leaves no clip distances";
+std::string needs_clipped_view(const Asked& asked) {
+  const bool is_of_file = !asked.arguments.changes.clip;
+  return is_of_file && asked.arguments.view == View::whole ? "for --view=whole leaves no clip distances" : "";
 }
 
 std::string needs_occlusion(const Asked& asked) {
@@ -207,7 +208,7 @@ constexpr Rule rules[]{
     {"--attenuation", needs_fall_off},
     {"--default-light", needs_light},
     {"--texture-filter", needs_materials},
-    {"--clip", needs_file_view},
+    {"--clip", needs_clipped_view},
     {"--output", needs_picture},
     {"--crop", needs_picture},
     {"--layers", needs_picture},
@@ -267,6 +268,10 @@ std::vector<std::string> options_without_effect(const Scene& scene, const Render
   if (is_given("--light-samples", arguments) && arguments.path.direct != DirectMethod::hemisphere &&
       !has_area_light(scene))
     found.push_back("--light-samples: no effect, for no light of the scene has an area");
+  if (is_given("--aperture-blades", arguments) && scene.camera.lens_radius == 0)
+    found.push_back("--aperture-blades: no effect, for the camera has no lens; --lens gives it one");
+  if (is_given("--filter", arguments) && arguments.render.samples == 1)
+    found.push_back("--filter: no effect, for the one sample of a pixel lies in its middle");
   for (const char* option : {"--texture-filter", "--texture-memory"})
     if (is_given(option, arguments) && !has_picture(scene))
       found.push_back(fmt::format("{}: no effect, for the scene has no picture on its surfaces", option));

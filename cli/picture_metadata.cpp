@@ -45,7 +45,8 @@ ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vect
                          {"twinray:options", fmt::format("{}", fmt::join(words, " "))},
                          {"twinray:seed", fmt::format("{}", arguments.render.seed)},
                          {"twinray:engine", engine_name(arguments)},
-                         {"twinray:samples", fmt::format("{}", arguments.render.samples)}};
+                         {"twinray:samples", fmt::format("{}", arguments.render.samples)},
+                         {"twinray:filter", filter_text(arguments.render.filter)}};
   if (const std::string biases = biases_of(arguments.path); !biases.empty())
     metadata.emplace_back("twinray:biased_by", biases);
   if (const char* time = std::getenv("SOURCE_DATE_EPOCH"); time && *time)

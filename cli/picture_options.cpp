@@ -8,12 +8,40 @@ namespace {
 
 constexpr const char* group_name = "Picture and samples";
 
+constexpr FilterKind all_filters[] = {FilterKind::box, FilterKind::triangle, FilterKind::gaussian,
+                                      FilterKind::blackman_harris, FilterKind::mitchell};
+
+std::string filter_names(const char* separator) {
+  Words names;
+  for (const FilterKind kind : all_filters) names.push_back(filter_name(kind));
+  return fmt::format("{}", fmt::join(names, separator));
+}
+
 PixelRect window_of(const std::vector<int>& crop, int width, int height) {
   const int x = crop[0], y = crop[1], w = crop[2], h = crop[3];
   if (x < 0 || y < 0 || w < 1 || h < 1 || w > width || h > height || x > width - w || y > height - h)
     throw UsageError(fmt::format("--crop: {} {} {} {} (X Y W H) is not a part of {} x {} pixels", x, y, w, h,
                                  width, height));
   return {x, y, x + w, y + h};
+}
+
+/// "gaussian:1.5"
+PixelFilter parse_filter(const std::string& word) {
+  const std::size_t colon = word.find(':');
+  const std::string name = word.substr(0, colon);
+  for (const FilterKind kind : all_filters) {
+    if (filter_name(kind) != name) continue;
+    if (colon == word.npos) return usual_filter(kind);
+    constexpr Range<float> radii{least_filter_radius, most_filter_radius};
+    return filter_of_radius(kind, parse_number("--filter", word.substr(colon + 1), radii));
+  }
+  throw UsageError(fmt::format("--filter: there is no \"{}\"; valid are {}", name, filter_names(", ")));
+}
+
+void add_filter(OptionGroup& group, PixelFilter& filter) {
+  group.add_words(
+      {"--filter", "NAME[:RADIUS]", fmt::format("{} ({})", filter_names(" "), filter_text(filter))}, 1,
+      [&filter](const Words& words) { filter = parse_filter(words[0]); });
 }
 
 }  // namespace
@@ -35,11 +63,8 @@ void add_frame_options(CLI::App& app, RenderRequest& request) {
   group.add_numbers({"-p,--crop", "X Y W H", "Only this part of the frame, from its top left"}, 4,
                     arguments.crop, any);
   add_view(group, arguments.view);
-  group.add_choice<bool>("--clip", arguments.load.clip_as_file, {{"none", false}, {"file", true}},
-                         "Whether the file's clip distances cut the view");
-  group.add_word({"-c,--camera", "FILE", "Camera settings file of CS184's program"}, arguments.camera_file);
-  group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id; ? lists them"},
-                 arguments.load.camera_name);
+  add_filter(group, arguments.render.filter);
+  add_camera_options(app, request);
 }
 
 void resolve_picture(RenderArguments& arguments) {
@@ -57,6 +82,7 @@ void take_frame(const RenderDefaults& defaults, RenderArguments& arguments) {
     if (arguments.crop.empty() && defaults.crop)
       arguments.crop.assign(defaults.crop->begin(), defaults.crop->end());
   }
+  if (defaults.filter && !is_given("--filter", arguments)) render.filter = *defaults.filter;
   if (!arguments.crop.empty()) render.window = window_of(arguments.crop, render.width, render.height);
 }
 

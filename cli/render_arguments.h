@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "accel/engines.h"
+#include "cli/camera_changes.h"
 #include "cli/common_options.h"
 #include "cli/environment_options.h"
 #include "integrators/cost.h"
@@ -34,10 +35,6 @@ struct ReplayRequest {
   std::string json_file, obj_file;  ///< Empty: none.
 };
 
-struct Lens {
-  float radius = 0, focal_distance = 1;  ///< In scene units; the distance is > 0 where the radius is.
-};
-
 /// What a render command line asks for.
 struct RenderArguments {
   std::string scene;
@@ -45,7 +42,7 @@ struct RenderArguments {
   std::string stats_file;   ///< Empty: none.
   std::string camera_file;  ///< Empty: the scene's own camera.
   View view = View::file;
-  std::optional<Lens> lens;          ///< In place of the camera's.
+  CameraChanges changes;             ///< Of the camera.
   std::string environment;           ///< Empty: none.
   EnvironmentPlacement placement;    ///< Of the environment.
   bool lenient_environment = false;  ///< Its pixels that are not radiance are black; else they are an error.

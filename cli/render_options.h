@@ -42,6 +42,8 @@ void add_replay_options(CLI::App& app, RenderRequest& request);
 // The picture's group but for its file, and that of sampling but for the number of samples.
 
 void add_frame_options(CLI::App& app, RenderRequest& request);
+/// Those of the frame that say how the scene is seen.
+void add_camera_options(CLI::App& app, RenderRequest& request);
 void add_sampler_options(CLI::App& app, RenderRequest& request);
 
 // Of the same groups the options without a letter: CS184's program has others with the letters.

@@ -36,21 +36,25 @@ Camera standard_camera_of(const RenderArguments& arguments, const Scene& scene, 
   const std::string& file = arguments.camera_file;
   Camera camera = file.empty() ? scene.camera : load_camera_file(file, scene.camera);
   if (!arguments.load.clip_as_file) camera = without_clip(camera);
-  const Camera fitted = fit_frame(camera, arguments.render.width, arguments.render.height);
-  if (arguments.view == View::whole) return view_whole(fitted, scene.geometry->bounds());
-  const std::string note = arguments.quiet ? "" : frame_note(fitted, *scene.geometry);
+  const auto [width, height] = std::pair(arguments.render.width, arguments.render.height);
+  const Aabb& bounds = scene.geometry->bounds();
+  if (arguments.changes.projection)
+    camera = with_projection(camera, *arguments.changes.projection, bounds, double(width) / height);
+  const Camera fitted = fit_frame(camera, width, height);
+  if (arguments.view == View::whole) {
+    const Camera whole = view_whole(fitted, bounds);
+    return changed(whole, arguments.changes, whole);
+  }
+  const std::string note =
+      arguments.quiet ? "" : frame_note(changed(fitted, arguments.changes, fitted), *scene.geometry);
   if (!note.empty()) talk.note(note);
-  return camera;
+  return changed(camera, arguments.changes, fitted);
 }
 
 Camera camera_of(const RenderArguments& arguments, const Scene& scene, RenderTalk& talk) {
-  Camera camera = is_cs184(arguments) ? cs184_camera_of(arguments, scene.camera)
-                                      : standard_camera_of(arguments, scene, talk);
-  if (arguments.lens) {
-    camera.lens_radius = arguments.lens->radius;
-    camera.focal_distance = arguments.lens->focal_distance;
-  }
-  return camera;
+  if (!is_cs184(arguments)) return standard_camera_of(arguments, scene, talk);
+  const Camera camera = cs184_camera_of(arguments, scene.camera);
+  return changed(camera, arguments.changes, camera);
 }
 
 EnvironmentLight read_environment(const RenderArguments& arguments) {

@@ -147,6 +147,8 @@ std::string replay_json(const ReplayedSample& replayed) {
                   {"samples_per_pixel", render.samples},
                   {"seed", render.seed},
                   {"sampler", sampler_name(render.sampler)},
+                  {"filter", filter_text(render.filter)},
+                  {"weight", json_of(replayed.replay.sample.weight)},
                   {"pixel", {replayed.place().x, replayed.place().y}},
                   {"sample", replayed.place().index},
                   {"vertices", list_json(replayed.scene, path.vertices())},

@@ -170,6 +170,9 @@ std::string replay_text(const ReplayedSample& replayed) {
       replayed.arguments.scene, render.width, render.height, render.seed, sampler_name(render.sampler));
   text += line("ray", fmt::format("from {} along {}", text_of(made.sample.ray.origin),
                                   text_of(made.sample.ray.direction)));
+  if (made.sample.weight != 1)
+    text += line("weight",
+                 fmt::format("{}, of the pixel filter {}", made.sample.weight, filter_text(render.filter)));
   std::size_t number = 0;
   for (const PathVertex& vertex : made.path.vertices()) text += vertex_text(replayed.scene, vertex, ++number);
   return text + fmt::format("\nThe path ends: {}.\nAll that it adds   {}\nRendered sample    {}\n",

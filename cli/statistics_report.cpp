@@ -211,6 +211,7 @@ std::string statistics_json(const RenderArguments& arguments, const AccelStats& 
       {"engine_reason", arguments.engine_reason},
       {"seed", arguments.render.seed},
       {"samples_per_pixel", arguments.render.samples},
+      {"filter", filter_text(arguments.render.filter)},
       {"resolution", {arguments.render.width, arguments.render.height}},
       {"build", build_json(accel)},
       {"render",

@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "core/box_corners.h"
+#include "core/direction_map.h"
+#include "core/elementary.h"
+#include "core/warp.h"
 
 namespace twinray {
 namespace {
@@ -21,6 +24,7 @@ Camera parallel_view(const Camera& camera, const Aabb& box) {
     depth = std::max(depth, -dot(p, camera.forward));
   }
   Camera moved = camera;
+  moved.frame_center = {0, 0};
   if (across > 0) moved.tan_half_width *= margin * across, moved.tan_half_height *= margin * across;
   moved.position = box.center() - camera.forward * (margin * depth);
   return moved;
@@ -35,11 +39,63 @@ Camera perspective_view(const Camera& camera, const Aabb& box) {
     distance = std::max(distance, margin * across - dot(p, camera.forward));
   }
   Camera moved = camera;
+  moved.frame_center = {0, 0};
   moved.position = box.center() - camera.forward * distance;
   return moved;
 }
 
+Camera panoramic_view(const Camera& camera, const Aabb& box) {
+  Camera moved = camera;
+  moved.position = box.center();
+  return moved;
+}
+
+constexpr float turns_per_radian = 0.15915494309189535f;
+
+SinCos sincos_radians(float radians) {
+  const float turns = radians * turns_per_radian;
+  return sincos_turns(turns - std::floor(turns));
+}
+
+/// A direction in the camera's axes: to the right, up and forward.
+Vec3 latitude_longitude_direction(float x, float y) {
+  const SinCos longitude = sincos_radians(x), latitude = sincos_radians(y);
+  return {latitude.cos * longitude.sin, latitude.sin, latitude.cos * longitude.cos};
+}
+
+Vec3 fisheye_direction(float x, float y) {
+  const float angle = std::sqrt(x * x + y * y);
+  if (angle == 0) return {0, 0, 1};
+  const SinCos to_axis = sincos_radians(angle);
+  return {to_axis.sin * (x / angle), to_axis.sin * (y / angle), to_axis.cos};
+}
+
+/// pbrt's square lies around the camera's up.
+Vec3 equal_area_direction(Vec2 frame) {
+  const Vec3 d = wrapped_direction({frame.x, frame.y});
+  return {d.x, d.z, d.y};
+}
+
+Ray panorama_ray(const Camera& camera, Vec2 frame, float x, float y) {
+  const bool is_fisheye = camera.projection == Projection::fisheye;
+  const Vec3 d = is_fisheye                                    ? fisheye_direction(x, y)
+                 : camera.projection == Projection::equal_area ? equal_area_direction(frame)
+                                                               : latitude_longitude_direction(x, y);
+  const float edge = std::min(camera.tan_half_width, camera.tan_half_height);
+  const bool is_beside = is_fisheye && !(x * x + y * y <= edge * edge);
+  return {.origin = camera.position,
+          .direction = camera.right * d.x + camera.up * d.y + camera.forward * d.z,
+          .t_min = camera.clip_near,
+          .t_max = is_beside ? -1 : camera.clip_far};
+}
+
 }  // namespace
+
+std::string projection_name(Projection projection) {
+  constexpr const char* names[] = {"perspective", "orthographic", "latitude-longitude", "fisheye",
+                                   "equal-area"};
+  return names[std::size_t(projection)];
+}
 
 Camera without_clip(const Camera& camera) {
   Camera open = camera;
@@ -50,7 +106,21 @@ Camera without_clip(const Camera& camera) {
 
 Camera view_whole(const Camera& camera, const Aabb& box) {
   if (box.is_empty()) return camera;
-  return without_clip(camera.is_orthographic ? parallel_view(camera, box) : perspective_view(camera, box));
+  if (is_panorama(camera.projection)) return without_clip(panoramic_view(camera, box));
+  const bool is_parallel = camera.projection == Projection::orthographic;
+  return without_clip(is_parallel ? parallel_view(camera, box) : perspective_view(camera, box));
+}
+
+Camera with_panorama(const Camera& camera, Projection panorama, float half_field) {
+  Camera around = camera;
+  around.projection = panorama;
+  around.frame_center = {0, 0};
+  around.lens_radius = 0;
+  around.is_stretched = panorama != Projection::fisheye;
+  around.tan_half_width = around.tan_half_height = half_field;
+  if (panorama == Projection::equal_area) around.tan_half_width = around.tan_half_height = std::sqrt(pi);
+  if (panorama == Projection::latitude_longitude) around.tan_half_width = pi, around.tan_half_height = pi / 2;
+  return around;
 }
 
 Camera fit_frame(const Camera& camera, int width, int height) {
@@ -65,9 +135,10 @@ Camera fit_frame(const Camera& camera, int width, int height) {
 }
 
 Ray camera_ray(const Camera& camera, Vec2 frame, Vec2 lens) {
-  const float x = (2 * frame.x - 1) * camera.tan_half_width;
-  const float y = (1 - 2 * frame.y) * camera.tan_half_height;
-  const bool is_parallel = camera.is_orthographic;
+  const float x = (2 * frame.x - 1) * camera.tan_half_width + camera.frame_center.x;
+  const float y = (1 - 2 * frame.y) * camera.tan_half_height + camera.frame_center.y;
+  if (is_panorama(camera.projection)) return panorama_ray(camera, frame, x, y);
+  const bool is_parallel = camera.projection == Projection::orthographic;
   const Vec3 through = is_parallel ? camera.forward : camera.forward + camera.right * x + camera.up * y;
   Ray ray{.origin = is_parallel ? camera.position + camera.right * x + camera.up * y : camera.position,
           .direction = through,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <limits>
+#include <string>
 
 #include "core/aabb.h"
 #include "core/ray.h"
@@ -8,21 +9,42 @@
 
 namespace twinray {
 
-/// A camera with a thin lens; with lens_radius 0 a pinhole, or, where it is orthographic, one whose rays are
-/// parallel. The three axes are orthonormal.
+/// Which direction a point of the frame has. The last three are panoramas: all rays start at the position.
+enum class Projection {
+  perspective,         ///< The frame lies in a plane at distance 1.
+  orthographic,        ///< Parallel rays along `forward`, from the plane through the position.
+  latitude_longitude,  ///< Columns are angles about `up`, rows angles to it; `forward` is in the middle.
+  fisheye,             ///< Equidistant: the angle to `forward` grows as the distance from the middle does.
+  equal_area,          ///< All directions in a square, each pixel of the same solid angle, as pbrt-v4 has it.
+};
+
+/// A camera with a thin lens; with lens_radius 0 a pinhole. The three axes are orthonormal.
 struct Camera {
   Vec3 position{0, 0, 0};
   Vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
-  /// Half the frame, in units of the distance to it; of an orthographic camera in scene units.
+  Projection projection = Projection::perspective;
+  /// Half the frame, in units of the distance to it; in scene units where the rays are parallel; of a
+  /// panorama in radians. A fisheye sees what lies within the smaller of the two. An equal-area square is
+  /// always whole, and sqrt(pi) from its middle to a side.
   float tan_half_width = 0.5f, tan_half_height = 0.375f;
-  float clip_near = 0;  ///< Depths along `forward`: nearer and farther things
+  Vec2 frame_center{0, 0};  ///< Of the frame, to the right and up, in the same units: a lens that is shifted.
+  float clip_near = 0;      ///< Depths along `forward`: nearer and farther things
   float clip_far = std::numeric_limits<float>::infinity();  ///< are not seen by camera rays.
-  float lens_radius = 0;
-  float focal_distance = 1;        ///< Depth of the plane in focus, > 0; it matters for lens_radius > 0 only.
-  bool clips_by_distance = false;  ///< The clip distances count along each ray, and not along `forward`.
-  bool is_orthographic = false;    ///< Parallel rays along `forward`, from the plane through the position.
+  float lens_radius = 0;                                    ///< Panoramas have none.
+  float focal_distance = 1;  ///< Depth of the plane in focus, > 0; it matters for lens_radius > 0 only.
+  int aperture_blades = 0;   ///< Corners of the lens, 3 or more, at the radius; 0: it is round.
+  float aperture_turns = 0;  ///< How far the first corner is turned from `right` towards `up`, in [0, 1).
+  bool clips_by_distance = false;  ///< The clip distances count along each ray, as those of panoramas do.
   bool is_stretched = false;       ///< The frame fills a picture of any shape: its pixels may be oblong.
 };
+
+/// "perspective", "orthographic", "latitude-longitude", "fisheye", "equal-area".
+std::string projection_name(Projection projection);
+
+/// Whether rays go from one point to many sides.
+inline bool is_panorama(Projection projection) {
+  return projection != Projection::perspective && projection != Projection::orthographic;
+}
 
 /// The camera widened on one axis, so that an image of this size has square pixels and shows the whole frame;
 /// one that is stretched, as it is.
@@ -32,12 +54,19 @@ Camera fit_frame(const Camera& camera, int width, int height);
 Camera without_clip(const Camera& camera);
 
 /// The camera moved, without a turn and without clip distances, to where a box just fits into its frame (with
-/// a margin of 4 %), in the middle. The frame of an orthographic camera is scaled so that it does. An empty
-/// box leaves it where it is.
+/// a margin of 4 %), in the middle, with the frame around the axis of view. The frame of an orthographic
+/// camera is scaled so that it does; a panorama is taken from the middle of the box. An empty box leaves it
+/// where it is.
 Camera view_whole(const Camera& camera, const Aabb& box);
 
+/// The same eye with the frame of a panorama: all directions, or, of a fisheye, those within an angle of
+/// `half_field` to the axis of view, in radians. It has no lens.
+Camera with_panorama(const Camera& camera, Projection panorama, float half_field);
+
 /// The ray through a point of the frame, (0, 0) top left and (1, 1) bottom right, and a point of the lens in
-/// the unit disc. Its direction has length 1 along `forward`, so t counts depth.
+/// the unit disc. Its direction has length 1 along `forward`, so t counts depth; in a panorama it is a unit
+/// vector, and t counts distance. Beside the frame goes on what is in it. A point without a direction,
+/// outside of a fisheye's circle, has a ray whose interval is empty.
 Ray camera_ray(const Camera& camera, Vec2 frame, Vec2 lens);
 
 }  // namespace twinray

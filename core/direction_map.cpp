@@ -61,6 +61,14 @@ MapPoint map_point(MapLayout layout, const Vec3& direction) {
   return layout == MapLayout::equal_area ? equal_area_point(direction) : latitude_longitude_point(direction);
 }
 
+Vec3 wrapped_direction(MapPoint point) {
+  auto [x, y] = point;
+  // Each edge of the square is folded in its middle, and continues itself.
+  if (x < 0 || x > 1) x = x < 0 ? -x : 2 - x, y = 1 - y;
+  if (y < 0 || y > 1) y = y < 0 ? -y : 2 - y, x = 1 - x;
+  return equal_area_direction({std::clamp(x, 0.0, 1.0), std::clamp(y, 0.0, 1.0)});
+}
+
 Vec3 direction_within(MapLayout layout, const MapCell& cell, Vec2 u) {
   const double x = lerp(cell.lower.x, cell.upper.x, u.x);
   if (layout == MapLayout::equal_area)

@@ -20,6 +20,9 @@ struct MapCell {
 
 /// The point of a direction, of any length but 0.
 MapPoint map_point(MapLayout layout, const Vec3& direction);
+/// The unit direction of a point of the equal-area square, which may lie up to 1 beside it: where the sphere
+/// goes on there.
+Vec3 wrapped_direction(MapPoint point);
 /// A unit direction whose point lies in the cell, uniform by solid angle for u uniform in [0, 1)^2.
 Vec3 direction_within(MapLayout layout, const MapCell& cell, Vec2 u);
 /// How much of all directions, 4 pi, a cell covers.

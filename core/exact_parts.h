@@ -12,7 +12,9 @@ namespace twinray {
 void make_exact(Int128 whole, std::span<Int128> parts);
 
 /// Parts of a whole in floats, each a multiple of the whole's last bit: so they give the whole when they are
-/// added up in floats, in whatever order. None of the parts is negative, nor is the whole.
+/// added up in floats, in whatever order. Where some parts are negative and others are not, as a pixel
+/// filter with negative values may have them, they need not be multiples of it, and give the whole up to the
+/// rounding of the largest of them.
 void make_exact(float whole, std::span<float> parts);
 
 }  // namespace twinray

@@ -43,7 +43,7 @@ RayCone camera_cone(const Camera& camera, int width, int height, std::uint32_t s
   const float across = 2 * camera.tan_half_width / float(width),
               up = 2 * camera.tan_half_height / float(height);
   const float pixel = std::sqrt(across * up) * std::max(1 / std::sqrt(float(samples)), 0.125f);
-  return camera.is_orthographic ? RayCone{pixel, 0} : RayCone{0, pixel};
+  return camera.projection == Projection::orthographic ? RayCone{pixel, 0} : RayCone{0, pixel};
 }
 
 float texture_footprint(const Geometry& geometry, const Hit& hit, const SurfacePoint& point, float width,

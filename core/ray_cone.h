@@ -26,7 +26,7 @@ struct RayCone {
 
 /// The cone of all camera rays of a picture: as wide as a pixel or, where a pixel has n samples, as a part of
 /// it: 1 / sqrt(n), and at least an eighth, so that what many samples resolve is not blurred twice. The
-/// camera's frame is that of the picture.
+/// camera's frame is that of the picture. In a latitude-longitude picture all are as wide as on the horizon.
 RayCone camera_cone(const Camera& camera, int width, int height, std::uint32_t samples);
 
 /// How wide, in texture coordinates, a cone's section with a surface is, on the average over its directions:

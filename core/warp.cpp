@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/warp.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/elementary.h"
 
 namespace twinray {
@@ -27,6 +30,20 @@ Vec2 square_to_disc(Vec2 u) {
   if (std::fabs(x) > std::fabs(y)) return wedge_point(x, y / x);
   const Vec2 mirrored = wedge_point(y, x / y);
   return {mirrored.y, mirrored.x};
+}
+
+Vec2 square_to_polygon(Vec2 u, int corners, float turns) {
+  const float place = u.x * float(corners);
+  const int blade = std::min(int(place), corners - 1);
+  const auto corner = [&](int i) {
+    const float angle = turns + float(i) / float(corners);
+    return sincos_turns(angle - std::floor(angle));
+  };
+  const SinCos from = corner(blade), to = corner(blade + 1);
+  // The area within a distance grows as its square does.
+  const float outward = std::sqrt(u.y), along = place - float(blade);
+  return {outward * (from.cos + along * (to.cos - from.cos)),
+          outward * (from.sin + along * (to.sin - from.sin))};
 }
 
 Vec3 square_to_cosine_hemisphere(Vec2 u) {

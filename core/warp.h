@@ -13,6 +13,10 @@ inline constexpr float pi = 3.14159265358979323846f;
 /// per area: 1 / pi.
 Vec2 square_to_disc(Vec2 u);
 
+/// Uniform in the regular polygon whose corners, 3 or more, lie on the unit circle, the first of them at an
+/// angle of `turns` in [0, 1) from +x: triangle after triangle around the middle. Density per area: 1 / area.
+Vec2 square_to_polygon(Vec2 u, int corners, float turns);
+
 /// Unit directions around +z with density cos(theta) / pi per solid angle (Malley's method). On the edge of
 /// the square z, and the density, are 0.
 Vec3 square_to_cosine_hemisphere(Vec2 u);

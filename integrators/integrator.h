@@ -23,6 +23,8 @@ struct CameraSample {
   Ray ray;  ///< Its direction need not be a unit vector.
   SampleKey key;
   RayCone cone;  ///< Around the ray; without one, textures are seen at points.
+  /// How much it counts in the means of its pixel, as the pixel's filter has it; 0: no light comes this way.
+  float weight = 1;
 };
 
 /// Estimates the radiance that arrives along camera rays. Immutable: any number of threads may ask.

@@ -50,8 +50,11 @@ PixelRect pixels_with_light(const Scene& scene, const Camera& camera, const Aabb
   const auto is_behind_all = [](const Light& light) { return is_background(light.source); };
   if (std::any_of(scene.lights.begin(), scene.lights.end(), is_behind_all))
     return {0, 0, options.width, options.height};
-  return visible_pixels(camera, bounds, options.width, options.height);
+  const Vec2& radius = options.filter.radius;
+  return visible_pixels(camera, bounds, options.width, options.height, {radius.x + 0.5f, radius.y + 0.5f});
 }
+
+bool is_mean(Layer layer) { return layer_info(layer).gathering != Gathering::first; }
 
 /// One render in progress. Threads take tiles from a counter; a tile's pixels belong to one thread during a
 /// pass.
@@ -64,8 +67,8 @@ class Renderer {
         options_(options),
         report_(progress),
         camera_(fit_frame(scene.camera, options.width, options.height)),
-        camera_stage_(camera_,
-                      {options.width, options.height, options.samples, options.sampler, options.seed}),
+        camera_stage_(camera_, {options.width, options.height, options.samples, options.sampler, options.seed,
+                                options.filter}),
         visible_pixels_(pixels_with_light(scene, camera_, accelerator.bounds(), options)),
         film_(options.width, options.height, window_of(options), options.layers),
         tiles_(spiral_tiles(film_.window(), tile_size)) {
@@ -189,10 +192,11 @@ class Renderer {
     integrator_.sample(camera_samples, options_.sampler, tracer, records);
     for (std::size_t i = 0; i < batch.samples.size(); ++i) {
       const auto& [x, y, index] = batch.samples[i];
+      const float weight = camera_samples[i].weight;
       for (std::size_t layer = 0; layer < options_.layers.size(); ++layer)
         if (const Layer shown = options_.layers[layer]; records.has(shown))
-          batch.values[layer] = records[shown][i];
-      film_.add(x, y, index, records.color()[i], batch.values);
+          batch.values[layer] = is_mean(shown) ? records[shown][i] * weight : records[shown][i];
+      film_.add(x, y, index, records.color()[i] * weight, batch.values);
     }
   }
 

@@ -10,6 +10,7 @@
 
 #include "accel/accelerator.h"
 #include "core/film.h"
+#include "core/pixel_filter.h"
 #include "core/record.h"
 #include "core/sampler.h"
 #include "core/scene.h"
@@ -27,6 +28,8 @@ struct RenderOptions {
   /// time, or with the first one; the picture is that of as many samples.
   std::optional<double> seconds;
   std::vector<Layer> layers;  ///< Of the film besides its colours, in this order, each once.
+  /// Samples lie where it sees, pixels of one sample have theirs in the middle.
+  PixelFilter filter;
   SamplerKind sampler = SamplerKind::sobol;
   std::uint64_t seed = 0;
   int threads = 0;        ///< 0: as many as the process may use.

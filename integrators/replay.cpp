@@ -13,7 +13,8 @@ namespace {
 
 CameraSample camera_sample(const Scene& scene, const RenderOptions& render, const PixelSample& sample) {
   const Camera camera = fit_frame(scene.camera, render.width, render.height);
-  const CameraSampling sampling{render.width, render.height, render.samples, render.sampler, render.seed};
+  const CameraSampling sampling{render.width,   render.height, render.samples,
+                                render.sampler, render.seed,   render.filter};
   CameraSample made;
   CameraStage(camera, sampling).make({&sample, 1}, {&made, 1});
   return made;

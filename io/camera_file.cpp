@@ -98,7 +98,8 @@ Camera load_camera_file(const std::string& path, const Camera& scene_camera) {
 Camera parse_camera(std::string contents, const std::string& name, const Camera& scene_camera) {
   const CameraText text(std::move(contents), name);
   Camera camera = scene_camera;
-  camera.is_orthographic = false;
+  camera.projection = Projection::perspective;
+  camera.frame_center = {0, 0};
   camera.tan_half_width = text.tan_half(horizontal_fov);
   camera.tan_half_height = text.tan_half(vertical_fov);
   camera.clip_near = text.number(near_clip);

@@ -30,8 +30,10 @@ Matrix product(const Matrix& a, const Matrix& b) {
 /// there so that the matrix can be inverted.
 Matrix camera_to_ndc(const Camera& camera) {
   const double x = 0.5 / camera.tan_half_width, y = -0.5 / camera.tan_half_height;
-  if (camera.is_orthographic) return {x, 0, 0, 0, 0, y, 0, 0, 0, 0, 1, 0, 0.5, 0.5, 0, 1};
-  return {x, 0, 0, 0, 0, y, 0, 0, 0.5, 0.5, 1, 1, 0, 0, -1, 0};
+  const double middle_x = 0.5 - x * camera.frame_center.x, middle_y = 0.5 - y * camera.frame_center.y;
+  if (camera.projection == Projection::orthographic)
+    return {x, 0, 0, 0, 0, y, 0, 0, 0, 0, 1, 0, middle_x, middle_y, 0, 1};
+  return {x, 0, 0, 0, 0, y, 0, 0, middle_x, middle_y, 1, 1, 0, 0, -1, 0};
 }
 
 std::array<float, 16> in_floats(const Matrix& matrix) {
@@ -48,7 +50,10 @@ CameraMatrices camera_matrices(const Camera& camera) {
   set_column(world_to_camera, 1, camera.up, -depth_of(camera.up, camera.position));
   set_column(world_to_camera, 2, camera.forward, -depth_of(camera.forward, camera.position));
   world_to_camera[15] = 1;
-  return {in_floats(world_to_camera), in_floats(product(world_to_camera, camera_to_ndc(camera)))};
+  CameraMatrices matrices{in_floats(world_to_camera), std::nullopt};
+  if (!is_panorama(camera.projection))
+    matrices.world_to_ndc = in_floats(product(world_to_camera, camera_to_ndc(camera)));
+  return matrices;
 }
 
 }  // namespace twinray

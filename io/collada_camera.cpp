@@ -120,7 +120,7 @@ Camera read_camera(const XmlElement& element, const XmlElement& instance, const 
   const auto parallel = common.child("orthographic");
   const XmlElement lens = parallel ? *parallel : common.required_child("perspective");
   Camera camera;
-  camera.is_orthographic = parallel.has_value();
+  if (parallel) camera.projection = Projection::orthographic;
   read_field(lens, parallel ? orthographic : perspective, camera, document);
   if (parallel) scale_frame(to_world, camera);
   if (document.options().clip_as_file) read_clip(lens, unit, camera);

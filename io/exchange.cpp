@@ -46,18 +46,23 @@ const Image* picture_of(const Light& light) {
 }
 
 Json camera_json(const Camera& camera) {
-  Json json{{"type", camera.is_orthographic ? "orthographic" : "perspective"},
+  const bool is_at_distance = camera.projection == Projection::perspective;
+  Json json{{"type", projection_name(camera.projection)},
             {"position", json_of(camera.position)},
             {"right", json_of(camera.right)},
             {"up", json_of(camera.up)},
             {"forward", json_of(camera.forward)},
-            {camera.is_orthographic ? "half_width" : "tan_half_width", camera.tan_half_width},
-            {camera.is_orthographic ? "half_height" : "tan_half_height", camera.tan_half_height},
+            {is_at_distance ? "tan_half_width" : "half_width", camera.tan_half_width},
+            {is_at_distance ? "tan_half_height" : "half_height", camera.tan_half_height},
             {"lens_radius", camera.lens_radius},
             {"focal_distance", camera.focal_distance},
             {"clip_near", camera.clip_near}};
+  if (camera.frame_center != Vec2{0, 0})
+    json["frame_center"] = {camera.frame_center.x, camera.frame_center.y};
+  if (camera.aperture_blades > 0)
+    json["aperture"] = {{"blades", camera.aperture_blades}, {"turns", camera.aperture_turns}};
   if (std::isfinite(camera.clip_far)) json["clip_far"] = camera.clip_far;
-  json["clip_along"] = camera.clips_by_distance ? "ray" : "forward";
+  json["clip_along"] = camera.clips_by_distance || is_panorama(camera.projection) ? "ray" : "forward";
   return json;
 }
 

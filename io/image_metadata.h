@@ -18,7 +18,8 @@ struct CameraMatrices {
   /// To the camera's right, up and forward.
   std::array<float, 16> world_to_camera;
   /// To the frame, (0, 0) at its top left and (1, 1) at its bottom right.
-  std::array<float, 16> world_to_ndc;
+  /// None where no matrix says where a point is seen, as in a panorama.
+  std::optional<std::array<float, 16>> world_to_ndc;
 };
 
 /// The whole frame of which a picture is a part, and where its left top pixel lies in it.

@@ -51,7 +51,7 @@ OIIO::ImageSpec exr_spec(const LayeredImage& image, const ImageMetadata& metadat
   if (frame.camera) {
     const OIIO::TypeDesc matrix(OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::MATRIX44);
     spec.attribute("worldToCamera", matrix, frame.camera->world_to_camera.data());
-    spec.attribute("worldToNDC", matrix, frame.camera->world_to_ndc.data());
+    if (frame.camera->world_to_ndc) spec.attribute("worldToNDC", matrix, frame.camera->world_to_ndc->data());
   }
   return spec;
 }

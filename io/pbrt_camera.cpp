@@ -17,7 +17,7 @@ constexpr double radians_per_degree = 0.017453292519943295;
 constexpr int default_width = 1280, default_height = 720, default_samples = 16, default_depth = 5;
 constexpr int most_depth = 100, most_side = 65536, most_samples = 1 << 20;
 
-void read_window(const PbrtParameters& parameters, PbrtCamera& camera, PbrtContext& context) {
+void read_window(const PbrtParameters& parameters, PbrtCamera& camera) {
   const std::span<const float> window = parameters.reals("screenwindow");
   if (window.empty()) return;
   const PbrtPlace& place = parameters.find("screenwindow")->place;
@@ -25,11 +25,6 @@ void read_window(const PbrtParameters& parameters, PbrtCamera& camera, PbrtConte
     place.fail("\"screenwindow\" needs four numbers: x from and to, y from and to");
   std::copy(window.begin(), window.end(), camera.window.begin());
   camera.has_window = true;
-  const float width = window[1] - window[0], height = window[3] - window[2];
-  constexpr float tolerance = 1e-4f;
-  if (std::fabs(window[0] + window[1]) > tolerance * width ||
-      std::fabs(window[2] + window[3]) > tolerance * height)
-    place.warn(context.warnings, "a \"screenwindow\" beside the view's axis is not rendered: it is centred");
 }
 
 /// Half of the frame, at distance 1 or in scene units; what `shorter` is of its shorter side.
@@ -40,6 +35,8 @@ void set_frame(const PbrtCamera& camera, const RenderDefaults& film, double shor
   if (camera.has_window) {
     x = double(camera.window[1] - camera.window[0]) / 2;
     y = double(camera.window[3] - camera.window[2]) / 2;
+    placed.frame_center = {float(shorter * (double(camera.window[0]) + camera.window[1]) / 2),
+                           float(shorter * (double(camera.window[2]) + camera.window[3]) / 2)};
   }
   placed.tan_half_width = float(shorter * x);
   placed.tan_half_height = float(shorter * y);
@@ -94,25 +91,47 @@ void read_crop(const PbrtParameters& parameters, RenderDefaults& defaults) {
         fmt::format("\"{}\" needs four numbers, x from and to, y from and to, with pixels between", name));
 }
 
+Projection projection_of(const std::string& type, const PbrtParameters& parameters) {
+  if (type == "perspective") return Projection::perspective;
+  if (type == "orthographic") return Projection::orthographic;
+  constexpr const char* valid = "valid are perspective, orthographic and spherical";
+  if (type == "realistic")
+    parameters.place().fail(fmt::format("the realistic camera is not rendered; {}", valid));
+  if (type != "spherical") parameters.place().fail(fmt::format("there is no camera \"{}\"; {}", type, valid));
+  const std::string mapping = parameters.text("mapping", "equalarea");
+  if (mapping == "equalarea") return Projection::equal_area;
+  if (mapping == "equirectangular") return Projection::latitude_longitude;
+  parameters.find("mapping")->place.fail(
+      fmt::format("there is no mapping \"{}\"; valid are equalarea and equirectangular", mapping));
+}
+
+/// A panorama of the sphere as pbrt has it: mirrored, since its space is left-handed.
+Camera placed_panorama(const Camera& axes, Projection projection) {
+  Camera placed = with_panorama(axes, projection, 0);
+  if (projection == Projection::latitude_longitude) {
+    placed.forward = -axes.right;
+    placed.right = -axes.forward;
+  }
+  return placed;
+}
+
 }  // namespace
 
 PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters, const Transform& from_world,
                        PbrtContext& context) {
   PbrtCamera camera;
   camera.is_given = true;
-  camera.is_orthographic = type == "orthographic";
+  camera.projection = projection_of(type, parameters);
   camera.from_world = from_world;
   camera.place = parameters.place();
-  if (type == "realistic" || type == "spherical")
-    camera.place.fail(
-        fmt::format("the {} camera is not rendered; valid are perspective and orthographic", type));
-  if (type != "perspective" && type != "orthographic")
-    camera.place.fail(fmt::format("there is no camera \"{}\"; valid are perspective and orthographic", type));
-  if (!camera.is_orthographic) camera.fov_degrees = parameters.real("fov", 90, {1e-3, 179.9});
+  if (camera.projection == Projection::perspective)
+    camera.fov_degrees = parameters.real("fov", 90, {1e-3, 179.9});
   camera.frame_aspect = parameters.real("frameaspectratio", 0, {1e-4, 1e4});
-  read_window(parameters, camera, context);
-  camera.lens_radius = parameters.real("lensradius", 0, {0, 1e12});
-  camera.focal_distance = parameters.real("focaldistance", 1e6f, {1e-12, 1e30});
+  read_window(parameters, camera);
+  if (!is_panorama(camera.projection)) {
+    camera.lens_radius = parameters.real("lensradius", 0, {0, 1e12});
+    camera.focal_distance = parameters.real("focaldistance", 1e6f, {1e-12, 1e30});
+  }
   const float open = parameters.real("shutteropen", 0), close = parameters.real("shutterclose", 1);
   camera.exposure_seconds = std::fabs(close - open);
   if (!(camera.exposure_seconds > 0)) camera.place.fail("the shutter closes when it opens: no light gets in");
@@ -172,29 +191,79 @@ void read_integrator(const std::string& type, const PbrtParameters& parameters, 
   parameters.warn_of_unused(context.warnings);
 }
 
-void read_filter(const std::string& type, const PbrtParameters& parameters, PbrtContext& context) {
-  for (const char* unused : {"xradius", "yradius", "sigma", "B", "C", "tau"}) parameters.find(unused);
-  if (type != "box")
-    context.notes.push_back(
-        fmt::format("the {} pixel filter is not there; pixels are means over boxes", type));
+namespace {
+
+/// None for the one that is not rendered.
+std::optional<FilterKind> filter_kind_of(const std::string& type, const PbrtPlace& place) {
+  constexpr std::pair<const char*, FilterKind> kinds[] = {{"box", FilterKind::box},
+                                                          {"triangle", FilterKind::triangle},
+                                                          {"gaussian", FilterKind::gaussian},
+                                                          {"mitchell", FilterKind::mitchell}};
+  for (const auto& [name, kind] : kinds)
+    if (type == name) return kind;
+  if (type != "sinc")
+    place.fail(fmt::format(
+        "there is no pixel filter \"{}\"; valid are box, gaussian, mitchell, sinc and triangle", type));
+  return std::nullopt;
+}
+
+float usual_pbrt_radius(FilterKind kind) {
+  return kind == FilterKind::box ? 0.5f : kind == FilterKind::gaussian ? 1.5f : 2;
+}
+
+}  // namespace
+
+void read_filter(const std::string& type, const PbrtParameters& parameters, RenderDefaults& defaults,
+                 PbrtContext& context) {
+  const auto kind = filter_kind_of(type, parameters.place());
+  if (!kind) {
+    parameters.place().warn(context.warnings, "the sinc filter is not rendered");
+    for (const char* unused : {"xradius", "yradius", "tau"}) parameters.find(unused);
+  } else {
+    const float usual = usual_pbrt_radius(*kind);
+    constexpr NumberRange radii{least_filter_radius, most_filter_radius};
+    PixelFilter filter{.kind = *kind};
+    filter.radius.x = parameters.real("xradius", usual, radii);
+    filter.radius.y = parameters.real("yradius", usual, radii);
+    if (*kind == FilterKind::gaussian) filter.sigma = parameters.real("sigma", 0.5f, {1e-2, 1e3});
+    if (*kind == FilterKind::mitchell) {
+      filter.b = parameters.real("B", filter.b, {0, 1});
+      filter.c = parameters.real("C", filter.c, {0, 1});
+    }
+    defaults.filter = filter;
+  }
   parameters.warn_of_unused(context.warnings);
 }
+
+namespace {
+
+/// The frame and the lens, in units of the world.
+void set_lens(const PbrtCamera& camera, const RenderDefaults& film, const Transform& to_world,
+              Camera& placed) {
+  const bool is_parallel = camera.projection == Projection::orthographic;
+  set_frame(camera, film, is_parallel ? 1 : tan_radians(double(camera.fov_degrees) * radians_per_degree / 2),
+            placed);
+  const double depth = axis_length(to_world, 2), unit = is_parallel ? 1 : depth;
+  const auto width = float(axis_length(to_world, 0) / unit), height = float(axis_length(to_world, 1) / unit);
+  placed.tan_half_width *= width;
+  placed.tan_half_height *= height;
+  placed.frame_center = {placed.frame_center.x * width, placed.frame_center.y * height};
+  placed.lens_radius = camera.lens_radius * float(axis_length(to_world, 0));
+  placed.focal_distance = camera.focal_distance * float(depth);
+}
+
+}  // namespace
 
 Camera place_camera(const PbrtCamera& camera, const RenderDefaults& film, PbrtContext& context) {
   const auto to_world = inverse(camera.from_world);
   if (!to_world) camera.place.fail("the transform of this camera flattens what it sees");
   Camera placed;
-  placed.is_orthographic = camera.is_orthographic;
-  const double shorter =
-      camera.is_orthographic ? 1 : tan_radians(double(camera.fov_degrees) * radians_per_degree / 2);
-  set_frame(camera, film, shorter, placed);
+  placed.projection = camera.projection;
   set_axes(*to_world, camera.place, placed, context);
-  const double depth = axis_length(*to_world, 2);
-  const double unit = camera.is_orthographic ? 1 : depth;
-  placed.tan_half_width *= float(axis_length(*to_world, 0) / unit);
-  placed.tan_half_height *= float(axis_length(*to_world, 1) / unit);
-  placed.lens_radius = camera.lens_radius * float(axis_length(*to_world, 0));
-  placed.focal_distance = camera.focal_distance * float(depth);
+  if (is_panorama(camera.projection))
+    placed = placed_panorama(placed, camera.projection);
+  else
+    set_lens(camera, film, *to_world, placed);
   placed.position = to_world->point({0, 0, 0});
   if (!is_finite(placed.position) || max_abs(placed.position) > max_coordinate)
     camera.place.fail("the transform of this camera puts it too far away");

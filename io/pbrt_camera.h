@@ -14,7 +14,7 @@ namespace twinray {
 /// The frame of a camera in its own units at distance 1, and its lens.
 struct PbrtCamera {
   bool is_given = false;
-  bool is_orthographic = false;
+  Projection projection = Projection::perspective;
   float fov_degrees = 90;         ///< Of the frame's shorter side.
   float frame_aspect = 0;         ///< Width over height; 0: that of the film.
   std::array<float, 4> window{};  ///< x and y from and to, in place of the frame's shape.
@@ -39,8 +39,9 @@ void read_sampler(const std::string& type, const PbrtParameters& parameters, Ren
 /// Sets the greatest number of scattering events.
 void read_integrator(const std::string& type, const PbrtParameters& parameters, RenderDefaults& defaults,
                      PbrtContext& context);
-/// Names what a filter would change.
-void read_filter(const std::string& type, const PbrtParameters& parameters, PbrtContext& context);
+/// Sets the pixel filter.
+void read_filter(const std::string& type, const PbrtParameters& parameters, RenderDefaults& defaults,
+                 PbrtContext& context);
 
 /// The camera in the world. Throws Error where its transform flattens.
 Camera place_camera(const PbrtCamera& camera, const RenderDefaults& film, PbrtContext& context);

@@ -48,14 +48,12 @@ class Reader {
     loaded.defaults = film_.defaults;
     loaded.scene.camera = camera_.is_given ? place_camera(camera_, film_.defaults, context_)
                                            : default_camera(loaded.scene.geometry->bounds());
-    if (camera_.is_given) loaded.summary.camera = camera_name();
-    if (camera_.is_given) loaded.summary.cameras.push_back(camera_name());
+    if (camera_.is_given) loaded.summary.camera = projection_name(camera_.projection);
+    if (camera_.is_given) loaded.summary.cameras.push_back(projection_name(camera_.projection));
     return loaded;
   }
 
  private:
-  std::string camera_name() const { return camera_.is_orthographic ? "orthographic" : "perspective"; }
-
   void check_block(const PbrtStatement& statement) const {
     if (is_world_ && is_among(statement.directive, before_world))
       statement.place.fail(fmt::format("{} belongs before WorldBegin", statement.name));
@@ -126,6 +124,7 @@ class Reader {
         const RenderDefaults before = film_.defaults;
         film_ = read_film(statement.words[0], parameters, context_);
         film_.defaults.samples = before.samples, film_.defaults.max_depth = before.max_depth;
+        film_.defaults.filter = before.filter;
         return true;
       }
       case sampler:
@@ -135,7 +134,7 @@ class Reader {
         read_integrator(statement.words[0], parameters, film_.defaults, context_);
         return true;
       case pixel_filter:
-        read_filter(statement.words[0], parameters, context_);
+        read_filter(statement.words[0], parameters, film_.defaults, context_);
         return true;
       case accelerator:
       case option:

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/pixel_filter.h"
+
 namespace twinray {
 
 /// What a scene file says about its picture: it holds where nobody asks for something else.
@@ -15,6 +17,7 @@ struct RenderDefaults {
   std::optional<std::array<int, 4>> crop;  ///< x, y, width and height of a part of the resolution.
   std::optional<std::uint32_t> samples;    ///< Per pixel.
   std::optional<int> max_depth;            ///< Scattering events.
+  std::optional<PixelFilter> filter;
 };
 
 }  // namespace twinray

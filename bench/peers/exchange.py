@@ -79,6 +79,11 @@ def has_inverse_square_law(light):
 
 def half_size(camera, resolution, peer):
     """Half of what a camera sees across and down, at the distance 1 if it is a perspective one."""
+    if camera["type"] not in ("perspective", "orthographic"):
+        raise Unsupported(f"a {camera['type']} camera is not converted for {peer}")
+    for key, what in (("frame_center", "a shifted lens"), ("aperture", "aperture blades")):
+        if key in camera:
+            raise Unsupported(f"a camera with {what} is not converted for {peer}")
     kind = "half_" if camera["type"] == "orthographic" else "tan_half_"
     half = (camera[kind + "width"], camera[kind + "height"])
     aspect = resolution[0] / resolution[1]

@@ -48,7 +48,7 @@ def twinray(program, options=()):
         width, height = request.size or (picture.width, picture.height)
         return [program, "render", picture.scene, "--view=whole", "-r", str(width), str(height),
                 "-s", str(request.samples), "-m", str(picture.depth), "-t", str(picture.threads),
-                "--seed", str(request.seed), "-q", "-o", request.output,
+                "--seed", str(request.seed), "--filter=box", "-q", "-o", request.output,
                 *([] if request.roulette else ["--roulette=1"]), *options]
     return call
 

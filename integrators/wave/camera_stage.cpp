@@ -22,6 +22,7 @@ CameraStage::Draws& CameraStage::draws_of_this_thread() {
 CameraStage::CameraStage(const Camera& camera, const CameraSampling& sampling, const std::string& simd)
     : camera_(camera),
       sampling_(sampling),
+      filter_(sampling.filter),
       cone_(camera_cone(camera, sampling.width, sampling.height, sampling.samples)),
       stages_(wave_stages_of(simd)) {}
 
@@ -32,11 +33,18 @@ void CameraStage::make(std::span<const PixelSample> samples, std::span<CameraSam
   }
 }
 
+CameraSample CameraStage::sample_at(const PixelSample& sample, const FilterSampler::Place& place,
+                                    Vec2 lens) const {
+  const Ray ray = camera_ray(camera_, frame_point(sample, place.in_pixel), lens);
+  return {ray, key_of(sample), cone_, ray.t_max < ray.t_min ? 0 : place.weight};
+}
+
 CameraSample CameraStage::make_alone(const PixelSample& sample) const {
-  const SampleKey key = key_of(sample);
-  const VertexSampler sampler(sampling_.kind, PathKey(key), 0);
-  const Vec2 in_pixel = sampling_.samples == 1 ? Vec2{0.5f, 0.5f} : sampler.draw_2d(Purpose::pixel);
-  return {lens_ray(camera_, frame_point(sample, in_pixel), sampler), key, cone_};
+  const VertexSampler sampler(sampling_.kind, PathKey(key_of(sample)), 0);
+  const FilterSampler::Place place = sampling_.samples == 1 ? FilterSampler::Place{{0.5f, 0.5f}, 1}
+                                                            : filter_.place(sampler.draw_2d(Purpose::pixel));
+  const Vec2 lens = camera_.lens_radius == 0 ? Vec2{} : lens_point(camera_, sampler.draw_2d(Purpose::lens));
+  return sample_at(sample, place, lens);
 }
 
 void CameraStage::draw(std::span<const PixelSample> samples, Draws& draws) const {
@@ -60,9 +68,9 @@ void CameraStage::make_together(std::span<const PixelSample> samples, std::span<
   Draws& draws = draws_of_this_thread();
   draw(samples, draws);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Vec2 frame = frame_point(samples[i], {draws.pixel_x[i], draws.pixel_y[i]});
-    const Vec2 lens = camera_.lens_radius == 0 ? Vec2{} : square_to_disc({draws.lens_x[i], draws.lens_y[i]});
-    made[i] = {camera_ray(camera_, frame, lens), key_of(samples[i]), cone_};
+    const Vec2 lens =
+        camera_.lens_radius == 0 ? Vec2{} : lens_point(camera_, {draws.lens_x[i], draws.lens_y[i]});
+    made[i] = sample_at(samples[i], filter_.place({draws.pixel_x[i], draws.pixel_y[i]}), lens);
   }
 }
 

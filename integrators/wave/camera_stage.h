@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/camera.h"
+#include "core/filter_sampler.h"
 #include "integrators/integrator.h"
 #include "integrators/wave/stages.h"
 
@@ -17,13 +18,15 @@ struct CameraSampling {
   std::uint32_t samples = 1;  ///< Per pixel.
   SamplerKind kind = SamplerKind::sobol;
   std::uint64_t seed = 0;
+  PixelFilter filter;
 };
 
 /// Makes the camera rays of samples: through the pixel's centre where it has one sample, else through random
-/// points of it, from random points of the lens.
+/// points of the pixel's filter, from random points of the lens.
 class CameraStage {
  public:
-  /// The camera is that of the whole frame; `simd` is one of available_instruction_sets().
+  /// The camera is that of the whole frame; `simd` is one of available_instruction_sets(). Throws Error for
+  /// a filter out of range.
   CameraStage(const Camera& camera, const CameraSampling& sampling, const std::string& simd = "best");
   /// made[i] is that of samples[i].
   void make(std::span<const PixelSample> samples, std::span<CameraSample> made) const;
@@ -38,6 +41,8 @@ class CameraStage {
     return {(float(sample.x) + in_pixel.x) / float(sampling_.width),
             (float(sample.y) + in_pixel.y) / float(sampling_.height)};
   }
+  /// From a point of the frame and of the lens.
+  CameraSample sample_at(const PixelSample& sample, const FilterSampler::Place& place, Vec2 lens) const;
   CameraSample make_alone(const PixelSample& sample) const;
   /// The draws of up to wave_size samples.
   void draw(std::span<const PixelSample> samples, Draws& draws) const;
@@ -45,6 +50,7 @@ class CameraStage {
 
   const Camera camera_;
   const CameraSampling sampling_;
+  const FilterSampler filter_;
   const RayCone cone_;  ///< Of all rays.
   const std::optional<WaveStages> stages_;
 };

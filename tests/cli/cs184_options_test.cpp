@@ -47,9 +47,9 @@ TEST_CASE("CS184's defaults hold where its program runs") {
   CHECK(arguments.output.empty());
   CHECK(arguments.camera_file.empty());
   CHECK(arguments.environment.empty());
-  REQUIRE(arguments.lens);
-  CHECK(arguments.lens->radius == 0);
-  CHECK(arguments.lens->focal_distance == 4.7f);
+  REQUIRE(arguments.changes.lens);
+  CHECK(arguments.changes.lens->radius == 0);
+  CHECK(arguments.changes.lens->focal_distance == 4.7f);
   CHECK(arguments.load.interpretation == Interpretation::cs184);
   CHECK(arguments.render.counting);
   CHECK(engine_name(arguments) == "bvh-2");
@@ -72,8 +72,8 @@ TEST_CASE("each letter of CS184's program has its meaning there") {
   CHECK(arguments.environment == "sky.exr");
   CHECK(arguments.camera_file == "cam.txt");
   CHECK(arguments.render.window == PixelRect{10, 180, 40, 220});  // 20 to 60 pixels from the bottom
-  CHECK(arguments.lens->radius == 0.5f);
-  CHECK(arguments.lens->focal_distance == 2.5f);
+  CHECK(arguments.changes.lens->radius == 0.5f);
+  CHECK(arguments.changes.lens->focal_distance == 2.5f);
   CHECK(arguments.output == "out.png");
 }
 

@@ -62,11 +62,24 @@ TEST_CASE("a note is made of what is out of view, and none of a scene without sh
 
 TEST_CASE("the view of an orthographic camera is a box") {
   Camera parallel = camera;
-  parallel.is_orthographic = true;
+  parallel.projection = Projection::orthographic;
   CHECK(in_view(parallel, triangle({-1, -1, -90}, {1, -1, -90}, {0, 1, -90})) == InView::whole);
   CHECK(in_view(parallel, triangle({-1.1f, -1, -90}, {1, -1, -90}, {0, 1, -90})) == InView::part);
   CHECK(in_view(parallel, triangle({2, 0, -90}, {3, 0, -90}, {2, 1, -90})) == InView::nothing);
   CHECK(in_view(parallel, triangle({-1, -1, 1}, {1, -1, 1}, {0, 1, 1})) == InView::nothing);
+}
+
+TEST_CASE("the view of a shifted frame lies beside the axis, and a panorama sees all") {
+  Camera shifted = camera;
+  shifted.frame_center = {2, 0};  // From x = 1 to 3 at the distance 1.
+  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    shifted.projection = projection;
+    CHECK(in_view(shifted, triangle({1.1f, 0, -1}, {2.9f, 0, -1}, {2, 0.9f, -1})) == InView::whole);
+    CHECK(in_view(shifted, triangle({0.9f, 0, -1}, {2.9f, 0, -1}, {2, 0.9f, -1})) == InView::part);
+    CHECK(in_view(shifted, triangle({-0.5f, 0, -1}, {0.5f, 0, -1}, {0, 0.9f, -1})) == InView::nothing);
+  }
+  shifted.projection = Projection::fisheye;
+  CHECK(in_view(shifted, triangle({-1, -1, 1}, {1, -1, 1}, {0, 1, 1})) == InView::whole);
 }
 
 }  // namespace twinray::test

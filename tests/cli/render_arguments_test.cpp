@@ -419,7 +419,7 @@ TEST_CASE("words that are missing, unknown or too many are named") {
 }
 
 TEST_CASE("what a scene file says about its picture holds where no option says something else") {
-  const RenderDefaults defaults{RenderDefaults::Resolution{200, 100}, std::array{0, 0, 100, 50}, 7, 9};
+  const RenderDefaults defaults{RenderDefaults::Resolution{200, 100}, std::array{0, 0, 100, 50}, 7, 9, {}};
   const auto with = [&](std::vector<std::string> words) {
     words.insert(words.begin(), "scene.pbrt");
     RenderArguments arguments = parse_render_arguments(words);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/camera.h"
 
+#include "core/direction_map.h"
+
 #include <cmath>
 
 #include "tests/support/catch.h"
@@ -132,7 +134,7 @@ TEST_CASE("the view of the whole keeps the direction and has the box just within
 
 TEST_CASE("an orthographic camera's rays are parallel, and its frame is in scene units") {
   Camera camera = tilted();
-  camera.is_orthographic = true;
+  camera.projection = Projection::orthographic;
   camera.clip_far = 9;
   const Ray corner = camera_ray(camera, {0, 0}, {}), middle = camera_ray(camera, {0.5f, 0.5f}, {});
   CHECK(corner.direction == camera.forward);
@@ -146,7 +148,7 @@ TEST_CASE("an orthographic camera's rays are parallel, and its frame is in scene
 
 TEST_CASE("an orthographic camera is moved to where it sees a whole box, with a frame that just holds it") {
   Camera camera = tilted();
-  camera.is_orthographic = true;
+  camera.projection = Projection::orthographic;
   camera.clip_near = 2;
   const Aabb box{{10, 20, 30}, {14, 21, 33}};
   const Camera moved = view_whole(camera, box);
@@ -163,6 +165,110 @@ TEST_CASE("an orthographic camera is moved to where it sees a whole box, with a 
   CHECK(moved.tan_half_width / moved.tan_half_height == Approx(2));
   CHECK(moved.clip_near == 0);
   CHECK(moved.forward == camera.forward);
+}
+
+TEST_CASE("a shifted frame shows what lies beside the axis of view, without a turn") {
+  Camera camera = tilted();
+  camera.frame_center = {0.3f, -0.6f};
+  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    camera.projection = projection;
+    const Ray corner = camera_ray(camera, {0, 0}, {}), middle = camera_ray(camera, {0.5f, 0.5f}, {});
+    const auto at_1 = [&](const Ray& ray) { return ray.origin + ray.direction - camera.position; };
+    CHECK(dot(at_1(middle), camera.right) == Approx(0.3).epsilon(rounding));
+    CHECK(dot(at_1(middle), camera.up) == Approx(-0.6).epsilon(rounding));
+    CHECK(dot(at_1(corner), camera.right) == Approx(-0.3).epsilon(rounding));
+    CHECK(dot(at_1(corner), camera.up) == Approx(-0.3).epsilon(rounding));
+    CHECK(dot(corner.direction, camera.forward) == Approx(1).epsilon(rounding));
+  }
+}
+
+namespace {
+
+/// The direction of a point of the frame along the camera's axes: right, up, forward.
+Vec3 seen(const Camera& camera, Vec2 frame) {
+  const Vec3 d = camera_ray(camera, frame, {}).direction;
+  return {dot(d, camera.right), dot(d, camera.up), dot(d, camera.forward)};
+}
+
+bool near(const Vec3& a, const Vec3& b) { return length(a - b) < 1e-5f; }
+
+/// Of the frame's unit directions: the solid angle around a point, over the share of the frame.
+double solid_angle_density(const Camera& camera, Vec2 at) {
+  constexpr float step = 1.0f / 1024;
+  const Vec3 across = seen(camera, {at.x + step, at.y}) - seen(camera, {at.x - step, at.y});
+  const Vec3 along = seen(camera, {at.x, at.y + step}) - seen(camera, {at.x, at.y - step});
+  return double(length(cross(across, along))) / (4 * double(step) * step);
+}
+
+}  // namespace
+
+TEST_CASE("a latitude-longitude picture has the way ahead in its middle, and the poles at its edges") {
+  const Camera camera = with_panorama(tilted(), Projection::latitude_longitude, 0);
+  CHECK(near(seen(camera, {0.5f, 0.5f}), {0, 0, 1}));
+  CHECK(near(seen(camera, {0.75f, 0.5f}), {1, 0, 0}));
+  CHECK(near(seen(camera, {0.25f, 0.5f}), {-1, 0, 0}));
+  CHECK(near(seen(camera, {0, 0.5f}), {0, 0, -1}));
+  CHECK(near(seen(camera, {0.3f, 0}), {0, 1, 0}));
+  CHECK(near(seen(camera, {0.9f, 1}), {0, -1, 0}));
+  const float half = std::sqrt(0.5f);
+  CHECK(near(seen(camera, {0.625f, 0.25f}), {0.5f, half, 0.5f}));
+  // Beside the frame it goes on around, and over a pole down on the other side.
+  CHECK(near(seen(camera, {1.25f, 0.5f}), {-1, 0, 0}));
+  CHECK(near(seen(camera, {0.5f, -0.25f}), {0, half, -half}));
+  CHECK(camera_ray(camera, {0.1f, 0.2f}, {}).origin == camera.position);
+}
+
+TEST_CASE("an equidistant fisheye's angle to the axis grows as the distance from the middle") {
+  const Camera camera = fit_frame(with_panorama(tilted(), Projection::fisheye, 1.5f), 200, 100);
+  for (const float angle : {0.0f, 0.3f, 1.1f, 1.49f}) {
+    CAPTURE(angle);
+    // 3 radians are half of the width, and 1.5 half of the height.
+    CHECK(near(seen(camera, {0.5f + angle / 6, 0.5f}), {std::sin(angle), 0, std::cos(angle)}));
+    CHECK(near(seen(camera, {0.5f, 0.5f - angle / 3}), {0, std::sin(angle), std::cos(angle)}));
+    const float leg = angle * std::sqrt(0.5f);
+    const Ray slanted = camera_ray(camera, {0.5f - leg / 6, 0.5f + leg / 3}, {});
+    CHECK(dot(slanted.direction, camera.forward) == Approx(std::cos(angle)).margin(1e-6));
+    CHECK(slanted.t_max > slanted.t_min);
+  }
+  const Ray beside = camera_ray(camera, {0.5f + 1.51f / 6, 0.5f}, {});
+  CHECK(beside.t_max < beside.t_min);
+  CHECK(length(beside.direction) == Approx(1));
+}
+
+TEST_CASE("an equal-area picture gives each pixel the same solid angle, and goes on over its edges") {
+  const Camera camera = with_panorama(tilted(), Projection::equal_area, 0);
+  for (const Vec2 at : {Vec2{0.3f, 0.2f}, {0.6f, 0.7f}, {0.1f, 0.45f}, {0.9f, 0.8f}, {0.05f, 0.06f}})
+    CHECK(solid_angle_density(camera, at) == Approx(4 * M_PI).epsilon(0.01));
+  CHECK(near(seen(camera, {0.5f, 0.5f}), {0, 1, 0}));
+  CHECK(near(seen(camera, {1, 0.5f}), {1, 0, 0}));
+  CHECK(near(seen(camera, {0.5f, 1}), {0, 0, 1}));
+  for (const Vec2 corner : {Vec2{0, 0}, {1, 0}, {0, 1}, {1, 1}})
+    CHECK(near(seen(camera, corner), {0, -1, 0}));
+  CHECK(near(seen(camera, {-0.1f, 0.2f}), seen(camera, {0.1f, 0.8f})));
+  CHECK(near(seen(camera, {0.3f, 1.2f}), seen(camera, {0.7f, 0.8f})));
+}
+
+TEST_CASE("an equal-area picture is an environment's, with the way ahead along -z") {
+  const Camera camera = with_panorama({}, Projection::equal_area, 0);
+  for (const Vec2 at : {Vec2{0.3f, 0.2f}, {0.6f, 0.7f}, {0.1f, 0.45f}, {0.9f, 0.8f}}) {
+    const Vec3 d = camera_ray(camera, at, {}).direction;
+    const MapPoint point = map_point(MapLayout::equal_area, {d.x, -d.z, d.y});  // The map lies around its z.
+    CHECK(point.x == Approx(at.x).margin(1e-6));
+    CHECK(point.y == Approx(at.y).margin(1e-6));
+  }
+}
+
+TEST_CASE("a panorama counts distances, and is taken from the middle of what it is to show") {
+  Camera camera = with_panorama(tilted(), Projection::latitude_longitude, 0);
+  camera.clip_near = 2;
+  camera.clip_far = 9;
+  for (const Vec2 frame : {Vec2{0.1f, 0.2f}, {0.8f, 0.9f}}) {
+    const Ray ray = camera_ray(camera, frame, {});
+    CHECK(length(ray.direction * ray.t_min) == Approx(2).epsilon(rounding));
+    CHECK(length(ray.direction * ray.t_max) == Approx(9).epsilon(rounding));
+  }
+  CHECK(fit_frame(camera, 300, 100).tan_half_width == camera.tan_half_width);
+  CHECK(view_whole(camera, {{1, 2, 3}, {3, 4, 9}}).position == Vec3{2, 3, 6});
 }
 
 }  // namespace twinray

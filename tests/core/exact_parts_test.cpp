@@ -49,4 +49,34 @@ TEST_CASE("the parts of nothing are nothing") {
   CHECK(parts == std::vector<float>{0, 0, 0});
 }
 
+TEST_CASE("negative parts add up as others do") {
+  std::vector<Int128> units{-10, -70, -19};
+  make_exact(Int128(-100), units);
+  CHECK(units == std::vector<Int128>{-10, -71, -19});
+  test::Random random(9);
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::vector<float> given(8);
+    for (float& part : given) part = random.unit() * std::ldexp(1.0f, random.between(-30, 20));
+    const float whole = float(std::accumulate(given.begin(), given.end(), 0.0));
+    std::vector<float> parts = given, negative = given;
+    for (float& part : negative) part = -part;
+    make_exact(whole, parts);
+    make_exact(-whole, negative);
+    for (std::size_t i = 0; i < parts.size(); ++i) REQUIRE(negative[i] == -parts[i]);
+  }
+}
+
+TEST_CASE("parts of both signs, and whatever they leave, add up as far as the largest is exact") {
+  std::vector<float> parts{0.5f, -0.499f, 1e-4f};
+  const float whole = 0.0013f;
+  make_exact(whole, parts);
+  CHECK(parts[1] == -0.499f);
+  CHECK(parts[2] == 1e-4f);
+  CHECK(std::fabs(std::accumulate(parts.begin(), parts.end(), 0.0) - double(whole)) <= 0x1p-25);
+  std::vector<float> cancelled{0.25f, -0.5f};
+  make_exact(0.0f, cancelled);
+  CHECK(cancelled[0] + cancelled[1] == 0);
+  CHECK(cancelled[0] == 0.25f);
+}
+
 }  // namespace twinray

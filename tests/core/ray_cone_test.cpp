@@ -50,7 +50,7 @@ TEST_CASE("a camera's cone is as wide as a pixel, or as one's part that a sample
   // Oblong pixels, as wide as a square of their area.
   CHECK(camera_cone(wide_camera(), 160, 20, 1).spread == Approx(0.02).epsilon(rounding));
   Camera parallel = wide_camera();
-  parallel.is_orthographic = true;
+  parallel.projection = Projection::orthographic;
   const RayCone box = camera_cone(parallel, 160, 80, 1);
   CHECK(box.at(0).width == Approx(0.01).epsilon(rounding));
   CHECK(box.at(1000).width == box.width);

@@ -28,7 +28,7 @@ TEST_CASE("the visible pixels are those around the projected box, and one more")
   CHECK(none.width() * none.height() == 0);
   // Parallel rays: the frame is 2 wide and 1.5 high at any depth.
   Camera parallel = camera();
-  parallel.is_orthographic = true;
+  parallel.projection = Projection::orthographic;
   CHECK(visible_pixels(parallel, {{-0.5f, 0, -5}, {0.5f, 0.5f, -4}}, width, height) ==
         PixelRect{9, 4, 31, 16});
   const PixelRect empty = visible_pixels(camera(), {}, width, height);
@@ -66,6 +66,16 @@ TEST_CASE("no ray through another pixel reaches a point of the box") {
     CAPTURE(x, y, visible.x0, visible.y0, visible.x1, visible.y1);
     CHECK((!contains(all, x, y) || contains(visible, x, y)));
   }
+}
+
+TEST_CASE("samples beside their pixel see more, and shifted frames other things") {
+  const Aabb box{{-1, 0, -5}, {2, 1, -4}};
+  CHECK(visible_pixels(camera(), box, width, height, {3, 2}) == PixelRect{12, 8, 33, 17});
+  Camera shifted = camera();
+  shifted.frame_center = {0.25f, 0.25f};  // By 5 pixels of 40 to the right, and 5 of 30 up.
+  CHECK(visible_pixels(shifted, box, width, height) == PixelRect{9, 14, 26, 21});
+  shifted.projection = Projection::latitude_longitude;
+  CHECK(visible_pixels(shifted, box, width, height) == all);
 }
 
 }  // namespace twinray::test

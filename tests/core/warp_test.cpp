@@ -163,4 +163,34 @@ TEST_CASE("the disc's centre and corners come from the square's") {
   CHECK(square_to_disc({0.5f, 0}).y == Approx(-1));
 }
 
+TEST_CASE("points of a polygon are uniform by area within its corners") {
+  for (const auto& [corners, turns] : {std::pair(3, 0.0f), {5, 0.3f}, {6, 0.0f}}) {
+    Random random(5);
+    const double middle_angle = M_PI / corners, height = std::cos(middle_angle);
+    Grid grid(corners * 4, 4);
+    for (int i = 0; i < samples; ++i) {
+      const Vec2 p = square_to_polygon(next_square(random), corners, turns);
+      // In a triangle from the middle to one side: how far out, and how far along.
+      double place = std::atan2(p.y, p.x) / two_pi - double(turns);
+      place = (place - std::floor(place)) * corners;
+      const double blade = std::floor(place), angle = (2 * (place - blade) - 1) * middle_angle;
+      const double outward = std::hypot(p.x, p.y) * std::cos(angle) / height;
+      REQUIRE(outward <= 1 + 1e-6);
+      const double along = (std::tan(angle) / std::tan(middle_angle) + 1) / 2;
+      grid.add(std::min((blade + along) / corners, 0.999999), std::min(outward * outward, 0.999999));
+    }
+    test::check_uniform(grid.counts(), 3, 0.03);
+  }
+}
+
+TEST_CASE("the corners of a polygon lie on the unit circle, the first one as far around as is said") {
+  const Vec2 corner = square_to_polygon({0, 1}, 5, 0.25f), middle = square_to_polygon({0.4f, 0}, 5, 0.25f);
+  CHECK(corner.x == Approx(0).margin(rounding));
+  CHECK(corner.y == Approx(1));
+  CHECK(middle == Vec2{0, 0});
+  const Vec2 side = square_to_polygon({0.125f, 1}, 4, 0);
+  CHECK(side.x == Approx(0.5));
+  CHECK(side.y == Approx(0.5));
+}
+
 }  // namespace twinray

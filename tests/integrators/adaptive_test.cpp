@@ -137,4 +137,18 @@ TEST_CASE("one sample is never enough") {
     CHECK_FALSE(has_enough_samples(film.pixel(0, 0), {2, 1e6, rule}));
 }
 
+TEST_CASE("a pixel beside the scene goes on where its filter reaches the scene") {
+  Scene scene = small_room();
+  scene.camera = view_whole(scene.camera, scene.geometry->bounds());
+  scene.camera.tan_half_width *= 2;
+  const PathIntegrator integrator(scene, {.max_depth = 1});
+  RenderOptions options{.width = 32, .height = 12, .samples = 96, .adaptive = AdaptiveSampling{32, 0}};
+  const auto samples = [&](int x) { return render_with(scene, integrator, options).film.pixel(x, 6).count; };
+  CHECK(samples(4) == 32);
+  options.filter = filter_of_radius(FilterKind::triangle, 8);
+  CHECK(samples(4) == 96);
+  options.filter = filter_of_radius(FilterKind::triangle, 1);
+  CHECK(samples(4) == 32);
+}
+
 }  // namespace twinray::test

@@ -22,6 +22,14 @@ class RayKeeper final : public PlainIntegrator {
   mutable std::vector<CameraSample> rays;
 };
 
+/// Sees light in one half of the frame: as much as the ray goes to the right.
+class Ramp final : public PlainIntegrator {
+  Rgb radiance_of(const CameraSample& sample, SamplerKind, Tracer&) const override {
+    const float x = sample.ray.direction.x;
+    return x > 0 ? Rgb{1 + x, 1, 0} : Rgb{};
+  }
+};
+
 /// Spoils all samples of one pixel but the first.
 class SpoiledPixel final : public PlainIntegrator {
   Rgb radiance_of(const CameraSample& sample, SamplerKind, Tracer&) const override {
@@ -43,11 +51,17 @@ Scene scene_with_lens(float radius) {
   return scene;
 }
 
-std::vector<CameraSample> camera_samples(const Scene& scene, std::uint32_t samples, SamplerKind sampler) {
+std::vector<CameraSample> camera_samples(const Scene& scene, std::uint32_t samples, SamplerKind sampler,
+                                         const PixelFilter& filter = {}) {
   const RayKeeper keeper;
-  render_with(
-      scene, keeper,
-      {.width = width, .height = height, .samples = samples, .sampler = sampler, .seed = 5, .threads = 1});
+  render_with(scene, keeper,
+              {.width = width,
+               .height = height,
+               .samples = samples,
+               .filter = filter,
+               .sampler = sampler,
+               .seed = 5,
+               .threads = 1});
   return keeper.rays;
 }
 
@@ -68,7 +82,7 @@ TEST_CASE("points of the pixel and of the lens are uniform, and independent of e
   constexpr float radius = 0.5f;
   for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
     std::vector<std::size_t> counts(256);
-    for (const auto& [ray, key, cone] : camera_samples(scene_with_lens(radius), 8192, sampler)) {
+    for (const auto& [ray, key, cone, weight] : camera_samples(scene_with_lens(radius), 8192, sampler)) {
       const Vec2 seen = frame_point(ray), lens = polar(ray.origin.x / radius, ray.origin.y / radius);
       REQUIRE(lens.y <= 1 + 1e-6f);
       const Vec2 in_pixel{seen.x - float(key.x), seen.y - float(key.y)};
@@ -82,13 +96,14 @@ TEST_CASE("points of the pixel and of the lens are uniform, and independent of e
 }
 
 TEST_CASE("a picture without a lens has all its rays from one point") {
-  for (const auto& [ray, key, cone] : camera_samples(scene_with_lens(0), 16, SamplerKind::sobol))
+  for (const auto& [ray, key, cone, weight] : camera_samples(scene_with_lens(0), 16, SamplerKind::sobol))
     CHECK(ray.origin == Vec3{0, 0, 0});
 }
 
 TEST_CASE("a picture of one sample a pixel still uses the whole lens") {
   Aabb lens;
-  for (const auto& [ray, key, cone] : camera_samples(scene_with_lens(1), 1, SamplerKind::independent)) {
+  for (const auto& [ray, key, cone, weight] :
+       camera_samples(scene_with_lens(1), 1, SamplerKind::independent)) {
     const Vec2 seen = frame_point(ray);
     CHECK(seen.x - float(key.x) == Approx(0.5).margin(1e-5));
     CHECK(seen.y - float(key.y) == Approx(0.5).margin(1e-5));
@@ -127,6 +142,78 @@ TEST_CASE("progress counts the samples of a part of the frame, whatever its shap
   CHECK(before == 50 * 7 * 3);
   CHECK(reports.back().rays == result.rays.total());
   CHECK(result.rays.camera == 50 * 7 * 3);
+}
+
+TEST_CASE("samples lie around their pixel as its filter has it") {
+  PixelFilter filter = usual_filter(FilterKind::triangle);
+  filter.radius = {2, 1};
+  std::vector<std::size_t> counts(64);
+  for (const auto& [ray, key, cone, weight] :
+       camera_samples(scene_with_lens(0), 8192, SamplerKind::independent, filter)) {
+    const Vec2 seen = frame_point(ray);
+    // From the middle, as parts of the radius, through the integral of the tent: uniform.
+    const Vec2 at{(seen.x - float(key.x) - 0.5f) / 2, seen.y - float(key.y) - 0.5f};
+    REQUIRE(std::max(std::fabs(at.x), std::fabs(at.y)) <= 1 + 1e-5f);
+    const auto up_to = [](float t) { return t < 0 ? (1 + t) * (1 + t) / 2 : 1 - (1 - t) * (1 - t) / 2; };
+    ++counts[std::size_t(cell(up_to(at.x), 8) + 8 * cell(up_to(at.y), 8))];
+    REQUIRE(weight == 1);
+  }
+  check_uniform(counts, 1, 0.03);
+}
+
+TEST_CASE("a picture is its light under the filter, whatever its sign") {
+  // Light of 1 + x on the right of the frame's middle, which lies between pixels 3 and 4: 4 pixels a unit.
+  constexpr int samples = 4096;
+  constexpr double tolerance = 2e-3;  // Of 4096 stratified samples with weights of both signs.
+  bool has_negative = false;
+  for (const FilterKind kind : {FilterKind::gaussian, FilterKind::blackman_harris, FilterKind::mitchell}) {
+    const PixelFilter filter = usual_filter(kind);
+    const auto radius = double(filter.radius.x);
+    const Film film =
+        render_with(scene_with_lens(0), Ramp(),
+                    {.width = width, .height = height, .samples = samples, .filter = filter, .threads = 1})
+            .film;
+    for (int x = 0; x < width; ++x) {
+      double sum = 0, all = 0;
+      constexpr int steps = 20000;
+      for (int i = 0; i < steps; ++i) {
+        const double from_middle = radius * ((2 * i + 1.0) / steps - 1);
+        const double value = filter_value(filter, radius, from_middle), to_right = x + 0.5 + from_middle - 4;
+        all += value;
+        if (to_right > 0) sum += value * (1 + to_right / 4);
+      }
+      CAPTURE(filter_name(kind), x);
+      CHECK(film.pixel(x, 1).mean().r == Approx(sum / all).margin(tolerance));
+      has_negative = has_negative || film.pixel(x, 1).mean().r < -1e-3f;
+    }
+  }
+  CHECK(has_negative);
+}
+
+TEST_CASE("the one sample of a pixel goes through its middle, whatever its filter") {
+  for (const auto& [ray, key, cone, weight] :
+       camera_samples(scene_with_lens(0), 1, SamplerKind::sobol, usual_filter(FilterKind::mitchell))) {
+    CHECK(frame_point(ray).x - float(key.x) == Approx(0.5).margin(1e-5));
+    CHECK(weight == 1);
+  }
+}
+
+TEST_CASE("nothing comes from beside a fisheye's circle, and all layers know that") {
+  Scene scene = scene_with_lens(0);
+  scene.camera = with_panorama(scene.camera, Projection::fisheye, 1.5f);
+  Image white(1, 1);
+  white.at(0, 0) = {1, 1, 1};
+  scene.lights.push_back({"sky", EnvironmentLight{std::make_shared<Image>(white)}});
+  const PathIntegrator path(scene, {.max_depth = 0});
+  RenderOptions options{.width = 24, .height = 16, .samples = 16, .threads = 1};
+  options.layers = {Layer::alpha, Layer::depth};
+  const Film film = render_with(scene, path, options).film;
+  const auto at = [&](int x, int y) { return std::pair(film.pixel(x, y).mean().g, film.value(0, x, y).r); };
+  CHECK(at(0, 0) == std::pair(0.0f, 0.0f));
+  CHECK(at(3, 8) == std::pair(0.0f, 0.0f));
+  CHECK(at(12, 2) == std::pair(1.0f, 1.0f));
+  CHECK(at(20, 8).second == 0);
+  CHECK(at(18, 8).second == 1);
 }
 
 }  // namespace twinray::test

@@ -177,4 +177,25 @@ TEST_CASE("enamel's coat is glossy, its base diffuse: each as bright as it would
   CHECK(parts(enamel)[Layer::diffuse_direct] > 2 * parts(enamel)[Layer::glossy_direct]);
 }
 
+TEST_CASE("under a filter with negative values the parts' sums are those of the colours") {
+  Scene scene = small_room();
+  const Vec3 ahead = scene.camera.position + scene.camera.forward;
+  add_lamp(scene, SphereSet{"bulb", {{ahead, 0.05f}}}, {50, 40, 30}, EmissionSide::front);
+  RenderOptions options = with_parts(16);
+  options.width = options.height = 12;
+  options.filter = usual_filter(FilterKind::mitchell);
+  const Film film = render_with(scene, PathIntegrator(scene, {.max_depth = 3}), options).film;
+  bool has_negative = false;
+  for (int y = 0; y < 12; ++y)
+    for (int x = 0; x < 12; ++x) {
+      Int128 sum = 0;
+      for (std::size_t layer = 0; layer < film.layers().size(); ++layer) {
+        sum += film.part_units(layer, x, y, 0);
+        has_negative = has_negative || film.part_units(layer, x, y, 0) < 0;
+      }
+      CHECK(sum == film.pixel(x, y).r.units());
+    }
+  CHECK(has_negative);
+}
+
 }  // namespace twinray::test

@@ -60,7 +60,7 @@ Texture ridge_map(float slope) {
 /// A mesh seen from straight above, all of it, without perspective, in a light from this direction.
 Scene lit(Mesh mesh, const Vec3& towards_light) {
   Scene scene = scene_of(std::move(mesh), {0.8f, 0.8f, 0.8f}, {0, 2, 0}, {0, 0, 0});
-  scene.camera.is_orthographic = true;
+  scene.camera.projection = Projection::orthographic;
   scene.camera.tan_half_width = scene.camera.tan_half_height = 1;
   add_light(scene, DirectionalLight{-normalize(towards_light), {1, 1, 1}});
   return scene;

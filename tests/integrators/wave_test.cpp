@@ -346,7 +346,9 @@ TEST_CASE("camera rays made together have the bits of each alone") {
   for (const float lens_radius : {0.0f, 0.2f})
     for (const SamplerKind kind : {SamplerKind::sobol, SamplerKind::independent}) {
       camera.lens_radius = lens_radius;
-      const CameraSampling sampling{64, 48, 7, kind, 3};
+      camera.aperture_blades = kind == SamplerKind::sobol ? 5 : 0;
+      CameraSampling sampling{64, 48, 7, kind, 3, {}};
+      if (kind == SamplerKind::sobol) sampling.filter = usual_filter(FilterKind::mitchell);
       std::vector<CameraSample> expected(pixels.size()), found(pixels.size());
       CameraStage(camera, sampling, "scalar").make(pixels, expected);
       for (const std::string& simd : available_instruction_sets()) {
@@ -357,6 +359,7 @@ TEST_CASE("camera rays made together have the bits of each alone") {
           REQUIRE(found[i].ray.direction == expected[i].ray.direction);
           REQUIRE(found[i].key.x == expected[i].key.x);
           REQUIRE(found[i].key.index == expected[i].key.index);
+          REQUIRE(found[i].weight == expected[i].weight);
         }
       }
     }

@@ -28,15 +28,16 @@ TEST_CASE("a picture's matrices say where a point of the world lies in its frame
   constexpr float rounding = 1e-4f;  // Of coordinates up to 50 in floats.
   Camera camera = some_camera();
   Random random(4);
-  for (const bool is_orthographic : {false, true}) {
-    camera.is_orthographic = is_orthographic;
+  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    camera.projection = projection;
+    camera.frame_center = {0.2f, -0.3f};
     const CameraMatrices matrices = camera_matrices(camera);
     for (int trial = 0; trial < 100; ++trial) {
       const Vec2 frame{random.unit(), random.unit()};
       const Ray ray = camera_ray(camera, frame, {});
       const float depth = random.uniform(1, 30);
       const Vec3 point = ray.origin + ray.direction * depth;
-      const Vec3 seen = transformed(point, matrices.world_to_ndc);
+      const Vec3 seen = transformed(point, *matrices.world_to_ndc);
       CHECK(seen.x == Approx(frame.x).margin(rounding));
       CHECK(seen.y == Approx(frame.y).margin(rounding));
       const Vec3 before = transformed(point, matrices.world_to_camera);
@@ -45,6 +46,13 @@ TEST_CASE("a picture's matrices say where a point of the world lies in its frame
       CHECK(before.y == Approx(dot(point - camera.position, camera.up)).margin(rounding));
     }
   }
+}
+
+TEST_CASE("a panorama has the matrix of its camera, and none of its frame") {
+  const Camera around = with_panorama(some_camera(), Projection::latitude_longitude, 0);
+  const CameraMatrices matrices = camera_matrices(around);
+  CHECK_FALSE(matrices.world_to_ndc);
+  CHECK(matrices.world_to_camera == camera_matrices(some_camera()).world_to_camera);
 }
 
 }  // namespace twinray::test

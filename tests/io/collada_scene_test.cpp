@@ -89,7 +89,7 @@ TEST_CASE("an orthographic camera's frame is in scene units, scaled with its nod
         .scene.camera;
   };
   const Camera both = lens("<xmag>2</xmag><ymag>3</ymag><znear>0.1</znear><zfar>10</zfar>");
-  CHECK(both.is_orthographic);
+  CHECK(both.projection == Projection::orthographic);
   CHECK(both.tan_half_width == 2);
   CHECK(both.tan_half_height == 3);
   CHECK(lens("<xmag>2</xmag><aspect_ratio>4</aspect_ratio>").tan_half_height == 0.5f);

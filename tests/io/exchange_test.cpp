@@ -236,13 +236,27 @@ TEST_CASE("each kind of camera in exchange form, its frame as wide as the pictur
   CHECK(wide["clip_near"] == 0.125);
   CHECK(wide["clip_far"] == 100);
   CHECK(wide["clip_along"] == "ray");
-  scene.camera.is_orthographic = true;
+  scene.camera.projection = Projection::orthographic;
   scene.camera.is_stretched = true;
   const auto flat = nlohmann::json::parse(exchange_json(scene, "a.json", {800, 300}))["camera"];
   CHECK(flat["type"] == "orthographic");
   CHECK(flat["half_width"] == 0.5);
   CHECK(flat["half_height"] == 0.375);
   CHECK_FALSE(flat.contains("tan_half_width"));
+  CHECK_FALSE(flat.contains("frame_center"));
+  CHECK_FALSE(flat.contains("aperture"));
+  scene.camera.frame_center = {0.25f, -0.5f};
+  scene.camera.aperture_blades = 5;
+  scene.camera.aperture_turns = 0.125f;
+  const auto shifted = nlohmann::json::parse(exchange_json(scene, "a.json", {800, 300}))["camera"];
+  CHECK(shifted["frame_center"].dump() == "[0.25,-0.5]");
+  CHECK(shifted["aperture"].dump() == "{\"blades\":5,\"turns\":0.125}");
+  scene.camera = with_panorama({}, Projection::fisheye, 1.5f);
+  const auto around = nlohmann::json::parse(exchange_json(scene, "a.json", {200, 100}))["camera"];
+  CHECK(around["type"] == "fisheye");
+  CHECK(around["half_width"] == 3);
+  CHECK(around["half_height"] == 1.5);
+  CHECK(around["clip_along"] == "ray");
 }
 
 TEST_CASE("every number of the JSON file is read back with all its bits") {

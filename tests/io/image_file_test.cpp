@@ -163,7 +163,7 @@ TEST_CASE("an EXR holds the matrices of its camera, a picture without one none")
   const TemporaryFolder folder;
   ImageFrame frame{0, 0, 5, 3, CameraMatrices{}};
   frame.camera->world_to_camera[5] = 7;
-  frame.camera->world_to_ndc[0] = 3;
+  frame.camera->world_to_ndc.emplace()[0] = 3;
   write_exr(folder.file("a.exr"), gradient(), {}, frame);
   const std::string text = read_text(folder.file("a.exr"));
   const auto value = [&](const std::string& name, std::size_t number) {

@@ -116,7 +116,7 @@ TEST_CASE("lens, screen window and frame's shape are read") {
   CHECK(lens.lens_radius == Approx(2));
   CHECK(lens.focal_distance == Approx(3));
   const Camera window = camera_of(film, "Camera \"orthographic\" \"float screenwindow\" [ -3 3 -2 2 ]");
-  CHECK(window.is_orthographic);
+  CHECK(window.projection == Projection::orthographic);
   CHECK(window.tan_half_width == Approx(3));
   CHECK(window.tan_half_height == Approx(2));
   CHECK(window.is_stretched);
@@ -124,12 +124,82 @@ TEST_CASE("lens, screen window and frame's shape are read") {
         Approx(2));
 }
 
+TEST_CASE("a screen window beside the axis of view shifts the frame") {
+  const std::string film = "Film \"rgb\" \"integer xresolution\" 100 \"integer yresolution\" 100";
+  const Camera camera =
+      camera_of(film + " Scale 1 1 2", "Camera \"perspective\" \"float screenwindow\" [ 0 2 -3 -1 ]");
+  // Space is flattened along the view, so the frame at the distance 1 is as much larger.
+  CHECK(camera.frame_center.x == Approx(2));
+  CHECK(camera.frame_center.y == Approx(-4));
+  CHECK(camera.tan_half_width == Approx(2));
+  CHECK_FALSE(camera.is_stretched);
+  const Camera flat = camera_of(film, "Camera \"orthographic\" \"float screenwindow\" [ 1 2 -3 3 ]");
+  CHECK(flat.frame_center == Vec2{1.5f, 0});
+}
+
+TEST_CASE("a spherical camera gives pbrt's picture: its first column looks to the right, then ahead") {
+  const std::string look = "LookAt 0 0 5  0 0 0  0 1 0", camera = "Camera \"spherical\" \"string mapping\" ";
+  const auto seen = [](const Camera& from, Vec2 frame) { return camera_ray(from, frame, {}).direction; };
+  // Right is -x here, ahead -z.
+  const Camera around = camera_of(look, camera + "\"equirectangular\"");
+  CHECK(around.position == Vec3{0, 0, 5});
+  CHECK(near(seen(around, {0, 0.5f}), {-1, 0, 0}));
+  CHECK(near(seen(around, {0.25f, 0.5f}), {0, 0, -1}));
+  CHECK(near(seen(around, {0.5f, 0.5f}), {1, 0, 0}));
+  CHECK(near(seen(around, {0.1f, 0}), {0, 1, 0}));
+  // The square lies around +y; x grows to the right, y ahead.
+  for (const std::string& text : {camera + "\"equalarea\"", std::string("Camera \"spherical\"")}) {
+    const Camera square = camera_of(look, text);
+    CHECK(square.projection == Projection::equal_area);
+    CHECK(near(seen(square, {0.5f, 0.5f}), {0, 1, 0}));
+    CHECK(near(seen(square, {1, 0.5f}), {-1, 0, 0}));
+    CHECK(near(seen(square, {0.5f, 1}), {0, 0, -1}));
+  }
+}
+
 TEST_CASE("cameras that are not rendered are refused in plain words") {
-  CHECK(message_of("Camera \"spherical\"")
-            .starts_with("scene.pbrt:1:1: the spherical camera is not rendered; valid are perspective and "
-                         "orthographic"));
+  const std::string valid = "; valid are perspective, orthographic and spherical";
+  CHECK(message_of("Camera \"realistic\"")
+            .starts_with("scene.pbrt:1:1: the realistic camera is not rendered" + valid));
+  CHECK(message_of("Camera \"round\"").starts_with("scene.pbrt:1:1: there is no camera \"round\"" + valid));
+  CHECK(message_of("Camera \"spherical\" \"string mapping\" \"flat\"")
+            .find("there is no mapping \"flat\"; valid are equalarea and equirectangular") !=
+        std::string::npos);
   CHECK(message_of("Scale 0 1 1 Camera \"perspective\" WorldBegin")
             .find("the transform of this camera flattens what it sees") != std::string::npos);
+}
+
+TEST_CASE("pixel filters are read with pbrt's names and defaults") {
+  const auto filter = [](const std::string& text) {
+    return load_pbrt_text("PixelFilter " + text + " WorldBegin").defaults.filter;
+  };
+  CHECK(*filter("\"box\"") == PixelFilter{});
+  CHECK(*filter("\"triangle\"") == filter_of_radius(FilterKind::triangle, 2));
+  CHECK(*filter("\"gaussian\"") == usual_filter(FilterKind::gaussian));
+  const PixelFilter wide =
+      *filter("\"gaussian\" \"float xradius\" 2 \"float yradius\" 3 \"float sigma\" 0.75");
+  CHECK(wide.radius == Vec2{2, 3});
+  CHECK(wide.sigma == 0.75f);
+  const PixelFilter sharp = *filter("\"mitchell\" \"float B\" 0 \"float C\" 0.5");
+  CHECK(sharp.kind == FilterKind::mitchell);
+  CHECK(sharp.radius == Vec2{2, 2});
+  CHECK(sharp.b == 0);
+  CHECK(sharp.c == 0.5f);
+  CHECK_FALSE(load_pbrt_text("WorldBegin").defaults.filter);
+  CHECK(load_pbrt_text("PixelFilter \"box\" Film \"rgb\" WorldBegin").defaults.filter);
+}
+
+TEST_CASE("filters that are not rendered, or not there, are named") {
+  const LoadedScene loaded = load_pbrt_text("PixelFilter \"sinc\" \"float tau\" 2 WorldBegin");
+  CHECK_FALSE(loaded.defaults.filter);
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].message.find("the sinc filter is not rendered") != std::string::npos);
+  CHECK(
+      message_of("PixelFilter \"cone\" WorldBegin")
+          .find("there is no pixel filter \"cone\"; valid are box, gaussian, mitchell, sinc and triangle") !=
+      std::string::npos);
+  CHECK(message_of("PixelFilter \"mitchell\" \"float B\" 2 WorldBegin")
+            .find("\"B\" is 2; it must lie in [0, 1]") != std::string::npos);
 }
 
 TEST_CASE("film, sampler and integrator are defaults of the picture") {

@@ -104,6 +104,14 @@ class Exchange(Folder):
             with self.assertRaisesRegex(exchange.Unsupported, "oblong pixels is not converted for X"):
                 exchange.half_size(camera, bad, "X")
 
+    def test_cameras_that_peers_have_not_are_refused(self):
+        camera = {"type": "perspective", "tan_half_width": 3, "tan_half_height": 2}
+        for change, text in (({"type": "fisheye"}, "a fisheye camera is not converted for X"),
+                             ({"frame_center": [1, 0]}, "a camera with a shifted lens is not converted"),
+                             ({"aperture": {"blades": 5, "turns": 0}}, "with aperture blades is not")):
+            with self.assertRaisesRegex(exchange.Unsupported, text):
+                exchange.half_size({**camera, **change}, (30, 20), "X")
+
     def test_another_version_is_refused(self):
         path = self.folder / "a.json"
         path.write_text('{"format": "twinray scene", "version": 2}')
