@@ -56,7 +56,7 @@ void add_layer_options(CLI::App& app, RenderRequest& request) {
 void resolve_layers(RenderArguments& arguments) {
   if (arguments.render.layers.empty()) return;
   if (!is_given("--output", arguments)) arguments.output = default_output;
-  if (!arguments.replay && !is_linear_output(arguments.output))
+  if (!arguments.replay && output_format(arguments.output) != OutputFormat::exr)
     throw UsageError(
         fmt::format("--layers: {} cannot hold layers; the name of a picture that can ends in "
                     ".exr",

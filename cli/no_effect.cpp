@@ -6,6 +6,7 @@
 
 #include "cli/default_light.h"
 #include "core/light_set.h"
+#include "io/output_format.h"
 
 namespace twinray {
 namespace {
@@ -163,6 +164,14 @@ std::string needs_picture(const Asked& asked) {
   return asked.arguments.replay ? "for --replay renders no picture" : "";
 }
 
+std::string needs_display(const Asked& asked) {
+  const RenderArguments& arguments = asked.arguments;
+  if (arguments.replay) return "for --replay renders no picture";
+  if (is_linear(output_format(arguments.output)))
+    return fmt::format("for {} keeps the scene's light", arguments.output);
+  return arguments.integrator == IntegratorKind::cost ? "for --integrator=cost shows no light" : "";
+}
+
 std::string needs_lanes(const Asked& asked) {
   return asked.arguments.is_auto || asked.is_wide() || asked.has(Backend::embree)
              ? ""
@@ -212,6 +221,10 @@ constexpr Rule rules[]{
     {"--output", needs_picture},
     {"--crop", needs_picture},
     {"--layers", needs_picture},
+    {"--exposure", needs_display},
+    {"--white-balance", needs_display},
+    {"--tone", needs_display},
+    {"--ocio-view", needs_display},
     {"--stats", needs_picture},
     {"--tev", needs_picture},
     {"--threads", needs_picture},

@@ -50,7 +50,7 @@ void add_picture_options(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, group_name);
   RenderArguments& arguments = request.arguments;
   group.add_word({"-o,--output,-f", "FILE",
-                  fmt::format("The picture: .png, .exr (linear floats) or - ({})", arguments.output)},
+                  fmt::format("The picture: .png .jpg .exr .tif .hdr .pfm, - ({})", arguments.output)},
                  arguments.output);
   add_frame_options(app, request);
 }

@@ -14,6 +14,7 @@
 #include "integrators/cost.h"
 #include "integrators/path.h"
 #include "integrators/render.h"
+#include "io/display.h"
 #include "io/scene_file.h"
 #include "io/tev_viewer.h"
 
@@ -66,6 +67,7 @@ struct RenderArguments {
       texture_bytes;              ///< Of memory for pictures on surfaces; not set: all there are.
   bool convert_textures = false;  ///< In place of a picture, pictures of surfaces are written in tiles.
   RenderOptions render;
+  Display display;  ///< Of pictures in formats of 8 bits.
   std::optional<ReplayRequest> replay;
   std::optional<ViewerAddress> viewer;  ///< Shows the picture as it grows.
   std::vector<int> crop;                ///< X Y W H of render.window, as they were given; empty: none.

@@ -134,7 +134,8 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   prepare_outputs(outputs.names());
   if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
     console::warn(fewer);
-  if (!arguments.environment.empty() || is_linear_output(outputs.picture)) load_image_codec_early();
+  if (!arguments.environment.empty() || output_format(outputs.picture) != OutputFormat::png)
+    load_image_codec_early();
   const LoadedScene loaded = load_for_render(arguments, talk);
   choose_engine(*loaded.scene.geometry, arguments);
   check_memory(memory_needs(arguments, loaded.scene.geometry->primitive_count()));

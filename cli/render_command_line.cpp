@@ -12,6 +12,7 @@ namespace {
 void add_options(CLI::App& app, RenderRequest& request) {
   add_scene(app, request.arguments.scene);
   add_picture_options(app, request);
+  add_display_options(app, request);
   add_layer_options(app, request);
   add_light_options(app, request);
   add_texture_options(app, request);
@@ -27,6 +28,7 @@ RenderArguments resolved_render(const RenderRequest& request, const Words& given
   RenderArguments arguments = request.arguments;
   arguments.given = given;
   resolve_picture(arguments);
+  resolve_display(arguments);
   resolve_light(request, arguments);
   resolve_sampling(request, arguments);
   resolve_engine(request, arguments);

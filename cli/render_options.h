@@ -31,6 +31,7 @@ struct RenderRequest {
 };
 
 void add_picture_options(CLI::App& app, RenderRequest& request);
+void add_display_options(CLI::App& app, RenderRequest& request);
 void add_layer_options(CLI::App& app, RenderRequest& request);
 void add_light_options(CLI::App& app, RenderRequest& request);
 void add_texture_options(CLI::App& app, RenderRequest& request);
@@ -55,6 +56,7 @@ void add_run_words(CLI::App& app, RenderRequest& request);
 // Each throws UsageError where its options contradict each other.
 
 void resolve_picture(RenderArguments& arguments);
+void resolve_display(const RenderArguments& arguments);
 void resolve_light(const RenderRequest& request, RenderArguments& arguments);
 /// After the light, which decides what is known of layers.
 void resolve_layers(RenderArguments& arguments);

@@ -34,10 +34,11 @@ void write_colors(const RenderOutputs& outputs, const RenderArguments& arguments
   if (!film.layers().empty())
     return write_exr(outputs.picture, layered_picture(film), notes.metadata, notes.frame);
   const Image mean = mean_image(film);
-  if (is_cs184(arguments) && !is_linear_output(outputs.picture))
-    write_png(outputs.picture, encode_cs184(mean), notes.metadata);
-  else
-    write_image(outputs.picture, mean, notes.metadata, notes.frame);
+  if (is_linear(output_format(outputs.picture)))
+    return write_linear(outputs.picture, mean, notes.metadata, notes.frame);
+  write_display(outputs.picture,
+                is_cs184(arguments) ? encode_cs184(mean) : displayed(mean, arguments.display),
+                notes.metadata);
 }
 
 ByteImage rate_image(const RenderArguments& arguments, const Film& film) {
@@ -45,14 +46,14 @@ ByteImage rate_image(const RenderArguments& arguments, const Film& film) {
   return is_cs184(arguments) ? cs184_rate_image(film, most) : sample_rate_image(film, most);
 }
 
-/// Costs as colours with their legend; EXR keeps the numbers.
+/// Costs as colours with their legend; linear formats keep the numbers.
 void write_costs(const RenderOutputs& outputs, const Film& film, const PictureNotes& notes) {
   const Image costs = mean_image(film);
   const std::uint32_t end = scale_end(costs);
-  if (is_linear_output(outputs.picture))
-    write_exr(outputs.picture, costs, notes.metadata, notes.frame);
+  if (is_linear(output_format(outputs.picture)))
+    write_linear(outputs.picture, costs, notes.metadata, notes.frame);
   else
-    write_png(outputs.picture, scaled_image(costs, end), notes.metadata);
+    write_display(outputs.picture, scaled_image(costs, end), notes.metadata);
   if (!outputs.legend.empty()) write_png(outputs.legend, legend_image(end), notes.metadata);
 }
 
@@ -72,6 +73,8 @@ std::vector<std::string> all_names(std::initializer_list<RenderOutputs> all) {
 RenderOutputs render_outputs(const RenderArguments& arguments) {
   const std::string& picture = arguments.output;
   check_name(arguments);
+  if (!arguments.display.ocio_view.empty())
+    displayed(Image(1, 1), arguments.display);  // Is there such a view?
   RenderOutputs outputs{.picture = picture, .statistics = arguments.stats_file};
   if (arguments.render.adaptive) outputs.rates = rate_name(arguments);
   if (arguments.integrator == IntegratorKind::cost) outputs.legend = name_beside(picture, "_legend.png");

@@ -74,7 +74,8 @@ set(private_headers
   integrators/wave/stages.h
   integrators/wave/surfaces-inl.h
   integrators/wave/warp-inl.h
-  integrators/wave/wave.h)
+  integrators/wave/wave.h
+  io/openimageio_view.h)
 list(TRANSFORM private_headers REPLACE "\\." "\\\\." OUTPUT_VARIABLE private_patterns)
 list(JOIN private_patterns "|" private_patterns)
 

@@ -11,6 +11,7 @@
 #include "core/mip_map.h"
 #include "io/image_metadata.h"
 #include "io/layered_image.h"
+#include "io/output_format.h"
 #include "io/picture_header.h"
 
 namespace twinray {
@@ -57,6 +58,16 @@ class ImageCodec {
   virtual std::vector<unsigned char> encode_exr(const std::string& path, const LayeredImage& image,
                                                 const ImageMetadata& metadata,
                                                 const ImageFrame& frame) const = 0;
+  /// The bytes of a TIFF file of 32-bit floats, or of a Radiance file (HDR).
+  virtual std::vector<unsigned char> encode_floats(OutputFormat format, const std::string& path,
+                                                   const Image& image,
+                                                   const ImageMetadata& metadata) const = 0;
+  /// The bytes of a JPEG file of quality 95 whose colours have the picture's resolution.
+  virtual std::vector<unsigned char> encode_jpeg(const std::string& path, const ByteImage& image,
+                                                 const ImageMetadata& metadata) const = 0;
+  /// What the OpenColorIO configuration that $OCIO names makes of linear colours for a display, encoded.
+  /// Without a name of a display its first one. Throws Error where there is no such configuration or view.
+  virtual Image viewed(const Image& image, const std::string& display, const std::string& view) const = 0;
   /// Opens an OpenEXR file of one part in tiles, with channels R, G, B of 32-bit floats alone. Its header was
   /// checked before. Throws Error.
   virtual std::unique_ptr<const TiledPictureFile> open_tiled(const std::string& path) const = 0;

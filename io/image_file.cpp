@@ -12,7 +12,6 @@
 #include "core/elementary.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "io/destination.h"
 #include "io/image_codec.h"
 #include "io/output_file.h"
 #include "io/picture_header.h"
@@ -124,18 +123,9 @@ void write_bytes(const std::string& path, const std::vector<unsigned char>& byte
 
 }  // namespace
 
-void check_image_name(const std::string& path) {
-  const std::string ending = picture_ending(path);
-  if (ending == ".png" || ending == ".exr") return;
-  if (destination_of(path).kind == Destination::Kind::file)
-    throw Error(fmt::format("{}: a picture's name must end in .png or .exr", path));
-}
-
 void write_png(const std::string& path, const ByteImage& image, const ImageMetadata& metadata) {
   write_bytes(path, encode_png(image, metadata));
 }
-
-bool is_linear_output(const std::string& path) { return picture_ending(path) == ".exr"; }
 
 void write_exr(const std::string& path, const LayeredImage& image, const ImageMetadata& metadata,
                const ImageFrame& frame) {
@@ -155,12 +145,27 @@ void write_exr(const std::string& path, const Image& image, const ImageMetadata&
   write_exr(path, LayeredImage{image.width, image.height, {{"R"}, {"G"}, {"B"}}, fill_row}, metadata, frame);
 }
 
+void write_linear(const std::string& path, const Image& image, const ImageMetadata& metadata,
+                  const ImageFrame& frame) {
+  const OutputFormat format = output_format(path);
+  if (format == OutputFormat::exr) return write_exr(path, image, metadata, frame);
+  if (format == OutputFormat::pfm) return write_file(path, encode_pfm(image));
+  write_bytes(path, image_codec().encode_floats(format, path, image, metadata));
+}
+
+void write_display(const std::string& path, const ByteImage& image, const ImageMetadata& metadata) {
+  if (output_format(path) == OutputFormat::jpeg)
+    write_bytes(path, image_codec().encode_jpeg(path, image, metadata));
+  else
+    write_png(path, image, metadata);
+}
+
 void write_image(const std::string& path, const Image& image, const ImageMetadata& metadata,
                  const ImageFrame& frame) {
-  if (is_linear_output(path))
-    write_exr(path, image, metadata, frame);
+  if (is_linear(output_format(path)))
+    write_linear(path, image, metadata, frame);
   else
-    write_png(path, encode_srgb(image), metadata);
+    write_display(path, encode_srgb(image), metadata);
 }
 
 bool holds_radiance(const std::string& path) { return !is_encoded(picture_format(path)); }

@@ -10,16 +10,10 @@
 #include "core/image.h"
 #include "io/image_metadata.h"
 #include "io/layered_image.h"
+#include "io/output_format.h"
 #include "io/picture_meaning.h"
 
 namespace twinray {
-
-/// Throws Error unless the name of a picture says its format: it ends in .png or .exr. What is no regular
-/// file (standard output, a device, a FIFO) may have any name: it gets a PNG unless it ends in .exr.
-void check_image_name(const std::string& path);
-
-/// Whether a picture of this name keeps linear floats: its ending is .exr.
-bool is_linear_output(const std::string& path);
 
 // Pictures go where write_file puts them: whole, or the old file stays. The same arguments give the same
 // bytes: no time is stored but that of the metadata's "DateTime", if it has any.
@@ -33,7 +27,13 @@ void write_exr(const std::string& path, const Image& image, const ImageMetadata&
 /// The same of any channels.
 void write_exr(const std::string& path, const LayeredImage& image, const ImageMetadata& metadata = {},
                const ImageFrame& frame = {});
-/// By the name's ending: EXR keeps the linear values, PNG is sRGB.
+/// Linear floats in the format of the name (io/output_format.h): EXR as write_exr; TIFF of 32-bit floats; HDR
+/// of shared exponents, which keeps no negative values; PFM, which holds no metadata.
+void write_linear(const std::string& path, const Image& image, const ImageMetadata& metadata = {},
+                  const ImageFrame& frame = {});
+/// 8-bit sRGB in the format of the name: PNG, or JPEG of quality 95.
+void write_display(const std::string& path, const ByteImage& image, const ImageMetadata& metadata = {});
+/// The one or the other, by the name.
 void write_image(const std::string& path, const Image& image, const ImageMetadata& metadata = {},
                  const ImageFrame& frame = {});
 

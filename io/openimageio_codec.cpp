@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only door to OpenImageIO: a shared library of its own, which image_codec.cpp loads.
+// The door to OpenImageIO: a shared library of its own, which image_codec.cpp loads.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fcntl.h>
@@ -17,6 +17,7 @@
 
 #include "core/error.h"
 #include "io/image_codec.h"
+#include "io/openimageio_view.h"
 
 namespace twinray {
 namespace {
@@ -40,6 +41,9 @@ void set_channels(OIIO::ImageSpec& spec, const std::vector<PictureChannel>& chan
   }
 }
 
+/// Of sRGB and Rec. 709: red, green, blue, and the white D65.
+constexpr float srgb_chromaticities[] = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
+
 OIIO::ImageSpec exr_spec(const LayeredImage& image, const ImageMetadata& metadata, const ImageFrame& frame) {
   OIIO::ImageSpec spec(image.width, image.height, int(image.channels.size()), OIIO::TypeDesc::FLOAT);
   set_channels(spec, image.channels);
@@ -48,6 +52,7 @@ OIIO::ImageSpec exr_spec(const LayeredImage& image, const ImageMetadata& metadat
   spec.full_width = frame.width > 0 ? frame.width : image.width;
   spec.full_height = frame.height > 0 ? frame.height : image.height;
   add_metadata(spec, metadata);
+  spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), srgb_chromaticities);
   if (frame.camera) {
     const OIIO::TypeDesc matrix(OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::MATRIX44);
     spec.attribute("worldToCamera", matrix, frame.camera->world_to_camera.data());
@@ -247,6 +252,29 @@ OIIO::ImageSpec tiled_spec(const MipMap& map, int level, int tile_side, const Im
   return spec;
 }
 
+/// A format without names for its metadata has it as lines of one text.
+void add_description(OIIO::ImageSpec& spec, const ImageMetadata& metadata) {
+  std::string text;
+  for (const auto& [name, value] : metadata)
+    if (name != "Software" && name != "DateTime") text += fmt::format("{}: {}\n", name, value);
+  add_metadata(spec, metadata);
+  if (!text.empty())
+    spec.attribute("ImageDescription", text);  // OpenImageIO ends the program over an empty one.
+}
+
+/// A picture of three channels, put together in memory.
+std::vector<unsigned char> encoded(const char* format, const std::string& path, const OIIO::ImageSpec& spec,
+                                   const void* pixels) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
+  if (!output || !output->set_ioproxy(&memory) || !output->open(path, spec) ||
+      !output->write_image(spec.format, pixels) || !output->close())
+    throw Error(
+        fmt::format("{}: cannot be written: {}", path, output ? output->geterror() : OIIO::geterror()));
+  return bytes;
+}
+
 class OpenImageIOCodec final : public ImageCodec {
  public:
   Image read(PictureFormat format, const PictureBytes& picture, PictureLayer layer,
@@ -285,6 +313,29 @@ class OpenImageIOCodec final : public ImageCodec {
     if (!output->open(path, spec) || !write_rows(*output, image) || !output->close())
       throw Error(fmt::format("{}: cannot be written: {}", path, output->geterror()));
     return bytes;
+  }
+
+  std::vector<unsigned char> encode_floats(OutputFormat format, const std::string& path, const Image& image,
+                                           const ImageMetadata& metadata) const override {
+    OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::FLOAT);
+    add_description(spec, metadata);
+    spec.attribute("oiio:ColorSpace", "Linear");
+    spec.attribute("compression", "none");
+    return encoded(format == OutputFormat::tiff ? "tiff" : "hdr", path, spec, image.pixels.data());
+  }
+
+  std::vector<unsigned char> encode_jpeg(const std::string& path, const ByteImage& image,
+                                         const ImageMetadata& metadata) const override {
+    OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
+    add_description(spec, metadata);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("Compression", "jpeg:95");
+    spec.attribute("jpeg:subsampling", "4:4:4");
+    return encoded("jpeg", path, spec, image.bytes.data());
+  }
+
+  Image viewed(const Image& image, const std::string& display, const std::string& view) const override {
+    return opencolorio_view(image, display, view);
   }
 
   std::unique_ptr<const TiledPictureFile> open_tiled(const std::string& path) const override {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/plain_picture.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
+#include <cstdint>
 #include <cstring>
 
 namespace twinray {
@@ -148,5 +152,16 @@ Image decode_pfm(const PictureBytes& picture) {
 /// 11.
 Image decode_tga(const PictureBytes& picture) { return decode_tga(picture, false); }
 Image decode_tga_alpha(const PictureBytes& picture) { return decode_tga(picture, true); }
+
+std::string encode_pfm(const Image& image) {
+  std::string bytes = fmt::format("PF\n{} {}\n-1\n", image.width, image.height);
+  for (int y = image.height - 1; y >= 0; --y)
+    for (int x = 0; x < image.width; ++x)
+      for (const float channel : {image.at(x, y).r, image.at(x, y).g, image.at(x, y).b}) {
+        const auto bits = std::bit_cast<std::uint32_t>(channel);
+        for (int shift = 0; shift < 32; shift += 8) bytes.push_back(char(bits >> shift & 0xff));
+      }
+  return bytes;
+}
 
 }  // namespace twinray

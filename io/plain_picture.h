@@ -2,6 +2,8 @@
 // Two formats so plain that they are read here: PFM (floats of one or three channels) and TGA (8 bits a
 // channel, packed in runs or not; no palettes).
 #pragma once
+#include <string>
+
 #include "core/image.h"
 #include "io/picture_bytes.h"
 
@@ -17,5 +19,8 @@ Image decode_pfm(const PictureBytes& picture);
 Image decode_tga(const PictureBytes& picture);
 /// The alpha channel of a TGA picture, as grey; 1 where there is none.
 Image decode_tga_alpha(const PictureBytes& picture);
+
+/// The bytes of a PFM file of three channels: little-endian floats, the lowest row first.
+std::string encode_pfm(const Image& image);
 
 }  // namespace twinray

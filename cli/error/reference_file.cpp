@@ -28,7 +28,7 @@ Image read(const std::string& path, const FrameSize& size) {
 std::string noise_name(const std::string& reference) { return name_beside(reference, "_noise.exr"); }
 
 void check_reference_name(const std::string& path) {
-  if (!is_linear_output(path))
+  if (output_format(path) != OutputFormat::exr)
     throw Error(
         fmt::format("{}: a reference is a picture of linear floats; its name must end in .exr", path));
 }

@@ -30,7 +30,7 @@ DOORS = {
                                r"accel/|core/(denormals|instruction_sets)\.cpp|integrators/wave/"),
     "Boost": (r"boost/", r"check/(exact\.h|welch\.cpp)"),
     "oneTBB": (r"tbb/|oneapi/", r"core/parallel\.cpp"),
-    "OpenImageIO": (r"OpenImageIO/", r"io/openimageio_codec\.cpp"),
+    "OpenImageIO": (r"OpenImageIO/", r"io/openimageio_(codec|view)\.cpp"),
     "libpng": (r"png\.h", r"io/png\.cpp"),
     "zlib": (r"zlib\.h", r"io/gzip\.cpp"),
     "libzip": (r"zip\.h", r"io/zip_archive\.cpp"),

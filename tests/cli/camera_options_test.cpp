@@ -63,6 +63,22 @@ TEST_CASE("a scene file's filter holds where no option names another") {
   CHECK(given.render.filter == PixelFilter{});
 }
 
+TEST_CASE("display options go with pictures of 8 bits, and a view with a configuration") {
+  CHECK(parse({"--exposure=-1.5"}).display.exposure_stops == -1.5);
+  CHECK(parse({"--white-balance=3200"}).display.white_kelvin == 3200.0);
+  CHECK(parse({"--tone=agx"}).display.tone == Tone::agx);
+  CHECK(message_of({"--white-balance=1000"}) ==
+        "--white-balance: \"1000\" is not a number from 2000 to 25000");
+  CHECK(message_of({"--ocio-display=screen"}) == "--ocio-display goes with --ocio-view");
+  CHECK(message_of({"--ocio-view=Film", "--tone=agx"}) == "--tone and --ocio-view exclude each other");
+  CHECK(message_of({"--ocio-view=Film"}) ==
+        "--ocio-view: the environment variable OCIO names no configuration of OpenColorIO");
+  CHECK(parse({"--tone=agx", "-o", "a.jpg"}).without_effect.empty());
+  CHECK(parse({"--tone=agx", "--exposure=1", "-o", "a.exr"}).without_effect ==
+        std::vector<std::string>{"--exposure: no effect, for a.exr keeps the scene's light",
+                                 "--tone: no effect, for a.exr keeps the scene's light"});
+}
+
 TEST_CASE("clip planes are the file's, none, or two depths") {
   CHECK_FALSE(parse({}).load.clip_as_file);
   CHECK(parse({"--clip=file"}).load.clip_as_file);

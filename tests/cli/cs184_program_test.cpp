@@ -108,7 +108,9 @@ TEST_CASE("the ending of -f decides the format, and a name without one is a PNG"
   CHECK(read_image(folder.file("b.exr")).height == 12);
   const ProcessResult gif = run_cs184(folder, lit_floor(), "-r 16 12 -f c.gif ");
   CHECK(gif.exit_code == 1);
-  CHECK(gif.err.find("c.gif: a picture's name must end in .png or .exr") != std::string::npos);
+  CHECK(gif.err.find(
+            "c.gif: a picture's name must end in .png, .jpg, .jpeg, .exr, .tif, .tiff, .hdr or .pfm") !=
+        std::string::npos);
 }
 
 TEST_CASE("a picture of sample rates has the picture's name without its last four characters") {

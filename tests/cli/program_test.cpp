@@ -56,7 +56,9 @@ TEST_CASE("a scene that is not there, or an output that cannot be written, ends 
   const ProcessResult ending = run_program(box + small + "-o " + quoted(folder.file("a.gif")));
   CHECK(ending.exit_code == 1);
   CHECK(ending.err ==
-        fmt::format("twinray: {}: a picture's name must end in .png or .exr\n", folder.file("a.gif")));
+        fmt::format(
+            "twinray: {}: a picture's name must end in .png, .jpg, .jpeg, .exr, .tif, .tiff, .hdr or .pfm\n",
+            folder.file("a.gif")));
   const ProcessResult stats = run_program(box + small + "-o " + quoted(folder.file("a.png")) + " --stats " +
                                           quoted(folder.file("none/s")));
   CHECK(stats.exit_code == 1);

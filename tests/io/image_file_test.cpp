@@ -110,9 +110,12 @@ TEST_CASE("the tone curve is sRGB's, clipped and rounded") {
 
 TEST_CASE("a picture's name says its format, but for what is no regular file") {
   const TemporaryFolder folder;
-  CHECK_THROWS_WITH(check_image_name(folder.file("a.bmp")),
-                    fmt::format("{}: a picture's name must end in .png or .exr", folder.file("a.bmp")));
-  for (const std::string name : {"a.png", "a.EXR", "-", "/dev/null"}) CHECK_NOTHROW(check_image_name(name));
+  CHECK_THROWS_WITH(
+      check_image_name(folder.file("a.bmp")),
+      fmt::format("{}: a picture's name must end in .png, .jpg, .jpeg, .exr, .tif, .tiff, .hdr or .pfm",
+                  folder.file("a.bmp")));
+  for (const std::string name : {"a.png", "a.EXR", "a.jpeg", "a.TIF", "a.hdr", "a.pfm", "-", "/dev/null"})
+    CHECK_NOTHROW(check_image_name(name));
 }
 
 TEST_CASE("an old picture survives where the new one cannot be written to its end") {

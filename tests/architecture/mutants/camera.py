@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Defects in cameras, pixel filters."""
+"""Defects in cameras, pixel filters and what displays show."""
 from mutant import Mutant
 
 MOMENTS = "samples of a filter have its moments, also where it is negative"
@@ -61,4 +61,11 @@ MUTANTS = [
     Mutant("pbrt's panorama is not mirrored", "io/pbrt_camera.cpp",
            "placed.right = -axes.forward;", "placed.right = axes.forward;", "test_io",
            "a spherical camera gives pbrt's picture: its first column looks to the right, then ahead"),
+    Mutant("AgX does not undo what it does to the primaries", "io/agx.cpp",
+           "channels = transformed(outset_, channels);", "", "test_io",
+           "AgX keeps grey grey, shows middle grey at half of a display's code, "
+           "and lets bright colours go white"),
+    Mutant("white balance goes the other way", "io/white_balance.cpp",
+           "entry *= to[i] / from[i];", "entry *= from[i] / to[i];", "test_io",
+           "white balance makes the light of a black body white, with its luminance"),
 ]
