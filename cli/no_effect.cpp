@@ -220,6 +220,7 @@ constexpr Rule rules[]{
     {"--clip", needs_clipped_view},
     {"--output", needs_picture},
     {"--crop", needs_picture},
+    {"--overscan", needs_picture},
     {"--layers", needs_picture},
     {"--exposure", needs_display},
     {"--white-balance", needs_display},

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <limits>
 
 #include "cli/render_options.h"
+#include "io/output_format.h"
 
 namespace twinray {
 namespace {
@@ -23,6 +25,23 @@ PixelRect window_of(const std::vector<int>& crop, int width, int height) {
     throw UsageError(fmt::format("--crop: {} {} {} {} (X Y W H) is not a part of {} x {} pixels", x, y, w, h,
                                  width, height));
   return {x, y, x + w, y + h};
+}
+
+/// "12" or "5%"
+Overscan parse_overscan(const std::string& word) {
+  constexpr Range<int> pixels{0, 16384};
+  constexpr Range<double> percents{0, 100};
+  const bool is_percent = word.ends_with('%');
+  if (is_percent) return {parse_number("--overscan", word.substr(0, word.size() - 1), percents), true};
+  return {double(parse_number("--overscan", word, pixels)), false};
+}
+
+/// The frame and what lies around it.
+PixelRect window_of(const Overscan& overscan, int width, int height) {
+  const auto [amount, is_percent] = overscan;
+  const auto pixels = [&](int side) { return int(std::ceil(is_percent ? side * amount / 100 : amount)); };
+  const int x = pixels(width), y = pixels(height);
+  return {-x, -y, width + x, height + y};
 }
 
 /// "gaussian:1.5"
@@ -53,6 +72,8 @@ void add_picture_options(CLI::App& app, RenderRequest& request) {
                   fmt::format("The picture: .png .jpg .exr .tif .hdr .pfm, - ({})", arguments.output)},
                  arguments.output);
   add_frame_options(app, request);
+  group.add_words({"--overscan", "N|P%", "So many more pixels on each side of an .exr"}, 1,
+                  [&arguments](const Words& words) { arguments.overscan = parse_overscan(words[0]); });
 }
 
 void add_frame_options(CLI::App& app, RenderRequest& request) {
@@ -72,6 +93,16 @@ void resolve_picture(RenderArguments& arguments) {
   const bool is_sized = is_given("--resolution", arguments) || !has_defaults(arguments.scene);
   if (is_sized && !arguments.crop.empty())
     render.window = window_of(arguments.crop, render.width, render.height);
+  if (is_sized && arguments.overscan)
+    render.window = window_of(*arguments.overscan, render.width, render.height);
+}
+
+void resolve_overscan(const RenderArguments& arguments) {
+  if (!arguments.overscan || arguments.replay) return;
+  if (!arguments.crop.empty()) throw UsageError("--overscan and --crop exclude each other");
+  if (output_format(arguments.output) != OutputFormat::exr)
+    throw UsageError(fmt::format("--overscan: {} cannot tell a frame from what is around it; an .exr can",
+                                 arguments.output));
 }
 
 void take_frame(const RenderDefaults& defaults, RenderArguments& arguments) {
@@ -84,6 +115,7 @@ void take_frame(const RenderDefaults& defaults, RenderArguments& arguments) {
   }
   if (defaults.filter && !is_given("--filter", arguments)) render.filter = *defaults.filter;
   if (!arguments.crop.empty()) render.window = window_of(arguments.crop, render.width, render.height);
+  if (arguments.overscan) render.window = window_of(*arguments.overscan, render.width, render.height);
 }
 
 }  // namespace twinray

@@ -36,6 +36,12 @@ struct ReplayRequest {
   std::string json_file, obj_file;  ///< Empty: none.
 };
 
+/// Pixels around the frame, on each side.
+struct Overscan {
+  double amount = 0;
+  bool is_percent = false;  ///< Of the frame's width and height, not pixels.
+};
+
 /// What a render command line asks for.
 struct RenderArguments {
   std::string scene;
@@ -71,6 +77,7 @@ struct RenderArguments {
   std::optional<ReplayRequest> replay;
   std::optional<ViewerAddress> viewer;  ///< Shows the picture as it grows.
   std::vector<int> crop;                ///< X Y W H of render.window, as they were given; empty: none.
+  std::optional<Overscan> overscan;
   bool quiet = false;
   std::vector<std::string> given;           ///< The long names of the options that were given.
   std::vector<std::string> without_effect;  ///< Those that change nothing, each with the reason.

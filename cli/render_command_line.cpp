@@ -34,6 +34,7 @@ RenderArguments resolved_render(const RenderRequest& request, const Words& given
   resolve_engine(request, arguments);
   resolve_replay(request, arguments);
   resolve_layers(arguments);
+  resolve_overscan(arguments);
   resolve_run(request, arguments);
   arguments.without_effect = options_without_effect(request, arguments);
   refuse_if_strict(arguments.without_effect, arguments);

@@ -58,6 +58,8 @@ void add_run_words(CLI::App& app, RenderRequest& request);
 void resolve_picture(RenderArguments& arguments);
 void resolve_display(const RenderArguments& arguments);
 void resolve_light(const RenderRequest& request, RenderArguments& arguments);
+/// After the layers, which may name another file.
+void resolve_overscan(const RenderArguments& arguments);
 /// After the light, which decides what is known of layers.
 void resolve_layers(RenderArguments& arguments);
 void resolve_sampling(const RenderRequest& request, RenderArguments& arguments);

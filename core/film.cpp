@@ -77,12 +77,13 @@ Film::Film(int frame_width, int frame_height, PixelRect window, std::vector<Laye
   if (frame_width < 1 || frame_width > largest || frame_height < 1 || frame_height > largest)
     throw Error(fmt::format("a frame of {} x {} pixels: each side must lie in 1 to {}", frame_width,
                             frame_height, largest));
-  const bool within =
-      window.x0 >= 0 && window.y0 >= 0 && window.x1 <= frame_width && window.y1 <= frame_height;
-  if (!within || window.x0 >= window.x1 || window.y0 >= window.y1)
+  const bool is_near = window.x0 >= -largest && window.y0 >= -largest && window.x1 <= frame_width + largest &&
+                       window.y1 <= frame_height + largest;
+  if (!is_near || window.x0 >= window.x1 || window.y0 >= window.y1)
     throw Error(
-        fmt::format("the window x {} to {}, y {} to {} is empty or not within the frame of {} x {} pixels",
-                    window.x0, window.x1, window.y0, window.y1, frame_width, frame_height));
+        fmt::format("the window x {} to {}, y {} to {} is empty, or reaches more than {} pixels beyond the "
+                    "frame of {} x {}",
+                    window.x0, window.x1, window.y0, window.y1, largest, frame_width, frame_height));
   const std::size_t count = std::size_t(window.width()) * std::size_t(window.height());
   pixels_.resize(count);
   for (std::size_t layer = 0; layer < layers_.size(); ++layer) {

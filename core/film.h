@@ -50,16 +50,16 @@ struct PixelRect {
   friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
-/// A full frame, of which `window` is rendered: colours, 64 bytes a pixel, and the layers that are asked for,
-/// at most 8 bytes a channel and pixel. Pixels count from the top left. Different threads may add to
-/// different pixels at the same time.
+/// A frame, and of its pixels and those beside it a `window`: colours, 64 bytes a pixel, and layers that are
+/// asked for, at most 8 bytes a channel and pixel. Pixels count from the top left. Different threads may add
+/// to different pixels at the same time.
 class Film {
  public:
   /// A component may lie in [-max_value, max_value].
   static constexpr float max_value = max_radiance;
   static constexpr std::uint32_t max_samples = 1u << 22;
 
-  /// Throws Error for a frame outside [1, 65536]^2, a window that is empty or not within it, or some parts of
+  /// Throws Error for a frame outside [1, 65536]^2, a window that is empty or too far away, or some parts of
   /// the colours without the others.
   Film(int frame_width, int frame_height, PixelRect window, std::vector<Layer> layers = {});
 

@@ -19,8 +19,13 @@ struct Span {
     least = std::min(least, x);
     most = std::max(most, x);
   }
-  int begin(int size) const { return int(std::floor(std::clamp(least - margin, 0.0, double(size)))); }
-  int end(int size) const { return int(std::ceil(std::clamp(most + margin, 0.0, double(size)))); }
+  /// Within from..to.
+  int begin(int from, int to) const {
+    return int(std::floor(std::clamp(least - margin, double(from), double(to))));
+  }
+  int end(int from, int to) const {
+    return int(std::ceil(std::clamp(most + margin, double(from), double(to))));
+  }
 };
 
 double along(const Vec3& axis, const Vec3& p, const Vec3& origin) {
@@ -30,20 +35,22 @@ double along(const Vec3& axis, const Vec3& p, const Vec3& origin) {
 
 }  // namespace
 
-PixelRect visible_pixels(const Camera& camera, const Aabb& box, int width, int height, Vec2 margin) {
+PixelRect visible_pixels(const Camera& camera, const Aabb& box, const PicturePixels& pixels) {
+  const auto& [width, height, window, margin] = pixels;
   if (box.is_empty()) return {0, 0, 0, 0};
-  if (is_panorama(camera.projection)) return {0, 0, width, height};
+  if (is_panorama(camera.projection)) return window;
   const bool is_parallel = camera.projection == Projection::orthographic;
   Span x{margin.x}, y{margin.y};
   for (const Vec3& corner : corners_of(box)) {
     const double scale = is_parallel ? 1 : along(camera.forward, corner, camera.position);
-    if (camera.lens_radius != 0 || !(scale > 0)) return {0, 0, width, height};
+    if (camera.lens_radius != 0 || !(scale > 0)) return window;
     const double right = along(camera.right, corner, camera.position) / scale - camera.frame_center.x;
     const double up = along(camera.up, corner, camera.position) / scale - camera.frame_center.y;
     x.extend((1 + right / camera.tan_half_width) / 2 * width);
     y.extend((1 - up / camera.tan_half_height) / 2 * height);
   }
-  return {x.begin(width), y.begin(height), x.end(width), y.end(height)};
+  return {x.begin(window.x0, window.x1), y.begin(window.y0, window.y1), x.end(window.x0, window.x1),
+          y.end(window.y0, window.y1)};
 }
 
 }  // namespace twinray

@@ -48,10 +48,11 @@ void check(const RenderOptions& options) {
 PixelRect pixels_with_light(const Scene& scene, const Camera& camera, const Aabb& bounds,
                             const RenderOptions& options) {
   const auto is_behind_all = [](const Light& light) { return is_background(light.source); };
-  if (std::any_of(scene.lights.begin(), scene.lights.end(), is_behind_all))
-    return {0, 0, options.width, options.height};
+  if (std::any_of(scene.lights.begin(), scene.lights.end(), is_behind_all)) return window_of(options);
   const Vec2& radius = options.filter.radius;
-  return visible_pixels(camera, bounds, options.width, options.height, {radius.x + 0.5f, radius.y + 0.5f});
+  return visible_pixels(
+      camera, bounds,
+      {options.width, options.height, window_of(options), {radius.x + 0.5f, radius.y + 0.5f}});
 }
 
 bool is_mean(Layer layer) { return layer_info(layer).gathering != Gathering::first; }

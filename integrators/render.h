@@ -21,7 +21,7 @@ namespace twinray {
 
 struct RenderOptions {
   int width = 480, height = 360;    ///< Of the full frame, in pixels.
-  std::optional<PixelRect> window;  ///< The part of it to render; all if not set.
+  std::optional<PixelRect> window;  ///< What to render, also beside it; all if not set.
   std::uint32_t samples = 32;       ///< Per pixel; the most per pixel where sampling is adaptive.
   std::optional<AdaptiveSampling> adaptive;
   /// If set, sampling ends with the last pass over all pixels that is likely to be over by then, wall-clock

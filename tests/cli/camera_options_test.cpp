@@ -150,4 +150,19 @@ TEST_CASE("a panorama has no lens to change") {
   CHECK(error_of({.clip = ClipPlanes{1, 2}}, around) == "accepted");
 }
 
+TEST_CASE("overscan is pixels or percent around the frame, in a format that has one") {
+  const auto window = [](std::vector<std::string> words) {
+    words.insert(words.end(), {"-r", "200", "101", "-o", "a.exr"});
+    return *parse(words).render.window;
+  };
+  CHECK(window({"--overscan=12"}) == PixelRect{-12, -12, 212, 113});
+  CHECK(window({"--overscan=5%"}) == PixelRect{-10, -6, 210, 107});
+  CHECK(message_of({"--overscan=5"}) ==
+        "--overscan: twinray.png cannot tell a frame from what is around it; an .exr can");
+  CHECK(message_of({"--overscan=5", "-o", "a.exr", "-p", "0", "0", "4", "4"}) ==
+        "--overscan and --crop exclude each other");
+  CHECK(message_of({"--overscan=-1"}) == "--overscan: \"-1\" is not a whole number from 0 to 16384");
+  CHECK(message_of({"--overscan=101%"}) == "--overscan: \"101\" is not a number from 0 to 100");
+}
+
 }  // namespace twinray::test

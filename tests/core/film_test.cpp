@@ -410,11 +410,17 @@ TEST_CASE("a film that does not fit is not merged") {
 TEST_CASE("frames and windows out of range are refused") {
   CHECK_THROWS_WITH(Film(0, 5, {0, 0, 1, 1}), "a frame of 0 x 5 pixels: each side must lie in 1 to 65536");
   CHECK_THROWS_AS(Film(5, 65537, {0, 0, 1, 1}), Error);
-  CHECK_THROWS_WITH(Film(8, 6, {2, 0, 2, 6}),
-                    "the window x 2 to 2, y 0 to 6 is empty or not within the frame of 8 x 6 pixels");
-  for (const PixelRect& window : {PixelRect{-1, 0, 4, 4}, PixelRect{0, -1, 4, 4}, PixelRect{0, 0, 9, 4},
-                                  PixelRect{0, 0, 4, 7}, PixelRect{0, 3, 4, 3}, PixelRect{3, 0, 2, 4}})
+  CHECK_THROWS_WITH(
+      Film(8, 6, {2, 0, 2, 6}),
+      "the window x 2 to 2, y 0 to 6 is empty, or reaches more than 65536 pixels beyond the frame of 8 x 6");
+  for (const PixelRect& window :
+       {PixelRect{-65537, 0, 4, 4}, PixelRect{0, -65537, 4, 4}, PixelRect{0, 0, 65545, 4},
+        PixelRect{0, 0, 4, 65543}, PixelRect{0, 3, 4, 3}, PixelRect{3, 0, 2, 4}})
     CHECK_THROWS_AS(Film(8, 6, window), Error);
+  Film around(8, 6, {-2, -1, 9, 8});
+  CHECK(around.add(-2, -1, 0, {1, 2, 3}));
+  CHECK(around.pixel(-2, -1).mean() == Rgb{1, 2, 3});
+  CHECK(around.pixel(8, 7).count == 0);
 }
 
 }  // namespace twinray

@@ -216,4 +216,34 @@ TEST_CASE("nothing comes from beside a fisheye's circle, and all layers know tha
   CHECK(at(18, 8).second == 1);
 }
 
+TEST_CASE("pixels around the frame leave those of the frame as they are, and go on where it ends") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, {.max_depth = 2});
+  RenderOptions options{.width = 24, .height = 16, .samples = 8, .threads = 2};
+  options.filter = usual_filter(FilterKind::gaussian);
+  const Film frame = render_with(scene, path, options).film;
+  options.window = PixelRect{-5, -3, 30, 19};
+  const Film wide = render_with(scene, path, options).film;
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 24; ++x) CHECK(wide.pixel(x, y) == frame.pixel(x, y));
+  // A frame that is larger by as much has the same view there, up to its noise.
+  Scene larger = small_room();
+  larger.camera = fit_frame(larger.camera, 24, 16);
+  larger.camera.tan_half_width *= 34.0f / 24;
+  larger.camera.tan_half_height *= 22.0f / 16;
+  larger.camera.is_stretched = true;
+  options.width = 34, options.height = 22, options.window.reset(), options.samples = 256;
+  const Film all = render_with(larger, path, options).film;
+  options.width = 24, options.height = 16, options.window = PixelRect{-5, -3, 29, 19};
+  const Film around = render_with(scene, path, options).film;
+  double difference = 0, sum = 0;
+  for (int y = 0; y < 22; ++y)
+    for (int x = 0; x < 34; ++x) {
+      difference += std::fabs(all.pixel(x, y).luminance_mean() - around.pixel(x - 5, y - 3).luminance_mean());
+      sum += all.pixel(x, y).luminance_mean();
+    }
+  CHECK(sum > 0);
+  CHECK(difference < 0.05 * sum);
+}
+
 }  // namespace twinray::test

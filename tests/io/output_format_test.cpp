@@ -3,6 +3,7 @@
 #include "io/output_format.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -138,6 +139,23 @@ TEST_CASE(
     for (const std::string file : {"b.", "c."}) write_image(folder.file(file + ending), noise(9, 9));
     CHECK(read_text(folder.file("b." + ending)) == read_text(folder.file("c." + ending)));
   }
+}
+
+TEST_CASE("an EXR may hold more than its frame: the data window is larger than the display window") {
+  const TemporaryFolder folder;
+  write_exr(folder.file("a.exr"), noise(14, 10), {}, {-3, -2, 8, 6});
+  const std::string file = read_text(folder.file("a.exr"));
+  const auto box = [&](const std::string& name) {
+    const std::size_t at = file.find(name + std::string("\0box2i\0", 7));
+    REQUIRE(at != file.npos);
+    std::array<std::int32_t, 4> edges{};
+    for (std::size_t i = 0; i < 4; ++i)
+      edges[i] = std::int32_t(number(file, at + name.size() + 7 + 4 + 4 * i, 4));
+    return edges;
+  };
+  CHECK(box("dataWindow") == std::array{-3, -2, 10, 7});
+  CHECK(box("displayWindow") == std::array{0, 0, 7, 5});
+  CHECK(read_image(folder.file("a.exr")).pixels == noise(14, 10).pixels);
 }
 
 }  // namespace twinray::test
