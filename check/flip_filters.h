@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The filters of FLIP (check/flip.h), by a picture's pixels per degree of the field of view.
 #pragma once
-#include "check/plane.h"
+#include "core/plane.h"
 
 namespace twinray::flip {
 

@@ -61,6 +61,11 @@ set(private_headers
   check/exact.h
   core/fork_join.h
   core/lanes.h
+  integrators/denoise/blend.h
+  integrators/denoise/box_mean.h
+  integrators/denoise/patch_distance.h
+  integrators/denoise/regression.h
+  integrators/denoise/tile.h
   integrators/wave/camera_stage.h
   integrators/wave/columns.h
   integrators/wave/draws-inl.h

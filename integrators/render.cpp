@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/visible_pixels.h"
+#include "integrators/denoise/half_pictures.h"
 #include "integrators/tiles.h"
 #include "integrators/wave/camera_stage.h"
 
@@ -25,8 +26,17 @@ constexpr int tile_size = 16;
 /// Passes grow to this many samples a pixel: a preview is there early, and a tile stays long enough in the
 /// caches.
 constexpr std::uint32_t longest_pass = 16;
+/// Of fewer samples chance may make any picture look clean.
+constexpr std::uint32_t least_samples_of_target = 16;
 /// How many samples an integrator gets at once, at most: their paths stay in the second cache.
 constexpr std::size_t samples_together = 1024;
+
+void check_target(const RenderOptions& options) {
+  if (!(*options.noise_target > 0) || !std::isfinite(*options.noise_target))
+    throw Error(
+        fmt::format("a noise target of {}; it must be finite and more than 0", *options.noise_target));
+  if (!options.half_layers) throw Error("a noise target needs the halves of the samples");
+}
 
 void check(const RenderOptions& options) {
   if (options.samples < 1 || options.samples > Film::max_samples)
@@ -35,6 +45,7 @@ void check(const RenderOptions& options) {
     throw Error(fmt::format("{} seconds; they must be finite and more than 0", *options.seconds));
   if (std::set(options.layers.begin(), options.layers.end()).size() != options.layers.size())
     throw Error("a layer of a render is asked for twice");
+  if (options.noise_target) check_target(options);
   if (!options.adaptive) return;
   if (options.adaptive->batch < 1)
     throw Error(
@@ -57,6 +68,16 @@ PixelRect pixels_with_light(const Scene& scene, const Camera& camera, const Aabb
 
 bool is_mean(Layer layer) { return layer_info(layer).gathering != Gathering::first; }
 
+/// All layers that a sample's record has: each once.
+std::vector<Layer> recorded_layers(const RenderOptions& options) {
+  std::vector<Layer> layers = options.layers;
+  if (options.half_layers)
+    layers.insert(layers.end(), options.half_layers->begin(), options.half_layers->end());
+  std::sort(layers.begin(), layers.end());
+  layers.erase(std::unique(layers.begin(), layers.end()), layers.end());
+  return layers;
+}
+
 /// One render in progress. Threads take tiles from a counter; a tile's pixels belong to one thread during a
 /// pass.
 class Renderer {
@@ -75,6 +96,8 @@ class Renderer {
         tiles_(spiral_tiles(film_.window(), tile_size)) {
     progress_.samples_total = pixel_count() * options.samples;
     if (options.seconds) progress_.seconds_total = *options.seconds;
+    if (options.half_layers) halves_ = half_films(film_, *options.half_layers);
+    progress_.noise_target = options.noise_target;
   }
 
   RenderResult run() {
@@ -87,9 +110,10 @@ class Renderer {
       if (done > begin) render_pass(begin, done);
       // Where time is to decide, a pass may find that all pixels have converged.
       is_over = done == options_.samples || (options_.seconds && rays_.total() == rays);
+      if (!is_stopped() && reaches_target(done)) is_over = true;
     }
     const bool is_complete = is_over && progress_.samples_done == pixel_count() * done;
-    return {std::move(film_), rays_, seconds(), is_complete, done};
+    return {std::move(film_), rays_, seconds(), is_complete, done, std::move(halves_), progress_.error};
   }
 
  private:
@@ -107,6 +131,14 @@ class Renderer {
     if (!options_.seconds || begin == 0) return end;
     const double left = std::max(0.0, *options_.seconds - seconds());
     return left >= pass_seconds_ * (end - begin) ? end : begin + std::uint32_t(left / pass_seconds_);
+  }
+
+  /// Whether the picture of so many samples is as good as it is to be.
+  bool reaches_target(std::uint32_t samples) {
+    if (!options_.noise_target || samples < least_samples_of_target) return false;
+    const double error = estimated_relative_error(half_pictures(*halves_));
+    progress_.error = error;
+    return error <= *options_.noise_target;
   }
 
   bool is_stopped() const { return options_.is_stopped && options_.is_stopped(); }
@@ -176,13 +208,13 @@ class Renderer {
   /// What the samples of a batch are made in.
   struct Batch {
     explicit Batch(const RenderOptions& options, std::size_t size)
-        : camera_samples(size), records(options.layers, size), values(options.layers.size()) {
+        : camera_samples(size), records(recorded_layers(options), size) {
       samples.reserve(size);
     }
     std::vector<PixelSample> samples;
     std::vector<CameraSample> camera_samples;
     Records records;
-    std::vector<Rgb> values;  ///< Of one sample in each layer.
+    std::vector<Rgb> values;  ///< Of one sample in each layer of a film.
   };
 
   void add(Batch& batch, Tracer& tracer) {
@@ -192,13 +224,20 @@ class Renderer {
     camera_stage_.make(batch.samples, camera_samples);
     integrator_.sample(camera_samples, options_.sampler, tracer, records);
     for (std::size_t i = 0; i < batch.samples.size(); ++i) {
-      const auto& [x, y, index] = batch.samples[i];
-      const float weight = camera_samples[i].weight;
-      for (std::size_t layer = 0; layer < options_.layers.size(); ++layer)
-        if (const Layer shown = options_.layers[layer]; records.has(shown))
-          batch.values[layer] = is_mean(shown) ? records[shown][i] * weight : records[shown][i];
-      film_.add(x, y, index, records.color()[i] * weight, batch.values);
+      add(batch, records, i, film_);
+      if (halves_) add(batch, records, i, halves_->of(batch.samples[i].index));
     }
+  }
+
+  /// One of a batch's records to one of the films.
+  static void add(Batch& batch, const RecordSpans& records, std::size_t i, Film& film) {
+    const auto& [x, y, index] = batch.samples[i];
+    const float weight = batch.camera_samples[i].weight;
+    batch.values.resize(film.layers().size());
+    for (std::size_t layer = 0; layer < batch.values.size(); ++layer)
+      if (const Layer shown = film.layers()[layer]; records.has(shown))
+        batch.values[layer] = is_mean(shown) ? records[shown][i] * weight : records[shown][i];
+    film.add(x, y, index, records.color()[i] * weight, batch.values);
   }
 
   void finish_tile(const PixelRect& tile, std::uint32_t samples, const RayCounts& rays) {
@@ -217,6 +256,7 @@ class Renderer {
   CameraStage camera_stage_;
   PixelRect visible_pixels_;  ///< All others are black for certain.
   Film film_;
+  std::optional<HalfFilms> halves_;
   std::vector<PixelRect> tiles_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double pass_seconds_ = 0;  ///< Of a sample of all pixels, in the last pass.

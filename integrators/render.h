@@ -15,6 +15,7 @@
 #include "core/sampler.h"
 #include "core/scene.h"
 #include "integrators/adaptive.h"
+#include "integrators/half_films.h"
 #include "integrators/integrator.h"
 
 namespace twinray {
@@ -30,6 +31,12 @@ struct RenderOptions {
   std::vector<Layer> layers;  ///< Of the film besides its colours, in this order, each once.
   /// Samples lie where it sees, pixels of one sample have theirs in the middle.
   PixelFilter filter;
+  /// If set, the samples are kept in two halves as well, each with these layers.
+  std::optional<std::vector<Layer>> half_layers;
+  /// If set, with half_layers, sampling ends with the first pass, from the 16th sample on, after which the
+  /// picture's error is not above: the root of its relative mean squared error, estimated by the halves
+  /// (integrators/denoise/half_pictures.h). A function of the samples alone.
+  std::optional<double> noise_target;
   SamplerKind sampler = SamplerKind::sobol;
   std::uint64_t seed = 0;
   int threads = 0;        ///< 0: as many as the process may use.
@@ -51,6 +58,8 @@ struct RenderProgress {
   std::uint64_t samples_done = 0;  ///< Pixel samples, those that adaptive sampling saved included.
   std::uint64_t samples_total = 0;
   double seconds_total = std::numeric_limits<double>::infinity();  ///< That sampling may take.
+  std::optional<double> noise_target;                              ///< At which it ends.
+  std::optional<double> error;  ///< Where there is a target: after the last pass that was looked at.
   std::uint64_t rays = 0;
 };
 
@@ -60,6 +69,8 @@ struct RenderResult {
   double seconds = 0;         ///< Wall-clock time of the sampling alone.
   bool is_complete = true;    ///< False where it was stopped; pixels then have different numbers of samples.
   std::uint32_t samples = 0;  ///< Of the passes that were begun, per pixel; the most where it is adaptive.
+  std::optional<HalfFilms> halves = {};  ///< Where they are asked for.
+  std::optional<double> error = {};      ///< As estimated after the last pass, where there is a target.
 };
 
 /// Renders the scene as its camera sees it. The film depends on scene, integrator and options alone: not on

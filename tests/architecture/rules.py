@@ -53,6 +53,10 @@ UNSPECIFIED_RANDOM = re.compile(r"\b(?:std::)?s?rand\s*\(|"
 TALKS = re.compile(r"\b(?:std::c(?:out|err|log)\b|(?:std::)?f?printf\s*\(|(?:std::)?f?puts\s*\(|fmt::print\b|"
                    r"(?:std::)?(?:exit|abort|terminate|quick_exit)\s*\()")
 
+# Libraries that are loaded while the program runs: each by its door.
+LOADS = re.compile(r"\bdlopen\s*\(")
+LOADERS = ("io/image_codec.cpp", "integrators/denoise/open_image_denoise.cpp")
+
 LEFT_OPEN = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|X" r"XX|HA" r"CK)\b")
 NATIVE = "-march=" + "native"
 MACHINE_PATH = re.compile(r"(?<![\w.}])/(?:ho" r"me|ro" r"ot|wo" r"rk)/")
@@ -245,6 +249,9 @@ random_numbers = pattern_rule(
     UNSPECIFIED_RANDOM, is_cpp, "{} gives other numbers elsewhere: use core/sampler.h", code_only=True)
 quiet_libraries = pattern_rule(
     TALKS, in_libraries, "{}: a library throws Error or returns a value", code_only=True)
+loaded_libraries = pattern_rule(
+    LOADS, lambda name: in_program(name) and name not in LOADERS,
+    f"{{}}: libraries are loaded by {' and '.join(LOADERS)} alone", code_only=True)
 nothing_left_open = pattern_rule(
     LEFT_OPEN, is_written, "{}: finish it, or say in the documentation what is missing", code_only=False)
 no_machine_paths = pattern_rule(
@@ -317,8 +324,8 @@ def no_circles(tree):
 
 
 RULES = (layers, includes_from_root, doors, privacy, installed_headers, public_headers, headers_guarded,
-         licensed, sizes, same_bits, random_numbers, quiet_libraries, nothing_left_open, no_machine_paths,
-         portable_builds, every_test_counts, whole_names, all_listed, no_circles)
+         licensed, sizes, same_bits, random_numbers, quiet_libraries, loaded_libraries, nothing_left_open,
+         no_machine_paths, portable_builds, every_test_counts, whole_names, all_listed, no_circles)
 
 
 def read_tree(root):

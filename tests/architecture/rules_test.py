@@ -114,6 +114,11 @@ class Rules(unittest.TestCase):
             self.expect({"io/a.h": HEADER + call + "\n"}, "a library throws Error")
             self.expect({"cli/a.h": HEADER + call + "\n"})
 
+    def test_libraries_are_loaded_by_their_doors(self):
+        load = HEADER + 'void* const library = dlopen("library.so", 0);\n'
+        self.expect({"io/a.h": load}, "libraries are loaded by")
+        self.expect({"tests/a.h": load})
+
     def test_nothing_is_left_open(self):
         for word in ("TO" "DO", "FIX" "ME", "X" "XX", "HA" "CK"):
             self.expect({"core/a.h": HEADER + f"// {word}: later\n"}, "core/a.h:3: " + word)

@@ -8,7 +8,7 @@ BY_CHANNEL = "differences are the picture's values minus the reference's, by cha
 NOISE = "pictures with variances are tested for more than noise, tile by tile"
 
 MUTANTS = [
-    Mutant("FLIP's filters take black for what lies beyond the border", "check/plane.cpp",
+    Mutant("FLIP's filters take black for what lies beyond the border", "core/plane.cpp",
            "padded[std::size_t(i)] = row[std::clamp(i - radius, 0, width - 1)];",
            "padded[std::size_t(i)] = i < radius ? 0 : row[std::min(i - radius, width - 1)];",
            "test_check", DISPLAYED),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "check/plane.h"
+#include "core/plane.h"
 
 #include <algorithm>
 

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrators/denoise/blend.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/parallel.h"
+#include "integrators/denoise/box_mean.h"
+
+namespace twinray {
+namespace {
+
+/// The noisy picture and the filters of it.
+constexpr std::size_t candidates = 3;
+using Candidates = std::array<FilteredHalves, candidates>;
+/// Errors are estimated over squares of this radius, twice.
+constexpr int error_radius = 3;
+/// Keeps the relative error of black pixels finite, as in check/picture_error.h.
+constexpr float least_square = 0.01f;
+constexpr int steps = 16;  ///< Shares of a mixture are multiples of 1 / steps.
+constexpr std::size_t pixels_a_task = 4096;
+
+/// The expected products of the errors of two candidates: lower half of a symmetric matrix.
+using ErrorProducts = std::array<std::array<Plane, candidates>, candidates>;
+using Shares = std::array<float, candidates>;
+
+Candidates candidates_of(const HalfPictures& noisy, const std::array<FilteredHalves, 2>& filtered) {
+  return {FilteredHalves{noisy.halves[0].color, noisy.halves[1].color}, filtered[0], filtered[1]};
+}
+
+Color mean_color(const FilteredHalves& halves, const Plane& second_weight) {
+  Color mean;
+  for (std::size_t c = 0; c < 3; ++c) mean[c] = mean_of_halves(halves[0][c], halves[1][c], second_weight);
+  return mean;
+}
+
+/// Of one pixel and channel, relative to its square.
+struct ErrorProduct {
+  const HalfPictures& noisy;
+  const FilteredHalves &first, &second;
+  const Color& level;  ///< By which errors are divided.
+
+  float operator()(std::size_t i, std::size_t c) const {
+    const auto of = [&](const FilteredHalves& halves, std::size_t half) { return halves[half][c].values[i]; };
+    const float a = noisy.halves[0].color[c].values[i], b = noisy.halves[1].color[c].values[i];
+    const float weight = noisy.second_weight.values[i];
+    const float bias =
+        0.5f * ((of(first, 0) - a) * (of(second, 1) - b) + (of(second, 0) - a) * (of(first, 1) - b));
+    const float left =
+        weight * (1 - weight) * (of(first, 0) - of(first, 1)) * (of(second, 0) - of(second, 1));
+    const float scale = level[c].values[i];
+    return (bias + left) / (scale * scale + least_square);
+  }
+};
+
+Plane error_products(const ErrorProduct& product) {
+  Plane means(product.noisy.width, product.noisy.height);
+  parallel_for(means.values.size(), pixels_a_task, 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      means.values[i] = (product(i, 0) + product(i, 1) + product(i, 2)) * (1.0f / 3);
+  });
+  return box_mean(box_mean(means, error_radius), error_radius);
+}
+
+ErrorProducts all_error_products(const HalfPictures& noisy, const Candidates& all, const Color& level) {
+  ErrorProducts products;
+  for (std::size_t i = 0; i < candidates; ++i)
+    for (std::size_t j = 0; j <= i; ++j) products[i][j] = error_products({noisy, all[i], all[j], level});
+  return products;
+}
+
+float error_of(const Shares& shares, const ErrorProducts& products, std::size_t pixel) {
+  float error = 0;
+  for (std::size_t i = 0; i < candidates; ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      error += (i == j ? 1.0f : 2.0f) * shares[i] * shares[j] * products[i][j].values[pixel];
+  return error;
+}
+
+Shares best_shares(const ErrorProducts& products, std::size_t pixel) {
+  Shares best{1, 0, 0};
+  float least = std::numeric_limits<float>::infinity();
+  for (int first = 0; first <= steps; ++first)
+    for (int second = 0; first + second <= steps; ++second) {
+      const Shares shares{float(steps - first - second) / steps, float(first) / steps, float(second) / steps};
+      const float error = error_of(shares, products, pixel);
+      if (error < least) {
+        best = shares;
+        least = error;
+      }
+    }
+  return best;
+}
+
+}  // namespace
+
+Color best_blend(const HalfPictures& noisy, const std::array<FilteredHalves, 2>& filtered) {
+  const Candidates all = candidates_of(noisy, filtered);
+  std::array<Color, candidates> means;
+  for (std::size_t i = 0; i < candidates; ++i) means[i] = mean_color(all[i], noisy.second_weight);
+  const ErrorProducts products = all_error_products(noisy, all, means.back());
+  Color blend = means.front();
+  parallel_for(blend[0].values.size(), pixels_a_task, 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t pixel = begin; pixel < end; ++pixel) {
+      const Shares shares = best_shares(products, pixel);
+      for (std::size_t c = 0; c < 3; ++c) {
+        float sum = 0;
+        for (std::size_t i = 0; i < candidates; ++i) sum += shares[i] * means[i][c].values[pixel];
+        blend[c].values[pixel] = std::max(0.0f, sum);
+      }
+    }
+  });
+  return blend;
+}
+
+}  // namespace twinray

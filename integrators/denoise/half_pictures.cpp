@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrators/denoise/half_pictures.h"
+
+#include <cmath>
+
+#include "core/rgb.h"
+#include "integrators/denoise/box_mean.h"
+
+namespace twinray {
+namespace {
+
+constexpr float Rgb::*channels[] = {&Rgb::r, &Rgb::g, &Rgb::b};
+
+/// Keeps the relative error of black pixels finite, as in check/picture_error.h.
+constexpr double least_square = 0.01;
+/// A pixel's error is divided by what is around it, over squares of this radius, twice: a pixel that is too
+/// bright by chance would hide its own error.
+constexpr int level_radius = 2;
+
+HalfPicture empty_half(const Film& film) {
+  const Plane empty(film.window().width(), film.window().height());
+  HalfPicture half{{empty, empty, empty}, {}};
+  for (const Layer layer : film.layers())
+    half.features.resize(half.features.size() + channel_count(layer), empty);
+  return half;
+}
+
+void read_features(const Film& film, int x, int y, std::size_t at, HalfPicture& half) {
+  std::size_t feature = 0;
+  for (std::size_t layer = 0; layer < film.layers().size(); ++layer) {
+    const Rgb value = film.value(layer, x, y);
+    for (std::size_t c = 0; c < channel_count(film.layers()[layer]); ++c)
+      half.features[feature++].values[at] = value.*channels[c];
+  }
+}
+
+void read_pixel(const Film& film, int x, int y, std::size_t at, HalfPicture& half) {
+  const Rgb mean = film.pixel(x, y).mean();
+  for (std::size_t c = 0; c < 3; ++c) half.color[c].values[at] = mean.*channels[c];
+  read_features(film, x, y, at, half);
+}
+
+}  // namespace
+
+HalfPictures half_pictures(const HalfFilms& films) {
+  const PixelRect& window = films.first.window();
+  const int width = window.width(), height = window.height();
+  HalfPictures made{width, height, {empty_half(films.first), empty_half(films.second)}, Plane(width, height)};
+  std::size_t at = 0;
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x, ++at) {
+      const std::uint32_t a = films.first.pixel(x, y).count, b = films.second.pixel(x, y).count;
+      read_pixel(a > 0 ? films.first : films.second, x, y, at, made.halves[0]);
+      read_pixel(b > 0 ? films.second : films.first, x, y, at, made.halves[1]);
+      made.second_weight.values[at] = a + b == 0 ? 0 : float(double(b) / (a + b));
+    }
+  return made;
+}
+
+Plane mean_of_halves(const Plane& a, const Plane& b, const Plane& second_weight) {
+  Plane mean(a.width, a.height);
+  for (std::size_t i = 0; i < mean.values.size(); ++i) {
+    const float weight = second_weight.values[i];
+    mean.values[i] = (1 - weight) * a.values[i] + weight * b.values[i];
+  }
+  return mean;
+}
+
+Plane half_variance(const Plane& a, const Plane& b, const Plane& second_weight) {
+  Plane variance(a.width, a.height);
+  for (std::size_t i = 0; i < variance.values.size(); ++i) {
+    const float difference = a.values[i] - b.values[i], weight = second_weight.values[i];
+    variance.values[i] = difference * difference * (weight * (1 - weight));
+  }
+  return variance;
+}
+
+double estimated_relative_error(const HalfPictures& pictures) {
+  double sum = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Plane &a = pictures.halves[0].color[c], &b = pictures.halves[1].color[c];
+    const Plane mean = mean_of_halves(a, b, pictures.second_weight);
+    const Plane level = box_mean(box_mean(mean, level_radius), level_radius);
+    const Plane variance = half_variance(a, b, pictures.second_weight);
+    for (std::size_t i = 0; i < mean.values.size(); ++i)
+      sum += double(variance.values[i]) / (double(level.values[i]) * level.values[i] + least_square);
+  }
+  return std::sqrt(sum / (3.0 * double(pictures.second_weight.values.size())));
+}
+
+Image image_of(std::span<const Plane> color) {
+  Image image(color[0].width, color[0].height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = {color[0].values[i], color[1].values[i], color[2].values[i]};
+  return image;
+}
+
+}  // namespace twinray

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrators/denoise/open_image_denoise.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "core/error.h"
+#include "core/parallel.h"
+
+namespace twinray {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* library_name = "libOpenImageDenoise.so.2";
+constexpr int known_version = 2;
+constexpr int deepest = 8;  ///< Folders within a folder in which the library is looked for.
+
+// Its interface in C (oidn.h), as far as it is needed here.
+
+using Device = void*;
+using Filter = void*;
+constexpr int processor_device = 1;  ///< OIDN_DEVICE_TYPE_CPU
+constexpr int three_floats = 3;      ///< OIDN_FORMAT_FLOAT3
+
+struct Functions {
+  Device (*new_device)(int type);
+  void (*release_device)(Device);
+  void (*set_device_int)(Device, const char* name, int value);
+  int (*get_device_int)(Device, const char* name);
+  void (*commit_device)(Device);
+  int (*get_device_error)(Device, const char** message);  ///< 0: there was none.
+  Filter (*new_filter)(Device, const char* type);
+  void (*release_filter)(Filter);
+  void (*set_shared_image)(Filter, const char* name, void* pixels, int format, std::size_t width,
+                           std::size_t height, std::size_t byte_offset, std::size_t pixel_stride,
+                           std::size_t row_stride);
+  void (*set_bool)(Filter, const char* name, bool value);
+  void (*commit_filter)(Filter);
+  void (*execute_filter)(Filter);
+};
+
+template <class Function>
+void find_function(void* library, const char* name, const std::string& path, Function& function) {
+  function = reinterpret_cast<Function>(dlsym(library, name));
+  if (!function)
+    throw Error(
+        fmt::format("{}: this is not Open Image Denoise {}: it has no {}", path, known_version, name));
+}
+
+Functions find_functions(void* library, const std::string& path) {
+  Functions found{};
+  const auto find = [&](const char* name, auto& function) { find_function(library, name, path, function); };
+  find("oidnNewDevice", found.new_device);
+  find("oidnReleaseDevice", found.release_device);
+  find("oidnSetDeviceInt", found.set_device_int);
+  find("oidnGetDeviceInt", found.get_device_int);
+  find("oidnCommitDevice", found.commit_device);
+  find("oidnGetDeviceError", found.get_device_error);
+  find("oidnNewFilter", found.new_filter);
+  find("oidnReleaseFilter", found.release_filter);
+  find("oidnSetSharedFilterImage", found.set_shared_image);
+  find("oidnSetFilterBool", found.set_bool);
+  find("oidnCommitFilter", found.commit_filter);
+  find("oidnExecuteFilter", found.execute_filter);
+  return found;
+}
+
+/// The library within a folder: of several the first by name; empty where there is none.
+std::string library_within(const fs::path& folder) {
+  std::vector<std::string> found;
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error), end;
+       !error && at != end; at.increment(error)) {
+    if (at.depth() >= deepest) at.disable_recursion_pending();
+    if (at->path().filename() == library_name) found.push_back(at->path().string());
+  }
+  return found.empty() ? "" : *std::min_element(found.begin(), found.end());
+}
+
+std::string variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value ? value : "";
+}
+
+/// The file that the environment names; empty where it names none.
+std::string named_library() {
+  const std::string named = variable("TWINRAY_OIDN");
+  if (named.empty() || !fs::is_directory(named)) return named;
+  const std::string found = library_within(named);
+  if (found.empty()) throw Error(fmt::format("TWINRAY_OIDN: there is no {} in {}", library_name, named));
+  return found;
+}
+
+}  // namespace
+
+/// The loaded library and its device. It stays in memory, as it has threads of its own.
+class OpenImageDenoise::Library {
+ public:
+  Library(void* loaded, const std::string& path)
+      : functions_(find_functions(loaded, path)), device_(functions_.new_device(processor_device)) {
+    check(path.c_str());
+    if (!device_) throw Error(fmt::format("{}: this processor cannot be used", path));
+    if (functions_.get_device_int(device_, "versionMajor") != known_version) {
+      const std::string other = version();
+      functions_.release_device(device_);
+      throw Error(fmt::format("{}: this is version {} of Open Image Denoise; {} is needed", path, other,
+                              known_version));
+    }
+    functions_.set_device_int(device_, "numThreads", available_threads());
+    functions_.commit_device(device_);
+    check(path.c_str());
+  }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+  ~Library() { functions_.release_device(device_); }
+
+  std::string version() const {
+    const auto part = [&](const char* name) { return functions_.get_device_int(device_, name); };
+    return fmt::format("{}.{}.{}", part("versionMajor"), part("versionMinor"), part("versionPatch"));
+  }
+
+  /// An image that a filter reads or writes. It reads it alone, but its interface does not say so.
+  struct Binding {
+    const char* name;
+    const Image* image;
+  };
+  /// Runs the filter for ray traced pictures. With `flags` set.
+  Image filtered(std::span<const Binding> inputs, std::span<const char* const> flags) const {
+    const std::unique_ptr<void, void (*)(Filter)> filter(functions_.new_filter(device_, "RT"),
+                                                         functions_.release_filter);
+    check("Open Image Denoise");
+    const Image& first = *inputs.front().image;
+    Image output(first.width, first.height);
+    for (const Binding& input : inputs) bind(filter.get(), input.name, *input.image);
+    bind(filter.get(), "output", output);
+    for (const char* const flag : flags) functions_.set_bool(filter.get(), flag, true);
+    functions_.commit_filter(filter.get());
+    functions_.execute_filter(filter.get());
+    check("Open Image Denoise");
+    return output;
+  }
+
+ private:
+  void bind(Filter filter, const char* name, const Image& image) const {
+    functions_.set_shared_image(filter, name, const_cast<Rgb*>(image.pixels.data()), three_floats,
+                                std::size_t(image.width), std::size_t(image.height), 0, sizeof(Rgb), 0);
+  }
+  /// Throws what the library complains of.
+  void check(const char* who) const {
+    const char* message = nullptr;
+    if (functions_.get_device_error(device_, &message) != 0)
+      throw Error(fmt::format("{}: {}", who, message ? message : "an error without a message"));
+  }
+
+  const Functions functions_;
+  const Device device_;
+};
+
+OpenImageDenoise::OpenImageDenoise(std::unique_ptr<const Library> library) : library_(std::move(library)) {}
+OpenImageDenoise::~OpenImageDenoise() = default;
+
+std::unique_ptr<const OpenImageDenoise> OpenImageDenoise::find() {
+  const std::string named = named_library();
+  std::string path = named.empty() ? library_name : named;
+  void* loaded = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!loaded && !named.empty()) throw Error(fmt::format("TWINRAY_OIDN: {}", dlerror()));
+  if (const std::string active = variable("VIRTUAL_ENV"); !loaded && !active.empty()) {
+    path = library_within(active);
+    if (!path.empty()) loaded = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  }
+  if (!loaded) return nullptr;
+  return std::unique_ptr<const OpenImageDenoise>(
+      new OpenImageDenoise(std::make_unique<const Library>(loaded, path)));
+}
+
+std::string OpenImageDenoise::version() const { return library_->version(); }
+
+Image OpenImageDenoise::denoised(const NoisyFeatures& noisy) const {
+  const auto alone = [&](const char* name, const Image& image) {
+    const std::array inputs{Library::Binding{name, &image}};
+    return library_->filtered(inputs, {});
+  };
+  const Image albedo = alone("albedo", noisy.albedo), normal = alone("normal", noisy.normal);
+  const std::array inputs{Library::Binding{"color", &noisy.color}, Library::Binding{"albedo", &albedo},
+                          Library::Binding{"normal", &normal}};
+  constexpr std::array flags{"hdr", "cleanAux"};
+  Image denoised = library_->filtered(inputs, flags);
+  for (Rgb& pixel : denoised.pixels)
+    pixel = {std::max(0.0f, pixel.r), std::max(0.0f, pixel.g), std::max(0.0f, pixel.b)};
+  return denoised;
+}
+
+}  // namespace twinray

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Intel's Open Image Denoise, a neural network, where its library is found when the program runs. Nothing of
+// it is needed to build.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "core/image.h"
+
+namespace twinray {
+
+/// What Open Image Denoise is given, all of one size: the noisy picture, and means of albedo and normal.
+struct NoisyFeatures {
+  Image color, albedo, normal;
+};
+
+/// The library, with its device: the processor. Its pictures are the same on one machine each time; on others
+/// they may differ in their last bits.
+class OpenImageDenoise {
+ public:
+  /// Looks in what the environment's TWINRAY_OIDN names, the library or a folder that has it somewhere within
+  /// (a virtual environment with the package pyoidn does); without one, where the loader looks, and in the
+  /// virtual environment that is active (VIRTUAL_ENV). Null where there is none. Throws Error where
+  /// TWINRAY_OIDN names no library, or one that is found does not work or is of another version than 2.
+  static std::unique_ptr<const OpenImageDenoise> find();
+  ~OpenImageDenoise();
+
+  /// "2.5.1"
+  std::string version() const;
+  /// The picture without noise; albedo and normal are denoised first. Never negative. Throws Error with the
+  /// library's words where it fails.
+  Image denoised(const NoisyFeatures& noisy) const;
+
+ private:
+  class Library;
+  explicit OpenImageDenoise(std::unique_ptr<const Library> library);
+
+  std::unique_ptr<const Library> library_;
+};
+
+}  // namespace twinray
