@@ -11,28 +11,40 @@ float* append(const Rgb& value, std::size_t count, float* to) {
   return to;
 }
 
-void fill_row(const Film& film, int y, std::span<float> values) {
+/// Of what a file has.
+struct Source {
+  const Film& film;
+  const Image* denoised;  ///< Null: there is none.
+};
+
+void fill_row(const Source& source, int row, std::span<float> values) {
+  const Film& film = source.film;
   const PixelRect& window = film.window();
+  const int y = window.y0 + row;
   float* next = values.data();
   std::vector<Rgb> layers(film.layers().size());
   for (int x = window.x0; x < window.x1; ++x) {
-    next = append(film.pixel(x, y).mean(), 3, next);
+    const Rgb mean = film.pixel(x, y).mean();
+    next = append(source.denoised ? source.denoised->at(x - window.x0, row) : mean, 3, next);
     film.read_values(x, y, layers);
     for (std::size_t i = 0; i < layers.size(); ++i)
       next = append(layers[i], channel_count(film.layers()[i]), next);
+    if (source.denoised) next = append(mean, 3, next);
   }
 }
 
 }  // namespace
 
-LayeredImage layered_picture(const Film& film) {
+LayeredImage layered_picture(const Film& film, const Image* denoised) {
   const PixelRect& window = film.window();
   LayeredImage image{window.width(), window.height(), {{"R"}, {"G"}, {"B"}}, {}};
   for (const Layer layer : film.layers())
     for (const char* const channel : layer_info(layer).channels)
       image.channels.push_back({channel, layer_info(layer).is_half});
-  image.fill_row = [&film, first = window.y0](int y, std::span<float> values) {
-    fill_row(film, first + y, values);
+  if (denoised)
+    for (const char* const channel : {"noisy.R", "noisy.G", "noisy.B"}) image.channels.push_back({channel});
+  image.fill_row = [source = Source{film, denoised}](int y, std::span<float> values) {
+    fill_row(source, y, values);
   };
   return image;
 }

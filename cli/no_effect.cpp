@@ -230,6 +230,8 @@ constexpr Rule rules[]{
     {"--tev", needs_picture},
     {"--threads", needs_picture},
     {"--seconds", needs_picture},
+    {"--noise-target", needs_picture},
+    {"--denoise", needs_picture},
     {"--replay-json", needs_replay},
     {"--replay-obj", needs_replay},
     {"--adaptive", needs_batches},

@@ -52,7 +52,7 @@ std::string write_partial(const RenderOutputs& partial, const RenderArguments& a
   const std::string samples = sample_range_text(film, arguments.render.samples);
   for (auto& [name, value] : notes.metadata)
     if (name == "twinray:samples") value = samples;
-  write_pictures(partial, arguments, film, notes);
+  write_pictures(partial, arguments, {film}, notes);
   return fmt::format("{}: interrupted; {} holds what there is: {} samples a pixel\n", console::speaker(),
                      partial.picture, samples);
 }

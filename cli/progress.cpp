@@ -16,15 +16,31 @@ ProgressLine progress_line(bool enabled) {
   return {isatty(STDERR_FILENO) != 0, write};
 }
 
+namespace {
+
+/// How much is done of what a noise target asks for: the error falls with the root of the samples, at least.
+double share_of_target(const RenderProgress& progress) {
+  if (!progress.error || !(*progress.error > 0)) return 0;
+  const double ratio = *progress.noise_target / *progress.error;
+  return ratio * ratio;
+}
+
+}  // namespace
+
 std::string progress_text(const RenderProgress& progress, double elapsed_seconds) {
   const double of_samples =
       progress.samples_total == 0 ? 1 : double(progress.samples_done) / double(progress.samples_total);
   const double of_time = elapsed_seconds / progress.seconds_total;
-  const double done = std::min(1.0, std::max(of_samples, of_time));
+  const double of_noise = share_of_target(progress);
+  const double done = std::min(1.0, std::max({of_samples, of_time, of_noise}));
   const double rate = elapsed_seconds > 0 ? double(progress.rays) / elapsed_seconds : 0;
   std::string text = fmt::format("{:3.0f} % | {:.1f} ", 100 * done, 1e-6 * double(progress.samples_done));
-  if (of_samples >= of_time) text += fmt::format("of {:.1f} ", 1e-6 * double(progress.samples_total));
-  text += fmt::format("M samples | {:.2f} M rays/s | {}", 1e-6 * rate, duration_text(elapsed_seconds));
+  if (of_samples >= std::max(of_time, of_noise))
+    text += fmt::format("of {:.1f} ", 1e-6 * double(progress.samples_total));
+  text += "M samples | ";
+  if (progress.error)
+    text += fmt::format("error {:.3g}, target {:.3g} | ", *progress.error, *progress.noise_target);
+  text += fmt::format("{:.2f} M rays/s | {}", 1e-6 * rate, duration_text(elapsed_seconds));
   if (done > 0.01) text += fmt::format(", {} left", duration_text(elapsed_seconds * (1 - done) / done));
   return text;
 }

@@ -30,6 +30,13 @@ inline bool traces_paths(IntegratorKind kind) {
          kind == IntegratorKind::direct;
 }
 
+/// What takes the noise out of a picture.
+enum class DenoiserKind {
+  automatic,           ///< Open Image Denoise where it is found, else our own filter.
+  open_image_denoise,  ///< As --denoise takes it: "oidn".
+  own,
+};
+
 /// The path of one sample, in place of a picture.
 struct ReplayRequest {
   PixelSample sample;               ///< Of the full frame.
@@ -73,7 +80,8 @@ struct RenderArguments {
       texture_bytes;              ///< Of memory for pictures on surfaces; not set: all there are.
   bool convert_textures = false;  ///< In place of a picture, pictures of surfaces are written in tiles.
   RenderOptions render;
-  Display display;  ///< Of pictures in formats of 8 bits.
+  Display display;                       ///< Of pictures in formats of 8 bits.
+  std::optional<DenoiserKind> denoiser;  ///< Of the picture, if it is to be denoised.
   std::optional<ReplayRequest> replay;
   std::optional<ViewerAddress> viewer;  ///< Shows the picture as it grows.
   std::vector<int> crop;                ///< X Y W H of render.window, as they were given; empty: none.
@@ -87,6 +95,9 @@ struct RenderArguments {
 inline bool is_cs184(const RenderArguments& arguments) {
   return arguments.load.interpretation == Interpretation::cs184;
 }
+
+/// Whether something else than the number of samples may end the render.
+inline bool is_open_ended(const RenderOptions& render) { return render.seconds || render.noise_target; }
 
 /// Whether an option was given, by its long name.
 inline bool is_given(const char* option, const RenderArguments& arguments) {

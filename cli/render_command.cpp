@@ -8,6 +8,7 @@
 #include "check/render_check.h"
 #include "cli/console.h"
 #include "cli/crosscheck_report.h"
+#include "cli/denoising.h"
 #include "cli/interrupt.h"
 #include "cli/live_picture.h"
 #include "cli/outputs.h"
@@ -130,6 +131,8 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   check_memory(memory_needs(arguments.render));
   const RenderOutputs outputs = render_outputs(arguments);
   const RenderOutputs partial = partial_outputs(outputs);
+  std::optional<Denoising> denoising;
+  if (arguments.denoiser) denoising.emplace(*arguments.denoiser, arguments.render.threads);
   const InterruptGuard guard(all_names({outputs, partial}));
   prepare_outputs(outputs.names());
   if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
@@ -139,6 +142,7 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   const LoadedScene loaded = load_for_render(arguments, talk);
   choose_engine(*loaded.scene.geometry, arguments);
   check_memory(memory_needs(arguments, loaded.scene.geometry->primitive_count()));
+  check_samples_for_denoising(arguments);
   PictureNotes notes = picture_notes(arguments, words, loaded.scene.camera);
   const auto integrator = make_integrator(arguments, loaded.scene);
   talk.building(arguments, *loaded.scene.geometry);
@@ -156,9 +160,15 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
     console::write_error(write_partial(partial, arguments, result.film, notes));
     return stop_code;
   }
-  if (arguments.render.seconds) {
+  if (is_open_ended(arguments.render)) {
     arguments.render.samples = result.samples;
     notes = picture_notes(arguments, words, loaded.scene.camera);
+  }
+  std::optional<DenoisedPicture> denoised;
+  if (denoising) {
+    denoised = denoising->denoise(*result.halves);
+    talk.denoised(*denoised);
+    notes.metadata.emplace_back("twinray:denoiser", denoised->denoiser);
   }
   if (const std::string rejected = rejection_text(result.film, arguments); !rejected.empty())
     console::warn(rejected);
@@ -166,13 +176,14 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   std::optional<SceneCrosscheck> found;
   if (check) found = check->found(result.seconds);
   talk.saving();
-  write_pictures(outputs, arguments, result.film, notes);
+  write_pictures(outputs, arguments, {result.film, denoised ? &denoised->image : nullptr}, notes);
   if (!outputs.differences.empty())
     write_image(outputs.differences, check->picture(mean_image(result.film)), notes.metadata);
   talk.saved();
   if (!outputs.statistics.empty())
     write_file(outputs.statistics, statistics_json(arguments, accelerator->stats(), result,
-                                                   found ? check_json(arguments, *found) : ""));
+                                                   {found ? check_json(arguments, *found) : "",
+                                                    denoised ? &*denoised : nullptr}));
   talk.finished(arguments, accelerator->stats(), result);
   if (const std::string fault = live.finish(); !fault.empty()) console::warn(fault);
   return check ? report(*check, *found, arguments, outputs.differences) : 0;

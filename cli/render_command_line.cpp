@@ -17,6 +17,7 @@ void add_options(CLI::App& app, RenderRequest& request) {
   add_light_options(app, request);
   add_texture_options(app, request);
   add_sampling_options(app, request);
+  add_denoise_options(app, request);
   add_engine_options(app, request);
   add_replay_options(app, request);
   add_run_options(app, request);
@@ -35,6 +36,7 @@ RenderArguments resolved_render(const RenderRequest& request, const Words& given
   resolve_replay(request, arguments);
   resolve_layers(arguments);
   resolve_overscan(arguments);
+  resolve_denoising(request, arguments);
   resolve_run(request, arguments);
   arguments.without_effect = options_without_effect(request, arguments);
   refuse_if_strict(arguments.without_effect, arguments);
@@ -44,7 +46,7 @@ RenderArguments resolved_render(const RenderRequest& request, const Words& given
 void take_defaults(const RenderDefaults& defaults, RenderArguments& arguments) {
   if (is_cs184(arguments)) return;
   take_frame(defaults, arguments);
-  if (defaults.samples && !is_given("--samples", arguments) && !arguments.render.seconds)
+  if (defaults.samples && !is_given("--samples", arguments) && !is_open_ended(arguments.render))
     arguments.render.samples = *defaults.samples;
   if (defaults.max_depth && !is_given("--max-depth", arguments)) take_depth(*defaults.max_depth, arguments);
 }

@@ -28,11 +28,13 @@ struct RenderRequest {
   std::string accel = "auto";  ///< Or a backend's name, or check.
   std::string check_with;      ///< Empty: the usual one.
   std::string tev;             ///< A viewer's address; empty: none.
+  std::string denoise;         ///< What is to denoise; empty: nothing.
 };
 
 void add_picture_options(CLI::App& app, RenderRequest& request);
 void add_display_options(CLI::App& app, RenderRequest& request);
 void add_layer_options(CLI::App& app, RenderRequest& request);
+void add_denoise_options(CLI::App& app, RenderRequest& request);
 void add_light_options(CLI::App& app, RenderRequest& request);
 void add_texture_options(CLI::App& app, RenderRequest& request);
 void add_sampling_options(CLI::App& app, RenderRequest& request);
@@ -62,6 +64,7 @@ void resolve_light(const RenderRequest& request, RenderArguments& arguments);
 void resolve_overscan(const RenderArguments& arguments);
 /// After the light, which decides what is known of layers.
 void resolve_layers(RenderArguments& arguments);
+void resolve_denoising(const RenderRequest& request, RenderArguments& arguments);
 void resolve_sampling(const RenderRequest& request, RenderArguments& arguments);
 /// After the others: the engine depends on what is computed. Where the scene decides, it is left to
 /// choose_engine().

@@ -29,16 +29,29 @@ std::string rate_name(const RenderArguments& arguments) {
   return is_cs184(arguments) ? cs184_rate_name(arguments.output) : name_beside(arguments.output, "_rate.png");
 }
 
-void write_colors(const RenderOutputs& outputs, const RenderArguments& arguments, const Film& film,
-                  const PictureNotes& notes) {
-  if (!film.layers().empty())
-    return write_exr(outputs.picture, layered_picture(film), notes.metadata, notes.frame);
-  const Image mean = mean_image(film);
-  if (is_linear(output_format(outputs.picture)))
-    return write_linear(outputs.picture, mean, notes.metadata, notes.frame);
-  write_display(outputs.picture,
-                is_cs184(arguments) ? encode_cs184(mean) : displayed(mean, arguments.display),
+bool keeps_layers(const std::string& picture) { return output_format(picture) == OutputFormat::exr; }
+
+/// "a/b.tiff" -> "a/b_noisy.tiff"
+std::string noisy_name(const std::string& picture) {
+  const std::string ending = std::filesystem::path(picture).extension().string();
+  return name_beside(picture, "_noisy" + (has_ending(picture) ? ending : ".png"));
+}
+
+void write_color(const std::string& name, const RenderArguments& arguments, const Image& image,
+                 const PictureNotes& notes) {
+  if (is_linear(output_format(name))) return write_linear(name, image, notes.metadata, notes.frame);
+  write_display(name, is_cs184(arguments) ? encode_cs184(image) : displayed(image, arguments.display),
                 notes.metadata);
+}
+
+void write_colors(const RenderOutputs& outputs, const RenderArguments& arguments,
+                  const RenderedPicture& rendered, const PictureNotes& notes) {
+  const auto& [film, denoised] = rendered;
+  if (!film.layers().empty() || (denoised && keeps_layers(outputs.picture)))
+    return write_exr(outputs.picture, layered_picture(film, denoised), notes.metadata, notes.frame);
+  const Image mean = mean_image(film);
+  write_color(outputs.picture, arguments, denoised ? *denoised : mean, notes);
+  if (!outputs.noisy.empty()) write_color(outputs.noisy, arguments, mean, notes);
 }
 
 ByteImage rate_image(const RenderArguments& arguments, const Film& film) {
@@ -60,7 +73,7 @@ void write_costs(const RenderOutputs& outputs, const Film& film, const PictureNo
 }  // namespace
 
 std::vector<std::string> RenderOutputs::names() const {
-  return given_names({picture, rates, legend, differences, statistics});
+  return given_names({picture, rates, legend, differences, noisy, statistics});
 }
 
 std::vector<std::string> all_names(std::initializer_list<RenderOutputs> all) {
@@ -79,20 +92,22 @@ RenderOutputs render_outputs(const RenderArguments& arguments) {
   if (arguments.render.adaptive) outputs.rates = rate_name(arguments);
   if (arguments.integrator == IntegratorKind::cost) outputs.legend = name_beside(picture, "_legend.png");
   if (arguments.check_with) outputs.differences = name_beside(picture, "_differences.png");
+  if (arguments.denoiser && !keeps_layers(picture)) outputs.noisy = noisy_name(picture);
   if (destination_of(picture).kind == Destination::Kind::file) return outputs;
-  for (std::string* name : {&outputs.rates, &outputs.legend, &outputs.differences})
+  for (std::string* name : {&outputs.rates, &outputs.legend, &outputs.differences, &outputs.noisy})
     if (!std::exchange(*name, "").empty())
       console::warn(
           fmt::format("{} is no file: the picture that would stand beside it is not written", picture));
   return outputs;
 }
 
-void write_pictures(const RenderOutputs& outputs, const RenderArguments& arguments, const Film& film,
-                    const PictureNotes& notes) {
+void write_pictures(const RenderOutputs& outputs, const RenderArguments& arguments,
+                    const RenderedPicture& rendered, const PictureNotes& notes) {
+  const Film& film = rendered.film;
   if (arguments.integrator == IntegratorKind::cost)
     write_costs(outputs, film, notes);
   else
-    write_colors(outputs, arguments, film, notes);
+    write_colors(outputs, arguments, rendered, notes);
   if (!outputs.rates.empty()) write_png(outputs.rates, rate_image(arguments, film), notes.metadata);
 }
 

@@ -19,6 +19,7 @@ struct RenderOutputs {
   std::string rates;        ///< Of adaptive sampling.
   std::string legend;       ///< Of a picture of costs.
   std::string differences;  ///< Of --accel=check.
+  std::string noisy;        ///< Of a denoised picture that cannot keep it as a layer.
   std::string statistics;
 
   /// All that are not empty.
@@ -32,8 +33,14 @@ RenderOutputs render_outputs(const RenderArguments& arguments);
 /// The names of all these outputs.
 std::vector<std::string> all_names(std::initializer_list<RenderOutputs> all);
 
-/// Writes the picture, its rates and its legend.
-void write_pictures(const RenderOutputs& outputs, const RenderArguments& arguments, const Film& film,
-                    const PictureNotes& notes);
+/// A film, and what was made of it.
+struct RenderedPicture {
+  const Film& film;
+  const Image* denoised = nullptr;  ///< Null: it is as it is.
+};
+
+/// Writes the picture, its rates and its legend; of one that is denoised the noisy one as well.
+void write_pictures(const RenderOutputs& outputs, const RenderArguments& arguments,
+                    const RenderedPicture& rendered, const PictureNotes& notes);
 
 }  // namespace twinray

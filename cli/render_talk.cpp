@@ -25,6 +25,10 @@ void StandardTalk::rendered(const RenderResult&) { line_.finish(); }
 
 void StandardTalk::stopped() { line_.finish(); }
 
+void StandardTalk::denoised(const DenoisedPicture& picture) {
+  console::print("Denoised       {:.2f} s: {}\n", picture.seconds, picture.denoiser);
+}
+
 void StandardTalk::finished(const RenderArguments& arguments, const AccelStats& accel,
                             const RenderResult& result) {
   console::print("{}Picture        {}\n", statistics_text(arguments, accel, result), arguments.output);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "accel/accelerator.h"
+#include "cli/denoising.h"
 #include "cli/render_arguments.h"
 #include "integrators/render.h"
 #include "io/progress_line.h"
@@ -31,6 +32,7 @@ class RenderTalk {
   virtual void rendered(const RenderResult&) {}
   /// In place of rendered(), and the last: it was interrupted.
   virtual void stopped() {}
+  virtual void denoised(const DenoisedPicture&) {}
   virtual void saving() {}
   virtual void saved() {}
   virtual void finished(const RenderArguments&, const AccelStats&, const RenderResult&) {}
@@ -47,6 +49,7 @@ class StandardTalk final : public RenderTalk {
   void progress(const RenderProgress& progress) override;
   void rendered(const RenderResult& result) override;
   void stopped() override;
+  void denoised(const DenoisedPicture& picture) override;
   void finished(const RenderArguments& arguments, const AccelStats& accel,
                 const RenderResult& result) override;
 

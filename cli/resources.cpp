@@ -45,8 +45,9 @@ std::vector<MemoryNeed> memory_needs(const RenderOptions& options) {
   const std::uint64_t pixels = std::uint64_t(window.width()) * std::uint64_t(window.height());
   std::uint64_t channels = 0;
   for (const Layer layer : options.layers) channels += channel_count(layer);
+  const std::uint64_t halves = options.half_layers ? 2 * Film::bytes(pixels, *options.half_layers) : 0;
   return {{fmt::format("the film of {} x {} pixels", window.width(), window.height()),
-           Film::bytes(pixels, options.layers)},
+           Film::bytes(pixels, options.layers) + halves},
           {"the pictures made of it", pixels * (picture_bytes_a_pixel + channels * picture_bytes_a_channel)}};
 }
 

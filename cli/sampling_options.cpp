@@ -7,6 +7,7 @@ namespace {
 constexpr Range<std::uint32_t> batches{2, Film::max_samples};
 constexpr Range<double> tolerances{0, 1e6};
 constexpr Range<double> time_limits{1e-3, 1e9};
+constexpr Range<double> noise_targets{1e-6, 1e3};
 constexpr const char* group_name = "Picture and samples";
 
 }  // namespace
@@ -17,6 +18,8 @@ void add_sampling_options(CLI::App& app, RenderRequest& request) {
                    sample_counts);
   group.add_number({"--seconds", "T", "As many samples as this time allows; at most N if given"},
                    request.arguments.render.seconds, time_limits);
+  group.add_number({"--noise-target", "E", "As many as this relative error needs; at most N if given"},
+                   request.arguments.render.noise_target, noise_targets);
   add_sampler_options(app, request);
 }
 
@@ -44,8 +47,9 @@ void add_sampling_words(CLI::App& app, RenderRequest& request) {
 }
 
 void resolve_sampling(const RenderRequest& request, RenderArguments& arguments) {
-  if (arguments.render.seconds && !is_given("--samples", arguments))
+  if (is_open_ended(arguments.render) && !is_given("--samples", arguments))
     arguments.render.samples = Film::max_samples;
+  if (arguments.render.noise_target) arguments.render.half_layers.emplace();
   if (request.adaptive.empty()) {
     if (request.adaptive_rule) throw UsageError("--adaptive-rule goes with --adaptive");
     return;

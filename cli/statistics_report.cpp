@@ -177,9 +177,16 @@ int threads_used(const StatsArguments& arguments) {
   return arguments.options.threads > 0 ? arguments.options.threads : available_threads();
 }
 
-/// ", 37 samples per pixel" where time decided how many.
-std::string timed_samples_text(const RenderOptions& render) {
-  return render.seconds ? fmt::format(", {} samples per pixel", render.samples) : "";
+/// ", 37 samples per pixel" where time or noise decided how many, and ", relative error 0.05" where noise
+/// might have.
+std::string samples_text(const RenderOptions& render, const RenderResult& result) {
+  std::string text = is_open_ended(render) ? fmt::format(", {} samples per pixel", render.samples) : "";
+  if (result.error) text += fmt::format(", relative error {:.3g}", *result.error);
+  return text;
+}
+
+ordered_json error_json(const RenderResult& result) {
+  return result.error ? ordered_json(*result.error) : ordered_json(nullptr);
 }
 
 }  // namespace
@@ -196,13 +203,14 @@ std::string statistics_text(const RenderArguments& arguments, const AccelStats& 
       "Rays           {} ({} camera, {} shadow, {} bounce)\n"
       "Speed          {:.4f} million rays per second\n",
       engine_name(arguments), arguments.engine_reason, accel.primitives, accel.build_seconds(),
-      tree_text(accel.tree), 1e-6 * double(accel.bytes), result.seconds, timed_samples_text(arguments.render),
-      rays.total(), rays.camera, rays.shadow, rays.bounce, 1e-6 * rays_per_second(result));
+      tree_text(accel.tree), 1e-6 * double(accel.bytes), result.seconds,
+      samples_text(arguments.render, result), rays.total(), rays.camera, rays.shadow, rays.bounce,
+      1e-6 * rays_per_second(result));
   return text + counts + texture_text(arguments);
 }
 
 std::string statistics_json(const RenderArguments& arguments, const AccelStats& accel,
-                            const RenderResult& result, const std::string& check) {
+                            const RenderResult& result, const FurtherStatistics& further) {
   const RayCounts& rays = result.rays;
   ordered_json json{
       {"program", version_name()},
@@ -216,6 +224,7 @@ std::string statistics_json(const RenderArguments& arguments, const AccelStats& 
       {"build", build_json(accel)},
       {"render",
        {{"seconds", result.seconds},
+        {"estimated_error", error_json(result)},
         {"rejected_samples", result.film.rejected_count()},
         {"first_rejected", rejected_json(result.film)}}},
       {"rays",
@@ -224,7 +233,9 @@ std::string statistics_json(const RenderArguments& arguments, const AccelStats& 
   if (arguments.render.counting)
     add_counts(json, rays.queries, rays.total(), {.nodes = accel.tree.has_value(), .primitives = true});
   json["textures"] = texture_json(arguments);
-  if (!check.empty()) json["check"] = ordered_json::parse(check);
+  if (further.denoised)
+    json["denoising"] = {{"denoiser", further.denoised->denoiser}, {"seconds", further.denoised->seconds}};
+  if (!further.check.empty()) json["check"] = ordered_json::parse(further.check);
   return text_of(json);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "accel/accelerator.h"
+#include "cli/denoising.h"
 #include "cli/engine_statistics.h"
 #include "cli/render_arguments.h"
 #include "cli/stats_arguments.h"
@@ -17,10 +18,15 @@ namespace twinray {
 std::string statistics_text(const RenderArguments& arguments, const AccelStats& accel,
                             const RenderResult& result);
 
-/// All statistics of a render as a JSON text; with `check`, itself a JSON text, as a member of that name
-/// unless empty.
+/// What was done with a picture besides rendering it.
+struct FurtherStatistics {
+  std::string check = "";                     ///< Itself a JSON text; empty: none.
+  const DenoisedPicture* denoised = nullptr;  ///< Null: it is not denoised.
+};
+
+/// All statistics of a render as a JSON text; further ones as members "check" and "denoising".
 std::string statistics_json(const RenderArguments& arguments, const AccelStats& accel,
-                            const RenderResult& result, const std::string& check = "");
+                            const RenderResult& result, const FurtherStatistics& further = {});
 
 /// Says which tiles of textures could not be read; empty if all could.
 std::string unread_tiles_text(const RenderArguments& arguments);

@@ -93,7 +93,8 @@ std::string variable(const char* name) {
 /// The file that the environment names; empty where it names none.
 std::string named_library() {
   const std::string named = variable("TWINRAY_OIDN");
-  if (named.empty() || !fs::is_directory(named)) return named;
+  std::error_code error;
+  if (named.empty() || !fs::is_directory(named, error)) return named;
   const std::string found = library_within(named);
   if (found.empty()) throw Error(fmt::format("TWINRAY_OIDN: there is no {} in {}", library_name, named));
   return found;
@@ -104,7 +105,7 @@ std::string named_library() {
 /// The loaded library and its device. It stays in memory, as it has threads of its own.
 class OpenImageDenoise::Library {
  public:
-  Library(void* loaded, const std::string& path)
+  Library(void* loaded, const std::string& path, int threads)
       : functions_(find_functions(loaded, path)), device_(functions_.new_device(processor_device)) {
     check(path.c_str());
     if (!device_) throw Error(fmt::format("{}: this processor cannot be used", path));
@@ -114,7 +115,7 @@ class OpenImageDenoise::Library {
       throw Error(fmt::format("{}: this is version {} of Open Image Denoise; {} is needed", path, other,
                               known_version));
     }
-    functions_.set_device_int(device_, "numThreads", available_threads());
+    functions_.set_device_int(device_, "numThreads", threads > 0 ? threads : available_threads());
     functions_.commit_device(device_);
     check(path.c_str());
   }
@@ -167,7 +168,7 @@ class OpenImageDenoise::Library {
 OpenImageDenoise::OpenImageDenoise(std::unique_ptr<const Library> library) : library_(std::move(library)) {}
 OpenImageDenoise::~OpenImageDenoise() = default;
 
-std::unique_ptr<const OpenImageDenoise> OpenImageDenoise::find() {
+std::unique_ptr<const OpenImageDenoise> OpenImageDenoise::find(int threads) {
   const std::string named = named_library();
   std::string path = named.empty() ? library_name : named;
   void* loaded = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -178,7 +179,7 @@ std::unique_ptr<const OpenImageDenoise> OpenImageDenoise::find() {
   }
   if (!loaded) return nullptr;
   return std::unique_ptr<const OpenImageDenoise>(
-      new OpenImageDenoise(std::make_unique<const Library>(loaded, path)));
+      new OpenImageDenoise(std::make_unique<const Library>(loaded, path, threads)));
 }
 
 std::string OpenImageDenoise::version() const { return library_->version(); }

@@ -22,7 +22,8 @@ class OpenImageDenoise {
   /// (a virtual environment with the package pyoidn does); without one, where the loader looks, and in the
   /// virtual environment that is active (VIRTUAL_ENV). Null where there is none. Throws Error where
   /// TWINRAY_OIDN names no library, or one that is found does not work or is of another version than 2.
-  static std::unique_ptr<const OpenImageDenoise> find();
+  /// `threads`, 0: as many as the process may use.
+  static std::unique_ptr<const OpenImageDenoise> find(int threads = 0);
   ~OpenImageDenoise();
 
   /// "2.5.1"

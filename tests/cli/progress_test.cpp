@@ -22,6 +22,18 @@ TEST_CASE("progress is that of samples or of time, whichever ends the render fir
   CHECK(progress_text(progress, 20) == " 25 % | 1.0 of 4.0 M samples | 0.00 M rays/s | 20 s, 1 min 0 s left");
 }
 
+TEST_CASE("progress towards a noise target says the error that is left") {
+  RenderProgress progress{
+      .samples_done = 1000000, .samples_total = 4000000, .noise_target = 0.02, .error = {}};
+  CHECK(progress_text(progress, 20) == " 25 % | 1.0 of 4.0 M samples | 0.00 M rays/s | 20 s, 1 min 0 s left");
+  progress.error = 0.04;
+  CHECK(progress_text(progress, 20) ==
+        " 25 % | 1.0 of 4.0 M samples | error 0.04, target 0.02 | 0.00 M rays/s | 20 s, 1 min 0 s left");
+  progress.error = 0.025;  // The error falls with the root of the samples: 64 % are there.
+  CHECK(progress_text(progress, 20) ==
+        " 64 % | 1.0 M samples | error 0.025, target 0.02 | 0.00 M rays/s | 20 s, 11 s left");
+}
+
 TEST_CASE("durations are read at a glance") {
   CHECK(duration_text(0.4) == "0 s");
   CHECK(duration_text(59.4) == "59 s");

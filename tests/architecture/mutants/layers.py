@@ -72,7 +72,7 @@ MUTANTS = [
            "true ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::HALF",
            "test_io", "an EXR holds channels of any names, in 16 bits and in 32"),
     Mutant("a picture of layers begins at the top of the frame", "cli/layered_picture.cpp",
-           "fill_row(film, first + y, values);", "fill_row(film, y, values);",
+           "const int y = window.y0 + row;", "const int y = row;",
            "test_cli", "a part of the frame with layers is that part of the whole"),
     Mutant("a layer that is asked for twice is written twice", "cli/layer_options.cpp",
            "  layers.erase(std::unique(layers.begin(), layers.end()), layers.end());\n", "",

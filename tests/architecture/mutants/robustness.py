@@ -4,7 +4,7 @@ from mutant import Mutant
 
 MUTANTS = [
     Mutant("nothing is kept of an interrupted render", "cli/partial_picture.cpp",
-           "  write_pictures(partial, arguments, film, notes);\n", "", "test_cli",
+           "  write_pictures(partial, arguments, {film}, notes);\n", "", "test_cli",
            "Ctrl-C keeps what was rendered, with the samples that it has"),
     Mutant("a partial picture states the samples that were asked for", "cli/partial_picture.cpp",
            'if (name == "twinray:samples") value = samples;', "static_cast<void>(value);", "test_cli",

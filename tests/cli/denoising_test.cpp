@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// --denoise and --noise-target: words, errors, and the pictures that come out.
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "cli/render_command_line.h"
+#include "cli/resources.h"
+#include "cli/statistics_report.h"
+#include "io/image_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+const std::string scene = TWINRAY_SOURCE_DIR "/scenes/box.dae";
+const std::string small = fmt::format("render {} -r 24 18 -s 6 -q ", scene);
+const std::string fake = std::string("TWINRAY_OIDN=") + TWINRAY_FAKE_DENOISER;
+
+RenderArguments parsed(std::vector<std::string> words) {
+  words.push_back("scene.dae");
+  return parse_render_arguments(words);
+}
+
+std::string message_of(const std::vector<std::string>& words) {
+  try {
+    parsed(words);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+
+/// The mean square of the differences of red of two pictures.
+double squared_difference(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const double difference = double(a.pixels[i].r) - b.pixels[i].r;
+    sum += difference * difference;
+  }
+  return sum / double(a.pixels.size());
+}
+
+}  // namespace
+
+TEST_CASE("a denoiser is auto, oidn or own, and needs the features of surfaces") {
+  CHECK_FALSE(parsed({}).denoiser);
+  CHECK_FALSE(parsed({}).render.half_layers);
+  CHECK(parsed({"--denoise"}).denoiser == DenoiserKind::automatic);
+  CHECK(parsed({"--denoise=auto"}).denoiser == DenoiserKind::automatic);
+  CHECK(parsed({"--denoise=oidn"}).denoiser == DenoiserKind::open_image_denoise);
+  CHECK(parsed({"--denoise=own"}).denoiser == DenoiserKind::own);
+  CHECK(parsed({"--denoise", "--noise-target=0.1"}).render.half_layers ==
+        std::vector{Layer::albedo, Layer::normal});
+  CHECK(message_of({"--denoise=optix"}) == "--denoise: there is no \"optix\"; valid are auto, oidn, own");
+  CHECK(message_of({"--denoise", "--integrator=normals"}) ==
+        "--denoise: --integrator=normals knows no features of surfaces; path, path-reference and direct do");
+}
+
+TEST_CASE("noise decides how many samples there are, and a number of samples is the most") {
+  CHECK(parsed({"--noise-target=0.1"}).render.noise_target == 0.1);
+  CHECK(parsed({"--noise-target=0.1"}).render.samples == Film::max_samples);
+  CHECK(parsed({"--noise-target=0.1"}).render.half_layers == std::vector<Layer>{});
+  CHECK(parsed({"--noise-target=0.1", "-s", "7"}).render.samples == 7);
+  CHECK(message_of({"--noise-target=0"}) == "--noise-target: \"0\" is not a number from 1e-06 to 1000");
+}
+
+TEST_CASE("the halves of the samples are counted among what a render needs of memory") {
+  RenderOptions options{.width = 20, .height = 40};
+  options.half_layers = std::vector{Layer::albedo, Layer::normal};
+  CHECK(memory_needs(options)[0].bytes == (64 + 2 * (64 + 48)) * 20 * 40);
+}
+
+TEST_CASE("where a picture is one sample, there is nothing to denoise it by") {
+  const TemporaryFolder folder;
+  const ProcessResult result =
+      run_program("render " + scene + " -s 1 --denoise=own -q -o " + folder.file("a.png"));
+  CHECK(result.exit_code == 1);
+  CHECK(result.err ==
+        "twinray: --denoise: a single sample per pixel says nothing of the noise; -s takes 2 or more\n");
+  CHECK(folder.file_count() == 0);
+}
+
+TEST_CASE("a denoiser that cannot be loaded is an error before the render") {
+  const TemporaryFolder folder;
+  const std::string denoised = small + "--denoise -o " + folder.file("a.png");
+  const ProcessResult result = run_program(denoised, "TWINRAY_OIDN=/nowhere/library.so");
+  CHECK(result.exit_code == 1);
+  CHECK(result.err.starts_with("twinray: TWINRAY_OIDN: /nowhere/library.so: cannot open shared object file"));
+  CHECK(folder.file_count() == 0);
+}
+
+TEST_CASE("an EXR picture has denoised colours, and the noisy ones as layers") {
+  const TemporaryFolder folder;
+  const std::string plain = folder.file("plain.exr"), denoised = folder.file("denoised.exr");
+  REQUIRE(run_program(small + "--layers=albedo,normal -o " + plain).exit_code == 0);
+  REQUIRE(run_program(small + "--layers=depth --denoise -o " + denoised, fake).exit_code == 0);
+  const Image before = read_image(plain), after = read_image(denoised);
+  const std::vector<float> noisy = read_channel(denoised, "noisy.R"),
+                           albedo = read_channel(plain, "albedo.R"), normal = read_channel(plain, "N.X");
+  REQUIRE(noisy.size() == before.pixels.size());
+  constexpr double half_rounding = 0.1;  // 220 times that of layers of 16 bits
+  for (std::size_t i = 0; i < noisy.size(); ++i) {
+    CHECK(noisy[i] == before.pixels[i].r);
+    const double expected = std::max(0.0, double(noisy[i]) + 10 * 2 * albedo[i] + 100 * 2 * normal[i]);
+    CHECK(std::fabs(double(after.pixels[i].r) - expected) < half_rounding);
+  }
+  CHECK_FALSE(read_channel(denoised, "Z").empty());
+  CHECK(read_channel(denoised, "albedo.R").empty());  // It was not asked for.
+  CHECK(contains(read_text(denoised), "Open Image Denoise 2.4.3"));
+}
+
+TEST_CASE("a PNG picture is denoised, and the noisy one stands beside it") {
+  const TemporaryFolder folder;
+  REQUIRE(run_program(small + "-o " + folder.file("plain.png")).exit_code == 0);
+  REQUIRE(run_program(small + "--denoise=own -o " + folder.file("a.png")).exit_code == 0);
+  CHECK(read_image(folder.file("a_noisy.png")).pixels == read_image(folder.file("plain.png")).pixels);
+  CHECK(read_image(folder.file("a.png")).pixels != read_image(folder.file("plain.png")).pixels);
+  CHECK(contains(read_text(folder.file("a.png")), "own filter"));
+  const ProcessResult piped = run_program(small + "--denoise=own -o - > " + folder.file("b.png"));
+  CHECK(piped.err == "warning: - is no file: the picture that would stand beside it is not written\n");
+}
+
+TEST_CASE("our own filter brings a picture nearer to the converged one, in the same bits by any threads") {
+  const TemporaryFolder folder;
+  const std::string render = fmt::format("render {} -r 48 36 -q ", scene);
+  REQUIRE(run_program(render + "-s 1024 --seed 5 -o " + folder.file("converged.exr")).exit_code == 0);
+  for (const int threads : {1, 3})
+    REQUIRE(run_program(render + fmt::format("-s 16 --denoise=own -t {0} -o {1} --stats {1}.json", threads,
+                                             folder.file(fmt::format("{}.exr", threads))))
+                .exit_code == 0);
+  const Image converged = read_image(folder.file("converged.exr")),
+              denoised = read_image(folder.file("1.exr"));
+  CHECK(denoised.pixels == read_image(folder.file("3.exr")).pixels);
+  const std::vector<float> noisy = read_channel(folder.file("1.exr"), "noisy.R");
+  Image before = denoised;
+  for (std::size_t i = 0; i < noisy.size(); ++i) before.pixels[i].r = noisy[i];
+  CHECK(squared_difference(denoised, converged) < 0.8 * squared_difference(before, converged));
+  CHECK(contains(read_text(folder.file("1.exr.json")), "own filter\",\n    \"seconds\""));
+}
+
+TEST_CASE("a crop and adaptive sampling are denoised, too") {
+  const TemporaryFolder folder;
+  const std::string render =
+      fmt::format("render {} -r 48 36 -p 8 4 20 30 -s 48 -a 8 0.1 -q --denoise=own ", scene);
+  REQUIRE(run_program(render + "-o " + folder.file("a.exr")).exit_code == 0);
+  CHECK(read_image(folder.file("a.exr")).width == 20);
+  CHECK(read_channel(folder.file("a.exr"), "noisy.G").size() == 600);
+}
+
+TEST_CASE("a render that ends by its noise says after how many samples, and which error is left") {
+  const TemporaryFolder folder;
+  const std::string render = fmt::format("render {} -r 24 18 --noise-target=0.2 -o {} --stats {}", scene,
+                                         folder.file("a.exr"), folder.file("a.json"));
+  const ProcessResult result = run_program(render);
+  REQUIRE(result.exit_code == 0);
+  CHECK(contains(result.out, " s, 16 samples per pixel, relative error 0."));
+  CHECK(contains(read_text(folder.file("a.json")), "\"samples_per_pixel\": 16"));
+  CHECK(contains(read_text(folder.file("a.json")), "\"estimated_error\": 0."));
+  CHECK(contains(read_text(folder.file("a.exr")), "twinray:samples"));
+}
+
+TEST_CASE("a replay is no picture that could be denoised") {
+  const RenderArguments replay = parsed({"--replay", "1", "2", "3", "--denoise", "--noise-target=1"});
+  CHECK(replay.without_effect ==
+        std::vector<std::string>{"--noise-target: no effect, for --replay renders no picture",
+                                 "--denoise: no effect, for --replay renders no picture"});
+}
+
+}  // namespace twinray::test
