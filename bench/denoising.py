@@ -16,7 +16,7 @@ import flip_evaluator
 import numpy
 import OpenEXR
 
-SIZE = ("120", "90")
+PICTURE = ("-r", "120", "90", "--filter=box")
 COUNTS = (16, 64, 256)
 HARM = 4096
 REFERENCE = 2048
@@ -33,7 +33,7 @@ class Renderer:
         path = self.folder / f"{self.name}-{label}.exr"
         statistics = path.with_suffix(".json")
         if not statistics.exists():
-            subprocess.run([self.program, "render", self.scene, "-q", "-r", *SIZE, "-o", path,
+            subprocess.run([self.program, "render", self.scene, "-q", *PICTURE, "-o", path,
                             "--stats", statistics, *options], check=True, stderr=subprocess.DEVNULL)
         channels = OpenEXR.File(str(path), separate_channels=True).channels()
         pixels = {name: channel.pixels for name, channel in channels.items()}
