@@ -30,6 +30,26 @@ std::string layer_text(Layer layer, const Rgb& expected, const Rgb& found) {
                      expected.b, found.r, found.g, found.b);
 }
 
+/// What a film keeps of a pixel besides its colours, with a name; both films keep the same.
+std::optional<std::string> kept_difference(const Film& expected, const Film& found, int x, int y) {
+  for (std::size_t layer = 0; layer < found.layers().size(); ++layer) {
+    const Layer shown = found.layers()[layer];
+    if (layer_info(shown).gathering == Gathering::coverage) {
+      if (expected.coverage(layer, x, y) != found.coverage(layer, x, y)) return layer_info(shown).name;
+    } else if (const Rgb p = expected.value(layer, x, y), q = found.value(layer, x, y); p != q) {
+      return layer_text(shown, p, q);
+    }
+  }
+  for (const Division division : divisions) {
+    const std::size_t count = found.contents().parts[std::size_t(division)];
+    std::vector<Rgb> a(count), b(count);
+    expected.read_parts(division, x, y, a);
+    found.read_parts(division, x, y, b);
+    if (a != b) return division == Division::paths ? "light by paths" : "light by groups";
+  }
+  return std::nullopt;
+}
+
 bool holds(const PixelRect& outer, const PixelRect& inner) {
   return outer.x0 <= inner.x0 && outer.y0 <= inner.y0 && outer.x1 >= inner.x1 && outer.y1 >= inner.y1;
 }
@@ -38,16 +58,15 @@ bool holds(const PixelRect& outer, const PixelRect& inner) {
 
 std::optional<std::string> first_difference(const Film& expected, const Film& found) {
   if (expected.frame_width() != found.frame_width() || expected.frame_height() != found.frame_height() ||
-      expected.layers() != found.layers() || !holds(expected.window(), found.window()))
+      expected.contents() != found.contents() || !holds(expected.window(), found.window()))
     return "frames, windows or layers that do not fit";
   const PixelRect& window = found.window();
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x) {
       const PixelSums &a = expected.pixel(x, y), &b = found.pixel(x, y);
       if (!(a == b)) return fmt::format("pixel {} {}: {}", x, y, pixel_text(a, b));
-      for (std::size_t layer = 0; layer < found.layers().size(); ++layer)
-        if (const Rgb p = expected.value(layer, x, y), q = found.value(layer, x, y); p != q)
-          return fmt::format("pixel {} {}: {}", x, y, layer_text(found.layers()[layer], p, q));
+      if (const auto kept = kept_difference(expected, found, x, y))
+        return fmt::format("pixel {} {}: {}", x, y, *kept);
     }
   return std::nullopt;
 }

@@ -6,8 +6,8 @@
 // Each picture is blurred as the eye blurs it at some distance, each opponent colour by its own filter, and
 // the colours that are left are compared. Where edges or points differ, too, the difference counts more.
 #pragma once
-#include "core/plane.h"
 #include "core/image.h"
+#include "core/plane.h"
 
 namespace twinray {
 

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "cli/render_options.h"
+#include "core/error.h"
 #include "io/image_file.h"
 
 namespace twinray {
@@ -11,49 +12,67 @@ namespace {
 
 constexpr const char* default_output = "twinray.exr";
 
-constexpr const char* parts_name = "light";  ///< Of all the parts of the colours: one makes no sense alone.
-
-bool is_part(Layer layer) { return layer_info(layer).gathering == Gathering::part; }
+// What stands for several layers.
+constexpr const char* everything = "all";
+constexpr const char* light_paths = "light";
+constexpr const char* light_groups = "light-groups";
+constexpr const char* mattes = "cryptomatte";
 
 Words valid_names() {
-  Words names{"all"};
-  for (const Layer layer : all_layers())
-    if (!is_part(layer)) names.push_back(layer_info(layer).name);
-  names.push_back(parts_name);
+  Words names{everything};
+  for (const Layer layer : all_layers()) names.push_back(layer_info(layer).name);
+  names.insert(names.end(), {mattes, light_paths, light_groups});
   return names;
 }
 
 /// The layers of one word, which may stand for several.
 std::vector<Layer> layers_of(const std::string& name) {
-  if (name == "all") return all_layers();
-  if (name == parts_name) return light_parts();
+  if (name == everything) return all_layers();
+  if (name == mattes) return {Layer::object_matte, Layer::material_matte, Layer::asset_matte};
   for (const Layer layer : all_layers())
-    if (name == layer_info(layer).name && !is_part(layer)) return {layer};
+    if (name == layer_info(layer).name) return {layer};
   throw UsageError(fmt::format("--layers: there is no \"{}\"; valid are {}, one or several with commas", name,
                                fmt::join(valid_names(), ", ")));
 }
 
 /// Each once, in the order in which files have them; alpha belongs to the colours.
-std::vector<Layer> parse_layers(const std::string& names) {
-  std::vector<Layer> layers{Layer::alpha};
+void parse_layers(const std::string& names, RenderOptions& render) {
+  std::vector<Layer>& layers = render.layers;
+  layers = {Layer::alpha};
+  render.light_paths = render.light_groups = false;
   std::istringstream list(names);
-  for (std::string name; std::getline(list, name, ',');)
+  for (std::string name; std::getline(list, name, ',');) {
+    render.light_paths |= name == light_paths || name == everything;
+    render.light_groups |= name == light_groups || name == everything;
+    if (name == light_paths || name == light_groups) continue;
     for (const Layer layer : layers_of(name)) layers.push_back(layer);
+  }
   std::sort(layers.begin(), layers.end());
   layers.erase(std::unique(layers.begin(), layers.end()), layers.end());
-  return layers;
+}
+
+/// Whether a format's compression keeps what no eye is to see.
+bool has_mattes(const RenderOptions& render) {
+  return std::any_of(render.layers.begin(), render.layers.end(),
+                     [](Layer layer) { return layer_info(layer).gathering == Gathering::coverage; });
 }
 
 }  // namespace
 
 void add_layer_options(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, "Picture and samples");
-  group.add_words(
-      {"--layers", "NAME,...", "More layers in an .exr: albedo, normal, ids, ... or all"}, 1,
-      [&request](const Words& words) { request.arguments.render.layers = parse_layers(words.front()); });
+  group.add_words({"--layers", "NAME,...", "More layers in an .exr: albedo, normal, ids, ... or all"}, 1,
+                  [&request](const Words& words) { parse_layers(words.front(), request.arguments.render); });
+  group.add_repeated({"--light-group", "NAME=LIGHT,...", "A layer of light-groups; * is any text of a name"},
+                     request.light_groups);
+  group.add_choice("--exr-compression", request.arguments.compression,
+                   {{"zip", ExrCompression::zip}, {"dwab", ExrCompression::dwab}},
+                   "zip loses nothing, dwab is smaller");
 }
 
-void resolve_layers(RenderArguments& arguments) {
+void resolve_layers(const RenderRequest& request, RenderArguments& arguments) {
+  for (const std::string& text : request.light_groups)
+    arguments.light_groups.push_back(parse_light_group(text));
   if (arguments.render.layers.empty()) return;
   if (!is_given("--output", arguments)) arguments.output = default_output;
   if (!arguments.replay && output_format(arguments.output) != OutputFormat::exr)
@@ -65,6 +84,9 @@ void resolve_layers(RenderArguments& arguments) {
     throw UsageError(
         fmt::format("--layers: --integrator={} knows of none; path, path-reference and direct do",
                     integrator_name(arguments.integrator)));
+  if (arguments.compression == ExrCompression::dwab && has_mattes(arguments.render))
+    throw UsageError(
+        "--exr-compression: dwab changes numbers, and with them the ids of cryptomatte; zip does not");
 }
 
 }  // namespace twinray

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/layered_picture.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "io/cryptomatte.h"
+
 namespace twinray {
 namespace {
 
@@ -11,42 +18,116 @@ float* append(const Rgb& value, std::size_t count, float* to) {
   return to;
 }
 
-/// Of what a file has.
-struct Source {
-  const Film& film;
-  const Image* denoised;  ///< Null: there is none.
+bool is_matte(Layer layer) { return layer_info(layer).gathering == Gathering::coverage; }
+
+/// What a layer of mattes is called, and the names of what it tells apart.
+struct MatteKind {
+  const char* name;
+  const std::vector<std::string>& things;
+};
+MatteKind matte_kind(Layer layer, const SceneNames& names) {
+  if (layer == Layer::object_matte) return {"CryptoObject", names.objects};
+  if (layer == Layer::material_matte) return {"CryptoMaterial", names.materials};
+  return {"CryptoAsset", names.assets.empty() ? names.objects : names.assets};
+}
+
+/// The values of a picture's rows.
+class Rows {
+ public:
+  Rows(const Film& film, const SceneNames& names, const Image* denoised) : film_(film), denoised_(denoised) {
+    for (const Layer layer : film.layers()) {
+      std::vector<std::uint32_t>& ids = matte_ids_.emplace_back();
+      if (!is_matte(layer)) continue;
+      for (const std::string& thing : matte_kind(layer, names).things) ids.push_back(cryptomatte_id(thing));
+    }
+  }
+
+  void fill(int y, std::span<float> values) const {
+    float* next = values.data();
+    for (int x = film_.window().x0; x < film_.window().x1; ++x) {
+      const Rgb mean = film_.pixel(x, y).mean();
+      next = append(denoised_ ? denoised_->at(x - film_.window().x0, y - film_.window().y0) : mean, 3, next);
+      for (std::size_t layer = 0; layer < film_.layers().size(); ++layer)
+        next = append_layer(layer, x, y, next);
+      for (const Division division : divisions) next = append_parts(division, x, y, next);
+      if (denoised_) next = append(mean, 3, next);
+    }
+  }
+
+ private:
+  float* append_layer(std::size_t layer, int x, int y, float* to) const {
+    const std::size_t channels = channel_count(film_.layers()[layer]);
+    if (!is_matte(film_.layers()[layer])) return append(film_.value(layer, x, y), channels, to);
+    write_ranks(coverages(layer, x, y), {to, channels});
+    return to + channels;
+  }
+
+  /// Things of one name are one thing.
+  std::span<MatteCoverage> coverages(std::size_t layer, int x, int y) const {
+    static thread_local std::vector<MatteCoverage> all;
+    all.clear();
+    for (const auto& [thing, count] : film_.coverage(layer, x, y)) {
+      const std::uint32_t id = matte_ids_[layer][thing - 1];
+      const float part = float(double(count) / film_.pixel(x, y).count);
+      const auto same =
+          std::find_if(all.begin(), all.end(), [id](const MatteCoverage& one) { return one.id == id; });
+      if (same == all.end())
+        all.push_back({id, part});
+      else
+        same->coverage += part;
+    }
+    return all;
+  }
+
+  float* append_parts(Division division, int x, int y, float* to) const {
+    std::vector<Rgb> parts(film_.contents().parts[std::size_t(division)]);
+    if (parts.empty()) return to;
+    film_.read_parts(division, x, y, parts);
+    for (const Rgb& part : parts) to = append(part, 3, to);
+    return to;
+  }
+
+  const Film& film_;
+  const Image* denoised_;                              ///< Null: there is none.
+  std::vector<std::vector<std::uint32_t>> matte_ids_;  ///< For each layer that is of mattes, by thing.
 };
 
-void fill_row(const Source& source, int row, std::span<float> values) {
-  const Film& film = source.film;
-  const PixelRect& window = film.window();
-  const int y = window.y0 + row;
-  float* next = values.data();
-  std::vector<Rgb> layers(film.layers().size());
-  for (int x = window.x0; x < window.x1; ++x) {
-    const Rgb mean = film.pixel(x, y).mean();
-    next = append(source.denoised ? source.denoised->at(x - window.x0, row) : mean, 3, next);
-    film.read_values(x, y, layers);
-    for (std::size_t i = 0; i < layers.size(); ++i)
-      next = append(layers[i], channel_count(film.layers()[i]), next);
-    if (source.denoised) next = append(mean, 3, next);
-  }
+void add_color(std::vector<PictureChannel>& channels, const std::string& layer) {
+  for (const char channel : {'R', 'G', 'B'}) channels.push_back({fmt::format("{}.{}", layer, channel)});
 }
 
 }  // namespace
 
-LayeredImage layered_picture(const Film& film, const Image* denoised) {
+LayeredImage layered_picture(const Film& film, const SceneNames& names, const Image* denoised) {
   const PixelRect& window = film.window();
   LayeredImage image{window.width(), window.height(), {{"R"}, {"G"}, {"B"}}, {}};
   for (const Layer layer : film.layers())
-    for (const char* const channel : layer_info(layer).channels)
+    for (const std::string& channel : layer_info(layer).channels)
       image.channels.push_back({channel, layer_info(layer).is_half});
-  if (denoised)
-    for (const char* const channel : {"noisy.R", "noisy.G", "noisy.B"}) image.channels.push_back({channel});
-  image.fill_row = [source = Source{film, denoised}](int y, std::span<float> values) {
-    fill_row(source, y, values);
+  const auto& [paths, groups] = film.contents().parts;
+  for (std::size_t path = 0; path < paths; ++path)
+    add_color(image.channels, light_path_name(LightPath(path)));
+  for (std::size_t group = 0; group < groups; ++group)
+    add_color(image.channels, light_group_layer(names.light_groups[group]));
+  if (denoised) add_color(image.channels, "noisy");
+  image.fill_row = [rows = Rows(film, names, denoised), first = window.y0](int y, std::span<float> values) {
+    rows.fill(first + y, values);
   };
   return image;
+}
+
+ImageMetadata layer_metadata(const FilmContents& contents, const SceneNames& names) {
+  ImageMetadata metadata;
+  for (const Layer layer : contents.layers) {
+    if (layer == Layer::ids) {
+      metadata.emplace_back("twinray:object_id", fmt::format("{}", fmt::join(names.objects, "\n")));
+      metadata.emplace_back("twinray:material_id", fmt::format("{}", fmt::join(names.materials, "\n")));
+    }
+    if (!is_matte(layer)) continue;
+    const auto& [kind, things] = matte_kind(layer, names);
+    for (auto& entry : cryptomatte_metadata(kind, things)) metadata.push_back(std::move(entry));
+  }
+  return metadata;
 }
 
 }  // namespace twinray

@@ -63,6 +63,16 @@ std::string needs_fall_off(const Asked& asked) {
              : needs_light(asked);
 }
 
+std::string needs_light_layers(const Asked& asked) {
+  return asked.arguments.render.light_groups ? "" : "for --layers does not name light-groups";
+}
+
+std::string needs_exr(const Asked& asked) {
+  return output_format(asked.arguments.output) == OutputFormat::exr
+             ? ""
+             : "for the picture's name does not end in .exr";
+}
+
 std::string needs_direct_light(const Asked& asked) {
   if (!asked.is_lit()) return needs_light(asked);
   return asked.arguments.path.max_depth > 0 ? "" : "for --max-depth=0 leaves the light of emitters alone";
@@ -226,6 +236,8 @@ constexpr Rule rules[]{
     {"--white-balance", needs_display},
     {"--tone", needs_display},
     {"--ocio-view", needs_display},
+    {"--light-group", needs_light_layers},
+    {"--exr-compression", needs_exr},
     {"--stats", needs_picture},
     {"--tev", needs_picture},
     {"--threads", needs_picture},

@@ -55,12 +55,13 @@ ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vect
 }
 
 PictureNotes picture_notes(const RenderArguments& arguments, const std::vector<std::string>& words,
-                           const Camera& camera) {
+                           const Scene& scene) {
   const RenderOptions& options = arguments.render;
   const PixelRect window = window_of(options);
   return {picture_metadata(arguments, words),
           {window.x0, window.y0, options.width, options.height,
-           camera_matrices(fit_frame(camera, options.width, options.height))}};
+           camera_matrices(fit_frame(scene.camera, options.width, options.height))},
+          scene_names(scene)};
 }
 
 }  // namespace twinray

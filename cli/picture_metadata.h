@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/render_arguments.h"
+#include "cli/scene_names.h"
 #include "io/image_metadata.h"
 
 namespace twinray {
@@ -17,9 +18,10 @@ ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vect
 struct PictureNotes {
   ImageMetadata metadata;
   ImageFrame frame;
+  SceneNames names;  ///< What the layers' numbers stand for.
 };
 PictureNotes picture_notes(const RenderArguments& arguments, const std::vector<std::string>& words,
-                           const Camera& camera);
+                           const Scene& scene);
 
 /// "1700000000" -> "2023:11:14 22:13:20": seconds since 1970, in UTC, as EXIF writes a time. Throws Error.
 std::string time_stamp(const std::string& seconds_since_1970);

@@ -12,6 +12,7 @@
 #include "cli/cs184_program.h"
 #include "cli/error_command.h"
 #include "cli/options.h"
+#include "cli/relight_command.h"
 #include "cli/render_command.h"
 #include "cli/render_command_line.h"
 #include "cli/stats_command.h"
@@ -35,6 +36,9 @@ Action add_error(CLI::App& app) {
 Action add_compare(CLI::App& app) {
   return [read = add_compare_options(app)](const Words& words) { return compare_command(read(), words); };
 }
+Action add_relight(CLI::App& app) {
+  return [read = add_relight_options(app)](const Words& words) { return relight_command(read(), words); };
+}
 Action add_stats(CLI::App& app) {
   return [read = add_stats_options(app)](const Words&) { return stats_command(read()); };
 }
@@ -48,7 +52,7 @@ Action add_study(CLI::App& app) {
 const std::vector<Subcommand> subcommands{
     {"render", add_render,
      "Renders a COLLADA scene by path tracing; with --cs184 as CS184's program does (docs/cs184.md).", "Run",
-     "Others: twinray agreement, compare, crosscheck, error, stats, study and convert; each has --help."},
+     "Others: twinray agreement, compare, convert, crosscheck, error, relight, stats, study; each has help"},
     {"agreement", add_agreement,
      "Renders scenes small by every engine, split method, integrator, sampler and number of threads,\n"
      "and compares all pictures and ray counts bit for bit. Exit code 1 if any differs."},
@@ -60,6 +64,9 @@ const std::vector<Subcommand> subcommands{
     {"error", add_error,
      "Renders a scene by several sets of options, and compares with a converged picture: error over samples\n"
      "and over CPU seconds, and whether pictures are biased (docs/error.md)."},
+    {"relight", add_relight,
+     "Mixes the lights of a picture anew, which was rendered with --layers=light-groups: each group's light\n"
+     "times a number or a color (docs/layers.md)."},
     {"stats", add_stats,
      "Builds every engine and split method over a scene and shoots the rays of its paths, recorded once,\n"
      "through each: build time, tree, and what camera, shadow and bounce rays take."},
@@ -84,6 +91,7 @@ std::string usage_of(const std::string& name) {
     return "twinray convert SCENE.dae OUT.json [options]; all options: twinray convert --help";
   if (name == "compare")
     return "twinray compare PICTURE REFERENCE [options]; all options: twinray compare --help";
+  if (name == "relight") return "twinray relight PICTURE.exr [options]; all options: twinray relight --help";
   const char* scene = name == "agreement" ? "[SCENE.dae]..." : "SCENE.dae";
   return fmt::format("twinray {0} {1} [options]; all options: twinray {0} --help", name, scene);
 }

@@ -11,10 +11,12 @@
 #include "cli/camera_changes.h"
 #include "cli/common_options.h"
 #include "cli/environment_options.h"
+#include "cli/light_groups.h"
 #include "integrators/cost.h"
 #include "integrators/path.h"
 #include "integrators/render.h"
 #include "io/display.h"
+#include "io/layered_image.h"
 #include "io/scene_file.h"
 #include "io/tev_viewer.h"
 
@@ -53,6 +55,7 @@ struct Overscan {
 struct RenderArguments {
   std::string scene;
   std::string output = "twinray.png";
+  ExrCompression compression = ExrCompression::zip;
   std::string stats_file;   ///< Empty: none.
   std::string camera_file;  ///< Empty: the scene's own camera.
   View view = View::file;
@@ -80,8 +83,9 @@ struct RenderArguments {
       texture_bytes;              ///< Of memory for pictures on surfaces; not set: all there are.
   bool convert_textures = false;  ///< In place of a picture, pictures of surfaces are written in tiles.
   RenderOptions render;
-  Display display;                       ///< Of pictures in formats of 8 bits.
-  std::optional<DenoiserKind> denoiser;  ///< Of the picture, if it is to be denoised.
+  Display display;                           ///< Of pictures in formats of 8 bits.
+  std::optional<DenoiserKind> denoiser;      ///< Of the picture, if it is to be denoised.
+  std::vector<LightGroupRule> light_groups;  ///< Where render.light_groups are asked for.
   std::optional<ReplayRequest> replay;
   std::optional<ViewerAddress> viewer;  ///< Shows the picture as it grows.
   std::vector<int> crop;                ///< X Y W H of render.window, as they were given; empty: none.

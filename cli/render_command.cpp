@@ -141,9 +141,9 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
     load_image_codec_early();
   const LoadedScene loaded = load_for_render(arguments, talk);
   choose_engine(*loaded.scene.geometry, arguments);
-  check_memory(memory_needs(arguments, loaded.scene.geometry->primitive_count()));
+  check_memory(memory_needs(arguments, loaded.scene));
   check_samples_for_denoising(arguments);
-  PictureNotes notes = picture_notes(arguments, words, loaded.scene.camera);
+  PictureNotes notes = picture_notes(arguments, words, loaded.scene);
   const auto integrator = make_integrator(arguments, loaded.scene);
   talk.building(arguments, *loaded.scene.geometry);
   const auto accelerator = build_accelerator(arguments.backend, loaded.scene.geometry, arguments.build);
@@ -162,7 +162,7 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   }
   if (is_open_ended(arguments.render)) {
     arguments.render.samples = result.samples;
-    notes = picture_notes(arguments, words, loaded.scene.camera);
+    notes = picture_notes(arguments, words, loaded.scene);
   }
   std::optional<DenoisedPicture> denoised;
   if (denoising) {

@@ -34,7 +34,7 @@ RenderArguments resolved_render(const RenderRequest& request, const Words& given
   resolve_sampling(request, arguments);
   resolve_engine(request, arguments);
   resolve_replay(request, arguments);
-  resolve_layers(arguments);
+  resolve_layers(request, arguments);
   resolve_overscan(arguments);
   resolve_denoising(request, arguments);
   resolve_run(request, arguments);

@@ -27,6 +27,7 @@ struct RenderRequest {
   std::string replay_json, replay_obj;
   std::string accel = "auto";  ///< Or a backend's name, or check.
   std::string check_with;      ///< Empty: the usual one.
+  Words light_groups;          ///< NAME=LIGHT,... each.
   std::string tev;             ///< A viewer's address; empty: none.
   std::string denoise;         ///< What is to denoise; empty: nothing.
 };
@@ -63,7 +64,7 @@ void resolve_light(const RenderRequest& request, RenderArguments& arguments);
 /// After the layers, which may name another file.
 void resolve_overscan(const RenderArguments& arguments);
 /// After the light, which decides what is known of layers.
-void resolve_layers(RenderArguments& arguments);
+void resolve_layers(const RenderRequest& request, RenderArguments& arguments);
 void resolve_denoising(const RenderRequest& request, RenderArguments& arguments);
 void resolve_sampling(const RenderRequest& request, RenderArguments& arguments);
 /// After the others: the engine depends on what is computed. Where the scene decides, it is left to

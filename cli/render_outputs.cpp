@@ -44,11 +44,20 @@ void write_color(const std::string& name, const RenderArguments& arguments, cons
                 notes.metadata);
 }
 
+ImageMetadata with_layers(const PictureNotes& notes, const FilmContents& contents) {
+  ImageMetadata metadata = notes.metadata;
+  for (auto& entry : layer_metadata(contents, notes.names)) metadata.push_back(std::move(entry));
+  return metadata;
+}
+
 void write_colors(const RenderOutputs& outputs, const RenderArguments& arguments,
                   const RenderedPicture& rendered, const PictureNotes& notes) {
   const auto& [film, denoised] = rendered;
-  if (!film.layers().empty() || (denoised && keeps_layers(outputs.picture)))
-    return write_exr(outputs.picture, layered_picture(film, denoised), notes.metadata, notes.frame);
+  if (keeps_layers(outputs.picture)) {
+    LayeredImage image = layered_picture(film, notes.names, denoised);
+    image.compression = arguments.compression;
+    return write_exr(outputs.picture, image, with_layers(notes, film.contents()), notes.frame);
+  }
   const Image mean = mean_image(film);
   write_color(outputs.picture, arguments, denoised ? *denoised : mean, notes);
   if (!outputs.noisy.empty()) write_color(outputs.noisy, arguments, mean, notes);

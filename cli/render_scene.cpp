@@ -6,6 +6,7 @@
 #include "cli/console.h"
 #include "cli/default_light.h"
 #include "cli/frame_note.h"
+#include "cli/light_groups.h"
 #include "cli/no_effect.h"
 #include "cli/render_command_line.h"
 #include "cli/render_options.h"
@@ -83,6 +84,7 @@ LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk) {
   for (const std::string& warning : without_effect) console::warn(warning);
   if (arguments.default_light && !is_lit(loaded.scene))
     loaded.scene.lights.push_back(headlight(loaded.scene.camera));
+  if (arguments.render.light_groups) group_lights(loaded.scene, arguments.light_groups);
   for (const std::string& warning : scene_warnings(loaded.scene, arguments)) console::warn(warning);
   talk.ready();
   return loaded;

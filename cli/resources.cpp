@@ -40,19 +40,22 @@ std::vector<MemoryNeed> memory_needs(Backend backend, const BuildOptions& build,
   return {{fmt::format("the tree of {} over {} primitives", backend_name(backend), primitives), bytes}};
 }
 
-std::vector<MemoryNeed> memory_needs(const RenderOptions& options) {
+std::vector<MemoryNeed> memory_needs(const RenderOptions& options, const Scene& scene) {
+  const FilmContents contents = film_contents(options, scene);
   const PixelRect window = window_of(options);
   const std::uint64_t pixels = std::uint64_t(window.width()) * std::uint64_t(window.height());
   std::uint64_t channels = 0;
-  for (const Layer layer : options.layers) channels += channel_count(layer);
-  const std::uint64_t halves = options.half_layers ? 2 * Film::bytes(pixels, *options.half_layers) : 0;
+  for (const Layer layer : contents.layers) channels += channel_count(layer);
+  for (const std::size_t parts : contents.parts) channels += 3 * parts;
+  const std::uint64_t halves = options.half_layers ? 2 * Film::bytes(pixels, {*options.half_layers}) : 0;
   return {{fmt::format("the film of {} x {} pixels", window.width(), window.height()),
-           Film::bytes(pixels, options.layers) + halves},
+           Film::bytes(pixels, contents) + halves},
           {"the pictures made of it", pixels * (picture_bytes_a_pixel + channels * picture_bytes_a_channel)}};
 }
 
-std::vector<MemoryNeed> memory_needs(const RenderArguments& arguments, std::size_t primitives) {
-  std::vector<MemoryNeed> needs = memory_needs(arguments.render);
+std::vector<MemoryNeed> memory_needs(const RenderArguments& arguments, const Scene& scene) {
+  std::vector<MemoryNeed> needs = memory_needs(arguments.render, scene);
+  const std::size_t primitives = scene.geometry->primitive_count();
   const auto add_tree = [&](Backend backend, const BuildOptions& build) {
     for (MemoryNeed& need : memory_needs(backend, build, primitives)) needs.push_back(std::move(need));
   };

@@ -13,15 +13,15 @@
 
 namespace twinray {
 
-/// The film, and the pictures that are made of it.
-std::vector<MemoryNeed> memory_needs(const RenderOptions& options);
+/// The film, and the pictures that are made of it; without the scene, but for its light groups.
+std::vector<MemoryNeed> memory_needs(const RenderOptions& options, const Scene& scene = {});
 
 /// The engine's tree over so many primitives, at the worst moment of its building; an estimate. Nothing for
 /// an engine without a tree.
 std::vector<MemoryNeed> memory_needs(Backend backend, const BuildOptions& build, std::size_t primitives);
 
 /// Film, pictures and trees: what is still to be made for a render once its scene is there.
-std::vector<MemoryNeed> memory_needs(const RenderArguments& arguments, std::size_t primitives);
+std::vector<MemoryNeed> memory_needs(const RenderArguments& arguments, const Scene& scene);
 
 /// The rays of a picture, at most, each held twice: all together, and by kind.
 std::vector<MemoryNeed> memory_needs(const Recording& recording);

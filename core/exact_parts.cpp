@@ -32,8 +32,6 @@ void give_rest_in_double(float whole, std::span<float> parts) {
 
 }  // namespace
 
-void make_exact(Int128 whole, std::span<Int128> parts) { give_rest(whole, parts); }
-
 void make_exact(float whole, std::span<float> parts) {
   if (have_both_signs(parts)) return give_rest_in_double(whole, parts);
   // In multiples of the whole's last bit all numbers are whole ones below 2^24, which floats hold exactly.

@@ -4,12 +4,7 @@
 #pragma once
 #include <span>
 
-#include "core/fixed_sum.h"
-
 namespace twinray {
-
-/// Parts of a whole in fixed point.
-void make_exact(Int128 whole, std::span<Int128> parts);
 
 /// Parts of a whole in floats, each a multiple of the whole's last bit: so they give the whole when they are
 /// added up in floats, in whatever order. Where some parts are negative and others are not, as a pixel

@@ -8,9 +8,11 @@
 #include <variant>
 #include <vector>
 
+#include "core/coverage_pixels.h"
 #include "core/fixed_sum.h"
 #include "core/layer.h"
 #include "core/layer_pixels.h"
+#include "core/record.h"
 #include "core/rgb.h"
 
 namespace twinray {
@@ -50,60 +52,60 @@ struct PixelRect {
   friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
-/// A frame, and of its pixels and those beside it a `window`: colours, 64 bytes a pixel, and layers that are
-/// asked for, at most 8 bytes a channel and pixel. Pixels count from the top left. Different threads may add
-/// to different pixels at the same time.
+/// A frame, and of its pixels and those beside it a `window`: colours, 64 bytes a pixel, and the layers and
+/// parts of the light that are asked for, at most 8 bytes a channel and pixel. Pixels count from the top
+/// left. Different threads may add to different pixels at the same time.
 class Film {
  public:
   /// A component may lie in [-max_value, max_value].
   static constexpr float max_value = max_radiance;
   static constexpr std::uint32_t max_samples = 1u << 22;
 
-  /// Throws Error for a frame outside [1, 65536]^2, a window that is empty or too far away, or some parts of
-  /// the colours without the others.
-  Film(int frame_width, int frame_height, PixelRect window, std::vector<Layer> layers = {});
+  /// Throws Error for a frame outside [1, 65536]^2, or a window that is empty or too far away.
+  Film(int frame_width, int frame_height, PixelRect window, FilmContents contents = {});
 
   int frame_width() const { return frame_width_; }
   int frame_height() const { return frame_height_; }
   const PixelRect& window() const { return window_; }
-  const std::vector<Layer>& layers() const { return layers_; }
+  /// What is kept besides the colours.
+  const FilmContents& contents() const { return contents_; }
+  const std::vector<Layer>& layers() const { return contents_.layers; }
 
-  /// Adds one sample to a pixel of the window, the max_samples-th at most: its radiance, and its value in
-  /// each layer, of which none is given where there are none. False, and only counted, where the radiance is
-  /// not finite or out of range.
-  bool add(int x, int y, std::uint32_t sample_index, const Rgb& color, std::span<const Rgb> values = {});
+  /// Adds one sample to a pixel of the window, the max_samples-th at most: one of the records, in which all
+  /// that the film keeps is asked for. False, and only counted, where the radiance is not finite or out of
+  /// range.
+  bool add(int x, int y, std::uint32_t sample_index, const RecordSpans& records, std::size_t record);
+  /// The same to a film of colours alone.
+  bool add(int x, int y, std::uint32_t sample_index, Rgb color) {
+    return add(x, y, sample_index, RecordSpans({&color, 1}), 0);
+  }
 
   const PixelSums& pixel(int x, int y) const { return pixels_[offset(x, y)]; }
-  /// Writes a pixel's value in each layer, in as many channels as that has. Parts of the colours are
-  /// multiples of their last bits: they give the pixel's mean colour, added up as floats in any order.
-  void read_values(int x, int y, std::span<Rgb> values) const;
-  /// One of them, by the layer's number among layers().
+  /// A pixel's value in a layer, by its number among layers(), in as many channels as that has. Of coverage,
+  /// nothing.
   Rgb value(std::size_t layer, int x, int y) const;
-  /// The sum of one channel of a part of the colours, in units of 2^-43.
-  Int128 part_units(std::size_t layer, int x, int y, std::size_t channel) const;
+  /// Of a layer of coverage: how many of a pixel's samples have each id, in the order of these.
+  std::vector<Coverage> coverage(std::size_t layer, int x, int y) const;
+  /// Writes the parts of a pixel's colour by one division that is kept: they give its mean, added up as
+  /// floats in any order.
+  void read_parts(Division division, int x, int y, std::span<Rgb> parts) const;
   /// Of all pixels.
   std::uint64_t rejected_count() const;
   /// The first rejected sample in the order (y, x, index), so that it does not depend on threads; none if
   /// count is 0.
   RejectedSample first_rejected() const;
-  /// Memory of a film with that many pixels and these layers.
-  static std::uint64_t bytes(std::uint64_t pixels, std::span<const Layer> layers = {});
+  /// Memory of a film with that many pixels and these contents.
+  static std::uint64_t bytes(std::uint64_t pixels, const FilmContents& contents = {});
 
-  /// Adds the samples of a film of the same frame and layers whose window lies within this one. Throws Error
-  /// otherwise, or where a pixel would have more than max_samples, and leaves this film as it was.
+  /// Adds the samples of a film of the same frame and contents whose window lies within this one. Throws
+  /// Error otherwise, or where a pixel would have more than max_samples, and leaves this film as it was.
   void merge(const Film& other);
 
  private:
   /// How a layer is kept; not at all where the colours say what it is.
-  using LayerPixels = std::variant<std::monostate, MeanPixels, FirstPixels>;
+  using LayerPixels = std::variant<std::monostate, MeanPixels, FirstPixels, CoveragePixels>;
   static LayerPixels make_pixels(Layer layer, std::size_t pixels);
-  static bool is_part(Layer layer) { return layer_info(layer).gathering == Gathering::part; }
-  void check_parts() const;
-  /// Adds the parts of a colour; their sums add up to that of the colours, unit by unit.
-  void add_parts(std::size_t pixel, const Rgb& color, std::span<const Rgb> values);
-  Rgb kept_value(std::size_t layer, std::size_t pixel) const;
-  /// Makes the parts among a pixel's values add up.
-  void write_parts(std::size_t pixel, std::span<Rgb> values) const;
+  void add_to_layer(std::size_t layer, std::size_t pixel, std::uint32_t sample_index, const Rgb& value);
   std::size_t offset(int x, int y) const;
   void check_mergeable(const Film& other) const;
   void merge_layer(LayerPixels& own, const LayerPixels& other, std::size_t to, std::size_t from);
@@ -115,10 +117,10 @@ class Film {
 
   int frame_width_, frame_height_;
   PixelRect window_;
-  std::vector<Layer> layers_;
+  FilmContents contents_;
   std::vector<PixelSums> pixels_;          ///< Row by row.
   std::vector<LayerPixels> layer_pixels_;  ///< Of each layer.
-  std::vector<std::size_t> parts_;         ///< The layers that are parts of the colours.
+  std::vector<PartPixels> part_pixels_;    ///< Of each division.
 };
 
 }  // namespace twinray

@@ -3,12 +3,23 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 namespace twinray {
 namespace {
 
 /// Where the camera sees nothing, as Cycles has it: farther than any scene, and no infinity that a filter
 /// would spread.
 constexpr float no_depth = 1e10f;
+
+/// Of a Cryptomatte: pairs of an id and its coverage, two of them in each sub-layer.
+std::vector<std::string> rank_channels(const std::string& name) {
+  std::vector<std::string> channels;
+  for (std::size_t sub_layer = 0; sub_layer < coverage_ranks / 2; ++sub_layer)
+    for (const char channel : {'R', 'G', 'B', 'A'})
+      channels.push_back(fmt::format("{}{:02}.{}", name, sub_layer, channel));
+  return channels;
+}
 
 }  // namespace
 
@@ -24,29 +35,9 @@ const LayerInfo& layer_info(Layer layer) {
        {"ids", {"object_id.X", "material_id.X", "instance_id.X"}, Gathering::first, false},
        {"samples", {"samples.X"}, Gathering::of_color, false},
        {"variance", {"variance.Y"}, Gathering::of_color, false},
-       {"emission", {"emission.R", "emission.G", "emission.B"}, Gathering::part, false},
-       {"environment", {"environment.R", "environment.G", "environment.B"}, Gathering::part, false},
-       {"diffuse-direct",
-        {"diffuse_direct.R", "diffuse_direct.G", "diffuse_direct.B"},
-        Gathering::part,
-        false},
-       {"diffuse-indirect",
-        {"diffuse_indirect.R", "diffuse_indirect.G", "diffuse_indirect.B"},
-        Gathering::part,
-        false},
-       {"glossy-direct", {"glossy_direct.R", "glossy_direct.G", "glossy_direct.B"}, Gathering::part, false},
-       {"glossy-indirect",
-        {"glossy_indirect.R", "glossy_indirect.G", "glossy_indirect.B"},
-        Gathering::part,
-        false},
-       {"transmission-direct",
-        {"transmission_direct.R", "transmission_direct.G", "transmission_direct.B"},
-        Gathering::part,
-        false},
-       {"transmission-indirect",
-        {"transmission_indirect.R", "transmission_indirect.G", "transmission_indirect.B"},
-        Gathering::part,
-        false}}};
+       {"cryptomatte-object", rank_channels("CryptoObject"), Gathering::coverage, false},
+       {"cryptomatte-material", rank_channels("CryptoMaterial"), Gathering::coverage, false},
+       {"cryptomatte-asset", rank_channels("CryptoAsset"), Gathering::coverage, false}}};
   return table[std::size_t(layer)];
 }
 
@@ -56,12 +47,6 @@ std::vector<Layer> all_layers() {
   std::vector<Layer> all;
   for (std::size_t i = 0; i < layer_count; ++i) all.push_back(Layer(i));
   return all;
-}
-
-std::vector<Layer> light_parts() {
-  std::vector<Layer> parts = all_layers();
-  std::erase_if(parts, [](Layer layer) { return layer_info(layer).gathering != Gathering::part; });
-  return parts;
 }
 
 }  // namespace twinray

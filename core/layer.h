@@ -2,9 +2,10 @@
 // What a picture may show beside its colours, layer by layer.
 #pragma once
 #include <cstddef>
-#include <span>
 #include <string>
 #include <vector>
+
+#include "core/light_division.h"
 
 namespace twinray {
 
@@ -21,30 +22,25 @@ enum class Layer : std::size_t {
   ids,               ///< Of the first surface's shape, material and instance, from 1 on; 0: there is none.
   samples,           ///< How many samples the pixel has.
   variance,          ///< Of the pixel's luminance: that of one sample, over the number of samples.
-  // The light of the picture by the paths that it took (integrators/light_parts.h): these add up to it.
-  emission,     ///< Of what the camera sees directly.
-  environment,  ///< Seen directly behind all.
-  diffuse_direct,
-  diffuse_indirect,
-  glossy_direct,
-  glossy_indirect,
-  transmission_direct,
-  transmission_indirect,
+  // How much of the pixel each thing covers, for mattes (Cryptomatte 1.2):
+  object_matte,
+  material_matte,
+  asset_matte,  ///< What objects belong to (Scene::assets).
 };
-inline constexpr std::size_t layer_count = 18;
+inline constexpr std::size_t layer_count = 13;
 
 /// How the samples of a pixel become its value in a layer.
 enum class Gathering {
   mean,      ///< Their mean.
   first,     ///< The value of the sample with the least index that has one: of points and ids no mean is one.
   of_color,  ///< What the sums of the colours say: nothing else is kept.
-  part  ///< Their mean; all parts together are the colours, to the last bit. They are kept together or not.
+  coverage,  ///< How many of them have each id, as record_id() keeps it.
 };
 
 /// What is known of a layer, whatever the scene.
 struct LayerInfo {
   const char* name;                   ///< As --layers takes it.
-  std::vector<const char*> channels;  ///< 1 to 3, as files name them.
+  std::vector<std::string> channels;  ///< As files name them: 1 to 3; of coverage, 2 for each rank.
   Gathering gathering;
   bool is_half;       ///< 16 bits say enough in a file: it lies in [-1, 1].
   float nothing = 0;  ///< What each channel is where the pixel has no value.
@@ -54,7 +50,17 @@ std::size_t channel_count(Layer layer);
 
 /// All layers, in their order.
 std::vector<Layer> all_layers();
-/// Those that are parts of the colours.
-std::vector<Layer> light_parts();
+
+/// Of coverage: how many ids of a pixel a file has, those that cover most of it.
+inline constexpr std::size_t coverage_ranks = 6;
+
+/// What a picture's film keeps besides its colours.
+struct FilmContents {
+  std::vector<Layer> layers;  ///< In this order, each once.
+  PartCounts parts{};         ///< Of the light.
+
+  bool are_any() const { return !layers.empty() || parts != PartCounts{}; }
+  bool operator==(const FilmContents&) const = default;
+};
 
 }  // namespace twinray

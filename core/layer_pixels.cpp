@@ -1,80 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/layer_pixels.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "core/exact_parts.h"
 
 namespace twinray {
 namespace {
 
-/// A channel of a colour, by its number.
-float channel_of(const Rgb& value, std::size_t channel) {
-  return channel == 0 ? value.r : channel == 1 ? value.g : value.b;
-}
-
-float& channel_of(Rgb& value, std::size_t channel) {
-  return channel == 0 ? value.r : channel == 1 ? value.g : value.b;
-}
-
-float in_range(float x) { return std::isnan(x) ? 0 : std::clamp(x, -max_radiance, max_radiance); }
+constexpr float Rgb::*channels[] = {&Rgb::r, &Rgb::g, &Rgb::b};
 
 }  // namespace
 
-void Carries::add(std::size_t place, std::int64_t carry) {
-  const std::lock_guard lock(mutex_);
-  if ((carries_[place] += carry) == 0) carries_.erase(place);
-}
-
-std::int64_t Carries::at(std::size_t place) const {
-  if (carries_.empty()) return 0;
-  const auto found = carries_.find(place);
-  return found == carries_.end() ? 0 : found->second;
-}
-
-void MeanPixels::add_units(std::size_t pixel, std::size_t channel, Int128 units) {
-  const std::size_t place = pixel * channels_ + channel;
-  const Int128 sum = Int128(sums_[place]) + units;
-  sums_[place] = std::int64_t(std::uint64_t(sum));
-  const Int128 rest = sum - sums_[place];
-  if (rest != 0) carries_.add(place, std::int64_t(rest >> 64));
-}
-
 void MeanPixels::add(std::size_t pixel, const Rgb& value) {
-  for (std::size_t channel = 0; channel < channels_; ++channel) {
-    const float x = channel_of(value, channel);
-    std::int64_t& sum = sums_[pixel * channels_ + channel];
-    std::int64_t longer = 0;
-    // Nearly always one word is enough.
-    if (std::fabs(x) < 0x1p19f && !__builtin_add_overflow(sum, std::llrint(x * 0x1p43), &longer))
-      sum = longer;
-    else
-      add_units(pixel, channel, fixed_units(in_range(x)));
-  }
+  for (std::size_t channel = 0; channel < channels_; ++channel)
+    sums_.add(pixel * channels_ + channel, value.*channels[channel]);
 }
 
 void MeanPixels::merge(std::size_t pixel, const MeanPixels& other, std::size_t other_pixel) {
   for (std::size_t channel = 0; channel < channels_; ++channel)
-    add_units(pixel, channel, other.units(other_pixel, channel));
-}
-
-Int128 MeanPixels::units(std::size_t pixel, std::size_t channel) const {
-  const std::size_t place = pixel * channels_ + channel;
-  return Int128(carries_.at(place)) * (Int128(1) << 64) + sums_[place];
+    sums_.add_units(pixel * channels_ + channel, other.sums_.units(other_pixel * channels_ + channel));
 }
 
 Rgb MeanPixels::mean(std::size_t pixel, std::uint32_t count) const {
   Rgb mean;
-  if (count == 0) return mean;
   for (std::size_t channel = 0; channel < channels_; ++channel)
-    channel_of(mean, channel) = float(double(units(pixel, channel)) * fixed_unit / count);
+    mean.*channels[channel] = sums_.mean(pixel * channels_ + channel, count);
   return mean;
+}
+
+void PartPixels::add(std::size_t pixel, std::span<const Rgb> parts) {
+  const std::size_t first = pixel * parts_ * 3;
+  for (std::size_t part = 0; part < parts_; ++part)
+    if (!is_black(parts[part]))
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        sums_.add(first + 3 * part + channel, parts[part].*channels[channel]);
+}
+
+void PartPixels::merge(std::size_t pixel, const PartPixels& other, std::size_t other_pixel) {
+  for (std::size_t i = 0; i < parts_ * 3; ++i)
+    sums_.add_units(pixel * parts_ * 3 + i, other.sums_.units(other_pixel * parts_ * 3 + i));
+}
+
+void PartPixels::read(std::size_t pixel, std::uint32_t count, const Rgb& mean, std::span<Rgb> parts) const {
+  const std::size_t first = pixel * parts_ * 3;
+  std::vector<float> of_channel(parts_);
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    for (std::size_t part = 0; part < parts_; ++part)
+      of_channel[part] = sums_.mean(first + 3 * part + channel, count);
+    make_exact(mean.*channels[channel], of_channel);
+    for (std::size_t part = 0; part < parts_; ++part) parts[part].*channels[channel] = of_channel[part];
+  }
 }
 
 void FirstPixels::add(std::size_t pixel, std::uint32_t sample_index, const Rgb& value) {
   if (std::isnan(value.r) || sample_index >= indices_[pixel]) return;
   indices_[pixel] = sample_index;
   for (std::size_t channel = 0; channel < channels_; ++channel)
-    values_[pixel * channels_ + channel] = channel_of(value, channel);
+    values_[pixel * channels_ + channel] = value.*channels[channel];
 }
 
 void FirstPixels::merge(std::size_t pixel, const FirstPixels& other, std::size_t other_pixel) {
@@ -84,7 +67,7 @@ void FirstPixels::merge(std::size_t pixel, const FirstPixels& other, std::size_t
 Rgb FirstPixels::value(std::size_t pixel) const {
   Rgb value;
   for (std::size_t channel = 0; channel < channels_; ++channel)
-    channel_of(value, channel) = values_[pixel * channels_ + channel];
+    value.*channels[channel] = values_[pixel * channels_ + channel];
   return value;
 }
 

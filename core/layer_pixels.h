@@ -4,53 +4,45 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <map>
-#include <mutex>
+#include <span>
 #include <vector>
 
-#include "core/fixed_sum.h"
+#include "core/exact_sums.h"
 #include "core/rgb.h"
 
 namespace twinray {
 
-/// What sums of 64 bits cannot hold: for the few that are too large, how often each has overflowed.
-class Carries {
- public:
-  Carries() = default;
-  Carries(const Carries& other) : carries_(other.carries_) {}
-  Carries& operator=(const Carries& other) {
-    carries_ = other.carries_;
-    return *this;
-  }
-  void add(std::size_t place, std::int64_t carry);
-  /// Not while others add.
-  std::int64_t at(std::size_t place) const;
-
- private:
-  std::mutex mutex_;
-  std::map<std::size_t, std::int64_t> carries_;  ///< None of them 0.
-};
-
-/// A layer whose pixels have the means of their samples: exact sums in units of 2^-43, as those of the
-/// colours. A sum up to 10^6 takes 8 bytes; the rest of a larger one is kept apart, so that no sum has a
-/// limit.
+/// A layer whose pixels have the means of their samples.
 class MeanPixels {
  public:
   MeanPixels(std::size_t pixels, std::size_t channels) : channels_(channels), sums_(pixels * channels) {}
-  /// Adds one sample. What is not a number counts as 0, what lies beyond +-max_radiance as that.
+  /// Adds one sample, as ExactSums does.
   void add(std::size_t pixel, const Rgb& value);
-  void add_units(std::size_t pixel, std::size_t channel, Int128 units);
   void merge(std::size_t pixel, const MeanPixels& other, std::size_t other_pixel);
   /// Of so many samples; black of none.
   Rgb mean(std::size_t pixel, std::uint32_t count) const;
-  /// The sum of one channel.
-  Int128 units(std::size_t pixel, std::size_t channel) const;
-  static constexpr std::size_t bytes(std::size_t channels) { return channels * sizeof(std::int64_t); }
+  static constexpr std::size_t bytes(std::size_t channels) { return channels * ExactSums::bytes; }
 
  private:
   std::size_t channels_;
-  std::vector<std::int64_t> sums_;  ///< Modulo 2^64.
-  Carries carries_;
+  ExactSums sums_;
+};
+
+/// The parts of light by one division.
+class PartPixels {
+ public:
+  PartPixels(std::size_t pixels, std::size_t parts) : parts_(parts), sums_(pixels * parts * 3) {}
+  /// Adds the parts of one sample's radiance. They add up to it but for their rounding.
+  void add(std::size_t pixel, std::span<const Rgb> parts);
+  void merge(std::size_t pixel, const PartPixels& other, std::size_t other_pixel);
+  /// The parts of the mean of so many samples, which they give to the last bit, added up as floats in any
+  /// order.
+  void read(std::size_t pixel, std::uint32_t count, const Rgb& mean, std::span<Rgb> parts) const;
+  static constexpr std::size_t bytes(std::size_t parts) { return parts * 3 * ExactSums::bytes; }
+
+ private:
+  std::size_t parts_;
+  ExactSums sums_;
 };
 
 /// A layer whose pixels have the value of one of their samples: of those that have a value at all the one

@@ -139,6 +139,7 @@ inline bool is_background(const LightSource& source) {
 struct Light {
   std::string name;
   LightSource source;
+  std::uint32_t group = 0;  ///< Index into Scene::light_groups, if the scene has any.
 };
 
 }  // namespace twinray

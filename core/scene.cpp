@@ -24,6 +24,9 @@ void check_light(const Scene& scene, std::size_t index) {
     throw Error(
         fmt::format("light {} names shape {}, which is not a set of one sphere", index, sphere->shape));
   check_numbers(scene.lights[index].source, fmt::format("light {}", index));
+  if (!scene.light_groups.empty() && scene.lights[index].group >= scene.light_groups.size())
+    throw Error(fmt::format("light {} names group {}; there are {}", index, scene.lights[index].group,
+                            scene.light_groups.size()));
 }
 
 void check_binding(const Scene& scene, std::uint32_t shape) {
@@ -34,6 +37,9 @@ void check_binding(const Scene& scene, std::uint32_t shape) {
   if (binding.light != no_light && binding.light >= scene.lights.size())
     throw Error(
         fmt::format("shape {} names light {}; there are {}", shape, binding.light, scene.lights.size()));
+  if (!scene.assets.empty() && binding.asset >= scene.assets.size())
+    throw Error(
+        fmt::format("shape {} names asset {}; there are {}", shape, binding.asset, scene.assets.size()));
   const bool has_alpha = binding.alpha != no_texture;
   if (has_alpha && binding.alpha >= scene.textures.size())
     throw Error(

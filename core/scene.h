@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/camera.h"
@@ -20,6 +21,7 @@ struct ShapeBinding {
   std::uint32_t material = 0;
   std::uint32_t light = no_light;
   std::uint32_t alpha = no_texture;  ///< The texture that cuts holes into it (core/alpha_test.h), if any.
+  std::uint32_t asset = 0;           ///< What it belongs to: index into Scene::assets, if the scene has any.
 };
 
 /// A whole scene: values, linked by index.
@@ -28,6 +30,8 @@ struct Scene {
   std::vector<ShapeBinding> bindings;  ///< One for each of the geometry's shapes.
   std::vector<Material> materials;
   std::vector<Light> lights;
+  std::vector<std::string> light_groups;  ///< Names; each light is of one of them, if there are any.
+  std::vector<std::string> assets;        ///< Names; each shape belongs to one of them, if there are any.
   std::vector<Texture> textures;
   Camera camera;
 };

@@ -9,7 +9,7 @@ namespace twinray {
 namespace {
 
 Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,
-                      Tracer& tracer, DirectParts* parts) {
+                      Tracer& tracer, const LightShares& shares) {
   const std::uint32_t count = transport.directions();
   const float divisor = float(count) * uniform_hemisphere_pdf();
   Rgb sum;
@@ -19,11 +19,15 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
     if (is_black(scattered)) continue;
     const Ray ray = spawn_ray(at.point(), look.direction);
     const Hit hit = tracer.bounce_hit(ray);
-    const Rgb found = lamp_radiance(transport, hit, look.direction) *
-                      transmittance(transport, at.interiors(look.direction), ray, hit.t);
+    const Rgb passed = transmittance(transport, at.interiors(look.direction), ray, hit.t);
+    const Rgb found = lamp_radiance(transport, hit, look.direction) * passed;
     const Rgb light = scattered * found / look.density;
     sum += light;
-    if (parts) parts->add(at, look.direction, light / divisor);
+    if (shares.scattered) shares.scattered->add(at, look.direction, light / divisor);
+    if (shares.groups.are_kept())
+      for_each_lamp(transport, hit, look.direction, [&](std::uint32_t lamp, const Rgb& radiance) {
+        shares.groups.add(lamp, scattered * (radiance * passed) / look.density / divisor);
+      });
     tracer.observer().looked_around({look.direction, look.density * uniform_hemisphere_pdf(),
                                      light_at(transport.scene, hit), found, scattered});
   }
@@ -32,7 +36,7 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
 
 /// The light of one source, by the mean of its samples.
 Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Interaction& at,
-                 const VertexSampler& sampler, Tracer& tracer, DirectParts* parts) {
+                 const VertexSampler& sampler, Tracer& tracer, const LightShares& shares) {
   const std::uint32_t count = transport.samples_of(light);
   Rgb sum;
   for (std::uint32_t part = 0; part < count; ++part) {
@@ -43,7 +47,8 @@ Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Int
     if (!is_black(scattered)) {
       const Rgb light_there = scattered * visibility / sample.pdf;
       sum += light_there;
-      if (parts) parts->add(at, sample.direction, light_there / float(count));
+      if (shares.scattered) shares.scattered->add(at, sample.direction, light_there / float(count));
+      shares.groups.add(transport.lights.source(light, sample), light_there / float(count));
     }
     tracer.observer().sampled_light(transport, at, {light, sample, scattered, visibility});
   }
@@ -55,16 +60,20 @@ bool is_sought(const LightSet& lights, const Departure& departure, std::uint32_t
 }
 
 /// Light of which no light sample brings any.
-Rgb found_alone(const LightTransport& transport, const Hit& hit, const Vec3& direction,
-                PathObserver& observer) {
-  const Rgb radiance = lamp_radiance(transport, hit, direction);
-  observer.found_light({.light = light_at(transport.scene, hit), .radiance = radiance});
+Rgb found_alone(const LightTransport& transport, const Arrival& arrival, PathObserver& observer,
+                const LightGroups& groups) {
+  Rgb radiance;
+  for_each_lamp(transport, arrival.hit, arrival.direction, [&](std::uint32_t lamp, const Rgb& from_lamp) {
+    radiance += from_lamp;
+    groups.add(lamp, from_lamp);
+  });
+  observer.found_light({.light = light_at(transport.scene, arrival.hit), .radiance = radiance});
   return radiance;
 }
 
 }  // namespace
 
-void DirectParts::add(const Interaction& at, const Vec3& wi, const Rgb& light) {
+void ScatteredLight::add(const Interaction& at, const Vec3& wi, const Rgb& light) {
   if (at.to_local(wi).z < 0)
     transmitted += light;
   else
@@ -94,24 +103,26 @@ Rgb scattered_sample(const LightTransport& transport, std::uint32_t light, const
 }
 
 Rgb direct_light(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,
-                 Tracer& tracer, DirectParts* parts) {
+                 Tracer& tracer, const LightShares& shares) {
   if (transport.method == DirectMethod::hemisphere)
-    return sample_hemisphere(transport, at, sampler, tracer, parts);
+    return sample_hemisphere(transport, at, sampler, tracer, shares);
   Rgb sum;
   for (const std::uint32_t light : transport.lights.sampled())
-    sum += sample_light(transport, light, at, sampler, tracer, parts);
+    sum += sample_light(transport, light, at, sampler, tracer, shares);
   return sum;
 }
 
-Rgb found_light(const LightTransport& transport, const Departure& departure, const Hit& hit,
-                const Vec3& direction, PathObserver& observer) {
-  if (departure.seeking == Seeking::alone) return found_alone(transport, hit, direction, observer);
+Rgb found_light(const LightTransport& transport, const Departure& departure, const Arrival& arrival,
+                PathObserver& observer, const LightGroups& groups) {
+  if (departure.seeking == Seeking::alone) return found_alone(transport, arrival, observer, groups);
   if (transport.method != DirectMethod::mis) return {};
   const LightSet& lights = transport.lights;
+  const auto& [hit, direction] = arrival;
   const float count = float(transport.samples_per_light);
   const auto weighted = [&](std::uint32_t light, const Rgb& radiance, float pdf) {
     const FoundLight found{light, radiance, count * pdf, power_heuristic(departure.pdf, count * pdf)};
     observer.found_light(found);
+    groups.add(light, found.radiance * found.weight);
     return found.radiance * found.weight;
   };
   if (hit.is_miss()) {
@@ -141,6 +152,14 @@ Rgb lamp_radiance(const LightTransport& transport, const Hit& hit, const Vec3& d
   if (hit.is_miss()) return transport.lights.escaped(direction);
   if (transport.scene.bindings[hit.mesh].light == no_light) return {};
   return transport.lights.emitted(surface_at(*transport.scene.geometry, hit), -direction);
+}
+
+void add_seen_groups(const LightTransport& transport, const Arrival& arrival, const LightGroups& groups) {
+  if (!groups.are_kept()) return;
+  for_each_lamp(transport, arrival.hit, arrival.direction, [&](std::uint32_t lamp, const Rgb& radiance) {
+    const bool is_seen = !arrival.hit.is_miss() || is_background(transport.lights.light(lamp).source);
+    if (is_seen) groups.add(lamp, radiance);
+  });
 }
 
 }  // namespace twinray

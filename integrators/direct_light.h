@@ -6,6 +6,7 @@
 #include "core/light_set.h"
 #include "core/sampler.h"
 #include "integrators/interaction.h"
+#include "integrators/light_groups.h"
 #include "integrators/tracer.h"
 
 namespace twinray {
@@ -78,29 +79,52 @@ float light_sample_weight(const LightTransport& transport, std::uint32_t light, 
 Rgb scattered_sample(const LightTransport& transport, std::uint32_t light, const Interaction& at,
                      const LightSample& sample);
 
-/// Direct light of a surface that is not Lambert's by what scattered it; the rest is glossy.
-struct DirectParts {
+/// Direct light of a surface that is not Lambert's by how that scattered it; the rest is glossy.
+struct ScatteredLight {
   Rgb diffuse, transmitted;
 
   /// Adds light that is scattered from a direction, in world space.
   void add(const Interaction& at, const Vec3& wi, const Rgb& light);
 };
 
-/// An estimate of the light of all emitters, scattered once at a surface into all but delta directions; by
-/// `hemisphere`, of all but delta lights; by `mis`, but for the part that scattered rays find. Unbiased. Its
-/// parts are added up where they are asked for.
-Rgb direct_light(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,
-                 Tracer& tracer, DirectParts* parts = nullptr);
+/// What is asked for of direct light besides its sum.
+struct LightShares {
+  ScatteredLight* scattered = nullptr;
+  LightGroups groups;
+};
 
-/// What is left out there, by the ray that a path goes on along: its hit, and its unit direction.
-Rgb found_light(const LightTransport& transport, const Departure& departure, const Hit& hit,
-                const Vec3& direction, PathObserver& observer);
+/// An estimate of the light of all emitters, scattered once at a surface into all but delta directions; by
+/// `hemisphere`, of all but delta lights; by `mis`, but for the part that scattered rays find. Unbiased.
+Rgb direct_light(const LightTransport& transport, const Interaction& at, const VertexSampler& sampler,
+                 Tracer& tracer, const LightShares& shares = {});
+
+/// The ray along which a path goes on.
+struct Arrival {
+  const Hit& hit;
+  Vec3 direction;  ///< Unit.
+};
+
+/// What is left out there, by the ray that a path goes on along.
+Rgb found_light(const LightTransport& transport, const Departure& departure, const Arrival& arrival,
+                PathObserver& observer, const LightGroups& groups = {});
 /// Whether a ray from there could find any.
 bool may_find_light(const LightTransport& transport, const Departure& departure);
 
 /// The light that a ray has found by its hit, as FoundLight has it.
 std::uint32_t light_at(const Scene& scene, const Hit& hit);
-/// Radiance that a ray brings from an emitter that it hits, or from beyond the scene.
+/// Calls `take(light, radiance)` for what a ray brings of each light: from an emitter that it hits, or from
+/// those beyond the scene.
+template <typename Take>
+void for_each_lamp(const LightTransport& transport, const Hit& hit, const Vec3& direction, const Take& take) {
+  const LightSet& lights = transport.lights;
+  if (hit.is_miss())
+    for (const std::uint32_t light : lights.distant()) take(light, lights.radiance(light, direction));
+  else if (const std::uint32_t light = light_at(transport.scene, hit); light != no_light)
+    take(light, lights.emitted(surface_at(*transport.scene.geometry, hit), -direction));
+}
+/// The sum of it.
 Rgb lamp_radiance(const LightTransport& transport, const Hit& hit, const Vec3& direction);
+/// What a camera ray brings of them by groups: it does not see ambient lights.
+void add_seen_groups(const LightTransport& transport, const Arrival& arrival, const LightGroups& groups);
 
 }  // namespace twinray

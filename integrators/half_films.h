@@ -28,7 +28,7 @@ struct HalfFilms {
 
 /// Empty films of the same frame as another.
 inline HalfFilms half_films(const Film& film, const std::vector<Layer>& layers) {
-  const Film empty(film.frame_width(), film.frame_height(), film.window(), layers);
+  const Film empty(film.frame_width(), film.frame_height(), film.window(), {layers});
   return {empty, empty};
 }
 

@@ -16,9 +16,14 @@ void record_first_surface(const Scene& scene, const FirstSurface& surface, const
     const Vec2 uv = texture_coordinates(*scene.geometry, hit);
     records[Layer::uv][sample] = {uv.x, uv.y, 0};
   }
+  const ShapeBinding& binding = scene.bindings[hit.mesh];
   if (records.has(Layer::ids))
-    records[Layer::ids][sample] = {float(hit.mesh) + 1, float(scene.bindings[hit.mesh].material) + 1,
+    records[Layer::ids][sample] = {float(hit.mesh) + 1, float(binding.material) + 1,
                                    hit.instance == no_instance ? 0 : float(hit.instance) + 1};
+  if (records.has(Layer::object_matte)) records[Layer::object_matte][sample] = record_id(hit.mesh + 1);
+  if (records.has(Layer::material_matte))
+    records[Layer::material_matte][sample] = record_id(binding.material + 1);
+  if (records.has(Layer::asset_matte)) records[Layer::asset_matte][sample] = record_id(binding.asset + 1);
 }
 
 bool has_environment(const Scene& scene) {

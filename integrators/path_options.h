@@ -43,11 +43,14 @@ struct PathOptions {
   /// (core/regularize.h), so that light samples find what only a mirror's or a lens's ray could.
   bool regularize = false;
 
-  /// A term of light that was scattered `depth` times, as it is added up: its color stays, clamped or not.
-  Rgb clamped(const Rgb& term, int depth) const {
+  /// The part of a term of light that is added up, which was scattered `depth` times: less than 1 where it is
+  /// clamped.
+  float clamp_factor(const Rgb& term, int depth) const {
     const float largest = max_component(term);
-    return depth >= 2 && largest > clamp ? term * (clamp / largest) : term;
+    return depth >= 2 && largest > clamp ? clamp / largest : 1;
   }
+  /// The term as it is added up: its color stays, clamped or not.
+  Rgb clamped(const Rgb& term, int depth) const { return term * clamp_factor(term, depth); }
   bool counts(int depth) const { return depth >= first_depth && depth <= last_depth; }
   int depth_limit() const { return std::min(max_depth, last_depth); }
   /// Whether a path is scattered no more after `depth` events, which were of these kinds.

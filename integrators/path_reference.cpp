@@ -28,7 +28,7 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
   const LightTransport transport{scene_, lights_, options_.direct, options_.samples_per_light};
   const PathKey path_key(sample.key);
   PathObserver& observer = tracer.observer();
-  const bool has_parts = shows_light_parts(record);
+  LightDivision division(scene_, record);
   Rgb radiance;
   State path{.ray = sample.ray, .cone = sample.cone};
   Hit hit = tracer.camera_hit(path.ray);
@@ -38,11 +38,13 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     path.throughput = path.throughput * transmittance(transport, path.viewing.interiors, path.ray, hit.t);
     observer.arrived({path.ray, hit, path.throughput});
     if (options_.counts(depth)) {
-      const Rgb found =
-          term(path.throughput * emission(transport, path, hit, depth, observer), depth, observer);
-      radiance += found;
-      if (has_parts && depth == 0) add_seen_light(hit.is_miss(), found, record, 0);
-      if (has_parts && depth > 0) add_scattered_light(path.first, found, depth, record, 0);
+      const Arrival arrival{hit, normalize(path.ray.direction)};
+      const Rgb light = depth == 0
+                            ? seen_light(transport, arrival, observer, division.groups())
+                            : found_light(transport, path.departure, arrival, observer, division.groups());
+      const LightTerm found = term(path.throughput, light, depth, observer);
+      radiance += found.radiance();
+      division.add_found(hit.is_miss(), path.first, found, depth);
     }
     if (hit.is_miss()) return radiance;
 
@@ -54,16 +56,13 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     if (depth == 0 || !has_ended) record_surface(at, hit, depth, path, record);
     if (has_ended) return radiance;
     if (options_.counts(depth + 1)) {
-      DirectParts parts;
-      const Rgb light =
-          direct_light(transport, at, sampler, tracer, has_parts && depth == 0 ? &parts : nullptr);
-      const Rgb direct = term(path.throughput * light, depth + 1, observer);
-      radiance += direct;
-      if (has_parts && depth == 0) add_direct_light(at, path.throughput, parts, direct, record, 0);
-      if (has_parts && depth > 0) add_scattered_light(path.first, direct, depth + 1, record, 0);
+      const Rgb light = direct_light(transport, at, sampler, tracer, division.shares(at, depth));
+      const LightTerm direct = term(path.throughput, light, depth + 1, observer);
+      radiance += direct.radiance();
+      division.add_direct(at, path.first, direct, depth);
     }
     if (!scatter(at, depth, sampler, path, observer)) return radiance;
-    if (has_parts && depth == 0)
+    if (depth == 0 && record.has(Division::paths))
       path.first = first_scattering(at, path.ray.direction, path.departure.seeking);
     // The ray after the last surface only looks for light.
     const bool is_last = options_.ends(depth + 1, path.bounces);
@@ -81,19 +80,20 @@ void PathReference::record_surface(const Interaction& at, const Hit& hit, int de
                          record, 0);
 }
 
-Rgb PathReference::emission(const LightTransport& transport, const State& path, const Hit& hit, int depth,
-                            PathObserver& observer) const {
-  const Vec3 direction = normalize(path.ray.direction);
-  if (depth > 0) return found_light(transport, path.departure, hit, direction, observer);
+Rgb PathReference::seen_light(const LightTransport& transport, const Arrival& arrival, PathObserver& observer,
+                              const LightGroups& groups) const {
+  const auto& [hit, direction] = arrival;
   const Rgb radiance = hit.is_miss() ? lights_.background(direction)
                                      : lights_.emitted(surface_at(*scene_.geometry, hit), -direction);
   observer.found_light({.light = light_at(scene_, hit), .radiance = radiance});
+  add_seen_groups(transport, arrival, groups);
   return radiance;
 }
 
-Rgb PathReference::term(const Rgb& light, int depth, PathObserver& observer) const {
-  const Rgb term = options_.clamped(light, depth);
-  observer.added({light, term});
+LightTerm PathReference::term(const Rgb& throughput, const Rgb& light, int depth,
+                              PathObserver& observer) const {
+  const LightTerm term{throughput, light, options_.clamp_factor(throughput * light, depth)};
+  observer.added({throughput * light, term.radiance()});
   return term;
 }
 

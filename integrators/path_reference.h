@@ -3,7 +3,8 @@
 #include "core/light_set.h"
 #include "core/scene.h"
 #include "integrators/integrator.h"
-#include "integrators/light_parts.h"
+#include "integrators/light_division.h"
+#include "integrators/light_paths.h"
 #include "integrators/path_options.h"
 
 namespace twinray {
@@ -38,12 +39,11 @@ class PathReference final : public Integrator {
   /// One path; `record` has room for one sample.
   Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer,
                   const RecordSpans& record) const;
-  /// What a ray brings after `depth` scattering events from an emitter that it hits, or from beyond the
-  /// scene.
-  Rgb emission(const LightTransport& transport, const State& path, const Hit& hit, int depth,
-               PathObserver& observer) const;
+  /// What a camera ray brings from an emitter that it hits, or from beyond the scene.
+  Rgb seen_light(const LightTransport& transport, const Arrival& arrival, PathObserver& observer,
+                 const LightGroups& groups) const;
   /// The term of the radiance that light is which was scattered `depth` times.
-  Rgb term(const Rgb& light, int depth, PathObserver& observer) const;
+  LightTerm term(const Rgb& throughput, const Rgb& light, int depth, PathObserver& observer) const;
   /// Writes what is asked for of the surface that a path has come to after `depth` scattering events.
   void record_surface(const Interaction& at, const Hit& hit, int depth, const State& path,
                       const RecordSpans& record) const;

@@ -66,16 +66,27 @@ PixelRect pixels_with_light(const Scene& scene, const Camera& camera, const Aabb
       {options.width, options.height, window_of(options), {radius.x + 0.5f, radius.y + 0.5f}});
 }
 
-bool is_mean(Layer layer) { return layer_info(layer).gathering != Gathering::first; }
-
-/// All layers that a sample's record has: each once.
-std::vector<Layer> recorded_layers(const RenderOptions& options) {
-  std::vector<Layer> layers = options.layers;
+/// All that a sample's record has: each layer once.
+FilmContents recorded(const RenderOptions& options, const FilmContents& contents) {
+  FilmContents all = contents;
+  std::vector<Layer>& layers = all.layers;
   if (options.half_layers)
     layers.insert(layers.end(), options.half_layers->begin(), options.half_layers->end());
   std::sort(layers.begin(), layers.end());
   layers.erase(std::unique(layers.begin(), layers.end()), layers.end());
-  return layers;
+  return all;
+}
+
+/// Multiplies a record by the weight of its sample, but for what no mean is made of.
+void weigh(const RecordSpans& records, std::size_t sample, float weight) {
+  if (weight == 1) return;
+  records.color()[sample] = records.color()[sample] * weight;
+  for (const Layer layer : all_layers())
+    if (records.has(layer) && layer_info(layer).gathering == Gathering::mean)
+      records[layer][sample] = records[layer][sample] * weight;
+  for (const Division division : divisions)
+    if (records.has(division))
+      for (Rgb& part : records[division][sample]) part = part * weight;
 }
 
 /// One render in progress. Threads take tiles from a counter; a tile's pixels belong to one thread during a
@@ -92,7 +103,7 @@ class Renderer {
         camera_stage_(camera_, {options.width, options.height, options.samples, options.sampler, options.seed,
                                 options.filter}),
         visible_pixels_(pixels_with_light(scene, camera_, accelerator.bounds(), options)),
-        film_(options.width, options.height, window_of(options), options.layers),
+        film_(options.width, options.height, window_of(options), film_contents(options, scene)),
         tiles_(spiral_tiles(film_.window(), tile_size)) {
     progress_.samples_total = pixel_count() * options.samples;
     if (options.seconds) progress_.seconds_total = *options.seconds;
@@ -167,7 +178,7 @@ class Renderer {
     std::vector<RecordedRay> rays;
     Tracer tracer(accelerator_, options_.counting, options_.observe ? &rays : nullptr);
     const std::size_t together = options_.observe ? 1 : samples_together;
-    Batch batch(options_, together);
+    Batch batch(recorded(options_, film_.contents()), together);
     std::vector<PixelSample>& samples = batch.samples;
     const auto finish = [&] {
       add(batch, tracer);
@@ -207,14 +218,12 @@ class Renderer {
 
   /// What the samples of a batch are made in.
   struct Batch {
-    explicit Batch(const RenderOptions& options, std::size_t size)
-        : camera_samples(size), records(recorded_layers(options), size) {
+    Batch(const FilmContents& recorded, std::size_t size) : camera_samples(size), records(recorded, size) {
       samples.reserve(size);
     }
     std::vector<PixelSample> samples;
     std::vector<CameraSample> camera_samples;
     Records records;
-    std::vector<Rgb> values;  ///< Of one sample in each layer of a film.
   };
 
   void add(Batch& batch, Tracer& tracer) {
@@ -224,20 +233,11 @@ class Renderer {
     camera_stage_.make(batch.samples, camera_samples);
     integrator_.sample(camera_samples, options_.sampler, tracer, records);
     for (std::size_t i = 0; i < batch.samples.size(); ++i) {
-      add(batch, records, i, film_);
-      if (halves_) add(batch, records, i, halves_->of(batch.samples[i].index));
+      const auto& [x, y, index] = batch.samples[i];
+      weigh(records, i, batch.camera_samples[i].weight);
+      film_.add(x, y, index, records, i);
+      if (halves_) halves_->of(index).add(x, y, index, records, i);
     }
-  }
-
-  /// One of a batch's records to one of the films.
-  static void add(Batch& batch, const RecordSpans& records, std::size_t i, Film& film) {
-    const auto& [x, y, index] = batch.samples[i];
-    const float weight = batch.camera_samples[i].weight;
-    batch.values.resize(film.layers().size());
-    for (std::size_t layer = 0; layer < batch.values.size(); ++layer)
-      if (const Layer shown = film.layers()[layer]; records.has(shown))
-        batch.values[layer] = is_mean(shown) ? records[shown][i] * weight : records[shown][i];
-    film.add(x, y, index, records.color()[i] * weight, batch.values);
   }
 
   void finish_tile(const PixelRect& tile, std::uint32_t samples, const RayCounts& rays) {
@@ -266,6 +266,11 @@ class Renderer {
 };
 
 }  // namespace
+
+FilmContents film_contents(const RenderOptions& options, const Scene& scene) {
+  return {options.layers,
+          {options.light_paths ? light_path_count : 0, options.light_groups ? scene.light_groups.size() : 0}};
+}
 
 PixelRect window_of(const RenderOptions& options) {
   return options.window.value_or(PixelRect{0, 0, options.width, options.height});

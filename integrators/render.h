@@ -37,6 +37,8 @@ struct RenderOptions {
   /// picture's error is not above: the root of its relative mean squared error, estimated by the halves
   /// (integrators/denoise/half_pictures.h). A function of the samples alone.
   std::optional<double> noise_target;
+  bool light_paths = false;   ///< Divide the light by the paths that it took,
+  bool light_groups = false;  ///< by the scene's light groups.
   SamplerKind sampler = SamplerKind::sobol;
   std::uint64_t seed = 0;
   int threads = 0;        ///< 0: as many as the process may use.
@@ -50,6 +52,9 @@ struct RenderOptions {
   /// that are there.
   std::function<bool()> is_stopped;
 };
+
+/// What the film of a scene's render keeps.
+FilmContents film_contents(const RenderOptions& options, const Scene& scene);
 
 /// The pixels that are rendered: the window or, without one, the full frame.
 PixelRect window_of(const RenderOptions& options);

@@ -32,8 +32,10 @@ int object_rank(const XmlElement& child) {
 void ColladaNodes::walk(const XmlElement& visual_scene, const Transform& to_world) {
   if (!is_cs184()) layers_ = SceneLayers(visual_scene);
   controllers_.emplace(visual_scene, document_);
-  for (const XmlElement& node : visual_scene.children("node"))
+  for (const XmlElement& node : visual_scene.children("node")) {
+    asset_ = display_name(node);
     visit(node, visual_scene, {to_world, document_.space_of(document_.root())});
+  }
 }
 
 void ColladaNodes::visit(const XmlElement& node, const XmlElement& from, const Placement& outside) {
@@ -147,7 +149,7 @@ void ColladaNodes::add_part(const ColladaPart& part, const std::string& name, co
   placed.mesh.name = name;
   const ColladaMaterial material = materials_.bound(instance, is_cs184() ? "" : part.symbol);
   parts.shapes.push_back(
-      {std::move(placed.mesh), material.index, material.radiance, EmissionSide::both, name});
+      {std::move(placed.mesh), material.index, material.radiance, EmissionSide::both, name, asset_});
 }
 
 void ColladaNodes::add_sphere(float radius, const std::string& name, const XmlElement& instance,
@@ -156,7 +158,7 @@ void ColladaNodes::add_sphere(float radius, const std::string& name, const XmlEl
   parts.bounds.extend(sphere_bounds(sphere));
   const ColladaMaterial material = materials_.bound(instance, "");
   parts.shapes.push_back(
-      {SphereSet{name, {sphere}}, material.index, material.radiance, EmissionSide::front, name});
+      {SphereSet{name, {sphere}}, material.index, material.radiance, EmissionSide::front, name, asset_});
 }
 
 void ColladaNodes::add_light(const XmlElement& instance, const Transform& to_world) {

@@ -63,7 +63,8 @@ class ColladaNodes {
   SceneLayers layers_;
   std::optional<ColladaControllers> controllers_;  ///< Of the scene that is walked.
   std::map<XmlElement, ColladaGeometry> geometries_;
-  int hiding_ = 0;  ///< How many of the nodes from the root to the one being visited hide what is below.
+  std::string asset_;  ///< The name of the outermost node that is being visited.
+  int hiding_ = 0;     ///< How many of the nodes from the root to the one being visited hide what is below.
   std::size_t triangles_ = 0;
 };
 

@@ -17,6 +17,7 @@ struct ScenePart {
   Rgb radiance;  ///< Black: no light.
   EmissionSide side = EmissionSide::both;
   std::string light_name;
+  std::string asset;  ///< The name of the outermost node that it belongs to.
 };
 
 /// What the nodes of a scene have given so far, in their order.

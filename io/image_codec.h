@@ -51,6 +51,9 @@ class ImageCodec {
   /// taken for pixels; it throws Error to refuse the file.
   virtual Image read(PictureFormat format, const PictureBytes& picture, PictureLayer layer,
                      const std::function<void(const Header&)>& check) const = 0;
+  /// All channels of an OpenEXR picture. `check` as above.
+  virtual StoredLayers read_layers(const PictureBytes& picture,
+                                   const std::function<void(const Header&)>& check) const = 0;
   /// The channel of that name of an OpenEXR picture, row by row; empty where it has none. `check` as above.
   virtual std::vector<float> read_channel(const PictureBytes& picture, const std::string& name,
                                           const std::function<void(const Header&)>& check) const = 0;

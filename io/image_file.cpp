@@ -39,16 +39,20 @@ void check_room(const std::string& name, std::uint64_t bytes) {
   if (bytes > few) check_memory({&need, 1});
 }
 
-/// Throws Error unless the picture is of a kind that is read, and memory can hold it.
-void check_kind(const ImageCodec::Header& header, PictureFormat format, const PictureBytes& picture) {
+/// Pictures of layers have many, but not as many as a broken header says.
+constexpr int most_channels = 1024;
+
+/// Throws Error unless the picture is of a kind that is read, and memory can hold so many bytes a pixel.
+void check_kind(const ImageCodec::Header& header, PictureFormat format, const PictureBytes& picture,
+                std::size_t pixel_bytes = sizeof(Rgb)) {
   check_picture_size(format, {header.width, header.height}, picture);
   const std::string& path = picture.path;
-  if (header.channels < 1 || header.channels > 64)
-    throw Error(fmt::format("{}: {} channels; valid are 1 to 64", path, header.channels));
+  if (header.channels < 1 || header.channels > most_channels)
+    throw Error(fmt::format("{}: {} channels; valid are 1 to {}", path, header.channels, most_channels));
   if (header.is_deep)
     throw Error(fmt::format("{}: a deep picture, or one of several layers in depth, is not read", path));
   check_room(fmt::format("the {} x {} pixels of {}", header.width, header.height, path),
-             std::uint64_t(header.width) * std::uint64_t(header.height) * sizeof(Rgb));
+             std::uint64_t(header.width) * std::uint64_t(header.height) * pixel_bytes);
 }
 
 /// PNG, JPEG and TGA are sRGB whatever their depth; the others hold linear numbers.
@@ -174,6 +178,17 @@ Image read_image(const std::string& path, const ReadOptions& options) {
   const PictureFormat format = picture_format(path);
   const std::string bytes = read_bytes(path);
   return decode(format, {bytes, path}, options);
+}
+
+StoredLayers read_layers(const std::string& path) {
+  if (picture_format(path) != PictureFormat::exr)
+    throw Error(path + ": it holds no layers; an OpenEXR picture, .exr, may");
+  const std::string bytes = read_bytes(path);
+  const PictureBytes picture{bytes, path};
+  check_picture_header(PictureFormat::exr, picture);
+  return image_codec().read_layers(picture, [&](const ImageCodec::Header& header) {
+    check_kind(header, PictureFormat::exr, picture, std::size_t(header.channels) * sizeof(float));
+  });
 }
 
 std::vector<float> read_channel(const std::string& path, const std::string& name) {

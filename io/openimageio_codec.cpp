@@ -53,6 +53,7 @@ OIIO::ImageSpec exr_spec(const LayeredImage& image, const ImageMetadata& metadat
   spec.full_height = frame.height > 0 ? frame.height : image.height;
   add_metadata(spec, metadata);
   spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), srgb_chromaticities);
+  spec.attribute("compression", image.compression == ExrCompression::dwab ? "dwab" : "zip");
   if (frame.camera) {
     const OIIO::TypeDesc matrix(OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::MATRIX44);
     spec.attribute("worldToCamera", matrix, frame.camera->world_to_camera.data());
@@ -201,6 +202,32 @@ class DiskFile final : public OIIO::Filesystem::IOProxy {
   std::size_t size_ = 0;
 };
 
+/// The attributes that are texts.
+ImageMetadata texts_of(const OIIO::ImageSpec& spec) {
+  ImageMetadata texts;
+  for (const OIIO::ParamValue& value : spec.extra_attribs)
+    if (value.type() == OIIO::TypeDesc::STRING) texts.emplace_back(value.name().string(), value.get_string());
+  return texts;
+}
+
+std::vector<PictureChannel> channels_of(const OIIO::ImageSpec& spec) {
+  std::vector<PictureChannel> channels;
+  for (int i = 0; i < spec.nchannels; ++i)
+    channels.push_back({spec.channelnames[std::size_t(i)], spec.channelformat(i) == OIIO::TypeDesc::HALF});
+  return channels;
+}
+
+ImageFrame frame_of(const OIIO::ImageSpec& spec) {
+  ImageFrame frame{spec.x - spec.full_x, spec.y - spec.full_y, spec.full_width, spec.full_height};
+  CameraMatrices camera;
+  const OIIO::TypeDesc matrix(OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::MATRIX44);
+  if (!spec.getattribute("worldToCamera", matrix, camera.world_to_camera.data())) return frame;
+  std::array<float, 16> to_ndc;
+  if (spec.getattribute("worldToNDC", matrix, to_ndc.data())) camera.world_to_ndc = to_ndc;
+  frame.camera = camera;
+  return frame;
+}
+
 class TiledExr final : public TiledPictureFile {
  public:
   explicit TiledExr(const std::string& path)
@@ -213,9 +240,7 @@ class TiledExr final : public TiledPictureFile {
       throw Error(path + ": not a picture of three channels of 32-bit floats in tiles");
     size_ = {spec.width, spec.height, 0, spec.tile_width, spec.tile_height};
     while (input_->seek_subimage(0, size_.levels)) ++size_.levels;
-    for (const OIIO::ParamValue& value : spec.extra_attribs)
-      if (value.type() == OIIO::TypeDesc::STRING)
-        metadata_.emplace_back(value.name().string(), value.get_string());
+    metadata_ = texts_of(spec);
   }
 
   const Size& size() const override { return size_; }
@@ -297,6 +322,18 @@ class OpenImageIOCodec final : public ImageCodec {
     std::vector<float> values;
     for (const Rgb& pixel : image.pixels) values.push_back(pixel.r);
     return values;
+  }
+
+  StoredLayers read_layers(const PictureBytes& picture,
+                           const std::function<void(const Header&)>& check) const override {
+    OpenPicture open(PictureFormat::exr, picture);
+    check(open.header());
+    const OIIO::ImageSpec& spec = open.input().spec();
+    StoredLayers stored{spec.width, spec.height, channels_of(spec), {}, texts_of(spec), frame_of(spec)};
+    stored.values.resize(spec.image_pixels() * std::size_t(spec.nchannels));
+    if (!open.input().read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, stored.values.data()))
+      throw Error(fmt::format("{}: cannot be read: {}", picture.path, open.input().geterror()));
+    return stored;
   }
 
   /// Put together in memory: a pipe cannot be written in any other order.

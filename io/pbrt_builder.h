@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/asset_names.h"
 #include "io/loaded_scene.h"
 #include "io/pbrt_camera.h"
 #include "io/pbrt_material.h"
@@ -48,6 +49,7 @@ class PbrtBuilder {
     std::shared_ptr<const PbrtAreaLight> light;
     std::uint32_t alpha;
     PbrtPlace place;
+    std::string asset;  ///< The object that it belongs to, or its own name.
   };
   using Object = std::vector<Part>;
 
@@ -75,7 +77,9 @@ class PbrtBuilder {
   std::map<std::size_t, Rgb> absorptions_;  ///< Within those of the bindings' shapes that have any.
   std::vector<Light> shape_lights_, lights_;
   std::map<std::string, Object> objects_;
-  Object* object_ = nullptr;  ///< The one that shapes belong to.
+  Object* object_ = nullptr;  ///< The one that shapes belong to,
+  std::string object_name_;   ///< and its name.
+  AssetNames assets_;
   PlacedShapes account_;
   std::size_t triangles_ = 0;
 };

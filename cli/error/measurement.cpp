@@ -75,7 +75,7 @@ Subject::Subject(const OptionSet& set) : set_(set) {
   RenderTalk silence;
   scene_ = std::make_unique<const Scene>(load_for_render(arguments, silence).scene);
   choose_engine(*scene_->geometry, arguments);
-  check_memory(memory_needs(arguments, scene_->geometry->primitive_count()));
+  check_memory(memory_needs(arguments, *scene_));
   integrator_ = make_integrator(arguments, *scene_);
   accelerator_ = build_accelerator(arguments.backend, scene_->geometry, arguments.build);
 }

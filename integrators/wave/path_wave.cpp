@@ -23,7 +23,11 @@ PathWave::PathWave(const WaveContext& context, SamplerKind kind, Tracer& tracer,
       samples_(samples),
       records_(records),
       radiance_(records.color()),
-      has_parts_(shows_light_parts(records)) {}
+      has_light_paths_(records.has(Division::paths)),
+      has_light_groups_(records.has(Division::groups)) {
+  if (has_light_groups_)
+    wave_.group_sums.assign(samples.size() * context.transport.scene.light_groups.size(), Rgb{});
+}
 
 void PathWave::trace() {
   start();
@@ -87,7 +91,10 @@ void PathWave::add_emission() {
         hit.is_miss() ? lights.background(direction)
                       : lights.emitted(surface_at(*context_.transport.scene.geometry, hit), -direction);
     radiance_[i] += radiance;
-    if (has_parts_) add_seen_light(hit.is_miss(), radiance, records_, i);
+    if (has_light_paths_) add_seen_light(hit.is_miss(), radiance, paths_of(std::uint32_t(i)));
+    if (!has_light_groups_) continue;
+    add_seen_groups(context_.transport, {hit, direction}, groups_of(i));
+    groups_of(i).move_to(records_[Division::groups][i], paths_.throughput.at<Rgb>(i));
   }
 }
 
@@ -97,14 +104,17 @@ void PathWave::add_found_light() {
     const Hit& hit = wave_.hits[k];
     if (!hit.is_miss() && !context_.shapes[hit.mesh].emits) continue;
     const Departure departure = departure_from(wave_.kept[k]);
-    const Vec3 direction = normalize(paths_.direction.at(k));
-    const Rgb found = context_.options.clamped(
-        paths_.throughput.at<Rgb>(k) *
-            found_light(context_.transport, departure, hit, direction, tracer_.observer()),
-        depth_);
+    const LightGroups groups = has_light_groups_ ? groups_of(k) : LightGroups{};
+    const Rgb throughput = paths_.throughput.at<Rgb>(k);
+    const Rgb light =
+        throughput * found_light(context_.transport, departure, {hit, normalize(paths_.direction.at(k))},
+                                 tracer_.observer(), groups);
+    const float factor = context_.options.clamp_factor(light, depth_);
     const std::uint32_t sample = paths_.sample[k];
-    radiance_[sample] += found;
-    if (has_parts_) add_scattered_light(first_scattering_of(sample), found, depth_, records_, sample);
+    radiance_[sample] += light * factor;
+    if (has_light_paths_)
+      add_scattered_light(first_scattering_of(sample), light * factor, depth_, paths_of(sample));
+    if (has_light_groups_) groups.move_to(records_[Division::groups][sample], throughput, factor);
   }
 }
 
@@ -214,7 +224,8 @@ void PathWave::add_direct_light() {
   for (std::size_t i = 0; i < paths_.size; ++i)
     radiance_[paths_.sample[i]] +=
         context_.options.clamped(paths_.throughput.at<Rgb>(i) * connections_.sum.at<Rgb>(i), depth_ + 1);
-  if (has_parts_) add_direct_parts();
+  if (has_light_paths_) add_direct_paths();
+  if (has_light_groups_) add_direct_groups();
 }
 
 void PathWave::add_lights() {
@@ -255,7 +266,8 @@ void PathWave::sample_light(std::uint32_t light) {
     stages_.make_shadow_rays(light_, paths_.size, connections_);
     connect();
     stages_.add_connections(light_, paths_.size, connections_);
-    if (has_parts_ && depth_ == 0) gather_direct_parts(float(count));
+    if (has_light_paths_ && depth_ == 0) gather_scattered_light(float(count));
+    if (has_light_groups_) gather_groups(light, float(count));
   }
 }
 
@@ -295,6 +307,7 @@ void PathWave::sample_other_light(std::uint32_t light) {
     light_.origin.set(i, sample.shadow_ray.origin);
     light_.towards.set(i, sample.shadow_ray.direction);
     light_.t_max[i] = sample.shadow_ray.t_max;
+    light_.source[i] = sample.light;
   }
 }
 
@@ -329,7 +342,8 @@ void PathWave::add_hemisphere() {
     for (std::size_t k = 0; k < connections_.size; ++k)
       connections_.arriving.set(connections_.surface[k], found_around(k));
     stages_.add_connections(light_, paths_.size, connections_);
-    if (has_parts_ && depth_ == 0) gather_direct_parts(divisor);
+    if (has_light_paths_ && depth_ == 0) gather_scattered_light(divisor);
+    if (has_light_groups_) gather_groups_around(divisor);
   }
   for (std::size_t i = 0; i < paths_.size; ++i)
     connections_.sum.set(i, connections_.of_light.at<Rgb>(i) / divisor);
@@ -351,7 +365,7 @@ bool PathWave::scatter(bool is_last) {
   if (has_limits) std::fill_n(wave_.kind.values, paths_.size, std::uint32_t(ScatterKind::diffuse));
   scatter_at_others();
   if (shows_features(records_)) follow_mirrors();
-  if (has_parts_ && depth_ == 0) keep_first_scattering();
+  if (has_light_paths_ && depth_ == 0) keep_first_scattering();
   if (has_limits) count_bounces();
   if (context_.options.regularize) regularize_scattered();
   if (has_textures()) widen_cones();

@@ -6,7 +6,8 @@
 
 #include "integrators/direct_light.h"
 #include "integrators/integrator.h"
-#include "integrators/light_parts.h"
+#include "integrators/light_groups.h"
+#include "integrators/light_paths.h"
 #include "integrators/path_options.h"
 #include "integrators/wave/shape_table.h"
 #include "integrators/wave/stages.h"
@@ -56,13 +57,22 @@ class PathWave {
   void record_features();
   /// and which paths go on to what they see in a mirror.
   void follow_mirrors();
-  // Parts of the light (integrators/wave/light_parts.cpp): how paths are scattered at their first surfaces,
+  // Parts of the light (integrators/wave/light_division.cpp): how paths are scattered at their first
+  // surfaces,
   void keep_first_scattering();
   FirstScattering first_scattering_of(std::uint32_t sample) const;
   /// what each kind of scattering brings there of a light's sample,
-  void gather_direct_parts(float divisor);
-  /// and where direct light belongs.
-  void add_direct_parts();
+  void gather_scattered_light(float divisor);
+  /// what each group of lights brings anywhere: by a sample of a light,
+  void gather_groups(std::uint32_t light, float divisor);
+  /// or by a look around,
+  void gather_groups_around(float divisor);
+  /// and where direct light belongs by path and by group.
+  void add_direct_paths();
+  void add_direct_groups();
+  /// What lights bring to a path.
+  LightGroups groups_of(std::size_t path);
+  PathParts paths_of(std::uint32_t sample) const { return PathParts(records_[Division::paths][sample]); }
   void expand_hits();
   /// Of a scene with textures: where the paths' cones have come to, and the draws of pixels.
   void prepare_textures();
@@ -126,10 +136,10 @@ class PathWave {
   Connections& connections_;
   std::span<const CameraSample> samples_;
   const RecordSpans records_;
-  const std::span<Rgb> radiance_;  ///< Of each sample.
-  const bool has_parts_;           ///< The light's parts are asked for.
-  int depth_ = 0;                  ///< Scattering events before the current rays.
-  bool is_following_ = false;      ///< Some paths were scattered by mirrors and the like alone.
+  const std::span<Rgb> radiance_;                  ///< Of each sample.
+  const bool has_light_paths_, has_light_groups_;  ///< These are asked for.
+  int depth_ = 0;                                  ///< Scattering events before the current rays.
+  bool is_following_ = false;  ///< Some paths were scattered by mirrors and the like alone.
 };
 
 }  // namespace twinray

@@ -81,8 +81,8 @@ struct Surfaces {
 struct OtherSurface {
   std::uint32_t index;  ///< Among the surfaces.
   Interaction at;
-  Rgb throughput = {};     ///< Of the path that has come there.
-  DirectParts parts = {};  ///< Of direct light, where they are asked for.
+  Rgb throughput = {};            ///< Of the path that has come there.
+  ScatteredLight scattered = {};  ///< Direct light, where its parts are asked for.
 
   /// Makes the interaction, which is large, where it stays.
   OtherSurface(std::size_t i, const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo,
@@ -101,6 +101,7 @@ struct LightSamples {
   Floats pdf;
   Columns3 origin, towards;
   Floats t_max;
+  Words source;  ///< Of a group of lights: the one that was chosen.
 
   Ray ray(std::size_t i) const {
     return {.origin = origin.at(i), .direction = towards.at(i), .t_max = t_max[i]};
@@ -141,8 +142,9 @@ struct Wave {
   Words follows;            ///< Of each sample: 1 where its path was scattered by mirrors and the like alone.
   Columns3 first_diffuse;   ///< Of each sample, where the light's parts are asked for:
   Words first_transmitted;  ///< FirstScattering.
-  Columns3 origin;          ///< Of their rays.
-  std::vector<Ray> rays;    ///< Of the paths, as accelerators take them.
+  std::vector<Rgb> group_sums;  ///< Of each path, where light groups are asked for: LightGroups' sums.
+  Columns3 origin;              ///< Of their rays.
+  std::vector<Ray> rays;        ///< Of the paths, as accelerators take them.
   std::vector<Hit> hits;
 };
 

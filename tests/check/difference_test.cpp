@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "tests/support/catch.h"
+#include "tests/support/film.h"
 
 namespace twinray::test {
 namespace {
@@ -74,19 +75,29 @@ TEST_CASE("the first of several differences is the one nearest to the top left")
 }
 
 TEST_CASE("a difference in a layer is found where the colours do not differ") {
-  const std::vector<Layer> layers{Layer::albedo, Layer::depth};
+  const FilmContents layers{{Layer::albedo, Layer::depth}, {}};
   Film a(width, height, whole, layers), b(width, height, whole, layers);
-  a.add(2, 1, 0, {1, 1, 1}, std::vector<Rgb>{{0.5f, 0, 1}, {3, 0, 0}});
-  b.add(2, 1, 0, {1, 1, 1}, std::vector<Rgb>{{0.5f, 0, 1}, {3.5f, 0, 0}});
+  add_sample(a, 2, 1, 0, {{1, 1, 1}, {{0.5f, 0, 1}, {3, 0, 0}}});
+  add_sample(b, 2, 1, 0, {{1, 1, 1}, {{0.5f, 0, 1}, {3.5f, 0, 0}}});
   CHECK_FALSE(first_difference(a, a));
   CHECK(first_difference(a, b) == "pixel 2 1: depth 0x1.8p+1 0x0p+0 0x0p+0 and 0x1.cp+1 0x0p+0 0x0p+0");
+}
+
+TEST_CASE("a difference in mattes, or in the parts of the light, is found as well") {
+  const FilmContents contents{{Layer::object_matte}, {0, 2}};
+  Film a(width, height, whole, contents), b = a, c = a;
+  add_sample(a, 3, 1, 0, {{1, 1, 1}, {record_id(5)}, {}, {{1, 1, 1}, {0, 0, 0}}});
+  add_sample(b, 3, 1, 0, {{1, 1, 1}, {record_id(6)}, {}, {{1, 1, 1}, {0, 0, 0}}});
+  add_sample(c, 3, 1, 0, {{1, 1, 1}, {record_id(5)}, {}, {{1, 0.5f, 1}, {0, 0.5f, 0}}});
+  CHECK(first_difference(a, b) == "pixel 3 1: cryptomatte-object");
+  CHECK(first_difference(a, c) == "pixel 3 1: light by groups");
 }
 
 TEST_CASE("films of other frames, or with more pixels than expected, differ") {
   const std::string misfit = "frames, windows or layers that do not fit";
   CHECK(first_difference(film_of(whole), Film(width, height + 1, whole)) == misfit);
   CHECK(first_difference(film_of({1, 1, 3, 2}), film_of(whole)) == misfit);
-  CHECK(first_difference(film_of(whole), Film(width, height, whole, {Layer::depth})) == misfit);
+  CHECK(first_difference(film_of(whole), Film(width, height, whole, {{Layer::depth}})) == misfit);
 }
 
 TEST_CASE("one ray more of any kind is a difference") {

@@ -2,11 +2,16 @@
 // --layers: names, errors, and the file that comes out.
 #include <fmt/format.h>
 
+#include <bit>
+#include <map>
+
 #include "cli/layered_picture.h"
 #include "cli/render_command_line.h"
 #include "core/error.h"
+#include "io/cryptomatte.h"
 #include "io/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/film.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -45,13 +50,23 @@ TEST_CASE("layers are named with commas, each once and in the order of the file"
   CHECK(layers_of({"--layers", "alpha"}) == std::vector{Layer::alpha});
   CHECK(layers_of({"--layers=all"}) == all_layers());
   CHECK(layers_of({"--layers=depth,all"}) == all_layers());
-  CHECK(layers_of({"--layers=light"}).size() == 1 + light_parts().size());
+  CHECK(layers_of({"--layers=cryptomatte"}) ==
+        std::vector{Layer::alpha, Layer::object_matte, Layer::material_matte, Layer::asset_matte});
+  const auto light_of = [](const std::string& names) {
+    const RenderOptions options = parse_render_arguments({names, "scene.dae"}).render;
+    return std::pair(options.light_paths, options.light_groups);
+  };
+  CHECK(light_of("--layers=light,uv") == std::pair(true, false));
+  CHECK(light_of("--layers=light-groups") == std::pair(false, true));
+  CHECK(light_of("--layers=all") == std::pair(true, true));
+  CHECK(layers_of({"--layers=light"}) == std::vector{Layer::alpha});
 }
 
 TEST_CASE("layers that there are not, and pictures that cannot hold any, are refused with what is valid") {
   CHECK(message_of({"--layers=albedo,colour"}) ==
         "--layers: there is no \"colour\"; valid are all, alpha, albedo, normal, geometric-normal, depth, "
-        "position, uv, ids, samples, variance, light, one or several with commas");
+        "position, uv, ids, samples, variance, cryptomatte-object, cryptomatte-material, cryptomatte-asset, "
+        "cryptomatte, light, light-groups, one or several with commas");
   CHECK(message_of({"--layers=emission"}).starts_with("--layers: there is no \"emission\""));
   CHECK(message_of({"--layers=albedo,,depth"}).starts_with("--layers: there is no \"\""));
   CHECK(message_of({"--layers=all", "-o", "a.png"}) ==
@@ -71,7 +86,7 @@ TEST_CASE("a picture with all layers has their channels, and the colours that it
   CHECK(read_image(folder.file("all.exr")).pixels == read_image(folder.file("alone.exr")).pixels);
   const std::string file = read_text(folder.file("all.exr"));
   for (const Layer layer : all_layers())
-    for (const char* const channel : layer_info(layer).channels) {
+    for (const std::string& channel : layer_info(layer).channels) {
       CAPTURE(channel);
       CHECK(has_channel(file, channel, layer_info(layer).is_half ? 1 : 2));
     }
@@ -101,20 +116,72 @@ TEST_CASE("pictures with layers have the same bytes, whichever engine and path t
   }
 }
 
+TEST_CASE("shapes of one name are one thing in a matte") {
+  Film film(1, 1, {0, 0, 1, 1}, {{Layer::object_matte}});
+  for (const std::uint32_t id : {1u, 2u, 3u, 3u}) add_sample(film, 0, 0, id, {{}, {record_id(id)}});
+  const SceneNames names{{"leaf", "bark", "leaf"}, {}, {}, {}};
+  const LayeredImage image = layered_picture(film, names);
+  std::vector<float> values(image.channels.size());
+  image.fill_row(0, values);
+  CHECK(image.channels[3].name == "CryptoObject00.R");
+  CHECK(std::bit_cast<std::uint32_t>(values[3]) == cryptomatte_id("leaf"));
+  CHECK(values[4] == 0.75f);
+  CHECK(std::bit_cast<std::uint32_t>(values[5]) == cryptomatte_id("bark"));
+  CHECK(values[6] == 0.25f);
+  CHECK(values[7] == 0);
+}
+
+TEST_CASE("a picture with mattes and ids has the names of what they stand for") {
+  const TemporaryFolder folder;
+  const std::string picture = folder.file("a.exr");
+  REQUIRE(run_program(fmt::format("{} -r 8 6 -s 1 -q --layers=cryptomatte,ids -o {}", scene, picture))
+              .exit_code == 0);
+  const ImageMetadata stored = read_layers(picture).metadata;
+  const std::map<std::string, std::string> metadata(stored.begin(), stored.end());
+  for (const char* const kind : {"3ae39a5", "be359d6", "f42029d"})
+    CHECK(metadata.contains(fmt::format("cryptomatte/{}/manifest", kind)));
+  CHECK(metadata.at("cryptomatte/3ae39a5/name") == "CryptoObject");
+  CHECK(metadata.contains("twinray:object_id"));
+  CHECK(metadata.contains("twinray:material_id"));
+}
+
+TEST_CASE("an EXR is packed as asked for, but mattes never with a loss") {
+  const TemporaryFolder folder;
+  const auto compression = [&](const std::string& options) {
+    const std::string picture = folder.file("a.exr");
+    REQUIRE(run_program(fmt::format("{} -r 8 6 -s 1 -q {} -o {}", scene, options, picture)).exit_code == 0);
+    const ImageMetadata stored = read_layers(picture).metadata;
+    return std::map<std::string, std::string>(stored.begin(), stored.end()).at("compression");
+  };
+  CHECK(compression("") == "zip");
+  CHECK(compression("--exr-compression=dwab").starts_with("dwab"));
+  CHECK(message_of({"--layers=cryptomatte", "--exr-compression=dwab", "-o", "a.exr"}) ==
+        "--exr-compression: dwab changes numbers, and with them the ids of cryptomatte; zip does not");
+}
+
 TEST_CASE("a part of the frame with layers is that part of the whole") {
-  Film whole(6, 4, {0, 0, 6, 4}, {Layer::alpha, Layer::depth}), part(6, 4, {2, 1, 5, 3}, whole.layers());
+  const FilmContents contents{{Layer::alpha, Layer::depth}, {0, 2}};
+  Film whole(6, 4, {0, 0, 6, 4}, contents), part(6, 4, {2, 1, 5, 3}, contents);
   for (Film* const film : {&whole, &part})
     for (int y = film->window().y0; y < film->window().y1; ++y)
       for (int x = film->window().x0; x < film->window().x1; ++x)
-        film->add(x, y, 0, {float(x), float(y), 0}, std::vector<Rgb>{{1, 0, 0}, {float(10 * y + x), 0, 0}});
-  const auto row = [](const Film& film, int y) {
-    const LayeredImage image = layered_picture(film);
+        add_sample(*film, x, y, 0,
+                   {{float(x), float(y), 0},
+                    {{1, 0, 0}, {float(10 * y + x), 0, 0}},
+                    {},
+                    {{float(x), 0, 0}, {0, float(y), 0}}});
+  const SceneNames names{{}, {}, {}, {"key", "fill"}};
+  const auto row = [&](const Film& film, int y) {
+    const LayeredImage image = layered_picture(film, names);
     std::vector<float> values(std::size_t(image.width) * image.channels.size());
     image.fill_row(y, values);
     return values;
   };
-  CHECK(row(part, 1) == std::vector<float>{2, 2, 0, 1, 22, 3, 2, 0, 1, 23, 4, 2, 0, 1, 24});
-  CHECK(row(whole, 3).back() == 35);
+  CHECK(layered_picture(part, names).channels[8].name == "light_fill.R");
+  CHECK(row(part, 1) == std::vector<float>{2, 2, 0, 1, 22, 2, 0, 0, 0, 2, 0,  //
+                                           3, 2, 0, 1, 23, 3, 0, 0, 0, 2, 0,  //
+                                           4, 2, 0, 1, 24, 4, 0, 0, 0, 2, 0});
+  CHECK(row(whole, 3)[5 * 11 + 4] == 35);
 }
 
 }  // namespace twinray::test

@@ -34,11 +34,22 @@ TEST_CASE("a render needs its film of 64 bytes a pixel, and the pictures made of
   CHECK(memory_needs(options)[0].bytes == 64 * 20 * 40);
 }
 
+TEST_CASE("each light group is a part of the film, once the scene says how many there are") {
+  const RenderOptions options{.width = 10, .height = 10, .light_paths = true, .light_groups = true};
+  Scene scene;
+  scene.light_groups = {"key", "fill"};
+  CHECK(memory_needs(options)[0].bytes == (64 + 8 * 24) * 100);
+  CHECK(memory_needs(options, scene)[0].bytes == (64 + 10 * 24) * 100);
+}
+
 TEST_CASE("a render needs the tree of its engine, and that of the engine which checks it") {
   RenderArguments arguments{.backend = Backend::bvh};
-  CHECK(memory_needs(arguments, 1000).size() == 3);
+  Scene scene;
+  scene.geometry = std::make_shared<const Geometry>(
+      std::vector<Shape>{SphereSet{"many", std::vector<Sphere>(1000, Sphere{})}});
+  CHECK(memory_needs(arguments, scene).size() == 3);
   arguments.check_with = named_engine("bvh-2");
-  const std::vector<MemoryNeed> needs = memory_needs(arguments, 1000);
+  const std::vector<MemoryNeed> needs = memory_needs(arguments, scene);
   REQUIRE(needs.size() == 4);
   CHECK(needs[2].name == "the tree of bvh over 1000 primitives");
   CHECK(needs[3].bytes > needs[2].bytes);

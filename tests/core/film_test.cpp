@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "tests/support/catch.h"
+#include "tests/support/film.h"
 #include "tests/support/random.h"
 
 namespace twinray {
@@ -273,20 +274,20 @@ TEST_CASE("the first rejected sample is the least of (y, x, index), in whatever 
 TEST_CASE("a layer takes at most 8 bytes a channel and pixel") {
   for (const Layer layer : all_layers()) {
     CAPTURE(layer_info(layer).name);
-    CHECK(Film::bytes(10, std::vector{layer}) <= 10 * (sizeof(PixelSums) + 8 * channel_count(layer)));
+    CHECK(Film::bytes(10, {{layer}}) <= 10 * (sizeof(PixelSums) + 8 * channel_count(layer)));
   }
-  const std::vector<Layer> kept{Layer::albedo, Layer::depth};
-  CHECK(Film::bytes(10, kept) == 10 * (sizeof(PixelSums) + 24 + 8));
+  CHECK(Film::bytes(10, {{Layer::albedo, Layer::depth}, {8, 2}}) ==
+        10 * (sizeof(PixelSums) + 24 + 8 + 8 * 24 + 2 * 24));
 }
 
 TEST_CASE("a film keeps of each layer what its samples say, and what its colours say") {
-  Film film(4, 3, {1, 1, 4, 3}, {Layer::albedo, Layer::depth, Layer::samples, Layer::variance});
+  Film film(4, 3, {1, 1, 4, 3}, {{Layer::albedo, Layer::depth, Layer::samples, Layer::variance}});
   const std::vector<Rgb> first{{0.5f, 0, 1}, {not_a_number, 0, 0}, {}, {}};
   const std::vector<Rgb> second{{0, 0, 0.5f}, {7, 0, 0}, {}, {}};
   const std::vector<Rgb> third{{1, 0, 0}, {3, 0, 0}, {}, {}};
-  film.add(2, 1, 2, {3, 3, 3}, third);
-  film.add(2, 1, 0, {1, 1, 1}, first);
-  film.add(2, 1, 1, {2, 2, 2}, second);
+  test::add_sample(film, 2, 1, 2, {{3, 3, 3}, third});
+  test::add_sample(film, 2, 1, 0, {{1, 1, 1}, first});
+  test::add_sample(film, 2, 1, 1, {{2, 2, 2}, second});
   CHECK(film.pixel(2, 1).count == 3);
   CHECK(film.value(0, 2, 1) == Rgb{0.5f, 0, 0.5f});
   CHECK(film.value(1, 2, 1) == Rgb{7, 0, 0});
@@ -298,14 +299,13 @@ TEST_CASE("a film keeps of each layer what its samples say, and what its colours
 }
 
 TEST_CASE("any order and partition of the samples gives a layer the same values") {
-  const std::vector<Layer> layers{Layer::normal, Layer::position};
+  const FilmContents layers{{Layer::normal, Layer::position}, {2, 0}};
   const std::vector<Sample> samples = random_samples(5, 4, 30);
   Film whole(5, 4, {0, 0, 5, 4}, layers), reversed = whole, merged = whole;
   Film left(5, 4, {0, 0, 2, 4}, layers), right(5, 4, {2, 0, 5, 4}, layers);
   const auto add_with_layers = [](Film& film, const Sample& sample) {
     const Rgb value{sample.value.r, sample.value.g, 0};
-    const std::vector<Rgb> values{value, value};
-    film.add(sample.x, sample.y, sample.index, {1, 1, 1}, values);
+    test::add_sample(film, sample.x, sample.y, sample.index, {{1, 1, 1}, {value, value}, {value, value}});
   };
   for (const Sample& sample : samples) add_with_layers(whole, sample);
   for (std::size_t i = samples.size(); i-- > 0;) add_with_layers(reversed, samples[i]);
@@ -319,53 +319,60 @@ TEST_CASE("any order and partition of the samples gives a layer the same values"
         CHECK(reversed.value(layer, x, y) == expected);
         CHECK(merged.value(layer, x, y) == expected);
       }
+  for (const Film* const film : {&reversed, &merged}) {
+    Rgb expected[2], parts[2];
+    whole.read_parts(Division::paths, 3, 2, expected);
+    film->read_parts(Division::paths, 3, 2, parts);
+    CHECK(std::equal(parts, parts + 2, expected));
+  }
 }
 
-TEST_CASE("the parts of the colours are kept so that they add up to them, and all of them or none") {
-  std::vector<Layer> layers = light_parts();
-  Film film(1, 1, {0, 0, 1, 1}, layers);
+TEST_CASE("the parts of the colours add up to them, whatever the order") {
+  Film film(1, 1, {0, 0, 1, 1}, {{}, {light_path_count, 3}});
   test::Random random(6);
   for (std::uint32_t index = 0; index < 1000; ++index) {
-    std::vector<Rgb> parts(layers.size());
+    std::vector<Rgb> parts(light_path_count);
     Rgb color;
     for (Rgb& part : parts) {
       const float r = random.unit(), g = random.unit() * 1e6f;
       part = {r, g, random.below(2) == 0 ? 0 : r * 1e-9f};
       color += part;
     }
-    film.add(0, 0, index, color, parts);
+    test::add_sample(film, 0, 0, index, {color, {}, parts, {color * 0.25f, color * 0.5f, color * 0.25f}});
   }
   const Rgb mean = film.pixel(0, 0).mean();
-  for (const bool backward : {false, true}) {
-    Rgb sum;
-    for (std::size_t i = 0; i < layers.size(); ++i)
-      sum += film.value(backward ? layers.size() - 1 - i : i, 0, 0);
-    CHECK(sum == mean);
+  for (const Division division : divisions) {
+    std::vector<Rgb> parts(film.contents().parts[std::size_t(division)]);
+    film.read_parts(division, 0, 0, parts);
+    Rgb forward, backward;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      forward += parts[i];
+      backward += parts[parts.size() - 1 - i];
+    }
+    CHECK(forward == mean);
+    CHECK(backward == mean);
   }
-  for (int channel = 0; channel < 3; ++channel) {
-    Int128 units = 0;
-    for (std::size_t i = 0; i < layers.size(); ++i) units += film.part_units(i, 0, 0, std::size_t(channel));
-    const PixelSums& sums = film.pixel(0, 0);
-    CHECK(units == (channel == 0 ? sums.r : channel == 1 ? sums.g : sums.b).units());
-  }
-  layers.pop_back();
-  CHECK_THROWS_WITH(Film(1, 1, {0, 0, 1, 1}, layers),
-                    "7 of the 8 parts of light: a film keeps all of them or none");
+  std::vector<Rgb> groups(3);
+  film.read_parts(Division::groups, 0, 0, groups);
+  CHECK(groups[1].g == Approx(mean.g / 2));
 }
 
 TEST_CASE("films of other layers are not merged") {
-  Film film(2, 2, {0, 0, 2, 2}, {Layer::albedo});
-  CHECK_THROWS_WITH(film.merge(Film(2, 2, {0, 0, 2, 2}, {Layer::normal, Layer::depth})),
+  Film film(2, 2, {0, 0, 2, 2}, {{Layer::albedo}});
+  CHECK_THROWS_WITH(film.merge(Film(2, 2, {0, 0, 2, 2}, {{Layer::normal, Layer::depth}})),
                     "films of different layers cannot be merged: color, albedo and color, normal, depth");
+  CHECK_THROWS_WITH(film.merge(Film(2, 2, {0, 0, 2, 2}, {{Layer::albedo}, {8, 3}})),
+                    "films of different layers cannot be merged: color, albedo and color, albedo, light by 8 "
+                    "paths, light by 3 groups");
 }
 
 TEST_CASE("a sample whose radiance is rejected counts in no layer") {
-  Film film(1, 1, {0, 0, 1, 1}, {Layer::albedo, Layer::depth});
+  Film film(1, 1, {0, 0, 1, 1}, {{Layer::albedo, Layer::depth}});
   const std::vector<Rgb> values{{1, 1, 1}, {5, 0, 0}};
-  CHECK_FALSE(film.add(0, 0, 0, {not_a_number, 0, 0}, values));
+  CHECK_FALSE(test::add_sample(film, 0, 0, 0, {{not_a_number, 0, 0}, values}));
   CHECK(film.value(0, 0, 0) == Rgb{});
   CHECK(film.value(1, 0, 0).r == 1e10f);
-  CHECK(film.add(0, 0, 1, {1, 1, 1}, values));
+  CHECK(test::add_sample(film, 0, 0, 1, {{1, 1, 1}, values}));
   CHECK(film.value(0, 0, 0) == Rgb{1, 1, 1});
   CHECK(film.value(1, 0, 0).r == 5);
 }

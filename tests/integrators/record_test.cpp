@@ -2,6 +2,7 @@
 // What is kept of samples besides their radiance.
 #include "core/record.h"
 
+#include "check/difference.h"
 #include "core/error.h"
 #include "integrators/layer_records.h"
 #include "integrators/normals.h"
@@ -34,7 +35,7 @@ std::vector<Records> records_of(const Scene& scene, const PathOptions& options,
   for (const Integrator* const path :
        {static_cast<const Integrator*>(&reference), static_cast<const Integrator*>(&waves)}) {
     Tracer tracer(*engine, false);
-    Records& records = all.emplace_back(all_layers(), samples.size());
+    Records& records = all.emplace_back(FilmContents{all_layers()}, samples.size());
     for (const Layer layer : all_layers())
       std::ranges::fill(records.spans(samples.size())[layer], Rgb{9, 9, 9});
     path->sample(samples, SamplerKind::sobol, tracer, records.spans(samples.size()));
@@ -84,6 +85,7 @@ TEST_CASE("layers have the same bits by any engine, path tracer, number of threa
   const PathReference reference(scene, {.max_depth = 3});
   const PathIntegrator waves(scene, {.max_depth = 3});
   RenderOptions options = with_layers(all_layers());
+  options.light_paths = true;
   const Film film = render_with(scene, waves, options).film;
   CHECK(same_bits(film, render_with(scene, reference, options).film));
   CHECK(same_bits(film, render_with(scene, waves, options, Backend::brute_force).film));
@@ -91,8 +93,9 @@ TEST_CASE("layers have the same bits by any engine, path tracer, number of threa
   CHECK(same_bits(film, render_with(scene, waves, options).film));
   options.window = PixelRect{3, 2, 11, 9};
   const Film part = render_with(scene, waves, options).film;
-  Film rest(width, height, {0, 0, width, height}, options.layers);
+  Film rest(width, height, {0, 0, width, height}, film.contents());
   rest.merge(part);
+  CHECK_FALSE(first_difference(film, part));
   for (std::size_t layer = 0; layer < options.layers.size(); ++layer)
     CHECK(rest.value(layer, 5, 5) == film.value(layer, 5, 5));
 }
@@ -164,6 +167,22 @@ TEST_CASE("depth, position, ids and coverage are those of the first surface, be 
     CHECK(records[Layer::depth][2].r == Approx(2.5f));
     CHECK(records[Layer::position][2].b == Approx(-3));
     CHECK(records[Layer::ids][2] == Rgb{2, 2, 0});
+  }
+}
+
+TEST_CASE("mattes tell objects, materials and assets apart") {
+  Scene scene = mirror_before_wall(Mirror{});
+  scene.assets = {"rest", "room"};
+  scene.bindings[0].asset = 1;
+  scene.bindings[0].material = 1;
+  const CameraSample samples[] = {towards_mirror, {{.origin = {0, 2, 2}, .direction = {0, 1, 1}}, {}}};
+  for (Records& made : records_of(scene, {.max_depth = 3}, samples)) {
+    const RecordSpans records = made.spans(2);
+    CHECK(recorded_id(records[Layer::object_matte][0]) == 1);
+    CHECK(recorded_id(records[Layer::material_matte][0]) == 2);
+    CHECK(recorded_id(records[Layer::asset_matte][0]) == 2);
+    for (const Layer layer : {Layer::object_matte, Layer::material_matte, Layer::asset_matte})
+      CHECK(recorded_id(records[layer][1]) == 0);
   }
 }
 

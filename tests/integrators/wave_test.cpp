@@ -199,7 +199,17 @@ const PathOptions cases[] = {{},
                              {.max_depth = 3, .direct = DirectMethod::hemisphere, .samples_per_light = 2},
                              {.max_depth = 1, .direct = DirectMethod::hemisphere}};
 
-const std::vector<Layer> every_layer = all_layers();
+/// All that a record can be asked for.
+FilmContents everything(const Scene& scene) {
+  return {all_layers(), {light_path_count, scene.light_groups.size()}};
+}
+
+/// The scene with its lights in two groups.
+Scene grouped(Scene scene) {
+  scene.light_groups = {"even", "odd"};
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) scene.lights[i].group = i % 2;
+  return scene;
+}
 
 bool same_bits(std::span<const Rgb> a, std::span<const Rgb> b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -207,12 +217,13 @@ bool same_bits(std::span<const Rgb> a, std::span<const Rgb> b) {
 }
 
 /// Checks that waves have the bits and the rays of the reference for every sampler and instruction set.
-void check_bits(const Scene& scene, const PathOptions& options, std::uint32_t count) {
+void check_bits(const Scene& of, const PathOptions& options, std::uint32_t count) {
+  const Scene scene = grouped(of);
   const auto accelerator = build_accelerator(Backend::bvh, scene.geometry);
   const std::vector<CameraSample> samples = samples_of(scene, count);
   const PathReference reference(scene, options);
   for (const SamplerKind kind : {SamplerKind::sobol, SamplerKind::independent}) {
-    Records expected(every_layer, count);
+    Records expected(everything(scene), count);
     Tracer alone(*accelerator, true);
     reference.sample(samples, kind, alone, expected.spans(count));
     // A scene whose paths end at once would show nothing.
@@ -220,14 +231,17 @@ void check_bits(const Scene& scene, const PathOptions& options, std::uint32_t co
       REQUIRE(alone.counts().bounce > count);
     for (const std::string& simd : available_instruction_sets()) {
       CAPTURE(simd, sampler_name(kind), options.max_depth, options.samples_per_light);
-      Records found(every_layer, count);
+      Records found(everything(scene), count);
       Tracer together(*accelerator, true);
       PathIntegrator(scene, options, simd).sample(samples, kind, together, found.spans(count));
       CHECK(same_bits(found.spans(count).color(), expected.spans(count).color()));
-      for (const Layer layer : every_layer) {
+      for (const Layer layer : all_layers()) {
         CAPTURE(layer_info(layer).name);
         CHECK(same_bits(found.spans(count)[layer], expected.spans(count)[layer]));
       }
+      for (const Division division : divisions)
+        for (std::size_t i = 0; i < count; ++i)
+          REQUIRE(same_bits(found.spans(count)[division][i], expected.spans(count)[division][i]));
       CHECK(together.counts() == alone.counts());
     }
   }

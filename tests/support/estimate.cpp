@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check/difference.h"
 #include "tests/support/catch.h"
 
 namespace twinray::test {
@@ -59,15 +60,6 @@ void check_same_mean(const Estimate& a, const Estimate& b, double sees) {
   check_mean({a.mean, std::hypot(a.standard_error, b.standard_error)}, b.mean, sees);
 }
 
-bool same_bits(const Film& a, const Film& b) {
-  if (a.window() != b.window() || a.layers() != b.layers()) return false;
-  for (int y = a.window().y0; y < a.window().y1; ++y)
-    for (int x = a.window().x0; x < a.window().x1; ++x) {
-      if (!(a.pixel(x, y) == b.pixel(x, y))) return false;
-      for (std::size_t layer = 0; layer < a.layers().size(); ++layer)
-        if (a.value(layer, x, y) != b.value(layer, x, y)) return false;
-    }
-  return true;
-}
+bool same_bits(const Film& a, const Film& b) { return a.window() == b.window() && !first_difference(a, b); }
 
 }  // namespace twinray::test

@@ -18,7 +18,7 @@ MUTANTS = [
            "y_(filter, double(filter.radius.y))", "y_(filter, double(filter.radius.x))",
            "test_integrators", "samples lie around their pixel as its filter has it"),
     Mutant("weights of samples are forgotten", "integrators/render.cpp",
-           "records.color()[i] * weight", "records.color()[i]", "test_integrators", SIGN),
+           "records.color()[sample] * weight", "records.color()[sample]", "test_integrators", SIGN),
     Mutant("pixels beside the scene stop, though their filter reaches it", "integrators/render.cpp",
            "{radius.x + 0.5f, radius.y + 0.5f}", "{1, 1}", "test_integrators",
            "a pixel beside the scene goes on where its filter reaches the scene"),

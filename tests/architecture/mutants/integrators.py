@@ -133,7 +133,8 @@ MUTANTS = [
            "progress counts the samples of a part of the frame, whatever its shape, and all "
            "rays"),
     Mutant("a path alone adds all that its bounce rays hit", "integrators/path_reference.cpp",
-           "if (depth > 0) return found_light", "if (depth > 100) return found_light", "test_integrators",
+           "depth == 0\n                            ? seen_light",
+           "depth <= 100\n                            ? seen_light", "test_integrators",
            WAVE_BITS),
     Mutant("a draw of more than 2^32 samples keeps its key", "integrators/wave/draws-inl.h",
            "hn::IfThenElse(is_first, key,", "hn::IfThenElse(hn::Eq(key, key), key,", "test_integrators",
@@ -178,8 +179,8 @@ MUTANTS = [
            "camera rays made together have the bits of each alone"),
     Mutant("a ray from a mirror brings only the light that a rough surface's would",
            "integrators/direct_light.cpp",
-           "  if (departure.seeking == Seeking::alone) return found_alone(transport, hit, "
-           "direction, observer);\n", "",
+           "  if (departure.seeking == Seeking::alone) return found_alone(transport, arrival, observer, "
+           "groups);\n", "",
            "test_integrators",
            "a mirror shows a lamp with its reflectance, by every way of finding direct light"),
     Mutant("rays from rough surfaces bring the light of lamps close by alone", "integrators/scattering.cpp",
@@ -208,8 +209,8 @@ MUTANTS = [
            "options_.regularize && next->departure.seeking != Seeking::alone", "options_.regularize",
            "test_integrators", WAVE_BITS),
     Mutant("a path is written down without the clamp", "integrators/path_reference.cpp",
-           "observer.added({light, term});",
-           "observer.added({light, light});",
+           "observer.added({throughput * light, term.radiance()});",
+           "observer.added({throughput * light, throughput * light});",
            "test_integrators", PATH_LOG),
     Mutant("the log forgets what rays have found by themselves", "integrators/path_log.cpp",
            "    if (vertex.emission) sum += vertex.emission->term;\n",

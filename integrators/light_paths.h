@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light of a picture by the paths that it took: which part of the colours a term of the radiance belongs
-// to.
+// The light of a picture by the paths that it took: which part of it a term of the radiance belongs to.
 //
 // What the camera sees directly is emission, or environment. All else is divided by how the first surface
 // scattered it: the matte part of the surface (diffuse), its highlights and mirrors (glossy), or the way
@@ -8,14 +7,13 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <span>
 
 #include "core/record.h"
 #include "integrators/direct_light.h"
 #include "integrators/interaction.h"
 
 namespace twinray {
-
-inline bool shows_light_parts(const RecordSpans& records) { return records.has(Layer::emission); }
 
 /// How a path was scattered at its first surface.
 struct FirstScattering {
@@ -29,34 +27,44 @@ inline FirstScattering first_scattering(const Interaction& at, const Vec3& wi, S
   return {seeking == Seeking::alone ? Rgb{} : at.diffuse_share(wi), at.to_local(wi).z < 0};
 }
 
+/// The light of one sample by its paths.
+class PathParts {
+ public:
+  explicit PathParts(std::span<Rgb> parts) : parts_(parts) {}
+  Rgb& operator[](LightPath path) const { return parts_[std::size_t(path)]; }
+
+ private:
+  std::span<Rgb> parts_;  ///< light_path_count of them.
+};
+
 /// Adds what the camera sees directly.
-inline void add_seen_light(bool is_miss, const Rgb& term, const RecordSpans& records, std::size_t sample) {
-  records[is_miss ? Layer::environment : Layer::emission][sample] += term;
+inline void add_seen_light(bool is_miss, const Rgb& term, const PathParts& parts) {
+  parts[is_miss ? LightPath::environment : LightPath::emission] += term;
 }
 
 /// Adds a term of light that was scattered `depth` times, 1 or more.
 inline void add_scattered_light(const FirstScattering& first, const Rgb& term, int depth,
-                                const RecordSpans& records, std::size_t sample) {
+                                const PathParts& parts) {
+  using enum LightPath;
   if (is_black(term)) return;
   const bool is_direct = depth == 1;
   if (first.is_transmitted) {
-    records[is_direct ? Layer::transmission_direct : Layer::transmission_indirect][sample] += term;
+    parts[is_direct ? transmission_direct : transmission_indirect] += term;
     return;
   }
   const Rgb diffuse = term * first.diffuse;
-  records[is_direct ? Layer::diffuse_direct : Layer::diffuse_indirect][sample] += diffuse;
-  records[is_direct ? Layer::glossy_direct : Layer::glossy_indirect][sample] += term - diffuse;
+  parts[is_direct ? diffuse_direct : diffuse_indirect] += diffuse;
+  parts[is_direct ? glossy_direct : glossy_indirect] += term - diffuse;
 }
 
-/// Adds direct light at the first surface, of which these are parts.
-inline void add_direct_light(const Interaction& at, const Rgb& throughput, const DirectParts& parts,
-                             const Rgb& term, const RecordSpans& records, std::size_t sample) {
-  if (at.is_lambert()) return add_scattered_light({}, term, 1, records, sample);
-  const Rgb diffuse = throughput * parts.diffuse, transmitted = throughput * parts.transmitted;
+/// Adds direct light at the first surface, which scattered it so.
+inline void add_direct_light(const Rgb& throughput, const ScatteredLight& scattered, const Rgb& term,
+                             const PathParts& parts) {
+  const Rgb diffuse = throughput * scattered.diffuse, transmitted = throughput * scattered.transmitted;
   const Rgb glossy = term - diffuse - transmitted;
-  records[Layer::diffuse_direct][sample] += diffuse;
-  records[Layer::transmission_direct][sample] += transmitted;
-  records[Layer::glossy_direct][sample] +=
+  parts[LightPath::diffuse_direct] += diffuse;
+  parts[LightPath::transmission_direct] += transmitted;
+  parts[LightPath::glossy_direct] +=
       {std::max(0.0f, glossy.r), std::max(0.0f, glossy.g), std::max(0.0f, glossy.b)};
 }
 

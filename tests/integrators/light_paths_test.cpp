@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light by path: to which part each bit of it belongs, and that the parts add up.
-#include "integrators/light_parts.h"
+#include "integrators/light_paths.h"
 
 #include <map>
 
@@ -12,28 +12,35 @@
 namespace twinray::test {
 namespace {
 
-RenderOptions with_parts(std::uint32_t samples) {
+RenderOptions with_paths(std::uint32_t samples) {
   RenderOptions options = small_picture(samples);
-  options.layers = light_parts();
+  options.light_paths = true;
   return options;
 }
 
-/// The mean of each part over the whole picture, those that are black left out.
-std::map<Layer, double> parts_of(const Film& film) {
-  std::map<Layer, double> parts;
-  for (std::size_t layer = 0; layer < film.layers().size(); ++layer)
-    for (int y = 0; y < film.frame_height(); ++y)
-      for (int x = 0; x < film.frame_width(); ++x)
-        if (const Rgb value = film.value(layer, x, y); !is_black(value))
-          parts[film.layers()[layer]] += luminance(value);
+std::vector<Rgb> parts_at(const Film& film, int x, int y) {
+  std::vector<Rgb> parts(light_path_count);
+  film.read_parts(Division::paths, x, y, parts);
   return parts;
 }
 
-std::vector<Layer> lit_parts(const Scene& scene, const PathOptions& path) {
-  std::vector<Layer> lit;
-  for (const auto& [layer, sum] :
-       parts_of(render_with(scene, PathIntegrator(scene, path), with_parts(64)).film))
-    lit.push_back(layer);
+/// The sum of each part over the whole picture, those that are black left out.
+std::map<LightPath, double> parts_of(const Film& film) {
+  std::map<LightPath, double> parts;
+  for (int y = 0; y < film.frame_height(); ++y)
+    for (int x = 0; x < film.frame_width(); ++x) {
+      const std::vector<Rgb> values = parts_at(film, x, y);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (!is_black(values[i])) parts[LightPath(i)] += luminance(values[i]);
+    }
+  return parts;
+}
+
+std::vector<LightPath> lit_parts(const Scene& scene, const PathOptions& path) {
+  std::vector<LightPath> lit;
+  for (const auto& [part, sum] :
+       parts_of(render_with(scene, PathIntegrator(scene, path), with_paths(64)).film))
+    lit.push_back(part);
   return lit;
 }
 
@@ -60,14 +67,15 @@ TEST_CASE("the parts of a picture's light give its colours, added up as floats, 
   for (const PathOptions& path : {PathOptions{.max_depth = 4}, PathOptions{.max_depth = 4, .clamp = 0.2f},
                                   PathOptions{.max_depth = 3, .direct = DirectMethod::hemisphere},
                                   PathOptions{.max_depth = 4, .first_depth = 2}}) {
-    const Film film = render_with(scene, PathIntegrator(scene, path), with_parts(8)).film;
+    const Film film = render_with(scene, PathIntegrator(scene, path), with_paths(8)).film;
     CHECK(parts_of(film).size() >= 1);
     for (int y = 0; y < 4; ++y)
       for (int x = 0; x < 4; ++x) {
+        const std::vector<Rgb> parts = parts_at(film, x, y);
         Rgb forward, backward;
-        for (std::size_t i = 0; i < film.layers().size(); ++i) {
-          forward += film.value(i, x, y);
-          backward += film.value(film.layers().size() - 1 - i, x, y);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+          forward += parts[i];
+          backward += parts[parts.size() - 1 - i];
         }
         CHECK(forward == film.pixel(x, y).mean());
         CHECK(backward == forward);
@@ -78,7 +86,7 @@ TEST_CASE("the parts of a picture's light give its colours, added up as floats, 
 TEST_CASE("the colours of a picture do not depend on whether their parts are asked for") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 4});
-  const Film with = render_with(scene, path, with_parts(8)).film;
+  const Film with = render_with(scene, path, with_paths(8)).film;
   const Film without = render_with(scene, path, small_picture(8)).film;
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 4; ++x) CHECK(with.pixel(x, y) == without.pixel(x, y));
@@ -90,7 +98,7 @@ TEST_CASE("what a sample's parts lack of its radiance is rounding") {
   std::vector<CameraSample> samples;
   for (std::uint32_t i = 0; i < 300; ++i)
     samples.push_back({camera_ray(scene.camera, {float(i % 17) / 17, float(i) / 300}, {}), {7, i, 1, 2}, {}});
-  Records records(light_parts(), samples.size());
+  Records records({{}, {light_path_count, 0}}, samples.size());
   Tracer tracer(*engine, false);
   PathReference(scene, {.max_depth = 5})
       .sample(samples, SamplerKind::independent, tracer, records.spans(samples.size()));
@@ -98,7 +106,7 @@ TEST_CASE("what a sample's parts lack of its radiance is rounding") {
   double scattered = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     Rgb sum;
-    for (const Layer part : light_parts()) sum += made[part][i];
+    for (const Rgb& part : made[Division::paths][i]) sum += part;
     CHECK(luminance(sum) == Approx(luminance(made.color()[i])).epsilon(1e-5));
     scattered += luminance(sum);
   }
@@ -106,18 +114,16 @@ TEST_CASE("what a sample's parts lack of its radiance is rounding") {
 }
 
 TEST_CASE("light of one channel alone belongs to its part as any other does") {
-  Records records(light_parts(), 1);
   for (const Rgb& term : {Rgb{2, 0, 0}, Rgb{0, 2, 0}, Rgb{0, 0, 2}}) {
-    const RecordSpans spans = records.spans(1);
-    spans.clear();
-    add_scattered_light({.diffuse = {0.25f, 0.25f, 0.25f}}, term, 2, spans, 0);
-    CHECK(spans[Layer::diffuse_indirect][0] == term * 0.25f);
-    CHECK(spans[Layer::glossy_indirect][0] == term * 0.75f);
+    std::vector<Rgb> parts(light_path_count);
+    add_scattered_light({.diffuse = {0.25f, 0.25f, 0.25f}}, term, 2, PathParts(parts));
+    CHECK(PathParts(parts)[LightPath::diffuse_indirect] == term * 0.25f);
+    CHECK(PathParts(parts)[LightPath::glossy_indirect] == term * 0.75f);
   }
 }
 
 TEST_CASE("light belongs to the way in which the first surface scattered it") {
-  using enum Layer;
+  using enum LightPath;
   const auto lit = [](const SurfaceModel& model) {
     return lit_parts(ball_under_sky(model), {.max_depth = 5});
   };
@@ -140,11 +146,12 @@ TEST_CASE("light through a surface is transmission, be it sampled at the light o
   Mesh lamp = floor_square(1, -1);
   add_lamp(scene, std::move(lamp), {1, 1, 1}, EmissionSide::front);
   for (const DirectMethod method : {DirectMethod::mis, DirectMethod::lights, DirectMethod::hemisphere})
-    CHECK(lit_parts(scene, {.max_depth = 1, .direct = method}) == std::vector{Layer::transmission_direct});
+    CHECK(lit_parts(scene, {.max_depth = 1, .direct = method}) ==
+          std::vector{LightPath::transmission_direct});
 }
 
 TEST_CASE("what the camera sees directly is emission where it hits something, else environment") {
-  using enum Layer;
+  using enum LightPath;
   Scene scene = ball_under_sky(Lambert{});
   scene.camera = camera_at({0, 0, 3}, {0, 0, 6});
   CHECK(lit_parts(scene, {}) == std::vector{environment});
@@ -157,11 +164,11 @@ TEST_CASE("what the camera sees directly is emission where it hits something, el
 TEST_CASE("an enclosure's parts are the terms of its series") {
   const Scene scene = emissive_enclosure(1, 0.5f);
   const auto parts =
-      parts_of(render_with(scene, PathIntegrator(scene, {.max_depth = 3}), with_parts(256)).film);
+      parts_of(render_with(scene, PathIntegrator(scene, {.max_depth = 3}), with_paths(256)).film);
   constexpr double noise = 0.05;
-  CHECK(parts.at(Layer::emission) == Approx(16));
-  CHECK(parts.at(Layer::diffuse_direct) == Approx(16 * 0.5).epsilon(noise));
-  CHECK(parts.at(Layer::diffuse_indirect) == Approx(16 * (0.25 + 0.125)).epsilon(noise));
+  CHECK(parts.at(LightPath::emission) == Approx(16));
+  CHECK(parts.at(LightPath::diffuse_direct) == Approx(16 * 0.5).epsilon(noise));
+  CHECK(parts.at(LightPath::diffuse_indirect) == Approx(16 * (0.25 + 0.125)).epsilon(noise));
 }
 
 TEST_CASE("enamel's coat is glossy, its base diffuse: each as bright as it would be alone") {
@@ -170,30 +177,32 @@ TEST_CASE("enamel's coat is glossy, its base diffuse: each as bright as it would
   black.reflectance = {};
   const auto parts = [](const SurfaceModel& model) {
     const Scene scene = ball_under_sky(model);
-    return parts_of(render_with(scene, PathIntegrator(scene, {.max_depth = 1}), with_parts(4096)).film);
+    return parts_of(render_with(scene, PathIntegrator(scene, {.max_depth = 1}), with_paths(4096)).film);
   };
   constexpr double noise = 0.03;
-  CHECK(parts(enamel)[Layer::glossy_direct] == Approx(parts(black)[Layer::glossy_direct]).epsilon(noise));
-  CHECK(parts(enamel)[Layer::diffuse_direct] > 2 * parts(enamel)[Layer::glossy_direct]);
+  CHECK(parts(enamel)[LightPath::glossy_direct] ==
+        Approx(parts(black)[LightPath::glossy_direct]).epsilon(noise));
+  CHECK(parts(enamel)[LightPath::diffuse_direct] > 2 * parts(enamel)[LightPath::glossy_direct]);
 }
 
-TEST_CASE("under a filter with negative values the parts' sums are those of the colours") {
+TEST_CASE("under a filter with negative values the parts are weighted as the colours") {
   Scene scene = small_room();
   const Vec3 ahead = scene.camera.position + scene.camera.forward;
   add_lamp(scene, SphereSet{"bulb", {{ahead, 0.05f}}}, {50, 40, 30}, EmissionSide::front);
-  RenderOptions options = with_parts(16);
+  RenderOptions options = with_paths(16);
   options.width = options.height = 12;
   options.filter = usual_filter(FilterKind::mitchell);
   const Film film = render_with(scene, PathIntegrator(scene, {.max_depth = 3}), options).film;
   bool has_negative = false;
   for (int y = 0; y < 12; ++y)
     for (int x = 0; x < 12; ++x) {
-      Int128 sum = 0;
-      for (std::size_t layer = 0; layer < film.layers().size(); ++layer) {
-        sum += film.part_units(layer, x, y, 0);
-        has_negative = has_negative || film.part_units(layer, x, y, 0) < 0;
+      double sum = 0, largest = 0;
+      for (const Rgb& part : parts_at(film, x, y)) {
+        sum += part.r;
+        largest = std::max(largest, std::fabs(double(part.r)));
+        has_negative = has_negative || part.r < 0;
       }
-      CHECK(sum == film.pixel(x, y).r.units());
+      CHECK(sum == Approx(film.pixel(x, y).mean().r).epsilon(0).margin(1e-7 * largest));
     }
   CHECK(has_negative);
 }

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/light_groups.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace twinray {
+namespace {
+
+/// Whether a name is that of the pattern, in which * stands for any text, or none.
+bool matches(std::string_view pattern, std::string_view name) {
+  const std::size_t star = pattern.find('*');
+  if (star == pattern.npos) return pattern == name;
+  if (name.substr(0, star) != pattern.substr(0, star)) return false;
+  const std::string_view rest = pattern.substr(star + 1);
+  for (std::size_t skipped = star; skipped <= name.size(); ++skipped)
+    if (matches(rest, name.substr(skipped))) return true;
+  return false;
+}
+
+bool names(const LightGroupRule& rule, const std::string& light) {
+  return std::any_of(rule.lights.begin(), rule.lights.end(),
+                     [&](const std::string& pattern) { return matches(pattern, light); });
+}
+
+std::string group_name(const Light& light, std::span<const LightGroupRule> rules) {
+  for (const LightGroupRule& rule : rules)
+    if (names(rule, light.name)) return rule.name;
+  return layer_word(light.name.empty() ? "light" : light.name);
+}
+
+/// The lights' names in quotes, the first few of them.
+std::string list_lights(const Scene& scene) {
+  constexpr std::size_t most = 10;
+  std::vector<std::string> quoted;
+  for (std::size_t i = 0; i < std::min(most, scene.lights.size()); ++i)
+    quoted.push_back(fmt::format("\"{}\"", scene.lights[i].name));
+  return fmt::format("{}{}", fmt::join(quoted, ", "), scene.lights.size() > most ? ", ..." : "");
+}
+
+void check_rule(const LightGroupRule& rule, const Scene& scene) {
+  for (const std::string& pattern : rule.lights)
+    if (std::none_of(scene.lights.begin(), scene.lights.end(),
+                     [&](const Light& light) { return matches(pattern, light.name); }))
+      throw Error(fmt::format("--light-group: no light is called \"{}\"; the scene {}", pattern,
+                              scene.lights.empty() ? "has none" : "has " + list_lights(scene)));
+}
+
+}  // namespace
+
+std::string layer_word(const std::string& name) {
+  std::string word = name;
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+  };
+  std::replace_if(
+      word.begin(), word.end(), [&](char c) { return !is_plain(c); }, '_');
+  return word;
+}
+
+LightGroupRule parse_light_group(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  LightGroupRule rule{text.substr(0, equals), {}};
+  if (equals != text.npos) {
+    std::istringstream list(text.substr(equals + 1));
+    for (std::string light; std::getline(list, light, ',');) rule.lights.push_back(light);
+  }
+  if (rule.lights.empty() || rule.name.empty() || rule.name != layer_word(rule.name))
+    throw UsageError(
+        fmt::format("--light-group: \"{}\" is no group; valid is NAME=LIGHT,... where the name has letters, "
+                    "digits, \"-\" and \"_\", and * in a light's name stands for any text",
+                    text));
+  return rule;
+}
+
+void group_lights(Scene& scene, std::span<const LightGroupRule> rules) {
+  for (const LightGroupRule& rule : rules) check_rule(rule, scene);
+  std::vector<std::string>& groups = scene.light_groups;
+  groups.clear();
+  for (Light& light : scene.lights) {
+    const std::string name = group_name(light, rules);
+    const auto known = std::find(groups.begin(), groups.end(), name);
+    light.group = std::uint32_t(known - groups.begin());
+    if (known == groups.end()) groups.push_back(name);
+    if (groups.size() > most_light_groups)
+      throw Error(
+          fmt::format("--layers=light-groups: the scene's {} lights are more than {} groups; "
+                      "--light-group=NAME=LIGHT,... makes one of several, * stands for any text",
+                      scene.lights.size(), most_light_groups));
+  }
+}
+
+}  // namespace twinray

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/scene_names.h"
+
+#include <fmt/format.h>
+
+namespace twinray {
+namespace {
+
+std::string or_number(const std::string& name, const char* kind, std::size_t index) {
+  return name.empty() ? fmt::format("{} {}", kind, index + 1) : name;
+}
+
+}  // namespace
+
+SceneNames scene_names(const Scene& scene) {
+  SceneNames names{{}, {}, scene.assets, scene.light_groups};
+  for (const Shape& shape : scene.geometry->shapes()) {
+    const std::string& name = std::visit([](const auto& s) -> const std::string& { return s.name; }, shape);
+    names.objects.push_back(or_number(name, "object", names.objects.size()));
+  }
+  for (const Material& material : scene.materials)
+    names.materials.push_back(or_number(material.name, "material", names.materials.size()));
+  return names;
+}
+
+}  // namespace twinray

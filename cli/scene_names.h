@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/scene.h"
+
+namespace twinray {
+
+/// What the numbers in a picture's layers stand for; each list in the scene's order.
+struct SceneNames {
+  std::vector<std::string> objects, materials, assets;
+  std::vector<std::string> light_groups;
+};
+
+/// Things without a name are called by their numbers, from 1 on: "object 3". Without assets each object is
+/// its own.
+SceneNames scene_names(const Scene& scene);
+
+}  // namespace twinray

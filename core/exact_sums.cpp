@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/exact_sums.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace twinray {
+namespace {
+
+float in_range(float x) { return std::isnan(x) ? 0 : std::clamp(x, -max_radiance, max_radiance); }
+
+}  // namespace
+
+void Carries::add(std::size_t place, std::int64_t carry) {
+  const std::lock_guard lock(mutex_);
+  if ((carries_[place] += carry) == 0) carries_.erase(place);
+}
+
+std::int64_t Carries::at(std::size_t place) const {
+  if (carries_.empty()) return 0;
+  const auto found = carries_.find(place);
+  return found == carries_.end() ? 0 : found->second;
+}
+
+void ExactSums::add(std::size_t place, float x) {
+  std::int64_t longer = 0;
+  // Nearly always one word is enough.
+  if (std::fabs(x) < 0x1p19f && !__builtin_add_overflow(sums_[place], std::llrint(x * 0x1p43), &longer))
+    sums_[place] = longer;
+  else
+    add_units(place, fixed_units(in_range(x)));
+}
+
+void ExactSums::add_units(std::size_t place, Int128 units) {
+  const Int128 sum = Int128(sums_[place]) + units;
+  sums_[place] = std::int64_t(std::uint64_t(sum));
+  const Int128 rest = sum - sums_[place];
+  if (rest != 0) carries_.add(place, std::int64_t(rest >> 64));
+}
+
+Int128 ExactSums::units(std::size_t place) const {
+  return Int128(carries_.at(place)) * (Int128(1) << 64) + sums_[place];
+}
+
+float ExactSums::mean(std::size_t place, std::uint32_t count) const {
+  return count == 0 ? 0 : float(double(units(place)) * fixed_unit / count);
+}
+
+}  // namespace twinray

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a wave's light belongs, if its parts are asked for: by path (integrators/light_paths.h), and by group
+// (integrators/light_groups.h).
+#include "integrators/wave/path_wave.h"
+
+namespace twinray {
+
+FirstScattering PathWave::first_scattering_of(std::uint32_t sample) const {
+  return {wave_.first_diffuse.at<Rgb>(sample), wave_.first_transmitted[sample] != 0};
+}
+
+void PathWave::keep_first_scattering() {
+  const auto keep = [&](std::size_t i, const FirstScattering& first) {
+    wave_.first_diffuse.set(paths_.sample[i], first.diffuse);
+    wave_.first_transmitted[paths_.sample[i]] = first.is_transmitted;
+  };
+  for (std::size_t i = 0; i < paths_.size; ++i) keep(i, {});
+  for (const OtherSurface& other : wave_.others)
+    keep(other.index,
+         first_scattering(other.at, paths_.direction.at(other.index), Seeking(wave_.seeking[other.index])));
+}
+
+void PathWave::gather_scattered_light(float divisor) {
+  for (OtherSurface& other : wave_.others) {
+    const std::size_t i = other.index;
+    const Rgb scattered = connections_.scattered.at<Rgb>(i);
+    if (is_black(scattered)) continue;
+    const Rgb light = scattered * connections_.arriving.at<Rgb>(i) / light_.pdf[i];
+    other.scattered.add(other.at, light_.direction.at(i), light / divisor);
+  }
+}
+
+void PathWave::add_direct_paths() {
+  auto other = wave_.others.begin();
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    const std::uint32_t sample = paths_.sample[i];
+    const Rgb throughput = paths_.throughput.at<Rgb>(i);
+    const Rgb term = context_.options.clamped(throughput * connections_.sum.at<Rgb>(i), depth_ + 1);
+    const bool is_other = other != wave_.others.end() && other->index == i;
+    if (depth_ > 0)
+      add_scattered_light(first_scattering_of(sample), term, depth_ + 1, paths_of(sample));
+    else if (is_other)
+      twinray::add_direct_light(throughput, other->scattered, term, paths_of(sample));
+    else
+      add_scattered_light({}, term, 1, paths_of(sample));
+    if (is_other) ++other;
+  }
+}
+
+LightGroups PathWave::groups_of(std::size_t path) {
+  const Scene& scene = context_.transport.scene;
+  const std::size_t groups = scene.light_groups.size();
+  return {scene, std::span(wave_.group_sums).subspan(path * groups, groups)};
+}
+
+void PathWave::gather_groups(std::uint32_t light, float divisor) {
+  const std::uint32_t lights = context_.transport.lights.size();
+  for (std::size_t k = 0; k < connections_.size; ++k) {
+    const std::size_t i = connections_.surface[k];
+    const Rgb brought = connections_.scattered.at<Rgb>(i) * connections_.arriving.at<Rgb>(i) / light_.pdf[i];
+    groups_of(i).add(light < lights ? light : light_.source[i], brought / divisor);
+  }
+}
+
+void PathWave::gather_groups_around(float divisor) {
+  for (std::size_t k = 0; k < connections_.size; ++k) {
+    const std::size_t i = connections_.surface[k];
+    const Ray& ray = connections_.rays[k];
+    const Hit& hit = connections_.hits[k];
+    const Rgb scattered = connections_.scattered.at<Rgb>(i);
+    const Rgb passed = transmittance(context_.transport, interiors_of(k), ray, hit.t);
+    const LightGroups groups = groups_of(i);
+    for_each_lamp(context_.transport, hit, ray.direction, [&](std::uint32_t lamp, const Rgb& radiance) {
+      groups.add(lamp, scattered * (radiance * passed) / light_.pdf[i] / divisor);
+    });
+  }
+}
+
+void PathWave::add_direct_groups() {
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    const Rgb throughput = paths_.throughput.at<Rgb>(i);
+    const float factor = context_.options.clamp_factor(throughput * connections_.sum.at<Rgb>(i), depth_ + 1);
+    groups_of(i).move_to(records_[Division::groups][paths_.sample[i]], throughput, factor);
+  }
+}
+
+}  // namespace twinray

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// --layers=light-groups, --light-group and relight: which lights stand together, and how they are mixed anew.
+#include "cli/light_groups.h"
+
+#include <fmt/format.h>
+
+#include "cli/relight.h"
+#include "cli/relight_command.h"
+#include "core/error.h"
+#include "io/image_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/layered_exr.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+/// Lights of these names, wherever they are.
+Scene lights(const std::vector<std::string>& names) {
+  Scene scene;
+  for (const std::string& name : names) scene.lights.push_back({name, PointLight{}});
+  return scene;
+}
+
+/// The group of each light.
+std::vector<std::string> groups_of(std::vector<std::string> names, const std::vector<std::string>& rules) {
+  Scene scene = lights(names);
+  std::vector<LightGroupRule> parsed;
+  for (const std::string& rule : rules) parsed.push_back(parse_light_group(rule));
+  group_lights(scene, parsed);
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = scene.light_groups[scene.lights[i].group];
+  return names;
+}
+
+/// A picture of two groups, one pixel of each: "key" is red, "fill" green and brighter.
+std::string two_groups(const TemporaryFolder& folder) {
+  const std::string path = folder.file("two.exr");
+  write_text(path, layered_exr(2, 1,
+                               {{"R", {1, 0.5f}},
+                                {"G", {2, 4}},
+                                {"B", {0, 0.25f}},
+                                {"Z", {7, 8}},
+                                {"diffuse_direct.R", {1, 0.5f}},
+                                {"variance.Y", {3, 3}},
+                                {"light_key.R", {1, 0.5f}},
+                                {"light_key.G", {0, 0}},
+                                {"light_key.B", {0, 0.25f}},
+                                {"light_fill.R", {0, 0}},
+                                {"light_fill.G", {2, 4}},
+                                {"light_fill.B", {0, 0}}}));
+  return path;
+}
+
+std::string message_of(const std::string& text) {
+  try {
+    parse_light_change(text);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("each light is a group of its own name, in letters that layers can have") {
+  CHECK(groups_of({"Sun", "Lamp.001", "area light, line 4", "Sun", ""}, {}) ==
+        std::vector<std::string>{"Sun", "Lamp_001", "area_light__line_4", "Sun", "light"});
+}
+
+TEST_CASE("a light belongs to the first group that names it, by its name or any text in it") {
+  CHECK(groups_of({"lamp 1", "lamp 2", "sun", "sky"}, {"warm=lamp 1", "all=lamp*,*un"}) ==
+        std::vector<std::string>{"warm", "all", "all", "sky"});
+  CHECK(groups_of({"a-b-c", "abc"}, {"x=a*b*c"}) == std::vector<std::string>{"x", "x"});
+  CHECK(groups_of({"abcd", "abc"}, {"x=a*c"}) == std::vector<std::string>{"abcd", "x"});
+}
+
+TEST_CASE("a group without lights, and more groups than layers, are refused") {
+  CHECK_THROWS_WITH(groups_of({"sun", "sky"}, {"x=lamp*"}),
+                    "--light-group: no light is called \"lamp*\"; the scene has \"sun\", \"sky\"");
+  CHECK_THROWS_WITH(groups_of({}, {"x=*"}), "--light-group: no light is called \"*\"; the scene has none");
+  std::vector<std::string> many;
+  for (std::size_t i = 0; i < most_light_groups; ++i) many.push_back(fmt::format("lamp{}", i));
+  CHECK(groups_of(many, {}).size() == most_light_groups);
+  many.push_back("one more");
+  CHECK_THROWS_WITH(groups_of(many, {}),
+                    "--layers=light-groups: the scene's 65 lights are more than 64 groups; "
+                    "--light-group=NAME=LIGHT,... makes one of several, * stands for any text");
+  CHECK(groups_of(many, {"all=*"}).back() == "all");
+}
+
+TEST_CASE("what is no group on the command line is refused with what is valid") {
+  for (const char* const text : {"key", "=sun", "key=", "key light=sun", "k.y=sun"})
+    CHECK_THROWS_WITH(parse_light_group(text),
+                      fmt::format("--light-group: \"{}\" is no group; valid is NAME=LIGHT,... where the name "
+                                  "has letters, digits, \"-\" and \"_\", and * in a light's name stands for "
+                                  "any text",
+                                  text));
+}
+
+TEST_CASE("a change of a light group is a number or a colour") {
+  CHECK(parse_light_change("key=0.5").factor == Rgb{0.5f, 0.5f, 0.5f});
+  CHECK(parse_light_change("key=1,0,2").factor == Rgb{1, 0, 2});
+  CHECK(parse_light_change("key=1,0,2").group == "key");
+  for (const char* const text : {"key", "key=", "=1", "key=1,2", "key=1,2,3,4"})
+    CHECK(message_of(text) ==
+          fmt::format("--light: \"{}\" is no change; valid are GROUP=X and GROUP=R,G,B", text));
+  CHECK(message_of("key=-1") == "--light: \"-1\" is not a number from 0 to 1000000");
+}
+
+TEST_CASE("lights are mixed anew: the colours are the sum of the groups, each times its factor") {
+  const TemporaryFolder folder;
+  StoredLayers picture = read_layers(two_groups(folder));
+  CHECK(light_groups_of(picture) == std::vector<std::string>{"fill", "key"});
+  relight(picture, std::vector<LightChange>{{"key", {2, 1, 4}}, {"fill", {1, 0.5f, 1}}}, "two.exr");
+  CHECK(colors_of(picture).pixels == std::vector<Rgb>{{2, 1, 0}, {1, 2, 1}});
+  for (const PictureChannel& channel : picture.channels) {
+    CHECK(channel.name != "variance.Y");
+    CHECK(channel.name != "diffuse_direct.R");
+  }
+  const auto depth = std::find_if(picture.channels.begin(), picture.channels.end(),
+                                  [](const PictureChannel& channel) { return channel.name == "Z"; });
+  REQUIRE(depth != picture.channels.end());
+  CHECK(picture.values[std::size_t(depth - picture.channels.begin())] == 7);
+}
+
+TEST_CASE("relight writes a picture, lists its groups, and says what it cannot do") {
+  const TemporaryFolder folder;
+  const std::string two = quoted(two_groups(folder));
+  CHECK(run_program("relight " + two).out == "fill\nkey\n");
+  const std::string out = folder.file("out.exr");
+  REQUIRE(run_program("relight " + two + " --light=fill=0 -o " + quoted(out)).exit_code == 0);
+  CHECK(read_image(out).pixels == std::vector<Rgb>{{1, 0, 0}, {0.5f, 0, 0.25f}});
+  CHECK(light_groups_of(read_layers(out)) == std::vector<std::string>{"fill", "key"});
+  const std::string png = folder.file("out.png");
+  REQUIRE(run_program("relight " + two + " --light=key=0,0,0 -o " + quoted(png)).exit_code == 0);
+  CHECK(read_image(png).pixels[0] == Rgb{0, 1, 0});
+
+  const auto complaint = [&](const std::string& words) { return run_program("relight " + words).err; };
+  CHECK(complaint(two + " --light=rim=2 -o a.png")
+            .ends_with("it has no light group \"rim\"; there are fill, key\n"));
+  CHECK(
+      complaint(two + " --light=key=2").starts_with("twinray: --light: where to? --output=FILE is missing"));
+  write_exr(folder.file("plain.exr"), Image(2, 2));
+  CHECK(complaint(quoted(folder.file("plain.exr")))
+            .ends_with("it has no light groups; a render with --layers=light-groups writes them\n"));
+  CHECK(complaint(quoted(png)).ends_with("it holds no layers; an OpenEXR picture, .exr, may\n"));
+}
+
+TEST_CASE("a render's light groups, mixed as they are, are the render") {
+  const TemporaryFolder folder;
+  const std::string scene = TWINRAY_SOURCE_DIR "/scenes/lights.dae";
+  const std::string picture = folder.file("lights.exr"), again = folder.file("again.exr");
+  REQUIRE(run_program(fmt::format("{} -r 24 18 -s 4 -q --layers=all -o {}", scene, picture)).exit_code == 0);
+  REQUIRE(run_program(fmt::format("relight {} -o {}", picture, again)).exit_code == 0);
+  CHECK(read_image(again).pixels == read_image(picture).pixels);
+  CHECK(light_groups_of(read_layers(again)).size() > 1);
+}
+
+}  // namespace twinray::test
