@@ -21,8 +21,8 @@ struct LightChange {
 std::vector<std::string> light_groups_of(const StoredLayers& picture);
 
 /// Changes the groups' layers, and makes the colours their sum. What said how bright or how noisy the light
-/// was as a whole is taken out: its parts by path, its variance. Throws Error, which names the file, for a
-/// group that there is not, and for a picture without R, G, B and groups.
+/// was as a whole is taken out: its parts by path, its variance, the noisy picture of a denoised one. Throws
+/// Error, which names the file, for a group that there is not, and for a picture without R, G, B and groups.
 void relight(StoredLayers& picture, std::span<const LightChange> changes, const std::string& path);
 
 /// R, G and B.

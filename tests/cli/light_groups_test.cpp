@@ -43,6 +43,7 @@ std::string two_groups(const TemporaryFolder& folder) {
                                 {"Z", {7, 8}},
                                 {"diffuse_direct.R", {1, 0.5f}},
                                 {"variance.Y", {3, 3}},
+                                {"noisy.R", {1, 1}},
                                 {"light_key.R", {1, 0.5f}},
                                 {"light_key.G", {0, 0}},
                                 {"light_key.B", {0, 0.25f}},
@@ -116,6 +117,7 @@ TEST_CASE("lights are mixed anew: the colours are the sum of the groups, each ti
   CHECK(colors_of(picture).pixels == std::vector<Rgb>{{2, 1, 0}, {1, 2, 1}});
   for (const PictureChannel& channel : picture.channels) {
     CHECK(channel.name != "variance.Y");
+    CHECK(channel.name != "noisy.R");
     CHECK(channel.name != "diffuse_direct.R");
   }
   const auto depth = std::find_if(picture.channels.begin(), picture.channels.end(),

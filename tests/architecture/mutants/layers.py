@@ -157,7 +157,7 @@ MUTANTS = [
            "    if (names(rules[i], light.name)) return rules[i].name;",
            "test_cli", "a light belongs to the first group that names it, by its name or any text in it"),
     Mutant("relit pictures keep the variance of other light", "cli/relight.cpp",
-           "if (channel == \"variance.Y\") return true;", "if (channel == \"variance.Y\") return false;",
+           "channel == \"variance.Y\" || channel", "channel",
            "test_cli", "lights are mixed anew: the colours are the sum of the groups, each times its factor"),
     Mutant("relit colours keep the light that was there", "cli/relight.cpp",
            "for (const std::size_t place : sum) picture.values[pixel + place] = 0;", "break;",
