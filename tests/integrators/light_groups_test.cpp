@@ -71,6 +71,28 @@ TEST_CASE("the light groups of a picture give its colours, added up as floats, i
   }
 }
 
+TEST_CASE("what a sample's groups lack of its radiance is rounding, in mirrors as elsewhere") {
+  const Scene scene = studio(all_lit);
+  const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
+  constexpr std::uint32_t count = 300;
+  std::vector<CameraSample> samples;
+  for (std::uint32_t i = 0; i < count; ++i)
+    samples.push_back(
+        {camera_ray(scene.camera, {float(i % 17) / 17, float(i) / count}, {}), {7, i, 1, 2}, {}});
+  for (const PathOptions& path : methods) {
+    Records records({{}, {0, 3}}, count);
+    Tracer tracer(*engine, false);
+    PathReference(scene, path).sample(samples, SamplerKind::independent, tracer, records.spans(count));
+    const RecordSpans made = records.spans(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::span<const Rgb> groups = made[Division::groups][i];
+      constexpr double rounding = 1e-5;
+      CHECK(luminance(groups[0] + groups[1] + groups[2]) ==
+            Approx(luminance(made.color()[i])).epsilon(rounding));
+    }
+  }
+}
+
 TEST_CASE("a light group is the picture that its lights make alone") {
   const Scene scene = studio(all_lit);
   for (const PathOptions& path : {methods[0], methods[1], methods[3]}) {

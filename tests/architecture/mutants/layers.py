@@ -123,7 +123,7 @@ MUTANTS = [
            "test_integrators", "a light group is the picture that its lights make alone"),
     Mutant("what mirrors show has no group", "integrators/direct_light.cpp",
            "    groups.add(lamp, from_lamp);\n", "",
-           "test_integrators", "a light group is the picture that its lights make alone"),
+           "test_integrators", "what a sample's groups lack of its radiance is rounding, in mirrors as elsewhere"),
     Mutant("groups are not clamped", "integrators/light_groups.h",
            "parts[i] += throughput * sums_[i] * factor;", "parts[i] += throughput * sums_[i];",
            "test_integrators", "what clamping takes from the light it takes from each group alike"),
