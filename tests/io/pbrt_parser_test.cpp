@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/pbrt_parser.h"
 
+#include <fmt/format.h>
+
 #include "tests/support/catch.h"
 #include "tests/support/pbrt_text.h"
 
@@ -152,7 +154,7 @@ TEST_CASE("files that include themselves, or lie too deep, or are missing, are e
   CHECK(error_of("Include \"scene.pbrt\"").starts_with("scene.pbrt:1:1: \"scene.pbrt\" includes itself"));
   CHECK(error_of("Include \"none\"").starts_with("scene.pbrt:1:1: none: there is no such file"));
   test::PbrtTexts deep;
-  for (int i = 0; i < 40; ++i) deep["f" + std::to_string(i)] = "Include \"f" + std::to_string(i + 1) + "\"";
+  for (int i = 0; i < 40; ++i) deep[fmt::format("f{}", i)] = fmt::format("Include \"f{}\"", i + 1);
   CHECK(error_of("Include \"f0\"", deep).find("files include each other more than 30 deep") !=
         std::string::npos);
 }
