@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/image.h"
+#include "core/image_error.h"
 
 namespace twinray {
 
@@ -33,8 +34,7 @@ struct SquaredError {
 
 /// A difference's part of the relative error.
 inline double relative_square(double difference, double converged) {
-  constexpr double least_square = 0.01;  // keeps the relative error of black pixels finite
-  return difference * difference / (converged * converged + least_square);
+  return difference * difference / (converged * converged + least_relative_square);
 }
 
 /// The converged picture's own noise included. Zeros where no pixel counts. Throws Error unless pictures and

@@ -2,6 +2,7 @@
 #include "cli/denoising.h"
 
 #include <chrono>
+#include <span>
 
 #include "cli/version.h"
 #include "core/error.h"
@@ -17,26 +18,17 @@ std::unique_ptr<const OpenImageDenoise> library_for(DenoiserKind kind, int threa
   if (!library && kind == DenoiserKind::open_image_denoise)
     throw Error(
         "--denoise=oidn: libOpenImageDenoise.so.2 is not found; TWINRAY_OIDN may name it, or a folder that "
-        "has it "
-        "within");
+        "has it within");
   return library;
 }
 
-/// Of three planes of both halves.
-Image mean_features(const HalfPictures& pictures, std::size_t first) {
-  std::vector<Plane> means;
-  for (std::size_t i = first; i < first + 3; ++i)
-    means.push_back(mean_of_halves(pictures.halves[0].features[i], pictures.halves[1].features[i],
-                                   pictures.second_weight));
-  return image_of(means);
-}
-
-Image mean_color(const HalfPictures& pictures) {
-  std::vector<Plane> means;
-  for (std::size_t c = 0; c < 3; ++c)
-    means.push_back(
-        mean_of_halves(pictures.halves[0].color[c], pictures.halves[1].color[c], pictures.second_weight));
-  return image_of(means);
+NoisyFeatures noisy_features(const HalfPictures& pictures) {
+  const auto& [a, b] = pictures.halves;
+  const auto feature = [&](std::size_t first) {
+    return image_of(means_of_halves(std::span(a.features).subspan(first, 3),
+                                    std::span(b.features).subspan(first, 3), pictures.second_weight));
+  };
+  return {image_of(means_of_halves(a.color, b.color, pictures.second_weight)), feature(0), feature(3)};
 }
 
 }  // namespace
@@ -53,8 +45,7 @@ DenoisedPicture Denoising::denoise(const HalfFilms& halves) const {
   const HalfPictures pictures = half_pictures(halves);
   Image image;
   if (library_)
-    image =
-        library_->denoised({mean_color(pictures), mean_features(pictures, 0), mean_features(pictures, 3)});
+    image = library_->denoised(noisy_features(pictures));
   else
     with_threads(threads_, [&] { image = denoised(pictures); });
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;

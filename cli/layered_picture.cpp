@@ -28,7 +28,7 @@ struct MatteKind {
 MatteKind matte_kind(Layer layer, const SceneNames& names) {
   if (layer == Layer::object_matte) return {"CryptoObject", names.objects};
   if (layer == Layer::material_matte) return {"CryptoMaterial", names.materials};
-  return {"CryptoAsset", names.assets.empty() ? names.objects : names.assets};
+  return {"CryptoAsset", names.assets};
 }
 
 /// The values of a picture's rows.

@@ -13,15 +13,24 @@
 namespace twinray {
 namespace {
 
-/// Whether a name is that of the pattern, in which * stands for any text, or none.
+/// Whether a name is that of the pattern, in which * stands for any text, or none. Each * takes as little as
+/// it can: what is behind it is looked for from there on, and the last part of the pattern at the end.
 bool matches(std::string_view pattern, std::string_view name) {
-  const std::size_t star = pattern.find('*');
-  if (star == pattern.npos) return pattern == name;
-  if (name.substr(0, star) != pattern.substr(0, star)) return false;
-  const std::string_view rest = pattern.substr(star + 1);
-  for (std::size_t skipped = star; skipped <= name.size(); ++skipped)
-    if (matches(rest, name.substr(skipped))) return true;
-  return false;
+  const std::size_t first_star = pattern.find('*');
+  if (first_star == pattern.npos) return pattern == name;
+  const std::string_view begin = pattern.substr(0, first_star), end = pattern.substr(pattern.rfind('*') + 1);
+  if (name.size() < begin.size() + end.size() || !name.starts_with(begin) || !name.ends_with(end))
+    return false;
+  name = name.substr(begin.size(), name.size() - begin.size() - end.size());
+  pattern = pattern.substr(begin.size(), pattern.size() - begin.size() - end.size());
+  while (!pattern.empty()) {
+    const std::string_view part = pattern.substr(0, pattern.find('*'));
+    const std::size_t at = name.find(part);
+    if (at == name.npos) return false;
+    name.remove_prefix(at + part.size());
+    pattern.remove_prefix(std::min(part.size() + 1, pattern.size()));
+  }
+  return true;
 }
 
 bool names(const LightGroupRule& rule, const std::string& light) {

@@ -174,6 +174,13 @@ std::string needs_picture(const Asked& asked) {
   return asked.arguments.replay ? "for --replay renders no picture" : "";
 }
 
+std::string needs_samples_for_target(const Asked& asked) {
+  const RenderOptions& render = asked.arguments.render;
+  if (render.samples > least_samples_of_target) return needs_picture(asked);
+  return fmt::format("for it ends a render after {} samples or more, and {} are asked for",
+                     least_samples_of_target, render.samples);
+}
+
 std::string needs_display(const Asked& asked) {
   const RenderArguments& arguments = asked.arguments;
   if (arguments.replay) return "for --replay renders no picture";
@@ -242,7 +249,7 @@ constexpr Rule rules[]{
     {"--tev", needs_picture},
     {"--threads", needs_picture},
     {"--seconds", needs_picture},
-    {"--noise-target", needs_picture},
+    {"--noise-target", needs_samples_for_target},
     {"--denoise", needs_picture},
     {"--replay-json", needs_replay},
     {"--replay-obj", needs_replay},

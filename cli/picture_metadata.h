@@ -18,7 +18,7 @@ ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vect
 struct PictureNotes {
   ImageMetadata metadata;
   ImageFrame frame;
-  SceneNames names;  ///< What the layers' numbers stand for.
+  SceneNames names;  ///< What the layers' numbers stand for; none without layers.
 };
 PictureNotes picture_notes(const RenderArguments& arguments, const std::vector<std::string>& words,
                            const Scene& scene);

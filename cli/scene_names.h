@@ -13,8 +13,8 @@ struct SceneNames {
   std::vector<std::string> light_groups;
 };
 
-/// Things without a name are called by their numbers, from 1 on: "object 3". Without assets each object is
-/// its own.
+/// Things without a name are called by their numbers, from 1 on: "object 3". Behind the assets stand all
+/// objects, as asset_of() counts.
 SceneNames scene_names(const Scene& scene);
 
 }  // namespace twinray

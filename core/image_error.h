@@ -4,6 +4,10 @@
 
 namespace twinray {
 
+/// A relative squared error is (x - c)^2 / (c^2 + this) of a picture x and the converged one c: so that of
+/// black pixels is finite.
+inline constexpr double least_relative_square = 0.01;
+
 /// How far a picture's luminance is from a converged one's.
 struct ImageError {
   double relative = 0;    ///< Root of the mean squared difference, over the mean of the converged picture.

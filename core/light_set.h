@@ -87,9 +87,9 @@ class LightSet {
   /// Light of one source at a point that is lit on the side of `normal`, its unit shading normal; black where
   /// none of this sample can arrive. u in [0, 1)^2.
   LightSample sample(std::uint32_t light, const SurfacePoint& from, const Vec3& normal, Vec2 u) const;
-  /// The light that a sample of this number is of.
-  std::uint32_t source(std::uint32_t light, const LightSample& sample) const {
-    return light < size() ? light : sample.light;
+  /// The light that a sample comes from: of a group of lights, the one that was chosen.
+  std::uint32_t source(std::uint32_t light, std::uint32_t chosen) const {
+    return light < size() ? light : chosen;
   }
   /// The density, per solid angle at `from`, with which sample() chooses the point of an emissive surface
   /// that a ray hits.

@@ -73,6 +73,16 @@ class RecordSpans {
       if (!columns_[i].empty()) std::fill(columns_[i].begin(), columns_[i].end(), blank_record(Layer(i)));
     for (const PartRows& rows : parts_) rows.clear();
   }
+  /// Multiplies one sample's radiance, its parts and what the film takes means of.
+  void weigh(std::size_t sample, float weight) const {
+    color_[sample] = color_[sample] * weight;
+    for (std::size_t i = 0; i < layer_count; ++i)
+      if (!columns_[i].empty() && layer_info(Layer(i)).gathering == Gathering::mean)
+        columns_[i][sample] = columns_[i][sample] * weight;
+    for (const PartRows& rows : parts_)
+      if (!rows.empty())
+        for (Rgb& part : rows[sample]) part = part * weight;
+  }
   /// Those of `size` samples from `first` on.
   RecordSpans part(std::size_t first, std::size_t size) const {
     RecordSpans part(color_.subspan(first, size));

@@ -37,7 +37,7 @@ void check_binding(const Scene& scene, std::uint32_t shape) {
   if (binding.light != no_light && binding.light >= scene.lights.size())
     throw Error(
         fmt::format("shape {} names light {}; there are {}", shape, binding.light, scene.lights.size()));
-  if (!scene.assets.empty() && binding.asset >= scene.assets.size())
+  if (binding.asset != no_asset && binding.asset >= scene.assets.size())
     throw Error(
         fmt::format("shape {} names asset {}; there are {}", shape, binding.asset, scene.assets.size()));
   const bool has_alpha = binding.alpha != no_texture;

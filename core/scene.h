@@ -13,7 +13,7 @@
 
 namespace twinray {
 
-inline constexpr std::uint32_t no_light = 0xffffffff;
+inline constexpr std::uint32_t no_light = 0xffffffff, no_asset = 0xffffffff;
 
 /// What a shape is made of and, where it emits, which light it is: indices into Scene's materials, lights and
 /// textures.
@@ -21,7 +21,7 @@ struct ShapeBinding {
   std::uint32_t material = 0;
   std::uint32_t light = no_light;
   std::uint32_t alpha = no_texture;  ///< The texture that cuts holes into it (core/alpha_test.h), if any.
-  std::uint32_t asset = 0;           ///< What it belongs to: index into Scene::assets, if the scene has any.
+  std::uint32_t asset = no_asset;    ///< What it belongs to: index into Scene::assets; itself, if none.
 };
 
 /// A whole scene: values, linked by index.
@@ -31,10 +31,16 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Light> lights;
   std::vector<std::string> light_groups;  ///< Names; each light is of one of them, if there are any.
-  std::vector<std::string> assets;        ///< Names; each shape belongs to one of them, if there are any.
+  std::vector<std::string> assets;        ///< Names of what several shapes may belong to.
   std::vector<Texture> textures;
   Camera camera;
 };
+
+/// The number of what a shape belongs to: of one of the scene's assets or, behind all of them, its own.
+inline std::uint32_t asset_of(const Scene& scene, std::uint32_t shape) {
+  const std::uint32_t asset = scene.bindings[shape].asset;
+  return asset != no_asset ? asset : std::uint32_t(scene.assets.size()) + shape;
+}
 
 /// Throws Error where an index points nowhere, a light's shape is not of the light's kind, a mixture is one
 /// of materials behind it, or a shape is opaque that has an alpha, or the other way round.

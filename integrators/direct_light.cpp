@@ -48,7 +48,7 @@ Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Int
       const Rgb light_there = scattered * visibility / sample.pdf;
       sum += light_there;
       if (shares.scattered) shares.scattered->add(at, sample.direction, light_there / float(count));
-      shares.groups.add(transport.lights.source(light, sample), light_there / float(count));
+      shares.groups.add(transport.lights.source(light, sample.light), light_there / float(count));
     }
     tracer.observer().sampled_light(transport, at, {light, sample, scattered, visibility});
   }

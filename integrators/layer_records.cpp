@@ -23,7 +23,8 @@ void record_first_surface(const Scene& scene, const FirstSurface& surface, const
   if (records.has(Layer::object_matte)) records[Layer::object_matte][sample] = record_id(hit.mesh + 1);
   if (records.has(Layer::material_matte))
     records[Layer::material_matte][sample] = record_id(binding.material + 1);
-  if (records.has(Layer::asset_matte)) records[Layer::asset_matte][sample] = record_id(binding.asset + 1);
+  if (records.has(Layer::asset_matte))
+    records[Layer::asset_matte][sample] = record_id(asset_of(scene, hit.mesh) + 1);
 }
 
 bool has_environment(const Scene& scene) {

@@ -26,8 +26,6 @@ constexpr int tile_size = 16;
 /// Passes grow to this many samples a pixel: a preview is there early, and a tile stays long enough in the
 /// caches.
 constexpr std::uint32_t longest_pass = 16;
-/// Of fewer samples chance may make any picture look clean.
-constexpr std::uint32_t least_samples_of_target = 16;
 /// How many samples an integrator gets at once, at most: their paths stay in the second cache.
 constexpr std::size_t samples_together = 1024;
 
@@ -75,18 +73,6 @@ FilmContents recorded(const RenderOptions& options, const FilmContents& contents
   std::sort(layers.begin(), layers.end());
   layers.erase(std::unique(layers.begin(), layers.end()), layers.end());
   return all;
-}
-
-/// Multiplies a record by the weight of its sample, but for what no mean is made of.
-void weigh(const RecordSpans& records, std::size_t sample, float weight) {
-  if (weight == 1) return;
-  records.color()[sample] = records.color()[sample] * weight;
-  for (const Layer layer : all_layers())
-    if (records.has(layer) && layer_info(layer).gathering == Gathering::mean)
-      records[layer][sample] = records[layer][sample] * weight;
-  for (const Division division : divisions)
-    if (records.has(division))
-      for (Rgb& part : records[division][sample]) part = part * weight;
 }
 
 /// One render in progress. Threads take tiles from a counter; a tile's pixels belong to one thread during a
@@ -234,7 +220,7 @@ class Renderer {
     integrator_.sample(camera_samples, options_.sampler, tracer, records);
     for (std::size_t i = 0; i < batch.samples.size(); ++i) {
       const auto& [x, y, index] = batch.samples[i];
-      weigh(records, i, batch.camera_samples[i].weight);
+      if (const float weight = camera_samples[i].weight; weight != 1) records.weigh(i, weight);
       film_.add(x, y, index, records, i);
       if (halves_) halves_->of(index).add(x, y, index, records, i);
     }

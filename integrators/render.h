@@ -20,6 +20,9 @@
 
 namespace twinray {
 
+/// With fewer samples a pixel no render ends by a noise target: chance may make any picture look clean.
+inline constexpr std::uint32_t least_samples_of_target = 16;
+
 struct RenderOptions {
   int width = 480, height = 360;    ///< Of the full frame, in pixels.
   std::optional<PixelRect> window;  ///< What to render, also beside it; all if not set.
@@ -29,16 +32,16 @@ struct RenderOptions {
   /// time, or with the first one; the picture is that of as many samples.
   std::optional<double> seconds;
   std::vector<Layer> layers;  ///< Of the film besides its colours, in this order, each once.
+  bool light_paths = false;   ///< Divide the light by the paths that it took,
+  bool light_groups = false;  ///< by the scene's light groups.
   /// Samples lie where it sees, pixels of one sample have theirs in the middle.
   PixelFilter filter;
   /// If set, the samples are kept in two halves as well, each with these layers.
   std::optional<std::vector<Layer>> half_layers;
-  /// If set, with half_layers, sampling ends with the first pass, from the 16th sample on, after which the
-  /// picture's error is not above: the root of its relative mean squared error, estimated by the halves
-  /// (integrators/denoise/half_pictures.h). A function of the samples alone.
+  /// If set, with half_layers, sampling ends with the first pass, from least_samples_of_target on, after
+  /// which the picture's error is not above: the root of its relative mean squared error, estimated by the
+  /// halves (integrators/denoise/half_pictures.h). A function of the samples alone.
   std::optional<double> noise_target;
-  bool light_paths = false;   ///< Divide the light by the paths that it took,
-  bool light_groups = false;  ///< by the scene's light groups.
   SamplerKind sampler = SamplerKind::sobol;
   std::uint64_t seed = 0;
   int threads = 0;        ///< 0: as many as the process may use.

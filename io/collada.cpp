@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "io/asset_names.h"
 #include "io/collada_camera.h"
 #include "io/collada_cameras.h"
 #include "io/collada_lamp.h"
@@ -19,7 +18,7 @@ namespace {
 void add_rectangles(SceneParts& parts, ColladaMaterials& materials) {
   for (const AreaLight& light : parts.area_lights)
     parts.shapes.push_back({area_light_mesh(light), materials.black(), light.radiance, EmissionSide::front,
-                            light.name, light.name});
+                            light.name, no_asset});
 }
 
 LightSource shape_light(const ScenePart& part, std::uint32_t shape) {
@@ -31,9 +30,8 @@ LightSource shape_light(const ScenePart& part, std::uint32_t shape) {
 Scene assemble(SceneParts parts, const ColladaMaterials& materials) {
   Scene scene;
   std::vector<Shape> shapes;
-  AssetNames assets;
   for (ScenePart& part : parts.shapes) {
-    ShapeBinding binding{.material = part.material, .asset = assets.index_of(part.asset)};
+    ShapeBinding binding{.material = part.material, .asset = part.asset};
     if (!is_black(part.radiance)) {
       binding.light = std::uint32_t(scene.lights.size());
       scene.lights.push_back({part.light_name, shape_light(part, std::uint32_t(shapes.size()))});
@@ -43,7 +41,7 @@ Scene assemble(SceneParts parts, const ColladaMaterials& materials) {
   }
   scene.lights.insert(scene.lights.end(), parts.lights.begin(), parts.lights.end());
   scene.materials = materials.materials();
-  scene.assets = assets.names();
+  scene.assets = std::move(parts.assets);
   scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
   check_scene(scene);
   return scene;

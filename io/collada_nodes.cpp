@@ -33,7 +33,7 @@ void ColladaNodes::walk(const XmlElement& visual_scene, const Transform& to_worl
   if (!is_cs184()) layers_ = SceneLayers(visual_scene);
   controllers_.emplace(visual_scene, document_);
   for (const XmlElement& node : visual_scene.children("node")) {
-    asset_ = display_name(node);
+    parts.assets.push_back(display_name(node));
     visit(node, visual_scene, {to_world, document_.space_of(document_.root())});
   }
 }
@@ -149,7 +149,7 @@ void ColladaNodes::add_part(const ColladaPart& part, const std::string& name, co
   placed.mesh.name = name;
   const ColladaMaterial material = materials_.bound(instance, is_cs184() ? "" : part.symbol);
   parts.shapes.push_back(
-      {std::move(placed.mesh), material.index, material.radiance, EmissionSide::both, name, asset_});
+      {std::move(placed.mesh), material.index, material.radiance, EmissionSide::both, name, current_asset()});
 }
 
 void ColladaNodes::add_sphere(float radius, const std::string& name, const XmlElement& instance,
@@ -157,8 +157,8 @@ void ColladaNodes::add_sphere(float radius, const std::string& name, const XmlEl
   const Sphere sphere = place_sphere(radius, to_world, instance, document_);
   parts.bounds.extend(sphere_bounds(sphere));
   const ColladaMaterial material = materials_.bound(instance, "");
-  parts.shapes.push_back(
-      {SphereSet{name, {sphere}}, material.index, material.radiance, EmissionSide::front, name, asset_});
+  parts.shapes.push_back({SphereSet{name, {sphere}}, material.index, material.radiance, EmissionSide::front,
+                          name, current_asset()});
 }
 
 void ColladaNodes::add_light(const XmlElement& instance, const Transform& to_world) {

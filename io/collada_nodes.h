@@ -44,6 +44,7 @@ class ColladaNodes {
   /// What counts of a node by CS184's rules: the nodes below it first, then one object.
   std::vector<XmlElement> cs184_children(const XmlElement& node);
   bool is_cs184() const { return document_.options().interpretation == Interpretation::cs184; }
+  std::uint32_t current_asset() const { return std::uint32_t(parts.assets.size()) - 1; }
   bool names_nothing(const XmlElement& instance);
   void instance(const XmlElement& node, const XmlElement& child, const Placement& placement);
   void add_geometry(const XmlElement& node, const XmlElement& instance, const Placement& placement);
@@ -63,8 +64,7 @@ class ColladaNodes {
   SceneLayers layers_;
   std::optional<ColladaControllers> controllers_;  ///< Of the scene that is walked.
   std::map<XmlElement, ColladaGeometry> geometries_;
-  std::string asset_;  ///< The name of the outermost node that is being visited.
-  int hiding_ = 0;     ///< How many of the nodes from the root to the one being visited hide what is below.
+  int hiding_ = 0;  ///< How many of the nodes from the root to the one being visited hide what is below.
   std::size_t triangles_ = 0;
 };
 

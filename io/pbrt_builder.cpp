@@ -59,7 +59,7 @@ void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& param
   const std::uint32_t alpha = materials_.textures.alpha(parameters);
   if (!shape) return;
   if (shape->mesh.name.empty()) shape->mesh.name = fmt::format("{}, line {}", type, parameters.place().line);
-  const std::string asset = object_ ? object_name_ : shape->mesh.name;
+  const std::uint32_t asset = object_ ? std::uint32_t(assets_.size()) - 1 : no_asset;
   const Part part{std::make_shared<const PbrtShape>(std::move(*shape)),
                   state.transform,
                   state.is_reversed,
@@ -93,7 +93,7 @@ void PbrtBuilder::place(const Part& part, const Transform& to_world) {
   Shape shape = place_shape(*with_uvs(part), to_world, part.is_reversed, as_mesh, account_);
   check_coordinates(shape, part.place);
   shapes_.push_back(std::move(shape));
-  ShapeBinding binding{part.material, no_light, part.alpha, assets_.index_of(part.asset)};
+  ShapeBinding binding{part.material, no_light, part.alpha, part.asset};
   if (emits) add_emission(part, binding);
   if (materials_.is_interface(part.material) && emits) binding.material = black();
   if (is_filled) absorptions_[bindings_.size()] = part.absorption;
@@ -184,7 +184,7 @@ void PbrtBuilder::begin_object(const std::string& name, const PbrtPlace& place) 
   if (object_) place.fail("an object stands within another one; ObjectEnd belongs between them");
   if (objects_.count(name) > 0) place.fail(fmt::format("the object \"{}\" is defined a second time", name));
   object_ = &objects_[name];
-  object_name_ = name;
+  assets_.push_back(name);
 }
 
 void PbrtBuilder::add_instance(const std::string& name, const Transform& to_world, const PbrtPlace& place) {
@@ -214,7 +214,7 @@ LoadedScene PbrtBuilder::finish(float exposure) {
     context_.notes.push_back(
         fmt::format("all light is times {:g}, the film's exposure (shutter x iso / 100)", exposure));
   scene.bindings = std::move(bindings_);
-  scene.assets = assets_.names();
+  scene.assets = std::move(assets_);
   scene.materials = std::move(materials_.materials);
   scene.textures = std::move(materials_.textures.textures);
   scene.geometry =

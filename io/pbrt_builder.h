@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "io/asset_names.h"
 #include "io/loaded_scene.h"
 #include "io/pbrt_camera.h"
 #include "io/pbrt_material.h"
@@ -49,7 +48,7 @@ class PbrtBuilder {
     std::shared_ptr<const PbrtAreaLight> light;
     std::uint32_t alpha;
     PbrtPlace place;
-    std::string asset;  ///< The object that it belongs to, or its own name.
+    std::uint32_t asset;  ///< The object that it belongs to, if any.
   };
   using Object = std::vector<Part>;
 
@@ -77,9 +76,8 @@ class PbrtBuilder {
   std::map<std::size_t, Rgb> absorptions_;  ///< Within those of the bindings' shapes that have any.
   std::vector<Light> shape_lights_, lights_;
   std::map<std::string, Object> objects_;
-  Object* object_ = nullptr;  ///< The one that shapes belong to,
-  std::string object_name_;   ///< and its name.
-  AssetNames assets_;
+  Object* object_ = nullptr;  ///< The one that shapes belong to: the last of the assets.
+  std::vector<std::string> assets_;
   PlacedShapes account_;
   std::size_t triangles_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/image_error.h"
 #include "core/parallel.h"
 #include "integrators/denoise/box_mean.h"
 
@@ -15,8 +16,6 @@ constexpr std::size_t candidates = 3;
 using Candidates = std::array<FilteredHalves, candidates>;
 /// Errors are estimated over squares of this radius, twice.
 constexpr int error_radius = 3;
-/// Keeps the relative error of black pixels finite, as in check/picture_error.h.
-constexpr float least_square = 0.01f;
 constexpr int steps = 16;  ///< Shares of a mixture are multiples of 1 / steps.
 constexpr std::size_t pixels_a_task = 4096;
 
@@ -28,17 +27,11 @@ Candidates candidates_of(const HalfPictures& noisy, const std::array<FilteredHal
   return {FilteredHalves{noisy.halves[0].color, noisy.halves[1].color}, filtered[0], filtered[1]};
 }
 
-Color mean_color(const FilteredHalves& halves, const Plane& second_weight) {
-  Color mean;
-  for (std::size_t c = 0; c < 3; ++c) mean[c] = mean_of_halves(halves[0][c], halves[1][c], second_weight);
-  return mean;
-}
-
 /// Of one pixel and channel, relative to its square.
 struct ErrorProduct {
   const HalfPictures& noisy;
   const FilteredHalves &first, &second;
-  const Color& level;  ///< By which errors are divided.
+  std::span<const Plane> level;  ///< By which errors are divided.
 
   float operator()(std::size_t i, std::size_t c) const {
     const auto of = [&](const FilteredHalves& halves, std::size_t half) { return halves[half][c].values[i]; };
@@ -49,7 +42,7 @@ struct ErrorProduct {
     const float left =
         weight * (1 - weight) * (of(first, 0) - of(first, 1)) * (of(second, 0) - of(second, 1));
     const float scale = level[c].values[i];
-    return (bias + left) / (scale * scale + least_square);
+    return (bias + left) / (scale * scale + float(least_relative_square));
   }
 };
 
@@ -62,7 +55,8 @@ Plane error_products(const ErrorProduct& product) {
   return box_mean(box_mean(means, error_radius), error_radius);
 }
 
-ErrorProducts all_error_products(const HalfPictures& noisy, const Candidates& all, const Color& level) {
+ErrorProducts all_error_products(const HalfPictures& noisy, const Candidates& all,
+                                 std::span<const Plane> level) {
   ErrorProducts products;
   for (std::size_t i = 0; i < candidates; ++i)
     for (std::size_t j = 0; j <= i; ++j) products[i][j] = error_products({noisy, all[i], all[j], level});
@@ -94,12 +88,13 @@ Shares best_shares(const ErrorProducts& products, std::size_t pixel) {
 
 }  // namespace
 
-Color best_blend(const HalfPictures& noisy, const std::array<FilteredHalves, 2>& filtered) {
+std::vector<Plane> best_blend(const HalfPictures& noisy, const std::array<FilteredHalves, 2>& filtered) {
   const Candidates all = candidates_of(noisy, filtered);
-  std::array<Color, candidates> means;
-  for (std::size_t i = 0; i < candidates; ++i) means[i] = mean_color(all[i], noisy.second_weight);
+  std::array<std::vector<Plane>, candidates> means;
+  for (std::size_t i = 0; i < candidates; ++i)
+    means[i] = means_of_halves(all[i][0], all[i][1], noisy.second_weight);
   const ErrorProducts products = all_error_products(noisy, all, means.back());
-  Color blend = means.front();
+  std::vector<Plane> blend = means.front();
   parallel_for(blend[0].values.size(), pixels_a_task, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t pixel = begin; pixel < end; ++pixel) {
       const Shares shares = best_shares(products, pixel);

@@ -20,6 +20,6 @@ using FilteredHalves = std::array<Color, 2>;
 
 /// The mixture with the least estimated relative squared error around each pixel, of the noisy halves and two
 /// filters of them.
-Color best_blend(const HalfPictures& noisy, const std::array<FilteredHalves, 2>& filtered);
+std::vector<Plane> best_blend(const HalfPictures& noisy, const std::array<FilteredHalves, 2>& filtered);
 
 }  // namespace twinray

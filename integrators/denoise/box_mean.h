@@ -5,7 +5,8 @@
 
 namespace twinray {
 
-/// Of the pixels up to `radius` away in each direction, those that are within the plane.
+/// Of the pixels up to `radius` away in each direction, those that are within the plane. filtered() takes
+/// those of the border for what is beyond it: their noise would count several times.
 Plane box_mean(const Plane& plane, int radius);
 
 }  // namespace twinray

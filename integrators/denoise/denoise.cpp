@@ -23,12 +23,6 @@ std::vector<Plane> variances(std::span<const Plane> a, std::span<const Plane> b,
   return found;
 }
 
-std::vector<Plane> means(std::span<const Plane> a, std::span<const Plane> b, const Plane& second_weight) {
-  std::vector<Plane> found;
-  for (std::size_t i = 0; i < a.size(); ++i) found.push_back(mean_of_halves(a[i], b[i], second_weight));
-  return found;
-}
-
 /// Of one half, from that of both.
 std::vector<Plane> of_half(std::vector<Plane> variances) {
   for (Plane& plane : variances)
@@ -50,7 +44,7 @@ Image denoised(const HalfPictures& noisy) {
     throw Error(fmt::format("{} features: a picture is denoised by {}", a.features.size(), feature_count));
   const std::vector<Plane> variance = of_half(variances(a.color, b.color, noisy.second_weight));
   RegressionInput input{{},
-                        padded(means(a.features, b.features, noisy.second_weight)),
+                        padded(means_of_halves(a.features, b.features, noisy.second_weight)),
                         padded(variances(a.features, b.features, noisy.second_weight)),
                         PaddedPlane(ones(noisy.width, noisy.height), Beyond::zero),
                         {{}, padded(variance)}};

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/image_error.h"
 #include "core/rgb.h"
 #include "integrators/denoise/box_mean.h"
 
@@ -11,8 +12,6 @@ namespace {
 
 constexpr float Rgb::*channels[] = {&Rgb::r, &Rgb::g, &Rgb::b};
 
-/// Keeps the relative error of black pixels finite, as in check/picture_error.h.
-constexpr double least_square = 0.01;
 /// A pixel's error is divided by what is around it, over squares of this radius, twice: a pixel that is too
 /// bright by chance would hide its own error.
 constexpr int level_radius = 2;
@@ -66,6 +65,13 @@ Plane mean_of_halves(const Plane& a, const Plane& b, const Plane& second_weight)
   return mean;
 }
 
+std::vector<Plane> means_of_halves(std::span<const Plane> a, std::span<const Plane> b,
+                                   const Plane& second_weight) {
+  std::vector<Plane> means;
+  for (std::size_t i = 0; i < a.size(); ++i) means.push_back(mean_of_halves(a[i], b[i], second_weight));
+  return means;
+}
+
 Plane half_variance(const Plane& a, const Plane& b, const Plane& second_weight) {
   Plane variance(a.width, a.height);
   for (std::size_t i = 0; i < variance.values.size(); ++i) {
@@ -83,7 +89,7 @@ double estimated_relative_error(const HalfPictures& pictures) {
     const Plane level = box_mean(box_mean(mean, level_radius), level_radius);
     const Plane variance = half_variance(a, b, pictures.second_weight);
     for (std::size_t i = 0; i < mean.values.size(); ++i)
-      sum += double(variance.values[i]) / (double(level.values[i]) * level.values[i] + least_square);
+      sum += double(variance.values[i]) / (double(level.values[i]) * level.values[i] + least_relative_square);
   }
   return std::sqrt(sum / (3.0 * double(pictures.second_weight.values.size())));
 }

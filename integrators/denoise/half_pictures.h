@@ -34,6 +34,9 @@ HalfPictures half_pictures(const HalfFilms& films);
 
 /// (1 - weight) a + weight b.
 Plane mean_of_halves(const Plane& a, const Plane& b, const Plane& second_weight);
+/// The same plane by plane, of as many in each half.
+std::vector<Plane> means_of_halves(std::span<const Plane> a, std::span<const Plane> b,
+                                   const Plane& second_weight);
 
 /// Of the mean of both halves, by their difference alone: the variance of a pixel, which is right on average
 /// where the halves are independent, and too large where stratified samples make them differ more than that.

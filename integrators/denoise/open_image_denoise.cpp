@@ -106,25 +106,20 @@ std::string named_library() {
 class OpenImageDenoise::Library {
  public:
   Library(void* loaded, const std::string& path, int threads)
-      : functions_(find_functions(loaded, path)), device_(functions_.new_device(processor_device)) {
+      : functions_(find_functions(loaded, path)),
+        device_(functions_.new_device(processor_device), functions_.release_device) {
     check(path.c_str());
     if (!device_) throw Error(fmt::format("{}: this processor cannot be used", path));
-    if (functions_.get_device_int(device_, "versionMajor") != known_version) {
-      const std::string other = version();
-      functions_.release_device(device_);
-      throw Error(fmt::format("{}: this is version {} of Open Image Denoise; {} is needed", path, other,
+    if (functions_.get_device_int(device_.get(), "versionMajor") != known_version)
+      throw Error(fmt::format("{}: this is version {} of Open Image Denoise; {} is needed", path, version(),
                               known_version));
-    }
-    functions_.set_device_int(device_, "numThreads", threads > 0 ? threads : available_threads());
-    functions_.commit_device(device_);
+    functions_.set_device_int(device_.get(), "numThreads", threads > 0 ? threads : available_threads());
+    functions_.commit_device(device_.get());
     check(path.c_str());
   }
-  Library(const Library&) = delete;
-  Library& operator=(const Library&) = delete;
-  ~Library() { functions_.release_device(device_); }
 
   std::string version() const {
-    const auto part = [&](const char* name) { return functions_.get_device_int(device_, name); };
+    const auto part = [&](const char* name) { return functions_.get_device_int(device_.get(), name); };
     return fmt::format("{}.{}.{}", part("versionMajor"), part("versionMinor"), part("versionPatch"));
   }
 
@@ -135,7 +130,7 @@ class OpenImageDenoise::Library {
   };
   /// Runs the filter for ray traced pictures. With `flags` set.
   Image filtered(std::span<const Binding> inputs, std::span<const char* const> flags) const {
-    const std::unique_ptr<void, void (*)(Filter)> filter(functions_.new_filter(device_, "RT"),
+    const std::unique_ptr<void, void (*)(Filter)> filter(functions_.new_filter(device_.get(), "RT"),
                                                          functions_.release_filter);
     check("Open Image Denoise");
     const Image& first = *inputs.front().image;
@@ -157,12 +152,12 @@ class OpenImageDenoise::Library {
   /// Throws what the library complains of.
   void check(const char* who) const {
     const char* message = nullptr;
-    if (functions_.get_device_error(device_, &message) != 0)
+    if (functions_.get_device_error(device_.get(), &message) != 0)
       throw Error(fmt::format("{}: {}", who, message ? message : "an error without a message"));
   }
 
   const Functions functions_;
-  const Device device_;
+  const std::unique_ptr<void, void (*)(Device)> device_;
 };
 
 OpenImageDenoise::OpenImageDenoise(std::unique_ptr<const Library> library) : library_(std::move(library)) {}

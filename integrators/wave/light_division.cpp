@@ -54,11 +54,10 @@ LightGroups PathWave::groups_of(std::size_t path) {
 }
 
 void PathWave::gather_groups(std::uint32_t light, float divisor) {
-  const std::uint32_t lights = context_.transport.lights.size();
   for (std::size_t k = 0; k < connections_.size; ++k) {
     const std::size_t i = connections_.surface[k];
     const Rgb brought = connections_.scattered.at<Rgb>(i) * connections_.arriving.at<Rgb>(i) / light_.pdf[i];
-    groups_of(i).add(light < lights ? light : light_.source[i], brought / divisor);
+    groups_of(i).add(context_.transport.lights.source(light, light_.source[i]), brought / divisor);
   }
 }
 

@@ -6,24 +6,11 @@
 #include "cli/render_command_line.h"
 #include "cli/render_options.h"
 #include "core/error.h"
+#include "tests/support/arguments.h"
 #include "tests/support/catch.h"
 
 namespace twinray::test {
 namespace {
-
-RenderArguments parse(std::vector<std::string> words) {
-  words.push_back("scene.dae");
-  return parse_render_arguments(words);
-}
-
-std::string message_of(std::vector<std::string> words) {
-  try {
-    parse(std::move(words));
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 /// Looks along -z at a box in 9 to 11 in front of it.
 constexpr Camera ahead{.tan_half_width = 0.5f, .tan_half_height = 0.25f};

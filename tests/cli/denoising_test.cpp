@@ -9,6 +9,7 @@
 #include "cli/resources.h"
 #include "cli/statistics_report.h"
 #include "io/image_file.h"
+#include "tests/support/arguments.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -19,20 +20,6 @@ namespace {
 const std::string scene = TWINRAY_SOURCE_DIR "/scenes/box.dae";
 const std::string small = fmt::format("render {} -r 24 18 -s 6 -q ", scene);
 const std::string fake = std::string("TWINRAY_OIDN=") + TWINRAY_FAKE_DENOISER;
-
-RenderArguments parsed(std::vector<std::string> words) {
-  words.push_back("scene.dae");
-  return parse_render_arguments(words);
-}
-
-std::string message_of(const std::vector<std::string>& words) {
-  try {
-    parsed(words);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
@@ -49,13 +36,13 @@ double squared_difference(const Image& a, const Image& b) {
 }  // namespace
 
 TEST_CASE("a denoiser is auto, oidn or own, and needs the features of surfaces") {
-  CHECK_FALSE(parsed({}).denoiser);
-  CHECK_FALSE(parsed({}).render.half_layers);
-  CHECK(parsed({"--denoise"}).denoiser == DenoiserKind::automatic);
-  CHECK(parsed({"--denoise=auto"}).denoiser == DenoiserKind::automatic);
-  CHECK(parsed({"--denoise=oidn"}).denoiser == DenoiserKind::open_image_denoise);
-  CHECK(parsed({"--denoise=own"}).denoiser == DenoiserKind::own);
-  CHECK(parsed({"--denoise", "--noise-target=0.1"}).render.half_layers ==
+  CHECK_FALSE(parse({}).denoiser);
+  CHECK_FALSE(parse({}).render.half_layers);
+  CHECK(parse({"--denoise"}).denoiser == DenoiserKind::automatic);
+  CHECK(parse({"--denoise=auto"}).denoiser == DenoiserKind::automatic);
+  CHECK(parse({"--denoise=oidn"}).denoiser == DenoiserKind::open_image_denoise);
+  CHECK(parse({"--denoise=own"}).denoiser == DenoiserKind::own);
+  CHECK(parse({"--denoise", "--noise-target=0.1"}).render.half_layers ==
         std::vector{Layer::albedo, Layer::normal});
   CHECK(message_of({"--denoise=optix"}) == "--denoise: there is no \"optix\"; valid are auto, oidn, own");
   CHECK(message_of({"--denoise", "--integrator=normals"}) ==
@@ -63,10 +50,13 @@ TEST_CASE("a denoiser is auto, oidn or own, and needs the features of surfaces")
 }
 
 TEST_CASE("noise decides how many samples there are, and a number of samples is the most") {
-  CHECK(parsed({"--noise-target=0.1"}).render.noise_target == 0.1);
-  CHECK(parsed({"--noise-target=0.1"}).render.samples == Film::max_samples);
-  CHECK(parsed({"--noise-target=0.1"}).render.half_layers == std::vector<Layer>{});
-  CHECK(parsed({"--noise-target=0.1", "-s", "7"}).render.samples == 7);
+  CHECK(parse({"--noise-target=0.1"}).render.noise_target == 0.1);
+  CHECK(parse({"--noise-target=0.1"}).render.samples == Film::max_samples);
+  CHECK(parse({"--noise-target=0.1"}).render.half_layers == std::vector<Layer>{});
+  CHECK(parse({"--noise-target=0.1", "-s", "700"}).render.samples == 700);
+  CHECK(parse({"--noise-target=0.1", "-s", "17"}).without_effect.empty());
+  CHECK(parse({"--noise-target=0.1", "-s", "16"}).without_effect.front() ==
+        "--noise-target: no effect, for it ends a render after 16 samples or more, and 16 are asked for");
   CHECK(message_of({"--noise-target=0"}) == "--noise-target: \"0\" is not a number from 1e-06 to 1000");
 }
 
@@ -166,7 +156,7 @@ TEST_CASE("a render that ends by its noise says after how many samples, and whic
 }
 
 TEST_CASE("a replay is no picture that could be denoised") {
-  const RenderArguments replay = parsed({"--replay", "1", "2", "3", "--denoise", "--noise-target=1"});
+  const RenderArguments replay = parse({"--replay", "1", "2", "3", "--denoise", "--noise-target=1"});
   CHECK(replay.without_effect ==
         std::vector<std::string>{"--noise-target: no effect, for --replay renders no picture",
                                  "--denoise: no effect, for --replay renders no picture"});

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "io/cryptomatte.h"
 #include "io/image_file.h"
+#include "tests/support/arguments.h"
 #include "tests/support/catch.h"
 #include "tests/support/film.h"
 #include "tests/support/process.h"
@@ -24,16 +25,6 @@ std::vector<Layer> layers_of(const std::vector<std::string>& options) {
   std::vector<std::string> words = options;
   words.push_back("scene.dae");
   return parse_render_arguments(words).render.layers;
-}
-
-std::string message_of(std::vector<std::string> words) {
-  words.push_back("scene.dae");
-  try {
-    parse_render_arguments(words);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 
 /// Whether an EXR has a channel of this name and type: 1 for 16 bits, 2 for 32.

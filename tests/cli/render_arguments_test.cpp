@@ -8,24 +8,11 @@
 #include "accel/fastest_engine.h"
 #include "cli/picture_metadata.h"
 #include "core/error.h"
+#include "tests/support/arguments.h"
 #include "tests/support/catch.h"
 
 namespace twinray::test {
 namespace {
-
-RenderArguments parse(std::vector<std::string> words) {
-  words.push_back("scene.dae");
-  return parse_render_arguments(words);
-}
-
-std::string message_of(std::vector<std::string> words) {
-  try {
-    parse(std::move(words));
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 /// What is said of options that change nothing, one after the other. Strict runs must refuse the first.
 std::string no_effect(std::vector<std::string> words) {

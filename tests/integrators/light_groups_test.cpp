@@ -6,7 +6,9 @@
 #include "integrators/path_reference.h"
 #include "tests/support/catch.h"
 #include "tests/support/estimate.h"
+#include "tests/support/film.h"
 #include "tests/support/scenes.h"
+#include "tests/support/traced_records.h"
 
 namespace twinray::test {
 namespace {
@@ -15,12 +17,6 @@ RenderOptions with_groups(std::uint32_t samples) {
   RenderOptions options = small_picture(samples);
   options.light_groups = true;
   return options;
-}
-
-std::vector<Rgb> groups_at(const Film& film, int x, int y) {
-  std::vector<Rgb> groups(film.contents().parts[std::size_t(Division::groups)]);
-  film.read_parts(Division::groups, x, y, groups);
-  return groups;
 }
 
 Light sky(const Rgb& radiance) {
@@ -48,6 +44,8 @@ Scene studio(std::span<const bool, 3> lit, std::size_t points = 1) {
   return scene;
 }
 
+Rgb sum_of(std::span<const Rgb> groups) { return groups[0] + groups[1] + groups[2]; }
+
 constexpr bool all_lit[] = {true, true, true};
 
 const std::vector<PathOptions> methods{{.max_depth = 4},
@@ -63,7 +61,7 @@ TEST_CASE("the light groups of a picture give its colours, added up as floats, i
     const Film film = render_with(scene, PathIntegrator(scene, path), with_groups(8)).film;
     for (int y = 0; y < film.frame_height(); ++y)
       for (int x = 0; x < film.frame_width(); ++x) {
-        const std::vector<Rgb> groups = groups_at(film, x, y);
+        const std::vector<Rgb> groups = parts_at(film, Division::groups, x, y);
         REQUIRE(groups.size() == 3);
         CHECK((groups[0] + groups[1]) + groups[2] == film.pixel(x, y).mean());
         CHECK((groups[2] + groups[1]) + groups[0] == film.pixel(x, y).mean());
@@ -73,21 +71,13 @@ TEST_CASE("the light groups of a picture give its colours, added up as floats, i
 
 TEST_CASE("what a sample's groups lack of its radiance is rounding, in mirrors as elsewhere") {
   const Scene scene = studio(all_lit);
-  const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
   constexpr std::uint32_t count = 300;
-  std::vector<CameraSample> samples;
-  for (std::uint32_t i = 0; i < count; ++i)
-    samples.push_back(
-        {camera_ray(scene.camera, {float(i % 17) / 17, float(i) / count}, {}), {7, i, 1, 2}, {}});
   for (const PathOptions& path : methods) {
-    Records records({{}, {0, 3}}, count);
-    Tracer tracer(*engine, false);
-    PathReference(scene, path).sample(samples, SamplerKind::independent, tracer, records.spans(count));
+    Records records = traced_records(scene, path, {{}, {0, 3}}, count);
     const RecordSpans made = records.spans(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-      const std::span<const Rgb> groups = made[Division::groups][i];
       constexpr double rounding = 1e-5;
-      CHECK(luminance(groups[0] + groups[1] + groups[2]) ==
+      CHECK(luminance(sum_of(made[Division::groups][i])) ==
             Approx(luminance(made.color()[i])).epsilon(rounding));
     }
   }
@@ -108,7 +98,7 @@ TEST_CASE("a light group is the picture that its lights make alone") {
           CAPTURE(group, x, y);
           constexpr double rounding = 1e-4;
           const double expected = luminance(alone.pixel(x, y).mean());
-          CHECK(luminance(groups_at(film, x, y)[group]) ==
+          CHECK(luminance(parts_at(film, Division::groups, x, y)[group]) ==
                 Approx(expected).epsilon(rounding).margin(rounding));
           light += expected;
         }
@@ -136,7 +126,8 @@ TEST_CASE("of many lights that are chosen from, each brings light to its own gro
   double light[3] = {};
   for (int y = 0; y < film.frame_height(); ++y)
     for (int x = 0; x < film.frame_width(); ++x)
-      for (std::size_t group = 0; group < 3; ++group) light[group] += luminance(groups_at(film, x, y)[group]);
+      for (std::size_t group = 0; group < 3; ++group)
+        light[group] += luminance(parts_at(film, Division::groups, x, y)[group]);
   CHECK(light[0] == 0);
   constexpr double noise = 0.3;
   CHECK(light[1] == Approx(light[2]).epsilon(noise));
@@ -145,21 +136,13 @@ TEST_CASE("of many lights that are chosen from, each brings light to its own gro
 
 TEST_CASE("what clamping takes from the light it takes from each group alike") {
   const Scene scene = studio(all_lit);
-  const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
-  constexpr std::uint32_t count = 64;
-  std::vector<CameraSample> samples;
-  for (std::uint32_t i = 0; i < count; ++i)
-    samples.push_back({camera_ray(scene.camera, {float(i % 8) / 8, float(i) / count}, {}), {3, i, 1, 2}, {}});
   const auto brightest = [&](float clamp) {
-    Records records({{}, {0, 3}}, count);
-    Tracer tracer(*engine, false);
-    PathReference(scene, {.max_depth = 2, .first_depth = 2, .clamp = clamp})
-        .sample(samples, SamplerKind::independent, tracer, records.spans(count));
+    constexpr std::uint32_t count = 68;
+    Records records =
+        traced_records(scene, {.max_depth = 2, .first_depth = 2, .clamp = clamp}, {{}, {0, 3}}, count);
     float most = 0;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const std::span<const Rgb> groups = records.spans(count)[Division::groups][i];
-      most = std::max(most, max_component(groups[0] + groups[1] + groups[2]));
-    }
+    for (std::uint32_t i = 0; i < count; ++i)
+      most = std::max(most, max_component(sum_of(records.spans(count)[Division::groups][i])));
     return most;
   };
   constexpr float clamp = 1e-3f, two_terms = 2.01f * clamp;  // Direct light, and what a ray finds.
@@ -175,9 +158,8 @@ TEST_CASE("ambient light has a group, and the camera does not see it") {
   scene.light_groups = {"ambient", "point"};
   scene.lights[1].group = 1;
   scene.camera = camera_at({0, 1, 0}, {0, 5, 0});
-  for (const Rgb& group :
-       groups_at(render_with(scene, PathIntegrator(scene, {.max_depth = 1}), with_groups(1)).film, 0, 0))
-    CHECK(is_black(group));
+  const Film film = render_with(scene, PathIntegrator(scene, {.max_depth = 1}), with_groups(1)).film;
+  for (const Rgb& group : parts_at(film, Division::groups, 0, 0)) CHECK(is_black(group));
   const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
   Records records({{}, {0, 2}}, 1);
   Tracer tracer(*engine, false);

@@ -7,7 +7,9 @@
 #include "integrators/path_reference.h"
 #include "tests/support/catch.h"
 #include "tests/support/estimate.h"
+#include "tests/support/film.h"
 #include "tests/support/scenes.h"
+#include "tests/support/traced_records.h"
 
 namespace twinray::test {
 namespace {
@@ -18,18 +20,12 @@ RenderOptions with_paths(std::uint32_t samples) {
   return options;
 }
 
-std::vector<Rgb> parts_at(const Film& film, int x, int y) {
-  std::vector<Rgb> parts(light_path_count);
-  film.read_parts(Division::paths, x, y, parts);
-  return parts;
-}
-
 /// The sum of each part over the whole picture, those that are black left out.
 std::map<LightPath, double> parts_of(const Film& film) {
   std::map<LightPath, double> parts;
   for (int y = 0; y < film.frame_height(); ++y)
     for (int x = 0; x < film.frame_width(); ++x) {
-      const std::vector<Rgb> values = parts_at(film, x, y);
+      const std::vector<Rgb> values = parts_at(film, Division::paths, x, y);
       for (std::size_t i = 0; i < values.size(); ++i)
         if (!is_black(values[i])) parts[LightPath(i)] += luminance(values[i]);
     }
@@ -71,7 +67,7 @@ TEST_CASE("the parts of a picture's light give its colours, added up as floats, 
     CHECK(parts_of(film).size() >= 1);
     for (int y = 0; y < 4; ++y)
       for (int x = 0; x < 4; ++x) {
-        const std::vector<Rgb> parts = parts_at(film, x, y);
+        const std::vector<Rgb> parts = parts_at(film, Division::paths, x, y);
         Rgb forward, backward;
         for (std::size_t i = 0; i < parts.size(); ++i) {
           forward += parts[i];
@@ -93,18 +89,11 @@ TEST_CASE("the colours of a picture do not depend on whether their parts are ask
 }
 
 TEST_CASE("what a sample's parts lack of its radiance is rounding") {
-  const Scene scene = small_room();
-  const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
-  std::vector<CameraSample> samples;
-  for (std::uint32_t i = 0; i < 300; ++i)
-    samples.push_back({camera_ray(scene.camera, {float(i % 17) / 17, float(i) / 300}, {}), {7, i, 1, 2}, {}});
-  Records records({{}, {light_path_count, 0}}, samples.size());
-  Tracer tracer(*engine, false);
-  PathReference(scene, {.max_depth = 5})
-      .sample(samples, SamplerKind::independent, tracer, records.spans(samples.size()));
-  const RecordSpans made = records.spans(samples.size());
+  constexpr std::uint32_t count = 300;
+  Records records = traced_records(small_room(), {.max_depth = 5}, {{}, {light_path_count, 0}}, count);
+  const RecordSpans made = records.spans(count);
   double scattered = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     Rgb sum;
     for (const Rgb& part : made[Division::paths][i]) sum += part;
     CHECK(luminance(sum) == Approx(luminance(made.color()[i])).epsilon(1e-5));
@@ -197,7 +186,7 @@ TEST_CASE("under a filter with negative values the parts are weighted as the col
   for (int y = 0; y < 12; ++y)
     for (int x = 0; x < 12; ++x) {
       double sum = 0, largest = 0;
-      for (const Rgb& part : parts_at(film, x, y)) {
+      for (const Rgb& part : parts_at(film, Division::paths, x, y)) {
         sum += part.r;
         largest = std::max(largest, std::fabs(double(part.r)));
         has_negative = has_negative || part.r < 0;

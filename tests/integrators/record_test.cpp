@@ -175,9 +175,13 @@ TEST_CASE("mattes tell objects, materials and assets apart") {
   scene.assets = {"rest", "room"};
   scene.bindings[0].asset = 1;
   scene.bindings[0].material = 1;
-  const CameraSample samples[] = {towards_mirror, {{.origin = {0, 2, 2}, .direction = {0, 1, 1}}, {}}};
+  const CameraSample samples[] = {towards_mirror,
+                                  {{.origin = {0, 2, 2}, .direction = {0, 1, 1}}, {}},
+                                  {{.origin = {0, 2, 2}, .direction = {0, 0, -2}}, {}}};
   for (Records& made : records_of(scene, {.max_depth = 3}, samples)) {
-    const RecordSpans records = made.spans(2);
+    const RecordSpans records = made.spans(3);
+    // The wall belongs to nothing else: it stands behind the two assets.
+    CHECK(recorded_id(records[Layer::asset_matte][2]) == 4);
     CHECK(recorded_id(records[Layer::object_matte][0]) == 1);
     CHECK(recorded_id(records[Layer::material_matte][0]) == 2);
     CHECK(recorded_id(records[Layer::asset_matte][0]) == 2);

@@ -64,6 +64,18 @@ TEST_CASE("the lamp of the box shines down") {
   CHECK(cross(lamp.positions[b] - lamp.positions[a], lamp.positions[c] - lamp.positions[a]).y < 0);
 }
 
+TEST_CASE("the shapes of a COLLADA node belong to the outermost node, and lamps to themselves") {
+  const Scene scene = load("box.dae").scene;
+  const auto asset_named = [&](const std::string& shape) -> std::string {
+    for (std::uint32_t i = 0; i < scene.bindings.size(); ++i)
+      if (scene.geometry->mesh(i)->name == shape)
+        return scene.bindings[i].asset == no_asset ? "itself" : scene.assets[scene.bindings[i].asset];
+    return "no such shape";
+  };
+  for (const char* const shape : {"box/red", "box/blue", "box/white"}) CHECK(asset_named(shape) == "box");
+  CHECK(asset_named("lamp") == "itself");
+}
+
 TEST_CASE("the creature is a closed mesh with unit normals on its outside") {
   const LoadedScene loaded = load("cornell-bunny.dae");
   const Mesh& mesh = mesh_named(loaded.scene, "creature");

@@ -171,6 +171,20 @@ TEST_CASE("an object is shown where it is instanced, and nowhere else") {
             .find("no object \"b\" is defined before this; \"a\" is the nearest one") != std::string::npos);
 }
 
+TEST_CASE("the shapes of an object's instances belong to it, others to themselves") {
+  const auto object = [](const std::string& name) {
+    return "ObjectBegin \"" + name + "\"\n" + pbrt_triangle + pbrt_triangle + "ObjectEnd\n";
+  };
+  const Scene scene = load_pbrt_world(object("a") + object("b") + "ObjectInstance \"b\"\n" + pbrt_triangle +
+                                      "ObjectInstance \"a\"\nObjectInstance \"a\"\n")
+                          .scene;
+  std::vector<std::uint32_t> assets;
+  for (const ShapeBinding& binding : scene.bindings) assets.push_back(binding.asset);
+  CHECK(scene.assets == std::vector<std::string>{"a", "b"});
+  CHECK(assets == std::vector<std::uint32_t>{1, 1, no_asset, 0, 0, 0, 0});
+  CHECK(asset_of(scene, 2) == 2 + 2);
+}
+
 TEST_CASE("Attribute gives defaults until the state that it stands in ends") {
   const LoadedScene loaded = load_pbrt_world(
       "AttributeBegin\nAttribute \"shape\" \"float radius\" 3\nShape \"sphere\"\nShape \"sphere\" \"float "

@@ -27,4 +27,11 @@ inline bool add_sample(Film& film, int x, int y, std::uint32_t index, const Film
   return film.add(x, y, index, spans, 0);
 }
 
+/// The parts of a pixel's light.
+inline std::vector<Rgb> parts_at(const Film& film, Division division, int x, int y) {
+  std::vector<Rgb> parts(film.contents().parts[std::size_t(division)]);
+  film.read_parts(division, x, y, parts);
+  return parts;
+}
+
 }  // namespace twinray::test
