@@ -75,7 +75,7 @@ TEST_CASE("a light belongs to the first group that names it, by its name or any 
   CHECK(groups_of({"a-b-c", "abc"}, {"x=a*b*c"}) == std::vector<std::string>{"x", "x"});
   CHECK(groups_of({"abcd", "abc"}, {"x=a*c"}) == std::vector<std::string>{"abcd", "x"});
   CHECK(groups_of({"a", "aa", "aba", "ab"}, {"x=a*a"}) == std::vector<std::string>{"a", "x", "x", "ab"});
-  CHECK(groups_of({"key 1 left", "key left 1"}, {"x=*1*left"}) ==
+  CHECK(groups_of({"key 1 left", "key left 1"}, {"x=*1*left*"}) ==
         std::vector<std::string>{"x", "key_left_1"});
   CHECK(groups_of({"any"}, {"x=**"}) == std::vector<std::string>{"x"});
   // No way of trying all ways to split a name would come to an end.
