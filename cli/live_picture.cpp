@@ -27,7 +27,7 @@ ViewerPicture viewer_picture(const std::string& name, const Film& film) {
 
 }  // namespace
 
-LivePicture::LivePicture(const std::optional<ViewerAddress>& address, const std::string& name)
+LivePicture::LivePicture(const std::optional<NetworkAddress>& address, const std::string& name)
     : address_(address), name_(name) {
   if (address) viewer_.emplace(*address);
 }

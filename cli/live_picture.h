@@ -14,7 +14,7 @@ namespace twinray {
 class LivePicture {
  public:
   /// Without an address there is nothing to show it to.
-  LivePicture(const std::optional<ViewerAddress>& address, const std::string& name);
+  LivePicture(const std::optional<NetworkAddress>& address, const std::string& name);
 
   /// The options of a render whose passes come here, as long as this lives: what there is after a pass is
   /// shown where the viewer has all before, and copies take 2 % of the time at most.
@@ -29,7 +29,7 @@ class LivePicture {
   using Clock = std::chrono::steady_clock;
   void show_pass(const Film& film);
 
-  std::optional<ViewerAddress> address_;
+  std::optional<NetworkAddress> address_;
   std::string name_;
   std::optional<TevViewer> viewer_;
   Clock::time_point next_;  ///< No copy before.

@@ -87,7 +87,7 @@ struct RenderArguments {
   std::optional<DenoiserKind> denoiser;      ///< Of the picture, if it is to be denoised.
   std::vector<LightGroupRule> light_groups;  ///< Where render.light_groups are asked for.
   std::optional<ReplayRequest> replay;
-  std::optional<ViewerAddress> viewer;  ///< Shows the picture as it grows.
+  std::optional<NetworkAddress> viewer;  ///< Shows the picture as it grows.
   std::vector<int> crop;                ///< X Y W H of render.window, as they were given; empty: none.
   std::optional<Overscan> overscan;
   bool quiet = false;

@@ -21,7 +21,7 @@ void add_run_words(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, group_name);
   RenderArguments& arguments = request.arguments;
   group.add_word({"--stats", "FILE", "Write all statistics as JSON"}, arguments.stats_file);
-  const std::string usual = text_of(ViewerAddress{});
+  const std::string usual = text_of(parse_viewer_address(""));
   group.add_optional_word(
       {"--tev", "[=HOST:PORT]", fmt::format("Show the growing picture in tev ({})", usual)}, usual,
       request.tev);

@@ -5,13 +5,10 @@
 #include <netdb.h>
 #include <poll.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <memory>
-#include <utility>
 
 #include "core/error.h"
 
@@ -19,20 +16,9 @@ namespace twinray {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Addresses = std::unique_ptr<addrinfo, void (*)(addrinfo*)>;
 
 constexpr int wait_milliseconds = 20;
 constexpr std::chrono::seconds connect_limit{2};
-
-Addresses addresses_of(const std::string& host, std::uint16_t port) {
-  addrinfo hints{};
-  hints.ai_family = AF_UNSPEC;
-  hints.ai_socktype = SOCK_STREAM;
-  addrinfo* found = nullptr;
-  const int error = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
-  if (error != 0) throw Error(gai_strerror(error));
-  return {found, freeaddrinfo};
-}
 
 /// Whether the socket takes bytes, after a moment at most.
 bool is_writable(int socket) {
@@ -60,32 +46,21 @@ int connect_to(int socket, const addrinfo& address, const TcpConnection::GivesUp
 }  // namespace
 
 TcpConnection::TcpConnection(const std::string& host, std::uint16_t port, const GivesUp& gives_up) {
-  const Addresses all = addresses_of(host, port);
+  const SocketAddresses all = socket_addresses(host, port);
   int error = 0;
   for (const addrinfo* one = all.get(); one && !is_open(); one = one->ai_next) {
-    socket_ = socket(one->ai_family, one->ai_socktype | SOCK_CLOEXEC, one->ai_protocol);
-    error = is_open() ? connect_to(socket_, *one, gives_up) : errno;
-    if (error != 0 && is_open()) close(std::exchange(socket_, -1));
+    socket_ = Socket(socket(one->ai_family, one->ai_socktype | SOCK_CLOEXEC, one->ai_protocol));
+    error = is_open() ? connect_to(socket_.descriptor(), *one, gives_up) : errno;
+    if (error != 0) socket_ = Socket();
   }
   if (!is_open()) throw Error(std::strerror(error));
-}
-
-TcpConnection::~TcpConnection() {
-  if (is_open()) close(socket_);
-}
-
-TcpConnection::TcpConnection(TcpConnection&& other) noexcept : socket_(std::exchange(other.socket_, -1)) {}
-
-TcpConnection& TcpConnection::operator=(TcpConnection&& other) noexcept {
-  std::swap(socket_, other.socket_);
-  return *this;
 }
 
 bool TcpConnection::send(std::string_view bytes, const GivesUp& gives_up) {
   while (!bytes.empty()) {
     if (gives_up()) return false;
-    if (!is_writable(socket_)) continue;
-    const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (!is_writable(socket_.descriptor())) continue;
+    const ssize_t sent = ::send(socket_.descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (sent >= 0)
       bytes.remove_prefix(std::size_t(sent));
     else if (errno != EAGAIN && errno != EINTR)
@@ -96,7 +71,7 @@ bool TcpConnection::send(std::string_view bytes, const GivesUp& gives_up) {
 
 bool TcpConnection::is_closed_by_peer() const {
   char byte;
-  const ssize_t received = recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
+  const ssize_t received = recv(socket_.descriptor(), &byte, 1, MSG_PEEK | MSG_DONTWAIT);
   return received == 0 || (received < 0 && errno != EAGAIN && errno != EINTR);
 }
 

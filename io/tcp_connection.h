@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/socket.h"
+
 namespace twinray {
 
 /// A TCP connection over which bytes are sent, by POSIX sockets that never block for long: each wait asks
@@ -17,18 +19,15 @@ class TcpConnection {
   /// Connects to one of the host's addresses, two seconds each at most. Throws Error with the system's
   /// reason.
   TcpConnection(const std::string& host, std::uint16_t port, const GivesUp& gives_up);
-  ~TcpConnection();
-  TcpConnection(TcpConnection&& other) noexcept;
-  TcpConnection& operator=(TcpConnection&& other) noexcept;
 
-  bool is_open() const { return socket_ >= 0; }
+  bool is_open() const { return socket_.is_open(); }
   /// Sends all bytes, or throws Error. False where it gave up with some of them left.
   bool send(std::string_view bytes, const GivesUp& gives_up);
   /// Whether the other side has closed the connection.
   bool is_closed_by_peer() const;
 
  private:
-  int socket_ = -1;
+  Socket socket_;
 };
 
 }  // namespace twinray

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/tev_viewer.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -25,39 +22,17 @@ constexpr std::chrono::seconds retry_interval{1}, last_wait{1};
 /// How often a viewer that gets no pictures is asked whether it is still there.
 constexpr std::chrono::milliseconds watch_interval{100};
 
-std::uint16_t parse_port(const std::string& word, const std::string& text) {
-  std::uint16_t port = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), port);
-  if (error != std::errc{} || end != word.data() + word.size() || port == 0)
-    throw Error(fmt::format("\"{}\" is no port in \"{}\"; valid are 1 to 65535", word, text));
-  return port;
-}
-
 }  // namespace
 
-ViewerAddress parse_viewer_address(const std::string& text) {
-  ViewerAddress address;
-  const std::size_t bracket = text.starts_with('[') ? text.find(']') : 0;
-  if (bracket == text.npos) throw Error(fmt::format("\"{}\": the bracket is not closed", text));
-  const std::size_t colon = text.find(':', bracket);
-  const std::string host = bracket > 0 ? text.substr(1, bracket - 1) : text.substr(0, colon);
-  if (bracket > 0 && colon != bracket + 1 && bracket + 1 != text.size())
-    throw Error(fmt::format("\"{}\" is not HOST:PORT", text));
-  if (!host.empty()) address.host = host;
-  if (colon != text.npos) address.port = parse_port(text.substr(colon + 1), text);
-  return address;
-}
-
-std::string text_of(const ViewerAddress& address) {
-  const bool is_ipv6 = address.host.find(':') != std::string::npos;
-  return fmt::format(fmt::runtime(is_ipv6 ? "[{}]:{}" : "{}:{}"), address.host, address.port);
+NetworkAddress parse_viewer_address(const std::string& text) {
+  return parse_address(text, {"127.0.0.1", 14158}, 1);
 }
 
 /// What the thread and its owner share. All but `address` under the lock.
 struct TevViewer::State {
-  explicit State(const ViewerAddress& where) : address(where) {}
+  explicit State(const NetworkAddress& where) : address(where) {}
 
-  const ViewerAddress address;
+  const NetworkAddress address;
   mutable std::mutex mutex;
   std::condition_variable changed;
   std::optional<ViewerPicture> next;  ///< Waits to be sent.
@@ -130,7 +105,7 @@ void TevViewer::State::run() {
   changed.notify_all();
 }
 
-TevViewer::TevViewer(const ViewerAddress& address) : state_(std::make_shared<State>(address)) {
+TevViewer::TevViewer(const NetworkAddress& address) : state_(std::make_shared<State>(address)) {
   try {
     std::thread([state = state_] { state->run(); }).detach();
   } catch (const std::system_error& error) {

@@ -1,29 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures that grow, in a viewer that listens on a TCP port.
 #pragma once
-#include <cstdint>
 #include <memory>
 #include <string>
 
+#include "io/network_address.h"
 #include "io/tev_packets.h"
 
 namespace twinray {
 
-/// Where a viewer listens.
-struct ViewerAddress {
-  std::string host = "127.0.0.1";
-  std::uint16_t port = 14158;  ///< tev's own.
-};
-
-/// "HOST", "HOST:PORT", ":PORT" or "[IPv6 ADDRESS]:PORT". Throws Error, which says what would be valid.
-ViewerAddress parse_viewer_address(const std::string& text);
-std::string text_of(const ViewerAddress& address);
+/// Where a viewer listens: tev's own port of this machine, 14158, or what the text says otherwise
+/// (parse_address()). Throws Error.
+NetworkAddress parse_viewer_address(const std::string& text);
 
 /// A connection to a viewer, by a thread of its own: whoever shows pictures never waits, whether the viewer
 /// is slow, ends, comes back or was never there. A viewer that is not there is looked for each second.
 class TevViewer {
  public:
-  explicit TevViewer(const ViewerAddress& address);
+  explicit TevViewer(const NetworkAddress& address);
   /// Finishes.
   ~TevViewer();
   TevViewer(const TevViewer&) = delete;
