@@ -75,6 +75,11 @@ StopRequest::StopRequest() {
 
 StopRequest::~StopRequest() { is_stoppable = false; }
 
+void StopRequest::make() const {
+  int none = 0;
+  stop_signal.compare_exchange_strong(none, SIGINT);
+}
+
 bool StopRequest::is_made() const { return stop_signal != 0; }
 
 int StopRequest::exit_code() const { return exit_code_of(stop_signal); }

@@ -35,6 +35,8 @@ class StopRequest {
   StopRequest(const StopRequest&) = delete;
   StopRequest& operator=(const StopRequest&) = delete;
 
+  /// Asks the work to stop as the first Ctrl-C does; from any thread, and as often as you like.
+  void make() const;
   /// Whether the work is to stop; from any thread.
   bool is_made() const;
   /// The exit code of a program that was asked to stop: 130, 143 or 129.

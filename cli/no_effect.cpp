@@ -247,6 +247,7 @@ constexpr Rule rules[]{
     {"--exr-compression", needs_exr},
     {"--stats", needs_picture},
     {"--tev", needs_picture},
+    {"--serve", needs_picture},
     {"--threads", needs_picture},
     {"--seconds", needs_picture},
     {"--noise-target", needs_samples_for_target},

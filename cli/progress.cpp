@@ -27,21 +27,33 @@ double share_of_target(const RenderProgress& progress) {
 
 }  // namespace
 
+ProgressShares progress_shares(const RenderProgress& progress, double elapsed_seconds) {
+  return {progress.samples_total == 0 ? 1 : double(progress.samples_done) / double(progress.samples_total),
+          elapsed_seconds / progress.seconds_total, share_of_target(progress)};
+}
+
+std::optional<double> seconds_left(const ProgressShares& shares, double elapsed_seconds) {
+  const double done = shares.most();
+  return done > 0.01 ? std::optional(elapsed_seconds * (1 - done) / done) : std::nullopt;
+}
+
+double rays_per_second(const RenderProgress& progress, double elapsed_seconds) {
+  return elapsed_seconds > 0 ? double(progress.rays) / elapsed_seconds : 0;
+}
+
 std::string progress_text(const RenderProgress& progress, double elapsed_seconds) {
-  const double of_samples =
-      progress.samples_total == 0 ? 1 : double(progress.samples_done) / double(progress.samples_total);
-  const double of_time = elapsed_seconds / progress.seconds_total;
-  const double of_noise = share_of_target(progress);
-  const double done = std::min(1.0, std::max({of_samples, of_time, of_noise}));
-  const double rate = elapsed_seconds > 0 ? double(progress.rays) / elapsed_seconds : 0;
-  std::string text = fmt::format("{:3.0f} % | {:.1f} ", 100 * done, 1e-6 * double(progress.samples_done));
-  if (of_samples >= std::max(of_time, of_noise))
+  const ProgressShares shares = progress_shares(progress, elapsed_seconds);
+  std::string text =
+      fmt::format("{:3.0f} % | {:.1f} ", 100 * shares.most(), 1e-6 * double(progress.samples_done));
+  if (shares.of_samples >= std::max(shares.of_time, shares.of_noise))
     text += fmt::format("of {:.1f} ", 1e-6 * double(progress.samples_total));
   text += "M samples | ";
   if (progress.error)
     text += fmt::format("error {:.3g}, target {:.3g} | ", *progress.error, *progress.noise_target);
-  text += fmt::format("{:.2f} M rays/s | {}", 1e-6 * rate, duration_text(elapsed_seconds));
-  if (done > 0.01) text += fmt::format(", {} left", duration_text(elapsed_seconds * (1 - done) / done));
+  text += fmt::format("{:.2f} M rays/s | {}", 1e-6 * rays_per_second(progress, elapsed_seconds),
+                      duration_text(elapsed_seconds));
+  if (const std::optional<double> left = seconds_left(shares, elapsed_seconds))
+    text += fmt::format(", {} left", duration_text(*left));
   return text;
 }
 

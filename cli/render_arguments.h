@@ -17,8 +17,8 @@
 #include "integrators/render.h"
 #include "io/display.h"
 #include "io/layered_image.h"
+#include "io/network_address.h"
 #include "io/scene_file.h"
-#include "io/tev_viewer.h"
 
 namespace twinray {
 
@@ -87,8 +87,9 @@ struct RenderArguments {
   std::optional<DenoiserKind> denoiser;      ///< Of the picture, if it is to be denoised.
   std::vector<LightGroupRule> light_groups;  ///< Where render.light_groups are asked for.
   std::optional<ReplayRequest> replay;
-  std::optional<NetworkAddress> viewer;  ///< Shows the picture as it grows.
-  std::vector<int> crop;                ///< X Y W H of render.window, as they were given; empty: none.
+  std::optional<NetworkAddress> viewer;  ///< tev, which shows the picture as it grows.
+  std::optional<NetworkAddress> server;  ///< Where pages of browsers find it.
+  std::vector<int> crop;                 ///< X Y W H of render.window, as they were given; empty: none.
   std::optional<Overscan> overscan;
   bool quiet = false;
   std::vector<std::string> given;           ///< The long names of the options that were given.

@@ -10,7 +10,8 @@
 #include "cli/crosscheck_report.h"
 #include "cli/denoising.h"
 #include "cli/interrupt.h"
-#include "cli/live_picture.h"
+#include "cli/live/live_picture.h"
+#include "cli/live/picture_viewers.h"
 #include "cli/outputs.h"
 #include "cli/partial_picture.h"
 #include "cli/picture_metadata.h"
@@ -70,6 +71,12 @@ struct RenderJob {
   const Integrator& integrator;
 };
 
+/// Those who are told of a render while it goes on.
+struct Audience {
+  RenderTalk& talk;
+  LivePicture& live;
+};
+
 struct Rendered {
   RenderResult result;
   int stop_code = 0;  ///< Where it was stopped: the program's exit code.
@@ -77,20 +84,28 @@ struct Rendered {
 
 /// Where there is a place for a partial picture the first interruption ends the render, not the program.
 Rendered render_stoppably(const RenderJob& job, RenderOptions options, const RenderOutputs& partial,
-                          RenderTalk& talk) {
+                          const Audience& audience) {
   std::optional<StopRequest> stop;
   if (!partial.picture.empty()) {
     stop.emplace();
-    options.is_stopped = [&stop] { return stop->is_made(); };
+    options.is_stopped = [&] {
+      if (audience.live.asks_to_stop()) stop->make();
+      return stop->is_made();
+    };
   }
-  talk.rendering();
-  RenderResult result = render(job.scene, job.accelerator, job.integrator, options,
-                               [&](const RenderProgress& progress) { talk.progress(progress); });
+  audience.talk.rendering();
+  RenderResult result =
+      render(job.scene, job.accelerator, job.integrator,
+             audience.live.watching(std::move(options), job.scene), [&](const RenderProgress& progress) {
+               audience.talk.progress(progress);
+               audience.live.progress(progress);
+             });
+  audience.live.show_last(result);
   const int stop_code = result.is_complete ? 0 : stop->exit_code();
   if (stop_code == 0)
-    talk.rendered(result);
+    audience.talk.rendered(result);
   else
-    talk.stopped();
+    audience.talk.stopped();
   return {std::move(result), stop_code};
 }
 
@@ -135,6 +150,7 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   if (arguments.denoiser) denoising.emplace(*arguments.denoiser, arguments.render.threads);
   const InterruptGuard guard(all_names({outputs, partial}));
   prepare_outputs(outputs.names());
+  LivePicture live(picture_viewers(arguments, outputs, partial));
   if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
     console::warn(fewer);
   if (!arguments.environment.empty() || output_format(outputs.picture) != OutputFormat::png)
@@ -151,13 +167,12 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   std::optional<Check> check;
   if (arguments.check_with) check.emplace(arguments, loaded.scene, *accelerator);
 
-  LivePicture live(arguments.viewer, outputs.picture);
-  const auto [result, stop_code] = render_stoppably(
-      {loaded.scene, *accelerator, *integrator},
-      live.watching(check ? check->observed(arguments.render) : arguments.render), partial, talk);
-  live.show_last(result.film);
+  const auto [result, stop_code] =
+      render_stoppably({loaded.scene, *accelerator, *integrator},
+                       check ? check->observed(arguments.render) : arguments.render, partial, {talk, live});
   if (stop_code != 0) {
     console::write_error(write_partial(partial, arguments, result.film, notes));
+    live.finish();
     return stop_code;
   }
   if (is_open_ended(arguments.render)) {
@@ -185,7 +200,7 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
                                                    {found ? check_json(arguments, *found) : "",
                                                     denoised ? &*denoised : nullptr}));
   talk.finished(arguments, accelerator->stats(), result);
-  if (const std::string fault = live.finish(); !fault.empty()) console::warn(fault);
+  live.finish();
   return check ? report(*check, *found, arguments, outputs.differences) : 0;
 }
 

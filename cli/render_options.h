@@ -29,6 +29,7 @@ struct RenderRequest {
   std::string check_with;      ///< Empty: the usual one.
   Words light_groups;          ///< NAME=LIGHT,... each.
   std::string tev;             ///< A viewer's address; empty: none.
+  std::string serve;           ///< Where the picture is served; empty: nowhere.
   std::string denoise;         ///< What is to denoise; empty: nothing.
 };
 

@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/live/web_server.h"
 #include "cli/render_options.h"
+#include "io/tev_viewer.h"
 
 namespace twinray {
 namespace {
 
 constexpr const char* group_name = "Run";
+
+/// None for the empty text.
+std::optional<NetworkAddress> parsed(const char* option, const std::string& text,
+                                     NetworkAddress (*parse)(const std::string&)) {
+  if (text.empty()) return std::nullopt;
+  try {
+    return parse(text);
+  } catch (const Error& error) {
+    throw UsageError(fmt::format("{}: {}", option, error.what()));
+  }
+}
 
 }  // namespace
 
@@ -14,6 +27,10 @@ void add_run_options(CLI::App& app, RenderRequest& request) {
   add_threads(group, arguments.render.threads);
   group.add_flag("--count", arguments.render.counting, "Count nodes and primitives per ray (slower)");
   add_run_words(app, request);
+  const std::string usual = text_of(parse_server_address(""));
+  group.add_optional_word(
+      {"--serve", "[=HOST:PORT]", fmt::format("Show the growing picture in browsers ({})", usual)}, usual,
+      request.serve);
   group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
 }
 
@@ -30,12 +47,8 @@ void add_run_words(CLI::App& app, RenderRequest& request) {
 }
 
 void resolve_run(const RenderRequest& request, RenderArguments& arguments) {
-  if (request.tev.empty()) return;
-  try {
-    arguments.viewer = parse_viewer_address(request.tev);
-  } catch (const Error& error) {
-    throw UsageError(fmt::format("--tev: {}", error.what()));
-  }
+  arguments.viewer = parsed("--tev", request.tev, parse_viewer_address);
+  arguments.server = parsed("--serve", request.serve, parse_server_address);
 }
 
 }  // namespace twinray

@@ -36,7 +36,7 @@ DOORS = {
     "libzip": (r"zip\.h", r"io/zip_archive\.cpp"),
     "tinyxml2": (r"tinyxml2\.h", r"io/xml_reader\.(h|cpp)"),
     "CLI11": (r"CLI/", r"cli/|bench/options\.cpp"),
-    "nlohmann/json": (r"nlohmann/", r"(cli|bench)/\w*report\.cpp|cli/study/record\.cpp|"
+    "nlohmann/json": (r"nlohmann/", r"(cli|bench)/\w*report\.cpp|cli/(study/record|live/web_state)\.cpp|"
                                     r"io/(cryptomatte|exchange)\.cpp|"
                                     r"tests/(cli|io)/"),
     "cmark": (r"cmark", r"cli/study/notes\.cpp"),

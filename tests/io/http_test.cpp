@@ -137,6 +137,14 @@ TEST_CASE("whoever is silent or does not read holds nobody up, nor the end") {
   CHECK(rude.back().receive(large_body).size() < large_body);
 }
 
+TEST_CASE("a request that does not end is not waited for, though its bytes drip") {
+  const TestServer server;
+  HttpClient silent(server.port()), dripping(server.port());
+  for (int i = 0; i < 100; ++i) dripping.send("a");
+  CHECK(silent.answer().status == 0);
+  CHECK(dripping.answer().status == 0);
+}
+
 TEST_CASE("beyond so many connections the oldest one makes room") {
   const TestServer server;
   HttpClient oldest(server.port());

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+
+#include "cli/live/picture_viewer.h"
+#include "io/tev_viewer.h"
+
+namespace twinray {
+
+/// --tev: the viewer tev.
+class TevWindow final : public PictureViewer {
+ public:
+  TevWindow(const NetworkAddress& address, const std::string& picture_name);
+  bool is_ready() const override { return viewer_.is_idle(); }
+  void show(const Film& film) override;
+  void show_last(const RenderResult& result) override { show(result.film); }
+  std::string finish() override;
+
+ private:
+  NetworkAddress address_;
+  std::string name_;
+  TevViewer viewer_;
+};
+
+}  // namespace twinray
