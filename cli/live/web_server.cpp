@@ -30,7 +30,8 @@ TcpListener listener_at(const NetworkAddress& address) {
 }  // namespace
 
 NetworkAddress parse_server_address(const std::string& text) {
-  return parse_address(is_number(text) ? ":" + text : text, {"127.0.0.1", 8184}, 0);
+  const NetworkAddress usual{"127.0.0.1", 8184};
+  return parse_address(is_number(text) ? usual.host + ":" + text : text, usual, 0);
 }
 
 WebServer::WebServer(const NetworkAddress& address, const std::string& picture, const std::string& partial)

@@ -35,6 +35,12 @@ Json samples_json(const WebState& state, const ProgressShares& shares) {
   return samples;
 }
 
+/// One that is complete may have ended before the time that it had.
+double share_of(const WebState& state, const ProgressShares& shares) {
+  if (state.phase == WebState::Phase::loading) return 0;
+  return state.is_complete ? 1 : shares.most();
+}
+
 }  // namespace
 
 std::string state_json(const WebState& state) {
@@ -49,7 +55,7 @@ std::string state_json(const WebState& state) {
                   {"height", state.height},
                   {"layers", layers_json(state)},
                   {"samples", samples_json(state, shares)},
-                  {"share", state.phase == WebState::Phase::loading ? 0 : shares.most()},
+                  {"share", share_of(state, shares)},
                   {"seconds", state.seconds},
                   {"seconds_left", optional(seconds_left(shares, state.seconds))},
                   {"rays", state.progress.rays},

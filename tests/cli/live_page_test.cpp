@@ -120,6 +120,7 @@ TEST_CASE("a page is told how far the render is") {
   state = page.state();
   CHECK(state["phase"] == "ended");
   CHECK(state["complete"] == true);
+  CHECK(state["share"] == 1);
 }
 
 TEST_CASE("where time is to end a render a page is told no number of samples") {
@@ -272,7 +273,7 @@ TEST_CASE("a server's address is a port, a host, both or none") {
   CHECK(text_of(parse_server_address("desk")) == "desk:8184");
   CHECK(text_of(parse_server_address("[::]:1")) == "[::]:1");
   CHECK_THROWS_WITH(parse_server_address("65536"),
-                    "\"65536\" is no port in \":65536\"; valid are 0 to 65535");
+                    "\"65536\" is no port in \"127.0.0.1:65536\"; valid are 0 to 65535");
 }
 
 }  // namespace twinray::test

@@ -78,7 +78,7 @@ TEST_CASE("a request is answered with its body, what that is, and what may be ma
   CHECK(text.field("X-Content-Type-Options") == "nosniff");
   CHECK(text.field("Referrer-Policy") == "no-referrer");
   const HttpAnswer large = get(server.port(), "/large");
-  CHECK(large.body == std::string(large_body, 'x'));
+  CHECK((large.body == std::string(large_body, 'x')));  // not shown where it is wrong
   CHECK(large.field("Version") == "3");
 }
 
