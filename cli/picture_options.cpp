@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "cli/render_options.h"
 #include "io/output_format.h"
@@ -13,9 +14,11 @@ constexpr const char* group_name = "Picture and samples";
 constexpr FilterKind all_filters[] = {FilterKind::box, FilterKind::triangle, FilterKind::gaussian,
                                       FilterKind::blackman_harris, FilterKind::mitchell};
 
-std::string filter_names(const char* separator) {
+/// All but one of them.
+std::string filter_names(const char* separator, std::optional<FilterKind> but = {}) {
   Words names;
-  for (const FilterKind kind : all_filters) names.push_back(filter_name(kind));
+  for (const FilterKind kind : all_filters)
+    if (kind != but) names.push_back(filter_name(kind));
   return fmt::format("{}", fmt::join(names, separator));
 }
 
@@ -58,9 +61,10 @@ PixelFilter parse_filter(const std::string& word) {
 }
 
 void add_filter(OptionGroup& group, PixelFilter& filter) {
-  group.add_words(
-      {"--filter", "NAME[:RADIUS]", fmt::format("{} ({})", filter_names(" "), filter_text(filter))}, 1,
-      [&filter](const Words& words) { filter = parse_filter(words[0]); });
+  filter = usual_filter(FilterKind::blackman_harris);
+  group.add_words({"--filter", "NAME[:RADIUS]",
+                   fmt::format("{} ({})", filter_names(" ", filter.kind), filter_text(filter))},
+                  1, [&filter](const Words& words) { filter = parse_filter(words[0]); });
 }
 
 }  // namespace

@@ -200,7 +200,7 @@ class Reader {
   PbrtBuilder builder_;
   PbrtStates states_;
   PbrtCamera camera_;
-  PbrtFilm film_;
+  PbrtFilm film_{.defaults = {.filter = usual_filter(FilterKind::gaussian)}};  ///< pbrt's own filter.
   const std::string none_;
   bool is_world_ = false;
 };

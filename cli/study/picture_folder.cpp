@@ -85,7 +85,11 @@ std::string PictureFolder::file(const Picture& picture, const std::string& endin
 }
 
 Words PictureFolder::words(const Picture& picture) const {
-  Words all{picture.scene, "--view=whole", "-r", fmt::format("{}", scale_.width),
+  Words all{picture.scene,
+            "--view=whole",
+            "--filter=box",
+            "-r",
+            fmt::format("{}", scale_.width),
             fmt::format("{}", scale_.height)};
   if (threads_ > 0) append({"-t", fmt::format("{}", threads_)}, all);
   append({"-s", fmt::format("{}", picture.samples)}, all);

@@ -28,7 +28,7 @@ std::string error_of(const CameraChanges& changes, const Camera& camera) {
 }  // namespace
 
 TEST_CASE("a pixel filter is a name, and a radius that has a default") {
-  CHECK(parse({}).render.filter == PixelFilter{});
+  CHECK(parse({}).render.filter == usual_filter(FilterKind::blackman_harris));
   CHECK(parse({"--filter=mitchell"}).render.filter == usual_filter(FilterKind::mitchell));
   CHECK(parse({"--filter", "blackman-harris"}).render.filter.radius == Vec2{1.5f, 1.5f});
   const PixelFilter gaussian = parse({"--filter=gaussian:3"}).render.filter;

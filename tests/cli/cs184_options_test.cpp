@@ -30,6 +30,7 @@ TEST_CASE("CS184's defaults hold where its program runs") {
   const RenderArguments arguments = parse({});
   CHECK(arguments.scene == "scene.dae");
   CHECK(arguments.render.samples == 1);
+  CHECK(arguments.render.filter == usual_filter(FilterKind::box));
   CHECK(arguments.path.samples_per_light == 1);
   CHECK(arguments.render.threads == 1);
   CHECK(arguments.path.max_depth == 1);

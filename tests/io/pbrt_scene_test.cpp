@@ -185,13 +185,13 @@ TEST_CASE("pixel filters are read with pbrt's names and defaults") {
   CHECK(sharp.radius == Vec2{2, 2});
   CHECK(sharp.b == 0);
   CHECK(sharp.c == 0.5f);
-  CHECK_FALSE(load_pbrt_text("WorldBegin").defaults.filter);
-  CHECK(load_pbrt_text("PixelFilter \"box\" Film \"rgb\" WorldBegin").defaults.filter);
+  CHECK(load_pbrt_text("WorldBegin").defaults.filter == usual_filter(FilterKind::gaussian));
+  CHECK(load_pbrt_text("PixelFilter \"box\" Film \"rgb\" WorldBegin").defaults.filter == PixelFilter{});
 }
 
 TEST_CASE("filters that are not rendered, or not there, are named") {
   const LoadedScene loaded = load_pbrt_text("PixelFilter \"sinc\" \"float tau\" 2 WorldBegin");
-  CHECK_FALSE(loaded.defaults.filter);
+  CHECK(loaded.defaults.filter == usual_filter(FilterKind::gaussian));
   REQUIRE(loaded.warnings.size() == 1);
   CHECK(loaded.warnings[0].message.find("the sinc filter is not rendered") != std::string::npos);
   CHECK(
