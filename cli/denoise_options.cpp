@@ -18,6 +18,8 @@ void add_denoise_options(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, "Picture and samples");
   group.add_optional_word({"--denoise", "[=auto|oidn|own]", "By Open Image Denoise, else by our own filter"},
                           "auto", request.denoise);
+  group.add_flag("--denoise-light-groups", request.denoise_light_groups,
+                 "Each of them, and the picture is their sum");
 }
 
 void resolve_denoising(const RenderRequest& request, RenderArguments& arguments) {
@@ -29,6 +31,7 @@ void resolve_denoising(const RenderRequest& request, RenderArguments& arguments)
                     "direct do",
                     integrator_name(arguments.integrator)));
   arguments.render.half_layers = {Layer::albedo, Layer::normal};
+  arguments.render.half_light_groups = request.denoise_light_groups && arguments.render.light_groups;
 }
 
 }  // namespace twinray

@@ -6,8 +6,10 @@
 
 #include "cli/version.h"
 #include "core/error.h"
+#include "core/exact_parts.h"
 #include "core/parallel.h"
 #include "integrators/denoise/denoise.h"
+#include "integrators/denoise/filtered_error.h"
 
 namespace twinray {
 namespace {
@@ -22,13 +24,44 @@ std::unique_ptr<const OpenImageDenoise> library_for(DenoiserKind kind, int threa
   return library;
 }
 
+Image mean_of(std::span<const Plane> a, std::span<const Plane> b, const HalfPictures& pictures) {
+  return image_of(means_of_halves(a, b, pictures.second_weight));
+}
+
 NoisyFeatures noisy_features(const HalfPictures& pictures) {
   const auto& [a, b] = pictures.halves;
   const auto feature = [&](std::size_t first) {
-    return image_of(means_of_halves(std::span(a.features).subspan(first, 3),
-                                    std::span(b.features).subspan(first, 3), pictures.second_weight));
+    return mean_of(std::span(a.features).subspan(first, 3), std::span(b.features).subspan(first, 3),
+                   pictures);
   };
-  return {image_of(means_of_halves(a.color, b.color, pictures.second_weight)), feature(0), feature(3)};
+  return {mean_of(a.color, b.color, pictures), feature(0), feature(3)};
+}
+
+/// Each half by itself: with the features of both, which have less noise.
+FilteredHalves denoised_halves(const OpenImageDenoise& library, const HalfPictures& pictures) {
+  NoisyFeatures noisy = noisy_features(pictures);
+  FilteredHalves filtered;
+  for (std::size_t half = 0; half < 2; ++half) {
+    noisy.color = image_of(pictures.halves[half].color);
+    filtered[half] = color_of(library.denoised(noisy));
+  }
+  return filtered;
+}
+
+/// The sum of pictures, whose pixels then add up to it in any order.
+Image exact_sum(std::vector<Image>& parts) {
+  Image sum(parts.front().width, parts.front().height);
+  std::vector<float> values(parts.size());
+  for (std::size_t i = 0; i < sum.pixels.size(); ++i)
+    for (float Rgb::*const channel : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+      double whole = 0;
+      for (std::size_t part = 0; part < parts.size(); ++part)
+        whole += double(values[part] = parts[part].pixels[i].*channel);
+      sum.pixels[i].*channel = float(whole);
+      make_exact(float(whole), values);
+      for (std::size_t part = 0; part < parts.size(); ++part) parts[part].pixels[i].*channel = values[part];
+    }
+  return sum;
 }
 
 }  // namespace
@@ -40,16 +73,36 @@ std::string Denoising::name() const {
   return library_ ? "Open Image Denoise " + library_->version() : version_name() + ", own filter";
 }
 
+Image Denoising::denoised(const HalfPictures& pictures) const {
+  if (library_) return library_->denoised(noisy_features(pictures));
+  Image image;
+  with_threads(threads_, [&] { image = picture_of(denoised_halves(pictures), pictures.second_weight); });
+  return image;
+}
+
 DenoisedPicture Denoising::denoise(const HalfFilms& halves) const {
   const auto start = std::chrono::steady_clock::now();
+  DenoisedPicture made;
+  HalfPictures pictures = half_pictures(halves);
+  const std::size_t groups = halves.first.contents().parts[std::size_t(Division::groups)];
+  for (std::size_t group = 0; group < groups; ++group) {
+    take_light_group(halves, group, pictures);
+    made.light_groups.push_back(denoised(pictures));
+  }
+  made.image = groups > 0 ? exact_sum(made.light_groups) : denoised(pictures);
+  made.denoiser = name();
+  made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return made;
+}
+
+double Denoising::estimated_error(const HalfFilms& halves) const {
   const HalfPictures pictures = half_pictures(halves);
-  Image image;
-  if (library_)
-    image = library_->denoised(noisy_features(pictures));
-  else
-    with_threads(threads_, [&] { image = denoised(pictures); });
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  return {std::move(image), name(), taken.count()};
+  double error = 0;
+  with_threads(threads_, [&] {
+    error = estimated_relative_error(
+        pictures, library_ ? denoised_halves(*library_, pictures) : denoised_halves(pictures));
+  });
+  return error;
 }
 
 void check_samples_for_denoising(const RenderArguments& arguments) {

@@ -3,8 +3,10 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/render_arguments.h"
+#include "integrators/denoise/half_pictures.h"
 #include "integrators/denoise/open_image_denoise.h"
 #include "integrators/half_films.h"
 
@@ -13,6 +15,9 @@ namespace twinray {
 /// A picture without its noise.
 struct DenoisedPicture {
   Image image;
+  /// The film's light groups without their noise, where its halves have them: the picture is their sum,
+  /// whatever the order.
+  std::vector<Image> light_groups;
   std::string denoiser;  ///< "Open Image Denoise 2.5.1"
   double seconds = 0;    ///< Wall-clock time.
 };
@@ -27,8 +32,13 @@ class Denoising {
   std::string name() const;
   /// Of the halves of a render, which have albedo and normal.
   DenoisedPicture denoise(const HalfFilms& halves) const;
+  /// The root of the relative mean squared error (check/picture_error.h) that the denoised picture has, as
+  /// far as the halves tell; light groups are not looked at.
+  double estimated_error(const HalfFilms& halves) const;
 
  private:
+  Image denoised(const HalfPictures& pictures) const;
+
   std::unique_ptr<const OpenImageDenoise> library_;  ///< Null: our own filter.
   int threads_;
 };

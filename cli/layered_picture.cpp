@@ -34,7 +34,8 @@ MatteKind matte_kind(Layer layer, const SceneNames& names) {
 /// The values of a picture's rows.
 class Rows {
  public:
-  Rows(const Film& film, const SceneNames& names, const Image* denoised) : film_(film), denoised_(denoised) {
+  Rows(const Film& film, const SceneNames& names, const DenoisedPicture* denoised)
+      : film_(film), denoised_(denoised) {
     for (const Layer layer : film.layers()) {
       std::vector<std::uint32_t>& ids = matte_ids_.emplace_back();
       if (!is_matte(layer)) continue;
@@ -46,15 +47,25 @@ class Rows {
     float* next = values.data();
     for (int x = film_.window().x0; x < film_.window().x1; ++x) {
       const Rgb mean = film_.pixel(x, y).mean();
-      next = append(denoised_ ? denoised_->at(x - film_.window().x0, y - film_.window().y0) : mean, 3, next);
+      next = append(denoised_ ? denoised_at(denoised_->image, x, y) : mean, 3, next);
       for (std::size_t layer = 0; layer < film_.layers().size(); ++layer)
         next = append_layer(layer, x, y, next);
-      for (const Division division : divisions) next = append_parts(division, x, y, next);
-      if (denoised_) next = append(mean, 3, next);
+      next = append_parts(Division::paths, x, y, next);
+      if (!denoises_groups()) next = append_parts(Division::groups, x, y, next);
+      if (!denoised_) continue;
+      for (const Image& group : denoised_->light_groups) next = append(denoised_at(group, x, y), 3, next);
+      next = append(mean, 3, next);
+      if (denoises_groups()) next = append_parts(Division::groups, x, y, next);
     }
   }
 
  private:
+  bool denoises_groups() const { return denoised_ && !denoised_->light_groups.empty(); }
+
+  Rgb denoised_at(const Image& image, int x, int y) const {
+    return image.at(x - film_.window().x0, y - film_.window().y0);
+  }
+
   float* append_layer(std::size_t layer, int x, int y, float* to) const {
     const std::size_t channels = channel_count(film_.layers()[layer]);
     if (!is_matte(film_.layers()[layer])) return append(film_.value(layer, x, y), channels, to);
@@ -88,7 +99,7 @@ class Rows {
   }
 
   const Film& film_;
-  const Image* denoised_;                              ///< Null: there is none.
+  const DenoisedPicture* denoised_;                    ///< Null: there is none.
   std::vector<std::vector<std::uint32_t>> matte_ids_;  ///< For each layer that is of mattes, by thing.
 };
 
@@ -98,7 +109,7 @@ void add_color(std::vector<PictureChannel>& channels, const std::string& layer) 
 
 }  // namespace
 
-LayeredImage layered_picture(const Film& film, const SceneNames& names, const Image* denoised) {
+LayeredImage layered_picture(const Film& film, const SceneNames& names, const DenoisedPicture* denoised) {
   const PixelRect& window = film.window();
   LayeredImage image{window.width(), window.height(), {{"R"}, {"G"}, {"B"}}, {}};
   for (const Layer layer : film.layers())
@@ -109,7 +120,11 @@ LayeredImage layered_picture(const Film& film, const SceneNames& names, const Im
     add_color(image.channels, light_path_name(LightPath(path)));
   for (std::size_t group = 0; group < groups; ++group)
     add_color(image.channels, light_group_layer(names.light_groups[group]));
-  if (denoised) add_color(image.channels, "noisy");
+  if (denoised) {
+    add_color(image.channels, "noisy");
+    for (std::size_t group = 0; group < denoised->light_groups.size(); ++group)
+      add_color(image.channels, "noisy_" + light_group_layer(names.light_groups[group]));
+  }
   image.fill_row = [rows = Rows(film, names, denoised), first = window.y0](int y, std::span<float> values) {
     rows.fill(first + y, values);
   };

@@ -67,6 +67,11 @@ std::string needs_light_layers(const Asked& asked) {
   return asked.arguments.render.light_groups ? "" : "for --layers does not name light-groups";
 }
 
+std::string needs_denoised_groups(const Asked& asked) {
+  if (!asked.arguments.denoiser) return "for nothing is denoised; --denoise does it";
+  return needs_light_layers(asked);
+}
+
 std::string needs_exr(const Asked& asked) {
   return output_format(asked.arguments.output) == OutputFormat::exr
              ? ""
@@ -252,6 +257,7 @@ constexpr Rule rules[]{
     {"--seconds", needs_picture},
     {"--noise-target", needs_samples_for_target},
     {"--denoise", needs_picture},
+    {"--denoise-light-groups", needs_denoised_groups},
     {"--replay-json", needs_replay},
     {"--replay-obj", needs_replay},
     {"--adaptive", needs_batches},

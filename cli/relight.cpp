@@ -37,7 +37,9 @@ std::optional<ColorPlace> color_place(const StoredLayers& picture, const std::st
 
 /// Whether a channel says something of all light together.
 bool is_of_old_light(const std::string& channel) {
-  if (channel == "variance.Y" || channel.starts_with("noisy.")) return true;
+  if (channel == "variance.Y" || channel.starts_with("noisy.") ||
+      channel.starts_with("noisy_" + light_group_layer("")))
+    return true;
   for (std::size_t path = 0; path < light_path_count; ++path)
     if (channel.starts_with(std::string(light_path_name(LightPath(path))) + ".")) return true;
   return false;

@@ -147,7 +147,12 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   const RenderOutputs outputs = render_outputs(arguments);
   const RenderOutputs partial = partial_outputs(outputs);
   std::optional<Denoising> denoising;
-  if (arguments.denoiser) denoising.emplace(*arguments.denoiser, arguments.render.threads);
+  if (arguments.denoiser) {
+    denoising.emplace(*arguments.denoiser, arguments.render.threads);
+    arguments.render.estimated_error = [&](const HalfFilms& halves) {
+      return denoising->estimated_error(halves);
+    };
+  }
   const InterruptGuard guard(all_names({outputs, partial}));
   prepare_outputs(outputs.names());
   LivePicture live(picture_viewers(arguments, outputs, partial));
@@ -191,7 +196,7 @@ int render_command(const RenderArguments& asked, const std::vector<std::string>&
   std::optional<SceneCrosscheck> found;
   if (check) found = check->found(result.seconds);
   talk.saving();
-  write_pictures(outputs, arguments, {result.film, denoised ? &denoised->image : nullptr}, notes);
+  write_pictures(outputs, arguments, {result.film, denoised ? &*denoised : nullptr}, notes);
   if (!outputs.differences.empty())
     write_image(outputs.differences, check->picture(mean_image(result.film)), notes.metadata);
   talk.saved();

@@ -31,6 +31,7 @@ struct RenderRequest {
   std::string tev;             ///< A viewer's address; empty: none.
   std::string serve;           ///< Where the picture is served; empty: nowhere.
   std::string denoise;         ///< What is to denoise; empty: nothing.
+  bool denoise_light_groups = false;
 };
 
 void add_picture_options(CLI::App& app, RenderRequest& request);

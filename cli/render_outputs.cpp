@@ -59,7 +59,7 @@ void write_colors(const RenderOutputs& outputs, const RenderArguments& arguments
     return write_exr(outputs.picture, image, with_layers(notes, film.contents()), notes.frame);
   }
   const Image mean = mean_image(film);
-  write_color(outputs.picture, arguments, denoised ? *denoised : mean, notes);
+  write_color(outputs.picture, arguments, denoised ? denoised->image : mean, notes);
   if (!outputs.noisy.empty()) write_color(outputs.noisy, arguments, mean, notes);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/crosscheck_report.h"
+#include "cli/denoising.h"
 #include "cli/picture_metadata.h"
 #include "cli/render_arguments.h"
 #include "io/image_file.h"
@@ -36,7 +37,7 @@ std::vector<std::string> all_names(std::initializer_list<RenderOutputs> all);
 /// A film, and what was made of it.
 struct RenderedPicture {
   const Film& film;
-  const Image* denoised = nullptr;  ///< Null: it is as it is.
+  const DenoisedPicture* denoised = nullptr;  ///< Null: it is as it is.
 };
 
 /// Writes the picture, its rates and its legend; of one that is denoised the noisy one as well.

@@ -47,7 +47,8 @@ std::vector<MemoryNeed> memory_needs(const RenderOptions& options, const Scene& 
   std::uint64_t channels = 0;
   for (const Layer layer : contents.layers) channels += channel_count(layer);
   for (const std::size_t parts : contents.parts) channels += 3 * parts;
-  const std::uint64_t halves = options.half_layers ? 2 * Film::bytes(pixels, {*options.half_layers}) : 0;
+  const std::uint64_t halves =
+      options.half_layers ? 2 * Film::bytes(pixels, half_contents(options, scene)) : 0;
   return {{fmt::format("the film of {} x {} pixels", window.width(), window.height()),
            Film::bytes(pixels, contents) + halves},
           {"the pictures made of it", pixels * (picture_bytes_a_pixel + channels * picture_bytes_a_channel)}};

@@ -63,6 +63,7 @@ set(private_headers
   core/lanes.h
   integrators/denoise/blend.h
   integrators/denoise/box_mean.h
+  integrators/denoise/error_product.h
   integrators/denoise/patch_distance.h
   integrators/denoise/regression.h
   integrators/denoise/tile.h

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "core/film.h"
 
@@ -27,8 +26,8 @@ struct HalfFilms {
 };
 
 /// Empty films of the same frame as another.
-inline HalfFilms half_films(const Film& film, const std::vector<Layer>& layers) {
-  const Film empty(film.frame_width(), film.frame_height(), film.window(), {layers});
+inline HalfFilms half_films(const Film& film, const FilmContents& contents) {
+  const Film empty(film.frame_width(), film.frame_height(), film.window(), contents);
   return {empty, empty};
 }
 

@@ -44,6 +44,8 @@ void check(const RenderOptions& options) {
   if (std::set(options.layers.begin(), options.layers.end()).size() != options.layers.size())
     throw Error("a layer of a render is asked for twice");
   if (options.noise_target) check_target(options);
+  if (options.half_light_groups && !(options.half_layers && options.light_groups))
+    throw Error("halves by light groups need halves, and a film by light groups");
   if (!options.adaptive) return;
   if (options.adaptive->batch < 1)
     throw Error(
@@ -93,7 +95,7 @@ class Renderer {
         tiles_(spiral_tiles(film_.window(), tile_size)) {
     progress_.samples_total = pixel_count() * options.samples;
     if (options.seconds) progress_.seconds_total = *options.seconds;
-    if (options.half_layers) halves_ = half_films(film_, *options.half_layers);
+    if (options.half_layers) halves_ = half_films(film_, half_contents(options, scene));
     progress_.noise_target = options.noise_target;
   }
 
@@ -133,7 +135,10 @@ class Renderer {
   /// Whether the picture of so many samples is as good as it is to be.
   bool reaches_target(std::uint32_t samples) {
     if (!options_.noise_target || samples < least_samples_of_target) return false;
-    const double error = estimated_relative_error(half_pictures(*halves_));
+    if (options_.estimated_error && samples < next_estimate_) return false;
+    next_estimate_ = samples + samples / 4;
+    const double error = options_.estimated_error ? options_.estimated_error(*halves_)
+                                                  : estimated_relative_error(half_pictures(*halves_));
     progress_.error = error;
     return error <= *options_.noise_target;
   }
@@ -243,6 +248,7 @@ class Renderer {
   PixelRect visible_pixels_;  ///< All others are black for certain.
   Film film_;
   std::optional<HalfFilms> halves_;
+  std::uint32_t next_estimate_ = 0;  ///< Of an error, where that takes long: not with fewer samples.
   std::vector<PixelRect> tiles_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double pass_seconds_ = 0;  ///< Of a sample of all pixels, in the last pass.
@@ -256,6 +262,11 @@ class Renderer {
 FilmContents film_contents(const RenderOptions& options, const Scene& scene) {
   return {options.layers,
           {options.light_paths ? light_path_count : 0, options.light_groups ? scene.light_groups.size() : 0}};
+}
+
+FilmContents half_contents(const RenderOptions& options, const Scene& scene) {
+  return {options.half_layers.value_or(std::vector<Layer>{}),
+          {0, options.half_light_groups ? scene.light_groups.size() : 0}};
 }
 
 PixelRect window_of(const RenderOptions& options) {

@@ -36,12 +36,17 @@ struct RenderOptions {
   bool light_groups = false;  ///< by the scene's light groups.
   /// Samples lie where it sees, pixels of one sample have theirs in the middle.
   PixelFilter filter;
-  /// If set, the samples are kept in two halves as well, each with these layers.
+  /// If set, the samples are kept in two halves as well, each with these layers,
   std::optional<std::vector<Layer>> half_layers;
+  bool half_light_groups = false;  ///< and with the light by light groups, where the film has it.
   /// If set, with half_layers, sampling ends with the first pass, from least_samples_of_target on, after
   /// which the picture's error is not above: the root of its relative mean squared error, estimated by the
   /// halves (integrators/denoise/half_pictures.h). A function of the samples alone.
   std::optional<double> noise_target;
+  /// If set, it estimates that error of what is made of the halves, in place of the error of the picture
+  /// itself. It may take long: it is asked after passes that have a quarter more samples than at the last
+  /// time.
+  std::function<double(const HalfFilms&)> estimated_error;
   SamplerKind sampler = SamplerKind::sobol;
   std::uint64_t seed = 0;
   int threads = 0;        ///< 0: as many as the process may use.
@@ -58,6 +63,8 @@ struct RenderOptions {
 
 /// What the film of a scene's render keeps.
 FilmContents film_contents(const RenderOptions& options, const Scene& scene);
+/// What each of its halves keeps, where there are any.
+FilmContents half_contents(const RenderOptions& options, const Scene& scene);
 
 /// The pixels that are rendered: the window or, without one, the full frame.
 PixelRect window_of(const RenderOptions& options);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/denoise/blend.h"
 
-#include <algorithm>
 #include <limits>
 
-#include "core/image_error.h"
 #include "core/parallel.h"
 #include "integrators/denoise/box_mean.h"
+#include "integrators/denoise/error_product.h"
 
 namespace twinray {
 namespace {
@@ -14,8 +13,6 @@ namespace {
 /// The noisy picture and the filters of it.
 constexpr std::size_t candidates = 3;
 using Candidates = std::array<FilteredHalves, candidates>;
-/// Errors are estimated over squares of this radius, twice.
-constexpr int error_radius = 3;
 constexpr int steps = 16;  ///< Shares of a mixture are multiples of 1 / steps.
 constexpr std::size_t pixels_a_task = 4096;
 
@@ -26,25 +23,6 @@ using Shares = std::array<float, candidates>;
 Candidates candidates_of(const HalfPictures& noisy, const std::array<FilteredHalves, 2>& filtered) {
   return {FilteredHalves{noisy.halves[0].color, noisy.halves[1].color}, filtered[0], filtered[1]};
 }
-
-/// Of one pixel and channel, relative to its square.
-struct ErrorProduct {
-  const HalfPictures& noisy;
-  const FilteredHalves &first, &second;
-  std::span<const Plane> level;  ///< By which errors are divided.
-
-  float operator()(std::size_t i, std::size_t c) const {
-    const auto of = [&](const FilteredHalves& halves, std::size_t half) { return halves[half][c].values[i]; };
-    const float a = noisy.halves[0].color[c].values[i], b = noisy.halves[1].color[c].values[i];
-    const float weight = noisy.second_weight.values[i];
-    const float bias =
-        0.5f * ((of(first, 0) - a) * (of(second, 1) - b) + (of(second, 0) - a) * (of(first, 1) - b));
-    const float left =
-        weight * (1 - weight) * (of(first, 0) - of(first, 1)) * (of(second, 0) - of(second, 1));
-    const float scale = level[c].values[i];
-    return (bias + left) / (scale * scale + float(least_relative_square));
-  }
-};
 
 Plane error_products(const ErrorProduct& product) {
   Plane means(product.noisy.width, product.noisy.height);
@@ -88,21 +66,20 @@ Shares best_shares(const ErrorProducts& products, std::size_t pixel) {
 
 }  // namespace
 
-std::vector<Plane> best_blend(const HalfPictures& noisy, const std::array<FilteredHalves, 2>& filtered) {
+FilteredHalves best_blend(const HalfPictures& noisy, const std::array<FilteredHalves, 2>& filtered) {
   const Candidates all = candidates_of(noisy, filtered);
-  std::array<std::vector<Plane>, candidates> means;
-  for (std::size_t i = 0; i < candidates; ++i)
-    means[i] = means_of_halves(all[i][0], all[i][1], noisy.second_weight);
-  const ErrorProducts products = all_error_products(noisy, all, means.back());
-  std::vector<Plane> blend = means.front();
-  parallel_for(blend[0].values.size(), pixels_a_task, 0, [&](std::size_t begin, std::size_t end) {
+  const std::vector<Plane> level = means_of_halves(all.back()[0], all.back()[1], noisy.second_weight);
+  const ErrorProducts products = all_error_products(noisy, all, level);
+  FilteredHalves blend = all.front();
+  parallel_for(noisy.second_weight.values.size(), pixels_a_task, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t pixel = begin; pixel < end; ++pixel) {
       const Shares shares = best_shares(products, pixel);
-      for (std::size_t c = 0; c < 3; ++c) {
-        float sum = 0;
-        for (std::size_t i = 0; i < candidates; ++i) sum += shares[i] * means[i][c].values[pixel];
-        blend[c].values[pixel] = std::max(0.0f, sum);
-      }
+      for (std::size_t half = 0; half < 2; ++half)
+        for (std::size_t c = 0; c < 3; ++c) {
+          float sum = 0;
+          for (std::size_t i = 0; i < candidates; ++i) sum += shares[i] * all[i][half][c].values[pixel];
+          blend[half][c].values[pixel] = sum;
+        }
     }
   });
   return blend;

@@ -8,18 +8,13 @@
 // no bias: as noise vanishes, it alone remains.
 #pragma once
 #include <array>
-#include <vector>
 
 #include "integrators/denoise/half_pictures.h"
-#include "integrators/denoise/regression.h"
 
 namespace twinray {
 
-/// What a filter makes of both halves.
-using FilteredHalves = std::array<Color, 2>;
-
-/// The mixture with the least estimated relative squared error around each pixel, of the noisy halves and two
-/// filters of them.
-std::vector<Plane> best_blend(const HalfPictures& noisy, const std::array<FilteredHalves, 2>& filtered);
+/// Of each half the mixture with the least estimated relative squared error around each pixel, of the noisy
+/// halves and two filters of them.
+FilteredHalves best_blend(const HalfPictures& noisy, const std::array<FilteredHalves, 2>& filtered);
 
 }  // namespace twinray

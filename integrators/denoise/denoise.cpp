@@ -38,7 +38,7 @@ Plane ones(int width, int height) {
 
 }  // namespace
 
-Image denoised(const HalfPictures& noisy) {
+FilteredHalves denoised_halves(const HalfPictures& noisy) {
   const auto& [a, b] = noisy.halves;
   if (a.features.size() != feature_count || b.features.size() != feature_count)
     throw Error(fmt::format("{} features: a picture is denoised by {}", a.features.size(), feature_count));
@@ -56,7 +56,14 @@ Image denoised(const HalfPictures& noisy) {
     const auto found = regressions(input, noisy.width, noisy.height);
     for (std::size_t k = 0; k < bandwidths.size(); ++k) filtered[k][half] = found[k];
   }
-  return image_of(best_blend(noisy, filtered));
+  return best_blend(noisy, filtered);
+}
+
+Image picture_of(const FilteredHalves& halves, const Plane& second_weight) {
+  std::vector<Plane> mean = means_of_halves(halves[0], halves[1], second_weight);
+  for (Plane& channel : mean)
+    for (float& value : channel.values) value = std::max(0.0f, value);
+  return image_of(mean);
 }
 
 }  // namespace twinray

@@ -6,9 +6,12 @@
 
 namespace twinray {
 
-/// The picture without most of its noise, of halves with the features albedo and normal, three planes each.
-/// The same bits on every machine and with any number of threads. Never negative. Throws Error for other
-/// features.
-Image denoised(const HalfPictures& noisy);
+/// Halves without most of their noise, each by the other's help, of halves with the features albedo and
+/// normal, three planes each. The same bits on every machine and with any number of threads. Throws Error for
+/// other features.
+FilteredHalves denoised_halves(const HalfPictures& noisy);
+
+/// The picture of both: their mean. Never negative.
+Image picture_of(const FilteredHalves& halves, const Plane& second_weight);
 
 }  // namespace twinray

@@ -33,10 +33,27 @@ void read_features(const Film& film, int x, int y, std::size_t at, HalfPicture& 
   }
 }
 
+void take_color(const Rgb& value, std::size_t at, HalfPicture& half) {
+  for (std::size_t c = 0; c < 3; ++c) half.color[c].values[at] = value.*channels[c];
+}
+
 void read_pixel(const Film& film, int x, int y, std::size_t at, HalfPicture& half) {
-  const Rgb mean = film.pixel(x, y).mean();
-  for (std::size_t c = 0; c < 3; ++c) half.color[c].values[at] = mean.*channels[c];
+  take_color(film.pixel(x, y).mean(), at, half);
   read_features(film, x, y, at, half);
+}
+
+/// Calls `read(half, film, x, y, at)` for both halves of each pixel, with the film that has samples there.
+template <typename Read>
+void for_each_half(const HalfFilms& films, const Read& read) {
+  const PixelRect& window = films.first.window();
+  std::size_t at = 0;
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x, ++at) {
+      const bool has_first = films.first.pixel(x, y).count > 0,
+                 has_second = films.second.pixel(x, y).count > 0;
+      read(0, has_first ? films.first : films.second, x, y, at);
+      read(1, has_second ? films.second : films.first, x, y, at);
+    }
 }
 
 }  // namespace
@@ -45,15 +62,24 @@ HalfPictures half_pictures(const HalfFilms& films) {
   const PixelRect& window = films.first.window();
   const int width = window.width(), height = window.height();
   HalfPictures made{width, height, {empty_half(films.first), empty_half(films.second)}, Plane(width, height)};
+  for_each_half(films, [&](std::size_t half, const Film& film, int x, int y, std::size_t at) {
+    read_pixel(film, x, y, at, made.halves[half]);
+  });
   std::size_t at = 0;
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x, ++at) {
       const std::uint32_t a = films.first.pixel(x, y).count, b = films.second.pixel(x, y).count;
-      read_pixel(a > 0 ? films.first : films.second, x, y, at, made.halves[0]);
-      read_pixel(b > 0 ? films.second : films.first, x, y, at, made.halves[1]);
       made.second_weight.values[at] = a + b == 0 ? 0 : float(double(b) / (a + b));
     }
   return made;
+}
+
+void take_light_group(const HalfFilms& films, std::size_t group, HalfPictures& pictures) {
+  std::vector<Rgb> parts(films.first.contents().parts[std::size_t(Division::groups)]);
+  for_each_half(films, [&](std::size_t half, const Film& film, int x, int y, std::size_t at) {
+    film.read_parts(Division::groups, x, y, parts);
+    take_color(parts[group], at, pictures.halves[half]);
+  });
 }
 
 Plane mean_of_halves(const Plane& a, const Plane& b, const Plane& second_weight) {
@@ -92,13 +118,6 @@ double estimated_relative_error(const HalfPictures& pictures) {
       sum += double(variance.values[i]) / (double(level.values[i]) * level.values[i] + least_relative_square);
   }
   return std::sqrt(sum / (3.0 * double(pictures.second_weight.values.size())));
-}
-
-Image image_of(std::span<const Plane> color) {
-  Image image(color[0].width, color[0].height);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    image.pixels[i] = {color[0].values[i], color[1].values[i], color[2].values[i]};
-  return image;
 }
 
 }  // namespace twinray

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/film.h"
-#include "core/image.h"
 #include "core/plane.h"
+#include "integrators/denoise/color_planes.h"
 #include "integrators/half_films.h"
 
 namespace twinray {
@@ -17,7 +17,7 @@ namespace twinray {
 /// Means over one half of the samples: colours in three planes, and features, which say where the picture's
 /// edges are.
 struct HalfPicture {
-  std::array<Plane, 3> color;
+  Color color;
   std::vector<Plane> features;
 };
 
@@ -28,9 +28,14 @@ struct HalfPictures {
   Plane second_weight;  ///< The second half's share of a pixel's samples, in [0, 1].
 };
 
+/// What a filter makes of the colours of both halves.
+using FilteredHalves = std::array<Color, 2>;
+
 /// The colours of both films and the layers that they have. A half without samples of a pixel has there what
 /// the other has.
 HalfPictures half_pictures(const HalfFilms& films);
+/// Gives the pictures of films the colours of one of the light groups that these have.
+void take_light_group(const HalfFilms& films, std::size_t group, HalfPictures& pictures);
 
 /// (1 - weight) a + weight b.
 Plane mean_of_halves(const Plane& a, const Plane& b, const Plane& second_weight);
@@ -44,8 +49,5 @@ Plane half_variance(const Plane& a, const Plane& b, const Plane& second_weight);
 
 /// The root of the relative mean squared error (check/picture_error.h) that the picture has by its halves.
 double estimated_relative_error(const HalfPictures& pictures);
-
-/// As a picture.
-Image image_of(std::span<const Plane> color);
 
 }  // namespace twinray

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "core/plane.h"
+#include "integrators/denoise/color_planes.h"
 #include "integrators/denoise/patch_distance.h"
 #include "integrators/denoise/tile.h"
 
@@ -30,8 +30,6 @@ struct RegressionInput {
   PaddedPlane inside;  ///< 1 within the picture, else 0.
   Guide guide;         ///< Independent of the colours' noise.
 };
-
-using Color = std::array<Plane, 3>;
 
 /// The colours by each of the bandwidths.
 std::array<Color, bandwidths.size()> regressions(const RegressionInput& input, int width, int height);

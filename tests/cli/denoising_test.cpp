@@ -5,6 +5,9 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include <nlohmann/json.hpp>
+
+#include "cli/relight.h"
 #include "cli/render_command_line.h"
 #include "cli/resources.h"
 #include "cli/statistics_report.h"
@@ -134,6 +137,31 @@ TEST_CASE("our own filter brings a picture nearer to the converged one, in the s
   CHECK(contains(read_text(folder.file("1.exr.json")), "own filter\",\n    \"seconds\""));
 }
 
+TEST_CASE(
+    "light groups are denoised, and are together the picture, as the noisy ones are the noisy picture") {
+  const TemporaryFolder folder;
+  const std::string lights = fmt::format("render {}/scenes/lights.dae -r 24 18 -s 8 -q ", TWINRAY_SOURCE_DIR);
+  const std::string picture = folder.file("a.exr"), again = folder.file("b.exr");
+  REQUIRE(run_program(lights + "--layers=light-groups --denoise=own --denoise-light-groups -o " + picture)
+              .exit_code == 0);
+  const StoredLayers layers = read_layers(picture);
+  const std::vector<std::string> groups = light_groups_of(layers);
+  REQUIRE(groups.size() > 1);
+  const std::vector<float> whole = read_channel(picture, "G"), noisy = read_channel(picture, "noisy.G");
+  std::vector<float> sum(whole.size()), noisy_sum(whole.size());
+  for (const std::string& group : groups) {
+    const std::vector<float> part = read_channel(picture, "light_" + group + ".G"),
+                             noisy_part = read_channel(picture, "noisy_light_" + group + ".G");
+    CHECK(part != noisy_part);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[i], noisy_sum[i] += noisy_part[i];
+  }
+  CHECK(sum == whole);
+  CHECK(noisy_sum == noisy);
+  REQUIRE(run_program(fmt::format("relight {} -o {}", picture, again)).exit_code == 0);
+  CHECK(read_image(again).pixels == read_image(picture).pixels);
+  CHECK(read_channel(again, "noisy_light_" + groups[0] + ".G").empty());
+}
+
 TEST_CASE("a crop and adaptive sampling are denoised, too") {
   const TemporaryFolder folder;
   const std::string render =
@@ -153,6 +181,27 @@ TEST_CASE("a render that ends by its noise says after how many samples, and whic
   CHECK(contains(read_text(folder.file("a.json")), "\"samples_per_pixel\": 16"));
   CHECK(contains(read_text(folder.file("a.json")), "\"estimated_error\": 0."));
   CHECK(contains(read_text(folder.file("a.exr")), "twinray:samples"));
+}
+
+TEST_CASE("with a denoiser a noise target is that of the denoised picture, which needs fewer samples") {
+  const TemporaryFolder folder;
+  const auto samples = [&](const std::string& options) {
+    REQUIRE(run_program(fmt::format("render {} -r 48 36 --noise-target=0.04 -q {} -o {} --stats {}", scene,
+                                    options, folder.file("a.exr"), folder.file("a.json")))
+                .exit_code == 0);
+    return nlohmann::json::parse(read_text(folder.file("a.json")))["samples_per_pixel"].get<int>();
+  };
+  CHECK(samples("--denoise=own") < samples(""));
+}
+
+TEST_CASE("light groups are denoised where they are kept, and something denoises") {
+  const Words both{"--layers=light-groups", "-o", "a.exr", "--denoise-light-groups", "--denoise=own"};
+  CHECK(parse(both).render.half_light_groups);
+  CHECK(parse(both).without_effect.empty());
+  CHECK(parse({"--denoise-light-groups", "--denoise=own"}).without_effect.front() ==
+        "--denoise-light-groups: no effect, for --layers does not name light-groups");
+  CHECK(parse({"--denoise-light-groups", "--layers=light-groups"}).without_effect.front() ==
+        "--denoise-light-groups: no effect, for nothing is denoised; --denoise does it");
 }
 
 TEST_CASE("a replay is no picture that could be denoised") {

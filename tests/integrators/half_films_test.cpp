@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 
-#include "integrators/denoise/half_pictures.h"
+#include "integrators/denoise/denoise.h"
+#include "integrators/denoise/filtered_error.h"
 #include "integrators/path.h"
 #include "tests/support/catch.h"
 #include "tests/support/estimate.h"
+#include "tests/support/film.h"
 #include "tests/support/random.h"
 #include "tests/support/scenes.h"
 
@@ -26,15 +28,25 @@ RenderOptions halved(std::uint32_t samples) {
 const PathOptions path_options{.max_depth = 3};
 
 /// The relative mean squared error that a picture of a room has against one of other samples.
-double relative_error(const Film& film, const Film& converged) {
+double relative_error(const Image& picture, const Image& converged) {
   double sum = 0;
-  for (int y = 0; y < film.frame_height(); ++y)
-    for (int x = 0; x < film.frame_width(); ++x) {
-      const Rgb is = film.pixel(x, y).mean(), should = converged.pixel(x, y).mean();
-      for (float Rgb::*const c : {&Rgb::r, &Rgb::g, &Rgb::b})
-        sum += std::pow(double(is.*c) - should.*c, 2) / (double(should.*c) * should.*c + 0.01);
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    for (float Rgb::*const c : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+      const double is = picture.pixels[i].*c, should = converged.pixels[i].*c;
+      sum += std::pow(is - should, 2) / (should * should + 0.01);
     }
-  return std::sqrt(sum / (3.0 * film.frame_width() * film.frame_height()));
+  return std::sqrt(sum / (3.0 * double(picture.pixels.size())));
+}
+
+Image denoised(const HalfPictures& noisy) { return picture_of(denoised_halves(noisy), noisy.second_weight); }
+
+/// A room with a second lamp, each in a group of its own.
+Scene room_of_two_groups() {
+  Scene scene = small_room();
+  add_light(scene, PointLight{{0, 0.5f, 0}, {0.3f, 0.2f, 0.1f}, {}});
+  scene.light_groups = {"lamp", "point"};
+  scene.lights.back().group = 1;
+  return scene;
 }
 
 }  // namespace
@@ -129,16 +141,76 @@ TEST_CASE("the error that halves tell of a room is the one that it has") {
   const PathIntegrator path(scene, path_options);
   RenderOptions converged = halved(4096);
   converged.seed = 77;
-  const Film reference = render_with(scene, path, converged).film;
+  const Image reference = mean_image(render_with(scene, path, converged).film);
   for (const std::uint32_t samples : {16u, 64u}) {
     const RenderResult result = render_with(scene, path, halved(samples));
-    const double is = relative_error(result.film, reference);
+    const double is = relative_error(mean_image(result.film), reference);
     const double estimated = estimated_relative_error(half_pictures(*result.halves));
     CAPTURE(samples, is, estimated);
     // Stratified halves differ by more than the noise of both together: docs/denoising.md.
     CHECK(estimated > 0.9 * is);
     CHECK(estimated < 1.7 * is);
   }
+}
+
+TEST_CASE("the error that halves tell of a denoised room is about the one that it has") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, path_options);
+  RenderOptions converged = halved(4096);
+  converged.seed = 77;
+  const Image reference = mean_image(render_with(scene, path, converged).film);
+  for (const std::uint32_t samples : {16u, 64u, 256u}) {
+    const HalfPictures noisy = half_pictures(*render_with(scene, path, halved(samples)).halves);
+    const double is = relative_error(denoised(noisy), reference);
+    const double estimated = estimated_relative_error(noisy, denoised_halves(noisy));
+    CAPTURE(samples, is, estimated);
+    CHECK(estimated > 0.5 * is);
+    CHECK(estimated < 2 * is);
+    CHECK(estimated < 0.8 * estimated_relative_error(noisy));
+  }
+}
+
+TEST_CASE("halves by light groups have each group's light, with the features of all") {
+  const Scene scene = room_of_two_groups();
+  const PathIntegrator path(scene, path_options);
+  RenderOptions grouped = halved(8);
+  grouped.light_groups = grouped.half_light_groups = true;
+  const RenderResult result = render_with(scene, path, grouped);
+  HalfPictures pictures = half_pictures(*result.halves);
+  const std::vector<Plane> features = pictures.halves[1].features;
+  for (std::size_t group = 0; group < 2; ++group) {
+    take_light_group(*result.halves, group, pictures);
+    const Image mean =
+        image_of(means_of_halves(pictures.halves[0].color, pictures.halves[1].color, pictures.second_weight));
+    double most = 0;
+    for (int y = 0; y < mean.height; ++y)
+      for (int x = 0; x < mean.width; ++x)
+        most = std::max(most, std::fabs(double(mean.at(x, y).g) -
+                                        parts_at(result.film, Division::groups, x, y)[group].g));
+    constexpr double rounding = 1e-6;
+    CHECK(most < rounding);
+  }
+  for (std::size_t i = 0; i < features.size(); ++i)
+    CHECK(pictures.halves[1].features[i].values == features[i].values);
+  grouped.light_groups = false;
+  CHECK_THROWS_WITH(render_with(scene, path, grouped),
+                    "halves by light groups need halves, and a film by light groups");
+}
+
+TEST_CASE("an error that takes long to estimate is asked for after a quarter more samples each time") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, path_options);
+  RenderOptions targeted = halved(4096);
+  targeted.noise_target = 1;
+  std::vector<std::uint32_t> asked;
+  targeted.estimated_error = [&](const HalfFilms& halves) {
+    asked.push_back(halves.first.pixel(3, 4).count + halves.second.pixel(3, 4).count);
+    return asked.size() < 6 ? 1.5 : 1.0;
+  };
+  const RenderResult result = render_with(scene, path, targeted);
+  CHECK(asked == std::vector<std::uint32_t>{16, 32, 48, 64, 80, 112});
+  CHECK(result.samples == 112);
+  CHECK(result.error == 1.0);
 }
 
 TEST_CASE("a render with a noise target ends after the first pass that reaches it") {
