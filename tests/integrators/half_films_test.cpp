@@ -153,6 +153,24 @@ TEST_CASE("the error that halves tell of a room is the one that it has") {
   }
 }
 
+TEST_CASE("halves with independent noise tell how far a filter without noise is from their mean") {
+  constexpr int side = 96;
+  const Plane empty(side, side);
+  HalfPictures noisy{side, side, {}, empty};
+  FilteredHalves filtered;
+  Random random(9);
+  constexpr float mean = 1, bias = 0.1f;
+  for (std::size_t half = 0; half < 2; ++half)
+    for (std::size_t c = 0; c < 3; ++c) {
+      Plane &noise = noisy.halves[half].color[c] = empty, &constant = filtered[half][c] = empty;
+      for (float& value : noise.values) value = mean + random.uniform(-0.2f, 0.2f);
+      std::fill(constant.values.begin(), constant.values.end(), mean + bias);
+    }
+  std::fill(noisy.second_weight.values.begin(), noisy.second_weight.values.end(), 0.5f);
+  const double expected = bias / std::sqrt(double(mean + bias) * (mean + bias) + 0.01);
+  CHECK(estimated_relative_error(noisy, filtered) == Approx(expected).epsilon(0.03));
+}
+
 TEST_CASE("the error that halves tell of a denoised room is about the one that it has") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, path_options);
