@@ -61,7 +61,7 @@ PictureNotes picture_notes(const RenderArguments& arguments, const std::vector<s
   return {picture_metadata(arguments, words),
           {window.x0, window.y0, options.width, options.height,
            camera_matrices(fit_frame(scene.camera, options.width, options.height))},
-          film_contents(options, scene).are_any() ? scene_names(scene) : SceneNames{}};
+          scene_names(scene, film_contents(options, scene))};
 }
 
 }  // namespace twinray

@@ -12,7 +12,8 @@ std::string or_number(const std::string& name, const char* kind, std::size_t ind
 
 }  // namespace
 
-SceneNames scene_names(const Scene& scene) {
+SceneNames scene_names(const Scene& scene, const FilmContents& contents) {
+  if (!contents.are_any()) return {};
   SceneNames names{{}, {}, {}, scene.light_groups};
   for (const Shape& shape : scene.geometry->shapes()) {
     const std::string& name = std::visit([](const auto& s) -> const std::string& { return s.name; }, shape);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/layer.h"
 #include "core/scene.h"
 
 namespace twinray {
@@ -13,8 +14,8 @@ struct SceneNames {
   std::vector<std::string> light_groups;
 };
 
-/// Things without a name are called by their numbers, from 1 on: "object 3". Behind the assets stand all
-/// objects, as asset_of() counts.
-SceneNames scene_names(const Scene& scene);
+/// For films that keep more than colours; else none. Things without a name are called by their numbers, from
+/// 1 on: "object 3". Behind the assets stand all objects, as asset_of() counts.
+SceneNames scene_names(const Scene& scene, const FilmContents& contents);
 
 }  // namespace twinray

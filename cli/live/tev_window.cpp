@@ -3,17 +3,18 @@
 
 #include <fmt/format.h>
 
-#include "core/image.h"
+#include "cli/layered_picture.h"
 
 namespace twinray {
 namespace {
 
-ViewerPicture viewer_picture(const std::string& name, const Film& film) {
-  const Image image = mean_image(film);
-  ViewerPicture picture{name, image.width, image.height, {"R", "G", "B"}, {}};
-  picture.values.reserve(3 * image.pixels.size());
-  for (const Rgb& pixel : image.pixels)
-    picture.values.insert(picture.values.end(), {pixel.r, pixel.g, pixel.b});
+ViewerPicture viewer_picture(const std::string& name, const LayeredImage& image) {
+  ViewerPicture picture{name, image.width, image.height, {}, {}};
+  for (const PictureChannel& channel : image.channels) picture.channels.push_back(channel.name);
+  const std::size_t row = std::size_t(image.width) * image.channels.size();
+  picture.values.resize(row * std::size_t(image.height));
+  for (int y = 0; y < image.height; ++y)
+    image.fill_row(y, std::span(picture.values).subspan(std::size_t(y) * row, row));
   return picture;
 }
 
@@ -22,7 +23,11 @@ ViewerPicture viewer_picture(const std::string& name, const Film& film) {
 TevWindow::TevWindow(const NetworkAddress& address, const std::string& picture_name)
     : address_(address), name_(picture_name), viewer_(address) {}
 
-void TevWindow::show(const Film& film) { viewer_.show(viewer_picture(name_, film)); }
+void TevWindow::begin(const RenderOptions& options, const Scene& scene) {
+  names_ = scene_names(scene, film_contents(options, scene));
+}
+
+void TevWindow::show(const Film& film) { viewer_.show(viewer_picture(name_, layered_picture(film, names_))); }
 
 std::string TevWindow::finish() {
   viewer_.finish();

@@ -38,6 +38,26 @@ TEST_CASE("a viewer ends with the picture that is saved, and the file has the by
   CHECK(read_image(folder.file("b.exr")).pixels == saved.pixels);
 }
 
+TEST_CASE("a viewer gets the layers that the file has, by the same names") {
+  const TemporaryFolder folder;
+  ViewerServer server(ViewerServer::Manner::reads_all);
+  const std::string picture = folder.file("a.exr");
+  REQUIRE(
+      render(picture, fmt::format("--layers=depth,light,light-groups --tev=:{}", server.port())).exit_code ==
+      0);
+  const std::vector<ViewerPacket> packets = server.wait_for_end();
+  REQUIRE_FALSE(packets.empty());
+  const ViewerPacket& last = packets.back();
+  CHECK(last.channels.size() == StoredLayers(read_layers(picture)).channels.size());
+  for (std::size_t channel = 0; channel < last.channels.size(); ++channel) {
+    CAPTURE(last.channels[channel]);
+    std::vector<float> values;
+    for (std::size_t i = channel; i < last.values.size(); i += last.channels.size())
+      values.push_back(last.values[i]);
+    CHECK(values == read_channel(picture, last.channels[channel]));
+  }
+}
+
 TEST_CASE("a viewer that is not there is a warning, and the picture is saved") {
   const TemporaryFolder folder;
   const int port = free_port();

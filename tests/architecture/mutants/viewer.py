@@ -41,4 +41,7 @@ MUTANTS = [
            "    if (options_.pass_done && !is_stopped()) options_.pass_done(film_);\n",
            "test_integrators",
            "whoever watches passes sees all samples of each, more each time, and changes nothing"),
+    Mutant("a viewer takes all channels for one", "cli/live/tev_window.cpp",
+           "picture.channels.push_back(channel.name);", 'picture.channels.push_back("R");', "test_cli",
+           "a viewer gets the layers that the file has, by the same names"),
 ]
