@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/elementary.h"
@@ -112,6 +113,21 @@ void scale_frame(const Transform& to_world, Camera& camera) {
   camera.tan_half_height *= length_of(1);
 }
 
+/// Blender's exporter says how far the lens is shifted, to the right and up, in parts of the frame's longer
+/// side.
+void read_shift(const XmlElement& element, Camera& camera) {
+  constexpr double most = 10;
+  const float longer_side = 2 * std::max(camera.tan_half_width, camera.tan_half_height);
+  for (const XmlElement& extra : element.children("extra"))
+    for (const XmlElement& technique : extra.children("technique")) {
+      if (technique.attribute("profile") != "blender") continue;
+      if (const auto x = technique.child("shiftx"))
+        camera.frame_center.x = longer_side * float(number_in(*x, -most, most));
+      if (const auto y = technique.child("shifty"))
+        camera.frame_center.y = longer_side * float(number_in(*y, -most, most));
+    }
+}
+
 }  // namespace
 
 Camera read_camera(const XmlElement& element, const XmlElement& instance, const Transform& to_world,
@@ -123,6 +139,7 @@ Camera read_camera(const XmlElement& element, const XmlElement& instance, const 
   if (parallel) camera.projection = Projection::orthographic;
   read_field(lens, parallel ? orthographic : perspective, camera, document);
   if (parallel) scale_frame(to_world, camera);
+  read_shift(element, camera);
   if (document.options().clip_as_file) read_clip(lens, unit, camera);
   orient(instance, to_world, camera, document);
   camera.position = to_world.point({0, 0, 0});

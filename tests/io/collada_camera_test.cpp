@@ -11,11 +11,13 @@ namespace {
 
 constexpr float tolerance = 1e-6f;
 
-std::string camera_text(const std::string& lens, const std::string& transform = "") {
+/// `lens` stands within <perspective>, `extra` within <camera>.
+std::string camera_text(const std::string& lens, const std::string& transform = "",
+                        const std::string& extra = "") {
   return collada_text(
       collada_triangle() +
           "<library_cameras><camera id=\"eye\" name=\"Eye\"><optics><technique_common><perspective>" + lens +
-          "</perspective></technique_common></optics></camera></library_cameras>",
+          "</perspective></technique_common></optics>" + extra + "</camera></library_cameras>",
       "<node><instance_geometry url=\"#shape\"/></node><node>" + transform +
           "<instance_camera url=\"#eye\"/></node>");
 }
@@ -59,6 +61,22 @@ TEST_CASE("with one field alone the image's shape decides the other") {
   check_frame(wide, 1, 0.25);
   const Camera tall = fit_frame(lens("<yfov>90</yfov>"), 400, 100);
   check_frame(tall, 4, 1);
+}
+
+TEST_CASE("a lens is shifted as Blender's exporter says it: by parts of the longer side") {
+  const auto center_of = [](const std::string& lens, const std::string& profile, const std::string& shift) {
+    const std::string extra =
+        "<extra><technique profile=\"" + profile + "\">" + shift + "</technique></extra>";
+    return load_collada(camera_text(lens, "", extra)).scene.camera.frame_center;
+  };
+  const std::string wide = "<xfov>90</xfov><aspect_ratio>2</aspect_ratio>",
+                    tall = "<xfov>90</xfov><aspect_ratio>0.5</aspect_ratio>",
+                    shift = "<shiftx>0.25</shiftx><shifty>-0.5</shifty>";
+  CHECK(center_of(wide, "blender", shift) == Vec2{0.5f, -1});
+  CHECK(center_of(tall, "blender", shift) == Vec2{1, -2});
+  CHECK(center_of(wide, "blender", "<shifty>0.5</shifty>") == Vec2{0, 1});
+  CHECK(center_of(wide, "other", shift) == Vec2{0, 0});
+  CHECK_THROWS_WITH(center_of(wide, "blender", "<shiftx>11</shiftx>"), Catch::Contains("<shiftx>"));
 }
 
 TEST_CASE("a camera stands and turns with its node") {

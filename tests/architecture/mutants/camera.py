@@ -71,4 +71,7 @@ MUTANTS = [
     Mutant("white balance goes the other way", "io/white_balance.cpp",
            "entry *= to[i] / from[i];", "entry *= from[i] / to[i];", "test_io",
            "white balance makes the light of a black body white, with its luminance"),
+    Mutant("a lens is shifted by parts of the width", "io/collada_camera.cpp",
+           "2 * std::max(camera.tan_half_width, camera.tan_half_height)", "2 * camera.tan_half_width",
+           "test_io", "a lens is shifted as Blender's exporter says it: by parts of the longer side"),
 ]
