@@ -40,6 +40,13 @@ double relative_error(const Image& picture, const Image& converged) {
 
 Image denoised(const HalfPictures& noisy) { return picture_of(denoised_halves(noisy), noisy.second_weight); }
 
+/// By other samples than those of halved().
+Image converged_picture(const Scene& scene, const Integrator& integrator) {
+  RenderOptions options = halved(4096);
+  options.seed = 77;
+  return mean_image(render_with(scene, integrator, options).film);
+}
+
 /// A room with a second lamp, each in a group of its own.
 Scene room_of_two_groups() {
   Scene scene = small_room();
@@ -139,9 +146,7 @@ TEST_CASE("the halves of independent noise tell its size, in whatever shares the
 TEST_CASE("the error that halves tell of a room is the one that it has") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, path_options);
-  RenderOptions converged = halved(4096);
-  converged.seed = 77;
-  const Image reference = mean_image(render_with(scene, path, converged).film);
+  const Image reference = converged_picture(scene, path);
   for (const std::uint32_t samples : {16u, 64u}) {
     const RenderResult result = render_with(scene, path, halved(samples));
     const double is = relative_error(mean_image(result.film), reference);
@@ -174,9 +179,7 @@ TEST_CASE("halves with independent noise tell how far a filter without noise is 
 TEST_CASE("the error that halves tell of a denoised room is about the one that it has") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, path_options);
-  RenderOptions converged = halved(4096);
-  converged.seed = 77;
-  const Image reference = mean_image(render_with(scene, path, converged).film);
+  const Image reference = converged_picture(scene, path);
   for (const std::uint32_t samples : {16u, 64u, 256u}) {
     const HalfPictures noisy = half_pictures(*render_with(scene, path, halved(samples)).halves);
     const double is = relative_error(denoised(noisy), reference);
