@@ -28,23 +28,21 @@ Image mean_of(std::span<const Plane> a, std::span<const Plane> b, const HalfPict
   return image_of(means_of_halves(a, b, pictures.second_weight));
 }
 
-NoisyFeatures noisy_features(const HalfPictures& pictures) {
+SurfaceFeatures features_of(const HalfPictures& pictures) {
   const auto& [a, b] = pictures.halves;
   const auto feature = [&](std::size_t first) {
     return mean_of(std::span(a.features).subspan(first, 3), std::span(b.features).subspan(first, 3),
                    pictures);
   };
-  return {mean_of(a.color, b.color, pictures), feature(0), feature(3)};
+  return {feature(0), feature(3)};
 }
 
-/// Each half by itself: with the features of both, which have less noise.
+/// Each half by itself, with the features of both, which have less noise.
 FilteredHalves denoised_halves(const OpenImageDenoise& library, const HalfPictures& pictures) {
-  NoisyFeatures noisy = noisy_features(pictures);
+  const SurfaceFeatures clean = library.denoised(features_of(pictures));
   FilteredHalves filtered;
-  for (std::size_t half = 0; half < 2; ++half) {
-    noisy.color = image_of(pictures.halves[half].color);
-    filtered[half] = color_of(library.denoised(noisy));
-  }
+  for (std::size_t half = 0; half < 2; ++half)
+    filtered[half] = color_of(library.denoised(image_of(pictures.halves[half].color), clean));
   return filtered;
 }
 
@@ -73,23 +71,24 @@ std::string Denoising::name() const {
   return library_ ? "Open Image Denoise " + library_->version() : version_name() + ", own filter";
 }
 
-Image Denoising::denoised(const HalfPictures& pictures) const {
-  if (library_) return library_->denoised(noisy_features(pictures));
-  Image image;
-  with_threads(threads_, [&] { image = picture_of(denoised_halves(pictures), pictures.second_weight); });
-  return image;
-}
-
 DenoisedPicture Denoising::denoise(const HalfFilms& halves) const {
   const auto start = std::chrono::steady_clock::now();
-  DenoisedPicture made;
   HalfPictures pictures = half_pictures(halves);
-  const std::size_t groups = halves.first.contents().parts[std::size_t(Division::groups)];
-  for (std::size_t group = 0; group < groups; ++group) {
-    take_light_group(halves, group, pictures);
-    made.light_groups.push_back(denoised(pictures));
-  }
-  made.image = groups > 0 ? exact_sum(made.light_groups) : denoised(pictures);
+  const SurfaceFeatures clean = library_ ? library_->denoised(features_of(pictures)) : SurfaceFeatures{};
+  const auto denoised = [&] {
+    const auto& [a, b] = pictures.halves;
+    return library_ ? library_->denoised(mean_of(a.color, b.color, pictures), clean)
+                    : picture_of(denoised_halves(pictures), pictures.second_weight);
+  };
+  DenoisedPicture made;
+  with_threads(threads_, [&] {
+    const std::size_t groups = halves.first.contents().parts[std::size_t(Division::groups)];
+    for (std::size_t group = 0; group < groups; ++group) {
+      take_light_group(halves, group, pictures);
+      made.light_groups.push_back(denoised());
+    }
+    made.image = groups > 0 ? exact_sum(made.light_groups) : denoised();
+  });
   made.denoiser = name();
   made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return made;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "cli/render_arguments.h"
-#include "integrators/denoise/half_pictures.h"
 #include "integrators/denoise/open_image_denoise.h"
 #include "integrators/half_films.h"
 
@@ -37,8 +36,6 @@ class Denoising {
   double estimated_error(const HalfFilms& halves) const;
 
  private:
-  Image denoised(const HalfPictures& pictures) const;
-
   std::unique_ptr<const OpenImageDenoise> library_;  ///< Null: our own filter.
   int threads_;
 };

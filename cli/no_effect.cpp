@@ -68,6 +68,7 @@ std::string needs_light_layers(const Asked& asked) {
 }
 
 std::string needs_denoised_groups(const Asked& asked) {
+  if (asked.arguments.replay) return "for --replay renders no picture";
   if (!asked.arguments.denoiser) return "for nothing is denoised; --denoise does it";
   return needs_light_layers(asked);
 }

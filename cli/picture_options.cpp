@@ -60,6 +60,7 @@ PixelFilter parse_filter(const std::string& word) {
   throw UsageError(fmt::format("--filter: there is no \"{}\"; valid are {}", name, filter_names(", ")));
 }
 
+/// What neither a file nor an option chooses is Blackman and Harris's; CS184's program has no such option.
 void add_filter(OptionGroup& group, PixelFilter& filter) {
   filter = usual_filter(FilterKind::blackman_harris);
   group.add_words({"--filter", "NAME[:RADIUS]",

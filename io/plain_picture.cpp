@@ -9,9 +9,12 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <span>
 
 namespace twinray {
 namespace {
+
+constexpr float Rgb::*all_channels[] = {&Rgb::r, &Rgb::g, &Rgb::b};
 
 struct PfmHeader {
   int channels = 3;
@@ -153,12 +156,12 @@ Image decode_pfm(const PictureBytes& picture) {
 Image decode_tga(const PictureBytes& picture) { return decode_tga(picture, false); }
 Image decode_tga_alpha(const PictureBytes& picture) { return decode_tga(picture, true); }
 
-std::string encode_pfm(const Image& image) {
-  std::string bytes = fmt::format("PF\n{} {}\n-1\n", image.width, image.height);
+std::string encode_pfm(const Image& image, int channels) {
+  std::string bytes = fmt::format("{}\n{} {}\n-1\n", channels == 1 ? "Pf" : "PF", image.width, image.height);
   for (int y = image.height - 1; y >= 0; --y)
     for (int x = 0; x < image.width; ++x)
-      for (const float channel : {image.at(x, y).r, image.at(x, y).g, image.at(x, y).b}) {
-        const auto bits = std::bit_cast<std::uint32_t>(channel);
+      for (float Rgb::*const channel : std::span(all_channels).first(std::size_t(channels))) {
+        const auto bits = std::bit_cast<std::uint32_t>(image.at(x, y).*channel);
         for (int shift = 0; shift < 32; shift += 8) bytes.push_back(char(bits >> shift & 0xff));
       }
   return bytes;

@@ -20,7 +20,7 @@ Image decode_tga(const PictureBytes& picture);
 /// The alpha channel of a TGA picture, as grey; 1 where there is none.
 Image decode_tga_alpha(const PictureBytes& picture);
 
-/// The bytes of a PFM file of three channels: little-endian floats, the lowest row first.
-std::string encode_pfm(const Image& image);
+/// The bytes of a PFM file of three channels, or of one, red: little-endian floats, the lowest row first.
+std::string encode_pfm(const Image& image, int channels = 3);
 
 }  // namespace twinray

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/live/live_layers.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 
 #include "cli/layered_picture.h"
+#include "io/plain_picture.h"
 
 namespace twinray {
 namespace {
@@ -78,15 +78,14 @@ LiveValues live_values(const Film& film, const LiveLayer& layer) {
   return values;
 }
 
-std::string pfm_of(const LiveValues& values, const LiveLayer& layer) {
-  const std::size_t channels = layer.channels.size(), pixel = channels * sizeof(float);
-  std::string file =
-      fmt::format("{}\n{} {}\n-1.0\n", channels == 1 ? "Pf" : "PF", values.width, values.height);
-  const std::string padding(channels == 2 ? sizeof(float) : 0, '\0');
-  for (std::size_t y = std::size_t(values.height); y-- > 0;)
-    for (std::size_t x = 0; x < std::size_t(values.width); ++x)
-      file.append(values.bytes, (y * std::size_t(values.width) + x) * pixel, pixel).append(padding);
-  return file;
+std::string pfm_of(const LiveValues& values, std::size_t channels) {
+  Image image(values.width, values.height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    std::array<float, 3> pixel{};
+    std::memcpy(pixel.data(), values.bytes.data() + i * channels * sizeof(float), channels * sizeof(float));
+    image.pixels[i] = {pixel[0], pixel[1], pixel[2]};
+  }
+  return encode_pfm(image, channels == 1 ? 1 : 3);
 }
 
 }  // namespace twinray

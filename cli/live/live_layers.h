@@ -29,7 +29,7 @@ struct LiveValues {
 };
 LiveValues live_values(const Film& film, const LiveLayer& layer);
 
-/// The same as a file in the format PFM, which has one or three channels: a layer of two gets a black third.
-std::string pfm_of(const LiveValues& values, const LiveLayer& layer);
+/// The same as a file of the format PFM, which has one or three channels: a layer of two gets a black third.
+std::string pfm_of(const LiveValues& values, std::size_t channels);
 
 }  // namespace twinray

@@ -72,7 +72,8 @@ Response pfm(const Request& request, WebPicture& picture) {
   const WebCopy copy = picture.look_at(layer);
   if (!copy.values) throw Refusal(404, "There is no picture yet: this layer comes with the next pass.");
   return {.type = "image/x-portable-floatmap",
-          .body = std::make_shared<const std::string>(pfm_of(*copy.values, picture.state().layers[layer])),
+          .body = std::make_shared<const std::string>(
+              pfm_of(*copy.values, picture.state().layers[layer].channels.size())),
           .fields = {{"Content-Disposition", "attachment; filename=\"picture.pfm\""}}};
 }
 

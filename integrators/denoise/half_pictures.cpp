@@ -42,18 +42,17 @@ void read_pixel(const Film& film, int x, int y, std::size_t at, HalfPicture& hal
   read_features(film, x, y, at, half);
 }
 
-/// Calls `read(half, film, x, y, at)` for both halves of each pixel, with the film that has samples there.
+/// Calls `read(a, b, x, y, at)` for each pixel with the film of each half, or that of the other one where it
+/// has no samples there.
 template <typename Read>
-void for_each_half(const HalfFilms& films, const Read& read) {
-  const PixelRect& window = films.first.window();
+void for_each_pixel(const HalfFilms& films, const Read& read) {
+  const auto& [first, second] = films;
+  const PixelRect& window = first.window();
   std::size_t at = 0;
   for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x, ++at) {
-      const bool has_first = films.first.pixel(x, y).count > 0,
-                 has_second = films.second.pixel(x, y).count > 0;
-      read(0, has_first ? films.first : films.second, x, y, at);
-      read(1, has_second ? films.second : films.first, x, y, at);
-    }
+    for (int x = window.x0; x < window.x1; ++x, ++at)
+      read(first.pixel(x, y).count > 0 ? first : second, second.pixel(x, y).count > 0 ? second : first, x, y,
+           at);
 }
 
 }  // namespace
@@ -62,23 +61,22 @@ HalfPictures half_pictures(const HalfFilms& films) {
   const PixelRect& window = films.first.window();
   const int width = window.width(), height = window.height();
   HalfPictures made{width, height, {empty_half(films.first), empty_half(films.second)}, Plane(width, height)};
-  for_each_half(films, [&](std::size_t half, const Film& film, int x, int y, std::size_t at) {
-    read_pixel(film, x, y, at, made.halves[half]);
+  for_each_pixel(films, [&](const Film& a, const Film& b, int x, int y, std::size_t at) {
+    read_pixel(a, x, y, at, made.halves[0]);
+    read_pixel(b, x, y, at, made.halves[1]);
+    const double first = films.first.pixel(x, y).count, second = films.second.pixel(x, y).count;
+    made.second_weight.values[at] = first + second == 0 ? 0 : float(second / (first + second));
   });
-  std::size_t at = 0;
-  for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x, ++at) {
-      const std::uint32_t a = films.first.pixel(x, y).count, b = films.second.pixel(x, y).count;
-      made.second_weight.values[at] = a + b == 0 ? 0 : float(double(b) / (a + b));
-    }
   return made;
 }
 
 void take_light_group(const HalfFilms& films, std::size_t group, HalfPictures& pictures) {
   std::vector<Rgb> parts(films.first.contents().parts[std::size_t(Division::groups)]);
-  for_each_half(films, [&](std::size_t half, const Film& film, int x, int y, std::size_t at) {
-    film.read_parts(Division::groups, x, y, parts);
-    take_color(parts[group], at, pictures.halves[half]);
+  for_each_pixel(films, [&](const Film& a, const Film& b, int x, int y, std::size_t at) {
+    a.read_parts(Division::groups, x, y, parts);
+    take_color(parts[group], at, pictures.halves[0]);
+    b.read_parts(Division::groups, x, y, parts);
+    take_color(parts[group], at, pictures.halves[1]);
   });
 }
 

@@ -179,14 +179,17 @@ std::unique_ptr<const OpenImageDenoise> OpenImageDenoise::find(int threads) {
 
 std::string OpenImageDenoise::version() const { return library_->version(); }
 
-Image OpenImageDenoise::denoised(const NoisyFeatures& noisy) const {
+SurfaceFeatures OpenImageDenoise::denoised(const SurfaceFeatures& noisy) const {
   const auto alone = [&](const char* name, const Image& image) {
     const std::array inputs{Library::Binding{name, &image}};
     return library_->filtered(inputs, {});
   };
-  const Image albedo = alone("albedo", noisy.albedo), normal = alone("normal", noisy.normal);
-  const std::array inputs{Library::Binding{"color", &noisy.color}, Library::Binding{"albedo", &albedo},
-                          Library::Binding{"normal", &normal}};
+  return {alone("albedo", noisy.albedo), alone("normal", noisy.normal)};
+}
+
+Image OpenImageDenoise::denoised(const Image& color, const SurfaceFeatures& clean) const {
+  const std::array inputs{Library::Binding{"color", &color}, Library::Binding{"albedo", &clean.albedo},
+                          Library::Binding{"normal", &clean.normal}};
   constexpr std::array flags{"hdr", "cleanAux"};
   Image denoised = library_->filtered(inputs, flags);
   for (Rgb& pixel : denoised.pixels)

@@ -9,9 +9,9 @@
 
 namespace twinray {
 
-/// What Open Image Denoise is given, all of one size: the noisy picture, and means of albedo and normal.
-struct NoisyFeatures {
-  Image color, albedo, normal;
+/// Means of albedo and normal, of one size.
+struct SurfaceFeatures {
+  Image albedo, normal;
 };
 
 /// The library, with its device: the processor. Its pictures are the same on one machine each time; on others
@@ -28,9 +28,12 @@ class OpenImageDenoise {
 
   /// "2.5.1"
   std::string version() const;
-  /// The picture without noise; albedo and normal are denoised first. Never negative. Throws Error with the
-  /// library's words where it fails.
-  Image denoised(const NoisyFeatures& noisy) const;
+  /// Albedo and normal without noise, as a picture needs them. Throws Error with the library's words where it
+  /// fails.
+  SurfaceFeatures denoised(const SurfaceFeatures& noisy) const;
+  /// The picture without noise, of the size of its features, which have none. Never negative. Throws Error
+  /// likewise.
+  Image denoised(const Image& color, const SurfaceFeatures& clean) const;
 
  private:
   class Library;

@@ -42,7 +42,7 @@ Request parse_request(std::string_view text);
 struct Response {
   int status = 200;
   std::string type = "text/plain; charset=utf-8";
-  std::shared_ptr<const std::string> body;                  ///< Null: none. Several responses may share one.
+  std::shared_ptr<const std::string> body;  ///< Null: none. Several responses may share one.
   std::vector<std::pair<std::string, std::string>> fields = {};  ///< Besides those that say what the body is.
 };
 

@@ -194,6 +194,56 @@ TEST_CASE("with a denoiser a noise target is that of the denoised picture, which
   CHECK(samples("--denoise=own") < samples(""));
 }
 
+TEST_CASE("Open Image Denoise is judged by what it makes of the halves") {
+  // What the library of the tests adds to both halves is bias: 20 albedo + 200 normal, clean features
+  // doubled.
+  const TemporaryFolder folder;
+  REQUIRE(run_program(
+              small + fmt::format(
+                          "-s 64 --layers=albedo,normal --noise-target=1e-6 --denoise=oidn -o {} --stats {}",
+                          folder.file("a.exr"), folder.file("a.json")),
+              fake)
+              .exit_code == 0);
+  const auto json = nlohmann::json::parse(read_text(folder.file("a.json")));
+  const std::string text = json.dump();
+  const std::size_t at = text.find("\"estimated_error\":");
+  REQUIRE(at != text.npos);
+  const double estimated = std::stod(text.substr(at + 18));
+  const Image denoised = read_image(folder.file("a.exr"));
+  double sum = 0;
+  for (const char channel : {'R', 'G', 'B'}) {
+    const std::vector<float> noisy = read_channel(folder.file("a.exr"), fmt::format("noisy.{}", channel)),
+                             after = read_channel(folder.file("a.exr"), std::string(1, channel));
+    for (std::size_t i = 0; i < noisy.size(); ++i)
+      sum += std::pow(double(after[i]) - noisy[i], 2) / (double(after[i]) * after[i] + 0.01);
+  }
+  const double is = std::sqrt(sum / (3.0 * double(denoised.pixels.size())));
+  CHECK(estimated == Approx(is).epsilon(0.05));
+}
+
+TEST_CASE("Open Image Denoise denoises each light group with the same clean features") {
+  const TemporaryFolder folder;
+  const std::string picture = folder.file("a.exr");
+  REQUIRE(run_program(
+              fmt::format("render {}/scenes/lights.dae -r 24 18 -s 8 -q --layers=light-groups,albedo,normal "
+                          "--denoise=oidn --denoise-light-groups -o {}",
+                          TWINRAY_SOURCE_DIR, picture),
+              fake)
+              .exit_code == 0);
+  const std::vector<float> albedo = read_channel(picture, "albedo.R"), normal = read_channel(picture, "N.X");
+  constexpr double rounding = 0.1;  // 220 times that of layers of 16 bits
+  for (const std::string& group : light_groups_of(read_layers(picture))) {
+    CAPTURE(group);
+    const std::vector<float> noisy = read_channel(picture, "noisy_light_" + group + ".R"),
+                             after = read_channel(picture, "light_" + group + ".R");
+    double most = 0;
+    for (std::size_t i = 0; i < noisy.size(); ++i)
+      most = std::max(most,
+                      std::fabs(after[i] - std::max(0.0, noisy[i] + 20.0 * albedo[i] + 200.0 * normal[i])));
+    CHECK(most < rounding);
+  }
+}
+
 TEST_CASE("light groups are denoised where they are kept, and something denoises") {
   const Words both{"--layers=light-groups", "-o", "a.exr", "--denoise-light-groups", "--denoise=own"};
   CHECK(parse(both).render.half_light_groups);
@@ -202,6 +252,8 @@ TEST_CASE("light groups are denoised where they are kept, and something denoises
         "--denoise-light-groups: no effect, for --layers does not name light-groups");
   CHECK(parse({"--denoise-light-groups", "--layers=light-groups"}).without_effect.front() ==
         "--denoise-light-groups: no effect, for nothing is denoised; --denoise does it");
+  CHECK(parse({"--replay", "1", "2", "3", "--denoise-light-groups"}).without_effect.front() ==
+        "--denoise-light-groups: no effect, for --replay renders no picture");
 }
 
 TEST_CASE("a replay is no picture that could be denoised") {

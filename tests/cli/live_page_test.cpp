@@ -194,7 +194,7 @@ TEST_CASE("a picture is saved as a PFM with all bits, also of a layer of one cha
   CHECK(read_image(folder.file("a.pfm")).pixels == mean_image(result.film).pixels);
   write_text(folder.file("b.pfm"), page.get("/picture.pfm?layer=uv").body);
   CHECK(read_image(folder.file("b.pfm")).at(2, 5).g == result.film.value(0, 2, 5).g);
-  CHECK(page.get("/picture.pfm?layer=depth").body.starts_with("Pf\n8 6\n-1.0\n"));
+  CHECK(page.get("/picture.pfm?layer=depth").body.starts_with("Pf\n8 6\n-1\n"));
 }
 
 TEST_CASE("copies are made for whoever asked since the last one, and for nobody else") {

@@ -34,7 +34,8 @@ Image constant(const Rgb& color) {
   return image;
 }
 
-const NoisyFeatures noisy{constant({1, 2, -300}), constant({0.1f, 0.2f, 0.3f}), constant({0, 0, 1})};
+const Image noisy = constant({1, 2, -300});
+const SurfaceFeatures features{constant({0.1f, 0.2f, 0.3f}), constant({0, 0, 1})};
 
 }  // namespace
 
@@ -43,7 +44,7 @@ TEST_CASE("Open Image Denoise gets the picture, and clean albedo and normal") {
   const auto denoiser = OpenImageDenoise::find();
   REQUIRE(denoiser);
   CHECK(denoiser->version() == "2.4.3");
-  const Image image = denoiser->denoised(noisy);
+  const Image image = denoiser->denoised(noisy, denoiser->denoised(features));
   REQUIRE(image.pixels.size() == 6);
   for (const Rgb& pixel : image.pixels) {
     CHECK(pixel.r == Approx(1 + 10 * 0.2));
@@ -83,7 +84,8 @@ TEST_CASE("the words of Open Image Denoise's errors are ours") {
   const Environment environment(fake, "broken");
   const auto denoiser = OpenImageDenoise::find();
   REQUIRE(denoiser);
-  CHECK_THROWS_WITH(denoiser->denoised(noisy), "Open Image Denoise: out of memory");
+  CHECK_THROWS_WITH(denoiser->denoised(features), "Open Image Denoise: out of memory");
+  CHECK_THROWS_WITH(denoiser->denoised(noisy, features), "Open Image Denoise: out of memory");
 }
 
 }  // namespace twinray::test

@@ -2,6 +2,7 @@
 """Defects in what serves a growing picture to browsers."""
 from mutant import Mutant
 
+PFM = "a picture is saved as a PFM with all bits, also of a layer of one channel or two"
 NAMES = "a server of this machine alone answers to names of this machine alone"
 REFUSED = "what a page cannot have is refused with what would be valid"
 STOPS = "a page stops a render that has begun, of which something is kept, once"
@@ -43,10 +44,14 @@ MUTANTS = [
     Mutant("each part of the light is the first one", "cli/live/live_layers.cpp",
            "return parts[layer.index];", "return parts[0];",
            "test_cli", "a page gets a layer's channels from the pass after it asked for them"),
-    Mutant("a saved picture stands on its head", "cli/live/live_layers.cpp",
-           "std::size_t y = std::size_t(values.height); y-- > 0;",
-           "std::size_t y = 0; y < std::size_t(values.height); ++y",
-           "test_cli", "a picture is saved as a PFM with all bits, also of a layer of one channel or two"),
+    Mutant("a PFM stands on its head", "io/plain_picture.cpp",
+           "for (int y = image.height - 1; y >= 0; --y)\n    for (int x = 0; x < image.width; ++x)\n"
+           "      for (",
+           "for (int y = 0; y < image.height; ++y)\n    for (int x = 0; x < image.width; ++x)\n"
+           "      for (",
+           "test_cli", PFM),
+    Mutant("a layer of one channel is saved as three", "cli/live/live_layers.cpp",
+           "channels == 1 ? 1 : 3", "3", "test_cli", PFM),
     Mutant("any method will do", "cli/live/web_routes.cpp",
            "if (request.method == route->method)", "if (!request.method.empty())",
            "test_cli", REFUSED),
