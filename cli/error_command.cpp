@@ -70,7 +70,8 @@ class ErrorRun {
     prepare_outputs(given_names({names_.csv, names_.html, arguments_.save_reference, saved_noise()}));
     check_memory(memory_needs(arguments_));
     warn_of_options();
-    if (!arguments_.reference.empty() || !arguments_.save_reference.empty()) load_image_codec_early();
+    if (!arguments_.reference.empty() || !arguments_.save_reference.empty())
+      codec_loader_ = load_image_codec_early();
     if (!arguments_.converges)
       measurement_.converged =
           error::read_reference(arguments_.reference, frame_size(arguments_.common.arguments.render));
@@ -187,6 +188,7 @@ class ErrorRun {
   const Words& words_;
   OutputNames names_, partial_;
   InterruptGuard guard_;
+  std::jthread codec_loader_;
   ProgressLine line_;
   std::vector<Subject> subjects_;
   Measurement measurement_;

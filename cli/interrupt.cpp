@@ -22,6 +22,11 @@ std::atomic<bool> is_stoppable = false;
 std::atomic<int> stop_signal = 0;
 static_assert(std::atomic<int>::is_always_lock_free);
 
+std::atomic<bool> is_picture_asked_for = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void ask_for_picture(int) { is_picture_asked_for = true; }
+
 constexpr int exit_code_of(int signal_number) { return 128 + signal_number; }
 
 void say(std::string_view text) {
@@ -83,5 +88,19 @@ void StopRequest::make() const {
 bool StopRequest::is_made() const { return stop_signal != 0; }
 
 int StopRequest::exit_code() const { return exit_code_of(stop_signal); }
+
+PictureRequest::PictureRequest() {
+  is_picture_asked_for = false;
+  struct sigaction action {};
+  action.sa_handler = ask_for_picture;
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGUSR1, &action, &before_);
+}
+
+PictureRequest::~PictureRequest() { sigaction(SIGUSR1, &before_, nullptr); }
+
+bool PictureRequest::is_made() const { return is_picture_asked_for; }
+
+bool PictureRequest::take() { return is_picture_asked_for.exchange(false); }
 
 }  // namespace twinray

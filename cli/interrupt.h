@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Ctrl-C does.
+// What Ctrl-C does, and other signals.
 #pragma once
 #include <signal.h>
 
@@ -9,9 +9,10 @@
 
 namespace twinray {
 
-/// While it lives, Ctrl-C (SIGINT), SIGTERM and the end of the terminal (SIGHUP) end the program at once,
-/// with a message and exit code 130, 143 or 129, after removing the unfinished file; whatever stood at the
-/// output's place stays. A signal that the program was started to ignore is ignored. One at a time.
+/// While it lives, Ctrl-C (SIGINT), SIGTERM, the end of the terminal (SIGHUP) and of the CPU time that is
+/// allowed (SIGXCPU) end the program at once, with a message and exit code 130, 143, 129 or 152, after
+/// removing the unfinished file; whatever stood at the output's place stays. A signal that the program was
+/// started to ignore is ignored. One at a time.
 class InterruptGuard {
  public:
   /// Throws Error for a name that cannot be written.
@@ -21,7 +22,7 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
  private:
-  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
   std::vector<std::string> paths_;  ///< Where unfinished files are.
   std::array<struct sigaction, signals.size()> before_{};
 };
@@ -39,8 +40,25 @@ class StopRequest {
   void make() const;
   /// Whether the work is to stop; from any thread.
   bool is_made() const;
-  /// The exit code of a program that was asked to stop: 130, 143 or 129.
+  /// The exit code of a program that was asked to stop: 130, 143, 129 or 152.
   int exit_code() const;
+};
+
+/// While it lives, SIGUSR1 asks for the picture as it is so far. One at a time.
+class PictureRequest {
+ public:
+  PictureRequest();
+  ~PictureRequest();
+  PictureRequest(const PictureRequest&) = delete;
+  PictureRequest& operator=(const PictureRequest&) = delete;
+
+  /// From any thread.
+  bool is_made() const;
+  /// Whether it is made; from then on it is not.
+  bool take();
+
+ private:
+  struct sigaction before_ {};
 };
 
 }  // namespace twinray

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "cli/render_options.h"
+#include "cli/render_outputs.h"
 #include "core/error.h"
 #include "io/image_file.h"
 
@@ -75,7 +76,7 @@ void resolve_layers(const RenderRequest& request, RenderArguments& arguments) {
     arguments.light_groups.push_back(parse_light_group(text));
   if (arguments.render.layers.empty()) return;
   if (!is_given("--output", arguments)) arguments.output = default_output;
-  if (!arguments.replay && output_format(arguments.output) != OutputFormat::exr)
+  if (!arguments.replay && !keeps_layers(arguments.output))
     throw UsageError(
         fmt::format("--layers: {} cannot hold layers; the name of a picture that can ends in "
                     ".exr",

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "cli/default_light.h"
+#include "cli/film/saved_film.h"
+#include "cli/render_outputs.h"
 #include "core/light_set.h"
 #include "io/output_format.h"
 
@@ -74,9 +76,7 @@ std::string needs_denoised_groups(const Asked& asked) {
 }
 
 std::string needs_exr(const Asked& asked) {
-  return output_format(asked.arguments.output) == OutputFormat::exr
-             ? ""
-             : "for the picture's name does not end in .exr";
+  return keeps_layers(asked.arguments.output) ? "" : "for the picture's name does not end in .exr";
 }
 
 std::string needs_direct_light(const Asked& asked) {
@@ -187,10 +187,14 @@ std::string needs_samples_for_target(const Asked& asked) {
                      least_samples_of_target, render.samples);
 }
 
+std::string needs_checkpoint(const Asked& asked) {
+  return asked.arguments.checkpoint.empty() ? "for there is no --checkpoint" : "";
+}
+
 std::string needs_display(const Asked& asked) {
   const RenderArguments& arguments = asked.arguments;
   if (arguments.replay) return "for --replay renders no picture";
-  if (is_linear(output_format(arguments.output)))
+  if (!is_film_name(arguments.output) && is_linear(output_format(arguments.output)))
     return fmt::format("for {} keeps the scene's light", arguments.output);
   return arguments.integrator == IntegratorKind::cost ? "for --integrator=cost shows no light" : "";
 }
@@ -262,6 +266,11 @@ constexpr Rule rules[]{
     {"--replay-json", needs_replay},
     {"--replay-obj", needs_replay},
     {"--adaptive", needs_batches},
+    {"--sample-range", needs_picture},
+    {"--tile-range", needs_picture},
+    {"--of", needs_picture},
+    {"--checkpoint", needs_picture},
+    {"--checkpoint-seconds", needs_checkpoint},
     {"--check-with", needs_check},
     {"--plant-difference", needs_check},
     {"--bvh-width", needs_bvh},

@@ -196,11 +196,25 @@ void add_folder(CLI::App& app, std::string& folder, const std::string& descripti
   app.add_option("FOLDER", folder, description)->required()->type_name("");
 }
 
+void add_files(CLI::App& app, const std::string& name, Words& files, const std::string& description) {
+  app.add_option(name, files, description)->required()->expected(1, -1)->take_all()->type_name("");
+}
+
+void leave_other_words(CLI::App& app) { app.allow_extras(); }
+
 Words given_options(const CLI::App& app) {
   Words given;
   for (const CLI::Option* option : app.get_options())
     if (option->count() > 0 && !option->get_lnames().empty())
       given.push_back("--" + option->get_lnames().front());
+  return given;
+}
+
+std::map<std::string, Words> given_words(const CLI::App& app) {
+  std::map<std::string, Words> given;
+  for (const CLI::Option* option : app.get_options())
+    if (option->count() > 0 && !option->get_lnames().empty())
+      given.emplace("--" + option->get_lnames().front(), option->reduced_results());
   return given;
 }
 

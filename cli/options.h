@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -159,8 +160,16 @@ void add_file(CLI::App& app, const std::string& name, std::string& file, const s
 /// Adds the folder that a command needs.
 void add_folder(CLI::App& app, std::string& folder, const std::string& description);
 
+/// Adds files, one at least, called NAME in the help.
+void add_files(CLI::App& app, const std::string& name, Words& files, const std::string& description);
+
+/// Words that the command does not know are no errors: it looks at them itself.
+void leave_other_words(CLI::App& app);
+
 /// The long names of the options that were given.
 Words given_options(const CLI::App& app);
+/// Their words, by these names; those that count, where one was given again.
+std::map<std::string, Words> given_words(const CLI::App& app);
 
 /// Adds a command's options, and returns how their arguments are had once they are read.
 template <typename Arguments>

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "cli/console.h"
 #include "cli/outputs.h"
 #include "io/destination.h"
 
@@ -32,6 +31,7 @@ SampleRange sample_range(const Film& film) {
 }  // namespace
 
 RenderOutputs partial_outputs(const RenderOutputs& outputs) {
+  if (!outputs.film.empty()) return {.film = partial_name(outputs.film)};
   if (destination_of(outputs.picture).kind != Destination::Kind::file) return {};
   return {.picture = partial_name(outputs.picture),
           .rates = partial_name(outputs.rates),
@@ -47,14 +47,12 @@ std::string sample_range_text(const Film& film, std::uint32_t wanted) {
 
 std::string write_partial(const RenderOutputs& partial, const RenderArguments& arguments, const Film& film,
                           PictureNotes notes) {
-  if (sample_range(film).most == 0)
-    return fmt::format("{}: interrupted before the first sample; nothing is written\n", console::speaker());
+  if (sample_range(film).most == 0) return "there is no sample yet; no picture is written";
   const std::string samples = sample_range_text(film, arguments.render.samples);
   for (auto& [name, value] : notes.metadata)
     if (name == "twinray:samples") value = samples;
   write_pictures(partial, arguments, {film}, notes);
-  return fmt::format("{}: interrupted; {} holds what there is: {} samples a pixel\n", console::speaker(),
-                     partial.picture, samples);
+  return fmt::format("{} holds what there is: {} samples a pixel", partial.picture, samples);
 }
 
 }  // namespace twinray

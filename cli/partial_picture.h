@@ -12,9 +12,9 @@ namespace twinray {
 /// statistics; nothing at all where the picture is no regular file.
 RenderOutputs partial_outputs(const RenderOutputs& outputs);
 
-/// Writes the picture as far as it got, with its rates and its legend, and says so in a line. In place of the
-/// number of samples the metadata state what the pixels got, as "3 to 5 of 16". Without any sample nothing is
-/// written.
+/// Writes the picture as far as it got, with its rates and its legend, and returns a sentence that says so.
+/// In place of the number of samples the metadata state what the pixels got, as "3 to 5 of 16". Without any
+/// sample nothing is written.
 std::string write_partial(const RenderOutputs& partial, const RenderArguments& arguments, const Film& film,
                           PictureNotes notes);
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "cli/render_options.h"
-#include "io/output_format.h"
+#include "cli/render_outputs.h"
 
 namespace twinray {
 namespace {
@@ -105,7 +105,7 @@ void resolve_picture(RenderArguments& arguments) {
 void resolve_overscan(const RenderArguments& arguments) {
   if (!arguments.overscan || arguments.replay) return;
   if (!arguments.crop.empty()) throw UsageError("--overscan and --crop exclude each other");
-  if (output_format(arguments.output) != OutputFormat::exr)
+  if (!keeps_layers(arguments.output))
     throw UsageError(fmt::format("--overscan: {} cannot tell a frame from what is around it; an .exr can",
                                  arguments.output));
 }

@@ -11,10 +11,12 @@
 #include "cli/crosscheck_command.h"
 #include "cli/cs184_program.h"
 #include "cli/error_command.h"
+#include "cli/merge_command.h"
 #include "cli/options.h"
 #include "cli/relight_command.h"
 #include "cli/render_command.h"
 #include "cli/render_command_line.h"
+#include "cli/resume_command.h"
 #include "cli/stats_command.h"
 #include "cli/study_command.h"
 
@@ -39,6 +41,12 @@ Action add_compare(CLI::App& app) {
 Action add_relight(CLI::App& app) {
   return [read = add_relight_options(app)](const Words& words) { return relight_command(read(), words); };
 }
+Action add_resume(CLI::App& app) {
+  return [read = add_resume_options(app)](const Words& words) { return resume_command(read(), words); };
+}
+Action add_merge(CLI::App& app) {
+  return [read = add_merge_options(app)](const Words&) { return merge_command(read()); };
+}
 Action add_stats(CLI::App& app) {
   return [read = add_stats_options(app)](const Words&) { return stats_command(read()); };
 }
@@ -52,7 +60,8 @@ Action add_study(CLI::App& app) {
 const std::vector<Subcommand> subcommands{
     {"render", add_render,
      "Renders a COLLADA scene by path tracing; with --cs184 as CS184's program does (docs/cs184.md).", "Run",
-     "Others: twinray agreement, compare, convert, crosscheck, error, relight, stats, study; each has help"},
+     "Others, with help: agreement, compare, convert, crosscheck, error, merge, relight, resume, stats, "
+     "study"},
     {"agreement", add_agreement,
      "Renders scenes small by every engine, split method, integrator, sampler and number of threads,\n"
      "and compares all pictures and ray counts bit for bit. Exit code 1 if any differs."},
@@ -67,6 +76,12 @@ const std::vector<Subcommand> subcommands{
     {"relight", add_relight,
      "Mixes the lights of a picture anew, which was rendered with --layers=light-groups: each group's light\n"
      "times a number or a color (docs/layers.md)."},
+    {"resume", add_resume,
+     "Renders on from a checkpoint, by the options that it was begun with; threads, engine, outputs and the\n"
+     "number of samples may be other ones (docs/films.md)."},
+    {"merge", add_merge,
+     "Puts the films of parts of a picture together, to the bits of one render: a picture, or a film again\n"
+     "(docs/films.md)."},
     {"stats", add_stats,
      "Builds every engine and split method over a scene and shoots the rays of its paths, recorded once,\n"
      "through each: build time, tree, and what camera, shadow and bounce rays take."},
@@ -92,6 +107,9 @@ std::string usage_of(const std::string& name) {
   if (name == "compare")
     return "twinray compare PICTURE REFERENCE [options]; all options: twinray compare --help";
   if (name == "relight") return "twinray relight PICTURE.exr [options]; all options: twinray relight --help";
+  if (name == "resume") return "twinray resume FILE [options]; all options: twinray --help";
+  if (name == "merge")
+    return "twinray merge FILM... --output OUT [options]; all options: twinray merge --help";
   const char* scene = name == "agreement" ? "[SCENE.dae]..." : "SCENE.dae";
   return fmt::format("twinray {0} {1} [options]; all options: twinray {0} --help", name, scene);
 }

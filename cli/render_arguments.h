@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -87,12 +88,16 @@ struct RenderArguments {
   std::optional<DenoiserKind> denoiser;      ///< Of the picture, if it is to be denoised.
   std::vector<LightGroupRule> light_groups;  ///< Where render.light_groups are asked for.
   std::optional<ReplayRequest> replay;
-  std::optional<NetworkAddress> viewer;  ///< tev, which shows the picture as it grows.
-  std::optional<NetworkAddress> server;  ///< Where pages of browsers find it.
-  std::vector<int> crop;                 ///< X Y W H of render.window, as they were given; empty: none.
+  std::optional<NetworkAddress> viewer;      ///< tev, which shows the picture as it grows.
+  std::optional<NetworkAddress> server;      ///< Where pages of browsers find it.
+  std::string checkpoint;                    ///< Where the render is kept while it goes on; empty: nowhere.
+  std::optional<double> checkpoint_seconds;  ///< Between two of them, if not the usual time.
+  std::string resumed;                       ///< The film to go on with; empty: none.
+  std::vector<int> crop;                     ///< X Y W H of render.window, as they were given; empty: none.
   std::optional<Overscan> overscan;
   bool quiet = false;
-  std::vector<std::string> given;           ///< The long names of the options that were given.
+  std::vector<std::string> given;  ///< The long names of the options that were given.
+  std::map<std::string, std::vector<std::string>> given_words;  ///< Their words, by the same names.
   std::vector<std::string> without_effect;  ///< Those that change nothing, each with the reason.
 };
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/render_command.h"
 
-#include <fmt/format.h>
-
 #include <memory>
+#include <optional>
+#include <thread>
 
-#include "check/render_check.h"
 #include "cli/console.h"
-#include "cli/crosscheck_report.h"
 #include "cli/denoising.h"
+#include "cli/engine_check.h"
 #include "cli/interrupt.h"
 #include "cli/live/live_picture.h"
 #include "cli/live/picture_viewers.h"
 #include "cli/outputs.h"
 #include "cli/partial_picture.h"
 #include "cli/picture_metadata.h"
+#include "cli/render_keeping.h"
 #include "cli/render_outputs.h"
 #include "cli/render_scene.h"
 #include "cli/render_talk.h"
@@ -31,100 +31,6 @@
 namespace twinray {
 namespace {
 
-/// The other engine of --accel=check, and what is found.
-class Check {
- public:
-  Check(const RenderArguments& arguments, const Scene& scene, const Accelerator& accelerator)
-      : other_(build_accelerator(arguments.check_with->backend, scene.geometry, arguments.check_with->build)),
-        names_{backend_name(arguments.backend), arguments.check_with->name},
-        account_(scene.geometry, {.name = names_[0], .accelerator = &accelerator},
-                 {.name = names_[1],
-                  .accelerator = other_.get(),
-                  .is_canonical = arguments.plant_difference || arguments.check_with->is_canonical()},
-                 arguments.render) {}
-
-  /// The options of a render whose rays come here.
-  RenderOptions observed(RenderOptions options) {
-    options.observe = [this](const PixelSample& sample, std::span<const RecordedRay> rays) {
-      account_.observe(sample, rays);
-    };
-    return options;
-  }
-  Image picture(const Image& rendered) const { return account_.picture(rendered); }
-  SceneCrosscheck found(double seconds) const { return {names_, account_.report(), seconds}; }
-  /// "camera ray of pixel 3 4, sample 5"
-  std::string label(const Finding& finding) const {
-    const PixelSample sample = account_.sample_of(finding);
-    return fmt::format("{} ray of pixel {} {}, sample {}", ray_class_name(finding.ray_class), sample.x,
-                       sample.y, sample.index);
-  }
-
- private:
-  std::unique_ptr<const Accelerator> other_;
-  std::vector<std::string> names_;
-  RenderCheck account_;
-};
-
-struct RenderJob {
-  const Scene& scene;
-  const Accelerator& accelerator;
-  const Integrator& integrator;
-};
-
-/// Those who are told of a render while it goes on.
-struct Audience {
-  RenderTalk& talk;
-  LivePicture& live;
-};
-
-struct Rendered {
-  RenderResult result;
-  int stop_code = 0;  ///< Where it was stopped: the program's exit code.
-};
-
-/// Where there is a place for a partial picture the first interruption ends the render, not the program.
-Rendered render_stoppably(const RenderJob& job, RenderOptions options, const RenderOutputs& partial,
-                          const Audience& audience) {
-  std::optional<StopRequest> stop;
-  if (!partial.picture.empty()) {
-    stop.emplace();
-    options.is_stopped = [&] {
-      if (audience.live.asks_to_stop()) stop->make();
-      return stop->is_made();
-    };
-  }
-  audience.talk.rendering();
-  RenderResult result =
-      render(job.scene, job.accelerator, job.integrator,
-             audience.live.watching(std::move(options), job.scene), [&](const RenderProgress& progress) {
-               audience.talk.progress(progress);
-               audience.live.progress(progress);
-             });
-  audience.live.show_last(result);
-  const int stop_code = result.is_complete ? 0 : stop->exit_code();
-  if (stop_code == 0)
-    audience.talk.rendered(result);
-  else
-    audience.talk.stopped();
-  return {std::move(result), stop_code};
-}
-
-std::string check_json(const RenderArguments& arguments, const SceneCrosscheck& found) {
-  return crosscheck_json(found, arguments.scene, replay_command(arguments.scene, arguments.load),
-                         Ceilings::remark);
-}
-
-/// Prints the table, and what is wrong; the exit code.
-int report(const Check& check, const SceneCrosscheck& found, const RenderArguments& arguments,
-           const std::string& differences) {
-  const bool is_good = is_passed(found.report, Ceilings::remark);
-  if (!arguments.quiet && !differences.empty()) console::print("Differences    {}\n\n", differences);
-  if (!arguments.quiet || !is_good)
-    console::write(crosscheck_text(found, replay_command(arguments.scene, arguments.load), Ceilings::remark,
-                                   [&](const Finding& finding) { return check.label(finding); }));
-  return is_good ? 0 : 1;
-}
-
 int list_cameras(const RenderArguments& arguments) {
   LoadOptions options = arguments.load;
   options.camera_name.clear();
@@ -135,78 +41,163 @@ int list_cameras(const RenderArguments& arguments) {
   return 0;
 }
 
-}  // namespace
+/// One render, step by step.
+class RenderRun {
+ public:
+  /// What can be known before the scene is read.
+  RenderRun(const RenderArguments& arguments, const Words& words, RenderTalk& talk)
+      : arguments_(arguments),
+        words_(words),
+        talk_(talk),
+        outputs_(render_outputs(arguments)),
+        partial_(partial_outputs(outputs_)),
+        guard_(all_names({outputs_, partial_})) {
+    prepare_outputs(outputs_.names());
+    if (arguments.denoiser) use_denoiser(*arguments.denoiser);
+    if (uses_films(arguments)) arguments_.load.files = std::make_shared<std::vector<std::string>>();
+    if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
+      console::warn(fewer);
+    if (!arguments.environment.empty() || (makes_picture() && !is_png(outputs_.picture)))
+      codec_loader_ = load_image_codec_early();
+  }
 
-int render_command(const RenderArguments& asked, const std::vector<std::string>& words, RenderTalk& talk) {
-  RenderArguments arguments = asked;
-  if (asked.load.camera_name == "?") return list_cameras(asked);
-  if (asked.convert_textures) return convert_textures(asked);
-  for (const std::string& warning : arguments.without_effect) console::warn(warning);
-  if (asked.replay) return replay_command(asked);
-  check_memory(memory_needs(arguments.render));
-  const RenderOutputs outputs = render_outputs(arguments);
-  const RenderOutputs partial = partial_outputs(outputs);
-  std::optional<Denoising> denoising;
-  if (arguments.denoiser) {
-    denoising.emplace(*arguments.denoiser, arguments.render.threads);
-    arguments.render.estimated_error = [&](const HalfFilms& halves) {
-      return denoising->estimated_error(halves);
+  /// The exit code.
+  int run() {
+    LivePicture live(picture_viewers(arguments_, outputs_, partial_));
+    const LoadedScene loaded = load();
+    notes_ = picture_notes(arguments_, words_, loaded.scene);
+    RenderKeeping keeping(arguments_, partial_, notes_, talk_);
+    if (uses_films(arguments_)) keeping.use_films(loaded, words_);
+    const auto integrator = make_integrator(arguments_, loaded.scene);
+    talk_.building(arguments_, *loaded.scene.geometry);
+    const auto accelerator = build_accelerator(arguments_.backend, loaded.scene.geometry, arguments_.build);
+    talk_.built(accelerator->stats());
+    if (arguments_.check_with) check_.emplace(arguments_, loaded.scene, *accelerator);
+    const Rendered rendered = render({loaded.scene, *accelerator, *integrator}, keeping, live);
+    const int code = rendered.stop_code != 0 ? keeping.interrupted(rendered.result, rendered.stop_code)
+                                             : finish(rendered.result, loaded.scene, *accelerator, keeping);
+    live.finish();
+    return code;
+  }
+
+ private:
+  struct Job {
+    const Scene& scene;
+    const Accelerator& accelerator;
+    const Integrator& integrator;
+  };
+  struct Rendered {
+    RenderResult result;
+    int stop_code = 0;  ///< Where it was stopped: the program's exit code.
+  };
+
+  static bool is_png(const std::string& name) { return output_format(name) == OutputFormat::png; }
+  bool makes_picture() const { return outputs_.film.empty(); }
+
+  void use_denoiser(DenoiserKind kind) {
+    denoising_.emplace(kind, arguments_.render.threads);
+    arguments_.render.estimated_error = [this](const HalfFilms& halves) {
+      return denoising_->estimated_error(halves);
     };
   }
-  const InterruptGuard guard(all_names({outputs, partial}));
-  prepare_outputs(outputs.names());
-  LivePicture live(picture_viewers(arguments, outputs, partial));
-  if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
-    console::warn(fewer);
-  if (!arguments.environment.empty() || output_format(outputs.picture) != OutputFormat::png)
-    load_image_codec_early();
-  const LoadedScene loaded = load_for_render(arguments, talk);
-  choose_engine(*loaded.scene.geometry, arguments);
-  check_memory(memory_needs(arguments, loaded.scene));
-  check_samples_for_denoising(arguments);
-  PictureNotes notes = picture_notes(arguments, words, loaded.scene);
-  const auto integrator = make_integrator(arguments, loaded.scene);
-  talk.building(arguments, *loaded.scene.geometry);
-  const auto accelerator = build_accelerator(arguments.backend, loaded.scene.geometry, arguments.build);
-  talk.built(accelerator->stats());
-  std::optional<Check> check;
-  if (arguments.check_with) check.emplace(arguments, loaded.scene, *accelerator);
 
-  const auto [result, stop_code] =
-      render_stoppably({loaded.scene, *accelerator, *integrator},
-                       check ? check->observed(arguments.render) : arguments.render, partial, {talk, live});
-  if (stop_code != 0) {
-    console::write_error(write_partial(partial, arguments, result.film, notes));
-    live.finish();
-    return stop_code;
+  LoadedScene load() {
+    LoadedScene loaded = load_for_render(arguments_, talk_);
+    choose_engine(*loaded.scene.geometry, arguments_);
+    check_memory(memory_needs(arguments_, loaded.scene));
+    check_samples_for_denoising(arguments_);
+    return loaded;
   }
-  if (is_open_ended(arguments.render)) {
-    arguments.render.samples = result.samples;
-    notes = picture_notes(arguments, words, loaded.scene);
+
+  /// Where something is kept the first interruption ends the render, not the program.
+  Rendered render(const Job& job, RenderKeeping& keeping, LivePicture& live) {
+    RenderOptions options = keeping.resting(check_ ? check_->observed(arguments_.render) : arguments_.render);
+    std::optional<StopRequest> stop;
+    if (keeping.keeps_something()) {
+      stop.emplace();
+      options.is_stopped = [&] {
+        if (live.asks_to_stop()) stop->make();
+        return stop->is_made();
+      };
+    }
+    talk_.rendering();
+    RenderResult result =
+        twinray::render(job.scene, job.accelerator, job.integrator,
+                        live.watching(std::move(options), job.scene), [&](const RenderProgress& progress) {
+                          talk_.progress(progress);
+                          live.progress(progress);
+                        });
+    live.show_last(result);
+    const int stop_code = result.is_complete ? 0 : stop->exit_code();
+    if (stop_code == 0)
+      talk_.rendered(result);
+    else
+      talk_.stopped();
+    return {std::move(result), stop_code};
   }
-  std::optional<DenoisedPicture> denoised;
-  if (denoising) {
-    denoised = denoising->denoise(*result.halves);
-    talk.denoised(*denoised);
-    notes.metadata.emplace_back("twinray:denoiser", denoised->denoiser);
+
+  void denoise(const RenderResult& result) {
+    denoised_ = denoising_->denoise(*result.halves);
+    talk_.denoised(*denoised_);
+    notes_.metadata.emplace_back("twinray:denoiser", denoised_->denoiser);
   }
-  if (const std::string rejected = rejection_text(result.film, arguments); !rejected.empty())
-    console::warn(rejected);
-  if (const std::string unread = unread_tiles_text(arguments); !unread.empty()) console::warn(unread);
-  std::optional<SceneCrosscheck> found;
-  if (check) found = check->found(result.seconds);
-  talk.saving();
-  write_pictures(outputs, arguments, {result.film, denoised ? &*denoised : nullptr}, notes);
-  if (!outputs.differences.empty())
-    write_image(outputs.differences, check->picture(mean_image(result.film)), notes.metadata);
-  talk.saved();
-  if (!outputs.statistics.empty())
-    write_file(outputs.statistics, statistics_json(arguments, accelerator->stats(), result,
-                                                   {found ? check_json(arguments, *found) : "",
-                                                    denoised ? &*denoised : nullptr}));
-  talk.finished(arguments, accelerator->stats(), result);
-  live.finish();
-  return check ? report(*check, *found, arguments, outputs.differences) : 0;
+
+  void write(const RenderResult& result, RenderKeeping& keeping) {
+    talk_.saving();
+    if (makes_picture())
+      write_pictures(outputs_, arguments_, {result.film, denoised_ ? &*denoised_ : nullptr}, notes_);
+    else
+      keeping.films()->write(outputs_.film, result, true);
+    if (!outputs_.differences.empty())
+      write_image(outputs_.differences, check_->picture(mean_image(result.film)), notes_.metadata);
+    talk_.saved();
+  }
+
+  /// From the samples to all that is asked for; the exit code.
+  int finish(const RenderResult& result, const Scene& scene, const Accelerator& accelerator,
+             RenderKeeping& keeping) {
+    if (keeping.films()) keeping.films()->save_last(result);
+    if (is_open_ended(arguments_.render)) {
+      arguments_.render.samples = result.samples;
+      notes_ = picture_notes(arguments_, words_, scene);
+    }
+    if (denoising_ && makes_picture()) denoise(result);
+    if (const std::string rejected = rejection_text(result.film, arguments_); !rejected.empty())
+      console::warn(rejected);
+    if (const std::string unread = unread_tiles_text(arguments_); !unread.empty()) console::warn(unread);
+    std::optional<SceneCrosscheck> found;
+    if (check_) found = check_->found(result.seconds);
+    write(result, keeping);
+    if (!outputs_.statistics.empty())
+      write_file(outputs_.statistics,
+                 statistics_json(arguments_, accelerator.stats(), result,
+                                 {found ? check_->json(*found) : "", denoised_ ? &*denoised_ : nullptr}));
+    talk_.finished(arguments_, accelerator.stats(), result);
+    return check_ ? check_->report(*found, outputs_.differences) : 0;
+  }
+
+  RenderArguments arguments_;
+  const Words& words_;
+  RenderTalk& talk_;
+  const RenderOutputs outputs_, partial_;
+  const InterruptGuard guard_;
+  std::jthread codec_loader_;
+  std::optional<Denoising> denoising_;
+  PictureNotes notes_;
+  std::optional<EngineCheck> check_;
+  std::optional<DenoisedPicture> denoised_;
+};
+
+}  // namespace
+
+int render_command(const RenderArguments& arguments, const std::vector<std::string>& words,
+                   RenderTalk& talk) {
+  if (arguments.load.camera_name == "?") return list_cameras(arguments);
+  if (arguments.convert_textures) return convert_textures(arguments);
+  for (const std::string& warning : arguments.without_effect) console::warn(warning);
+  if (arguments.replay) return replay_command(arguments);
+  check_memory(memory_needs(arguments.render));
+  return RenderRun(arguments, words, talk).run();
 }
 
 int render_command(const RenderArguments& arguments, const std::vector<std::string>& words) {

@@ -19,6 +19,7 @@ void add_options(CLI::App& app, RenderRequest& request) {
   add_sampling_options(app, request);
   add_denoise_options(app, request);
   add_engine_options(app, request);
+  add_film_options(app, request);
   add_replay_options(app, request);
   add_run_options(app, request);
 }
@@ -37,6 +38,7 @@ RenderArguments resolved_render(const RenderRequest& request, const Words& given
   resolve_layers(request, arguments);
   resolve_overscan(arguments);
   resolve_denoising(request, arguments);
+  resolve_film(request, arguments);
   resolve_run(request, arguments);
   arguments.without_effect = options_without_effect(request, arguments);
   refuse_if_strict(arguments.without_effect, arguments);
@@ -46,7 +48,8 @@ RenderArguments resolved_render(const RenderRequest& request, const Words& given
 void take_defaults(const RenderDefaults& defaults, RenderArguments& arguments) {
   if (is_cs184(arguments)) return;
   take_frame(defaults, arguments);
-  if (defaults.samples && !is_given("--samples", arguments) && !is_open_ended(arguments.render))
+  const bool has_samples = is_given("--samples", arguments) || is_given("--of", arguments);
+  if (defaults.samples && !has_samples && !is_open_ended(arguments.render))
     arguments.render.samples = *defaults.samples;
   if (defaults.max_depth && !is_given("--max-depth", arguments)) take_depth(*defaults.max_depth, arguments);
 }
@@ -54,7 +57,11 @@ void take_defaults(const RenderDefaults& defaults, RenderArguments& arguments) {
 std::function<RenderArguments()> add_render_options(CLI::App& app) {
   const auto request = std::make_shared<RenderRequest>();
   add_options(app, *request);
-  return [request, &app] { return resolved_render(*request, given_options(app)); };
+  return [request, &app] {
+    RenderArguments arguments = resolved_render(*request, given_options(app));
+    arguments.given_words = given_words(app);
+    return arguments;
+  };
 }
 
 void refuse_if_strict(const std::vector<std::string>& without_effect, const RenderArguments& arguments) {

@@ -32,6 +32,7 @@ struct RenderRequest {
   std::string serve;           ///< Where the picture is served; empty: nowhere.
   std::string denoise;         ///< What is to denoise; empty: nothing.
   bool denoise_light_groups = false;
+  std::optional<std::uint32_t> of;  ///< Samples of the picture of which a part is rendered.
 };
 
 void add_picture_options(CLI::App& app, RenderRequest& request);
@@ -42,6 +43,7 @@ void add_light_options(CLI::App& app, RenderRequest& request);
 void add_texture_options(CLI::App& app, RenderRequest& request);
 void add_sampling_options(CLI::App& app, RenderRequest& request);
 void add_engine_options(CLI::App& app, RenderRequest& request);
+void add_film_options(CLI::App& app, RenderRequest& request);
 void add_run_options(CLI::App& app, RenderRequest& request);
 void add_replay_options(CLI::App& app, RenderRequest& request);
 
@@ -73,6 +75,8 @@ void resolve_sampling(const RenderRequest& request, RenderArguments& arguments);
 /// choose_engine().
 void resolve_engine(const RenderRequest& request, RenderArguments& arguments);
 void resolve_replay(const RenderRequest& request, RenderArguments& arguments);
+/// After all that says what a picture is made of.
+void resolve_film(const RenderRequest& request, RenderArguments& arguments);
 void resolve_run(const RenderRequest& request, RenderArguments& arguments);
 
 /// Takes what a scene file says about its picture, where no option says something else, and the crop of the

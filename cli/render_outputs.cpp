@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "cli/console.h"
+#include "cli/film/saved_film.h"
 #include "cli/layered_picture.h"
 #include "cli/outputs.h"
 #include "io/color_scale.h"
@@ -28,8 +29,6 @@ void check_name(const RenderArguments& arguments) {
 std::string rate_name(const RenderArguments& arguments) {
   return is_cs184(arguments) ? cs184_rate_name(arguments.output) : name_beside(arguments.output, "_rate.png");
 }
-
-bool keeps_layers(const std::string& picture) { return output_format(picture) == OutputFormat::exr; }
 
 /// "a/b.tiff" -> "a/b_noisy.tiff"
 std::string noisy_name(const std::string& picture) {
@@ -81,8 +80,12 @@ void write_costs(const RenderOutputs& outputs, const Film& film, const PictureNo
 
 }  // namespace
 
+bool keeps_layers(const std::string& output) {
+  return output_format(output) == OutputFormat::exr || is_film_name(output);
+}
+
 std::vector<std::string> RenderOutputs::names() const {
-  return given_names({picture, rates, legend, differences, noisy, statistics});
+  return given_names({picture, film, rates, legend, differences, noisy, statistics, checkpoint});
 }
 
 std::vector<std::string> all_names(std::initializer_list<RenderOutputs> all) {
@@ -94,10 +97,13 @@ std::vector<std::string> all_names(std::initializer_list<RenderOutputs> all) {
 
 RenderOutputs render_outputs(const RenderArguments& arguments) {
   const std::string& picture = arguments.output;
+  if (is_film_name(picture))
+    return {.film = picture, .statistics = arguments.stats_file, .checkpoint = arguments.checkpoint};
   check_name(arguments);
   if (!arguments.display.ocio_view.empty())
     displayed(Image(1, 1), arguments.display);  // Is there such a view?
-  RenderOutputs outputs{.picture = picture, .statistics = arguments.stats_file};
+  RenderOutputs outputs{
+      .picture = picture, .statistics = arguments.stats_file, .checkpoint = arguments.checkpoint};
   if (arguments.render.adaptive) outputs.rates = rate_name(arguments);
   if (arguments.integrator == IntegratorKind::cost) outputs.legend = name_beside(picture, "_legend.png");
   if (arguments.check_with) outputs.differences = name_beside(picture, "_differences.png");

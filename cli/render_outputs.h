@@ -17,15 +17,20 @@ namespace twinray {
 /// The names of a render's outputs; empty for what it does not write.
 struct RenderOutputs {
   std::string picture;
+  std::string film;         ///< In place of a picture, for those who merge and resume.
   std::string rates;        ///< Of adaptive sampling.
   std::string legend;       ///< Of a picture of costs.
   std::string differences;  ///< Of --accel=check.
   std::string noisy;        ///< Of a denoised picture that cannot keep it as a layer.
   std::string statistics;
+  std::string checkpoint;  ///< Of a render that goes on.
 
   /// All that are not empty.
   std::vector<std::string> names() const;
 };
+
+/// Whether what has this name keeps layers, and pixels beside the frame: an OpenEXR picture, or a film.
+bool keeps_layers(const std::string& output);
 
 /// The outputs that the command line asks for. What stands beside the picture is left out where the picture
 /// is no file. Throws Error for a name that cannot be written.

@@ -2,6 +2,10 @@
 #include "core/coverage_pixels.h"
 
 #include <algorithm>
+#include <span>
+
+#include "core/columns.h"
+#include "core/error.h"
 
 namespace twinray {
 
@@ -28,6 +32,29 @@ std::vector<Coverage> CoveragePixels::at(std::size_t pixel) const {
     for (const auto& [id, count] : further->second) all.push_back({id, count});
   std::sort(all.begin(), all.end(), [](const Coverage& a, const Coverage& b) { return a.id < b.id; });
   return all;
+}
+
+void CoveragePixels::save(std::size_t begin, std::size_t end, ColumnWriter& to) const {
+  std::vector<std::uint32_t> lengths;
+  std::vector<Coverage> all;
+  for (std::size_t pixel = begin; pixel < end; ++pixel) {
+    const std::vector<Coverage> here = at(pixel);
+    lengths.push_back(std::uint32_t(here.size()));
+    all.insert(all.end(), here.begin(), here.end());
+  }
+  to.put(std::span<const std::uint32_t>(lengths));
+  to.put(std::span<const Coverage>(all));
+}
+
+void CoveragePixels::load(ColumnReader& from) {
+  *this = CoveragePixels(few_.size());
+  const auto lengths = from.take_column<std::uint32_t>(few_.size());
+  std::size_t total = 0;
+  for (const std::uint32_t length : lengths) total += length;
+  const auto all = from.take_column<Coverage>(total);
+  auto next = all.begin();
+  for (std::size_t pixel = 0; pixel < lengths.size(); ++pixel)
+    for (std::uint32_t i = 0; i < lengths[pixel]; ++i) add(pixel, *next++);
 }
 
 }  // namespace twinray

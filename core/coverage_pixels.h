@@ -10,6 +10,9 @@
 
 namespace twinray {
 
+class ColumnReader;
+class ColumnWriter;
+
 /// How many samples of a pixel have an id.
 struct Coverage {
   std::uint32_t id = 0;  ///< From 1 on.
@@ -32,6 +35,9 @@ class CoveragePixels {
   void merge(std::size_t pixel, const CoveragePixels& other, std::size_t other_pixel);
   /// All ids of a pixel in their order. Not while others add to it.
   std::vector<Coverage> at(std::size_t pixel) const;
+  /// As the other layers (core/layer_pixels.h); the columns do not depend on the order of the samples.
+  void save(std::size_t begin, std::size_t end, ColumnWriter& to) const;
+  void load(ColumnReader& from);
   static constexpr std::size_t together = 4;  ///< Most pixels have no more ids.
   static constexpr std::size_t bytes = together * sizeof(Coverage);
 

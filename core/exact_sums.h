@@ -11,6 +11,9 @@
 
 namespace twinray {
 
+class ColumnReader;
+class ColumnWriter;
+
 /// What sums of 64 bits cannot hold: for the few that are too large, how often each has overflowed.
 class Carries {
  public:
@@ -21,8 +24,12 @@ class Carries {
     return *this;
   }
   void add(std::size_t place, std::int64_t carry);
-  /// Not while others add.
+  /// Not while others add, as the functions below.
   std::int64_t at(std::size_t place) const;
+  /// Those of the places [begin, end), which count from `begin` on in the columns.
+  void save(std::size_t begin, std::size_t end, ColumnWriter& to) const;
+  /// In place of all that are there, for so many places. Throws Error for others.
+  void load(std::size_t places, ColumnReader& from);
 
  private:
   std::mutex mutex_;
@@ -41,6 +48,10 @@ class ExactSums {
   Int128 units(std::size_t place) const;
   /// One of the sums over a number of samples; 0 for none.
   float mean(std::size_t place, std::uint32_t count) const;
+  /// The sums [begin, end) as columns, not while others add; and all sums from columns of as many. Throws
+  /// Error.
+  void save(std::size_t begin, std::size_t end, ColumnWriter& to) const;
+  void load(ColumnReader& from);
   static constexpr std::size_t bytes = sizeof(std::int64_t);  ///< Of each.
 
  private:

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/columns.h"
 #include "core/error.h"
 
 namespace twinray {
@@ -224,6 +227,38 @@ void Film::merge(const Film& other) {
     for (std::size_t i = 0; i < part_pixels_.size(); ++i)
       part_pixels_[i].merge(to, other.part_pixels_[i], from);
   });
+}
+
+namespace {
+
+/// Calls visit() with the layer as what it is; not for one that the colours say.
+template <typename LayerPixels, typename Visit>
+void visit_kept(LayerPixels& layer, const Visit& visit) {
+  std::visit(
+      [&](auto& pixels) {
+        if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(pixels)>, std::monostate>) visit(pixels);
+      },
+      layer);
+}
+
+}  // namespace
+
+void Film::save(int y0, int y1, ColumnWriter& to) const {
+  const std::size_t begin = offset(window_.x0, y0),
+                    end = begin + std::size_t(y1 - y0) * std::size_t(window_.width());
+  to.put(std::span(pixels_).subspan(begin, end - begin));
+  for (const LayerPixels& layer : layer_pixels_)
+    visit_kept(layer, [&](const auto& pixels) { pixels.save(begin, end, to); });
+  for (const PartPixels& parts : part_pixels_) parts.save(begin, end, to);
+}
+
+void Film::load(ColumnReader& from) {
+  from.take(std::span(pixels_));
+  for (const PixelSums& sums : pixels_)
+    if (std::uint64_t(sums.count) + sums.rejected > max_samples)
+      throw Error(fmt::format("a pixel has more than {} samples", max_samples));
+  for (LayerPixels& layer : layer_pixels_) visit_kept(layer, [&](auto& pixels) { pixels.load(from); });
+  for (PartPixels& parts : part_pixels_) parts.load(from);
 }
 
 }  // namespace twinray

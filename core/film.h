@@ -38,6 +38,9 @@ struct PixelSums {
 /// A picture of 8192 x 8192 pixels takes 4 GB.
 static_assert(sizeof(PixelSums) == 64);
 
+class ColumnReader;
+class ColumnWriter;
+
 /// A sample that was not accepted: not finite, or beyond the range of the sums.
 struct RejectedSample {
   int x = 0, y = 0;
@@ -100,6 +103,13 @@ class Film {
   /// Adds the samples of a film of the same frame and contents whose window lies within this one. Throws
   /// Error otherwise, or where a pixel would have more than max_samples, and leaves this film as it was.
   void merge(const Film& other);
+
+  /// Of the rows [y0, y1) of the window all that is kept, as columns of numbers: films that are equal give
+  /// the same bytes. Not while samples are added.
+  void save(int y0, int y1, ColumnWriter& to) const;
+  /// In place of all samples, those of columns of the same frame, contents and window, which may be rows of a
+  /// larger one. Throws Error where they are not such columns; the film is then of no use.
+  void load(ColumnReader& from);
 
  private:
   /// How a layer is kept; not at all where the colours say what it is.

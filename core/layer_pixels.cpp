@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/columns.h"
 #include "core/exact_parts.h"
 
 namespace twinray {
@@ -69,6 +70,16 @@ Rgb FirstPixels::value(std::size_t pixel) const {
   for (std::size_t channel = 0; channel < channels_; ++channel)
     value.*channels[channel] = values_[pixel * channels_ + channel];
   return value;
+}
+
+void FirstPixels::save(std::size_t begin, std::size_t end, ColumnWriter& to) const {
+  to.put(std::span(indices_).subspan(begin, end - begin));
+  to.put(std::span(values_).subspan(begin * channels_, (end - begin) * channels_));
+}
+
+void FirstPixels::load(ColumnReader& from) {
+  from.take(std::span(indices_));
+  from.take(std::span(values_));
 }
 
 }  // namespace twinray

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a film keeps one layer: at most 8 bytes a channel and pixel. Pixels count row by row. Different threads
-// may add to different pixels at the same time.
+// may add to different pixels at the same time. While none does, pixels [begin, end) can be saved as columns
+// of numbers, and all pixels loaded from columns of as many, which throws Error where these are not such.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +22,10 @@ class MeanPixels {
   void merge(std::size_t pixel, const MeanPixels& other, std::size_t other_pixel);
   /// Of so many samples; black of none.
   Rgb mean(std::size_t pixel, std::uint32_t count) const;
+  void save(std::size_t begin, std::size_t end, ColumnWriter& to) const {
+    sums_.save(begin * channels_, end * channels_, to);
+  }
+  void load(ColumnReader& from) { sums_.load(from); }
   static constexpr std::size_t bytes(std::size_t channels) { return channels * ExactSums::bytes; }
 
  private:
@@ -38,6 +43,10 @@ class PartPixels {
   /// The parts of the mean of so many samples, which they give to the last bit, added up as floats in any
   /// order.
   void read(std::size_t pixel, std::uint32_t count, const Rgb& mean, std::span<Rgb> parts) const;
+  void save(std::size_t begin, std::size_t end, ColumnWriter& to) const {
+    sums_.save(begin * parts_ * 3, end * parts_ * 3, to);
+  }
+  void load(ColumnReader& from) { sums_.load(from); }
   static constexpr std::size_t bytes(std::size_t parts) { return parts * 3 * ExactSums::bytes; }
 
  private:
@@ -56,6 +65,8 @@ class FirstPixels {
   void merge(std::size_t pixel, const FirstPixels& other, std::size_t other_pixel);
   bool has(std::size_t pixel) const { return indices_[pixel] != none; }
   Rgb value(std::size_t pixel) const;
+  void save(std::size_t begin, std::size_t end, ColumnWriter& to) const;
+  void load(ColumnReader& from);
   static constexpr std::size_t bytes(std::size_t channels) {
     return sizeof(std::uint32_t) + channels * sizeof(float);
   }

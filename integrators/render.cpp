@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <mutex>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "core/denormals.h"
@@ -16,13 +18,11 @@
 #include "core/parallel.h"
 #include "core/visible_pixels.h"
 #include "integrators/denoise/half_pictures.h"
-#include "integrators/tiles.h"
 #include "integrators/wave/camera_stage.h"
 
 namespace twinray {
 namespace {
 
-constexpr int tile_size = 16;
 /// Passes grow to this many samples a pixel: a preview is there early, and a tile stays long enough in the
 /// caches.
 constexpr std::uint32_t longest_pass = 16;
@@ -36,6 +36,23 @@ void check_target(const RenderOptions& options) {
   if (!options.half_layers) throw Error("a noise target needs the halves of the samples");
 }
 
+/// What several renders share must not depend on samples that one of them does not have.
+void check_part(const RenderOptions& options) {
+  if (options.range && options.tiles)
+    throw Error("a part of a render is a range of samples, or one of tiles, not both");
+  if (options.noise_target) throw Error("a noise target needs all samples of the picture, not a part");
+  if (options.range && options.adaptive)
+    throw Error("adaptive sampling needs all samples of a pixel: its parts are ranges of tiles");
+  if (const auto range = options.range;
+      range && !(range->begin < range->end && range->end <= options.samples))
+    throw Error(fmt::format("samples {} to {}: valid are a begin below the end, and an end of up to {}",
+                            range->begin, range->end, options.samples));
+  const std::uint32_t tiles = tile_grid(window_of(options), tile_size).count();
+  if (const auto range = options.tiles; range && !(range->begin < range->end && range->end <= tiles))
+    throw Error(fmt::format("tiles {} to {}: valid are a begin below the end, and an end of up to {}",
+                            range->begin, range->end, tiles));
+}
+
 void check(const RenderOptions& options) {
   if (options.samples < 1 || options.samples > Film::max_samples)
     throw Error(fmt::format("{} samples per pixel; valid are 1 to {}", options.samples, Film::max_samples));
@@ -44,6 +61,7 @@ void check(const RenderOptions& options) {
   if (std::set(options.layers.begin(), options.layers.end()).size() != options.layers.size())
     throw Error("a layer of a render is asked for twice");
   if (options.noise_target) check_target(options);
+  if (options.range || options.tiles) check_part(options);
   if (options.half_light_groups && !(options.half_layers && options.light_groups))
     throw Error("halves by light groups need halves, and a film by light groups");
   if (!options.adaptive) return;
@@ -91,43 +109,67 @@ class Renderer {
         camera_stage_(camera_, {options.width, options.height, options.samples, options.sampler, options.seed,
                                 options.filter}),
         visible_pixels_(pixels_with_light(scene, camera_, accelerator.bounds(), options)),
-        film_(options.width, options.height, window_of(options), film_contents(options, scene)),
-        tiles_(spiral_tiles(film_.window(), tile_size)) {
-    progress_.samples_total = pixel_count() * options.samples;
+        range_(samples_of(options)),
+        state_(empty_state(options, scene)),
+        film_(state_.film),
+        tiles_(spiral_tiles(window_of(options), tile_size, options.tiles)) {
+    state_.samples = range_.begin;
+    if (options.restore) restore();
+    progress_.samples_total = pixel_count() * (range_.end - range_.begin);
     if (options.seconds) progress_.seconds_total = *options.seconds;
-    if (options.half_layers) halves_ = half_films(film_, half_contents(options, scene));
     progress_.noise_target = options.noise_target;
+    progress_.error = state_.error;
+    progress_.rays = state_.rays.total();
   }
 
   RenderResult run() {
-    std::uint32_t done = 0;
-    bool is_over = false;
+    const std::uint32_t first = state_.samples;
+    bool is_over = first == range_.end || (state_.error && is_good(*state_.error));
     while (!is_over && !is_stopped()) {
-      const std::uint64_t rays = rays_.total();
-      const std::uint32_t begin = done;
-      done = end_in_time(begin, end_of_pass(begin));
-      if (done > begin) render_pass(begin, done);
+      const std::uint64_t rays = state_.rays.total();
+      const std::uint32_t begin = state_.samples, end = end_in_time(begin, end_of_pass(begin));
+      if (end > begin && !render_pass(begin, end)) break;
       // Where time is to decide, a pass may find that all pixels have converged.
-      is_over = done == options_.samples || (options_.seconds && rays_.total() == rays);
-      if (!is_stopped() && reaches_target(done)) is_over = true;
+      const bool is_idle = begin > first && state_.rays.total() == rays;
+      is_over = end == range_.end || (options_.seconds && is_idle);
+      if (!is_over && is_stopped()) break;  // Whoever resumes it judges the pass.
+      is_over = reaches_target(end) || is_over;
+      state_.samples = end;
     }
-    const bool is_complete = is_over && progress_.samples_done == pixel_count() * done;
-    return {std::move(film_), rays_, seconds(), is_complete, done, std::move(halves_), progress_.error};
+    state_.seconds += seconds();
+    return {{std::move(state_)}, is_over};
   }
 
  private:
+  void restore() {
+    options_.restore(state_);
+    std::uint32_t end = state_.samples;
+    for (const PixelRect& tile : tiles_)
+      for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x) end = std::max(end, next_index(x, y));
+    if (state_.samples < range_.begin || end > range_.end)
+      throw Error(fmt::format("{} samples of a pixel are there already, and {} are wanted",
+                              end - range_.begin, range_.end - range_.begin));
+  }
+
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
 
+  static std::uint64_t pixels_of(const PixelRect& tile) {
+    return std::uint64_t(tile.width()) * std::uint64_t(tile.height());
+  }
+
   std::uint64_t pixel_count() const {
-    return std::uint64_t(film_.window().width()) * std::uint64_t(film_.window().height());
+    std::uint64_t count = 0;
+    for (const PixelRect& tile : tiles_) count += pixels_of(tile);
+    return count;
   }
 
   /// The end of a pass, drawn in so that it is over in time, by the time that the last one took; its begin
   /// where there is none for one more sample.
   std::uint32_t end_in_time(std::uint32_t begin, std::uint32_t end) const {
-    if (!options_.seconds || begin == 0) return end;
+    if (!options_.seconds || begin == range_.begin) return end;
     const double left = std::max(0.0, *options_.seconds - seconds());
     return left >= pass_seconds_ * (end - begin) ? end : begin + std::uint32_t(left / pass_seconds_);
   }
@@ -135,37 +177,71 @@ class Renderer {
   /// Whether the picture of so many samples is as good as it is to be.
   bool reaches_target(std::uint32_t samples) {
     if (!options_.noise_target || samples < least_samples_of_target) return false;
-    if (options_.estimated_error && samples < next_estimate_) return false;
-    next_estimate_ = samples + samples / 4;
-    const double error = options_.estimated_error ? options_.estimated_error(*halves_)
-                                                  : estimated_relative_error(half_pictures(*halves_));
-    progress_.error = error;
-    return error <= *options_.noise_target;
+    if (options_.estimated_error && samples < state_.next_estimate) return false;
+    state_.next_estimate = samples + samples / 4;
+    const double error = options_.estimated_error ? options_.estimated_error(*state_.halves)
+                                                  : estimated_relative_error(half_pictures(*state_.halves));
+    progress_.error = state_.error = error;
+    return is_good(error);
   }
+
+  bool is_good(double error) const { return options_.noise_target && error <= *options_.noise_target; }
 
   bool is_stopped() const { return options_.is_stopped && options_.is_stopped(); }
 
+  bool is_pause_due() const { return options_.is_pause_due && options_.is_pause_due(); }
+
+  /// The next place where a pass may end, whatever was before: 1, 2, 4, ..., longest_pass and its multiples.
   /// Adaptive sampling decides between passes alone.
   std::uint32_t end_of_pass(std::uint32_t begin) const {
-    const std::uint32_t end = std::min(begin + std::clamp(begin, 1u, longest_pass), options_.samples);
+    const std::uint32_t end =
+        std::min(begin < longest_pass ? std::bit_ceil(begin + 1) : (begin / longest_pass + 1) * longest_pass,
+                 range_.end);
     return options_.adaptive
                ? std::min(end, (begin / options_.adaptive->batch + 1) * options_.adaptive->batch)
                : end;
   }
 
-  void render_pass(std::uint32_t begin, std::uint32_t end) {
+  /// False where it is stopped before its end.
+  bool render_pass(std::uint32_t begin, std::uint32_t end) {
     const double start = seconds();
-    const int threads = options_.threads > 0 ? options_.threads : available_threads();
-    std::atomic<std::size_t> next = 0;
-    parallel_for(std::size_t(threads), 1, threads, [&](std::size_t, std::size_t) {
-      for (std::size_t i = next++; i < tiles_.size() && !is_stopped(); i = next++)
-        render_tile(tiles_[i], begin, end);
-    });
-    if (options_.pass_done && !is_stopped()) options_.pass_done(film_);
+    progress_.samples_done = pixel_count() * (begin - range_.begin);
+    std::atomic<std::size_t> next = 0, done = 0;
+    render_tiles(begin, end, next, done);
+    while (done < tiles_.size() && !is_stopped()) {
+      rest();
+      render_tiles(begin, end, next, done);
+    }
+    if (done < tiles_.size()) return false;
+    if (options_.pass_done) options_.pass_done(film_);
     pass_seconds_ = (seconds() - start) / (end - begin);
+    return true;
   }
 
-  void render_tile(const PixelRect& tile, std::uint32_t begin, std::uint32_t end) {
+  void rest() {
+    const double before = std::exchange(state_.seconds, state_.seconds + seconds());
+    options_.paused(state_);
+    state_.seconds = before;
+  }
+
+  /// Until all are done, or it is stopped or to pause.
+  void render_tiles(std::uint32_t begin, std::uint32_t end, std::atomic<std::size_t>& next,
+                    std::atomic<std::size_t>& done) {
+    const int threads = options_.threads > 0 ? options_.threads : available_threads();
+    std::atomic<bool> is_resting = false;
+    parallel_for(std::size_t(threads), 1, threads, [&](std::size_t, std::size_t) {
+      while (!is_stopped() && !is_resting) {
+        if (is_pause_due()) is_resting = true;
+        if (is_resting) return;
+        const std::size_t tile = next++;
+        if (tile >= tiles_.size()) return;
+        done += render_tile(tiles_[tile], begin, end);
+      }
+    });
+  }
+
+  /// False where it is stopped before all samples of the pass are done.
+  bool render_tile(const PixelRect& tile, std::uint32_t begin, std::uint32_t end) {
     std::vector<RecordedRay> rays;
     Tracer tracer(accelerator_, options_.counting, options_.observe ? &rays : nullptr);
     const std::size_t together = options_.observe ? 1 : samples_together;
@@ -181,30 +257,38 @@ class Renderer {
       samples.push_back(sample);
       if (samples.size() == together) finish();
     });
-    if (is_stopped()) return;  // The tile lacks samples: it does not count as done.
-    if (!samples.empty()) finish();
-    finish_tile(tile, end - begin, tracer.counts());
+    const bool is_done = !is_stopped();
+    if (is_done && !samples.empty()) finish();
+    finish_tile(is_done ? pixels_of(tile) * (end - begin) : 0, tracer.counts());
+    return is_done;
   }
 
-  /// Calls `take(sample)` for the samples of a pass that the tile's pixels need, until it is stopped.
+  /// Calls `take(sample)` for the samples of a pass that the tile's pixels still need, until it is stopped.
   template <typename Take>
   void for_each_sample(const PixelRect& tile, std::uint32_t begin, std::uint32_t end, const Take& take) {
     for (int y = tile.y0; y < tile.y1; ++y)
       for (int x = tile.x0; x < tile.x1; ++x) {
         if (is_stopped()) return;
         if (is_converged(x, y, begin)) continue;
-        for (std::uint32_t index = begin; index < end; ++index) take(PixelSample{x, y, index});
+        for (std::uint32_t index = next_index(x, y); index < end; ++index) take(PixelSample{x, y, index});
       }
   }
 
+  /// The first sample that a pixel does not have.
+  std::uint32_t next_index(int x, int y) const {
+    const PixelSums& pixel = film_.pixel(x, y);
+    return range_.begin + pixel.count + pixel.rejected;
+  }
+
   /// Whether sampling stops before sample `index`. A function of the samples at multiples of the batch alone,
-  /// so that a resumed render decides alike: a pixel that has stopped has fewer samples than its next index.
+  /// so that a resumed render decides alike: a pixel that has stopped has fewer samples than its next index,
+  /// and one that has more is amid the pass.
   bool is_converged(int x, int y, std::uint32_t index) const {
     if (!options_.adaptive || index == 0) return false;
-    const PixelSums& pixel = film_.pixel(x, y);
-    if (pixel.count + pixel.rejected < index) return true;
+    const std::uint32_t next = next_index(x, y);
+    if (next != index) return next < index;
     return index % options_.adaptive->batch == 0 &&
-           (!contains(visible_pixels_, x, y) || has_enough_samples(pixel, *options_.adaptive));
+           (!contains(visible_pixels_, x, y) || has_enough_samples(film_.pixel(x, y), *options_.adaptive));
   }
 
   /// What the samples of a batch are made in.
@@ -227,15 +311,15 @@ class Renderer {
       const auto& [x, y, index] = batch.samples[i];
       if (const float weight = camera_samples[i].weight; weight != 1) records.weigh(i, weight);
       film_.add(x, y, index, records, i);
-      if (halves_) halves_->of(index).add(x, y, index, records, i);
+      if (state_.halves) state_.halves->of(index).add(x, y, index, records, i);
     }
   }
 
-  void finish_tile(const PixelRect& tile, std::uint32_t samples, const RayCounts& rays) {
+  void finish_tile(std::uint64_t samples, const RayCounts& rays) {
     const std::lock_guard lock(mutex_);
-    rays_ += rays;
-    progress_.rays = rays_.total();
-    progress_.samples_done += std::uint64_t(tile.width()) * std::uint64_t(tile.height()) * samples;
+    state_.rays += rays;
+    progress_.rays = state_.rays.total();
+    progress_.samples_done += samples;
     if (report_) report_(progress_);
   }
 
@@ -246,15 +330,14 @@ class Renderer {
   Camera camera_;
   CameraStage camera_stage_;
   PixelRect visible_pixels_;  ///< All others are black for certain.
-  Film film_;
-  std::optional<HalfFilms> halves_;
-  std::uint32_t next_estimate_ = 0;  ///< Of an error, where that takes long: not with fewer samples.
+  const SampleRange range_;
+  RenderState state_;
+  Film& film_;  ///< Its film.
   std::vector<PixelRect> tiles_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double pass_seconds_ = 0;  ///< Of a sample of all pixels, in the last pass.
   std::mutex mutex_;
   RenderProgress progress_;
-  RayCounts rays_;
 };
 
 }  // namespace
@@ -271,6 +354,21 @@ FilmContents half_contents(const RenderOptions& options, const Scene& scene) {
 
 PixelRect window_of(const RenderOptions& options) {
   return options.window.value_or(PixelRect{0, 0, options.width, options.height});
+}
+
+PixelRect film_window(const RenderOptions& options) {
+  const PixelRect window = window_of(options);
+  return options.tiles ? rows_of(*options.tiles, window, tile_size) : window;
+}
+
+SampleRange samples_of(const RenderOptions& options) {
+  return options.range.value_or(SampleRange{0, options.samples});
+}
+
+RenderState empty_state(const RenderOptions& options, const Scene& scene) {
+  RenderState state{Film(options.width, options.height, film_window(options), film_contents(options, scene))};
+  if (options.half_layers) state.halves = half_films(state.film, half_contents(options, scene));
+  return state;
 }
 
 RenderResult render(const Scene& scene, const Accelerator& accelerator, const Integrator& integrator,

@@ -17,17 +17,43 @@
 #include "integrators/adaptive.h"
 #include "integrators/half_films.h"
 #include "integrators/integrator.h"
+#include "integrators/tiles.h"
 
 namespace twinray {
 
 /// With fewer samples a pixel no render ends by a noise target: chance may make any picture look clean.
 inline constexpr std::uint32_t least_samples_of_target = 16;
 
+/// Samples [begin, end) of each pixel.
+struct SampleRange {
+  std::uint32_t begin = 0, end = 0;
+  bool operator==(const SampleRange&) const = default;
+};
+
+/// How far a render is, between two samples. In each pixel lie the first samples of those that it is to have,
+/// without a gap: nothing else decides what is still to be done.
+struct RenderState {
+  Film film;
+  std::optional<HalfFilms> halves = {};  ///< Where they are asked for.
+  RayCounts rays = {};
+  std::uint32_t samples = 0;  ///< The passes before this index are done, and judged by the noise target.
+  std::uint32_t next_estimate = 0;   ///< Of an error, where that takes long: not with fewer samples.
+  std::optional<double> error = {};  ///< As estimated after the last pass, where there is a target.
+  double seconds = 0;                ///< Wall-clock time of the sampling alone, of all processes.
+};
+
+/// The side of the tiles that a picture is cut into.
+inline constexpr int tile_size = 16;
+
 struct RenderOptions {
   int width = 480, height = 360;    ///< Of the full frame, in pixels.
   std::optional<PixelRect> window;  ///< What to render, also beside it; all if not set.
   std::uint32_t samples = 32;       ///< Per pixel; the most per pixel where sampling is adaptive.
   std::optional<AdaptiveSampling> adaptive;
+  /// A part of a render that several share: these of its samples alone; not with a noise target, nor where
+  /// sampling is adaptive,
+  std::optional<SampleRange> range;
+  std::optional<TileRange> tiles;  ///< or these tiles of tile_size alone; not with a noise target.
   /// If set, sampling ends with the last pass over all pixels that is likely to be over by then, wall-clock
   /// time, or with the first one; the picture is that of as many samples.
   std::optional<double> seconds;
@@ -59,6 +85,13 @@ struct RenderOptions {
   /// If set, asked many times a second, from any thread: once it says true, rendering ends with the samples
   /// that are there.
   std::function<bool()> is_stopped;
+  /// If set, asked between tiles, from any thread: once it says true all threads rest, and `paused` gets the
+  /// render as it is; then it goes on.
+  std::function<bool()> is_pause_due;
+  std::function<void(const RenderState&)> paused;
+  /// If set, may fill the state that a render begins with, which is empty, with that of an earlier one of the
+  /// same scene and options, but for the number of samples (docs/checkpoints.md). Throws Error.
+  std::function<void(RenderState&)> restore;
 };
 
 /// What the film of a scene's render keeps.
@@ -66,8 +99,14 @@ FilmContents film_contents(const RenderOptions& options, const Scene& scene);
 /// What each of its halves keeps, where there are any.
 FilmContents half_contents(const RenderOptions& options, const Scene& scene);
 
-/// The pixels that are rendered: the window or, without one, the full frame.
+/// The picture's pixels: the window or, without one, the full frame.
 PixelRect window_of(const RenderOptions& options);
+/// Those of its film: of some of its tiles, the rows in which they lie.
+PixelRect film_window(const RenderOptions& options);
+/// The samples of a pixel that are rendered.
+SampleRange samples_of(const RenderOptions& options);
+/// The state that a render begins with: empty.
+RenderState empty_state(const RenderOptions& options, const Scene& scene);
 
 struct RenderProgress {
   std::uint64_t samples_done = 0;  ///< Pixel samples, those that adaptive sampling saved included.
@@ -78,14 +117,9 @@ struct RenderProgress {
   std::uint64_t rays = 0;
 };
 
-struct RenderResult {
-  Film film;
-  RayCounts rays;
-  double seconds = 0;         ///< Wall-clock time of the sampling alone.
-  bool is_complete = true;    ///< False where it was stopped; pixels then have different numbers of samples.
-  std::uint32_t samples = 0;  ///< Of the passes that were begun, per pixel; the most where it is adaptive.
-  std::optional<HalfFilms> halves = {};  ///< Where they are asked for.
-  std::optional<double> error = {};      ///< As estimated after the last pass, where there is a target.
+/// A render that has ended.
+struct RenderResult : RenderState {
+  bool is_complete = true;  ///< False where it was stopped; pixels then have different numbers of samples.
 };
 
 /// Renders the scene as its camera sees it. The film depends on scene, integrator and options alone: not on

@@ -55,7 +55,10 @@ LoadedScene read_zae(const std::string& path, const LoadOptions& options) {
   WarningList warnings(options.strict);
   const auto document = read_entry(archive, root_document(archive, warnings));
   const std::string inside = normal_path(path) + "/";
-  LoadedScene loaded = read_collada(*document, options, [&](const std::string& wanted) {
+  options.add_file(path);
+  LoadOptions within = options;
+  within.files = nullptr;  // They are the archive's.
+  LoadedScene loaded = read_collada(*document, within, [&](const std::string& wanted) {
     if (wanted.rfind(inside, 0) != 0)
       throw Error(fmt::format("{}: this lies outside of the archive {}", wanted, path));
     return read_entry(archive, wanted.substr(inside.size()));

@@ -56,6 +56,7 @@ void ColladaDocument::check_version(const XmlElement& root) {
 }
 
 void ColladaDocument::read_file(const XmlDocument& document, File& file) {
+  options_.add_file(document.file());
   const XmlElement root = document.root();
   check_root(root);
   file.spaces[root] = {};

@@ -34,7 +34,7 @@ const ImageCodec& image_codec() {
   return codec;
 }
 
-void load_image_codec_early() {
+std::jthread load_image_codec_early() {
   const auto load = [] {
     try {
       image_codec();
@@ -42,8 +42,9 @@ void load_image_codec_early() {
     }
   };
   try {
-    static const std::jthread loader(load);
+    return std::jthread(load);
   } catch (const std::system_error&) {  // No thread can be made: it is loaded when it is needed.
+    return {};
   }
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/mip_map.h"
@@ -82,8 +83,9 @@ class ImageCodec {
 /// The codec. Loads it where that has not been done; throws Error where it cannot be loaded.
 const ImageCodec& image_codec();
 
-/// Begins in the background to load it, so that it is there when a picture needs it. Never fails.
-void load_image_codec_early();
+/// Begins in the background to load it, so that it is there when a picture needs it. Never fails. The thread,
+/// if one can be made, must end before the process's exit does away with what it loads.
+[[nodiscard]] std::jthread load_image_codec_early();
 
 /// The name of the function that the loaded library gives its codec by, and its type.
 inline constexpr const char* image_codec_symbol = "twinray_image_codec";

@@ -24,9 +24,15 @@ struct LoadOptions {
   /// Leaves the lights out, and the shapes that area lights add to the scene: what CS184's picture of normals
   /// shows.
   bool surfaces_only = false;
+  /// Not null: the files that are read are added here, each once or more often, those of pictures too.
+  std::shared_ptr<std::vector<std::string>> files = {};
   /// Not null: pictures of surfaces are not read, but added here.
   std::shared_ptr<std::vector<PictureUse>> pictures = {};
   std::shared_ptr<TextureStore> textures = {};  ///< Keeps the pictures of surfaces; null: all in memory.
+
+  void add_file(const std::string& path) const {
+    if (files && !path.empty()) files->push_back(path);
+  }
 };
 
 }  // namespace twinray

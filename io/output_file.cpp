@@ -30,69 +30,21 @@ std::string temporary_path_of(const Destination& to) {
          fmt::format(".{:.{}}.{}.part", path.filename().string(), kept_of_name, getpid());
 }
 
-/// An output that is open: begun, written, finished. Unless it is finished, nothing of it stays.
-class OutputFile {
- public:
-  explicit OutputFile(Destination to)
-      : to_(std::move(to)), temporary_(temporary_path_of(to_)), descriptor_(open_descriptor()) {
-    if (descriptor_ < 0) fail(errno);
-  }
-  ~OutputFile() {
-    if (descriptor_ >= 0) close(descriptor_);
-    if (!temporary_.empty()) unlink(temporary_.c_str());
-  }
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
+/// So that the file's new name survives a loss of power as its bytes do. What cannot is left to the system.
+void flush_folder_of(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  fsync(descriptor);
+  close(descriptor);
+}
 
-  /// Takes the mode and the owner of an old file that it is to replace.
-  void take_mode_and_owner() const {
-    struct stat old {
-    }, anew{};
-    if (to_.kind != Destination::Kind::file || stat(to_.path.c_str(), &old) != 0) return;
-    if (fstat(descriptor_, &anew) != 0) fail(errno);
-    const bool is_owner_same = old.st_uid == anew.st_uid && old.st_gid == anew.st_gid;
-    if (!is_owner_same && fchown(descriptor_, old.st_uid, old.st_gid) != 0)
-      throw Error(fmt::format("{}: cannot be written anew for its owner (user {}, group {}): {}", to_.name,
-                              old.st_uid, old.st_gid, std::strerror(errno)));
-    if (fchmod(descriptor_, old.st_mode & 07777) != 0) fail(errno);
-  }
-
-  void write(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-      if (written < 0 && errno != EINTR) fail(errno);
-      if (written > 0) bytes.remove_prefix(std::size_t(written));
-    }
-  }
-
-  /// Flushes, closes and moves the file to its place.
-  void finish() {
-    struct stat status {};
-    if (fstat(descriptor_, &status) != 0) fail(errno);
-    if (S_ISREG(status.st_mode) && fsync(descriptor_) != 0 && errno != EINVAL) fail(errno);
-    if (close(std::exchange(descriptor_, -1)) != 0) fail(errno);
-    if (to_.kind != Destination::Kind::file) return;
-    if (std::rename(temporary_.c_str(), to_.path.c_str()) != 0) fail(errno);
-    temporary_.clear();
-  }
-
- private:
-  int open_descriptor() const {
-    if (to_.kind == Destination::Kind::descriptor) return fcntl(to_.descriptor, F_DUPFD_CLOEXEC, 0);
-    if (to_.kind == Destination::Kind::special)
-      return open(to_.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
-    unlink(temporary_.c_str());  // Left by an earlier process of the same number, if by any.
-    return open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  }
-
-  [[noreturn]] void fail(int error) const {
-    throw Error(fmt::format("{}: cannot be written: {}", to_.name, std::strerror(error)));
-  }
-
-  Destination to_;
-  std::string temporary_;  ///< Empty for what is written into, and once there is nothing to remove.
-  int descriptor_;
-};
+/// Gives a file, if there is one, a second name. There is no moment without the first one, unless the file
+/// system knows no second names.
+void keep_as(const std::string& path, const std::string& second) {
+  unlink(second.c_str());
+  if (link(path.c_str(), second.c_str()) != 0 && errno != ENOENT) std::rename(path.c_str(), second.c_str());
+}
 
 /// Opening a FIFO would wait for its reader, and disturb it: what is written into is asked for its permission
 /// alone.
@@ -109,6 +61,72 @@ void check_output(const Destination& to) {
 }
 
 }  // namespace
+
+OutputFile::OutputFile(Destination to)
+    : to_(std::move(to)), temporary_(temporary_path_of(to_)), descriptor_(open_descriptor()) {
+  if (descriptor_ < 0) fail(errno);
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void OutputFile::take_mode_and_owner() const {
+  struct stat old {
+  }, anew{};
+  if (to_.kind != Destination::Kind::file || stat(to_.path.c_str(), &old) != 0) return;
+  if (fstat(descriptor_, &anew) != 0) fail(errno);
+  const bool is_owner_same = old.st_uid == anew.st_uid && old.st_gid == anew.st_gid;
+  if (!is_owner_same && fchown(descriptor_, old.st_uid, old.st_gid) != 0)
+    throw Error(fmt::format("{}: cannot be written anew for its owner (user {}, group {}): {}", to_.name,
+                            old.st_uid, old.st_gid, std::strerror(errno)));
+  if (fchmod(descriptor_, old.st_mode & 07777) != 0) fail(errno);
+}
+
+void OutputFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) fail(errno);
+    if (written > 0) bytes.remove_prefix(std::size_t(written));
+  }
+}
+
+void OutputFile::close_flushed() {
+  struct stat status {};
+  if (fstat(descriptor_, &status) != 0) fail(errno);
+  if (S_ISREG(status.st_mode) && fsync(descriptor_) != 0 && errno != EINVAL) fail(errno);
+  if (close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+}
+
+void OutputFile::take_place() {
+  if (std::rename(temporary_.c_str(), to_.path.c_str()) != 0) fail(errno);
+  temporary_.clear();
+  flush_folder_of(to_.path);
+}
+
+void OutputFile::finish() {
+  close_flushed();
+  if (to_.kind == Destination::Kind::file) take_place();
+}
+
+void OutputFile::finish_beside(const std::string& old_name) {
+  close_flushed();
+  if (to_.kind != Destination::Kind::file) return;
+  keep_as(to_.path, fs::path(to_.path).parent_path() / old_name);
+  take_place();
+}
+
+int OutputFile::open_descriptor() const {
+  if (to_.kind == Destination::Kind::descriptor) return fcntl(to_.descriptor, F_DUPFD_CLOEXEC, 0);
+  if (to_.kind == Destination::Kind::special) return open(to_.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  unlink(temporary_.c_str());  // Left by an earlier process of the same number, if by any.
+  return open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
+void OutputFile::fail(int error) const {
+  throw Error(fmt::format("{}: cannot be written: {}", to_.name, std::strerror(error)));
+}
 
 std::string temporary_path(const std::string& name) { return temporary_path_of(destination_of(name)); }
 

@@ -20,7 +20,8 @@ std::string read_unpacked(const std::string& path) {
   return is_gzip(bytes) ? unpack_gzip(bytes, path) : bytes;
 }
 
-PbrtFiles::PbrtFiles(const std::string& scene, Read read) : scene_(scene), read_(std::move(read)) {}
+PbrtFiles::PbrtFiles(const std::string& scene, Read read, const LoadOptions& options)
+    : scene_(scene), read_(std::move(read)), options_(options) {}
 
 std::string PbrtFiles::path(const PbrtPlace& place, const std::string& name) const {
   const std::filesystem::path first = beside(scene_, name), second = beside(place.file->name, name);
@@ -31,6 +32,7 @@ std::string PbrtFiles::path(const PbrtPlace& place, const std::string& name) con
 }
 
 std::string PbrtFiles::bytes(const PbrtPlace& place, const std::string& path) const {
+  options_.add_file(path);
   try {
     return read_ ? read_(path) : read_unpacked(path);
   } catch (const Error& error) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "io/load_options.h"
 #include "io/pbrt_file.h"
 
 namespace twinray {
@@ -14,7 +15,7 @@ class PbrtFiles {
   using Read = std::function<std::string(const std::string& path)>;
 
   /// `scene` is the path of the file that is read first. Others read by `read`, if it is set; else from disk.
-  explicit PbrtFiles(const std::string& scene, Read read = {});
+  explicit PbrtFiles(const std::string& scene, Read read = {}, const LoadOptions& options = {});
 
   /// The path of a file that is named at a place: beside the scene file, as pbrt finds it; where there is
   /// none, beside the file that names it.
@@ -27,6 +28,7 @@ class PbrtFiles {
  private:
   std::string scene_;
   Read read_;
+  LoadOptions options_;
 };
 
 /// The bytes of a file on disk, unpacked where they are gzip. Throws Error.

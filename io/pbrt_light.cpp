@@ -94,7 +94,9 @@ std::shared_ptr<const Image> picture_of(const PbrtParameters& parameters, PbrtCo
   const PbrtPlace& place = parameters.find("filename")->place;
   try {
     if (!context.files.is_disk()) throw Error(name + ": pictures are read from disk alone");
-    LoadedEnvironment loaded = load_environment(context.files.path(place, name));
+    const std::string path = context.files.path(place, name);
+    context.options.add_file(path);
+    LoadedEnvironment loaded = load_environment(path);
     if (!loaded.fault.empty()) place.warn(context.warnings, loaded.fault + "; such pixels are black");
     return std::make_shared<const Image>(std::move(loaded.map));
   } catch (const Error& error) {
@@ -110,8 +112,9 @@ std::shared_ptr<const Image> emission_of(const PbrtParameters& parameters, PbrtC
   const PbrtPlace& place = parameters.find("filename")->place;
   if (const PbrtParameter* color = parameters.find("L"))
     color->place.fail("an area light has a color \"L\" or a picture \"filename\", not both");
-  const LoadedTexture loaded =
-      load_texture(context.files.is_disk() ? context.files.path(place, name) : "", {});
+  const std::string path = context.files.is_disk() ? context.files.path(place, name) : "";
+  context.options.add_file(path);
+  const LoadedTexture loaded = load_texture(path, {});
   if (!loaded.warning.empty()) place.warn(context.warnings, loaded.warning);
   auto picture = std::make_shared<Image>(loaded.image->image(0));
   for (Rgb& pixel : picture->pixels)

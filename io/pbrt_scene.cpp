@@ -209,7 +209,7 @@ class Reader {
 
 LoadedScene read_pbrt(std::string text, const std::string& name, const LoadOptions& options,
                       PbrtFiles::Read read) {
-  PbrtContext context{PbrtFiles(name, std::move(read)), options};
+  PbrtContext context{PbrtFiles(name, std::move(read), options), options};
   PbrtParser parser({name, std::move(text)}, context.files);
   Reader reader(context);
   PbrtStatement statement;
@@ -221,6 +221,7 @@ LoadedScene read_pbrt(std::string text, const std::string& name, const LoadOptio
 }
 
 LoadedScene load_pbrt(const std::string& path, const LoadOptions& options) {
+  options.add_file(path);
   std::string text = read_input_file(path, "scene file");
   return read_pbrt(is_gzip(text) ? unpack_gzip(text, path) : std::move(text), path, options);
 }

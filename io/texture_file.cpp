@@ -102,6 +102,7 @@ LoadedTexture load(const PictureUse& picture, const StandIn& stand_in, const Loa
     options.pictures->push_back(picture);
     return {kept(picture_of(stand_in), nullptr), ""};
   }
+  options.add_file(picture.path);
   std::string warning;
   Image image;
   try {

@@ -33,11 +33,14 @@ DOORS = {
     "OpenImageIO": (r"OpenImageIO/", r"io/openimageio_(codec|view)\.cpp"),
     "libpng": (r"png\.h", r"io/png\.cpp"),
     "zlib": (r"zlib\.h", r"io/gzip\.cpp"),
+    "Zstandard": (r"zstd\.h", r"io/zstd\.cpp"),
+    "xxHash": (r"xxhash\.h", r"io/content_hash\.cpp"),
     "libzip": (r"zip\.h", r"io/zip_archive\.cpp"),
     "tinyxml2": (r"tinyxml2\.h", r"io/xml_reader\.(h|cpp)"),
     "CLI11": (r"CLI/", r"cli/|bench/options\.cpp"),
-    "nlohmann/json": (r"nlohmann/", r"(cli|bench)/\w*report\.cpp|cli/(study/record|live/web_state)\.cpp|"
-                                    r"io/(cryptomatte|exchange)\.cpp|"
+    "nlohmann/json": (r"nlohmann/", r"(cli|bench)/\w*report\.cpp|"
+                                    r"cli/(study/record|live/web_state|film/notes_json)\.cpp|"
+                                    r"io/(cryptomatte|exchange|film_header)\.cpp|"
                                     r"tests/(cli|io)/"),
     "cmark": (r"cmark", r"cli/study/notes\.cpp"),
     "Catch2": (r"catch2/", r"tests/support/catch\.h"),

@@ -9,7 +9,7 @@ namespace twinray::test {
 namespace {
 
 RenderResult result_of(const RayCounts& rays, double seconds) {
-  return {Film(8, 8, {0, 0, 8, 8}), rays, seconds};
+  return {{.film = Film(8, 8, {0, 0, 8, 8}), .rays = rays, .seconds = seconds}};
 }
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

@@ -34,7 +34,7 @@ MUTANTS = [
            "test_io",
            "a part of a frame is an EXR's data window, and the frame its display window"),
     Mutant("a render does not guard its unfinished files", "cli/render_command.cpp",
-           "const InterruptGuard guard(all_names({outputs, partial}));", "const InterruptGuard guard({});",
+           "guard_(all_names({outputs_, partial_}))", "guard_(Words{})",
            "test_cli",
            "an old file survives an interruption in the middle, and no unfinished file stays"),
     Mutant("an ignored interruption ends the program", "cli/interrupt.cpp",

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/film/film_keeper.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/console.h"
+#include "cli/film/render_identity.h"
+#include "core/error.h"
+
+namespace twinray {
+namespace {
+
+/// Between two checkpoints, where no option says how many.
+constexpr std::chrono::duration<double> usual_interval{60};
+/// Then they take at most one part in so many of the time.
+constexpr int rarity = 100;
+
+bool has_pictures(const Scene& scene) {
+  return std::any_of(scene.textures.begin(), scene.textures.end(), [](const Texture& texture) {
+    return std::holds_alternative<ImageTexture>(texture.model);
+  });
+}
+
+}  // namespace
+
+bool uses_films(const RenderArguments& arguments) {
+  return !arguments.checkpoint.empty() || !arguments.resumed.empty() || is_film_name(arguments.output);
+}
+
+FilmKeeper::FilmKeeper(const RenderArguments& arguments, const LoadedScene& loaded,
+                       const PictureNotes& picture, const Words& words)
+    : arguments_(arguments) {
+  std::error_code error;
+  notes_ = {.identity = render_identity(arguments),
+            .has_pictures = has_pictures(loaded.scene),
+            .samples = arguments.render.samples,
+            .range = arguments.render.range,
+            .tiles = arguments.render.tiles,
+            .progress = {},
+            .is_complete = false,
+            .words = words,
+            .folder = std::filesystem::current_path(error).string(),
+            .picture = picture};
+  if (!arguments.resumed.empty()) {
+    auto [film, fault] = open_film_to_resume(arguments.resumed);
+    if (!fault.empty()) console::warn(fault);
+    check_can_resume(film, notes_);
+    begun_.emplace(std::move(film));
+  }
+  if (!arguments.checkpoint.empty())
+    next_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
+                               arguments.checkpoint_seconds.value_or(usual_interval.count())));
+}
+
+void FilmKeeper::restore(RenderState& state) {
+  if (!begun_) return;
+  twinray::restore(*begun_, state, arguments_.render.threads);
+  begun_.reset();
+}
+
+void FilmKeeper::write(const std::string& path, const RenderState& state, bool is_complete) const {
+  FilmNotes notes = notes_;
+  notes.is_complete = is_complete;
+  write_film(path, notes, state, arguments_.render.threads);
+}
+
+void FilmKeeper::write_checkpoint(const RenderState& state, bool is_complete) {
+  try {
+    write(arguments_.checkpoint, state, is_complete);
+    is_saved_ = true;
+  } catch (const Error& error) {
+    console::warn(fmt::format("no checkpoint: {}; the one before is as it was", error.what()));
+  } catch (const std::bad_alloc&) {
+    console::warn(fmt::format("no checkpoint: {}: there is not enough memory; the one before is as it was",
+                              arguments_.checkpoint));
+  }
+}
+
+void FilmKeeper::save(const RenderState& state) {
+  const Clock::time_point begin = Clock::now();
+  write_checkpoint(state, false);
+  const Clock::time_point end = Clock::now();
+  const std::chrono::duration<double> interval =
+      arguments_.checkpoint_seconds
+          ? std::chrono::duration<double>(*arguments_.checkpoint_seconds)
+          : std::max<std::chrono::duration<double>>(usual_interval, rarity * (end - begin));
+  next_ = end + std::chrono::duration_cast<Clock::duration>(interval);
+}
+
+void FilmKeeper::save_last(const RenderResult& result) {
+  if (!arguments_.checkpoint.empty()) write_checkpoint(result, result.is_complete);
+}
+
+}  // namespace twinray

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a film file says of the render that its samples come from (docs/films.md).
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/options.h"
+#include "cli/picture_metadata.h"
+#include "integrators/render.h"
+
+namespace twinray {
+
+/// What decides about the bits of every sample. Renders of which all of this is equal can go on with each
+/// other's films, and be merged.
+struct RenderIdentity {
+  std::string program;  ///< Its name and version.
+  /// The files that were read, by their names as seen from the scene's folder, and the hash of each; of a
+  /// generated scene its name alone.
+  std::map<std::string, std::string> files;
+  std::map<std::string, Words> options;  ///< Those of the options given that change samples.
+  int width = 0, height = 0;             ///< Of the frame.
+  PixelRect window;                      ///< The picture's pixels.
+
+  bool operator==(const RenderIdentity&) const = default;
+};
+
+/// How far the render was, as in RenderState.
+struct FilmProgress {
+  RayCounts rays;
+  std::uint32_t samples = 0, next_estimate = 0;
+  std::optional<double> error;
+  double seconds = 0;
+};
+
+struct FilmNotes {
+  RenderIdentity identity;
+  bool has_pictures = false;         ///< On the scene's surfaces: their sharpness depends on the next number.
+  std::uint32_t samples = 1;         ///< Of the whole picture.
+  std::optional<SampleRange> range;  ///< Those of them that are in the film, once it is complete,
+  std::optional<TileRange> tiles;    ///< or its tiles; else all.
+  FilmProgress progress;
+  bool is_complete = false;
+  Words words;         ///< Of the command line.
+  std::string folder;  ///< Where it was called.
+  PictureNotes picture;
+};
+
+std::string film_notes_json(const FilmNotes& notes);
+/// Throws Error where this is no such text.
+FilmNotes parse_film_notes(const std::string& json);
+
+/// What keeps the film of a render out of another one: "its --seed is 3, and 4 here"; empty: nothing.
+std::string difference(const RenderIdentity& film, const RenderIdentity& here);
+
+/// "samples 0 to 16 of 64"
+std::string part_text(const FilmNotes& notes);
+
+}  // namespace twinray

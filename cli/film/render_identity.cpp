@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/film/render_identity.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <string_view>
+
+#include "cli/version.h"
+#include "core/error.h"
+#include "io/content_hash.h"
+#include "io/generated/generated.h"
+
+namespace twinray {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// They say what is made of the samples, how many there are, or who makes them.
+constexpr std::string_view free_options[] = {
+    "--output", "--samples", "--of", "--sample-range", "--tile-range", "--seconds", "--noise-target",
+    "--denoise", "--denoise-light-groups", "--exposure", "--white-balance", "--tone", "--ocio-view",
+    "--ocio-display", "--exr-compression", "--texture-memory", "--threads", "--count", "--stats", "--tev",
+    "--serve", "--strict", "--quiet", "--checkpoint", "--checkpoint-seconds",
+    // Their files count, and not their names.
+    "--environment", "--camera"};
+/// All canonical engines make the same samples.
+constexpr std::string_view engine_options[] = {
+    "--accel",       "--simd",      "--bvh-width",     "--bvh-quality",    "--bvh-split",
+    "--bvh-builder", "--bvh-bins",  "--max-leaf-size", "--traversal-cost", "--intersection-cost",
+    "--embree-mode", "--embree-isa"};
+
+template <std::size_t count>
+bool is_among(const std::string_view (&options)[count], const std::string& name) {
+  return std::find(std::begin(options), std::end(options), name) != std::end(options);
+}
+
+bool depends_on_engine(const RenderArguments& arguments) {
+  return arguments.integrator == IntegratorKind::cost || arguments.backend == Backend::embree_native;
+}
+
+std::string hash_of(const std::string& path) {
+  try {
+    return file_hash(path);
+  } catch (const Error&) {
+    return "none";  // Whoever reads it says so, and goes on in a way of its own.
+  }
+}
+
+std::map<std::string, std::string> files_of(const RenderArguments& arguments) {
+  std::map<std::string, std::string> files;
+  if (generated::is_generated(arguments.scene)) files[arguments.scene] = "";
+  const fs::path folder = fs::path(arguments.scene).lexically_normal().parent_path();
+  for (const std::string& file : *arguments.load.files) {
+    const fs::path path = fs::path(file).lexically_normal(), name = path.lexically_relative(folder);
+    const auto [place, is_new] = files.try_emplace(name.empty() ? path.string() : name.string());
+    if (is_new) place->second = hash_of(file);
+  }
+  if (!arguments.environment.empty()) files["the environment"] = hash_of(arguments.environment);
+  if (!arguments.camera_file.empty()) files["the camera's file"] = hash_of(arguments.camera_file);
+  return files;
+}
+
+}  // namespace
+
+RenderIdentity render_identity(const RenderArguments& arguments) {
+  RenderIdentity identity{.program = version_name(),
+                          .files = files_of(arguments),
+                          .options = {},
+                          .width = arguments.render.width,
+                          .height = arguments.render.height,
+                          .window = window_of(arguments.render)};
+  for (const auto& [name, words] : arguments.given_words)
+    if (!is_among(free_options, name) && (!is_among(engine_options, name) || depends_on_engine(arguments)))
+      identity.options.emplace(name, words);
+  return identity;
+}
+
+}  // namespace twinray

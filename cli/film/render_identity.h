@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "cli/film/film_notes.h"
+#include "cli/render_arguments.h"
+
+namespace twinray {
+
+/// What decides about the samples of a render whose scene was loaded with a list of its files. What changes
+/// none is left out: engines but for embree-native and pictures of cost, threads, outputs, how many samples.
+RenderIdentity render_identity(const RenderArguments& arguments);
+
+}  // namespace twinray

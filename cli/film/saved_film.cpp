@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/film/saved_film.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "core/error.h"
+
+namespace twinray {
+namespace {
+
+/// From so many samples on a picture on a surface gets no sharper (camera_cone).
+constexpr std::uint32_t sharpest_samples = 64;
+
+/// Why samples of a picture with so many a pixel are not those of one with as many as here; empty: they are.
+std::string sample_difference(const FilmNotes& film, const FilmNotes& here) {
+  if (film.samples == here.samples) return "";
+  if (film.range || here.range || film.tiles || here.tiles)
+    return fmt::format("it is a part of a picture of {} samples, and of {} here", film.samples, here.samples);
+  if (film.samples == 1 || here.samples == 1)
+    return fmt::format(
+        "it is of {} samples a pixel, and of {} here: the one sample of a pixel lies in its middle",
+        film.samples, here.samples);
+  const auto sharpness = [](const FilmNotes& notes) { return std::min(notes.samples, sharpest_samples); };
+  if (film.has_pictures && sharpness(film) != sharpness(here))
+    return fmt::format(
+        "it is of {} samples a pixel, and of {} here: up to {} the sharpness of pictures on surfaces depends "
+        "on their number",
+        film.samples, here.samples, sharpest_samples);
+  return "";
+}
+
+std::string part_difference(const FilmNotes& film, const FilmNotes& here) {
+  if (film.range == here.range && film.tiles == here.tiles) return "";
+  return fmt::format("it has {}, and {} are wanted here", part_text(film), part_text(here));
+}
+
+std::vector<const Film*> films_of(const RenderState& state) {
+  if (!state.halves) return {&state.film};
+  return {&state.film, &state.halves->first, &state.halves->second};
+}
+
+}  // namespace
+
+bool is_film_name(const std::string& path) { return std::filesystem::path(path).extension() == ".film"; }
+
+std::uint64_t write_film(const std::string& path, const FilmNotes& notes, const RenderState& state,
+                         int threads) {
+  FilmNotes all = notes;
+  all.progress = {state.rays, state.samples, state.next_estimate, state.error, state.seconds};
+  return write_film_file(path, films_of(state), film_notes_json(all), threads);
+}
+
+SavedFilm open_film(const std::string& path) {
+  FilmFile file(path);
+  try {
+    FilmNotes notes = parse_film_notes(file.header().notes);
+    return {std::move(file), std::move(notes)};
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
+FilmToResume open_film_to_resume(const std::string& path) {
+  const auto open = [](const std::string& name) {
+    SavedFilm film = open_film(name);
+    film.file.check();
+    return film;
+  };
+  try {
+    return {open(path), ""};
+  } catch (const Error& error) {
+    const std::string earlier = earlier_film_name(path);
+    if (!std::filesystem::exists(earlier)) throw;
+    return {open(earlier), fmt::format("{}; {} is taken in its place", error.what(), earlier)};
+  }
+}
+
+void check_can_resume(const SavedFilm& film, const FilmNotes& here) {
+  std::string reason = difference(film.notes.identity, here.identity);
+  if (reason.empty()) reason = part_difference(film.notes, here);
+  if (reason.empty()) reason = sample_difference(film.notes, here);
+  if (!reason.empty())
+    throw Error(fmt::format("{}: this film cannot go on here: {}", film.file.path(), reason));
+}
+
+void restore(SavedFilm& film, RenderState& state, int threads) {
+  std::vector<Film*> films{&state.film};
+  if (state.halves) films.insert(films.end(), {&state.halves->first, &state.halves->second});
+  const std::vector<FilmContents>& saved = film.file.header().films;
+  if (saved.size() < films.size())
+    throw Error(fmt::format("{}: it has no halves of the samples, which --denoise and --noise-target need",
+                            film.file.path()));
+  if (saved.size() > films.size())
+    throw Error(fmt::format("{}: it has halves of the samples, as a render with --denoise or --noise-target",
+                            film.file.path()));
+  film.file.merge_into(films, threads);
+  const FilmProgress& progress = film.notes.progress;
+  state.rays = progress.rays;
+  state.samples = progress.samples;
+  state.next_estimate = progress.next_estimate;
+  state.error = progress.error;
+  state.seconds = progress.seconds;
+}
+
+}  // namespace twinray

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The state of a render as a film file.
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "cli/film/film_notes.h"
+#include "io/film_file.h"
+
+namespace twinray {
+
+/// Whether a name is that of a film file: it ends in ".film".
+bool is_film_name(const std::string& path);
+
+/// Writes what there is of a render; the notes but for its progress. Returns the bytes. Throws Error.
+std::uint64_t write_film(const std::string& path, const FilmNotes& notes, const RenderState& state,
+                         int threads);
+
+struct SavedFilm {
+  FilmFile file;
+  FilmNotes notes;
+};
+/// Throws Error where it is none, or its beginning or its end is damaged.
+SavedFilm open_film(const std::string& path);
+
+/// The film to go on with: of that name or, where it is missing or damaged, the one that it replaced. `fault`
+/// is then what is wrong with it, else empty. All of it is read. Throws Error where both are bad.
+struct FilmToResume {
+  SavedFilm film;
+  std::string fault;
+};
+FilmToResume open_film_to_resume(const std::string& path);
+
+/// Throws Error, with what is different, unless a film may go on as the render that the notes are of.
+void check_can_resume(const SavedFilm& film, const FilmNotes& here);
+
+/// The film's samples in an empty state of such a render.
+void restore(SavedFilm& film, RenderState& state, int threads);
+
+}  // namespace twinray

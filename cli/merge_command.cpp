@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/merge_command.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "cli/common_options.h"
+#include "cli/console.h"
+#include "cli/denoising.h"
+#include "cli/film/film_parts.h"
+#include "cli/interrupt.h"
+#include "cli/outputs.h"
+#include "cli/render_command_line.h"
+#include "cli/render_outputs.h"
+#include "core/memory.h"
+
+namespace twinray {
+namespace {
+
+void add_options(CLI::App& app, MergeArguments& arguments) {
+  add_files(app, "FILM", arguments.films, "The films of all parts, in any order");
+  OptionGroup group(app, "Options");
+  group.add_word({"-o,--output", "FILE", "The picture, or a .film of all samples"}, arguments.output);
+  group.add_flag("--allow-gaps", arguments.allow_gaps,
+                 "Merge what there is; the picture's metadata says what is missing");
+  add_threads(group, arguments.threads);
+  group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
+}
+
+/// Options of one word that say which part a film is, and where it and its checkpoint go.
+const std::set<std::string> part_options{"--sample-range", "--tile-range",         "--of",
+                                         "--checkpoint",   "--checkpoint-seconds", "--output"};
+
+/// The words of a part's command line without those that are the part's alone.
+Words words_of_whole(const Words& of_part) {
+  Words words;
+  for (std::size_t i = 0; i < of_part.size(); ++i) {
+    const std::string& word = of_part[i];
+    if (word == "-o" || word == "-f" || part_options.contains(word))
+      ++i;
+    else if (!word.starts_with("-o") && !word.starts_with("-f") &&
+             !part_options.contains(word.substr(0, word.find('='))))
+      words.push_back(word);
+  }
+  return words;
+}
+
+/// What the whole picture's command line would ask for.
+RenderArguments arguments_of(const Words& words, const FilmNotes& notes) {
+  RenderArguments arguments = parse_render_arguments(words);
+  arguments.render.samples = notes.samples;
+  arguments.render.width = notes.identity.width;
+  arguments.render.height = notes.identity.height;
+  arguments.render.window = notes.identity.window;
+  return arguments;
+}
+
+void set_value(ImageMetadata& metadata, const std::string& name, const std::string& value) {
+  for (auto& [known, old] : metadata)
+    if (known == name) {
+      old = value;
+      return;
+    }
+  metadata.emplace_back(name, value);
+}
+
+/// The engines of all parts, each once.
+std::string engines_of(const FilmParts& parts) {
+  std::set<std::string> names;
+  for (const FilmPart& part : parts.parts)
+    for (const auto& [name, value] : part.notes.picture.metadata)
+      if (name == "twinray:engine") names.insert(value);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+PictureNotes notes_of(const FilmParts& parts, const Words& words) {
+  PictureNotes notes = parts.parts.front().notes.picture;
+  set_value(notes.metadata, "twinray:options", fmt::format("{}", fmt::join(words, " ")));
+  set_value(notes.metadata, "twinray:engine", engines_of(parts));
+  if (!parts.missing.empty())
+    set_value(notes.metadata, "twinray:missing", fmt::format("{}", fmt::join(parts.missing, ", ")));
+  return notes;
+}
+
+/// Of a film of all parts together.
+FilmNotes film_notes_of(const FilmParts& parts, const Words& words) {
+  FilmNotes notes = parts.parts.front().notes;
+  notes.words = words;
+  notes.picture = notes_of(parts, words);
+  if (parts.is_by_tiles)
+    notes.tiles = TileRange{parts.begin, parts.end};
+  else
+    notes.range = SampleRange{parts.begin, parts.end};
+  if (parts.missing.empty()) {
+    notes.tiles.reset();
+    notes.range.reset();
+  }
+  return notes;
+}
+
+void write_merged_picture(const RenderOutputs& outputs, const RenderArguments& arguments,
+                          const RenderState& state, PictureNotes notes) {
+  std::optional<DenoisedPicture> denoised;
+  if (arguments.denoiser && state.halves) {
+    const Denoising denoising(*arguments.denoiser, arguments.render.threads);
+    denoised = denoising.denoise(*state.halves);
+    set_value(notes.metadata, "twinray:denoiser", denoised->denoiser);
+  }
+  write_pictures(outputs, arguments, {state.film, denoised ? &*denoised : nullptr}, notes);
+}
+
+/// A film with gaps amid its range would be taken for one without.
+void check_film_output(const MergeArguments& arguments, const FilmParts& parts) {
+  const bool has_inner_gap =
+      std::adjacent_find(parts.parts.begin(), parts.parts.end(), [](const FilmPart& a, const FilmPart& b) {
+        return !is_next(a, b);
+      }) != parts.parts.end();
+  if (is_film_name(arguments.output) && has_inner_gap)
+    throw Error(fmt::format("{}: {} are missing amid it; a film is of a range without gaps", arguments.output,
+                            parts.missing.front()));
+}
+
+void say_what_was_merged(const MergeArguments& arguments, const FilmParts& parts) {
+  for (const std::string& path : parts.repeated)
+    console::warn(fmt::format("{}: the same samples as in another film; they count once", path));
+  for (const std::string& missing : parts.missing) console::warn(fmt::format("{} are missing", missing));
+  if (arguments.quiet) return;
+  console::print("Films          {}\n{}{}\n", parts.parts.size(),
+                 is_film_name(arguments.output) ? "Film           " : "Picture        ", arguments.output);
+}
+
+}  // namespace
+
+std::function<MergeArguments()> add_merge_options(CLI::App& app) {
+  const auto arguments = std::make_shared<MergeArguments>();
+  add_options(app, *arguments);
+  return [arguments] {
+    if (arguments->output.empty()) throw UsageError("--output=FILE is missing");
+    return *arguments;
+  };
+}
+
+int merge_command(const MergeArguments& asked) {
+  const FilmParts parts = read_film_parts(asked.films, asked.allow_gaps ? Gaps::allowed : Gaps::refused);
+  check_film_output(asked, parts);
+  const FilmNotes& first = parts.parts.front().notes;
+  Words words = words_of_whole(first.words);
+  words.insert(words.end(), {"--samples", fmt::format("{}", first.samples), "--output", asked.output});
+  RenderArguments arguments = arguments_of(words, first);
+  arguments.render.threads = asked.threads;
+  const RenderOutputs outputs = render_outputs(arguments);
+  const InterruptGuard guard(outputs.names());
+  prepare_outputs(outputs.names());
+  const RenderState state = merged(parts, asked.threads);
+  if (outputs.film.empty())
+    write_merged_picture(outputs, arguments, state, notes_of(parts, words));
+  else
+    write_film(outputs.film, film_notes_of(parts, words), state, asked.threads);
+  say_what_was_merged(asked, parts);
+  return 0;
+}
+
+}  // namespace twinray

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/render_keeping.h"
+
+#include "cli/console.h"
+#include "cli/partial_picture.h"
+#include "cli/shell_text.h"
+
+namespace twinray {
+
+RenderOptions RenderKeeping::resting(RenderOptions options) {
+  options.is_pause_due = [this] { return request_.is_made() || (keeper_ && keeper_->is_due()); };
+  options.paused = [this](const RenderState& state) { rest(state); };
+  if (keeper_) options.restore = [this](RenderState& state) { keeper_->restore(state); };
+  return options;
+}
+
+void RenderKeeping::rest(const RenderState& state) {
+  if (keeper_ && keeper_->is_due()) keeper_->save(state);
+  if (request_.take() && !partial_.names().empty()) talk_.note(write_so_far(state));
+}
+
+std::string RenderKeeping::write_so_far(const RenderState& state) {
+  if (partial_.film.empty()) return write_partial(partial_, arguments_, state.film, notes_);
+  keeper_->write(partial_.film, state, false);
+  return partial_.film + " holds what there is";
+}
+
+int RenderKeeping::interrupted(const RenderResult& result, int stop_code) {
+  if (keeper_) keeper_->save_last(result);
+  const std::string so_far = partial_.names().empty() ? "" : "; " + write_so_far(result);
+  console::print_error("{}: interrupted{}\n", console::speaker(), so_far);
+  if (!keeper_ || !keeper_->has_checkpoint()) return stop_code;
+  console::print_error("{}: `twinray resume {}` goes on with it\n", console::speaker(),
+                       shell_text({arguments_.checkpoint}));
+  return try_again_code;
+}
+
+}  // namespace twinray

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checkpoints, parts and merging, as a user sees them.
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <filesystem>
+#include <thread>
+
+#include "cli/film/saved_film.h"
+#include "io/image_file.h"
+#include "io/layered_image.h"
+#include "tests/support/arguments.h"
+#include "tests/support/catch.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/terminal.h"
+
+namespace twinray::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
+
+/// A small picture of the box by these options.
+std::string words(const std::string& more) { return quoted(box) + " -r 48 36 -q " + more; }
+
+void run(const std::string& arguments) {
+  const ProcessResult result = run_program(arguments);
+  INFO(arguments << "\n" << result.err);
+  REQUIRE(result.exit_code == 0);
+}
+
+/// What it says of an error, without the program's name.
+std::string error_of(const std::string& arguments) {
+  const ProcessResult result = run_program(arguments);
+  CHECK(result.exit_code != 0);
+  return result.err;
+}
+
+bool says(const std::string& text, const std::string& part) {
+  INFO(text);
+  const bool found = text.find(part) != std::string::npos;
+  CHECK(found);
+  return found;
+}
+
+/// A render that is stopped once it has its first checkpoint; the exit code.
+int interrupted(const TemporaryFolder& folder, std::vector<std::string> more, int signal_number) {
+  std::vector<std::string> all{box,
+                               "-r",
+                               "48",
+                               "36",
+                               "-s",
+                               "4000000",
+                               "-o",
+                               folder.file("a.pfm"),
+                               "--checkpoint=" + folder.file("a.ck"),
+                               "--checkpoint-seconds=0.01"};
+  all.insert(all.end(), more.begin(), more.end());
+  TerminalProgram program(all);
+  REQUIRE(program.wait_for(" samples |"));
+  while (!fs::exists(folder.file("a.ck"))) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  program.send(signal_number);
+  const int code = program.exit_code();
+  if (signal_number != SIGKILL)
+    says(program.shown(), fmt::format("twinray: `twinray resume {}` goes on with it", folder.file("a.ck")));
+  return code;
+}
+
+/// How many samples its pixels have at most.
+std::uint32_t samples_in(const std::string& film) { return open_film(film).notes.progress.samples; }
+
+}  // namespace
+
+TEST_CASE("an interrupted render with a checkpoint says to try again, and goes on to the same bits") {
+  for (const int signal_number : {SIGTERM, SIGINT, SIGXCPU}) {
+    CAPTURE(signal_number);
+    const TemporaryFolder folder;
+    CHECK(interrupted(folder, {}, signal_number) == 75);
+    CHECK(fs::exists(folder.file("a_partial.pfm")));
+    CHECK_FALSE(fs::exists(folder.file("a.pfm")));
+    const std::uint32_t samples = samples_in(folder.file("a.ck")) + 40;
+    run(fmt::format("resume {} -s {} -t 3 --accel=brute-force -q", quoted(folder.file("a.ck")), samples));
+    run(words(fmt::format("-s {} -o {}", samples, quoted(folder.file("b.pfm")))));
+    CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
+    CHECK(samples_in(folder.file("a.ck")) == samples);
+  }
+}
+
+TEST_CASE("a render that was killed goes on from its last checkpoint, or the one before") {
+  const TemporaryFolder folder;
+  interrupted(folder, {"--layers=albedo,ids", "-o", folder.file("a.exr")}, SIGKILL);
+  const std::string film = folder.file("a.ck");
+  const std::uint32_t samples = samples_in(film) + 20;
+  const std::string resume = fmt::format("resume {} -q -s {}", quoted(film), samples);
+  run(words(fmt::format("-s {} --layers=albedo,ids -o {}", samples, quoted(folder.file("b.exr")))));
+  const auto check_bits = [&] {
+    CHECK(read_layers(folder.file("a.exr")).values == read_layers(folder.file("b.exr")).values);
+  };
+  fs::copy(film, folder.file("copy.ck"));
+  run(resume);
+  check_bits();
+  // Its last checkpoint is damaged: the one before counts.
+  fs::copy(folder.file("copy.ck"), earlier_film_name(film), fs::copy_options::overwrite_existing);
+  std::string bytes = read_text(film);
+  bytes[bytes.size() / 2] = char(~bytes[bytes.size() / 2]);
+  write_text(film, bytes);
+  fs::remove(folder.file("a.exr"));
+  const ProcessResult result = run_program(resume);
+  CHECK(result.exit_code == 0);
+  says(result.err, film + ": a band of it is damaged; " + film + ".before is taken in its place");
+  check_bits();
+  fs::remove(film);
+  fs::remove(earlier_film_name(film));
+  says(error_of(resume), film + ": there is no such file");
+}
+
+TEST_CASE("a render without a checkpoint ends as it did, and its film can go on") {
+  const TemporaryFolder folder;
+  TerminalProgram program({box, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.film")});
+  REQUIRE(program.wait_for(" samples |"));
+  program.send(SIGTERM);
+  CHECK(program.exit_code() == 143);
+  const std::string partial = folder.file("a_partial.film");
+  REQUIRE(fs::exists(partial));
+  const std::uint32_t samples = samples_in(partial) + 17;
+  says(error_of("merge " + quoted(partial) + " -o " + quoted(folder.file("a.pfm"))),
+       partial + ": this film is not done; `twinray resume` goes on with it");
+  run(fmt::format("resume {} -q -s {}", quoted(partial), samples));
+  run(words(fmt::format("-s {} -o {}", samples, quoted(folder.file("b.pfm")))));
+  run(fmt::format("merge {} -q -o {}", quoted(folder.file("a.film")), quoted(folder.file("a.pfm"))));
+  CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
+}
+
+TEST_CASE("SIGUSR1 writes a picture of what there is, and the render goes on") {
+  const TemporaryFolder folder;
+  TerminalProgram program({box, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.png")});
+  REQUIRE(program.wait_for(" samples |"));
+  program.send(SIGUSR1);
+  REQUIRE(program.wait_for("note: " + folder.file("a_partial.png") + " holds what there is"));
+  CHECK(read_image(folder.file("a_partial.png")).width == 48);
+  REQUIRE(program.wait_for(" samples |"));
+  program.send(SIGTERM);
+  CHECK(program.exit_code() == 143);
+}
+
+TEST_CASE("ranges of samples and tiles merge to the picture of one render, whatever engine made them") {
+  const TemporaryFolder folder;
+  const auto film = [&](const std::string& name) { return quoted(folder.file(name)); };
+  const std::string scene = "-s 21 --layers=normal,cryptomatte-object,ids --denoise=own";
+  run(words(scene + " -o " + film("whole.exr")));
+  run(words(scene + " --sample-range=0:8 -t 1 -o " + film("a.film")));
+  run(words(scene + " --sample-range=8:9 --accel=brute-force -o " + film("b.film")));
+  run(words(scene + " --sample-range=9:21 --of=21 --accel=bvh --bvh-width=2 -o " + film("c.film")));
+  run("merge -q " + film("c.film") + " " + film("a.film") + " " + film("b.film") + " -o " + film("m.exr"));
+  const StoredLayers whole = read_layers(folder.file("whole.exr"));
+  CHECK(read_layers(folder.file("m.exr")).values == whole.values);
+  run(words(scene + " -a 8 0.3 -o " + film("adaptive.exr")));
+  for (int i = 0; i < 3; ++i)
+    run(words(fmt::format("{} -a 8 0.3 --tile-range={}:{} -o {}", scene, 3 * i, 3 * i + 3,
+                          film(fmt::format("tiles{}.film", i)))));
+  run("merge -q " + film("tiles1.film") + " " + film("tiles0.film") + " " + film("tiles2.film") + " -o " +
+      film("tiles.exr"));
+  CHECK(read_layers(folder.file("tiles.exr")).values == read_layers(folder.file("adaptive.exr")).values);
+  const auto rates = [&](const char* name) { return read_image(folder.file(name)).pixels; };
+  CHECK(rates("tiles_rate.png") == rates("adaptive_rate.png"));
+}
+
+TEST_CASE("films merge in steps, and a merged film takes more samples") {
+  const TemporaryFolder folder;
+  const auto film = [&](const std::string& name) { return quoted(folder.file(name)); };
+  for (int i = 0; i < 4; ++i)
+    run(words(fmt::format("--sample-range={}:{} --of=16 -o {}", 4 * i, 4 * i + 4,
+                          film(fmt::format("{}.film", i)))));
+  run("merge -q " + film("1.film") + " " + film("0.film") + " -o " + film("01.film") + " --allow-gaps");
+  run("merge -q " + film("2.film") + " " + film("3.film") + " -o " + film("23.film") + " --allow-gaps");
+  run("merge -q " + film("23.film") + " " + film("01.film") + " -o " + film("all.film"));
+  run("resume " + film("all.film") + " -q -s 40 -o " + film("a.pfm"));
+  run(words("-s 40 -o " + film("b.pfm")));
+  CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
+}
+
+TEST_CASE("films that are no parts of one render are refused by name") {
+  const TemporaryFolder folder;
+  const auto film = [&](const std::string& name) { return quoted(folder.file(name)); };
+  const auto part = [&](const std::string& name, const std::string& more) {
+    run(words(more + " -o " + film(name + ".film")));
+  };
+  const auto merge = [&](const std::string& names) {
+    std::string all = "merge";
+    for (const char name : names)
+      if (name != ' ') all += " " + film(std::string(1, name) + ".film");
+    return error_of(all + " -o " + film("x.pfm"));
+  };
+  part("a", "--sample-range=0:4 --of=8");
+  part("b", "--sample-range=4:8 --of=8");
+  part("c", "--sample-range=4:8 --of=8 --seed=1");
+  part("d", "--sample-range=2:6 --of=8");
+  part("e", "--sample-range=4:8 --of=9");
+  part("f", "--sample-range=6:8 --of=8");
+  part("g", "--tile-range=0:3 --of=8");
+  part("h", "--sample-range=4:8 --of=8 --denoise=own");
+  run(quoted(TWINRAY_SOURCE_DIR "/scenes/spheres.dae") + " -r 48 36 -q --sample-range=4:8 --of=8 -o " +
+      film("i.film"));
+  run(quoted(box) + " -r 48 35 -q --sample-range=4:8 --of=8 -o " + film("j.film"));
+  const std::string a = folder.file("a.film") + ": ", go = ": it does not go with " + a;
+  says(merge("ac"), folder.file("c.film") + go + "it was made without --seed 1");
+  says(merge("ad b"), folder.file("a.film") + " and " + folder.file("d.film") +
+                          " overlap: samples 0 to 4 of 8, and samples 2 to 6 of 8");
+  says(merge("ae"), folder.file("e.film") + go + "8 samples a pixel, and 9 here");
+  says(merge("a"), "samples 4 to 8 of 8 are missing; --allow-gaps merges what there is");
+  says(merge("af"), "samples 4 to 6 of 8 are missing");
+  says(merge("ag"), folder.file("g.film") + go + "one is a range of tiles, the other one of samples");
+  says(merge("ah"), folder.file("h.film") + go + "one has halves of the samples, or other layers");
+  says(merge("ai"), folder.file("i.film") + go + "its scene reads box.dae, which is not read here");
+  says(merge("aj"), folder.file("j.film") + go + "its --resolution is 48 36, and 48 35 here");
+  says(error_of("merge " + film("a.film")), "--output=FILE is missing");
+  says(error_of("merge -o " + film("x.pfm")), "FILM is missing");
+  const ProcessResult twice = run_program("merge -q " + film("a.film") + " " + film("b.film") + " " +
+                                          film("a.film") + " -o " + film("x.pfm"));
+  CHECK(twice.exit_code == 0);
+  says(twice.err, a + "the same samples as in another film; they count once");
+  run(words("-s 8 -o " + film("y.pfm")));
+  CHECK(read_text(folder.file("x.pfm")) == read_text(folder.file("y.pfm")));
+  const ProcessResult gap =
+      run_program("merge -q --allow-gaps " + film("a.film") + " " + film("f.film") + " -o " + film("x.png"));
+  CHECK(gap.exit_code == 0);
+  says(gap.err, "samples 4 to 6 of 8 are missing");
+  says(read_text(folder.file("x.png")), "twinray:missing");
+}
+
+TEST_CASE("a checkpoint of another scene, option or file does not go on") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("scene.dae"), film = quoted(folder.file("a.ck"));
+  fs::copy(box, scene);
+  run(quoted(scene) + " -r 48 36 -q -s 4 --max-depth=3 --checkpoint=" + film + " -o " +
+      quoted(folder.file("a.pfm")));
+  const std::string go = folder.file("a.ck") + ": this film cannot go on here: ";
+  const auto resume = [&](const std::string& more) { return error_of("resume " + film + " " + more); };
+  says(resume("--max-depth=4"), go + "its --max-depth is 3, and 4 here");
+  says(resume("--filter=box"), go + "it was made without --filter box");
+  says(resume("--sample-range=0:2 -o x.film"),
+       go + "it has samples 0 to 4 of 4, and samples 0 to 2 of 4 are wanted here");
+  says(resume("-s 1"),
+       go + "it is of 4 samples a pixel, and of 1 here: the one sample of a pixel lies in its middle");
+  says(resume("-s 2"), "4 samples of a pixel are there already, and 2 are wanted");
+  says(resume("--denoise=own"),
+       folder.file("a.ck") + ": it has no halves of the samples, which --denoise and --noise-target need");
+  says(resume("--accel=check"),
+       "--accel=check compares all rays of one render: it makes and resumes no films");
+  says(resume("--nonsense"), "there is no option --nonsense");
+  run("resume " + film + " -q --exposure=1 --accel=brute-force -o " + quoted(folder.file("b.png")));
+  write_text(scene, read_text(scene) + "\n");
+  says(resume("-q"), go + "scene.dae is not the file that it was");
+  fs::remove(scene);
+  says(resume("-q"),
+       scene + ": there is no such file; the render was begun in " + fs::current_path().string());
+}
+
+TEST_CASE("what a part or a checkpoint cannot be is said before it is begun") {
+  CHECK(message_of({"--sample-range=0:4"}) ==
+        "--sample-range: a part of a picture is kept as a film, to be merged; twinray.png does not end in "
+        ".film");
+  CHECK(message_of({"--sample-range=4", "-o", "a.film"}) ==
+        "--sample-range: \"4\" is no range; a range is BEGIN:END, as 0:16");
+  CHECK(message_of({"--sample-range=4:4", "-o", "a.film"}) == "--sample-range: 4 is not less than 4");
+  CHECK(message_of({"--tile-range=1:-4", "-o", "a.film"})
+            .starts_with("--tile-range: \"-4\" is not a whole number"));
+  CHECK(message_of({"--sample-range=0:4", "--tile-range=0:4", "-o", "a.film"}) ==
+        "--sample-range and --tile-range exclude each other");
+  CHECK(message_of({"--sample-range=0:4", "-a", "8", "0.1", "-o", "a.film"}) ==
+        "--sample-range: --adaptive looks at all samples of a pixel; --tile-range goes with it");
+  CHECK(message_of({"--sample-range=0:4", "--seconds=3", "-o", "a.film"}) ==
+        "--sample-range: a part has as many samples as the picture's others; --seconds and --noise-target do "
+        "not go "
+        "with it");
+  CHECK(message_of({"--of=8", "-s", "9"}) == "--of: 8 samples, and --samples says 9");
+  CHECK(parse({"--of=8"}).render.samples == 8);
+  CHECK(parse({"--layers=albedo", "-o", "a.film"}).render.layers.size() == 2);
+  CHECK(parse({"--checkpoint-seconds=3"}).without_effect ==
+        std::vector<std::string>{"--checkpoint-seconds: no effect, for there is no --checkpoint"});
+}
+
+TEST_CASE("a checkpoint that cannot be written is a warning, and the render goes on") {
+  const TemporaryFolder folder;
+  // Room for the picture and not for the film.
+  const ProcessResult result =
+      run_program(words(fmt::format("-s 256 --checkpoint={} --checkpoint-seconds=0.01 -o {}",
+                                    quoted(folder.file("a.ck")), quoted(folder.file("a.png")))),
+                  "ulimit -f 16;");
+  CHECK(result.exit_code == 0);
+  says(result.err, "warning: no checkpoint: " + folder.file("a.ck") +
+                       ": cannot be written: File too large; "
+                       "the one before is as it was");
+  CHECK(folder.file_count() == 1);
+}
+
+}  // namespace twinray::test
