@@ -44,16 +44,16 @@ void add_film_options(CLI::App& app, RenderRequest& request) {
   RenderArguments& arguments = request.arguments;
   group.add_word({"--checkpoint", "FILE", "Keep the render there, for `twinray resume FILE`"},
                  arguments.checkpoint);
-  group.add_number(
-      {"--checkpoint-seconds", "T", "Time between checkpoints (60, or 100 times what one takes)"},
-      arguments.checkpoint_seconds, intervals);
+  group.add_flag("--resume", request.resume, "Go on with the checkpoint where there is one");
+  group.add_number({"--checkpoint-seconds", "T", "Between checkpoints (60, or 100 times what one takes)"},
+                   arguments.checkpoint_seconds, intervals);
   group.add_words({"--sample-range", "A:B", "Render samples A to B - 1 alone, into a .film for merge"}, 1,
                   [&request](const Words& words) {
                     request.arguments.render.range = parse_range<SampleRange>("--sample-range", words[0]);
                   });
   group.add_number({"--of", "N", "The samples per pixel of the whole, as --samples"}, request.of,
                    sample_counts);
-  group.add_words({"--tile-range", "A:B", "Render tiles A to B - 1 alone, of 16 x 16 pixels, row by row"}, 1,
+  group.add_words({"--tile-range", "A:B", "Render tiles A to B - 1 alone: 16 x 16 pixels, row by row"}, 1,
                   [&request](const Words& words) {
                     request.arguments.render.tiles = parse_range<TileRange>("--tile-range", words[0]);
                   });
@@ -63,6 +63,9 @@ void resolve_film(const RenderRequest& request, RenderArguments& arguments) {
   RenderOptions& render = arguments.render;
   if (request.of && is_given("--samples", arguments) && *request.of != render.samples)
     throw UsageError(fmt::format("--of: {} samples, and --samples says {}", *request.of, render.samples));
+  if (request.resume && arguments.checkpoint.empty())
+    throw UsageError("--resume goes with --checkpoint, which says what to go on with");
+  if (request.resume && has_film(arguments.checkpoint)) arguments.resumed = arguments.checkpoint;
   if (request.of) render.samples = *request.of;
   if (render.range) check_part("--sample-range", arguments);
   if (render.tiles) check_part("--tile-range", arguments);

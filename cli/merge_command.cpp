@@ -28,21 +28,14 @@ void add_options(CLI::App& app, MergeArguments& arguments) {
   group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
 }
 
-/// Options of one word that say which part a film is, and where it and its checkpoint go.
-const std::set<std::string> part_options{"--sample-range", "--tile-range",         "--of",
-                                         "--checkpoint",   "--checkpoint-seconds", "--output"};
+/// Options that say which part a film is, and where it and its checkpoint go.
+const std::vector<std::string> part_options{"--sample-range", "--tile-range", "--of", "--checkpoint",
+                                            "--output",       "-o",           "-f",   "--checkpoint-seconds"};
 
 /// The words of a part's command line without those that are the part's alone.
 Words words_of_whole(const Words& of_part) {
-  Words words;
-  for (std::size_t i = 0; i < of_part.size(); ++i) {
-    const std::string& word = of_part[i];
-    if (word == "-o" || word == "-f" || part_options.contains(word))
-      ++i;
-    else if (!word.starts_with("-o") && !word.starts_with("-f") &&
-             !part_options.contains(word.substr(0, word.find('='))))
-      words.push_back(word);
-  }
+  Words words = without_options(of_part, part_options);
+  std::erase(words, "--resume");
   return words;
 }
 

@@ -65,8 +65,8 @@ std::string nearest_option(const CLI::App& app, const std::string& word) {
   return nearest.empty() ? "" : fmt::format("; did you mean --{}?", nearest);
 }
 
-/// The words that no option took, as a message.
-std::string extra_text(const CLI::App& app, const Words& words, const CLI::ExtrasError& error) {
+/// The words that no option took, as a message; without such words, the error's.
+std::string extra_text(const CLI::App& app, const Words& words, const CLI::Error& error) {
   const Words extra = app.remaining(true);
   if (extra.empty()) return error.what();
   const std::string& word = extra.front();
@@ -114,6 +114,8 @@ void parse(CLI::App& app, const Words& words) {
   } catch (const CLI::ArgumentMismatch& error) {
     throw UsageError(missing_text(error));
   } catch (const CLI::RequiredError& error) {
+    // Of a command that leaves words to others, the first of these may be why.
+    if (!app.remaining(true).empty()) throw UsageError(extra_text(app, words, error));
     const std::string text = error.what();  // "SCENE is required"
     throw UsageError(text.substr(0, text.find(' ')) + " is missing");
   } catch (const CLI::ParseError& error) {
@@ -216,6 +218,22 @@ std::map<std::string, Words> given_words(const CLI::App& app) {
     if (option->count() > 0 && !option->get_lnames().empty())
       given.emplace("--" + option->get_lnames().front(), option->reduced_results());
   return given;
+}
+
+Words without_options(const Words& words, const std::vector<std::string>& names) {
+  const auto is_named = [&](const std::string& word) {
+    return std::find(names.begin(), names.end(), word) != names.end();
+  };
+  Words left;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    const bool is_short = word.size() > 2 && word[0] == '-' && word[1] != '-';
+    if (is_named(word))
+      ++i;
+    else if (!is_named(is_short ? word.substr(0, 2) : word.substr(0, word.find('='))))
+      left.push_back(word);
+  }
+  return left;
 }
 
 void read_alone(const Words& words, const std::function<std::function<void()>(CLI::App&)>& use) {

@@ -171,6 +171,10 @@ Words given_options(const CLI::App& app);
 /// Their words, by these names; those that count, where one was given again.
 std::map<std::string, Words> given_words(const CLI::App& app);
 
+/// The words but for these options, of one word each, in any of their forms: "--of=8", "--of 8", "-o a",
+/// "-oa".
+Words without_options(const Words& words, const std::vector<std::string>& names);
+
 /// Adds a command's options, and returns how their arguments are had once they are read.
 template <typename Arguments>
 using AddOptions = std::function<Arguments()> (*)(CLI::App&);

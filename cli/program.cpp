@@ -13,6 +13,7 @@
 #include "cli/error_command.h"
 #include "cli/merge_command.h"
 #include "cli/options.h"
+#include "cli/plan_command.h"
 #include "cli/relight_command.h"
 #include "cli/render_command.h"
 #include "cli/render_command_line.h"
@@ -47,6 +48,9 @@ Action add_resume(CLI::App& app) {
 Action add_merge(CLI::App& app) {
   return [read = add_merge_options(app)](const Words&) { return merge_command(read()); };
 }
+Action add_plan(CLI::App& app) {
+  return [read = add_plan_options(app)](const Words& words) { return plan_command(read(), words); };
+}
 Action add_stats(CLI::App& app) {
   return [read = add_stats_options(app)](const Words&) { return stats_command(read()); };
 }
@@ -60,8 +64,8 @@ Action add_study(CLI::App& app) {
 const std::vector<Subcommand> subcommands{
     {"render", add_render,
      "Renders a COLLADA scene by path tracing; with --cs184 as CS184's program does (docs/cs184.md).", "Run",
-     "Others, with help: agreement, compare, convert, crosscheck, error, merge, relight, resume, stats, "
-     "study"},
+     "Others: twinray agreement, compare, convert, crosscheck, error, merge, plan, relight, resume,\nstats, "
+     "study; each has help"},
     {"agreement", add_agreement,
      "Renders scenes small by every engine, split method, integrator, sampler and number of threads,\n"
      "and compares all pictures and ray counts bit for bit. Exit code 1 if any differs."},
@@ -82,6 +86,10 @@ const std::vector<Subcommand> subcommands{
     {"merge", add_merge,
      "Puts the films of parts of a picture together, to the bits of one render: a picture, or a film again\n"
      "(docs/films.md)."},
+    {"plan", add_plan,
+     "Divides a picture, or the frames of a shot, among many machines: writes the jobs for Slurm, Open Job\n"
+     "Description, or a list of commands, which render parts and merge them (docs/farm.md).",
+     "Run"},
     {"stats", add_stats,
      "Builds every engine and split method over a scene and shoots the rays of its paths, recorded once,\n"
      "through each: build time, tree, and what camera, shadow and bounce rays take."},
@@ -110,6 +118,8 @@ std::string usage_of(const std::string& name) {
   if (name == "resume") return "twinray resume FILE [options]; all options: twinray --help";
   if (name == "merge")
     return "twinray merge FILM... --output OUT [options]; all options: twinray merge --help";
+  if (name == "plan")
+    return "twinray plan SCENE.dae --folder DIR --jobs N [options]; all options: twinray plan --help";
   const char* scene = name == "agreement" ? "[SCENE.dae]..." : "SCENE.dae";
   return fmt::format("twinray {0} {1} [options]; all options: twinray {0} --help", name, scene);
 }

@@ -27,9 +27,12 @@ std::string RenderKeeping::write_so_far(const RenderState& state) {
 
 int RenderKeeping::interrupted(const RenderResult& result, int stop_code) {
   if (keeper_) keeper_->save_last(result);
-  const std::string so_far = partial_.names().empty() ? "" : "; " + write_so_far(result);
-  console::print_error("{}: interrupted{}\n", console::speaker(), so_far);
-  if (!keeper_ || !keeper_->has_checkpoint()) return stop_code;
+  const bool is_kept = keeper_ && keeper_->has_checkpoint();
+  // A film beside a checkpoint would be the same once more.
+  const bool is_told = !partial_.names().empty() && !(is_kept && !partial_.film.empty());
+  console::print_error("{}: interrupted{}\n", console::speaker(),
+                       is_told ? "; " + write_so_far(result) : "");
+  if (!is_kept) return stop_code;
   console::print_error("{}: `twinray resume {}` goes on with it\n", console::speaker(),
                        shell_text({arguments_.checkpoint}));
   return try_again_code;

@@ -32,6 +32,7 @@ struct RenderRequest {
   std::string serve;           ///< Where the picture is served; empty: nowhere.
   std::string denoise;         ///< What is to denoise; empty: nothing.
   bool denoise_light_groups = false;
+  bool resume = false;              ///< From the checkpoint, if it is there.
   std::optional<std::uint32_t> of;  ///< Samples of the picture of which a part is rendered.
 };
 

@@ -47,6 +47,11 @@ std::vector<const Film*> films_of(const RenderState& state) {
 
 bool is_film_name(const std::string& path) { return std::filesystem::path(path).extension() == ".film"; }
 
+bool has_film(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error) || std::filesystem::exists(earlier_film_name(path), error);
+}
+
 std::uint64_t write_film(const std::string& path, const FilmNotes& notes, const RenderState& state,
                          int threads) {
   FilmNotes all = notes;

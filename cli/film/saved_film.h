@@ -12,6 +12,9 @@ namespace twinray {
 /// Whether a name is that of a film file: it ends in ".film".
 bool is_film_name(const std::string& path);
 
+/// Whether there is a film to go on with, by that name or as the one before.
+bool has_film(const std::string& path);
+
 /// Writes what there is of a render; the notes but for its progress. Returns the bytes. Throws Error.
 std::uint64_t write_film(const std::string& path, const FilmNotes& notes, const RenderState& state,
                          int threads);

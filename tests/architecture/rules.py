@@ -39,7 +39,7 @@ DOORS = {
     "tinyxml2": (r"tinyxml2\.h", r"io/xml_reader\.(h|cpp)"),
     "CLI11": (r"CLI/", r"cli/|bench/options\.cpp"),
     "nlohmann/json": (r"nlohmann/", r"(cli|bench)/\w*report\.cpp|"
-                                    r"cli/(study/record|live/web_state|film/notes_json)\.cpp|"
+                                    r"cli/(study/record|live/web_state|film/notes_json|plan/open_job)\.cpp|"
                                     r"io/(cryptomatte|exchange|film_header)\.cpp|"
                                     r"tests/(cli|io)/"),
     "cmark": (r"cmark", r"cli/study/notes\.cpp"),

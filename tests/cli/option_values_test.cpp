@@ -220,7 +220,7 @@ TEST_CASE("a flag that is given a value is named") {
 TEST_CASE("an unknown option is an error that names the one it may stand for") {
   for (const std::string& command : commands())
     for (const Option& option : options_of(command)) {
-      if (option.name.size() < 6) continue;
+      if (option.name.size() < 6 || command == "resume") continue;  // Which first looks for its file.
       std::string slip = option.name;
       std::swap(slip[3], slip[4]);
       if (slip[3] == slip[4]) continue;

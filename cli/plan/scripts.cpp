@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scripts that all job engines call.
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "cli/plan/farm_plan.h"
+#include "cli/shell_text.h"
+
+namespace twinray {
+namespace {
+
+constexpr const char* first_lines = "#!/usr/bin/env bash\n# {}\nset -eu\n";
+
+/// Where a place for a number begins, its length; npos where there is none.
+struct NumberPlace {
+  std::size_t begin = std::string::npos, size = 0;
+};
+
+NumberPlace number_place(const std::string& word) {
+  for (std::size_t begin = word.find('%'); begin != word.npos; begin = word.find('%', begin + 1)) {
+    std::size_t end = begin + 1;
+    while (end < word.size() && std::isdigit(static_cast<unsigned char>(word[end]))) ++end;
+    const bool is_short = end - begin <= 3;  // No number has more than 99 digits.
+    if (is_short && end < word.size() && word[end] == 'd') return {begin, end + 1 - begin};
+  }
+  return {};
+}
+
+/// A word for bash; the frame's number stands in its place.
+std::string frame_word(const std::string& word) {
+  const NumberPlace place = number_place(word);
+  if (place.begin == word.npos) return shell_text({word});
+  const std::string before = word.substr(0, place.begin), after = word.substr(place.begin + place.size);
+  std::string text = before.empty() ? "" : shell_text({before});
+  text += fmt::format("\"$(printf '{}' \"$frame\")\"", word.substr(place.begin, place.size));
+  return after.empty() ? text : text + shell_text({after});
+}
+
+std::string frame_words(const FarmPlan& plan) {
+  std::string text;
+  for (const std::string& word : plan.words)
+    text += ' ' + (plan.frames ? frame_word(word) : shell_text({word}));
+  return text;
+}
+
+std::string part_text(const FarmPlan& plan) {
+  return fmt::format("{} {} in {} parts", plan.units, plan.is_by_tiles ? "tiles" : "samples", plan.parts);
+}
+
+/// What the names of all parts of a frame begin with; its number is in $frame.
+std::string name_text(const FarmPlan& plan) {
+  const std::string parts = shell_text({plan.folder + "/parts/"});
+  return plan.frames ? parts + "$(printf '%04d-' \"$frame\")" : parts;
+}
+
+std::string program_text(const FarmPlan& plan) { return fmt::format("\"${{TWINRAY:-{}}}\"", plan.program); }
+
+}  // namespace
+
+bool has_frame_number(const std::string& word) { return number_place(word).begin != word.npos; }
+
+std::string with_frame_number(const std::string& word, int frame) {
+  const NumberPlace place = number_place(word);
+  if (place.begin == word.npos) return word;
+  const std::string digits = word.substr(place.begin + 1, place.size - 2);
+  const int width = digits.empty() ? 0 : std::stoi(digits);
+  const std::string number =
+      digits.starts_with('0') ? fmt::format("{:0{}}", frame, width) : fmt::format("{:{}}", frame, width);
+  return word.substr(0, place.begin) + number + word.substr(place.begin + place.size);
+}
+
+std::string render_script(const FarmPlan& plan) {
+  std::string text = fmt::format(
+      fmt::runtime(first_lines),
+      fmt::format("Renders part $1, from 0 to {}: {}{}. Goes on where it was stopped.", plan.task_count() - 1,
+                  plan.frames ? fmt::format("{} frames of ", plan.frame_count()) : "", part_text(plan)));
+  text += fmt::format("cd {}\n", shell_text({plan.called_in}));
+  text += plan.frames
+              ? fmt::format("frame=$(({0} + $1 / {1})) part=$(($1 % {1}))\n", plan.frames->first, plan.parts)
+              : "part=$1\n";
+  text +=
+      fmt::format("begin=$(({0} * part / {1})) end=$(({0} * (part + 1) / {1}))\n", plan.units, plan.parts);
+  text += fmt::format("name={}$(printf '%05d' \"$part\")\n", name_text(plan));
+  text += "[[ ! -f $name.film ]] || exit 0\n";
+  text += fmt::format("exec {} render{} \\\n", program_text(plan), frame_words(plan));
+  text +=
+      fmt::format("  --{}=\"$begin:$end\" --of={} ${{TWINRAY_THREADS:+--threads=\"$TWINRAY_THREADS\"}} \\\n",
+                  plan.is_by_tiles ? "tile-range" : "sample-range", plan.samples);
+  return text + "  --checkpoint=\"$name.checkpoint\" --resume --quiet --output=\"$name.film\"\n";
+}
+
+std::string merge_script(const FarmPlan& plan) {
+  std::string text = fmt::format(
+      fmt::runtime(first_lines),
+      plan.frames
+          ? fmt::format("Merges the parts of frame $1, from 0 to {}; without a number, of all frames.",
+                        plan.frame_count() - 1)
+          : "Merges all parts.");
+  text += fmt::format("cd {}\n", shell_text({plan.called_in}));
+  const std::string merge =
+      fmt::format("name={}\n{} merge \"$name\"*.film --quiet --output={}\n", name_text(plan),
+                  program_text(plan), plan.frames ? frame_word(plan.output) : shell_text({plan.output})) +
+      "rm -f \"$name\"*.checkpoint \"$name\"*.checkpoint.before\n";
+  if (!plan.frames) return text + merge;
+  return text + fmt::format("(($# > 0)) || set -- $(seq 0 {})\n", plan.frame_count() - 1) +
+         fmt::format("for number; do\nframe=$(({} + number))\n{}done\n", plan.frames->first, merge);
+}
+
+std::string command_list(const FarmPlan& plan) {
+  std::string text;
+  for (std::uint32_t task = 0; task < plan.task_count(); ++task)
+    text += fmt::format("{} {}\n", shell_text({plan.folder + "/render-part"}), task);
+  return text;
+}
+
+}  // namespace twinray

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plans for many machines.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/plan/farm_plan.h"
+#include "tests/support/catch.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
+
+/// A command of a shell within the folder.
+ProcessResult shell_in(const TemporaryFolder& folder, const std::string& command) {
+  return run_shell("cd " + quoted(folder.path().string()) + " && " + command);
+}
+
+ProcessResult plan_in(const TemporaryFolder& folder, const std::string& words) {
+  return shell_in(folder, quoted(TWINRAY_PROGRAM) + " plan " + words);
+}
+
+std::string error_of(const std::string& words) {
+  const TemporaryFolder folder;
+  const ProcessResult result = plan_in(folder, quoted(box) + " " + words);
+  CHECK(result.exit_code != 0);
+  CHECK(folder.file_count() == 0);
+  return result.err.substr(0, result.err.find('\n'));
+}
+
+/// Calls each line of a plan's list, the last one first, and merges.
+void render_by(const TemporaryFolder& folder, const std::string& plan) {
+  const ProcessResult result = shell_in(
+      folder,
+      fmt::format("tac {0}/commands.txt | while read -r line; do bash -c \"$line\" || exit 9; done && "
+                  "{0}/merge-parts",
+                  plan));
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+}
+
+}  // namespace
+
+TEST_CASE("the parts of a plan merge to the picture of one render, in whatever order they are made") {
+  const TemporaryFolder folder;
+  const std::string scene = "'a b.dae'", options = " -r 48 36 -s 11 ";
+  fs::copy(box, folder.file("a b.dae"));
+  const ProcessResult planned =
+      plan_in(folder, scene + options + "--folder='my plan' --jobs=4 --output='a b.pfm'");
+  INFO(planned.err);
+  REQUIRE(planned.exit_code == 0);
+  CHECK(planned.out.starts_with("Plan           11 samples in 4 parts\n"));
+  render_by(folder, "'my plan'");
+  CHECK(shell_in(folder, quoted(TWINRAY_PROGRAM) + " " + scene + options + "-q -o b.pfm").exit_code == 0);
+  CHECK(read_text(folder.file("a b.pfm")) == read_text(folder.file("b.pfm")));
+  // What is done is not done again, and no checkpoint stays.
+  const auto time = fs::last_write_time(folder.file("my plan/parts/00002.film"));
+  render_by(folder, "'my plan'");
+  CHECK(fs::last_write_time(folder.file("my plan/parts/00002.film")) == time);
+  CHECK_FALSE(fs::exists(folder.file("my plan/parts/00002.checkpoint")));
+}
+
+TEST_CASE("an adaptive picture is planned by tiles, and never in more parts than there are") {
+  const TemporaryFolder folder;
+  const std::string options = quoted(box) + " -r 40 20 -s 40 -a 8 0.3 ";
+  const ProcessResult planned = plan_in(folder, options + "--folder=p --jobs=100 -o a.pfm");
+  CHECK(planned.out.starts_with("Plan           6 tiles in 6 parts\n"));
+  render_by(folder, "p");
+  CHECK(shell_in(folder, quoted(TWINRAY_PROGRAM) + " " + options + "-q -o b.pfm").exit_code == 0);
+  CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
+}
+
+TEST_CASE("parts are of tiles where that is asked for") {
+  const TemporaryFolder folder;
+  const std::string options = quoted(box) + " -r 40 20 -s 3 ";
+  const ProcessResult planned = plan_in(folder, options + "--folder=p --jobs=2 --by-tiles -o a.pfm");
+  CHECK(planned.out.starts_with("Plan           6 tiles in 2 parts\n"));
+  render_by(folder, "p");
+  CHECK(shell_in(folder, quoted(TWINRAY_PROGRAM) + " " + options + "-q -o b.pfm").exit_code == 0);
+  CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
+}
+
+TEST_CASE("frames have their numbers in scenes and pictures") {
+  const TemporaryFolder folder;
+  for (const char* name : {"s08.dae", "s09.dae", "s10.dae"}) fs::copy(box, folder.file(name));
+  const ProcessResult planned =
+      plan_in(folder, "s%02d.dae -r 24 18 -s 4 --frames=8:10 --folder=p --jobs=2 -o f%04d.pfm --seed=3");
+  INFO(planned.err);
+  CHECK(planned.out.starts_with("Plan           4 samples in 2 parts, for each of 3 frames\n"));
+  render_by(folder, "p");
+  CHECK(shell_in(folder, quoted(TWINRAY_PROGRAM) + " s09.dae -r 24 18 -s 4 -q --seed=3 -o b.pfm").exit_code ==
+        0);
+  for (const char* name : {"f0008.pfm", "f0009.pfm", "f0010.pfm"})
+    CHECK(read_text(folder.file(name)) == read_text(folder.file("b.pfm")));
+}
+
+TEST_CASE("a part's minutes say how many parts there are") {
+  const TemporaryFolder folder;
+  const ProcessResult planned =
+      plan_in(folder, quoted(box) + " -s 1000000 --folder=p --part-minutes=1 -o a.pfm");
+  REQUIRE(planned.exit_code == 0);
+  const std::string list = read_text(folder.file("p/commands.txt"));
+  CHECK(std::count(list.begin(), list.end(), '\n') > 10);
+  CHECK(planned.out.find("A part         ") != std::string::npos);
+}
+
+TEST_CASE("a place for a frame's number is that of printf") {
+  CHECK(has_frame_number("a%04d.dae"));
+  CHECK(has_frame_number("a%d"));
+  CHECK_FALSE(has_frame_number("a%.dae"));
+  CHECK_FALSE(has_frame_number("100%"));
+  CHECK_FALSE(has_frame_number("a%0004d"));
+  CHECK(with_frame_number("a%04d.dae", 37) == "a0037.dae");
+  CHECK(with_frame_number("50%_%d.dae", 37) == "50%_37.dae");
+  CHECK(with_frame_number("a%3d", 7) == "a  7");
+  CHECK(with_frame_number("a.dae", 37) == "a.dae");
+}
+
+TEST_CASE("what a plan cannot be is said before anything is written") {
+  CHECK(error_of("--jobs=3") == "twinray: --folder=DIR is missing");
+  CHECK(error_of("--folder=p") == "twinray: --jobs or --part-minutes is needed, and not both");
+  CHECK(error_of("--folder=p --jobs=3 --part-minutes=4") ==
+        "twinray: --jobs or --part-minutes is needed, and not both");
+  CHECK(error_of("--folder=p --jobs=3 --frames=3:1") == "twinray: --frames: 3 is more than 1");
+  CHECK(error_of("--folder=p --jobs=3 --frames=3") ==
+        "twinray: --frames: \"3\" is no range; a range is FIRST:LAST, as 1:100");
+  CHECK(error_of("--folder=p --jobs=3 --frames=1:2") ==
+        "twinray: --frames: the picture's name needs a place for the number, as in \"%04d\"; twinray.png has "
+        "none");
+  CHECK(error_of("--folder=p --jobs=3 -o a.film") ==
+        "twinray: a plan is for pictures: it makes films, checkpoints and their names itself");
+  CHECK(error_of("--folder=p --jobs=3 --seconds=3") ==
+        "twinray: a part has as many samples as the picture's others; --seconds and --noise-target do not go "
+        "with a plan");
+  CHECK(error_of("--folder=. --jobs=3") ==
+        "twinray: .: it is there already; a plan needs a folder of its own");
+}
+
+TEST_CASE("a render with --resume goes on where there is a checkpoint, and begins where there is none") {
+  const TemporaryFolder folder;
+  const std::string words = fmt::format("{} -r 48 36 -q --checkpoint={} --resume -o {} ", quoted(box),
+                                        quoted(folder.file("a.ck")), quoted(folder.file("a.pfm")));
+  CHECK(run_program(words + "-s 8").exit_code == 0);
+  CHECK(run_program(words + "-s 8 --seed=1").err.find("it was made without --seed 1") != std::string::npos);
+  CHECK(run_program(words + "-s 20").exit_code == 0);
+  CHECK(run_program(fmt::format("{} -r 48 36 -q -s 20 -o {}", quoted(box), quoted(folder.file("b.pfm"))))
+            .exit_code == 0);
+  CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
+  CHECK(run_program(quoted(box) + " --resume")
+            .err.starts_with("twinray: --resume goes with --checkpoint, which says what to go on with\n"));
+}
+
+}  // namespace twinray::test

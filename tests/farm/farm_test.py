@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Renders a picture by a plan, on a real Slurm and by Open Job Description, and compares it with one run's.
+
+farm_test.py PROGRAM SCENE [OPENJD]
+
+Slurm has two nodes on this machine, started here and stopped after. Of eight parts one is queued again, one
+is told that its time is over, a node loses those that it renders (its daemon and all its processes get
+SIGKILL), and some make room for an urgent job. OPENJD is the program of PyPI's openjd-cli; without it that
+part is left out, and says so.
+"""
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import slurm_cluster
+
+PARTS = 8
+OPTIONS = ["-r", "320", "240", "-s", "1000", "--checkpoint-seconds=0.5"]
+
+
+def run(*words, cwd, environment=None):
+    done = subprocess.run(words, cwd=cwd, text=True, check=False, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, env={**os.environ, **(environment or {})})
+    if done.returncode != 0:
+        raise RuntimeError(f"{' '.join(map(str, words))} ended with {done.returncode}:\n{done.stdout}")
+    return done.stdout
+
+
+def make_plan(program, scene, folder, name):
+    run(program, "plan", scene, *OPTIONS, f"--folder={name}", f"--jobs={PARTS}", f"--output={name}.pfm",
+        cwd=folder)
+
+
+def running(tasks):
+    """The numbers of those that render."""
+    return [number for number, task in tasks.items() if task["JobState"] == "RUNNING"]
+
+
+def restarts(cluster, job, number):
+    return int(cluster.tasks(job).get(number, {}).get("Restarts", "0"))
+
+
+def disturb(cluster, job):
+    """Each kind of disturbance, and the numbers of the tasks that it met."""
+    cluster.wait(lambda: len(running(cluster.tasks(job))) == 4, "four parts are rendered at once")
+    time.sleep(2)
+    tasks = cluster.tasks(job)
+    first, second = [number for number in running(tasks) if tasks[number]["NodeList"] == "node1"]
+    lost = [number for number in running(tasks) if tasks[number]["NodeList"] == "node2"]
+    cluster.run("scontrol", "requeue", f"{job}_{first}")
+    cluster.run("scancel", "--signal=TERM", "--batch", f"{job}_{second}")  # As before the end of its time.
+    for number in (first, second):
+        cluster.wait(lambda: restarts(cluster, job, number) > 0, f"task {number} is queued again")
+    cluster.kill_node("node2")
+    cluster.wait(lambda: all(restarts(cluster, job, number) > 0 for number in lost),
+                 "lost tasks are queued again")
+    cluster.run("slurmd", "-N", "node2")
+    cluster.wait(lambda: running(cluster.tasks(job)), "parts are rendered again")
+    before = {number: restarts(cluster, job, number) for number in range(PARTS)}
+    cluster.run("sbatch", "--partition=urgent", "--nodes=2", "--exclusive", "--wrap=sleep 1",
+                "--output=/dev/null")
+    cluster.wait(lambda: any(restarts(cluster, job, n) > before[n] for n in range(PARTS)), "a task made room")
+    moved = [n for n in range(PARTS) if restarts(cluster, job, n) > before[n]]
+    return {"queued again": [first], "out of time": [second], "lost": lost, "made room": moved}
+
+
+def render_on_slurm(folder):
+    with tempfile.TemporaryDirectory() as place, slurm_cluster.Cluster(place) as cluster:
+        said = cluster.run(str(folder / "slurm/slurm/submit"), "--time=30", "--cpus-per-task=1")
+        job, merging = (word.strip(";") for word in said.split() if word.strip(";").isdigit())
+        disturbed = disturb(cluster, job)
+        cluster.wait((folder / "slurm.pfm").exists, "the parts are merged", 300)
+        cluster.wait(lambda: "RUNNING" not in cluster.run("scontrol", "show", "job", merging, check=False),
+                     "the merge has ended")
+    print("Slurm:", "; ".join(f"{what}: {numbers}" for what, numbers in disturbed.items()))
+
+
+def main(arguments):
+    if len(arguments) not in (2, 3):
+        print(__doc__, file=sys.stderr)
+        return 2
+    program, scene = (str(Path(word).resolve()) for word in arguments[:2])
+    done = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        folder.chmod(0o755)
+        run(program, "render", scene, *OPTIONS[:-1], "-q", "-o", "alone.pfm", cwd=folder)
+        expected = (folder / "alone.pfm").read_bytes()
+        if reason := slurm_cluster.missing():
+            print(f"Slurm: not tried: {reason}")
+        else:
+            make_plan(program, scene, folder, "slurm")
+            render_on_slurm(folder)
+            done.append("slurm")
+        if len(arguments) < 3:
+            print("Open Job Description: not tried: PyPI's openjd-cli is not there")
+        else:
+            make_plan(program, scene, folder, "openjd")
+            run(arguments[2], "run", "openjd/openjd/template.json", cwd=folder)
+            done.append("openjd")
+        for name in done:
+            if (folder / f"{name}.pfm").read_bytes() != expected:
+                print(f"{name}: the picture has other bits than that of one run")
+                return 1
+            print(f"{name}: {PARTS} parts have the bits of one run")
+    return 0 if done else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
