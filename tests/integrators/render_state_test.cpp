@@ -128,6 +128,17 @@ TEST_CASE("a render that is done needs nothing more, and takes more samples") {
                     "20 samples of a pixel are there already, and 19 are wanted");
 }
 
+TEST_CASE("passes end at the same places wherever a render goes on") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, {.max_depth = 2});
+  const RenderResult done = render_with(scene, path, options(20, 1));
+  RenderOptions more = resuming(done, options(50, 2));
+  std::vector<std::uint32_t> ends;
+  more.pass_done = [&](const Film& film) { ends.push_back(film.pixel(7, 7).count); };
+  render_with(scene, path, more);
+  CHECK(ends == std::vector<std::uint32_t>{32, 48, 50});
+}
+
 TEST_CASE("a noise target ends a render that goes on where it would have ended") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 2});

@@ -22,7 +22,7 @@ MUTANTS = [
            "state_.rays += rays;", "if (samples > 0) state_.rays += rays;", "test_integrators", STOPPED),
     Mutant("passes end where they were begun from", "integrators/render.cpp",
            "(begin / longest_pass + 1) * longest_pass", "begin + longest_pass", "test_integrators",
-           "a noise target ends a render that goes on where it would have ended"),
+           "passes end at the same places wherever a render goes on"),
     Mutant("a render that reached its target goes on", "integrators/render.cpp",
            "(state_.error && is_good(*state_.error))", "false", "test_integrators",
            "a noise target ends a render that goes on where it would have ended"),
