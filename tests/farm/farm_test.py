@@ -52,7 +52,7 @@ def disturb(cluster, job):
     first, second = [number for number in running(tasks) if tasks[number]["NodeList"] == "node1"]
     lost = [number for number in running(tasks) if tasks[number]["NodeList"] == "node2"]
     cluster.run("scontrol", "requeue", f"{job}_{first}")
-    cluster.run("scancel", "--signal=TERM", "--batch", f"{job}_{second}")  # As before the end of its time.
+    cluster.end_time_of(tasks[second]["JobId"])
     for number in (first, second):
         cluster.wait(lambda: restarts(cluster, job, number) > 0, f"task {number} is queued again")
     cluster.kill_node("node2")

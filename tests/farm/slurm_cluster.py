@@ -115,6 +115,11 @@ class Cluster:
         for number in (*steps, *(process.name for process in jobs)):
             os.kill(int(number), signal.SIGKILL)
 
+    def end_time_of(self, job):
+        """What a node's daemon does a minute before a job's time is over: its script, alone, gets SIGTERM."""
+        script = f"{self.folder}/.*/job{int(job):05d}/slurm_script"
+        self.run("pkill", "-TERM", "--full", script)
+
     def is_of_job(self, process, node):
         try:
             variables = (process / "environ").read_bytes().split(b"\0")
