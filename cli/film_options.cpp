@@ -9,18 +9,13 @@ namespace {
 constexpr const char* group_name = "Parts and checkpoints (docs/films.md)";
 constexpr Range<double> intervals{1e-3, 1e6};
 
-/// "16:32"
+/// Of samples or tiles: one at least.
 template <typename PartRange>
-PartRange parse_range(const char* option, const std::string& word) {
+PartRange parse_part(const char* option, const std::string& word) {
   constexpr Range<std::uint32_t> numbers{0, std::numeric_limits<std::uint32_t>::max()};
-  const std::size_t colon = word.find(':');
-  if (colon == word.npos)
-    throw UsageError(fmt::format("{}: \"{}\" is no range; a range is BEGIN:END, as 0:16", option, word));
-  const PartRange range{parse_number(option, word.substr(0, colon), numbers),
-                        parse_number(option, word.substr(colon + 1), numbers)};
-  if (range.begin >= range.end)
-    throw UsageError(fmt::format("{}: {} is not less than {}", option, range.begin, range.end));
-  return range;
+  const auto [begin, end] = parse_range(option, word, numbers, "0:16");
+  if (begin >= end) throw UsageError(fmt::format("{}: {} is not less than {}", option, begin, end));
+  return {begin, end};
 }
 
 void check_part(const char* option, const RenderArguments& arguments) {
@@ -49,13 +44,13 @@ void add_film_options(CLI::App& app, RenderRequest& request) {
                    arguments.checkpoint_seconds, intervals);
   group.add_words({"--sample-range", "A:B", "Render samples A to B - 1 alone, into a .film for merge"}, 1,
                   [&request](const Words& words) {
-                    request.arguments.render.range = parse_range<SampleRange>("--sample-range", words[0]);
+                    request.arguments.render.range = parse_part<SampleRange>("--sample-range", words[0]);
                   });
   group.add_number({"--of", "N", "The samples per pixel of the whole, as --samples"}, request.of,
                    sample_counts);
   group.add_words({"--tile-range", "A:B", "Render tiles A to B - 1 alone: 16 x 16 pixels, row by row"}, 1,
                   [&request](const Words& words) {
-                    request.arguments.render.tiles = parse_range<TileRange>("--tile-range", words[0]);
+                    request.arguments.render.tiles = parse_part<TileRange>("--tile-range", words[0]);
                   });
 }
 

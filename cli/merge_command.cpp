@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/merge_command.h"
 
-#include <algorithm>
 #include <memory>
-#include <set>
 
 #include "cli/common_options.h"
 #include "cli/console.h"
@@ -58,19 +56,10 @@ void set_value(ImageMetadata& metadata, const std::string& name, const std::stri
   metadata.emplace_back(name, value);
 }
 
-/// The engines of all parts, each once.
-std::string engines_of(const FilmParts& parts) {
-  std::set<std::string> names;
-  for (const FilmPart& part : parts.parts)
-    for (const auto& [name, value] : part.notes.picture.metadata)
-      if (name == "twinray:engine") names.insert(value);
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
 PictureNotes notes_of(const FilmParts& parts, const Words& words) {
-  PictureNotes notes = parts.parts.front().notes.picture;
+  PictureNotes notes = parts.notes.picture;
   set_value(notes.metadata, "twinray:options", fmt::format("{}", fmt::join(words, " ")));
-  set_value(notes.metadata, "twinray:engine", engines_of(parts));
+  set_value(notes.metadata, "twinray:engine", fmt::format("{}", fmt::join(parts.engines, ", ")));
   if (!parts.missing.empty())
     set_value(notes.metadata, "twinray:missing", fmt::format("{}", fmt::join(parts.missing, ", ")));
   return notes;
@@ -78,17 +67,17 @@ PictureNotes notes_of(const FilmParts& parts, const Words& words) {
 
 /// Of a film of all parts together.
 FilmNotes film_notes_of(const FilmParts& parts, const Words& words) {
-  FilmNotes notes = parts.parts.front().notes;
+  FilmNotes notes = parts.notes;
   notes.words = words;
   notes.picture = notes_of(parts, words);
-  if (parts.is_by_tiles)
-    notes.tiles = TileRange{parts.begin, parts.end};
+  notes.range.reset();
+  notes.tiles.reset();
+  const std::uint32_t begin = parts.parts.front().begin, end = parts.parts.back().end;
+  if (parts.missing.empty()) return notes;
+  if (parts.are_tiles())
+    notes.tiles = {begin, end};
   else
-    notes.range = SampleRange{parts.begin, parts.end};
-  if (parts.missing.empty()) {
-    notes.tiles.reset();
-    notes.range.reset();
-  }
+    notes.range = {begin, end};
   return notes;
 }
 
@@ -105,11 +94,7 @@ void write_merged_picture(const RenderOutputs& outputs, const RenderArguments& a
 
 /// A film with gaps amid its range would be taken for one without.
 void check_film_output(const MergeArguments& arguments, const FilmParts& parts) {
-  const bool has_inner_gap =
-      std::adjacent_find(parts.parts.begin(), parts.parts.end(), [](const FilmPart& a, const FilmPart& b) {
-        return !is_next(a, b);
-      }) != parts.parts.end();
-  if (is_film_name(arguments.output) && has_inner_gap)
+  if (is_film_name(arguments.output) && parts.has_inner_gap())
     throw Error(fmt::format("{}: {} are missing amid it; a film is of a range without gaps", arguments.output,
                             parts.missing.front()));
 }
@@ -119,8 +104,8 @@ void say_what_was_merged(const MergeArguments& arguments, const FilmParts& parts
     console::warn(fmt::format("{}: the same samples as in another film; they count once", path));
   for (const std::string& missing : parts.missing) console::warn(fmt::format("{} are missing", missing));
   if (arguments.quiet) return;
-  console::print("Films          {}\n{}{}\n", parts.parts.size(),
-                 is_film_name(arguments.output) ? "Film           " : "Picture        ", arguments.output);
+  console::print("Films          {}\n{:<15}{}\n", parts.parts.size(), output_word(arguments.output),
+                 arguments.output);
 }
 
 }  // namespace
@@ -137,7 +122,7 @@ std::function<MergeArguments()> add_merge_options(CLI::App& app) {
 int merge_command(const MergeArguments& asked) {
   const FilmParts parts = read_film_parts(asked.films, asked.allow_gaps ? Gaps::allowed : Gaps::refused);
   check_film_output(asked, parts);
-  const FilmNotes& first = parts.parts.front().notes;
+  const FilmNotes& first = parts.notes;
   Words words = words_of_whole(first.words);
   words.insert(words.end(), {"--samples", fmt::format("{}", first.samples), "--output", asked.output});
   RenderArguments arguments = arguments_of(words, first);

@@ -288,12 +288,6 @@ constexpr Rule rules[]{
     {"--count", needs_counts},
 };
 
-bool has_picture(const Scene& scene) {
-  return std::any_of(scene.textures.begin(), scene.textures.end(), [](const Texture& texture) {
-    return std::holds_alternative<ImageTexture>(texture.model);
-  });
-}
-
 bool has_area_light(const Scene& scene) {
   return std::any_of(scene.lights.begin(), scene.lights.end(),
                      [](const Light& light) { return !is_delta(light.source); });
@@ -325,7 +319,7 @@ std::vector<std::string> options_without_effect(const Scene& scene, const Render
   if (is_given("--filter", arguments) && arguments.render.samples == 1)
     found.push_back("--filter: no effect, for the one sample of a pixel lies in its middle");
   for (const char* option : {"--texture-filter", "--texture-memory"})
-    if (is_given(option, arguments) && !has_picture(scene))
+    if (is_given(option, arguments) && !has_picture(scene.textures))
       found.push_back(fmt::format("{}: no effect, for the scene has no picture on its surfaces", option));
   return found;
 }

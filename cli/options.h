@@ -51,6 +51,17 @@ T parse_number(const std::string& option, const std::string& word, const Range<T
   return value;
 }
 
+/// The two numbers of a range such as "16:32". Throws UsageError as above; `example` is a valid range.
+template <typename T>
+std::pair<T, T> parse_range(const std::string& option, const std::string& word, const Range<T>& range,
+                            const char* example) {
+  const std::size_t colon = word.find(':');
+  if (colon == word.npos)
+    throw UsageError(fmt::format("{}: \"{}\" is no range, as {} is", option, word, example));
+  const T first = parse_number(option, word.substr(0, colon), range);
+  return {first, parse_number(option, word.substr(colon + 1), range)};
+}
+
 /// Words with what they stand for.
 template <typename T>
 using Choices = std::vector<std::pair<std::string, T>>;

@@ -27,14 +27,9 @@ const std::vector<std::string> plan_options{"--folder", "--jobs", "--part-minute
 const std::vector<std::string> output_options{"--output", "-o", "-f"};
 
 FrameRange parse_frames(const std::string& word) {
-  const std::size_t colon = word.find(':');
-  if (colon == word.npos)
-    throw UsageError(fmt::format("--frames: \"{}\" is no range; a range is FIRST:LAST, as 1:100", word));
-  const FrameRange frames{parse_number("--frames", word.substr(0, colon), frame_numbers),
-                          parse_number("--frames", word.substr(colon + 1), frame_numbers)};
-  if (frames.first > frames.last)
-    throw UsageError(fmt::format("--frames: {} is more than {}", frames.first, frames.last));
-  return frames;
+  const auto [first, last] = parse_range("--frames", word, frame_numbers, "1:100");
+  if (first > last) throw UsageError(fmt::format("--frames: {} is more than {}", first, last));
+  return {first, last};
 }
 
 void add_options(CLI::App& app, PlanArguments& arguments) {

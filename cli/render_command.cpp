@@ -66,7 +66,7 @@ class RenderRun {
     LivePicture live(picture_viewers(arguments_, outputs_, partial_));
     const LoadedScene loaded = load();
     notes_ = picture_notes(arguments_, words_, loaded.scene);
-    RenderKeeping keeping(arguments_, partial_, notes_, talk_);
+    RenderKeeping keeping(arguments_, partial_, notes_, talk_, request_);
     if (uses_films(arguments_)) keeping.use_films(loaded, words_);
     const auto integrator = make_integrator(arguments_, loaded.scene);
     talk_.building(arguments_, *loaded.scene.geometry);
@@ -181,6 +181,7 @@ class RenderRun {
   RenderTalk& talk_;
   const RenderOutputs outputs_, partial_;
   const InterruptGuard guard_;
+  PictureRequest request_;
   std::jthread codec_loader_;
   std::optional<Denoising> denoising_;
   PictureNotes notes_;

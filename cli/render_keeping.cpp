@@ -30,8 +30,7 @@ int RenderKeeping::interrupted(const RenderResult& result, int stop_code) {
   const bool is_kept = keeper_ && keeper_->has_checkpoint();
   // A film beside a checkpoint would be the same once more.
   const bool is_told = !partial_.names().empty() && !(is_kept && !partial_.film.empty());
-  console::print_error("{}: interrupted{}\n", console::speaker(),
-                       is_told ? "; " + write_so_far(result) : "");
+  console::print_error("{}: interrupted{}\n", console::speaker(), is_told ? "; " + write_so_far(result) : "");
   if (!is_kept) return stop_code;
   console::print_error("{}: `twinray resume {}` goes on with it\n", console::speaker(),
                        shell_text({arguments_.checkpoint}));

@@ -11,13 +11,13 @@
 
 namespace twinray {
 
-/// While it lives SIGUSR1 asks for the picture so far. All that it is made of must outlive it.
+/// All that it is made of must outlive it.
 class RenderKeeping {
  public:
   /// `partial`: what is written of a render that is not done; no names: nothing.
   RenderKeeping(const RenderArguments& arguments, const RenderOutputs& partial, const PictureNotes& notes,
-                RenderTalk& talk)
-      : arguments_(arguments), partial_(partial), notes_(notes), talk_(talk) {}
+                RenderTalk& talk, PictureRequest& request)
+      : arguments_(arguments), partial_(partial), notes_(notes), talk_(talk), request_(request) {}
 
   /// To be called where uses_films(): opens the film to go on with, if there is one. Throws Error where it
   /// is of another render.
@@ -43,7 +43,7 @@ class RenderKeeping {
   const RenderOutputs& partial_;
   const PictureNotes& notes_;
   RenderTalk& talk_;
-  PictureRequest request_;
+  PictureRequest& request_;
   std::optional<FilmKeeper> keeper_;
 };
 

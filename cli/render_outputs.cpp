@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/render_outputs.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "cli/console.h"
@@ -80,6 +82,8 @@ void write_costs(const RenderOutputs& outputs, const Film& film, const PictureNo
 
 }  // namespace
 
+const char* output_word(const std::string& output) { return is_film_name(output) ? "Film" : "Picture"; }
+
 bool keeps_layers(const std::string& output) {
   return output_format(output) == OutputFormat::exr || is_film_name(output);
 }
@@ -97,6 +101,9 @@ std::vector<std::string> all_names(std::initializer_list<RenderOutputs> all) {
 
 RenderOutputs render_outputs(const RenderArguments& arguments) {
   const std::string& picture = arguments.output;
+  const std::string& checkpoint = arguments.checkpoint;
+  if (!checkpoint.empty() && destination_of(checkpoint).kind != Destination::Kind::file)
+    throw Error(fmt::format("{}: a checkpoint is a file that can be replaced and read again", checkpoint));
   if (is_film_name(picture))
     return {.film = picture, .statistics = arguments.stats_file, .checkpoint = arguments.checkpoint};
   check_name(arguments);

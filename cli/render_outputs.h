@@ -29,6 +29,9 @@ struct RenderOutputs {
   std::vector<std::string> names() const;
 };
 
+/// What an output of this name is called in what is printed: "Picture", "Film".
+const char* output_word(const std::string& output);
+
 /// Whether what has this name keeps layers, and pixels beside the frame: an OpenEXR picture, or a film.
 bool keeps_layers(const std::string& output);
 

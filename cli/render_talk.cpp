@@ -3,6 +3,7 @@
 
 #include "cli/console.h"
 #include "cli/progress.h"
+#include "cli/render_outputs.h"
 #include "cli/statistics_report.h"
 
 namespace twinray {
@@ -31,7 +32,8 @@ void StandardTalk::denoised(const DenoisedPicture& picture) {
 
 void StandardTalk::finished(const RenderArguments& arguments, const AccelStats& accel,
                             const RenderResult& result) {
-  console::print("{}Picture        {}\n", statistics_text(arguments, accel, result), arguments.output);
+  console::print("{}{:<15}{}\n", statistics_text(arguments, accel, result), output_word(arguments.output),
+                 arguments.output);
 }
 
 }  // namespace twinray

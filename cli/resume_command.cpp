@@ -32,7 +32,7 @@ std::function<std::string()> add_resume_options(CLI::App& app) {
 
 int resume_command(const std::string& file, const Words& words) {
   if (words.front() != file) throw UsageError("FILE stands before all options");
-  const FilmNotes notes = open_film_to_resume(file).film.notes;
+  const FilmNotes notes = notes_to_resume(file);
   Words all = notes.words;
   all.insert(all.end(), words.begin() + 1, words.end());
   RenderArguments arguments = parse_render_arguments(all);

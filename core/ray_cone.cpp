@@ -42,7 +42,7 @@ RayCone RayCone::scattered(float pdf) const {
 RayCone camera_cone(const Camera& camera, int width, int height, std::uint32_t samples) {
   const float across = 2 * camera.tan_half_width / float(width),
               up = 2 * camera.tan_half_height / float(height);
-  const float pixel = std::sqrt(across * up) * std::max(1 / std::sqrt(float(samples)), 0.125f);
+  const float pixel = std::sqrt(across * up) * (1 / std::sqrt(float(std::min(samples, sharpest_samples))));
   return camera.projection == Projection::orthographic ? RayCone{pixel, 0} : RayCone{0, pixel};
 }
 

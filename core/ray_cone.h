@@ -24,8 +24,11 @@ struct RayCone {
   RayCone scattered(float pdf) const;
 };
 
+/// With more samples a pixel pictures on surfaces get no sharper.
+inline constexpr std::uint32_t sharpest_samples = 64;
+
 /// The cone of all camera rays of a picture: as wide as a pixel or, where a pixel has n samples, as a part of
-/// it: 1 / sqrt(n), and at least an eighth, so that what many samples resolve is not blurred twice. The
+/// it: 1 / sqrt(n) of up to sharpest_samples, so that what many samples resolve is not blurred twice. The
 /// camera's frame is that of the picture. In a latitude-longitude picture all are as wide as on the horizon.
 RayCone camera_cone(const Camera& camera, int width, int height, std::uint32_t samples);
 

@@ -176,6 +176,12 @@ Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const Textu
   return std::visit(Evaluate{textures, at}, textures[index].model);
 }
 
+bool has_picture(std::span<const Texture> textures) {
+  return std::any_of(textures.begin(), textures.end(), [](const Texture& texture) {
+    return std::holds_alternative<ImageTexture>(texture.model);
+  });
+}
+
 void check_textures(std::span<const Texture> textures) {
   std::vector<std::uint64_t> parts;
   parts.reserve(textures.size());

@@ -82,6 +82,9 @@ struct TexturePoint {
 /// Gives all pictures this filter but those that have `nearest`: whoever asks for pixels wants to see them.
 void set_filter(std::span<Texture> textures, TextureFilter filter);
 
+/// Whether any of them is a picture.
+bool has_picture(std::span<const Texture> textures);
+
 /// Brings the pictures that a texture is made of into memory as a whole.
 void keep_in_memory(std::span<Texture> textures, std::uint32_t index);
 

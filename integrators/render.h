@@ -90,7 +90,7 @@ struct RenderOptions {
   std::function<bool()> is_pause_due;
   std::function<void(const RenderState&)> paused;
   /// If set, may fill the state that a render begins with, which is empty, with that of an earlier one of the
-  /// same scene and options, but for the number of samples (docs/checkpoints.md). Throws Error.
+  /// same scene and options, but for the number of samples (docs/films.md). Throws Error.
   std::function<void(RenderState&)> restore;
 };
 

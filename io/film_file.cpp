@@ -131,7 +131,7 @@ std::uint64_t write_film_file(const std::string& path, std::span<const Film* con
 struct FilmFile::Band {
   BandPlace place;
   BandHead head;
-  std::vector<std::byte> packed;
+  std::string packed;
 };
 
 FilmFile::FilmFile(const std::string& path) : path_(path), file_(path, std::ios::binary) {
@@ -185,15 +185,13 @@ FilmFile::Band FilmFile::read_band(std::size_t film, int y0, int y1) {
   Band band{{film, y0, y1}, read_value<BandHead>(), {}};
   const std::uint64_t pixels = std::uint64_t(header_.window.width()) * std::uint64_t(y1 - y0);
   if (!is_sound(band.head, pixels, header_.films[film])) fail("a band of it is damaged");
-  const std::string packed = read_text(band.head.packed_bytes);
-  const auto bytes = std::as_bytes(std::span(packed));
-  band.packed.assign(bytes.begin(), bytes.end());
+  band.packed = read_text(band.head.packed_bytes);
   return band;
 }
 
 void FilmFile::add(const Band& band, std::span<Film* const> films) const {
   const auto& [film, y0, y1] = band.place;
-  const std::vector<std::byte> bytes = unpack_zstd(band.packed, band.head.bytes);
+  const std::vector<std::byte> bytes = unpack_zstd(std::as_bytes(std::span(band.packed)), band.head.bytes);
   if (content_hash(bytes) != band.head.hash) throw Error("a band of it is damaged");
   Film rows(header_.frame_width, header_.frame_height, {header_.window.x0, y0, header_.window.x1, y1},
             header_.films[film]);

@@ -64,6 +64,13 @@ bool is_fresh(const std::string& tiled, const std::string& picture) {
   return no_picture || made >= drawn;
 }
 
+/// The file that says what a picture shows: itself or, where it is not there, the tiles that were made of it.
+std::string source_of(const PictureUse& picture) {
+  std::error_code error;
+  const bool is_there = picture.path.empty() || std::filesystem::exists(picture.path, error);
+  return is_there ? picture.path : tiled_name(picture.path, picture.meaning);
+}
+
 /// Opens a file of tiles for a texture. Throws Error where it was made for another use of the picture.
 TiledTexture open_for(const std::string& path, const PictureMeaning& meaning) {
   TiledTexture texture = open_tiled(path);
@@ -102,7 +109,7 @@ LoadedTexture load(const PictureUse& picture, const StandIn& stand_in, const Loa
     options.pictures->push_back(picture);
     return {kept(picture_of(stand_in), nullptr), ""};
   }
-  options.add_file(picture.path);
+  options.add_file(source_of(picture));
   std::string warning;
   Image image;
   try {

@@ -18,12 +18,6 @@ constexpr std::chrono::duration<double> usual_interval{60};
 /// Then they take at most one part in so many of the time.
 constexpr int rarity = 100;
 
-bool has_pictures(const Scene& scene) {
-  return std::any_of(scene.textures.begin(), scene.textures.end(), [](const Texture& texture) {
-    return std::holds_alternative<ImageTexture>(texture.model);
-  });
-}
-
 }  // namespace
 
 bool uses_films(const RenderArguments& arguments) {
@@ -35,7 +29,7 @@ FilmKeeper::FilmKeeper(const RenderArguments& arguments, const LoadedScene& load
     : arguments_(arguments) {
   std::error_code error;
   notes_ = {.identity = render_identity(arguments),
-            .has_pictures = has_pictures(loaded.scene),
+            .has_pictures = has_picture(loaded.scene.textures),
             .samples = arguments.render.samples,
             .range = arguments.render.range,
             .tiles = arguments.render.tiles,
@@ -45,10 +39,11 @@ FilmKeeper::FilmKeeper(const RenderArguments& arguments, const LoadedScene& load
             .folder = std::filesystem::current_path(error).string(),
             .picture = picture};
   if (!arguments.resumed.empty()) {
-    auto [film, fault] = open_film_to_resume(arguments.resumed);
+    auto [film, fault] = open_film_to_resume(arguments.resumed, arguments.render.threads);
     if (!fault.empty()) console::warn(fault);
     check_can_resume(film, notes_);
     begun_.emplace(std::move(film));
+    is_saved_ = !arguments.checkpoint.empty() && has_film(arguments.checkpoint);
   }
   if (!arguments.checkpoint.empty())
     next_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(

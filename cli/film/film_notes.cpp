@@ -11,27 +11,28 @@ std::string value_text(const Words& words) { return fmt::format("{}", fmt::join(
 
 /// Of the first option that is not the same.
 std::string option_difference(const std::map<std::string, Words>& film,
-                              const std::map<std::string, Words>& here) {
+                              const std::map<std::string, Words>& others, const char* other) {
   for (const auto& [name, words] : film) {
-    const auto found = here.find(name);
-    if (found == here.end()) return fmt::format("it was made with {} {}", name, value_text(words));
+    const auto found = others.find(name);
+    if (found == others.end()) return fmt::format("it was made with {} {}", name, value_text(words));
     if (found->second != words)
-      return fmt::format("its {} is {}, and {} here", name, value_text(words), value_text(found->second));
+      return fmt::format("its {} is {}, and {} {}", name, value_text(words), value_text(found->second),
+                         other);
   }
-  for (const auto& [name, words] : here)
+  for (const auto& [name, words] : others)
     if (!film.contains(name)) return fmt::format("it was made without {} {}", name, value_text(words));
   return "";
 }
 
 std::string file_difference(const std::map<std::string, std::string>& film,
-                            const std::map<std::string, std::string>& here) {
+                            const std::map<std::string, std::string>& others, const char* other) {
   for (const auto& [name, hash] : film) {
-    const auto found = here.find(name);
-    if (found == here.end()) return fmt::format("its scene reads {}, which is not read here", name);
-    if (found->second != hash) return fmt::format("{} is not the file that it was", name);
+    const auto found = others.find(name);
+    if (found == others.end()) return fmt::format("its scene reads {}, which is not read {}", name, other);
+    if (found->second != hash) return fmt::format("{} is another file {}", name, other);
   }
-  for (const auto& [name, hash] : here)
-    if (!film.contains(name)) return fmt::format("its scene does not read {}", name);
+  for (const auto& [name, hash] : others)
+    if (!film.contains(name)) return fmt::format("its scene does not read {}, which is read {}", name, other);
   return "";
 }
 
@@ -43,13 +44,16 @@ std::string window_text(const RenderIdentity& identity) {
 
 }  // namespace
 
-std::string difference(const RenderIdentity& film, const RenderIdentity& here) {
-  if (film.program != here.program)
-    return fmt::format("it was made by {}, and this is {}", film.program, here.program);
-  if (std::string files = file_difference(film.files, here.files); !files.empty()) return files;
-  if (std::string options = option_difference(film.options, here.options); !options.empty()) return options;
-  if (film.width != here.width || film.height != here.height || film.window != here.window)
-    return fmt::format("it shows {}, and here are {}", window_text(film), window_text(here));
+std::string difference(const RenderIdentity& film, const RenderIdentity& other_render, const char* other) {
+  if (film.program != other_render.program)
+    return fmt::format("it was made by {}, and {} is {}", film.program, other, other_render.program);
+  if (std::string files = file_difference(film.files, other_render.files, other); !files.empty())
+    return files;
+  if (std::string options = option_difference(film.options, other_render.options, other); !options.empty())
+    return options;
+  if (film.width != other_render.width || film.height != other_render.height ||
+      film.window != other_render.window)
+    return fmt::format("it shows {}, and {} are {}", window_text(film), other, window_text(other_render));
   return "";
 }
 

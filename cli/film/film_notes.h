@@ -53,8 +53,9 @@ std::string film_notes_json(const FilmNotes& notes);
 /// Throws Error where this is no such text.
 FilmNotes parse_film_notes(const std::string& json);
 
-/// What keeps the film of a render out of another one: "its --seed is 3, and 4 here"; empty: nothing.
-std::string difference(const RenderIdentity& film, const RenderIdentity& here);
+/// What keeps the film of a render out of another one, which is called `other` ("here", "there"): "its --seed
+/// is 3, and 4 here"; empty: nothing.
+std::string difference(const RenderIdentity& film, const RenderIdentity& other_render, const char* other);
 
 /// "samples 0 to 16 of 64"
 std::string part_text(const FilmNotes& notes);

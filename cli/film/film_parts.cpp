@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "core/error.h"
@@ -11,102 +12,100 @@
 namespace twinray {
 namespace {
 
-FilmPart read_part(const std::string& path) {
-  SavedFilm film = open_film(path);
-  return {path, std::move(film.notes), film.file.header().films, film.file.content()};
+FilmPart part_of(const SavedFilm& film) {
+  const FilmNotes& notes = film.notes;
+  FilmPart part{film.file.path(), 0, notes.samples, notes.progress, film.file.content()};
+  if (notes.range) std::tie(part.begin, part.end) = std::pair(notes.range->begin, notes.range->end);
+  if (notes.tiles) std::tie(part.begin, part.end) = std::pair(notes.tiles->begin, notes.tiles->end);
+  return part;
 }
 
-struct Place {
-  std::uint32_t begin = 0, end = 0;
-  auto operator<=>(const Place&) const = default;
-};
-
-Place place_of(const FilmPart& part) {
-  if (part.notes.tiles) return {part.notes.tiles->begin, part.notes.tiles->end};
-  if (part.notes.range) return {part.notes.range->begin, part.notes.range->end};
-  return {0, part.notes.samples};
+std::string text_of(std::uint32_t begin, std::uint32_t end, const FilmParts& parts) {
+  return fmt::format("{} {} to {} of {}", parts.are_tiles() ? "tiles" : "samples", begin, end, parts.whole());
 }
 
-/// Of all films together.
-Place whole_of(const FilmParts& parts) {
-  const FilmNotes& notes = parts.parts.front().notes;
-  return {0, parts.is_by_tiles ? tile_grid(notes.identity.window, tile_size).count() : notes.samples};
+std::string text_of(const FilmPart& part, const FilmParts& parts) {
+  return text_of(part.begin, part.end, parts);
 }
 
-std::string text_of(const Place& place, const FilmParts& parts) {
-  return fmt::format("{} {} to {} of {}", parts.is_by_tiles ? "tiles" : "samples", place.begin, place.end,
-                     whole_of(parts).end);
+/// Why a film is not of the render that the others are of; empty: it is.
+std::string difference(const SavedFilm& film, const FilmParts& parts) {
+  const std::string reason = difference(film.notes.identity, parts.notes.identity, "there");
+  if (!reason.empty()) return reason;
+  if (film.notes.samples != parts.notes.samples)
+    return fmt::format("it is of {} samples a pixel, and of {} there", film.notes.samples,
+                       parts.notes.samples);
+  if (film.file.header().films != parts.contents) return "one has halves of the samples, or other layers";
+  if (film.notes.tiles.has_value() != parts.are_tiles())
+    return "one is a range of tiles, the other one of samples";
+  return "";
 }
 
-/// Throws Error unless both are of one render.
-void check_same(const FilmPart& first, const FilmPart& part) {
-  const auto fail = [&](const std::string& reason) {
-    throw Error(fmt::format("{}: it does not go with {}: {}", part.path, first.path, reason));
-  };
-  // As seen from the first one: "here" is the film that is looked at.
-  if (const std::string reason = difference(first.notes.identity, part.notes.identity); !reason.empty())
-    fail(reason);
-  if (first.notes.samples != part.notes.samples)
-    fail(fmt::format("{} samples a pixel, and {} here", first.notes.samples, part.notes.samples));
-  if (first.contents != part.contents) fail("one has halves of the samples, or other layers");
-  if (first.notes.tiles.has_value() != part.notes.tiles.has_value())
-    fail("one is a range of tiles, the other one of samples");
+void add_film(const SavedFilm& film, FilmParts& parts) {
+  if (!film.notes.is_complete)
+    throw Error(fmt::format("{}: this film is not done; `twinray resume` goes on with it", film.file.path()));
+  if (parts.parts.empty()) {
+    parts.notes = film.notes;
+    parts.contents = film.file.header().films;
+  }
+  if (const std::string reason = difference(film, parts); !reason.empty())
+    throw Error(
+        fmt::format("{}: it does not go with {}: {}", film.file.path(), parts.parts.front().path, reason));
+  for (const auto& [name, value] : film.notes.picture.metadata)
+    if (name == "twinray:engine") parts.engines.insert(value);
+  parts.parts.push_back(part_of(film));
 }
 
-void check_done(const FilmPart& part) {
-  if (!part.notes.is_complete)
-    throw Error(fmt::format("{}: this film is not done; `twinray resume` goes on with it", part.path));
-}
+bool is_same_range(const FilmPart& a, const FilmPart& b) { return a.begin == b.begin && a.end == b.end; }
 
-/// In order, each place once.
+/// In order, each range once.
 void take_out_repeated(FilmParts& parts) {
-  std::vector<FilmPart>& all = parts.parts;
-  std::stable_sort(all.begin(), all.end(),
-                   [](const FilmPart& a, const FilmPart& b) { return place_of(a) < place_of(b); });
+  std::stable_sort(parts.parts.begin(), parts.parts.end(), [](const FilmPart& a, const FilmPart& b) {
+    return std::pair(a.begin, a.end) < std::pair(b.begin, b.end);
+  });
   std::vector<FilmPart> once;
-  for (FilmPart& part : all) {
-    if (once.empty() || place_of(once.back()) != place_of(part)) {
+  for (FilmPart& part : parts.parts) {
+    if (once.empty() || !is_same_range(once.back(), part)) {
       once.push_back(std::move(part));
       continue;
     }
     if (once.back().content != part.content)
       throw Error(fmt::format("{} and {} are both {}, but their sums are not the same", once.back().path,
-                              part.path, part_text(part.notes)));
+                              part.path, text_of(part, parts)));
     parts.repeated.push_back(part.path);
   }
-  all = std::move(once);
+  parts.parts = std::move(once);
 }
 
 void find_gaps(FilmParts& parts) {
-  const Place whole = whole_of(parts);
-  std::uint32_t end = whole.begin;
+  std::uint32_t end = 0;
   const FilmPart* before = nullptr;
   for (const FilmPart& part : parts.parts) {
-    const Place place = place_of(part);
-    if (place.begin < end)
+    if (part.begin < end)
       throw Error(fmt::format("{} and {} overlap: {}, and {}", before->path, part.path,
-                              part_text(before->notes), part_text(part.notes)));
-    if (place.begin > end) parts.missing.push_back(text_of({end, place.begin}, parts));
-    end = place.end;
+                              text_of(*before, parts), text_of(part, parts)));
+    if (part.begin > end) parts.missing.push_back(text_of(end, part.begin, parts));
+    end = part.end;
     before = &part;
   }
-  if (end < whole.end) parts.missing.push_back(text_of({end, whole.end}, parts));
-  parts.begin = place_of(parts.parts.front()).begin;
-  parts.end = end;
+  if (end < parts.whole()) parts.missing.push_back(text_of(end, parts.whole(), parts));
 }
 
 }  // namespace
 
-bool is_next(const FilmPart& a, const FilmPart& b) { return place_of(a).end == place_of(b).begin; }
+std::uint32_t FilmParts::whole() const {
+  return are_tiles() ? tile_grid(notes.identity.window, tile_size).count() : notes.samples;
+}
+
+bool FilmParts::has_inner_gap() const {
+  return std::adjacent_find(parts.begin(), parts.end(), [](const FilmPart& a, const FilmPart& b) {
+           return a.end != b.begin;
+         }) != parts.end();
+}
 
 FilmParts read_film_parts(const std::vector<std::string>& paths, Gaps gaps) {
   FilmParts parts;
-  for (const std::string& path : paths) {
-    parts.parts.push_back(read_part(path));
-    check_same(parts.parts.front(), parts.parts.back());
-    check_done(parts.parts.back());
-  }
-  parts.is_by_tiles = parts.parts.front().notes.tiles.has_value();
+  for (const std::string& path : paths) add_film(open_film(path), parts);
   take_out_repeated(parts);
   find_gaps(parts);
   if (!parts.missing.empty() && gaps == Gaps::refused)
@@ -118,22 +117,18 @@ FilmParts read_film_parts(const std::vector<std::string>& paths, Gaps gaps) {
 }
 
 RenderState merged(const FilmParts& parts, int threads) {
-  const FilmPart& first = parts.parts.front();
-  const RenderIdentity& identity = first.notes.identity;
+  const RenderIdentity& identity = parts.notes.identity;
   const auto make = [&](std::size_t i) {
-    return Film(identity.width, identity.height, identity.window, first.contents[i]);
+    return Film(identity.width, identity.height, identity.window, parts.contents[i]);
   };
   RenderState state{make(0)};
-  std::vector<Film*> films{&state.film};
-  if (first.contents.size() > 1) {
-    state.halves = HalfFilms{make(1), make(2)};
-    films.insert(films.end(), {&state.halves->first, &state.halves->second});
-  }
+  if (parts.contents.size() > 1) state.halves = HalfFilms{make(1), make(2)};
+  const std::vector<Film*> films = films_of(state);
   for (const FilmPart& part : parts.parts) {
     FilmFile(part.path).merge_into(films, threads);
-    state.rays += part.notes.progress.rays;
-    state.seconds += part.notes.progress.seconds;
-    state.samples = std::max(state.samples, part.notes.progress.samples);
+    state.rays += part.progress.rays;
+    state.seconds += part.progress.seconds;
+    state.samples = std::max(state.samples, part.progress.samples);
   }
   return state;
 }

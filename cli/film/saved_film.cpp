@@ -8,12 +8,10 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/ray_cone.h"
 
 namespace twinray {
 namespace {
-
-/// From so many samples on a picture on a surface gets no sharper (camera_cone).
-constexpr std::uint32_t sharpest_samples = 64;
 
 /// Why samples of a picture with so many a pixel are not those of one with as many as here; empty: they are.
 std::string sample_difference(const FilmNotes& film, const FilmNotes& here) {
@@ -38,9 +36,17 @@ std::string part_difference(const FilmNotes& film, const FilmNotes& here) {
   return fmt::format("it has {}, and {} are wanted here", part_text(film), part_text(here));
 }
 
-std::vector<const Film*> films_of(const RenderState& state) {
-  if (!state.halves) return {&state.film};
-  return {&state.film, &state.halves->first, &state.halves->second};
+/// Of that name or, where `open` throws Error for it, of the one that it replaced; `fault` then says why.
+template <typename Open>
+auto open_or_earlier(const std::string& path, std::string& fault, const Open& open) {
+  try {
+    return open(path);
+  } catch (const Error& error) {
+    const std::string earlier = earlier_film_name(path);
+    if (!std::filesystem::exists(earlier)) throw;
+    fault = fmt::format("{}; {} is taken in its place", error.what(), earlier);
+    return open(earlier);
+  }
 }
 
 }  // namespace
@@ -56,7 +62,9 @@ std::uint64_t write_film(const std::string& path, const FilmNotes& notes, const 
                          int threads) {
   FilmNotes all = notes;
   all.progress = {state.rays, state.samples, state.next_estimate, state.error, state.seconds};
-  return write_film_file(path, films_of(state), film_notes_json(all), threads);
+  std::vector<const Film*> films{&state.film};
+  if (state.halves) films.insert(films.end(), {&state.halves->first, &state.halves->second});
+  return write_film_file(path, films, film_notes_json(all), threads);
 }
 
 SavedFilm open_film(const std::string& path) {
@@ -69,23 +77,28 @@ SavedFilm open_film(const std::string& path) {
   }
 }
 
-FilmToResume open_film_to_resume(const std::string& path) {
-  const auto open = [](const std::string& name) {
-    SavedFilm film = open_film(name);
-    film.file.check();
-    return film;
-  };
-  try {
-    return {open(path), ""};
-  } catch (const Error& error) {
-    const std::string earlier = earlier_film_name(path);
-    if (!std::filesystem::exists(earlier)) throw;
-    return {open(earlier), fmt::format("{}; {} is taken in its place", error.what(), earlier)};
-  }
+std::vector<Film*> films_of(RenderState& state) {
+  if (!state.halves) return {&state.film};
+  return {&state.film, &state.halves->first, &state.halves->second};
+}
+
+FilmNotes notes_to_resume(const std::string& path) {
+  std::string fault;
+  return open_or_earlier(path, fault, [](const std::string& name) { return open_film(name).notes; });
+}
+
+FilmToResume open_film_to_resume(const std::string& path, int threads) {
+  std::string fault;
+  SavedFilm film = open_or_earlier(path, fault, [&](const std::string& name) {
+    SavedFilm opened = open_film(name);
+    opened.file.check(threads);
+    return opened;
+  });
+  return {std::move(film), std::move(fault)};
 }
 
 void check_can_resume(const SavedFilm& film, const FilmNotes& here) {
-  std::string reason = difference(film.notes.identity, here.identity);
+  std::string reason = difference(film.notes.identity, here.identity, "here");
   if (reason.empty()) reason = part_difference(film.notes, here);
   if (reason.empty()) reason = sample_difference(film.notes, here);
   if (!reason.empty())
@@ -93,8 +106,7 @@ void check_can_resume(const SavedFilm& film, const FilmNotes& here) {
 }
 
 void restore(SavedFilm& film, RenderState& state, int threads) {
-  std::vector<Film*> films{&state.film};
-  if (state.halves) films.insert(films.end(), {&state.halves->first, &state.halves->second});
+  const std::vector<Film*> films = films_of(state);
   const std::vector<FilmContents>& saved = film.file.header().films;
   if (saved.size() < films.size())
     throw Error(fmt::format("{}: it has no halves of the samples, which --denoise and --noise-target need",

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "cli/film/film_notes.h"
 #include "io/film_file.h"
@@ -19,6 +20,9 @@ bool has_film(const std::string& path);
 std::uint64_t write_film(const std::string& path, const FilmNotes& notes, const RenderState& state,
                          int threads);
 
+/// The films of a state, as they stand in a file: that of all samples, and the halves, if there are any.
+std::vector<Film*> films_of(RenderState& state);
+
 struct SavedFilm {
   FilmFile file;
   FilmNotes notes;
@@ -26,13 +30,17 @@ struct SavedFilm {
 /// Throws Error where it is none, or its beginning or its end is damaged.
 SavedFilm open_film(const std::string& path);
 
-/// The film to go on with: of that name or, where it is missing or damaged, the one that it replaced. `fault`
-/// is then what is wrong with it, else empty. All of it is read. Throws Error where both are bad.
+/// What the film to go on with says, of that name or, where that has no beginning or no end, the one that it
+/// replaced. Throws Error where both are bad.
+FilmNotes notes_to_resume(const std::string& path);
+
+/// The film to go on with: as above, where all of it can be read. `fault` is what is wrong with the one of
+/// that name, else empty.
 struct FilmToResume {
   SavedFilm film;
   std::string fault;
 };
-FilmToResume open_film_to_resume(const std::string& path);
+FilmToResume open_film_to_resume(const std::string& path, int threads);
 
 /// Throws Error, with what is different, unless a film may go on as the render that the notes are of.
 void check_can_resume(const SavedFilm& film, const FilmNotes& here);

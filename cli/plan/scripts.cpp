@@ -54,7 +54,11 @@ std::string name_text(const FarmPlan& plan) {
   return plan.frames ? parts + "$(printf '%04d-' \"$frame\")" : parts;
 }
 
-std::string program_text(const FarmPlan& plan) { return fmt::format("\"${{TWINRAY:-{}}}\"", plan.program); }
+/// Goes to the folder of the call; from then on $TWINRAY is the program.
+std::string begin_text(const FarmPlan& plan) {
+  return fmt::format("cd {}\n[[ -n ${{TWINRAY-}} ]] || TWINRAY={}\n", shell_text({plan.called_in}),
+                     shell_text({plan.program}));
+}
 
 }  // namespace
 
@@ -75,7 +79,7 @@ std::string render_script(const FarmPlan& plan) {
       fmt::runtime(first_lines),
       fmt::format("Renders part $1, from 0 to {}: {}{}. Goes on where it was stopped.", plan.task_count() - 1,
                   plan.frames ? fmt::format("{} frames of ", plan.frame_count()) : "", part_text(plan)));
-  text += fmt::format("cd {}\n", shell_text({plan.called_in}));
+  text += begin_text(plan);
   text += plan.frames
               ? fmt::format("frame=$(({0} + $1 / {1})) part=$(($1 % {1}))\n", plan.frames->first, plan.parts)
               : "part=$1\n";
@@ -83,7 +87,7 @@ std::string render_script(const FarmPlan& plan) {
       fmt::format("begin=$(({0} * part / {1})) end=$(({0} * (part + 1) / {1}))\n", plan.units, plan.parts);
   text += fmt::format("name={}$(printf '%05d' \"$part\")\n", name_text(plan));
   text += "[[ ! -f $name.film ]] || exit 0\n";
-  text += fmt::format("exec {} render{} \\\n", program_text(plan), frame_words(plan));
+  text += fmt::format("exec \"$TWINRAY\" render{} \\\n", frame_words(plan));
   text +=
       fmt::format("  --{}=\"$begin:$end\" --of={} ${{TWINRAY_THREADS:+--threads=\"$TWINRAY_THREADS\"}} \\\n",
                   plan.is_by_tiles ? "tile-range" : "sample-range", plan.samples);
@@ -97,10 +101,10 @@ std::string merge_script(const FarmPlan& plan) {
           ? fmt::format("Merges the parts of frame $1, from 0 to {}; without a number, of all frames.",
                         plan.frame_count() - 1)
           : "Merges all parts.");
-  text += fmt::format("cd {}\n", shell_text({plan.called_in}));
+  text += begin_text(plan);
   const std::string merge =
-      fmt::format("name={}\n{} merge \"$name\"*.film --quiet --output={}\n", name_text(plan),
-                  program_text(plan), plan.frames ? frame_word(plan.output) : shell_text({plan.output})) +
+      fmt::format("name={}\n\"$TWINRAY\" merge \"$name\"*.film --quiet --output={}\n", name_text(plan),
+                  plan.frames ? frame_word(plan.output) : shell_text({plan.output})) +
       "rm -f \"$name\"*.checkpoint \"$name\"*.checkpoint.before\n";
   if (!plan.frames) return text + merge;
   return text + fmt::format("(($# > 0)) || set -- $(seq 0 {})\n", plan.frame_count() - 1) +

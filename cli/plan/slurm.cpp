@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slurm's jobs. An array job renders a part a task; it is told a minute before its time is over, keeps what
-// it has and queues itself again. So is a task whose machine failed or was wanted for others.
+// Slurm's jobs. An array job renders a part a task. A minute before its time is over the task's script is
+// told by SIGUSR2; it lets the part keep what it has, and queues the task again. Slurm itself does so with a
+// task whose machine failed or was wanted for others; it sends SIGTERM then, as to a task that is cancelled,
+// which must not come back.
 #include <fmt/format.h>
 
 #include "cli/plan/farm_plan.h"
@@ -13,20 +15,20 @@ std::string head(const FarmPlan& plan, const char* step) {
   return fmt::format(
       "#!/usr/bin/env bash\n"
       "#SBATCH --job-name={}-{}\n"
-      "#SBATCH --requeue --open-mode=append\n"
-      "#SBATCH --output={}/logs/{}-%a.log\n",
-      plan.name, step, plan.folder, step);
+      "#SBATCH --requeue --open-mode=append\n",
+      plan.name, step);
 }
 
 }  // namespace
 
 std::string slurm_render_job(const FarmPlan& plan) {
   return head(plan, "render") + fmt::format("#SBATCH --array=0-{}\n", plan.task_count() - 1) +
-         "#SBATCH --signal=B:TERM@60\n"
+         "#SBATCH --signal=B:USR2@60\n"
          "export TWINRAY_THREADS=${SLURM_CPUS_PER_TASK:-}\n" +
          fmt::format("{} \"$SLURM_ARRAY_TASK_ID\" &\n", shell_text({plan.folder + "/render-part"})) +
-         "part=$!\n"
-         "trap 'kill -TERM \"$part\"' TERM\n"
+         "part=$! is_told=no\n"
+         "trap 'is_told=yes; kill -TERM \"$part\"' USR2\n"
+         "trap : TERM  # Slurm sends it to the part as well.\n"
          "wait \"$part\"\n"
          "code=$?\n"
          "while kill -0 \"$part\" 2>/dev/null; do\n"
@@ -34,7 +36,7 @@ std::string slurm_render_job(const FarmPlan& plan) {
          "  code=$?\n"
          "done\n"
          "# 75: it was stopped, and its checkpoint has what was done.\n"
-         "((code != 75)) || scontrol requeue \"$SLURM_JOB_ID\"\n"
+         "if [[ $is_told = yes && $code = 75 ]]; then scontrol requeue \"$SLURM_JOB_ID\"; fi\n"
          "exit $code\n";
 }
 
@@ -50,8 +52,9 @@ std::string slurm_submit_script(const FarmPlan& plan) {
       "# Submits all parts, and what merges them. Its words are options of sbatch for the parts, such as\n"
       "# --time=30 --cpus-per-task=8 --partition=NAME.\n"
       "set -eu\n"
-      "render=$(sbatch --parsable \"$@\" {0}/slurm/render.sbatch)\n"
-      "merge=$(sbatch --parsable --dependency=afterok:\"$render\" {0}/slurm/merge.sbatch)\n"
+      "render=$(sbatch --parsable --output={0}/logs/render-%a.log \"$@\" {0}/slurm/render.sbatch)\n"
+      "merge=$(sbatch --parsable --output={0}/logs/merge-%a.log --dependency=afterok:\"$render\" \\\n"
+      "  {0}/slurm/merge.sbatch)\n"
       "echo \"parts: job $render; merging: job $merge; logs: \"{0}/logs\n",
       folder);
 }

@@ -205,16 +205,16 @@ TEST_CASE("films that are no parts of one render are refused by name") {
       film("i.film"));
   run(quoted(box) + " -r 48 35 -q --sample-range=4:8 --of=8 -o " + film("j.film"));
   const std::string a = folder.file("a.film") + ": ", go = ": it does not go with " + a;
-  says(merge("ac"), folder.file("c.film") + go + "it was made without --seed 1");
+  says(merge("ac"), folder.file("c.film") + go + "it was made with --seed 1");
   says(merge("ad b"), folder.file("a.film") + " and " + folder.file("d.film") +
                           " overlap: samples 0 to 4 of 8, and samples 2 to 6 of 8");
-  says(merge("ae"), folder.file("e.film") + go + "8 samples a pixel, and 9 here");
+  says(merge("ae"), folder.file("e.film") + go + "it is of 9 samples a pixel, and of 8 there");
   says(merge("a"), "samples 4 to 8 of 8 are missing; --allow-gaps merges what there is");
   says(merge("af"), "samples 4 to 6 of 8 are missing");
   says(merge("ag"), folder.file("g.film") + go + "one is a range of tiles, the other one of samples");
   says(merge("ah"), folder.file("h.film") + go + "one has halves of the samples, or other layers");
-  says(merge("ai"), folder.file("i.film") + go + "its scene reads box.dae, which is not read here");
-  says(merge("aj"), folder.file("j.film") + go + "its --resolution is 48 36, and 48 35 here");
+  says(merge("ai"), folder.file("i.film") + go + "its scene reads spheres.dae, which is not read there");
+  says(merge("aj"), folder.file("j.film") + go + "its --resolution is 48 35, and 48 36 there");
   says(error_of("merge " + film("a.film")), "--output=FILE is missing");
   says(error_of("merge -o " + film("x.pfm")), "FILM is missing");
   const ProcessResult twice = run_program("merge -q " + film("a.film") + " " + film("b.film") + " " +
@@ -252,18 +252,48 @@ TEST_CASE("a checkpoint of another scene, option or file does not go on") {
   says(resume("--nonsense"), "there is no option --nonsense");
   run("resume " + film + " -q --exposure=1 --accel=brute-force -o " + quoted(folder.file("b.png")));
   write_text(scene, read_text(scene) + "\n");
-  says(resume("-q"), go + "scene.dae is not the file that it was");
+  says(resume("-q"), go + "scene.dae is another file here");
   fs::remove(scene);
   says(resume("-q"),
        scene + ": there is no such file; the render was begun in " + fs::current_path().string());
+}
+
+TEST_CASE("pictures on surfaces belong to a film, and to its number of samples") {
+  const TemporaryFolder folder;
+  Image picture(2, 2);
+  picture.pixels = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  write_image(folder.file("p.png"), picture);
+  write_text(folder.file("a.pbrt"), R"(LookAt 0 0 3  0 0 0  0 1 0
+Camera "perspective" "float fov" 40
+Film "rgb" "integer xresolution" 24 "integer yresolution" 18
+WorldBegin
+LightSource "infinite"
+Texture "p" "spectrum" "imagemap" "string filename" "p.png"
+Material "diffuse" "texture reflectance" "p"
+Shape "bilinearmesh" "point3 P" [-1 -1 0  1 -1 0  -1 1 0  1 1 0]
+)");
+  const std::string film = quoted(folder.file("a.ck")), to = " -q -o " + quoted(folder.file("a.pfm")) + " ";
+  run(quoted(folder.file("a.pbrt")) + to + "-s 8 --checkpoint=" + film);
+  says(
+      error_of("resume " + film + to + "-s 16"),
+      "it is of 8 samples a pixel, and of 16 here: up to 64 the sharpness of pictures on surfaces depends on "
+      "their number");
+  run("resume " + film + to);
+  picture.pixels[0] = {1, 1, 0};
+  write_image(folder.file("p.png"), picture);
+  says(error_of("resume " + film + to), "this film cannot go on here: p.png is another file here");
+  // From 64 samples on all are as sharp.
+  run(quoted(folder.file("a.pbrt")) + to + "-s 64 --checkpoint=" + film);
+  run("resume " + film + to + "-s 70");
+  run(quoted(folder.file("a.pbrt")) + " -q -s 70 -o " + quoted(folder.file("b.pfm")));
+  CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
 }
 
 TEST_CASE("what a part or a checkpoint cannot be is said before it is begun") {
   CHECK(message_of({"--sample-range=0:4"}) ==
         "--sample-range: a part of a picture is kept as a film, to be merged; twinray.png does not end in "
         ".film");
-  CHECK(message_of({"--sample-range=4", "-o", "a.film"}) ==
-        "--sample-range: \"4\" is no range; a range is BEGIN:END, as 0:16");
+  CHECK(message_of({"--sample-range=4", "-o", "a.film"}) == "--sample-range: \"4\" is no range, as 0:16 is");
   CHECK(message_of({"--sample-range=4:4", "-o", "a.film"}) == "--sample-range: 4 is not less than 4");
   CHECK(message_of({"--tile-range=1:-4", "-o", "a.film"})
             .starts_with("--tile-range: \"-4\" is not a whole number"));
@@ -277,6 +307,8 @@ TEST_CASE("what a part or a checkpoint cannot be is said before it is begun") {
         "with it");
   CHECK(message_of({"--of=8", "-s", "9"}) == "--of: 8 samples, and --samples says 9");
   CHECK(parse({"--of=8"}).render.samples == 8);
+  says(error_of(words("--checkpoint=/dev/null")),
+       "/dev/null: a checkpoint is a file that can be replaced and read again");
   CHECK(parse({"--layers=albedo", "-o", "a.film"}).render.layers.size() == 2);
   CHECK(parse({"--checkpoint-seconds=3"}).without_effect ==
         std::vector<std::string>{"--checkpoint-seconds: no effect, for there is no --checkpoint"});

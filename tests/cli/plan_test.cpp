@@ -65,24 +65,20 @@ TEST_CASE("the parts of a plan merge to the picture of one render, in whatever o
   CHECK_FALSE(fs::exists(folder.file("my plan/parts/00002.checkpoint")));
 }
 
-TEST_CASE("an adaptive picture is planned by tiles, and never in more parts than there are") {
+TEST_CASE(
+    "an adaptive picture is planned by tiles, others if asked for, and never in more parts than there are") {
   const TemporaryFolder folder;
-  const std::string options = quoted(box) + " -r 40 20 -s 40 -a 8 0.3 ";
-  const ProcessResult planned = plan_in(folder, options + "--folder=p --jobs=100 -o a.pfm");
-  CHECK(planned.out.starts_with("Plan           6 tiles in 6 parts\n"));
-  render_by(folder, "p");
-  CHECK(shell_in(folder, quoted(TWINRAY_PROGRAM) + " " + options + "-q -o b.pfm").exit_code == 0);
-  CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
-}
-
-TEST_CASE("parts are of tiles where that is asked for") {
-  const TemporaryFolder folder;
-  const std::string options = quoted(box) + " -r 40 20 -s 3 ";
-  const ProcessResult planned = plan_in(folder, options + "--folder=p --jobs=2 --by-tiles -o a.pfm");
-  CHECK(planned.out.starts_with("Plan           6 tiles in 2 parts\n"));
-  render_by(folder, "p");
-  CHECK(shell_in(folder, quoted(TWINRAY_PROGRAM) + " " + options + "-q -o b.pfm").exit_code == 0);
-  CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
+  const auto check = [&](const std::string& options, const std::string& plan, const std::string& said) {
+    fs::remove_all(folder.file("p"));
+    const std::string scene = quoted(box) + " -r 40 20 " + options;
+    CHECK(plan_in(folder, scene + " --folder=p -o a.pfm " + plan).out.starts_with(said));
+    render_by(folder, "p");
+    CHECK(shell_in(folder, quoted(TWINRAY_PROGRAM) + " " + scene + " -q -o b.pfm").exit_code == 0);
+    CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
+  };
+  check("-s 40 -a 8 0.3", "--jobs=100", "Plan           6 tiles in 6 parts\n");
+  check("-s 3", "--jobs=2 --by-tiles", "Plan           6 tiles in 2 parts\n");
+  check("-s 3", "--jobs=9", "Plan           3 samples in 3 parts\n");
 }
 
 TEST_CASE("frames have their numbers in scenes and pictures") {
@@ -121,14 +117,35 @@ TEST_CASE("a place for a frame's number is that of printf") {
   CHECK(with_frame_number("a.dae", 37) == "a.dae");
 }
 
+TEST_CASE("a task of Slurm queues itself again once its time is over, and not where it is cancelled") {
+  const TemporaryFolder folder;
+  FarmPlan plan{.name = "job", .folder = folder.path().string(), .parts = 2};
+  write_text(folder.file("job.sh"), slurm_render_job(plan));
+  // A part that keeps its checkpoint when it is stopped, and a Slurm that writes down what it is asked.
+  write_text(folder.file("render-part"),
+             "#!/bin/bash\ntrap 'exit 75' TERM\necho $$ >begun\nwhile :; do sleep 0.02; done\n");
+  write_text(folder.file("scontrol"), "#!/bin/bash\necho \"$@\" >>calls\n");
+  const auto code_after = [&](const std::string& signals) {
+    return shell_in(folder,
+                    "chmod +x render-part scontrol && rm -f begun calls && export PATH=\"$PWD:$PATH\" "
+                    "SLURM_JOB_ID=77 SLURM_ARRAY_TASK_ID=1 && { bash job.sh & job=$!; } && "
+                    "while [ ! -s begun ]; do sleep 0.02; done && " +
+                        signals + "; wait $job")
+        .exit_code;
+  };
+  CHECK(code_after("kill -USR2 $job") == 75);
+  CHECK(read_text(folder.file("calls")) == "requeue 77\n");
+  CHECK(code_after("kill -TERM $(cat begun) $job") == 75);
+  CHECK_FALSE(fs::exists(folder.file("calls")));
+}
+
 TEST_CASE("what a plan cannot be is said before anything is written") {
   CHECK(error_of("--jobs=3") == "twinray: --folder=DIR is missing");
   CHECK(error_of("--folder=p") == "twinray: --jobs or --part-minutes is needed, and not both");
   CHECK(error_of("--folder=p --jobs=3 --part-minutes=4") ==
         "twinray: --jobs or --part-minutes is needed, and not both");
   CHECK(error_of("--folder=p --jobs=3 --frames=3:1") == "twinray: --frames: 3 is more than 1");
-  CHECK(error_of("--folder=p --jobs=3 --frames=3") ==
-        "twinray: --frames: \"3\" is no range; a range is FIRST:LAST, as 1:100");
+  CHECK(error_of("--folder=p --jobs=3 --frames=3") == "twinray: --frames: \"3\" is no range, as 1:100 is");
   CHECK(error_of("--folder=p --jobs=3 --frames=1:2") ==
         "twinray: --frames: the picture's name needs a place for the number, as in \"%04d\"; twinray.png has "
         "none");

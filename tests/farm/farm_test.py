@@ -6,8 +6,8 @@ farm_test.py PROGRAM SCENE [OPENJD]
 
 Slurm has two nodes on this machine, started here and stopped after. Of eight parts one is queued again, one
 is told that its time is over, a node loses those that it renders (its daemon and all its processes get
-SIGKILL), and some make room for an urgent job. OPENJD is the program of PyPI's openjd-cli; without it that
-part is left out, and says so.
+SIGKILL), and some make room for an urgent job. Another job is cancelled and must not come back. OPENJD is the
+program of PyPI's openjd-cli; without it that part is left out, and says so.
 """
 import os
 import subprocess
@@ -68,6 +68,19 @@ def disturb(cluster, job):
     return {"queued again": [first], "out of time": [second], "lost": lost, "made room": moved}
 
 
+def cancel(cluster, folder):
+    """A job that is cancelled keeps its checkpoints, and does not come back."""
+    job = cluster.run(str(folder / "cancelled/slurm/submit"), "--time=30").split()[2].strip(";")
+    cluster.wait(lambda: len(running(cluster.tasks(job))) > 1, "parts are rendered")
+    time.sleep(2)
+    cluster.run("scancel", job)
+    cluster.wait(lambda: not running(cluster.tasks(job)), "no part is rendered any more")
+    time.sleep(10)
+    states = {task["JobState"] for task in cluster.tasks(job).values()}
+    if states - {"CANCELLED"} or not list((folder / "cancelled/parts").glob("*.checkpoint")):
+        raise RuntimeError(f"after scancel tasks are {states}, or there is no checkpoint")
+
+
 def render_on_slurm(folder):
     with tempfile.TemporaryDirectory() as place, slurm_cluster.Cluster(place) as cluster:
         said = cluster.run(str(folder / "slurm/slurm/submit"), "--time=30", "--cpus-per-task=1")
@@ -76,7 +89,9 @@ def render_on_slurm(folder):
         cluster.wait((folder / "slurm.pfm").exists, "the parts are merged", 300)
         cluster.wait(lambda: "RUNNING" not in cluster.run("scontrol", "show", "job", merging, check=False),
                      "the merge has ended")
-    print("Slurm:", "; ".join(f"{what}: {numbers}" for what, numbers in disturbed.items()))
+        cancel(cluster, folder)
+    print("Slurm:", "; ".join(f"{what}: {numbers}" for what, numbers in disturbed.items()),
+          "; cancelled: a job")
 
 
 def main(arguments):
@@ -94,6 +109,7 @@ def main(arguments):
             print(f"Slurm: not tried: {reason}")
         else:
             make_plan(program, scene, folder, "slurm")
+            make_plan(program, scene, folder, "cancelled")
             render_on_slurm(folder)
             done.append("slurm")
         if len(arguments) < 3:
