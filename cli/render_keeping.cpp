@@ -4,6 +4,7 @@
 #include "cli/console.h"
 #include "cli/partial_picture.h"
 #include "cli/shell_text.h"
+#include "core/error.h"
 
 namespace twinray {
 
@@ -30,7 +31,14 @@ int RenderKeeping::interrupted(const RenderResult& result, int stop_code) {
   const bool is_kept = keeper_ && keeper_->has_checkpoint();
   // A film beside a checkpoint would be the same once more.
   const bool is_told = !partial_.names().empty() && !(is_kept && !partial_.film.empty());
-  console::print_error("{}: interrupted{}\n", console::speaker(), is_told ? "; " + write_so_far(result) : "");
+  std::string so_far;
+  try {
+    if (is_told) so_far = "; " + write_so_far(result);
+  } catch (const Error& error) {
+    if (!is_kept) throw;
+    console::warn(error.what());
+  }
+  console::print_error("{}: interrupted{}\n", console::speaker(), so_far);
   if (!is_kept) return stop_code;
   console::print_error("{}: `twinray resume {}` goes on with it\n", console::speaker(),
                        shell_text({arguments_.checkpoint}));

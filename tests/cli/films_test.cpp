@@ -133,6 +133,27 @@ TEST_CASE("a render without a checkpoint ends as it did, and its film can go on"
   CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
 }
 
+TEST_CASE("a film that is interrupted beside its checkpoint is not written twice") {
+  const TemporaryFolder folder;
+  CHECK(interrupted(folder, {"-o", folder.file("a.film")}, SIGTERM) == 75);
+  CHECK(fs::exists(folder.file("a.ck")));
+  CHECK_FALSE(fs::exists(folder.file("a_partial.film")));
+}
+
+TEST_CASE("a checkpoint of before counts where none can be written any more") {
+  const TemporaryFolder folder;
+  interrupted(folder, {}, SIGTERM);
+  const std::string film = read_text(folder.file("a.ck"));
+  TerminalProgram program({"resume", folder.file("a.ck"), "-s", "4000000", "--checkpoint-seconds=1000"},
+                          {"LD_PRELOAD=" TWINRAY_AT_SYNC, "AT_SYNC=fail"});
+  REQUIRE(program.wait_for(" samples |"));
+  program.send(SIGTERM);
+  CHECK(program.exit_code() == 75);
+  CHECK(read_text(folder.file("a.ck")) == film);
+  says(program.shown(), "a_partial.pfm: cannot be written");
+  says(program.shown(), "goes on with it");
+}
+
 TEST_CASE("SIGUSR1 writes a picture of what there is, and the render goes on") {
   const TemporaryFolder folder;
   TerminalProgram program({box, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.png")});
@@ -228,6 +249,8 @@ TEST_CASE("films that are no parts of one render are refused by name") {
   CHECK(gap.exit_code == 0);
   says(gap.err, "samples 4 to 6 of 8 are missing");
   says(read_text(folder.file("x.png")), "twinray:missing");
+  says(error_of("merge --allow-gaps " + film("a.film") + " " + film("f.film") + " -o " + film("x.film")),
+       "x.film: samples 4 to 6 of 8 are missing amid it; a film is of a range without gaps");
 }
 
 TEST_CASE("a checkpoint of another scene, option or file does not go on") {

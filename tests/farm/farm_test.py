@@ -90,8 +90,8 @@ def render_on_slurm(folder):
         cluster.wait(lambda: "RUNNING" not in cluster.run("scontrol", "show", "job", merging, check=False),
                      "the merge has ended")
         cancel(cluster, folder)
-    print("Slurm:", "; ".join(f"{what}: {numbers}" for what, numbers in disturbed.items()),
-          "; cancelled: a job")
+    disturbed["cancelled"] = "a job"
+    print("Slurm:", "; ".join(f"{what}: {tasks}" for what, tasks in disturbed.items()))
 
 
 def main(arguments):
