@@ -37,4 +37,14 @@ TEST_CASE("the first tile is the middle one and its neighbours follow") {
   }
 }
 
+TEST_CASE("tiles of a range count row by row, and lie in the rows that they need") {
+  const PixelRect window{3, 2, 38, 29};  // 3 x 2 tiles
+  CHECK(tile_grid(window, 16).count() == 6);
+  CHECK(rows_of({0, 3}, window, 16) == PixelRect{3, 2, 38, 18});
+  CHECK(rows_of({2, 4}, window, 16) == window);
+  CHECK(rows_of({3, 6}, window, 16) == PixelRect{3, 18, 38, 29});
+  CHECK(spiral_tiles(window, 16, TileRange{2, 3}) == std::vector<PixelRect>{{35, 2, 38, 18}});
+  CHECK(spiral_tiles(window, 16, TileRange{3, 4}) == std::vector<PixelRect>{{3, 18, 19, 29}});
+}
+
 }  // namespace twinray

@@ -100,7 +100,7 @@ MUTANTS = [
            "test_cli", "a film that is interrupted beside its checkpoint is not written twice"),
     Mutant("the last tile of a range is that behind it", "integrators/tiles.cpp",
            "(tiles.end - 1) / columns", "tiles.end / columns", "test_integrators",
-           "ranges of tiles make one picture together, adaptive or not"),
+           "tiles of a range count row by row, and lie in the rows that they need"),
     Mutant("parts of a plan leave the last sample out", "cli/plan/scripts.cpp",
            "end=$(({0} * (part + 1) / {1}))", "end=$((({0} - 1) * (part + 1) / {1}))", "test_cli",
            "the parts of a plan merge to the picture of one render, in whatever order they are made"),
