@@ -3,17 +3,36 @@
 
 #if defined(__x86_64__)
 #include <immintrin.h>
+#elif defined(__aarch64__)
+#include <cstdint>
 #endif
 
 namespace twinray {
+namespace {
 
 #if defined(__x86_64__)
-// Bits of MXCSR: results that are denormal become 0 (FTZ, 0x8000), and so do operands (DAZ, 0x0040).
-KeepDenormals::KeepDenormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ & ~0x8040u); }
-KeepDenormals::~KeepDenormals() { _mm_setcsr((_mm_getcsr() & ~0x8040u) | (saved_ & 0x8040u)); }
+// Of MXCSR: results that are denormal become 0 (FTZ, 0x8000), and so do operands (DAZ, 0x0040).
+constexpr unsigned flushes = 0x8040;
+unsigned mode() { return _mm_getcsr(); }
+void set_mode(unsigned mode) { _mm_setcsr(mode); }
+#elif defined(__aarch64__)
+// Of FPCR: denormal results and operands become 0 (FZ, bit 24), or operands alone (FIZ, bit 0; Armv8.7).
+constexpr unsigned flushes = 1u << 24 | 1u;
+unsigned mode() {
+  std::uint64_t mode;
+  asm volatile("mrs %0, fpcr" : "=r"(mode));
+  return unsigned(mode);
+}
+void set_mode(unsigned mode) { asm volatile("msr fpcr, %0" : : "r"(std::uint64_t(mode))); }
 #else
-KeepDenormals::KeepDenormals() : saved_(0) {}
-KeepDenormals::~KeepDenormals() = default;
+constexpr unsigned flushes = 0;
+unsigned mode() { return 0; }
+void set_mode(unsigned) {}
 #endif
+
+}  // namespace
+
+KeepDenormals::KeepDenormals() : saved_(mode()) { set_mode(saved_ & ~flushes); }
+KeepDenormals::~KeepDenormals() { set_mode((mode() & ~flushes) | (saved_ & flushes)); }
 
 }  // namespace twinray

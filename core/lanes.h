@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Private: four floats at a time, by the vector types that GCC and Clang share: plain operators, one
-// operation of IEEE 754 in each lane, on every x86-64.
+// operation of IEEE 754 in each lane, on every processor.
 #pragma once
 #include <cstdint>
 #include <cstring>

@@ -21,6 +21,9 @@ HWY_ATTR HWY_INLINE Lanes positive(Lanes a) { return hn::IfThenElseZero(is_posit
 /// The weights of a patch's corners.
 struct CornerLanes {
   Lanes at[4];
+
+  // Written out, for GCC makes its own without the instruction set, and NEON's vectors have constructors.
+  HWY_ATTR HWY_INLINE CornerLanes() {}
 };
 
 HWY_ATTR HWY_INLINE Lanes corner_weight(const Lanes3& position, const Lanes3& normal, const Vec3& corner,

@@ -125,7 +125,6 @@ TEST_CASE("a batch whose spans differ in length writes behind none of them") {
   }
 }
 
-#ifdef __SSE__
 TEST_CASE("a caller who has switched denormal numbers off gets the same answers, and keeps his mode") {
   // So small that the products of the edge functions, and the distances, are denormal numbers.
   Mesh mesh = soup(300, 0.3f, 5);
@@ -143,4 +142,3 @@ TEST_CASE("a caller who has switched denormal numbers off gets the same answers,
     CHECK(FlushDenormals::are_flushed());
   }
 }
-#endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fixed table of rays and shapes with the bits of their canonical hits: the same on every x86-64, with any
-// instruction set and any compiler flags. An installed consumer can include this file: it needs the public
-// headers and the file canonical_table.inc beside it.
+// A fixed table of rays and shapes with the bits of their canonical hits: the same on every processor, with
+// any instruction set and any compiler flags. An installed consumer can include this file: it needs the
+// public headers and the file canonical_table.inc beside it.
 #pragma once
 #include <bit>
 #include <cmath>

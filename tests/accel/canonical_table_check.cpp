@@ -2,6 +2,10 @@
 // Compiled with several sets of compiler flags, together with the sources of the canonical tests: each
 // program checks the table with the code that these flags make. With "write" as its argument it prints the
 // rows of canonical_table.inc instead.
+#ifdef __ARM_FEATURE_SVE
+#include <sys/auxv.h>
+#endif
+
 #include <cstdio>
 #include <cstring>
 
@@ -15,7 +19,9 @@ namespace {
 /// The CPU features that this program was compiled for and this machine lacks, or "".
 std::string missing_features() {
   std::string missing;
+#ifdef __x86_64__
   __builtin_cpu_init();
+#endif
 #ifdef __SSE4_2__
   if (!__builtin_cpu_supports("sse4.2")) missing += " sse4.2";
 #endif
@@ -33,6 +39,9 @@ std::string missing_features() {
 #endif
 #ifdef __AVX512VL__
   if (!__builtin_cpu_supports("avx512vl")) missing += " avx512vl";
+#endif
+#ifdef __ARM_FEATURE_SVE
+  if (!(getauxval(AT_HWCAP) & HWCAP_SVE)) missing += " sve";
 #endif
   return missing;
 }

@@ -64,7 +64,6 @@ TEST_CASE("pictures and ray counts have the same bits on every engine and with 1
   }
 }
 
-#ifdef __SSE__
 TEST_CASE("a caller that flushes denormal numbers gets the same picture") {
   // In a room of 10^-19 units, areas and cross products of edges are denormal.
   const Scene scene = small_room(1e-19f);
@@ -78,7 +77,6 @@ TEST_CASE("a caller that flushes denormal numbers gets the same picture") {
     for (const int threads : {1, 3}) CHECK(same_bits(render_room(backend, threads), expected));
   CHECK(FlushDenormals::are_flushed());
 }
-#endif
 
 TEST_CASE("observers get the rays of each sample, in the order of its path") {
   const Scene scene = small_room();

@@ -1,23 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 // A host program's thread that takes denormal numbers for 0.
 #pragma once
+#include <cstdint>
 
 namespace twinray::test {
 
-#ifdef __SSE__
-/// Switches denormal numbers off while it lives (FTZ and DAZ), as a program does that was compiled with
-/// -ffast-math.
+/// Switches denormal numbers off while it lives (FTZ and DAZ; on AArch64 FZ), as a program does that was
+/// compiled with -ffast-math.
 class FlushDenormals {
  public:
-  FlushDenormals() : saved_(__builtin_ia32_stmxcsr()) { __builtin_ia32_ldmxcsr(saved_ | 0x8040u); }
-  ~FlushDenormals() { __builtin_ia32_ldmxcsr(saved_); }
+  FlushDenormals() : saved_(mode()) { set_mode(saved_ | flushes); }
+  ~FlushDenormals() { set_mode(saved_); }
   FlushDenormals(const FlushDenormals&) = delete;
   FlushDenormals& operator=(const FlushDenormals&) = delete;
-  static bool are_flushed() { return (__builtin_ia32_stmxcsr() & 0x8040u) == 0x8040u; }
+  static bool are_flushed() { return (mode() & flushes) == flushes; }
 
  private:
-  unsigned saved_;
-};
+#if defined(__x86_64__)
+  using Mode = unsigned;
+  static constexpr Mode flushes = 0x8040;
+  static Mode mode() { return __builtin_ia32_stmxcsr(); }
+  static void set_mode(Mode mode) { __builtin_ia32_ldmxcsr(mode); }
+#elif defined(__aarch64__)
+  using Mode = std::uint64_t;
+  static constexpr Mode flushes = 1u << 24;
+  static Mode mode() {
+    Mode mode;
+    asm volatile("mrs %0, fpcr" : "=r"(mode));
+    return mode;
+  }
+  static void set_mode(Mode mode) { asm volatile("msr fpcr, %0" : : "r"(mode)); }
+#else
+#error "no test knows how this processor switches denormal numbers off"
 #endif
+
+  Mode saved_;
+};
 
 }  // namespace twinray::test

@@ -11,6 +11,14 @@ METAL_INPUTS = ("a metal takes eta, k or its reflectance from textures, "
 TWO_HALVES = "a lamp with a picture of two halves is two lamps, by every way of finding direct light"
 
 MUTANTS = [
+    Mutant("a task computes as its thread did before, with denormal numbers or without", "core/denormals.cpp",
+           "set_mode(saved_ & ~flushes);",
+           "set_mode(saved_);",
+           "test_core", "denormal numbers are kept in every part, whatever the caller's setting"),
+    Mutant("after a task denormal numbers stay switched on", "core/denormals.cpp",
+           "set_mode((mode() & ~flushes) | (saved_ & flushes));",
+           "set_mode(mode() & ~flushes);",
+           "test_core", "denormal numbers are kept in every part, whatever the caller's setting"),
     Mutant("a sphere lamp emits inwards too", "core/light_set.cpp",
            "return sphere && cos_front > 0 ? sphere->radiance : Rgb{};",
            "return sphere ? sphere->radiance : Rgb{};",
