@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/console.h"
 
@@ -32,13 +33,17 @@ ProgressShares progress_shares(const RenderProgress& progress, double elapsed_se
           elapsed_seconds / progress.seconds_total, share_of_target(progress)};
 }
 
-std::optional<double> seconds_left(const ProgressShares& shares, double elapsed_seconds) {
-  const double done = shares.most();
-  return done > 0.01 ? std::optional(elapsed_seconds * (1 - done) / done) : std::nullopt;
+std::optional<double> seconds_left(const RenderProgress& progress, double elapsed_seconds) {
+  const ProgressShares shares = progress_shares(progress, elapsed_seconds);
+  const double done = std::min(1.0, std::max(shares.of_samples, shares.of_noise));
+  double left = std::max(0.0, progress.seconds_total - elapsed_seconds);
+  if (done > 0.01) left = std::min(left, (progress.seconds_before + elapsed_seconds) * (1 - done) / done);
+  return std::isfinite(left) ? std::optional(left) : std::nullopt;
 }
 
 double rays_per_second(const RenderProgress& progress, double elapsed_seconds) {
-  return elapsed_seconds > 0 ? double(progress.rays) / elapsed_seconds : 0;
+  const double seconds = progress.seconds_before + elapsed_seconds;
+  return seconds > 0 ? double(progress.rays) / seconds : 0;
 }
 
 std::string progress_text(const RenderProgress& progress, double elapsed_seconds) {
@@ -52,7 +57,7 @@ std::string progress_text(const RenderProgress& progress, double elapsed_seconds
     text += fmt::format("error {:.3g}, target {:.3g} | ", *progress.error, *progress.noise_target);
   text += fmt::format("{:.2f} M rays/s | {}", 1e-6 * rays_per_second(progress, elapsed_seconds),
                       duration_text(elapsed_seconds));
-  if (const std::optional<double> left = seconds_left(shares, elapsed_seconds))
+  if (const std::optional<double> left = seconds_left(progress, elapsed_seconds))
     text += fmt::format(", {} left", duration_text(*left));
   return text;
 }

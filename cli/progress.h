@@ -12,6 +12,8 @@ namespace twinray {
 /// The line on standard error; with `enabled` false nothing is shown.
 ProgressLine progress_line(bool enabled);
 
+// The seconds below are those for which this process has been sampling.
+
 /// How much is done, from 0 to 1, by each of what may end a render.
 struct ProgressShares {
   double of_samples = 0, of_time = 0, of_noise = 0;
@@ -19,9 +21,9 @@ struct ProgressShares {
 };
 ProgressShares progress_shares(const RenderProgress& progress, double elapsed_seconds);
 
-/// How long it goes on if it goes on like this; nothing before 1 % is done.
-std::optional<double> seconds_left(const ProgressShares& shares, double elapsed_seconds);
-/// The mean until now; 0 at the beginning.
+/// How long it goes on if it goes on like this; nothing where only its samples tell, before 1 % is done.
+std::optional<double> seconds_left(const RenderProgress& progress, double elapsed_seconds);
+/// The mean until now, over all processes; 0 at the beginning.
 double rays_per_second(const RenderProgress& progress, double elapsed_seconds);
 
 /// "42 % | 1.2 of 2.9 M samples | 3.1 M rays/s | 12 s, 17 s left"; of samples, of time or of a noise target,

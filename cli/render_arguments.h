@@ -10,6 +10,7 @@
 
 #include "accel/engines.h"
 #include "cli/camera_changes.h"
+#include "cli/clock_time.h"
 #include "cli/common_options.h"
 #include "cli/environment_options.h"
 #include "cli/light_groups.h"
@@ -40,6 +41,9 @@ enum class DenoiserKind {
   own,
 };
 
+/// What says how far a render is, on standard error.
+enum class ProgressKind { line, json, none };
+
 /// The path of one sample, in place of a picture.
 struct ReplayRequest {
   PixelSample sample;               ///< Of the full frame.
@@ -57,7 +61,9 @@ struct RenderArguments {
   std::string scene;
   std::string output = "twinray.png";
   ExrCompression compression = ExrCompression::zip;
-  std::string stats_file;   ///< Empty: none.
+  std::string stats_file;    ///< Empty: none.
+  std::string metrics_file;  ///< Empty: none.
+  ProgressKind progress = ProgressKind::line;
   std::string camera_file;  ///< Empty: the scene's own camera.
   View view = View::file;
   CameraChanges changes;             ///< Of the camera.
@@ -84,6 +90,7 @@ struct RenderArguments {
       texture_bytes;              ///< Of memory for pictures on surfaces; not set: all there are.
   bool convert_textures = false;  ///< In place of a picture, pictures of surfaces are written in tiles.
   RenderOptions render;
+  std::optional<WallTime> until;             ///< It ends by then; render.seconds allows for it.
   Display display;                           ///< Of pictures in formats of 8 bits.
   std::optional<DenoiserKind> denoiser;      ///< Of the picture, if it is to be denoised.
   std::vector<LightGroupRule> light_groups;  ///< Where render.light_groups are asked for.
@@ -105,6 +112,11 @@ struct RenderArguments {
 inline bool is_cs184(const RenderArguments& arguments) {
   return arguments.load.interpretation == Interpretation::cs184;
 }
+
+/// Shortens the seconds that the render has to those that are left until it is to end.
+void heed_the_clock(RenderArguments& arguments);
+/// That this time is over; empty where it is not.
+std::string clock_warning(const RenderArguments& arguments);
 
 /// Whether something else than the number of samples may end the render.
 inline bool is_open_ended(const RenderOptions& render) { return render.seconds || render.noise_target; }

@@ -21,6 +21,7 @@
 #include "cli/replay_command.h"
 #include "cli/resources.h"
 #include "cli/statistics_report.h"
+#include "cli/status/status_talk.h"
 #include "cli/texture_command.h"
 #include "core/error.h"
 #include "core/memory.h"
@@ -57,6 +58,7 @@ class RenderRun {
     if (uses_films(arguments)) arguments_.load.files = std::make_shared<std::vector<std::string>>();
     if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
       console::warn(fewer);
+    if (const std::string late = clock_warning(arguments); !late.empty()) console::warn(late);
     if (!arguments.environment.empty() || (makes_picture() && !is_png(outputs_.picture)))
       codec_loader_ = load_image_codec_early();
   }
@@ -111,6 +113,7 @@ class RenderRun {
 
   /// Where something is kept the first interruption ends the render, not the program.
   Rendered render(const Job& job, RenderKeeping& keeping, LivePicture& live) {
+    heed_the_clock(arguments_);
     RenderOptions options = keeping.resting(check_ ? check_->observed(arguments_.render) : arguments_.render);
     std::optional<StopRequest> stop;
     if (keeping.keeps_something()) {
@@ -198,12 +201,15 @@ int render_command(const RenderArguments& arguments, const std::vector<std::stri
   for (const std::string& warning : arguments.without_effect) console::warn(warning);
   if (arguments.replay) return replay_command(arguments);
   check_memory(memory_needs(arguments.render));
-  return RenderRun(arguments, words, talk).run();
+  std::vector<std::unique_ptr<StatusReporter>> reporters = status_reporters(arguments);
+  if (reporters.empty()) return RenderRun(arguments, words, talk).run();
+  StatusTalk reporting(talk, std::move(reporters));
+  return RenderRun(arguments, words, reporting).run();
 }
 
 int render_command(const RenderArguments& arguments, const std::vector<std::string>& words) {
   const std::unique_ptr<RenderTalk> talk =
-      arguments.quiet ? std::make_unique<RenderTalk>() : std::make_unique<StandardTalk>();
+      arguments.quiet ? std::make_unique<RenderTalk>() : std::make_unique<StandardTalk>(arguments.progress);
   return render_command(arguments, words, *talk);
 }
 

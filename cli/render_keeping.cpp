@@ -16,7 +16,7 @@ RenderOptions RenderKeeping::resting(RenderOptions options) {
 }
 
 void RenderKeeping::rest(const RenderState& state) {
-  if (keeper_ && keeper_->is_due()) keeper_->save(state);
+  if (keeper_ && keeper_->is_due() && keeper_->save(state)) talk_.checkpointed();
   if (request_.take() && !partial_.names().empty()) talk_.note(write_so_far(state));
 }
 

@@ -22,6 +22,12 @@ bool has_ending(const std::string& name) {
   return ending.size() > 1 && !(ending[1] >= '0' && ending[1] <= '9');
 }
 
+/// The name may be empty.
+void check_replaceable(const std::string& name, const char* reason) {
+  if (!name.empty() && destination_of(name).kind != Destination::Kind::file)
+    throw Error(fmt::format("{}: {}", name, reason));
+}
+
 /// Pictures of CS184's program need no ending.
 void check_name(const RenderArguments& arguments) {
   if (is_cs184(arguments) && !has_ending(arguments.output)) return;
@@ -89,7 +95,7 @@ bool keeps_layers(const std::string& output) {
 }
 
 std::vector<std::string> RenderOutputs::names() const {
-  return given_names({picture, film, rates, legend, differences, noisy, statistics, checkpoint});
+  return given_names({picture, film, rates, legend, differences, noisy, statistics, metrics, checkpoint});
 }
 
 std::vector<std::string> all_names(std::initializer_list<RenderOutputs> all) {
@@ -101,16 +107,19 @@ std::vector<std::string> all_names(std::initializer_list<RenderOutputs> all) {
 
 RenderOutputs render_outputs(const RenderArguments& arguments) {
   const std::string& picture = arguments.output;
-  const std::string& checkpoint = arguments.checkpoint;
-  if (!checkpoint.empty() && destination_of(checkpoint).kind != Destination::Kind::file)
-    throw Error(fmt::format("{}: a checkpoint is a file that can be replaced and read again", checkpoint));
-  if (is_film_name(picture))
-    return {.film = picture, .statistics = arguments.stats_file, .checkpoint = arguments.checkpoint};
+  check_replaceable(arguments.checkpoint, "a checkpoint is a file that can be replaced and read again");
+  check_replaceable(arguments.metrics_file, "metrics are a file that can be replaced");
+  RenderOutputs outputs{.statistics = arguments.stats_file,
+                        .metrics = arguments.metrics_file,
+                        .checkpoint = arguments.checkpoint};
+  if (is_film_name(picture)) {
+    outputs.film = picture;
+    return outputs;
+  }
   check_name(arguments);
   if (!arguments.display.ocio_view.empty())
     displayed(Image(1, 1), arguments.display);  // Is there such a view?
-  RenderOutputs outputs{
-      .picture = picture, .statistics = arguments.stats_file, .checkpoint = arguments.checkpoint};
+  outputs.picture = picture;
   if (arguments.render.adaptive) outputs.rates = rate_name(arguments);
   if (arguments.integrator == IntegratorKind::cost) outputs.legend = name_beside(picture, "_legend.png");
   if (arguments.check_with) outputs.differences = name_beside(picture, "_differences.png");

@@ -23,6 +23,7 @@ struct RenderOutputs {
   std::string differences;  ///< Of --accel=check.
   std::string noisy;        ///< Of a denoised picture that cannot keep it as a layer.
   std::string statistics;
+  std::string metrics;     ///< Written again and again.
   std::string checkpoint;  ///< Of a render that goes on.
 
   /// All that are not empty.

@@ -8,7 +8,8 @@
 
 namespace twinray {
 
-StandardTalk::StandardTalk() : line_(progress_line(true)) {}
+StandardTalk::StandardTalk(ProgressKind progress)
+    : has_line_(progress == ProgressKind::line), line_(progress_line(has_line_)) {}
 
 void StandardTalk::loaded(const SceneSummary& summary) {
   for (const std::string& line : summary_lines(summary)) console::print("{}\n", line);
@@ -16,7 +17,7 @@ void StandardTalk::loaded(const SceneSummary& summary) {
 
 void StandardTalk::note(const std::string& text) { console::print("note: {}\n", text); }
 
-void StandardTalk::rendering() { line_ = progress_line(true); }
+void StandardTalk::rendering() { line_ = progress_line(has_line_); }
 
 void StandardTalk::progress(const RenderProgress& progress) {
   if (line_.is_due()) line_.show(progress_text(progress, line_.elapsed_seconds()));

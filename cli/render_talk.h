@@ -29,6 +29,8 @@ class RenderTalk {
   virtual void rendering() {}
   /// From one thread at a time.
   virtual void progress(const RenderProgress&) {}
+  /// While it renders.
+  virtual void checkpointed() {}
   virtual void rendered(const RenderResult&) {}
   /// In place of rendered(), and the last: it was interrupted.
   virtual void stopped() {}
@@ -38,11 +40,11 @@ class RenderTalk {
   virtual void finished(const RenderArguments&, const AccelStats&, const RenderResult&) {}
 };
 
-/// A line on standard error while it renders, all else on standard output: what was understood of the scene,
-/// and statistics at the end.
+/// A line on standard error while it renders, where there is to be one, all else on standard output: what was
+/// understood of the scene, and statistics at the end.
 class StandardTalk final : public RenderTalk {
  public:
-  StandardTalk();
+  explicit StandardTalk(ProgressKind progress);
   void loaded(const SceneSummary& summary) override;
   void note(const std::string& text) override;
   void rendering() override;
@@ -54,6 +56,7 @@ class StandardTalk final : public RenderTalk {
                 const RenderResult& result) override;
 
  private:
+  bool has_line_;
   ProgressLine line_;
 };
 

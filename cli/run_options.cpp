@@ -31,6 +31,12 @@ void add_run_options(CLI::App& app, RenderRequest& request) {
   group.add_optional_word(
       {"--serve", "[=HOST:PORT]", fmt::format("Show the growing picture in browsers ({})", usual)}, usual,
       request.serve);
+  group.add_choice<ProgressKind>(
+      "--progress", arguments.progress,
+      {{"line", ProgressKind::line}, {"json", ProgressKind::json}, {"none", ProgressKind::none}},
+      "On standard error; json: an object each second");
+  group.add_word({"--metrics-file", "FILE", "Keep its progress there, for Prometheus"},
+                 arguments.metrics_file);
   group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
 }
 

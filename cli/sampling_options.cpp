@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "cli/render_options.h"
 
 namespace twinray {
@@ -18,6 +20,14 @@ void add_sampling_options(CLI::App& app, RenderRequest& request) {
                    sample_counts);
   group.add_number({"--seconds", "T", "As many samples as this time allows; at most N if given"},
                    request.arguments.render.seconds, time_limits);
+  group.add_words({"--until", "TIME", "As many as there can be by then: 07:30 or 2026-11-24T07:30"}, 1,
+                  [&request](const Words& words) {
+                    try {
+                      request.arguments.until = parse_clock_time(words[0]);
+                    } catch (const Error& error) {
+                      throw UsageError(fmt::format("--until: {}", error.what()));
+                    }
+                  });
   group.add_number({"--noise-target", "E", "As many as this relative error needs; at most N if given"},
                    request.arguments.render.noise_target, noise_targets);
   add_sampler_options(app, request);
@@ -46,7 +56,22 @@ void add_sampling_words(CLI::App& app, RenderRequest& request) {
   group.add_number({"--seed", "N", "Another seed, another noise"}, render.seed, seeds);
 }
 
+void heed_the_clock(RenderArguments& arguments) {
+  if (!arguments.until) return;
+  const std::chrono::duration<double> left = *arguments.until - std::chrono::system_clock::now();
+  double& seconds = arguments.render.seconds ? *arguments.render.seconds
+                                             : arguments.render.seconds.emplace(time_limits.most);
+  seconds = std::clamp(left.count(), time_limits.least, seconds);
+}
+
+std::string clock_warning(const RenderArguments& arguments) {
+  if (!arguments.until || *arguments.until > std::chrono::system_clock::now()) return {};
+  return fmt::format("--until: {} is over: as few samples are rendered as can be",
+                     clock_text(*arguments.until));
+}
+
 void resolve_sampling(const RenderRequest& request, RenderArguments& arguments) {
+  heed_the_clock(arguments);
   if (is_open_ended(arguments.render) && !is_given("--samples", arguments))
     arguments.render.samples = Film::max_samples;
   if (arguments.render.noise_target) arguments.render.half_layers.emplace();

@@ -117,6 +117,7 @@ class Renderer {
     if (options.restore) restore();
     progress_.samples_total = pixel_count() * (range_.end - range_.begin);
     if (options.seconds) progress_.seconds_total = *options.seconds;
+    progress_.seconds_before = state_.seconds;
     progress_.noise_target = options.noise_target;
     progress_.error = state_.error;
     progress_.rays = state_.rays.total();

@@ -111,7 +111,8 @@ RenderState empty_state(const RenderOptions& options, const Scene& scene);
 struct RenderProgress {
   std::uint64_t samples_done = 0;  ///< Pixel samples, those that adaptive sampling saved included.
   std::uint64_t samples_total = 0;
-  double seconds_total = std::numeric_limits<double>::infinity();  ///< That sampling may take.
+  double seconds_total = std::numeric_limits<double>::infinity();  ///< That this process may sample.
+  double seconds_before = 0;                                       ///< That earlier ones did.
   std::optional<double> noise_target;                              ///< At which it ends.
   std::optional<double> error;  ///< Where there is a target: after the last pass that was looked at.
   std::uint64_t rays = 0;

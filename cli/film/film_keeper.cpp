@@ -62,27 +62,29 @@ void FilmKeeper::write(const std::string& path, const RenderState& state, bool i
   write_film(path, notes, state, arguments_.render.threads);
 }
 
-void FilmKeeper::write_checkpoint(const RenderState& state, bool is_complete) {
+bool FilmKeeper::write_checkpoint(const RenderState& state, bool is_complete) {
   try {
     write(arguments_.checkpoint, state, is_complete);
-    is_saved_ = true;
+    return is_saved_ = true;
   } catch (const Error& error) {
     console::warn(fmt::format("no checkpoint: {}; the one before is as it was", error.what()));
   } catch (const std::bad_alloc&) {
     console::warn(fmt::format("no checkpoint: {}: there is not enough memory; the one before is as it was",
                               arguments_.checkpoint));
   }
+  return false;
 }
 
-void FilmKeeper::save(const RenderState& state) {
+bool FilmKeeper::save(const RenderState& state) {
   const Clock::time_point begin = Clock::now();
-  write_checkpoint(state, false);
+  const bool is_written = write_checkpoint(state, false);
   const Clock::time_point end = Clock::now();
   const std::chrono::duration<double> interval =
       arguments_.checkpoint_seconds
           ? std::chrono::duration<double>(*arguments_.checkpoint_seconds)
           : std::max<std::chrono::duration<double>>(usual_interval, rarity * (end - begin));
   next_ = end + std::chrono::duration_cast<Clock::duration>(interval);
+  return is_written;
 }
 
 void FilmKeeper::save_last(const RenderResult& result) {

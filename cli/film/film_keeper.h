@@ -30,8 +30,8 @@ class FilmKeeper {
   /// Fills the state with the film to go on with, if there is one. Throws Error.
   void restore(RenderState& state);
   /// Writes a checkpoint. Where it cannot be written the last one stays, a warning says why, and another is
-  /// due later.
-  void save(const RenderState& state);
+  /// due later, and the answer is false.
+  bool save(const RenderState& state);
   /// The last checkpoint, if any is asked for.
   void save_last(const RenderResult& result);
   /// Whether there is a checkpoint to go on with.
@@ -41,7 +41,7 @@ class FilmKeeper {
 
  private:
   using Clock = std::chrono::steady_clock;
-  void write_checkpoint(const RenderState& state, bool is_complete);
+  bool write_checkpoint(const RenderState& state, bool is_complete);
 
   const RenderArguments& arguments_;
   FilmNotes notes_;

@@ -18,10 +18,11 @@ namespace fs = std::filesystem;
 
 /// They say what is made of the samples, how many there are, or who makes them.
 constexpr std::string_view free_options[] = {
-    "--output", "--samples", "--of", "--sample-range", "--tile-range", "--seconds", "--noise-target",
-    "--denoise", "--denoise-light-groups", "--exposure", "--white-balance", "--tone", "--ocio-view",
-    "--ocio-display", "--exr-compression", "--texture-memory", "--threads", "--count", "--stats", "--tev",
-    "--serve", "--strict", "--quiet", "--checkpoint", "--checkpoint-seconds", "--resume",
+    "--output", "--samples", "--of", "--sample-range", "--tile-range", "--seconds", "--until",
+    "--noise-target", "--denoise", "--denoise-light-groups", "--exposure", "--white-balance", "--tone",
+    "--ocio-view", "--ocio-display", "--exr-compression", "--texture-memory", "--threads", "--count",
+    "--stats", "--tev", "--serve", "--progress", "--metrics-file", "--strict", "--quiet", "--checkpoint",
+    "--checkpoint-seconds", "--resume",
     // Their files count, and not their names.
     "--environment", "--camera"};
 /// All canonical engines make the same samples.

@@ -57,7 +57,7 @@ std::string state_json(const WebState& state) {
                   {"samples", samples_json(state, shares)},
                   {"share", share_of(state, shares)},
                   {"seconds", state.seconds},
-                  {"seconds_left", optional(seconds_left(shares, state.seconds))},
+                  {"seconds_left", optional(seconds_left(state.progress, state.seconds))},
                   {"rays", state.progress.rays},
                   {"rays_per_second", rays_per_second(state.progress, state.seconds)},
                   {"error", optional(state.progress.error)},

@@ -40,6 +40,7 @@ DOORS = {
     "CLI11": (r"CLI/", r"cli/|bench/options\.cpp"),
     "nlohmann/json": (r"nlohmann/", r"(cli|bench)/\w*report\.cpp|"
                                     r"cli/(study/record|live/web_state|film/notes_json|plan/open_job)\.cpp|"
+                                    r"cli/status/(json_lines|metrics_file)\.cpp|"
                                     r"io/(cryptomatte|exchange|film_header)\.cpp|"
                                     r"tests/(cli|io)/"),
     "cmark": (r"cmark", r"cli/study/notes\.cpp"),

@@ -22,6 +22,16 @@ TEST_CASE("progress is that of samples or of time, whichever ends the render fir
   CHECK(progress_text(progress, 20) == " 25 % | 1.0 of 4.0 M samples | 0.00 M rays/s | 20 s, 1 min 0 s left");
 }
 
+TEST_CASE("a render that is resumed has the speed of all its processes, and its time anew") {
+  RenderProgress progress{
+      .samples_done = 3000000, .samples_total = 4000000, .seconds_before = 50, .rays = 6000000};
+  CHECK(progress_text(progress, 10) == " 75 % | 3.0 of 4.0 M samples | 0.10 M rays/s | 10 s, 20 s left");
+  progress.seconds_total = 25;
+  CHECK(seconds_left(progress, 10) == 15.0);
+  CHECK(seconds_left({.samples_total = 4, .seconds_total = 25}, 0) == 25.0);
+  CHECK_FALSE(seconds_left({.samples_total = 4}, 5));
+}
+
 TEST_CASE("progress towards a noise target says the error that is left") {
   RenderProgress progress{
       .samples_done = 1000000, .samples_total = 4000000, .noise_target = 0.02, .error = {}};

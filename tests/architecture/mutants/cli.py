@@ -4,8 +4,8 @@ from mutant import Mutant
 
 MUTANTS = [
     Mutant("the time that is left is taken for the time that has passed", "cli/progress.cpp",
-           "elapsed_seconds * (1 - done) / done",
-           "elapsed_seconds * done / (1 - done)",
+           "(progress.seconds_before + elapsed_seconds) * (1 - done) / done",
+           "(progress.seconds_before + elapsed_seconds) * done / (1 - done)",
            "test_cli", "progress says per cent, samples, speed, elapsed and remaining time"),
     Mutant("seconds are cut off, not rounded", "io/progress_line.cpp",
            "std::max(0.0, seconds) + 0.5",

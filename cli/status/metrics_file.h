@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <chrono>
+#include <string>
+
+#include "cli/render_arguments.h"
+#include "cli/status/render_status.h"
+
+namespace twinray {
+
+/// The text of a Prometheus metrics file: for each number its help, its type and its value, for each step
+/// whether it is this one. Scene and output are labels of each, so that files of several renders go together.
+std::string metrics_text(const RenderStatus& status, const std::string& scene, const std::string& output);
+
+/// --metrics-file: written anew as a whole at each step's begin and every five seconds, or more rarely where
+/// that would take more than a hundredth of the time.
+class MetricsFile final : public StatusReporter {
+ public:
+  explicit MetricsFile(const RenderArguments& arguments)
+      : path_(arguments.metrics_file), scene_(arguments.scene), output_(arguments.output) {}
+  bool is_due() const override { return Clock::now() >= next_; }
+  /// A file that cannot be written is a warning.
+  void report(const RenderStatus& status) override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string path_, scene_, output_;
+  Clock::time_point next_;
+};
+
+}  // namespace twinray
