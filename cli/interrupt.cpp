@@ -42,7 +42,9 @@ void say(std::string_view text) {
     for (const std::string& path : *paths) unlink(path.c_str());
   if (isatty(STDERR_FILENO)) say("\n");
   say(console::speaker());
-  say(signal_number == SIGINT ? ": interrupted" : ": ended by a signal");
+  say(signal_number == SIGINT    ? ": interrupted"
+      : signal_number == SIGALRM ? ": its time is over"
+                                 : ": ended by a signal");
   say("; unfinished outputs are removed, old files are as they were\n");
   _exit(exit_code_of(signal_number));
 }

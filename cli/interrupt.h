@@ -10,7 +10,8 @@
 namespace twinray {
 
 /// While it lives, Ctrl-C (SIGINT), SIGTERM, the end of the terminal (SIGHUP) and of the CPU time that is
-/// allowed (SIGXCPU) end the program at once, with a message and exit code 130, 143, 129 or 152, after
+/// allowed (SIGXCPU) or of all time (SIGALRM) end the program at once, with a message and exit code 130, 143,
+/// 129, 152 or 142, after
 /// removing the unfinished file; whatever stood at the output's place stays. A signal that the program was
 /// started to ignore is ignored. One at a time.
 class InterruptGuard {
@@ -22,7 +23,7 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
  private:
-  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
+  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGALRM};
   std::vector<std::string> paths_;  ///< Where unfinished files are.
   std::array<struct sigaction, signals.size()> before_{};
 };
@@ -40,7 +41,7 @@ class StopRequest {
   void make() const;
   /// Whether the work is to stop; from any thread.
   bool is_made() const;
-  /// The exit code of a program that was asked to stop: 130, 143, 129 or 152.
+  /// The exit code of a program that was asked to stop: 130, 143, 129, 152 or 142.
   int exit_code() const;
 };
 

@@ -11,6 +11,7 @@
 #include "cli/outputs.h"
 #include "cli/render_command_line.h"
 #include "cli/render_outputs.h"
+#include "cli/shell_text.h"
 #include "core/memory.h"
 
 namespace twinray {
@@ -47,18 +48,9 @@ RenderArguments arguments_of(const Words& words, const FilmNotes& notes) {
   return arguments;
 }
 
-void set_value(ImageMetadata& metadata, const std::string& name, const std::string& value) {
-  for (auto& [known, old] : metadata)
-    if (known == name) {
-      old = value;
-      return;
-    }
-  metadata.emplace_back(name, value);
-}
-
 PictureNotes notes_of(const FilmParts& parts, const Words& words) {
   PictureNotes notes = parts.notes.picture;
-  set_value(notes.metadata, "twinray:options", fmt::format("{}", fmt::join(words, " ")));
+  set_value(notes.metadata, "twinray:options", shell_text(words));
   set_value(notes.metadata, "twinray:engine", fmt::format("{}", fmt::join(parts.engines, ", ")));
   if (!parts.missing.empty())
     set_value(notes.metadata, "twinray:missing", fmt::format("{}", fmt::join(parts.missing, ", ")));

@@ -260,6 +260,7 @@ constexpr Rule rules[]{
     {"--serve", needs_picture},
     {"--progress", needs_picture},
     {"--metrics-file", needs_picture},
+    {"--time-limit", needs_picture},
     {"--threads", needs_picture},
     {"--seconds", needs_picture},
     {"--until", needs_picture},

@@ -49,8 +49,7 @@ std::string write_partial(const RenderOutputs& partial, const RenderArguments& a
                           PictureNotes notes) {
   if (sample_range(film).most == 0) return "there is no sample yet; no picture is written";
   const std::string samples = sample_range_text(film, arguments.render.samples);
-  for (auto& [name, value] : notes.metadata)
-    if (name == "twinray:samples") value = samples;
+  set_value(notes.metadata, "twinray:samples", samples);
   write_pictures(partial, arguments, {film}, notes);
   return fmt::format("{} holds what there is: {} samples a pixel", partial.picture, samples);
 }

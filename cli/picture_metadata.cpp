@@ -10,6 +10,9 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "cli/console.h"
+#include "cli/input_files.h"
+#include "cli/shell_text.h"
 #include "cli/version.h"
 #include "core/error.h"
 #include "io/camera_matrices.h"
@@ -42,13 +45,15 @@ std::string biases_of(const PathOptions& path) {
 ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vector<std::string>& words) {
   ImageMetadata metadata{{"Software", version_name()},
                          {"twinray:scene", arguments.scene},
-                         {"twinray:options", fmt::format("{}", fmt::join(words, " "))},
+                         {"twinray:options", shell_text(words)},
                          {"twinray:seed", fmt::format("{}", arguments.render.seed)},
                          {"twinray:engine", engine_name(arguments)},
                          {"twinray:samples", fmt::format("{}", arguments.render.samples)},
                          {"twinray:filter", filter_text(arguments.render.filter)}};
   if (const std::string biases = biases_of(arguments.path); !biases.empty())
     metadata.emplace_back("twinray:biased_by", biases);
+  if (console::speaker() != "twinray") metadata.emplace_back("twinray:program", console::speaker());
+  if (arguments.load.files) metadata.emplace_back("twinray:inputs", input_text(input_files(arguments)));
   if (const char* time = std::getenv("SOURCE_DATE_EPOCH"); time && *time)
     metadata.emplace_back("DateTime", time_stamp(time));
   return metadata;

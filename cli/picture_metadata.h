@@ -9,8 +9,9 @@
 
 namespace twinray {
 
-/// What is stored in every picture of a render: the program, the words of its command line, and the time that
-/// the environment's SOURCE_DATE_EPOCH states, if it does, so that the same command gives the same bytes.
+/// What is stored in every picture of a render: the program, the words of its command line, the hashes of the
+/// files that it depends on, if the scene was loaded with a list of them, and the time that the environment's
+/// SOURCE_DATE_EPOCH states, if it does, so that the same command gives the same bytes.
 /// Throws Error where that is not a time.
 ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vector<std::string>& words);
 

@@ -20,6 +20,7 @@
 #include "cli/resume_command.h"
 #include "cli/stats_command.h"
 #include "cli/study_command.h"
+#include "cli/verify_command.h"
 
 namespace twinray {
 namespace {
@@ -61,11 +62,15 @@ Action add_study(CLI::App& app) {
   return [read = add_study_options(app)](const Words&) { return study_command(read()); };
 }
 
+Action add_verify(CLI::App& app) {
+  return [read = add_verify_options(app)](const Words&) { return verify_command(read()); };
+}
+
 const std::vector<Subcommand> subcommands{
     {"render", add_render,
      "Renders a COLLADA scene by path tracing; with --cs184 as CS184's program does (docs/cs184.md).", "Run",
      "Others: twinray agreement, compare, convert, crosscheck, error, merge, plan, relight, resume,\nstats, "
-     "study; each has help"},
+     "study, verify; each has help"},
     {"agreement", add_agreement,
      "Renders scenes small by every engine, split method, integrator, sampler and number of threads,\n"
      "and compares all pictures and ray counts bit for bit. Exit code 1 if any differs."},
@@ -99,7 +104,10 @@ const std::vector<Subcommand> subcommands{
      "command, times, rays per second, tests per ray and error. Goes on where it was stopped."},
     {"convert", add_convert,
      "Writes a scene in a form that scripts read: a JSON file, and beside it a PLY file for each mesh\n"
-     "and an EXR file for each environment (docs/exchange.md)."}};
+     "and an EXR file for each environment (docs/exchange.md)."},
+    {"verify", add_verify,
+     "Renders some tiles of a picture again, by the command and the files that its metadata names, and says\n"
+     "whether its pixels have the same bits (docs/unattended.md)."}};
 
 bool is_subcommand(const std::string& word) {
   return std::any_of(subcommands.begin(), subcommands.end(),
@@ -118,6 +126,7 @@ std::string usage_of(const std::string& name) {
   if (name == "resume") return "twinray resume FILE [options]; all options: twinray --help";
   if (name == "merge")
     return "twinray merge FILM... --output OUT [options]; all options: twinray merge --help";
+  if (name == "verify") return "twinray verify PICTURE [options]; all options: twinray verify --help";
   if (name == "plan")
     return "twinray plan SCENE.dae --folder DIR --jobs N [options]; all options: twinray plan --help";
   const char* scene = name == "agreement" ? "[SCENE.dae]..." : "SCENE.dae";

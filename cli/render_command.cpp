@@ -9,6 +9,7 @@
 #include "cli/denoising.h"
 #include "cli/engine_check.h"
 #include "cli/interrupt.h"
+#include "cli/limits.h"
 #include "cli/live/live_picture.h"
 #include "cli/live/picture_viewers.h"
 #include "cli/outputs.h"
@@ -20,6 +21,7 @@
 #include "cli/render_talk.h"
 #include "cli/replay_command.h"
 #include "cli/resources.h"
+#include "cli/sandbox/sandbox.h"
 #include "cli/statistics_report.h"
 #include "cli/status/status_talk.h"
 #include "cli/texture_command.h"
@@ -42,6 +44,21 @@ int list_cameras(const RenderArguments& arguments) {
   return 0;
 }
 
+/// What a command line may write. Of a list of cameras, nothing.
+std::vector<std::string> written_files(const RenderArguments& arguments) {
+  if (arguments.load.camera_name == "?") return {};
+  if (arguments.replay) return given_names({arguments.replay->json_file, arguments.replay->obj_file});
+  const RenderOutputs outputs = render_outputs(arguments);
+  return all_names({outputs, partial_outputs(outputs)});
+}
+
+/// Before anything of the scene is read.
+void protect_the_machine(const RenderArguments& arguments, RenderTalk& talk) {
+  if (arguments.time_limit) limit_time(*arguments.time_limit);
+  if (arguments.memory_bytes) limit_memory(*arguments.memory_bytes);
+  if (arguments.sandbox) talk.note("sandbox: " + enter_sandbox(arguments, written_files(arguments)));
+}
+
 /// One render, step by step.
 class RenderRun {
  public:
@@ -55,7 +72,7 @@ class RenderRun {
         guard_(all_names({outputs_, partial_})) {
     prepare_outputs(outputs_.names());
     if (arguments.denoiser) use_denoiser(*arguments.denoiser);
-    if (uses_films(arguments)) arguments_.load.files = std::make_shared<std::vector<std::string>>();
+    arguments_.load.files = std::make_shared<std::vector<std::string>>();
     if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
       console::warn(fewer);
     if (const std::string late = clock_warning(arguments); !late.empty()) console::warn(late);
@@ -77,7 +94,7 @@ class RenderRun {
     if (arguments_.check_with) check_.emplace(arguments_, loaded.scene, *accelerator);
     const Rendered rendered = render({loaded.scene, *accelerator, *integrator}, keeping, live);
     const int code = rendered.stop_code != 0 ? keeping.interrupted(rendered.result, rendered.stop_code)
-                                             : finish(rendered.result, loaded.scene, *accelerator, keeping);
+                                             : finish(rendered.result, *accelerator, keeping);
     live.finish();
     return code;
   }
@@ -142,7 +159,7 @@ class RenderRun {
   void denoise(const RenderResult& result) {
     denoised_ = denoising_->denoise(*result.halves);
     talk_.denoised(*denoised_);
-    notes_.metadata.emplace_back("twinray:denoiser", denoised_->denoiser);
+    set_value(notes_.metadata, "twinray:denoiser", denoised_->denoiser);
   }
 
   void write(const RenderResult& result, RenderKeeping& keeping) {
@@ -151,18 +168,20 @@ class RenderRun {
       write_pictures(outputs_, arguments_, {result.film, denoised_ ? &*denoised_ : nullptr}, notes_);
     else
       keeping.films()->write(outputs_.film, result, true);
-    if (!outputs_.differences.empty())
-      write_image(outputs_.differences, check_->picture(mean_image(result.film)), notes_.metadata);
+    if (!outputs_.differences.empty()) {
+      ImageMetadata metadata = notes_.metadata;
+      set_value(metadata, "twinray:shows", "differences");
+      write_image(outputs_.differences, check_->picture(mean_image(result.film)), metadata);
+    }
     talk_.saved();
   }
 
   /// From the samples to all that is asked for; the exit code.
-  int finish(const RenderResult& result, const Scene& scene, const Accelerator& accelerator,
-             RenderKeeping& keeping) {
+  int finish(const RenderResult& result, const Accelerator& accelerator, RenderKeeping& keeping) {
     if (keeping.films()) keeping.films()->save_last(result);
     if (is_open_ended(arguments_.render)) {
       arguments_.render.samples = result.samples;
-      notes_ = picture_notes(arguments_, words_, scene);
+      set_value(notes_.metadata, "twinray:samples", fmt::format("{}", result.samples));
     }
     if (denoising_ && makes_picture()) denoise(result);
     if (const std::string rejected = rejection_text(result.film, arguments_); !rejected.empty())
@@ -196,6 +215,7 @@ class RenderRun {
 
 int render_command(const RenderArguments& arguments, const std::vector<std::string>& words,
                    RenderTalk& talk) {
+  protect_the_machine(arguments, talk);
   if (arguments.load.camera_name == "?") return list_cameras(arguments);
   if (arguments.convert_textures) return convert_textures(arguments);
   for (const std::string& warning : arguments.without_effect) console::warn(warning);

@@ -30,6 +30,7 @@ struct RenderRequest {
   Words light_groups;          ///< NAME=LIGHT,... each.
   std::string tev;             ///< A viewer's address; empty: none.
   std::string serve;           ///< Where the picture is served; empty: nowhere.
+  std::string sandbox;         ///< Further places, as PATH has them; empty: there is none.
   std::string denoise;         ///< What is to denoise; empty: nothing.
   bool denoise_light_groups = false;
   bool resume = false;              ///< From the checkpoint, if it is there.

@@ -67,12 +67,22 @@ void write_colors(const RenderOutputs& outputs, const RenderArguments& arguments
   }
   const Image mean = mean_image(film);
   write_color(outputs.picture, arguments, denoised ? denoised->image : mean, notes);
-  if (!outputs.noisy.empty()) write_color(outputs.noisy, arguments, mean, notes);
+  if (outputs.noisy.empty()) return;
+  PictureNotes noisy = notes;
+  std::erase_if(noisy.metadata, [](const auto& entry) { return entry.first == "twinray:denoiser"; });
+  write_color(outputs.noisy, arguments, mean, noisy);
 }
 
 ByteImage rate_image(const RenderArguments& arguments, const Film& film) {
   const std::uint32_t most = arguments.render.samples;
   return is_cs184(arguments) ? cs184_rate_image(film, most) : sample_rate_image(film, most);
+}
+
+/// The metadata of what stands beside the picture.
+ImageMetadata showing(const char* what, const PictureNotes& notes) {
+  ImageMetadata metadata = notes.metadata;
+  set_value(metadata, "twinray:shows", what);
+  return metadata;
 }
 
 /// Costs as colours with their legend; linear formats keep the numbers.
@@ -83,7 +93,7 @@ void write_costs(const RenderOutputs& outputs, const Film& film, const PictureNo
     write_linear(outputs.picture, costs, notes.metadata, notes.frame);
   else
     write_display(outputs.picture, scaled_image(costs, end), notes.metadata);
-  if (!outputs.legend.empty()) write_png(outputs.legend, legend_image(end), notes.metadata);
+  if (!outputs.legend.empty()) write_png(outputs.legend, legend_image(end), showing("legend", notes));
 }
 
 }  // namespace
@@ -139,7 +149,8 @@ void write_pictures(const RenderOutputs& outputs, const RenderArguments& argumen
     write_costs(outputs, film, notes);
   else
     write_colors(outputs, arguments, rendered, notes);
-  if (!outputs.rates.empty()) write_png(outputs.rates, rate_image(arguments, film), notes.metadata);
+  if (!outputs.rates.empty())
+    write_png(outputs.rates, rate_image(arguments, film), showing("sample rates", notes));
 }
 
 }  // namespace twinray

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <sstream>
+
 #include "cli/live/web_server.h"
 #include "cli/render_options.h"
 #include "io/tev_viewer.h"
@@ -7,6 +9,18 @@ namespace twinray {
 namespace {
 
 constexpr const char* group_name = "Run";
+constexpr Range<double> memory_megabytes{64, 1e9};
+constexpr Range<double> time_limits{1e-3, 1e9};
+constexpr const char* no_places = ":";
+
+/// Those of a list, as PATH has them.
+std::vector<std::string> places_in(const std::string& list) {
+  std::vector<std::string> places;
+  std::istringstream stream(list);
+  for (std::string place; std::getline(stream, place, ':');)
+    if (!place.empty()) places.push_back(place);
+  return places;
+}
 
 /// None for the empty text.
 std::optional<NetworkAddress> parsed(const char* option, const std::string& text,
@@ -37,6 +51,16 @@ void add_run_options(CLI::App& app, RenderRequest& request) {
       "On standard error; json: an object each second");
   group.add_word({"--metrics-file", "FILE", "Keep its progress there, for Prometheus"},
                  arguments.metrics_file);
+  group.add_optional_word(
+      {"--sandbox", "[=PLACE:...]", "Read the scene's folder and these, write outputs: nothing else"},
+      no_places, request.sandbox);
+  group.add_words({"--memory", "MB", "Of the process, at most (all there is)"}, 1,
+                  [&arguments](const Words& words) {
+                    const double megabytes = parse_number("--memory", words.front(), memory_megabytes);
+                    arguments.memory_bytes = std::uint64_t(1e6 * megabytes);
+                  });
+  group.add_number({"--time-limit", "T", "Interrupt it after so many seconds, of loading, too"},
+                   arguments.time_limit, time_limits);
   group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
 }
 
@@ -55,6 +79,11 @@ void add_run_words(CLI::App& app, RenderRequest& request) {
 void resolve_run(const RenderRequest& request, RenderArguments& arguments) {
   arguments.viewer = parsed("--tev", request.tev, parse_viewer_address);
   arguments.server = parsed("--serve", request.serve, parse_server_address);
+  if (request.sandbox.empty()) return;
+  arguments.sandbox = places_in(request.sandbox);
+  if (arguments.convert_textures)
+    throw UsageError(
+        "--sandbox: --convert-textures writes beside the scene's pictures, which it does not allow");
 }
 
 }  // namespace twinray

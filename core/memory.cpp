@@ -58,6 +58,13 @@ Bytes left_of_address_space(const std::string& root) {
   return difference(*most, *pages * std::uint64_t(sysconf(_SC_PAGESIZE)));
 }
 
+Bytes left_of_data(const std::string& root) {
+  const Bytes most = number_after(root + "proc/self/limits", "Max data size");
+  const Bytes used = number_after(root + "proc/self/status", "VmData:");
+  if (!most || !used) return std::nullopt;
+  return difference(*most, *used * 1024);
+}
+
 /// The files in which a version of control groups keeps its numbers, and what its statistics call files in
 /// memory.
 struct GroupFiles {
@@ -94,6 +101,7 @@ MemoryLimit available_memory(const std::string& root) {
   MemoryLimit limit;
   tighten(limit, left_of_machine(root), "the machine");
   tighten(limit, left_of_address_space(root), "its address space (ulimit -v)");
+  tighten(limit, left_of_data(root), "its limit of memory (--memory, ulimit -d)");
   std::ifstream groups(root + "proc/self/cgroup");
   for (std::string line; std::getline(groups, line);) {  // "5:cpu,memory:/path", version 2: "0::/path"
     const std::size_t first = line.find(':'), second = line.find(':', first + 1);

@@ -22,8 +22,8 @@ struct MemoryNeed {
 
 /// The tightest of: the machine's available memory and free swap; what the process's control group and those
 /// above it (version 1 or 2) have left, where memory that holds files counts as left; what is left of the
-/// address space (ulimit -v). Limits that cannot be read are none. `root` is the folder that holds proc and
-/// sys.
+/// address space (ulimit -v), and of its data (ulimit -d). Limits that cannot be read are none. `root` is the
+/// folder that holds proc and sys.
 MemoryLimit available_memory(const std::string& root = "/");
 
 /// Throws Error, which says how much is needed for what, where the needs exceed the limit.

@@ -55,6 +55,9 @@ class ImageCodec {
   /// All channels of an OpenEXR picture. `check` as above.
   virtual StoredLayers read_layers(const PictureBytes& picture,
                                    const std::function<void(const Header&)>& check) const = 0;
+  /// The texts beside the pixels of any picture. `check` as above.
+  virtual ImageMetadata read_metadata(PictureFormat format, const PictureBytes& picture,
+                                      const std::function<void(const Header&)>& check) const = 0;
   /// The channel of that name of an OpenEXR picture, row by row; empty where it has none. `check` as above.
   virtual std::vector<float> read_channel(const PictureBytes& picture, const std::string& name,
                                           const std::function<void(const Header&)>& check) const = 0;

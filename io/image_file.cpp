@@ -191,6 +191,16 @@ StoredLayers read_layers(const std::string& path) {
   });
 }
 
+ImageMetadata read_metadata(const std::string& path) {
+  const PictureFormat format = picture_format(path);
+  if (format == PictureFormat::pfm || format == PictureFormat::tga) return {};
+  const std::string bytes = read_bytes(path);
+  const PictureBytes picture{bytes, path};
+  check_picture_header(format, picture);
+  return image_codec().read_metadata(
+      format, picture, [&](const ImageCodec::Header& header) { check_kind(header, format, picture); });
+}
+
 std::vector<float> read_channel(const std::string& path, const std::string& name) {
   if (picture_format(path) != PictureFormat::exr) return {};
   const std::string bytes = read_bytes(path);

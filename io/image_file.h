@@ -55,6 +55,9 @@ Image read_image(const std::string& path, const ReadOptions& options = {});
 /// All channels of an EXR picture, with its metadata and frame. Throws Error.
 StoredLayers read_layers(const std::string& path);
 
+/// The texts beside the pixels of an EXR, HDR, PNG or JPEG picture; none of other formats. Throws Error.
+ImageMetadata read_metadata(const std::string& path);
+
 /// The channel of that name of an EXR picture ("variance.Y"), row by row; empty where the picture has none,
 /// or is no EXR. Throws Error.
 std::vector<float> read_channel(const std::string& path, const std::string& name);

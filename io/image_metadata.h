@@ -12,6 +12,11 @@ namespace twinray {
 /// Names and values.
 using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 
+/// The value of that name; empty where there is none.
+std::string value_of(const ImageMetadata& metadata, const std::string& name);
+/// Sets the value of that name, in the place of an old one.
+void set_value(ImageMetadata& metadata, const std::string& name, const std::string& value);
+
 /// How a picture's whole frame saw the world, as OpenEXR's attributes have it: 4x4, row by row, for points
 /// that are rows and stand before the matrix.
 struct CameraMatrices {

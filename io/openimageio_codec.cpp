@@ -336,6 +336,13 @@ class OpenImageIOCodec final : public ImageCodec {
     return stored;
   }
 
+  ImageMetadata read_metadata(PictureFormat format, const PictureBytes& picture,
+                              const std::function<void(const Header&)>& check) const override {
+    OpenPicture open(format, picture);
+    check(open.header());
+    return texts_of(open.input().spec());
+  }
+
   /// Put together in memory: a pipe cannot be written in any other order.
   std::vector<unsigned char> encode_exr(const std::string& path, const LayeredImage& image,
                                         const ImageMetadata& metadata,

@@ -24,18 +24,6 @@ std::string option_difference(const std::map<std::string, Words>& film,
   return "";
 }
 
-std::string file_difference(const std::map<std::string, std::string>& film,
-                            const std::map<std::string, std::string>& others, const char* other) {
-  for (const auto& [name, hash] : film) {
-    const auto found = others.find(name);
-    if (found == others.end()) return fmt::format("its scene reads {}, which is not read {}", name, other);
-    if (found->second != hash) return fmt::format("{} is another file {}", name, other);
-  }
-  for (const auto& [name, hash] : others)
-    if (!film.contains(name)) return fmt::format("its scene does not read {}, which is read {}", name, other);
-  return "";
-}
-
 std::string window_text(const RenderIdentity& identity) {
   const auto& [x0, y0, x1, y1] = identity.window;
   return fmt::format("x {} to {}, y {} to {} of {} x {} pixels", x0, x1, y0, y1, identity.width,

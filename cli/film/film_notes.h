@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/input_files.h"
 #include "cli/options.h"
 #include "cli/picture_metadata.h"
 #include "integrators/render.h"
@@ -18,9 +19,7 @@ namespace twinray {
 /// other's films, and be merged.
 struct RenderIdentity {
   std::string program;  ///< Its name and version.
-  /// The files that were read, by their names as seen from the scene's folder, and the hash of each; of a
-  /// generated scene its name alone.
-  std::map<std::string, std::string> files;
+  InputFiles files;
   std::map<std::string, Words> options;  ///< Those of the options given that change samples.
   int width = 0, height = 0;             ///< Of the frame.
   PixelRect window;                      ///< The picture's pixels.

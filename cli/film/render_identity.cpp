@@ -2,26 +2,21 @@
 #include "cli/film/render_identity.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <string_view>
 
 #include "cli/version.h"
-#include "core/error.h"
-#include "io/content_hash.h"
-#include "io/generated/generated.h"
 
 namespace twinray {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// They say what is made of the samples, how many there are, or who makes them.
 constexpr std::string_view free_options[] = {
     "--output", "--samples", "--of", "--sample-range", "--tile-range", "--seconds", "--until",
     "--noise-target", "--denoise", "--denoise-light-groups", "--exposure", "--white-balance", "--tone",
     "--ocio-view", "--ocio-display", "--exr-compression", "--texture-memory", "--threads", "--count",
-    "--stats", "--tev", "--serve", "--progress", "--metrics-file", "--strict", "--quiet", "--checkpoint",
+    "--stats", "--tev", "--serve", "--progress", "--metrics-file", "--sandbox",
+    "--memory", "--time-limit", "--strict", "--quiet", "--checkpoint",
     "--checkpoint-seconds", "--resume",
     // Their files count, and not their names.
     "--environment", "--camera"};
@@ -40,33 +35,11 @@ bool depends_on_engine(const RenderArguments& arguments) {
   return arguments.integrator == IntegratorKind::cost || arguments.backend == Backend::embree_native;
 }
 
-std::string hash_of(const std::string& path) {
-  try {
-    return file_hash(path);
-  } catch (const Error&) {
-    return "none";  // Whoever reads it says so, and goes on in a way of its own.
-  }
-}
-
-std::map<std::string, std::string> files_of(const RenderArguments& arguments) {
-  std::map<std::string, std::string> files;
-  if (generated::is_generated(arguments.scene)) files[arguments.scene] = "";
-  const fs::path folder = fs::path(arguments.scene).lexically_normal().parent_path();
-  for (const std::string& file : *arguments.load.files) {
-    const fs::path path = fs::path(file).lexically_normal(), name = path.lexically_relative(folder);
-    const auto [place, is_new] = files.try_emplace(name.empty() ? path.string() : name.string());
-    if (is_new) place->second = hash_of(file);
-  }
-  if (!arguments.environment.empty()) files["the environment"] = hash_of(arguments.environment);
-  if (!arguments.camera_file.empty()) files["the camera's file"] = hash_of(arguments.camera_file);
-  return files;
-}
-
 }  // namespace
 
 RenderIdentity render_identity(const RenderArguments& arguments) {
   RenderIdentity identity{.program = version_name(),
-                          .files = files_of(arguments),
+                          .files = input_files(arguments),
                           .options = {},
                           .width = arguments.render.width,
                           .height = arguments.render.height,

@@ -43,6 +43,8 @@ DOORS = {
                                     r"cli/status/(json_lines|metrics_file)\.cpp|"
                                     r"io/(cryptomatte|exchange|film_header)\.cpp|"
                                     r"tests/(cli|io)/"),
+    "Landlock": (r"linux/landlock\.h", r"cli/sandbox/files\.cpp"),
+    "libseccomp": (r"seccomp\.h", r"cli/sandbox/system_calls\.cpp"),
     "cmark": (r"cmark", r"cli/study/notes\.cpp"),
     "Catch2": (r"catch2/", r"tests/support/catch\.h"),
     "Google Benchmark": (r"benchmark/", r"bench/"),

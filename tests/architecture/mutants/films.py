@@ -54,7 +54,7 @@ MUTANTS = [
     Mutant("the film that is replaced is lost", "io/output_file.cpp",
            "keep_as(to_.path, fs::path(to_.path).parent_path() / old_name);", "", "test_io",
            "the film that is replaced stays under another name"),
-    Mutant("a file that has changed is as it was", "cli/film/film_notes.cpp",
+    Mutant("a file that has changed is as it was", "cli/input_files.cpp",
            "if (found->second != hash)", "if (found->second.empty())", "test_cli", OTHERS),
     Mutant("another option is none", "cli/film/film_notes.cpp",
            "if (found->second != words)", "if (found->second.empty())", "test_cli", OTHERS),

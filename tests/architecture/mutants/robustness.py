@@ -7,7 +7,7 @@ MUTANTS = [
            "  write_pictures(partial, arguments, {film}, notes);\n", "", "test_cli",
            "Ctrl-C keeps what was rendered, with the samples that it has"),
     Mutant("a partial picture states the samples that were asked for", "cli/partial_picture.cpp",
-           'if (name == "twinray:samples") value = samples;', "static_cast<void>(value);", "test_cli",
+           'set_value(notes.metadata, "twinray:samples", samples);', "", "test_cli",
            "Ctrl-C keeps what was rendered, with the samples that it has"),
     Mutant("an unfinished partial picture stays", "cli/render_command.cpp",
            "guard_(all_names({outputs_, partial_}))", "guard_(outputs_.names())", "test_cli",

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/limits.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+#include "core/error.h"
+
+namespace twinray {
+
+void limit_memory(std::uint64_t bytes) {
+  rlimit limit{};
+  getrlimit(RLIMIT_DATA, &limit);
+  limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
+  if (setrlimit(RLIMIT_DATA, &limit) != 0) throw Error(fmt::format("--memory: {}", std::strerror(errno)));
+}
+
+void limit_time(double seconds) {
+  const double whole = std::floor(seconds);
+  const itimerval time{
+      .it_interval = {},
+      .it_value = {.tv_sec = time_t(whole),
+                   .tv_usec = std::max(suseconds_t(1), suseconds_t(1e6 * (seconds - whole)))}};
+  setitimer(ITIMER_REAL, &time, nullptr);
+}
+
+}  // namespace twinray

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/sandbox/sandbox.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "cli/console.h"
+#include "cli/sandbox/files.h"
+#include "cli/sandbox/system_calls.h"
+#include "core/error.h"
+#include "io/destination.h"
+#include "io/film_file.h"
+#include "io/generated/generated.h"
+
+namespace twinray {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string folder_of(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
+/// The parts of a list of places, as PATH has them.
+std::vector<std::string> places_in(const std::string& list) {
+  std::vector<std::string> places;
+  std::istringstream stream(list);
+  for (std::string place; std::getline(stream, place, ':');)
+    if (!place.empty()) places.push_back(place);
+  return places;
+}
+
+std::string variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value ? value : "";
+}
+
+/// Libraries that are loaded late, and what is known of the machine's processors and memory.
+std::vector<std::string> places_of_the_system() {
+  std::vector<std::string> places{"/usr",
+                                  "/lib",
+                                  "/lib64",
+                                  "/etc/ld.so.cache",
+                                  "/etc/localtime",
+                                  "/proc/meminfo",
+                                  "/proc/cpuinfo",
+                                  "/proc/self/cgroup",
+                                  "/proc/self/limits",
+                                  "/proc/self/statm",
+                                  "/proc/self/status",
+                                  "/sys/fs/cgroup",
+                                  "/sys/devices/system"};
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  // Built, not installed: our own library lies in a folder beside.
+  if (!error) places.push_back(program.parent_path().parent_path().string());
+  for (const char* name : {"LD_LIBRARY_PATH", "VIRTUAL_ENV"})
+    for (const std::string& place : places_in(variable(name))) places.push_back(place);
+  for (const char* name : {"OCIO", "TWINRAY_OIDN"})
+    if (const std::string file = variable(name); !file.empty()) places.push_back(folder_of(file));
+  return places;
+}
+
+std::vector<std::string> places_of_the_scene(const RenderArguments& arguments) {
+  std::vector<std::string> places = *arguments.sandbox;
+  for (const std::string& place : places)
+    if (!fs::exists(place)) throw Error(fmt::format("--sandbox: there is no {}", place));
+  if (!generated::is_generated(arguments.scene)) {
+    places.push_back(folder_of(arguments.scene));
+    places.push_back(arguments.scene);  // It may be a link to elsewhere.
+  }
+  for (const std::string& file : {arguments.environment, arguments.camera_file, arguments.resumed})
+    if (!file.empty()) places.push_back(file);
+  if (!arguments.resumed.empty()) places.push_back(earlier_film_name(arguments.resumed));
+  return places;
+}
+
+OpenPlaces places_of(const RenderArguments& arguments, const std::vector<std::string>& outputs) {
+  OpenPlaces places;
+  places.read = places_of_the_scene(arguments);
+  for (std::string& place : places_of_the_system()) places.read.push_back(std::move(place));
+  for (const std::string& output : outputs) {
+    const Destination to = destination_of(output);
+    if (to.kind == Destination::Kind::special) places.write.push_back(to.path);
+    if (to.kind == Destination::Kind::file) places.write.push_back(folder_of(to.path));
+  }
+  if (arguments.texture_bytes) {
+    std::error_code error;
+    places.scratch.push_back(fs::temp_directory_path(error).string());
+  }
+  return places;
+}
+
+/// Each once, in order.
+std::string list_text(std::vector<std::string> places) {
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places.empty() ? "nothing" : fmt::format("{}", fmt::join(places, ", "));
+}
+
+void say_what_stays_open(const char* what, const RenderArguments& arguments) {
+  const std::string text = fmt::format("--sandbox: this kernel cannot {}", what);
+  if (arguments.load.strict) throw Error(text);
+  console::warn(text);
+}
+
+}  // namespace
+
+std::string enter_sandbox(const RenderArguments& arguments, const std::vector<std::string>& outputs) {
+  const OpenPlaces places = places_of(arguments, outputs);
+  const Network network = arguments.viewer || arguments.server ? Network::open : Network::closed;
+  if (!close_files(places)) say_what_stays_open("close files (it has no Landlock)", arguments);
+  if (!close_system_calls(network)) say_what_stays_open("filter calls (it has no seccomp)", arguments);
+  return fmt::format("reads {}; writes {}", list_text(places_of_the_scene(arguments)),
+                     list_text(places.write));
+}
+
+}  // namespace twinray

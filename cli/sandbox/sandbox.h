@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a render may do that is not trusted: its scene may be from anybody.
+#pragma once
+#include <string>
+
+#include "cli/render_arguments.h"
+#include "cli/render_outputs.h"
+
+namespace twinray {
+
+/// Leaves to the process what the render needs: to read the scene's folder, files that the command line names
+/// and the system's libraries, to write into the folders of its outputs, and no network but for a viewer or
+/// a server that is asked for. To be called before another thread is made. Returns what was closed, in a
+/// line. What the kernel cannot close is a warning, under --strict an Error.
+std::string enter_sandbox(const RenderArguments& arguments, const std::vector<std::string>& outputs);
+
+}  // namespace twinray

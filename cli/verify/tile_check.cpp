@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verify/tile_check.h"
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <numeric>
+#include <random>
+
+#include "cli/render_outputs.h"
+#include "cli/render_scene.h"
+#include "core/error.h"
+#include "core/parallel.h"
+#include "integrators/tiles.h"
+
+namespace twinray {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder for temporary files, as long as this lives.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "twinray-verify-XXXXXX").string();
+    if (error || !mkdtemp(name.data()))
+      throw Error(name + ": no folder for temporary files can be made; TMPDIR names another place");
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+RenderArguments arguments_of_tile(const RenderArguments& arguments, const PixelRect& tile) {
+  RenderArguments of_tile = arguments;
+  of_tile.render.window = tile;
+  of_tile.render.threads = 1;  // Tiles are rendered at the same time.
+  return of_tile;
+}
+
+/// Moves a tile of the whole frame to where it lies in the picture.
+PixelRect in_picture(const PixelRect& tile, const PixelRect& window) {
+  return {tile.x0 - window.x0, tile.y0 - window.y0, tile.x1 - window.x0, tile.y1 - window.y0};
+}
+
+}  // namespace
+
+std::vector<PixelRect> chosen_tiles(const PixelRect& window, std::uint32_t count, std::uint64_t seed) {
+  std::vector<std::uint32_t> numbers(tile_grid(window, tile_size).count());
+  std::iota(numbers.begin(), numbers.end(), 0u);
+  count = std::min(count, std::uint32_t(numbers.size()));
+  std::mt19937_64 random(seed);
+  std::vector<PixelRect> tiles;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    std::swap(numbers[i], numbers[i + random() % (numbers.size() - i)]);
+    tiles.push_back(spiral_tiles(window, tile_size, TileRange{numbers[i], numbers[i] + 1}).front());
+  }
+  return tiles;
+}
+
+std::vector<TileDifference> check_tiles(const StoredLayers& picture, bool is_denoised,
+                                        const RenderArguments& arguments, const Scene& scene,
+                                        const std::vector<PixelRect>& tiles) {
+  const auto integrator = make_integrator(arguments, scene);
+  const auto accelerator = build_accelerator(arguments.backend, scene.geometry, arguments.build);
+  std::vector<std::optional<RenderResult>> results(tiles.size());
+  parallel_for(tiles.size(), 1, arguments.render.threads, [&](std::size_t i, std::size_t) {
+    results[i] = render(scene, *accelerator, *integrator, arguments_of_tile(arguments, tiles[i]).render);
+  });
+  const PixelRect window = window_of(arguments.render);
+  const SceneNames names = scene_names(scene, film_contents(arguments.render, scene));
+  const ScratchFolder folder;
+  const std::string part = folder.file("tile" + fs::path(arguments.output).extension().string());
+  std::vector<TileDifference> found;
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    write_pictures({.picture = part}, arguments, {results[i]->film}, {{}, {}, names});
+    const PixelRect place = in_picture(tiles[i], window);
+    if (const auto pixels = differences(picture, read_picture(part), place, is_denoised))
+      found.push_back({tiles[i], *pixels});
+  }
+  return found;
+}
+
+}  // namespace twinray

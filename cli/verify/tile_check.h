@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/render_arguments.h"
+#include "cli/verify/picture_channels.h"
+#include "io/loaded_scene.h"
+
+namespace twinray {
+
+/// So many different tiles of 16 x 16 pixels of the picture's window, chosen by the seed; all if there are no
+/// more.
+std::vector<PixelRect> chosen_tiles(const PixelRect& window, std::uint32_t count, std::uint64_t seed);
+
+/// A tile whose pixels are not those of the picture.
+struct TileDifference {
+  PixelRect tile;
+  PixelDifferences pixels;
+};
+
+/// Renders these tiles, and writes each as the picture is written, into the folder, to read it again: so that
+/// every way of encoding is that of the picture. Throws Error.
+std::vector<TileDifference> check_tiles(const StoredLayers& picture, bool is_denoised,
+                                        const RenderArguments& arguments, const Scene& scene,
+                                        const std::vector<PixelRect>& tiles);
+
+}  // namespace twinray

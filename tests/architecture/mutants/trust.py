@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sandbox, limits, and whether pictures are what they claim to be."""
+from mutant import Mutant
+
+PIXEL = "one pixel that was changed is found, and where it is"
+SAME = "pictures are what their metadata say, in every format that keeps bits"
+CHANGED = "a scene that has changed since is named"
+REFUSED = "pictures of which nothing can be said are refused, each with the reason"
+WAYS = "no path of a scene leads out of its folder in a sandbox"
+FILES = "a closed process opens, makes and removes no other file"
+CALLS = "a closed process starts none, signals none and has no network, and its threads work"
+MEMORY = "a render that needs more memory than it may have says so before it begins, or ends in an error"
+TIME = "a time limit ends a render like a signal, also while it loads"
+
+MUTANTS = [
+    Mutant("pixels of all but the first channel are not compared", "cli/verify/picture_channels.cpp",
+           "for (const Pair& pair : pairs) {", "for (const Pair& pair : {pairs.front()}) {",
+           "test_cli", PIXEL),
+    Mutant("a tile of a crop is looked for where it lies in the frame", "cli/verify/tile_check.cpp",
+           "in_picture(tiles[i], window)", "tiles[i]", "test_cli", SAME),
+    Mutant("denoised pixels are compared", "cli/verify/picture_channels.cpp",
+           "if (is_denoised && channel_of(picture, noisy_name(name)) != absent) continue;", "",
+           "test_cli", SAME),
+    Mutant("a render that its noise ended goes on", "cli/verify/claim.cpp",
+           "render.samples = claim.samples;", "", "test_cli", SAME),
+    Mutant("costs are those of another engine", "cli/verify_command.cpp",
+           "arguments.integrator == IntegratorKind::cost ||", "", "test_cli", SAME),
+    Mutant("files are not looked at", "cli/verify_command.cpp",
+           "if (!difference.empty()) throw", "if (false) throw", "test_cli", CHANGED),
+    Mutant("pictures beside the picture are taken for it", "cli/verify/claim.cpp",
+           '!shown.empty()', "false", "test_cli", REFUSED),
+    Mutant("a tile may be chosen twice", "cli/verify/tile_check.cpp",
+           "numbers[i + random() % (numbers.size() - i)]", "numbers[random() % numbers.size()]", "test_cli",
+           "tiles are chosen by the seed, each once"),
+    Mutant("files stay open", "cli/sandbox/sandbox.cpp",
+           "if (!close_files(places))", "if (false)", "test_cli", WAYS),
+    Mutant("all that lies beside the scene's folder is open", "cli/sandbox/sandbox.cpp",
+           "places.push_back(folder_of(arguments.scene));",
+           "places.push_back(folder_of(arguments.scene) + \"/..\");",
+           "test_cli", WAYS),
+    Mutant("what is written can be read", "cli/sandbox/files.cpp",
+           "allow(rules.number(), place, writing & known)",
+           "allow(rules.number(), place, (reading | writing) & known)",
+           "test_cli", FILES),
+    Mutant("files can be cut off", "cli/sandbox/files.cpp",
+           "if (version >= 3) rights |= right_truncate;", "", "test_cli", FILES),
+    Mutant("processes can be begun", "cli/sandbox/system_calls.cpp",
+           'deny(filter, "clone3", ENOSYS);', "", "test_cli", CALLS),
+    Mutant("the network stays open", "cli/sandbox/system_calls.cpp",
+           "if (network == Network::closed)", "if (network != Network::closed)", "test_cli", CALLS),
+    Mutant("memory has no limit", "cli/render_command.cpp",
+           "if (arguments.memory_bytes) limit_memory", "if (false) limit_memory", "test_cli", MEMORY),
+    Mutant("what is left of the memory is not asked for", "core/memory.cpp",
+           "tighten(limit, left_of_data(root),", "if (false) tighten(limit, left_of_data(root),",
+           "test_cli", MEMORY),
+    Mutant("time is that of rendering alone", "cli/render_command.cpp",
+           "if (arguments.time_limit) limit_time", "if (false) limit_time", "test_cli", TIME),
+]

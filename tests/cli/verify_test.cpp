@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// twinray verify: whether pictures are what their metadata say.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/input_files.h"
+#include "cli/shell_text.h"
+#include "cli/verify/tile_check.h"
+#include "io/image_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string scenes = TWINRAY_SOURCE_DIR "/scenes/";
+
+std::string file_in(const TemporaryFolder& folder, const std::string& name) {
+  return quoted(folder.file(name));
+}
+
+/// Renders a picture of 48 x 36 pixels: 9 tiles.
+void render(const std::string& scene, const std::string& words) {
+  const ProcessResult result = run_program(fmt::format("render {} -r 48 36 -q {}", quoted(scene), words));
+  REQUIRE(result.err == "");
+  REQUIRE(result.exit_code == 0);
+}
+
+ProcessResult verify(const std::string& words) { return run_program("verify " + words); }
+
+std::string error_of(const std::string& words) {
+  const ProcessResult result = verify(words);
+  CHECK(result.exit_code == 1);
+  return result.err;
+}
+
+bool has(const std::string& text, const std::string& part) {
+  CAPTURE(text, part);
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("pictures are what their metadata say, in every format that keeps bits") {
+  const TemporaryFolder folder;
+  for (const std::string words :
+       {"-o a.png", "-o b.exr --layers=all", "-o c.png --tone=agx --exposure=1", "-o d.exr --crop 7 3 30 20",
+        "-o l.exr --overscan=2", "-o e.png -a 2 0.05 --seed 9", "-o f.exr --denoise=own",
+        "-o g.exr --layers=light-groups --denoise=own --denoise-light-groups",
+        "-o h.png --integrator=normals", "-o i.exr --integrator=cost", "-o j.png --noise-target=10 -s 64",
+        "-o k.png --accel=bvh --bvh-width=2"}) {
+    CAPTURE(words);
+    const std::string name = words.substr(3, 5);
+    render(scenes + "box.dae", "-s 4 -o " + file_in(folder, name) + words.substr(8));
+    const ProcessResult result = verify(file_in(folder, name) + " --tiles=4 --seed=1");
+    CHECK(result.err == "");
+    CHECK(result.exit_code == 0);
+    CHECK(has(result.out, "Same bits      4 of 4 tiles"));
+  }
+}
+
+TEST_CASE("the picture of CS184's program is made again by its options") {
+  const TemporaryFolder folder;
+  const ProcessResult made = run_program(fmt::format("--cs184 -r 48 36 -s 4 -l 2 -m 2 -f {} {}",
+                                                     file_in(folder, "a.png"), quoted(scenes + "box.dae")));
+  REQUIRE(made.exit_code == 0);
+  CHECK(has(verify(file_in(folder, "a.png")).out, "Same bits      9 of 9 tiles"));
+}
+
+TEST_CASE("a merged picture is verified as that of one render") {
+  const TemporaryFolder folder;
+  for (const std::string part : {"0:3", "3:8"})
+    render(scenes + "box.dae", fmt::format("--sample-range={} --of=8 -o {}", part,
+                                           file_in(folder, std::string(1, part[0]) + ".film")));
+  REQUIRE(run_program(fmt::format("merge -q {} {} -o {}", file_in(folder, "0.film"),
+                                  file_in(folder, "3.film"), file_in(folder, "a.png")))
+              .exit_code == 0);
+  CHECK(has(verify(file_in(folder, "a.png")).out, "Same bits      9 of 9 tiles"));
+}
+
+TEST_CASE("one pixel that was changed is found, and where it is") {
+  const TemporaryFolder folder;
+  render(scenes + "box.dae", "-s 4 -o " + file_in(folder, "a.exr"));
+  StoredLayers picture = read_layers(folder.file("a.exr"));
+  float& changed = picture.values[(20 * 48 + 33) * 3 + 1];
+  changed = std::nextafter(changed, 9.0f);
+  const auto fill_row = [&](int y, std::span<float> values) {
+    std::copy_n(picture.values.begin() + y * 48 * 3, values.size(), values.begin());
+  };
+  write_exr(folder.file("b.exr"), LayeredImage{48, 36, picture.channels, fill_row}, picture.metadata);
+  const ProcessResult result = verify(file_in(folder, "b.exr"));
+  CHECK(result.exit_code == 1);
+  CHECK(has(result.err, "tile at 32 16: 1 pixels differ, the first at 33 20: G is "));
+  CHECK(has(result.out, "Same bits      8 of 9 tiles"));
+}
+
+TEST_CASE("a scene that has changed since is named") {
+  const TemporaryFolder folder;
+  fs::copy_file(scenes + "box.dae", folder.file("box.dae"));
+  render(folder.file("box.dae"), "-s 4 -o " + file_in(folder, "a.png"));
+  write_text(folder.file("box.dae"), read_text(folder.file("box.dae")) + "\n");
+  CHECK(has(error_of(file_in(folder, "a.png")), "a.png: box.dae is another file here"));
+  CHECK(has(verify(file_in(folder, "a.png") + " --scene " + quoted(scenes + "box.dae")).out,
+            "Same bits      9 of 9 tiles"));
+  fs::remove(folder.file("box.dae"));
+  CHECK(has(error_of(file_in(folder, "a.png")), "box.dae"));
+}
+
+TEST_CASE("pictures of which nothing can be said are refused, each with the reason") {
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::string& name) { return error_of(file_in(folder, name)); };
+  write_png(folder.file("plain.png"), ByteImage{4, 3, std::vector<std::uint8_t>(36)});
+  CHECK(has(refused("plain.png"), "it does not say how it was made"));
+  CHECK(has(refused("missing.png"), "missing.png"));
+  render(scenes + "box.dae", "-s 4 -o " + file_in(folder, "a.jpg"));
+  CHECK(has(refused("a.jpg"), "a JPEG keeps no bits"));
+  render(scenes + "box.dae", "-s 4 --exr-compression=dwab -o " + file_in(folder, "a.exr"));
+  CHECK(has(refused("a.exr"), "dwab, keeps no bits"));
+  render(scenes + "box.dae", "-s 4 --denoise=own -o " + file_in(folder, "d.png"));
+  CHECK(has(refused("d.png"), "denoised pixels depend on all others"));
+  CHECK(has(verify(file_in(folder, "d_noisy.png")).out, "Same bits      9 of 9 tiles"));
+  render(scenes + "box.dae", "-s 4 -a 2 0.1 -o " + file_in(folder, "r.png"));
+  CHECK(has(refused("r_rate.png"), "it shows the sample rates of another picture"));
+  render(scenes + "box.dae", "-s 4 --layers=light-groups -o " + file_in(folder, "g.exr"));
+  REQUIRE(run_program(fmt::format("relight {} -o {}", file_in(folder, "g.exr"), file_in(folder, "h.exr")))
+              .exit_code == 0);
+  CHECK(has(refused("h.exr"), "its lights were mixed anew by `twinray relight"));
+}
+
+TEST_CASE("tiles are chosen by the seed, each once") {
+  const PixelRect window{3, 5, 100, 70};
+  const std::vector<PixelRect> all = chosen_tiles(window, 1000, 1);
+  CHECK(all.size() == tile_grid(window, tile_size).count());
+  std::size_t pixels = 0;
+  for (const PixelRect& tile : all) pixels += std::size_t(tile.width()) * std::size_t(tile.height());
+  CHECK(pixels == 97 * 65);
+  CHECK(chosen_tiles(window, 5, 1) == chosen_tiles(window, 5, 1));
+  CHECK(chosen_tiles(window, 5, 1) != chosen_tiles(window, 5, 2));
+}
+
+TEST_CASE("words and files come back from a picture's metadata, whatever their signs") {
+  const Words words{"a b.dae", "it's", "", "-o", "x\\y", "*", "plain"};
+  CHECK(words_of(shell_text(words)) == words);
+  const InputFiles files{{"a  b.dae", "0123"}, {"c.ply", "none"}};
+  CHECK(parse_input_text(input_text(files)) == files);
+}
+
+}  // namespace twinray::test
