@@ -15,9 +15,8 @@ constexpr std::string_view free_options[] = {
     "--output", "--samples", "--of", "--sample-range", "--tile-range", "--seconds", "--until",
     "--noise-target", "--denoise", "--denoise-light-groups", "--exposure", "--white-balance", "--tone",
     "--ocio-view", "--ocio-display", "--exr-compression", "--texture-memory", "--threads", "--count",
-    "--stats", "--tev", "--serve", "--progress", "--metrics-file", "--sandbox",
-    "--memory", "--time-limit", "--strict", "--quiet", "--checkpoint",
-    "--checkpoint-seconds", "--resume",
+    "--stats", "--tev", "--serve", "--progress", "--metrics-file", "--sandbox", "--memory", "--time-limit",
+    "--strict", "--quiet", "--checkpoint", "--checkpoint-seconds", "--resume",
     // Their files count, and not their names.
     "--environment", "--camera"};
 /// All canonical engines make the same samples.
