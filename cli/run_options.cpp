@@ -52,8 +52,8 @@ void add_run_options(CLI::App& app, RenderRequest& request) {
   group.add_word({"--metrics-file", "FILE", "Keep its progress there, for Prometheus"},
                  arguments.metrics_file);
   group.add_optional_word(
-      {"--sandbox", "[=PLACE:...]", "Read the scene's folder and these, write outputs: nothing else"},
-      no_places, request.sandbox);
+      {"--sandbox", "[=PLACE:...]", "Read the folder of the scene and these, write outputs"}, no_places,
+      request.sandbox);
   group.add_words({"--memory", "MB", "Of the process, at most (all there is)"}, 1,
                   [&arguments](const Words& words) {
                     const double megabytes = parse_number("--memory", words.front(), memory_megabytes);
