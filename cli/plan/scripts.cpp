@@ -77,8 +77,12 @@ std::string with_frame_number(const std::string& word, int frame) {
 std::string render_script(const FarmPlan& plan) {
   std::string text = fmt::format(
       fmt::runtime(first_lines),
-      fmt::format("Renders part $1, from 0 to {}: {}{}. Goes on where it was stopped.", plan.task_count() - 1,
-                  plan.frames ? fmt::format("{} frames of ", plan.frame_count()) : "", part_text(plan)));
+      fmt::format("Renders part $1, from 0 to {}, or parts as 3-7: {}{}. Goes on where it was stopped.",
+                  plan.task_count() - 1, plan.frames ? fmt::format("{} frames of ", plan.frame_count()) : "",
+                  part_text(plan)));
+  text +=
+      "if [[ $1 == *-* ]]; then\n  for number in $(seq \"${1%-*}\" \"${1#*-}\"); do \"$0\" \"$number\"; "
+      "done\n  exit\nfi\n";
   text += begin_text(plan);
   text += plan.frames
               ? fmt::format("frame=$(({0} + $1 / {1})) part=$(($1 % {1}))\n", plan.frames->first, plan.parts)

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <sstream>
 
@@ -11,15 +12,29 @@
 #include "core/error.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
 namespace {
 
+namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 struct Option {
   std::string name;   ///< With its dashes.
   std::string value;  ///< As the help has it: "N", "W H", "path|direct|normals"; empty for a flag.
+};
+
+/// The working folder, for a while.
+class WorkingFolder {
+ public:
+  explicit WorkingFolder(const std::string& path) : before_(fs::current_path()) { fs::current_path(path); }
+  ~WorkingFolder() { fs::current_path(before_); }
+  WorkingFolder(const WorkingFolder&) = delete;
+  WorkingFolder& operator=(const WorkingFolder&) = delete;
+
+ private:
+  fs::path before_;
 };
 
 /// The other commands, from the last line of the help: "Others: twinray a, b and c; each ...".
@@ -186,6 +201,8 @@ TEST_CASE("a choice that there is not is refused with the option's name") {
 }
 
 TEST_CASE("a file's name that is any word ends in a message") {
+  const TemporaryFolder folder;  // Metrics tell of renders that fail, too.
+  const WorkingFolder here(folder.file(""));
   for_each_option(true, [](const std::string& command, const Option& option) {
     if (is_numbers(option) || is_choice(option)) return;
     for (const std::string& word : {std::string("abc"), std::string("-1"), std::string(5000, 'x'),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "cli/plan/farm_plan.h"
 #include "tests/support/catch.h"
@@ -45,6 +46,23 @@ void render_by(const TemporaryFolder& folder, const std::string& plan) {
 }
 
 }  // namespace
+
+TEST_CASE("a task of Open Job Description renders several parts that follow on each other") {
+  const TemporaryFolder folder;
+  REQUIRE(plan_in(folder, quoted(box) + " -r 16 12 -s 2500 --folder=p --jobs=2500 -o a.pfm").exit_code == 0);
+  const auto plan = nlohmann::json::parse(read_text(folder.file("p/openjd/template.json")));
+  CHECK(plan["extensions"] == nlohmann::json{"TASK_CHUNKING"});
+  CHECK(plan["parameterDefinitions"][0]["default"] == 3);  // A thousand tasks, at most.
+  const auto numbers = plan["steps"][0]["parameterSpace"]["taskParameterDefinitions"][0];
+  CHECK(numbers["type"] == "CHUNK[INT]");
+  CHECK(numbers["range"] == "0-2499");
+  CHECK(numbers["chunks"]["rangeConstraint"] == "CONTIGUOUS");
+  CHECK(shell_in(folder, "p/render-part 9-11").exit_code == 0);
+  CHECK(fs::exists(folder.file("p/parts/00009.film")));
+  CHECK(fs::exists(folder.file("p/parts/00011.film")));
+  CHECK_FALSE(fs::exists(folder.file("p/parts/00012.film")));
+  CHECK_FALSE(fs::exists(folder.file("p/parts/00008.film")));
+}
 
 TEST_CASE("the parts of a plan merge to the picture of one render, in whatever order they are made") {
   const TemporaryFolder folder;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // --sandbox, --memory and --time-limit: what a scene of a stranger can reach, and take.
 #include <fmt/format.h>
+#include <linux/sched.h>
 #include <signal.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -32,6 +34,15 @@ int in_a_process(const std::function<int()>& act) {
   int status = 0;
   waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// Whether a process can be begun by the call that no filter sees into.
+bool begun_by_clone3() {
+  clone_args arguments{};
+  arguments.exit_signal = SIGCHLD;
+  const long process = syscall(SYS_clone3, &arguments, sizeof arguments);
+  if (process == 0) _exit(0);
+  return process > 0;
 }
 
 /// Whether this machine's kernel has Landlock; the tests below then prove that it closes something, and
@@ -174,6 +185,7 @@ TEST_CASE("a closed process starts none, signals none and has no network, and it
   const int code = in_a_process([] {
     if (!close_system_calls(Network::closed)) return 100;
     if (fork() >= 0) return 1;
+    if (begun_by_clone3()) return 7;
     if (kill(getppid(), 0) == 0) return 2;
     if (run_shell("exit 0").exit_code == 0) return 3;
     if (socket(AF_INET, SOCK_STREAM, 0) >= 0) return 4;
