@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <sstream>
-
 #include "cli/live/web_server.h"
 #include "cli/render_options.h"
+#include "cli/sandbox/sandbox.h"
 #include "io/tev_viewer.h"
 
 namespace twinray {
@@ -12,15 +11,6 @@ constexpr const char* group_name = "Run";
 constexpr Range<double> memory_megabytes{64, 1e9};
 constexpr Range<double> time_limits{1e-3, 1e9};
 constexpr const char* no_places = ":";
-
-/// Those of a list, as PATH has them.
-std::vector<std::string> places_in(const std::string& list) {
-  std::vector<std::string> places;
-  std::istringstream stream(list);
-  for (std::string place; std::getline(stream, place, ':');)
-    if (!place.empty()) places.push_back(place);
-  return places;
-}
 
 /// None for the empty text.
 std::optional<NetworkAddress> parsed(const char* option, const std::string& text,

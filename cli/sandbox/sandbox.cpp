@@ -27,15 +27,6 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder.string();
 }
 
-/// The parts of a list of places, as PATH has them.
-std::vector<std::string> places_in(const std::string& list) {
-  std::vector<std::string> places;
-  std::istringstream stream(list);
-  for (std::string place; std::getline(stream, place, ':');)
-    if (!place.empty()) places.push_back(place);
-  return places;
-}
-
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
   return value ? value : "";
@@ -111,6 +102,14 @@ void say_what_stays_open(const char* what, const RenderArguments& arguments) {
 }
 
 }  // namespace
+
+std::vector<std::string> places_in(const std::string& list) {
+  std::vector<std::string> places;
+  std::istringstream stream(list);
+  for (std::string place; std::getline(stream, place, ':');)
+    if (!place.empty()) places.push_back(place);
+  return places;
+}
 
 std::string enter_sandbox(const RenderArguments& arguments, const std::vector<std::string>& outputs) {
   const OpenPlaces places = places_of(arguments, outputs);
