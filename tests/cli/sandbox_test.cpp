@@ -111,6 +111,8 @@ TEST_CASE("no path of a scene leads out of its folder in a sandbox") {
   const Stranger stranger;
   fs::create_symlink(stranger.path("secret.png"), stranger.path("scene/link.png"));
   fs::create_directory_symlink(stranger.path(""), stranger.path("scene/up"));
+  std::string to_the_root;  // From a folder of any depth: the root is above itself.
+  for (int i = 0; i < 40; ++i) to_the_root += "/..";
   const std::vector<std::string> ways{
       image_texture("../secret.png"),
       image_texture(stranger.path("secret.png")),
@@ -119,7 +121,7 @@ TEST_CASE("no path of a scene leads out of its folder in a sandbox") {
       "Include \"../secret.pbrt\"",
       "Include \"/proc/self/environ\"",
       "Include \"/proc/self/root" + stranger.path("secret.pbrt") + "\"",
-      "Include \"/proc/self/cwd/../../.." + stranger.path("secret.pbrt") + "\"",
+      "Include \"/proc/self/cwd" + to_the_root + stranger.path("secret.pbrt") + "\"",
       "Include \"/etc/passwd\"",
       "Import \"../secret.pbrt\""};
   for (const std::string& way : ways) {
