@@ -9,9 +9,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <utility>
 
 #include "cli/console.h"
-#include "cli/input_files.h"
 #include "cli/shell_text.h"
 #include "cli/version.h"
 #include "core/error.h"
@@ -53,20 +53,27 @@ ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vect
   if (const std::string biases = biases_of(arguments.path); !biases.empty())
     metadata.emplace_back("twinray:biased_by", biases);
   if (console::speaker() != "twinray") metadata.emplace_back("twinray:program", console::speaker());
-  if (arguments.load.files) metadata.emplace_back("twinray:inputs", input_text(input_files(arguments)));
   if (const char* time = std::getenv("SOURCE_DATE_EPOCH"); time && *time)
     metadata.emplace_back("DateTime", time_stamp(time));
   return metadata;
 }
 
 PictureNotes picture_notes(const RenderArguments& arguments, const std::vector<std::string>& words,
-                           const Scene& scene) {
+                           const Scene& scene, const InputFiles& inputs) {
   const RenderOptions& options = arguments.render;
   const PixelRect window = window_of(options);
-  return {picture_metadata(arguments, words),
+  ImageMetadata metadata = picture_metadata(arguments, words);
+  metadata.emplace_back("twinray:inputs", input_text(inputs));
+  return {std::move(metadata),
           {window.x0, window.y0, options.width, options.height,
            camera_matrices(fit_frame(scene.camera, options.width, options.height))},
           scene_names(scene, film_contents(options, scene))};
+}
+
+ImageMetadata metadata_showing(const char* what, const PictureNotes& notes) {
+  ImageMetadata metadata = notes.metadata;
+  set_value(metadata, "twinray:shows", what);
+  return metadata;
 }
 
 }  // namespace twinray

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
+#include "cli/input_files.h"
 #include "cli/render_arguments.h"
 #include "cli/scene_names.h"
 #include "io/image_metadata.h"
 
 namespace twinray {
 
-/// What is stored in every picture of a render: the program, the words of its command line, the hashes of the
-/// files that it depends on, if the scene was loaded with a list of them, and the time that the environment's
-/// SOURCE_DATE_EPOCH states, if it does, so that the same command gives the same bytes.
+/// What is stored in every picture of a render: the program, the words of its command line, and the time that
+/// the environment's SOURCE_DATE_EPOCH states, if it does, so that the same command gives the same bytes.
 /// Throws Error where that is not a time.
 ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vector<std::string>& words);
 
@@ -21,8 +21,12 @@ struct PictureNotes {
   ImageFrame frame;
   SceneNames names;  ///< What the layers' numbers stand for; none without layers.
 };
+/// With the hashes of the files that the render depends on.
 PictureNotes picture_notes(const RenderArguments& arguments, const std::vector<std::string>& words,
-                           const Scene& scene);
+                           const Scene& scene, const InputFiles& inputs);
+
+/// The metadata of something that stands beside the picture and shows something else: "sample rates".
+ImageMetadata metadata_showing(const char* what, const PictureNotes& notes);
 
 /// "1700000000" -> "2023:11:14 22:13:20": seconds since 1970, in UTC, as EXIF writes a time. Throws Error.
 std::string time_stamp(const std::string& seconds_since_1970);

@@ -84,9 +84,10 @@ class RenderRun {
   int run() {
     LivePicture live(picture_viewers(arguments_, outputs_, partial_));
     const LoadedScene loaded = load();
-    notes_ = picture_notes(arguments_, words_, loaded.scene);
+    const InputFiles inputs = input_files(arguments_);
+    notes_ = picture_notes(arguments_, words_, loaded.scene, inputs);
     RenderKeeping keeping(arguments_, partial_, notes_, talk_, request_);
-    if (uses_films(arguments_)) keeping.use_films(loaded, words_);
+    if (uses_films(arguments_)) keeping.use_films(loaded, words_, inputs);
     const auto integrator = make_integrator(arguments_, loaded.scene);
     talk_.building(arguments_, *loaded.scene.geometry);
     const auto accelerator = build_accelerator(arguments_.backend, loaded.scene.geometry, arguments_.build);
@@ -168,17 +169,15 @@ class RenderRun {
       write_pictures(outputs_, arguments_, {result.film, denoised_ ? &*denoised_ : nullptr}, notes_);
     else
       keeping.films()->write(outputs_.film, result, true);
-    if (!outputs_.differences.empty()) {
-      ImageMetadata metadata = notes_.metadata;
-      set_value(metadata, "twinray:shows", "differences");
-      write_image(outputs_.differences, check_->picture(mean_image(result.film)), metadata);
-    }
+    if (!outputs_.differences.empty())
+      write_image(outputs_.differences, check_->picture(mean_image(result.film)),
+                  metadata_showing("differences", notes_));
     talk_.saved();
   }
 
   /// From the samples to all that is asked for; the exit code.
   int finish(const RenderResult& result, const Accelerator& accelerator, RenderKeeping& keeping) {
-    if (keeping.films()) keeping.films()->save_last(result);
+    keeping.save_last(result);
     if (is_open_ended(arguments_.render)) {
       arguments_.render.samples = result.samples;
       set_value(notes_.metadata, "twinray:samples", fmt::format("{}", result.samples));

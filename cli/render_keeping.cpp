@@ -26,8 +26,12 @@ std::string RenderKeeping::write_so_far(const RenderState& state) {
   return partial_.film + " holds what there is";
 }
 
+void RenderKeeping::save_last(const RenderResult& result) {
+  if (keeper_ && keeper_->save_last(result)) talk_.checkpointed();
+}
+
 int RenderKeeping::interrupted(const RenderResult& result, int stop_code) {
-  if (keeper_) keeper_->save_last(result);
+  save_last(result);
   const bool is_kept = keeper_ && keeper_->has_checkpoint();
   // A film beside a checkpoint would be the same once more.
   const bool is_told = !partial_.names().empty() && !(is_kept && !partial_.film.empty());

@@ -21,8 +21,8 @@ class RenderKeeping {
 
   /// To be called where uses_films(): opens the film to go on with, if there is one. Throws Error where it
   /// is of another render.
-  void use_films(const LoadedScene& loaded, const Words& words) {
-    keeper_.emplace(arguments_, loaded, notes_, words);
+  void use_films(const LoadedScene& loaded, const Words& words, const InputFiles& inputs) {
+    keeper_.emplace(arguments_, loaded, notes_, words, inputs);
   }
   FilmKeeper* films() { return keeper_ ? &*keeper_ : nullptr; }
   /// Whether anything stays of a render that is interrupted.
@@ -30,6 +30,8 @@ class RenderKeeping {
 
   /// The options of a render that comes here to rest.
   RenderOptions resting(RenderOptions options);
+  /// Writes the last checkpoint of a render, if one is asked for.
+  void save_last(const RenderResult& result);
   /// Keeps what there is, and says where. The exit code: that of an interrupted program or, where it can go
   /// on, try_again_code.
   int interrupted(const RenderResult& result, int stop_code);

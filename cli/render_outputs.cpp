@@ -78,13 +78,6 @@ ByteImage rate_image(const RenderArguments& arguments, const Film& film) {
   return is_cs184(arguments) ? cs184_rate_image(film, most) : sample_rate_image(film, most);
 }
 
-/// The metadata of what stands beside the picture.
-ImageMetadata showing(const char* what, const PictureNotes& notes) {
-  ImageMetadata metadata = notes.metadata;
-  set_value(metadata, "twinray:shows", what);
-  return metadata;
-}
-
 /// Costs as colours with their legend; linear formats keep the numbers.
 void write_costs(const RenderOutputs& outputs, const Film& film, const PictureNotes& notes) {
   const Image costs = mean_image(film);
@@ -93,7 +86,8 @@ void write_costs(const RenderOutputs& outputs, const Film& film, const PictureNo
     write_linear(outputs.picture, costs, notes.metadata, notes.frame);
   else
     write_display(outputs.picture, scaled_image(costs, end), notes.metadata);
-  if (!outputs.legend.empty()) write_png(outputs.legend, legend_image(end), showing("legend", notes));
+  if (!outputs.legend.empty())
+    write_png(outputs.legend, legend_image(end), metadata_showing("legend", notes));
 }
 
 }  // namespace
@@ -150,7 +144,7 @@ void write_pictures(const RenderOutputs& outputs, const RenderArguments& argumen
   else
     write_colors(outputs, arguments, rendered, notes);
   if (!outputs.rates.empty())
-    write_png(outputs.rates, rate_image(arguments, film), showing("sample rates", notes));
+    write_png(outputs.rates, rate_image(arguments, film), metadata_showing("sample rates", notes));
 }
 
 }  // namespace twinray

@@ -29,7 +29,7 @@ class RenderTalk {
   virtual void rendering() {}
   /// From one thread at a time.
   virtual void progress(const RenderProgress&) {}
-  /// While it renders.
+  /// While it renders, and once it has ended.
   virtual void checkpointed() {}
   virtual void rendered(const RenderResult&) {}
   /// In place of rendered(), and the last: it was interrupted.

@@ -25,10 +25,10 @@ bool uses_films(const RenderArguments& arguments) {
 }
 
 FilmKeeper::FilmKeeper(const RenderArguments& arguments, const LoadedScene& loaded,
-                       const PictureNotes& picture, const Words& words)
+                       const PictureNotes& picture, const Words& words, const InputFiles& inputs)
     : arguments_(arguments) {
   std::error_code error;
-  notes_ = {.identity = render_identity(arguments),
+  notes_ = {.identity = render_identity(arguments, inputs),
             .has_pictures = has_picture(loaded.scene.textures),
             .samples = arguments.render.samples,
             .range = arguments.render.range,
@@ -87,8 +87,8 @@ bool FilmKeeper::save(const RenderState& state) {
   return is_written;
 }
 
-void FilmKeeper::save_last(const RenderResult& result) {
-  if (!arguments_.checkpoint.empty()) write_checkpoint(result, result.is_complete);
+bool FilmKeeper::save_last(const RenderResult& result) {
+  return !arguments_.checkpoint.empty() && write_checkpoint(result, result.is_complete);
 }
 
 }  // namespace twinray

@@ -23,7 +23,7 @@ class FilmKeeper {
   /// Opens the film that the render is to go on with, and warns where it is the one before. Throws Error
   /// unless it is of the same scene and options.
   FilmKeeper(const RenderArguments& arguments, const LoadedScene& loaded, const PictureNotes& picture,
-             const Words& words);
+             const Words& words, const InputFiles& inputs);
 
   /// Whether a checkpoint is to be written; from any thread.
   bool is_due() const { return next_.load() <= Clock::now(); }
@@ -32,8 +32,8 @@ class FilmKeeper {
   /// Writes a checkpoint. Where it cannot be written the last one stays, a warning says why, and another is
   /// due later, and the answer is false.
   bool save(const RenderState& state);
-  /// The last checkpoint, if any is asked for.
-  void save_last(const RenderResult& result);
+  /// The last checkpoint, if any is asked for; whether it was written.
+  bool save_last(const RenderResult& result);
   /// Whether there is a checkpoint to go on with.
   bool has_checkpoint() const { return is_saved_; }
   /// Writes what there is of a render to another place. Throws Error.

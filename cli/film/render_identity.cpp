@@ -36,9 +36,9 @@ bool depends_on_engine(const RenderArguments& arguments) {
 
 }  // namespace
 
-RenderIdentity render_identity(const RenderArguments& arguments) {
+RenderIdentity render_identity(const RenderArguments& arguments, const InputFiles& inputs) {
   RenderIdentity identity{.program = version_name(),
-                          .files = input_files(arguments),
+                          .files = inputs,
                           .options = {},
                           .width = arguments.render.width,
                           .height = arguments.render.height,

@@ -5,8 +5,8 @@
 
 namespace twinray {
 
-/// What decides about the samples of a render whose scene was loaded with a list of its files. What changes
+/// What decides about the samples of a render that reads these files. What changes
 /// none is left out: engines but for embree-native and pictures of cost, threads, outputs, how many samples.
-RenderIdentity render_identity(const RenderArguments& arguments);
+RenderIdentity render_identity(const RenderArguments& arguments, const InputFiles& inputs);
 
 }  // namespace twinray

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
 
 #include "cli/console.h"
@@ -16,6 +17,7 @@
 #include "io/destination.h"
 #include "io/film_file.h"
 #include "io/generated/generated.h"
+#include "io/image_codec.h"
 
 namespace twinray {
 namespace {
@@ -47,10 +49,6 @@ std::vector<std::string> places_of_the_system() {
                                   "/proc/self/status",
                                   "/sys/fs/cgroup",
                                   "/sys/devices/system"};
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  // Built, not installed: our own library lies in a folder beside.
-  if (!error) places.push_back(program.parent_path().parent_path().string());
   for (const char* name : {"LD_LIBRARY_PATH", "VIRTUAL_ENV"})
     for (const std::string& place : places_in(variable(name))) places.push_back(place);
   for (const char* name : {"OCIO", "TWINRAY_OIDN"})
@@ -88,6 +86,23 @@ OpenPlaces places_of(const RenderArguments& arguments, const std::vector<std::st
   return places;
 }
 
+/// Our own library and what it needs may lie anywhere: it is loaded while all is open.
+void load_libraries() {
+  try {
+    image_codec();
+  } catch (const Error&) {  // Said where a picture needs it.
+  }
+}
+
+/// A thread that there is already would stay outside.
+void check_is_alone() {
+  std::error_code error;
+  const auto threads = std::distance(fs::directory_iterator("/proc/self/task", error), {});
+  if (error || threads != 1)
+    throw Error(
+        fmt::format("--sandbox: the process has {} threads already, which it cannot close in", threads));
+}
+
 /// Each once, in order.
 std::string list_text(std::vector<std::string> places) {
   std::sort(places.begin(), places.end());
@@ -113,6 +128,8 @@ std::vector<std::string> places_in(const std::string& list) {
 
 std::string enter_sandbox(const RenderArguments& arguments, const std::vector<std::string>& outputs) {
   const OpenPlaces places = places_of(arguments, outputs);
+  load_libraries();
+  check_is_alone();
   const Network network = arguments.viewer || arguments.server ? Network::open : Network::closed;
   if (!close_files(places)) say_what_stays_open("close files (it has no Landlock)", arguments);
   if (!close_system_calls(network)) say_what_stays_open("filter calls (it has no seccomp)", arguments);

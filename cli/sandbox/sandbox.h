@@ -14,7 +14,8 @@ std::vector<std::string> places_in(const std::string& list);
 
 /// Leaves to the process what the render needs: to read the scene's folder, files that the command line names
 /// and the system's libraries, to write into the folders of its outputs, and no network but for a viewer or
-/// a server that is asked for. To be called before another thread is made. Returns what was closed, in a
+/// a server that is asked for. Throws Error where the process has another
+/// thread. Returns what was closed, in a
 /// line. What the kernel cannot close is a warning, under --strict an Error.
 std::string enter_sandbox(const RenderArguments& arguments, const std::vector<std::string>& outputs);
 

@@ -39,7 +39,7 @@ class StatusReporter {
   virtual ~StatusReporter() = default;
   /// Whether it wants to hear of the progress within a step; from one thread at a time.
   virtual bool is_due() const = 0;
-  /// At each step's begin, and within one where is_due(). Never throws.
+  /// At each step's begin, and within one where is_due(). Throws nothing but std::bad_alloc.
   virtual void report(const RenderStatus& status) = 0;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/status/status_talk.h"
 
+#include <new>
+
 #include "cli/status/json_lines.h"
 #include "cli/status/metrics_file.h"
 
@@ -19,7 +21,11 @@ std::vector<std::unique_ptr<StatusReporter>> status_reporters(const RenderArgume
 }
 
 StatusTalk::~StatusTalk() {
-  if (has_begun_ && !has_ended_) enter(Step::failed);
+  if (!has_begun_ || has_ended_) return;
+  try {
+    enter(Step::failed);
+  } catch (const std::bad_alloc&) {  // Perhaps that is why it failed.
+  }
 }
 
 void StatusTalk::take_times() {
@@ -67,6 +73,7 @@ void StatusTalk::progress(const RenderProgress& progress) {
 void StatusTalk::checkpointed() {
   status_.checkpoint = std::chrono::system_clock::now();
   people_.checkpointed();
+  if (has_ended_) enter(status_.step);  // Of an interrupted render the last checkpoint comes last.
 }
 
 void StatusTalk::stopped() {

@@ -20,8 +20,8 @@ struct TileDifference {
   PixelDifferences pixels;
 };
 
-/// Renders these tiles, and writes each as the picture is written, into the folder, to read it again: so that
-/// every way of encoding is that of the picture. Throws Error.
+/// Renders these tiles, and writes each as the picture is written, to a temporary file, to read it again: so
+/// that every way of encoding is that of the picture. Throws Error.
 std::vector<TileDifference> check_tiles(const StoredLayers& picture, bool is_denoised,
                                         const RenderArguments& arguments, const Scene& scene,
                                         const std::vector<PixelRect>& tiles);

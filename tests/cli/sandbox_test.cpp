@@ -139,6 +139,23 @@ TEST_CASE("no path of a scene leads out of its folder in a sandbox") {
   CHECK(stranger.render("").exit_code == 0);
 }
 
+TEST_CASE("what lies above the program stays closed in a sandbox, too") {
+  const Stranger stranger;
+  fs::create_directory(stranger.path("bin"));
+  fs::copy_file(TWINRAY_PROGRAM, stranger.path("bin/twinray"));
+  stranger.write_scene("Include \"../secret.pbrt\"");
+  const auto render = [&](const char* sandbox) {
+    return run_shell(fmt::format("{} render {} -r 8 6 -s 1 -q {} -o {}", quoted(stranger.path("bin/twinray")),
+                                 quoted(stranger.path("scene/a.pbrt")), sandbox,
+                                 quoted(stranger.path("out/a.exr"))))
+        .exit_code;
+  };
+  CHECK(render("--sandbox") == (has_landlock() ? 1 : 0));
+  CHECK(render("") == 0);
+  stranger.write_scene("");
+  CHECK(render("--sandbox") == 0);  // The library that writes EXR is found.
+}
+
 TEST_CASE("checkpoints, films, metrics and layers are written in a sandbox as outside") {
   const Stranger stranger;
   stranger.write_scene("");
@@ -151,6 +168,12 @@ TEST_CASE("checkpoints, films, metrics and layers are written in a sandbox as ou
   for (const char* name : {"a.png", "a_rate.png", "a.ck", "a.ck.before", "a.prom", "a.json"})
     CHECK(fs::exists(stranger.path(std::string("out/") + name)));
   CHECK(run_program(fmt::format("resume {} -q", quoted(stranger.path("out/a.ck")))).exit_code == 0);
+}
+
+TEST_CASE("a page of the picture is served from a sandbox") {
+  const Stranger stranger;
+  stranger.write_scene("");
+  CHECK(stranger.render("--sandbox --serve=127.0.0.1:0").exit_code == 0);
 }
 
 TEST_CASE("what writes beside the scene, or in another process, does not go with a sandbox") {
@@ -190,14 +213,15 @@ TEST_CASE("a closed process opens, makes and removes no other file") {
 }
 
 TEST_CASE("a closed process starts none, signals none and has no network, and its threads work") {
-  const int code = in_a_process([] {
+  const TemporaryFolder folder;
+  const int code = in_a_process([&] {
     if (!close_system_calls(Network::closed)) return 100;
     if (fork() >= 0) return 1;
     if (begun_by_clone3()) return 7;
     if (kill(getppid(), 0) == 0) return 2;
     if (run_shell("exit 0").exit_code == 0) return 3;
     if (socket(AF_INET, SOCK_STREAM, 0) >= 0) return 4;
-    if (chmod("/tmp", 0700) == 0) return 5;
+    if (chmod(folder.path().c_str(), 0700) == 0) return 5;
     int value = 0;
     std::thread([&] { value = 7; }).join();
     return value == 7 ? 0 : 6;

@@ -172,6 +172,31 @@ TEST_CASE("a line of progress comes each second, and the last says that it was i
   CHECK(program.shown().find(" samples |") == std::string::npos);
 }
 
+TEST_CASE("a metrics file follows a render while it goes on") {
+  const TemporaryFolder folder;
+  const std::string metrics = folder.file("a.prom");
+  TerminalProgram program(
+      {box, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.png"), "--metrics-file=" + metrics});
+  const auto samples = [&] { return metric(read_text(metrics), "samples_done"); };
+  for (int i = 0; i < 600 && !samples(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  CHECK(samples() > 0);
+  CHECK(metric(read_text(metrics), "step", "step=\"rendering\"") == 1);
+  program.press_control_c();
+  CHECK(program.exit_code() == 130);
+}
+
+TEST_CASE("an interrupted render tells machines of its last checkpoint") {
+  const TemporaryFolder folder;
+  TerminalProgram program({box, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.png"),
+                           "--checkpoint=" + folder.file("a.ck"), "--metrics-file=" + folder.file("a.prom")});
+  REQUIRE(program.wait_for(" samples |"));
+  program.press_control_c();
+  CHECK(program.exit_code() == 75);
+  const std::string text = read_text(folder.file("a.prom"));
+  CHECK(metric(text, "step", "step=\"interrupted\"") == 1);
+  CHECK(metric(text, "checkpoint_time_seconds") > 1.7e9);
+}
+
 TEST_CASE("a render that fails says so to machines") {
   const TemporaryFolder folder;
   const std::string scene = folder.file("broken.dae"), metrics = folder.file("a.prom");
@@ -198,6 +223,8 @@ TEST_CASE("a metrics file has the numbers of the render at its end, in Prometheu
   CHECK(metric(text, "samples_done") == 16 * 12 * 4);
   CHECK(metric(text, "elapsed_seconds") > 0);
   CHECK_FALSE(metric(text, "noise_target_ratio"));
+  CHECK(metric(text, "checkpoint_time_seconds") <= metric(text, "update_time_seconds"));
+  CHECK(metric(text, "checkpoint_time_seconds") > 1.7e9);
   const std::regex sample(R"re([a-z_]+\{scene="[^"]*",output="[^"]*"(,step="[a-z]+")?\} [0-9.e+-]+)re");
   const std::regex comment(R"re(# (HELP|TYPE) twinray_[a-z_]+ .+)re");
   for (const std::string& line : lines_of(text)) {

@@ -98,6 +98,25 @@ TEST_CASE("one pixel that was changed is found, and where it is") {
   CHECK(has(result.out, "Same bits      8 of 9 tiles"));
 }
 
+TEST_CASE("another version is warned of, and another size is refused") {
+  const TemporaryFolder folder;
+  render(scenes + "box.dae", "-s 4 -o " + file_in(folder, "a.exr"));
+  StoredLayers picture = read_layers(folder.file("a.exr"));
+  set_value(picture.metadata, "Software", "twinray 0.0.9");
+  const auto write_rows = [&](const std::string& name, int rows) {
+    const auto fill_row = [&](int y, std::span<float> values) {
+      std::copy_n(picture.values.begin() + y * 48 * 3, values.size(), values.begin());
+    };
+    write_exr(folder.file(name), LayeredImage{48, rows, picture.channels, fill_row}, picture.metadata);
+  };
+  write_rows("b.exr", 36);
+  const ProcessResult result = verify(file_in(folder, "b.exr"));
+  CHECK(result.exit_code == 0);
+  CHECK(has(result.err, "b.exr: it was made by twinray 0.0.9, and this is twinray "));
+  write_rows("c.exr", 30);
+  CHECK(has(error_of(file_in(folder, "c.exr")), "it has 48 x 30 pixels, and its command asks for 48 x 36"));
+}
+
 TEST_CASE("a scene that has changed since is named") {
   const TemporaryFolder folder;
   fs::copy_file(scenes + "box.dae", folder.file("box.dae"));
@@ -129,6 +148,15 @@ TEST_CASE("pictures of which nothing can be said are refused, each with the reas
   REQUIRE(run_program(fmt::format("relight {} -o {}", file_in(folder, "g.exr"), file_in(folder, "h.exr")))
               .exit_code == 0);
   CHECK(has(refused("h.exr"), "its lights were mixed anew by `twinray relight"));
+  render(scenes + "box.dae", "--sample-range=0:3 --of=8 -o " + file_in(folder, "p.film"));
+  REQUIRE(run_program(fmt::format("merge -q --allow-gaps {} -o {}", file_in(folder, "p.film"),
+                                  file_in(folder, "p.png")))
+              .exit_code == 0);
+  CHECK(has(refused("p.png"), "it was merged without samples 3 to 8 of 8"));
+  REQUIRE(run_program(fmt::format("render {} -r 48 36 -s 4000000 -q --time-limit=1 -o {}",
+                                  quoted(scenes + "box.dae"), file_in(folder, "i.png")))
+              .exit_code == 142);
+  CHECK(has(refused("i_partial.png"), "it is what an interrupted render left: "));
 }
 
 TEST_CASE("tiles are chosen by the seed, each once") {
