@@ -170,6 +170,15 @@ TEST_CASE("tiles are chosen by the seed, each once") {
   CHECK(chosen_tiles(window, 5, 1) != chosen_tiles(window, 5, 2));
 }
 
+TEST_CASE("files are others where one has changed, is gone, or is new") {
+  const InputFiles files{{"a.dae", "01"}, {"b.png", "02"}};
+  CHECK(file_difference(files, files, "here") == "");
+  CHECK(file_difference(files, {{"a.dae", "01"}, {"b.png", "03"}}, "here") == "b.png is another file here");
+  CHECK(file_difference(files, {{"a.dae", "01"}}, "here") == "its scene reads b.png, which is not read here");
+  CHECK(file_difference(files, {{"a.dae", "01"}, {"b.png", "02"}, {"b.tx", "04"}}, "there") ==
+        "its scene does not read b.tx, which is read there");
+}
+
 TEST_CASE("words and files come back from a picture's metadata, whatever their signs") {
   const Words words{"a b.dae", "it's", "", "-o", "x\\y", "*", "plain"};
   CHECK(words_of(shell_text(words)) == words);
