@@ -10,6 +10,7 @@
 #include "io/collada_lamp.h"
 #include "io/collada_node_tree.h"
 #include "io/collada_nodes.h"
+#include "io/default_camera.h"
 
 namespace twinray {
 namespace {

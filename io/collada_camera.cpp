@@ -8,6 +8,7 @@
 
 #include "core/elementary.h"
 #include "core/geometry.h"
+#include "io/camera_axes.h"
 
 namespace twinray {
 namespace {
@@ -58,42 +59,15 @@ void read_clip(const XmlElement& lens, double unit, Camera& camera) {
                           camera.clip_far));
 }
 
-struct Axis {
-  double x, y, z;
-
-  double length() const { return std::sqrt(x * x + y * y + z * z); }
-  double dot(const Axis& b) const { return x * b.x + y * b.y + z * b.z; }
-  Axis cross(const Axis& b) const { return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x}; }
-  Axis minus(const Axis& b, double s) const { return {x - s * b.x, y - s * b.y, z - s * b.z}; }
-  Axis unit() const { return {x / length(), y / length(), z / length()}; }
-  Vec3 vec() const { return {float(x), float(y), float(z)}; }
-};
-
-/// Gram and Schmidt's way: the direction of view stays, then up. Where a flat transform leaves no up (as in
-/// CS184's CBgems.dae) it is made of the other two.
+/// Where a flat transform leaves no up (as in CS184's CBgems.dae), a warning says so.
 void orient(const XmlElement& instance, const Transform& t, Camera& camera, ColladaDocument& document) {
-  constexpr double flat = 1e-6;
-  const auto column = [&](int c) { return Axis{t.m[0][c], t.m[1][c], t.m[2][c]}; };
-  const Axis x = column(0), y = column(1), z = column(2);
-  if (!(z.length() > 0) || !std::isfinite(x.length() + y.length() + z.length()))
-    instance.fail("the transform of this camera's node gives it no direction: it flattens the z axis");
-  const Axis back = z.unit();
-  Axis up = y.minus(back, y.dot(back));
-  Axis right = x.minus(back, x.dot(back));
-  const bool has_up = up.length() > flat * y.length(), has_right = right.length() > flat * x.length();
-  if (!has_up && !has_right) instance.fail("the transform of this camera's node leaves it no up direction");
-  if (!has_up) {
+  const CameraAxes axes = camera_axes(t);
+  if (!axes.fault.empty()) instance.fail(axes.fault);
+  if (axes.is_up_made)
     document.warn(
         instance,
         "the transform of this camera's node flattens its up direction; it is made of the other two");
-    up = back.cross(right);
-  }
-  up = up.unit();
-  const Axis across = up.cross(back);
-  const double side = has_right && across.dot(right) < 0 ? -1 : 1;  // a mirrored camera stays mirrored
-  camera.up = up.vec();
-  camera.right = Axis{side * across.x, side * across.y, side * across.z}.vec();
-  camera.forward = Axis{-back.x, -back.y, -back.z}.vec();
+  camera.right = axes.right, camera.up = axes.up, camera.forward = axes.forward;
 }
 
 XmlElement perspective_of(const XmlElement& camera) {
@@ -105,12 +79,8 @@ XmlElement perspective_of(const XmlElement& camera) {
 
 /// A frame in scene units is scaled as the node's axes are; where they are flat, not at all.
 void scale_frame(const Transform& to_world, Camera& camera) {
-  const auto length_of = [&](int c) {
-    const double length = Axis{to_world.m[0][c], to_world.m[1][c], to_world.m[2][c]}.length();
-    return float(length > 0 ? length : 1);
-  };
-  camera.tan_half_width *= length_of(0);
-  camera.tan_half_height *= length_of(1);
+  camera.tan_half_width *= float(frame_scale(to_world, 0));
+  camera.tan_half_height *= float(frame_scale(to_world, 1));
 }
 
 /// Blender's exporter says how far the lens is shifted, to the right and up, in parts of the frame's longer
@@ -175,19 +145,6 @@ Cs184View read_cs184_view(const XmlElement& element, const XmlElement& instance,
         "CS184's program looks from the side of the point one unit in front of the camera, and that is "
         "the origin; the scene is seen from +z");
   return view;
-}
-
-Camera default_camera(const Aabb& bounds) {
-  constexpr double half_field = 20 * radians_per_degree;
-  const Axis back = Axis{0.6, 0.5, 1}.unit();
-  const Axis right = Axis{0, 1, 0}.cross(back).unit();
-  Camera camera;
-  camera.forward = Axis{-back.x, -back.y, -back.z}.vec();
-  camera.right = right.vec();
-  camera.up = back.cross(right).vec();
-  camera.tan_half_width = camera.tan_half_height = float(tan_radians(half_field));
-  camera.position = back.vec();
-  return view_whole(camera, bounds);
 }
 
 }  // namespace twinray

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "core/aabb.h"
 #include "core/camera.h"
 #include "core/transform.h"
 #include "io/collada_document.h"
@@ -22,9 +21,5 @@ Camera read_camera(const XmlElement& camera, const XmlElement& instance, const T
 /// origin to the point one unit in front of the node. Throws Error like read_camera.
 Cs184View read_cs184_view(const XmlElement& camera, const XmlElement& instance, const Transform& to_world,
                           ColladaDocument& document);
-
-/// A camera that sees the whole box in three-quarter view: its front (+Z), its right side and its top, with a
-/// field of 40 degrees.
-Camera default_camera(const Aabb& bounds);
 
 }  // namespace twinray

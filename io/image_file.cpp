@@ -91,20 +91,35 @@ bool is_all_one(const Image& image) {
   return std::all_of(image.pixels.begin(), image.pixels.end(), [](const Rgb& p) { return p.r == 1; });
 }
 
+/// The number that a pixel stands for; the alpha of a picture that has none.
+float number_of(const Rgb& pixel, PictureChannels channels) {
+  switch (channels) {
+    case PictureChannels::red:
+      return pixel.r;
+    case PictureChannels::green:
+      return pixel.g;
+    case PictureChannels::blue:
+      return pixel.b;
+    case PictureChannels::alpha:
+      return 1;
+    default:
+      return pixel.r == pixel.g && pixel.g == pixel.b ? pixel.r : (pixel.r + pixel.g + pixel.b) / 3;
+  }
+}
+
 Image decode(PictureFormat format, const PictureBytes& picture, const ReadOptions& options) {
   check_pixels(check_picture_header(format, picture), options, picture.path);
   const bool is_number = options.channels == PictureChannels::number;
-  if (is_number && has_alpha(format)) {
+  if ((is_number || options.channels == PictureChannels::alpha) && has_alpha(format)) {
     Image alpha = decode_layer(format, picture, PictureLayer::alpha);
-    if (!is_all_one(alpha)) return alpha;
+    if (!is_number || !is_all_one(alpha)) return alpha;
   }
   Image image = decode_layer(format, picture, PictureLayer::color);
   if (is_encoded(format) && options.role == PictureRole::color) decode_srgb(image);
-  if (is_number)
+  if (options.channels != PictureChannels::color)
     for (Rgb& pixel : image.pixels) {
-      const float mean =
-          pixel.r == pixel.g && pixel.g == pixel.b ? pixel.r : (pixel.r + pixel.g + pixel.b) / 3;
-      pixel = {mean, mean, mean};
+      const float number = number_of(pixel, options.channels);
+      pixel = {number, number, number};
     }
   return image;
 }
@@ -211,8 +226,8 @@ std::vector<float> read_channel(const std::string& path, const std::string& name
   });
 }
 
-Image decode_image(std::string_view bytes, const std::string& name) {
-  return decode(picture_format(name), {bytes, name}, {});
+Image decode_image(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+  return decode(picture_format(name), {bytes, name}, options);
 }
 
 }  // namespace twinray

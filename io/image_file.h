@@ -63,6 +63,6 @@ ImageMetadata read_metadata(const std::string& path);
 std::vector<float> read_channel(const std::string& path, const std::string& name);
 
 /// read_image from the bytes of a file; the name says the format, and messages begin with it.
-Image decode_image(std::string_view bytes, const std::string& name);
+Image decode_image(std::string_view bytes, const std::string& name, const ReadOptions& options = {});
 
 }  // namespace twinray

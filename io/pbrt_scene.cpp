@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "io/collada_camera.h"
+#include "io/default_camera.h"
 #include "io/gzip.h"
 #include "io/input_file.h"
 #include "io/pbrt_builder.h"

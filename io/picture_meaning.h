@@ -10,8 +10,14 @@ namespace twinray {
 enum class PictureRole { color, data };
 
 /// What of its channels a pixel is made of: its colour; or one number, as grey: its alpha, where that is not
-/// 1 all over, else the mean of its colour.
-enum class PictureChannels { color, number };
+/// 1 all over, else the mean of its colour; or that of one channel (1 where there is no alpha).
+enum class PictureChannels { color, number, red, green, blue, alpha };
+
+/// "color", "number", "red", ...
+constexpr const char* channels_word(PictureChannels channels) {
+  constexpr const char* words[] = {"color", "number", "red", "green", "blue", "alpha"};
+  return words[int(channels)];
+}
 
 /// What a texture makes of a picture's numbers.
 struct PictureMeaning {

@@ -11,6 +11,7 @@
 #include "io/collada.h"
 #include "io/collada_archive.h"
 #include "io/generated/generated.h"
+#include "io/gltf.h"
 #include "io/pbrt_scene.h"
 #include "io/xml_reader.h"
 
@@ -28,7 +29,7 @@ std::string scene_extension(const std::filesystem::path& path) {
 }
 
 bool is_known(const std::string& extension) {
-  constexpr std::array known{".dae", ".zae", ".pbrt", ".pbrt.gz"};
+  constexpr std::array known{".dae", ".zae", ".pbrt", ".pbrt.gz", ".gltf", ".glb"};
   return std::find(known.begin(), known.end(), extension) != known.end();
 }
 
@@ -49,9 +50,10 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
   if (is_file && !is_known(extension))
     throw Error(
         fmt::format("{}: \"{}\" is not the extension of a scene file; valid are .dae and .zae (COLLADA), "
-                    ".pbrt and .pbrt.gz",
+                    ".pbrt and .pbrt.gz, .gltf and .glb (glTF)",
                     path, extension));
   if (has_defaults(path)) return load_pbrt(path, options);
+  if (extension == ".gltf" || extension == ".glb") return load_gltf(path, options);
   if (is_file && extension == ".zae") return read_zae(path, options);
   return read_collada(*XmlDocument::load(path), options);
 }

@@ -9,9 +9,9 @@
 
 namespace twinray {
 
-/// Reads a scene file: COLLADA 1.4 or 1.5 (.dae, .zae) or pbrt-v4 (.pbrt, .pbrt.gz); or makes a generated
-/// scene (io/generated/generated.h) of a name such as "generated:ball". Throws Error, with the place in the
-/// file and what would be valid.
+/// Reads a scene file: COLLADA 1.4 or 1.5 (.dae, .zae), pbrt-v4 (.pbrt, .pbrt.gz) or glTF 2.0 (.gltf, .glb);
+/// or makes a generated scene (io/generated/generated.h) of a name such as "generated:ball". Throws Error,
+/// with the place in the file and what would be valid.
 LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
 
 /// Whether a file of this name may say something about its picture (LoadedScene::defaults).

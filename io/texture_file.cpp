@@ -44,9 +44,12 @@ struct ReadPicture {
   std::string warning;
 };
 
+ReadOptions options_of(const PictureMeaning& meaning) {
+  return {meaning.role, meaning.channels, most_texture_pixels};
+}
+
 ReadPicture read(const PictureUse& picture) {
-  Image image =
-      read_image(picture.path, {picture.meaning.role, picture.meaning.channels, most_texture_pixels});
+  Image image = read_image(picture.path, options_of(picture.meaning));
   const std::size_t blackened = blacken(image);
   if (blackened == 0) return {std::move(image), ""};
   std::string warning = fmt::format("{}: {} of {} x {} pixels are not finite; they are black", picture.path,
@@ -75,8 +78,10 @@ std::string source_of(const PictureUse& picture) {
 TiledTexture open_for(const std::string& path, const PictureMeaning& meaning) {
   TiledTexture texture = open_tiled(path);
   const bool is_other = is_tiled_name(path) && texture.meaning.channels != meaning.channels;
-  if (is_other && meaning.channels == PictureChannels::number)
-    throw Error(path + ": it holds colours, and a number is wanted; --convert-textures writes those");
+  if (is_other && meaning.channels != PictureChannels::color)
+    throw Error(
+        fmt::format("{}: it holds {}, and a number is wanted; --convert-textures writes those", path,
+                    texture.meaning.channels == PictureChannels::color ? "colours" : "another number"));
   return texture;
 }
 
@@ -143,6 +148,17 @@ LoadedTexture load_texture(const std::string& path, const PictureMeaning& meanin
 
 LoadedTexture load_normal_map(const std::string& path, const LoadOptions& options) {
   return load({path, {PictureRole::data, PictureChannels::color}}, flat, options);
+}
+
+LoadedTexture decode_texture(std::string_view bytes, const std::string& name, const PictureMeaning& meaning,
+                             const LoadOptions& options) {
+  TextureStore* const store = options.textures.get();
+  if (options.pictures) return {kept(picture_of(magenta), nullptr), ""};
+  try {
+    return {kept(decode_image(bytes, name, options_of(meaning)), store), ""};
+  } catch (const Error& error) {
+    return {kept(picture_of(magenta), store), fmt::format("{}; {}", error.what(), magenta.words)};
+  }
 }
 
 ConvertedTexture convert_texture(const PictureUse& picture) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/mip_map.h"
 #include "io/image_file.h"
@@ -23,6 +24,11 @@ struct LoadedTexture {
 /// it is one pixel.
 LoadedTexture load_texture(const std::string& path, const PictureMeaning& meaning,
                            const LoadOptions& options = {});
+
+/// The same of a PNG or JPEG picture whose bytes stand in another file; `name` says the format, and stands
+/// for it in the warning. It has no tiles.
+LoadedTexture decode_texture(std::string_view bytes, const std::string& name, const PictureMeaning& meaning,
+                             const LoadOptions& options = {});
 
 /// Reads a normal map, whose numbers are data; flat where the file cannot be used, which a warning says.
 LoadedTexture load_normal_map(const std::string& path, const LoadOptions& options = {});

@@ -27,9 +27,6 @@ constexpr const char* role_name = "twinray:role";
 constexpr const char* channels_name = "twinray:channels";
 
 const char* word(PictureRole role) { return role == PictureRole::data ? "data" : "color"; }
-const char* word(PictureChannels channels) {
-  return channels == PictureChannels::number ? "number" : "color";
-}
 
 class CodecTiles final : public TileSource {
  public:
@@ -84,8 +81,8 @@ PictureMeaning meaning_of(const TiledPictureFile& file, const std::string& path)
   if (text(file, levels_name) != levels_value) refuse(path, "its levels are not those of this program");
   const std::string role = text(file, role_name), channels = text(file, channels_name);
   for (const PictureRole r : {PictureRole::color, PictureRole::data})
-    for (const PictureChannels c : {PictureChannels::color, PictureChannels::number})
-      if (role == word(r) && channels == word(c)) return {r, c};
+    for (int c = 0; c <= int(PictureChannels::alpha); ++c)
+      if (role == word(r) && channels == channels_word(PictureChannels(c))) return {r, PictureChannels(c)};
   refuse(path, "it does not say what its numbers mean");
 }
 
@@ -128,8 +125,9 @@ void check_end(const TiledPictureFile& file, const TileLayout& layout) {
 }  // namespace
 
 std::string tiled_name(const std::string& picture, const PictureMeaning& meaning) {
-  return fmt::format("{}{}{}.tx", picture, meaning.role == PictureRole::data ? ".data" : "",
-                     meaning.channels == PictureChannels::number ? ".number" : "");
+  const bool is_color = meaning.channels == PictureChannels::color;
+  return fmt::format("{}{}{}{}.tx", picture, meaning.role == PictureRole::data ? ".data" : "",
+                     is_color ? "" : ".", is_color ? "" : channels_word(meaning.channels));
 }
 
 bool is_tiled_name(const std::string& path) { return picture_ending(path) == ".tx"; }
@@ -170,7 +168,7 @@ void write_tiled(const std::string& path, const MipMap& map, const PictureMeanin
       path, map, tile_side,
       {{levels_name, levels_value},
        {role_name, word(meaning.role)},
-       {channels_name, word(meaning.channels)},
+       {channels_name, channels_word(meaning.channels)},
        {"twinray:color_space", meaning.role == PictureRole::data ? "none" : "linear sRGB"}});
   write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }

@@ -20,7 +20,7 @@ struct TiledTexture {
 };
 
 /// Where the tiles of a picture of this meaning are: "wall.png.tx", of data "wall.png.data.tx", of numbers
-/// "wall.png.number.tx", "wall.png.data.number.tx".
+/// "wall.png.number.tx", "wall.png.data.number.tx"; of one channel "wall.png.green.tx".
 std::string tiled_name(const std::string& picture, const PictureMeaning& meaning);
 
 /// Whether a file's name says that it is one of these: it ends in .tx.

@@ -37,11 +37,14 @@ DOORS = {
     "xxHash": (r"xxhash\.h", r"io/content_hash\.cpp"),
     "libzip": (r"zip\.h", r"io/zip_archive\.cpp"),
     "tinyxml2": (r"tinyxml2\.h", r"io/xml_reader\.(h|cpp)"),
+    "tinygltf": (r"tiny_gltf\.h", r"io/gltf\w*\.cpp"),
+    "Draco": (r"draco/", r"io/gltf_draco\.cpp|tests/io/gltf_compression_test\.cpp"),
+    "meshoptimizer": (r"meshoptimizer\.h", r"io/gltf_meshopt\.cpp|tests/io/gltf_compression_test\.cpp"),
     "CLI11": (r"CLI/", r"cli/|bench/options\.cpp"),
     "nlohmann/json": (r"nlohmann/", r"(cli|bench)/\w*report\.cpp|"
                                     r"cli/(study/record|live/web_state|film/notes_json|plan/open_job)\.cpp|"
                                     r"cli/status/(json_lines|metrics_file)\.cpp|"
-                                    r"io/(cryptomatte|exchange|film_header)\.cpp|"
+                                    r"io/(cryptomatte|exchange|film_header|gltf_schema)\.cpp|"
                                     r"tests/(cli|io)/"),
     "Landlock": (r"linux/landlock\.h", r"cli/sandbox/files\.cpp"),
     "libseccomp": (r"seccomp\.h", r"cli/sandbox/system_calls\.cpp"),

@@ -91,7 +91,7 @@ TEST_CASE("a missing file, a directory and another format are named") {
   CHECK(message(text) ==
         text +
             ": \".txt\" is not the extension of a scene file; valid are .dae and .zae (COLLADA), "
-            ".pbrt and .pbrt.gz");
+            ".pbrt and .pbrt.gz, .gltf and .glb (glTF)");
 }
 
 }  // namespace twinray

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/collada_camera.h"
+#include "io/default_camera.h"
 
 #include <cmath>
 

@@ -119,6 +119,23 @@ TEST_CASE("the scene of lights has one of each kind") {
                      "COLLADA's default, no fall-off"});
 }
 
+TEST_CASE("table.gltf has a lamp, a spot, a panel of many colors and balls of four materials") {
+  const LoadedScene loaded = load("table.gltf");
+  const Scene& scene = loaded.scene;
+  CHECK(loaded.summary.camera == "front");
+  CHECK(loaded.summary.dropped_triangles == 0);
+  REQUIRE(scene.lights.size() == 2);
+  CHECK(scene.lights[0].name == "lamp");
+  CHECK(std::get<SpotLight>(scene.lights[1].source).intensity == Rgb{13.5f, 15.3f, 18});
+  for (const char* ball : {"brass ball", "lacquered ball", "glass ball", "velvet ball"}) {
+    INFO(ball);
+    const Mesh& mesh = mesh_named(scene, ball);
+    CHECK(mesh.triangles.size() == 528);
+    CHECK(volume(mesh) > 0);
+  }
+  CHECK_FALSE(mesh_named(scene, "panel").uvs.empty());
+}
+
 TEST_CASE("still-life.pbrt shows a gold, a glass and a varnished ball under two lamps") {
   const LoadedScene loaded = load("still-life.pbrt");
   CHECK(loaded.scene.geometry->sphere_count() == 3);

@@ -54,7 +54,7 @@ MUTANTS = [
            "test_check",
            "nothing is unexplained where shapes have holes, and Embree's own triangles have the same ones"),
     Mutant("a number is its picture's colour, whatever the alpha", "io/image_file.cpp",
-           "if (!is_all_one(alpha)) return alpha;", "",
+           "if (!is_number || !is_all_one(alpha)) return alpha;", "if (!is_number) return alpha;",
            "test_io", NUMBER),
     Mutant("colours come multiplied by their alpha", "io/openimageio_codec.cpp",
            'as_stored.attribute("oiio:UnassociatedAlpha", 1);', "",

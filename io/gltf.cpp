@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf.h"
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include "core/alpha_test.h"
+#include "io/default_camera.h"
+#include "io/gltf_camera.h"
+#include "io/gltf_document.h"
+#include "io/gltf_instancing.h"
+#include "io/gltf_light.h"
+#include "io/gltf_nodes.h"
+#include "io/gltf_shapes.h"
+#include "io/gltf_slot.h"
+#include "io/input_file.h"
+
+namespace twinray {
+namespace {
+
+/// Gathers what the nodes of a file put into the scene.
+class Builder {
+ public:
+  explicit Builder(GltfDocument& document)
+      : document_(document), materials_(document), shapes_(document, materials_) {}
+
+  LoadedScene build() {
+    const std::vector<GltfPose> poses = rest_poses(document_);
+    const std::vector<Transform> world = world_transforms(document_, poses);
+    for (const int node : shown_nodes(document_)) add_node(node, world[std::size_t(node)]);
+    if (shapes_.shapes.empty()) document_.context().warn("/", "the scene has no shapes");
+    LoadedScene loaded;
+    assemble(loaded.scene);
+    set_camera(loaded);
+    add_notes();
+    loaded.summary.dropped_triangles = shapes_.dropped_triangles;
+    count_scene(loaded.scene, loaded.summary);
+    return loaded;
+  }
+
+ private:
+  void add_node(int index, const Transform& to_world) {
+    const tinygltf::Node& node = document_.model().nodes[std::size_t(index)];
+    if (node.mesh >= 0) shapes_.add(index, instance_transforms(document_, index, to_world));
+    if (node.camera >= 0) cameras_.push_back({node.camera, index, to_world});
+    const GltfExtension light(node.extensions, "KHR_lights_punctual", "");
+    if (light && !document_.context().options.surfaces_only)
+      lights_.push_back(read_gltf_light(document_, int(light.number("light", 0)), index, to_world));
+  }
+
+  /// Lights of shapes come first, in the order of their shapes.
+  void assemble(Scene& scene) {
+    scene.lights = std::move(shapes_.lights);
+    scene.lights.insert(scene.lights.end(), lights_.begin(), lights_.end());
+    scene.bindings = std::move(shapes_.bindings);
+    scene.assets = std::move(shapes_.assets);
+    scene.materials = std::move(materials_.materials);
+    scene.textures = materials_.textures.take();
+    scene.geometry =
+        std::make_shared<const Geometry>(cut_out(std::move(shapes_.shapes), scene.bindings, scene.textures));
+    check_scene(scene);
+  }
+
+  void set_camera(LoadedScene& loaded) {
+    const GltfCamera* chosen = choose_camera(document_, cameras_);
+    loaded.scene.camera =
+        chosen ? place_camera(document_, *chosen) : default_camera(loaded.scene.geometry->bounds());
+    if (chosen) loaded.summary.camera = camera_name(document_, *chosen);
+    for (const GltfCamera& camera : cameras_)
+      loaded.summary.cameras.push_back(camera_name(document_, camera));
+  }
+
+  void add_notes() {
+    auto& notes = document_.context().notes;
+    if (shapes_.replaced_normals > 0)
+      notes.push_back(
+          fmt::format("{} shading normals have no direction; those of their triangles stand for them",
+                      shapes_.replaced_normals));
+    if (!materials_.occluded.empty())
+      notes.push_back(fmt::format(
+          "occlusion textures are left out, for light is traced: that of \"{}\"{}", materials_.occluded[0],
+          materials_.occluded.size() == 1 ? ""
+                                          : fmt::format(" and {} more", materials_.occluded.size() - 1)));
+  }
+
+  GltfDocument& document_;
+  GltfMaterials materials_;
+  GltfShapes shapes_;
+  std::vector<GltfCamera> cameras_;
+  std::vector<Light> lights_;
+};
+
+}  // namespace
+
+LoadedScene read_gltf(std::string bytes, const std::string& name, const LoadOptions& options, GltfRead read) {
+  GltfContext context{name, options, read};
+  context.read_pictures = !read;
+  if (!read) context.read = [](const std::string& path) { return read_input_file(path, "buffer"); };
+  GltfDocument document(std::move(bytes), context);
+  LoadedScene loaded = Builder(document).build();
+  loaded.warnings = context.warnings.items();
+  loaded.summary.notes = std::move(context.notes);
+  return loaded;
+}
+
+LoadedScene load_gltf(const std::string& path, const LoadOptions& options) {
+  options.add_file(path);
+  return read_gltf(read_input_file(path, "scene file"), path, options);
+}
+
+}  // namespace twinray

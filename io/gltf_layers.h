@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+
+#include "io/gltf_inputs.h"
+
+namespace tinygltf {
+struct Material;
+}
+
+namespace twinray {
+
+/// Adds what the extensions KHR_materials_* say of a surface: refraction, transmission, volume, coat, sheen,
+/// specular reflection and anisotropy. Its base must have been read.
+void read_layers(const tinygltf::Material& source, const std::string& pointer, GltfInputs& inputs);
+
+}  // namespace twinray

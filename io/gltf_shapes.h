@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shapes of a scene that is read from a glTF file: primitives where nodes put them, with what they are
+// made of.
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/scene.h"
+#include "io/gltf_material.h"
+#include "io/gltf_primitive.h"
+
+namespace twinray {
+
+class GltfShapes {
+ public:
+  GltfShapes(GltfDocument& document, GltfMaterials& materials) : document_(document), materials_(materials) {}
+
+  /// Adds the primitives of a node's mesh, once for each transform.
+  void add(int node, const std::vector<Transform>& to_world);
+
+  std::vector<Shape> shapes;
+  std::vector<ShapeBinding> bindings;
+  std::vector<Light> lights;  ///< Of the shapes that emit.
+  std::vector<std::string> assets;
+  std::size_t dropped_triangles = 0, replaced_normals = 0;
+
+  static constexpr std::size_t max_triangles = std::size_t(1) << 28;
+
+ private:
+  const std::optional<GltfPrimitive>& primitive(int mesh, int index);
+  void place(const GltfPrimitive& primitive, const std::string& name, const Transform& to_world);
+  /// The triangles whose texture coordinates run this way round, with what the primitive's surface needs.
+  void place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse use, const Transform& to_world);
+  void add_light(const GltfSurface& surface, const Mesh& mesh, const std::string& pointer,
+                 ShapeBinding& binding);
+  void check_room(const GltfPrimitive& primitive);
+
+  GltfDocument& document_;
+  GltfMaterials& materials_;
+  std::map<std::pair<int, int>, std::optional<GltfPrimitive>> primitives_;
+  std::size_t triangles_ = 0, vertices_ = 0;
+};
+
+}  // namespace twinray
