@@ -10,10 +10,13 @@
 
 namespace twinray {
 
+/// Values are of whole words: each is taken apart, and put together, a word at a time.
+inline constexpr std::size_t column_word_bytes = 4;
+
 /// What a column may hold: each value has one form, and no byte in it is left over.
 template <typename T>
-concept ColumnValue = std::is_trivially_copyable_v<T> &&
-    (std::has_unique_object_representations_v<T> || std::is_floating_point_v<T>);
+concept ColumnValue = sizeof(T) % column_word_bytes == 0 && std::is_trivially_copyable_v<T> &&
+                      (std::has_unique_object_representations_v<T> || std::is_floating_point_v<T>);
 
 /// The same bytes on every machine.
 static_assert(std::endian::native == std::endian::little);
