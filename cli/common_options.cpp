@@ -2,9 +2,14 @@
 #include "cli/common_options.h"
 
 #include "cli/console.h"
+#include "cli/sandbox/sandbox.h"
 
 namespace twinray {
 namespace {
+
+constexpr Range<double> memory_megabytes{64, 1e9};
+constexpr Range<double> time_limits{1e-3, 1e9};
+constexpr const char* no_places = ":";
 
 const Choices<View> views{{"file", View::file}, {"whole", View::whole}};
 
@@ -34,6 +39,21 @@ void add_threads(OptionGroup& group, int& threads) {
   group.add_words({"-t,--threads", "N", "Threads (all of the machine)"}, 1, [&threads](const Words& words) {
     threads = parse_number("--threads", words.front(), thread_counts);
   });
+}
+
+void add_sandbox(OptionGroup& group, const std::string& description, std::string& word) {
+  group.add_optional_word({"--sandbox", "[=PLACE:...]", description}, no_places, word);
+}
+
+std::optional<std::vector<std::string>> sandbox_places(const std::string& word) {
+  if (word.empty()) return std::nullopt;
+  return places_in(word);
+}
+
+void add_limits(OptionGroup& group, const std::string& time_description, ProcessLimits& limits) {
+  group.add_number({"--memory", "MB", "Of the process, at most (all there is)"}, limits.megabytes,
+                   memory_megabytes);
+  group.add_number({"--time-limit", "T", time_description}, limits.seconds, time_limits);
 }
 
 LoadedScene load_with_warnings(const std::string& path, const LoadOptions& options) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Options that several subcommands have, and where a scene is seen from.
 #pragma once
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "cli/limits.h"
 #include "cli/options.h"
 #include "core/film.h"
 #include "core/scene.h"
@@ -30,6 +33,14 @@ inline constexpr Range<int> thread_counts{1, 1024};
 void add_resolution(OptionGroup& group, int& width, int& height, const std::string& description);
 void add_view(OptionGroup& group, View& view);
 void add_threads(OptionGroup& group, int& threads);
+
+/// --sandbox[=PLACE:...]: what is not trusted reaches nothing else. The word stays empty where it is not
+/// given.
+void add_sandbox(OptionGroup& group, const std::string& description, std::string& word);
+/// The places of that word; none where it was not given.
+std::optional<std::vector<std::string>> sandbox_places(const std::string& word);
+/// --memory, and --time-limit with this description.
+void add_limits(OptionGroup& group, const std::string& time_description, ProcessLimits& limits);
 
 /// Loads the scene and prints the warnings of its file, in quiet runs too. Throws Error.
 LoadedScene load_with_warnings(const std::string& path, const LoadOptions& options = {});

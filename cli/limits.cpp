@@ -13,11 +13,12 @@
 #include "core/error.h"
 
 namespace twinray {
+namespace {
 
-void limit_memory(std::uint64_t bytes) {
+void limit_memory(double megabytes) {
   rlimit limit{};
   getrlimit(RLIMIT_DATA, &limit);
-  limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
+  limit.rlim_cur = std::min(rlim_t(1e6 * megabytes), limit.rlim_max);
   if (setrlimit(RLIMIT_DATA, &limit) != 0) throw Error(fmt::format("--memory: {}", std::strerror(errno)));
 }
 
@@ -28,6 +29,13 @@ void limit_time(double seconds) {
       .it_value = {.tv_sec = time_t(whole),
                    .tv_usec = std::max(suseconds_t(1), suseconds_t(1e6 * (seconds - whole)))}};
   setitimer(ITIMER_REAL, &time, nullptr);
+}
+
+}  // namespace
+
+void limit_process(const ProcessLimits& limits) {
+  if (limits.seconds) limit_time(*limits.seconds);
+  if (limits.megabytes) limit_memory(*limits.megabytes);
 }
 
 }  // namespace twinray

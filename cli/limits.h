@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the process may take of the machine, kept by the kernel.
 #pragma once
-#include <cstdint>
+#include <optional>
 
 namespace twinray {
 
-/// From now on the process has at most so many bytes of memory that is its own, stacks of threads included:
-/// where it wants more it gets none, which is an error like any other. Throws Error where that cannot be set.
-void limit_memory(std::uint64_t bytes);
+struct ProcessLimits {
+  std::optional<double> megabytes;  ///< Of memory that is the process's own, stacks of threads included.
+  std::optional<double> seconds;    ///< More than 0; then the process gets SIGALRM.
+};
 
-/// In so many seconds, more than 0, the process gets SIGALRM.
-void limit_time(double seconds);
+/// From now on. Where the process wants more memory it gets none, which is an error like any other. Throws
+/// Error where that cannot be set.
+void limit_process(const ProcessLimits& limits);
 
 }  // namespace twinray

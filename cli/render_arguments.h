@@ -105,8 +105,7 @@ struct RenderArguments {
   /// What the process may reach is closed but for the render's files, its libraries and these further places
   /// to be read; not set: all stays open.
   std::optional<std::vector<std::string>> sandbox;
-  std::optional<std::uint64_t> memory_bytes;  ///< Of the process, at most.
-  std::optional<double> time_limit;           ///< Seconds after which it is interrupted.
+  ProcessLimits limits;
   bool quiet = false;
   std::vector<std::string> given;  ///< The long names of the options that were given.
   std::map<std::string, std::vector<std::string>> given_words;  ///< Their words, by the same names.

@@ -21,7 +21,7 @@
 #include "cli/render_talk.h"
 #include "cli/replay_command.h"
 #include "cli/resources.h"
-#include "cli/sandbox/sandbox.h"
+#include "cli/sandbox/render_sandbox.h"
 #include "cli/statistics_report.h"
 #include "cli/status/status_talk.h"
 #include "cli/texture_command.h"
@@ -54,9 +54,9 @@ std::vector<std::string> written_files(const RenderArguments& arguments) {
 
 /// Before anything of the scene is read.
 void protect_the_machine(const RenderArguments& arguments, RenderTalk& talk) {
-  if (arguments.time_limit) limit_time(*arguments.time_limit);
-  if (arguments.memory_bytes) limit_memory(*arguments.memory_bytes);
-  if (arguments.sandbox) talk.note("sandbox: " + enter_sandbox(arguments, written_files(arguments)));
+  limit_process(arguments.limits);
+  if (arguments.sandbox)
+    talk.note("sandbox: " + enter_sandbox(needs_of_render(arguments, written_files(arguments))));
 }
 
 /// One render, step by step.

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/common_options.h"
 #include "cli/live/web_server.h"
 #include "cli/render_options.h"
-#include "cli/sandbox/sandbox.h"
 #include "io/tev_viewer.h"
 
 namespace twinray {
 namespace {
 
 constexpr const char* group_name = "Run";
-constexpr Range<double> memory_megabytes{64, 1e9};
-constexpr Range<double> time_limits{1e-3, 1e9};
-constexpr const char* no_places = ":";
 
 /// None for the empty text.
 std::optional<NetworkAddress> parsed(const char* option, const std::string& text,
@@ -41,16 +38,8 @@ void add_run_options(CLI::App& app, RenderRequest& request) {
       "On standard error; json: an object each second");
   group.add_word({"--metrics-file", "FILE", "Keep its progress there, for Prometheus"},
                  arguments.metrics_file);
-  group.add_optional_word(
-      {"--sandbox", "[=PLACE:...]", "Read the folder of the scene and these, write outputs"}, no_places,
-      request.sandbox);
-  group.add_words({"--memory", "MB", "Of the process, at most (all there is)"}, 1,
-                  [&arguments](const Words& words) {
-                    const double megabytes = parse_number("--memory", words.front(), memory_megabytes);
-                    arguments.memory_bytes = std::uint64_t(1e6 * megabytes);
-                  });
-  group.add_number({"--time-limit", "T", "Interrupt it after so many seconds, of loading, too"},
-                   arguments.time_limit, time_limits);
+  add_sandbox(group, "Read the folder of the scene and these, write outputs", request.sandbox);
+  add_limits(group, "Interrupt it after so many seconds, of loading, too", arguments.limits);
   group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
 }
 
@@ -69,9 +58,8 @@ void add_run_words(CLI::App& app, RenderRequest& request) {
 void resolve_run(const RenderRequest& request, RenderArguments& arguments) {
   arguments.viewer = parsed("--tev", request.tev, parse_viewer_address);
   arguments.server = parsed("--serve", request.serve, parse_server_address);
-  if (request.sandbox.empty()) return;
-  arguments.sandbox = places_in(request.sandbox);
-  if (arguments.convert_textures)
+  arguments.sandbox = sandbox_places(request.sandbox);
+  if (arguments.sandbox && arguments.convert_textures)
     throw UsageError(
         "--sandbox: --convert-textures writes beside the scene's pictures, which it does not allow");
 }

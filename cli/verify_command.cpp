@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <chrono>
+
 #include <memory>
 
 #include "cli/common_options.h"
 #include "cli/console.h"
 #include "cli/render_scene.h"
 #include "cli/resources.h"
+#include "cli/sandbox/child.h"
+#include "cli/sandbox/sandbox.h"
 #include "cli/verify/claim.h"
 #include "cli/verify/tile_check.h"
 #include "cli/version.h"
@@ -22,7 +25,7 @@ constexpr Range<std::uint32_t> tile_counts{1, 1u << 24};
 /// So many of the tiles that differ are named.
 constexpr std::size_t most_named = 5;
 
-void add_options(CLI::App& app, VerifyArguments& arguments) {
+void add_options(CLI::App& app, VerifyArguments& arguments, std::string& sandbox) {
   add_file(app, "PICTURE", arguments.picture, "What render or merge has written: .png or .exr");
   OptionGroup group(app, "Options");
   group.add_number({"--tiles", "N", "So many tiles of 16 x 16 pixels are rendered again, at most"},
@@ -31,6 +34,8 @@ void add_options(CLI::App& app, VerifyArguments& arguments) {
   group.add_word({"--scene", "FILE", "Where the scene is now (as the picture says)"}, arguments.scene);
   group.add_word({"--accel", "NAME", "The engine (another one than made the picture)"}, arguments.accel);
   add_threads(group, arguments.threads);
+  add_sandbox(group, "Read the folders of the picture and of --scene, and these", sandbox);
+  add_limits(group, "End after so many seconds", arguments.limits);
   group.add_flag("-q,--quiet", arguments.quiet, "Print errors, warnings and differences only");
 }
 
@@ -84,6 +89,26 @@ void check_size(const std::string& path, const StoredLayers& picture, const Pixe
                             picture.width, picture.height, window.width(), window.height()));
 }
 
+/// What the picture names, its scene, is read only where it lies in one of the places.
+SandboxNeeds needs_of(const VerifyArguments& asked, const ScratchFolder& folder) {
+  SandboxNeeds needs;
+  std::vector<std::string>& read = needs.places.read;
+  read = *asked.sandbox;
+  check_places(read);
+  for (const std::string& file : {asked.picture, asked.scene})
+    if (!file.empty()) read.insert(read.end(), {folder_of(file), file});
+  needs.places.scratch.push_back(folder.path());
+  return needs;
+}
+
+/// Before anything of the picture is read.
+void protect_the_machine(const VerifyArguments& asked, const ScratchFolder& folder) {
+  limit_process(asked.limits);
+  if (!asked.sandbox) return;
+  const std::string open = enter_sandbox(needs_of(asked, folder));
+  if (!asked.quiet) console::print("Sandbox        {}\n", open);
+}
+
 std::uint64_t seed_of(const VerifyArguments& asked) {
   return asked.seed.value_or(std::uint64_t(std::chrono::system_clock::now().time_since_epoch().count()));
 }
@@ -103,12 +128,20 @@ void print_differences(const std::vector<TileDifference>& differences) {
 
 std::function<VerifyArguments()> add_verify_options(CLI::App& app) {
   const auto arguments = std::make_shared<VerifyArguments>();
-  add_options(app, *arguments);
-  return [arguments] { return *arguments; };
+  const auto sandbox = std::make_shared<std::string>();
+  add_options(app, *arguments, *sandbox);
+  return [arguments, sandbox] {
+    arguments->sandbox = sandbox_places(*sandbox);
+    return *arguments;
+  };
 }
 
 int verify_command(const VerifyArguments& asked) {
   check_format(asked.picture);
+  const ScratchFolder folder;
+  if (asked.sandbox || asked.limits.seconds)  // Whoever waits removes the folder.
+    if (const std::optional<int> code = go_on_in_child()) return *code;
+  protect_the_machine(asked, folder);
   const StoredLayers picture = read_picture(asked.picture);
   const PictureClaim claim = read_claim(asked.picture, picture.metadata);
   if (claim.program != version_name())
@@ -127,7 +160,7 @@ int verify_command(const VerifyArguments& asked) {
   const std::uint64_t seed = seed_of(asked);
   const std::vector<PixelRect> tiles = chosen_tiles(window, asked.tiles, seed);
   const std::vector<TileDifference> differences =
-      check_tiles(picture, claim.is_denoised, arguments, loaded.scene, tiles);
+      check_tiles({picture, claim.is_denoised}, arguments, loaded.scene, tiles, folder);
   print_differences(differences);
   const std::uint32_t all = tile_grid(window, tile_size).count();
   if (!asked.quiet || !differences.empty())

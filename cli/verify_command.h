@@ -3,7 +3,9 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "cli/limits.h"
 #include "cli/options.h"
 
 namespace twinray {
@@ -15,6 +17,9 @@ struct VerifyArguments {
   std::uint32_t tiles = 16;           ///< How many are rendered again, at most.
   std::optional<std::uint64_t> seed;  ///< Which; not set: others each time.
   std::string accel;                  ///< The engine; empty: another one than made the picture.
+  /// Further places that may be read where the picture is not trusted; not set: it is.
+  std::optional<std::vector<std::string>> sandbox;
+  ProcessLimits limits;
   int threads = 0;
   bool quiet = false;
 };

@@ -9,25 +9,16 @@
 #include <filesystem>
 #include <iterator>
 #include <sstream>
+#include <utility>
 
 #include "cli/console.h"
-#include "cli/sandbox/files.h"
-#include "cli/sandbox/system_calls.h"
 #include "core/error.h"
-#include "io/destination.h"
-#include "io/film_file.h"
-#include "io/generated/generated.h"
 #include "io/image_codec.h"
 
 namespace twinray {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string folder_of(const std::string& path) {
-  const fs::path folder = fs::path(path).parent_path();
-  return folder.empty() ? "." : folder.string();
-}
 
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
@@ -56,36 +47,6 @@ std::vector<std::string> places_of_the_system() {
   return places;
 }
 
-std::vector<std::string> places_of_the_scene(const RenderArguments& arguments) {
-  std::vector<std::string> places = *arguments.sandbox;
-  for (const std::string& place : places)
-    if (!fs::exists(place)) throw Error(fmt::format("--sandbox: there is no {}", place));
-  if (!generated::is_generated(arguments.scene)) {
-    places.push_back(folder_of(arguments.scene));
-    places.push_back(arguments.scene);  // It may be a link to elsewhere.
-  }
-  for (const std::string& file : {arguments.environment, arguments.camera_file, arguments.resumed})
-    if (!file.empty()) places.push_back(file);
-  if (!arguments.resumed.empty()) places.push_back(earlier_film_name(arguments.resumed));
-  return places;
-}
-
-OpenPlaces places_of(const RenderArguments& arguments, const std::vector<std::string>& outputs) {
-  OpenPlaces places;
-  places.read = places_of_the_scene(arguments);
-  for (std::string& place : places_of_the_system()) places.read.push_back(std::move(place));
-  for (const std::string& output : outputs) {
-    const Destination to = destination_of(output);
-    if (to.kind == Destination::Kind::special) places.write.push_back(to.path);
-    if (to.kind == Destination::Kind::file) places.write.push_back(folder_of(to.path));
-  }
-  if (arguments.texture_bytes) {
-    std::error_code error;
-    places.scratch.push_back(fs::temp_directory_path(error).string());
-  }
-  return places;
-}
-
 /// Our own library and what it needs may lie anywhere: it is loaded while all is open.
 void load_libraries() {
   try {
@@ -110,13 +71,18 @@ std::string list_text(std::vector<std::string> places) {
   return places.empty() ? "nothing" : fmt::format("{}", fmt::join(places, ", "));
 }
 
-void say_what_stays_open(const char* what, const RenderArguments& arguments) {
+void say_what_stays_open(const char* what, const SandboxNeeds& needs) {
   const std::string text = fmt::format("--sandbox: this kernel cannot {}", what);
-  if (arguments.load.strict) throw Error(text);
+  if (needs.strict) throw Error(text);
   console::warn(text);
 }
 
 }  // namespace
+
+std::string folder_of(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
 
 std::vector<std::string> places_in(const std::string& list) {
   std::vector<std::string> places;
@@ -126,15 +92,19 @@ std::vector<std::string> places_in(const std::string& list) {
   return places;
 }
 
-std::string enter_sandbox(const RenderArguments& arguments, const std::vector<std::string>& outputs) {
-  const OpenPlaces places = places_of(arguments, outputs);
+void check_places(const std::vector<std::string>& places) {
+  for (const std::string& place : places)
+    if (!fs::exists(place)) throw Error(fmt::format("--sandbox: there is no {}", place));
+}
+
+std::string enter_sandbox(const SandboxNeeds& needs) {
+  OpenPlaces places = needs.places;
+  for (std::string& place : places_of_the_system()) places.read.push_back(std::move(place));
   load_libraries();
   check_is_alone();
-  const Network network = arguments.viewer || arguments.server ? Network::open : Network::closed;
-  if (!close_files(places)) say_what_stays_open("close files (it has no Landlock)", arguments);
-  if (!close_system_calls(network)) say_what_stays_open("filter calls (it has no seccomp)", arguments);
-  return fmt::format("reads {}; writes {}", list_text(places_of_the_scene(arguments)),
-                     list_text(places.write));
+  if (!close_files(places)) say_what_stays_open("close files (it has no Landlock)", needs);
+  if (!close_system_calls(needs.network)) say_what_stays_open("filter calls (it has no seccomp)", needs);
+  return fmt::format("reads {}; writes {}", list_text(needs.places.read), list_text(needs.places.write));
 }
 
 }  // namespace twinray

@@ -1,22 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a render may do that is not trusted: its scene may be from anybody.
+// What a process may do whose input is not trusted: a scene, or a picture, may be from anybody.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "cli/render_arguments.h"
-#include "cli/render_outputs.h"
+#include "cli/sandbox/files.h"
+#include "cli/sandbox/system_calls.h"
 
 namespace twinray {
+
+/// What the work in a sandbox needs, besides the system's libraries.
+struct SandboxNeeds {
+  OpenPlaces places;
+  Network network = Network::closed;
+  bool strict = false;  ///< What the kernel cannot close is an error, and no warning.
+};
+
+/// The folder that a file lies in: "." of a name alone.
+std::string folder_of(const std::string& path);
 
 /// The places of a list, as PATH has them: "a:b"; empty ones are none.
 std::vector<std::string> places_in(const std::string& list);
 
-/// Leaves to the process what the render needs: to read the scene's folder, files that the command line names
-/// and the system's libraries, to write into the folders of its outputs, and no network but for a viewer or
-/// a server that is asked for. Throws Error where the process has another
-/// thread. Returns what was closed, in a
-/// line. What the kernel cannot close is a warning, under --strict an Error.
-std::string enter_sandbox(const RenderArguments& arguments, const std::vector<std::string>& outputs);
+/// Throws Error where one of the places that --sandbox names does not exist.
+void check_places(const std::vector<std::string>& places);
+
+/// Closes to the process all that the work does not need. Throws Error where the process has another thread.
+/// Returns what is open, in a line.
+std::string enter_sandbox(const SandboxNeeds& needs);
 
 }  // namespace twinray

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/verify/tile_check.h"
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -19,28 +17,6 @@ namespace twinray {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder for temporary files, as long as this lives.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "twinray-verify-XXXXXX").string();
-    if (error || !mkdtemp(name.data()))
-      throw Error(name + ": no folder for temporary files can be made; TMPDIR names another place");
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
 
 RenderArguments arguments_of_tile(const RenderArguments& arguments, const PixelRect& tile) {
   RenderArguments of_tile = arguments;
@@ -69,9 +45,9 @@ std::vector<PixelRect> chosen_tiles(const PixelRect& window, std::uint32_t count
   return tiles;
 }
 
-std::vector<TileDifference> check_tiles(const StoredLayers& picture, bool is_denoised,
-                                        const RenderArguments& arguments, const Scene& scene,
-                                        const std::vector<PixelRect>& tiles) {
+std::vector<TileDifference> check_tiles(const ClaimedPicture& picture, const RenderArguments& arguments,
+                                        const Scene& scene, const std::vector<PixelRect>& tiles,
+                                        const ScratchFolder& folder) {
   const auto integrator = make_integrator(arguments, scene);
   const auto accelerator = build_accelerator(arguments.backend, scene.geometry, arguments.build);
   std::vector<std::optional<RenderResult>> results(tiles.size());
@@ -80,13 +56,12 @@ std::vector<TileDifference> check_tiles(const StoredLayers& picture, bool is_den
   });
   const PixelRect window = window_of(arguments.render);
   const SceneNames names = scene_names(scene, film_contents(arguments.render, scene));
-  const ScratchFolder folder;
   const std::string part = folder.file("tile" + fs::path(arguments.output).extension().string());
   std::vector<TileDifference> found;
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     write_pictures({.picture = part}, arguments, {results[i]->film}, {{}, {}, names});
     const PixelRect place = in_picture(tiles[i], window);
-    if (const auto pixels = differences(picture, read_picture(part), place, is_denoised))
+    if (const auto pixels = differences(picture.layers, read_picture(part), place, picture.is_denoised))
       found.push_back({tiles[i], *pixels});
   }
   return found;

@@ -6,6 +6,7 @@
 
 #include "cli/render_arguments.h"
 #include "cli/verify/picture_channels.h"
+#include "cli/verify/scratch_folder.h"
 #include "io/loaded_scene.h"
 
 namespace twinray {
@@ -20,10 +21,16 @@ struct TileDifference {
   PixelDifferences pixels;
 };
 
-/// Renders these tiles, and writes each as the picture is written, to a temporary file, to read it again: so
-/// that every way of encoding is that of the picture. Throws Error.
-std::vector<TileDifference> check_tiles(const StoredLayers& picture, bool is_denoised,
-                                        const RenderArguments& arguments, const Scene& scene,
-                                        const std::vector<PixelRect>& tiles);
+/// A picture that is read.
+struct ClaimedPicture {
+  const StoredLayers& layers;
+  bool is_denoised = false;  ///< Its noisy channels are compared.
+};
+
+/// Renders these tiles, and writes each as the picture is written, to a file in the folder, to read it again:
+/// so that every way of encoding is that of the picture. Throws Error.
+std::vector<TileDifference> check_tiles(const ClaimedPicture& picture, const RenderArguments& arguments,
+                                        const Scene& scene, const std::vector<PixelRect>& tiles,
+                                        const ScratchFolder& folder);
 
 }  // namespace twinray

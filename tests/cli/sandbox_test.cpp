@@ -176,6 +176,28 @@ TEST_CASE("a page of the picture is served from a sandbox") {
   CHECK(stranger.render("--sandbox --serve=127.0.0.1:0").exit_code == 0);
 }
 
+TEST_CASE("a picture is verified in a sandbox, with a scene of the places that are named alone") {
+  const Stranger stranger;
+  write_png(stranger.path("scene/own.png"), gray_picture());
+  stranger.write_scene(image_texture("own.png"));
+  REQUIRE(stranger.render("").exit_code == 0);
+  const auto verify = [&](const std::string& more) {
+    return run_program(fmt::format("verify {} --seed=1 {}", quoted(stranger.picture()), more)).exit_code;
+  };
+  CHECK(verify("") == 0);
+  CHECK(verify("--sandbox") == (has_landlock() ? 1 : 0));
+  CHECK(verify("--sandbox=" + quoted(stranger.path("scene"))) == 0);
+  CHECK(verify("--sandbox --scene=" + quoted(stranger.path("scene/a.pbrt"))) == 0);
+  CHECK(verify("--sandbox=/nowhere") == 1);
+  fs::create_directory(stranger.path("temporary"));
+  const ProcessResult clean = run_shell(
+      fmt::format("TMPDIR={} {} verify {} --sandbox={}", quoted(stranger.path("temporary")),
+                  quoted(TWINRAY_PROGRAM), quoted(stranger.picture()), quoted(stranger.path("scene"))));
+  CHECK(clean.exit_code == 0);
+  CHECK(fs::is_empty(stranger.path("temporary")));
+  CHECK(verify("--time-limit=0.001") == 142);
+}
+
 TEST_CASE("what writes beside the scene, or in another process, does not go with a sandbox") {
   const Stranger stranger;
   stranger.write_scene("");
