@@ -36,11 +36,15 @@ bool is_lit(const Scene& scene) {
                      [](const Light& light) { return !is_black(std::visit(Strength{}, light.source)); });
 }
 
-Light headlight(const Camera& camera) {
-  if (camera.projection == Projection::orthographic)
-    return {"headlight", DirectionalLight{camera.forward, Rgb{pi, pi, pi}}};
+std::vector<Light> default_lights(const Camera& camera) {
+  constexpr float sky = 0.5f, head = pi * (1 - sky / 2);
   constexpr Attenuation none{1, 0, 0};
-  return {"headlight", PointLight{camera.position, Rgb{pi, pi, pi}, none}};
+  std::vector<Light> lights{{"sky", AmbientLight{{0, 1, 0}, Rgb{sky, sky, sky}}}};
+  if (camera.projection == Projection::orthographic)
+    lights.push_back({"headlight", DirectionalLight{camera.forward, Rgb{head, head, head}}});
+  else
+    lights.push_back({"headlight", PointLight{camera.position, Rgb{head, head, head}, none}});
+  return lights;
 }
 
 }  // namespace twinray

@@ -134,7 +134,7 @@ void add_light_words(CLI::App& app, RenderRequest& request) {
   group.add_choice<bool>("--attenuation", arguments.load.attenuation_as_file,
                          {{"physical", false}, {"file", true}},
                          "Of a point light of which the file says nothing");
-  group.add_flag("--default-light", arguments.default_light, "Light a scene without light from the camera");
+  group.add_flag("--default-light", arguments.default_light, "Light a scene without light by a soft sky");
   group.add_flag("--keep-both-lamps", arguments.load.keep_both_lamps,
                  "Keep a lamp's rectangle beside its mesh");
 }

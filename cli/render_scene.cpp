@@ -68,6 +68,18 @@ EnvironmentLight read_environment(const RenderArguments& arguments) {
 
 }  // namespace
 
+namespace {
+
+/// Of what cannot have a light, without being asked for.
+void add_default_lights(const RenderArguments& arguments, LoadedScene& loaded, RenderTalk& talk) {
+  if (!(arguments.default_light || loaded.wants_light) || is_lit(loaded.scene)) return;
+  for (Light& light : default_lights(loaded.scene.camera)) loaded.scene.lights.push_back(std::move(light));
+  if (loaded.wants_light && traces_paths(arguments.integrator))
+    talk.note("the file has no light: a soft sky, and a light at the camera");
+}
+
+}  // namespace
+
 LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk) {
   talk.loading();
   if (arguments.texture_bytes)
@@ -82,8 +94,7 @@ LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk) {
   const std::vector<std::string> without_effect = options_without_effect(loaded.scene, arguments);
   refuse_if_strict(without_effect, arguments);
   for (const std::string& warning : without_effect) console::warn(warning);
-  if (arguments.default_light && !is_lit(loaded.scene))
-    loaded.scene.lights.push_back(headlight(loaded.scene.camera));
+  add_default_lights(arguments, loaded, talk);
   if (arguments.render.light_groups) group_lights(loaded.scene, arguments.light_groups);
   for (const std::string& warning : scene_warnings(loaded.scene, arguments)) console::warn(warning);
   talk.ready();

@@ -31,7 +31,7 @@ std::vector<std::string> scene_warnings(const Scene& scene, const RenderArgument
     if (!warning.empty()) warnings.push_back(std::move(warning));
   };
   if (!is_lit(scene))
-    add("the scene has no light: the picture will be black; --default-light puts a light at the camera");
+    add("the scene has no light: the picture will be black; --default-light lights it by a soft sky");
   if (arguments.path.direct == DirectMethod::hemisphere) add(unmet_lights(scene));
   return warnings;
 }

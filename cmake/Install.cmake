@@ -81,6 +81,11 @@ set(private_headers
   integrators/wave/surfaces-inl.h
   integrators/wave/warp-inl.h
   integrators/wave/wave.h
+  io/import_function.h
+  io/model_bytes.h
+  io/obj_material.h
+  io/obj_reader.h
+  io/obj_scene.h
   io/openimageio_view.h)
 list(TRANSFORM private_headers REPLACE "\\." "\\\\." OUTPUT_VARIABLE private_patterns)
 list(JOIN private_patterns "|" private_patterns)
@@ -89,7 +94,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/twinray)
 file(RELATIVE_PATH to_modules /${CMAKE_INSTALL_BINDIR} /${twinray_module_folder})
 set_target_properties(twinray PROPERTIES INSTALL_RPATH "$ORIGIN/${to_modules}")
 install(TARGETS twinray RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS twinray_image_codec LIBRARY DESTINATION ${twinray_module_folder})
+install(TARGETS twinray_image_codec twinray_scene_importer LIBRARY DESTINATION ${twinray_module_folder})
 install(FILES $<TARGET_FILE_DIR:twinray>/pathtracer DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS twinray_core twinray_accel twinray_integrators twinray_check twinray_io EXPORT twinrayTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

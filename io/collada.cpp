@@ -22,32 +22,6 @@ void add_rectangles(SceneParts& parts, ColladaMaterials& materials) {
                             light.name, no_asset});
 }
 
-LightSource shape_light(const ScenePart& part, std::uint32_t shape) {
-  if (std::holds_alternative<SphereSet>(part.shape)) return SphereLight{shape, part.radiance};
-  return MeshLight{shape, part.radiance, part.side};
-}
-
-/// Lights of shapes come first, in the order of their shapes.
-Scene assemble(SceneParts parts, const ColladaMaterials& materials) {
-  Scene scene;
-  std::vector<Shape> shapes;
-  for (ScenePart& part : parts.shapes) {
-    ShapeBinding binding{.material = part.material, .asset = part.asset};
-    if (!is_black(part.radiance)) {
-      binding.light = std::uint32_t(scene.lights.size());
-      scene.lights.push_back({part.light_name, shape_light(part, std::uint32_t(shapes.size()))});
-    }
-    scene.bindings.push_back(binding);
-    shapes.push_back(std::move(part.shape));
-  }
-  scene.lights.insert(scene.lights.end(), parts.lights.begin(), parts.lights.end());
-  scene.materials = materials.materials();
-  scene.assets = std::move(parts.assets);
-  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
-  check_scene(scene);
-  return scene;
-}
-
 /// "a", "b": the first of them, and how many more there are.
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t most = 20;
@@ -131,7 +105,11 @@ LoadedScene read_document(ColladaDocument& document) {
     summary.notes.push_back(attenuation_note(names));
   if (!materials.with_specular().empty()) summary.notes.push_back(specular_note(materials.with_specular()));
   const Aabb bounds = nodes.parts.bounds;
-  loaded.scene = assemble(std::move(nodes.parts), materials);
+  Scene rest;
+  rest.materials = materials.materials();
+  rest.lights = std::move(nodes.parts.lights);
+  rest.assets = std::move(nodes.parts.assets);
+  loaded.scene = assemble(std::move(nodes.parts.shapes), std::move(rest));
   const ColladaCamera* camera = choose_camera(nodes.cameras, visual_scene, document);
   if (camera) summary.camera = camera_name(*camera);
   loaded.scene.camera = camera_of(camera, bounds, *loaded.scene.geometry, document);

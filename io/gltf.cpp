@@ -98,6 +98,7 @@ LoadedScene read_gltf(std::string bytes, const std::string& name, const LoadOpti
   if (!read) context.read = [](const std::string& path) { return read_input_file(path, "buffer"); };
   GltfDocument document(std::move(bytes), context);
   LoadedScene loaded = Builder(document).build();
+  loaded.wants_light = loaded.scene.lights.empty();
   loaded.warnings = context.warnings.items();
   loaded.summary.notes = std::move(context.notes);
   return loaded;

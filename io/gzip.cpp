@@ -62,4 +62,9 @@ std::string unpack_gzip(std::string_view bytes, const std::string& name) {
   }
 }
 
+std::string read_unpacked(const std::string& path) {
+  std::string bytes = read_input_file(path, "file");
+  return is_gzip(bytes) ? unpack_gzip(bytes, path) : bytes;
+}
+
 }  // namespace twinray

@@ -15,6 +15,9 @@ bool is_gzip(std::string_view bytes);
 /// gzip_most_growth times.
 std::string unpack_gzip(std::string_view bytes, const std::string& name);
 
+/// The bytes of an input file, unpacked where they are gzip. Throws Error.
+std::string read_unpacked(const std::string& path);
+
 inline constexpr std::uint64_t gzip_small_bytes = std::uint64_t(1) << 26, gzip_most_growth = 100;
 
 }  // namespace twinray

@@ -20,6 +20,7 @@ constexpr const char* library = TWINRAY_IMAGE_CODEC;
 }
 
 const ImageCodec& load_codec() {
+  const std::lock_guard lock(library_loading());
   void* const loaded = dlopen(library, RTLD_LAZY | RTLD_LOCAL);
   if (!loaded) fail(dlerror());
   const auto codec = reinterpret_cast<ImageCodecFunction>(dlsym(loaded, image_codec_symbol));
@@ -28,6 +29,11 @@ const ImageCodec& load_codec() {
 }
 
 }  // namespace
+
+std::mutex& library_loading() {
+  static std::mutex mutex;
+  return mutex;
+}
 
 const ImageCodec& image_codec() {
   static const ImageCodec& codec = load_codec();

@@ -4,6 +4,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <thread>
@@ -85,6 +86,10 @@ class ImageCodec {
 
 /// The codec. Loads it where that has not been done; throws Error where it cannot be loaded.
 const ImageCodec& image_codec();
+
+/// Held while the codec is being loaded. Whoever begins a process holds it, too: a child that is begun in the
+/// midst of loading could never load, or say, anything.
+std::mutex& library_loading();
 
 /// Begins in the background to load it, so that it is there when a picture needs it. Never fails. The thread,
 /// if one can be made, must end before the process's exit does away with what it loads.

@@ -15,6 +15,7 @@ struct LoadedScene {
   std::vector<Diagnostic> warnings;
   SceneSummary summary;
   RenderDefaults defaults;
+  bool wants_light = false;  ///< It has no light, as most files of its format: it is to be lit by default.
 };
 
 }  // namespace twinray

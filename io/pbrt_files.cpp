@@ -15,11 +15,6 @@ std::filesystem::path beside(const std::string& file, const std::string& name) {
 
 }  // namespace
 
-std::string read_unpacked(const std::string& path) {
-  std::string bytes = read_input_file(path, "file");
-  return is_gzip(bytes) ? unpack_gzip(bytes, path) : bytes;
-}
-
 PbrtFiles::PbrtFiles(const std::string& scene, Read read, const LoadOptions& options)
     : scene_(scene), read_(std::move(read)), options_(options) {}
 

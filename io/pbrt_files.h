@@ -31,7 +31,4 @@ class PbrtFiles {
   LoadOptions options_;
 };
 
-/// The bytes of a file on disk, unpacked where they are gzip. Throws Error.
-std::string read_unpacked(const std::string& path);
-
 }  // namespace twinray

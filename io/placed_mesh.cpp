@@ -82,6 +82,10 @@ std::size_t fill_zero_normals(Mesh& mesh) {
 
 }  // namespace
 
+void normalize_normals(Mesh& mesh) {
+  for (Vec3& n : mesh.normals) n = unit_or_zero(n);
+}
+
 void clean_up(PlacedMesh& placed) {
   placed.dropped = drop_degenerate_triangles(placed.mesh);
   drop_unused_vertices(placed.mesh);

@@ -27,6 +27,9 @@ PlacedMesh place_mesh(const Mesh& local, const Transform& to_world, const FailPl
 /// The positions alone. Those that are not finite stay; they go with their triangles.
 void move_positions(Mesh& mesh, const Transform& to_world, const FailPlacing& fail);
 
+/// Makes shading normals unit vectors, or 0 0 0 where they are no directions.
+void normalize_normals(Mesh& mesh);
+
 /// Drops triangles without area, or not finite, and vertices that no triangle uses, and gives normals that
 /// are 0 0 0 their triangle's direction; counts them.
 void clean_up(PlacedMesh& placed);

@@ -7,12 +7,18 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <map>
+#include <string_view>
 
 #include "io/collada.h"
 #include "io/collada_archive.h"
 #include "io/generated/generated.h"
 #include "io/gltf.h"
+#include "io/gzip.h"
+#include "io/obj_scene.h"
 #include "io/pbrt_scene.h"
+#include "io/ply_scene.h"
+#include "io/scene_importer.h"
 #include "io/xml_reader.h"
 
 namespace twinray {
@@ -28,9 +34,46 @@ std::string scene_extension(const std::filesystem::path& path) {
   return extension;
 }
 
-bool is_known(const std::string& extension) {
-  constexpr std::array known{".dae", ".zae", ".pbrt", ".pbrt.gz", ".gltf", ".glb"};
-  return std::find(known.begin(), known.end(), extension) != known.end();
+LoadedScene load_dae(const std::string& path, const LoadOptions& options) {
+  return read_collada(*XmlDocument::load(path), options);
+}
+
+/// A format by its extension.
+struct Format {
+  std::string_view extension;
+  const char* name;
+  LoadedScene (*load)(const std::string& path, const LoadOptions& options);
+};
+constexpr std::array formats{
+    Format{".dae", "COLLADA", load_dae},       Format{".zae", "COLLADA", read_zae},
+    Format{".pbrt", "pbrt-v4", load_pbrt},     Format{".pbrt.gz", "pbrt-v4", load_pbrt},
+    Format{".gltf", "glTF 2.0", load_gltf},    Format{".glb", "glTF 2.0", load_gltf},
+    Format{".obj", "Wavefront", load_obj},     Format{".ply", "a mesh", load_ply},
+    Format{".ply.gz", "a mesh", load_ply},     Format{".stl", "by Assimp", import_scene},
+    Format{".fbx", "by Assimp", import_scene}, Format{".3ds", "by Assimp", import_scene},
+    Format{".off", "by Assimp", import_scene}, Format{".x", "by Assimp", import_scene},
+    Format{".lwo", "by Assimp", import_scene}, Format{".ase", "by Assimp", import_scene},
+    Format{".ac", "by Assimp", import_scene},  Format{".dxf", "by Assimp", import_scene},
+    Format{".3mf", "by Assimp", import_scene}, Format{".amf", "by Assimp", import_scene},
+    Format{".x3d", "by Assimp", import_scene}};
+
+/// Null for no known extension.
+const Format* find_format(const std::string& extension) {
+  const auto found = std::find_if(formats.begin(), formats.end(),
+                                  [&](const Format& format) { return format.extension == extension; });
+  return found == formats.end() ? nullptr : &*found;
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& extension) {
+  std::map<std::string_view, std::string> known;
+  for (const Format& format : formats)
+    known[format.name] += fmt::format("{}{}", known[format.name].empty() ? "" : " ", format.extension);
+  std::string list;
+  for (const auto& [name, extensions] : known)
+    list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", extensions, name);
+  const bool is_usd = extension.starts_with(".usd");
+  throw Error(fmt::format("{}: \"{}\" is not the extension of a scene file{}; valid are {}", path, extension,
+                          is_usd ? ", for USD is not read yet" : "", list));
 }
 
 LoadedScene load_generated(const std::string& name) {
@@ -45,17 +88,11 @@ LoadedScene load_generated(const std::string& name) {
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
   if (generated::is_generated(path)) return load_generated(path);
   const std::string extension = scene_extension(path);
+  const Format* const format = find_format(extension);
   std::error_code error;
   const bool is_file = std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error);
-  if (is_file && !is_known(extension))
-    throw Error(
-        fmt::format("{}: \"{}\" is not the extension of a scene file; valid are .dae and .zae (COLLADA), "
-                    ".pbrt and .pbrt.gz, .gltf and .glb (glTF)",
-                    path, extension));
-  if (has_defaults(path)) return load_pbrt(path, options);
-  if (extension == ".gltf" || extension == ".glb") return load_gltf(path, options);
-  if (is_file && extension == ".zae") return read_zae(path, options);
-  return read_collada(*XmlDocument::load(path), options);
+  if (is_file && !format) refuse(path, extension);
+  return (format ? format->load : load_dae)(path, options);
 }
 
 bool has_defaults(const std::string& path) {
@@ -65,7 +102,7 @@ bool has_defaults(const std::string& path) {
 
 bool is_scene_file(const std::string& path) {
   const std::string extension = scene_extension(path);
-  if (!is_known(extension)) return false;
+  if (!find_format(extension) || extension.starts_with(".ply")) return false;
   if (!has_defaults(path)) return true;
   try {
     return read_unpacked(path).find("WorldBegin") != std::string::npos;

@@ -9,16 +9,17 @@
 
 namespace twinray {
 
-/// Reads a scene file: COLLADA 1.4 or 1.5 (.dae, .zae), pbrt-v4 (.pbrt, .pbrt.gz) or glTF 2.0 (.gltf, .glb);
-/// or makes a generated scene (io/generated/generated.h) of a name such as "generated:ball". Throws Error,
-/// with the place in the file and what would be valid.
+/// Reads a scene file: COLLADA 1.4 or 1.5 (.dae, .zae), pbrt-v4 (.pbrt, .pbrt.gz), glTF 2.0 (.gltf, .glb),
+/// Wavefront OBJ (.obj), a mesh (.ply, .ply.gz), or one of those that Assimp reads (.stl, .fbx, ...); or
+/// makes a generated scene (io/generated/generated.h) of a name such as "generated:ball". Throws Error, with
+/// the place in the file and what would be valid.
 LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
 
 /// Whether a file of this name may say something about its picture (LoadedScene::defaults).
 bool has_defaults(const std::string& path);
 
-/// Whether a file is a scene, by its extension; one of pbrt's must also begin a world, for parts of scenes
-/// have the same extension.
+/// Whether a file is a scene, by its extension, and no mesh, of which scenes are made; one of pbrt's must
+/// also begin a world, for parts of scenes have the same extension.
 bool is_scene_file(const std::string& path);
 
 }  // namespace twinray

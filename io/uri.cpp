@@ -33,7 +33,11 @@ std::string path_of_uri(std::string_view uri, const std::string& from_file) {
     uri.remove_prefix(scheme.size());
     if (uri.rfind("//", 0) == 0) uri.remove_prefix(2);  // an authority, which is empty
   }
-  return normal_path((std::filesystem::path(from_file).parent_path() / decoded_uri(uri)).string());
+  return path_of_name(decoded_uri(uri), from_file);
+}
+
+std::string path_of_name(const std::string& name, const std::string& from_file) {
+  return normal_path((std::filesystem::path(from_file).parent_path() / name).string());
 }
 
 std::string normal_path(const std::string& path) {

@@ -16,6 +16,9 @@ bool is_remote(std::string_view uri);
 /// that of a "file:" URI.
 std::string path_of_uri(std::string_view uri, const std::string& from_file);
 
+/// The path that a file's name within a file means, as it stands: relative to the folder of that.
+std::string path_of_name(const std::string& name, const std::string& from_file);
+
 /// A path without "." and "..", as far as its text tells.
 std::string normal_path(const std::string& path);
 

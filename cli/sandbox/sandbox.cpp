@@ -14,6 +14,7 @@
 #include "cli/console.h"
 #include "core/error.h"
 #include "io/image_codec.h"
+#include "io/scene_importer.h"
 
 namespace twinray {
 namespace {
@@ -47,12 +48,16 @@ std::vector<std::string> places_of_the_system() {
   return places;
 }
 
-/// Our own library and what it needs may lie anywhere: it is loaded while all is open.
+/// Our own libraries and what they need may lie anywhere: they are loaded while all is open.
 void load_libraries() {
-  try {
-    image_codec();
-  } catch (const Error&) {  // Said where a picture needs it.
-  }
+  const auto attempt = [](void (*load)()) {
+    try {
+      load();
+    } catch (const Error&) {  // Said where a picture, or a scene, needs it.
+    }
+  };
+  attempt([] { static_cast<void>(image_codec()); });
+  attempt(load_scene_importer);
 }
 
 /// A thread that there is already would stay outside.

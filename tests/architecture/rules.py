@@ -40,6 +40,8 @@ DOORS = {
     "tinygltf": (r"tiny_gltf\.h", r"io/gltf\w*\.cpp"),
     "Draco": (r"draco/", r"io/gltf_draco\.cpp|tests/io/gltf_compression_test\.cpp"),
     "meshoptimizer": (r"meshoptimizer\.h", r"io/gltf_meshopt\.cpp|tests/io/gltf_compression_test\.cpp"),
+    "tinyobjloader": (r"tiny_obj_loader\.h", r"io/obj_(reader\.h|reader\.cpp|material\.cpp)"),
+    "Assimp": (r"assimp/", r"io/assimp_importer\.cpp"),
     "CLI11": (r"CLI/", r"cli/|bench/options\.cpp"),
     "nlohmann/json": (r"nlohmann/", r"(cli|bench)/\w*report\.cpp|"
                                     r"cli/(study/record|live/web_state|film/notes_json|plan/open_job)\.cpp|"
@@ -65,7 +67,7 @@ TALKS = re.compile(r"\b(?:std::c(?:out|err|log)\b|(?:std::)?f?printf\s*\(|(?:std
 
 # Libraries that are loaded while the program runs: each by its door.
 LOADS = re.compile(r"\bdlopen\s*\(")
-LOADERS = ("io/image_codec.cpp", "integrators/denoise/open_image_denoise.cpp")
+LOADERS = ("io/image_codec.cpp", "io/scene_importer.cpp", "integrators/denoise/open_image_denoise.cpp")
 
 LEFT_OPEN = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|X" r"XX|HA" r"CK)\b")
 NATIVE = "-march=" + "native"

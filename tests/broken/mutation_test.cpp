@@ -2,18 +2,24 @@
 // Random damage to a valid scene: loading either succeeds or throws Error. The sanitizers watch the rest.
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <random>
 
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
+#include "tests/support/obj_text.h"
 
 namespace twinray {
 namespace {
 
-std::string read_scene(const std::string& name) {
-  std::ifstream stream(std::string(TWINRAY_SOURCE_DIR) + "/scenes/" + name);
+std::string read_text(const std::string& path) {
+  std::ifstream stream(path);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string read_scene(const std::string& name) {
+  return read_text(std::string(TWINRAY_SOURCE_DIR) + "/scenes/" + name);
 }
 
 void damage(std::string& text, std::mt19937& random) {
@@ -41,10 +47,8 @@ void damage(std::string& text, std::mt19937& random) {
   }
 }
 
-}  // namespace
-
-TEST_CASE("a damaged scene loads or is refused, and never does more") {
-  const std::string whole = read_scene("lights.dae");
+/// Loads damaged copies of a text.
+void check_damaged(const std::string& whole, const std::function<void(const std::string&)>& load) {
   REQUIRE(!whole.empty());
   std::mt19937 random(184);
   int loaded = 0, refused = 0;
@@ -53,7 +57,7 @@ TEST_CASE("a damaged scene loads or is refused, and never does more") {
     for (unsigned n = 1 + random() % 3; n > 0; --n) damage(text, random);
     INFO("round " << round);
     try {
-      load_collada(text);
+      load(text);
       ++loaded;
     } catch (const Error&) {
       ++refused;
@@ -61,6 +65,21 @@ TEST_CASE("a damaged scene loads or is refused, and never does more") {
   }
   CHECK(loaded > 100);
   CHECK(refused > 100);
+}
+
+}  // namespace
+
+TEST_CASE("a damaged scene loads or is refused, and never does more") {
+  check_damaged(read_scene("lights.dae"), [](const std::string& text) { load_collada(text); });
+}
+
+TEST_CASE("a damaged OBJ file, or its materials, loads or is refused, and never does more") {
+  const std::string whole = read_text(TWINRAY_SOURCE_DIR "/tests/fuzz/seeds/obj/box");
+  check_damaged(whole, [](const std::string& text) {
+    const std::size_t end = text.find('\xff');
+    const std::string materials = end == text.npos ? "" : text.substr(end + 1);
+    test::load_obj_text(text.substr(0, end), {{"a.mtl", materials}});
+  });
 }
 
 }  // namespace twinray

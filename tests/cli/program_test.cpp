@@ -149,11 +149,12 @@ TEST_CASE("a scene without a light is a warning") {
       run_program(quoted(folder.file("dark.dae")) + small + "-o " + quoted(folder.file("a.png")));
   CHECK(result.exit_code == 0);
   CHECK(result.err ==
-        "warning: the scene has no light: the picture will be black; --default-light puts a light at the "
-        "camera\n");
+        "warning: the scene has no light: the picture will be black; --default-light lights it by a "
+        "soft sky\n");
 }
 
-TEST_CASE("option --default-light lights a dark scene so that what faces the camera has its own color") {
+TEST_CASE(
+    "option --default-light lights a dark scene so that what stands before the camera has its own color") {
   const TemporaryFolder folder;
   // A gray wall fills the view, at a distance from which light that falls off would not be seen.
   write_text(
@@ -166,13 +167,34 @@ TEST_CASE("option --default-light lights a dark scene so that what faces the cam
                    "<node><instance_geometry url=\"#shape\"/><instance_camera url=\"#eye\"/></node>\n"));
   const std::string picture = folder.file("a.exr");
   const ProcessResult result =
-      run_program(quoted(folder.file("dark.dae")) + small + "--default-light -o " + quoted(picture));
+      run_program(quoted(folder.file("dark.dae")) + small + "-s 64 --default-light -o " + quoted(picture));
   CHECK(result.exit_code == 0);
   CHECK(result.err.empty());
-  for (const Rgb& pixel : read_image(picture).pixels) CHECK(pixel.r == Approx(0.5f).epsilon(1e-3));
+  CHECK(mean_of(read_image(picture)).r == Approx(0.5f).epsilon(0.01));
   const ProcessResult lit = run_program(box + small + "--default-light -o " + quoted(picture));
   CHECK(lit.exit_code == 0);
   CHECK(lit.err == "warning: --default-light: no effect, for the scene has light\n");
+}
+
+TEST_CASE("an OBJ file is lit by default, unless something else lights it") {
+  const TemporaryFolder folder;
+  write_text(folder.file("a.obj"), "v -9 -9 0\nv 9 -9 0\nv 0 9 0\nf 1 2 3\n");
+  write_text(folder.file("lamp.obj"), "mtllib a.mtl\nv -9 -9 0\nv 9 -9 0\nv 0 9 0\nusemtl m\nf 1 2 3\n");
+  write_text(folder.file("a.mtl"), "newmtl m\nKe 1 1 1\n");
+  write_png(folder.file("white.png"), {1, 1, {255, 255, 255}});
+  const std::string picture = folder.file("a.png"),
+                    to = " -r 24 18 -s 2 --progress=none -o " + quoted(picture);
+  const std::string note = "note: the file has no light: a soft sky, and a light at the camera\n";
+  const auto has_note = [&](const std::string& words) {
+    const ProcessResult result = run_program(words + to);
+    CHECK(result.err.empty());
+    return result.out.find(note) != std::string::npos;
+  };
+  CHECK(has_note(quoted(folder.file("a.obj"))));
+  CHECK(luminance(mean_of(read_image(picture))) > 0.01f);
+  CHECK(!has_note(quoted(folder.file("a.obj")) + " -e " + quoted(folder.file("white.png"))));
+  CHECK(!has_note(quoted(folder.file("lamp.obj"))));
+  CHECK(!has_note(quoted(folder.file("a.obj")) + " --integrator=normals"));
 }
 
 TEST_CASE("option --clip=file cuts the view at the file's clip distances, also those of a camera file") {

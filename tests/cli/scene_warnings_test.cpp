@@ -33,16 +33,16 @@ TEST_CASE("a scene of Lambert materials under a light that can be met has no war
 }
 
 TEST_CASE("a scene without a light is warned of, once, and not where normals are asked for") {
-  CHECK(warnings_of(Scene{}) ==
-        Warnings{
-            "the scene has no light: the picture will be black; --default-light puts a light at the camera"});
+  CHECK(
+      warnings_of(Scene{}) ==
+      Warnings{"the scene has no light: the picture will be black; --default-light lights it by a soft sky"});
   CHECK(warnings_of(Scene{}, {"--direct=hemisphere"}).size() == 1);
   CHECK(warnings_of(Scene{}, {"--integrator=normals"}).empty());
 }
 
 TEST_CASE("lights of radiance 0 are none") {
   const Warnings none{
-      "the scene has no light: the picture will be black; --default-light puts a light at the camera"};
+      "the scene has no light: the picture will be black; --default-light lights it by a soft sky"};
   Image map(2, 1);
   for (const LightSource& dark :
        {LightSource(MeshLight{}), LightSource(SphereLight{}), LightSource(PointLight{}),

@@ -90,8 +90,9 @@ TEST_CASE("a missing file, a directory and another format are named") {
   const std::string text = (folder / "empty.txt").string();
   CHECK(message(text) ==
         text +
-            ": \".txt\" is not the extension of a scene file; valid are .dae and .zae (COLLADA), "
-            ".pbrt and .pbrt.gz, .gltf and .glb (glTF)");
+            ": \".txt\" is not the extension of a scene file; valid are .dae .zae (COLLADA), "
+            ".obj (Wavefront), .ply .ply.gz (a mesh), .stl .fbx .3ds .off .x .lwo .ase .ac .dxf "
+            ".3mf .amf .x3d (by Assimp), .gltf .glb (glTF 2.0), .pbrt .pbrt.gz (pbrt-v4)");
 }
 
 }  // namespace twinray

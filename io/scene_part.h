@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// How readers put scenes together: shapes with what they are made of, and the rest.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/scene.h"
+
+namespace twinray {
+
+/// A shape in the making, with what it wears and what it emits.
+struct ScenePart {
+  Shape shape;
+  std::uint32_t material = 0;
+  Rgb radiance;  ///< Black: no light.
+  EmissionSide side = EmissionSide::both;
+  std::string light_name;
+  std::uint32_t asset = no_asset;                  ///< What it belongs to.
+  std::uint32_t alpha = no_texture;                ///< The texture that cuts holes into it.
+  std::shared_ptr<const Image> picture = nullptr;  ///< Of the radiance, as MeshLight has it.
+};
+
+/// A scene of these shapes. `rest` has all but them: materials, textures, lights without a shape, which come
+/// behind those of shapes, in the order of these, and what else there is. Throws Error as Geometry and
+/// check_scene() do.
+Scene assemble(std::vector<ScenePart> parts, Scene rest);
+
+}  // namespace twinray

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Scenes of meshes alone: OBJ with MTL, PLY, and the light that such have by default."""
+from mutant import Mutant
+
+FACES = "faces of an OBJ file become triangles with their winding, normals and texture coordinates"
+CORNERS = "a face of an OBJ file may have many corners, be concave, and stand before its vertices"
+PARTS = "objects, groups and materials of an OBJ file are shapes of their own"
+WRONG = "what is wrong with a face of an OBJ file is an error with its line"
+NAMES = "names of materials and their files may have spaces"
+MODELS = "MTL's models of illumination become materials"
+EMIT = "surfaces of an OBJ file emit, and are dissolved, as MTL says"
+PICTURES = "pictures of MTL files are textures, placed as their options say"
+LIT = "an OBJ file is lit by default, unless something else lights it"
+APART = "work that runs apart gives its bytes or its fault, however it ends"
+
+MUTANTS = [
+    Mutant("elements from the back are one off", "io/obj_reader.cpp",
+           "return std::uint32_t(std::int64_t(count) + index);",
+           "return std::uint32_t(std::int64_t(count) + index + 1);", "test_io", FACES),
+    Mutant("polygons are fans", "io/obj_scene.cpp",
+           "for (const auto& triangle : triangulate(positions)) add(triangle);",
+           "for (std::uint32_t i = 2; i < corners.size(); ++i) add({0, i - 1, i});", "test_io", CORNERS),
+    Mutant("a group goes on in the next object", "io/obj_reader.cpp",
+           "self(reader).group_.clear();", "", "test_io",
+           "a group ends where another object begins"),
+    Mutant("faces of different materials are one shape", "io/obj_reader.cpp",
+           "{object_, group_, material_, has_normals, has_uvs}, model_",
+           "{object_, group_, 0, has_normals, has_uvs}, model_", "test_io", PARTS),
+    Mutant("indices are not checked", "io/obj_reader.cpp",
+           "if (index != no_element && index >= count)", "if (false && index >= count)", "test_io", WRONG),
+    Mutant("lines are counted by line feeds alone", "io/obj_reader.cpp",
+           'read.find_last_not_of("\\r\\n")', 'read.find_last_not_of("\\r")', "test_io", WRONG),
+    Mutant("a file's name ends at a space", "io/obj_reader.cpp",
+           "std::filesystem::is_regular_file(whole, error) ? whole", "false ? whole", "test_io", NAMES),
+    Mutant("all that is clear is glass", "io/obj_material.cpp",
+           "return is_clear && m.ior > 1 &&", "return is_clear ||", "test_io", EMIT),
+    Mutant("a specular colour is taken as it stands", "io/obj_material.cpp",
+           "unit(2 * max_component(specular))", "unit(max_component(specular))", "test_io", MODELS),
+    Mutant("what emits also waits for light", "io/mesh_scene.cpp",
+           "loaded.wants_light = loaded.scene.lights.empty();", "loaded.wants_light = true;",
+           "test_io", EMIT),
+    Mutant("alpha of a shape is lost", "io/scene_part.cpp",
+           ".alpha = part.alpha, ", "", "test_io", EMIT),
+    Mutant("pictures are not moved", "io/obj_material.cpp",
+           "how.origin_offset[1]", "0.0f", "test_io", PICTURES),
+    Mutant("a mesh alone stays dark", "cli/render_scene.cpp",
+           "(arguments.default_light || loaded.wants_light)", "arguments.default_light",
+           "test_cli_engines", LIT),
+    Mutant("the sky is there beside a picture of one", "cli/render_scene.cpp",
+           "|| is_lit(loaded.scene)) return;", ") return;", "test_cli_engines", LIT),
+    Mutant("mirrored nodes show their backs", "io/assimp_importer.cpp",
+           "const bool mirrors = to_world.Determinant() < 0;", "const bool mirrors = false;", "test_io",
+           "nodes, materials and pictures of an imported scene are where the file has them"),
+    Mutant("nodes are where their parents are not", "io/assimp_importer.cpp",
+           "above * node.mTransformation", "above", "test_io",
+           "nodes, materials and pictures of an imported scene are where the file has them"),
+    Mutant("what runs apart takes any memory", "io/apart.cpp",
+           "setrlimit(RLIMIT_DATA, &memory);", "", "test_io", APART),
+    Mutant("what is killed apart is silence", "io/apart.cpp",
+           "if (WIFSIGNALED(status) || message.empty())", "if (false)", "test_io", APART),
+    Mutant("a damaged model is taken", "io/model_bytes.cpp",
+           "if (!is_sound(faces, model))", "if (false)", "test_io",
+           "a model comes back from its bytes, and from no others"),
+]
