@@ -11,6 +11,7 @@
 #include "cli/crosscheck_command.h"
 #include "cli/cs184_program.h"
 #include "cli/error_command.h"
+#include "cli/info_command.h"
 #include "cli/merge_command.h"
 #include "cli/options.h"
 #include "cli/plan_command.h"
@@ -55,6 +56,9 @@ Action add_plan(CLI::App& app) {
 Action add_stats(CLI::App& app) {
   return [read = add_stats_options(app)](const Words&) { return stats_command(read()); };
 }
+Action add_info(CLI::App& app) {
+  return [read = add_info_options(app)](const Words&) { return info_command(read()); };
+}
 Action add_convert(CLI::App& app) {
   return [read = add_convert_options(app)](const Words&) { return convert_command(read()); };
 }
@@ -69,8 +73,8 @@ Action add_verify(CLI::App& app) {
 const std::vector<Subcommand> subcommands{
     {"render", add_render,
      "Renders a COLLADA scene by path tracing; with --cs184 as CS184's program does (docs/cs184.md).", "Run",
-     "Others: twinray agreement, compare, convert, crosscheck, error, merge, plan, relight, resume,\nstats, "
-     "study, verify; each has help"},
+     "Others: twinray agreement, compare, convert, crosscheck, error, info, merge, plan, relight,\nresume, "
+     "stats, study, verify; each has help"},
     {"agreement", add_agreement,
      "Renders scenes small by every engine, split method, integrator, sampler and number of threads,\n"
      "and compares all pictures and ray counts bit for bit. Exit code 1 if any differs."},
@@ -98,6 +102,10 @@ const std::vector<Subcommand> subcommands{
     {"stats", add_stats,
      "Builds every engine and split method over a scene and shoots the rays of its paths, recorded once,\n"
      "through each: build time, tree, and what camera, shadow and bounce rays take."},
+    {"info", add_info,
+     "Says what is in a scene: shapes, materials, lights with their power, pictures with their sizes, and "
+     "the\n"
+     "memory that a render of it takes (docs/scenes.md)."},
     {"study", add_study,
      "Makes the write-up of CS184's assignment from a folder of its scenes: one page with every picture, "
      "its\n"

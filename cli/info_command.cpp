@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/info_command.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "cli/console.h"
+#include "cli/info_report.h"
+#include "cli/render_command_line.h"
+#include "cli/resources.h"
+
+namespace twinray {
+namespace {
+
+void add_options(CLI::App& app, InfoArguments& arguments) {
+  add_scene(app, arguments.scene);
+  OptionGroup group(app, "Options");
+  add_resolution(group, arguments.width, arguments.height, "Of the picture whose memory is told");
+  group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id"},
+                 arguments.load.camera_name);
+  group.add_flag("--strict", arguments.load.strict, "What a scene file says must have an effect");
+  group.add_flag("--json", arguments.json, "Print JSON");
+}
+
+/// As render takes it by its defaults.
+std::vector<MemoryNeed> needs_of(const InfoArguments& asked, const Scene& scene) {
+  RenderArguments arguments = parse_render_arguments({asked.scene});
+  arguments.render.width = asked.width;
+  arguments.render.height = asked.height;
+  choose_engine(*scene.geometry, arguments);
+  return memory_needs(arguments, scene);
+}
+
+/// Each once, in the order in which they were read.
+std::vector<std::string> once(const std::vector<std::string>& files) {
+  std::vector<std::string> unique;
+  for (const std::string& file : files)
+    if (std::find(unique.begin(), unique.end(), file) == unique.end()) unique.push_back(file);
+  return unique;
+}
+
+}  // namespace
+
+std::function<InfoArguments()> add_info_options(CLI::App& app) {
+  const auto arguments = std::make_shared<InfoArguments>();
+  add_options(app, *arguments);
+  return [arguments] { return *arguments; };
+}
+
+int info_command(const InfoArguments& arguments) {
+  LoadOptions options = arguments.load;
+  options.files = std::make_shared<std::vector<std::string>>();
+  const LoadedScene loaded = load_with_warnings(arguments.scene, options);
+  SceneInfo info = scene_info(arguments.scene, loaded);
+  info.files = once(*options.files);
+  info.needs = needs_of(arguments, loaded.scene);
+  console::write(arguments.json ? info_json(info) : info_text(info));
+  return 0;
+}
+
+}  // namespace twinray

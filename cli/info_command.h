@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <functional>
+#include <string>
+
+#include "cli/common_options.h"
+
+namespace twinray {
+
+/// What an info command line asks for.
+struct InfoArguments {
+  std::string scene;
+  LoadOptions load;
+  int width = 480, height = 360;  ///< Of the picture whose memory is told.
+  bool json = false;
+};
+
+/// Adds the command's options; the function that is returned gives what they ask for, once they are read.
+std::function<InfoArguments()> add_info_options(CLI::App& app);
+
+/// twinray info SCENE [options]: what is in a scene, and what memory a render of it takes. Returns the exit
+/// code, 0. Throws Error.
+int info_command(const InfoArguments& arguments);
+
+}  // namespace twinray

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/scene_info.h"
+
+#include "io/exchange.h"
+
+namespace twinray {
+namespace {
+
+template <typename Element>
+std::uint64_t bytes_of(const std::vector<Element>& elements) {
+  return elements.size() * sizeof(Element);
+}
+
+/// What Geometry keeps of a shape, facets of triangles included.
+std::uint64_t bytes_of(const Shape& shape) {
+  if (const auto* const set = std::get_if<SphereSet>(&shape)) return bytes_of(set->spheres);
+  const Mesh& mesh = std::get<Mesh>(shape);
+  return bytes_of(mesh.positions) + bytes_of(mesh.triangles) + bytes_of(mesh.normals) +
+         bytes_of(mesh.normal_indices) + bytes_of(mesh.uvs) + bytes_of(mesh.uv_indices) +
+         mesh.triangles.size() * sizeof(Facet);
+}
+
+std::size_t triangles_of(const Shape& shape) {
+  const auto* const mesh = std::get_if<Mesh>(&shape);
+  return mesh ? mesh->triangles.size() : 0;
+}
+
+std::vector<MaterialInfo> materials_of(const Scene& scene) {
+  std::vector<MaterialInfo> materials;
+  for (const Material& material : scene.materials)
+    materials.push_back({material.name, type_of(material.model), material.textures.size(), 0, 0});
+  for (std::uint32_t shape = 0; shape < scene.bindings.size(); ++shape) {
+    MaterialInfo& material = materials[scene.bindings[shape].material];
+    ++material.shapes;
+    material.triangles += triangles_of(scene.geometry->shapes()[shape]);
+  }
+  return materials;
+}
+
+std::vector<PictureInfo> pictures_of(const Scene& scene) {
+  std::vector<PictureInfo> pictures;
+  for (const Texture& texture : scene.textures)
+    if (const auto* const image = std::get_if<ImageTexture>(&texture.model)) {
+      std::uint64_t texels = 0;
+      for (int i = 0; i < image->image->levels(); ++i) {
+        const MipLevel level = image->image->level(i);
+        texels += std::uint64_t(level.width) * std::uint64_t(level.height);
+      }
+      const MipLevel whole = image->image->level(0);
+      pictures.push_back({texture.name, whole.width, whole.height, texels * sizeof(Rgb)});
+    }
+  return pictures;
+}
+
+}  // namespace
+
+SceneInfo scene_info(const std::string& name, const LoadedScene& loaded) {
+  const Scene& scene = loaded.scene;
+  SceneInfo info;
+  info.scene = name;
+  info.summary = loaded.summary;
+  info.bounds = scene.geometry->bounds();
+  for (const Shape& shape : scene.geometry->shapes()) {
+    info.geometry_bytes += bytes_of(shape);
+    if (!std::visit([](const auto& s) { return s.is_opaque; }, shape))
+      info.cut_out_triangles += triangles_of(shape);
+  }
+  info.materials = materials_of(scene);
+  info.pictures = pictures_of(scene);
+  for (const Diagnostic& warning : loaded.warnings) info.warnings.push_back(warning.text());
+  return info;
+}
+
+}  // namespace twinray

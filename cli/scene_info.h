@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/memory.h"
+#include "io/loaded_scene.h"
+
+namespace twinray {
+
+/// A material, and how much of the scene is made of it.
+struct MaterialInfo {
+  std::string name;
+  std::string model;  ///< "lambert", "principled", ...: as exchange files call it.
+  std::size_t textures = 0, shapes = 0, triangles = 0;
+};
+
+/// A texture that is a picture.
+struct PictureInfo {
+  std::string name;
+  int width = 0, height = 0;
+  std::uint64_t bytes = 0;  ///< In memory, with its mip-map.
+};
+
+/// What is in a scene.
+struct SceneInfo {
+  std::string scene;
+  SceneSummary summary;
+  Aabb bounds;  ///< Of all shapes.
+  std::size_t cut_out_triangles = 0;
+  std::uint64_t geometry_bytes = 0;
+  std::vector<MaterialInfo> materials;
+  std::vector<PictureInfo> pictures;
+  std::vector<std::string> files;  ///< That it was read from, each once.
+  std::vector<std::string> warnings;
+  std::vector<MemoryNeed> needs;  ///< What a render takes besides.
+};
+
+/// All but the names of its files and what a render takes.
+SceneInfo scene_info(const std::string& name, const LoadedScene& loaded);
+
+}  // namespace twinray

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// twinray info: what is in a scene.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "io/image_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+const std::string scenes = TWINRAY_SOURCE_DIR "/scenes/";
+
+nlohmann::json info_of(const std::string& scene, const std::string& more = "") {
+  const ProcessResult result = run_program(fmt::format("info {} --json {}", quoted(scene), more));
+  CHECK(result.exit_code == 0);
+  return nlohmann::json::parse(result.out);
+}
+
+bool has(const std::string& text, const std::string& part) {
+  CAPTURE(text, part);
+  return text.find(part) != std::string::npos;
+}
+
+/// A leaf of one triangle with a picture, a wall of two, and a lamp, two units high.
+class Leaf {
+ public:
+  Leaf() {
+    write_png(folder_.file("leaf.png"), {4, 2, std::vector<std::uint8_t>(24, 200)});
+    write_text(folder_.file("a.mtl"),
+               "newmtl leaf\nmap_Kd leaf.png\nd 0.5\nnewmtl wall\nKd 1 1 1\nKs 1 1 1\nillum 2\nnewmtl lamp\n"
+               "Ke 1 1 1\n");
+    write_text(scene(),
+               "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 2 0\nv 0 2 0\nvt 0 0\nusemtl leaf\nf 1/1 2/1 3/1\n"
+               "usemtl wall\nf 1 2 3 4\nusemtl lamp\nf 2 3 4\nusemtl none\nf 1 1 2\n");
+  }
+  std::string scene() const { return folder_.file("a.obj"); }
+  std::string file(const std::string& name) const { return folder_.file(name); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+}  // namespace
+
+TEST_CASE("info tells what is in a scene, as JSON") {
+  const Leaf leaf;
+  const nlohmann::json info = info_of(leaf.scene());
+  CHECK(info["scene"] == leaf.scene());
+  CHECK(info["files"] == nlohmann::json{leaf.scene(), leaf.file("a.mtl"), leaf.file("leaf.png")});
+  CHECK(info["triangles"] == 4);
+  CHECK(info["degenerate_triangles"] == 1);
+  CHECK(info["cut_out_triangles"] == 1);
+  CHECK(info["bounds"]["min"] == nlohmann::json{0.0, 0.0, 0.0});
+  CHECK(info["bounds"]["max"] == nlohmann::json{1.0, 2.0, 0.0});
+  CHECK(info["camera"].is_null());
+  CHECK(info["unit"].is_null());
+  REQUIRE(info["materials"].size() == 4);
+  CHECK(info["materials"][0] ==
+        nlohmann::json{
+            {"name", "leaf"}, {"model", "lambert"}, {"textures", 1}, {"shapes", 1}, {"triangles", 1}});
+  CHECK(info["materials"][1]["model"] == "openpbr");
+  CHECK(info["materials"][1]["triangles"] == 2);
+  REQUIRE(info["lights"].size() == 1);
+  CHECK(info["lights"][0]["kind"] == "mesh, both sides");
+  CHECK(info["lights"][0]["power"][0].get<double>() == Approx(2 * 3.14159265).epsilon(1e-5));
+  // A mip-map of 4 x 2, 2 x 1 and 1 x 1 pixels of three floats.
+  CHECK(info["pictures"] ==
+        nlohmann::json{{{"name", "leaf.png"}, {"width", 4}, {"height", 2}, {"bytes", 11 * 12}}});
+  REQUIRE(info["warnings"].size() == 1);
+  CHECK(has(info["warnings"][0], "there is no material \"none\""));
+}
+
+TEST_CASE("info adds up the memory of a render") {
+  const std::string box = scenes + "box.dae";
+  std::uint64_t sum = 0;
+  const nlohmann::json memory = info_of(box)["memory_bytes"];
+  for (const auto& [name, bytes] : memory.items())
+    if (name != "all") sum += bytes.get<std::uint64_t>();
+  CHECK(memory["all"] == sum);
+  CHECK(memory["the film of 480 x 360 pixels"] == 480 * 360 * 64);
+  CHECK(info_of(box, "-r 96 72")["memory_bytes"]["the film of 96 x 72 pixels"] == 96 * 72 * 64);
+  // Floats of positions and texture coordinates, indices of triangles, and a facet of four floats for each.
+  const Leaf leaf;
+  const int bytes_of_leaf = 3 * 12 + 12 + 8 + 12 + 16, wall = 4 * 12 + 2 * (12 + 16), lamp = 3 * 12 + 12 + 16;
+  
+  CHECK(info_of(leaf.scene())["memory_bytes"]["geometry"] == bytes_of_leaf + wall + lamp);
+}
+
+TEST_CASE("info tells the same in words, of many things the largest") {
+  const Leaf leaf;
+  const ProcessResult result = run_program("info " + quoted(leaf.scene()));
+  CHECK(result.exit_code == 0);
+  CHECK(has(result.err, "there is no material \"none\""));
+  CHECK(has(result.out,
+            "shapes: 4 meshes, 4 triangles, 0 spheres; 1 degenerate triangle dropped; 4 materials\n"));
+  CHECK(has(result.out, "bounds: 0 0 0 to 1 2 0\n"));
+  CHECK(has(result.out,
+            "material \"wall\": openpbr, 1 shapes, 2 triangles\nmaterial \"leaf\": lambert, 1 shapes"));
+  CHECK(has(result.out, "picture \"leaf.png\": 4 x 2 pixels, 132 bytes\n"));
+  CHECK(has(result.out, "memory: 11.1 MB for the film of 480 x 360 pixels\n"));
+  const TemporaryFolder folder;
+  std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nmtllib a.mtl\n", mtl;
+  for (int i = 0; i < 25; ++i) {
+    obj += fmt::format("usemtl m{}\nf 1 2 3\n", i);
+    mtl += fmt::format("newmtl m{}\n", i);
+  }
+  write_text(folder.file("a.obj"), obj);
+  write_text(folder.file("a.mtl"), mtl);
+  const std::string many = run_program("info " + quoted(folder.file("a.obj"))).out;
+  CHECK(has(many, "material \"m19\""));
+  CHECK(!has(many, "material \"m20\""));
+  CHECK(has(many, "... and 5 more, which --json names\n"));
+}
+
+TEST_CASE("info refuses what render refuses") {
+  CHECK(run_program("info /no/such.dae").exit_code == 1);
+  CHECK(run_program("info").exit_code == 2);
+  const Leaf leaf;
+  CHECK(run_program("info --strict " + quoted(leaf.scene())).exit_code == 1);
+}
+
+}  // namespace twinray::test
