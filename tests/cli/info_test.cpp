@@ -86,7 +86,7 @@ TEST_CASE("info adds up the memory of a render") {
   // Floats of positions and texture coordinates, indices of triangles, and a facet of four floats for each.
   const Leaf leaf;
   const int bytes_of_leaf = 3 * 12 + 12 + 8 + 12 + 16, wall = 4 * 12 + 2 * (12 + 16), lamp = 3 * 12 + 12 + 16;
-  
+
   CHECK(info_of(leaf.scene())["memory_bytes"]["geometry"] == bytes_of_leaf + wall + lamp);
 }
 
