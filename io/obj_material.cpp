@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "io/texture_file.h"
 #include "io/uri.h"
@@ -90,11 +91,16 @@ void ObjMaterials::warn(const std::string& message) {
   warnings_.add([&] { return Place{model_.material_file, 0, 0, "", 0}; }, message);
 }
 
-/// Exporters write the paths of other systems, too.
+/// Exporters write paths of other systems, and of folders that were theirs alone: then the picture may lie
+/// beside the file.
 std::string ObjMaterials::path_of(const std::string& name) const {
   std::string path = name;
   std::replace(path.begin(), path.end(), '\\', '/');
-  return path_of_name(path, model_.material_file);
+  const std::string named = path_of_name(path, model_.material_file);
+  const std::string beside =
+      path_of_name(std::filesystem::path(path).filename().string(), model_.material_file);
+  std::error_code error;
+  return !std::filesystem::exists(named, error) && std::filesystem::exists(beside, error) ? beside : named;
 }
 
 ObjSurface ObjMaterials::surface(int number) {

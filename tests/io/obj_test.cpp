@@ -226,6 +226,8 @@ TEST_CASE("a bump map that shows directions is a normal map, and one that is abs
   const LoadedScene absent = load_scene(folder.file("a.obj"));
   REQUIRE(absent.warnings.size() == 1);
   CHECK(absent.warnings[0].message.find("textures/none.png") != std::string::npos);
+  write_text(folder.file("a.mtl"), "newmtl m\nmap_Kd C:\\pictures\\blue.png\n");
+  CHECK(load_scene(folder.file("a.obj")).warnings.empty());  // It lies beside the file.
 }
 
 TEST_CASE("a PLY file is a scene of one grey mesh") {
