@@ -98,6 +98,8 @@ void add_camera_options(CLI::App& app, RenderRequest& request) {
   group.add_word({"-c,--camera", "FILE", "Camera settings file of CS184's program"}, arguments.camera_file);
   group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id; ? lists them"},
                  arguments.load.camera_name);
+  group.add_number({"--time", "T", "When what a glTF file moves is seen, in seconds (as it rests)"},
+                   arguments.load.time, Range<double>{-1e9, 1e9});
   group.add_words({"--projection", "TYPE[:N]", "perspective:FOV orthographic fisheye latitude-longitude ..."},
                   1, [&changes](const Words& words) { changes.projection = parse_projection(words[0]); });
   group.add_words({"--lens", "RADIUS,DISTANCE", "Depth of field: a lens, and how far away is in focus"}, 1,

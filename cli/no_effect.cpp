@@ -328,4 +328,10 @@ std::vector<std::string> options_without_effect(const Scene& scene, const Render
   return found;
 }
 
+std::vector<std::string> options_without_effect(const SceneSummary& summary,
+                                                const RenderArguments& arguments) {
+  if (!arguments.load.time || summary.animation) return {};
+  return {"--time: no effect, for nothing in the scene moves"};
+}
+
 }  // namespace twinray

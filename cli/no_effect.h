@@ -5,6 +5,7 @@
 
 #include "cli/render_options.h"
 #include "core/scene.h"
+#include "io/scene_summary.h"
 
 namespace twinray {
 
@@ -15,5 +16,8 @@ std::vector<std::string> options_without_effect(const RenderRequest& request,
 
 /// The same for given options that change nothing in this scene.
 std::vector<std::string> options_without_effect(const Scene& scene, const RenderArguments& arguments);
+/// The same of what its file says of it.
+std::vector<std::string> options_without_effect(const SceneSummary& summary,
+                                                const RenderArguments& arguments);
 
 }  // namespace twinray

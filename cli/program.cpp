@@ -72,7 +72,7 @@ Action add_verify(CLI::App& app) {
 
 const std::vector<Subcommand> subcommands{
     {"render", add_render,
-     "Renders a COLLADA scene by path tracing; with --cs184 as CS184's program does (docs/cs184.md).", "Run",
+     "Renders a scene by path tracing; with --cs184 as CS184's program does (docs/cs184.md).", "Run",
      "Others: twinray agreement, compare, convert, crosscheck, error, info, merge, plan, relight,\nresume, "
      "stats, study, verify; each has help"},
     {"agreement", add_agreement,

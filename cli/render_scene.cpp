@@ -91,7 +91,9 @@ LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk) {
   if (arguments.texture_filter) set_filter(loaded.scene.textures, *arguments.texture_filter);
   if (!arguments.environment.empty())
     loaded.scene.lights.push_back({"environment", read_environment(arguments)});
-  const std::vector<std::string> without_effect = options_without_effect(loaded.scene, arguments);
+  std::vector<std::string> without_effect = options_without_effect(loaded.scene, arguments);
+  for (std::string& each : options_without_effect(loaded.summary, arguments))
+    without_effect.push_back(std::move(each));
   refuse_if_strict(without_effect, arguments);
   for (const std::string& warning : without_effect) console::warn(warning);
   add_default_lights(arguments, loaded, talk);

@@ -6,6 +6,7 @@
 
 #include "core/alpha_test.h"
 #include "io/default_camera.h"
+#include "io/gltf_animation.h"
 #include "io/gltf_camera.h"
 #include "io/gltf_document.h"
 #include "io/gltf_instancing.h"
@@ -25,11 +26,10 @@ class Builder {
       : document_(document), materials_(document), shapes_(document, materials_) {}
 
   LoadedScene build() {
-    const std::vector<GltfPose> poses = rest_poses(document_);
-    const std::vector<Transform> world = world_transforms(document_, poses);
-    for (const int node : shown_nodes(document_)) add_node(node, world[std::size_t(node)]);
-    if (shapes_.shapes.empty()) document_.context().warn("/", "the scene has no shapes");
     LoadedScene loaded;
+    set_poses(loaded.summary);
+    for (const int node : shown_nodes(document_)) add_node(node);
+    if (shapes_.shapes.empty()) document_.context().warn("/", "the scene has no shapes");
     assemble(loaded.scene);
     set_camera(loaded);
     add_notes();
@@ -39,9 +39,28 @@ class Builder {
   }
 
  private:
-  void add_node(int index, const Transform& to_world) {
+  void set_poses(SceneSummary& summary) {
+    const std::optional<double> time = document_.context().options.time;
+    poses_ = rest_poses(document_);
+    if (const auto duration = duration_of(document_)) {
+      summary.animation = AnimationSummary{duration->first, duration->last, time};
+      if (time) animate(document_, *time, poses_);
+    }
+    world_ = world_transforms(document_, poses_);
+  }
+
+  /// A mesh with a skin is where its joints are, wherever its own node is.
+  void add_mesh(int index, const tinygltf::Node& node) {
+    GltfDeformation deformation{poses_[std::size_t(index)].weights, {}};
+    if (node.skin >= 0) deformation.joints = joint_transforms(document_, node.skin, world_);
+    const Transform to_world = deformation.joints.empty() ? world_[std::size_t(index)] : Transform{};
+    shapes_.add(index, instance_transforms(document_, index, to_world), deformation);
+  }
+
+  void add_node(int index) {
     const tinygltf::Node& node = document_.model().nodes[std::size_t(index)];
-    if (node.mesh >= 0) shapes_.add(index, instance_transforms(document_, index, to_world));
+    const Transform& to_world = world_[std::size_t(index)];
+    if (node.mesh >= 0) add_mesh(index, node);
     if (node.camera >= 0) cameras_.push_back({node.camera, index, to_world});
     const GltfExtension light(node.extensions, "KHR_lights_punctual", "");
     if (light && !document_.context().options.surfaces_only)
@@ -86,6 +105,8 @@ class Builder {
   GltfDocument& document_;
   GltfMaterials materials_;
   GltfShapes shapes_;
+  std::vector<GltfPose> poses_;
+  std::vector<Transform> world_;
   std::vector<GltfCamera> cameras_;
   std::vector<Light> lights_;
 };

@@ -89,29 +89,38 @@ void set_uvs(const Blocks& blocks, Mesh& mesh) {
 
 }  // namespace
 
-void add_colors(const GltfPrimitive& primitive, GltfTextures& textures, GltfContext& context, Mesh& mesh,
-                GltfUse& use) {
+const GltfColors::Drawn& GltfColors::drawn(const GltfPrimitive& primitive, const Mesh& mesh) {
+  const auto [entry, is_new] = known_.try_emplace(primitive.pointer);
+  if (!is_new) return entry->second;
+  const VertexColors& colors = primitive.colors;
+  const Blocks blocks(mesh.triangles.size());
+  entry->second.color =
+      picture_of(mesh, blocks, textures_, [&](std::uint32_t i) { return color_of(colors, i); });
+  if (has_alpha(colors))
+    entry->second.alpha = picture_of(mesh, blocks, textures_, [&](std::uint32_t i) {
+      const float alpha = alpha_of(colors, i);
+      return Rgb{alpha, alpha, alpha};
+    });
+  return entry->second;
+}
+
+void GltfColors::add(const GltfPrimitive& primitive, Mesh& mesh, GltfUse& use) {
   const VertexColors& colors = primitive.colors;
   if (colors.count == 0) return;
   if (are_equal(colors)) {
     const float alpha = alpha_of(colors, 0);
-    if (color_of(colors, 0) != Rgb{1, 1, 1}) use.color = textures.constant(color_of(colors, 0));
-    if (alpha != 1) use.alpha = textures.constant({alpha, alpha, alpha});
+    if (color_of(colors, 0) != Rgb{1, 1, 1}) use.color = textures_.constant(color_of(colors, 0));
+    if (alpha != 1) use.alpha = textures_.constant({alpha, alpha, alpha});
     return;
   }
   // The largest picture that textures may have.
   constexpr std::size_t most_triangles = most_texture_pixels / 4;
   if (use.has_uvs || mesh.triangles.size() > most_triangles)
-    return context.warn(primitive.pointer + "/attributes/COLOR_0",
-                        "colors of vertices beside textures are not rendered, and left out");
-  const Blocks blocks(mesh.triangles.size());
-  use.color = picture_of(mesh, blocks, textures, [&](std::uint32_t i) { return color_of(colors, i); });
-  if (has_alpha(colors))
-    use.alpha = picture_of(mesh, blocks, textures, [&](std::uint32_t i) {
-      const float alpha = alpha_of(colors, i);
-      return Rgb{alpha, alpha, alpha};
-    });
-  set_uvs(blocks, mesh);
+    return context_.warn(primitive.pointer + "/attributes/COLOR_0",
+                         "colors of vertices beside textures are not rendered, and left out");
+  use.color = drawn(primitive, mesh).color;
+  use.alpha = drawn(primitive, mesh).alpha;
+  set_uvs(Blocks(mesh.triangles.size()), mesh);
 }
 
 }  // namespace twinray

@@ -2,6 +2,9 @@
 // Colours of vertices. Our meshes have none, so they become a picture of the primitive: of each triangle two
 // by two texels, between which bilinear filtering is just the mean that barycentric weights give.
 #pragma once
+#include <map>
+#include <string>
+
 #include "core/geometry.h"
 #include "io/gltf_material.h"
 #include "io/gltf_primitive.h"
@@ -10,10 +13,26 @@ namespace twinray {
 
 struct GltfContext;
 
-/// Adds the colours of a primitive's vertices, if it has any, to the use of its material: the same one for
-/// all as a constant; else a picture, by whose texture coordinates the mesh goes. A mesh that has some of its
-/// own keeps these, and a warning says that its colours are left out.
-void add_colors(const GltfPrimitive& primitive, GltfTextures& textures, GltfContext& context, Mesh& mesh,
-                GltfUse& use);
+class GltfColors {
+ public:
+  GltfColors(GltfTextures& textures, GltfContext& context) : textures_(textures), context_(context) {}
+
+  /// Adds the colours of a primitive's vertices, if it has any, to the use of its material: the same one for
+  /// all as a constant; else a picture, by whose texture coordinates the mesh goes. A mesh that has some of
+  /// its own keeps these, and a warning says that its colours are left out. A primitive has the same picture
+  /// wherever it is placed.
+  void add(const GltfPrimitive& primitive, Mesh& mesh, GltfUse& use);
+
+ private:
+  struct Drawn {
+    std::uint32_t color = no_texture, alpha = no_texture;
+  };
+
+  const Drawn& drawn(const GltfPrimitive& primitive, const Mesh& mesh);
+
+  GltfTextures& textures_;
+  GltfContext& context_;
+  std::map<std::string, Drawn> known_;  ///< By the primitive's pointer.
+};
 
 }  // namespace twinray

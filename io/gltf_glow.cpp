@@ -23,12 +23,16 @@ bool are_within(std::span<const Vec2> uvs) {
   });
 }
 
+/// So many pixels of a row or column, as a transform repeats a picture of `size`: no more than 16 times.
+int repeated(int size, float times) {
+  const float most = std::min(4096.0f, 16 * float(size));
+  return int(std::clamp(std::ceil(float(size) * times), 1.0f, most));
+}
+
 /// The picture as it lies over the unit square, in its own resolution.
 Image resampled(const Image& picture, const UvTransform& uv, WrapMode wrap) {
-  constexpr float most = 4096;
-  const float wide = float(picture.width) * std::max(std::fabs(uv.m[0][0]), std::fabs(uv.m[0][1]));
-  const float high = float(picture.height) * std::max(std::fabs(uv.m[1][0]), std::fabs(uv.m[1][1]));
-  Image image(int(std::clamp(std::ceil(wide), 1.0f, most)), int(std::clamp(std::ceil(high), 1.0f, most)));
+  Image image(repeated(picture.width, std::max(std::fabs(uv.m[0][0]), std::fabs(uv.m[0][1]))),
+              repeated(picture.height, std::max(std::fabs(uv.m[1][0]), std::fabs(uv.m[1][1]))));
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const Vec2 center{(float(x) + 0.5f) / float(image.width), 1 - (float(y) + 0.5f) / float(image.height)};
@@ -38,6 +42,21 @@ Image resampled(const Image& picture, const UvTransform& uv, WrapMode wrap) {
 }
 
 }  // namespace
+
+void move_into_square(Mesh& mesh) {
+  if (are_within(mesh.uvs)) return;
+  std::vector<Vec2> moved;
+  moved.reserve(3 * mesh.uv_indices.size());
+  for (Triangle& triangle : mesh.uv_indices) {
+    const Vec2 &a = mesh.uvs[triangle[0]], &b = mesh.uvs[triangle[1]], &c = mesh.uvs[triangle[2]];
+    const float u = std::floor(std::min({a.x, b.x, c.x}) + margin);
+    const float v = std::floor(std::min({a.y, b.y, c.y}) + margin);
+    const auto first = std::uint32_t(moved.size());
+    for (const Vec2 uv : {a, b, c}) moved.push_back(uv - Vec2{u, v});
+    triangle = {first, first + 1, first + 2};
+  }
+  mesh.uvs = std::move(moved);
+}
 
 std::shared_ptr<const Image> glow_over(const GltfSurface& surface, std::span<const Vec2> uvs) {
   if (!are_within(uvs)) return nullptr;

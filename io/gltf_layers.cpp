@@ -33,6 +33,7 @@ class Layers {
 
   /// 0 stands for a surface that reflects all light, as does an index without end.
   void read_ior() {
+    if (extension(glossiness_extension)) return;
     constexpr float most = 1000;
     const float ior = extension("KHR_materials_ior").number("ior", 1.5f);
     model_.specular_ior = ior == 0 ? most : std::max(ior, 1.0f);

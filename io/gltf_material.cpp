@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/radiance.h"
 #include "io/gltf_document.h"
@@ -29,8 +31,9 @@ Rgb color_of(const std::vector<double>& numbers) {
 std::vector<GltfSlot> rendered_slots(const tinygltf::Material& source, const std::string& pointer) {
   const GltfSlots slots = slots_of(source, pointer);
   std::vector<GltfSlot> list{slots.base_color, slots.metallic_roughness, slots.normal, slots.emissive};
-  constexpr std::array<std::pair<const char*, const char*>, 7> further{
-      {{"KHR_materials_transmission", "transmissionTexture"},
+  constexpr std::array<std::pair<const char*, const char*>, 8> further{
+      {{glossiness_extension, "diffuseTexture"},
+       {"KHR_materials_transmission", "transmissionTexture"},
        {"KHR_materials_clearcoat", "clearcoatTexture"},
        {"KHR_materials_clearcoat", "clearcoatRoughnessTexture"},
        {"KHR_materials_sheen", "sheenColorTexture"},
@@ -50,9 +53,13 @@ class Reader {
   GltfSurface read(const GltfUse& use) {
     read_base(use);
     read_alpha(use);
+    const std::vector<GltfSlot> slots = rendered_slots(source_, pointer_);
+    surface_.may_move_uvs = std::all_of(slots.begin(), slots.end(), [&](const GltfSlot& slot) {
+      return !slot || inputs_.textures.repeats(slot);
+    });
     surface_.side = source_.doubleSided ? EmissionSide::both : EmissionSide::front;
     if (GltfExtension(source_.extensions, "KHR_materials_unlit", pointer_)) {
-      make_unlit();
+      make_unlit(use);
       return surface_;
     }
     read_layers(source_, pointer_, inputs_);
@@ -70,26 +77,56 @@ class Reader {
     model.base_color = color_of(metallic.baseColorFactor);
     model.base_metalness = float(metallic.metallicFactor);
     model.specular_roughness = float(metallic.roughnessFactor);
-    inputs_.color(MaterialInput::reflectance, slots_.base_color, model.base_color);
-    if (use.color != no_texture)
-      inputs_.material.textures.push_back(
-          {MaterialInput::reflectance, inputs_.textures.scaled(use.color, model.base_color)});
+    opacity_ = float(metallic.baseColorFactor[3]);
+    if (const GltfExtension glossy(source_.extensions, glossiness_extension, pointer_); glossy)
+      read_glossiness(glossy);
+    read_color(use);
     inputs_.number(MaterialInput::base_metalness, slots_.metallic_roughness, PictureChannels::blue,
                    model.base_metalness);
     inputs_.number(MaterialInput::roughness, slots_.metallic_roughness, PictureChannels::green,
                    model.specular_roughness);
   }
 
+  /// A dielectric of any index and color: so are metals here, too.
+  void read_glossiness(const GltfExtension& glossy) {
+    constexpr float most_ior = 1000;
+    Principled& model = inputs_.model;
+    const Rgb specular = glossy.color("specularFactor", {1, 1, 1});
+    const float reflected = max_component(specular), root = std::sqrt(reflected);
+    slots_.base_color = glossy.slot("diffuseTexture");
+    slots_.metallic_roughness = {};
+    model.base_color = glossy.color("diffuseFactor", {1, 1, 1}) * (1 - reflected);
+    model.base_metalness = 0;
+    model.specular_roughness = 1 - glossy.number("glossinessFactor", 1);
+    model.specular_ior = root < 1 ? std::min((1 + root) / (1 - root), most_ior) : most_ior;
+    if (reflected > 0) model.specular_color = specular / reflected;
+    opacity_ = glossy.component("diffuseFactor", 3, 1);
+    if (glossy.slot("specularGlossinessTexture"))
+      inputs_.context.warn(glossy.pointer() + "/specularGlossinessTexture",
+                           "this texture is not rendered: its factors hold all over");
+  }
+
+  /// The base color is a factor times a picture times the vertices' colors.
+  void read_color(const GltfUse& use) {
+    std::uint32_t texture = use.color;
+    if (inputs_.can_use(slots_.base_color))
+      texture = inputs_.textures.product(
+          inputs_.textures.picture(slots_.base_color, {PictureRole::color, PictureChannels::color}), texture);
+    if (texture != no_texture)
+      inputs_.material.textures.push_back(
+          {MaterialInput::reflectance, inputs_.textures.scaled(texture, inputs_.model.base_color)});
+  }
+
   /// The texture whose red is the surface's alpha but for the factor, or no_texture where that is 1.
   std::uint32_t alpha_texture(const GltfUse& use) {
-    if (use.alpha != no_texture) return use.alpha;
-    if (!slots_.base_color || slots_.base_color.uv_set != inputs_.uv_set) return no_texture;
-    return inputs_.textures.picture(slots_.base_color, {PictureRole::data, PictureChannels::alpha});
+    if (!slots_.base_color || slots_.base_color.uv_set != inputs_.uv_set) return use.alpha;
+    const PictureMeaning meaning{PictureRole::data, PictureChannels::alpha};
+    return inputs_.textures.product(inputs_.textures.picture(slots_.base_color, meaning), use.alpha);
   }
 
   void read_alpha(const GltfUse& use) {
     if (source_.alphaMode == "OPAQUE") return;
-    const auto factor = float(source_.pbrMetallicRoughness.baseColorFactor[3]);
+    const float factor = opacity_;
     const std::uint32_t texture = alpha_texture(use);
     GltfTextures& textures = inputs_.textures;
     if (source_.alphaMode == "MASK") {
@@ -106,12 +143,18 @@ class Reader {
   }
 
   /// What emits its base color and reflects nothing looks the same in any light.
-  void make_unlit() {
+  void make_unlit(const GltfUse& use) {
     inputs_.material.model = Lambert{{0, 0, 0}};
     inputs_.material.textures.clear();
     surface_.radiance = inputs_.model.base_color;
     surface_.side = EmissionSide::both;
     set_glow(slots_.base_color);
+    if (use.color == no_texture) return;
+    const TextureModel& color = inputs_.textures.textures()[use.color].model;
+    if (const auto* same = std::get_if<ConstantTexture>(&color))
+      surface_.radiance = surface_.radiance * same->value;
+    else if (const auto* picture = std::get_if<ImageTexture>(&color))
+      surface_.glow = std::make_shared<const Image>(picture->image->image(0));
   }
 
   void read_emission() {
@@ -139,6 +182,7 @@ class Reader {
   const std::string& pointer_;
   GltfInputs& inputs_;
   GltfSlots slots_;
+  float opacity_ = 1;
   GltfSurface surface_;
 };
 

@@ -24,6 +24,7 @@ struct GltfSurface {
   std::shared_ptr<const Image> glow;  ///< Over the texture coordinates, or null.
   UvTransform glow_uv;                ///< Of the glow's coordinates.
   bool glow_repeats = false;          ///< Beside the picture.
+  bool may_move_uvs = false;          ///< By whole numbers: all of its pictures repeat.
   EmissionSide side = EmissionSide::front;
 };
 

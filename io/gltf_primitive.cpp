@@ -164,7 +164,9 @@ std::optional<GltfPrimitive> read_primitive(GltfDocument& document, int mesh, in
     document.context().warn(pointer, "this primitive has no POSITION, and is left out");
     return std::nullopt;
   }
-  return Builder(document, source, pointer).build();
+  GltfPrimitive made = Builder(document, source, pointer).build();
+  made.mesh = mesh, made.index = primitive;
+  return made;
 }
 
 }  // namespace twinray

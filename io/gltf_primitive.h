@@ -13,7 +13,8 @@ namespace twinray {
 
 struct GltfPrimitive {
   std::string pointer;  ///< "/meshes/3/primitives/0"
-  int material = -1;    ///< -1: the format's default one.
+  int mesh = 0, index = 0;
+  int material = -1;  ///< -1: the format's default one.
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
   std::vector<Vec3> normals;             ///< One for each position, or none.

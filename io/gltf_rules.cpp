@@ -11,6 +11,7 @@ using enum GltfKind;
 
 constexpr double most_size = 9007199254740992.0;  // 2^53, up to which JSON's numbers are whole
 constexpr double most_count = 4294967295.0;
+constexpr double most_int = 2147483647.0;  // what tinygltf keeps of extensions' numbers
 constexpr std::string_view component_types = "5120 5121 5122 5123 5125 5126";
 
 constexpr GltfRule object_rule(std::string_view object, std::string_view property, std::string_view of) {
@@ -75,13 +76,13 @@ constexpr GltfRule rules[] = {
     {"bufferView", "byteStride", integer, "", 4, 252},
     {"bufferView", "target"},
     needed(index_rule("EXT_meshopt_compression", "buffer", "buffers")),
-    {"EXT_meshopt_compression", "byteOffset", integer, "", 0, most_size},
-    needed({"EXT_meshopt_compression", "byteLength", integer, "", 1, most_size}),
+    {"EXT_meshopt_compression", "byteOffset", integer, "", 0, most_int},
+    needed({"EXT_meshopt_compression", "byteLength", integer, "", 1, most_int}),
     needed({"EXT_meshopt_compression", "byteStride", integer, "", 1, 256}),
-    needed({"EXT_meshopt_compression", "count", integer, "", 1, most_count}),
+    needed({"EXT_meshopt_compression", "count", integer, "", 1, most_int}),
     needed({"EXT_meshopt_compression", "mode", word, "ATTRIBUTES TRIANGLES INDICES"}),
     {"EXT_meshopt_compression", "filter", word, "NONE OCTAHEDRAL QUATERNION EXPONENTIAL"},
-    {"EXT_meshopt_compression", "fallback", flag},
+    {"EXT_meshopt_compression of a buffer", "fallback", flag},
 
     index_rule("accessor", "bufferView", "bufferViews"),
     {"accessor", "byteOffset", integer, "", 0, most_size},
@@ -92,14 +93,14 @@ constexpr GltfRule rules[] = {
     {"accessor", "max"},
     {"accessor", "min"},
     object_rule("accessor", "sparse", "sparse"),
-    needed({"sparse", "count", integer, "", 1, 2147483647.0}),
+    needed({"sparse", "count", integer, "", 1, most_int}),
     needed(object_rule("sparse", "indices", "sparseIndices")),
     needed(object_rule("sparse", "values", "sparseValues")),
     needed(index_rule("sparseIndices", "bufferView", "bufferViews")),
-    {"sparseIndices", "byteOffset", integer, "", 0, 2147483647.0},
+    {"sparseIndices", "byteOffset", integer, "", 0, most_int},
     needed({"sparseIndices", "componentType", code, "5121 5123 5125"}),
     needed(index_rule("sparseValues", "bufferView", "bufferViews")),
-    {"sparseValues", "byteOffset", integer, "", 0, 2147483647.0},
+    {"sparseValues", "byteOffset", integer, "", 0, most_int},
 
     needed({"mesh", "primitives", objects, "primitive", 0, 0, 1}),
     {"mesh", "weights", numbers, "", -3e38, 3e38, 0, 65536},
@@ -140,7 +141,7 @@ constexpr GltfRule rules[] = {
     needed({"orthographic", "znear", number, "", 0, 1e30}),
 
     needed({"KHR_lights_punctual", "lights", objects, "light"}),
-    needed({"KHR_lights_punctual of a node", "light", integer, "", 0, most_count}),
+    needed({"KHR_lights_punctual of a node", "light", integer, "", 0, most_int}),
     needed({"light", "type", word, "directional point spot"}),
     color("light", "color", 1e9),
     {"light", "intensity", number, "", 0, 1e9},
@@ -149,9 +150,9 @@ constexpr GltfRule rules[] = {
     {"spot", "innerConeAngle", number, "", 0, 1.5707964},
     {"spot", "outerConeAngle", number, "", 0, 1.5707964},
 
-    needed({"animation", "channels", objects, "channel", 0, 0, 1}),
-    needed({"animation", "samplers", objects, "animationSampler", 0, 0, 1}),
-    needed({"channel", "sampler", integer, "", 0, most_count}),
+    needed({"animation", "channels", objects, "channel"}),
+    needed({"animation", "samplers", objects, "animationSampler"}),
+    needed({"channel", "sampler", integer, "", 0, most_int}),
     needed(object_rule("channel", "target", "channelTarget")),
     index_rule("channelTarget", "node", "nodes"),
     needed({"channelTarget", "path", text}),
@@ -212,13 +213,18 @@ constexpr GltfRule rules[] = {
     texture("KHR_materials_specular", "specularTexture"),
     color("KHR_materials_specular", "specularColorFactor", 1e9),
     texture("KHR_materials_specular", "specularColorTexture"),
+    {"KHR_materials_pbrSpecularGlossiness", "diffuseFactor", numbers, "", 0, 1, 4, 4},
+    texture("KHR_materials_pbrSpecularGlossiness", "diffuseTexture"),
+    color("KHR_materials_pbrSpecularGlossiness", "specularFactor", 1),
+    unit("KHR_materials_pbrSpecularGlossiness", "glossinessFactor"),
+    texture("KHR_materials_pbrSpecularGlossiness", "specularGlossinessTexture"),
     unit("KHR_materials_anisotropy", "anisotropyStrength"),
     {"KHR_materials_anisotropy", "anisotropyRotation", number, "", -1e4, 1e4},
     texture("KHR_materials_anisotropy", "anisotropyTexture"),
 };
 
 /// Extensions without properties that are read, too.
-constexpr std::array<std::string_view, 15> read_extensions{"EXT_mesh_gpu_instancing",
+constexpr std::array<std::string_view, 16> read_extensions{"EXT_mesh_gpu_instancing",
                                                            "EXT_meshopt_compression",
                                                            "KHR_draco_mesh_compression",
                                                            "KHR_lights_punctual",
@@ -226,6 +232,7 @@ constexpr std::array<std::string_view, 15> read_extensions{"EXT_mesh_gpu_instanc
                                                            "KHR_materials_clearcoat",
                                                            "KHR_materials_emissive_strength",
                                                            "KHR_materials_ior",
+                                                           "KHR_materials_pbrSpecularGlossiness",
                                                            "KHR_materials_sheen",
                                                            "KHR_materials_specular",
                                                            "KHR_materials_transmission",

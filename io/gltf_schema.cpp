@@ -74,6 +74,13 @@ std::string escaped(const std::string& name) {
   return text;
 }
 
+/// The rules of an extension, some of which mean something else on objects of one kind.
+std::string rules_of(std::string_view kind, const std::string& extension) {
+  if (kind == "node" && extension == "KHR_lights_punctual") return extension + " of a node";
+  if (kind == "buffer" && extension == "EXT_meshopt_compression") return extension + " of a buffer";
+  return extension;
+}
+
 class Checker {
  public:
   Checker(Json& root, GltfContext& context) : root_(root), context_(context) {}
@@ -146,9 +153,7 @@ class Checker {
     for (auto& [name, value] : extensions.items()) {
       if (!is_read_extension(name)) continue;
       if (!value.is_object()) fail_of(value, place + "/" + name, "an object");
-      const bool is_of_node = kind == "node" && name == "KHR_lights_punctual";
-      check_object(value, is_of_node ? "KHR_lights_punctual of a node" : std::string_view(name),
-                   place + "/" + name);
+      check_object(value, rules_of(kind, name), place + "/" + name);
     }
   }
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "io/gltf_colors.h"
 #include "io/gltf_document.h"
 #include "io/gltf_glow.h"
 #include "io/placed_mesh.h"
@@ -55,7 +54,7 @@ const std::optional<GltfPrimitive>& GltfShapes::primitive(int mesh, int index) {
   return entry->second;
 }
 
-void GltfShapes::add(int node, const std::vector<Transform>& to_world) {
+void GltfShapes::add(int node, const std::vector<Transform>& to_world, const GltfDeformation& deformation) {
   const tinygltf::Model& model = document_.model();
   const tinygltf::Node& source = model.nodes[std::size_t(node)];
   const tinygltf::Mesh& mesh = model.meshes[std::size_t(source.mesh)];
@@ -64,7 +63,13 @@ void GltfShapes::add(int node, const std::vector<Transform>& to_world) {
   for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
     const auto& made = primitive(source.mesh, int(i));
     if (!made) continue;
-    for (const Transform& each : to_world) place(*made, mesh_name(mesh, source.mesh, i), each);
+    const std::string name = mesh_name(mesh, source.mesh, i);
+    if (deformation.is_none()) {
+      for (const Transform& each : to_world) place(*made, name, each);
+    } else {
+      const GltfPrimitive moved = deformed(document_, *made, deformation);
+      for (const Transform& each : to_world) place(moved, name, each);
+    }
   }
 }
 
@@ -86,7 +91,7 @@ void GltfShapes::place(const GltfPrimitive& primitive, const std::string& name, 
   Mesh mesh = vertices_of(primitive, name);
   if (use.has_uvs) mesh.uvs = uvs->second;
   set_triangles(mesh, primitive.triangles);
-  add_colors(primitive, materials_.textures, document_.context(), mesh, use);
+  colors_.add(primitive, mesh, use);
   if (!use.has_uvs || !materials_.has_normal_map(primitive.material))
     return place_part(primitive, std::move(mesh), use, to_world);
   std::vector<Triangle> parts[2];
@@ -117,11 +122,12 @@ void GltfShapes::place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse u
   bindings.push_back(binding);
 }
 
-void GltfShapes::add_light(const GltfSurface& surface, const Mesh& mesh, const std::string& pointer,
+void GltfShapes::add_light(const GltfSurface& surface, Mesh& mesh, const std::string& pointer,
                            ShapeBinding& binding) {
   MeshLight light{std::uint32_t(shapes.size()), surface.radiance, surface.side, nullptr};
   if (surface.glow) {
     if (is_black(mean_of(*surface.glow))) return;
+    if (surface.may_move_uvs) move_into_square(mesh);
     light.picture = glow_over(surface, mesh.uvs);
     if (!light.picture) {
       light.radiance = light.radiance * mean_of(*surface.glow);

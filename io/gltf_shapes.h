@@ -9,6 +9,9 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "io/gltf_colors.h"
+#include "io/gltf_deform.h"
+#include "io/gltf_document.h"
 #include "io/gltf_material.h"
 #include "io/gltf_primitive.h"
 
@@ -16,10 +19,11 @@ namespace twinray {
 
 class GltfShapes {
  public:
-  GltfShapes(GltfDocument& document, GltfMaterials& materials) : document_(document), materials_(materials) {}
+  GltfShapes(GltfDocument& document, GltfMaterials& materials)
+      : document_(document), materials_(materials), colors_(materials.textures, document.context()) {}
 
-  /// Adds the primitives of a node's mesh, once for each transform.
-  void add(int node, const std::vector<Transform>& to_world);
+  /// Adds the primitives of a node's mesh, once for each transform, its vertices moved.
+  void add(int node, const std::vector<Transform>& to_world, const GltfDeformation& deformation);
 
   std::vector<Shape> shapes;
   std::vector<ShapeBinding> bindings;
@@ -34,12 +38,12 @@ class GltfShapes {
   void place(const GltfPrimitive& primitive, const std::string& name, const Transform& to_world);
   /// The triangles whose texture coordinates run this way round, with what the primitive's surface needs.
   void place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse use, const Transform& to_world);
-  void add_light(const GltfSurface& surface, const Mesh& mesh, const std::string& pointer,
-                 ShapeBinding& binding);
+  void add_light(const GltfSurface& surface, Mesh& mesh, const std::string& pointer, ShapeBinding& binding);
   void check_room(const GltfPrimitive& primitive);
 
   GltfDocument& document_;
   GltfMaterials& materials_;
+  GltfColors colors_;
   std::map<std::pair<int, int>, std::optional<GltfPrimitive>> primitives_;
   std::size_t triangles_ = 0, vertices_ = 0;
 };

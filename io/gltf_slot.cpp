@@ -67,11 +67,13 @@ float GltfExtension::number(const char* property, float otherwise) const {
   return has(property) ? float(value_->Get(property).GetNumberAsDouble()) : otherwise;
 }
 
+float GltfExtension::component(const char* property, int index, float otherwise) const {
+  return has(property) ? float(value_->Get(property).Get(index).GetNumberAsDouble()) : otherwise;
+}
+
 Rgb GltfExtension::color(const char* property, const Rgb& otherwise) const {
-  if (!has(property)) return otherwise;
-  const tinygltf::Value& list = value_->Get(property);
-  return {float(list.Get(0).GetNumberAsDouble()), float(list.Get(1).GetNumberAsDouble()),
-          float(list.Get(2).GetNumberAsDouble())};
+  return {component(property, 0, otherwise.r), component(property, 1, otherwise.g),
+          component(property, 2, otherwise.b)};
 }
 
 GltfSlot GltfExtension::slot(const char* property) const {

@@ -42,6 +42,7 @@ class GltfExtension {
   explicit operator bool() const { return value_ != nullptr; }
   bool has(const char* property) const;
   float number(const char* property, float otherwise) const;
+  float component(const char* property, int index, float otherwise) const;
   Rgb color(const char* property, const Rgb& otherwise) const;
   GltfSlot slot(const char* property) const;
   const std::string& pointer() const { return pointer_; }

@@ -48,6 +48,13 @@ GltfTextures::Wraps GltfTextures::wraps(const GltfSlot& slot) const {
   return {sampler.wrapS, sampler.wrapT};
 }
 
+bool GltfTextures::repeats(const GltfSlot& slot) const {
+  const auto [s, t] = wraps(slot);
+  const auto& [u, v] = slot.uv.m;
+  const bool is_moved_alone = u[0] == 1 && u[1] == 0 && v[0] == 0 && v[1] == 1;
+  return is_moved_alone && s == TINYGLTF_TEXTURE_WRAP_REPEAT && t == TINYGLTF_TEXTURE_WRAP_REPEAT;
+}
+
 WrapMode GltfTextures::wrap(const GltfSlot& slot) const {
   const auto [s, t] = wraps(slot);
   constexpr int clamp = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
@@ -142,6 +149,10 @@ LoadedTexture GltfTextures::load_embedded(int image, const PictureMeaning& meani
 std::uint32_t GltfTextures::scaled(std::uint32_t texture, const Rgb& factor) {
   if (factor == Rgb{1, 1, 1}) return texture;
   return add("", ScaleTexture{texture, constant(factor)});
+}
+
+std::uint32_t GltfTextures::product(std::uint32_t first, std::uint32_t second) {
+  return second == no_texture ? first : add("", ScaleTexture{first, second});
 }
 
 std::uint32_t GltfTextures::normal_map(const GltfSlot& slot, bool is_mirrored) {

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/material.h"
 #include "core/texture.h"
 #include "io/gltf_slot.h"
 #include "io/picture_meaning.h"
@@ -30,6 +31,8 @@ class GltfTextures {
   std::uint32_t picture(const GltfSlot& slot, const PictureMeaning& meaning);
   /// A texture times a factor.
   std::uint32_t scaled(std::uint32_t texture, const Rgb& factor);
+  /// Two textures, the second of which may be no_texture.
+  std::uint32_t product(std::uint32_t first, std::uint32_t second);
   /// A normal map whose x and y are times the slot's scale; `is_mirrored`: y the other way round.
   std::uint32_t normal_map(const GltfSlot& slot, bool is_mirrored);
   /// 1 where a number is at least a limit, else 0: a steep ramp, whose ends the alpha test cuts off.
@@ -37,6 +40,8 @@ class GltfTextures {
 
   /// The pixels of a slot's picture.
   std::shared_ptr<const MipMap> image(const GltfSlot& slot, const PictureMeaning& meaning);
+  /// Whether a slot's picture is the same one unit further in both directions.
+  bool repeats(const GltfSlot& slot) const;
   /// How it goes on beside the picture.
   WrapMode wrap(const GltfSlot& slot) const;
 

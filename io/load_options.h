@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,11 @@ class TextureStore;
 
 /// What a reader of scene files makes of a file where more than one reading is sensible.
 struct LoadOptions {
-  bool strict = false;           ///< Whatever would be a warning is an Error.
-  bool keep_both_lamps = false;  ///< Undoes the one-lamp rule (io/collada_lamp.h).
-  std::string camera_name = {};  ///< Of the camera to see by, or its node; empty: the file's choice.
-  bool clip_as_file = false;     ///< The camera has the file's <znear> and <zfar>; else it sees any distance.
+  bool strict = false;              ///< Whatever would be a warning is an Error.
+  bool keep_both_lamps = false;     ///< Undoes the one-lamp rule (io/collada_lamp.h).
+  std::string camera_name = {};     ///< Of the camera to see by, or its node; empty: the file's choice.
+  std::optional<double> time = {};  ///< In seconds, when what moves is seen; none: as it rests.
+  bool clip_as_file = false;  ///< The camera has the file's <znear> and <zfar>; else it sees any distance.
   /// A point or spot light without attenuation elements does not fall off, which is COLLADA's default; else
   /// it falls off with the squared distance.
   bool attenuation_as_file = false;

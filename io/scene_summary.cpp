@@ -71,6 +71,12 @@ std::string plural(std::size_t count, const char* one, const char* many) {
 
 std::string rgb_text(const Rgb& c) { return fmt::format("{:.4g} {:.4g} {:.4g}", c.r, c.g, c.b); }
 
+std::string animation_line(const AnimationSummary& animation) {
+  return fmt::format("animation: {:g} to {:g} s, {}", animation.first, animation.last,
+                     animation.shown ? fmt::format("shown at {:g} s", *animation.shown)
+                                     : "shown at rest; --time=T shows another moment");
+}
+
 std::string other_cameras(const SceneSummary& summary) {
   if (summary.cameras.size() < 2) return "";
   return fmt::format(", one of {}; --camera-name=NAME chooses another, --camera-name=? lists them",
@@ -107,6 +113,7 @@ std::vector<std::string> summary_lines(const SceneSummary& summary) {
     shapes += fmt::format("; {} dropped",
                           plural(summary.dropped_triangles, "degenerate triangle", "degenerate triangles"));
   lines.push_back(shapes + "; " + plural(summary.materials, "material", "materials"));
+  if (summary.animation) lines.push_back(animation_line(*summary.animation));
   if (summary.lights.empty()) lines.push_back("lights: none");
   for (const LightSummary& light : summary.lights) {
     std::string line = fmt::format("light \"{}\": {}, {} {}", light.name, light.kind, light.quantity,

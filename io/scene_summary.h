@@ -3,6 +3,7 @@
 // late.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,19 @@ struct LightSummary {
   Rgb power;  ///< Of mesh and sphere lights, in radiance x scene units squared; 0 for the others.
 };
 
+/// From the first moment that a file's animations say something of to the last, in seconds.
+struct AnimationSummary {
+  double first = 0, last = 0;
+  std::optional<double> shown;  ///< The moment that is shown; none: all at rest.
+};
+
 struct SceneSummary {
   std::string unit_name = "meter";   ///< "" of a format that has neither units nor an axis that is up.
   double unit_meters = 1;            ///< Coordinates stay in this unit.
   char up_axis = 'Y';                ///< Of the file: X, Y or Z. The scene itself has Y up.
   std::string camera;                ///< Its name; "" where the file has none and a default one was made.
   std::vector<std::string> cameras;  ///< The names of all cameras of the scene.
+  std::optional<AnimationSummary> animation;  ///< None where nothing moves.
   std::size_t meshes = 0, triangles = 0, dropped_triangles = 0, spheres = 0, materials = 0;
   std::vector<LightSummary> lights;
   std::vector<std::string> notes;  ///< Decisions of the reader, such as the one-lamp rule.

@@ -28,7 +28,7 @@ TEST_CASE("a wrong command line ends with 2, the reason and the usage") {
   CHECK(run_program("").exit_code == 2);
 }
 
-TEST_CASE("help fits a tall screen of 105 lines and 100 columns, and version names engines") {
+TEST_CASE("help fits a tall screen of 106 lines and 100 columns, and version names engines") {
   const ProcessResult help = run_program("--help");
   CHECK(help.exit_code == 0);
   std::size_t lines = 0, widest = 0, width = 0;
@@ -37,7 +37,7 @@ TEST_CASE("help fits a tall screen of 105 lines and 100 columns, and version nam
     widest = std::max(widest, width);
     lines += c == '\n';
   }
-  CHECK(lines <= 105);  // Cameras, pixels and displays have a line for each option.
+  CHECK(lines <= 106);  // Cameras, pixels and displays have a line for each option.
   CHECK(widest <= 100);
   const ProcessResult version = run_program("--version");
   CHECK(version.exit_code == 0);
@@ -305,6 +305,21 @@ TEST_CASE("one of several cameras is chosen by its name, and all are listed on r
   CHECK(wrong.err ==
         "twinray: " + scene +
             ": no camera, and no node of one, has the name \"left\"; the scene has \"front\", \"top\"\n");
+}
+
+TEST_CASE("a glTF file is shown at a time, and a scene in which nothing moves warns") {
+  const TemporaryFolder folder;
+  const std::string rest = " -o " + quoted(folder.file("a.png")) + " -r 8 6 -s 1";
+  const std::string sources = TWINRAY_SOURCE_DIR;
+  const ProcessResult moving =
+      run_program("render " + quoted(sources + "/tests/fuzz/seeds/gltf/moving.glb") + " --time=0.5" + rest);
+  CHECK(moving.exit_code == 0);
+  CHECK(moving.out.find("animation: 0 to 1 s, shown at 0.5 s\n") != std::string::npos);
+  const ProcessResult still =
+      run_program("render " + quoted(sources + "/scenes/box.dae") + " --time=0.5" + rest);
+  CHECK(still.err.find("--time: no effect, for nothing in the scene moves") != std::string::npos);
+  CHECK(run_program("render " + quoted(sources + "/scenes/box.dae") + " --strict --time=0.5" + rest)
+            .exit_code != 0);
 }
 
 }  // namespace twinray::test

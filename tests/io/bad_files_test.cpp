@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "io/scene_file.h"
 #include "tests/support/catch.h"
@@ -15,9 +16,10 @@ namespace {
 const std::filesystem::path folder = std::filesystem::path(TWINRAY_SOURCE_DIR) / "tests" / "bad";
 
 std::vector<std::string> bad_files() {
+  const std::set<std::string> extensions{".dae", ".glb", ".gltf", ".pbrt"};
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ".dae" || entry.path().extension() == ".pbrt")
+    if (extensions.count(entry.path().extension().string()) > 0)
       names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;

@@ -238,6 +238,21 @@ TEST_CASE("gltf: a picture of light that is moved is drawn anew where coordinate
   CHECK(std::get<MeshLight>(file.load().scene.lights.at(0).source).radiance.b == Approx(0.5));
 }
 
+TEST_CASE("gltf: what emits a picture that repeats has its coordinates moved into it, triangle by triangle") {
+  GltfFile file = gltf_surface({{"emissiveFactor", {1, 1, 1}}});
+  const int picture = add_picture(file);
+  file.json["materials"][0]["emissiveTexture"]["index"] = picture;
+  file.primitive()["attributes"]["TEXCOORD_0"] = file.accessor<float>({3, 2, 3.5f, 2, 3, 1}, "VEC2");
+  const LoadedScene loaded = file.load();
+  CHECK(loaded.warnings.empty());
+  const Mesh& mesh = test::only_mesh(loaded);
+  CHECK(mesh.uvs[mesh.uv_indices[0][1]] == Vec2{0.5f, 0});
+  CHECK(mesh.uvs[mesh.uv_indices[0][2]] == Vec2{0, 1});
+  CHECK(std::get<MeshLight>(loaded.scene.lights.at(0).source).picture);
+  file.json["samplers"][0] = {{"wrapS", 33071}, {"wrapT", 33071}};
+  CHECK(file.warning().find("this surface emits the picture's mean") != std::string::npos);
+}
+
 TEST_CASE("gltf: an unlit surface emits its color and reflects nothing") {
   GltfFile file = extended("KHR_materials_unlit", json::object());
   file.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.25, 0.5, 1, 1};
@@ -322,6 +337,17 @@ TEST_CASE("gltf: a normal map is scaled, and turned where texture coordinates ar
   CHECK(slope().g == Approx(0.5 + 0.5 * (51.0 / 255 - 0.5)));
   file.primitive()["attributes"].erase("TANGENT");
   CHECK(slope().g == Approx(0.5 - 0.5 * (51.0 / 255 - 0.5)));
+}
+
+TEST_CASE("gltf: specular and glossiness are a dielectric of such a reflection") {
+  const Principled model = model_of(extended(
+      "KHR_materials_pbrSpecularGlossiness",
+      {{"diffuseFactor", {0.5, 1, 0, 1}}, {"specularFactor", {0.25, 0.125, 0}}, {"glossinessFactor", 0.75}}));
+  CHECK(model.base_color == Rgb{0.375f, 0.75f, 0});
+  CHECK(model.base_metalness == 0);
+  CHECK(model.specular_roughness == 0.25f);
+  CHECK(model.specular_ior == 3);  // (1.5 / 0.5)
+  CHECK(model.specular_color == Rgb{1, 0.5f, 0});
 }
 
 TEST_CASE("gltf: what is not rendered is named") {

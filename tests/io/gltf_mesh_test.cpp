@@ -187,15 +187,37 @@ TEST_CASE("gltf: colors of vertices are a picture that mixes them as their trian
   const Rgb mixed = value(material.textures[0].texture, 0.25f, 0.5f);
   CHECK(std::abs(mixed.r - 0.25f) + std::abs(mixed.g - 0.25f) + std::abs(mixed.b - 0.5f) < rounding);
   CHECK(std::abs(value(loaded.scene.bindings[0].alpha, 0.25f, 0.5f).r - 0.75f) < rounding);
+  file.add_node({{"mesh", 0}});
+  CHECK(file.load().scene.textures.size() == loaded.scene.textures.size());
+  CHECK(file.load().scene.materials.size() == 1);
+  file.json["materials"][0]["extensions"]["KHR_materials_unlit"] = nlohmann::json::object();
+  const LoadedScene unlit = file.load();
+  const auto light = std::get<MeshLight>(unlit.scene.lights.at(0).source);
+  REQUIRE(light.picture);
+  const auto& [a, b, c] = mesh.uv_indices[0];
+  CHECK(bilinear(*light.picture, WrapMode::clamp, mesh.uvs[b]) == Rgb{0, 1, 0});
 }
 
 TEST_CASE("gltf: one color of all vertices goes with any texture") {
   GltfFile file = gltf_triangle();
   const std::vector<std::uint16_t> red{65535, 0, 0, 65535, 0, 0, 65535, 0, 0};
   file.primitive()["attributes"]["COLOR_0"] = file.accessor<std::uint16_t>(red, "VEC3", true);
-  const LoadedScene loaded = file.load();
-  const TextureUse& use = loaded.scene.materials[0].textures.at(0);
-  CHECK(evaluate(loaded.scene.textures, use.texture, {}) == Rgb{1, 0, 0});
+  const auto color = [&] {
+    const LoadedScene loaded = file.load();
+    CHECK(loaded.warnings.empty());
+    REQUIRE(loaded.scene.materials[0].textures.size() == 1);
+    return evaluate(loaded.scene.textures, loaded.scene.materials[0].textures[0].texture, {});
+  };
+  CHECK(color() == Rgb{1, 0, 0});
+  file.primitive()["attributes"]["TEXCOORD_0"] = file.accessor<float>({0, 1, 1, 1, 0, 0}, "VEC2");
+  file.primitive()["material"] =
+      file.add("materials", {{"pbrMetallicRoughness",
+                              {{"baseColorFactor", {0.5, 1, 1, 1}}, {"baseColorTexture", {{"index", 0}}}}}});
+  file.json["textures"] = {{{"source", 0}}};
+  const std::string white =
+      "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mP4//8/AAX+Av4zEpUUAAAAAElFTkSuQmCC";
+  file.json["images"] = {{{"uri", "data:image/png;base64," + white}}};
+  CHECK(color() == Rgb{0.5f, 0, 0});
 }
 
 }  // namespace twinray
