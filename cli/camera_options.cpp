@@ -98,7 +98,7 @@ void add_camera_options(CLI::App& app, RenderRequest& request) {
   group.add_word({"-c,--camera", "FILE", "Camera settings file of CS184's program"}, arguments.camera_file);
   group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id; ? lists them"},
                  arguments.load.camera_name);
-  group.add_number({"--time", "T", "When what a glTF file moves is seen, in seconds (as it rests)"},
+  group.add_number({"--time", "T", "What a glTF file moves is seen then, in seconds (at rest)"},
                    arguments.load.time, Range<double>{-1e9, 1e9});
   group.add_words({"--projection", "TYPE[:N]", "perspective:FOV orthographic fisheye latitude-longitude ..."},
                   1, [&changes](const Words& words) { changes.projection = parse_projection(words[0]); });
