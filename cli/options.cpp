@@ -183,7 +183,7 @@ void add_needed(CLI::App& app, const std::string& name, std::string& target, con
 }  // namespace
 
 void add_scene(CLI::App& app, std::string& scene) {
-  add_needed(app, "SCENE", scene, "The scene: .dae, .pbrt, .gltf, .glb, or generated:NAME");
+  add_needed(app, "SCENE", scene, "The scene: .dae, .pbrt, .gltf, .obj, ..., or generated:NAME");
 }
 
 void add_file(CLI::App& app, const std::string& name, std::string& file, const std::string& description) {

@@ -19,6 +19,13 @@ namespace {
 
 constexpr char good = '+', bad = '-';
 
+/// What sanitizers map for themselves would count as data.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool bounds_memory = false;
+#else
+constexpr bool bounds_memory = true;
+#endif
+
 /// What is sent: whether it went well, and the bytes or the fault.
 std::string message_of(const std::function<std::string()>& work) {
   try {
@@ -46,7 +53,7 @@ void forget_the_parent(std::uint64_t most_bytes) {
   rlimit memory{};
   getrlimit(RLIMIT_DATA, &memory);
   memory.rlim_cur = std::min<rlim_t>(memory.rlim_cur, most_bytes);
-  setrlimit(RLIMIT_DATA, &memory);
+  if (bounds_memory) setrlimit(RLIMIT_DATA, &memory);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
 }

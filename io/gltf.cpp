@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include "core/alpha_test.h"
 #include "io/default_camera.h"
 #include "io/gltf_animation.h"
 #include "io/gltf_camera.h"
@@ -15,6 +14,7 @@
 #include "io/gltf_shapes.h"
 #include "io/gltf_slot.h"
 #include "io/input_file.h"
+#include "io/scene_part.h"
 
 namespace twinray {
 namespace {
@@ -29,8 +29,8 @@ class Builder {
     LoadedScene loaded;
     set_poses(loaded.summary);
     for (const int node : shown_nodes(document_)) add_node(node);
-    if (shapes_.shapes.empty()) document_.context().warn("/", "the scene has no shapes");
-    assemble(loaded.scene);
+    if (shapes_.parts.empty()) document_.context().warn("/", "the scene has no shapes");
+    loaded.scene = assembled();
     set_camera(loaded);
     add_notes();
     loaded.summary.dropped_triangles = shapes_.dropped_triangles;
@@ -67,17 +67,13 @@ class Builder {
       lights_.push_back(read_gltf_light(document_, int(light.number("light", 0)), index, to_world));
   }
 
-  /// Lights of shapes come first, in the order of their shapes.
-  void assemble(Scene& scene) {
-    scene.lights = std::move(shapes_.lights);
-    scene.lights.insert(scene.lights.end(), lights_.begin(), lights_.end());
-    scene.bindings = std::move(shapes_.bindings);
-    scene.assets = std::move(shapes_.assets);
-    scene.materials = std::move(materials_.materials);
-    scene.textures = materials_.textures.take();
-    scene.geometry =
-        std::make_shared<const Geometry>(cut_out(std::move(shapes_.shapes), scene.bindings, scene.textures));
-    check_scene(scene);
+  Scene assembled() {
+    Scene rest;
+    rest.lights = std::move(lights_);
+    rest.assets = std::move(shapes_.assets);
+    rest.materials = std::move(materials_.materials);
+    rest.textures = materials_.textures.take();
+    return assemble(std::move(shapes_.parts), std::move(rest));
   }
 
   void set_camera(LoadedScene& loaded) {

@@ -21,7 +21,7 @@ GltfDocument::GltfDocument(std::string bytes, GltfContext& context)
   sources_ = std::move(checked.buffers);
   images_ = std::move(checked.images);
   binary_chunk_ = std::move(container.buffer);
-  for (const CheckedGltf::Source& source : sources_) byte_count_ += source.byte_length;
+  byte_count_ = container.json.size() + (binary_chunk_ ? binary_chunk_->size() : 0);
   std::string error, warning;
   tinygltf::TinyGLTF reader;
   if (!reader.LoadASCIIFromString(model_.get(), &error, &warning, checked.json.data(),
@@ -37,12 +37,14 @@ std::string_view GltfDocument::buffer(std::size_t index) {
   if (buffers_[index]) return *buffers_[index];
   const CheckedGltf::Source& source = sources_[index];
   const std::string pointer = fmt::format("/buffers/{}", index);
-  if (!source.uri.empty())
+  if (!source.uri.empty()) {
     buffers_[index] = bytes_of_uri(source.uri, pointer + "/uri", context_);
-  else if (index == 0 && binary_chunk_)
+    byte_count_ += buffers_[index]->size();
+  } else if (index == 0 && binary_chunk_) {
     buffers_[index] = std::move(*binary_chunk_);
-  else
+  } else {
     context_.fail(pointer, "the buffer has no \"uri\", and is not the first one of a binary file (.glb)");
+  }
   if (buffers_[index]->size() < source.byte_length)
     context_.fail(pointer, fmt::format("the buffer has {} bytes, and its byteLength is {}",
                                        buffers_[index]->size(), source.byte_length));

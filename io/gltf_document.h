@@ -30,7 +30,8 @@ class GltfDocument {
   /// The bytes of a buffer view, decompressed where EXT_meshopt_compression says so. Throws Error, with the
   /// place, where its buffer cannot be read or ends before it.
   std::string_view buffer_view(std::size_t index);
-  /// Of all buffers, as the file says them, and of decompressed views: what a count may rely on.
+  /// Of the file and of what was read and decompressed so far, whatever it says of the rest: what a count may
+  /// rely on.
   std::size_t byte_count() const { return byte_count_; }
 
  private:

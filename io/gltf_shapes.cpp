@@ -76,7 +76,7 @@ void GltfShapes::add(int node, const std::vector<Transform>& to_world, const Glt
 void GltfShapes::check_room(const GltfPrimitive& primitive) {
   triangles_ += primitive.triangles.size();
   vertices_ += primitive.positions.size();
-  if (triangles_ > max_triangles || vertices_ > max_triangles || shapes.size() >= max_triangles)
+  if (triangles_ > max_triangles || vertices_ > max_triangles || parts.size() >= max_triangles)
     document_.context().fail(
         primitive.pointer,
         fmt::format("the scene has more than {} triangles, vertices or shapes, instances included",
@@ -94,14 +94,14 @@ void GltfShapes::place(const GltfPrimitive& primitive, const std::string& name, 
   colors_.add(primitive, mesh, use);
   if (!use.has_uvs || !materials_.has_normal_map(primitive.material))
     return place_part(primitive, std::move(mesh), use, to_world);
-  std::vector<Triangle> parts[2];
+  std::vector<Triangle> sides[2];
   const bool is_world_mirrored = to_world.determinant() < 0;
   for (const Triangle& triangle : primitive.triangles)
-    parts[is_mirrored(primitive, uvs->second, triangle) != is_world_mirrored].push_back(triangle);
+    sides[is_mirrored(primitive, uvs->second, triangle) != is_world_mirrored].push_back(triangle);
   for (const bool is_mirrored_part : {false, true}) {
-    if (parts[is_mirrored_part].empty()) continue;
+    if (sides[is_mirrored_part].empty()) continue;
     use.is_mirrored = is_mirrored_part;
-    set_triangles(mesh, std::move(parts[is_mirrored_part]));
+    set_triangles(mesh, std::move(sides[is_mirrored_part]));
     place_part(primitive, mesh, use, to_world);
   }
 }
@@ -114,30 +114,29 @@ void GltfShapes::place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse u
   });
   dropped_triangles += placed.dropped;
   replaced_normals += placed.without_normals;
-  ShapeBinding binding{
-      .material = surface.material, .alpha = surface.alpha, .asset = std::uint32_t(assets.size() - 1)};
-  if (!is_black(surface.radiance) && !document_.context().options.surfaces_only)
-    add_light(surface, placed.mesh, primitive.pointer, binding);
-  shapes.push_back(std::move(placed.mesh));
-  bindings.push_back(binding);
+  ScenePart part;
+  part.material = surface.material;
+  part.alpha = surface.alpha;
+  part.asset = std::uint32_t(assets.size() - 1);
+  part.light_name = placed.mesh.name;
+  if (!document_.context().options.surfaces_only) add_emission(surface, primitive.pointer, placed.mesh, part);
+  part.shape = std::move(placed.mesh);
+  parts.push_back(std::move(part));
 }
 
-void GltfShapes::add_light(const GltfSurface& surface, Mesh& mesh, const std::string& pointer,
-                           ShapeBinding& binding) {
-  MeshLight light{std::uint32_t(shapes.size()), surface.radiance, surface.side, nullptr};
-  if (surface.glow) {
-    if (is_black(mean_of(*surface.glow))) return;
-    if (surface.may_move_uvs) move_into_square(mesh);
-    light.picture = glow_over(surface, mesh.uvs);
-    if (!light.picture) {
-      light.radiance = light.radiance * mean_of(*surface.glow);
-      document_.context().warn(pointer,
-                               "texture coordinates beyond one picture are not rendered where it emits: this "
-                               "surface emits the picture's mean");
-    }
-  }
-  binding.light = std::uint32_t(lights.size());
-  lights.push_back({mesh.name, light});
+void GltfShapes::add_emission(const GltfSurface& surface, const std::string& pointer, Mesh& mesh,
+                              ScenePart& part) {
+  if (is_black(surface.radiance) || (surface.glow && is_black(mean_of(*surface.glow)))) return;
+  part.radiance = surface.radiance;
+  part.side = surface.side;
+  if (!surface.glow) return;
+  if (surface.may_move_uvs) move_into_square(mesh);
+  part.picture = glow_over(surface, mesh.uvs);
+  if (part.picture) return;
+  part.radiance = surface.radiance * mean_of(*surface.glow);
+  document_.context().warn(pointer,
+                           "texture coordinates beyond one picture are not rendered where it emits: this "
+                           "surface emits the picture's mean");
 }
 
 }  // namespace twinray

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/scene.h"
 #include "io/gltf_colors.h"
 #include "io/gltf_deform.h"
 #include "io/gltf_document.h"
 #include "io/gltf_material.h"
 #include "io/gltf_primitive.h"
+#include "io/scene_part.h"
 
 namespace twinray {
 
@@ -25,9 +25,7 @@ class GltfShapes {
   /// Adds the primitives of a node's mesh, once for each transform, its vertices moved.
   void add(int node, const std::vector<Transform>& to_world, const GltfDeformation& deformation);
 
-  std::vector<Shape> shapes;
-  std::vector<ShapeBinding> bindings;
-  std::vector<Light> lights;  ///< Of the shapes that emit.
+  std::vector<ScenePart> parts;
   std::vector<std::string> assets;
   std::size_t dropped_triangles = 0, replaced_normals = 0;
 
@@ -38,7 +36,8 @@ class GltfShapes {
   void place(const GltfPrimitive& primitive, const std::string& name, const Transform& to_world);
   /// The triangles whose texture coordinates run this way round, with what the primitive's surface needs.
   void place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse use, const Transform& to_world);
-  void add_light(const GltfSurface& surface, Mesh& mesh, const std::string& pointer, ShapeBinding& binding);
+  /// What a part emits, by its surface.
+  void add_emission(const GltfSurface& surface, const std::string& pointer, Mesh& mesh, ScenePart& part);
   void check_room(const GltfPrimitive& primitive);
 
   GltfDocument& document_;

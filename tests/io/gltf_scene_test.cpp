@@ -264,8 +264,13 @@ TEST_CASE("gltf: a small file that says it is large takes no memory") {
   GltfFile file = gltf_triangle();
   file.json["accessors"][0].erase("bufferView");
   file.json["accessors"][0]["count"] = 4000000000u;
-  CHECK(file.error() ==
-        "test.gltf: /accessors/0/count: 4000000000 zeros without a buffer view; at most 4132 are read here");
+  const std::string refused = "/accessors/0/count: 4000000000 zeros without a buffer view; at most ";
+  CHECK(file.error().starts_with("test.gltf: " + refused));
+  const std::string promise =
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":90000000000}],"scenes":[{"nodes":[0]}],)"
+      R"("accessors":[{"componentType":5126,"count":4000000000,"type":"VEC3"}],"nodes":[{"mesh":0}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]})";
+  CHECK(error_of(promise).starts_with("test.glb: " + refused));
 }
 
 TEST_CASE("gltf: the last element of an accessor ends with its view") {

@@ -95,4 +95,12 @@ MUTANTS = [
     Mutant("packed data may grow as much as they say", "io/gltf_meshopt.cpp",
            "if (!has_room(bytes.size(), view))", "if (false)",
            GLTF, "gltf: what is wrong with packed data is said before memory is taken"),
+    Mutant("a file is as large as it says", "io/gltf_document.cpp",
+           "byte_count_ = container.json.size()",
+           "for (const auto& source : sources_) byte_count_ += source.byte_length;\n"
+           "  byte_count_ += container.json.size()",
+           GLTF, "gltf: a small file that says it is large takes no memory"),
+    Mutant("the picture of what emits is lost", "io/scene_part.cpp",
+           "part.side, part.picture}", "part.side}", GLTF,
+           "gltf: what emits a picture that repeats has its coordinates moved into it, triangle by triangle"),
 ]
