@@ -197,12 +197,14 @@ TEST_CASE("gltf: where a picture's alpha times the factor is below the limit the
   const LoadedScene loaded = file.load();
   const Mesh& mesh = test::only_mesh(loaded);
   const auto& [a, b, c] = mesh.uv_indices[0];
-  const auto is_there = [&](float u) {
+  const auto there_is = [&](float u) {
     const Vec2 uv = mesh.uvs[a] * (1 - u) + mesh.uvs[b] * u;
-    return evaluate(loaded.scene.textures, loaded.scene.bindings[0].alpha, {.uv = uv}).r >= 1;
+    return evaluate(loaded.scene.textures, loaded.scene.bindings[0].alpha, {.uv = uv}).r;
   };
-  CHECK_FALSE(is_there(0.1f));
-  CHECK(is_there(0.9f));
+  CHECK(there_is(0.1f) <= 0);  // Nothing, and not little: a mask cuts.
+  CHECK(there_is(0.55f) <= 0);
+  CHECK(there_is(0.65f) >= 1);
+  CHECK(there_is(0.9f) >= 1);
 }
 
 TEST_CASE("gltf: what emits is a light, on both sides where it has two") {

@@ -90,6 +90,23 @@ TEST_CASE("gltf: integers are numbers as they stand or, normalised, up to 1") {
   CHECK(positions_of<float>(0.25f, false)[0].x == 0.25f);
 }
 
+TEST_CASE("gltf: positions and normals may stand in turn in one view") {
+  GltfFile file = gltf_triangle();
+  const int view = file.view(test::bytes_of<float>({0, 0, 0, 0, 0, 1, 3, 0, 0, 0, 1, 0, 0, 4, 0, 1, 0, 0}));
+  file.json["bufferViews"][std::size_t(view)]["byteStride"] = 24;
+  const auto every_other = [&](int first_byte) {
+    return file.add("accessors", {{"bufferView", view},
+                                  {"byteOffset", first_byte},
+                                  {"componentType", 5126},
+                                  {"count", 3},
+                                  {"type", "VEC3"}});
+  };
+  file.primitive()["attributes"] = {{"POSITION", every_other(0)}, {"NORMAL", every_other(12)}};
+  const LoadedScene loaded = file.load();
+  CHECK(only_mesh(loaded).positions == std::vector<Vec3>{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}});
+  CHECK(only_mesh(loaded).normals == std::vector<Vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}});
+}
+
 TEST_CASE("gltf: sparse accessors replace elements, of zeros where there are no others") {
   GltfFile file = gltf_triangle();
   const int indices = file.view(test::bytes_of<std::uint16_t>({1, 2}));

@@ -24,7 +24,7 @@ MUTANTS = [
            GLTF, "gltf: integers are numbers as they stand or, normalised, up to 1"),
     Mutant("a stride is left out", "io/gltf_accessor.cpp",
            "view.byteStride > 0 ? view.byteStride : extent.element_bytes", "extent.element_bytes",
-           GLTF, "gltf: integers are numbers as they stand or, normalised, up to 1"),
+           GLTF, "gltf: positions and normals may stand in turn in one view"),
     Mutant("the last element may reach beyond its view", "io/gltf_accessor.cpp",
            "(extent.count - 1) <=", "(extent.count - 2) <=",
            GLTF, "gltf: the last element of an accessor ends with its view"),
