@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/console.h"
+#include "cli/counted.h"
 #include "cli/interrupt.h"
 #include "cli/options.h"
 #include "cli/outputs.h"
@@ -29,11 +30,6 @@ void add_options(CLI::App& app, ConvertArguments& arguments) {
                  arguments.environment);
   add_environment_placement(group, arguments.placement);
   group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
-}
-
-/// "1 light", "2 lights".
-std::string counted(std::size_t count, const char* name) {
-  return fmt::format("{} {}{}", count, name, count == 1 ? "" : "s");
 }
 
 EnvironmentLight read_environment(const ConvertArguments& arguments) {

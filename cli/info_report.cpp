@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cli/counted.h"
+
 namespace twinray {
 namespace {
 
@@ -95,9 +97,9 @@ void append(std::string& text, std::vector<Item> items, const Size& size, const 
 }
 
 std::string line_of(const MaterialInfo& material) {
-  return fmt::format("material \"{}\": {}, {} shapes, {} triangles{}", material.name, material.model,
-                     material.shapes, material.triangles,
-                     material.textures > 0 ? fmt::format(", {} textures", material.textures) : "");
+  return fmt::format("material \"{}\": {}, {}, {}{}", material.name, material.model,
+                     counted(material.shapes, "shape"), counted(material.triangles, "triangle"),
+                     material.textures > 0 ? ", " + counted(material.textures, "texture") : "");
 }
 
 std::string line_of(const PictureInfo& picture) {
@@ -115,7 +117,8 @@ std::string info_text(const SceneInfo& info) {
         fmt::format("bounds: {:g} {:g} {:g} to {:g} {:g} {:g}\n", info.bounds.lower.x, info.bounds.lower.y,
                     info.bounds.lower.z, info.bounds.upper.x, info.bounds.upper.y, info.bounds.upper.z);
   if (info.cut_out_triangles > 0)
-    text += fmt::format("cut out: {} triangles, by the alpha of a texture\n", info.cut_out_triangles);
+    text +=
+        fmt::format("cut out: {}, by the alpha of a texture\n", counted(info.cut_out_triangles, "triangle"));
   append(
       text, info.materials, [](const MaterialInfo& m) { return m.triangles; },
       [](const MaterialInfo& m) { return line_of(m); });

@@ -79,6 +79,13 @@ std::string receive(int from) {
 
 }  // namespace
 
+int exit_code_of(int child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
 ApartResult run_apart(std::uint64_t most_bytes, const std::function<std::string()>& work) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return result_of(message_of(work));
@@ -92,12 +99,9 @@ ApartResult run_apart(std::uint64_t most_bytes, const std::function<std::string(
   std::string message = child > 0 ? receive(ends[0]) : "";
   close(ends[0]);
   if (child < 0) return result_of(message_of(work));
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (WIFSIGNALED(status) || message.empty())
-    return {"",
-            fmt::format("what reads it was ended by signal {}", WIFSIGNALED(status) ? WTERMSIG(status) : 0)};
+  const int code = exit_code_of(child);
+  if (code > 128) return {"", fmt::format("what reads it was ended by signal {}", code - 128)};
+  if (message.empty()) return {"", "what reads it ended without a word"};
   return result_of(std::move(message));
 }
 

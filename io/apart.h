@@ -7,6 +7,9 @@
 
 namespace twinray {
 
+/// Waits for a child: its exit code, or 128 + N where signal N ended it.
+int exit_code_of(int child);
+
 /// What work gave that ran apart: the bytes, or what went wrong.
 struct ApartResult {
   std::string bytes;

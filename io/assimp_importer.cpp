@@ -138,7 +138,7 @@ class Walk {
 };
 
 void add_note(ObjModel& model, std::size_t count, const char* what) {
-  if (count > 0) model.notes.push_back(fmt::format("{} {} of the file are left out", count, what));
+  if (count > 0) model.notes.push_back(fmt::format("{} of the file, left out: {}", what, count));
 }
 
 ObjModel import_model(const ImportedFile& file) {

@@ -97,8 +97,7 @@ ScenePart part_of(const ObjModel& model, const ObjFaces& faces, ObjMaterials& ma
 std::vector<std::string> notes_of(const ObjModel& model) {
   std::vector<std::string> notes = model.notes;
   if (model.small_faces > 0)
-    notes.push_back(
-        fmt::format("{} faces have less than three corners, and are left out", model.small_faces));
+    notes.push_back(fmt::format("faces of less than three corners, left out: {}", model.small_faces));
   if (model.has_vertex_values)
     notes.push_back("weights and colors of vertices, behind their coordinates, are left out");
   return notes;

@@ -25,7 +25,7 @@ LoadedScene load_ply(const std::string& path, const LoadOptions& options) {
   LoadedScene loaded = mesh_scene(std::move(parts), std::move(rest), repairs);
   if (read.flat_faces > 0)
     loaded.summary.notes.push_back(
-        fmt::format("{} faces have less than three corners, and are left out", read.flat_faces));
+        fmt::format("faces of less than three corners, left out: {}", read.flat_faces));
   return loaded;
 }
 

@@ -10,7 +10,7 @@ class ScratchFolder {
  public:
   /// Throws Error where none can be made.
   ScratchFolder();
-  /// Where the process may not remove it any more, whoever else has one of its kind does.
+  /// Removes it with all that is in it, as far as the process still may.
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;

@@ -99,7 +99,8 @@ TEST_CASE("info tells the same in words, of many things the largest") {
             "shapes: 4 meshes, 4 triangles, 0 spheres; 1 degenerate triangle dropped; 4 materials\n"));
   CHECK(has(result.out, "bounds: 0 0 0 to 1 2 0\n"));
   CHECK(has(result.out,
-            "material \"wall\": openpbr, 1 shapes, 2 triangles\nmaterial \"leaf\": lambert, 1 shapes"));
+            "material \"wall\": openpbr, 1 shape, 2 triangles\nmaterial \"leaf\": lambert, 1 shape, 1 "
+            "triangle, 1 texture"));
   CHECK(has(result.out, "picture \"leaf.png\": 4 x 2 pixels, 132 bytes\n"));
   CHECK(has(result.out, "memory: 11.1 MB for the film of 480 x 360 pixels\n"));
   const TemporaryFolder folder;

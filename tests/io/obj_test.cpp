@@ -124,7 +124,7 @@ TEST_CASE("what an OBJ file has beside faces is told") {
       load_obj_text("v 0 0 0 0.5 1 1\n" + square + "vn 0 0 0\nf 2 3\nf 2//1 3//1 4//1\n");
   const std::vector<std::string> notes{
       "3 shading normals have no direction; those of their triangles stand for them",
-      "1 faces have less than three corners, and are left out",
+      "faces of less than three corners, left out: 1",
       "weights and colors of vertices, behind their coordinates, are left out"};
   CHECK(loaded.summary.notes == notes);
   CHECK(mesh_of(loaded).normals.back() == Vec3{0, 0, 1});
@@ -240,8 +240,7 @@ TEST_CASE("a PLY file is a scene of one grey mesh") {
   CHECK(mesh_of(loaded).name == "tri");
   CHECK(mesh_of(loaded).triangles.size() == 1);
   CHECK(loaded.wants_light);
-  CHECK(loaded.summary.notes ==
-        std::vector<std::string>{"1 faces have less than three corners, and are left out"});
+  CHECK(loaded.summary.notes == std::vector<std::string>{"faces of less than three corners, left out: 1"});
   CHECK(!is_scene_file(folder.file("tri.ply")));  // Most are parts of scenes.
 }
 
