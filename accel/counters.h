@@ -13,12 +13,14 @@ struct QueryCounts {
   std::uint64_t boxes = 0;       ///< Boxes tested.
   std::uint64_t leaves = 0;      ///< Leaves whose primitives were tested.
   std::uint64_t primitives = 0;  ///< Triangles and spheres tested.
+  std::uint64_t instances = 0;   ///< Instances in whose trees the ray was traced.
 
   QueryCounts& operator+=(const QueryCounts& other) {
     nodes += other.nodes;
     boxes += other.boxes;
     leaves += other.leaves;
     primitives += other.primitives;
+    instances += other.instances;
     return *this;
   }
   friend bool operator==(const QueryCounts&, const QueryCounts&) = default;

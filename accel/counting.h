@@ -13,6 +13,7 @@ struct NoCounts {
   void visit_leaf() const {}
   void test_box() const {}
   void test_block(const PrimitiveBlock&) const {}
+  void enter_instance() const {}
 };
 
 /// Adds steps to the counts of a query.
@@ -28,6 +29,7 @@ struct Counting {
   void visit_leaf() const { ++counts.leaves; }
   void test_box() const { ++counts.boxes; }
   void test_block(const PrimitiveBlock& block) const { counts.primitives += block.count; }
+  void enter_instance() const { ++counts.instances; }
 };
 
 /// The one that goes with the arguments of a traversal: counts, or none.

@@ -63,7 +63,10 @@ void add_folder(std::vector<SceneSource>& all, const SceneChoice& choice) {
 
 void add_generated(std::vector<SceneSource>& all, const SceneChoice& choice) {
   for (const generated::GeneratedScene& maker : generated::generated_scenes())
-    all.push_back(from_maker(maker, maker.triangles / choice.size_divisor, maker.name));
+    all.push_back(from_maker(maker, maker.size / choice.size_divisor, maker.name));
+  if (choice.is_full || !choice.only.empty())
+    for (const generated::GeneratedScene& maker : generated::instanced_scenes())
+      all.push_back(from_maker(maker, maker.size / choice.size_divisor, maker.name));
   for (const generated::GeneratedScene& maker : generated::generated_scenes())
     for (const std::size_t size : choice.sizes) {
       const bool is_growth =

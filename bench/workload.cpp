@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t most_proved = 16;
 constexpr double proof_tests = 1e8;
 constexpr double native_difference_limit = 1e-3;
+/// Embree takes rays into an instance by a float matrix: those that start on it find it again more often.
+constexpr double instanced_difference_limit = 5e-3;
 /// Relative difference of t up to which Embree's own answer counts as the same hit.
 constexpr float native_t_tolerance = 1e-3f;
 /// Fewer rays than this may not stand for a set: a rate of one in a thousand would have no meaning.
@@ -82,8 +84,9 @@ std::string Workload::check(const Engine& engine, const Accelerator& accelerator
       const Hit& expected = expected_[set][i * step];
       different += engine.is_canonical() ? !(found[i] == expected) : !is_close(found[i], expected);
     }
-    const double limit =
-        engine.is_canonical() ? 0 : std::max(least_allowed, native_difference_limit * double(rays.size()));
+    const double allowed =
+        scene_.geometry->has_instances() ? instanced_difference_limit : native_difference_limit;
+    const double limit = engine.is_canonical() ? 0 : std::max(least_allowed, allowed * double(rays.size()));
     if (double(different) > limit)
       return fmt::format("{} of {} answers to {} rays are wrong", different, rays.size(), ray_sets[set].name);
   }

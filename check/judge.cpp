@@ -209,26 +209,63 @@ SphereJudgement sphere_judgement(const SphereSigns<Real>& signs, const Ray& ray,
   return judgement;
 }
 
-void judge_mesh(const Mesh& mesh, std::uint32_t index, const Ray& ray, std::vector<JudgedHit>& hits) {
+/// `found`: who says so, but for the primitive.
+void judge_mesh(const Mesh& mesh, JudgedHit found, const Ray& ray, std::vector<JudgedHit>& hits) {
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto [a, b, c] = mesh.triangles[i];
     const auto judgement = judge_triangle(ray, mesh.positions[a], mesh.positions[b], mesh.positions[c]);
-    if (judgement.hits()) hits.push_back({index, i, judgement.t});
+    if (!judgement.hits()) continue;
+    found.primitive = i;
+    found.t = judgement.t;
+    hits.push_back(found);
   }
 }
 
-void judge_spheres(const SphereSet& set, std::uint32_t index, const Ray& ray, std::vector<JudgedHit>& hits) {
+void judge_spheres(const SphereSet& set, JudgedHit found, const Ray& ray, std::vector<JudgedHit>& hits) {
   for (std::uint32_t i = 0; i < set.spheres.size(); ++i) {
     const auto judgement = judge_sphere(ray, set.spheres[i]);
     for (const int root : {0, 1}) {
       if (!judgement.hits(root)) continue;
-      hits.push_back({index, i, judgement.t[root]});
+      found.primitive = i;
+      found.t = judgement.t[root];
+      hits.push_back(found);
       break;
     }
   }
 }
 
+void judge_shapes(const Geometry& geometry, ShapeRange shapes, const OwnRay& own,
+                  std::vector<JudgedHit>& hits) {
+  const std::size_t before = hits.size();
+  for (std::uint32_t i = shapes.first; i < shapes.end(); ++i) {
+    const JudgedHit found{.mesh = i, .instance = own.instance};
+    if (const Mesh* mesh = geometry.mesh(i))
+      judge_mesh(*mesh, found, own.ray, hits);
+    else
+      judge_spheres(*geometry.sphere_set(i), found, own.ray, hits);
+  }
+  for (std::size_t i = before; i < hits.size(); ++i)
+    hits[i].t = {std::ldexp(hits[i].t.value, -own.exponent), std::ldexp(hits[i].t.error, -own.exponent)};
+}
+
 }  // namespace
+
+OwnRay ray_in(const Geometry& geometry, const Ray& ray, std::uint32_t instance) {
+  constexpr int most = 60;
+  if (instance == no_instance) return {ray};
+  const Transform& to_object = geometry.placed()[instance].to_object;
+  const int exponent = std::ilogb(max_abs(ray.direction));
+  const int own = std::abs(exponent) > most ? exponent : 0;
+  Vec3 direction = ray.direction;
+  for (int axis = 0; axis < 3; ++axis) direction[axis] = std::ldexp(direction[axis], -own);
+  const float t_min = std::ldexp(ray.t_min, own);
+  return {{.origin = to_object.point(ray.origin),
+           .direction = to_object.vector(direction),
+           .t_min = std::min(t_min, std::numeric_limits<float>::max()),
+           .t_max = std::ldexp(ray.t_max, own)},
+          own,
+          instance};
+}
 
 TriangleJudgement judge_triangle(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
   const TriangleSigns<Bounded> filter(ray, a, b, c);
@@ -245,12 +282,10 @@ SphereJudgement judge_sphere(const Ray& ray, const Sphere& sphere) {
 
 std::vector<JudgedHit> judge_all(const Geometry& geometry, const Ray& ray) {
   std::vector<JudgedHit> hits;
-  for (std::uint32_t i = 0; i < geometry.shapes().size(); ++i) {
-    if (const Mesh* mesh = geometry.mesh(i))
-      judge_mesh(*mesh, i, ray, hits);
-    else
-      judge_spheres(*geometry.sphere_set(i), i, ray, hits);
-  }
+  judge_shapes(geometry, geometry.direct_shapes(), {ray}, hits);
+  for (std::uint32_t i = 0; i < geometry.instances().size(); ++i)
+    judge_shapes(geometry, geometry.prototypes()[geometry.instances()[i].prototype], ray_in(geometry, ray, i),
+                 hits);
   std::stable_sort(hits.begin(), hits.end(),
                    [](const JudgedHit& a, const JudgedHit& b) { return a.t.value < b.t.value; });
   return hits;

@@ -81,14 +81,26 @@ struct SphereJudgement {
 
 SphereJudgement judge_sphere(const Ray& ray, const Sphere& sphere);
 
+/// A ray in the space of an instance.
+struct OwnRay {
+  Ray ray;           ///< Its origin and direction rounded to float.
+  int exponent = 0;  ///< Its t is that of the given ray times 2 to the power of this.
+  std::uint32_t instance = no_instance;
+};
+
+/// Without an instance the ray itself. A direction far from 1 is scaled, so that it stays finite.
+OwnRay ray_in(const Geometry& geometry, const Ray& ray, std::uint32_t instance);
+
 /// A primitive that the exact ray hits within its closed interval.
 struct JudgedHit {
   std::uint32_t mesh = 0, primitive = 0;
   Estimate t;  ///< The least such parameter of this primitive.
+  std::uint32_t instance = no_instance;
 };
 
-/// All of them, every primitive tested, ordered by t.value, then mesh and primitive. Triangles seen edge-on
-/// are not hit.
+/// All of them, every primitive tested, ordered by t.value, then instance, mesh and primitive as they lie in
+/// the geometry. Triangles seen edge-on are not hit. In an instance the ray is judged that is rounded into
+/// its space (ray_in()).
 std::vector<JudgedHit> judge_all(const Geometry& geometry, const Ray& ray);
 /// Those of them that may be the first: no other one is certainly nearer. Empty for a true miss; more than
 /// one where the ray hits an edge, a vertex or coincident shapes.

@@ -26,10 +26,33 @@ double longest_edge(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::max(length_of(b - a), std::max(length_of(c - b), length_of(a - c)));
 }
 
+/// On what size, in the space of an instance, its transform rounds; 0 without an instance. Who goes by float
+/// matrices rounds on the size of the origin and the translation, as far as the inverse stretches them, and
+/// its inverse is off by as many ulps as the transform's condition is large.
+double rounding_of(const Geometry& geometry, const Ray& ray, std::uint32_t instance) {
+  if (instance == no_instance) return 0;
+  const Transform &to_world = geometry.instances()[instance].to_world,
+                  &to_object = geometry.placed()[instance].to_object;
+  double size = max_abs(ray.origin);
+  for (const auto& row : to_world.m) size += std::fabs(row[3]);
+  return size * to_object.stretch() * to_object.stretch() * to_world.stretch();
+}
+
+/// The ray as engines take it where a primitive is; false for an invalid one.
+bool engine_ray(const Geometry& geometry, const Ray& ray, std::uint32_t instance, CheckedRay& checked) {
+  if (!load_ray_into(geometry, ray, checked)) return false;
+  if (instance == no_instance) return true;
+  Ray moved{.origin = {}, .direction = {}, .t_min = checked.t_min, .t_max = checked.t_max};
+  move_into(geometry.placed()[instance], checked, moved);
+  if (!load_ray(moved, checked)) return false;
+  checked.instance = instance;
+  return true;
+}
+
 /// The direction as engines take it.
-Vec3 scaled_direction(const Ray& ray) {
+Vec3 scaled_direction(const Geometry& geometry, const Ray& ray, std::uint32_t instance) {
   CheckedRay checked;
-  return load_ray(ray, checked) ? checked.direction : ray.direction;
+  return engine_ray(geometry, ray, instance, checked) ? checked.direction : ray.direction;
 }
 
 /// The least difference that floats at t, and the smallest floats, can have.
@@ -55,7 +78,7 @@ Standing standing_of(const TriangleJudgement& judgement) {
 /// Of hits with weights within rounding of the true ones, of a mesh with holes, how many count of nine.
 int accepted_of_nine(const Geometry& geometry, const Ray& ray, const Testimony& testimony) {
   CheckedRay checked;
-  if (!load_ray(ray, checked)) return 0;
+  if (!engine_ray(geometry, ray, testimony.instance, checked)) return 0;
   const double reach = rounding_ulps * testimony.weight_ulp;
   int accepted = 0;
   for (const double du : {-reach, 0.0, reach})
@@ -64,7 +87,8 @@ int accepted_of_nine(const Geometry& geometry, const Ray& ray, const Testimony& 
                                    {.u = float(testimony.weights[1] + du),
                                     .v = float(testimony.weights[2] + dv),
                                     .primitive = testimony.primitive,
-                                    .mesh = testimony.mesh});
+                                    .mesh = testimony.mesh,
+                                    .instance = testimony.instance});
   return accepted;
 }
 
@@ -78,12 +102,13 @@ bool stands_beside_holes(const Geometry& geometry, const Ray& ray, Testimony& te
   return accepted > 0;
 }
 
-void testify_triangle(const Geometry& geometry, const Ray& ray, Testimony testimony,
+void testify_triangle(const Geometry& geometry, const Ray& ray, const OwnRay& own, Testimony testimony,
                       std::vector<Testimony>& all) {
   const Mesh& mesh = *geometry.mesh(testimony.mesh);
   const auto [i, j, k] = mesh.triangles[testimony.primitive];
   const Vec3 &a = mesh.positions[i], &b = mesh.positions[j], &c = mesh.positions[k];
-  const TriangleJudgement judgement = judge_triangle(ray, a, b, c);
+  TriangleJudgement judgement = judge_triangle(own.ray, a, b, c);
+  judgement.scale = std::max(judgement.scale, rounding_of(geometry, ray, own.instance));
   testimony.standing = standing_of(judgement);
   if (testimony.standing == Standing::firm && !judgement.crosses()) return;
   testimony.is_met = judgement.hits();
@@ -96,20 +121,22 @@ void testify_triangle(const Geometry& geometry, const Ray& ray, Testimony testim
     all.push_back(testimony);
     return;
   }
-  testimony.t = judgement.t.value;
-  testimony.t_ulp =
-      ulp * judgement.scale / (length_of(ray.direction) * judgement.conditioning) + float_ulp(testimony.t);
+  testimony.t = std::ldexp(judgement.t.value, -own.exponent);
+  const double parameters = length_of(own.ray.direction) * judgement.conditioning;
+  testimony.t_ulp = std::ldexp(ulp * judgement.scale / parameters, -own.exponent) + float_ulp(testimony.t);
   testimony.weight_ulp = ulp * (1 + judgement.scale / (longest * judgement.conditioning));
   std::copy_n(judgement.weights, 3, testimony.weights);
-  testimony.divisor = 2 * judgement.conditioning * longest * longest * length_of(scaled_direction(ray));
+  testimony.divisor = 2 * judgement.conditioning * longest * longest *
+                      length_of(scaled_direction(geometry, ray, own.instance));
   if (stands_in_interval(ray, testimony) && stands_beside_holes(geometry, ray, testimony))
     all.push_back(testimony);
 }
 
-void testify_sphere(const Geometry& geometry, const Ray& ray, Testimony testimony,
+void testify_sphere(const Geometry& geometry, const Ray& ray, const OwnRay& own, Testimony testimony,
                     std::vector<Testimony>& all) {
   const Sphere& sphere = geometry.sphere_set(testimony.mesh)->spheres[testimony.primitive];
-  const SphereJudgement judgement = judge_sphere(ray, sphere);
+  SphereJudgement judgement = judge_sphere(own.ray, sphere);
+  judgement.scale = std::max(judgement.scale, rounding_of(geometry, ray, own.instance));
   if (!(sphere.radius > 0) || judgement.margin_ulps() < -rounding_ulps) return;
   if (judgement.margin_ulps() <= rounding_ulps) {
     testimony.standing = Standing::edge;
@@ -121,16 +148,24 @@ void testify_sphere(const Geometry& geometry, const Ray& ray, Testimony testimon
   for (const int root : {0, 1}) {
     Testimony of_root = testimony;
     of_root.is_met = judgement.hits(root);
-    of_root.t = judgement.t[root].value;
-    of_root.t_ulp = ulp * judgement.scale / length_of(ray.direction) + float_ulp(of_root.t);
+    of_root.t = std::ldexp(judgement.t[root].value, -own.exponent);
+    const double ulps = ulp * judgement.scale / length_of(own.ray.direction);
+    of_root.t_ulp = std::ldexp(ulps, -own.exponent) + float_ulp(of_root.t);
     if (stands_in_interval(ray, of_root) && stands_beside_holes(geometry, ray, of_root))
       all.push_back(of_root);
   }
 }
 
-void testify(const Geometry& geometry, const Ray& ray, const PrimitiveId& id, std::vector<Testimony>& all) {
-  const Testimony testimony{.mesh = id.mesh, .primitive = id.primitive};
-  (geometry.mesh(id.mesh) ? testify_triangle : testify_sphere)(geometry, ray, testimony, all);
+/// About a primitive, in the space of its instance.
+void testify(const Geometry& geometry, const Ray& ray, const OwnRay& own, const PrimitiveId& id,
+             std::vector<Testimony>& all) {
+  const Testimony testimony{.mesh = id.mesh, .primitive = id.primitive, .instance = own.instance};
+  (geometry.mesh(id.mesh) ? testify_triangle : testify_sphere)(geometry, ray, own, testimony, all);
+}
+
+/// About the primitive of a hit.
+void testify(const Geometry& geometry, const Ray& ray, const Hit& hit, std::vector<Testimony>& all) {
+  testify(geometry, ray, ray_in(geometry, ray, hit.instance), {hit.mesh, hit.primitive}, all);
 }
 
 /// Whether two parameters are the same but for rounding.
@@ -141,7 +176,8 @@ bool are_close(const Testimony& a, double t, double other_ulp) {
 /// The testimony about a hit's own shape; null where there is none for its t.
 const Testimony* find(const std::vector<Testimony>& all, const Hit& hit) {
   for (const Testimony& testimony : all)
-    if (testimony.mesh == hit.mesh && testimony.primitive == hit.primitive && are_close(testimony, hit.t, 0))
+    if (testimony.mesh == hit.mesh && testimony.primitive == hit.primitive &&
+        testimony.instance == hit.instance && are_close(testimony, hit.t, 0))
       return &testimony;
   return nullptr;
 }
@@ -204,21 +240,31 @@ std::string difference_name(Difference difference) {
 
 Oracle::Oracle(std::shared_ptr<const Geometry> geometry) : geometry_(std::move(geometry)) {
   std::vector<BuildPhase> phases;
-  tree_ = std::make_unique<const Bvh>(make_bvh(*geometry_, {}, phases));
+  tree_ = std::make_unique<const SceneBvh>(make_scene_bvh(*geometry_, {}, phases));
 }
 
 Oracle::~Oracle() = default;
 
+template <typename Visit>
+void Oracle::visit_blocks(const CheckedRay& ray, const Visit& visit) const {
+  traverse_scene(*tree_, *geometry_, ray, ray.t_max, NoCounts{},
+                 [&](const CheckedRay& own, const PrimitiveBlock& block) {
+                   visit(block, own.instance);
+                   return false;
+                 });
+}
+
 std::vector<Testimony> Oracle::testimonies(const Ray& ray) const {
   std::vector<Testimony> all;
   CheckedRay checked;
-  if (!load_ray(ray, checked)) return all;
+  if (!load_ray_into(*geometry_, ray, checked)) return all;
   // Hits just outside of the interval count, too: the boxes are asked for all t >= 0.
   checked.t_min = 0;
   checked.t_max = std::numeric_limits<float>::infinity();
-  traverse(*tree_, checked, checked.t_max, NoCounts{}, [&](const PrimitiveBlock& block) {
-    for (std::uint32_t lane = 0; lane < block.count; ++lane) testify(*geometry_, ray, block.ids[lane], all);
-    return false;
+  visit_blocks(checked, [&](const PrimitiveBlock& block, std::uint32_t instance) {
+    const OwnRay own = ray_in(*geometry_, ray, instance);
+    for (std::uint32_t lane = 0; lane < block.count; ++lane)
+      testify(*geometry_, ray, own, block.ids[lane], all);
   });
   return all;
 }
@@ -226,17 +272,17 @@ std::vector<Testimony> Oracle::testimonies(const Ray& ray) const {
 std::vector<Testimony> Oracle::firm_testimonies(const Ray& ray, float t_max) const {
   std::vector<Testimony> all;
   CheckedRay checked;
-  if (!load_ray(ray, checked)) return all;
+  if (!load_ray_into(*geometry_, ray, checked)) return all;
   if (t_max < ray.t_max) checked.t_max = float(std::min(t_max / checked.t_scale, double(checked.t_max)));
-  traverse(*tree_, checked, checked.t_max, NoCounts{}, [&](const PrimitiveBlock& block) {
+  visit_blocks(checked, [&](const PrimitiveBlock& block, std::uint32_t instance) {
+    const OwnRay own = ray_in(*geometry_, ray, instance);
     for (std::uint32_t lane = 0; lane < block.count; ++lane) {
       const bool is_triangle = block.triangles >> lane & 1;
-      if (is_triangle && is_surely_not_firm(ray, block.corner(0, int(lane)), block.corner(1, int(lane)),
+      if (is_triangle && is_surely_not_firm(own.ray, block.corner(0, int(lane)), block.corner(1, int(lane)),
                                             block.corner(2, int(lane))))
         continue;
-      testify(*geometry_, ray, block.ids[lane], all);
+      testify(*geometry_, ray, own, block.ids[lane], all);
     }
-    return false;
   });
   std::erase_if(all, [](const Testimony& testimony) { return testimony.standing != Standing::firm; });
   return all;
@@ -244,14 +290,15 @@ std::vector<Testimony> Oracle::firm_testimonies(const Ray& ray, float t_max) con
 
 Difference Oracle::classify(const Ray& ray, const Answer& a, const Answer& b) const {
   if (same_bits(a, b)) return Difference::identical;
-  if (CheckedRay checked; !load_ray(ray, checked)) return Difference::unexplained;  // It must miss.
+  if (CheckedRay checked; !load_ray_into(*geometry_, ray, checked))
+    return Difference::unexplained;  // It must miss.
   if (!a.closest && !b.closest) return classify_without_claims(ray);
   const bool is_same_shape = a.closest && b.closest && same_shape(a.closest, b.closest);
   if (is_same_shape && a.any == b.any) return classify_same_shape(ray, a.closest, b.closest);
 
   std::vector<Testimony> claimed;
-  if (a.closest) testify(*geometry_, ray, {a.closest.mesh, a.closest.primitive}, claimed);
-  if (b.closest) testify(*geometry_, ray, {b.closest.mesh, b.closest.primitive}, claimed);
+  if (a.closest) testify(*geometry_, ray, a.closest, claimed);
+  if (b.closest) testify(*geometry_, ray, b.closest, claimed);
   // Behind the farther claim nothing matters; behind a miss's, which is infinite, everything may.
   const std::vector<Testimony> firm = firm_testimonies(ray, std::max(a.closest.t, b.closest.t));
   if (!is_defensible(claimed, firm, a) || !is_defensible(claimed, firm, b)) return Difference::unexplained;
@@ -274,7 +321,7 @@ Difference Oracle::classify_without_claims(const Ray& ray) const {
 
 Difference Oracle::classify_same_shape(const Ray& ray, const Hit& a, const Hit& b) const {
   std::vector<Testimony> all;
-  testify(*geometry_, ray, {a.mesh, a.primitive}, all);
+  testify(*geometry_, ray, a, all);
   const bool is_triangle = geometry_->mesh(a.mesh) != nullptr;
   for (const Testimony& truth : all) {
     const auto has_true_weights = [&](const Hit& hit) {
@@ -296,8 +343,10 @@ bool Oracle::are_coplanar(const Testimony& a, const Testimony& b) const {
     const Mesh* mesh = geometry_->mesh(testimony.mesh);
     if (!mesh) return {};
     const auto [i, j, k] = mesh->triangles[testimony.primitive];
-    return normalize(cross(normalize(mesh->positions[j] - mesh->positions[i]),
-                           normalize(mesh->positions[k] - mesh->positions[i])));
+    const Vec3 normal = cross(normalize(mesh->positions[j] - mesh->positions[i]),
+                              normalize(mesh->positions[k] - mesh->positions[i]));
+    const Transform* const to_world = geometry_->to_world(testimony.instance);
+    return to_world ? to_world->front(normal) : normalize(normal);
   };
   return length_of(cross(normal_of(a), normal_of(b))) <= parallel_sine;
 }

@@ -36,20 +36,22 @@ inline constexpr std::size_t difference_count = 11;
 std::string difference_name(Difference difference);
 
 /// The rounding that an engine of float arithmetic is allowed. An ulp of a distance is 2^-24 of the largest
-/// component of vertex - origin; one of t or a weight is what that amounts to in a quotient whose divisor has
+/// component of vertex - origin (of an instance, of that or of what its transform rounds); one of t or a
+/// weight is what that amounts to in a quotient whose divisor has
 /// lost digits (TriangleJudgement::conditioning).
 inline constexpr double rounding_ulps = 64;
 inline constexpr double grazing_cosine = 1e-4;
 /// Embree's own triangles have u = v = 0 where they would divide by less.
 inline constexpr double smallest_divisor = 1e-18;
 
-struct Bvh;
+struct CheckedRay;
+struct SceneBvh;
 
 /// What the exact ray does with one primitive, seen with that allowance.
 struct Testimony {
   enum class Standing { edge, grazing, interval_end, tiny, cut_out, firm };
 
-  std::uint32_t mesh = 0, primitive = 0;
+  std::uint32_t mesh = 0, primitive = 0, instance = no_instance;
   Standing standing = Standing::firm;  ///< Why a test may miss it; firm: it may not.
   bool is_met = false;                 ///< By the exact ray, within its closed interval.
   double t = 0, t_ulp = 0;  ///< t is NaN, any, for tiny triangles, those seen edge-on, and outlines.
@@ -72,13 +74,16 @@ class Oracle {
   std::vector<Testimony> testimonies(const Ray& ray) const;
 
  private:
+  /// Calls `visit` for the blocks that the ray may hit, and their instances.
+  template <typename Visit>
+  void visit_blocks(const CheckedRay& ray, const Visit& visit) const;
   std::vector<Testimony> firm_testimonies(const Ray& ray, float t_max) const;
   Difference classify_same_shape(const Ray& ray, const Hit& a, const Hit& b) const;
   Difference classify_without_claims(const Ray& ray) const;
   bool are_coplanar(const Testimony& a, const Testimony& b) const;
 
   std::shared_ptr<const Geometry> geometry_;
-  std::unique_ptr<const Bvh> tree_;
+  std::unique_ptr<const SceneBvh> tree_;
 };
 
 }  // namespace twinray

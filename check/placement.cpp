@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/transform.h"
+
 namespace twinray {
 namespace {
 
@@ -13,17 +15,35 @@ struct Similarity {
   Vec3 shift;
 
   Vec3 operator()(const Vec3& p) const { return p * scale + shift; }
+  Transform transform() const {
+    return Transform::translation(shift.x, shift.y, shift.z) * Transform::scaling(scale, scale, scale);
+  }
 };
 
-Similarity similarity_of(Placement placement, const Aabb& bounds) {
+/// By what instances can be made smaller and larger, so that each still is one.
+struct ScaleRange {
+  double least = 0, most = Aabb::infinity;
+
+  explicit ScaleRange(const Geometry& geometry) {
+    for (std::uint32_t i = 0; i < geometry.instances().size(); ++i) {
+      least = std::max(least, 2 * geometry.placed()[i].to_object.stretch() / max_instance_scale);
+      most = std::min(most, 0.5 * max_instance_scale / geometry.instances()[i].to_world.stretch());
+    }
+  }
+};
+
+Similarity similarity_of(Placement placement, const Geometry& geometry) {
+  const Aabb& bounds = geometry.bounds();
+  const ScaleRange scales(geometry);
   const float coordinate = std::max(max_abs(bounds.lower), max_abs(bounds.upper));
   // Half of what may be, so that rounding does not pass it.
   const float room = 0.5f * max_coordinate;
   switch (placement) {
     case Placement::shrunk:
-      return {1e-6f, {}};
+      return {std::max(1e-6f, float(scales.least)), {}};
     case Placement::grown:
-      return {coordinate > 0 ? std::clamp(room / coordinate, 1.0f, 1e6f) : 1e6f, {}};
+      return {std::min(coordinate > 0 ? std::clamp(room / coordinate, 1.0f, 1e6f) : 1e6f, float(scales.most)),
+              {}};
     case Placement::moved: {
       const float distance = std::clamp(room - coordinate, 0.0f, 1e5f * max_abs(bounds.extent()));
       return {1, Vec3{0.74f, -0.31f, 0.89f} * distance};
@@ -57,11 +77,17 @@ Shape placed(const SphereSet& set, const Similarity& similarity) {
 std::shared_ptr<const Geometry> placed_geometry(const std::shared_ptr<const Geometry>& geometry,
                                                 Placement placement) {
   if (placement == Placement::file || geometry->bounds().is_empty()) return geometry;
-  const Similarity similarity = similarity_of(placement, geometry->bounds());
+  const Similarity similarity = similarity_of(placement, *geometry);
   std::vector<Shape> shapes;
   for (const Shape& shape : geometry->shapes())
-    shapes.push_back(std::visit([&](const auto& s) { return placed(s, similarity); }, shape));
-  return std::make_shared<const Geometry>(std::move(shapes), geometry->acceptance());
+    if (shapes.size() < geometry->direct_shapes().count)
+      shapes.push_back(std::visit([&](const auto& s) { return placed(s, similarity); }, shape));
+    else
+      shapes.push_back(shape);
+  Instancing instancing{geometry->prototypes(), geometry->instances()};
+  for (Instance& instance : instancing.instances)
+    instance.to_world = similarity.transform() * instance.to_world;
+  return std::make_shared<const Geometry>(std::move(shapes), geometry->acceptance(), std::move(instancing));
 }
 
 }  // namespace twinray

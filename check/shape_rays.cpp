@@ -44,6 +44,13 @@ ShapeRays::ShapeRays(std::shared_ptr<const Geometry> geometry, const Accelerator
     count += mesh ? mesh->triangles.size() : geometry_->sphere_set(shape)->spheres.size();
     ends_.push_back(count);
   }
+  std::uint64_t standing = geometry_->primitive_count(geometry_->direct_shapes());
+  standing_.push_back(standing);
+  std::vector<std::uint64_t> of_prototypes;
+  for (const ShapeRange& prototype : geometry_->prototypes())
+    of_prototypes.push_back(geometry_->primitive_count(prototype));
+  for (const Instance& instance : geometry_->instances())
+    standing_.push_back(standing += of_prototypes[instance.prototype]);
   const Aabb& bounds = geometry_->bounds();
   if (bounds.is_empty()) return;
   center_ = bounds.center();
@@ -87,14 +94,24 @@ Ray ShapeRays::make(RayClass ray_class, Random& random) const {
 }
 
 ShapeRays::Corners ShapeRays::corners(Random& random) const {
-  const std::uint64_t count = ends_.empty() ? 0 : ends_.back();
+  const std::uint64_t count = standing_.back();
   if (count == 0) {
     const Vec3 a = random.in_cube(), b = random.in_cube(), c = random.in_cube();
     return {a, b, c};
   }
   const std::uint64_t chosen = random.bits() % count;
-  const auto shape = std::uint32_t(std::upper_bound(ends_.begin(), ends_.end(), chosen) - ends_.begin());
-  const std::uint64_t index = chosen - (shape == 0 ? 0 : ends_[shape - 1]);
+  if (chosen < standing_.front()) return own_corners(chosen);
+  const auto end = std::upper_bound(standing_.begin(), standing_.end(), chosen);
+  const Instance& instance = geometry_->instances()[std::size_t(end - standing_.begin()) - 1];
+  const std::uint32_t first = geometry_->prototypes()[instance.prototype].first;
+  Corners all = own_corners(chosen - *(end - 1) + (first == 0 ? 0 : ends_[first - 1]));
+  for (Vec3& corner : all) corner = instance.to_world.point(corner);
+  return all;
+}
+
+ShapeRays::Corners ShapeRays::own_corners(std::uint64_t number) const {
+  const auto shape = std::uint32_t(std::upper_bound(ends_.begin(), ends_.end(), number) - ends_.begin());
+  const std::uint64_t index = number - (shape == 0 ? 0 : ends_[shape - 1]);
   if (const Mesh* mesh = geometry_->mesh(shape)) {
     const auto [a, b, c] = mesh->triangles[index];
     return {mesh->positions[a], mesh->positions[b], mesh->positions[c]};

@@ -25,6 +25,8 @@ class ShapeRays {
 
  private:
   using Corners = std::array<Vec3, 3>;
+  /// The corners of a primitive of the geometry by its number, in its own space.
+  Corners own_corners(std::uint64_t number) const;
   Ray make(RayClass ray_class, Random& random) const;
   /// The corners of a triangle chosen by chance; of a sphere, three points on it.
   Corners corners(Random& random) const;
@@ -47,6 +49,8 @@ class ShapeRays {
   const Accelerator& engine_;
   std::uint64_t seed_;
   std::vector<std::uint64_t> ends_;  ///< Of each shape: the number of primitives up to its last.
+  /// Of what stands in the scene directly, and of each instance: the number of primitives up to its last.
+  std::vector<std::uint64_t> standing_;
   Vec3 center_;
   float size_ = 1;  ///< Half of the longest side of the scene's box.
 };

@@ -43,7 +43,7 @@ NamedIntegrators integrators_of(const Scene& scene) {
 
 /// The middle of the frame, as large as brute force can afford; at least one pixel.
 PixelRect affordable_window(const Scene& scene, const AgreementOptions& options) {
-  const double primitives = double(scene.geometry->primitive_count());
+  const double primitives = double(scene.geometry->seen_primitives());
   const double renders_of_each = double(samplers.size() * AgreementEngine{}.threads.size());
   const double tests_per_pixel = primitives * options.samples * rays_per_sample * renders_of_each;
   const double affordable = options.brute_force_tests / std::max(1.0, tests_per_pixel);

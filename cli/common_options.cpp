@@ -35,6 +35,13 @@ void add_view(OptionGroup& group, View& view) {
   group.add_choice("--view", view, views, "As the file's camera sees it, or all of it");
 }
 
+void add_instances(OptionGroup& group, LoadOptions& load) {
+  group.add_choice<InstanceUse>(
+      "--instances", load.instances,
+      {{"auto", InstanceUse::automatic}, {"keep", InstanceUse::keep}, {"copy", InstanceUse::copy}},
+      "What is shown often: stored once, or copied");
+}
+
 void add_threads(OptionGroup& group, int& threads) {
   group.add_words({"-t,--threads", "N", "Threads (all of the machine)"}, 1, [&threads](const Words& words) {
     threads = parse_number("--threads", words.front(), thread_counts);

@@ -33,6 +33,8 @@ inline constexpr Range<int> thread_counts{1, 1024};
 void add_resolution(OptionGroup& group, int& width, int& height, const std::string& description);
 void add_view(OptionGroup& group, View& view);
 void add_threads(OptionGroup& group, int& threads);
+/// --instances: what becomes of shapes that a scene file shows more than once.
+void add_instances(OptionGroup& group, LoadOptions& load);
 
 /// --sandbox[=PLACE:...]: what is not trusted reaches nothing else. The word stays empty where it is not
 /// given.

@@ -53,6 +53,7 @@ void add_options(CLI::App& app, CrosscheckRequest& request) {
                    finding_counts);
   group.add_word({"--ray", "RAY", "Shoot this ray alone and say everything about it"}, request.ray);
   group.add_choice("--placement", arguments.placement, placements, "Of the scene, for --ray");
+  add_instances(group, arguments.load);
   group.add_flag("--keep-both-lamps", arguments.load.keep_both_lamps,
                  "Keep a lamp's rectangle beside its mesh");
   group.add_flag("--ceilings", request.ceilings,

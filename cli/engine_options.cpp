@@ -161,6 +161,7 @@ void add_engine_options(CLI::App& app, RenderRequest& request) {
   add_bvh_options(group, request);
   add_cost_options(group, request.arguments.build);
   add_triangle_options(group, request.arguments.build);
+  add_instances(group, request.arguments.load);
 }
 
 void choose_engine(const Geometry& geometry, RenderArguments& arguments) {

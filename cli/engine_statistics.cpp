@@ -101,7 +101,7 @@ class Measurement {
   bool may_use_brute_force() const {
     double rays = 0;
     for (const RaySet& set : sets_) rays += double(set.rays.size());
-    return rays * double(scene_.geometry->primitive_count()) <= options_.brute_force_tests;
+    return rays * double(scene_.geometry->seen_primitives()) <= options_.brute_force_tests;
   }
 
   EngineStatistics measure(const AgreementEngine& engine) {

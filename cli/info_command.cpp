@@ -18,6 +18,7 @@ void add_options(CLI::App& app, InfoArguments& arguments) {
   add_resolution(group, arguments.width, arguments.height, "Of the picture whose memory is told");
   group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id"},
                  arguments.load.camera_name);
+  add_instances(group, arguments.load);
   group.add_flag("--strict", arguments.load.strict, "What a scene file says must have an effect");
   group.add_flag("--json", arguments.json, "Print JSON");
 }

@@ -78,6 +78,9 @@ Json json_of(const SceneInfo& info) {
   json["cut_out_triangles"] = info.cut_out_triangles;
   json["degenerate_triangles"] = summary.dropped_triangles;
   json["spheres"] = summary.spheres;
+  json["prototypes"] = summary.prototypes;
+  json["instances"] = summary.instances;
+  json["seen_primitives"] = summary.seen_primitives;
   json["materials"] = list(info.materials);
   json["lights"] = list(summary.lights);
   json["pictures"] = list(info.pictures);

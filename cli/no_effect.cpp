@@ -330,8 +330,12 @@ std::vector<std::string> options_without_effect(const Scene& scene, const Render
 
 std::vector<std::string> options_without_effect(const SceneSummary& summary,
                                                 const RenderArguments& arguments) {
-  if (!arguments.load.time || summary.animation) return {};
-  return {"--time: no effect, for nothing in the scene moves"};
+  std::vector<std::string> found;
+  if (arguments.load.time && !summary.animation)
+    found.push_back("--time: no effect, for nothing in the scene moves");
+  if (arguments.load.instances == InstanceUse::keep && summary.instances == 0)
+    found.push_back("--instances: no effect, for the scene's file shows nothing by instances");
+  return found;
 }
 
 }  // namespace twinray

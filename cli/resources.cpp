@@ -56,7 +56,8 @@ std::vector<MemoryNeed> memory_needs(const RenderOptions& options, const Scene& 
 
 std::vector<MemoryNeed> memory_needs(const RenderArguments& arguments, const Scene& scene) {
   std::vector<MemoryNeed> needs = memory_needs(arguments.render, scene);
-  const std::size_t primitives = scene.geometry->primitive_count();
+  // Instances are built into a tree as primitives are.
+  const std::size_t primitives = scene.geometry->primitive_count() + scene.geometry->instances().size();
   const auto add_tree = [&](Backend backend, const BuildOptions& build) {
     for (MemoryNeed& need : memory_needs(backend, build, primitives)) needs.push_back(std::move(need));
   };

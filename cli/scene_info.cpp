@@ -65,6 +65,7 @@ SceneInfo scene_info(const std::string& name, const LoadedScene& loaded) {
     if (!std::visit([](const auto& s) { return s.is_opaque; }, shape))
       info.cut_out_triangles += triangles_of(shape);
   }
+  info.geometry_bytes += scene.geometry->instances().size() * (sizeof(Instance) + sizeof(PlacedInstance));
   info.materials = materials_of(scene);
   info.pictures = pictures_of(scene);
   for (const Diagnostic& warning : loaded.warnings) info.warnings.push_back(warning.text());

@@ -42,6 +42,7 @@ std::string per_ray_text(const RenderArguments& arguments, const AccelStats& acc
   std::string text = "Per ray        ";
   if (accel.tree) text += fmt::format("{:.4f} nodes, {:.4f} boxes, ", of(counts.nodes), of(counts.boxes));
   text += fmt::format("{:.4f} leaves, {:.4f} intersection tests", of(counts.leaves), of(counts.primitives));
+  if (counts.instances > 0) text += fmt::format(", {:.4f} instances", of(counts.instances));
   if (arguments.backend == Backend::embree) text += " (Embree's way: other machines may count otherwise)";
   return text + "\n";
 }
@@ -114,6 +115,7 @@ void add_counts(ordered_json& json, const QueryCounts& counts, std::uint64_t ray
   add("boxes", known.nodes, counts.boxes);
   add("leaves", known.primitives, counts.leaves);
   add("primitives", known.primitives, counts.primitives);
+  add("instances", known.primitives, counts.instances);
 }
 
 /// A number where it is known, else `unknown`.

@@ -26,6 +26,8 @@ set(private_headers
   accel/canonical/block_lanes-inl.h
   accel/canonical/block_test-inl.h
   accel/canonical/checked_ray.h
+  accel/canonical/instance_ray-inl.h
+  accel/canonical/instance_ray.h
   accel/canonical/lane_bits-inl.h
   accel/canonical/load_ray-inl.h
   accel/canonical/moller_trumbore.h
@@ -51,6 +53,7 @@ set(private_headers
   accel/wide/box_test-inl.h
   accel/wide/build.h
   accel/wide/collapse.h
+  accel/wide/instanced-inl.h
   accel/wide/invariants.h
   accel/wide/kernel.h
   accel/wide/node.h

@@ -12,8 +12,8 @@ class Geometry;
 class Acceptance {
  public:
   virtual ~Acceptance() = default;
-  /// Asked about hits of shapes that are not opaque, from any thread. The direction may be the ray's times a
-  /// power of two; the hit's t has no meaning.
+  /// Asked about hits of shapes that are not opaque, from any thread. Of an instance the ray is given in the
+  /// space of its prototype. The direction may be the ray's times a power of two; the hit's t has no meaning.
   virtual bool accepts(const Geometry& geometry, const Vec3& origin, const Vec3& direction,
                        const Hit& hit) const noexcept = 0;
 };

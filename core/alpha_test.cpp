@@ -17,8 +17,8 @@ bool is_leaving(const Geometry& geometry, const Vec3& direction, const Hit& hit)
   return !geometry.mesh(hit.mesh) && dot(octahedral_decode(hit.u, hit.v), direction) > 0;
 }
 
-/// In [0, 1): a hash of ray and primitive. It does not know u and v, so engines whose rounding differs choose
-/// alike.
+/// In [0, 1): a hash of ray and primitive, of an instance in its own space. It does not know u and v, so
+/// engines whose rounding differs choose alike.
 float random_of(const Geometry& geometry, const Vec3& origin, const Vec3& direction, const Hit& hit) {
   std::uint64_t hash = mix((std::uint64_t(hit.mesh) << 32 | hit.primitive) + hash_step);
   for (int axis = 0; axis < 3; ++axis) {
@@ -26,6 +26,7 @@ float random_of(const Geometry& geometry, const Vec3& origin, const Vec3& direct
     hash = mix(hash + (start << 32 | std::bit_cast<std::uint32_t>(direction[axis])) * index_step);
   }
   if (is_leaving(geometry, direction, hit)) hash = mix(hash + stream_step);
+  if (hit.instance != no_instance) hash = mix(hash + (hit.instance + 1ull) * hash_step);
   return float(hash >> 40) * 0x1p-24f;
 }
 
@@ -54,17 +55,18 @@ bool AlphaTest::accepts(const Geometry& geometry, const Vec3& origin, const Vec3
 }
 
 Geometry cut_out(std::vector<Shape> shapes, std::span<const ShapeBinding> bindings,
-                 std::span<const Texture> textures) {
+                 std::span<const Texture> textures, Instancing instancing) {
   std::vector<std::uint32_t> alphas;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     alphas.push_back(bindings[i].alpha);
     std::visit([&](auto& shape) { shape.is_opaque = alphas[i] == no_texture; }, shapes[i]);
   }
   if (std::all_of(alphas.begin(), alphas.end(), [](std::uint32_t alpha) { return alpha == no_texture; }))
-    return Geometry(std::move(shapes));
+    return Geometry(std::move(shapes), nullptr, std::move(instancing));
   std::vector<Texture> looked_up = for_traversal(textures, alphas);
   return Geometry(std::move(shapes),
-                  std::make_shared<const AlphaTest>(std::move(looked_up), std::move(alphas)));
+                  std::make_shared<const AlphaTest>(std::move(looked_up), std::move(alphas)),
+                  std::move(instancing));
 }
 
 }  // namespace twinray

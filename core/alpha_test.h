@@ -33,6 +33,6 @@ class AlphaTest final : public Acceptance {
 
 /// The geometry of shapes that are cut out as their bindings say. One binding for each shape.
 Geometry cut_out(std::vector<Shape> shapes, std::span<const ShapeBinding> bindings,
-                 std::span<const Texture> textures);
+                 std::span<const Texture> textures, Instancing instancing = {});
 
 }  // namespace twinray

@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "core/area_vector.h"
 #include "core/error.h"
@@ -98,13 +96,38 @@ std::size_t drop_degenerate_triangles(Mesh& mesh) {
   return dropped;
 }
 
-Geometry::Geometry(std::vector<Shape> shapes, std::shared_ptr<const Acceptance> acceptance)
-    : shapes_(std::move(shapes)), acceptance_(std::move(acceptance)), facets_(shapes_.size()) {
+namespace {
+
+/// The shapes before the first prototype.
+ShapeRange direct_of(const std::vector<ShapeRange>& prototypes, std::size_t shapes) {
+  if (prototypes.empty()) return {0, std::uint32_t(shapes)};
+  std::uint64_t next = prototypes.front().first;
+  for (std::size_t i = 0; i < prototypes.size(); ++i) {
+    const auto& [first, count] = prototypes[i];
+    if (first != next)
+      throw Error(fmt::format("prototype {} begins with shape {}; it must begin with {}", i, first, next));
+    next += count;
+  }
+  if (next != shapes)
+    throw Error(fmt::format("the prototypes end before shape {}; there are {} shapes", next, shapes));
+  return {0, prototypes.front().first};
+}
+
+}  // namespace
+
+Geometry::Geometry(std::vector<Shape> shapes, std::shared_ptr<const Acceptance> acceptance,
+                   Instancing instancing)
+    : shapes_(std::move(shapes)),
+      acceptance_(std::move(acceptance)),
+      facets_(shapes_.size()),
+      direct_(direct_of(instancing.prototypes, shapes_.size())),
+      prototypes_(std::move(instancing.prototypes)) {
+  std::vector<Aabb> boxes(shapes_.size());
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     std::visit(
         [&](const auto& shape) {
           const std::string label = shape_label(shape.name, i);
-          bounds_.extend(check(shape, label));
+          boxes[i] = check(shape, label);
           if (!shape.is_opaque && !acceptance_)
             throw Error(fmt::format("{}: it is not opaque, but nothing says which of its hits count", label));
         },
@@ -115,30 +138,55 @@ Geometry::Geometry(std::vector<Shape> shapes, std::shared_ptr<const Acceptance> 
     }
     if (const SphereSet* set = sphere_set(std::uint32_t(i))) sphere_count_ += set->spheres.size();
   }
+  const auto bounds_of = [&](ShapeRange range) {
+    Aabb bounds;
+    for (std::uint32_t i = range.first; i < range.end(); ++i) bounds.extend(boxes[i]);
+    return bounds;
+  };
+  bounds_ = bounds_of(direct_);
+  std::vector<std::vector<Aabb>> parts;
+  for (const ShapeRange& prototype : prototypes_) parts.push_back(parts_of(prototype, bounds_of(prototype)));
+  placed_ = PlacedInstances(std::move(instancing.instances), parts, bounds_);
+  bounds_.extend(placed_.bounds());
 }
 
-namespace {
-
-/// std::nextafter(x, infinity), which the C library makes a call of: each test of a sphere asks for six.
-float next_up(float x) {
-  if (!std::isfinite(x)) return x == -Aabb::infinity ? std::numeric_limits<float>::lowest() : x;
-  if (x == 0) return std::numeric_limits<float>::denorm_min();
-  const auto bits = std::bit_cast<std::uint32_t>(x);
-  return std::bit_cast<float>(x > 0 ? bits + 1 : bits - 1);
-}
-float next_down(float x) { return -next_up(-x); }
-
-}  // namespace
-
-Aabb sphere_bounds(const Sphere& sphere) {
-  Aabb box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.lower[axis] = next_down(sphere.center[axis] - sphere.radius);
-    box.upper[axis] = next_up(sphere.center[axis] + sphere.radius);
+std::vector<Aabb> Geometry::parts_of(ShapeRange shapes, const Aabb& box) const {
+  constexpr int side = 4;
+  if (box.is_empty()) return {};
+  const Vec3 extent = box.extent();
+  std::vector<Aabb> cells(side * side * side);
+  const auto add = [&](const Aabb& primitive) {
+    std::size_t cell = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float where = (primitive.center()[axis] - box.lower[axis]) / extent[axis];
+      cell = side * cell + std::size_t(where > 0 ? std::min(side - 1, int(where * side)) : 0);
+    }
+    cells[cell].extend(primitive);
+  };
+  for (std::uint32_t i = shapes.first; i < shapes.end(); ++i) {
+    if (const Mesh* m = mesh(i))
+      for (const auto& [a, b, c] : m->triangles)
+        add(triangle_bounds(m->positions[a], m->positions[b], m->positions[c]));
+    else
+      for (const Sphere& sphere : sphere_set(i)->spheres) add(sphere_bounds(sphere));
   }
-  return box;
+  std::erase_if(cells, [](const Aabb& cell) { return cell.is_empty(); });
+  return cells;
 }
 
-bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) { return !AreaVector(a, b, c).is_zero(); }
+std::uint64_t Geometry::seen_primitives() const {
+  std::vector<std::uint64_t> of_prototypes;
+  for (const ShapeRange& prototype : prototypes_) of_prototypes.push_back(primitive_count(prototype));
+  std::uint64_t seen = primitive_count(direct_);
+  for (const Instance& instance : instances()) seen += of_prototypes[instance.prototype];
+  return seen;
+}
+
+std::size_t Geometry::primitive_count(ShapeRange shapes) const {
+  std::size_t count = 0;
+  for (std::uint32_t i = shapes.first; i < shapes.end(); ++i)
+    count += mesh(i) ? mesh(i)->triangles.size() : sphere_set(i)->spheres.size();
+  return count;
+}
 
 }  // namespace twinray

@@ -12,6 +12,9 @@
 
 #include "core/aabb.h"
 #include "core/acceptance.h"
+#include "core/coordinates.h"
+#include "core/hit.h"
+#include "core/instance.h"
 #include "core/vec.h"
 
 namespace twinray {
@@ -53,17 +56,17 @@ struct Facet {
 /// Takes the triangles out that have no area or a corner that is not finite; returns how many.
 std::size_t drop_degenerate_triangles(Mesh& mesh);
 
-/// The coordinates that a scene may have: up to +-10^12.
-inline constexpr float max_coordinate = 1e12f;
-
-/// All shapes of a scene. A Hit's `mesh` is an index into shapes(), its `primitive` one into that shape.
+/// All shapes of a scene. A Hit's `mesh` is an index into shapes(), its `primitive` one into that shape, its
+/// `instance` one into instances(), of which it is the shape of the prototype.
 class Geometry {
  public:
   Geometry() = default;
   /// Throws Error, naming the shape and the element, for an index out of range, a coordinate that is not
   /// finite or beyond max_coordinate, normals or uvs whose indices do not match the triangles, a negative
-  /// radius, a shape that is not opaque where nothing says which hits count.
-  explicit Geometry(std::vector<Shape> shapes, std::shared_ptr<const Acceptance> acceptance = nullptr);
+  /// radius, a shape that is not opaque where nothing says which hits count, prototypes that do not follow
+  /// each other, and what PlacedInstances refuses.
+  explicit Geometry(std::vector<Shape> shapes, std::shared_ptr<const Acceptance> acceptance = nullptr,
+                    Instancing instancing = {});
 
   const std::vector<Shape>& shapes() const { return shapes_; }
   const Mesh* mesh(std::uint32_t shape) const { return std::get_if<Mesh>(&shapes_[shape]); }
@@ -79,16 +82,38 @@ class Geometry {
   const std::shared_ptr<const Acceptance>& acceptance() const { return acceptance_; }
   /// Of a triangle of a mesh: worked out once, for every hit asks for it.
   const Facet& facet(std::uint32_t shape, std::uint32_t triangle) const { return facets_[shape][triangle]; }
-  /// The box of everything; empty without shapes.
+  /// Those that stand in the scene directly: the first ones.
+  ShapeRange direct_shapes() const { return direct_; }
+  /// Those that instances place, by prototype.
+  const std::vector<ShapeRange>& prototypes() const { return prototypes_; }
+  const PlacedInstances& placed() const { return placed_; }
+  const std::vector<Instance>& instances() const { return placed_.instances(); }
+  bool has_instances() const { return !instances().empty(); }
+  /// The transform of a hit's shape into the scene; null where it stands there directly.
+  const Transform* to_world(std::uint32_t instance) const {
+    return instance == no_instance ? nullptr : &instances()[instance].to_world;
+  }
+  /// The box of everything that stands in the scene; empty where nothing does.
   const Aabb& bounds() const { return bounds_; }
   std::size_t triangle_count() const { return triangle_count_; }
   std::size_t sphere_count() const { return sphere_count_; }
+  /// All that are stored, those of prototypes once.
   std::size_t primitive_count() const { return triangle_count_ + sphere_count_; }
+  /// Those that rays can meet: those of a prototype as often as it stands in the scene.
+  std::uint64_t seen_primitives() const;
+  /// Those of some shapes.
+  std::size_t primitive_count(ShapeRange shapes) const;
 
  private:
+  /// Boxes that hold all primitives of some shapes with this box: those of a grid's cells.
+  std::vector<Aabb> parts_of(ShapeRange shapes, const Aabb& box) const;
+
   std::vector<Shape> shapes_;
   std::shared_ptr<const Acceptance> acceptance_;
   std::vector<std::vector<Facet>> facets_;  ///< For each shape; of spheres none.
+  ShapeRange direct_;
+  std::vector<ShapeRange> prototypes_;
+  PlacedInstances placed_;
   Aabb bounds_;
   std::size_t triangle_count_ = 0, sphere_count_ = 0;
 };

@@ -16,8 +16,8 @@ constexpr float widest = 1;
 constexpr float least_cosine = 1e-3f;
 
 /// How many units of texture coordinates lie on a unit of length of the surface, on the average over the
-/// surface's directions: the square root of the ratio of a triangle's two areas.
-float texture_density(const Geometry& geometry, const Hit& hit) {
+/// surface's directions: the square root of the ratio of a triangle's two areas. In the space of its shape.
+float own_texture_density(const Geometry& geometry, const Hit& hit) {
   const Mesh* mesh = geometry.mesh(hit.mesh);
   if (!mesh) {  // The octahedral map has the unit square for the whole sphere.
     constexpr float four_pi = 12.566370614f;
@@ -31,6 +31,16 @@ float texture_density(const Geometry& geometry, const Hit& hit) {
   const auto& [i, j, k] = mesh->uv_indices[hit.primitive];
   const Vec2 s = mesh->uvs[j] - mesh->uvs[i], t = mesh->uvs[k] - mesh->uvs[i];
   return std::sqrt(std::fabs(s.x * t.y - s.y * t.x) / area);
+}
+
+/// In the scene, where an instance's matrix A makes |det A| / |A^T n| of an area with the unit normal n
+/// there.
+float texture_density(const Geometry& geometry, const Hit& hit, const Vec3& normal) {
+  const float own = own_texture_density(geometry, hit);
+  const Transform* const to_world = geometry.to_world(hit.instance);
+  if (!to_world) return own;
+  const double area = std::fabs(to_world->determinant()) / length(to_world->transposed_vector(normal));
+  return own / float(std::sqrt(area));
 }
 
 }  // namespace
@@ -49,7 +59,8 @@ RayCone camera_cone(const Camera& camera, int width, int height, std::uint32_t s
 float texture_footprint(const Geometry& geometry, const Hit& hit, const SurfacePoint& point, float width,
                         const Vec3& direction) {
   const float cosine = std::fabs(dot(point.geometric_normal, direction)) / length(direction);
-  return width * texture_density(geometry, hit) / std::sqrt(std::max(cosine, least_cosine));
+  return width * texture_density(geometry, hit, point.geometric_normal) /
+         std::sqrt(std::max(cosine, least_cosine));
 }
 
 }  // namespace twinray

@@ -23,6 +23,9 @@ void check_light(const Scene& scene, std::size_t index) {
                  scene.geometry->sphere_set(sphere->shape)->spheres.size() != 1))
     throw Error(
         fmt::format("light {} names shape {}, which is not a set of one sphere", index, sphere->shape));
+  const std::uint32_t shape = mesh ? mesh->shape : sphere ? sphere->shape : 0;
+  if ((mesh || sphere) && shape >= scene.geometry->direct_shapes().count)
+    throw Error(fmt::format("light {} names shape {}, which only instances show", index, shape));
   check_numbers(scene.lights[index].source, fmt::format("light {}", index));
   if (!scene.light_groups.empty() && scene.lights[index].group >= scene.light_groups.size())
     throw Error(fmt::format("light {} names group {}; there are {}", index, scene.lights[index].group,

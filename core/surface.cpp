@@ -90,11 +90,32 @@ SurfacePoint sphere_hit_point(const Sphere& sphere, const Hit& hit) {
   return point;
 }
 
+/// In the space of the hit's shape.
+SurfacePoint own_point(const Geometry& geometry, const Hit& hit) {
+  if (const Mesh* mesh = geometry.mesh(hit.mesh)) return mesh_point(geometry, *mesh, hit);
+  return sphere_hit_point(geometry.sphere_set(hit.mesh)->spheres[hit.primitive], hit);
+}
+
+/// Moves a point of a prototype into the scene. For a unit normal n of the scene, a way d along it is one of
+/// d / |A^T n| along the prototype's normal. The prototype's offset allows for what is rounded there; the
+/// position and the shifted origin are rounded once more, by 2 u of their size each along the normal.
+void move_to_world(const Transform& to_world, SurfacePoint& point) {
+  point.position = to_world.point(point.position);
+  point.geometric_normal = to_world.front(point.geometric_normal);
+  point.shading_normal = to_world.front(point.shading_normal);
+  const float stretch = length(to_world.transposed_vector(point.geometric_normal));
+  point.offset = stretch * point.offset + 0.5f * ten_roundings * max_abs(point.position);
+}
+
 }  // namespace
 
 SurfacePoint surface_at(const Geometry& geometry, const Hit& hit) {
-  if (const Mesh* mesh = geometry.mesh(hit.mesh)) return mesh_point(geometry, *mesh, hit);
-  return sphere_hit_point(geometry.sphere_set(hit.mesh)->spheres[hit.primitive], hit);
+  const Transform* const to_world = geometry.to_world(hit.instance);
+  if (!to_world) return own_point(geometry, hit);
+  SurfacePoint point = own_point(geometry, hit);
+  point.instance = hit.instance;
+  move_to_world(*to_world, point);
+  return point;
 }
 
 Vec2 texture_coordinates(const Geometry& geometry, const Hit& hit) {
@@ -102,11 +123,21 @@ Vec2 texture_coordinates(const Geometry& geometry, const Hit& hit) {
   return mesh ? texture_coordinates(*mesh, hit.primitive, hit.u, hit.v) : Vec2{hit.u, hit.v};
 }
 
-Vec3 mixed_normal(const Geometry& geometry, const Hit& hit) {
+namespace {
+
+Vec3 own_mixed_normal(const Geometry& geometry, const Hit& hit) {
   const Mesh* mesh = geometry.mesh(hit.mesh);
   if (!mesh) return octahedral_decode(hit.u, hit.v);
   if (mesh->normals.empty()) return geometry.facet(hit.mesh, hit.primitive).normal;
   return mixed_normal(*mesh, hit.primitive, hit.u, hit.v);
+}
+
+}  // namespace
+
+Vec3 mixed_normal(const Geometry& geometry, const Hit& hit) {
+  const Vec3 normal = own_mixed_normal(geometry, hit);
+  const Transform* const to_world = geometry.to_world(hit.instance);
+  return to_world ? to_world->front(normal) * length(normal) : normal;
 }
 
 }  // namespace twinray

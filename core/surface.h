@@ -19,7 +19,8 @@ struct SurfacePoint {
   float offset =
       0;  ///< How far along the geometric normal a ray must start to leave the surface (core/offset.h).
   std::uint32_t shape = 0;
-  std::uint32_t primitive = 0;  ///< The triangle or sphere of the shape.
+  std::uint32_t primitive = 0;           ///< The triangle or sphere of the shape.
+  std::uint32_t instance = no_instance;  ///< Of which the shape is; all above is in the scene's space.
   // What a path adds, where textures are looked up:
   float footprint = 0;            ///< how wide, in texture coordinates, what it sees is (core/ray_cone.h),
   Vec2 texture_draw{0.5f, 0.5f};  ///< and what chooses pixels of pictures at random, in [0, 1)^2.
@@ -32,7 +33,7 @@ SurfacePoint surface_at(const Geometry& geometry, const Hit& hit);
 Vec2 texture_coordinates(const Geometry& geometry, const Hit& hit);
 
 /// The normals of the triangle's corners mixed by the hit's weights, of whatever length; without such normals
-/// the geometric one. Of a sphere its unit normal.
+/// the geometric one. Of a sphere its unit normal. Of an instance turned into the scene, of the same length.
 Vec3 mixed_normal(const Geometry& geometry, const Hit& hit);
 
 /// A point of a triangle by the weights of its second and third vertex, without the mesh's normals and

@@ -40,14 +40,25 @@ std::optional<Tangents> of_sphere(const Sphere& sphere, const Vec3& normal) {
   return usable({project(du), project(dv)});
 }
 
-}  // namespace
-
-std::optional<Tangents> tangents_at(const Geometry& geometry, const SurfacePoint& point) {
+/// In the space of the point's shape, whose unit normal there is `normal`.
+std::optional<Tangents> own_tangents(const Geometry& geometry, const SurfacePoint& point,
+                                     const Vec3& normal) {
   if (const SphereSet* set = geometry.sphere_set(point.shape))
-    return of_sphere(set->spheres[point.primitive], point.geometric_normal);
+    return of_sphere(set->spheres[point.primitive], normal);
   const Mesh& mesh = *geometry.mesh(point.shape);
   if (mesh.uvs.empty()) return std::nullopt;
   return of_triangle(mesh, point.primitive);
+}
+
+}  // namespace
+
+std::optional<Tangents> tangents_at(const Geometry& geometry, const SurfacePoint& point) {
+  const Transform* const to_world = geometry.to_world(point.instance);
+  if (!to_world) return own_tangents(geometry, point, point.geometric_normal);
+  const Vec3 normal = normalize(to_world->transposed_vector(point.geometric_normal));
+  const std::optional<Tangents> own = own_tangents(geometry, point, normal);
+  if (!own) return std::nullopt;
+  return usable({to_world->vector(own->du), to_world->vector(own->dv)});
 }
 
 }  // namespace twinray

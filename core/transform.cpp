@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/transform.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/elementary.h"
@@ -20,6 +21,22 @@ double cofactor(const double (&m)[3][4], int row, int column) {
   const int r1 = (row + 1) % 3, r2 = (row + 2) % 3;
   const int c1 = (column + 1) % 3, c2 = (column + 2) % 3;
   return m[r1][c1] * m[r2][c2] - m[r1][c2] * m[r2][c1];
+}
+
+/// A step of Newton's method towards the inverse of A: X (2 - A X).
+void refine_inverse(const double (&a)[3][4], double (&x)[3][4]) {
+  double rest[3][3], refined[3][3];
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) {
+      rest[row][column] = row == column ? 2 : 0;
+      for (int k = 0; k < 3; ++k) rest[row][column] -= a[row][k] * x[k][column];
+    }
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) {
+      refined[row][column] = 0;
+      for (int k = 0; k < 3; ++k) refined[row][column] += x[row][k] * rest[k][column];
+    }
+  for (int row = 0; row < 3; ++row) std::copy_n(refined[row], 3, x[row]);
 }
 
 }  // namespace
@@ -56,8 +73,38 @@ Vec3 Transform::normal(const Vec3& n) const {
   return result;
 }
 
+Vec3 Transform::front(const Vec3& n) const {
+  double moved[3], squared = 0;
+  for (int row = 0; row < 3; ++row) {
+    moved[row] = cofactor(m, row, 0) * n.x + cofactor(m, row, 1) * n.y + cofactor(m, row, 2) * n.z;
+    squared += moved[row] * moved[row];
+  }
+  const double scale = (determinant() < 0 ? -1 : 1) / std::sqrt(squared);
+  return {float(moved[0] * scale), float(moved[1] * scale), float(moved[2] * scale)};
+}
+
 double Transform::determinant() const {
   return m[0][0] * cofactor(m, 0, 0) + m[0][1] * cofactor(m, 0, 1) + m[0][2] * cofactor(m, 0, 2);
+}
+
+double Transform::stretch() const {
+  double most = 0;
+  for (const auto& row : m) most = std::max(most, std::fabs(row[0]) + std::fabs(row[1]) + std::fabs(row[2]));
+  return most;
+}
+
+Transform Transform::inverse() const {
+  const double divisor = determinant();
+  Transform result;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) result.m[row][column] = cofactor(m, column, row) / divisor;
+  // Of a needle the determinant has lost as many digits as the square of the condition has.
+  for (int step = 0; step < 2; ++step) refine_inverse(m, result.m);
+  for (int row = 0; row < 3; ++row) {
+    const double* const r = result.m[row];
+    result.m[row][3] = -(r[0] * m[0][3] + r[1] * m[1][3] + r[2] * m[2][3]);
+  }
+  return result;
 }
 
 Transform Transform::translation(double x, double y, double z) {

@@ -19,8 +19,16 @@ struct Transform {
   /// A normal, by the cofactors of A, so that it stays perpendicular to its surface; not of unit length, and
   /// turned with the orientation of transformed triangles where A mirrors.
   Vec3 normal(const Vec3& n) const;
+  /// A normal as a unit vector on the side that it was on: where A mirrors, the front stays the front. Of any
+  /// size of A that an instance may have (core/instance.h).
+  Vec3 front(const Vec3& n) const;
   /// The determinant of A: negative where the transform mirrors, 0 where it flattens.
   double determinant() const;
+  /// By how much A can make the largest component of a vector larger.
+  double stretch() const;
+  /// The transform back: A times its matrix is the identity but for 2^-48 times the condition of A, for
+  /// conditions up to 2^20. Of no use where this one flattens.
+  Transform inverse() const;
 
   static Transform translation(double x, double y, double z);
   static Transform scaling(double x, double y, double z);

@@ -301,6 +301,21 @@ Json shapes_json(const Scene& scene, const std::string& path) {
     if (scene.bindings[i].light != no_light) list.back()["light"] = scene.bindings[i].light;
     if (scene.bindings[i].alpha != no_texture) list.back()["textured"].push_back("alpha");
   }
+  const std::vector<ShapeRange>& prototypes = scene.geometry->prototypes();
+  for (std::size_t i = 0; i < prototypes.size(); ++i)
+    for (std::uint32_t shape = prototypes[i].first; shape < prototypes[i].end(); ++shape)
+      list[shape]["prototype"] = i;
+  return list;
+}
+
+/// With all digits of a double: rays are transformed by these numbers.
+Json instances_json(const Scene& scene) {
+  Json list = Json::array();
+  for (const auto& [prototype, to_world] : scene.geometry->instances()) {
+    Json rows = Json::array();
+    for (const auto& row : to_world.m) rows.push_back(row);
+    list.push_back({{"prototype", prototype}, {"to_world", rows}});
+  }
   return list;
 }
 
@@ -345,11 +360,13 @@ std::vector<std::string> exchange_files(const Scene& scene, const std::string& p
 
 std::string exchange_json(const Scene& scene, const std::string& path, const ExchangeFrame& frame) {
   const Camera camera = fit_frame(scene.camera, frame.width, frame.height);
+  const bool has_instances = scene.geometry->has_instances();
   return fmt::format(
-      "{{\n  \"format\": \"twinray scene\",\n  \"version\": 1,\n  \"resolution\": [{},{}],\n"
-      "  \"camera\": {},\n  \"materials\": {},\n  \"lights\": {},\n  \"shapes\": {}\n}}\n",
-      frame.width, frame.height, line(camera_json(camera)), lines(materials_json(scene)),
-      lines(lights_json(scene, path)), lines(shapes_json(scene, path)));
+      "{{\n  \"format\": \"twinray scene\",\n  \"version\": {},\n  \"resolution\": [{},{}],\n"
+      "  \"camera\": {},\n  \"materials\": {},\n  \"lights\": {},\n  \"shapes\": {}{}\n}}\n",
+      has_instances ? 2 : 1, frame.width, frame.height, line(camera_json(camera)),
+      lines(materials_json(scene)), lines(lights_json(scene, path)), lines(shapes_json(scene, path)),
+      has_instances ? ",\n  \"instances\": " + lines(instances_json(scene)) : "");
 }
 
 void write_exchange(const Scene& scene, const std::string& path, const ExchangeFrame& frame) {

@@ -29,6 +29,7 @@ class Builder {
     LoadedScene loaded;
     set_poses(loaded.summary);
     for (const int node : shown_nodes(document_)) add_node(node);
+    shapes_.place_all();
     if (shapes_.parts.empty()) document_.context().warn("/", "the scene has no shapes");
     loaded.scene = assembled();
     set_camera(loaded);
@@ -73,7 +74,7 @@ class Builder {
     rest.assets = std::move(shapes_.assets);
     rest.materials = std::move(materials_.materials);
     rest.textures = materials_.textures.take();
-    return assemble(std::move(shapes_.parts), std::move(rest));
+    return assemble(std::move(shapes_.parts), std::move(rest), std::move(shapes_.instances));
   }
 
   void set_camera(LoadedScene& loaded) {

@@ -60,17 +60,65 @@ void GltfShapes::add(int node, const std::vector<Transform>& to_world, const Glt
   const tinygltf::Mesh& mesh = model.meshes[std::size_t(source.mesh)];
   const std::string own = mesh.name.empty() ? fmt::format("node {}", node) : mesh.name;
   assets.push_back(source.name.empty() ? own : source.name);
+  shown_.push_back({source.mesh, std::uint32_t(assets.size() - 1), to_world, deformation});
+}
+
+std::size_t GltfShapes::triangles_of(int mesh) {
+  std::size_t triangles = 0;
+  for (std::size_t i = 0; i < document_.model().meshes[std::size_t(mesh)].primitives.size(); ++i)
+    if (const auto& made = primitive(mesh, int(i))) triangles += made->triangles.size();
+  return triangles;
+}
+
+std::set<int> GltfShapes::shared_meshes() {
+  std::map<int, std::size_t> times;
+  for (const Shown& shown : shown_)
+    if (shown.deformation.is_none()) times[shown.mesh] += shown.to_world.size();
+  std::set<int> shared;
+  for (const auto& [mesh, count] : times)
+    if (are_stored_once(document_.context().options.instances, triangles_of(mesh), count))
+      shared.insert(mesh);
+  return shared;
+}
+
+void GltfShapes::place_all() {
+  const std::set<int> shared = shared_meshes();
+  for (const Shown& shown : shown_)
+    for (const Transform& to_world : shown.to_world)
+      if (shown.deformation.is_none() && shared.count(shown.mesh) > 0)
+        place_instance(shown, to_world);
+      else
+        place_mesh_of(shown, Which::all, {to_world, shown.asset, to_world.determinant() < 0});
+}
+
+bool GltfShapes::glows(const GltfPrimitive& primitive) {
+  const auto set = materials_.uv_set(primitive.material);
+  const GltfUse use{.has_uvs = set && primitive.uvs.count(*set) > 0};
+  return !is_black(materials_.surface(primitive.material, use).radiance);
+}
+
+void GltfShapes::place_mesh_of(const Shown& shown, Which which, const Place& place) {
+  const tinygltf::Mesh& mesh = document_.model().meshes[std::size_t(shown.mesh)];
   for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
-    const auto& made = primitive(source.mesh, int(i));
-    if (!made) continue;
-    const std::string name = mesh_name(mesh, source.mesh, i);
-    if (deformation.is_none()) {
-      for (const Transform& each : to_world) place(*made, name, each);
-    } else {
-      const GltfPrimitive moved = deformed(document_, *made, deformation);
-      for (const Transform& each : to_world) place(moved, name, each);
-    }
+    const auto& made = primitive(shown.mesh, int(i));
+    if (!made || (which != Which::all && glows(*made) != (which == Which::glowing))) continue;
+    const std::string name = mesh_name(mesh, shown.mesh, i);
+    if (shown.deformation.is_none())
+      this->place(*made, name, place);
+    else
+      this->place(deformed(document_, *made, shown.deformation), name, place);
   }
+}
+
+void GltfShapes::place_instance(const Shown& shown, const Transform& to_world) {
+  const bool is_mirrored = to_world.determinant() < 0;
+  if (!can_place(to_world)) return place_mesh_of(shown, Which::all, {to_world, shown.asset, is_mirrored});
+  place_mesh_of(shown, Which::glowing, {to_world, shown.asset, is_mirrored});
+  const auto [entry, is_new] =
+      prototypes_.try_emplace({shown.mesh, is_mirrored}, std::uint32_t(prototypes_.size()));
+  const std::uint32_t prototype = entry->second;
+  if (is_new) place_mesh_of(shown, Which::dark, {Transform{}, shown.asset, is_mirrored, prototype});
+  instances.push_back({prototype, to_world});
 }
 
 void GltfShapes::check_room(const GltfPrimitive& primitive) {
@@ -79,11 +127,11 @@ void GltfShapes::check_room(const GltfPrimitive& primitive) {
   if (triangles_ > max_triangles || vertices_ > max_triangles || parts.size() >= max_triangles)
     document_.context().fail(
         primitive.pointer,
-        fmt::format("the scene has more than {} triangles, vertices or shapes, instances included",
+        fmt::format("the scene has more than {} triangles, vertices or shapes, copies included",
                     max_triangles));
 }
 
-void GltfShapes::place(const GltfPrimitive& primitive, const std::string& name, const Transform& to_world) {
+void GltfShapes::place(const GltfPrimitive& primitive, const std::string& name, const Place& place) {
   check_room(primitive);
   const auto set = materials_.uv_set(primitive.material);
   const auto uvs = set ? primitive.uvs.find(*set) : primitive.uvs.end();
@@ -93,23 +141,21 @@ void GltfShapes::place(const GltfPrimitive& primitive, const std::string& name, 
   set_triangles(mesh, primitive.triangles);
   colors_.add(primitive, mesh, use);
   if (!use.has_uvs || !materials_.has_normal_map(primitive.material))
-    return place_part(primitive, std::move(mesh), use, to_world);
+    return place_part(primitive, std::move(mesh), use, place);
   std::vector<Triangle> sides[2];
-  const bool is_world_mirrored = to_world.determinant() < 0;
   for (const Triangle& triangle : primitive.triangles)
-    sides[is_mirrored(primitive, uvs->second, triangle) != is_world_mirrored].push_back(triangle);
+    sides[is_mirrored(primitive, uvs->second, triangle) != place.is_mirrored].push_back(triangle);
   for (const bool is_mirrored_part : {false, true}) {
     if (sides[is_mirrored_part].empty()) continue;
     use.is_mirrored = is_mirrored_part;
     set_triangles(mesh, std::move(sides[is_mirrored_part]));
-    place_part(primitive, mesh, use, to_world);
+    place_part(primitive, mesh, use, place);
   }
 }
 
-void GltfShapes::place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse use,
-                            const Transform& to_world) {
+void GltfShapes::place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse use, const Place& place) {
   const GltfSurface& surface = materials_.surface(primitive.material, use);
-  PlacedMesh placed = place_mesh(mesh, to_world, [&](const std::string& message) {
+  PlacedMesh placed = place_mesh(mesh, place.to_world, [&](const std::string& message) {
     document_.context().fail(primitive.pointer, message);
   });
   dropped_triangles += placed.dropped;
@@ -117,9 +163,11 @@ void GltfShapes::place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse u
   ScenePart part;
   part.material = surface.material;
   part.alpha = surface.alpha;
-  part.asset = std::uint32_t(assets.size() - 1);
+  part.asset = place.asset;
+  part.prototype = place.prototype;
   part.light_name = placed.mesh.name;
-  if (!document_.context().options.surfaces_only) add_emission(surface, primitive.pointer, placed.mesh, part);
+  if (!place.prototype && !document_.context().options.surfaces_only)
+    add_emission(surface, primitive.pointer, placed.mesh, part);
   part.shape = std::move(placed.mesh);
   parts.push_back(std::move(part));
 }

@@ -4,6 +4,7 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,18 +25,44 @@ class GltfShapes {
 
   /// Adds the primitives of a node's mesh, once for each transform, its vertices moved.
   void add(int node, const std::vector<Transform>& to_world, const GltfDeformation& deformation);
+  /// Makes instances or copies of what has been added, when all has been.
+  void place_all();
 
   std::vector<ScenePart> parts;
+  std::vector<Instance> instances;  ///< Of the parts' prototypes.
   std::vector<std::string> assets;
   std::size_t dropped_triangles = 0, replaced_normals = 0;
 
   static constexpr std::size_t max_triangles = std::size_t(1) << 28;
 
  private:
+  /// A node that shows a mesh.
+  struct Shown {
+    int mesh;
+    std::uint32_t asset;
+    std::vector<Transform> to_world;
+    GltfDeformation deformation;
+  };
+  /// A primitive as it is placed.
+  struct Place {
+    const Transform& to_world;
+    std::uint32_t asset;
+    bool is_mirrored;  ///< Where it is seen; to_world may be the way to a prototype.
+    std::optional<std::uint32_t> prototype = {};
+  };
+  enum class Which { all, glowing, dark };
+
   const std::optional<GltfPrimitive>& primitive(int mesh, int index);
-  void place(const GltfPrimitive& primitive, const std::string& name, const Transform& to_world);
+  std::size_t triangles_of(int mesh);
+  /// The meshes that are stored once.
+  std::set<int> shared_meshes();
+  bool glows(const GltfPrimitive& primitive);
+  void place_mesh_of(const Shown& shown, Which which, const Place& place);
+  /// An instance of the mesh; of what cannot be one, a copy.
+  void place_instance(const Shown& shown, const Transform& to_world);
+  void place(const GltfPrimitive& primitive, const std::string& name, const Place& place);
   /// The triangles whose texture coordinates run this way round, with what the primitive's surface needs.
-  void place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse use, const Transform& to_world);
+  void place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse use, const Place& place);
   /// What a part emits, by its surface.
   void add_emission(const GltfSurface& surface, const std::string& pointer, Mesh& mesh, ScenePart& part);
   void check_room(const GltfPrimitive& primitive);
@@ -44,6 +71,8 @@ class GltfShapes {
   GltfMaterials& materials_;
   GltfColors colors_;
   std::map<std::pair<int, int>, std::optional<GltfPrimitive>> primitives_;
+  std::vector<Shown> shown_;
+  std::map<std::pair<int, bool>, std::uint32_t> prototypes_;  ///< By mesh, and whether it is seen mirrored.
   std::size_t triangles_ = 0, vertices_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/instance_use.h"
 #include "io/interpretation.h"
 #include "io/picture_meaning.h"
 
@@ -18,6 +19,7 @@ struct LoadOptions {
   bool keep_both_lamps = false;     ///< Undoes the one-lamp rule (io/collada_lamp.h).
   std::string camera_name = {};     ///< Of the camera to see by, or its node; empty: the file's choice.
   std::optional<double> time = {};  ///< In seconds, when what moves is seen; none: as it rests.
+  InstanceUse instances = InstanceUse::automatic;
   bool clip_as_file = false;  ///< The camera has the file's <znear> and <zfar>; else it sees any distance.
   /// A point or spot light without attenuation elements does not fall off, which is COLLADA's default; else
   /// it falls off with the squared distance.

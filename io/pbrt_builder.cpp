@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/alpha_test.h"
+#include "core/box_corners.h"
 #include "core/mesh_area.h"
 #include "core/radiance.h"
 #include "core/shading_map.h"
@@ -22,6 +23,15 @@ double area_of(const Shape& shape) {
   if (const auto* mesh = std::get_if<Mesh>(&shape))
     for (const Triangle& triangle : mesh->triangles) area += area_vector(*mesh, triangle).area();
   return area;
+}
+
+Aabb bounds_of(const Shape& shape) {
+  Aabb box;
+  if (const auto* set = std::get_if<SphereSet>(&shape))
+    for (const Sphere& sphere : set->spheres) box.extend(sphere_bounds(sphere));
+  if (const auto* mesh = std::get_if<Mesh>(&shape))
+    for (const Vec3& position : mesh->positions) box.extend(position);
+  return box;
 }
 
 void check_coordinates(const Shape& shape, const PbrtPlace& place) {
@@ -70,19 +80,19 @@ void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& param
                   parameters.place(),
                   asset};
   if (object_)
-    object_->push_back(part);
+    object_->parts.push_back(part);
   else
-    place(part, part.to_world);
+    place(part, part.to_world, placed_);
 }
 
 void PbrtBuilder::check_room(const Part& part) {
   triangles_ += part.shape->mesh.triangles.size();
-  if (triangles_ > max_triangles || shapes_.size() >= max_triangles)
+  if (triangles_ > max_triangles || placed_.shapes.size() >= max_triangles)
     part.place.fail(
-        fmt::format("the scene has more than {} triangles or shapes, instances included", max_triangles));
+        fmt::format("the scene has more than {} triangles or shapes, copies included", max_triangles));
 }
 
-void PbrtBuilder::place(const Part& part, const Transform& to_world) {
+void PbrtBuilder::place(const Part& part, const Transform& to_world, Placed& placed) {
   const bool emits = part.light && !context_.options.surfaces_only;
   const bool is_filled = !is_black(part.absorption);
   const bool is_nothing = part.alpha != no_texture && materials_.textures.is_at_most(part.alpha, 0);
@@ -92,12 +102,17 @@ void PbrtBuilder::place(const Part& part, const Transform& to_world) {
   const bool as_mesh = (emits && part.light->is_two_sided) || needs_uvs(part);
   Shape shape = place_shape(*with_uvs(part), to_world, part.is_reversed, as_mesh, account_);
   check_coordinates(shape, part.place);
-  shapes_.push_back(std::move(shape));
+  placed.shapes.push_back(std::move(shape));
   ShapeBinding binding{part.material, no_light, part.alpha, part.asset};
   if (emits) add_emission(part, binding);
   if (materials_.is_interface(part.material) && emits) binding.material = black();
-  if (is_filled) absorptions_[bindings_.size()] = part.absorption;
-  bindings_.push_back(binding);
+  if (is_filled) placed.absorptions[placed.bindings.size()] = part.absorption;
+  placed.bindings.push_back(binding);
+}
+
+bool PbrtBuilder::emits(const Part& part) const {
+  const auto* model = std::get_if<Principled>(&materials_.materials[part.material].model);
+  return part.light || (model && model->emission_luminance > 0);
 }
 
 bool PbrtBuilder::is_textured(std::uint32_t material) const {
@@ -124,15 +139,16 @@ std::shared_ptr<const PbrtShape> PbrtBuilder::with_uvs(const Part& part) const {
 /// A mesh emits from its front, which is pbrt's outside.
 void PbrtBuilder::add_emission(const Part& part, ShapeBinding& binding) {
   const Rgb radiance =
-      bounded(part.light->radiance_of(area_of(shapes_.back())), part.place, context_.warnings);
+      bounded(part.light->radiance_of(area_of(placed_.shapes.back())), part.place, context_.warnings);
   if (is_black(radiance)) return;
   const EmissionSide side = part.light->is_two_sided ? EmissionSide::both : EmissionSide::front;
-  binding.light = add_shape_light(fmt::format("area light, line {}", part.place.line),
-                                  {std::uint32_t(shapes_.size() - 1), radiance, side, part.light->picture});
+  binding.light =
+      add_shape_light(fmt::format("area light, line {}", part.place.line),
+                      {std::uint32_t(placed_.shapes.size() - 1), radiance, side, part.light->picture});
 }
 
 std::uint32_t PbrtBuilder::add_shape_light(const std::string& name, const MeshLight& light) {
-  if (std::holds_alternative<SphereSet>(shapes_[light.shape]))
+  if (std::holds_alternative<SphereSet>(placed_.shapes[light.shape]))
     shape_lights_.push_back({name, SphereLight{light.shape, light.radiance}});
   else
     shape_lights_.push_back({name, light});
@@ -147,8 +163,8 @@ std::uint32_t PbrtBuilder::black() {
 void PbrtBuilder::fill_interiors() {
   std::vector<Material>& materials = materials_.materials;
   std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> filled;
-  for (const auto& [shape, absorption] : absorptions_) {
-    std::uint32_t& material = bindings_[shape].material;
+  for (const auto& [shape, absorption] : placed_.absorptions) {
+    std::uint32_t& material = placed_.bindings[shape].material;
     if (!lets_light_in(materials[material].model)) continue;
     const auto key = std::tuple(material, absorption.r, absorption.g, absorption.b);
     const auto [entry, is_new] = filled.try_emplace(key, std::uint32_t(materials.size()));
@@ -161,8 +177,8 @@ void PbrtBuilder::fill_interiors() {
 }
 
 void PbrtBuilder::add_glow() {
-  for (std::uint32_t shape = 0; shape < bindings_.size(); ++shape) {
-    ShapeBinding& binding = bindings_[shape];
+  for (std::uint32_t shape = 0; shape < placed_.bindings.size(); ++shape) {
+    ShapeBinding& binding = placed_.bindings[shape];
     const Material& material = materials_.materials[binding.material];
     const auto* model = std::get_if<Principled>(&material.model);
     if (!model || binding.light != no_light || context_.options.surfaces_only) continue;
@@ -192,16 +208,64 @@ void PbrtBuilder::add_instance(const std::string& name, const Transform& to_worl
   if (object_) place.fail("an instance stands within an object, which pbrt does not have either");
   if (object == objects_.end()) {
     std::vector<std::string_view> known;
-    for (const auto& [each, parts] : objects_) known.push_back(each);
+    for (const auto& entry : objects_) known.push_back(entry.first);
     const std::string nearest = nearest_name(name, known);
     place.fail(fmt::format("no object \"{}\" is defined before this{}", name,
                            nearest.empty() ? "" : fmt::format("; \"{}\" is the nearest one", nearest)));
   }
-  for (const Part& part : object->second) this->place(part, to_world * part.to_world);
+  object->second.shown.push_back({to_world, place});
+}
+
+Instancing PbrtBuilder::place_objects() {
+  Placed shared;
+  Instancing instancing;
+  for (const std::string& name : assets_) place_object(objects_.at(name), shared, instancing);
+  const std::size_t direct = placed_.shapes.size();
+  for (ShapeRange& prototype : instancing.prototypes) prototype.first += std::uint32_t(direct);
+  for (Shape& shape : shared.shapes) placed_.shapes.push_back(std::move(shape));
+  for (const ShapeBinding& binding : shared.bindings) placed_.bindings.push_back(binding);
+  for (const auto& [shape, absorption] : shared.absorptions) placed_.absorptions[direct + shape] = absorption;
+  return instancing;
+}
+
+void PbrtBuilder::place_object(const Object& object, Placed& shared, Instancing& instancing) {
+  std::size_t triangles = 0;
+  for (const Part& part : object.parts) triangles += part.shape->mesh.triangles.size();
+  const bool is_shared = are_stored_once(context_.options.instances, triangles, object.shown.size());
+  const auto copy = [&](const ShownAt& shown, bool alone) {
+    for (const Part& part : object.parts)
+      if (!alone || emits(part)) place(part, shown.to_world * part.to_world, placed_);
+  };
+  ShapeRange prototype{std::uint32_t(shared.shapes.size()), 0};
+  if (is_shared)
+    for (const Part& part : object.parts)
+      if (!emits(part)) place(part, part.to_world, shared);
+  prototype.count = std::uint32_t(shared.shapes.size()) - prototype.first;
+  for (const ShownAt& shown : object.shown) {
+    const bool is_instance = prototype.count > 0 && can_place(shown.to_world);
+    copy(shown, is_instance);
+    if (!is_instance) continue;
+    check_reach(shared, prototype, shown);
+    instancing.instances.push_back({std::uint32_t(instancing.prototypes.size()), shown.to_world});
+  }
+  instancing.prototypes.push_back(prototype);
+}
+
+void PbrtBuilder::check_reach(const Placed& shared, ShapeRange shapes, const ShownAt& shown) const {
+  Aabb box;
+  for (std::uint32_t i = shapes.first; i < shapes.end(); ++i) box.extend(bounds_of(shared.shapes[i]));
+  if (box.is_empty()) return;
+  for (const Vec3& corner : corners_of(box))
+    if (const Vec3 p = shown.to_world.point(corner); !(max_abs(p) <= max_coordinate))
+      shown.place.fail(
+          fmt::format("this instance reaches to ({:g}, {:g}, {:g}); coordinates must lie within "
+                      "+-{:g}",
+                      p.x, p.y, p.z, max_coordinate));
 }
 
 LoadedScene PbrtBuilder::finish(float exposure) {
   materials_.check_all_made();
+  Instancing instancing = place_objects();
   fill_interiors();
   add_glow();
   LoadedScene loaded;
@@ -213,12 +277,12 @@ LoadedScene PbrtBuilder::finish(float exposure) {
   if (exposure != 1)
     context_.notes.push_back(
         fmt::format("all light is times {:g}, the film's exposure (shutter x iso / 100)", exposure));
-  scene.bindings = std::move(bindings_);
+  scene.bindings = std::move(placed_.bindings);
   scene.assets = std::move(assets_);
   scene.materials = std::move(materials_.materials);
   scene.textures = std::move(materials_.textures.textures);
-  scene.geometry =
-      std::make_shared<const Geometry>(cut_out(std::move(shapes_), scene.bindings, scene.textures));
+  scene.geometry = std::make_shared<const Geometry>(
+      cut_out(std::move(placed_.shapes), scene.bindings, scene.textures, std::move(instancing)));
   check_scene(scene);
   loaded.summary.dropped_triangles = account_.dropped_triangles;
   if (account_.replaced_normals > 0)

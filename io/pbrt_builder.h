@@ -28,7 +28,7 @@ class PbrtBuilder {
   /// Shapes up to end_object() are parts of an object that instances show; the scene does not.
   void begin_object(const std::string& name, const PbrtPlace& place);
   void end_object() { object_ = nullptr; }
-  /// Copies an object's shapes. Throws Error where there is none of this name.
+  /// Shows an object's shapes. Throws Error where there is none of this name.
   void add_instance(const std::string& name, const Transform& to_world, const PbrtPlace& place);
 
   /// The scene, but for its camera, with all light times the exposure. Throws Error where a name was used
@@ -50,9 +50,29 @@ class PbrtBuilder {
     PbrtPlace place;
     std::uint32_t asset;  ///< The object that it belongs to, if any.
   };
-  using Object = std::vector<Part>;
+  struct ShownAt {
+    Transform to_world;
+    PbrtPlace place;
+  };
+  /// What instances show, and where.
+  struct Object {
+    std::vector<Part> parts;
+    std::vector<ShownAt> shown;
+  };
+  /// Shapes in their places, what they wear, and what is within them.
+  struct Placed {
+    std::vector<Shape> shapes;
+    std::vector<ShapeBinding> bindings;
+    std::map<std::size_t, Rgb> absorptions;  ///< Within those shapes that have any.
+  };
 
-  void place(const Part& part, const Transform& to_world);
+  void place(const Part& part, const Transform& to_world, Placed& placed);
+  /// Makes instances or copies of all objects; puts the shapes of the former behind all others.
+  Instancing place_objects();
+  void place_object(const Object& object, Placed& shared, Instancing& instancing);
+  /// Throws Error where an instance of these shapes of a prototype reaches too far.
+  void check_reach(const Placed& shared, ShapeRange shapes, const ShownAt& shown) const;
+  bool emits(const Part& part) const;
   bool is_textured(std::uint32_t material) const;
   /// Whether the shape's texture coordinates matter.
   bool needs_uvs(const Part& part) const;
@@ -71,13 +91,11 @@ class PbrtBuilder {
   PbrtContext& context_;
   PbrtMaterials materials_;
   PbrtMedia media_;
-  std::vector<Shape> shapes_;
-  std::vector<ShapeBinding> bindings_;
-  std::map<std::size_t, Rgb> absorptions_;  ///< Within those of the bindings' shapes that have any.
+  Placed placed_;  ///< All that stands in the scene directly and, at the end, what instances show.
   std::vector<Light> shape_lights_, lights_;
   std::map<std::string, Object> objects_;
-  Object* object_ = nullptr;  ///< The one that shapes belong to: the last of the assets.
-  std::vector<std::string> assets_;
+  Object* object_ = nullptr;         ///< The one that shapes belong to: the last of the assets.
+  std::vector<std::string> assets_;  ///< Names of the objects in their order.
   PlacedShapes account_;
   std::size_t triangles_ = 0;
 };

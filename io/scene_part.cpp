@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene_part.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/alpha_test.h"
@@ -13,9 +14,29 @@ LightSource shape_light(const ScenePart& part, std::uint32_t shape) {
   return MeshLight{shape, part.radiance, part.side, part.picture};
 }
 
+/// Those of the scene, and then those of one prototype after the other.
+Instancing sort_by_prototype(std::vector<ScenePart>& parts, std::vector<Instance> instances) {
+  const auto order_of = [](const ScenePart& part) { return part.prototype ? *part.prototype + 1 : 0; };
+  std::stable_sort(parts.begin(), parts.end(),
+                   [&](const ScenePart& a, const ScenePart& b) { return order_of(a) < order_of(b); });
+  std::size_t count = 0;
+  for (const ScenePart& part : parts) count = std::max<std::size_t>(count, order_of(part));
+  for (const Instance& instance : instances) count = std::max<std::size_t>(count, instance.prototype + 1);
+  std::vector<ShapeRange> prototypes(count);
+  std::uint32_t shape = 0;
+  while (shape < parts.size() && !parts[shape].prototype) ++shape;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    prototypes[i].first = shape;
+    while (shape < parts.size() && parts[shape].prototype == i) ++shape;
+    prototypes[i].count = shape - prototypes[i].first;
+  }
+  return {std::move(prototypes), std::move(instances)};
+}
+
 }  // namespace
 
-Scene assemble(std::vector<ScenePart> parts, Scene rest) {
+Scene assemble(std::vector<ScenePart> parts, Scene rest, std::vector<Instance> instances) {
+  Instancing instancing = sort_by_prototype(parts, std::move(instances));
   Scene scene = std::move(rest);
   const std::vector<Light> without_shape = std::move(scene.lights);
   scene.lights.clear();
@@ -30,8 +51,8 @@ Scene assemble(std::vector<ScenePart> parts, Scene rest) {
     shapes.push_back(std::move(part.shape));
   }
   scene.lights.insert(scene.lights.end(), without_shape.begin(), without_shape.end());
-  scene.geometry =
-      std::make_shared<const Geometry>(cut_out(std::move(shapes), scene.bindings, scene.textures));
+  scene.geometry = std::make_shared<const Geometry>(
+      cut_out(std::move(shapes), scene.bindings, scene.textures, std::move(instancing)));
   check_scene(scene);
   return scene;
 }

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,14 @@ struct ScenePart {
   std::uint32_t asset = no_asset;                  ///< What it belongs to.
   std::uint32_t alpha = no_texture;                ///< The texture that cuts holes into it.
   std::shared_ptr<const Image> picture = nullptr;  ///< Of the radiance, as MeshLight has it.
+  /// Which prototype it is a shape of, if it stands in the scene by instances alone. Such a part emits
+  /// nothing.
+  std::optional<std::uint32_t> prototype = {};
 };
 
 /// A scene of these shapes. `rest` has all but them: materials, textures, lights without a shape, which come
-/// behind those of shapes, in the order of these, and what else there is. Throws Error as Geometry and
-/// check_scene() do.
-Scene assemble(std::vector<ScenePart> parts, Scene rest);
+/// behind those of shapes, in the order of these, and what else there is. `instances` are those of the parts'
+/// prototypes. Throws Error as Geometry and check_scene() do.
+Scene assemble(std::vector<ScenePart> parts, Scene rest, std::vector<Instance> instances = {});
 
 }  // namespace twinray

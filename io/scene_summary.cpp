@@ -89,6 +89,9 @@ void count_scene(const Scene& scene, SceneSummary& summary) {
   summary.triangles = scene.geometry->triangle_count();
   summary.spheres = scene.geometry->sphere_count();
   for (const Shape& shape : scene.geometry->shapes()) summary.meshes += std::holds_alternative<Mesh>(shape);
+  summary.prototypes = scene.geometry->prototypes().size();
+  summary.instances = scene.geometry->instances().size();
+  summary.seen_primitives = scene.geometry->seen_primitives();
   summary.materials = scene.materials.size();
   for (const Light& light : scene.lights) {
     summary.lights.push_back(std::visit(Summarize{*scene.geometry}, light.source));
@@ -113,6 +116,10 @@ std::vector<std::string> summary_lines(const SceneSummary& summary) {
     shapes += fmt::format("; {} dropped",
                           plural(summary.dropped_triangles, "degenerate triangle", "degenerate triangles"));
   lines.push_back(shapes + "; " + plural(summary.materials, "material", "materials"));
+  if (summary.instances > 0)
+    lines.push_back(fmt::format("instances: {} of {}, by which {:.3g} triangles and spheres are seen",
+                                summary.instances, plural(summary.prototypes, "prototype", "prototypes"),
+                                double(summary.seen_primitives)));
   if (summary.animation) lines.push_back(animation_line(*summary.animation));
   if (summary.lights.empty()) lines.push_back("lights: none");
   for (const LightSummary& light : summary.lights) {

@@ -33,6 +33,8 @@ struct SceneSummary {
   std::vector<std::string> cameras;  ///< The names of all cameras of the scene.
   std::optional<AnimationSummary> animation;  ///< None where nothing moves.
   std::size_t meshes = 0, triangles = 0, dropped_triangles = 0, spheres = 0, materials = 0;
+  std::size_t prototypes = 0, instances = 0;  ///< The shapes of prototypes count once above.
+  std::uint64_t seen_primitives = 0;          ///< Triangles and spheres, as often as instances show them.
   std::vector<LightSummary> lights;
   std::vector<std::string> notes;  ///< Decisions of the reader, such as the one-lamp rule.
 };

@@ -118,13 +118,30 @@ class Assembly {
 
 }  // namespace
 
-BuildPrimitives collect_primitives(const Geometry& geometry) {
-  if (geometry.primitive_count() > max_primitives)
-    throw Error(fmt::format("the scene has {} primitives; a BVH takes up to {}", geometry.primitive_count(),
-                            max_primitives));
-  BuildPrimitives primitives(geometry.primitive_count());
+namespace {
+
+void check_count(std::size_t count, const char* what) {
+  if (count > max_primitives)
+    throw Error(fmt::format("the scene has {} {}; a BVH takes up to {}", count, what, max_primitives));
+}
+
+}  // namespace
+
+BuildPrimitives collect_instances(const Geometry& geometry) {
+  const std::size_t count = geometry.instances().size();
+  check_count(count, "instances");
+  BuildPrimitives primitives;
+  primitives.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (const Aabb& box = geometry.placed()[i].box; !box.is_empty()) primitives.push_back({box, {0, i}});
+  return primitives;
+}
+
+BuildPrimitives collect_primitives(const Geometry& geometry, ShapeRange shapes) {
+  check_count(geometry.primitive_count(), "primitives");
+  BuildPrimitives primitives(geometry.primitive_count(shapes));
   std::size_t done = 0;
-  for (std::uint32_t shape = 0; shape < geometry.shapes().size(); ++shape) {
+  for (std::uint32_t shape = shapes.first; shape < shapes.end(); ++shape) {
     const Mesh* mesh = geometry.mesh(shape);
     const std::size_t count = mesh ? mesh->triangles.size() : geometry.sphere_set(shape)->spheres.size();
     parallel_for(count, task_size, 0, [&](std::size_t begin, std::size_t end) {

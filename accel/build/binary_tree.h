@@ -27,8 +27,13 @@ struct BuildTree {
   BuildPrimitives primitives;
 };
 
-/// All primitives of a geometry, in the order of their ids. Throws Error for more than 2^30.
-BuildPrimitives collect_primitives(const Geometry& geometry);
+/// All primitives of some shapes of a geometry, in the order of their ids. Throws Error where the geometry
+/// has more than 2^30.
+BuildPrimitives collect_primitives(const Geometry& geometry, ShapeRange shapes);
+
+/// The instances of a geometry that can be hit, as primitives whose ids are their numbers. Throws Error for
+/// more than 2^30.
+BuildPrimitives collect_instances(const Geometry& geometry);
 
 /// Divides until every node is a leaf; on as many threads as with_threads allows. The same tree on any number
 /// of them.

@@ -77,16 +77,48 @@ Bvh lay_out(const BuildTree& tree, const Geometry& geometry) {
   return bvh;
 }
 
-Bvh make_bvh(const Geometry& geometry, const BuildOptions& options, std::vector<BuildPhase>& phases) {
+namespace {
+
+Bvh make_bvh_of(const Geometry& geometry, ShapeRange shapes, const BuildOptions& options,
+                std::vector<BuildPhase>& phases) {
   Bvh bvh;
   with_threads(options.threads, [&] {
     BuildPrimitives primitives;
     BuildTree tree;
-    timed("boxes", phases, [&] { primitives = collect_primitives(geometry); });
+    timed("boxes", phases, [&] { primitives = collect_primitives(geometry, shapes); });
     timed("tree", phases, [&] { tree = build_by(std::move(primitives), options); });
     timed("layout", phases, [&] { bvh = lay_out(tree, geometry); });
   });
   return bvh;
+}
+
+/// A tree over instances: its leaves have one each, and no blocks.
+void make_instance_tree(const Geometry& geometry, BuildOptions options, SceneBvh& all) {
+  options.max_leaf_size = 1;
+  const BuildTree tree = build_tree(collect_instances(geometry), options);
+  if (tree.primitives.empty()) return;
+  all.instances.box = padded(tree.nodes[0].box);
+  Layout layout(tree, all.instances);
+  all.instances.root = layout.add(tree.nodes[0]);
+  for (const BlockRange& leaf : layout.block_ranges())
+    all.instance_order.push_back(tree.primitives[leaf.first].id.primitive);
+}
+
+}  // namespace
+
+Bvh make_bvh(const Geometry& geometry, const BuildOptions& options, std::vector<BuildPhase>& phases) {
+  return make_bvh_of(geometry, geometry.direct_shapes(), options, phases);
+}
+
+SceneBvh make_scene_bvh(const Geometry& geometry, const BuildOptions& options,
+                        std::vector<BuildPhase>& phases) {
+  SceneBvh all{.direct = make_bvh(geometry, options, phases)};
+  for (const ShapeRange& prototype : geometry.prototypes())
+    all.prototypes.push_back(make_bvh_of(geometry, prototype, options, phases));
+  if (geometry.has_instances())
+    timed("instances", phases,
+          [&] { with_threads(options.threads, [&] { make_instance_tree(geometry, options, all); }); });
+  return all;
 }
 
 }  // namespace twinray

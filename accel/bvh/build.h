@@ -13,7 +13,11 @@ namespace twinray {
 Bvh lay_out(const BuildTree& tree, const Geometry& geometry);
 
 /// Builds by the builder of the options on options.threads threads, and lays out; adds how long each step
-/// took to `phases`. Throws Error where the builder is not part of this build.
+/// took to `phases`. Throws Error where the builder is not part of this build. Of the shapes that stand in
+/// the scene directly,
 Bvh make_bvh(const Geometry& geometry, const BuildOptions& options, std::vector<BuildPhase>& phases);
+/// and all trees.
+SceneBvh make_scene_bvh(const Geometry& geometry, const BuildOptions& options,
+                        std::vector<BuildPhase>& phases);
 
 }  // namespace twinray

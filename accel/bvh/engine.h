@@ -17,17 +17,17 @@ namespace twinray {
 template <typename Leaf>
 class BvhEngine final : public Accelerator {
  public:
-  BvhEngine(std::shared_ptr<const Geometry> geometry, Bvh bvh, AccelStats stats)
+  BvhEngine(std::shared_ptr<const Geometry> geometry, SceneBvh bvh, AccelStats stats)
       : Accelerator(std::move(geometry), std::move(stats)), bvh_(std::move(bvh)) {}
 
  private:
   Hit closest(Query query) const noexcept override {
-    return closest_of(query.ray, [&](const CheckedRay& ray) {
+    return closest_of(geometry(), query.ray, [&](const CheckedRay& ray) {
       return query.counts ? trace_closest(ray, Counting{*query.counts}) : trace_closest(ray, NoCounts{});
     });
   }
   bool any(Query query) const noexcept override {
-    return any_of(query.ray, [&](const CheckedRay& ray) {
+    return any_of(geometry(), query.ray, [&](const CheckedRay& ray) {
       return query.counts ? trace_any(ray, Counting{*query.counts}) : trace_any(ray, NoCounts{});
     });
   }
@@ -36,25 +36,26 @@ class BvhEngine final : public Accelerator {
   Hit trace_closest(const CheckedRay& ray, Counts counts) const {
     Hit best;
     float t_max = ray.t_max;
-    traverse(bvh_, ray, t_max, counts, [&](const PrimitiveBlock& block) {
-      Leaf::template test<QueryKind::closest>(geometry(), ray, block, best);
+    const auto test = [&](const CheckedRay& own, const PrimitiveBlock& block) {
+      Leaf::template test<QueryKind::closest>(geometry(), own, block, best);
       t_max = std::min(t_max, best.t);
       return false;
-    });
+    };
+    traverse_scene(bvh_, geometry(), ray, t_max, counts, test);
     return best;
   }
 
   template <typename Counts>
   bool trace_any(const CheckedRay& ray, Counts counts) const {
     Hit found;
-    traverse(bvh_, ray, ray.t_max, counts, [&](const PrimitiveBlock& block) {
-      Leaf::template test<QueryKind::any>(geometry(), ray, block, found);
-      return !found.is_miss();
-    });
-    return !found.is_miss();
+    return traverse_scene(bvh_, geometry(), ray, ray.t_max, counts,
+                          [&](const CheckedRay& own, const PrimitiveBlock& block) {
+                            Leaf::template test<QueryKind::any>(geometry(), own, block, found);
+                            return !found.is_miss();
+                          });
   }
 
-  Bvh bvh_;
+  SceneBvh bvh_;
 };
 
 /// Builds the tree and the engine over it.
@@ -62,9 +63,9 @@ template <typename Leaf>
 std::unique_ptr<Accelerator> build_bvh_engine(std::shared_ptr<const Geometry> geometry,
                                               const BuildOptions& options) {
   AccelStats stats;
-  Bvh bvh = make_bvh(*geometry, options, stats.phases);
+  SceneBvh bvh = make_scene_bvh(*geometry, options, stats.phases);
   stats.bytes = bvh.bytes();
-  stats.tree = statistics_of(bvh, options);
+  stats.tree = statistics_of(bvh, *geometry, options);
   return std::make_unique<BvhEngine<Leaf>>(std::move(geometry), std::move(bvh), std::move(stats));
 }
 

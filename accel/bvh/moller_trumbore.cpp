@@ -17,7 +17,7 @@ void test_triangle(const Geometry& geometry, const Mesh& mesh, const CheckedRay&
   if (!intersect_moller_trumbore(ray, mesh.positions[a], mesh.positions[b], mesh.positions[c], t_max, found))
     return;
   if (!mesh.is_opaque && !accepts(geometry, ray, id, found)) return;
-  const Hit hit{found.t, found.u, found.v, id.primitive, id.mesh, no_instance};
+  const Hit hit{found.t, found.u, found.v, id.primitive, id.mesh, ray.instance};
   if (precedes(hit, best)) best = hit;
 }
 

@@ -54,4 +54,19 @@ struct Bvh {
   }
 };
 
+/// All trees of a geometry: one over the shapes that stand in the scene directly, one over the shapes of each
+/// prototype, and one over the instances.
+struct SceneBvh {
+  Bvh direct;
+  std::vector<Bvh> prototypes;
+  Bvh instances;                              ///< Without blocks: leaf `first` is instance
+  std::vector<std::uint32_t> instance_order;  ///< instance_order[first].
+
+  std::size_t bytes() const {
+    std::size_t sum = direct.bytes() + instances.bytes() + instance_order.size() * sizeof(std::uint32_t);
+    for (const Bvh& prototype : prototypes) sum += prototype.bytes();
+    return sum;
+  }
+};
+
 }  // namespace twinray

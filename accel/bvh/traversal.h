@@ -14,6 +14,7 @@
 
 #include "accel/build/binary_tree.h"
 #include "accel/bvh/node.h"
+#include "accel/canonical/instance_ray.h"
 #include "accel/counting.h"
 #include "core/lanes.h"
 
@@ -88,13 +89,14 @@ class TraversalStack {
   std::uint64_t nodes_[max_bvh_depth];  ///< NodeRefs; as numbers they need not be initialised.
 };
 
-/// Calls `test(block)` for the blocks of all leaves whose boxes the ray intersects between ray.t_min and
-/// t_max, about front to back; `test` may lower t_max, and ends the traversal by returning true.
-template <typename Test, typename Counts>
-void traverse(const Bvh& bvh, const CheckedRay& ray, const float& t_max, Counts counts, Test&& test) {
+/// Calls `visit(leaf)` for all leaves whose boxes the ray intersects between ray.t_min and t_max, about front
+/// to back; `visit` may lower t_max, and ends the traversal by returning true. Whether it did.
+template <typename Visit, typename Counts>
+bool traverse_leaves(const Bvh& bvh, const CheckedRay& ray, const float& t_max, Counts counts,
+                     Visit&& visit) {
   counts.test_box();
   const SlabInterval root = intersect_slab(ray, bvh.box);
-  if (root.near > root.far || root.near > t_max || root.far < ray.t_min) return;
+  if (root.near > root.far || root.near > t_max || root.far < ray.t_min) return false;
   const PairRay pair_ray(ray);
   TraversalStack stack;
   NodeRef node = bvh.root;
@@ -104,7 +106,7 @@ void traverse(const Bvh& bvh, const CheckedRay& ray, const float& t_max, Counts 
       counts.visit_node(pair);
       const PairIntervals intervals = pair_ray.intersect(pair, t_max);
       if (intervals.met == 0) {
-        if (!stack.pop(t_max, node)) return;
+        if (!stack.pop(t_max, node)) return false;
       } else if (intervals.met != 3) {
         node = pair.children[intervals.met >> 1];
       } else {
@@ -114,12 +116,44 @@ void traverse(const Bvh& bvh, const CheckedRay& ray, const float& t_max, Counts 
       }
     }
     counts.visit_leaf();
-    for (std::uint32_t i = 0; i < node.count; ++i) {
-      const PrimitiveBlock& block = bvh.blocks[node.first + i];
-      counts.test_block(block);
-      if (test(block)) return;
-    }
+    if (visit(node)) return true;
   } while (stack.pop(t_max, node));
+  return false;
+}
+
+/// The same with `test(block)` for each block of the leaves.
+template <typename Test, typename Counts>
+bool traverse(const Bvh& bvh, const CheckedRay& ray, const float& t_max, Counts counts, Test&& test) {
+  return traverse_leaves(bvh, ray, t_max, counts, [&](const NodeRef& leaf) {
+    for (std::uint32_t i = 0; i < leaf.count; ++i) {
+      const PrimitiveBlock& block = bvh.blocks[leaf.first + i];
+      counts.test_block(block);
+      if (test(block)) return true;
+    }
+    return false;
+  });
+}
+
+/// All trees of a scene: calls `test(own, block)`, `own` being the ray in the space of the block.
+template <typename Test, typename Counts>
+bool traverse_scene(const SceneBvh& all, const Geometry& geometry, const CheckedRay& ray, const float& t_max,
+                    Counts counts, Test&& test) {
+  if (traverse(all.direct, ray, t_max, counts, [&](const PrimitiveBlock& block) { return test(ray, block); }))
+    return true;
+  if (all.instance_order.empty()) return false;
+  return traverse_leaves(all.instances, ray, t_max, counts, [&](const NodeRef& leaf) {
+    const std::uint32_t instance = all.instance_order[leaf.first];
+    CheckedRay own;
+    if (!enter_instance(geometry.placed(), instance, ray, t_max, own)) return false;
+    counts.enter_instance();
+    float own_t_max = own.t_max;
+    const Bvh& prototype = all.prototypes[geometry.instances()[instance].prototype];
+    return traverse(prototype, own, own_t_max, counts, [&](const PrimitiveBlock& block) {
+      const bool is_done = test(own, block);
+      own_t_max = std::min(own_t_max, t_max);
+      return is_done;
+    });
+  });
 }
 
 }  // namespace twinray

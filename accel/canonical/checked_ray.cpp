@@ -63,6 +63,7 @@ bool load_ray_scalar(const Ray& ray, CheckedRay& checked) noexcept {
   checked.t_min = ray.t_min;
   checked.t_max = std::min(ray.t_max, max_t);
   checked.t_scale = 1;
+  checked.instance = no_instance;
   const float largest = max_abs(ray.direction);
   const bool is_in_range = largest >= min_direction && largest <= max_direction;
   if (!is_in_range && !scale_direction(checked)) return false;

@@ -7,6 +7,7 @@
 // largest component lies outside [2^-40, 2^40] is scaled by a power of two, and t with it; t is scaled back
 // on a hit.
 #pragma once
+#include <cstdint>
 #include <limits>
 
 #include "core/hit.h"
@@ -24,6 +25,8 @@ struct CheckedRay {
   /// Multiplies a t of the scaled ray into a t of the caller's ray: a power of two, as a double because those
   /// of float end before the directions do.
   double t_scale;
+  /// In whose space the ray is given; no_instance: in the scene's.
+  std::uint32_t instance;
 
   // Slab test, in the first three lanes: the origin moved by its share of the rounding bound, and the
   // reciprocal scaled by its own.
@@ -49,24 +52,6 @@ bool load_ray_scalar(const Ray& ray, CheckedRay& checked) noexcept;
 
 /// The same bits, in lanes: what the engines call.
 bool load_ray(const Ray& ray, CheckedRay& checked) noexcept;
-
-/// The hit that `trace` finds for a loaded ray, with t in the caller's units; an invalid ray is a miss.
-template <typename Trace>
-Hit closest_of(const Ray& ray, const Trace& trace) {
-  Hit hit;  // The one variable that every path returns: copying what was just written in parts stalls.
-  CheckedRay checked;
-  if (!load_ray(ray, checked)) return hit;
-  hit = trace(checked);
-  checked.scale_back(hit);
-  return hit;
-}
-
-/// Whether `trace` finds a hit for a loaded ray; an invalid ray is a miss.
-template <typename Trace>
-bool any_of(const Ray& ray, const Trace& trace) {
-  CheckedRay checked;
-  return load_ray(ray, checked) && trace(checked);
-}
 
 // What load_ray is made of, for whoever does the same in another way.
 

@@ -28,12 +28,25 @@ class RayLoader {
     static_assert(offsetof(Ray, direction) == 12 && offsetof(Ray, t_min) == 24 && sizeof(Ray) >= 28);
     static_assert(offsetof(CheckedRay, direction) == 12 && offsetof(CheckedRay, t_min) == 24);
     const Four origin = load_four(&ray, offsetof(Ray, origin));
-    Four direction = load_four(&ray, offsetof(Ray, direction));
-    if (!is_valid(ray, origin, direction)) return false;
+    const Four direction = load_four(&ray, offsetof(Ray, direction));
+    return load(origin, direction, ray.t_min, ray.t_max, checked);
+  }
+
+ protected:
+  using Tag = hn::FixedTag<float, 4>;
+  using IntTag = hn::RebindToSigned<Tag>;
+  using Four = hn::Vec<Tag>;
+
+  /// The same of a ray in lanes, the last of which are finite.
+  static HWY_ATTR HWY_INLINE bool load(Four origin, Four direction, float t_min, float t_max,
+                                       CheckedRay& checked) {
+    if (!is_valid(origin, direction, t_min, t_max)) return false;
     store_four(origin, &checked, offsetof(CheckedRay, origin));
     store_four(direction, &checked, offsetof(CheckedRay, direction));
-    checked.t_max = ray.t_max < max_t ? ray.t_max : max_t;
+    checked.t_min = t_min;
+    checked.t_max = t_max < max_t ? t_max : max_t;
     checked.t_scale = 1;
+    checked.instance = no_instance;
     Four largest = largest_of_three(hn::Abs(direction));
     const float length = hn::GetLane(largest);
     if (!(length >= min_direction) || !(length <= max_direction)) {
@@ -46,10 +59,11 @@ class RayLoader {
     return true;
   }
 
+  static HWY_ATTR HWY_INLINE Four largest_of_three(Four size) {
+    return hn::Max(hn::Max(hn::Broadcast<0>(size), hn::Broadcast<1>(size)), hn::Broadcast<2>(size));
+  }
+
  private:
-  using Tag = hn::FixedTag<float, 4>;
-  using IntTag = hn::RebindToSigned<Tag>;
-  using Four = hn::Vec<Tag>;
   using Bytes = hn::FixedTag<std::uint8_t, 16>;
 
   static HWY_ATTR HWY_INLINE Four load_four(const void* from, std::size_t place) {
@@ -59,12 +73,12 @@ class RayLoader {
     hn::StoreU(hn::BitCast(Bytes(), lanes), Bytes(), static_cast<std::uint8_t*>(to) + place);
   }
 
-  /// The last lane of the origin is the direction's x, that of the direction is t_min.
-  static HWY_ATTR HWY_INLINE bool is_valid(const Ray& ray, Four origin, Four direction) {
+  /// Whatever a ray has in its last lanes must be finite: of the origin the direction's x, of that t_min.
+  static HWY_ATTR HWY_INLINE bool is_valid(Four origin, Four direction, float t_min, float t_max) {
     alignas(16) static constexpr float most[4] = {max_origin, max_origin, max_origin, max_t};
     const auto in_range = hn::And(hn::Le(hn::Abs(origin), hn::Load(Tag(), most)),
                                   hn::Le(hn::Abs(direction), hn::Set(Tag(), max_t)));
-    return hn::AllTrue(Tag(), in_range) && ray.t_min >= 0 && ray.t_min <= ray.t_max;
+    return hn::AllTrue(Tag(), in_range) && t_min >= 0 && t_min <= t_max;
   }
 
   static HWY_ATTR HWY_INLINE void load_slab(CheckedRay& checked, Four origin, Four direction, Four largest) {
@@ -99,9 +113,6 @@ class RayLoader {
 
   static HWY_ATTR HWY_INLINE Four permuted(Four lanes, const std::int32_t order[4]) {
     return hn::TableLookupLanes(lanes, hn::IndicesFromVec(Tag(), hn::Load(IntTag(), order)));
-  }
-  static HWY_ATTR HWY_INLINE Four largest_of_three(Four size) {
-    return hn::Max(hn::Max(hn::Broadcast<0>(size), hn::Broadcast<1>(size)), hn::Broadcast<2>(size));
   }
   static HWY_ATTR HWY_INLINE void store(Four lanes, Float4& to) {
     hn::Store(lanes, Tag(), reinterpret_cast<float*>(&to));

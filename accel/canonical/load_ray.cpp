@@ -67,6 +67,7 @@ bool load_ray(const Ray& ray, CheckedRay& checked) noexcept {
   checked.t_min = ray.t_min;
   checked.t_max = std::min(ray.t_max, max_t);
   checked.t_scale = 1;
+  checked.instance = no_instance;
   Float4 largest = largest_of_three(abs(direction));
   if (!(largest[0] >= min_direction && largest[0] <= max_direction)) {
     if (!scale_direction(checked)) return false;

@@ -9,8 +9,8 @@
 
 namespace twinray {
 
-/// Of what is tested in lanes only its place is kept, and what u and v are made of: the divisions wait for
-/// the end.
+/// Of one space: of a scene's, or of an instance's. Of what is tested in lanes only its place is kept, and
+/// what u and v are made of: the divisions wait for the end.
 struct Nearest {
   float t = std::numeric_limits<float>::infinity();
   int lane = 0;
@@ -20,12 +20,13 @@ struct Nearest {
   alignas(32) double uv_terms[3][PrimitiveBlock::width];
   Hit other;  ///< A hit of something that is not tested in lanes, or none.
 
-  Hit hit() const {
+  /// As a hit of the ray.
+  Hit hit(const CheckedRay& ray) const {
     if (!block) return other;
     const PrimitiveId id = block->ids[lane];
     const Vec2 uv = block->is_sphere(lane) ? octahedral_encode(term(0), term(1), term(2))
                                            : Vec2{float(term(0) / term(2)), float(term(1) / term(2))};
-    return {t, uv.x, uv.y, id.primitive, id.mesh, no_instance};
+    return {t, uv.x, uv.y, id.primitive, id.mesh, ray.instance};
   }
   double term(int index) const { return uv_terms[index][lane]; }
   PrimitiveId id() const { return block ? block->ids[lane] : PrimitiveId{other.mesh, other.primitive}; }
@@ -33,7 +34,7 @@ struct Nearest {
   /// Tests some lanes of a block by the plain canonical test.
   [[gnu::noinline, gnu::cold]] void test(const Geometry& geometry, const CheckedRay& ray,
                                          const PrimitiveBlock& tested, std::uint32_t lanes) {
-    const Hit before = hit();
+    const Hit before = hit(ray);
     Hit best = before;
     for (; lanes != 0; lanes &= lanes - 1)
       test_primitive(geometry, ray, tested.ids[std::countr_zero(lanes)], best);

@@ -29,7 +29,7 @@ inline Aabb primitive_bounds(const Geometry& geometry, PrimitiveId id) {
 /// Whether a hit of a primitive counts, whose shape is not opaque.
 inline bool accepts(const Geometry& geometry, const CheckedRay& ray, PrimitiveId id, const ShapeHit& found) {
   return geometry.accepts(ray.origin, ray.direction,
-                          {found.t, found.u, found.v, id.primitive, id.mesh, no_instance});
+                          {found.t, found.u, found.v, id.primitive, id.mesh, ray.instance});
 }
 
 /// The nearest hit of one primitive that counts, in [ray.t_min, t_max]; false for none.
@@ -52,7 +52,7 @@ inline bool intersect_primitive(const Geometry& geometry, const CheckedRay& ray,
 inline void test_primitive(const Geometry& geometry, const CheckedRay& ray, PrimitiveId id, Hit& best) {
   ShapeHit found;
   if (!intersect_primitive(geometry, ray, id, std::min(ray.t_max, best.t), found)) return;
-  const Hit hit{found.t, found.u, found.v, id.primitive, id.mesh, no_instance};
+  const Hit hit{found.t, found.u, found.v, id.primitive, id.mesh, ray.instance};
   if (precedes(hit, best)) best = hit;
 }
 

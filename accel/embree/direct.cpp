@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "accel/embree/native.h"
@@ -15,6 +16,8 @@ namespace {
 constexpr std::size_t packet_size = 16;
 
 Coherence coherence_of(DirectCall how) { return how.rays == Rays::coherent ? coherent : incoherent; }
+
+// Hits are read with Embree's own numbers of shape and instance; named() makes ours of them.
 
 /// Up to 16 rays as a packet; the lanes behind them hold none.
 void fill(RTCRay16& packet, std::span<const Ray> rays) {
@@ -67,13 +70,13 @@ bool is_hit(const RTCRay16& rays, std::size_t lane) { return rays.tfar[lane] < 0
 void read(const RTCRayHit& found, Hit& hit) {
   hit = {};
   if (is_hit(found))
-    hit = {found.ray.tfar, found.hit.u, found.hit.v, found.hit.primID, found.hit.geomID, no_instance};
+    hit = {found.ray.tfar, found.hit.u, found.hit.v, found.hit.primID, found.hit.geomID, found.hit.instID[0]};
 }
 void read(const RTCRayHit16& found, std::size_t lane, Hit& hit) {
   hit = {};
   if (is_hit(found, lane))
     hit = {found.ray.tfar[lane],   found.hit.u[lane],      found.hit.v[lane],
-           found.hit.primID[lane], found.hit.geomID[lane], no_instance};
+           found.hit.primID[lane], found.hit.geomID[lane], found.hit.instID[0][lane]};
 }
 void read(const RTCRay& ray, std::uint8_t& hit) { hit = is_hit(ray); }
 void read(const RTCRay16& rays, std::size_t lane, std::uint8_t& hit) { hit = is_hit(rays, lane); }
@@ -176,8 +179,8 @@ std::size_t ask_in_packet_streams(RTCScene scene, std::span<const Ray> rays, Coh
 }
 
 template <typename Answer>
-std::size_t ask(const Accelerator& native, std::span<const Ray> rays, DirectCall how,
-                std::span<Answer> answers) {
+std::size_t ask_directly(const Accelerator& native, std::span<const Ray> rays, DirectCall how,
+                         std::span<Answer> answers) {
   const auto [scene, has_callbacks] = native_scene(native);
   if (!has(how.call)) throw Error("this version of Embree has no streams of rays");
   if (has_callbacks) {
@@ -201,6 +204,16 @@ std::size_t ask(const Accelerator& native, std::span<const Ray> rays, DirectCall
       break;
   }
   return ask_singly(scene, rays, answers);
+}
+
+template <typename Answer>
+std::size_t ask(const Accelerator& native, std::span<const Ray> rays, DirectCall how,
+                std::span<Answer> answers) {
+  const std::size_t hits = ask_directly(native, rays, how, answers);
+  if constexpr (std::is_same_v<Answer, Hit>)
+    if (!native_scene(native).has_callbacks)
+      for (Hit& hit : answers) hit = named(hit, native.geometry());
+  return hits;
 }
 
 }  // namespace

@@ -41,99 +41,232 @@ void bound_block(const RTCBoundsFunctionArguments* arguments) {
   *arguments->bounds_o = embree::widened(block_bounds(geometry, bvh.blocks[arguments->primID]), size);
 }
 
-/// Blocks of primitives, and Embree's tree over them.
-struct EmbreeBlocks {
-  Bvh bvh;
-  embree::Device device;
+/// Likewise about an instance.
+struct InstanceBounds {
+  const Geometry& geometry;
+  float widened_size;
+};
+
+void bound_instance(const RTCBoundsFunctionArguments* arguments) {
+  const auto& [geometry, size] = *static_cast<const InstanceBounds*>(arguments->geometryUserPtr);
+  const Aabb& box = geometry.placed()[arguments->primID].box;
+  *arguments->bounds_o = embree::widened(box.is_empty() ? Aabb{{}, {}} : box, size);
+}
+
+/// Embree's tree over the blocks of some shapes.
+struct EmbreeTree {
   embree::Scene scene;
+  float size = 0;  ///< The largest coordinate of what is in it.
+  float far = 0;   ///< Rays whose origin is farther away than this go through our own tree.
+};
+
+/// In a prototype's space rays begin wherever they begin in the scene, many of its sizes away.
+constexpr float prototype_reach = 256;
+
+/// Blocks of primitives, and Embree's trees over them.
+struct EmbreeBlocks {
+  SceneBvh bvh;
+  embree::Device device;
+  EmbreeTree scene;                    ///< Number 0: the blocks that stand in it directly, 1: the instances.
+  std::vector<EmbreeTree> prototypes;  ///< Of blocks.
 
   EmbreeBlocks(const Geometry& geometry, const BuildOptions& options, AccelStats& stats)
-      : bvh(make_bvh(geometry, block_options(options), stats.phases)),
-        device(embree::configuration(options)),
-        scene(rtcNewScene(device.get())) {}
+      : bvh(make_scene_bvh(geometry, block_options(options), stats.phases)),
+        device(embree::configuration(options)) {}
 
-  void build(BlockBounds& bounds, const embree::LeafFunctions& leaf, int threads) {
-    embree::GeometryOwner blocks(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER));
-    rtcSetGeometryUserPrimitiveCount(blocks.get(), unsigned(bvh.blocks.size()));
-    rtcSetGeometryUserData(blocks.get(), &bounds);
-    rtcSetGeometryBoundsFunction(blocks.get(), bound_block, nullptr);
+  void build(const Geometry& geometry, const embree::LeafFunctions& leaf, int threads, float widening) {
+    scene = new_tree(embree::scene_size(geometry), embree::reach);
+    InstanceBounds instances{geometry, scene.size * widening};
+    BlockBounds direct{geometry, bvh.direct, scene.size * widening};
+    add_blocks(scene, direct, leaf);
+    if (geometry.has_instances()) add_instances(scene, instances);
+    embree::commit(device, scene.scene.get(), threads);
+    for (std::size_t i = 0; i < bvh.prototypes.size(); ++i) {
+      const Aabb& box = bvh.prototypes[i].box;
+      const float size = box.is_empty() ? 0 : std::max(max_abs(box.lower), max_abs(box.upper));
+      prototypes.push_back(new_tree(size, prototype_reach));
+      BlockBounds bounds{geometry, bvh.prototypes[i],
+                         size * widening * (1 + prototype_reach) / (1 + embree::reach)};
+      add_blocks(prototypes.back(), bounds, leaf);
+      embree::commit(device, prototypes.back().scene.get(), threads);
+    }
+  }
+
+ private:
+  EmbreeTree new_tree(float size, float reach) {
+    return {embree::Scene(rtcNewScene(device.get())), size, size * reach};
+  }
+  embree::GeometryOwner new_geometry(std::size_t primitives, void* bounds, RTCBoundsFunction bound) {
+    embree::GeometryOwner geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER));
+    rtcSetGeometryUserPrimitiveCount(geometry.get(), unsigned(primitives));
+    rtcSetGeometryUserData(geometry.get(), bounds);
+    rtcSetGeometryBoundsFunction(geometry.get(), bound, nullptr);
+    return geometry;
+  }
+  void add_blocks(EmbreeTree& tree, BlockBounds& bounds, const embree::LeafFunctions& leaf) {
+    embree::GeometryOwner blocks = new_geometry(bounds.bvh.blocks.size(), &bounds, bound_block);
     rtcSetGeometryIntersectFunction(blocks.get(), leaf.intersect);
     rtcSetGeometryOccludedFunction(blocks.get(), leaf.occlude);
-    embree::attach(scene.get(), std::move(blocks), 0);
-    embree::commit(device, scene.get(), threads);
+    embree::attach(tree.scene.get(), std::move(blocks), 0);
+  }
+  void add_instances(EmbreeTree& tree, InstanceBounds& bounds);
+};
+
+/// A power of two, at most the direction's largest component and more than half of it. Embree gets a
+/// direction divided by it, for it takes components below 10^-18 for 10^-18.
+float length_scale(const CheckedRay& ray) {
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(max_abs(ray.direction)) & 0x7f800000u);
+}
+/// 1 / a power of two: the exponent of one is 127.
+float inverse_power(float power) {
+  return std::bit_cast<float>((2 * 127u << 23) - std::bit_cast<std::uint32_t>(power));
+}
+void set_ray(RTCRay& to, const CheckedRay& ray, float scale) {
+  embree::set_ray(to, ray.origin, ray.direction * inverse_power(scale), embree::told_t_min(ray.t_min * scale),
+                  embree::told_t_max(ray.t_max * scale));
+}
+
+bool is_far(const EmbreeTree& tree, const CheckedRay& ray) { return max_abs(ray.origin) > tree.far; }
+
+/// Queries from far away, through our own trees; they count what Embree's callbacks count.
+template <QueryKind kind>
+class FarQuery {
+ public:
+  FarQuery(const Geometry& geometry, const CheckedRay& ray, QueryCounts* counts)
+      : geometry_(geometry), ray_(ray), counts_(counts), t_max_(ray.t_max) {}
+
+  // Apart, for their stacks are large.
+  [[gnu::noinline]] Hit find_in(const SceneBvh& bvh) {
+    traverse_scene(bvh, geometry_, ray_, t_max_, NoCounts{},
+                   [&](const CheckedRay& own, const PrimitiveBlock& block) { return test(own, block); });
+    return best_;
+  }
+  [[gnu::noinline]] Hit find_in(const Bvh& bvh) {
+    traverse(bvh, ray_, t_max_, NoCounts{}, [&](const PrimitiveBlock& block) { return test(ray_, block); });
+    return best_;
+  }
+
+ private:
+  bool test(const CheckedRay& own, const PrimitiveBlock& block) {
+    if (counts_) {
+      ++counts_->leaves;
+      counts_->primitives += block.count;
+    }
+    test_block<kind>(geometry_, own, block, best_);
+    if (kind == QueryKind::closest) t_max_ = std::min(t_max_, best_.t);
+    return kind == QueryKind::any && best_;
+  }
+
+  const Geometry& geometry_;
+  const CheckedRay& ray_;
+  QueryCounts* const counts_;
+  float t_max_;
+  Hit best_;
+};
+
+/// A query of a tree of blocks, or of the scene.
+struct TreeQuery : embree::LeafQuery {
+  const EmbreeBlocks& all;
+  Hit best_of_instances;
+
+  TreeQuery(const EmbreeBlocks& every, const Bvh& bvh, const Geometry& shapes, const CheckedRay& checked,
+            float scale, QueryCounts* sums)
+      : LeafQuery(bvh.blocks.data(), shapes, checked, embree::told_t_max(scale), sums), all(every) {}
+
+  Hit closest() const {
+    const Hit of_blocks = best.hit(ray);
+    return precedes(of_blocks, best_of_instances) ? of_blocks : best_of_instances;
   }
 };
+
+/// Of what lies in one tree of Embree's.
+Hit closest_in(const EmbreeBlocks& all, const EmbreeTree& tree, const Bvh& bvh, const Geometry& geometry,
+               const CheckedRay& ray, QueryCounts* counts) {
+  const float scale = length_scale(ray);
+  TreeQuery query(all, bvh, geometry, ray, scale, counts);
+  RTCRayHit ray_hit;
+  set_ray(ray_hit.ray, ray, scale);
+  embree::set_no_hit(ray_hit.hit);
+  embree::trace(tree.scene.get(), query, ray_hit);
+  return query.closest();
+}
+
+bool any_in(const EmbreeBlocks& all, const EmbreeTree& tree, const Bvh& bvh, const Geometry& geometry,
+            const CheckedRay& ray, QueryCounts* counts) {
+  const float scale = length_scale(ray);
+  TreeQuery query(all, bvh, geometry, ray, scale, counts);
+  RTCRay occlusion_ray;
+  set_ray(occlusion_ray, ray, scale);
+  embree::trace(tree.scene.get(), query, occlusion_ray);
+  return query.is_hit;
+}
+
+/// The instance that a callback of Embree's is about, entered by its ray; false where it cannot be hit.
+template <typename Arguments>
+bool enter(const Arguments& arguments, const TreeQuery& query, CheckedRay& own) {
+  const float t_max = std::min(query.ray.t_max, std::min(query.best.t, query.best_of_instances.t));
+  if (!enter_instance(query.geometry.placed(), arguments.primID, query.ray, t_max, own)) return false;
+  if (query.counts) ++query.counts->instances;
+  return true;
+}
+
+void intersect_instance(const RTCIntersectFunctionNArguments* arguments) {
+  auto& query = *static_cast<TreeQuery*>(arguments->context);
+  CheckedRay own;
+  if (!enter(*arguments, query, own)) return;
+  const std::uint32_t prototype = query.geometry.instances()[arguments->primID].prototype;
+  const EmbreeTree& tree = query.all.prototypes[prototype];
+  const Bvh& bvh = query.all.bvh.prototypes[prototype];
+  const Hit hit = is_far(tree, own)
+                      ? FarQuery<QueryKind::closest>(query.geometry, own, query.counts).find_in(bvh)
+                      : closest_in(query.all, tree, bvh, query.geometry, own, query.counts);
+  if (!precedes(hit, query.best_of_instances)) return;
+  query.best_of_instances = hit;
+  query.shorten(hit.t, *reinterpret_cast<RTCRayHit*>(arguments->rayhit));
+}
+
+void occlude_instance(const RTCOccludedFunctionNArguments* arguments) {
+  auto& query = *static_cast<TreeQuery*>(arguments->context);
+  CheckedRay own;
+  if (!enter(*arguments, query, own)) return;
+  const std::uint32_t prototype = query.geometry.instances()[arguments->primID].prototype;
+  const EmbreeTree& tree = query.all.prototypes[prototype];
+  const Bvh& bvh = query.all.bvh.prototypes[prototype];
+  query.is_hit = is_far(tree, own)
+                     ? bool(FarQuery<QueryKind::any>(query.geometry, own, query.counts).find_in(bvh))
+                     : any_in(query.all, tree, bvh, query.geometry, own, query.counts);
+  query.end_if_hit(*reinterpret_cast<RTCRay*>(arguments->ray));
+}
+
+void EmbreeBlocks::add_instances(EmbreeTree& tree, InstanceBounds& bounds) {
+  embree::GeometryOwner instances = new_geometry(bounds.geometry.instances().size(), &bounds, bound_instance);
+  rtcSetGeometryIntersectFunction(instances.get(), intersect_instance);
+  rtcSetGeometryOccludedFunction(instances.get(), occlude_instance);
+  embree::attach(tree.scene.get(), std::move(instances), 1);
+}
 
 class EmbreeAccelerator final : public Accelerator {
  public:
   EmbreeAccelerator(std::shared_ptr<const Geometry> geometry, EmbreeBlocks blocks, AccelStats stats)
-      : Accelerator(std::move(geometry), std::move(stats)),
-        blocks_(std::move(blocks)),
-        scene_size_(embree::scene_size(this->geometry())) {}
+      : Accelerator(std::move(geometry), std::move(stats)), blocks_(std::move(blocks)) {}
 
  private:
   Hit closest(Query query) const noexcept override {
-    return closest_of(query.ray, [&](const CheckedRay& ray) {
-      if (is_far(ray)) return far_hit<QueryKind::closest>(ray, query.counts);
-      const float scale = length_scale(ray);
-      embree::LeafQuery leaf_query(blocks_.bvh.blocks.data(), geometry(), ray, embree::told_t_max(scale),
-                                   query.counts);
-      RTCRayHit ray_hit;
-      set_ray(ray_hit.ray, ray, scale);
-      embree::set_no_hit(ray_hit.hit);
-      embree::trace(blocks_.scene.get(), leaf_query, ray_hit);
-      return leaf_query.best.hit();
+    return closest_of(geometry(), query.ray, [&](const CheckedRay& ray) {
+      if (is_far(blocks_.scene, ray))
+        return FarQuery<QueryKind::closest>(geometry(), ray, query.counts).find_in(blocks_.bvh);
+      return closest_in(blocks_, blocks_.scene, blocks_.bvh.direct, geometry(), ray, query.counts);
     });
   }
-
   bool any(Query query) const noexcept override {
-    return any_of(query.ray, [&](const CheckedRay& ray) {
-      if (is_far(ray)) return bool(far_hit<QueryKind::any>(ray, query.counts));
-      const float scale = length_scale(ray);
-      embree::LeafQuery leaf_query(blocks_.bvh.blocks.data(), geometry(), ray, embree::told_t_max(scale),
-                                   query.counts);
-      RTCRay occlusion_ray;
-      set_ray(occlusion_ray, ray, scale);
-      embree::trace(blocks_.scene.get(), leaf_query, occlusion_ray);
-      return leaf_query.is_hit;
+    return any_of(geometry(), query.ray, [&](const CheckedRay& ray) {
+      if (is_far(blocks_.scene, ray))
+        return bool(FarQuery<QueryKind::any>(geometry(), ray, query.counts).find_in(blocks_.bvh));
+      return any_in(blocks_, blocks_.scene, blocks_.bvh.direct, geometry(), ray, query.counts);
     });
-  }
-
-  bool is_far(const CheckedRay& ray) const { return max_abs(ray.origin) > scene_size_ * embree::reach; }
-
-  /// A power of two, at most the direction's largest component and more than half of it. Embree gets a
-  /// direction divided by it, for it takes components below 10^-18 for 10^-18.
-  static float length_scale(const CheckedRay& ray) {
-    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(max_abs(ray.direction)) & 0x7f800000u);
-  }
-  /// 1 / a power of two: the exponent of one is 127.
-  static float inverse_power(float power) {
-    return std::bit_cast<float>((2 * 127u << 23) - std::bit_cast<std::uint32_t>(power));
-  }
-  static void set_ray(RTCRay& to, const CheckedRay& ray, float scale) {
-    embree::set_ray(to, ray.origin, ray.direction * inverse_power(scale),
-                    embree::told_t_min(ray.t_min * scale), embree::told_t_max(ray.t_max * scale));
-  }
-
-  /// The answer of our own tree. Apart, for its stack is large.
-  template <QueryKind kind>
-  [[gnu::noinline]] Hit far_hit(const CheckedRay& ray, QueryCounts* counts) const {
-    Hit best;
-    float t_max = ray.t_max;
-    traverse(blocks_.bvh, ray, t_max, NoCounts{}, [&](const PrimitiveBlock& block) {
-      if (counts) {
-        ++counts->leaves;
-        counts->primitives += block.count;
-      }
-      test_block<kind>(geometry(), ray, block, best);
-      if (kind == QueryKind::closest) t_max = std::min(t_max, best.t);
-      return kind == QueryKind::any && best;
-    });
-    return best;
   }
 
   EmbreeBlocks blocks_;
-  float scene_size_;  ///< The largest coordinate of the scene.
 };
 
 }  // namespace
@@ -148,8 +281,7 @@ std::unique_ptr<Accelerator> build_embree_widened(std::shared_ptr<const Geometry
   const embree::LeafFunctions leaf = chosen(embree::leaf_functions(), options.simd);
   AccelStats stats;
   EmbreeBlocks blocks(*geometry, options, stats);
-  BlockBounds bounds{*geometry, blocks.bvh, embree::scene_size(*geometry) * widening};
-  timed("embree", stats.phases, [&] { blocks.build(bounds, leaf, options.threads); });
+  timed("embree", stats.phases, [&] { blocks.build(*geometry, leaf, options.threads, widening); });
   stats.bytes = blocks.bvh.bytes() + blocks.device.bytes();
   return std::make_unique<EmbreeAccelerator>(std::move(geometry), std::move(blocks), std::move(stats));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Private: our leaf as Embree calls it: blocks of primitives as user geometry.
 #pragma once
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,10 @@ struct LeafQuery : Context {
     return block;
   }
   /// Tells Embree of the least hit so far.
-  void shorten(RTCRayHit& ray_hit) const {
-    if (best.t <= ray.t_max) ray_hit.ray.tfar = best.t * t_far_scale + 0.0f;
+  void shorten(RTCRayHit& ray_hit) const { shorten(best.t, ray_hit); }
+  /// Tells it of a hit at t, if there is one.
+  void shorten(float t, RTCRayHit& ray_hit) const {
+    if (t <= ray.t_max) ray_hit.ray.tfar = std::min(ray_hit.ray.tfar, t * t_far_scale + 0.0f);
   }
   /// Tells Embree that an any-hit query is answered.
   void end_if_hit(RTCRay& ended) const {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Embree with its own triangles: an independent witness of the canonical engines, outside of their promise.
 // The ends of a ray's interval are Embree's own.
+#include <array>
 #include <cstring>
 
 #include "accel/backends.h"
 #include "accel/build/phase_timer.h"
+#include "accel/canonical/instance_ray.h"
 #include "accel/canonical/shape_test.h"
 #include "accel/embree/bounds.h"
 #include "accel/embree/device.h"
@@ -17,6 +19,20 @@ namespace {
 
 struct NativeQuery : embree::Context {
   const CheckedRay& ray;
+  const Geometry& geometry;
+
+  /// The ray as our callbacks want it: in the space of the instance that Embree is in, if it is in one.
+  /// Embree's own ray there is rounded otherwise.
+  CheckedRay own_ray() const {
+    CheckedRay own = ray;
+    if (instID[0] == RTC_INVALID_GEOMETRY_ID) return own;
+    const std::uint32_t instance = instID[0] - geometry.direct_shapes().count;
+    Ray moved{.origin = {}, .direction = {}, .t_min = ray.t_min, .t_max = ray.t_max};
+    move_into(geometry.placed()[instance], ray, moved);
+    load_ray(moved, own);
+    own.instance = instance;
+    return own;
+  }
 };
 
 /// What the callbacks of one shape know.
@@ -37,7 +53,7 @@ void bound_sphere(const RTCBoundsFunctionArguments* arguments) {
 template <typename Arguments>
 bool find_sphere(const Arguments& arguments, float t_max, ShapeHit& found) {
   const auto& shape = *static_cast<const NativeShape*>(arguments.geometryUserPtr);
-  const CheckedRay& ray = static_cast<const NativeQuery*>(arguments.context)->ray;
+  const CheckedRay ray = static_cast<const NativeQuery*>(arguments.context)->own_ray();
   return intersect_primitive(shape.geometry, ray, {shape.index, arguments.primID}, t_max, found);
 }
 
@@ -50,6 +66,7 @@ void intersect_sphere(const RTCIntersectFunctionNArguments* arguments) {
   hit.v = found.v;
   hit.primID = arguments->primID;
   hit.geomID = arguments->geomID;
+  hit.instID[0] = arguments->context->instID[0];
 }
 
 void occlude_sphere(const RTCOccludedFunctionNArguments* arguments) {
@@ -61,7 +78,7 @@ void occlude_sphere(const RTCOccludedFunctionNArguments* arguments) {
 /// Of single rays: whether Embree's hit of a triangle counts.
 void filter(const RTCFilterFunctionNArguments* arguments) {
   const auto& shape = *static_cast<const NativeShape*>(arguments->geometryUserPtr);
-  const CheckedRay& ray = static_cast<const NativeQuery*>(arguments->context)->ray;
+  const CheckedRay ray = static_cast<const NativeQuery*>(arguments->context)->own_ray();
   const float t = reinterpret_cast<const RTCRay*>(arguments->ray)->tfar;
   const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
   if (!accepts(shape.geometry, ray, {shape.index, hit.primID}, {t, hit.u, hit.v})) arguments->valid[0] = 0;
@@ -99,34 +116,64 @@ embree::GeometryOwner make_spheres(RTCDevice device, NativeShape& shape) {
   return geometry;
 }
 
-/// Embree's tree over all shapes; a shape's number in the scene is its index.
+/// A transform as Embree takes it: four columns of three.
+std::array<float, 12> columns_of(const Transform& transform) {
+  std::array<float, 12> columns;
+  for (std::size_t column = 0; column < 4; ++column)
+    for (std::size_t row = 0; row < 3; ++row) columns[3 * column + row] = float(transform.m[row][column]);
+  return columns;
+}
+
+/// Embree's tree over all shapes and instances, whose numbers named() knows, and those over the prototypes.
 struct NativeWorld {
   std::vector<NativeShape> shapes;  ///< Never grown, for their addresses are user data.
   embree::Device device;
   embree::Scene scene;
+  std::vector<embree::Scene> prototypes;
   bool has_callbacks = false;
 
-  explicit NativeWorld(const BuildOptions& options)
-      : device(embree::configuration(options)), scene(rtcNewScene(device.get())) {}
+  explicit NativeWorld(const BuildOptions& options) : device(embree::configuration(options)) {}
 
   void build(const Geometry& geometry, const BuildOptions& options) {
-    if (options.embree_mode == EmbreeMode::robust) rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(scene.get(), options.embree_quality == EmbreeQuality::high
-                                             ? RTC_BUILD_QUALITY_HIGH
-                                             : RTC_BUILD_QUALITY_MEDIUM);
-    add_shapes(geometry);
+    shapes.reserve(geometry.shapes().size());
+    scene = new_scene(options);
+    add_shapes(geometry, geometry.direct_shapes(), scene.get());
+    for (const ShapeRange& prototype : geometry.prototypes()) {
+      prototypes.push_back(new_scene(options));
+      add_shapes(geometry, prototype, prototypes.back().get());
+      embree::commit(device, prototypes.back().get(), options.threads);
+    }
+    add_instances(geometry);
     embree::commit(device, scene.get(), options.threads);
   }
 
  private:
-  void add_shapes(const Geometry& geometry) {
+  embree::Scene new_scene(const BuildOptions& options) {
+    embree::Scene made(rtcNewScene(device.get()));
+    if (options.embree_mode == EmbreeMode::robust) rtcSetSceneFlags(made.get(), RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(made.get(), options.embree_quality == EmbreeQuality::high
+                                            ? RTC_BUILD_QUALITY_HIGH
+                                            : RTC_BUILD_QUALITY_MEDIUM);
+    return made;
+  }
+  void add_shapes(const Geometry& geometry, ShapeRange range, RTCScene to) {
     const float scene_size = embree::scene_size(geometry);
-    shapes.reserve(geometry.shapes().size());
-    for (std::uint32_t i = 0; i < geometry.shapes().size(); ++i) {
+    for (std::uint32_t i = range.first; i < range.end(); ++i) {
       shapes.push_back({geometry, i, scene_size});
       const bool is_mesh = geometry.mesh(i) != nullptr;
       has_callbacks = has_callbacks || !is_mesh || !geometry.is_opaque(i);
-      embree::attach(scene.get(), (is_mesh ? make_triangles : make_spheres)(device.get(), shapes.back()), i);
+      embree::attach(to, (is_mesh ? make_triangles : make_spheres)(device.get(), shapes.back()),
+                     i - range.first);
+    }
+  }
+  void add_instances(const Geometry& geometry) {
+    const std::vector<Instance>& instances = geometry.instances();
+    for (std::uint32_t i = 0; i < instances.size(); ++i) {
+      embree::GeometryOwner instance(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+      rtcSetGeometryInstancedScene(instance.get(), prototypes[instances[i].prototype].get());
+      rtcSetGeometryTransform(instance.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                              columns_of(instances[i].to_world).data());
+      embree::attach(scene.get(), std::move(instance), geometry.direct_shapes().count + i);
     }
   }
 };
@@ -141,21 +188,23 @@ class EmbreeNative final : public Accelerator {
  private:
   // What Embree's own leaves do cannot be counted.
   Hit closest(Query query) const noexcept override {
-    return closest_of(query.ray, [&](const CheckedRay& ray) -> Hit {
-      NativeQuery native{{}, ray};
+    return closest_of(geometry(), query.ray, [&](const CheckedRay& ray) -> Hit {
+      NativeQuery native{{}, ray, geometry()};
       embree::initialize(native);
       RTCRayHit found;
       embree::set_ray(found.ray, ray.origin, ray.direction, ray.t_min, ray.t_max);
       embree::set_no_hit(found.hit);
       embree::trace(world_.scene.get(), native, found);
       if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-      return {found.ray.tfar, found.hit.u, found.hit.v, found.hit.primID, found.hit.geomID, no_instance};
+      return embree::named(
+          {found.ray.tfar, found.hit.u, found.hit.v, found.hit.primID, found.hit.geomID, found.hit.instID[0]},
+          geometry());
     });
   }
 
   bool any(Query query) const noexcept override {
-    return any_of(query.ray, [&](const CheckedRay& ray) {
-      NativeQuery native{{}, ray};
+    return any_of(geometry(), query.ray, [&](const CheckedRay& ray) {
+      NativeQuery native{{}, ray, geometry()};
       embree::initialize(native);
       RTCRay occlusion_ray;
       embree::set_ray(occlusion_ray, ray.origin, ray.direction, ray.t_min, ray.t_max);

@@ -32,9 +32,10 @@ namespace twinray::HWY_NAMESPACE {
 class ClosestQuery {
  public:
   using Answer = Hit;
+  static constexpr bool has_instances = false;
 
   /// False for an invalid ray.
-  HWY_ATTR HWY_INLINE bool start(const Ray& given, WideRef root) {
+  HWY_ATTR HWY_INLINE bool start(const Geometry&, const Ray& given, WideRef root) {
     if (!RayLoader::load(given, ray_)) return false;
     new (&best_) Nearest;  // Without a value for what has none yet.
     t_max_ = ray_.t_max;
@@ -58,7 +59,7 @@ class ClosestQuery {
     t_max_ = std::min(t_max_, best_.t);
   }
   Hit answer() const {
-    Hit hit = best_.hit();
+    Hit hit = best_.hit(ray_);
     ray_.scale_back(hit);
     return hit;
   }
@@ -76,8 +77,9 @@ class ClosestQuery {
 class AnyQuery {
  public:
   using Answer = std::uint8_t;
+  static constexpr bool has_instances = false;
 
-  HWY_ATTR HWY_INLINE bool start(const Ray& given, WideRef root) {
+  HWY_ATTR HWY_INLINE bool start(const Geometry&, const Ray& given, WideRef root) {
     if (!RayLoader::load(given, ray_)) return false;
     is_hit_ = false;
     stack_[0] = WideRef::no_child;
@@ -141,24 +143,29 @@ HWY_ATTR HWY_INLINE void prefetch(const T& visited) {
 template <typename Query>
 class Batch {
  public:
-  Batch(const WideBvh& bvh, std::span<const Ray> rays, typename Query::Answer* answers)
-      : bvh_(bvh), rays_(rays), answers_(answers) {}
+  Batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
+        typename Query::Answer* answers)
+      : bvh_(bvh), geometry_(geometry), rays_(rays), answers_(answers) {}
 
   /// Steps: NoCounts, or Counting.
   template <typename Steps>
-  HWY_ATTR void answer(const Geometry& geometry, const Steps& steps) {
+  HWY_ATTR void answer(const Steps& steps) {
     Queue active;
     for (std::uint32_t i = 0; i < queries_in_flight; ++i) active.add(i, start(i));
     while (!active.is_empty()) {
-      Queue nodes, blocks, answered;
+      Queue nodes, blocks, instances, answered;
       for (const std::uint32_t i : active) {
         const WideRef next = queries_[i].advance();
-        nodes.add(i, !next.is_block());
-        blocks.add(i, next.is_block() && !next.is_none());
+        const bool is_instance = Query::has_instances && next.is_instance();
+        nodes.add(i, !next.is_leaf());
+        blocks.add(i, next.is_leaf() && !is_instance && !next.is_none());
+        if (Query::has_instances) instances.add(i, next.is_leaf() && is_instance && !next.is_none());
         answered.add(i, next.is_none());
       }
       for (const std::uint32_t i : nodes) prefetch(next_node(i));
       for (const std::uint32_t i : blocks) prefetch(next_block(i));
+      if constexpr (Query::has_instances)
+        for (const std::uint32_t i : instances) prefetch(next_instance(i));
       active.clear();
       for (const std::uint32_t i : answered) {
         answers_[ray_of_[i]] = queries_[i].answer();
@@ -172,9 +179,16 @@ class Batch {
       for (const std::uint32_t i : blocks) {
         steps.visit_leaf();
         steps.test_block(next_block(i));
-        queries_[i].visit(next_block(i), geometry);
+        queries_[i].visit(next_block(i), geometry_);
         active.add(i);
       }
+      if constexpr (Query::has_instances)
+        for (const std::uint32_t i : instances) {
+          steps.visit_leaf();
+          const WideRef root = bvh_.prototypes[next_instance(i).prototype];
+          if (queries_[i].enter(geometry_.placed(), root)) steps.enter_instance();
+          active.add(i);
+        }
     }
   }
 
@@ -185,7 +199,7 @@ class Batch {
     while (started_ < rays_.size()) {
       const std::size_t ray = started_++;
       ray_of_[query] = ray;
-      if (!bvh_.root.is_none() && queries_[query].start(rays_[ray], bvh_.root)) return true;
+      if (!bvh_.root.is_none() && queries_[query].start(geometry_, rays_[ray], bvh_.root)) return true;
       answers_[ray] = {};
     }
     return false;
@@ -194,8 +208,12 @@ class Batch {
   const PrimitiveBlock& next_block(std::uint32_t query) const {
     return bvh_.blocks[queries_[query].next().index()];
   }
+  const PlacedInstance& next_instance(std::uint32_t query) const {
+    return geometry_.placed()[queries_[query].next().index()];
+  }
 
   const WideBvh& bvh_;
+  const Geometry& geometry_;
   const std::span<const Ray> rays_;
   typename Query::Answer* const answers_;
   std::size_t started_ = 0;

@@ -54,7 +54,18 @@ class Layout {
     });
   }
 
-  /// Behind make_blocks.
+  /// Leaves of one instance each, instead of blocks.
+  void make_instances() {
+    // What an instance hides is not known; to ask its tree takes a few steps.
+    constexpr Prospect prospect{.occlusion = 0.25f, .cost = 4};
+    of_blocks_.assign(leaves_.size(), prospect);
+  }
+  /// The instance of such a leaf.
+  WideRef instance(WideRef leaf) const {
+    return WideRef::instance(tree_.primitives[tree_.nodes[leaves_[leaf.index()]].first].id.primitive);
+  }
+
+  /// Behind make_blocks or make_instances.
   void make_nodes(BigVector<WideNode>& nodes) {
     order_children();
     nodes.resize(nodes_.size());
@@ -81,7 +92,7 @@ class Layout {
       Candidate candidates[WideNode::width];
       for (int child = 0; child < count; ++child) {
         const WideRef ref = node.refs[child];
-        const Prospect& prospect = (ref.is_block() ? of_blocks_ : of_nodes)[ref.index()];
+        const Prospect& prospect = (ref.is_leaf() ? of_blocks_ : of_nodes)[ref.index()];
         candidates[child] = {node.children.nodes[child], ref, half_area(node.children.nodes[child]),
                              prospect};
       }
@@ -150,18 +161,101 @@ WideBvh widen(const BuildTree& tree, const Geometry& geometry, int max_leaf_size
   return bvh;
 }
 
+namespace {
+
+/// A tree and the box of all that is in it.
+struct BoxedBvh {
+  WideBvh bvh;
+  Aabb box;
+};
+
+Aabb box_of(const BuildTree& tree) { return tree.nodes.empty() ? Aabb{} : tree.nodes[0].box; }
+
+/// Of a tree of instances with leaves of one each.
+WideBvh widen_instances(const BuildTree& tree) {
+  WideBvh bvh;
+  if (tree.primitives.empty()) return bvh;
+  Layout layout(tree);
+  bvh.root = layout.place(CollapsePlan(tree, 1), 0);
+  layout.make_instances();
+  layout.make_nodes(bvh.nodes);
+  for (WideNode& node : bvh.nodes)
+    for (WideRef& child : node.children)
+      if (child.is_leaf() && !child.is_none()) child = layout.instance(child);
+  if (bvh.root.is_leaf()) bvh.root = layout.instance(bvh.root);
+  return bvh;
+}
+
+BoxedBvh make_tree_of(const Geometry& geometry, ShapeRange shapes, const BuildOptions& options,
+                      std::vector<BuildPhase>& phases) {
+  BoxedBvh made;
+  BuildPrimitives primitives;
+  BuildTree tree;
+  const BuildOptions binary = binary_options(options);
+  timed("boxes", phases, [&] { primitives = collect_primitives(geometry, shapes); });
+  timed("tree", phases, [&] { tree = build_by(std::move(primitives), binary); });
+  timed("reinsertion", phases, [&] { reinsert(tree, effort_of(options.bvh_quality)); });
+  timed("collapse", phases, [&] { made.bvh = widen(tree, geometry, binary.max_leaf_size); });
+  made.box = box_of(tree);
+  return made;
+}
+
+BoxedBvh make_instance_tree(const Geometry& geometry, const BuildOptions& options) {
+  BuildOptions binary = binary_options(options);
+  binary.max_leaf_size = 1;
+  BuildTree tree = build_tree(collect_instances(geometry), binary);
+  reinsert(tree, effort_of(options.bvh_quality));
+  return {widen_instances(tree), box_of(tree)};
+}
+
+/// Moves a tree's nodes and blocks behind those of others; returns its root there.
+WideRef append(WideBvh&& bvh, WideBvh& all) {
+  const std::size_t nodes = all.nodes.size(), blocks = all.blocks.size();
+  const auto moved = [&](WideRef ref) {
+    if (ref.is_none() || (ref.is_leaf() && ref.is_instance())) return ref;
+    return ref.is_leaf() ? WideRef::block(blocks + ref.index()) : WideRef::node(nodes + ref.index());
+  };
+  for (WideNode& node : bvh.nodes)
+    for (WideRef& child : node.children) child = moved(child);
+  all.nodes.insert(all.nodes.end(), bvh.nodes.begin(), bvh.nodes.end());
+  all.blocks.insert(all.blocks.end(), bvh.blocks.begin(), bvh.blocks.end());
+  return moved(bvh.root);
+}
+
+/// The root above two trees, of which either may be empty.
+WideRef join(WideRef first, const Aabb& first_box, WideRef second, const Aabb& second_box, WideBvh& all) {
+  if (first.is_none() || second.is_none()) return first.is_none() ? second : first;
+  WideNode node;
+  node.children[0] = first;
+  node.set_box(0, padded(first_box));
+  node.children[1] = second;
+  node.set_box(1, padded(second_box));
+  all.nodes.push_back(node);
+  return WideRef::node(all.nodes.size() - 1);
+}
+
+/// The trees of the prototypes, and the tree of the scene above them.
+WideBvh make_trees(const Geometry& geometry, const BuildOptions& options, std::vector<BuildPhase>& phases) {
+  BoxedBvh direct = make_tree_of(geometry, geometry.direct_shapes(), options, phases);
+  if (!geometry.has_instances()) return std::move(direct.bvh);
+  WideBvh all;
+  const WideRef direct_root = append(std::move(direct.bvh), all);
+  for (const ShapeRange& prototype : geometry.prototypes())
+    all.prototypes.push_back(append(make_tree_of(geometry, prototype, options, phases).bvh, all));
+  timed("instances", phases, [&] {
+    BoxedBvh instances = make_instance_tree(geometry, options);
+    const WideRef root = append(std::move(instances.bvh), all);
+    all.root = join(direct_root, direct.box, root, instances.box, all);
+  });
+  return all;
+}
+
+}  // namespace
+
 WideBvh make_wide_bvh(const Geometry& geometry, const BuildOptions& options,
                       std::vector<BuildPhase>& phases) {
   WideBvh bvh;
-  const BuildOptions binary = binary_options(options);
-  with_threads(options.threads, [&] {
-    BuildPrimitives primitives;
-    BuildTree tree;
-    timed("boxes", phases, [&] { primitives = collect_primitives(geometry); });
-    timed("tree", phases, [&] { tree = build_by(std::move(primitives), binary); });
-    timed("reinsertion", phases, [&] { reinsert(tree, effort_of(options.bvh_quality)); });
-    timed("collapse", phases, [&] { bvh = widen(tree, geometry, binary.max_leaf_size); });
-  });
+  with_threads(options.threads, [&] { bvh = make_trees(geometry, options, phases); });
   return bvh;
 }
 

@@ -13,9 +13,9 @@ namespace twinray {
 /// with_threads allows.
 WideBvh widen(const BuildTree& tree, const Geometry& geometry, int max_leaf_size);
 
-/// Builds on options.threads threads, the same tree on any number of them; adds how long each step took to
-/// `phases`. Leaves hold four primitives at most, fewer if options.max_leaf_size says so. Throws Error for
-/// more than 2^30 primitives, and where the builder is not part of this build.
+/// All trees of a geometry. Builds on options.threads threads, the same trees on any number of them; adds how
+/// long each step took to `phases`. Leaves hold four primitives at most, fewer if options.max_leaf_size says
+/// so. Throws Error for more than 2^30 primitives, and where the builder is not part of this build.
 WideBvh make_wide_bvh(const Geometry& geometry, const BuildOptions& options, std::vector<BuildPhase>& phases);
 
 }  // namespace twinray

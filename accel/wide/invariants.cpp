@@ -13,12 +13,20 @@ namespace {
 class Inspection {
  public:
   Inspection(const WideBvh& bvh, const Geometry& geometry)
-      : bvh_(bvh), nodes_(bvh.nodes.size()), blocks_(bvh.blocks.size()), leaves_(geometry) {}
+      : bvh_(bvh),
+        geometry_(geometry),
+        nodes_(bvh.nodes.size()),
+        blocks_(bvh.blocks.size()),
+        instances_(geometry.instances().size()),
+        leaves_(geometry) {}
 
   std::string fault(Occurrence occurrence) {
     constexpr float everywhere = Aabb::infinity;
-    if (!bvh_.root.is_none())
-      visit(bvh_.root, {{-everywhere, -everywhere, -everywhere}, {everywhere, everywhere, everywhere}}, 0);
+    const Aabb all{{-everywhere, -everywhere, -everywhere}, {everywhere, everywhere, everywhere}};
+    if (!bvh_.root.is_none()) visit(bvh_.root, all, 0);
+    for (const WideRef& prototype : bvh_.prototypes)
+      if (!prototype.is_none()) visit(prototype, all, 0);
+    check_instances();
     check_seen_once("node", nodes_);
     check_seen_once("block", blocks_);
     return fault_.empty() ? leaves_.fault(occurrence) : fault_;
@@ -35,12 +43,21 @@ class Inspection {
       if (seen[i] != 1) report("{} {} is found {} times", what, i, seen[i]);
   }
 
+  /// Those that can be hit are found once, the others never.
+  void check_instances() {
+    for (std::uint32_t i = 0; i < instances_.size(); ++i)
+      if (instances_[i] != int(!geometry_.placed()[i].box.is_empty()))
+        report("instance {} is found {} times", i, instances_[i]);
+  }
+
   void visit(const WideRef& ref, const Aabb& box, int depth) {
-    if (depth > max_wide_depth) return report("a node is {} deep; the stack holds {}", depth, max_wide_depth);
-    const std::size_t count = ref.is_block() ? blocks_.size() : nodes_.size();
+    if (depth > max_wide_depth + 1)
+      return report("a node is {} deep; the stack holds {}", depth, max_wide_depth + 1);
+    if (ref.is_leaf() && ref.is_instance()) return visit_instance(ref.index(), box);
+    const std::size_t count = ref.is_leaf() ? blocks_.size() : nodes_.size();
     if (ref.index() >= count)
-      return report("{} {} is named, of {}", ref.is_block() ? "block" : "node", ref.index(), count);
-    if (ref.is_block()) return visit_block(ref.index(), box);
+      return report("{} {} is named, of {}", ref.is_leaf() ? "block" : "node", ref.index(), count);
+    if (ref.is_leaf()) return visit_block(ref.index(), box);
     ++nodes_[ref.index()];
     const WideNode& node = bvh_.nodes[ref.index()];
     const int children = node.count();
@@ -54,6 +71,12 @@ class Inspection {
     }
   }
 
+  void visit_instance(std::uint32_t index, const Aabb& box) {
+    if (index >= instances_.size()) return report("instance {} is named, of {}", index, instances_.size());
+    ++instances_[index];
+    if (!box.contains(geometry_.placed()[index].box)) report("instance {} leaves its leaf", index);
+  }
+
   void visit_block(std::uint32_t index, const Aabb& box) {
     ++blocks_[index];
     const PrimitiveBlock& block = bvh_.blocks[index];
@@ -64,7 +87,8 @@ class Inspection {
   }
 
   const WideBvh& bvh_;
-  std::vector<int> nodes_, blocks_;
+  const Geometry& geometry_;
+  std::vector<int> nodes_, blocks_, instances_;
   LeavesOfPrimitives leaves_;
   std::string fault_;
 };

@@ -19,6 +19,7 @@
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128  // Scalar::kernel() serves for these.
 #include "accel/canonical/load_ray-inl.h"
 #include "accel/wide/batch-inl.h"
+#include "accel/wide/instanced-inl.h"
 #include "accel/wide/stack-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,22 +29,19 @@ namespace {
 // The single queries have loops of their own: while one waits for the number of children that it hits there
 // is nothing else to do, so a predicted branch is faster there.
 
-template <typename... Counts>
-HWY_ATTR HWY_INLINE Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given,
-                                Counts&... counts) {
-  const auto steps = steps_of(counts...);
-  Hit hit;  // The one variable that every path returns: it is written where it goes.
-  CheckedRay ray;
-  if (bvh.root.is_none() || !RayLoader::load(given, ray)) return hit;
+/// The least hit of one space's tree: of what lies below `ref`, which there is. `enter` is called for the
+/// instances on the way, with their number and t_max, and returns what is left of t_max.
+template <typename Steps, typename Enter>
+HWY_ATTR HWY_INLINE void find_closest(const WideBvh& bvh, const Geometry& geometry, WideRef ref,
+                                      const CheckedRay& ray, Nearest& best, const Steps& steps,
+                                      const Enter& enter) {
   const BoxRay box_ray(ray);
   const BlockRay block_ray(ray);
-  Nearest best;
   float t_max = ray.t_max;
-  Key stack[wide_stack_size];
+  Key stack[Enter::stack_size];
   Key* top = stack;
-  WideRef ref = bvh.root;
   for (;;) {
-    while (!ref.is_block()) {
+    while (!ref.is_leaf()) {
       const WideNode& node = bvh.nodes[ref.index()];
       steps.visit_node(node);
       alignas(32) float entries[WideNode::width];
@@ -51,34 +49,32 @@ HWY_ATTR HWY_INLINE Hit closest(const WideBvh& bvh, const Geometry& geometry, co
       if (met == 0) break;
       ref = nearest_child(node, met, entries, top);
     }
-    if (ref.is_block()) {
-      const PrimitiveBlock& block = bvh.blocks[ref.index()];
+    if (ref.is_leaf()) {
       steps.visit_leaf();
-      steps.test_block(block);
-      block_ray.closest(geometry, ray, block, best);
-      t_max = std::min(t_max, best.t);
+      if (Enter::exist && ref.is_instance()) {
+        t_max = enter(ref.index(), t_max);
+      } else {
+        const PrimitiveBlock& block = bvh.blocks[ref.index()];
+        steps.test_block(block);
+        block_ray.closest(geometry, ray, block, best);
+        t_max = std::min(t_max, best.t);
+      }
     }
     ref = pop(stack, top, t_max);
     if (ref.is_none()) break;
   }
-  hit = best.hit();
-  ray.scale_back(hit);
-  return hit;
 }
 
-template <typename... Counts>
-HWY_ATTR HWY_INLINE bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& given,
-                             Counts&... counts) {
-  const auto steps = steps_of(counts...);
-  CheckedRay ray;
-  if (bvh.root.is_none() || !RayLoader::load(given, ray)) return false;
+/// Whether anything is hit, likewise; `enter` returns whether something of the instance is.
+template <typename Steps, typename Enter>
+HWY_ATTR HWY_INLINE bool find_any(const WideBvh& bvh, const Geometry& geometry, WideRef ref,
+                                  const CheckedRay& ray, const Steps& steps, const Enter& enter) {
   const BoxRay box_ray(ray);
   const BlockRay block_ray(ray);
-  std::uint32_t stack[wide_stack_size];
+  std::uint32_t stack[Enter::stack_size];
   std::uint32_t* top = stack;
-  WideRef ref = bvh.root;
   for (;;) {
-    while (!ref.is_block()) {
+    while (!ref.is_leaf()) {
       const WideNode& node = bvh.nodes[ref.index()];
       steps.visit_node(node);
       alignas(32) float entries[WideNode::width];
@@ -86,42 +82,163 @@ HWY_ATTR HWY_INLINE bool any(const WideBvh& bvh, const Geometry& geometry, const
       if (met == 0) break;
       ref = any_child(node, met, top);
     }
-    if (ref.is_block()) {
-      const PrimitiveBlock& block = bvh.blocks[ref.index()];
+    if (ref.is_leaf()) {
       steps.visit_leaf();
-      steps.test_block(block);
-      if (block_ray.any(geometry, ray, block)) return true;
+      if (Enter::exist && ref.is_instance()) {
+        if (enter(ref.index(), ray.t_max)) return true;
+      } else {
+        const PrimitiveBlock& block = bvh.blocks[ref.index()];
+        steps.test_block(block);
+        if (block_ray.any(geometry, ray, block)) return true;
+      }
     }
     if (top == stack) return false;
     ref = {*--top};
   }
 }
 
+/// For trees whose leaves are all blocks.
+struct NoInstances {
+  static constexpr bool exist = false;
+  static constexpr int stack_size = wide_stack_size;
+
+  float operator()(std::uint32_t, float t_max) const { return t_max; }
+};
+
+/// The way into the instances of a scene.
+struct Instances {
+  static constexpr bool exist = true;
+  static constexpr int stack_size = instanced_stack_size;
+
+  const WideBvh& bvh;
+  const Geometry& geometry;
+  const CheckedRay& world;
+
+  /// Loads the ray into an instance's space; false where there is nothing to be hit up to t_max.
+  HWY_ATTR HWY_INLINE bool enter(std::uint32_t instance, float t_max, CheckedRay& own) const {
+    return InstanceRayLoader::enter(geometry.placed(), instance, world, t_max, own);
+  }
+  WideRef root(std::uint32_t instance) const { return bvh.prototypes[geometry.placed()[instance].prototype]; }
+};
+
+template <typename Steps>
+struct ClosestInInstances : Instances {
+  Hit& best;
+  const Steps& steps;
+
+  HWY_ATTR HWY_NOINLINE float operator()(std::uint32_t instance, float t_max) const {
+    CheckedRay own;
+    if (!enter(instance, t_max, own)) return t_max;
+    steps.enter_instance();
+    Nearest nearest;
+    find_closest(bvh, geometry, root(instance), own, nearest, steps, NoInstances());
+    if (const Hit hit = nearest.hit(own); precedes(hit, best)) best = hit;
+    return std::min(t_max, best.t);
+  }
+};
+
+template <typename Steps>
+struct AnyInInstances : Instances {
+  const Steps& steps;
+
+  HWY_ATTR HWY_NOINLINE bool operator()(std::uint32_t instance, float t_max) const {
+    CheckedRay own;
+    if (!enter(instance, t_max, own)) return false;
+    steps.enter_instance();
+    return find_any(bvh, geometry, root(instance), own, steps, NoInstances());
+  }
+};
+
+/// Queries over trees without instances.
+struct Plain {
+  using Closest = ClosestQuery;
+  using Any = AnyQuery;
+
+  template <typename Steps>
+  static HWY_ATTR HWY_INLINE Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given,
+                                         const Steps& steps) {
+    Hit hit;  // The one variable that every path returns: it is written where it goes.
+    CheckedRay ray;
+    if (bvh.root.is_none() || !RayLoader::load(given, ray)) return hit;
+    Nearest best;
+    find_closest(bvh, geometry, bvh.root, ray, best, steps, NoInstances());
+    hit = best.hit(ray);
+    ray.scale_back(hit);
+    return hit;
+  }
+  template <typename Steps>
+  static HWY_ATTR HWY_INLINE bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& given,
+                                      const Steps& steps) {
+    CheckedRay ray;
+    if (bvh.root.is_none() || !RayLoader::load(given, ray)) return false;
+    return find_any(bvh, geometry, bvh.root, ray, steps, NoInstances());
+  }
+};
+
+/// Over those with instances.
+struct Instanced {
+  using Closest = InstancedClosestQuery;
+  using Any = InstancedAnyQuery;
+
+  template <typename Steps>
+  static HWY_ATTR HWY_INLINE Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given,
+                                         const Steps& steps) {
+    Hit hit;
+    CheckedRay ray;
+    if (bvh.root.is_none() || !InstanceRayLoader::load_world(geometry.placed(), given, ray)) return hit;
+    Nearest best;
+    find_closest(bvh, geometry, bvh.root, ray, best, steps,
+                 ClosestInInstances<Steps>{{bvh, geometry, ray}, hit, steps});
+    if (const Hit direct = best.hit(ray); precedes(direct, hit)) hit = direct;
+    ray.scale_back(hit);
+    return hit;
+  }
+  template <typename Steps>
+  static HWY_ATTR HWY_INLINE bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& given,
+                                      const Steps& steps) {
+    CheckedRay ray;
+    if (bvh.root.is_none() || !InstanceRayLoader::load_world(geometry.placed(), given, ray)) return false;
+    return find_any(bvh, geometry, bvh.root, ray, steps, AnyInInstances<Steps>{{bvh, geometry, ray}, steps});
+  }
+};
+
+template <typename Queries, typename... Counts>
+HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& ray, Counts&... counts) {
+  return Queries::closest(bvh, geometry, ray, steps_of(counts...));
+}
+
+template <typename Queries, typename... Counts>
+HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& ray, Counts&... counts) {
+  return Queries::any(bvh, geometry, ray, steps_of(counts...));
+}
+
 // Without a call for each ray, and with each answer written where it goes, what many rays have in common is
 // done once.
 
-template <typename... Counts>
+template <typename Queries, typename... Counts>
 HWY_ATTR void closest_in_turn(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
                               Hit* hits, Counts&... counts) {
-  for (const Ray& ray : rays) new (hits++) Hit(closest(bvh, geometry, ray, counts...));
+  const auto steps = steps_of(counts...);
+  for (const Ray& ray : rays) new (hits++) Hit(Queries::closest(bvh, geometry, ray, steps));
 }
 
-template <typename... Counts>
+template <typename Queries, typename... Counts>
 HWY_ATTR void any_in_turn(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
                           std::uint8_t* hits, Counts&... counts) {
-  for (const Ray& ray : rays) *hits++ = any(bvh, geometry, ray, counts...);
+  const auto steps = steps_of(counts...);
+  for (const Ray& ray : rays) *hits++ = Queries::any(bvh, geometry, ray, steps);
 }
 
-template <typename... Counts>
+template <typename Queries, typename... Counts>
 HWY_ATTR void closest_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
                             Hit* hits, Counts&... counts) {
-  Batch<ClosestQuery>(bvh, rays, hits).answer(geometry, steps_of(counts...));
+  Batch<typename Queries::Closest>(bvh, geometry, rays, hits).answer(steps_of(counts...));
 }
 
-template <typename... Counts>
+template <typename Queries, typename... Counts>
 HWY_ATTR void any_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
                         std::uint8_t* hits, Counts&... counts) {
-  Batch<AnyQuery>(bvh, rays, hits).answer(geometry, steps_of(counts...));
+  Batch<typename Queries::Any>(bvh, geometry, rays, hits).answer(steps_of(counts...));
 }
 
 HWY_ATTR bool load(const Ray& ray, CheckedRay& checked) { return RayLoader::load(ray, checked); }
@@ -134,18 +251,23 @@ HWY_ATTR std::uint32_t intersect_boxes(const WideNode& node, const CheckedRay& r
   return met;
 }
 
-/// Counts: none, or QueryCounts.
-template <typename... Counts>
+/// Queries: Plain or Instanced; Counts: none, or QueryCounts.
+template <typename Queries, typename... Counts>
 BasicWideKernel<Counts&...> kernel() {
   return {simd_name(hwy::TargetName(HWY_TARGET)),
-          closest<Counts...>,
-          any<Counts...>,
-          closest_in_turn<Counts...>,
-          any_in_turn<Counts...>,
-          closest_batch<Counts...>,
-          any_batch<Counts...>,
+          closest<Queries, Counts...>,
+          any<Queries, Counts...>,
+          closest_in_turn<Queries, Counts...>,
+          any_in_turn<Queries, Counts...>,
+          closest_batch<Queries, Counts...>,
+          any_batch<Queries, Counts...>,
           load,
           intersect_boxes};
+}
+
+template <typename... Counts>
+BasicWideKernel<Counts&...> kernel_for(WideTrees trees) {
+  return trees == WideTrees::instanced ? kernel<Instanced, Counts...>() : kernel<Plain, Counts...>();
 }
 
 }  // namespace
@@ -185,21 +307,23 @@ struct Scalar {
 
 /// Those that were compiled for an instruction set of this machine, the fastest first.
 template <typename... Counts>
-std::vector<BasicWideKernel<Counts&...>> fast_kernels() {
+std::vector<BasicWideKernel<Counts&...>> fast_kernels(WideTrees trees) {
   std::vector<BasicWideKernel<Counts&...>> kernels;
-  TWINRAY_APPEND_SUPPORTED(kernels, kernel<Counts...>());
+  TWINRAY_APPEND_SUPPORTED(kernels, kernel_for<Counts...>(trees));
   return kernels;
 }
 
 }  // namespace
 
-std::vector<WideKernel> wide_kernels() {
-  std::vector<WideKernel> kernels = fast_kernels<>();
+std::vector<WideKernel> wide_kernels(WideTrees trees) {
+  std::vector<WideKernel> kernels = fast_kernels<>(trees);
   kernels.push_back(Scalar::kernel());
   return kernels;
 }
 
-std::vector<CountingWideKernel> counting_wide_kernels() { return fast_kernels<QueryCounts>(); }
+std::vector<CountingWideKernel> counting_wide_kernels(WideTrees trees) {
+  return fast_kernels<QueryCounts>(trees);
+}
 
 }  // namespace twinray
 #endif

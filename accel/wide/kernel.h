@@ -36,13 +36,16 @@ struct BasicWideKernel {
                                       float entries[WideNode::width]);
 };
 
+/// Whether a scene has instances: what knows that it has none is faster.
+enum class WideTrees { plain, instanced };
+
 /// The kernels that this machine can run, the fastest first and the scalar one last.
 using WideKernel = BasicWideKernel<>;
-std::vector<WideKernel> wide_kernels();
+std::vector<WideKernel> wide_kernels(WideTrees trees = WideTrees::plain);
 
 /// Those of them that are compiled for an instruction set, from the same source, but counting: so a test can
 /// hold the steps of the fast traversals against those of the scalar one.
 using CountingWideKernel = BasicWideKernel<QueryCounts&>;
-std::vector<CountingWideKernel> counting_wide_kernels();
+std::vector<CountingWideKernel> counting_wide_kernels(WideTrees trees = WideTrees::plain);
 
 }  // namespace twinray

@@ -6,6 +6,7 @@
 // primitives. Boxes are those of padded() (accel/canonical/slab.h); there is none for the root.
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "accel/build/big_vector.h"
 #include "accel/build/binary_tree.h"
@@ -14,17 +15,23 @@
 
 namespace twinray {
 
-/// What a child is: a block, an inner node, or nothing.
+/// What a child is: a block, an instance, an inner node, or nothing.
 struct WideRef {
   static constexpr std::uint32_t block_bit = 1u << 31, no_child = 0xffffffff;
+  /// Beside block_bit: to a tree without instances they would be blocks.
+  static constexpr std::uint32_t instance_bit = 1u << 30;
 
   std::uint32_t bits = no_child;
 
   static WideRef block(std::size_t index) { return {std::uint32_t(index) | block_bit}; }
+  static WideRef instance(std::size_t index) { return {std::uint32_t(index) | block_bit | instance_bit}; }
   static WideRef node(std::size_t index) { return {std::uint32_t(index)}; }
   bool is_none() const { return bits == no_child; }
-  bool is_block() const { return (bits & block_bit) != 0; }
-  std::uint32_t index() const { return bits & ~block_bit; }
+  /// A block or an instance, or nothing.
+  bool is_leaf() const { return (bits & block_bit) != 0; }
+  /// Of a leaf.
+  bool is_instance() const { return (bits & instance_bit) != 0; }
+  std::uint32_t index() const { return bits & ~(block_bit | instance_bit); }
   friend bool operator==(const WideRef&, const WideRef&) = default;
 };
 
@@ -63,11 +70,15 @@ static_assert(sizeof(WideNode) == 256, "four cache lines");
 /// has a mark below them.
 inline constexpr int max_wide_depth = max_bvh_depth;
 inline constexpr int wide_stack_size = (WideNode::width - 1) * max_wide_depth + 2;
+/// One level above both trees, that of the scene and that of a prototype.
+inline constexpr int instanced_stack_size = 2 * wide_stack_size + WideNode::width;
 
-/// A finished tree. Without primitives there is no root.
+/// Finished trees in one: that of the scene, whose leaves are blocks and instances, and those of the
+/// prototypes. Where nothing can be hit there is no root.
 struct WideBvh {
   WideRef root;
-  BigVector<WideNode> nodes;  ///< In depth-first order.
+  std::vector<WideRef> prototypes;  ///< Their roots; none where they are empty.
+  BigVector<WideNode> nodes;        ///< Of each tree in depth-first order.
   BigVector<PrimitiveBlock> blocks;
 
   std::size_t bytes() const {

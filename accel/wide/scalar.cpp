@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "accel/canonical/instance_ray.h"
+
 namespace twinray {
 namespace {
 
@@ -18,24 +20,23 @@ inline bool is_later(const Waiting& a, const Waiting& b) {
   return a.entry != b.entry ? a.entry > b.entry : a.ref > b.ref;
 }
 
-/// Calls `test(block)` for the blocks whose boxes the ray intersects between ray.t_min and t_max, in the
-/// order of the fast kernels: for the closest hit about front to back, for any hit as the children come, but
-/// the last of the waiting ones first. `test` may lower t_max, and ends the traversal by returning true.
+/// Calls `test(leaf)` for the leaves whose boxes the ray intersects between ray.t_min and t_max, in the order
+/// of the fast kernels: for the closest hit about front to back, for any hit as the children come, but the
+/// last of the waiting ones first. `test` may lower t_max, and ends the traversal by returning true. Whether
+/// it did.
 template <QueryKind kind, typename Test>
-void traverse_scalar(const WideBvh& bvh, const CheckedRay& ray, const float& t_max, QueryCounts& counts,
-                     Test&& test) {
-  Waiting stack[wide_stack_size];
+bool traverse_scalar(const WideBvh& bvh, WideRef root, const CheckedRay& ray, const float& t_max,
+                     QueryCounts& counts, Test&& test) {
+  Waiting stack[wide_stack_size + WideNode::width];
   int size = 0;
-  if (!bvh.root.is_none()) stack[size++] = {ray.t_min, bvh.root.bits};
+  if (!root.is_none()) stack[size++] = {ray.t_min, root.bits};
   while (size > 0) {
     const Waiting next = stack[--size];
     const WideRef ref{next.ref};
     if (next.entry > t_max) continue;
-    if (ref.is_block()) {
-      const PrimitiveBlock& block = bvh.blocks[ref.index()];
+    if (ref.is_leaf()) {
       ++counts.leaves;
-      counts.primitives += block.count;
-      if (test(block)) return;
+      if (test(ref)) return true;
       continue;
     }
     ++counts.nodes;
@@ -51,33 +52,65 @@ void traverse_scalar(const WideBvh& bvh, const CheckedRay& ray, const float& t_m
     else if (met != 0)
       std::rotate(children, children + 1, stack + size);
   }
+  return false;
 }
+
+/// One query: the blocks that it tests, of the scene and of instances.
+template <QueryKind kind>
+class ScalarQuery {
+ public:
+  ScalarQuery(const WideBvh& bvh, const Geometry& geometry, const CheckedRay& ray, QueryCounts& counts)
+      : bvh_(bvh), geometry_(geometry), ray_(ray), counts_(counts), t_max_(ray.t_max) {}
+
+  /// The least accepted hit; of QueryKind::any, one of them.
+  Hit find() {
+    traverse_scalar<kind>(bvh_, bvh_.root, ray_, t_max_, counts_, [&](WideRef leaf) {
+      return leaf.is_instance() ? visit_instance(leaf.index()) : visit_block(ray_, leaf.index());
+    });
+    return best_;
+  }
+
+ private:
+  bool visit_block(const CheckedRay& ray, std::uint32_t index) {
+    const PrimitiveBlock& block = bvh_.blocks[index];
+    counts_.primitives += block.count;
+    test_block<kind>(geometry_, ray, block, best_);
+    if (kind == QueryKind::closest) t_max_ = std::min(t_max_, best_.t);
+    return kind == QueryKind::any && best_;
+  }
+  bool visit_instance(std::uint32_t instance) {
+    CheckedRay own;
+    if (!enter_instance(geometry_.placed(), instance, ray_, t_max_, own)) return false;
+    ++counts_.instances;
+    float own_t_max = own.t_max;
+    const WideRef root = bvh_.prototypes[geometry_.instances()[instance].prototype];
+    return traverse_scalar<kind>(bvh_, root, own, own_t_max, counts_, [&](WideRef leaf) {
+      const bool is_done = visit_block(own, leaf.index());
+      own_t_max = std::min(own_t_max, t_max_);
+      return is_done;
+    });
+  }
+
+  const WideBvh& bvh_;
+  const Geometry& geometry_;
+  const CheckedRay& ray_;
+  QueryCounts& counts_;
+  float t_max_;
+  Hit best_;
+};
 
 }  // namespace
 
 Hit scalar_closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given, QueryCounts& counts) {
-  Hit best;
-  CheckedRay ray;
-  if (!load_ray(given, ray)) return best;
-  float t_max = ray.t_max;
-  traverse_scalar<QueryKind::closest>(bvh, ray, t_max, counts, [&](const PrimitiveBlock& block) {
-    test_block<QueryKind::closest>(geometry, ray, block, best);
-    t_max = std::min(t_max, best.t);
-    return false;
+  return closest_of(geometry, given, [&](const CheckedRay& ray) {
+    return ScalarQuery<QueryKind::closest>(bvh, geometry, ray, counts).find();
   });
-  ray.scale_back(best);
-  return best;
 }
 
 bool scalar_any(const WideBvh& bvh, const Geometry& geometry, const Ray& given, QueryCounts& counts) {
-  Hit found;
-  CheckedRay ray;
-  if (!load_ray(given, ray)) return false;
-  traverse_scalar<QueryKind::any>(bvh, ray, ray.t_max, counts, [&](const PrimitiveBlock& block) {
-    test_block<QueryKind::any>(geometry, ray, block, found);
-    return !found.is_miss();
+  return any_of(geometry, given, [&](const CheckedRay& ray) {
+    return bool(ScalarQuery<QueryKind::any>(bvh, geometry, ray, counts).find());
   });
-  return !found.is_miss();
 }
 
 }  // namespace twinray

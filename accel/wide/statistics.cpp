@@ -2,25 +2,35 @@
 #include "accel/wide/statistics.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "accel/build/cost_model.h"
 
 namespace twinray {
 namespace {
 
+/// What the trees of prototypes cost a ray.
+struct InstanceCosts {
+  const Geometry& geometry;
+  std::vector<double> prototypes;
+
+  double of(std::uint32_t instance) const { return prototypes[geometry.instances()[instance].prototype]; }
+};
+
 class Survey {
  public:
-  Survey(const WideBvh& bvh, const CostModel& cost, TreeStats& stats)
-      : bvh_(bvh), cost_(cost), stats_(stats) {}
+  /// `prototypes`: what each instance's prototype's tree costs a ray.
+  Survey(const WideBvh& bvh, const CostModel& cost, const InstanceCosts& instances, TreeStats& stats)
+      : bvh_(bvh), cost_(cost), instances_(instances), stats_(stats) {}
 
   /// `probability`: that a ray that intersects the root intersects this node, whose box has half the area
   /// `area`.
   void visit(const WideRef& ref, double probability, double area, int depth) {
     ++stats_.nodes;
     stats_.depth = std::max(stats_.depth, depth);
-    if (ref.is_block()) {
+    if (ref.is_leaf()) {
       ++stats_.leaves;
-      stats_.sah_cost += probability * cost_.leaf(bvh_.blocks[ref.index()].count);
+      stats_.sah_cost += probability * leaf_cost(ref);
       return;
     }
     stats_.sah_cost += probability * cost_.traversal();
@@ -32,28 +42,46 @@ class Survey {
     }
   }
 
-  double root_area() const {
+  double area_of(const WideRef& root) const {
     Aabb box;
-    if (!bvh_.nodes.empty())
-      for (int child = 0; child < WideNode::width; ++child) box.extend(bvh_.nodes[0].box(child));
+    if (!root.is_leaf())
+      for (int child = 0; child < WideNode::width; ++child) box.extend(bvh_.nodes[root.index()].box(child));
     return box.half_area();
   }
 
  private:
+  double leaf_cost(const WideRef& leaf) const {
+    if (leaf.is_instance()) return cost_.traversal() + instances_.of(leaf.index());
+    return cost_.leaf(bvh_.blocks[leaf.index()].count);
+  }
+
   const WideBvh& bvh_;
   const CostModel& cost_;
+  const InstanceCosts& instances_;
   TreeStats& stats_;
 };
 
 }  // namespace
 
-TreeStats statistics_of(const WideBvh& bvh, const BuildOptions& options) {
-  TreeStats stats;
-  if (bvh.root.is_none()) return stats;
+TreeStats statistics_of(const WideBvh& bvh, const Geometry& geometry, const BuildOptions& options) {
   const CostModel cost(options);
-  Survey survey(bvh, cost, stats);
-  survey.visit(bvh.root, 1, survey.root_area(), 0);
-  return stats;
+  InstanceCosts instances{geometry, {}};
+  const auto survey = [&](const WideRef& root) {
+    TreeStats stats;
+    Survey of_tree(bvh, cost, instances, stats);
+    if (!root.is_none()) of_tree.visit(root, 1, of_tree.area_of(root), 0);
+    return stats;
+  };
+  TreeStats below;
+  for (const WideRef& root : bvh.prototypes) {
+    const TreeStats prototype = survey(root);
+    instances.prototypes.push_back(prototype.sah_cost);
+    below.nodes += prototype.nodes;
+    below.leaves += prototype.leaves;
+    below.depth = std::max(below.depth, prototype.depth + 1);
+  }
+  const TreeStats scene = survey(bvh.root);
+  return {scene.nodes + below.nodes, scene.leaves + below.leaves, scene.depth + below.depth, scene.sah_cost};
 }
 
 }  // namespace twinray

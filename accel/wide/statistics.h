@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private: statistics of a finished eight-wide tree.
+// Private: statistics of finished eight-wide trees.
 #pragma once
 #include "accel/accelerator.h"
 #include "accel/wide/node.h"
 
 namespace twinray {
 
-/// The numbers of a tree, with the costs of the options. A node's traversal cost is counted once, not for
-/// each of its children.
-TreeStats statistics_of(const WideBvh& bvh, const BuildOptions& options);
+/// The numbers of all trees of a scene, with the costs of the options. A node's traversal cost is counted
+/// once, not for each of its children; an instance costs a step and what its prototype's tree does.
+TreeStats statistics_of(const WideBvh& bvh, const Geometry& geometry, const BuildOptions& options);
 
 }  // namespace twinray

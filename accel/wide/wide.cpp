@@ -47,11 +47,12 @@ class WideAccelerator final : public Accelerator {
 
 std::unique_ptr<Accelerator> build_wide_bvh(std::shared_ptr<const Geometry> geometry,
                                             const BuildOptions& options) {
-  const WideKernel kernel = chosen(wide_kernels(), options.simd);
+  const WideTrees trees = geometry->has_instances() ? WideTrees::instanced : WideTrees::plain;
+  const WideKernel kernel = chosen(wide_kernels(trees), options.simd);
   AccelStats stats;
   WideBvh bvh = make_wide_bvh(*geometry, options, stats.phases);
   stats.bytes = bvh.bytes();
-  stats.tree = statistics_of(bvh, options);
+  stats.tree = statistics_of(bvh, *geometry, options);
   return std::make_unique<WideAccelerator>(std::move(geometry), std::move(bvh), kernel, std::move(stats));
 }
 

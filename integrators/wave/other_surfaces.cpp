@@ -30,6 +30,7 @@ SurfacePoint PathWave::found_surface(std::size_t i) const {
   point.offset = surfaces_.point.offset[i];
   point.shape = hit.mesh;
   point.primitive = hit.primitive;
+  point.instance = hit.instance;
   return point;
 }
 

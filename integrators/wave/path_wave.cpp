@@ -135,7 +135,7 @@ void PathWave::arrive() {
   if (has_textures()) prepare_textures();
   expand_hits();
   stages_.find_points(surfaces_, paths_.size);
-  place_spheres();
+  place_others();
   find_others();
   stages_.find_interactions(paths_, surfaces_);
   std::fill_n(wave_.seeking.values, paths_.size, std::uint32_t(Seeking::zones));
@@ -187,7 +187,7 @@ void PathWave::expand_hits() {
     surfaces_.reflectance.set(i, shape.textured ? textured_reflectance(shape, i) : shape.reflectance);
     surfaces_.triangle.u[i] = hit.u;
     surfaces_.triangle.v[i] = hit.v;
-    if (!shape.positions) continue;
+    if (is_placed_alone(hit)) continue;
     gather_corners(shape.positions, shape.triangles[hit.primitive], surfaces_.triangle, i);
     gather_facet(shape.facets[hit.primitive], surfaces_.point, i);
     if (shape.normals) {
@@ -202,11 +202,15 @@ void PathWave::expand_hits() {
   }
 }
 
-void PathWave::place_spheres() {
+bool PathWave::is_placed_alone(const Hit& hit) const {
+  return !context_.shapes[hit.mesh].positions || hit.instance != no_instance;
+}
+
+void PathWave::place_others() {
   const Geometry& geometry = *context_.transport.scene.geometry;
   for (std::size_t i = 0; i < paths_.size; ++i) {
     const Hit& hit = wave_.hits[i];
-    if (context_.shapes[hit.mesh].positions) continue;
+    if (!is_placed_alone(hit)) continue;
     const SurfacePoint point = surface_at(geometry, hit);
     surfaces_.point.position.set(i, point.position);
     surfaces_.point.normal.set(i, point.geometric_normal);

@@ -82,7 +82,9 @@ class PathWave {
   /// The same with what textures need to know of it, if there are any.
   SurfacePoint with_footprint(SurfacePoint point, std::size_t i) const;
   Rgb textured_reflectance(const ShapeEntry& shape, std::size_t i) const;
-  void place_spheres();
+  /// Whether lanes do not find the point of a hit: of a sphere, or of an instance.
+  bool is_placed_alone(const Hit& hit) const;
+  void place_others();
   /// What is done alone, since lanes know Lambert surfaces only (integrators/wave/other_surfaces.cpp): finds
   /// these surfaces before their normals are turned to the viewer,
   void find_others();

@@ -11,15 +11,14 @@
 #include "io/generated/mesh_parts.h"
 #include "io/generated/noise.h"
 #include "io/generated/scene_maker.h"
+#include "io/generated/sky.h"
+#include "io/generated/trees.h"
 
 namespace twinray::generated {
 namespace {
 
 constexpr unsigned seed = 11;
-constexpr int branches = 9;
 constexpr float spacing = 4.5f;
-/// A tree of 3000 leaves has leaves of this length.
-constexpr float leaf_length = 0.2f;
 constexpr double share_of_leaves = 0.85;  // Of the triangles that are neither wood nor ground.
 constexpr double wood_of_tree = 2 * 6 * 6 + 2 * 4 * 2 * branches;  // Triangles.
 
@@ -42,56 +41,18 @@ Plan plan_of(std::size_t triangles) {
 
 struct Forest {
   Plan plan;
-  Random random{seed};
-  Mesh wood{.name = "wood"}, leaves{.name = "leaves"};
+  Trees trees;
 };
-
-/// Two triangles, folded a little along the middle.
-void add_leaf(Forest& forest, const Vec3& stem, float size) {
-  const Vec3 along = normalize(forest.random.in_ball());
-  const Vec3 other = forest.random.in_ball();
-  const Vec3 across = cross(along, other);
-  const float width = length(across);
-  if (!(width > 0.01f)) return add_leaf(forest, stem, size);
-  const Vec3 side = across * (0.3f * size / width);
-  const Vec3 lifted = stem + along * (0.5f * size) + cross(side, along) * 0.3f;
-  add_quad(forest.leaves, stem, lifted - side, stem + along * size, lifted + side);
-}
-
-void add_tree(Forest& forest, const Vec3& foot) {
-  Random& random = forest.random;
-  const float height = random.uniform(6, 11);
-  const float girth = 0.022f * height;
-  const float lean = random.uniform(-0.05f, 0.05f);
-  const Vec3 top = foot + Vec3{lean * height, height, -lean * height};
-  add_tube(forest.wood, {foot - Vec3{0, 0.3f, 0}, top, girth, 0.2f * girth, 6, 6});
-  Vec3 from[branches], to[branches];
-  for (int i = 0; i < branches; ++i) {
-    const float where = 0.35f + 0.6f * (float(i) + random.unit()) / float(branches);
-    const SinCos turn = sincos_turns(random.unit());
-    const float reach = 0.36f * height * (1.15f - where);
-    from[i] = foot + (top - foot) * where;
-    to[i] = from[i] + Vec3{turn.cos * reach, 0.45f * reach, turn.sin * reach};
-    add_tube(forest.wood, {from[i], to[i], 0.35f * girth, 0.05f * girth, 4, 2});
-  }
-  const float size = leaf_length * std::sqrt(3000.0f / float(forest.plan.leaves_of_tree));
-  for (std::size_t i = 0; i < forest.plan.leaves_of_tree; ++i) {
-    const int branch = random.below(branches);
-    const float where = random.uniform(0.35f, 1.05f);
-    const Vec3 shift = random.in_ball() * (0.11f * height);
-    add_leaf(forest, from[branch] + (to[branch] - from[branch]) * where + shift, size);
-  }
-}
 
 void add_trees(Forest& forest) {
   const Plan& plan = forest.plan;
   for (int row = 0; row < plan.rows; ++row)
     for (int column = 0; column < plan.columns; ++column) {
-      const float dx = forest.random.uniform(0.15f, 0.85f);
-      const float dz = forest.random.uniform(0.15f, 0.85f);
+      const float dx = forest.trees.random.uniform(0.15f, 0.85f);
+      const float dz = forest.trees.random.uniform(0.15f, 0.85f);
       const float x = (float(column) + dx) * spacing - plan.half_width();
       const float z = -(float(row) + dz) * spacing;
-      add_tree(forest, {x, ground_height(x, z), z});
+      add_tree(forest.trees, {x, ground_height(x, z), z});
     }
 }
 
@@ -109,7 +70,7 @@ Mesh make_ground(const Plan& plan, std::size_t triangles) {
 /// Blades of one triangle, denser towards the camera.
 Mesh make_grass(Forest& forest, std::size_t blades) {
   Mesh grass{.name = "grass"};
-  Random& random = forest.random;
+  Random& random = forest.trees.random;
   for (std::size_t i = 0; i < blades; ++i) {
     const float near = random.unit();
     const float x = random.uniform(-1, 1) * (forest.plan.half_width() + 2);
@@ -124,28 +85,17 @@ Mesh make_grass(Forest& forest, std::size_t blades) {
   return grass;
 }
 
-/// White at the horizon, blue above; brown below it.
-EnvironmentLight make_sky() {
-  auto map = std::make_shared<Image>(16, 16);
-  for (int y = 0; y < map->height; ++y)
-    for (int x = 0; x < map->width; ++x) {
-      const float up = 1 - (float(y) + 0.5f) / 8;
-      map->at(x, y) =
-          up > 0 ? Rgb{1.1f - 0.8f * up, 1.2f - 0.5f * up, 1.3f - 0.1f * up} : Rgb{0.1f, 0.08f, 0.05f};
-    }
-  return {map};
-}
-
 }  // namespace
 
 Scene make_forest(std::size_t triangles) {
   check_size("forest", triangles, 10'000);
-  Forest forest{plan_of(triangles)};
+  const Plan plan = plan_of(triangles);
+  Forest forest{plan, {Random(seed), plan.leaves_of_tree}};
   SceneMaker scene;
   scene.add(make_ground(forest.plan, triangles), Rgb{0.28f, 0.2f, 0.12f});
   add_trees(forest);
-  scene.add(std::move(forest.wood), Rgb{0.3f, 0.22f, 0.16f});
-  scene.add(std::move(forest.leaves), Rgb{0.2f, 0.45f, 0.1f});
+  scene.add(std::move(forest.trees.wood), Rgb{0.3f, 0.22f, 0.16f});
+  scene.add(std::move(forest.trees.leaves), Rgb{0.2f, 0.45f, 0.1f});
   scene.add(make_grass(forest, triangles - scene.triangles()), Rgb{0.3f, 0.5f, 0.12f});
   scene.add_light("sky", make_sky());
   scene.add_light("sun", DirectionalLight{normalize(Vec3{-0.6f, -0.7f, -0.5f}), {3.5f, 3.2f, 2.6f}});

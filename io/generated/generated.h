@@ -23,21 +23,31 @@ Scene make_ball(std::size_t triangles);
 /// that grows with its size. 10,000 triangles at least.
 Scene make_forest(std::size_t triangles);
 
+/// A wood of instances of a dozen plants of 600 to 10,000 triangles.
+Scene make_woods(std::size_t instances);
+
+/// The stands of a stadium, a half of them mirrored: about as many instances, of seats of 370 triangles and
+/// of steps.
+Scene make_stadium(std::size_t instances);
+
 /// A maker of scenes, and the size that benchmarks take where none is asked for.
 struct GeneratedScene {
   const char* name;
-  std::size_t triangles;
+  std::size_t size;  ///< In triangles; of a scene of instances, in these.
   /// Gives that many triangles, within 2 %; throws Error for fewer than the least, or more than 2^28.
-  Scene (*make)(std::size_t triangles);
+  Scene (*make)(std::size_t size);
 };
 
-/// All of them.
+/// Those of triangles alone,
 std::span<const GeneratedScene> generated_scenes();
+/// and those of instances.
+std::span<const GeneratedScene> instanced_scenes();
 
 /// Whether a scene's name stands for a generated one: it begins with "generated:".
 bool is_generated(std::string_view name);
 
-/// The scene of a name such as "generated:ball", or "generated:forest:1000000" for that many triangles.
+/// The scene of a name such as "generated:ball", or "generated:forest:1000000" for that many triangles, or
+/// "generated:woods:10000" for that many instances.
 /// Throws Error that lists the valid names.
 Scene make_generated(std::string_view name);
 

@@ -34,8 +34,23 @@ void SceneMaker::add_light(const std::string& name, LightSource source) {
   scene_.lights.push_back({name, std::move(source)});
 }
 
+std::uint32_t SceneMaker::begin_prototype() {
+  instancing_.prototypes.push_back({std::uint32_t(shapes_.size()), 0});
+  return std::uint32_t(instancing_.prototypes.size() - 1);
+}
+
+void SceneMaker::add_instance(std::uint32_t prototype, const Transform& to_world) {
+  instancing_.instances.push_back({prototype, to_world});
+}
+
 Scene SceneMaker::finish(const Camera& camera) {
-  scene_.geometry = std::make_shared<const Geometry>(std::exchange(shapes_, {}));
+  std::vector<ShapeRange>& prototypes = instancing_.prototypes;
+  for (std::size_t i = 0; i < prototypes.size(); ++i)
+    prototypes[i].count =
+        (i + 1 < prototypes.size() ? prototypes[i + 1].first : std::uint32_t(shapes_.size())) -
+        prototypes[i].first;
+  scene_.geometry =
+      std::make_shared<const Geometry>(std::exchange(shapes_, {}), nullptr, std::exchange(instancing_, {}));
   scene_.camera = camera;
   check_scene(scene_);
   return std::move(scene_);
@@ -50,6 +65,12 @@ Camera camera_of(const View& view) {
   camera.tan_half_width = view.tan_half_width;
   camera.tan_half_height = 0.75f * view.tan_half_width;
   return camera;
+}
+
+void check_count(const std::string& scene, std::size_t instances) {
+  if (instances < 1 || instances > most_triangles)
+    throw Error(
+        fmt::format("the scene {} of {} instances: it can have 1 to {}", scene, instances, most_triangles));
 }
 
 void check_size(const std::string& scene, std::size_t triangles, std::size_t least) {

@@ -1,87 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every canonical engine against brute force, bit for bit, over geometry and rays chosen to make them differ.
-#include <bit>
 #include <functional>
 
-#include "accel/accelerator.h"
+#include "tests/support/agreement.h"
 #include "tests/support/catch.h"
 #include "tests/support/cut_outs.h"
 #include "tests/support/shapes.h"
-#include "tests/support/wide_engine.h"
 
 using namespace twinray;
 using namespace twinray::test;
 
 namespace {
-
-using Rays = std::vector<Ray>;
-
-bool same_bits(const Hit& a, const Hit& b) {
-  const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x); };
-  return bits(a.t) == bits(b.t) && bits(a.u) == bits(b.u) && bits(a.v) == bits(b.v) &&
-         a.primitive == b.primitive && a.mesh == b.mesh && a.instance == b.instance;
-}
-
-struct Engine {
-  std::string label;
-  std::unique_ptr<Accelerator> accelerator;
-};
-
-/// Every engine that promises canonical bits, but brute force.
-std::vector<Engine> canonical_engines(const std::shared_ptr<const Geometry>& geometry) {
-  std::vector<Engine> engines;
-  const auto add = [&](const std::string& label, Backend backend, const BuildOptions& options) {
-    engines.push_back({label, build_accelerator(backend, geometry, options)});
-  };
-  add("bvh sah", Backend::bvh, {.bvh_width = 2});
-  add("bvh sah, leaves of 1", Backend::bvh, {.bvh_width = 2, .max_leaf_size = 1});
-  add("bvh sah, leaves of 9", Backend::bvh, {.bvh_width = 2, .max_leaf_size = 9, .traversal_cost = 4});
-  add("bvh median", Backend::bvh, {.bvh_width = 2, .bvh_split = BvhSplit::median, .max_leaf_size = 2});
-  add("bvh midpoint", Backend::bvh, {.bvh_width = 2, .bvh_split = BvhSplit::midpoint, .max_leaf_size = 1});
-  add("bvh mean", Backend::bvh, {.bvh_width = 2, .bvh_split = BvhSplit::mean});
-  for (const BvhBuilder builder : available_builders())
-    for (const int leaf : {1, 4})
-      if (builder != BvhBuilder::own)
-        add("bvh " + builder_name(builder), Backend::bvh,
-            {.bvh_width = 2, .bvh_builder = builder, .max_leaf_size = leaf});
-  add("bvh 8-wide, leaves of 1", Backend::bvh, {.bvh_width = 8, .max_leaf_size = 1});
-  add("bvh 8-wide fast", Backend::bvh, {.bvh_quality = BvhQuality::fast});
-  add("bvh 8-wide high", Backend::bvh, {.bvh_quality = BvhQuality::high});
-  add("bvh 8-wide median", Backend::bvh, {.bvh_width = 8, .bvh_split = BvhSplit::median});
-  for (const WideKernel& kernel : wide_kernels())
-    engines.push_back({"bvh 8-wide, " + kernel.name, std::make_unique<WideEngine>(geometry, kernel)});
-#ifdef TWINRAY_WITH_EMBREE
-  for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512", "default"})
-    add(std::string("embree ") + isa, Backend::embree, {.threads = 1, .embree_isa = isa});
-#endif
-  return engines;
-}
-
-/// Checks all engines against brute force; returns how many rays hit.
-int check_agreement(const std::shared_ptr<const Geometry>& geometry, const Rays& rays) {
-  const auto oracle = build_accelerator(Backend::brute_force, geometry);
-  std::vector<Hit> expected;
-  int hits = 0;
-  for (const Ray& ray : rays) {
-    expected.push_back(oracle->closest_hit(ray));
-    hits += bool(expected.back());
-    REQUIRE(oracle->any_hit(ray) == bool(expected.back()));
-  }
-  for (const Engine& engine : canonical_engines(geometry)) {
-    CAPTURE(engine.label);
-    int differing = 0;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      const bool same = same_bits(engine.accelerator->closest_hit(rays[i]), expected[i]) &&
-                        engine.accelerator->any_hit(rays[i]) == bool(expected[i]);
-      if (!same && ++differing == 1) {
-        CAPTURE(i, expected[i].t, expected[i].primitive);
-        CHECK(same);
-      }
-    }
-    CHECK(differing == 0);
-  }
-  return hits;
-}
 
 Rays concatenate(Rays a, const Rays& b) {
   a.insert(a.end(), b.begin(), b.end());
@@ -367,7 +296,7 @@ TEST_CASE("Moeller and Trumbore's test finds the canonical hit but for its round
 TEST_CASE("a batch gives the answers of its rays") {
   const auto geometry = share_cut_out({soup(200, 0.4f, 111), soup(100, 0.4f, 113)}, {random_alpha(114)});
   const Rays rays = random_rays(200, geometry->bounds(), 112);
-  for (const Engine& engine : canonical_engines(geometry)) {
+  for (const LabelledEngine& engine : canonical_engines(geometry)) {
     std::vector<Hit> hits(rays.size());
     std::vector<std::uint8_t> found(rays.size());
     engine.accelerator->closest_hits(rays, hits);

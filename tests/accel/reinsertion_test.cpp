@@ -18,7 +18,7 @@ using namespace twinray::test;
 namespace {
 
 BuildTree tree_of(const Geometry& geometry, const BuildOptions& options) {
-  return build_tree(collect_primitives(geometry), options);
+  return build_tree(collect_primitives(geometry, geometry.direct_shapes()), options);
 }
 
 /// The sum of the areas of all inner nodes.
@@ -69,7 +69,7 @@ TEST_CASE("a leaf in the wrong half is moved to its neighbours") {
     add_triangle(mesh, {x, 0, 0}, {x + 1, 0, 0}, {x, 1, 1});
   const auto geometry = share({mesh});
   BuildTree tree;
-  tree.primitives = collect_primitives(*geometry);
+  tree.primitives = collect_primitives(*geometry, geometry->direct_shapes());
   tree.nodes.assign(11, {});
   const auto set = [&](std::uint32_t index, std::uint32_t first, std::uint32_t count) {
     tree.nodes[index].first = first;

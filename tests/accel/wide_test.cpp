@@ -267,7 +267,8 @@ TEST_CASE("a stack holds all siblings of the deepest path, whose nodes are full,
 TEST_CASE("the collapse costs the least of all") {
   for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
     const auto geometry = share({soup(13, seed % 2 ? 0.1f : 0.7f, seed)});
-    const BuildTree tree = build_tree(collect_primitives(*geometry), {.max_leaf_size = 1});
+    const BuildTree tree =
+        build_tree(collect_primitives(*geometry, geometry->direct_shapes()), {.max_leaf_size = 1});
     const CollapsePlan plan(tree, 4);
     constexpr double rounding = 1e-5;  // The plan adds in float.
     CHECK(plan.cost() == Approx(Exhaustive(tree, plan).least_cost(0)).epsilon(rounding));

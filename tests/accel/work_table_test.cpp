@@ -193,7 +193,7 @@ TEST_CASE("each tree costs, and each ray does, what the table says") {
 TEST_CASE("reinsertion searches as far as it must") {
   // Without its bound a search looks at the whole tree, and finds the same. Fewer nodes are better.
   const auto geometry = share({soup(4000, 0.05f, 7)});
-  BuildTree tree = build_tree(collect_primitives(*geometry), {.threads = 1});
+  BuildTree tree = build_tree(collect_primitives(*geometry, geometry->direct_shapes()), {.threads = 1});
   CHECK(tree.nodes.size() == 7667);
   CHECK(reinsert(tree, {.rounds = 1, .share = 1}) == 117438);
 }

@@ -7,6 +7,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/crosscheck.h"
 #include "tests/support/hard_meshes.h"
+#include "tests/support/instances.h"
 #include "tests/support/wrong_engine.h"
 
 using namespace twinray;
@@ -54,6 +55,35 @@ void check_agreement(const std::shared_ptr<const Geometry>& geometry) {
     }
 }
 
+/// Plants one defect after the other.
+void check_defects(const std::shared_ptr<const Geometry>& geometry) {
+  const std::vector<EngineMaker> sound{
+      {"bvh", make<Backend::bvh>},
+      {"bvh 2-wide", make_binary},
+      {"plain", [](auto g) { return build_wrong_engine(std::move(g), Defect::none); }}};
+  CHECK(crosscheck(geometry, sound, rays_of_a_class).unexplained() == 0);
+
+  for (const Defect defect : all_defects()) {
+    INFO(defect_name(defect));
+    const auto reference = build_accelerator(Backend::bvh, geometry);
+    const auto wrong = build_wrong_engine(geometry, defect);
+    const Crosscheck check(geometry, {{"bvh", reference.get()}, {"wrong", wrong.get()}});
+    const ShapeRays rays(geometry, *reference, 7);
+    CrosscheckReport report(2);
+    for (const RayClass ray_class : shape_ray_classes())
+      if (placement_of(ray_class) == Placement::file)
+        for (std::uint64_t i = 0; i < rays_of_a_class; ++i)
+          check.check(rays.ray(ray_class, i), ray_class, i, report);
+    CHECK(report.unexplained() > 0);
+    for (const RayClass ray_class : shape_ray_classes())
+      for (const Finding& finding : report.findings(1, ray_class)) {
+        CHECK(finding.difference == Difference::unexplained);
+        CHECK(same_bits(ask(*wrong, finding.ray), finding.found));
+        CHECK_FALSE(same_bits(ask(*reference, finding.ray), finding.found));
+      }
+  }
+}
+
 }  // namespace
 
 TEST_CASE("nothing is unexplained on a closed sphere") { check_agreement(share({icosphere_mesh(4)})); }
@@ -86,33 +116,19 @@ TEST_CASE("nothing is unexplained where some vertices lie far outside") {
 
 TEST_CASE("nothing is unexplained without any shape") { check_agreement(share({})); }
 
-TEST_CASE("each planted defect is found, and its rays are named") {
-  const auto geometry = share({layers(), layers(), icosphere_mesh(3)});
-  const std::vector<EngineMaker> sound{
-      {"bvh", make<Backend::bvh>},
-      {"bvh 2-wide", make_binary},
-      {"plain", [](auto g) { return build_wrong_engine(std::move(g), Defect::none); }}};
-  CHECK(crosscheck(geometry, sound, rays_of_a_class).unexplained() == 0);
-
-  for (const Defect defect : all_defects()) {
-    INFO(defect_name(defect));
-    const auto reference = build_accelerator(Backend::bvh, geometry);
-    const auto wrong = build_wrong_engine(geometry, defect);
-    const Crosscheck check(geometry, {{"bvh", reference.get()}, {"wrong", wrong.get()}});
-    const ShapeRays rays(geometry, *reference, 7);
-    CrosscheckReport report(2);
-    for (const RayClass ray_class : shape_ray_classes())
-      if (placement_of(ray_class) == Placement::file)
-        for (std::uint64_t i = 0; i < rays_of_a_class; ++i)
-          check.check(rays.ray(ray_class, i), ray_class, i, report);
-    CHECK(report.unexplained() > 0);
-    for (const RayClass ray_class : shape_ray_classes())
-      for (const Finding& finding : report.findings(1, ray_class)) {
-        CHECK(finding.difference == Difference::unexplained);
-        CHECK(same_bits(ask(*wrong, finding.ray), finding.found));
-        CHECK_FALSE(same_bits(ask(*reference, finding.ray), finding.found));
-      }
+TEST_CASE("nothing is unexplained on instances of each kind") {
+  for (const Kind kind : kinds) {
+    INFO("kind " << int(kind));
+    check_agreement(
+        share_instanced({soup(100, 0.5f, 3)}, {{icosphere_mesh(2)}, {soup(60, 0.4f, 4)}}, {kind}, 5, 5));
   }
+}
+
+TEST_CASE("each planted defect is found, and its rays are named") {
+  for (const auto& geometry :
+       {share({layers(), layers(), icosphere_mesh(3)}),
+        share_instanced({layers()}, {{layers(), icosphere_mesh(3)}}, {Kind::rigid, Kind::scaled}, 2, 9)})
+    check_defects(geometry);
 }
 
 TEST_CASE("a witness with a defect is not excused") {

@@ -56,6 +56,17 @@ TEST_CASE("a moved scene keeps its size and lies 10^5 sizes away") {
   check_near(ball(*placed).center - corner(*placed, 0), ball(*small()).center - corner(*small(), 0));
 }
 
+TEST_CASE("instances are placed as all else is, and their prototypes stay as they are") {
+  const auto plain = small();
+  const auto geometry = std::make_shared<const Geometry>(
+      plain->shapes(), nullptr, Instancing{{{1, 1}}, {{0, Transform::translation(1, 2, 3)}}});
+  const auto grown = placed_geometry(geometry, Placement::grown);
+  check_near(corner(*grown, 1), corner(*geometry, 1) * 1e6f);
+  CHECK(ball(*grown).radius == 0.5f);
+  check_near(grown->instances()[0].to_world.point({4, 0, 0.5f}), Vec3{5, 2, 3.5f} * 1e6f);
+  CHECK(grown->prototypes() == geometry->prototypes());
+}
+
 TEST_CASE("no placement leaves the range of coordinates") {
   Mesh mesh;
   add_triangle(mesh, {0, 0, 0}, {5e9f, 0, 0}, {0, 5e9f, 0});

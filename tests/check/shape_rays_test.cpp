@@ -6,6 +6,7 @@
 
 #include "check/judge.h"
 #include "tests/support/catch.h"
+#include "tests/support/instances.h"
 #include "tests/support/shapes.h"
 
 namespace twinray::test {
@@ -78,6 +79,24 @@ TEST_CASE("vertex rays go through a vertex, edge rays through an edge, within ro
   CHECK(share_of(edges, [&](const Ray& ray) { return margin_of_edges(ray, source.mesh()) < 8; }) > 0.99);
   CHECK(share_of(edges, [&](const Ray& ray) { return distance_from_vertices(ray, source.mesh()) > 1e-3; }) >
         0.9);
+}
+
+TEST_CASE("vertex rays go through vertices of instances, as often as of copies") {
+  const auto geometry = share_instanced({icosphere_mesh(0)}, {{icosphere_mesh(1)}}, {Kind::rigid}, 2, 3);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> names;
+  const auto copies = flattened(*geometry, names);
+  const auto engine = build_accelerator(Backend::bvh, geometry);
+  const ShapeRays rays(geometry, *engine, 9);
+  constexpr double few_ulps = 1e-5;
+  std::vector<int> through(copies->shapes().size());
+  for (std::uint64_t i = 0; i < 2000; ++i)
+    for (std::uint32_t shape = 0; shape < through.size(); ++shape)
+      through[shape] +=
+          distance_from_vertices(rays.ray(RayClass::vertices, i), *copies->mesh(shape)) < few_ulps;
+  // 20 triangles stand in the scene, and twice 80.
+  CHECK(through[0] == Approx(2000 * 20 / 180.0).epsilon(0.2));
+  CHECK(through[1] == Approx(2000 * 80 / 180.0).epsilon(0.2));
+  CHECK(through[2] == Approx(2000 * 80 / 180.0).epsilon(0.2));
 }
 
 TEST_CASE("axis rays run along one axis, with zeros of both signs in the other components") {

@@ -76,18 +76,35 @@ TEST_CASE("info tells what is in a scene, as JSON") {
 
 TEST_CASE("info adds up the memory of a render") {
   const std::string box = scenes + "box.dae";
-  std::uint64_t sum = 0;
-  const nlohmann::json memory = info_of(box)["memory_bytes"];
-  for (const auto& [name, bytes] : memory.items())
-    if (name != "all") sum += bytes.get<std::uint64_t>();
-  CHECK(memory["all"] == sum);
-  CHECK(memory["the film of 480 x 360 pixels"] == 480 * 360 * 64);
+  const Leaf leaf;
+  for (const std::string& scene : {box, leaf.scene()}) {
+    std::uint64_t sum = 0;
+    const nlohmann::json memory = info_of(scene)["memory_bytes"];
+    for (const auto& [name, bytes] : memory.items())
+      if (name != "all") sum += bytes.get<std::uint64_t>();
+    CHECK(memory["all"] == sum);
+    CHECK(memory["the film of 480 x 360 pixels"] == 480 * 360 * 64);
+  }
   CHECK(info_of(box, "-r 96 72")["memory_bytes"]["the film of 96 x 72 pixels"] == 96 * 72 * 64);
   // Floats of positions and texture coordinates, indices of triangles, and a facet of four floats for each.
-  const Leaf leaf;
   const int bytes_of_leaf = 3 * 12 + 12 + 8 + 12 + 16, wall = 4 * 12 + 2 * (12 + 16), lamp = 3 * 12 + 12 + 16;
 
   CHECK(info_of(leaf.scene())["memory_bytes"]["geometry"] == bytes_of_leaf + wall + lamp);
+}
+
+TEST_CASE("info tells what is stored, and what instances show") {
+  const std::string pawns = scenes + "pawns.pbrt";
+  const nlohmann::json kept = info_of(pawns, "--instances=keep"), copied = info_of(pawns);
+  CHECK(kept["instances"] == 33);
+  CHECK(kept["prototypes"] == 1);
+  CHECK(kept["triangles"] == 2 + 288);
+  CHECK(kept["seen_primitives"] == 2 + 33 * 289);
+  CHECK(copied["instances"] == 0);
+  CHECK(copied["triangles"] == 2 + 33 * 288);
+  CHECK(copied["seen_primitives"] == kept["seen_primitives"]);
+  CHECK(kept["bounds"] == copied["bounds"]);
+  const ProcessResult text = run_program("info --instances=keep " + quoted(pawns));
+  CHECK(has(text.out, "instances: 33 of 1 prototype, by which 9.54e+03 triangles and spheres are seen\n"));
 }
 
 TEST_CASE("info tells the same in words, of many things the largest") {

@@ -78,7 +78,7 @@ TEST_CASE("a footprint is what a cone covers of a surface's texture coordinates"
   CHECK(footprint(rectangle(1, 4), 0, {0, 3, -4}) == 0);
   // A sphere of the area 4 pi 9 has the unit square.
   const Geometry ball({SphereSet{"ball", {{{0, 0, 0}, 3}}}});
-  CHECK(footprint(ball, 0.1f, surface_at(ball, {1, 0.3f, 0.3f, 0, 0, 0}).geometric_normal) ==
+  CHECK(footprint(ball, 0.1f, surface_at(ball, {1, 0.3f, 0.3f, 0, 0}).geometric_normal) ==
         Approx(0.1 / std::sqrt(4 * M_PI * 9)).epsilon(rounding));
 }
 

@@ -14,6 +14,7 @@
 #include "integrators/replay.h"
 #include "integrators/wave/camera_stage.h"
 #include "tests/support/catch.h"
+#include "tests/support/instances.h"
 #include "tests/support/random.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shapes.h"
@@ -331,8 +332,11 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
               many = scene_of_many_lights(),
               lamps = textured(scene_of_everything(), TextureFilter::trilinear),
               interiors = scene_of_interiors();
+  const Scene instances = instanced(everything), textured_instances = instanced(textures);
   for (const PathOptions& options : cases) {
     const std::uint32_t count = options.samples_per_light > 100 ? 20 : 2100;
+    check_bits(instances, options, count);
+    check_bits(textured_instances, options, std::min(count, 500u));
     check_bits(everything, options, count);
     check_bits(models, options, count);
     check_bits(room, options, count);

@@ -327,6 +327,29 @@ TEST_CASE("the files of a scene, the JSON file last") {
   CHECK(std::memcmp(read.pixels.data(), map->pixels.data(), sizeof(Rgb) * 2) == 0);
 }
 
+TEST_CASE("instances in exchange form are of its second version") {
+  Scene scene;
+  Transform place = Transform::translation(1, 2, 3);
+  place.m[0][0] = 0.1;  // No float.
+  scene.geometry = std::make_shared<const Geometry>(
+      std::vector<Shape>{triangle_mesh("a"), triangle_mesh("b"), triangle_mesh("c")}, nullptr,
+      Instancing{{{1, 1}, {2, 1}}, {{1, place}, {0, {}}}});
+  scene.materials = {{"grey", Lambert{}}};
+  scene.bindings.resize(3);
+  const auto json = nlohmann::json::parse(exchange_json(scene, "a.json", {}));
+  CHECK(json["version"] == 2);
+  CHECK_FALSE(json["shapes"][0].contains("prototype"));
+  CHECK(json["shapes"][1]["prototype"] == 0);
+  CHECK(json["shapes"][2]["prototype"] == 1);
+  REQUIRE(json["instances"].size() == 2);
+  CHECK(json["instances"][0]["prototype"] == 1);
+  CHECK(json["instances"][0]["to_world"] ==
+        nlohmann::json::parse("[[0.1, 0, 0, 1], [0, 1, 0, 2], [0, 0, 1, 3]]"));
+  Scene plain = scene;
+  plain.geometry = std::make_shared<const Geometry>(scene.geometry->shapes());
+  CHECK(nlohmann::json::parse(exchange_json(plain, "a.json", {}))["version"] == 1);
+}
+
 TEST_CASE("a scene is written to names that end in .json only") {
   for (const char* name : {"a.json", "b/a.b.json"}) CHECK_NOTHROW(check_exchange_name(name));
   for (const char* name : {"-", "a", "a.dae", ".json", "b/.json", "a.json/"})

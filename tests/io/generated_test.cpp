@@ -128,10 +128,36 @@ TEST_CASE("load_scene takes the names of generated scenes, with a number of tria
         make_room(50000).geometry->triangle_count());
 }
 
+TEST_CASE("generated scenes of instances have about as many as are asked for, all of their prototypes") {
+  for (const GeneratedScene& maker : instanced_scenes()) {
+    CAPTURE(maker.name);
+    const Scene scene = maker.make(2000);
+    const Geometry& geometry = *scene.geometry;
+    CHECK(geometry.instances().size() >= 2000);
+    CHECK(geometry.instances().size() <= 2100);
+    CHECK(geometry.seen_primitives() > 100 * 2000);
+    CHECK(geometry.primitive_count() < 200'000);
+    std::vector<int> shown(geometry.prototypes().size());
+    int mirrored = 0;
+    for (const Instance& instance : geometry.instances()) {
+      ++shown[instance.prototype];
+      mirrored += instance.to_world.determinant() < 0;
+    }
+    for (const int times : shown) CHECK(times > 0);
+    CHECK(mirrored == Approx(1000).margin(60));
+    CHECK_THROWS_WITH(maker.make(0), Catch::Contains("of 0 instances: it can have 1 to 268435456"));
+  }
+  CHECK(load_scene("generated:woods:20").summary.instances == 20);
+  CHECK_THROWS_WITH(load_scene("generated:woods:x"),
+                    "generated:woods:x: \"x\" is not a number of instances, such as 10000");
+}
+
 TEST_CASE("a wrong name of a generated scene is refused with the valid ones") {
-  CHECK_THROWS_WITH(load_scene("generated:bal"),
-                    "generated:bal: there is no such scene; valid are generated:room, generated:ball, "
-                    "generated:forest, each with :N behind it for N triangles");
+  CHECK_THROWS_WITH(
+      load_scene("generated:bal"),
+      "generated:bal: there is no such scene; valid are generated:room, generated:ball, "
+      "generated:forest, generated:woods, generated:stadium, each with :N behind it for N triangles "
+      "or, of the last two, instances");
   for (const char* size : {"", "1e6", "-5", "99999999999999999999999"})
     CHECK_THROWS_WITH(
         load_scene(fmt::format("generated:ball:{}", size)),

@@ -159,7 +159,7 @@ TEST_CASE("gltf: the file's scene is shown or, where it says none, the first") {
   CHECK(file.warning() == "test.gltf: /: the file has no scene; all its nodes are shown");
 }
 
-TEST_CASE("gltf: instances of EXT_mesh_gpu_instancing are copies within their node") {
+TEST_CASE("gltf: what EXT_mesh_gpu_instancing shows lies within its node, copied or not") {
   GltfFile file = gltf_triangle();
   const int places = file.accessor<float>({0, 0, 1, 0, 0, 2}, "VEC3");
   const int sizes = file.accessor<float>({1, 1, 1, 2, 2, 2}, "VEC3");
@@ -172,6 +172,14 @@ TEST_CASE("gltf: instances of EXT_mesh_gpu_instancing are copies within their no
   CHECK(loaded.scene.geometry->mesh(1)->positions[1] == Vec3{2, 0, 12});
   CHECK(loaded.scene.assets == std::vector<std::string>{"trees"});
   CHECK(asset_of(loaded.scene, 0) == asset_of(loaded.scene, 1));
+  LoadOptions keep;
+  keep.instances = InstanceUse::keep;
+  const LoadedScene kept = file.load(keep);
+  CHECK(kept.summary.meshes == 1);
+  REQUIRE(kept.summary.instances == 2);
+  CHECK(kept.scene.geometry->bounds().upper == loaded.scene.geometry->bounds().upper);
+  CHECK(kept.scene.geometry->instances()[1].to_world.point({1, 0, 0}) == Vec3{2, 0, 12});
+  CHECK(asset_of(kept.scene, 0) == 0);
   file.json["accessors"][std::size_t(sizes)]["count"] = 1;
   CHECK(file.error() ==
         "test.gltf: /nodes/0/extensions/EXT_mesh_gpu_instancing/attributes/SCALE: 1 values for 2 instances; "

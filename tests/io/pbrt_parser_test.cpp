@@ -171,6 +171,55 @@ TEST_CASE("an object is shown where it is instanced, and nowhere else") {
             .find("no object \"b\" is defined before this; \"a\" is the nearest one") != std::string::npos);
 }
 
+TEST_CASE("an object that is shown often is stored once, but for what emits") {
+  const std::string object =
+      "ObjectBegin \"a\"\nTranslate 0 0 5\n" + pbrt_triangle +
+      "AttributeBegin\nAreaLightSource \"diffuse\"\n" + pbrt_triangle +
+      "AttributeEnd\nMaterial \"diffuse\" \"rgb reflectance\" [1 0 0]\nShape \"sphere\"\n" + "ObjectEnd\n";
+  const std::string shown = "ObjectInstance \"a\"\nTranslate 7 0 0\nScale -2 2 2\nObjectInstance \"a\"\n";
+  const auto load = [&](const std::string& text, InstanceUse use) {
+    LoadOptions options;
+    options.instances = use;
+    return test::load_pbrt_text("WorldBegin\n" + pbrt_triangle + text, options);
+  };
+  const LoadedScene kept = load(object + shown, InstanceUse::keep),
+                    copied = load(object + shown, InstanceUse::copy);
+  const Geometry& geometry = *kept.scene.geometry;
+  CHECK(kept.summary.instances == 2);
+  CHECK(kept.summary.prototypes == 1);
+  CHECK(kept.summary.seen_primitives == 7);
+  CHECK(geometry.direct_shapes() == ShapeRange{0, 3});  // One beside the object, and its light twice.
+  CHECK(geometry.prototypes() == std::vector<ShapeRange>{{3, 2}});
+  CHECK(kept.scene.lights.size() == 2);
+  // Spheres' boxes are rounded outward before and after they are scaled.
+  const Aabb &bounds = geometry.bounds(), &of_copies = copied.scene.geometry->bounds();
+  CHECK(max_abs(bounds.lower - of_copies.lower) < 1e-5f);
+  CHECK(max_abs(bounds.upper - of_copies.upper) < 1e-5f);
+  CHECK(geometry.instances()[1].to_world.point({0, 0, 5}) == Vec3{7, 0, 10});
+  CHECK(kept.scene.materials[kept.scene.bindings[4].material].name ==
+        copied.scene.materials[copied.scene.bindings[3].material].name);
+  CHECK(asset_of(kept.scene, 3) == 0);
+  CHECK(copied.scene.geometry->instances().empty());
+  CHECK(copied.summary.instances == 0);
+  CHECK(load(object + shown, InstanceUse::automatic).summary.instances == 0);
+  // What no instance can be is copied all the same; what reaches too far is an error where it stands.
+  const LoadedScene flat = load(object + "Scale 1 1 1e-9\nObjectInstance \"a\"\n", InstanceUse::keep);
+  CHECK(flat.summary.instances == 0);
+  CHECK(flat.scene.lights.size() == 1);
+  CHECK_THROWS_WITH(load(object + "Translate 2e12 0 0\nObjectInstance \"a\"\n", InstanceUse::keep),
+                    Catch::Contains("coordinate"));
+}
+
+TEST_CASE("instances are made where copies would be many") {
+  CHECK_FALSE(are_stored_once(InstanceUse::automatic, 1000, 1));
+  CHECK_FALSE(are_stored_once(InstanceUse::automatic, 1000, 51));
+  CHECK(are_stored_once(InstanceUse::automatic, 1000, 52));
+  CHECK_FALSE(are_stored_once(InstanceUse::automatic, 0, 1000));
+  CHECK(are_stored_once(InstanceUse::keep, 1, 1));
+  CHECK_FALSE(are_stored_once(InstanceUse::keep, 1, 0));
+  CHECK_FALSE(are_stored_once(InstanceUse::copy, 1000000, 1000000));
+}
+
 TEST_CASE("the shapes of an object's instances belong to it, others to themselves") {
   const auto object = [](const std::string& name) {
     return "ObjectBegin \"" + name + "\"\n" + pbrt_triangle + pbrt_triangle + "ObjectEnd\n";
@@ -181,8 +230,8 @@ TEST_CASE("the shapes of an object's instances belong to it, others to themselve
   std::vector<std::uint32_t> assets;
   for (const ShapeBinding& binding : scene.bindings) assets.push_back(binding.asset);
   CHECK(scene.assets == std::vector<std::string>{"a", "b"});
-  CHECK(assets == std::vector<std::uint32_t>{1, 1, no_asset, 0, 0, 0, 0});
-  CHECK(asset_of(scene, 2) == 2 + 2);
+  CHECK(assets == std::vector<std::uint32_t>{no_asset, 0, 0, 0, 0, 1, 1});
+  CHECK(asset_of(scene, 0) == 2 + 0);
 }
 
 TEST_CASE("Attribute gives defaults until the state that it stands in ends") {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "accel/canonical/instance_ray.h"
 #include "accel/canonical/shape_test.h"
 #include "accel/canonical/slab.h"
 #include "accel/embree/embree.h"
@@ -13,6 +14,7 @@ namespace {
 struct Primitive {
   Aabb box;
   PrimitiveId id;
+  std::uint32_t instance = no_instance;  ///< Whose box it then is.
 };
 
 struct Node {
@@ -23,19 +25,18 @@ struct Node {
 
 std::vector<Primitive> primitives_of(const Geometry& geometry) {
   std::vector<Primitive> all;
-  for (std::uint32_t shape = 0; shape < geometry.shapes().size(); ++shape) {
-    if (const Mesh* mesh = geometry.mesh(shape)) {
-      for (std::uint32_t i = 0; i < mesh->triangles.size(); ++i) {
-        const auto [a, b, c] = mesh->triangles[i];
+  const auto add = [&](ShapeRange shapes, std::uint32_t instance) {
+    for (std::uint32_t shape = shapes.first; shape < shapes.end(); ++shape)
+      for (std::uint32_t i = 0; i < geometry.primitive_count({shape, 1}); ++i) {
+        const PrimitiveId id{shape, i};
         all.push_back(
-            {triangle_bounds(mesh->positions[a], mesh->positions[b], mesh->positions[c]), {shape, i}});
+            {instance == no_instance ? primitive_bounds(geometry, id) : geometry.placed()[instance].box, id,
+             instance});
       }
-    } else {
-      const std::vector<Sphere>& spheres = geometry.sphere_set(shape)->spheres;
-      for (std::uint32_t i = 0; i < spheres.size(); ++i)
-        all.push_back({sphere_bounds(spheres[i]), {shape, i}});
-    }
-  }
+  };
+  add(geometry.direct_shapes(), no_instance);
+  for (std::uint32_t i = 0; i < geometry.instances().size(); ++i)
+    add(geometry.prototypes()[geometry.instances()[i].prototype], i);
   return all;
 }
 
@@ -62,6 +63,7 @@ class WrongEngine final : public Accelerator {
     std::sort(begin, begin + std::ptrdiff_t(count), [&](const Primitive& a, const Primitive& b) {
       const float p = a.box.center()[axis], q = b.box.center()[axis];
       if (p != q) return p < q;
+      if (a.instance != b.instance) return a.instance < b.instance;
       return a.id.mesh != b.id.mesh ? a.id.mesh < b.id.mesh : a.id.primitive < b.id.primitive;
     });
     node->children[0] = build(first, count / 2);
@@ -70,14 +72,14 @@ class WrongEngine final : public Accelerator {
   }
 
   Hit closest(Query query) const noexcept override {
-    return closest_of(query.ray, [&](const CheckedRay& ray) {
+    return closest_of(geometry(), query.ray, [&](const CheckedRay& ray) {
       Hit best;
       visit<false>(*root_, seen(ray), best);
       return best;
     });
   }
   bool any(Query query) const noexcept override {
-    return any_of(query.ray, [&](const CheckedRay& ray) {
+    return any_of(geometry(), query.ray, [&](const CheckedRay& ray) {
       Hit found;
       return visit<true>(*root_, seen(ray), found);
     });
@@ -123,7 +125,11 @@ class WrongEngine final : public Accelerator {
     bool found = false;
     for (std::size_t i = node.first; i < node.first + node.count; ++i) {
       Hit hit;
-      test_primitive(geometry(), ray, primitives_[i].id, hit);
+      CheckedRay own = ray;
+      const std::uint32_t instance = primitives_[i].instance;
+      if (instance != no_instance && !enter_instance(geometry().placed(), instance, ray, ray.t_max, own))
+        continue;
+      test_primitive(geometry(), own, primitives_[i].id, hit);
       if (hit.is_miss() || !replaces(hit, best)) continue;
       best = hit;
       found = true;

@@ -29,7 +29,7 @@ MUTANTS = [
            "weight_ulp = ulp * (1 +", "weight_ulp = 4 * ulp * (1 +",
            TARGET, "rounding of a weight ends at 64 ulps"),
     Mutant("a sphere's t is excused four times as far", "check/oracle.cpp",
-           "of_root.t_ulp = ulp * judgement.scale", "of_root.t_ulp = 4 * ulp * judgement.scale",
+           "const double ulps = ulp * judgement.scale", "const double ulps = 4 * ulp * judgement.scale",
            TARGET, "rounding of a sphere's t ends at 64 ulps"),
     Mutant("an edge is excused a hundred times as far", "check/oracle.cpp",
            "std::fabs(judgement.edge_margin_ulps()) <= rounding_ulps",

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/instance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/coordinates.h"
+#include "core/error.h"
+#include "core/parallel.h"
+
+namespace twinray {
+namespace {
+
+/// How far a hit may lie outside of its box, in units of what is summed in pad_of(): 64 u, with u = 2^-24.
+///
+/// In the prototype's space let R be the largest component of the ray's origin or the box. Origin and
+/// direction are rounded to float there: u R and 2 u R at the hit. The canonical test keeps a hit's parameter
+/// within the interval of the prototype's box, which the slab test widens by 16 u (origin + box), 32 u R.
+/// Together 35 u R, which the transform makes 35 u |A| R; and R is at most |A^-1| (|o| + |b|) + |box|, with A
+/// the transform's matrix and b its translation. The rest is left for what is rounded in double.
+constexpr double instance_margin = 0x1p-18;
+
+double largest_translation(const Transform& transform) {
+  return std::max(std::fabs(transform.m[0][3]),
+                  std::max(std::fabs(transform.m[1][3]), std::fabs(transform.m[2][3])));
+}
+
+bool is_finite(const Transform& transform) {
+  for (const auto& row : transform.m)
+    for (const double entry : row)
+      if (!std::isfinite(entry)) return false;
+  return true;
+}
+
+double max_abs(const Aabb& box) { return std::max(twinray::max_abs(box.lower), twinray::max_abs(box.upper)); }
+
+float rounded_down(double x) {
+  const auto near = float(x);
+  return double(near) > x ? std::nextafter(near, -Aabb::infinity) : near;
+}
+float rounded_up(double x) { return -rounded_down(-x); }
+
+/// The least float box around boxes that are moved by a transform, rounded outward; empty without any.
+Aabb moved(const std::vector<Aabb>& boxes, const Transform& transform) {
+  Aabb result;
+  for (int row = 0; row < 3 && !boxes.empty(); ++row) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const Aabb& box : boxes) {
+      double center = transform.m[row][3], extent = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double lower = box.lower[axis], upper = box.upper[axis];
+        center += transform.m[row][axis] * (0.5 * (lower + upper));
+        extent += std::fabs(transform.m[row][axis]) * (0.5 * (upper - lower));
+      }
+      least = std::min(least, center - extent);
+      most = std::max(most, center + extent);
+    }
+    result.lower[row] = rounded_down(least);
+    result.upper[row] = rounded_up(most);
+  }
+  return result;
+}
+
+/// Moves each plane outward by `pad`, rounded outward.
+Aabb widened(const Aabb& box, double pad) {
+  Aabb result;
+  for (int axis = 0; axis < 3; ++axis) {
+    result.lower[axis] = rounded_down(box.lower[axis] - pad);
+    result.upper[axis] = rounded_up(box.upper[axis] + pad);
+  }
+  return result;
+}
+
+/// How many instances a task places.
+constexpr std::size_t instances_a_task = 1024;
+
+/// What is known of an instance's matrix.
+struct Matrix {
+  double norm = 0;         ///< As Transform::stretch().
+  double squash = 0;       ///< Times that of its inverse: the condition.
+  double translation = 0;  ///< The largest component.
+};
+
+Matrix check(const Instance& instance, const Transform& inverse, std::size_t index) {
+  const auto fail = [&](const std::string& what) {
+    throw Error(fmt::format("instance {}: {}", index, what));
+  };
+  if (!is_finite(instance.to_world)) fail("its transform is not finite");
+  const double norm = instance.to_world.stretch(), inverse_norm = inverse.stretch();
+  if (instance.to_world.determinant() == 0 || !is_finite(inverse) ||
+      norm * inverse_norm > max_instance_squash)
+    fail(
+        fmt::format("its transform flattens; it may stretch no direction more than {:g} times as much as "
+                    "another one",
+                    max_instance_squash));
+  if (norm > max_instance_scale || inverse_norm > max_instance_scale)
+    fail(fmt::format("its transform scales by {:g}; scales must lie between {:g} and {:g}",
+                     norm > max_instance_scale ? norm : 1 / inverse_norm, 1 / max_instance_scale,
+                     max_instance_scale));
+  return {norm, norm * inverse_norm, largest_translation(instance.to_world)};
+}
+
+}  // namespace
+
+bool can_place(const Transform& to_world) {
+  const double norm = to_world.stretch(), inverse_norm = to_world.inverse().stretch();
+  return is_finite(to_world) && to_world.determinant() != 0 && norm * inverse_norm <= max_instance_squash &&
+         norm <= max_instance_scale && inverse_norm <= max_instance_scale;
+}
+
+PlacedInstances::PlacedInstances(std::vector<Instance> instances, const std::vector<std::vector<Aabb>>& parts,
+                                 const Aabb& direct)
+    : instances_(std::move(instances)), placed_(instances_.size()) {
+  const auto for_each = [&](const auto& work) {
+    parallel_for(instances_.size(), instances_a_task, 0, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) work(i);
+    });
+  };
+  std::vector<double> sizes;  // Of the prototypes.
+  for (const std::vector<Aabb>& boxes : parts) {
+    double size = 0;
+    for (const Aabb& box : boxes) size = std::max(size, max_abs(box));
+    sizes.push_back(size);
+  }
+  std::vector<Matrix> matrices(instances_.size());
+  for_each([&](std::size_t i) {
+    const auto& [prototype, to_world] = instances_[i];
+    if (prototype >= parts.size())
+      throw Error(
+          fmt::format("instance {} is one of prototype {}; there are {}", i, prototype, parts.size()));
+    placed_[i] = {to_world.inverse(), {}, prototype};
+    matrices[i] = check(instances_[i], placed_[i].to_object, i);
+    placed_[i].box = moved(parts[prototype], to_world);
+    if (!placed_[i].box.is_empty() && !(max_abs(placed_[i].box) <= max_coordinate))
+      throw Error(fmt::format("instance {}: it reaches to {:g}; coordinates must be within +-{:g}", i,
+                              max_abs(placed_[i].box), max_coordinate));
+  });
+  for (const PlacedInstance& placed : placed_) bounds_.extend(placed.box);
+  Aabb all = direct;
+  all.extend(bounds_);
+  const double reach = all.is_empty() ? 0 : max_abs(all);
+  double squash = 1;
+  for (const Matrix& matrix : matrices) squash = std::max(squash, matrix.squash);
+  for_each([&](std::size_t i) {
+    if (placed_[i].box.is_empty()) return;
+    const Matrix& matrix = matrices[i];
+    placed_[i].box = widened(placed_[i].box, instance_margin * (matrix.squash * (reach + matrix.translation) +
+                                                                matrix.norm * sizes[placed_[i].prototype]));
+  });
+  reach_ = float(reach);
+  far_margin_ = float(instance_margin * squash);
+}
+
+}  // namespace twinray

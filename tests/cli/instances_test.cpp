@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes whose files show shapes many times, as a program.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "accel/accelerator.h"
+#include "io/image_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+const std::string pawns = TWINRAY_SOURCE_DIR "/scenes/pawns.pbrt", box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
+
+/// Renders the pawns, small; the picture's bytes.
+std::string render(const TemporaryFolder& folder, const std::string& name, const std::string& options) {
+  const ProcessResult result = run_program(
+      fmt::format("{} -q -r 60 40 -s 4 {} -o {}", quoted(pawns), options, quoted(folder.file(name))));
+  CAPTURE(options, result.err);
+  CHECK(result.exit_code == 0);
+  return read_text(folder.file(name));
+}
+
+}  // namespace
+
+TEST_CASE("a picture of instances has the same bytes by every engine and with any number of threads") {
+  const TemporaryFolder folder;
+  const std::string expected = render(folder, "a.pfm", "--instances=keep --accel=brute-force");
+  for (const char* options : {"--accel=bvh", "--accel=bvh --bvh-width=2 -t 3",
+                              "--accel=bvh --simd=scalar -t 1", "--accel=bvh --bvh-quality=high"})
+    CHECK(render(folder, "b.pfm", fmt::format("--instances=keep {}", options)) == expected);
+  if (default_backend() == Backend::embree)
+    CHECK(render(folder, "b.pfm", "--instances=keep --accel=embree") == expected);
+}
+
+TEST_CASE("a picture of instances is that of copies, but for rounding") {
+  const TemporaryFolder folder;
+  render(folder, "kept.exr", "--instances=keep");
+  const std::string copied = render(folder, "copied.exr", "--instances=copy");
+  CHECK(render(folder, "auto.exr", "") != copied);  // It tells its command.
+  const Image a = read_image(folder.file("kept.exr")), b = read_image(folder.file("copied.exr"));
+  REQUIRE(a.pixels.size() == b.pixels.size());
+  CHECK(read_image(folder.file("auto.exr")).pixels == b.pixels);
+  // A rounded direction moves a point of a mirror's image; few paths choose another way by it.
+  int different = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    different += std::fabs(luminance(a.pixels[i]) - luminance(b.pixels[i])) > 0.01f * luminance(b.pixels[i]);
+  CHECK(different < int(a.pixels.size()) / 50);
+}
+
+TEST_CASE("what --instances may be, and where it has no effect") {
+  const TemporaryFolder folder;
+  const ProcessResult wrong =
+      run_program(quoted(pawns) + " --instances=many -o " + quoted(folder.file("a.png")));
+  CHECK(wrong.exit_code == 2);
+  CHECK(wrong.err.find("--instances") != std::string::npos);
+  CHECK(wrong.err.find("auto, keep, copy") != std::string::npos);
+  const std::string rest = " -r 8 8 -s 1 --instances=keep -o " + quoted(folder.file("b.png"));
+  const ProcessResult useless = run_program(quoted(box) + rest);
+  CHECK(useless.exit_code == 0);
+  CHECK(useless.err.find("--instances: no effect, for the scene's file shows nothing by instances") !=
+        std::string::npos);
+  CHECK(run_program(quoted(box) + " --strict" + rest).exit_code == 2);
+}
+
+TEST_CASE("statistics count the instances that rays enter") {
+  const TemporaryFolder folder;
+  render(folder, "a.png", "--instances=keep --count --accel=bvh --stats " + quoted(folder.file("a.json")));
+  const auto stats = nlohmann::json::parse(read_text(folder.file("a.json")));
+  CHECK(stats["counts"]["instances"].get<int>() > 0);
+  CHECK(stats["build"]["primitives"] == 2 + 289);
+}
+
+TEST_CASE("a crosscheck of instances finds nothing unexplained") {
+  const ProcessResult result =
+      run_program("crosscheck --instances=keep --rays=30000 --json " + quoted(pawns));
+  CHECK(result.exit_code == 0);
+  CHECK(result.out.find("\"unexplained\":") != std::string::npos);
+}
+
+}  // namespace twinray::test
