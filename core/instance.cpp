@@ -14,13 +14,14 @@
 namespace twinray {
 namespace {
 
-/// How far a hit may lie outside of its box, in units of what is summed in pad_of(): 64 u, with u = 2^-24.
+/// How far a hit may lie outside of the box that its prototype's box becomes: 64 u, with u = 2^-24, times
+/// |A| |A^-1| (|o| + |b|) + |A| |box|. A is the transform's matrix, b its translation, o the ray's origin.
 ///
 /// In the prototype's space let R be the largest component of the ray's origin or the box. Origin and
 /// direction are rounded to float there: u R and 2 u R at the hit. The canonical test keeps a hit's parameter
 /// within the interval of the prototype's box, which the slab test widens by 16 u (origin + box), 32 u R.
-/// Together 35 u R, which the transform makes 35 u |A| R; and R is at most |A^-1| (|o| + |b|) + |box|, with A
-/// the transform's matrix and b its translation. The rest is left for what is rounded in double.
+/// Together 35 u R, which the transform makes 35 u |A| R; and R is at most |A^-1| (|o| + |b|) + |box|. The
+/// rest is left for what is rounded in double.
 constexpr double instance_margin = 0x1p-18;
 
 double largest_translation(const Transform& transform) {
@@ -84,32 +85,30 @@ struct Matrix {
   double translation = 0;  ///< The largest component.
 };
 
-Matrix check(const Instance& instance, const Transform& inverse, std::size_t index) {
-  const auto fail = [&](const std::string& what) {
-    throw Error(fmt::format("instance {}: {}", index, what));
-  };
-  if (!is_finite(instance.to_world)) fail("its transform is not finite");
-  const double norm = instance.to_world.stretch(), inverse_norm = inverse.stretch();
-  if (instance.to_world.determinant() == 0 || !is_finite(inverse) ||
-      norm * inverse_norm > max_instance_squash)
-    fail(
-        fmt::format("its transform flattens; it may stretch no direction more than {:g} times as much as "
-                    "another one",
-                    max_instance_squash));
-  if (norm > max_instance_scale || inverse_norm > max_instance_scale)
-    fail(fmt::format("its transform scales by {:g}; scales must lie between {:g} and {:g}",
-                     norm > max_instance_scale ? norm : 1 / inverse_norm, 1 / max_instance_scale,
-                     max_instance_scale));
-  return {norm, norm * inverse_norm, largest_translation(instance.to_world)};
+Matrix matrix_of(const Transform& to_world, const Transform& inverse) {
+  const double norm = to_world.stretch();
+  return {norm, norm * inverse.stretch(), largest_translation(to_world)};
+}
+
+/// Why no instance may have a transform with this inverse; empty where it may.
+std::string fault_of(const Transform& to_world, const Transform& inverse) {
+  if (!is_finite(to_world)) return "its transform is not finite";
+  const Matrix matrix = matrix_of(to_world, inverse);
+  if (to_world.determinant() == 0 || !is_finite(inverse) || matrix.squash > max_instance_squash)
+    return fmt::format(
+        "its transform flattens; it may stretch no direction more than {:g} times as much as another one",
+        max_instance_squash);
+  const double inverse_norm = inverse.stretch();
+  if (matrix.norm > max_instance_scale || inverse_norm > max_instance_scale)
+    return fmt::format("its transform scales by {:g}; scales must lie between {:g} and {:g}",
+                       matrix.norm > max_instance_scale ? matrix.norm : 1 / inverse_norm,
+                       1 / max_instance_scale, max_instance_scale);
+  return {};
 }
 
 }  // namespace
 
-bool can_place(const Transform& to_world) {
-  const double norm = to_world.stretch(), inverse_norm = to_world.inverse().stretch();
-  return is_finite(to_world) && to_world.determinant() != 0 && norm * inverse_norm <= max_instance_squash &&
-         norm <= max_instance_scale && inverse_norm <= max_instance_scale;
-}
+bool can_place(const Transform& to_world) { return fault_of(to_world, to_world.inverse()).empty(); }
 
 PlacedInstances::PlacedInstances(std::vector<Instance> instances, const std::vector<std::vector<Aabb>>& parts,
                                  const Aabb& direct)
@@ -132,7 +131,9 @@ PlacedInstances::PlacedInstances(std::vector<Instance> instances, const std::vec
       throw Error(
           fmt::format("instance {} is one of prototype {}; there are {}", i, prototype, parts.size()));
     placed_[i] = {to_world.inverse(), {}, prototype};
-    matrices[i] = check(instances_[i], placed_[i].to_object, i);
+    if (const std::string fault = fault_of(to_world, placed_[i].to_object); !fault.empty())
+      throw Error(fmt::format("instance {}: {}", i, fault));
+    matrices[i] = matrix_of(to_world, placed_[i].to_object);
     placed_[i].box = moved(parts[prototype], to_world);
     if (!placed_[i].box.is_empty() && !(max_abs(placed_[i].box) <= max_coordinate))
       throw Error(fmt::format("instance {}: it reaches to {:g}; coordinates must be within +-{:g}", i,

@@ -201,25 +201,35 @@ bool any_in(const EmbreeBlocks& all, const EmbreeTree& tree, const Bvh& bvh, con
   return query.is_hit;
 }
 
-/// The instance that a callback of Embree's is about, entered by its ray; false where it cannot be hit.
-template <typename Arguments>
-bool enter(const Arguments& arguments, const TreeQuery& query, CheckedRay& own) {
-  const float t_max = std::min(query.ray.t_max, std::min(query.best.t, query.best_of_instances.t));
-  if (!enter_instance(query.geometry.placed(), arguments.primID, query.ray, t_max, own)) return false;
-  if (query.counts) ++query.counts->instances;
-  return true;
-}
+/// An instance that a callback of Embree's is about, entered by its ray.
+struct EnteredInstance {
+  CheckedRay ray;
+  bool is_entered;  ///< False where it cannot be hit.
+  const EmbreeTree& tree;
+  const Bvh& bvh;
+
+  template <typename Arguments>
+  EnteredInstance(const Arguments& arguments, const TreeQuery& query)
+      : is_entered(enter(arguments.primID, query)),
+        tree(query.all.prototypes[query.geometry.instances()[arguments.primID].prototype]),
+        bvh(query.all.bvh.prototypes[query.geometry.instances()[arguments.primID].prototype]) {}
+
+ private:
+  bool enter(unsigned instance, const TreeQuery& query) {
+    const float t_max = std::min(query.ray.t_max, std::min(query.best.t, query.best_of_instances.t));
+    if (!enter_instance(query.geometry.placed(), instance, query.ray, t_max, ray)) return false;
+    if (query.counts) ++query.counts->instances;
+    return true;
+  }
+};
 
 void intersect_instance(const RTCIntersectFunctionNArguments* arguments) {
   auto& query = *static_cast<TreeQuery*>(arguments->context);
-  CheckedRay own;
-  if (!enter(*arguments, query, own)) return;
-  const std::uint32_t prototype = query.geometry.instances()[arguments->primID].prototype;
-  const EmbreeTree& tree = query.all.prototypes[prototype];
-  const Bvh& bvh = query.all.bvh.prototypes[prototype];
-  const Hit hit = is_far(tree, own)
-                      ? FarQuery<QueryKind::closest>(query.geometry, own, query.counts).find_in(bvh)
-                      : closest_in(query.all, tree, bvh, query.geometry, own, query.counts);
+  const EnteredInstance own(*arguments, query);
+  if (!own.is_entered) return;
+  const Hit hit = is_far(own.tree, own.ray)
+                      ? FarQuery<QueryKind::closest>(query.geometry, own.ray, query.counts).find_in(own.bvh)
+                      : closest_in(query.all, own.tree, own.bvh, query.geometry, own.ray, query.counts);
   if (!precedes(hit, query.best_of_instances)) return;
   query.best_of_instances = hit;
   query.shorten(hit.t, *reinterpret_cast<RTCRayHit*>(arguments->rayhit));
@@ -227,14 +237,11 @@ void intersect_instance(const RTCIntersectFunctionNArguments* arguments) {
 
 void occlude_instance(const RTCOccludedFunctionNArguments* arguments) {
   auto& query = *static_cast<TreeQuery*>(arguments->context);
-  CheckedRay own;
-  if (!enter(*arguments, query, own)) return;
-  const std::uint32_t prototype = query.geometry.instances()[arguments->primID].prototype;
-  const EmbreeTree& tree = query.all.prototypes[prototype];
-  const Bvh& bvh = query.all.bvh.prototypes[prototype];
-  query.is_hit = is_far(tree, own)
-                     ? bool(FarQuery<QueryKind::any>(query.geometry, own, query.counts).find_in(bvh))
-                     : any_in(query.all, tree, bvh, query.geometry, own, query.counts);
+  const EnteredInstance own(*arguments, query);
+  if (!own.is_entered) return;
+  query.is_hit = is_far(own.tree, own.ray)
+                     ? bool(FarQuery<QueryKind::any>(query.geometry, own.ray, query.counts).find_in(own.bvh))
+                     : any_in(query.all, own.tree, own.bvh, query.geometry, own.ray, query.counts);
   query.end_if_hit(*reinterpret_cast<RTCRay*>(arguments->ray));
 }
 

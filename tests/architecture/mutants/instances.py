@@ -85,7 +85,7 @@ MUTANTS = [
            "step < 2; ++step", "step < 0; ++step",
            CORE, "an inverse undoes its transform, of needles and plates, too"),
     Mutant("a flat transform is an instance's", "core/instance.cpp",
-           "norm * inverse_norm > max_instance_squash)", "false)",
+           "matrix.squash > max_instance_squash)", "false)",
            CORE, "transforms that instances cannot have are refused, and the instance is named"),
     Mutant("what emits in an object is stored once", "io/pbrt_builder.cpp",
            "if (!alone || emits(part)) place", "if (!alone) place",
