@@ -185,6 +185,29 @@ TEST_CASE("closed instances leak no ray") {
   }
 }
 
+namespace {
+
+/// How many of some rays through the inner half of an instance of a square miss it. The square is
+/// `to_square` of [-1, 1]^2 in the plane y = 0, the instance `to_world` of that.
+int lost_rays(const Transform& to_world, const Transform& to_square, float distance, Random& random) {
+  Mesh square{.name = "square"};
+  add_triangle(square, {-1, 0, -1}, {1, 0, -1}, {1, 0, 1});
+  add_triangle(square, {-1, 0, -1}, {1, 0, 1}, {-1, 0, 1});
+  const auto geometry = std::make_shared<const Geometry>(std::vector<Shape>{copied(square, to_square)},
+                                                         nullptr, Instancing{{{0, 1}}, {{0, to_world}}});
+  const auto engine = build_accelerator(Backend::bvh, geometry);
+  const Transform whole = to_world * to_square;
+  int lost = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const float x = random.uniform(-0.5f, 0.5f), z = random.uniform(-0.5f, 0.5f);
+    const Vec3 away = normalize(whole.front({0, 1, 0}) + random.in_cube(0.5f)) * distance;
+    lost += !engine->any_hit({.origin = whole.point({x, 0, z}) + away, .direction = -away});
+  }
+  return lost;
+}
+
+}  // namespace
+
 TEST_CASE("rays from far away miss no instance") {
   // Flat instances: their boxes are as thin as their padding. A stretch across the square makes the most of
   // what is rounded along it; a squash is along its normal, so that the rounding of a target stays small
@@ -197,26 +220,19 @@ TEST_CASE("rays from far away miss no instance") {
                                   flat * Transform::scaling(1, 1e4, 1),
                                   flat * Transform::scaling(1, 1e-4, 1),
                                   moved(random, 4) * turned(random) * Transform::scaling(1, 1e-4, 1)};
-  Mesh square{.name = "square"};
-  add_triangle(square, {-1, 0, -1}, {1, 0, -1}, {1, 0, 1});
-  add_triangle(square, {-1, 0, -1}, {1, 0, 1}, {-1, 0, 1});
-  for (const Transform& to_world : transforms) {
-    CAPTURE(&to_world - transforms);
-    const auto geometry = std::make_shared<const Geometry>(std::vector<Shape>{square}, nullptr,
-                                                           Instancing{{{0, 1}}, {{0, to_world}}});
-    const auto engine = build_accelerator(Backend::bvh, geometry);
-    for (const float distance : {1.0f, 10.0f, 1e3f, 1e5f}) {
-      CAPTURE(distance);
-      int lost = 0;
-      for (int i = 0; i < 500; ++i) {
-        const float x = random.uniform(-0.9f, 0.9f), z = random.uniform(-0.9f, 0.9f);
-        const Vec3 target = to_world.point({x, 0, z}), normal = to_world.front({0, 1, 0});
-        const Vec3 away = normalize(normal + random.in_cube(0.5f)) * distance;
-        lost += !engine->any_hit({.origin = target + away, .direction = -away});
-      }
-      CHECK(lost == 0);
+  constexpr float distances[] = {1, 10, 1e3f, 1e5f};
+  for (const Transform& to_world : transforms)
+    for (const float distance : distances) {
+      CAPTURE(&to_world - transforms, distance);
+      CHECK(lost_rays(to_world, {}, distance, random) == 0);
     }
-  }
+  // What is rounded in any direction of the prototype's space is stretched along the normal in the scene.
+  for (int i = 0; i < 10; ++i)
+    for (const float distance : distances) {
+      CAPTURE(i, distance);
+      const Transform to_world = flat * Transform::scaling(1, 30, 1) * turned(random);
+      CHECK(lost_rays(to_world, to_world.inverse() * flat, distance, random) == 0);
+    }
 }
 
 TEST_CASE("a ray that leaves an instance does not find its triangle again") {
@@ -293,6 +309,24 @@ TEST_CASE("the interval of a ray is closed at both ends at an instance") {
   }
   CHECK(check_agreement(geometry, rays) > 100);
   CHECK(closed == int(rays.size()));
+}
+
+TEST_CASE("a hit in an instance ends the search behind it, there and in other instances") {
+  Mesh layers{.name = "layers"};
+  for (int i = 0; i < 200; ++i) add_triangle(layers, {-1, -1, float(i)}, {1, -1, float(i)}, {0, 1, float(i)});
+  const auto geometry = std::make_shared<const Geometry>(
+      std::vector<Shape>{layers}, nullptr,
+      Instancing{{{0, 1}},
+                 {{0, Transform::translation(0, 0, 300)}, {0, {}}, {0, Transform::translation(0, 0, 600)}}});
+  for (const int width : {2, 8}) {
+    CAPTURE(width);
+    const auto engine = build_accelerator(Backend::bvh, geometry, {.bvh_width = width});
+    QueryCounts counts;
+    const Ray ray{.origin = {0, 0, -5}, .direction = {0, 0, 1}};
+    CHECK(engine->closest_hit({ray, &counts}).t == 5);
+    CHECK(counts.instances == 1);
+    CHECK(counts.primitives <= 8);
+  }
 }
 
 TEST_CASE("an instance's ray is clipped to its box") {
