@@ -22,7 +22,7 @@ MUTANTS = [
            ACCEL, FAR),
     Mutant("rays from far away see boxes as others do", "accel/canonical/instance_ray.h",
            "  if (max_abs(checked.origin) > placed.reach()) widen_slabs(checked, placed.far_margin());\n", "",
-           ACCEL, FAR),
+           ACCEL, "rays from beyond a scene with instances see its boxes widened by their distance"),
     Mutant("an instance's far end is not clipped", "accel/canonical/instance_ray.h",
            "own.t_max = interval.far < t_max ? interval.far : t_max;", "own.t_max = t_max;",
            ACCEL, "an instance's ray is clipped to its box"),
