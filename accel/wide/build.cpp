@@ -240,8 +240,15 @@ WideBvh make_trees(const Geometry& geometry, const BuildOptions& options, std::v
   if (!geometry.has_instances()) return std::move(direct.bvh);
   WideBvh all;
   const WideRef direct_root = append(std::move(direct.bvh), all);
-  for (const ShapeRange& prototype : geometry.prototypes())
-    all.prototypes.push_back(append(make_tree_of(geometry, prototype, options, phases).bvh, all));
+  std::vector<WideBvh> prototypes(geometry.prototypes().size());
+  timed("prototypes", phases, [&] {
+    parallel_for(prototypes.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
+      std::vector<BuildPhase> all_of_them;
+      for (std::size_t i = begin; i < end; ++i)
+        prototypes[i] = make_tree_of(geometry, geometry.prototypes()[i], options, all_of_them).bvh;
+    });
+    for (WideBvh& prototype : prototypes) all.prototypes.push_back(append(std::move(prototype), all));
+  });
   timed("instances", phases, [&] {
     BoxedBvh instances = make_instance_tree(geometry, options);
     const WideRef root = append(std::move(instances.bvh), all);
