@@ -237,7 +237,8 @@ TEST_CASE("a generated scene is rendered, crosschecked and measured by its name"
   CHECK(wrong.exit_code == 1);
   CHECK(wrong.err ==
         "twinray: generated:cube: there is no such scene; valid are generated:room, generated:ball, "
-        "generated:forest, each with :N behind it for N triangles\n");
+        "generated:forest, generated:woods, generated:stadium, each with :N behind it for N triangles "
+        "or, of the last two, instances\n");
 }
 
 TEST_CASE("warnings of a scene file are printed by every command, in quiet runs too") {
