@@ -12,6 +12,8 @@ constexpr Range<double> time_limits{1e-3, 1e9};
 constexpr const char* no_places = ":";
 
 const Choices<View> views{{"file", View::file}, {"whole", View::whole}};
+const Choices<InstanceUse> instance_uses{
+    {"auto", InstanceUse::automatic}, {"keep", InstanceUse::keep}, {"copy", InstanceUse::copy}};
 
 }  // namespace
 
@@ -36,10 +38,14 @@ void add_view(OptionGroup& group, View& view) {
 }
 
 void add_instances(OptionGroup& group, LoadOptions& load) {
-  group.add_choice<InstanceUse>(
-      "--instances", load.instances,
-      {{"auto", InstanceUse::automatic}, {"keep", InstanceUse::keep}, {"copy", InstanceUse::copy}},
-      "What is shown often: stored once, or copied");
+  group.add_choice("--instances", load.instances, instance_uses,
+                   "What is shown often: stored once, or copied");
+}
+
+std::string instances_words(InstanceUse use) {
+  for (const auto& [name, value] : instance_uses)
+    if (value == use && use != LoadOptions{}.instances) return fmt::format(" --instances={}", name);
+  return {};
 }
 
 void add_threads(OptionGroup& group, int& threads) {

@@ -35,6 +35,8 @@ void add_view(OptionGroup& group, View& view);
 void add_threads(OptionGroup& group, int& threads);
 /// --instances: what becomes of shapes that a scene file shows more than once.
 void add_instances(OptionGroup& group, LoadOptions& load);
+/// That option for the end of a command line, behind a space; empty for the default.
+std::string instances_words(InstanceUse use);
 
 /// --sandbox[=PLACE:...]: what is not trusted reaches nothing else. The word stays empty where it is not
 /// given.

@@ -29,6 +29,7 @@ void add_options(CLI::App& app, ConvertArguments& arguments) {
   group.add_word({"-e,--environment", "FILE", "Light from a latitude-longitude .exr or .hdr"},
                  arguments.environment);
   add_environment_placement(group, arguments.placement);
+  add_instances(group, arguments.load);
   group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
 }
 

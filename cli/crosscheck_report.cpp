@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/common_options.h"
 #include "cli/ray_text.h"
 
 namespace twinray {
@@ -13,9 +14,9 @@ namespace {
 /// What an engine saw: "t 0x1.8p+0 u 0.25 v 0.5 of 0:17", "nothing".
 std::string answer_text(const Answer& answer) {
   const Hit& hit = answer.closest;
-  const std::string text =
-      hit ? fmt::format("t {:a} u {:a} v {:a} of {}:{}", hit.t, hit.u, hit.v, hit.mesh, hit.primitive)
-          : "nothing";
+  const std::string text = hit ? fmt::format("t {:a} u {:a} v {:a} of {}", hit.t, hit.u, hit.v,
+                                             primitive_text(hit.mesh, hit.primitive, hit.instance))
+                               : "nothing";
   return answer.is_consistent() ? text : text + (answer.any ? ", but any hit" : ", but no any hit");
 }
 
@@ -26,12 +27,13 @@ std::string command_text(const Finding& finding, const std::string& replay) {
   return fmt::format("{}{} --ray={}", replay, option, ray_text(finding.ray));
 }
 
+std::string name_of(const JudgedHit& hit) { return primitive_text(hit.mesh, hit.primitive, hit.instance); }
+
 /// "t 1.5 of 0:17", "nothing"; empty for what was not judged.
 std::string exact_text(const Finding& finding) {
   if (!finding.is_judged) return "";
   if (!finding.exact) return "nothing";
-  return fmt::format("t {:.9g} of {}:{}", finding.exact->t.value, finding.exact->mesh,
-                     finding.exact->primitive);
+  return fmt::format("t {:.9g} of {}", finding.exact->t.value, name_of(*finding.exact));
 }
 
 std::string finding_text(const Finding& finding, const SceneCrosscheck& result, const std::string& label) {
@@ -106,7 +108,8 @@ bool is_passed(const CrosscheckReport& report, Ceilings ceilings) {
 }
 
 std::string replay_command(const std::string& scene, const LoadOptions& load) {
-  return fmt::format("twinray crosscheck '{}'{}", scene, load.keep_both_lamps ? " --keep-both-lamps" : "");
+  return fmt::format("twinray crosscheck '{}'{}{}", scene, load.keep_both_lamps ? " --keep-both-lamps" : "",
+                     instances_words(load.instances));
 }
 
 std::string ray_label(const Finding& finding) {
@@ -167,8 +170,7 @@ std::string ray_crosscheck_text(const RayCrosscheck& result) {
         fmt::format("{:<14} {} ({})\n", row.engine, answer_text(row.answer), difference_name(row.difference));
   if (result.truth.empty()) text += "exact          nothing\n";
   for (const JudgedHit& hit : result.truth)
-    text += fmt::format("exact          t {:.17g} +- {:.1g} of {}:{}\n", hit.t.value, hit.t.error, hit.mesh,
-                        hit.primitive);
+    text += fmt::format("exact          t {:.17g} +- {:.1g} of {}\n", hit.t.value, hit.t.error, name_of(hit));
   return text;
 }
 

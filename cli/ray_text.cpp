@@ -71,4 +71,9 @@ Ray parse_ray(const std::string& text) {
   return ray;
 }
 
+std::string primitive_text(std::uint32_t mesh, std::uint32_t primitive, std::uint32_t instance) {
+  const std::string text = fmt::format("{}:{}", mesh, primitive);
+  return instance == no_instance ? text : fmt::format("{} of instance {}", text, instance);
+}
+
 }  // namespace twinray

@@ -76,7 +76,7 @@ Json surface_json(const Scene& scene, const PathVertex& vertex) {
   const SurfacePoint& point = at.point();
   const Material& material = scene.materials[at.material()];
   const Hit& hit = vertex.arrival.hit;
-  return {
+  Json json{
       {"shape", hit.mesh},
       {"shape_name", std::visit([](const auto& s) { return s.name; }, scene.geometry->shapes()[hit.mesh])},
       {"primitive", hit.primitive},
@@ -88,6 +88,8 @@ Json surface_json(const Scene& scene, const PathVertex& vertex) {
       {"model", type_of(material.model)},
       {"albedo", json_of(at.bsdf().albedo())},
       {"is_regularized", vertex.materials == Materials::regularized}};
+  if (hit.instance != no_instance) json["instance"] = hit.instance;
+  return json;
 }
 
 Json json_of(const LoggedScattering& scattering) {

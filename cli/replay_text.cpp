@@ -34,8 +34,10 @@ std::string light_text(const Scene& scene, std::uint32_t light) {
 std::string shape_text(const Scene& scene, const Hit& hit) {
   const Shape& shape = scene.geometry->shapes()[hit.mesh];
   const std::string name = std::visit([](const auto& s) { return s.name; }, shape);
-  return fmt::format("shape {} \"{}\", {} {}", hit.mesh, name,
-                     std::holds_alternative<Mesh>(shape) ? "triangle" : "sphere", hit.primitive);
+  const std::string text =
+      fmt::format("shape {} \"{}\", {} {}", hit.mesh, name,
+                  std::holds_alternative<Mesh>(shape) ? "triangle" : "sphere", hit.primitive);
+  return hit.instance == no_instance ? text : fmt::format("{}, of instance {}", text, hit.instance);
 }
 
 std::string found_text(const Scene& scene, const FoundLight& found) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -75,84 +76,105 @@ Aabb widened(const Aabb& box, double pad) {
   return result;
 }
 
-/// How many instances a task places.
-constexpr std::size_t instances_a_task = 1024;
-
 /// What is known of an instance's matrix.
 struct Matrix {
-  double norm = 0;         ///< As Transform::stretch().
-  double squash = 0;       ///< Times that of its inverse: the condition.
+  double norm = 0;  ///< As Transform::stretch().
+  double inverse_norm = 0;
   double translation = 0;  ///< The largest component.
-};
 
-Matrix matrix_of(const Transform& to_world, const Transform& inverse) {
-  const double norm = to_world.stretch();
-  return {norm, norm * inverse.stretch(), largest_translation(to_world)};
-}
+  Matrix() = default;
+  Matrix(const Transform& to_world, const Transform& inverse)
+      : norm(to_world.stretch()),
+        inverse_norm(inverse.stretch()),
+        translation(largest_translation(to_world)) {}
+
+  /// The condition.
+  double squash() const { return norm * inverse_norm; }
+  /// By how much a box is widened in a scene of this reach; `size` is the prototype's.
+  double pad(double reach, double size) const {
+    return instance_margin * (squash() * (reach + translation) + norm * size);
+  }
+};
 
 /// Why no instance may have a transform with this inverse; empty where it may.
 std::string fault_of(const Transform& to_world, const Transform& inverse) {
   if (!is_finite(to_world)) return "its transform is not finite";
-  const Matrix matrix = matrix_of(to_world, inverse);
-  if (to_world.determinant() == 0 || !is_finite(inverse) || matrix.squash > max_instance_squash)
+  const Matrix matrix(to_world, inverse);
+  if (to_world.determinant() == 0 || !is_finite(inverse) || matrix.squash() > max_instance_squash)
     return fmt::format(
         "its transform flattens; it may stretch no direction more than {:g} times as much as another one",
         max_instance_squash);
-  const double inverse_norm = inverse.stretch();
-  if (matrix.norm > max_instance_scale || inverse_norm > max_instance_scale)
+  if (matrix.norm > max_instance_scale || matrix.inverse_norm > max_instance_scale)
     return fmt::format("its transform scales by {:g}; scales must lie between {:g} and {:g}",
-                       matrix.norm > max_instance_scale ? matrix.norm : 1 / inverse_norm,
+                       matrix.norm > max_instance_scale ? matrix.norm : 1 / matrix.inverse_norm,
                        1 / max_instance_scale, max_instance_scale);
   return {};
+}
+
+/// Boxes that hold the primitives of each prototype.
+using Parts = std::vector<std::vector<Aabb>>;
+
+/// Sets an instance with a box that is not widened yet; returns what is wrong with it, or nothing.
+std::string place(const Instance& instance, const Parts& parts, PlacedInstance& placed) {
+  const auto& [prototype, to_world] = instance;
+  if (prototype >= parts.size())
+    return fmt::format(" is one of prototype {}; there are {}", prototype, parts.size());
+  placed = {to_world.inverse(), {}, prototype};
+  if (const std::string fault = fault_of(to_world, placed.to_object); !fault.empty()) return ": " + fault;
+  placed.box = moved(parts[prototype], to_world);
+  if (!placed.box.is_empty() && !(max_abs(placed.box) <= max_coordinate))
+    return fmt::format(": it reaches to {:g}; coordinates must be within +-{:g}", max_abs(placed.box),
+                       max_coordinate);
+  return {};
+}
+
+/// Calls work(i) for each instance, on all threads.
+template <typename Work>
+void for_each_instance(std::size_t count, const Work& work) {
+  constexpr std::size_t instances_a_task = 1024;
+  parallel_for(count, instances_a_task, 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) work(i);
+  });
+}
+
+/// All of them. Where some are faulty the error names the first one, whichever thread meets which.
+std::vector<PlacedInstance> place_all(const std::vector<Instance>& instances, const Parts& parts) {
+  std::vector<PlacedInstance> placed(instances.size());
+  std::atomic<std::size_t> first_faulty = instances.size();
+  for_each_instance(instances.size(), [&](std::size_t i) {
+    if (place(instances[i], parts, placed[i]).empty()) return;
+    std::size_t known = first_faulty;
+    while (i < known && !first_faulty.compare_exchange_weak(known, i)) continue;
+  });
+  if (const std::size_t i = first_faulty; i < instances.size())
+    throw Error(fmt::format("instance {}{}", i, place(instances[i], parts, placed[i])));
+  return placed;
 }
 
 }  // namespace
 
 bool can_place(const Transform& to_world) { return fault_of(to_world, to_world.inverse()).empty(); }
 
-PlacedInstances::PlacedInstances(std::vector<Instance> instances, const std::vector<std::vector<Aabb>>& parts,
-                                 const Aabb& direct)
-    : instances_(std::move(instances)), placed_(instances_.size()) {
-  const auto for_each = [&](const auto& work) {
-    parallel_for(instances_.size(), instances_a_task, 0, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) work(i);
-    });
-  };
-  std::vector<double> sizes;  // Of the prototypes.
-  for (const std::vector<Aabb>& boxes : parts) {
-    double size = 0;
-    for (const Aabb& box : boxes) size = std::max(size, max_abs(box));
-    sizes.push_back(size);
-  }
-  std::vector<Matrix> matrices(instances_.size());
-  for_each([&](std::size_t i) {
-    const auto& [prototype, to_world] = instances_[i];
-    if (prototype >= parts.size())
-      throw Error(
-          fmt::format("instance {} is one of prototype {}; there are {}", i, prototype, parts.size()));
-    placed_[i] = {to_world.inverse(), {}, prototype};
-    if (const std::string fault = fault_of(to_world, placed_[i].to_object); !fault.empty())
-      throw Error(fmt::format("instance {}: {}", i, fault));
-    matrices[i] = matrix_of(to_world, placed_[i].to_object);
-    placed_[i].box = moved(parts[prototype], to_world);
-    if (!placed_[i].box.is_empty() && !(max_abs(placed_[i].box) <= max_coordinate))
-      throw Error(fmt::format("instance {}: it reaches to {:g}; coordinates must be within +-{:g}", i,
-                              max_abs(placed_[i].box), max_coordinate));
-  });
+PlacedInstances::PlacedInstances(std::vector<Instance> instances, const Parts& parts, const Aabb& direct)
+    : instances_(std::move(instances)), placed_(place_all(instances_, parts)) {
   for (const PlacedInstance& placed : placed_) bounds_.extend(placed.box);
   Aabb all = direct;
   all.extend(bounds_);
   const double reach = all.is_empty() ? 0 : max_abs(all);
-  double squash = 1;
-  for (const Matrix& matrix : matrices) squash = std::max(squash, matrix.squash);
-  for_each([&](std::size_t i) {
-    if (placed_[i].box.is_empty()) return;
-    const Matrix& matrix = matrices[i];
-    placed_[i].box = widened(placed_[i].box, instance_margin * (matrix.squash * (reach + matrix.translation) +
-                                                                matrix.norm * sizes[placed_[i].prototype]));
+  std::vector<double> sizes(parts.size());  // Of the prototypes.
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (const Aabb& box : parts[i]) sizes[i] = std::max(sizes[i], max_abs(box));
+  std::vector<double> squashes(placed_.size());
+  for_each_instance(placed_.size(), [&](std::size_t i) {
+    PlacedInstance& placed = placed_[i];
+    const Matrix matrix(instances_[i].to_world, placed.to_object);
+    squashes[i] = matrix.squash();
+    if (!placed.box.is_empty()) placed.box = widened(placed.box, matrix.pad(reach, sizes[placed.prototype]));
   });
+  double most = 1;
+  for (const double squash : squashes) most = std::max(most, squash);
   reach_ = float(reach);
-  far_margin_ = float(instance_margin * squash);
+  far_margin_ = float(instance_margin * most);
 }
 
 }  // namespace twinray

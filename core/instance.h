@@ -49,7 +49,7 @@ bool can_place(const Transform& to_world);
 struct PlacedInstance {
   Transform to_object;  ///< From the scene's space into the prototype's.
   /// Of the scene's space, widened: every hit of the instance lies within the interval of a ray, from no
-  /// farther than InstanceBounds::reach, in this box. Empty where the prototype is.
+  /// farther than PlacedInstances::reach(), in this box. Empty where the prototype is.
   Aabb box;
   std::uint32_t prototype = 0;
 };

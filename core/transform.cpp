@@ -66,18 +66,18 @@ Vec3 Transform::transposed_vector(const Vec3& v) const {
   return {column(0), column(1), column(2)};
 }
 
-Vec3 Transform::normal(const Vec3& n) const {
-  Vec3 result;
-  for (int row = 0; row < 3; ++row)
-    result[row] = float(cofactor(m, row, 0) * n.x + cofactor(m, row, 1) * n.y + cofactor(m, row, 2) * n.z);
-  return result;
-}
-
+// By the cofactors of A, which are those of its inverse's transpose but for the determinant.
 Vec3 Transform::front(const Vec3& n) const {
   double moved[3], squared = 0;
   for (int row = 0; row < 3; ++row) {
     moved[row] = cofactor(m, row, 0) * n.x + cofactor(m, row, 1) * n.y + cofactor(m, row, 2) * n.z;
     squared += moved[row] * moved[row];
+  }
+  if (!(squared > 1e-200 && squared < 1e200)) {
+    // A may be of a size whose squares are out of range: then once more with one of a size near 1.
+    const double size = stretch();
+    const bool has_other_size = size > 0 && std::isfinite(size) && !(size > 0.5 && size < 2);
+    return has_other_size ? (scaling(1 / size, 1 / size, 1 / size) * *this).front(n) : Vec3{0, 0, 0};
   }
   const double scale = (determinant() < 0 ? -1 : 1) / std::sqrt(squared);
   return {float(moved[0] * scale), float(moved[1] * scale), float(moved[2] * scale)};

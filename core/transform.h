@@ -16,11 +16,9 @@ struct Transform {
   Vec3 vector(const Vec3& v) const;
   /// The transpose of A times a vector: a rotation's inverse.
   Vec3 transposed_vector(const Vec3& v) const;
-  /// A normal, by the cofactors of A, so that it stays perpendicular to its surface; not of unit length, and
-  /// turned with the orientation of transformed triangles where A mirrors.
-  Vec3 normal(const Vec3& n) const;
-  /// A normal as a unit vector on the side that it was on: where A mirrors, the front stays the front. Of any
-  /// size of A that an instance may have (core/instance.h).
+  /// A normal of any length, as a unit vector that is perpendicular to its surface again, on the side that it
+  /// was on: where A mirrors, the front stays the front. 0 0 0 where there is no direction: of a normal that
+  /// has none, or where A flattens it away.
   Vec3 front(const Vec3& n) const;
   /// The determinant of A: negative where the transform mirrors, 0 where it flattens.
   double determinant() const;

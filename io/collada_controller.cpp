@@ -22,6 +22,13 @@ std::uint32_t vertex_of(const ColladaPart& part, std::uint32_t position) {
   return part.vertices.empty() ? position : part.vertices[position];
 }
 
+/// A normal where a transform moves its triangles and leaves their winding: where it mirrors, the front
+/// becomes the back.
+Vec3 turned_normal(const Transform& transform, const Vec3& normal) {
+  const Vec3 front = transform.front(normal);
+  return transform.determinant() < 0 ? -front : front;
+}
+
 /// Each corner's normal is turned with its vertex: a normal that vertices share becomes one for each.
 void turn_normals(ColladaPart& part, const std::vector<Transform>& transforms) {
   Mesh& mesh = part.mesh;
@@ -32,7 +39,7 @@ void turn_normals(ColladaPart& part, const std::vector<Transform>& transforms) {
       const std::uint32_t vertex = vertex_of(part, mesh.triangles[t][corner]);
       std::uint32_t& normal = mesh.normal_indices[t][corner];
       const auto [found, is_new] = known.try_emplace({vertex, normal}, std::uint32_t(turned.size()));
-      if (is_new) turned.push_back(transforms[vertex].normal(mesh.normals[normal]));
+      if (is_new) turned.push_back(turned_normal(transforms[vertex], mesh.normals[normal]));
       normal = found->second;
     }
   mesh.normals = std::move(turned);

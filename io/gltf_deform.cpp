@@ -107,9 +107,7 @@ void skin(const Skinning& skinning, const std::vector<Transform>& joints, GltfPr
   for (std::size_t i = 0; i < made.positions.size(); ++i) {
     const Transform moved = skinning.of(i, joints);
     made.positions[i] = moved.point(made.positions[i]);
-    if (made.normals.empty()) continue;
-    const Vec3 n = moved.normal(made.normals[i]);
-    made.normals[i] = moved.determinant() < 0 ? -n : n;
+    if (!made.normals.empty()) made.normals[i] = moved.front(made.normals[i]);
   }
 }
 

@@ -40,6 +40,10 @@ Mesh vertices_of(const GltfPrimitive& primitive, const std::string& name) {
   return mesh;
 }
 
+bool emits(const GltfSurface& surface) {
+  return !is_black(surface.radiance) && !(surface.glow && is_black(mean_of(*surface.glow)));
+}
+
 void set_triangles(Mesh& mesh, std::vector<Triangle> triangles) {
   if (!mesh.normals.empty()) mesh.normal_indices = triangles;
   if (!mesh.uvs.empty()) mesh.uv_indices = triangles;
@@ -60,7 +64,7 @@ void GltfShapes::add(int node, const std::vector<Transform>& to_world, const Glt
   const tinygltf::Mesh& mesh = model.meshes[std::size_t(source.mesh)];
   const std::string own = mesh.name.empty() ? fmt::format("node {}", node) : mesh.name;
   assets.push_back(source.name.empty() ? own : source.name);
-  shown_.push_back({source.mesh, std::uint32_t(assets.size() - 1), to_world, deformation});
+  shown_.push_back({node, source.mesh, std::uint32_t(assets.size() - 1), to_world, deformation});
 }
 
 std::size_t GltfShapes::triangles_of(int mesh) {
@@ -88,20 +92,14 @@ void GltfShapes::place_all() {
       if (shown.deformation.is_none() && shared.count(shown.mesh) > 0)
         place_instance(shown, to_world);
       else
-        place_mesh_of(shown, Which::all, {to_world, shown.asset, to_world.determinant() < 0});
+        place_mesh_of(shown, {to_world, shown.asset, to_world.determinant() < 0});
 }
 
-bool GltfShapes::glows(const GltfPrimitive& primitive) {
-  const auto set = materials_.uv_set(primitive.material);
-  const GltfUse use{.has_uvs = set && primitive.uvs.count(*set) > 0};
-  return !is_black(materials_.surface(primitive.material, use).radiance);
-}
-
-void GltfShapes::place_mesh_of(const Shown& shown, Which which, const Place& place) {
+void GltfShapes::place_mesh_of(const Shown& shown, const Place& place) {
   const tinygltf::Mesh& mesh = document_.model().meshes[std::size_t(shown.mesh)];
   for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
     const auto& made = primitive(shown.mesh, int(i));
-    if (!made || (which != Which::all && glows(*made) != (which == Which::glowing))) continue;
+    if (!made) continue;
     const std::string name = mesh_name(mesh, shown.mesh, i);
     if (shown.deformation.is_none())
       this->place(*made, name, place);
@@ -112,27 +110,39 @@ void GltfShapes::place_mesh_of(const Shown& shown, Which which, const Place& pla
 
 void GltfShapes::place_instance(const Shown& shown, const Transform& to_world) {
   const bool is_mirrored = to_world.determinant() < 0;
-  if (!can_place(to_world)) return place_mesh_of(shown, Which::all, {to_world, shown.asset, is_mirrored});
-  place_mesh_of(shown, Which::glowing, {to_world, shown.asset, is_mirrored});
-  const auto [entry, is_new] =
-      prototypes_.try_emplace({shown.mesh, is_mirrored}, std::uint32_t(prototypes_.size()));
-  const std::uint32_t prototype = entry->second;
-  if (is_new) place_mesh_of(shown, Which::dark, {Transform{}, shown.asset, is_mirrored, prototype});
-  instances.push_back({prototype, to_world});
+  if (!can_place(to_world)) return place_mesh_of(shown, {to_world, shown.asset, is_mirrored});
+  const Prototype& prototype = prototype_of(shown, is_mirrored);
+  if (!prototype.is_dark) place_mesh_of(shown, {to_world, shown.asset, is_mirrored, Which::glowing});
+  if (prototype.box.is_empty()) return;
+  check_reach(prototype.box, to_world, [&](const std::string& message) {
+    document_.context().fail(fmt::format("/nodes/{}", shown.node), message);
+  });
+  instances.push_back({prototype.number, to_world});
 }
 
-void GltfShapes::check_room(const GltfPrimitive& primitive) {
-  triangles_ += primitive.triangles.size();
-  vertices_ += primitive.positions.size();
+const GltfShapes::Prototype& GltfShapes::prototype_of(const Shown& shown, bool is_mirrored) {
+  const auto number = std::uint32_t(prototypes_.size());
+  const auto [entry, is_new] =
+      prototypes_.try_emplace({shown.mesh, is_mirrored}, Prototype{number, {}, true});
+  Prototype& made = entry->second;
+  if (!is_new) return made;
+  const std::size_t first = parts.size(), left_out = left_out_;
+  place_mesh_of(shown, {Transform{}, shown.asset, is_mirrored, Which::dark, number});
+  for (std::size_t i = first; i < parts.size(); ++i) made.box.extend(bounds_of(parts[i].shape));
+  made.is_dark = left_out_ == left_out;
+  return made;
+}
+
+void GltfShapes::check_room(const Mesh& mesh, const std::string& pointer) {
+  triangles_ += mesh.triangles.size();
+  vertices_ += mesh.positions.size();
   if (triangles_ > max_triangles || vertices_ > max_triangles || parts.size() >= max_triangles)
     document_.context().fail(
-        primitive.pointer,
-        fmt::format("the scene has more than {} triangles, vertices or shapes, copies included",
-                    max_triangles));
+        pointer, fmt::format("the scene has more than {} triangles, vertices or shapes, copies included",
+                             max_triangles));
 }
 
 void GltfShapes::place(const GltfPrimitive& primitive, const std::string& name, const Place& place) {
-  check_room(primitive);
   const auto set = materials_.uv_set(primitive.material);
   const auto uvs = set ? primitive.uvs.find(*set) : primitive.uvs.end();
   GltfUse use{.has_uvs = uvs != primitive.uvs.end()};
@@ -155,6 +165,11 @@ void GltfShapes::place(const GltfPrimitive& primitive, const std::string& name, 
 
 void GltfShapes::place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse use, const Place& place) {
   const GltfSurface& surface = materials_.surface(primitive.material, use);
+  if (place.which != Which::all && emits(surface) != (place.which == Which::glowing)) {
+    ++left_out_;
+    return;
+  }
+  check_room(mesh, primitive.pointer);
   PlacedMesh placed = place_mesh(mesh, place.to_world, [&](const std::string& message) {
     document_.context().fail(primitive.pointer, message);
   });
@@ -166,7 +181,7 @@ void GltfShapes::place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse u
   part.asset = place.asset;
   part.prototype = place.prototype;
   part.light_name = placed.mesh.name;
-  if (!place.prototype && !document_.context().options.surfaces_only)
+  if (emits(surface) && !document_.context().options.surfaces_only)
     add_emission(surface, primitive.pointer, placed.mesh, part);
   part.shape = std::move(placed.mesh);
   parts.push_back(std::move(part));
@@ -174,7 +189,6 @@ void GltfShapes::place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse u
 
 void GltfShapes::add_emission(const GltfSurface& surface, const std::string& pointer, Mesh& mesh,
                               ScenePart& part) {
-  if (is_black(surface.radiance) || (surface.glow && is_black(mean_of(*surface.glow)))) return;
   part.radiance = surface.radiance;
   part.side = surface.side;
   if (!surface.glow) return;

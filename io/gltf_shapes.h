@@ -38,26 +38,34 @@ class GltfShapes {
  private:
   /// A node that shows a mesh.
   struct Shown {
-    int mesh;
+    int node, mesh;
     std::uint32_t asset;
     std::vector<Transform> to_world;
     GltfDeformation deformation;
   };
+  /// Parts of a mesh: those that emit are copied where the others are instances.
+  enum class Which { all, glowing, dark };
   /// A primitive as it is placed.
   struct Place {
     const Transform& to_world;
     std::uint32_t asset;
     bool is_mirrored;  ///< Where it is seen; to_world may be the way to a prototype.
+    Which which = Which::all;
     std::optional<std::uint32_t> prototype = {};
   };
-  enum class Which { all, glowing, dark };
+  /// What instances of a mesh share.
+  struct Prototype {
+    std::uint32_t number;
+    Aabb box;      ///< Of its parts; empty where all of them emit.
+    bool is_dark;  ///< No part emits.
+  };
 
   const std::optional<GltfPrimitive>& primitive(int mesh, int index);
   std::size_t triangles_of(int mesh);
   /// The meshes that are stored once.
   std::set<int> shared_meshes();
-  bool glows(const GltfPrimitive& primitive);
-  void place_mesh_of(const Shown& shown, Which which, const Place& place);
+  void place_mesh_of(const Shown& shown, const Place& place);
+  const Prototype& prototype_of(const Shown& shown, bool is_mirrored);
   /// An instance of the mesh; of what cannot be one, a copy.
   void place_instance(const Shown& shown, const Transform& to_world);
   void place(const GltfPrimitive& primitive, const std::string& name, const Place& place);
@@ -65,15 +73,16 @@ class GltfShapes {
   void place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse use, const Place& place);
   /// What a part emits, by its surface.
   void add_emission(const GltfSurface& surface, const std::string& pointer, Mesh& mesh, ScenePart& part);
-  void check_room(const GltfPrimitive& primitive);
+  void check_room(const Mesh& mesh, const std::string& pointer);
 
   GltfDocument& document_;
   GltfMaterials& materials_;
   GltfColors colors_;
   std::map<std::pair<int, int>, std::optional<GltfPrimitive>> primitives_;
   std::vector<Shown> shown_;
-  std::map<std::pair<int, bool>, std::uint32_t> prototypes_;  ///< By mesh, and whether it is seen mirrored.
+  std::map<std::pair<int, bool>, Prototype> prototypes_;  ///< By mesh, and whether it is seen mirrored.
   std::size_t triangles_ = 0, vertices_ = 0;
+  std::size_t left_out_ = 0;  ///< Parts that are not among those that were to be placed.
 };
 
 }  // namespace twinray

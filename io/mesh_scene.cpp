@@ -12,7 +12,7 @@ namespace twinray {
 
 void repair_mesh(Mesh& mesh, MeshRepairs& repairs) {
   PlacedMesh placed{std::move(mesh)};
-  normalize_normals(placed.mesh);
+  turn_normals(placed.mesh, Transform{});
   clean_up(placed);
   repairs.dropped_triangles += placed.dropped;
   repairs.replaced_normals += placed.without_normals;

@@ -7,10 +7,11 @@
 #include <tuple>
 
 #include "core/alpha_test.h"
-#include "core/box_corners.h"
+
 #include "core/mesh_area.h"
 #include "core/radiance.h"
 #include "core/shading_map.h"
+#include "io/placed_mesh.h"
 
 namespace twinray {
 namespace {
@@ -23,15 +24,6 @@ double area_of(const Shape& shape) {
   if (const auto* mesh = std::get_if<Mesh>(&shape))
     for (const Triangle& triangle : mesh->triangles) area += area_vector(*mesh, triangle).area();
   return area;
-}
-
-Aabb bounds_of(const Shape& shape) {
-  Aabb box;
-  if (const auto* set = std::get_if<SphereSet>(&shape))
-    for (const Sphere& sphere : set->spheres) box.extend(sphere_bounds(sphere));
-  if (const auto* mesh = std::get_if<Mesh>(&shape))
-    for (const Vec3& position : mesh->positions) box.extend(position);
-  return box;
 }
 
 void check_coordinates(const Shape& shape, const PbrtPlace& place) {
@@ -228,39 +220,31 @@ Instancing PbrtBuilder::place_objects() {
   return instancing;
 }
 
+bool PbrtBuilder::is_shared(const Object& object) const {
+  std::size_t primitives = 0;
+  for (const Part& part : object.parts)
+    primitives += part.shape->sphere_radius > 0 ? 1 : part.shape->mesh.triangles.size();
+  return are_stored_once(context_.options.instances, primitives, object.shown.size());
+}
+
 void PbrtBuilder::place_object(const Object& object, Placed& shared, Instancing& instancing) {
-  std::size_t triangles = 0;
-  for (const Part& part : object.parts) triangles += part.shape->mesh.triangles.size();
-  const bool is_shared = are_stored_once(context_.options.instances, triangles, object.shown.size());
-  const auto copy = [&](const ShownAt& shown, bool alone) {
-    for (const Part& part : object.parts)
-      if (!alone || emits(part)) place(part, shown.to_world * part.to_world, placed_);
-  };
+  const bool is_stored_once = is_shared(object);
   ShapeRange prototype{std::uint32_t(shared.shapes.size()), 0};
-  if (is_shared)
+  if (is_stored_once)
     for (const Part& part : object.parts)
       if (!emits(part)) place(part, part.to_world, shared);
   prototype.count = std::uint32_t(shared.shapes.size()) - prototype.first;
+  Aabb box;
+  for (std::uint32_t i = prototype.first; i < prototype.end(); ++i) box.extend(bounds_of(shared.shapes[i]));
   for (const ShownAt& shown : object.shown) {
     const bool is_instance = prototype.count > 0 && can_place(shown.to_world);
-    copy(shown, is_instance);
+    for (const Part& part : object.parts)
+      if (!is_instance || emits(part)) place(part, shown.to_world * part.to_world, placed_);
     if (!is_instance) continue;
-    check_reach(shared, prototype, shown);
+    check_reach(box, shown.to_world, [&](const std::string& message) { shown.place.fail(message); });
     instancing.instances.push_back({std::uint32_t(instancing.prototypes.size()), shown.to_world});
   }
-  instancing.prototypes.push_back(prototype);
-}
-
-void PbrtBuilder::check_reach(const Placed& shared, ShapeRange shapes, const ShownAt& shown) const {
-  Aabb box;
-  for (std::uint32_t i = shapes.first; i < shapes.end(); ++i) box.extend(bounds_of(shared.shapes[i]));
-  if (box.is_empty()) return;
-  for (const Vec3& corner : corners_of(box))
-    if (const Vec3 p = shown.to_world.point(corner); !(max_abs(p) <= max_coordinate))
-      shown.place.fail(
-          fmt::format("this instance reaches to ({:g}, {:g}, {:g}); coordinates must lie within "
-                      "+-{:g}",
-                      p.x, p.y, p.z, max_coordinate));
+  if (prototype.count > 0) instancing.prototypes.push_back(prototype);
 }
 
 LoadedScene PbrtBuilder::finish(float exposure) {

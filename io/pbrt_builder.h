@@ -70,8 +70,9 @@ class PbrtBuilder {
   /// Makes instances or copies of all objects; puts the shapes of the former behind all others.
   Instancing place_objects();
   void place_object(const Object& object, Placed& shared, Instancing& instancing);
-  /// Throws Error where an instance of these shapes of a prototype reaches too far.
-  void check_reach(const Placed& shared, ShapeRange shapes, const ShownAt& shown) const;
+  /// Whether there are so many copies of an object that what does not emit is better stored once.
+  bool is_shared(const Object& object) const;
+
   bool emits(const Part& part) const;
   bool is_textured(std::uint32_t material) const;
   /// Whether the shape's texture coordinates matter.

@@ -10,6 +10,7 @@
 #include "io/pbrt_mesh.h"
 #include "io/pbrt_quadric.h"
 #include "io/pbrt_transform.h"
+#include "io/placed_mesh.h"
 
 namespace twinray {
 namespace {
@@ -114,17 +115,6 @@ std::size_t replace_bad_normals(Mesh& mesh) {
   return count;
 }
 
-/// Shading normals in the world: unit, or 0 where they are no direction.
-void transform_normals(Mesh& mesh, const Transform& to_world, bool is_reversed) {
-  const bool mirrors = to_world.determinant() < 0;
-  for (Vec3& normal : mesh.normals) {
-    const Vec3 n = to_world.normal(normal);
-    const float size = length(n);
-    const bool is_direction = std::isfinite(size) && size > 0;
-    normal = is_direction ? n * ((mirrors != is_reversed ? -1 : 1) / size) : Vec3{};
-  }
-}
-
 /// Turns the triangles whose shading normals look the other way.
 void face_normals(Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -146,7 +136,9 @@ Mesh place_mesh(Mesh mesh, const Transform& to_world, bool is_reversed, PlacedSh
   }
   account.dropped_triangles += drop_degenerate_triangles(mesh);
   if (mesh.normals.empty()) return mesh;
-  transform_normals(mesh, to_world, is_reversed);
+  turn_normals(mesh, to_world);
+  if (is_reversed)
+    for (Vec3& normal : mesh.normals) normal = -normal;
   face_normals(mesh);
   account.replaced_normals += replace_bad_normals(mesh);
   return mesh;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/box_corners.h"
 #include "core/mesh_area.h"
 
 namespace twinray {
@@ -20,32 +21,6 @@ void move_positions(Mesh& mesh, const Transform& to_world, const FailPlacing& fa
 }
 
 namespace {
-
-/// The transform with its linear part scaled to about 1, so that its cofactors neither overflow nor vanish.
-Transform of_unit_size(const Transform& t) {
-  double largest = 0;
-  for (const auto& row : t.m)
-    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::fabs(row[c]));
-  Transform result = t;
-  if (largest > 0)
-    for (auto& row : result.m)
-      for (int c = 0; c < 3; ++c) row[c] /= largest;
-  return result;
-}
-
-/// The unit vector, or 0 0 0 where there is none.
-Vec3 unit_or_zero(const Vec3& n) {
-  const double x = n.x, y = n.y, z = n.z, length = std::sqrt(x * x + y * y + z * z);
-  if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0};
-  return {float(x / length), float(y / length), float(z / length)};
-}
-
-void transform_normals(Mesh& mesh, const Transform& to_world) {
-  const Transform unit_size = of_unit_size(to_world);
-  // A mirroring transform's cofactors flip the normals; the winding is flipped back, and so are they.
-  const float sign = to_world.determinant() < 0 ? -1.0f : 1.0f;
-  for (Vec3& n : mesh.normals) n = unit_or_zero(unit_size.normal(unit_or_zero(n)) * sign);
-}
 
 void turn_winding(Mesh& mesh) {
   for (auto* indices : {&mesh.triangles, &mesh.normal_indices, &mesh.uv_indices})
@@ -82,8 +57,25 @@ std::size_t fill_zero_normals(Mesh& mesh) {
 
 }  // namespace
 
-void normalize_normals(Mesh& mesh) {
-  for (Vec3& n : mesh.normals) n = unit_or_zero(n);
+Aabb bounds_of(const Shape& shape) {
+  Aabb box;
+  if (const auto* set = std::get_if<SphereSet>(&shape))
+    for (const Sphere& sphere : set->spheres) box.extend(sphere_bounds(sphere));
+  if (const auto* mesh = std::get_if<Mesh>(&shape))
+    for (const Vec3& position : mesh->positions) box.extend(position);
+  return box;
+}
+
+void check_reach(const Aabb& box, const Transform& to_world, const FailPlacing& fail) {
+  if (box.is_empty()) return;
+  for (const Vec3& corner : corners_of(box))
+    if (const Vec3 p = to_world.point(corner); !(max_abs(p) <= max_coordinate))
+      fail(fmt::format("this instance reaches to ({:g}, {:g}, {:g}); coordinates must lie within +-{:g}", p.x,
+                       p.y, p.z, max_coordinate));
+}
+
+void turn_normals(Mesh& mesh, const Transform& to_world) {
+  for (Vec3& n : mesh.normals) n = to_world.front(n);
 }
 
 void clean_up(PlacedMesh& placed) {
@@ -97,7 +89,7 @@ PlacedMesh place_mesh(const Mesh& local, const Transform& to_world, const FailPl
   Mesh& mesh = placed.mesh;
   drop_unused_vertices(mesh);
   move_positions(mesh, to_world, fail);
-  transform_normals(mesh, to_world);
+  turn_normals(mesh, to_world);
   if (to_world.determinant() < 0) turn_winding(mesh);
   clean_up(placed);
   return placed;

@@ -27,8 +27,14 @@ PlacedMesh place_mesh(const Mesh& local, const Transform& to_world, const FailPl
 /// The positions alone. Those that are not finite stay; they go with their triangles.
 void move_positions(Mesh& mesh, const Transform& to_world, const FailPlacing& fail);
 
-/// Makes shading normals unit vectors, or 0 0 0 where they are no directions.
-void normalize_normals(Mesh& mesh);
+/// The shading normals alone: as unit vectors, or 0 0 0 where they are no directions.
+void turn_normals(Mesh& mesh, const Transform& to_world);
+
+/// The box of a shape's spheres, or of all vertices of a mesh.
+Aabb bounds_of(const Shape& shape);
+
+/// Fails where an instance of a prototype in this box, which may be empty, reaches beyond max_coordinate.
+void check_reach(const Aabb& box, const Transform& to_world, const FailPlacing& fail);
 
 /// Drops triangles without area, or not finite, and vertices that no triangle uses, and gives normals that
 /// are 0 0 0 their triangle's direction; counts them.

@@ -44,13 +44,12 @@ void bound_block(const RTCBoundsFunctionArguments* arguments) {
 /// Likewise about an instance.
 struct InstanceBounds {
   const Geometry& geometry;
-  float widened_size;
+  float size, widening;
 };
 
 void bound_instance(const RTCBoundsFunctionArguments* arguments) {
-  const auto& [geometry, size] = *static_cast<const InstanceBounds*>(arguments->geometryUserPtr);
-  const Aabb& box = geometry.placed()[arguments->primID].box;
-  *arguments->bounds_o = embree::widened(box.is_empty() ? Aabb{{}, {}} : box, size);
+  const auto& [geometry, size, widening] = *static_cast<const InstanceBounds*>(arguments->geometryUserPtr);
+  *arguments->bounds_o = embree::instance_bounds(geometry.placed(), arguments->primID, size, widening);
 }
 
 /// Embree's tree over the blocks of some shapes.
@@ -59,9 +58,6 @@ struct EmbreeTree {
   float size = 0;  ///< The largest coordinate of what is in it.
   float far = 0;   ///< Rays whose origin is farther away than this go through our own tree.
 };
-
-/// In a prototype's space rays begin wherever they begin in the scene, many of its sizes away.
-constexpr float prototype_reach = 256;
 
 /// Blocks of primitives, and Embree's trees over them.
 struct EmbreeBlocks {
@@ -76,17 +72,15 @@ struct EmbreeBlocks {
 
   void build(const Geometry& geometry, const embree::LeafFunctions& leaf, int threads, float widening) {
     scene = new_tree(embree::scene_size(geometry), embree::reach);
-    InstanceBounds instances{geometry, scene.size * widening};
+    InstanceBounds instances{geometry, scene.size, widening};
     BlockBounds direct{geometry, bvh.direct, scene.size * widening};
     add_blocks(scene, direct, leaf);
     if (geometry.has_instances()) add_instances(scene, instances);
     embree::commit(device, scene.scene.get(), threads);
     for (std::size_t i = 0; i < bvh.prototypes.size(); ++i) {
       const Aabb& box = bvh.prototypes[i].box;
-      const float size = box.is_empty() ? 0 : std::max(max_abs(box.lower), max_abs(box.upper));
-      prototypes.push_back(new_tree(size, prototype_reach));
-      BlockBounds bounds{geometry, bvh.prototypes[i],
-                         size * widening * (1 + prototype_reach) / (1 + embree::reach)};
+      prototypes.push_back(new_tree(embree::largest_coordinate(box), embree::prototype_reach));
+      BlockBounds bounds{geometry, bvh.prototypes[i], embree::prototype_size(box) * widening};
       add_blocks(prototypes.back(), bounds, leaf);
       embree::commit(device, prototypes.back().scene.get(), threads);
     }

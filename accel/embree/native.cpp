@@ -39,14 +39,14 @@ struct NativeQuery : embree::Context {
 struct NativeShape {
   const Geometry& geometry;
   std::uint32_t index;
-  float scene_size;
+  float size;  ///< As embree::widened() takes it.
 
   const Sphere& sphere(unsigned i) const { return geometry.sphere_set(index)->spheres[i]; }
 };
 
 void bound_sphere(const RTCBoundsFunctionArguments* arguments) {
   const auto& shape = *static_cast<const NativeShape*>(arguments->geometryUserPtr);
-  *arguments->bounds_o = embree::widened(sphere_bounds(shape.sphere(arguments->primID)), shape.scene_size);
+  *arguments->bounds_o = embree::widened(sphere_bounds(shape.sphere(arguments->primID)), shape.size);
 }
 
 /// The hit of a sphere for a callback's arguments.
@@ -116,6 +116,15 @@ embree::GeometryOwner make_spheres(RTCDevice device, NativeShape& shape) {
   return geometry;
 }
 
+/// The box of the spheres of some shapes.
+Aabb spheres_box(const Geometry& geometry, ShapeRange shapes) {
+  Aabb box;
+  for (std::uint32_t i = shapes.first; i < shapes.end(); ++i)
+    if (const SphereSet* set = geometry.sphere_set(i))
+      for (const Sphere& sphere : set->spheres) box.extend(sphere_bounds(sphere));
+  return box;
+}
+
 /// A transform as Embree takes it: four columns of three.
 std::array<float, 12> columns_of(const Transform& transform) {
   std::array<float, 12> columns;
@@ -137,10 +146,11 @@ struct NativeWorld {
   void build(const Geometry& geometry, const BuildOptions& options) {
     shapes.reserve(geometry.shapes().size());
     scene = new_scene(options);
-    add_shapes(geometry, geometry.direct_shapes(), scene.get());
+    add_shapes(geometry, geometry.direct_shapes(), embree::scene_size(geometry), scene.get());
     for (const ShapeRange& prototype : geometry.prototypes()) {
       prototypes.push_back(new_scene(options));
-      add_shapes(geometry, prototype, prototypes.back().get());
+      add_shapes(geometry, prototype, embree::prototype_size(spheres_box(geometry, prototype)),
+                 prototypes.back().get());
       embree::commit(device, prototypes.back().get(), options.threads);
     }
     add_instances(geometry);
@@ -156,10 +166,9 @@ struct NativeWorld {
                                             : RTC_BUILD_QUALITY_MEDIUM);
     return made;
   }
-  void add_shapes(const Geometry& geometry, ShapeRange range, RTCScene to) {
-    const float scene_size = embree::scene_size(geometry);
+  void add_shapes(const Geometry& geometry, ShapeRange range, float size, RTCScene to) {
     for (std::uint32_t i = range.first; i < range.end(); ++i) {
-      shapes.push_back({geometry, i, scene_size});
+      shapes.push_back({geometry, i, size});
       const bool is_mesh = geometry.mesh(i) != nullptr;
       has_callbacks = has_callbacks || !is_mesh || !geometry.is_opaque(i);
       embree::attach(to, (is_mesh ? make_triangles : make_spheres)(device.get(), shapes.back()),

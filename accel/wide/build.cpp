@@ -208,8 +208,8 @@ BoxedBvh make_instance_tree(const Geometry& geometry, const BuildOptions& option
   return {widen_instances(tree), box_of(tree)};
 }
 
-/// Moves a tree's nodes and blocks behind those of others; returns its root there.
-WideRef append(WideBvh&& bvh, WideBvh& all) {
+/// Moves a tree's nodes and blocks behind those of others, and frees it; returns its root there.
+WideRef append(WideBvh bvh, WideBvh& all) {
   const std::size_t nodes = all.nodes.size(), blocks = all.blocks.size();
   const auto moved = [&](WideRef ref) {
     if (ref.is_none() || (ref.is_leaf() && ref.is_instance())) return ref;
@@ -217,6 +217,7 @@ WideRef append(WideBvh&& bvh, WideBvh& all) {
   };
   for (WideNode& node : bvh.nodes)
     for (WideRef& child : node.children) child = moved(child);
+  all.nodes.reserve(nodes + bvh.nodes.size() + 1);  // With room for the root of join().
   all.nodes.insert(all.nodes.end(), bvh.nodes.begin(), bvh.nodes.end());
   all.blocks.insert(all.blocks.end(), bvh.blocks.begin(), bvh.blocks.end());
   return moved(bvh.root);
@@ -234,27 +235,33 @@ WideRef join(WideRef first, const Aabb& first_box, WideRef second, const Aabb& s
   return WideRef::node(all.nodes.size() - 1);
 }
 
+/// Trees of all prototypes, side by side, behind what is there already.
+void add_prototypes(const Geometry& geometry, const BuildOptions& options, WideBvh& all) {
+  std::vector<WideBvh> prototypes(geometry.prototypes().size());
+  parallel_for(prototypes.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
+    std::vector<BuildPhase> phases;  // Those of trees that are built at the same time add up to nothing.
+    for (std::size_t i = begin; i < end; ++i)
+      prototypes[i] = make_tree_of(geometry, geometry.prototypes()[i], options, phases).bvh;
+  });
+  std::size_t nodes = all.nodes.size(), blocks = all.blocks.size();
+  for (const WideBvh& prototype : prototypes)
+    nodes += prototype.nodes.size(), blocks += prototype.blocks.size();
+  all.nodes.reserve(nodes + 1);
+  all.blocks.reserve(blocks);
+  for (WideBvh& prototype : prototypes) all.prototypes.push_back(append(std::move(prototype), all));
+}
+
 /// The trees of the prototypes, and the tree of the scene above them.
 WideBvh make_trees(const Geometry& geometry, const BuildOptions& options, std::vector<BuildPhase>& phases) {
-  BoxedBvh direct = make_tree_of(geometry, geometry.direct_shapes(), options, phases);
-  if (!geometry.has_instances()) return std::move(direct.bvh);
-  WideBvh all;
-  const WideRef direct_root = append(std::move(direct.bvh), all);
-  std::vector<WideBvh> prototypes(geometry.prototypes().size());
-  timed("prototypes", phases, [&] {
-    parallel_for(prototypes.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
-      std::vector<BuildPhase> all_of_them;
-      for (std::size_t i = begin; i < end; ++i)
-        prototypes[i] = make_tree_of(geometry, geometry.prototypes()[i], options, all_of_them).bvh;
-    });
-    for (WideBvh& prototype : prototypes) all.prototypes.push_back(append(std::move(prototype), all));
-  });
+  auto [all, direct_box] = make_tree_of(geometry, geometry.direct_shapes(), options, phases);
+  if (!geometry.has_instances()) return std::move(all);
+  timed("prototypes", phases, [&] { add_prototypes(geometry, options, all); });
   timed("instances", phases, [&] {
     BoxedBvh instances = make_instance_tree(geometry, options);
     const WideRef root = append(std::move(instances.bvh), all);
-    all.root = join(direct_root, direct.box, root, instances.box, all);
+    all.root = join(all.root, direct_box, root, instances.box, all);
   });
-  return all;
+  return std::move(all);
 }
 
 }  // namespace

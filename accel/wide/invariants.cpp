@@ -23,7 +23,10 @@ class Inspection {
   std::string fault(Occurrence occurrence) {
     constexpr float everywhere = Aabb::infinity;
     const Aabb all{{-everywhere, -everywhere, -everywhere}, {everywhere, everywhere, everywhere}};
-    if (!bvh_.root.is_none()) visit(bvh_.root, all, 0);
+    // A root that joins two trees lies above what either may be deep.
+    const bool is_joined =
+        geometry_.has_instances() && geometry_.primitive_count(geometry_.direct_shapes()) > 0;
+    if (!bvh_.root.is_none()) visit(bvh_.root, all, is_joined ? -1 : 0);
     for (const WideRef& prototype : bvh_.prototypes)
       if (!prototype.is_none()) visit(prototype, all, 0);
     check_instances();
@@ -51,8 +54,7 @@ class Inspection {
   }
 
   void visit(const WideRef& ref, const Aabb& box, int depth) {
-    if (depth > max_wide_depth + 1)
-      return report("a node is {} deep; the stack holds {}", depth, max_wide_depth + 1);
+    if (depth > max_wide_depth) return report("a node is {} deep; the stack holds {}", depth, max_wide_depth);
     if (ref.is_leaf() && ref.is_instance()) return visit_instance(ref.index(), box);
     const std::size_t count = ref.is_leaf() ? blocks_.size() : nodes_.size();
     if (ref.index() >= count)

@@ -87,6 +87,10 @@ TEST_CASE("an unexplained ray is printed as the command that shoots it again") {
   CHECK(json["findings"][0]["number"] == 42);
   CHECK(std::string(json["findings"][0]["command"])
             .find("twinray crosscheck 'a b.dae' --keep-both-lamps --placement=moved --ray=0x1p+0,") == 0);
+  CHECK(replay_command("a.pbrt", {.instances = InstanceUse::keep}) ==
+        "twinray crosscheck 'a.pbrt' --instances=keep");
+  CHECK(primitive_text(3, 7, no_instance) == "3:7");
+  CHECK(primitive_text(3, 7, 0) == "3:7 of instance 0");
 }
 
 TEST_CASE("a leak that is explained is a remark, and an error where ceilings count") {

@@ -82,4 +82,39 @@ TEST_CASE("a crosscheck of instances finds nothing unexplained") {
   CHECK(result.out.find("\"unexplained\":") != std::string::npos);
 }
 
+TEST_CASE("a ray and a sample of an instance are told with its number") {
+  // The first pawn stands there.
+  const ProcessResult shot =
+      run_program("crosscheck -q --instances=keep --engines=bvh,brute-force --ray=1.6,20,0,0,-1,0,0,inf " +
+                  quoted(pawns));
+  CHECK(shot.exit_code == 0);
+  CHECK(shot.out.find(" of 2:0 of instance 0 (identical)") != std::string::npos);
+  CHECK(shot.out.find("of 2:0 of instance 0\n") != std::string::npos);  // By exact arithmetic.
+  const TemporaryFolder folder;
+  const std::string json = folder.file("path.json");
+  const ProcessResult path = run_program(fmt::format(
+      "{} --instances=keep -r 480 320 --replay 300 150 0 --replay-json={}", quoted(pawns), quoted(json)));
+  CHECK(path.exit_code == 0);
+  CHECK(path.out.find(", of instance 0\n") != std::string::npos);
+  CHECK(nlohmann::json::parse(read_text(json))["vertices"][0]["surface"]["instance"] == 0);
+}
+
+TEST_CASE("convert writes instances or, if it is asked, copies") {
+  const TemporaryFolder folder;
+  const auto convert = [&](const char* use) {
+    const std::string path = folder.file("a.json");
+    const ProcessResult result =
+        run_program(fmt::format("convert {} {} --instances={} -q", quoted(pawns), quoted(path), use));
+    CAPTURE(result.err);
+    CHECK(result.exit_code == 0);
+    return nlohmann::json::parse(read_text(path));
+  };
+  const auto kept = convert("keep"), copied = convert("copy");
+  CHECK(kept["version"] == 2);
+  CHECK(kept["instances"].size() > 1);
+  CHECK(copied["version"] == 1);
+  CHECK_FALSE(copied.contains("instances"));
+  CHECK(copied["shapes"].size() > kept["shapes"].size());
+}
+
 }  // namespace twinray::test

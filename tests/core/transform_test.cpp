@@ -2,6 +2,7 @@
 #include "core/transform.h"
 
 #include <cmath>
+#include <limits>
 
 #include "tests/support/catch.h"
 
@@ -48,18 +49,36 @@ TEST_CASE("a rotation keeps lengths, angles and orientation") {
 TEST_CASE("a normal stays perpendicular to its surface") {
   const Transform t = Transform::rotation({1, 0, 1}, 33) * Transform::scaling(1, 5, 0.25);
   const Vec3 u{1, 0, -1}, v{0, 1, -1};
-  const Vec3 n = t.normal(cross(u, v));
-  CHECK(std::fabs(dot(normalize(n), normalize(t.vector(u)))) < tolerance);
-  CHECK(std::fabs(dot(normalize(n), normalize(t.vector(v)))) < tolerance);
+  const Vec3 n = t.front(cross(u, v));
+  CHECK(length(n) == Approx(1));
+  CHECK(std::fabs(dot(n, normalize(t.vector(u)))) < tolerance);
+  CHECK(std::fabs(dot(n, normalize(t.vector(v)))) < tolerance);
 }
 
-TEST_CASE("a normal follows the winding of transformed triangles, mirrored or not") {
+TEST_CASE("a normal stays in front, where a transform mirrors, too") {
   for (const double sign : {1.0, -1.0}) {
     const Transform t = Transform::scaling(sign * 2, 3, 1);
     const Vec3 u{1, 0.5f, 0}, v{0, 1, 1};
-    CHECK(t.normal(cross(u, v)) == cross(t.vector(u), t.vector(v)));
+    const Vec3 front = normalize(cross(t.vector(u), t.vector(v))) * float(sign);
+    CHECK(length(t.front(cross(u, v)) - front) < tolerance);
     CHECK(t.determinant() == 6 * sign);
   }
+}
+
+TEST_CASE("a normal is a unit vector whatever the size of the transform or of the normal, or is none") {
+  const Vec3 expected = normalize(Vec3{1, 1, 3});
+  for (const double size : {1e-150, 1e-60, 1e-10, 1.0, 1e10, 1e60, 1e150})
+    for (const float length_of_normal : {1e-30f, 1.0f, 1e18f}) {
+      const Transform t = Transform::scaling(size, 2 * size, size);
+      CHECK(length(t.front(Vec3{1, 2, 3} * length_of_normal) - expected) < tolerance);
+    }
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const Vec3 none{0, 0, 0}, up{0, 0, 1};
+  CHECK(Transform{}.front(none) == none);
+  CHECK(Transform{}.front({nan, 0, 1}) == none);
+  CHECK(Transform::scaling(0, 0, 0).front(up) == none);
+  CHECK(Transform::scaling(1, 0, 1).front(up) == none);
+  CHECK(Transform::scaling(1, 1, 0).front(up) == up);
 }
 
 }  // namespace twinray

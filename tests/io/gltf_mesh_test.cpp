@@ -180,6 +180,18 @@ TEST_CASE("gltf: what EXT_mesh_gpu_instancing shows lies within its node, copied
   CHECK(kept.scene.geometry->bounds().upper == loaded.scene.geometry->bounds().upper);
   CHECK(kept.scene.geometry->instances()[1].to_world.point({1, 0, 0}) == Vec3{2, 0, 12});
   CHECK(asset_of(kept.scene, 0) == 0);
+  const std::size_t materials = kept.scene.materials.size();
+  GltfFile far = file;
+  far.json["nodes"][0]["translation"] = {2e12, 0, 10};
+  CHECK(far.error(keep).find("test.gltf: /nodes/0: this instance reaches to (2e+12,") == 0);
+  // What emits is copied, and is a light for each; nothing is left for instances.
+  file.json["materials"] = {{{"emissiveFactor", {1, 1, 1}}}};
+  file.primitive()["material"] = 0;
+  const LoadedScene glowing = file.load(keep);
+  CHECK(glowing.summary.instances == 0);
+  CHECK(glowing.summary.meshes == 2);
+  CHECK(glowing.scene.lights.size() == 2);
+  CHECK(glowing.scene.materials.size() == materials);
   file.json["accessors"][std::size_t(sizes)]["count"] = 1;
   CHECK(file.error() ==
         "test.gltf: /nodes/0/extensions/EXT_mesh_gpu_instancing/attributes/SCALE: 1 values for 2 instances; "

@@ -210,6 +210,18 @@ TEST_CASE("an object that is shown often is stored once, but for what emits") {
                     Catch::Contains("coordinate"));
 }
 
+TEST_CASE("only objects that are stored once are prototypes, and spheres count") {
+  std::string shown;
+  for (int i = 0; i < 60001; ++i) shown += "ObjectInstance \"a\"\n";
+  const LoadedScene loaded =
+      load_pbrt_world("ObjectBegin \"b\"\n" + pbrt_triangle + "ObjectEnd\nObjectBegin \"a\"\n" +
+                      "Shape \"sphere\"\nObjectEnd\nObjectInstance \"b\"\n" + shown);
+  CHECK(loaded.summary.prototypes == 1);
+  CHECK(loaded.summary.instances == 60001);
+  CHECK(loaded.scene.geometry->sphere_count() == 1);
+  CHECK(loaded.scene.geometry->triangle_count() == 1);
+}
+
 TEST_CASE("instances are made where copies would be many") {
   CHECK_FALSE(are_stored_once(InstanceUse::automatic, 1000, 1));
   CHECK_FALSE(are_stored_once(InstanceUse::automatic, 1000, 51));

@@ -87,7 +87,7 @@ MUTANTS = [
            "joints[i] = joints[i] * inverse;", "",
            GLTF, "gltf: a skin at rest leaves the mesh where it was made, wherever its node is"),
     Mutant("normals stay where they are under a skin", "io/gltf_deform.cpp",
-           "made.normals[i] = moved.determinant() < 0 ? -n : n;", "",
+           "if (!made.normals.empty()) made.normals[i] = moved.front(made.normals[i]);", "",
            GLTF, "gltf: vertices follow their joints by weight, and normals with them"),
     Mutant("a node's weights do not replace its mesh's", "io/gltf_nodes.cpp",
            "if (pose.weights.empty() && node.mesh >= 0)", "if (node.mesh >= 0)",

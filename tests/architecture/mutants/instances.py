@@ -2,7 +2,8 @@
 """Defects of instances: their boxes, their rays, their trees, their points."""
 from mutant import Mutant
 
-ACCEL, CORE, IO = "test_accel", "test_core", "test_io"
+ACCEL, CORE, IO, GLTF = "test_accel", "test_core", "test_io", "test_io_gltf"
+INSTANCING = "gltf: what EXT_mesh_gpu_instancing shows lies within its node, copied or not"
 KINDS = "engines agree on instances of each kind"
 ALL_KINDS = "engines agree on instances of all kinds at once, with and without shapes beside them"
 COPIES = "instances are hit where copies of their shapes are"
@@ -86,12 +87,34 @@ MUTANTS = [
            "step < 2; ++step", "step < 0; ++step",
            CORE, "an inverse undoes its transform, of needles and plates, too"),
     Mutant("a flat transform is an instance's", "core/instance.cpp",
-           "matrix.squash > max_instance_squash)", "false)",
+           "matrix.squash() > max_instance_squash)", "false)",
            CORE, "transforms that instances cannot have are refused, and the instance is named"),
     Mutant("what emits in an object is stored once", "io/pbrt_builder.cpp",
-           "if (!alone || emits(part)) place", "if (!alone) place",
+           "if (!is_instance || emits(part)) place(", "if (!is_instance) place(",
            IO, "an object that is shown often is stored once, but for what emits"),
     Mutant("instances of one object share another's prototype", "io/pbrt_builder.cpp",
            "prototype.first += std::uint32_t(direct);", "prototype.first += 0;",
            IO, "an object that is shown often is stored once, but for what emits"),
+    Mutant("Embree's boxes of instances are for rays from nearby", "accel/embree/bounds.h",
+           "const float pad = placed.far_margin() * reach * scene_size;", "const float pad = 0;",
+           ACCEL, "Embree's boxes of instances hold what the farthest of its rays may hit"),
+    Mutant("a wide tree may be a level deeper than its stack", "accel/wide/invariants.cpp",
+           "visit(bvh_.root, all, is_joined ? -1 : 0);", "visit(bvh_.root, all, -1);",
+           ACCEL, "a wide tree that is one level too deep has a fault"),
+    Mutant("a normal of no direction is no number", "core/transform.cpp",
+           ": Vec3{0, 0, 0};", ": Vec3{float(squared), 0, 0};",
+           CORE, "a normal is a unit vector whatever the size of the transform or of the normal, or is none"),
+    Mutant("spheres of an object are not counted", "io/pbrt_builder.cpp",
+           "part.shape->sphere_radius > 0 ? 1 : part.shape->mesh.triangles.size();",
+           "part.shape->mesh.triangles.size();",
+           IO, "only objects that are stored once are prototypes, and spheres count"),
+    Mutant("what emits is an instance, too", "io/gltf_shapes.cpp",
+           "if (!prototype.is_dark) place_mesh_of", "if (false) place_mesh_of",
+           GLTF, INSTANCING),
+    Mutant("an instance may reach anywhere", "io/placed_mesh.cpp",
+           "!(max_abs(p) <= max_coordinate))\n      fail(", "false)\n      fail(",
+           GLTF, INSTANCING),
+    Mutant("a ray is shot again at other instances", "cli/crosscheck_report.cpp",
+           "instances_words(load.instances)", '""',
+           "test_cli_engines", "an unexplained ray is printed as the command that shoots it again"),
 ]

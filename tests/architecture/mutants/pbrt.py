@@ -7,7 +7,7 @@ MUTANTS = [
            "if ((to_world.determinant() < 0) != is_reversed) {", "if (is_reversed) {",
            "test_io", "the front of a triangle is pbrt's outside, through every turn and mirror"),
     Mutant("a reversed shape keeps its normals", "io/pbrt_shape.cpp",
-           "((mirrors != is_reversed ? -1 : 1) / size)", "((mirrors ? -1 : 1) / size)",
+           "for (Vec3& normal : mesh.normals) normal = -normal;", "{}",
            "test_io", "shading normals say which side is outside, whatever the winding"),
     Mutant("a roughness is alpha, remapped or not", "io/pbrt_material.cpp",
            "is_remapped ? alpha_of_roughness(in_range) : in_range", "in_range",
