@@ -85,11 +85,11 @@ Camera camera_of(const ColladaCamera* chosen, const Aabb& bounds, const Geometry
   return chosen ? place_camera(*chosen, document) : default_camera(geometry.bounds());
 }
 
-LoadedScene read_document(ColladaDocument& document) {
+LoadedScene read_document(ColladaDocument& document, const PictureReader& read_picture) {
   document.check_names_of(document.root());
   const ColladaSpace& space = document.space_of(document.root());
   const XmlElement visual_scene = find_visual_scene(document);
-  ColladaMaterials materials(document);
+  ColladaMaterials materials(document, read_picture);
   ColladaNodes nodes(document, materials);
   check_node_tree(visual_scene, document);
   nodes.walk(visual_scene, turn_to_y_up(space.up_axis));
@@ -107,9 +107,10 @@ LoadedScene read_document(ColladaDocument& document) {
   const Aabb bounds = nodes.parts.bounds;
   Scene rest;
   rest.materials = materials.materials();
+  rest.textures = materials.textures();
   rest.lights = std::move(nodes.parts.lights);
   rest.assets = std::move(nodes.parts.assets);
-  loaded.scene = assemble(std::move(nodes.parts.shapes), std::move(rest));
+  loaded.scene = assemble(std::move(nodes.parts.shapes), std::move(rest), std::move(nodes.parts.instances));
   const ColladaCamera* camera = choose_camera(nodes.cameras, visual_scene, document);
   if (camera) summary.camera = camera_name(*camera);
   loaded.scene.camera = camera_of(camera, bounds, *loaded.scene.geometry, document);
@@ -119,7 +120,7 @@ LoadedScene read_document(ColladaDocument& document) {
   summary.unit_name = space.unit_name;
   summary.unit_meters = space.unit_meters;
   summary.up_axis = space.up_axis;
-  summary.dropped_triangles = nodes.dropped_triangles;
+  summary.dropped_triangles = nodes.dropped_triangles();
   count_scene(loaded.scene, summary);
   loaded.warnings = document.warnings();
   return loaded;
@@ -136,10 +137,10 @@ std::string with_warnings(const Error& error, const std::vector<Diagnostic>& war
 
 }  // namespace
 
-LoadedScene read_collada(const XmlDocument& xml, const LoadOptions& options, DocumentOpener open) {
-  ColladaDocument document(xml, options, std::move(open));
+LoadedScene read_collada(const XmlDocument& xml, const LoadOptions& options, const ColladaFiles& files) {
+  ColladaDocument document(xml, options, files.document);
   try {
-    return read_document(document);
+    return read_document(document, files.picture);
   } catch (const Error& error) {
     throw Error(with_warnings(error, document.warnings()));
   }

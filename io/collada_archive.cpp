@@ -58,11 +58,22 @@ LoadedScene read_zae(const std::string& path, const LoadOptions& options) {
   options.add_file(path);
   LoadOptions within = options;
   within.files = nullptr;  // They are the archive's.
-  LoadedScene loaded = read_collada(*document, within, [&](const std::string& wanted) {
+  const auto entry_of = [&](const std::string& wanted) {
     if (wanted.rfind(inside, 0) != 0)
       throw Error(fmt::format("{}: this lies outside of the archive {}", wanted, path));
-    return read_entry(archive, wanted.substr(inside.size()));
-  });
+    return wanted.substr(inside.size());
+  };
+  LoadedScene loaded = read_collada(
+      *document, within,
+      {.document = [&](const std::string& wanted) { return read_entry(archive, entry_of(wanted)); },
+       .picture = [&](const std::string& wanted, const PictureMeaning& meaning,
+                      const LoadOptions& how) -> LoadedTexture {
+         try {
+           return decode_texture(archive.read(entry_of(wanted)), wanted, meaning, how);
+         } catch (const Error& error) {
+           return missing_texture(error.what());
+         }
+       }});
   loaded.warnings.insert(loaded.warnings.begin(), warnings.items().begin(), warnings.items().end());
   return loaded;
 }

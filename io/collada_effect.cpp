@@ -94,13 +94,17 @@ std::optional<double> ColladaEffect::opacity() const {
   if (!transparent && !slot("transparency")) return 1;
   const auto color = rgba("transparent", 1);
   if (!color) return std::nullopt;
+  const std::string mode = opaque_mode();
+  const double mean = ((*color)[0] + (*color)[1] + (*color)[2]) / 3;
+  const double there = (mode[0] == 'A' ? (*color)[3] : mean) * transparency();
+  return mode.ends_with("ONE") ? there : 1 - there;
+}
+
+std::string ColladaEffect::opaque_mode() const {
+  const auto transparent = slot("transparent");
   const std::string mode = transparent ? transparent->attribute("opaque").value_or("A_ONE") : "A_ONE";
-  const double amount = scalar("transparency", 1), alpha = (*color)[3],
-               mean = ((*color)[0] + (*color)[1] + (*color)[2]) / 3;
-  if (mode == "A_ONE") return alpha * amount;
-  if (mode == "A_ZERO") return 1 - alpha * amount;
-  if (mode == "RGB_ONE") return mean * amount;
-  if (mode == "RGB_ZERO") return 1 - mean * amount;
+  for (const char* known : {"A_ONE", "A_ZERO", "RGB_ONE", "RGB_ZERO"})
+    if (mode == known) return mode;
   throw error_at(
       transparent->attribute_place("opaque"),
       fmt::format("\"{}\" is not an opaque mode; valid are A_ONE, A_ZERO, RGB_ONE and RGB_ZERO", mode));
@@ -119,19 +123,27 @@ std::optional<XmlElement> ColladaEffect::image(const std::string& reference) con
   return document_.find(effect_, id, "image");
 }
 
-std::string ColladaEffect::texture_name(const XmlElement& slot) const {
-  std::string name = slot.required_child("texture").attribute("texture").value_or("");
+std::optional<ColladaTextureUse> ColladaEffect::texture(const XmlElement& slot) const {
+  const auto element = slot.child("texture");
+  if (!element) return std::nullopt;
+  ColladaTextureUse use{*element, element->attribute("texture").value_or(""), {}, {}, {}};
+  use.texcoord = element->attribute("texcoord").value_or("");
   for (const char* type : {"sampler2D", "surface"}) {
-    const auto definition = parameter(name);
+    const auto definition = parameter(use.name);
     const auto value = definition ? definition->child(type) : std::nullopt;
     if (!value) continue;
+    if (value->is("sampler2D")) use.sampler = value;
     if (const auto instance = value->child("instance_image"))
-      name = instance->attribute("url").value_or(name);
-    if (const auto next = value->child(value->is("surface") ? "init_from" : "source")) name = next->text();
+      use.name = instance->attribute("url").value_or(use.name);
+    if (const auto next = value->child(value->is("surface") ? "init_from" : "source"))
+      use.name = next->text();
   }
-  const auto found = image(name);
+  const auto found = image(use.name);
   const std::string path = found ? path_of(*found) : "";
-  return path.empty() ? name : path;
+  if (path.empty()) return use;
+  use.name = path;
+  use.from_file = found->document().file();
+  return use;
 }
 
 }  // namespace twinray

@@ -21,9 +21,16 @@ struct Input {
   std::shared_ptr<const SourceValues> values;
 };
 
+/// Texture coordinates, and the corners that were read so far.
+struct UvInput {
+  Input input;
+  ColladaUvs uvs;
+};
+
 struct Inputs {
   std::size_t stride = 1;  ///< Indices of a corner.
-  std::optional<Input> position, normal, uv;
+  std::optional<Input> position, normal;
+  std::vector<UvInput> uvs;
 };
 
 constexpr std::size_t width_of(std::string_view semantic) { return semantic == "TEXCOORD" ? 2 : 3; }
@@ -162,14 +169,18 @@ void PartReader::add_vertices(const XmlElement& vertices, std::size_t offset) {
 void PartReader::add_input(const XmlElement& input, const std::string& semantic, std::size_t offset) {
   static constexpr std::string_view known[] = {"POSITION", "NORMAL", "TEXCOORD", "VERTEX"};
   static constexpr std::string_view unused[] = {"TANGENT", "BINORMAL", "TEXTANGENT", "TEXBINORMAL", "UV"};
-  std::optional<Input>* slot = semantic == "POSITION"   ? &inputs_.position
-                               : semantic == "NORMAL"   ? &inputs_.normal
-                               : semantic == "TEXCOORD" ? &inputs_.uv
-                                                        : nullptr;
-  if (slot && !*slot) {
+  const auto read = [&] {
     const XmlElement source = document_.resolve(input, "source", "source");
-    *slot = Input{source, offset, sources_.get(source, width_of(semantic))};
+    return Input{source, offset, sources_.get(source, width_of(semantic))};
+  };
+  if (semantic == "TEXCOORD") {
+    inputs_.uvs.push_back({read(), {.set = input.index_attribute("set", 0)}});
+    return;
   }
+  std::optional<Input>* slot = semantic == "POSITION" ? &inputs_.position
+                               : semantic == "NORMAL" ? &inputs_.normal
+                                                      : nullptr;
+  if (slot && !*slot) *slot = read();
   if (semantic == "COLOR")
     return document_.warn(input, "vertex colors are not rendered; the surface has its material's color");
   if (slot || std::find(std::begin(unused), std::end(unused), semantic) != std::end(unused)) return;
@@ -192,26 +203,33 @@ void PartReader::copy_values() {
               mesh.normals);
   else
     mesh.normal_indices.clear();
-  if (inputs_.uv)
-    take_used(inputs_.uv->values->count(), pairs(*inputs_.uv->values), mesh.uv_indices, mesh.uvs);
-  else
-    mesh.uv_indices.clear();
+  for (UvInput& each : inputs_.uvs) {
+    const SourceValues& values = *each.input.values;
+    take_used(values.count(), pairs(values), each.uvs.indices, each.uvs.uvs);
+    part_.more_uvs.push_back(std::move(each.uvs));
+  }
+  if (part_.more_uvs.empty()) return;
+  ColladaUvs& first = part_.more_uvs.front();
+  part_.uv_set = first.set;
+  mesh.uvs = std::move(first.uvs);
+  mesh.uv_indices = std::move(first.indices);
+  part_.more_uvs.erase(part_.more_uvs.begin());
 }
 
 /// Surfaces do without normals and texture coordinates, but not without positions.
 void PartReader::check_indices(const XmlElement& p, const std::vector<std::uint32_t>& indices) {
   if (const auto at = find_wrong(p, indices, *inputs_.position))
     throw error_at(p.number_place(*at), what_is_wrong(indices[*at], *inputs_.position));
-  const auto drop = [&](std::optional<Input>& input, const char* what) {
-    const auto at = input ? find_wrong(p, indices, *input) : std::nullopt;
-    if (!at) return;
-    document_.warn([&] { return p.number_place(*at); },
-                   fmt::format("{}; the {} of this <{}> are left out", what_is_wrong(indices[*at], *input),
-                               what, part_.element.name()));
-    input.reset();
+  const auto is_wrong = [&](const Input& input, const char* what) {
+    const auto at = find_wrong(p, indices, input);
+    if (at)
+      document_.warn([&] { return p.number_place(*at); },
+                     fmt::format("{}; the {} of this <{}> are left out", what_is_wrong(indices[*at], input),
+                                 what, part_.element.name()));
+    return at.has_value();
   };
-  drop(inputs_.normal, "normals");
-  drop(inputs_.uv, "texture coordinates");
+  if (inputs_.normal && is_wrong(*inputs_.normal, "normals")) inputs_.normal.reset();
+  std::erase_if(inputs_.uvs, [&](const UvInput& uv) { return is_wrong(uv.input, "texture coordinates"); });
 }
 
 /// Where the first index beyond an input's data stands. One within it that its accessor does not count is
@@ -245,8 +263,8 @@ void PartReader::fit_stride(std::size_t indices, std::size_t corners) {
       fmt::format("inputs have offsets up to {}, and <p> has {} for each corner; those beyond are left out",
                   inputs_.stride - 1, stride));
   inputs_.stride = stride;
-  for (auto* input : {&inputs_.normal, &inputs_.uv})
-    if (*input && (*input)->offset >= stride) input->reset();
+  if (inputs_.normal && inputs_.normal->offset >= stride) inputs_.normal.reset();
+  std::erase_if(inputs_.uvs, [&](const UvInput& uv) { return uv.input.offset >= stride; });
 }
 
 /// `corners` is how many there should be; 0 where nothing says so.
@@ -366,21 +384,19 @@ void PartReader::add_reduced(std::span<const std::uint32_t> indices) {
 }
 
 void PartReader::add_triangle(const std::uint32_t* a, const std::uint32_t* b, const std::uint32_t* c) {
-  const auto add = [&](const std::optional<Input>& input, std::vector<Triangle>& to) {
-    if (input) to.push_back({a[input->offset], b[input->offset], c[input->offset]});
+  const auto add = [&](const Input& input, std::vector<Triangle>& to) {
+    to.push_back({a[input.offset], b[input.offset], c[input.offset]});
   };
-  add(inputs_.position, part_.mesh.triangles);
-  add(inputs_.normal, part_.mesh.normal_indices);
-  add(inputs_.uv, part_.mesh.uv_indices);
+  add(*inputs_.position, part_.mesh.triangles);
+  if (inputs_.normal) add(*inputs_.normal, part_.mesh.normal_indices);
+  for (UvInput& uv : inputs_.uvs) add(uv.input, uv.uvs.indices);
 }
 
 void PartReader::reserve_triangles(std::size_t more) {
-  const auto reserve = [&](const std::optional<Input>& input, std::vector<Triangle>& triangles) {
-    if (input) triangles.reserve(triangles.size() + more);
-  };
-  reserve(inputs_.position, part_.mesh.triangles);
-  reserve(inputs_.normal, part_.mesh.normal_indices);
-  reserve(inputs_.uv, part_.mesh.uv_indices);
+  const auto reserve = [&](std::vector<Triangle>& triangles) { triangles.reserve(triangles.size() + more); };
+  reserve(part_.mesh.triangles);
+  if (inputs_.normal) reserve(part_.mesh.normal_indices);
+  for (UvInput& uv : inputs_.uvs) reserve(uv.uvs.indices);
 }
 
 }  // namespace

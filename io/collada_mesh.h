@@ -16,11 +16,20 @@ struct ReducedPolygon {
   std::vector<std::uint32_t> corners;  ///< All of them, as indices of positions.
 };
 
+/// A further set of texture coordinates, with the indices of each triangle's corners.
+struct ColladaUvs {
+  std::uint32_t set = 0;  ///< As the <input> has it.
+  std::vector<Vec2> uvs;
+  std::vector<Triangle> indices;
+};
+
 /// One primitive element (<triangles>, <polylist>, ...) in the coordinates of its geometry.
 struct ColladaPart {
   XmlElement element;
-  std::string symbol;  ///< Of its material, or "".
-  Mesh mesh;           ///< Triangulated; normals as the file has them, not yet of unit length.
+  std::string symbol;                ///< Of its material, or "".
+  Mesh mesh;                         ///< Triangulated; normals as the file has them, not yet of unit length.
+  std::uint32_t uv_set = 0;          ///< That of the mesh's own texture coordinates: the first one.
+  std::vector<ColladaUvs> more_uvs;  ///< Those of the further <input>s.
   std::vector<std::uint32_t>
       vertices;  ///< What the file numbers the positions; nothing where it is the same.
   std::vector<ReducedPolygon> reduced;  ///< In the order of their triangles; by the standard rules none.

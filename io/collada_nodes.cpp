@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "io/collada_instance.h"
 #include "io/collada_transform.h"
 
 namespace twinray {
@@ -36,6 +35,7 @@ void ColladaNodes::walk(const XmlElement& visual_scene, const Transform& to_worl
     parts.assets.push_back(display_name(node));
     visit(node, visual_scene, {to_world, document_.space_of(document_.root())});
   }
+  shapes_.place_all();
 }
 
 void ColladaNodes::visit(const XmlElement& node, const XmlElement& from, const Placement& outside) {
@@ -94,71 +94,31 @@ void ColladaNodes::instance(const XmlElement& node, const XmlElement& child, con
   if (is_controller) add_controller(node, child, placement);
 }
 
-const ColladaGeometry& ColladaNodes::geometry(const XmlElement& element) {
-  const auto known = geometries_.find(element);
-  if (known != geometries_.end()) return known->second;
-  return geometries_.emplace(element, read_geometry(element, document_)).first->second;
+std::shared_ptr<const ColladaGeometry> ColladaNodes::geometry(const XmlElement& element) {
+  auto& known = geometries_[element];
+  if (!known) known = std::make_shared<const ColladaGeometry>(read_geometry(element, document_));
+  return known;
 }
 
 void ColladaNodes::add_geometry(const XmlElement& node, const XmlElement& instance,
                                 const Placement& placement) {
   const XmlElement element = document_.resolve(instance, "url", "geometry");
   const ColladaSpace& space = document_.space_of(element, instance, placement.space);
-  add_shape(node, instance, element, geometry(element),
-            placement.to_world * conversion(space, placement.space));
+  shapes_.show(instance, element, geometry(element), instance_name(node, element),
+               placement.to_world * conversion(space, placement.space));
 }
 
 /// What joints have moved is in the coordinates of the scene.
 void ColladaNodes::add_controller(const XmlElement& node, const XmlElement& instance,
                                   const Placement& placement) {
-  const PosedGeometry posed = controllers_->pose(instance);
+  PosedGeometry posed = controllers_->pose(instance);
   const ColladaSpace& space = posed.is_in_scene
                                   ? document_.space_of(document_.root())
                                   : document_.space_of(posed.geometry, instance, placement.space);
-  add_shape(node, instance, posed.geometry, posed.shape.geometry,
-            placement.to_world * conversion(space, placement.space) * posed.to_node);
-}
-
-void ColladaNodes::add_shape(const XmlElement& node, const XmlElement& instance, const XmlElement& element,
-                             const ColladaGeometry& shape, const Transform& to_world) {
-  warn_where_empty(element, shape, document_);
-  const std::string name = instance_name(node, element);
-  if (shape.sphere_radius) add_sphere(*shape.sphere_radius, name, instance, to_world);
-  for (const ColladaPart& part : shape.parts)
-    add_part(part, shape.parts.size() > 1 && !part.symbol.empty() ? name + "/" + part.symbol : name, instance,
-             to_world);
-}
-
-void ColladaNodes::add_part(const ColladaPart& part, const std::string& name, const XmlElement& instance,
-                            const Transform& to_world) {
-  PlacedMesh placed = is_cs184() ? place_cs184_mesh(part, to_world, instance, document_, parts.bounds)
-                                 : place_mesh(part.mesh, to_world, instance);
-  dropped_triangles += placed.dropped;
-  triangles_ += placed.mesh.triangles.size();
-  if (triangles_ > max_triangles)
-    instance.fail(fmt::format("the scene has more than {} triangles, instances included", max_triangles));
-  if (placed.without_normals > 0)
-    document_.warn(part.element,
-                   fmt::format("{} corners have the normal 0 0 0; they take that of their triangle",
-                               placed.without_normals));
-  if (placed.mesh.triangles.empty()) {
-    document_.warn(part.element, fmt::format("<{}> holds no triangle that has an area; it is left out",
-                                             part.element.name()));
-    return;
-  }
-  placed.mesh.name = name;
-  const ColladaMaterial material = materials_.bound(instance, is_cs184() ? "" : part.symbol);
-  parts.shapes.push_back(
-      {std::move(placed.mesh), material.index, material.radiance, EmissionSide::both, name, current_asset()});
-}
-
-void ColladaNodes::add_sphere(float radius, const std::string& name, const XmlElement& instance,
-                              const Transform& to_world) {
-  const Sphere sphere = place_sphere(radius, to_world, instance, document_);
-  parts.bounds.extend(sphere_bounds(sphere));
-  const ColladaMaterial material = materials_.bound(instance, "");
-  parts.shapes.push_back({SphereSet{name, {sphere}}, material.index, material.radiance, EmissionSide::front,
-                          name, current_asset()});
+  shapes_.show(instance, posed.geometry,
+               std::make_shared<const ColladaGeometry>(std::move(posed.shape.geometry)),
+               instance_name(node, posed.geometry),
+               placement.to_world * conversion(space, placement.space) * posed.to_node);
 }
 
 void ColladaNodes::add_light(const XmlElement& instance, const Transform& to_world) {

@@ -11,6 +11,7 @@ namespace twinray {
 /// What the nodes of a scene have given so far, in their order.
 struct SceneParts {
   std::vector<ScenePart> shapes;
+  std::vector<Instance> instances;  ///< Of the shapes' prototypes.
   std::vector<AreaLight> area_lights;
   std::vector<Light> lights;        ///< Those without a shape.
   std::vector<std::string> assets;  ///< The names of the outermost nodes, which shapes belong to.

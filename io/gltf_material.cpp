@@ -54,10 +54,10 @@ class Reader {
     read_base(use);
     read_alpha(use);
     const std::vector<GltfSlot> slots = rendered_slots(source_, pointer_);
-    surface_.may_move_uvs = std::all_of(slots.begin(), slots.end(), [&](const GltfSlot& slot) {
+    surface_.glow.may_move_uvs = std::all_of(slots.begin(), slots.end(), [&](const GltfSlot& slot) {
       return !slot || inputs_.textures.repeats(slot);
     });
-    surface_.side = source_.doubleSided ? EmissionSide::both : EmissionSide::front;
+    surface_.glow.side = source_.doubleSided ? EmissionSide::both : EmissionSide::front;
     if (GltfExtension(source_.extensions, "KHR_materials_unlit", pointer_)) {
       make_unlit(use);
       return surface_;
@@ -146,25 +146,25 @@ class Reader {
   void make_unlit(const GltfUse& use) {
     inputs_.material.model = Lambert{{0, 0, 0}};
     inputs_.material.textures.clear();
-    surface_.radiance = inputs_.model.base_color;
-    surface_.side = EmissionSide::both;
+    surface_.glow.radiance = inputs_.model.base_color;
+    surface_.glow.side = EmissionSide::both;
     set_glow(slots_.base_color);
     if (use.color == no_texture) return;
     const TextureModel& color = inputs_.textures.textures()[use.color].model;
     if (const auto* same = std::get_if<ConstantTexture>(&color))
-      surface_.radiance = surface_.radiance * same->value;
+      surface_.glow.radiance = surface_.glow.radiance * same->value;
     else if (const auto* picture = std::get_if<ImageTexture>(&color))
-      surface_.glow = std::make_shared<const Image>(picture->image->image(0));
+      surface_.glow.picture = std::make_shared<const Image>(picture->image->image(0));
   }
 
   void read_emission() {
     const GltfExtension strength(source_.extensions, "KHR_materials_emissive_strength", pointer_);
-    surface_.radiance = color_of(source_.emissiveFactor) * strength.number("emissiveStrength", 1);
-    if (max_component(surface_.radiance) > max_radiance)
+    surface_.glow.radiance = color_of(source_.emissiveFactor) * strength.number("emissiveStrength", 1);
+    if (max_component(surface_.glow.radiance) > max_radiance)
       inputs_.context.fail(pointer_ + "/emissiveFactor",
                            fmt::format("times its strength it is {:g}; valid are up to {:g}",
-                                       max_component(surface_.radiance), max_radiance));
-    if (!is_black(surface_.radiance)) set_glow(slots_.emissive);
+                                       max_component(surface_.glow.radiance), max_radiance));
+    if (!is_black(surface_.glow.radiance)) set_glow(slots_.emissive);
   }
 
   void set_glow(const GltfSlot& slot) {
@@ -173,9 +173,9 @@ class Reader {
         inputs_.textures.picture(slot, {PictureRole::color, PictureChannels::color});
     const auto* picture = std::get_if<ImageTexture>(&inputs_.textures.textures()[texture].model);
     if (!picture) return;
-    surface_.glow = std::make_shared<const Image>(picture->image->image(0));
-    surface_.glow_uv = picture->uv;
-    surface_.glow_repeats = picture->wrap == WrapMode::repeat;
+    surface_.glow.picture = std::make_shared<const Image>(picture->image->image(0));
+    surface_.glow.uv = picture->uv;
+    surface_.glow.repeats = picture->wrap == WrapMode::repeat;
   }
 
   const tinygltf::Material& source_;

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/light.h"
 #include "core/material.h"
+#include "io/glow.h"
 #include "io/gltf_texture.h"
 
 namespace twinray {
@@ -18,14 +18,9 @@ class GltfDocument;
 
 /// What a shape of a material has.
 struct GltfSurface {
-  std::uint32_t material = 0;         ///< Index into GltfMaterials::materials.
-  std::uint32_t alpha = no_texture;   ///< Index into the textures: it cuts holes.
-  Rgb radiance;                       ///< Times the glow.
-  std::shared_ptr<const Image> glow;  ///< Over the texture coordinates, or null.
-  UvTransform glow_uv;                ///< Of the glow's coordinates.
-  bool glow_repeats = false;          ///< Beside the picture.
-  bool may_move_uvs = false;          ///< By whole numbers: all of its pictures repeat.
-  EmissionSide side = EmissionSide::front;
+  std::uint32_t material = 0;        ///< Index into GltfMaterials::materials.
+  std::uint32_t alpha = no_texture;  ///< Index into the textures: it cuts holes.
+  Glow glow;
 };
 
 /// What a primitive has that its material's textures go by.

@@ -6,8 +6,9 @@
 
 #include <algorithm>
 
+#include "io/glow.h"
 #include "io/gltf_document.h"
-#include "io/gltf_glow.h"
+
 #include "io/placed_mesh.h"
 
 namespace twinray {
@@ -38,10 +39,6 @@ Mesh vertices_of(const GltfPrimitive& primitive, const std::string& name) {
   mesh.positions = primitive.positions;
   mesh.normals = primitive.normals;
   return mesh;
-}
-
-bool emits(const GltfSurface& surface) {
-  return !is_black(surface.radiance) && !(surface.glow && is_black(mean_of(*surface.glow)));
 }
 
 void set_triangles(Mesh& mesh, std::vector<Triangle> triangles) {
@@ -165,7 +162,7 @@ void GltfShapes::place(const GltfPrimitive& primitive, const std::string& name, 
 
 void GltfShapes::place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse use, const Place& place) {
   const GltfSurface& surface = materials_.surface(primitive.material, use);
-  if (place.which != Which::all && emits(surface) != (place.which == Which::glowing)) {
+  if (place.which != Which::all && emits(surface.glow) != (place.which == Which::glowing)) {
     ++left_out_;
     return;
   }
@@ -181,24 +178,13 @@ void GltfShapes::place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse u
   part.asset = place.asset;
   part.prototype = place.prototype;
   part.light_name = placed.mesh.name;
-  if (emits(surface) && !document_.context().options.surfaces_only)
-    add_emission(surface, primitive.pointer, placed.mesh, part);
+  if (emits(surface.glow) && !document_.context().options.surfaces_only &&
+      !set_emission(surface.glow, placed.mesh, part))
+    document_.context().warn(primitive.pointer,
+                             "texture coordinates beyond one picture are not rendered where it emits: this "
+                             "surface emits the picture's mean");
   part.shape = std::move(placed.mesh);
   parts.push_back(std::move(part));
-}
-
-void GltfShapes::add_emission(const GltfSurface& surface, const std::string& pointer, Mesh& mesh,
-                              ScenePart& part) {
-  part.radiance = surface.radiance;
-  part.side = surface.side;
-  if (!surface.glow) return;
-  if (surface.may_move_uvs) move_into_square(mesh);
-  part.picture = glow_over(surface, mesh.uvs);
-  if (part.picture) return;
-  part.radiance = surface.radiance * mean_of(*surface.glow);
-  document_.context().warn(pointer,
-                           "texture coordinates beyond one picture are not rendered where it emits: this "
-                           "surface emits the picture's mean");
 }
 
 }  // namespace twinray

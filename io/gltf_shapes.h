@@ -71,8 +71,7 @@ class GltfShapes {
   void place(const GltfPrimitive& primitive, const std::string& name, const Place& place);
   /// The triangles whose texture coordinates run this way round, with what the primitive's surface needs.
   void place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse use, const Place& place);
-  /// What a part emits, by its surface.
-  void add_emission(const GltfSurface& surface, const std::string& pointer, Mesh& mesh, ScenePart& part);
+
   void check_room(const Mesh& mesh, const std::string& pointer);
 
   GltfDocument& document_;

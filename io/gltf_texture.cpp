@@ -6,31 +6,13 @@
 
 #include "io/gltf_document.h"
 #include "io/gltf_uri.h"
+#include "io/mirrored_picture.h"
 #include "io/texture_store.h"
 
 namespace twinray {
 namespace {
 
 constexpr bool is_mirror(int wrap) { return wrap == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT; }
-
-/// The picture, and beside and below it its mirror images, where they are wanted.
-Image mirrored(const Image& image, bool to_right, bool below) {
-  Image wide(image.width * (to_right ? 2 : 1), image.height * (below ? 2 : 1));
-  for (int y = 0; y < wide.height; ++y)
-    for (int x = 0; x < wide.width; ++x)
-      wide.at(x, y) = image.at(x < image.width ? x : 2 * image.width - 1 - x,
-                               y < image.height ? y : 2 * image.height - 1 - y);
-  return wide;
-}
-
-/// Of coordinates in a mirrored picture: half of those in the picture, from its upper left corner.
-UvTransform halved(const UvTransform& uv, bool to_right, bool below) {
-  UvTransform result = uv;
-  for (float& number : result.m[0]) number *= to_right ? 0.5f : 1.0f;
-  for (float& number : result.m[1]) number *= below ? 0.5f : 1.0f;
-  if (below) result.m[1][2] += 0.5f;
-  return result;
-}
 
 /// What a picture's first bytes say of its format, as the ending of a file's name.
 const char* ending_of(std::string_view bytes) {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
+#include "io/picture_path.h"
 #include "io/texture_file.h"
 #include "io/uri.h"
 
@@ -91,16 +91,8 @@ void ObjMaterials::warn(const std::string& message) {
   warnings_.add([&] { return Place{model_.material_file, 0, 0, "", 0}; }, message);
 }
 
-/// Exporters write paths of other systems, and of folders that were theirs alone: then the picture may lie
-/// beside the file.
 std::string ObjMaterials::path_of(const std::string& name) const {
-  std::string path = name;
-  std::replace(path.begin(), path.end(), '\\', '/');
-  const std::string named = path_of_name(path, model_.material_file);
-  const std::string beside =
-      path_of_name(std::filesystem::path(path).filename().string(), model_.material_file);
-  std::error_code error;
-  return !std::filesystem::exists(named, error) && std::filesystem::exists(beside, error) ? beside : named;
+  return found_picture(path_of_name(with_slashes(name), model_.material_file), model_.material_file);
 }
 
 ObjSurface ObjMaterials::surface(int number) {

@@ -15,9 +15,9 @@ namespace twinray {
 struct ScenePart {
   Shape shape;
   std::uint32_t material = 0;
-  Rgb radiance;  ///< Black: no light.
+  Rgb radiance = {};  ///< Black: no light.
   EmissionSide side = EmissionSide::both;
-  std::string light_name;
+  std::string light_name = {};
   std::uint32_t asset = no_asset;                  ///< What it belongs to.
   std::uint32_t alpha = no_texture;                ///< The texture that cuts holes into it.
   std::shared_ptr<const Image> picture = nullptr;  ///< Of the radiance, as MeshLight has it.

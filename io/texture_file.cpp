@@ -157,8 +157,12 @@ LoadedTexture decode_texture(std::string_view bytes, const std::string& name, co
   try {
     return {kept(decode_image(bytes, name, options_of(meaning)), store), ""};
   } catch (const Error& error) {
-    return {kept(picture_of(magenta), store), fmt::format("{}; {}", error.what(), magenta.words)};
+    return missing_texture(error.what());
   }
+}
+
+LoadedTexture missing_texture(const std::string& fault) {
+  return {kept(picture_of(magenta), nullptr), fmt::format("{}; {}", fault, magenta.words)};
 }
 
 ConvertedTexture convert_texture(const PictureUse& picture) {

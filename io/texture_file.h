@@ -30,6 +30,9 @@ LoadedTexture load_texture(const std::string& path, const PictureMeaning& meanin
 LoadedTexture decode_texture(std::string_view bytes, const std::string& name, const PictureMeaning& meaning,
                              const LoadOptions& options = {});
 
+/// What stands for a picture that cannot be had, and why.
+LoadedTexture missing_texture(const std::string& fault);
+
 /// Reads a normal map, whose numbers are data; flat where the file cannot be used, which a warning says.
 LoadedTexture load_normal_map(const std::string& path, const LoadOptions& options = {});
 

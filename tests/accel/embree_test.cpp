@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "accel/accelerator.h"
-#include "accel/embree/bounds.h"
 #include "accel/embree/direct.h"
 #include "core/error.h"
 #include "tests/support/catch.h"
-#include "tests/support/instances.h"
 #include "tests/support/shapes.h"
 
 using namespace twinray;
@@ -253,22 +251,4 @@ TEST_CASE("embree's blocks are nearly full") {
   for (const Ray& ray : random_rays(500, geometry->bounds(), 10)) embree->closest_hit({ray, &counts});
   REQUIRE(counts.leaves > 500);
   CHECK(double(counts.primitives) > 3.5 * double(counts.leaves));
-}
-
-TEST_CASE("Embree's boxes of instances hold what the farthest of its rays may hit") {
-  std::vector<Instance> instances{{0, Transform::scaling(1, 1, 1e-3)},
-                                  {0, Transform::translation(30, 0, 0) * Transform::scaling(1e4, 1, 1)}};
-  const Geometry geometry({icosphere_mesh(1)}, nullptr, {{{0, 1}}, instances});
-  const PlacedInstances& placed = geometry.placed();
-  const float size = embree::scene_size(geometry);
-  const float pad = placed.far_margin() * size * embree::reach;
-  REQUIRE(pad > size * 0x1p-20f * (1 + embree::reach));  // So that the padding of all boxes is not enough.
-  for (std::uint32_t i = 0; i < instances.size(); ++i) {
-    const RTCBounds bounds = embree::instance_bounds(placed, i, size, 1);
-    const Aabb box{{bounds.lower_x, bounds.lower_y, bounds.lower_z},
-                   {bounds.upper_x, bounds.upper_y, bounds.upper_z}};
-    const Aabb seen{placed[i].box.lower - Vec3{pad, pad, pad}, placed[i].box.upper + Vec3{pad, pad, pad}};
-    const auto [lower, upper] = embree::padded_for_embree(seen, size);
-    CHECK(box.contains({lower, upper}));
-  }
 }

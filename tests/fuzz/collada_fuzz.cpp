@@ -12,7 +12,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(reinterpret_cast<const char*>(data), size);
   try {
     const auto document = twinray::XmlDocument::parse(text, "input.dae");
-    const twinray::LoadedScene loaded = twinray::read_collada(*document, {.keep_both_lamps = size % 2 == 0});
+    const twinray::LoadedScene loaded = twinray::read_collada(
+        *document, {.keep_both_lamps = size % 2 == 0},
+        {.picture = [](const std::string& path, const twinray::PictureMeaning&, const twinray::LoadOptions&) {
+          return twinray::missing_texture(path + ": not read here");
+        }});
     twinray::check_scene(loaded.scene);
     for (const twinray::Diagnostic& warning : loaded.warnings)
       twinray::fuzz::require(warning.text().starts_with("input.dae"));

@@ -73,14 +73,15 @@ TEST_CASE("a color may be a parameter, which the instance may set") {
   CHECK(messages(set).empty());
 }
 
-TEST_CASE("a texture is named by its image file, by whatever way it is referred to") {
+TEST_CASE("a texture leads to its image file, by whatever way it is referred to") {
   const auto named = [](const std::string& parameters, const std::string& texture) {
     return messages(load_effect(parameters + "<technique><lambert><diffuse><texture texture=\"" + texture +
                                 "\" texcoord=\"UV\"/></diffuse></lambert></technique>"));
   };
   const auto warning = [](const std::string& name) {
-    return std::vector<std::string>{"the texture \"" + name +
-                                    "\" is not rendered; the surface is grey (0.5)"};
+    return std::vector<std::string>{name + ": there is no such file; it is shown magenta",
+                                    "<triangles> has no texture coordinates, which its texture needs; it has "
+                                    "the color of the picture's lower left corner"};
   };
   const std::string surface =
       "<newparam sid=\"surface\"><surface type=\"2D\"><init_from>wood</init_from></surface></newparam>";
@@ -91,17 +92,17 @@ TEST_CASE("a texture is named by its image file, by whatever way it is referred 
   CHECK(named(surface + sampler_1_4, "sampler") == warning("pictures/wood.png"));
   CHECK(named(sampler_1_5, "sampler") == warning("pictures/stone.png"));
   CHECK(named("", "wood") == warning("pictures/wood.png"));
-  CHECK(named("", "nowhere") == warning("nowhere"));
+  CHECK(named("", "nowhere") ==
+        std::vector<std::string>{"the texture \"nowhere\" leads to no <image>; the surface is grey (0.5)"});
 }
 
-TEST_CASE("an emission texture is named, and the surface emits nothing") {
-  const LoadedScene loaded =
-      load_shading("phong",
-                   "<emission><texture texture=\"wood\" texcoord=\"UV\"/></emission><diffuse><color>1 1 1 1"
-                   "</color></diffuse>");
+TEST_CASE("an emission texture that leads nowhere is named, and the surface emits nothing") {
+  const LoadedScene loaded = load_shading(
+      "phong",
+      "<emission><texture texture=\"nowhere\" texcoord=\"UV\"/></emission><diffuse><color>1 1 1 1"
+      "</color></diffuse>");
   CHECK(messages(loaded) ==
-        std::vector<std::string>{
-            "the texture \"pictures/wood.png\" is not rendered; this surface emits nothing"});
+        std::vector<std::string>{"the texture \"nowhere\" leads to no <image>; this surface emits nothing"});
   CHECK(loaded.scene.lights.empty());
 }
 
@@ -125,9 +126,8 @@ TEST_CASE("transparency is told in each opaque mode, and opaque surfaces are no 
   CHECK(with("A_ZERO", "1 1 1 0", "1").empty());
   CHECK(with("RGB_ONE", "1 1 1 0", "1").empty());
   CHECK(with("RGB_ZERO", "0 0 0 1", "1").empty());
-  CHECK(of("<transparent><texture texture=\"wood\" texcoord=\"UV\"/></transparent>") ==
-        std::vector<std::string>{
-            "the texture \"pictures/wood.png\" of the transparency is not rendered; this surface is opaque"});
+  CHECK(of("<transparent><texture texture=\"nowhere\" texcoord=\"UV\"/></transparent>") ==
+        std::vector<std::string>{"the texture \"nowhere\" leads to no <image>; this surface is opaque"});
 }
 
 TEST_CASE("mirror reflection is told where there is some") {
@@ -170,13 +170,14 @@ TEST_CASE("a specular texture is noted as a specular color is") {
         "materials reflect evenly (Lambert); the specular color of \"m\" is left out");
 }
 
-TEST_CASE("a surface of which only an emission texture is known is grey, to be seen at all") {
+TEST_CASE(
+    "a surface of which only an emission texture that leads nowhere is known is grey, to be seen at all") {
   const LoadedScene loaded =
-      load_shading("constant", "<emission><texture texture=\"wood\" texcoord=\"UV\"/></emission>");
+      load_shading("constant", "<emission><texture texture=\"nowhere\" texcoord=\"UV\"/></emission>");
   CHECK(reflectance(loaded) == Rgb{0.5f, 0.5f, 0.5f});
   CHECK(messages(loaded) ==
-        std::vector<std::string>{"the texture \"pictures/wood.png\" is not rendered; this surface "
-                                 "is grey (0.5), and emits nothing"});
+        std::vector<std::string>{"the texture \"nowhere\" leads to no <image>; this surface is grey (0.5), "
+                                 "and emits nothing"});
 }
 
 }  // namespace twinray

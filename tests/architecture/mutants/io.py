@@ -48,8 +48,7 @@ MUTANTS = [
            "",
            "test_io", "a mirror keeps the front the front, and normals on its side"),
     Mutant("the reflections of a texture are lost without a word", "io/collada_material.cpp",
-           "  if (!color)\n    document_.warn(",
-           "  if (false)\n    document_.warn(",
+           "is_cs184) {\n    document_.warn(", "is_cs184) {\n    if (false) document_.warn(",
            "test_io", "each broken file gives exactly its message"),
     Mutant("a polygon of fewer than three corners is lost without a word", "io/collada_mesh.cpp",
            "    return document_.warn(part_.element, \"a polygon has fewer than 3 corners, and is left "

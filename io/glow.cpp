@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/gltf_glow.h"
+#include "io/glow.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "core/texture.h"
+#include <span>
 
 namespace twinray {
 namespace {
@@ -41,8 +40,7 @@ Image resampled(const Image& picture, const UvTransform& uv, WrapMode wrap) {
   return image;
 }
 
-}  // namespace
-
+/// Moves the texture coordinates of each triangle by whole numbers, towards the unit square.
 void move_into_square(Mesh& mesh) {
   if (are_within(mesh.uvs)) return;
   std::vector<Vec2> moved;
@@ -58,11 +56,28 @@ void move_into_square(Mesh& mesh) {
   mesh.uvs = std::move(moved);
 }
 
-std::shared_ptr<const Image> glow_over(const GltfSurface& surface, std::span<const Vec2> uvs) {
+/// The picture over the mesh's own texture coordinates; null where these leave the unit square.
+std::shared_ptr<const Image> picture_over(const Glow& glow, std::span<const Vec2> uvs) {
   if (!are_within(uvs)) return nullptr;
-  if (is_identity(surface.glow_uv)) return surface.glow;
-  const WrapMode wrap = surface.glow_repeats ? WrapMode::repeat : WrapMode::clamp;
-  return std::make_shared<const Image>(resampled(*surface.glow, surface.glow_uv, wrap));
+  if (is_identity(glow.uv)) return glow.picture;
+  const WrapMode wrap = glow.repeats ? WrapMode::repeat : WrapMode::clamp;
+  return std::make_shared<const Image>(resampled(*glow.picture, glow.uv, wrap));
+}
+
+}  // namespace
+
+bool emits(const Glow& glow) {
+  return !is_black(glow.radiance) && !(glow.picture && is_black(mean_of(*glow.picture)));
+}
+
+bool set_emission(const Glow& glow, Mesh& mesh, ScenePart& part) {
+  part.radiance = glow.radiance;
+  part.side = glow.side;
+  if (!glow.picture) return true;
+  if (glow.may_move_uvs) move_into_square(mesh);
+  part.picture = picture_over(glow, mesh.uvs);
+  if (!part.picture) part.radiance = glow.radiance * mean_of(*glow.picture);
+  return part.picture != nullptr;
 }
 
 }  // namespace twinray
