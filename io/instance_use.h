@@ -7,7 +7,7 @@ namespace twinray {
 
 enum class InstanceUse {
   automatic,  ///< Instances where copies would take more than most_copied triangles.
-  keep,       ///< Instances wherever the file has them.
+  keep,       ///< Instances of whatever the file shows more than once.
   copy        ///< Copies.
 };
 
@@ -16,7 +16,7 @@ inline constexpr std::size_t most_copied = 50000;
 
 /// Whether shapes of so many triangles, shown so many times, are stored once.
 inline bool are_stored_once(InstanceUse use, std::size_t triangles, std::size_t times) {
-  if (use != InstanceUse::automatic) return use == InstanceUse::keep && times > 0;
+  if (use != InstanceUse::automatic) return use == InstanceUse::keep && times > 1;
   return times > 1 && triangles > 0 && times - 1 > most_copied / triangles;
 }
 

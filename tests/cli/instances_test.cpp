@@ -95,7 +95,7 @@ TEST_CASE("a ray and a sample of an instance are told with its number") {
   const ProcessResult path = run_program(fmt::format(
       "{} --instances=keep -r 480 320 --replay 300 150 0 --replay-json={}", quoted(pawns), quoted(json)));
   CHECK(path.exit_code == 0);
-  CHECK(path.out.find(", of instance 3\n") != std::string::npos);
+  CHECK(path.out.find(", of instance 3, at t = ") != std::string::npos);
   CHECK(nlohmann::json::parse(read_text(json))["vertices"][0]["surface"]["instance"] == 3);
 }
 

@@ -55,20 +55,22 @@ TEST_CASE("a geometry that nodes share is stored once, but for what emits") {
 }
 
 TEST_CASE("instances have one material, and each other binding is a prototype of its own") {
-  const LoadedScene loaded = load(node("", "r", "s") + node("<translate>1 0 0</translate>", "s", "s") +
-                                  node("<translate>2 0 0</translate>", "r", "s"));
-  CHECK(loaded.summary.instances == 3);
+  const LoadedScene loaded =
+      load(node("", "r", "s") + node("<translate>1 0 0</translate>", "s", "s") +
+           node("<translate>2 0 0</translate>", "r", "s") + node("<translate>3 0 0</translate>", "s", "s"));
+  CHECK(loaded.summary.instances == 4);
   CHECK(loaded.summary.prototypes == 2);
   const auto& instances = loaded.scene.geometry->instances();
   CHECK(instances[0].prototype == instances[2].prototype);
+  CHECK(instances[1].prototype == instances[3].prototype);
   CHECK(instances[0].prototype != instances[1].prototype);
 }
 
 TEST_CASE("what no instance can be is copied, and what reaches too far is an error with its place") {
-  const LoadedScene flat = load(node("<scale>1 1 0.00000001</scale>"));
-  CHECK(flat.summary.instances == 0);
-  CHECK(flat.scene.geometry->triangle_count() == 2);
-  CHECK_THROWS_WITH(load(node("<translate>2e12 0 0</translate>", "r", "s")),
+  const LoadedScene flat = load(node("") + node("<scale>1 1 0.00000001</scale>"));
+  CHECK(flat.summary.instances == 1);
+  CHECK(flat.scene.geometry->triangle_count() == 4);
+  CHECK_THROWS_WITH(load(node("", "r", "s") + node("<translate>2e12 0 0</translate>", "r", "s")),
                     Catch::StartsWith("scene.dae:") && Catch::Contains("this instance reaches to (2e+12,"));
 }
 
