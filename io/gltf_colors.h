@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours of vertices. Our meshes have none, so they become a picture of the primitive: of each triangle two
-// by two texels, between which bilinear filtering is just the mean that barycentric weights give.
+// Colours of vertices, as io/vertex_colors.h draws them.
 #pragma once
 #include <map>
 #include <string>

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/elementary.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "io/image_codec.h"
@@ -17,17 +16,14 @@
 #include "io/picture_header.h"
 #include "io/plain_picture.h"
 #include "io/png.h"
+#include "io/srgb.h"
 
 namespace twinray {
 namespace {
 
 namespace fs = std::filesystem;
 
-float decode_srgb(float encoded) {
-  return encoded <= 0.04045f ? encoded / 12.92f : float(pow_of((double(encoded) + 0.055) / 1.055, 2.4));
-}
-
-void decode_srgb(Image& image) {
+void decode_all(Image& image) {
   for (Rgb& pixel : image.pixels) pixel = {decode_srgb(pixel.r), decode_srgb(pixel.g), decode_srgb(pixel.b)};
 }
 
@@ -115,7 +111,7 @@ Image decode(PictureFormat format, const PictureBytes& picture, const ReadOption
     if (!is_number || !is_all_one(alpha)) return alpha;
   }
   Image image = decode_layer(format, picture, PictureLayer::color);
-  if (is_encoded(format) && options.role == PictureRole::color) decode_srgb(image);
+  if (is_encoded(format) && options.role == PictureRole::color) decode_all(image);
   if (options.channels != PictureChannels::color)
     for (Rgb& pixel : image.pixels) {
       const float number = number_of(pixel, options.channels);

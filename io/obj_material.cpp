@@ -109,6 +109,16 @@ ObjSurface ObjMaterials::surface(int number) {
   return surface;
 }
 
+ObjSurface ObjMaterials::painted(const ObjSurface& surface, const ImageTexture& picture) {
+  Material material = materials[surface.material];
+  material.textures.push_back({MaterialInput::reflectance, std::uint32_t(textures.size())});
+  textures.push_back({"colors of vertices", picture});
+  ObjSurface result = surface;
+  result.material = std::uint32_t(materials.size());
+  materials.push_back(std::move(material));
+  return result;
+}
+
 bool ObjMaterials::is_textured(const ObjSurface& surface) const {
   const Material& material = materials[surface.material];
   const bool has_alpha =

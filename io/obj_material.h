@@ -31,6 +31,8 @@ class ObjMaterials {
 
   /// Of a number that faces have; -1: none, which is grey.
   ObjSurface surface(int number);
+  /// The same with a picture of its own for what it reflects.
+  ObjSurface painted(const ObjSurface& surface, const ImageTexture& picture);
   /// Whether its texture coordinates matter.
   bool is_textured(const ObjSurface& surface) const;
 

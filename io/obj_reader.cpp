@@ -4,16 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <istream>
 #include <map>
+#include <optional>
 #include <span>
 #include <streambuf>
 #include <string_view>
 #include <tuple>
 
 #include "core/geometry.h"
+#include "io/decimal.h"
 #include "io/polygon.h"
+#include "io/srgb.h"
 #include "io/uri.h"
 
 namespace twinray {
@@ -62,6 +66,24 @@ class Lines {
  public:
   std::istream stream;
 };
+
+/// The color of "v x y z r g b", linear: it is encoded as sRGB has it. Nothing where a line has no such
+/// numbers.
+std::optional<Rgb> vertex_color(std::string_view line) {
+  std::array<float, 3> numbers{};
+  std::size_t words = 0;
+  for (std::size_t at = 0; (at = line.find_first_not_of(" \t", at)) != line.npos; ++words) {
+    const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
+    if (words >= 4 && words <= 6) {
+      const Decimal<float> number = read_decimal<float>(line.substr(at, end - at));
+      if (number.fault != DecimalFault::none) return std::nullopt;
+      numbers[words - 4] = number.value > 0 ? decode_srgb(std::min(number.value, 1.0f)) : 0;
+    }
+    at = end;
+  }
+  if (words != 7) return std::nullopt;
+  return Rgb{numbers[0], numbers[1], numbers[2]};
+}
 
 /// Material files, from the folder of the file that names them.
 class MaterialFiles : public tinyobj::MaterialReader {
@@ -128,7 +150,7 @@ class Reader {
     tinyobj::callback_t calls;
     calls.vertex_cb = [](void* reader, float x, float y, float z, float w) {
       self(reader).add_position({x, y, z});
-      if (w != 1) self(reader).model_.has_vertex_values = true;
+      self(reader).add_values(w);
     };
     calls.normal_cb = [](void* reader, float x, float y, float z) {
       self(reader).model_.normals.push_back({x, y, z});
@@ -172,6 +194,15 @@ class Reader {
     if (!is_finite(position) || max_abs(position) > max_coordinate)
       fail(fmt::format("a coordinate lies beyond +-{:g}", max_coordinate));
     model_.positions.push_back(position);
+  }
+
+  /// What stands behind the coordinates: a weight or, which the library does not read, a color of three.
+  void add_values(float weight) {
+    const std::optional<Rgb> color = vertex_color(lines_.line());
+    if (!color && weight != 1) model_.has_weights = true;
+    if (!color && model_.colors.empty()) return;
+    model_.colors.resize(model_.positions.size(), {1, 1, 1});
+    if (color) model_.colors.back() = *color;
   }
 
   void add_face(std::span<const tinyobj::index_t> corners) {

@@ -9,6 +9,7 @@
 
 #include <tiny_obj_loader.h>
 
+#include "core/rgb.h"
 #include "core/vec.h"
 #include "io/diagnostic.h"
 
@@ -36,12 +37,13 @@ struct ObjFaces {
 struct ObjModel {
   std::string name;  ///< The file's, without folder and extension.
   std::vector<Vec3> positions, normals;
+  std::vector<Rgb> colors;  ///< Of the positions, linear, white where there are none; or none at all.
   std::vector<Vec2> uvs;
   std::vector<ObjFaces> faces;
   std::vector<tinyobj::material_t> materials;
   std::string material_file;       ///< The last one.
   std::size_t small_faces = 0;     ///< Faces of less than three corners: left out.
-  bool has_vertex_values = false;  ///< Weights or colours behind the coordinates: left out.
+  bool has_weights = false;        ///< Behind the coordinates of vertices: left out.
   std::vector<std::string> notes;  ///< Of what else is left out.
 };
 

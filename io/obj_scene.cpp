@@ -11,6 +11,7 @@
 #include "io/polygon.h"
 #include "io/scene_part.h"
 #include "io/used_elements.h"
+#include "io/vertex_colors.h"
 
 namespace twinray {
 namespace {
@@ -36,12 +37,19 @@ void add_triangles(const ObjModel& model, std::span<const ObjCorner> corners, bo
 }
 
 template <typename Element>
-void take(const std::vector<Element>& from, std::vector<Triangle>& corners, std::vector<Element>& to) {
-  take_used(
+std::vector<std::uint32_t> take(const std::vector<Element>& from, std::vector<Triangle>& corners,
+                                std::vector<Element>& to) {
+  return take_used(
       from.size(), [&](std::uint32_t i) { return from[i]; }, corners, to);
 }
 
-Mesh mesh_of(const ObjModel& model, const ObjFaces& faces) {
+/// A mesh, and the numbers that the model has for its positions; none where they are the same.
+struct NumberedMesh {
+  Mesh mesh;
+  std::vector<std::uint32_t> numbers;
+};
+
+NumberedMesh mesh_of(const ObjModel& model, const ObjFaces& faces) {
   CornerLists lists;
   std::span<const ObjCorner> corners = faces.corners;
   for (const std::uint32_t size : faces.sizes) {
@@ -53,10 +61,19 @@ Mesh mesh_of(const ObjModel& model, const ObjFaces& faces) {
   mesh.triangles = std::move(lists.positions);
   mesh.normal_indices = std::move(lists.normals);
   mesh.uv_indices = std::move(lists.uvs);
-  take(model.positions, mesh.triangles, mesh.positions);
+  std::vector<std::uint32_t> numbers = take(model.positions, mesh.triangles, mesh.positions);
   if (faces.has_normals) take(model.normals, mesh.normal_indices, mesh.normals);
   if (faces.has_uvs) take(model.uvs, mesh.uv_indices, mesh.uvs);
-  return mesh;
+  return {std::move(mesh), std::move(numbers)};
+}
+
+/// Whether the vertices of the faces have colors that are seen: those of a diffuse or principled material
+/// without pictures.
+bool is_painted(const ObjModel& model, const Mesh& mesh, const ObjSurface& surface,
+                const ObjMaterials& materials) {
+  const SurfaceModel& made = materials.materials[surface.material].model;
+  const bool can_be = std::holds_alternative<Lambert>(made) || std::holds_alternative<Principled>(made);
+  return can_be && !model.colors.empty() && !materials.is_textured(surface) && can_draw_vertices(mesh);
 }
 
 /// Numbers names in the order in which they come.
@@ -76,8 +93,14 @@ class Assets {
 
 ScenePart part_of(const ObjModel& model, const ObjFaces& faces, ObjMaterials& materials, Assets& assets,
                   MeshRepairs& repairs) {
-  const ObjSurface surface = materials.surface(faces.material);
-  Mesh mesh = mesh_of(model, faces);
+  ObjSurface surface = materials.surface(faces.material);
+  auto [mesh, numbers] = mesh_of(model, faces);
+  if (is_painted(model, mesh, surface, materials)) {
+    surface = materials.painted(surface, draw_vertices(mesh, [&numbers = numbers, &model](std::uint32_t i) {
+                                  return model.colors[numbers.empty() ? i : numbers[i]];
+                                }));
+    set_drawn_uvs(mesh);
+  }
   repair_mesh(mesh, repairs);
   if (mesh.uvs.empty() && materials.is_textured(surface)) {
     mesh.uvs = {{0, 0}};
@@ -98,8 +121,7 @@ std::vector<std::string> notes_of(const ObjModel& model) {
   std::vector<std::string> notes = model.notes;
   if (model.small_faces > 0)
     notes.push_back(fmt::format("faces of less than three corners, left out: {}", model.small_faces));
-  if (model.has_vertex_values)
-    notes.push_back("weights and colors of vertices, behind their coordinates, are left out");
+  if (model.has_weights) notes.push_back("weights of vertices, behind their coordinates, are left out");
   return notes;
 }
 

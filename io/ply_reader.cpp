@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -12,6 +13,7 @@
 #include "io/diagnostic.h"
 #include "io/ply_header.h"
 #include "io/polygon.h"
+#include "io/srgb.h"
 
 namespace twinray {
 namespace {
@@ -101,16 +103,24 @@ class Numbers {
 
 /// Where a vertex has what.
 struct VertexLayout {
-  std::array<int, 3> position, normal;
+  std::array<int, 3> position, normal, color;
   std::array<int, 2> uv;
+  float white = 1;  ///< The number that stands for 1 in a color: bytes go up to 255.
 
   explicit VertexLayout(const PlyElement& vertex) {
     position = {vertex.find("x"), vertex.find("y"), vertex.find("z")};
     normal = {vertex.find("nx"), vertex.find("ny"), vertex.find("nz")};
+    color = {vertex.find("red"), vertex.find("green"), vertex.find("blue")};
+    if (has(color)) white = whitest(vertex.properties[std::size_t(color[0])].type);
     uv = {-1, -1};
     for (const auto& [u, v] :
          {std::pair{"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}})
       if (!has(uv)) uv = {vertex.find(u), vertex.find(v)};
+  }
+  /// Whole numbers go up to the largest one of their type, others up to 1.
+  static float whitest(PlyType type) {
+    if (!is_whole(type)) return 1;
+    return type == PlyType::int8 || type == PlyType::uint8 ? 255.0f : 65535.0f;
   }
   template <std::size_t n>
   static bool has(const std::array<int, n>& properties) {
@@ -120,8 +130,11 @@ struct VertexLayout {
 
 class Reader {
  public:
-  Reader(std::string_view bytes, const std::string& name)
-      : header_(read_ply_header(bytes, name)), numbers_(bytes, name, header_), name_(name) {}
+  Reader(std::string_view bytes, const std::string& name, PlyColors colors)
+      : header_(read_ply_header(bytes, name)),
+        numbers_(bytes, name, header_),
+        name_(name),
+        reads_colors_(colors == PlyColors::read) {}
 
   PlyMesh read() {
     ply_.mesh.name = name_;
@@ -171,11 +184,13 @@ class Reader {
     const VertexLayout layout(vertex);
     if (!VertexLayout::has(layout.position))
       throw Error(name_ + ": the vertices need the properties x, y and z");
-    const bool has_normal = VertexLayout::has(layout.normal), has_uv = VertexLayout::has(layout.uv);
+    const bool has_normal = VertexLayout::has(layout.normal), has_uv = VertexLayout::has(layout.uv),
+               has_color = reads_colors_ && VertexLayout::has(layout.color);
     Mesh& mesh = ply_.mesh;
     mesh.positions.reserve(vertex.count);
     if (has_normal) mesh.normals.reserve(vertex.count);
     if (has_uv) mesh.uvs.reserve(vertex.count);
+    if (has_color) ply_.colors.reserve(vertex.count);
     std::vector<float> row(vertex.properties.size());
     const auto at = [&](int property) { return row[std::size_t(property)]; };
     for (std::uint64_t i = 0; i < vertex.count; ++i) {
@@ -186,7 +201,17 @@ class Reader {
       if (has_normal)
         mesh.normals.push_back({at(layout.normal[0]), at(layout.normal[1]), at(layout.normal[2])});
       if (has_uv) mesh.uvs.push_back({at(layout.uv[0]), at(layout.uv[1])});
+      if (has_color) ply_.colors.push_back(color_of(layout, row));
     }
+  }
+
+  /// What scanners and editors write is encoded as sRGB has it.
+  static Rgb color_of(const VertexLayout& layout, const std::vector<float>& row) {
+    const auto channel = [&](std::size_t c) {
+      const float value = row[std::size_t(layout.color[c])] / layout.white;
+      return value > 0 ? decode_srgb(std::min(value, 1.0f)) : 0;
+    };
+    return {channel(0), channel(1), channel(2)};
   }
 
   void read_row(const PlyElement& element, std::vector<float>& row) {
@@ -249,6 +274,7 @@ class Reader {
   PlyHeader header_;
   Numbers numbers_;
   const std::string& name_;
+  const bool reads_colors_;
   PlyMesh ply_;
   std::vector<std::uint32_t> corners_;
   bool has_vertices_ = false, has_faces_ = false;
@@ -256,6 +282,8 @@ class Reader {
 
 }  // namespace
 
-PlyMesh read_ply(std::string_view bytes, const std::string& name) { return Reader(bytes, name).read(); }
+PlyMesh read_ply(std::string_view bytes, const std::string& name, PlyColors colors) {
+  return Reader(bytes, name, colors).read();
+}
 
 }  // namespace twinray

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/geometry.h"
+#include "core/rgb.h"
 
 namespace twinray {
 
@@ -19,11 +20,16 @@ struct PlyMesh {
   /// more into as many as it takes, with their winding.
   Mesh mesh;
   std::size_t flat_faces = 0;  ///< Faces of less than three corners: left out.
+  /// Colours of the vertices, if they have red, green and blue and were asked for: linear, in [0, 1].
+  std::vector<Rgb> colors = {};
 };
+
+/// Whether the colours of vertices are read.
+enum class PlyColors { skip, read };
 
 /// Reads the bytes of a file; `name` stands for it in messages, and for the mesh. Throws Error, with the
 /// place or the byte, where it is no PLY file, is cut off, has an index out of range or a position that is
 /// not finite. Nothing is allocated for counts that the file is too short for.
-PlyMesh read_ply(std::string_view bytes, const std::string& name);
+PlyMesh read_ply(std::string_view bytes, const std::string& name, PlyColors colors = PlyColors::skip);
 
 }  // namespace twinray

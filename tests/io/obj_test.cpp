@@ -120,12 +120,11 @@ TEST_CASE("what is wrong with a face of an OBJ file is an error with its line") 
 }
 
 TEST_CASE("what an OBJ file has beside faces is told") {
-  const LoadedScene loaded =
-      load_obj_text("v 0 0 0 0.5 1 1\n" + square + "vn 0 0 0\nf 2 3\nf 2//1 3//1 4//1\n");
+  const LoadedScene loaded = load_obj_text("v 0 0 0 0.5\n" + square + "vn 0 0 0\nf 2 3\nf 2//1 3//1 4//1\n");
   const std::vector<std::string> notes{
       "3 shading normals have no direction; those of their triangles stand for them",
       "faces of less than three corners, left out: 1",
-      "weights and colors of vertices, behind their coordinates, are left out"};
+      "weights of vertices, behind their coordinates, are left out"};
   CHECK(loaded.summary.notes == notes);
   CHECK(mesh_of(loaded).normals.back() == Vec3{0, 0, 1});
 }

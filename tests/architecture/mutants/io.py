@@ -81,7 +81,7 @@ MUTANTS = [
            "array[layout.offset + layout.stride * i + layout.used[k]]",
            "array[layout.stride * i + layout.used[k]]",
            "test_io", "an accessor picks by stride, offset and named parameters"),
-    Mutant("sRGB pictures are read as linear", "io/image_file.cpp",
+    Mutant("sRGB pictures are read as linear", "io/srgb.h",
            "return encoded <= 0.04045f ? encoded / 12.92f :",
            "return encoded <= 1.04045f ? encoded :",
            "test_io", "a PNG keeps every byte, and carries the metadata"),

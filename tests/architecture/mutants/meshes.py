@@ -13,6 +13,8 @@ PICTURES = "pictures of MTL files are textures, placed as their options say"
 LIT = "an OBJ file is lit by default, unless something else lights it"
 APART = "work that runs apart gives its bytes or its fault, however it ends"
 
+BEHIND = "colors behind an OBJ file's coordinates are those of its vertices, where no picture is"
+
 MUTANTS = [
     Mutant("elements from the back are one off", "io/obj_reader.cpp",
            "return std::uint32_t(std::int64_t(count) + index);",
@@ -61,4 +63,20 @@ MUTANTS = [
     Mutant("a damaged model is taken", "io/model_bytes.cpp",
            "if (!is_sound(faces, model))", "if (false)", "test_io",
            "a model comes back from its bytes, and from no others"),
+    Mutant("the fourth texel of a triangle is the mean of the others", "io/vertex_colors.cpp",
+           "value(b) + value(c) - value(a)", "(value(b) + value(c) + value(a)) * (1 / 3.0f)",
+           "test_io", "colors of a PLY file's vertices are mixed as their triangles do, from any distance"),
+    Mutant("colors of vertices are linear", "io/ply_reader.cpp",
+           "value > 0 ? decode_srgb(std::min(value, 1.0f)) : 0", "value > 0 ? std::min(value, 1.0f) : 0",
+           "test_io", "colors of a PLY file's vertices are mixed as their triangles do, from any distance"),
+    Mutant("colors of words are bytes", "io/ply_reader.cpp",
+           "? 255.0f : 65535.0f", "? 255.0f : 255.0f",
+           "test_io", "colors of vertices are bytes, words or numbers up to 1, within which they are kept"),
+    Mutant("vertices are colored by their numbers among those that faces use", "io/obj_scene.cpp",
+           "model.colors[numbers.empty() ? i : numbers[i]]", "model.colors[i]",
+           "test_io", BEHIND),
+    Mutant("vertices before the first color have its", "io/obj_reader.cpp",
+           "model_.colors.resize(model_.positions.size(), {1, 1, 1});",
+           "model_.colors.resize(model_.positions.size(), color.value_or(Rgb{1, 1, 1}));",
+           "test_io", BEHIND),
 ]

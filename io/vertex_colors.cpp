@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/vertex_colors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "io/picture_meaning.h"
+
+namespace twinray {
+namespace {
+
+/// Where the texels of triangles are: as many in a row as there are rows, about.
+class Blocks {
+ public:
+  explicit Blocks(std::size_t triangles)
+      : columns_(std::max<std::size_t>(1, std::size_t(std::ceil(std::sqrt(double(triangles)))))),
+        rows_(std::max<std::size_t>(1, (triangles + columns_ - 1) / columns_)) {}
+
+  int width() const { return int(2 * columns_); }
+  int height() const { return int(2 * rows_); }
+  int x(std::size_t triangle) const { return int(2 * (triangle % columns_)); }
+  int y(std::size_t triangle) const { return int(2 * (triangle / columns_)); }
+  /// The centre of a texel, as texture coordinates.
+  Vec2 uv(int x, int y) const {
+    return {float((double(x) + 0.5) / width()), float(1 - (double(y) + 0.5) / height())};
+  }
+
+ private:
+  std::size_t columns_, rows_;
+};
+
+}  // namespace
+
+bool can_draw_vertices(const Mesh& mesh) {
+  return mesh.triangles.size() <= std::size_t(most_texture_pixels) / 4;
+}
+
+/// Of each triangle the values of its corners and, opposite to the first one, what makes them a plane.
+ImageTexture draw_vertices(const Mesh& mesh, const std::function<Rgb(std::uint32_t)>& value) {
+  const Blocks blocks(mesh.triangles.size());
+  Image image(blocks.width(), blocks.height());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    const int x = blocks.x(i), y = blocks.y(i);
+    image.at(x, y) = value(a), image.at(x + 1, y) = value(b), image.at(x, y + 1) = value(c);
+    image.at(x + 1, y + 1) = value(b) + value(c) - value(a);
+  }
+  std::vector<Image> levels;
+  levels.push_back(std::move(image));  // A smaller level would mix triangles.
+  return {.image = std::make_shared<const MipMap>(std::move(levels)),
+          .wrap = WrapMode::clamp,
+          .filter = TextureFilter::bilinear};
+}
+
+void set_drawn_uvs(Mesh& mesh) {
+  const Blocks blocks(mesh.triangles.size());
+  mesh.uvs.clear();
+  mesh.uv_indices.clear();
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto first = std::uint32_t(mesh.uvs.size());
+    const int x = blocks.x(i), y = blocks.y(i);
+    for (const Vec2 uv : {blocks.uv(x, y), blocks.uv(x + 1, y), blocks.uv(x, y + 1)}) mesh.uvs.push_back(uv);
+    mesh.uv_indices.push_back({first, first + 1, first + 2});
+  }
+}
+
+}  // namespace twinray

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Colours of vertices. Our meshes have none, so they become a picture of the mesh: of each triangle two by
+// two texels, between which bilinear filtering is just the mean that barycentric weights give.
+#pragma once
+#include <cstdint>
+#include <functional>
+
+#include "core/geometry.h"
+#include "core/texture.h"
+
+namespace twinray {
+
+/// Whether a mesh is small enough for such a picture (io/picture_meaning.h).
+bool can_draw_vertices(const Mesh& mesh);
+
+/// The picture of what vertices have, by the numbers of their positions.
+ImageTexture draw_vertices(const Mesh& mesh, const std::function<Rgb(std::uint32_t)>& value);
+
+/// Gives a mesh the texture coordinates of such pictures of it, in place of its own.
+void set_drawn_uvs(Mesh& mesh);
+
+}  // namespace twinray

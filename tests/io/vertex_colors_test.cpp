@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/vertex_colors.h"
+
+#include "io/ply_scene.h"
+#include "io/srgb.h"
+#include "tests/support/catch.h"
+#include "tests/support/obj_text.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+/// Bilinear weights have eight bits' rounding of texture coordinates behind them.
+constexpr float tolerance = 1e-5f;
+
+/// The scene of a PLY file of a square whose vertices have these colors, of this type.
+LoadedScene load_ply_colors(const std::string& type, const std::vector<std::string>& colors) {
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 4\n";
+  for (const char* name : {"x", "y", "z"}) text += std::string("property float ") + name + "\n";
+  for (const char* name : {"red", "green", "blue"}) text += "property " + type + " " + name + "\n";
+  text += "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+  const char* const corners[] = {"0 0 0 ", "1 0 0 ", "1 1 0 ", "0 1 0 "};
+  for (std::size_t i = 0; i < 4; ++i) text += corners[i] + colors[i] + "\n";
+  const TemporaryFolder folder;
+  write_text(folder.file("a.ply"), text + "3 0 1 2\n3 0 2 3\n");
+  return load_ply(folder.file("a.ply"), {});
+}
+
+/// What a triangle's surface reflects where its second and third corner have these weights.
+Rgb color_at(const LoadedScene& loaded, std::uint32_t triangle, float u, float v) {
+  const Mesh& mesh = *loaded.scene.geometry->mesh(0);
+  const auto& [a, b, c] = mesh.uv_indices.at(triangle);
+  const Vec2 uv = mesh.uvs[a] * (1 - u - v) + mesh.uvs[b] * u + mesh.uvs[c] * v;
+  const Material& material = loaded.scene.materials[loaded.scene.bindings[0].material];
+  return evaluate(loaded.scene.textures, material.textures.at(0).texture, {.uv = uv, .footprint = 10});
+}
+
+void check_near(const Rgb& a, const Rgb& b) {
+  CAPTURE(a.r, a.g, a.b, b.r, b.g, b.b);
+  CHECK(max_component(a - b) <= tolerance);
+  CHECK(max_component(b - a) <= tolerance);
+}
+
+const std::vector<std::string> four{"255 0 0", "0 255 0", "0 0 255", "188 188 188"};
+
+}  // namespace
+
+TEST_CASE("colors of a PLY file's vertices are mixed as their triangles do, from any distance") {
+  const LoadedScene loaded = load_ply_colors("uchar", four);
+  const Rgb grey = Rgb{1, 1, 1} * decode_srgb(188 / 255.0f);
+  check_near(color_at(loaded, 0, 0, 0), {1, 0, 0});
+  check_near(color_at(loaded, 0, 1, 0), {0, 1, 0});
+  check_near(color_at(loaded, 0, 0, 1), {0, 0, 1});
+  check_near(color_at(loaded, 0, 0.25f, 0.5f), {0.25f, 0.25f, 0.5f});
+  check_near(color_at(loaded, 1, 0, 1), grey);
+  check_near(color_at(loaded, 1, 0.5f, 0.5f), Rgb{0, 0, 0.5f} + grey * 0.5f);
+  CHECK(loaded.warnings.empty());
+}
+
+TEST_CASE("colors of vertices are bytes, words or numbers up to 1, within which they are kept") {
+  const LoadedScene words = load_ply_colors("ushort", {"65535 0 0", "0 0 0", "0 0 0", "0 0 0"});
+  check_near(color_at(words, 0, 0, 0), {1, 0, 0});
+  const LoadedScene numbers = load_ply_colors("float", {"1 0 7", "-1 0 0", "0 0 0", "0 0 0"});
+  check_near(color_at(numbers, 0, 0, 0), {1, 0, 1});
+  check_near(color_at(numbers, 0, 1, 0), {0, 0, 0});
+}
+
+TEST_CASE("vertices of one color are a surface of that color") {
+  const LoadedScene loaded = load_ply_colors("uchar", {"255 0 0", "255 0 0", "255 0 0", "255 0 0"});
+  CHECK(loaded.scene.textures.empty());
+  CHECK(std::get<Lambert>(loaded.scene.materials[0].model).reflectance == Rgb{1, 0, 0});
+}
+
+TEST_CASE("colors behind an OBJ file's coordinates are those of its vertices, where no picture is") {
+  const std::string vertices = "v 9 9 9\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0  0 0 1 \n";
+  const LoadedScene plain = load_obj_text(vertices + "f 2 3 4\n");
+  check_near(color_at(plain, 0, 0, 0), {1, 0, 0});
+  check_near(color_at(plain, 0, 0.5f, 0.25f), {0.25f, 0.5f, 0.25f});
+  CHECK(plain.summary.notes.empty());
+  const LoadedScene late = load_obj_text("v 0 0 0\nv 1 0 0\nv 0 1 0 0 0 1\nf 1 2 3\n");
+  check_near(color_at(late, 0, 0, 0), {1, 1, 1});
+  const std::string material = "mtllib a.mtl\nvt 0 0\n" + vertices + "usemtl m\nf 2/1 3/1 4/1\n";
+  const auto textures = [&](const std::string& lines) {
+    const LoadedScene loaded = load_obj_text(material, {{"a.mtl", "newmtl m\n" + lines}});
+    return loaded.scene.materials[loaded.scene.bindings[0].material].textures.size();
+  };
+  CHECK(textures("Kd 0.5 0.5 0.5\n") == 1);
+  CHECK(textures("Kd 0 0 0\nKs 1 1 1\nillum 3\n") == 0);  // A mirror reflects by another color.
+  const LoadedScene textured = load_obj_text(material, {{"a.mtl", "newmtl m\nmap_Kd none.png\n"}});
+  CHECK(textured.scene.geometry->mesh(0)->uvs == std::vector<Vec2>{{0, 0}});
+}
+
+}  // namespace twinray::test
