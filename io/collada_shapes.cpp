@@ -69,24 +69,27 @@ void ColladaShapes::place(const Shown& shown) {
   for (std::size_t i = 0; i < shown.shape->parts.size(); ++i) add_part(shown, i, shown.to_world);
 }
 
-/// What emits is copied; the rest is stored where it is seen first.
+/// What emits is copied.
 void ColladaShapes::place_instance(const Shown& shown) {
-  const auto number = std::uint32_t(prototypes_.size());
-  const auto [entry, is_new] = prototypes_.try_emplace(key_of(shown), Prototype{number, {}});
-  Prototype& prototype = entry->second;
-  for (std::size_t i = 0; i < shown.shape->parts.size(); ++i) {
-    const std::size_t before = parts_.shapes.size();
-    if (emits(shown.bindings[i].material.glow))
-      add_part(shown, i, shown.to_world);
-    else if (is_new)
-      add_part(shown, i, Transform{}, number);
-    if (parts_.shapes.size() > before && parts_.shapes.back().prototype)
-      prototype.box.extend(bounds_of(parts_.shapes.back().shape));
-  }
+  for (std::size_t i = 0; i < shown.bindings.size(); ++i)
+    if (emits(shown.bindings[i].material.glow)) add_part(shown, i, shown.to_world);
+  const Prototype& prototype = prototype_of(shown);
   if (prototype.box.is_empty()) return;
   check_reach(prototype.box, shown.to_world,
               [&](const std::string& message) { shown.instance.fail(message); });
   parts_.instances.push_back({prototype.number, shown.to_world});
+}
+
+const ColladaShapes::Prototype& ColladaShapes::prototype_of(const Shown& shown) {
+  const auto number = std::uint32_t(prototypes_.size());
+  const auto [entry, is_new] = prototypes_.try_emplace(key_of(shown), Prototype{number, {}});
+  if (!is_new) return entry->second;
+  const std::size_t first = parts_.shapes.size();
+  for (std::size_t i = 0; i < shown.bindings.size(); ++i)
+    if (!emits(shown.bindings[i].material.glow)) add_part(shown, i, Transform{}, number);
+  for (std::size_t i = first; i < parts_.shapes.size(); ++i)
+    entry->second.box.extend(bounds_of(parts_.shapes[i].shape));
+  return entry->second;
 }
 
 /// The part's mesh with the texture coordinates that its material asks for.

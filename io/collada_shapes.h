@@ -52,6 +52,8 @@ class ColladaShapes {
   static Key key_of(const Shown& shown);
   void place(const Shown& shown);
   void place_instance(const Shown& shown);
+  /// What it shares with others like it: made where it is seen first.
+  const Prototype& prototype_of(const Shown& shown);
   void add_sphere(const Shown& shown);
   /// A part of the shape: in the scene, or of a prototype.
   void add_part(const Shown& shown, std::size_t index, const Transform& to_world,

@@ -48,7 +48,7 @@ MUTANTS = [
            "{shown.bindings[i].material.index, uv_set_of", "{0, uv_set_of",
            IO, BINDINGS),
     Mutant("what emits is stored once, in a COLLADA file", "io/collada_shapes.cpp",
-           "if (emits(shown.bindings[i].material.glow))\n      add_part", "if (false)\n      add_part",
+           "if (emits(shown.bindings[i].material.glow)) add_part", "if (false) add_part",
            IO, "a geometry that nodes share is stored once, but for what emits"),
     Mutant("instances are made by CS184's rules, too", "io/collada_shapes.cpp",
            "!is_cs184() && !shown.shape->parts.empty()", "!shown.shape->parts.empty()",
