@@ -13,19 +13,28 @@
 #include "cli/outputs.h"
 #include "core/error.h"
 #include "io/environment_file.h"
+#include "io/scene_writer.h"
 
 namespace twinray {
 namespace {
 
+constexpr RenderDefaults::Resolution default_resolution{480, 360};
+
 void add_options(CLI::App& app, ConvertArguments& arguments) {
   add_scene(app, arguments.scene);
-  add_file(app, "OUT.json", arguments.output, "The JSON file; files of the meshes go beside it");
+  add_file(app, "OUT", arguments.output, "OUT.json, .pbrt, .gltf or .glb; other files go beside it");
   OptionGroup group(app, "Options");
-  add_resolution(group, arguments.frame.width, arguments.frame.height,
-                 "Of the picture that the camera is for");
+  group.add_words(
+      {"-r,--resolution", "W H", "Of the picture that the camera is for (the scene's, or 480 360)"}, 2,
+      [&arguments](const Words& words) {
+        arguments.resolution = {parse_number("--resolution", words[0], frame_sides),
+                                parse_number("--resolution", words[1], frame_sides)};
+      });
   add_view(group, arguments.view);
   group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id"},
                  arguments.load.camera_name);
+  group.add_number({"--time", "T", "What a glTF file moves stands there then, in seconds (at rest)"},
+                   arguments.load.time, Range<double>{-1e9, 1e9});
   group.add_word({"-e,--environment", "FILE", "Light from a latitude-longitude .exr or .hdr"},
                  arguments.environment);
   add_environment_placement(group, arguments.placement);
@@ -39,11 +48,25 @@ EnvironmentLight read_environment(const ConvertArguments& arguments) {
   return placed_environment(std::move(loaded.map), arguments.placement, arguments.environment);
 }
 
-Scene load(const ConvertArguments& arguments) {
-  Scene scene = load_with_warnings(arguments.scene, arguments.load).scene;
-  scene.camera = camera_of(scene, arguments.view, arguments.frame.width, arguments.frame.height);
+/// The scene, and its picture of the size that is asked for or, without one, the file's.
+LoadedScene load(const ConvertArguments& arguments) {
+  LoadedScene loaded = load_with_warnings(arguments.scene, arguments.load);
+  if (arguments.load.time && !loaded.summary.animation)
+    console::warn("--time: no effect, for nothing in the scene moves");
+  RenderDefaults& picture = loaded.defaults;
+  if (arguments.resolution) picture.crop.reset();
+  if (arguments.resolution || !picture.resolution)
+    picture.resolution = arguments.resolution.value_or(default_resolution);
+  Scene& scene = loaded.scene;
+  scene.camera = camera_of(scene, arguments.view, picture.resolution->width, picture.resolution->height);
   if (!arguments.environment.empty()) scene.lights.push_back({"environment", read_environment(arguments)});
-  return scene;
+  return loaded;
+}
+
+std::vector<std::string> paths_of(const WrittenScene& written) {
+  std::vector<std::string> paths;
+  for (const SceneFile& file : written.files) paths.push_back(file.path);
+  return paths;
 }
 
 }  // namespace
@@ -55,17 +78,20 @@ std::function<ConvertArguments()> add_convert_options(CLI::App& app) {
 }
 
 int convert_command(const ConvertArguments& arguments) {
-  check_exchange_name(arguments.output);
+  check_scene_output(arguments.output);
   prepare_outputs({arguments.output});
-  const Scene scene = load(arguments);
-  const std::vector<std::string> files = exchange_files(scene, arguments.output);
-  const InterruptGuard guard(files);
-  prepare_outputs(files);
-  write_exchange(scene, arguments.output, arguments.frame);
+  const LoadedScene loaded = load(arguments);
+  const Scene& scene = loaded.scene;
+  const WrittenScene written = written_scene({scene, loaded.defaults}, arguments.output);
+  const std::vector<std::string> paths = paths_of(written);
+  const InterruptGuard guard(paths);
+  prepare_outputs(paths);
+  write_files(written);
+  for (const std::string& warning : written.warnings) console::warn(warning);
   if (!arguments.quiet)
     console::print("{}: {}, {}, {}, {} beside it\n", arguments.output,
                    counted(scene.materials.size(), "material"), counted(scene.lights.size(), "light"),
-                   counted(scene.geometry->shapes().size(), "shape"), counted(files.size() - 1, "file"));
+                   counted(scene.geometry->shapes().size(), "shape"), counted(paths.size() - 1, "file"));
   return 0;
 }
 

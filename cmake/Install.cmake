@@ -84,6 +84,10 @@ set(private_headers
   integrators/wave/surfaces-inl.h
   integrators/wave/warp-inl.h
   integrators/wave/wave.h
+  io/gltf_writer_file.h
+  io/gltf_writer_material.h
+  io/gltf_writer_texture.h
+  io/gltf_writer_view.h
   io/import_function.h
   io/model_bytes.h
   io/obj_material.h

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
 #include "core/textured_material.h"
 #include "io/image_file.h"
 #include "io/output_file.h"
@@ -35,7 +33,6 @@ std::string mesh_file(const std::string& path, std::size_t shape) {
 std::string light_file(const std::string& path, std::size_t light) {
   return beside(path, fmt::format("-light-{}.exr", light));
 }
-std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 /// The picture that a light is made of; null for most.
 const Image* picture_of(const Light& light) {
@@ -285,7 +282,7 @@ Json lights_json(const Scene& scene, const std::string& path) {
     const Light& light = scene.lights[i];
     list.push_back(
         named(light.name, std::visit([](const auto& source) { return source_json(source); }, light.source)));
-    if (picture_of(light)) list.back()["file"] = file_name(light_file(path, i));
+    if (picture_of(light)) list.back()["file"] = name_of_file(light_file(path, i));
   }
   return list;
 }
@@ -296,7 +293,7 @@ Json shapes_json(const Scene& scene, const std::string& path) {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     list.push_back(
         std::visit([](const auto& shape) { return named(shape.name, shape_json(shape)); }, shapes[i]));
-    if (std::holds_alternative<Mesh>(shapes[i])) list.back()["file"] = file_name(mesh_file(path, i));
+    if (std::holds_alternative<Mesh>(shapes[i])) list.back()["file"] = name_of_file(mesh_file(path, i));
     list.back()["material"] = scene.bindings[i].material;
     if (scene.bindings[i].light != no_light) list.back()["light"] = scene.bindings[i].light;
     if (scene.bindings[i].alpha != no_texture) list.back()["textured"].push_back("alpha");
@@ -339,25 +336,6 @@ std::string type_of(const LightSource& source) {
   return std::visit([](const auto& s) { return source_json(s); }, source)["type"];
 }
 
-void check_exchange_name(const std::string& path) {
-  const std::string name = file_name(path);
-  if (name.size() <= ending.size() || !name.ends_with(ending))
-    throw Error(
-        fmt::format("{}: a scene is written to a file whose name ends in .json; files of its meshes "
-                    "are put beside it",
-                    path));
-}
-
-std::vector<std::string> exchange_files(const Scene& scene, const std::string& path) {
-  std::vector<std::string> files;
-  for (std::size_t i = 0; i < scene.geometry->shapes().size(); ++i)
-    if (scene.geometry->mesh(std::uint32_t(i))) files.push_back(mesh_file(path, i));
-  for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    if (picture_of(scene.lights[i])) files.push_back(light_file(path, i));
-  files.push_back(path);
-  return files;
-}
-
 std::string exchange_json(const Scene& scene, const std::string& path, const ExchangeFrame& frame) {
   const Camera camera = fit_frame(scene.camera, frame.width, frame.height);
   const bool has_instances = scene.geometry->has_instances();
@@ -369,14 +347,22 @@ std::string exchange_json(const Scene& scene, const std::string& path, const Exc
       has_instances ? ",\n  \"instances\": " + lines(instances_json(scene)) : "");
 }
 
-void write_exchange(const Scene& scene, const std::string& path, const ExchangeFrame& frame) {
-  check_exchange_name(path);
+WrittenScene written_exchange(const SceneToWrite& input, const std::string& path) {
+  WrittenScene written;
+  const Scene& scene = input.scene;
   for (std::size_t i = 0; i < scene.geometry->shapes().size(); ++i)
     if (const Mesh* mesh = scene.geometry->mesh(std::uint32_t(i)))
-      write_file(mesh_file(path, i), ply_bytes(*mesh));
+      written.files.push_back(
+          {mesh_file(path, i), [mesh](const std::string& file) { write_file(file, ply_bytes(*mesh)); }});
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    if (const Image* picture = picture_of(scene.lights[i])) write_exr(light_file(path, i), *picture);
-  write_file(path, exchange_json(scene, path, frame));
+    if (const Image* picture = picture_of(scene.lights[i]))
+      written.files.push_back(
+          {light_file(path, i), [picture](const std::string& file) { write_exr(file, *picture); }});
+  const ExchangeFrame frame{input.picture.resolution->width, input.picture.resolution->height};
+  written.files.push_back({path, [&scene, path, frame](const std::string& file) {
+                             write_file(file, exchange_json(scene, path, frame));
+                           }});
+  return written;
 }
 
 }  // namespace twinray

@@ -44,10 +44,9 @@ class Writer {
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  void set_size(int width, int height) {
+  void set_size(int width, int height, int color_type = PNG_COLOR_TYPE_RGB) {
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-    png_set_IHDR(png_, info_, png_uint_32(width), png_uint_32(height), 8, PNG_COLOR_TYPE_RGB,
-                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png_, info_, png_uint_32(width), png_uint_32(height), 8, color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
   }
 
@@ -70,9 +69,11 @@ class Writer {
     png_set_text(png_, info_, &text, 1);
   }
 
-  void write(const ByteImage& image) {
+  /// `channels`: how many bytes a pixel has.
+  template <typename Picture>
+  void write(const Picture& image, std::size_t channels) {
     png_write_info(png_, info_);
-    const std::size_t row_bytes = 3 * std::size_t(image.width);
+    const std::size_t row_bytes = channels * std::size_t(image.width);
     for (std::size_t row = 0; row < std::size_t(image.height); ++row)
       png_write_row(png_, image.bytes.data() + row * row_bytes);
     png_write_end(png_, info_);
@@ -94,7 +95,15 @@ std::vector<unsigned char> encode_png(const ByteImage& image, const ImageMetadat
       writer.set_time(value);
     else
       writer.set_text(name, value);
-  writer.write(image);
+  writer.write(image, 3);
+  return file;
+}
+
+std::vector<unsigned char> encode_png(const AlphaImage& image) {
+  std::vector<unsigned char> file;
+  Writer writer(file);
+  writer.set_size(image.width, image.height, PNG_COLOR_TYPE_RGB_ALPHA);
+  writer.write(image, 4);
   return file;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "core/image.h"
@@ -11,5 +12,14 @@ namespace twinray {
 /// time; all other is text: Latin-1 as tEXt, what is beyond ASCII as iTXt of UTF-8. The names must have 1 to
 /// 79 characters. Throws Error where PNG's library refuses.
 std::vector<unsigned char> encode_png(const ByteImage& image, const ImageMetadata& metadata);
+
+/// A picture of 8-bit channels r, g, b and alpha, row by row from the top left.
+struct AlphaImage {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> bytes;  ///< 4 width height
+};
+
+/// The bytes of such a PNG, which says that its colours are sRGB's.
+std::vector<unsigned char> encode_png(const AlphaImage& image);
 
 }  // namespace twinray

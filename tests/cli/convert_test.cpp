@@ -78,7 +78,7 @@ TEST_CASE("convert writes an environment beside the scene") {
 
 TEST_CASE("a wrong convert command line ends with 2, and a file that is not there or not writable with 1") {
   CHECK_THROWS_WITH(parse({}), "SCENE is missing");
-  CHECK_THROWS_WITH(parse({"a.dae"}), "OUT.json is missing");
+  CHECK_THROWS_WITH(parse({"a.dae"}), "OUT is missing");
   CHECK_THROWS_WITH(parse({"a.dae", "b.json", "c"}), "\"c\" is one word too many");
   CHECK_THROWS_WITH(parse({"a.dae", "b.json", "-r", "0", "1"}),
                     "--resolution: \"0\" is not a whole number from 1 to 65536");
@@ -88,12 +88,12 @@ TEST_CASE("a wrong convert command line ends with 2, and a file that is not ther
   CHECK(unknown.exit_code == 2);
   CHECK(unknown.err ==
         "twinray: there is no option --vieww=file; did you mean --view?\n"
-        "usage: twinray convert SCENE.dae OUT.json [options]; all options: twinray convert --help\n");
+        "usage: twinray convert SCENE.dae OUT.json|.pbrt|.gltf|.glb [options]; all options: twinray convert --help\n");
   const ProcessResult output = run_program("convert " + box + " -");
   CHECK(output.exit_code == 1);
   CHECK(output.err ==
-        "twinray: -: a scene is written to a file whose name ends in .json; files of its meshes are put "
-        "beside it\n");
+        "twinray: -: a scene is written to a file whose name ends in .json, .pbrt, .gltf or .glb; other "
+        "files of it are put beside it\n");
   const ProcessResult missing = run_program("convert no-such-scene.dae " + quoted(folder.file("a.json")));
   CHECK(missing.exit_code == 1);
   CHECK(missing.err.find("no-such-scene.dae") != std::string::npos);

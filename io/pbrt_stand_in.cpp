@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt_stand_in.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/textured_material.h"
+#include "io/exchange.h"
+
+namespace twinray {
+namespace {
+
+constexpr Rgb white{1, 1, 1};
+constexpr float half = 0.5f;
+
+/// Alpha along the tangent and across, of OpenPBR's roughness and anisotropy.
+Roughness alpha_of(float roughness, float anisotropy) {
+  const float squared = roughness * roughness, ratio = 1 - anisotropy;
+  const float along = squared * std::sqrt(2 / (1 + ratio * ratio));
+  return {std::min(along, 1.0f), std::min(ratio * along, 1.0f)};
+}
+
+class StandIn {
+ public:
+  StandIn(const Material& material, Losses& losses) : material_(material), losses_(losses) {}
+
+  PbrtStandIn make() {
+    made_.material = material_;
+    std::visit([&](const auto& model) { made_.material.model = of(model); }, material_.model);
+    return std::move(made_);
+  }
+
+ private:
+  /// Names the loss, and gives what stands there.
+  SurfaceModel instead(const char* words, const SurfaceModel& model) {
+    const std::string type = type_of(material_.model);
+    losses_.add(fmt::format("a material of the type {} is written as {}", type, words),
+                fmt::format("{{}} materials of the type {} are written as {}", type, words));
+    return model;
+  }
+  void lose(const char* what) {
+    const std::string type = type_of(material_.model);
+    losses_.add(fmt::format("{} of a material of the type {} is left out", what, type),
+                fmt::format("{} of {{}} materials of the type {} is left out", what, type));
+  }
+
+  SurfaceModel of(const Lambert& model) { return model; }
+  SurfaceModel of(const Interface& model) { return model; }
+  SurfaceModel of(const Mix& model) { return model; }
+  SurfaceModel of(const DiffuseTransmission& model) { return model; }
+  SurfaceModel of(const CoatedDiffuse& model) { return model; }
+  SurfaceModel of(const RoughDiffuse& model) {
+    return instead("a diffuse surface", Lambert{model.reflectance});
+  }
+  SurfaceModel of(const Mirror& model) {
+    use_as_metal();
+    return instead("a smooth conductor", Conductor{white, metal_k(model.reflectance)});
+  }
+  SurfaceModel of(const Microfacet& model) {
+    return instead("a conductor of GGX facets", Conductor{model.eta, model.k, {model.alpha, model.alpha}});
+  }
+  SurfaceModel of(const Refraction& model) {
+    return instead("a dielectric, which also reflects", Dielectric{model.ior});
+  }
+  SurfaceModel of(const Glass& model) {
+    if (!(model.transmittance == white && model.reflectance == white)) lose("the color");
+    return Dielectric{model.ior};
+  }
+  SurfaceModel of(const Dielectric& model) {
+    if (!(model.transmittance == white && model.reflectance == white)) lose("the color");
+    Dielectric clear = model;
+    clear.reflectance = clear.transmittance = white;
+    return clear;
+  }
+  SurfaceModel of(const Conductor& model) {
+    if (model.reflectance != white) lose("the factor");
+    Conductor plain = model;
+    plain.reflectance = white;
+    return plain;
+  }
+  SurfaceModel of(const CoatedConductor& model) {
+    if (model.reflectance != white) lose("the factor");
+    CoatedConductor plain = model;
+    plain.reflectance = white;
+    return plain;
+  }
+
+  SurfaceModel of(const Principled& model) {
+    made_.squares_roughness = true;
+    const Roughness alpha = alpha_of(model.specular_roughness, model.specular_roughness_anisotropy);
+    const Rgb base = model.base_color * model.base_weight;
+    if (model.base_metalness >= half) return metal(model, base, alpha);
+    if (model.transmission_weight >= half) return clear(model, alpha);
+    if (model.specular_weight == 0 && model.coat_weight < half)
+      return instead("a diffuse surface", Lambert{base});
+    return instead("a coated diffuse surface", CoatedDiffuse{base, alpha, model.specular_ior});
+  }
+  SurfaceModel metal(const Principled& model, const Rgb& color, const Roughness& alpha) {
+    use_as_metal();
+    if (model.coat_weight < half) return instead("a conductor", Conductor{white, metal_k(color), alpha});
+    CoatedConductor coated{white, metal_k(color), alpha};
+    coated.coat_roughness = alpha_of(model.coat_roughness, 0);
+    coated.coat_ior = model.coat_ior;
+    return instead("a coated conductor", coated);
+  }
+  SurfaceModel clear(const Principled& model, const Roughness& alpha) {
+    Dielectric dielectric{model.specular_ior, alpha};
+    dielectric.is_thin = model.geometry_thin_walled;
+    return instead(dielectric.is_thin ? "a thin dielectric" : "a dielectric", dielectric);
+  }
+
+  /// Textures of the reflectance are those of a metal's.
+  void use_as_metal() {
+    for (TextureUse& use : made_.material.textures)
+      if (use.input == MaterialInput::reflectance)
+        use.input = MaterialInput::k, use.meaning = InputMeaning::metal_reflectance;
+  }
+
+  const Material& material_;
+  Losses& losses_;
+  PbrtStandIn made_;
+};
+
+}  // namespace
+
+PbrtStandIn pbrt_stand_in(const Material& material, Losses& losses) {
+  return StandIn(material, losses).make();
+}
+
+}  // namespace twinray

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "core/material.h"
+#include "io/losses.h"
+
+namespace twinray {
+
+/// What pbrt has in place of a material: one whose model is Lambert, Dielectric, Conductor,
+/// DiffuseTransmission, CoatedDiffuse, CoatedConductor, Interface or Mix, without factors that pbrt has not.
+/// What differs is named. A texture of a roughness keeps the meaning of its model: see `squares_roughness`.
+struct PbrtStandIn {
+  Material material;
+  bool squares_roughness = false;  ///< The textures' roughness is the root of alpha, as OpenPBR has it.
+};
+PbrtStandIn pbrt_stand_in(const Material& material, Losses& losses);
+
+}  // namespace twinray
