@@ -46,10 +46,10 @@ class StandIn {
   }
 
  private:
-  void name(const char* words) {
+  void name(const char* one, const char* many) {
     const std::string type = type_of(material_.model);
-    losses_.add(fmt::format("a material of the type {} is written as {}", type, words),
-                fmt::format("{{}} materials of the type {} are written as {}", type, words));
+    losses_.add(fmt::format("a material of the type {} is written as a {}", type, one),
+                fmt::format("{{}} materials of the type {} are written as {}", type, many));
   }
   void lose(const char* what) {
     losses_.add(fmt::format("{} of a material is left out", what),
@@ -85,34 +85,34 @@ class StandIn {
 
   void take(const Lambert& model) { make_diffuse(model.reflectance); }
   void take(const RoughDiffuse& model) {
-    name("a diffuse one");
+    name("diffuse surface", "diffuse surfaces");
     make_diffuse(model.reflectance);
   }
   void take(const DiffuseTransmission& model) {
-    name("a diffuse one, through which no light goes");
+    name("diffuse surface, through which no light goes", "diffuse surfaces, through which no light goes");
     make_diffuse(model.reflectance);
   }
   void take(const Mirror& model) {
-    name("a smooth metal");
+    name("smooth metal", "smooth metals");
     make_metal(model.reflectance, {});
   }
   void take(const Microfacet& model) {
-    name("a metal of its color and of GGX facets");
+    name("metal of its color and of GGX facets", "metals of their colors and of GGX facets");
     make_metal(reflected(model.eta, model.k), {model.alpha, model.alpha});
   }
   void take(const Conductor& model) {
-    name("a metal of its color");
+    name("metal of its color", "metals of their colors");
     check_direction(model.roughness);
     make_metal(reflected(model.eta, model.k) * model.reflectance, model.roughness);
   }
   void take(const CoatedConductor& model) {
-    name("a metal of its color below a clear coat");
+    name("metal of its color below a clear coat", "metals of their colors below clear coats");
     make_metal(reflected(model.eta, model.k) * model.reflectance, model.roughness);
     model_.coat_weight = 1;
     model_.coat_roughness = std::sqrt(std::sqrt(model.coat_roughness.x * model.coat_roughness.y));
   }
   void take(const CoatedDiffuse& model) {
-    name("a glossy one");
+    name("glossy surface", "glossy surfaces");
     check_direction(model.roughness);
     model_.base_color = model.reflectance;
     model_.specular_ior = model.ior;
@@ -128,7 +128,7 @@ class StandIn {
     make_clear(model.ior, {}, model.transmittance, false);
   }
   void take(const Refraction& model) {
-    name("glass, which also reflects");
+    name("clear surface, which also reflects", "clear surfaces, which also reflect");
     make_clear(model.ior, {}, model.transmittance, false);
   }
   /// Of a shape that emits: else it is left out.

@@ -55,7 +55,7 @@ class Lights {
 
  private:
   void lose(const std::string& type, const char* words) {
-    file_.output.losses.add(fmt::format("a {} light {}", type, words),
+    file_.output.losses.add(fmt::format("{} {} light {}", article_of(type), type, words),
                             fmt::format("{{}} {} lights: each {}", type, words));
   }
   void check(const Attenuation& attenuation, const char* type) {

@@ -24,4 +24,8 @@ std::vector<std::string> Losses::lines(const std::string& file) const {
   return lines;
 }
 
+std::string article_of(const std::string& word) {
+  return std::string("aeiou").find(word[0]) != std::string::npos ? "an" : "a";
+}
+
 }  // namespace twinray

@@ -25,4 +25,7 @@ class Losses {
   std::vector<Kind> kinds_;
 };
 
+/// "a" or, before a vowel, "an".
+std::string article_of(const std::string& word);
+
 }  // namespace twinray

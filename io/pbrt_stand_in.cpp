@@ -34,10 +34,10 @@ class StandIn {
 
  private:
   /// Names the loss, and gives what stands there.
-  SurfaceModel instead(const char* words, const SurfaceModel& model) {
+  SurfaceModel instead(const char* one, const char* many, const SurfaceModel& model) {
     const std::string type = type_of(material_.model);
-    losses_.add(fmt::format("a material of the type {} is written as {}", type, words),
-                fmt::format("{{}} materials of the type {} are written as {}", type, words));
+    losses_.add(fmt::format("a material of the type {} is written as a {}", type, one),
+                fmt::format("{{}} materials of the type {} are written as {}", type, many));
     return model;
   }
   void lose(const char* what) {
@@ -52,17 +52,17 @@ class StandIn {
   SurfaceModel of(const DiffuseTransmission& model) { return model; }
   SurfaceModel of(const CoatedDiffuse& model) { return model; }
   SurfaceModel of(const RoughDiffuse& model) {
-    return instead("a diffuse surface", Lambert{model.reflectance});
+    return instead("diffuse surface", "diffuse surfaces", Lambert{model.reflectance});
   }
   SurfaceModel of(const Mirror& model) {
     use_as_metal();
-    return instead("a smooth conductor", Conductor{white, metal_k(model.reflectance)});
+    return instead("smooth conductor", "smooth conductors", Conductor{white, metal_k(model.reflectance)});
   }
   SurfaceModel of(const Microfacet& model) {
-    return instead("a conductor of GGX facets", Conductor{model.eta, model.k, {model.alpha, model.alpha}});
+    return instead("conductor of GGX facets", "conductors of GGX facets", Conductor{model.eta, model.k, {model.alpha, model.alpha}});
   }
   SurfaceModel of(const Refraction& model) {
-    return instead("a dielectric, which also reflects", Dielectric{model.ior});
+    return instead("dielectric, which also reflects", "dielectrics, which also reflect", Dielectric{model.ior});
   }
   SurfaceModel of(const Glass& model) {
     if (!(model.transmittance == white && model.reflectance == white)) lose("the color");
@@ -93,22 +93,29 @@ class StandIn {
     const Rgb base = model.base_color * model.base_weight;
     if (model.base_metalness >= half) return metal(model, base, alpha);
     if (model.transmission_weight >= half) return clear(model, alpha);
-    if (model.specular_weight == 0 && model.coat_weight < half)
-      return instead("a diffuse surface", Lambert{base});
-    return instead("a coated diffuse surface", CoatedDiffuse{base, alpha, model.specular_ior});
+    if (model.coat_weight >= half) {
+      use_coat();
+      const Roughness coat = alpha_of(model.coat_roughness, 0);
+      return instead("coated diffuse surface", "coated diffuse surfaces",
+                     CoatedDiffuse{base, coat, model.coat_ior});
+    }
+    if (model.specular_weight == 0)
+      return instead("diffuse surface", "diffuse surfaces", Lambert{base});
+    return instead("coated diffuse surface", "coated diffuse surfaces", CoatedDiffuse{base, alpha, model.specular_ior});
   }
   SurfaceModel metal(const Principled& model, const Rgb& color, const Roughness& alpha) {
     use_as_metal();
-    if (model.coat_weight < half) return instead("a conductor", Conductor{white, metal_k(color), alpha});
+    if (model.coat_weight < half) return instead("conductor", "conductors", Conductor{white, metal_k(color), alpha});
     CoatedConductor coated{white, metal_k(color), alpha};
     coated.coat_roughness = alpha_of(model.coat_roughness, 0);
     coated.coat_ior = model.coat_ior;
-    return instead("a coated conductor", coated);
+    return instead("coated conductor", "coated conductors", coated);
   }
   SurfaceModel clear(const Principled& model, const Roughness& alpha) {
     Dielectric dielectric{model.specular_ior, alpha};
     dielectric.is_thin = model.geometry_thin_walled;
-    return instead(dielectric.is_thin ? "a thin dielectric" : "a dielectric", dielectric);
+    if (dielectric.is_thin) return instead("thin dielectric", "thin dielectrics", dielectric);
+    return instead("dielectric", "dielectrics", dielectric);
   }
 
   /// Textures of the reflectance are those of a metal's.
@@ -116,6 +123,14 @@ class StandIn {
     for (TextureUse& use : made_.material.textures)
       if (use.input == MaterialInput::reflectance)
         use.input = MaterialInput::k, use.meaning = InputMeaning::metal_reflectance;
+  }
+
+  /// Textures of the coat's roughness are those of the only one that there is.
+  void use_coat() {
+    std::vector<TextureUse>& uses = made_.material.textures;
+    std::erase_if(uses, [](const TextureUse& use) { return use.input == MaterialInput::roughness; });
+    for (TextureUse& use : uses)
+      if (use.input == MaterialInput::coat_roughness) use.input = MaterialInput::roughness;
   }
 
   const Material& material_;

@@ -136,7 +136,8 @@ std::string pbrt_view(const SceneToWrite& input, SceneOutput& output) {
     text += "Sampler \"zsobol\"" + pbrt_integer("pixelsamples", int(*input.picture.samples)) + "\n";
   text += "Integrator \"volpath\"";
   if (input.picture.max_depth) text += pbrt_integer("maxdepth", *input.picture.max_depth);
-  return text + "\n" + filter(input.picture.filter.value_or(PixelFilter{}), output.losses);
+  text += "\n";
+  return input.picture.filter ? text + filter(*input.picture.filter, output.losses) : text;
 }
 
 }  // namespace twinray

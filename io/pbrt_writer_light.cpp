@@ -69,7 +69,7 @@ class Writer {
             fmt::format("LightSource \"{}\"{}\nAttributeEnd\n", type, parameters);
   }
   void lose(const std::string& type, const char* words) {
-    output_.losses.add(fmt::format("a {} light {}", type, words),
+    output_.losses.add(fmt::format("{} {} light {}", article_of(type), type, words),
                        fmt::format("{{}} {} lights: each {}", type, words));
   }
 

@@ -47,7 +47,7 @@ DOORS = {
                                     r"cli/(study/record|live/web_state|film/notes_json|plan/open_job)\.cpp|"
                                     r"cli/status/(json_lines|metrics_file)\.cpp|"
                                     r"io/(cryptomatte|exchange|film_header|gltf_schema)\.cpp|io/gltf_writer_file\.h|"
-                                    r"tests/(cli|io)/"),
+                                    r"tests/(cli|io)/|tests/support/round_trip\.h"),
     "Landlock": (r"linux/landlock\.h", r"cli/sandbox/files\.cpp"),
     "libseccomp": (r"seccomp\.h", r"cli/sandbox/system_calls\.cpp"),
     "cmark": (r"cmark", r"cli/study/notes\.cpp"),

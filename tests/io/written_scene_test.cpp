@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/written_scene.h"
+
+#include "core/error.h"
+#include "io/baked_texture.h"
+#include "io/scene_writer.h"
+#include "tests/support/catch.h"
+
+namespace twinray::test {
+
+TEST_CASE("a scene is written to names of four endings only") {
+  for (const char* name : {"a.json", "b/a.b.json", "a.pbrt", "a.gltf", "a b.glb"})
+    CHECK_NOTHROW(check_scene_output(name));
+  for (const char* name : {"-", "a", "a.dae", ".json", "b/.glb", "a.pbrt/", "a.gltf.gz"})
+    CHECK_THROWS_WITH(check_scene_output(name),
+                      std::string(name) +
+                          ": a scene is written to a file whose name ends in .json, .pbrt, .gltf or .glb; "
+                          "other files of it are put beside it");
+}
+
+TEST_CASE("losses are counted, a line for each kind in the order of their first ones") {
+  Losses losses;
+  CHECK(losses.lines("a").empty());
+  losses.add("a cat is a dog", "{} cats are dogs");
+  losses.add("the sky is black");
+  losses.add("a cat is a dog", "{} cats are dogs");
+  losses.add("the sky is black");
+  CHECK(losses.lines("a/b.c") == std::vector<std::string>{"a/b.c: 2 cats are dogs", "a/b.c: the sky is black"});
+}
+
+TEST_CASE("names are used once") {
+  UniqueNames names;
+  CHECK(names.unique("a", "b") == "a");
+  CHECK(names.unique("a 2", "b") == "a 2");
+  CHECK(names.unique("a", "b") == "a 3");
+  CHECK(names.unique("", "b") == "b");
+  CHECK(names.unique("", "b") == "b 2");
+}
+
+TEST_CASE("files beside a scene have its name, in its folder") {
+  SceneOutput output("folder.x/room.pbrt");
+  CHECK(output.add("-1.ply", [](const std::string&) {}) == "room-1.ply");
+  const WrittenScene written = output.finish("text");
+  REQUIRE(written.files.size() == 2);
+  CHECK(written.files[0].path == "folder.x/room-1.ply");
+  CHECK(written.files[1].path == "folder.x/room.pbrt");
+}
+
+TEST_CASE("a baked board is a picture of two by two points, which repeats as it does") {
+  const UvTransform uv{{{4, 0, 0.5f}, {0, 2, 0}}};
+  const std::vector<Texture> textures{{"", ConstantTexture{{1, 0, 0}}},
+                                      {"", ConstantTexture{{0, 1, 0}}},
+                                      {"", CheckerboardTexture{0, 1, uv}}};
+  const BakedTexture baked = bake(textures, 2);
+  CHECK(baked.is_exact);
+  CHECK(baked.picture.pixels.size() == 4);
+  const std::vector<Texture> picture{
+      {"", ImageTexture{std::make_shared<const MipMap>(baked.picture), baked.wrap, baked.filter, baked.uv}}};
+  for (int i = 0; i < 100; ++i) {
+    const TexturePoint at{.uv = {0.173f * float(i % 10) - 0.5f, 0.211f * float(i / 10) - 0.5f}};
+    CHECK(evaluate(textures, 2, at) == evaluate(picture, 0, at));
+  }
+}
+
+TEST_CASE("a baked product of pictures that lie alike is exact at their pixels, and others are drawn over the square") {
+  Image small(2, 2), large(4, 4);
+  for (std::size_t i = 0; i < 16; ++i) large.pixels[i] = {float(i), 1, 1};
+  small.pixels = {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}};
+  const UvTransform uv{{{2, 0, 0}, {0, 2, 0}}};
+  const auto texture = [&](const Image& image, const UvTransform& placed) {
+    return Texture{"", ImageTexture{std::make_shared<const MipMap>(image), WrapMode::repeat,
+                                    TextureFilter::nearest, placed}};
+  };
+  std::vector<Texture> textures{texture(small, uv), texture(large, uv), {"", ScaleTexture{0, 1}}};
+  const BakedTexture alike = bake(textures, 2);
+  CHECK(alike.is_exact);
+  REQUIRE(alike.picture.width == 4);
+  CHECK(alike.uv.m[0][0] == 2);
+  CHECK(alike.picture.at(0, 0).r == 0);
+  CHECK(alike.picture.at(3, 0).r == 2 * 3);
+  CHECK(alike.picture.at(3, 3).r == 4 * 15);
+  textures[1] = texture(large, {});
+  const BakedTexture apart = bake(textures, 2);
+  CHECK_FALSE(apart.is_exact);
+  CHECK(apart.uv.m[0][0] == 1);
+  CHECK(bake(textures, 0).picture.pixels == small.pixels);
+}
+
+}  // namespace twinray::test
