@@ -127,7 +127,8 @@ std::string usage_of(const std::string& name) {
   if (name == "study")
     return "twinray study FOLDER --output DIR [options]; all options: twinray study --help";
   if (name == "convert")
-    return "twinray convert SCENE.dae OUT.json|.pbrt|.gltf|.glb [options]; all options: twinray convert --help";
+    return "twinray convert SCENE.dae OUT.json|.pbrt|.gltf|.glb [options]; all options: twinray convert "
+           "--help";
   if (name == "compare")
     return "twinray compare PICTURE REFERENCE [options]; all options: twinray compare --help";
   if (name == "relight") return "twinray relight PICTURE.exr [options]; all options: twinray relight --help";

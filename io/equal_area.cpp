@@ -22,7 +22,8 @@ Image equal_area_of(const Image& map, MapLayout layout) {
     for (int x = 0; x < side; ++x) {
       Rgb sum;
       for (int part = 0; part < parts * parts; ++part) {
-        const MapPoint at{(x + (part % parts + 0.5) / parts) / side, (y + (part / parts + 0.5) / parts) / side};
+        const MapPoint at{(x + (part % parts + 0.5) / parts) / side,
+                          (y + (part / parts + 0.5) / parts) / side};
         sum += map_value(layout, map, map_point(layout, wrapped_direction(at)));
       }
       square.at(x, y) = sum / float(parts * parts);

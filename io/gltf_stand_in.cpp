@@ -151,7 +151,8 @@ class StandIn {
     if (model.transmission_weight == 0) return;
     const Rgb tint = model.transmission_depth > 0 ? white : model.transmission_color;
     if (tint == model_.base_color) return;
-    if (model.transmission_weight < 1) lose("the color of the diffuse part, which is that of the clear part,");
+    if (model.transmission_weight < 1)
+      lose("the color of the diffuse part, which is that of the clear part,");
     model_.base_color = tint;
     model_.transmission_color = tint;
   }

@@ -78,8 +78,8 @@ class Shapes {
     GltfJson attributes{{"POSITION", file_.vectors(joined.positions, true)}};
     if (!joined.normals.empty()) attributes["NORMAL"] = file_.vectors(joined.normals, false);
     if (!joined.uvs.empty()) attributes["TEXCOORD_0"] = file_.pairs(joined.uvs);
-    const std::span<const std::uint32_t> corners(joined.triangles.empty() ? nullptr : joined.triangles[0].data(),
-                                                 3 * joined.triangles.size());
+    const std::span<const std::uint32_t> corners(
+        joined.triangles.empty() ? nullptr : joined.triangles[0].data(), 3 * joined.triangles.size());
     return {{"attributes", attributes},
             {"indices", file_.indices(corners)},
             {"material", materials_.material(scene_.bindings[shape])}};
@@ -107,8 +107,7 @@ class Shapes {
   void add_spheres(const SphereSet& set, std::uint32_t shape) {
     const std::size_t material = materials_.material(scene_.bindings[shape]);
     const auto [entry, is_new] = spheres_.try_emplace(material);
-    if (is_new)
-      entry->second = add_mesh(set.name, GltfJson::array({primitive(sphere_mesh({}), shape)}));
+    if (is_new) entry->second = add_mesh(set.name, GltfJson::array({primitive(sphere_mesh({}), shape)}));
     for (const Sphere& sphere : set.spheres) {
       name_sphere();
       const double r = gltf_number(sphere.radius);

@@ -135,9 +135,9 @@ std::size_t GltfFile::add_image(const std::string& name, std::string bytes) {
     image["bufferView"] = add_view(bytes, Use::picture);
     image["mimeType"] = "image/png";
   } else {
-    image["uri"] = uri_of(
-        output.add(fmt::format("-texture-{}.png", number),
-                   [bytes = std::move(bytes)](const std::string& path) { write_file(path, bytes); }));
+    image["uri"] =
+        uri_of(output.add(fmt::format("-texture-{}.png", number),
+                          [bytes = std::move(bytes)](const std::string& path) { write_file(path, bytes); }));
   }
   return add("images", image);
 }
@@ -148,8 +148,8 @@ std::string GltfFile::packed() const {
   pad(text, ' ');
   pad(buffer, '\0');
   constexpr std::size_t header = 12, chunk_header = 8;
-  const std::size_t size = header + chunk_header + text.size() +
-                           (buffer.empty() ? 0 : chunk_header + buffer.size());
+  const std::size_t size =
+      header + chunk_header + text.size() + (buffer.empty() ? 0 : chunk_header + buffer.size());
   if (size > std::numeric_limits<std::uint32_t>::max())
     throw Error(fmt::format("{}: a .glb file holds 4 GiB, and this scene needs {} bytes; write it as .gltf",
                             output.path(), size));
@@ -168,9 +168,8 @@ WrittenScene GltfFile::finish() {
   if (!buffer_.empty()) {
     GltfJson buffer{{"byteLength", buffer_.size()}};
     if (!is_binary_)
-      buffer["uri"] = uri_of(output.add(".bin", [bytes = buffer_](const std::string& path) {
-        write_file(path, bytes);
-      }));
+      buffer["uri"] =
+          uri_of(output.add(".bin", [bytes = buffer_](const std::string& path) { write_file(path, bytes); }));
     root_["buffers"] = GltfJson::array({buffer});
   }
   return output.finish(is_binary_ ? packed()

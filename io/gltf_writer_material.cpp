@@ -70,6 +70,7 @@ class Properties {
     uses_.erase(found);
     return texture;
   }
+  /// Stays there until another one is added.
   GltfJson& extension(const char* name) {
     file_.use(name);
     return json_["extensions"][name];
@@ -87,7 +88,7 @@ class Properties {
   }
 
   void add_base(const Scene& scene, std::uint32_t alpha) {
-    GltfJson& base = json_["pbrMetallicRoughness"];
+    GltfJson base;
     GltfChannels color{.color = take(reflectance)};
     float opacity = 1;
     if (alpha != no_texture) opacity = add_alpha(scene, alpha, color);
@@ -102,6 +103,7 @@ class Properties {
     base["metallicFactor"] = is_metal ? 1.0 : gltf_number(model_.base_metalness);
     base["roughnessFactor"] = is_rough ? 1.0 : gltf_number(facets.roughness);
     put(base, "metallicRoughnessTexture", rough);
+    json_["pbrMetallicRoughness"] = base;
     if (facets.anisotropy > 0)
       extension("KHR_materials_anisotropy")["anisotropyStrength"] = gltf_number(facets.anisotropy);
   }

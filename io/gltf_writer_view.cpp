@@ -28,8 +28,8 @@ GltfJson node_matrix(const Vec3& right, const Vec3& up, const Vec3& forward, con
 
 void name_camera_losses(const Camera& camera, const RenderDefaults::Resolution& size, Losses& losses) {
   if (is_panorama(camera.projection))
-    losses.add(fmt::format("the {} camera is a perspective one of 90 degrees",
-                           projection_name(camera.projection)));
+    losses.add(
+        fmt::format("the {} camera is a perspective one of 90 degrees", projection_name(camera.projection)));
   if (camera.lens_radius > 0) losses.add("the camera's lens is a pinhole");
   if (camera.frame_center != Vec2{0, 0}) losses.add("the shift of the camera's frame is left out");
   const float picture = float(size.width) / float(size.height);
@@ -65,10 +65,8 @@ class Lights {
 
   GltfJson light_of(const char* type, const Rgb& amount) {
     const auto [color, strength] = gltf_light(amount);
-    return {{"name", name_},
-            {"type", type},
-            {"color", gltf_color(color)},
-            {"intensity", gltf_number(strength)}};
+    return {
+        {"name", name_}, {"type", type}, {"color", gltf_color(color)}, {"intensity", gltf_number(strength)}};
   }
   void place(const GltfJson& light, const GltfJson& place) {
     GltfJson node{{"name", name_}};
@@ -116,7 +114,8 @@ class Lights {
   /// A cone around its frame.
   void add(const ProjectionLight& light) {
     lose("projection", "is a spot of its mean color");
-    const double outer = 2 * pi * atan2_turns(double(std::max(light.tan_half_width, light.tan_half_height)), 1);
+    const double outer =
+        2 * pi * atan2_turns(double(std::max(light.tan_half_width, light.tan_half_height)), 1);
     GltfJson json = light_of("spot", light.intensity * mean_of(*light.picture));
     json["spot"] = {{"innerConeAngle", std::nextafter(outer, 0.0)}, {"outerConeAngle", outer}};
     place(json, along(light.forward, light.position));

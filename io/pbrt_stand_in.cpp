@@ -59,10 +59,12 @@ class StandIn {
     return instead("smooth conductor", "smooth conductors", Conductor{white, metal_k(model.reflectance)});
   }
   SurfaceModel of(const Microfacet& model) {
-    return instead("conductor of GGX facets", "conductors of GGX facets", Conductor{model.eta, model.k, {model.alpha, model.alpha}});
+    return instead("conductor of GGX facets", "conductors of GGX facets",
+                   Conductor{model.eta, model.k, {model.alpha, model.alpha}});
   }
   SurfaceModel of(const Refraction& model) {
-    return instead("dielectric, which also reflects", "dielectrics, which also reflect", Dielectric{model.ior});
+    return instead("dielectric, which also reflects", "dielectrics, which also reflect",
+                   Dielectric{model.ior});
   }
   SurfaceModel of(const Glass& model) {
     if (!(model.transmittance == white && model.reflectance == white)) lose("the color");
@@ -99,13 +101,14 @@ class StandIn {
       return instead("coated diffuse surface", "coated diffuse surfaces",
                      CoatedDiffuse{base, coat, model.coat_ior});
     }
-    if (model.specular_weight == 0)
-      return instead("diffuse surface", "diffuse surfaces", Lambert{base});
-    return instead("coated diffuse surface", "coated diffuse surfaces", CoatedDiffuse{base, alpha, model.specular_ior});
+    if (model.specular_weight == 0) return instead("diffuse surface", "diffuse surfaces", Lambert{base});
+    return instead("coated diffuse surface", "coated diffuse surfaces",
+                   CoatedDiffuse{base, alpha, model.specular_ior});
   }
   SurfaceModel metal(const Principled& model, const Rgb& color, const Roughness& alpha) {
     use_as_metal();
-    if (model.coat_weight < half) return instead("conductor", "conductors", Conductor{white, metal_k(color), alpha});
+    if (model.coat_weight < half)
+      return instead("conductor", "conductors", Conductor{white, metal_k(color), alpha});
     CoatedConductor coated{white, metal_k(color), alpha};
     coated.coat_roughness = alpha_of(model.coat_roughness, 0);
     coated.coat_ior = model.coat_ior;

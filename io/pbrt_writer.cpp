@@ -21,7 +21,8 @@ Mesh with_outward_normals(Mesh mesh) {
   bool is_turned = false;
   for (std::size_t i = 0; i < mesh.normal_indices.size(); ++i) {
     const Triangle& t = mesh.triangles[i];
-    const Vec3 facet = cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
+    const Vec3 facet =
+        cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
     Vec3 sum;
     for (const std::uint32_t index : mesh.normal_indices[i]) sum += mesh.normals[index];
     if (!(dot(facet, sum) < 0)) continue;
@@ -68,10 +69,12 @@ class Shapes {
              fmt::format("NamedMaterial {}\n", pbrt_string(materials_.names[binding.material]));
     if (binding.light != no_light) text_ += pbrt_area_light(scene_, binding.light, output_);
     const std::string alpha = alpha_of(binding);
-    if (const SphereSet* set = scene_.geometry->sphere_set(shape))
+    if (const SphereSet* set = scene_.geometry->sphere_set(shape)) {
+      name_coordinates(binding, set->spheres.size());
       for (const Sphere& sphere : set->spheres) add_sphere(sphere, alpha);
-    else
+    } else {
       add_mesh(shape, alpha);
+    }
     text_ += "AttributeEnd\n";
   }
 
@@ -80,6 +83,20 @@ class Shapes {
     const auto* constant = std::get_if<ConstantTexture>(&scene_.textures[binding.alpha].model);
     if (constant) return pbrt_real("alpha", constant->value.r);
     return pbrt_texture("alpha", textures_.named(binding.alpha, PbrtTextureKind::number));
+  }
+
+  bool has_picture_of(std::uint32_t alpha) const {
+    return alpha != no_texture && !std::holds_alternative<ConstantTexture>(scene_.textures[alpha].model);
+  }
+
+  /// pbrt's coordinates go around the z axis, ours are octahedral.
+  void name_coordinates(const ShapeBinding& binding, std::size_t spheres) {
+    const Material& material = scene_.materials[binding.material];
+    const bool is_textured = !material.textures.empty() || material.normal_map != no_texture ||
+                             material.bump_map != no_texture || has_picture_of(binding.alpha);
+    for (std::size_t i = 0; i < spheres && is_textured; ++i)
+      output_.losses.add("the texture of a sphere lies as pbrt's spheres have it",
+                         "the textures of {} spheres lie as pbrt's spheres have them");
   }
 
   void add_sphere(const Sphere& sphere, const std::string& alpha) {
@@ -92,8 +109,8 @@ class Shapes {
     const auto write = [geometry = scene_.geometry, shape](const std::string& path) {
       write_file(path, ply_bytes(with_outward_normals(*geometry->mesh(shape))));
     };
-    text_ += "Shape \"plymesh\"" +
-             pbrt_word("filename", output_.add(fmt::format("-{}.ply", shape), write)) + alpha + "\n";
+    text_ += "Shape \"plymesh\"" + pbrt_word("filename", output_.add(fmt::format("-{}.ply", shape), write)) +
+             alpha + "\n";
   }
 
   const Scene& scene_;

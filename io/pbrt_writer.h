@@ -6,8 +6,8 @@
 
 namespace twinray {
 
-/// A scene as pbrt-v4 has it, the inverse of io/pbrt_scene.h: a text of this name, beside it a binary PLY file
-/// for each mesh and an EXR file for each picture. Only what pbrt itself knows is written.
+/// A scene as pbrt-v4 has it, the inverse of io/pbrt_scene.h: a text of this name, beside it a binary PLY
+/// file for each mesh and an EXR file for each picture. Only what pbrt itself knows is written.
 WrittenScene written_pbrt(const SceneToWrite& input, const std::string& path);
 
 }  // namespace twinray

@@ -127,8 +127,7 @@ class Writer {
   void add(const GoniometricLight& light) {
     const Transform swap{{{1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}}};
     statement(moved(light.rotation * swap, light.position), "goniometric",
-              pbrt_rgb("I", light.intensity) +
-                  picture({square(light.map, light.layout, "goniometric"), 1}));
+              pbrt_rgb("I", light.intensity) + picture({square(light.map, light.layout, "goniometric"), 1}));
   }
   /// "fov" is that of the picture's shorter side.
   void add(const ProjectionLight& light) {

@@ -151,8 +151,7 @@ class Parameters {
     if (material_.normal_map != no_texture)
       text_ += pbrt_word("normalmap", textures_.normal_map(material_.normal_map));
     if (material_.bump_map != no_texture)
-      text_ +=
-          pbrt_texture("displacement", textures_.named(material_.bump_map, PbrtTextureKind::number));
+      text_ += pbrt_texture("displacement", textures_.named(material_.bump_map, PbrtTextureKind::number));
   }
 
   const Material& material_;

@@ -66,9 +66,8 @@ std::string PbrtTextureWriter::normal_map(std::uint32_t texture) {
   const UvTransform identity;
   const bool is_moved = !std::equal(&baked.uv.m[0][0], &baked.uv.m[0][0] + 6, &identity.m[0][0]);
   if (!baked.is_exact || is_moved || baked.wrap != WrapMode::repeat)
-    output_.losses.add(
-        "a normal map is written over the texture coordinates as they stand, and repeats",
-        "{} normal maps are written over the texture coordinates as they stand, and repeat");
+    output_.losses.add("a normal map is written over the texture coordinates as they stand, and repeats",
+                       "{} normal maps are written over the texture coordinates as they stand, and repeat");
   return normal_maps_[texture] = add_file(std::move(baked.picture));
 }
 
@@ -88,8 +87,7 @@ std::string PbrtTextureWriter::add_file(Image image) {
 std::string PbrtTextureWriter::picture(const MipMap& image, PbrtTextureKind kind) {
   const auto [entry, is_new] = pictures_.try_emplace({&image, kind});
   if (!is_new) return entry->second;
-  return entry->second =
-             add_file(kind == PbrtTextureKind::color ? image.image(0) : red_of(image.image(0)));
+  return entry->second = add_file(kind == PbrtTextureKind::color ? image.image(0) : red_of(image.image(0)));
 }
 
 std::string PbrtTextureWriter::mapping(const UvTransform& uv) {
@@ -98,8 +96,10 @@ std::string PbrtTextureWriter::mapping(const UvTransform& uv) {
     output_.losses.add("a texture that is turned lies as if it were not",
                        "{} textures that are turned lie as if they were not");
   std::string numbers;
-  for (const auto& [name, value, usual] :
-       {std::tuple{"uscale", u[0], 1.0f}, {"vscale", v[1], 1.0f}, {"udelta", u[2], 0.0f}, {"vdelta", v[2], 0.0f}})
+  for (const auto& [name, value, usual] : {std::tuple{"uscale", u[0], 1.0f},
+                                           {"vscale", v[1], 1.0f},
+                                           {"udelta", u[2], 0.0f},
+                                           {"vdelta", v[2], 0.0f}})
     if (value != usual) numbers += pbrt_real(name, value);
   return numbers;
 }

@@ -36,8 +36,7 @@ std::string ply_bytes(const Mesh& mesh) {
   bytes.reserve(bytes.size() + joined.positions.size() * 8 * sizeof(float) + joined.triangles.size() * 13);
   for (std::size_t i = 0; i < joined.positions.size(); ++i) {
     append(bytes, joined.positions[i].x, joined.positions[i].y, joined.positions[i].z);
-    if (!joined.normals.empty())
-      append(bytes, joined.normals[i].x, joined.normals[i].y, joined.normals[i].z);
+    if (!joined.normals.empty()) append(bytes, joined.normals[i].x, joined.normals[i].y, joined.normals[i].z);
     if (!joined.uvs.empty()) append(bytes, joined.uvs[i].x, joined.uvs[i].y);
   }
   for (const auto& [a, b, c] : joined.triangles) append(bytes, std::uint8_t{3}, a, b, c);

@@ -18,10 +18,8 @@ struct Format {
   std::string_view ending;
   WrittenScene (*written)(const SceneToWrite&, const std::string& path);
 };
-constexpr std::array<Format, 4> formats{{{".json", written_exchange},
-                                         {".pbrt", written_pbrt},
-                                         {".gltf", written_gltf},
-                                         {".glb", written_gltf}}};
+constexpr std::array<Format, 4> formats{
+    {{".json", written_exchange}, {".pbrt", written_pbrt}, {".gltf", written_gltf}, {".glb", written_gltf}}};
 
 const Format& format_of(const std::string& path) {
   const std::string name = name_of_file(path);

@@ -12,16 +12,14 @@ namespace twinray {
 
 std::string name_of_file(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-std::string SceneOutput::add(const std::string& suffix,
-                             std::function<void(const std::string& path)> write) {
+std::string SceneOutput::add(const std::string& suffix, std::function<void(const std::string& path)> write) {
   const std::string path = path_.substr(0, path_.rfind('.')) + suffix;
   files_.push_back({path, std::move(write)});
   return name_of_file(path);
 }
 
 WrittenScene SceneOutput::finish(std::string bytes) {
-  files_.push_back(
-      {path_, [bytes = std::move(bytes)](const std::string& path) { write_file(path, bytes); }});
+  files_.push_back({path_, [bytes = std::move(bytes)](const std::string& path) { write_file(path, bytes); }});
   return {std::move(files_), losses.lines(path_)};
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/convert_command.h"
 #include "core/error.h"
+#include "core/image.h"
 #include "io/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
@@ -88,7 +90,8 @@ TEST_CASE("a wrong convert command line ends with 2, and a file that is not ther
   CHECK(unknown.exit_code == 2);
   CHECK(unknown.err ==
         "twinray: there is no option --vieww=file; did you mean --view?\n"
-        "usage: twinray convert SCENE.dae OUT.json|.pbrt|.gltf|.glb [options]; all options: twinray convert --help\n");
+        "usage: twinray convert SCENE.dae OUT.json|.pbrt|.gltf|.glb [options]; all options: twinray convert "
+        "--help\n");
   const ProcessResult output = run_program("convert " + box + " -");
   CHECK(output.exit_code == 1);
   CHECK(output.err ==
@@ -123,6 +126,97 @@ TEST_CASE("convert writes nothing where two of its files are the same place") {
                                   folder.file("box-1.ply"), folder.file("box-0.ply")));
   CHECK(read_text(folder.file("box-0.ply")) == "old");
   CHECK(folder.file_count() == 2);
+}
+
+TEST_CASE("a picture of a scene that is converted is that of the scene") {
+  const TemporaryFolder folder;
+  const std::string scenes = TWINRAY_SOURCE_DIR "/scenes/";
+  struct Case {
+    const char *scene, *output;
+    double tolerance;  ///< Of the mean: that of 8-bit pictures and spheres cut into triangles.
+  };
+  for (const auto& [scene, output, tolerance] :
+       {Case{"spheres.dae", "a.pbrt", 0}, Case{"materials.pbrt", "b.pbrt", 0},
+        Case{"spheres.dae", "c.gltf", 2e-3}, Case{"table.gltf", "d.glb", 5e-3}}) {
+    INFO(output);
+    const std::string path = folder.file(output);
+    const auto mean = [&](const std::string& file) {
+      const std::string picture = folder.file("picture.exr");
+      const ProcessResult result = run_program("render -q -r 48 36 -s 16 -m 5 --filter=box " + quoted(file) +
+                                               " -o " + quoted(picture));
+      REQUIRE(result.exit_code == 0);
+      return mean_of(read_image(picture));
+    };
+    const ProcessResult result = run_program("convert -q -r 48 36 " + scenes + scene + " " + quoted(path));
+    REQUIRE(result.exit_code == 0);
+    const Rgb wanted = mean(scenes + scene), converted = mean(path);
+    CHECK(converted.r == Approx(wanted.r).epsilon(tolerance));
+    CHECK(converted.g == Approx(wanted.g).epsilon(tolerance));
+    CHECK(converted.b == Approx(wanted.b).epsilon(tolerance));
+  }
+}
+
+TEST_CASE("convert warns of what a format has not, and writes the files that it names") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("lights.gltf");
+  const ProcessResult result =
+      run_program("convert " TWINRAY_SOURCE_DIR "/scenes/lights.dae " + quoted(path));
+  CHECK(result.exit_code == 0);
+  CHECK(result.out == path + ": 4 materials, 8 lights, 8 shapes, 1 file beside it\n");
+  std::string wanted;
+  for (const char* line : {"a sphere light is a mesh that emits",
+                           "a point light falls off with the square of the distance, not as the scene says",
+                           "a spot light is as bright beside its axis as along it",
+                           "an ambient light is left out", "5 spheres are meshes of 256 edges around"})
+    wanted += fmt::format("warning: {}: {}\n", path, line);
+  CHECK(result.err == wanted);
+  CHECK(folder.file_count() == 2);
+  CHECK(run_program("convert -q " + box + " " + quoted(folder.file("box.glb"))).exit_code == 0);
+  CHECK(folder.file_count() == 3);
+}
+
+TEST_CASE("convert takes a file's own size of the picture, unless another one is asked for") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("scene.pbrt"), path = folder.file("a.pbrt");
+  write_text(scene,
+             "Film \"rgb\" \"integer xresolution\" 64 \"integer yresolution\" 48 "
+             "\"float cropwindow\" [ 0 0.5 0 1 ]\nWorldBegin\nShape \"sphere\"\n");
+  CHECK(run_program("convert -q " + quoted(scene) + " " + quoted(path)).exit_code == 0);
+  CHECK(read_text(path).find("\"integer xresolution\" [ 64 ]") != std::string::npos);
+  CHECK(read_text(path).find("\"integer pixelbounds\" [ 0 32 0 48 ]") != std::string::npos);
+  CHECK(run_program("convert -q -r 20 10 " + quoted(scene) + " " + quoted(path)).exit_code == 0);
+  CHECK(read_text(path).find("\"integer xresolution\" [ 20 ]") != std::string::npos);
+  CHECK(read_text(path).find("pixelbounds") == std::string::npos);
+}
+
+TEST_CASE("convert writes what moves where it stands at a time") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("scene.gltf");
+  // A triangle whose node moves from x = 0 to x = 2 within a second: times, places and positions in base64.
+  write_text(scene, R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}],
+    "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 2}}]}],
+    "animations": [{"samplers": [{"input": 0, "output": 1}],
+                    "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 2, "type": "SCALAR"},
+                  {"bufferView": 0, "byteOffset": 8, "componentType": 5126, "count": 2, "type": "VEC3"},
+                  {"bufferView": 0, "byteOffset": 32, "componentType": 5126, "count": 3, "type": "VEC3"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 68}],
+    "buffers": [{"byteLength": 68, "uri": "data:application/octet-stream;base64,BASE64"}]})");
+  std::string text = read_text(scene);
+  const std::string data =
+      "AAAAAAAAgD8AAAAAAAAAAAAAAAAAAABAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=";
+  text.replace(text.find("BASE64"), 6, data);
+  write_text(scene, text);
+  const std::string path = folder.file("a.json");
+  CHECK(run_program("convert -q --time=0.5 " + quoted(scene) + " " + quoted(path)).exit_code == 0);
+  const std::string mesh = read_text(folder.file("a-0.ply"));
+  float x = 0;
+  std::memcpy(&x, mesh.data() + mesh.find("end_header\n") + 11, sizeof x);
+  CHECK(x == 1);
+  const ProcessResult still =
+      run_program("convert -q --time=0.5 " + box + " " + quoted(folder.file("box.json")));
+  CHECK(still.err == "warning: --time: no effect, for nothing in the scene moves\n");
+  CHECK(run_program("convert --time=soon " + box + " a.json").exit_code == 2);
 }
 
 }  // namespace twinray::test

@@ -17,11 +17,13 @@ namespace twinray::test {
 namespace {
 
 constexpr float rounding = 1e-6f;
+/// The reader shows what emits first, where it stores the rest once.
+const LoadOptions copies{.instances = InstanceUse::copy};
 /// Of 1 - v, there and back.
 constexpr float v_rounding = 0x1p-23f;
 
 LoadedScene load(const std::string& name) {
-  return load_scene(std::string(TWINRAY_SOURCE_DIR) + "/scenes/" + name, {.instances = InstanceUse::keep});
+  return load_scene(std::string(TWINRAY_SOURCE_DIR) + "/scenes/" + name);
 }
 
 Mesh triangle() {
@@ -72,18 +74,20 @@ std::uint32_t texture_of(const RoundTrip& trip, MaterialInput input) {
 
 }  // namespace
 
-TEST_CASE("written gltf: the shapes of this project's scenes come back as they were, in one file or several") {
+TEST_CASE(
+    "written gltf: the shapes of this project's scenes come back as they were, in one file or several") {
   for (const char* name : {"box.dae", "cornell-bunny.dae", "table.gltf", "blocks.obj"}) {
     INFO(name);
     const Scene scene = load(name).scene;
-    const RoundTrip text = round_trip(scene, "a.gltf"), binary = round_trip(scene, "a.glb");
+    const RoundTrip text = round_trip(scene, "a.gltf", copies), binary = round_trip(scene, "a.glb", copies);
     const GeometryDifference apart = difference(scene, text.scene);
-    CHECK(apart.fault.empty());
+    CHECK(apart.fault == "");
     CHECK(apart.positions == 0);
-    CHECK(apart.uvs <= v_rounding);
+    CHECK(apart.uvs <= v_rounding);  // The reader leaves those out that no texture needs.
+    if (std::string(name) == "table.gltf") CHECK_FALSE(apart.has_lost_uvs);
     CHECK(apart.normals <= 1.2e-7f);
     const GeometryDifference other = difference(text.scene, binary.scene);
-    CHECK(other.fault.empty());
+    CHECK(other.fault == "");
     CHECK(other.positions + other.normals + other.uvs == 0);
     CHECK(text.warnings == binary.warnings);
     CHECK(first_difference(surfaces(text.scene), surfaces(binary.scene), 0) == "");
@@ -95,7 +99,7 @@ TEST_CASE("written gltf: the shapes of this project's scenes come back as they w
 
 TEST_CASE("written gltf: what was read from a file of this format comes back") {
   const Scene scene = load("table.gltf").scene;
-  const RoundTrip trip = round_trip(scene, "a.gltf");
+  const RoundTrip trip = round_trip(scene, "a.gltf", copies);
   CHECK(trip.warnings.empty());
   CHECK(first_difference(surfaces(scene), surfaces(trip.scene), 2e-6) == "");
   CHECK(first_difference(free_lights(scene), free_lights(trip.scene), 2e-6) == "");
@@ -125,7 +129,8 @@ TEST_CASE("written gltf: each property of a surface that the format has comes ba
     CHECK(trip.warnings.empty());
     auto wanted = surfaces(scene), read = surfaces(trip.scene);
     for (auto* list : {&wanted, &read}) {  // What nothing shows.
-      if (model.coat_weight == 0) (*list)[0]["material"]["coat_darkening"] = 0, (*list)[0]["material"]["coat_ior"] = 0;
+      if (model.coat_weight == 0)
+        (*list)[0]["material"]["coat_darkening"] = 0, (*list)[0]["material"]["coat_ior"] = 0;
       if (model.fuzz_weight == 0) (*list)[0]["material"]["fuzz_roughness"] = 0;
       if (model.transmission_weight == 0) (*list)[0]["material"]["geometry_thin_walled"] = false;
     }
@@ -148,8 +153,9 @@ TEST_CASE("written gltf: other materials are surfaces that reflect alike, and ar
   CHECK(glass.specular_roughness == 0.5f);
   CHECK_FALSE(glass.geometry_thin_walled);
   CHECK(comes_back(Dielectric{.is_thin = true}, {}).geometry_thin_walled);
-  const Principled metal = comes_back(Conductor{{1, 1, 1}, {2, 0, 1}, {0.25f, 0.25f}},
-                                      {"a material of the type conductor is written as a metal of its color"});
+  const Principled metal =
+      comes_back(Conductor{{1, 1, 1}, {2, 0, 1}, {0.25f, 0.25f}},
+                 {"a material of the type conductor is written as a metal of its color"});
   CHECK(metal.base_metalness == 1);
   CHECK(metal.base_color.r == Approx(0.5));  // k^2 / (4 + k^2)
   CHECK(metal.base_color.g == 0);
@@ -158,10 +164,11 @@ TEST_CASE("written gltf: other materials are surfaces that reflect alike, and ar
   comes_back(DiffuseTransmission{},
              {"a material of the type diffuse_transmission is written as a diffuse surface, through which no "
               "light goes"});
-  CHECK(comes_back(CoatedConductor{},
-                   {"a material of the type coated_conductor is written as a metal of its color below a clear "
-                    "coat"})
-            .coat_weight == 1);
+  CHECK(
+      comes_back(CoatedConductor{},
+                 {"a material of the type coated_conductor is written as a metal of its color below a clear "
+                  "coat"})
+          .coat_weight == 1);
   Scene mixed = scene_of(triangle(), Lambert{{0.5f, 0.5f, 0.5f}});
   mixed.materials.push_back({"b", Lambert{{0.25f, 0.25f, 0.25f}}});
   mixed.materials.push_back({"mix", Mix{0, 1, 0.75f}});
@@ -219,18 +226,19 @@ TEST_CASE("written gltf: lights and cameras that the format has not are named") 
   const auto sky = std::make_shared<Image>(1, 1);
   sky->pixels = {{1, 1, 1}};
   scene.bindings[0].light = 0;
-  scene.lights = {{"", SphereLight{0, {1, 2, 3}}}, {"", EnvironmentLight{sky}}, {"", EnvironmentLight{sky}},
-                  {"", AmbientLight{}}, {"", SunLight{{0, -1, 0}, {4, 5, 6}}}};
+  scene.lights = {{"", SphereLight{0, {1, 2, 3}}},
+                  {"", EnvironmentLight{sky}},
+                  {"", EnvironmentLight{sky}},
+                  {"", AmbientLight{}},
+                  {"", SunLight{{0, -1, 0}, {4, 5, 6}}}};
   scene.camera.lens_radius = 0.5f;
   scene.camera.frame_center = {0.25f, 0};
   const RoundTrip trip = round_trip(scene, "a.gltf");
-  CHECK(trip.warnings == std::vector<std::string>{"the camera's lens is a pinhole",
-                                                  "the shift of the camera's frame is left out",
-                                                  "a sphere light is a mesh that emits",
-                                                  "2 environment lights: each is left out",
-                                                  "an ambient light is left out",
-                                                  "a sun light is a direction, without a disc",
-                                                  "a sphere is a mesh of 256 edges around"});
+  CHECK(trip.warnings == std::vector<std::string>{
+                             "the camera's lens is a pinhole", "the shift of the camera's frame is left out",
+                             "a sphere light is a mesh that emits", "2 environment lights: each is left out",
+                             "an ambient light is left out", "a sun light is a direction, without a disc",
+                             "a sphere is a mesh of 256 edges around"});
   REQUIRE(trip.scene.lights.size() == 2);
   const auto& box = trip.scene.geometry->bounds();
   CHECK(box.lower.x == Approx(0.5));
@@ -241,13 +249,11 @@ TEST_CASE("written gltf: textures come back as they lie, each in its channel") {
   Principled model;
   Scene scene = scene_of(triangle(), model);
   const UvTransform turned{{{1.5f, -0.5f, 0.25f}, {1, 0.75f, 0.125f}}};  // Turned, and scaled by two numbers.
-  scene.textures = {
-      {"colors", ImageTexture{picture(), WrapMode::clamp, TextureFilter::bilinear, turned}},
-      {"points", ImageTexture{picture(), WrapMode::repeat, TextureFilter::nearest, {}}},
-      {"twice", ScaleTexture{1, 1}}};
-  scene.materials[0].textures = {{MaterialInput::reflectance, 0},
-                                 {MaterialInput::roughness, 1},
-                                 {MaterialInput::base_metalness, 2}};
+  scene.textures = {{"colors", ImageTexture{picture(), WrapMode::clamp, TextureFilter::bilinear, turned}},
+                    {"points", ImageTexture{picture(), WrapMode::repeat, TextureFilter::nearest, {}}},
+                    {"twice", ScaleTexture{1, 1}}};
+  scene.materials[0].textures = {
+      {MaterialInput::reflectance, 0}, {MaterialInput::roughness, 1}, {MaterialInput::base_metalness, 2}};
   for (const char* name : {"a.gltf", "a.glb"}) {
     const RoundTrip trip = round_trip(scene, name);
     CHECK(trip.warnings.empty());
@@ -255,7 +261,8 @@ TEST_CASE("written gltf: textures come back as they lie, each in its channel") {
     REQUIRE(color != no_texture);
     const auto& image = std::get<ImageTexture>(trip.scene.textures[color].model);
     CHECK(image.wrap == WrapMode::clamp);
-    for (int i = 0; i < 6; ++i) CHECK(image.uv.m[i / 3][i % 3] == Approx(turned.m[i / 3][i % 3]).margin(1e-6));
+    for (int i = 0; i < 6; ++i)
+      CHECK(image.uv.m[i / 3][i % 3] == Approx(turned.m[i / 3][i % 3]).margin(1e-6));
     std::get<ImageTexture>(trip.scene.textures[color].model);
     scene.textures[0].model = ImageTexture{picture(), WrapMode::clamp, image.filter, turned};
     CHECK(apart(scene, 0, trip.scene, color) <= byte_rounding);
@@ -341,7 +348,8 @@ TEST_CASE("written gltf: the bounds of positions are said, and shapes without a 
   CHECK(trip.warnings == std::vector<std::string>{"a shape without a surface is left out"});
   const auto json = nlohmann::json::parse(trip.text);
   CHECK(json["meshes"].size() == 1);
-  const auto& positions = json["accessors"][json["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<int>()];
+  const auto& positions =
+      json["accessors"][json["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<int>()];
   CHECK(positions["min"] == nlohmann::json({0, 0, 0}));
   CHECK(positions["max"] == nlohmann::json({1, 1, 0}));
   CHECK(json["buffers"][0]["uri"] == "a.bin");

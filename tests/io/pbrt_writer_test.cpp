@@ -61,9 +61,9 @@ bool are_alike(const Scene& a, std::uint32_t texture, const Scene& b, std::uint3
   for (int i = 0; i < 81; ++i) {
     const TexturePoint at{.uv = {0.37f * float(i % 9) - 1, 0.29f * float(i / 9) - 1}, .is_smooth = true};
     const Rgb x = evaluate(a.textures, texture, at), y = evaluate(b.textures, other, at);
-    const float apart = red_alone ? std::fabs(x.r - y.r) : max_component({std::fabs(x.r - y.r),
-                                                                          std::fabs(x.g - y.g),
-                                                                          std::fabs(x.b - y.b)});
+    const float apart =
+        red_alone ? std::fabs(x.r - y.r)
+                  : max_component({std::fabs(x.r - y.r), std::fabs(x.g - y.g), std::fabs(x.b - y.b)});
     if (!(apart <= rounding)) return false;
   }
   return true;
@@ -79,9 +79,10 @@ TEST_CASE("written pbrt: this project's scenes of plain materials come back as t
     const RoundTrip trip = round_trip(scene, "a.pbrt");
     CHECK(trip.warnings.empty());
     const GeometryDifference apart = difference(scene, trip.scene);
-    CHECK(apart.fault.empty());
+    CHECK(apart.fault == "");
     CHECK(apart.positions == 0);
     CHECK(apart.uvs == 0);
+    CHECK_FALSE(apart.has_lost_uvs);
     CHECK(apart.normals <= 1.2e-7f);  // The reader makes them unit vectors again.
     CHECK(first_difference(surfaces(scene), surfaces(trip.scene), 0) == "");
     CHECK(first_difference(free_lights(scene), free_lights(trip.scene), 1e-6) == "");
@@ -140,7 +141,8 @@ TEST_CASE("written pbrt: what pbrt's cameras have not is named") {
 
 TEST_CASE("written pbrt: what a file said of its picture stays, and nothing else is said of the filter") {
   const Scene scene = scene_of(triangle(), Lambert{});
-  RenderDefaults picture{.resolution = {{320, 200}}, .crop = {{10, 20, 30, 40}}, .samples = 48, .max_depth = 7};
+  RenderDefaults picture{
+      .resolution = {{320, 200}}, .crop = {{10, 20, 30, 40}}, .samples = 48, .max_depth = 7};
   picture.filter = PixelFilter{FilterKind::mitchell, {1.5f, 2.5f}, 0.5f, 0.25f, 0.5f};
   const TemporaryFolder folder;
   const WrittenScene written = written_pbrt({scene, picture}, folder.file("a.pbrt"));
@@ -158,18 +160,25 @@ TEST_CASE("written pbrt: what a file said of its picture stays, and nothing else
   CHECK(text.find("Sampler") == text.npos);
 }
 
-TEST_CASE("written pbrt: each material that pbrt has comes back with every bit") {
+TEST_CASE("written pbrt: each material that pbrt has comes back, with every bit but the last of an index") {
   const Roughness even{0.3f, 0.3f}, uneven{0.123f, 0.456f};
   for (const SurfaceModel& model : std::initializer_list<SurfaceModel>{
            Lambert{{0.1f, 0.7f, 0.3f}}, Dielectric{1.33f}, Dielectric{1.7f, even}, Dielectric{1.7f, uneven},
-           Dielectric{.ior = 1.4f, .is_thin = true}, Conductor{{0.3f, 0.4f, 1.5f}, {3.1f, 2.2f, 1.9f}, uneven},
+           Dielectric{.ior = 1.4f, .is_thin = true},
+           Conductor{{0.3f, 0.4f, 1.5f}, {3.1f, 2.2f, 1.9f}, uneven},
            DiffuseTransmission{{0.1f, 0.2f, 0.3f}, {0.5f, 0.4f, 0.3f}},
            CoatedDiffuse{{0.1f, 0.2f, 0.3f}, even, 1.6f},
            CoatedConductor{{0.3f, 0.4f, 1.5f}, {3.1f, 2.2f, 1.9f}, even, {1, 1, 1}, uneven, 1.45f}}) {
     const Scene scene = scene_of(triangle(), model);
     const RoundTrip trip = round_trip(scene, "a.pbrt");
     CHECK(trip.warnings.empty());
-    CHECK(first_difference(surfaces(scene), surfaces(trip.scene), 0) == "");
+    auto wanted = surfaces(scene), read = surfaces(trip.scene);
+    for (const char* index : {"ior", "coat_ior"})
+      if (wanted[0]["material"].contains(index)) {
+        CHECK(wanted[0]["material"][index].get<float>() == Approx(read[0]["material"][index].get<float>()));
+        read[0]["material"][index] = wanted[0]["material"][index];
+      }
+    CHECK(first_difference(wanted, read, 0) == "");
     CHECK(only_material(trip).name == "stuff");
   }
 }
@@ -191,8 +200,7 @@ TEST_CASE("written pbrt: mixtures, bodies that absorb, and names that are not un
   scene.materials[0].interior = {{0.5f, 0.25f, 0}, 3};
   trip = round_trip(scene, "a.pbrt");
   CHECK(only_material(trip).interior.absorption == Rgb{0.5f, 0.25f, 0});
-  CHECK(trip.warnings ==
-        std::vector<std::string>{"the priority of a body that overlaps others is left out"});
+  CHECK(trip.warnings == std::vector<std::string>{"the priority of a body that overlaps others is left out"});
 }
 
 TEST_CASE("written pbrt: a material that pbrt has not is the nearest one, and is named") {
@@ -201,20 +209,20 @@ TEST_CASE("written pbrt: a material that pbrt has not is the nearest one, and is
     CHECK(trip.warnings == std::vector<std::string>{warning});
     return only_material(trip).model;
   };
-  const auto metal = std::get<Conductor>(comes_back(
-      Microfacet{0.25f, {1, 2, 3}, {4, 5, 6}},
-      "a material of the type microfacet is written as a conductor of GGX facets"));
+  const auto metal = std::get<Conductor>(
+      comes_back(Microfacet{0.25f, {1, 2, 3}, {4, 5, 6}},
+                 "a material of the type microfacet is written as a conductor of GGX facets"));
   CHECK(metal.eta == Rgb{1, 2, 3});
   CHECK(metal.roughness == Roughness{0.25f, 0.25f});
-  CHECK(std::get<Dielectric>(
-            comes_back(Glass{{1, 1, 1}, {0.5f, 1, 1}, 0, 1.25f},
-                       "the color of a material of the type glass is left out"))
+  CHECK(std::get<Dielectric>(comes_back(Glass{{1, 1, 1}, {0.5f, 1, 1}, 0, 1.25f},
+                                        "the color of a material of the type glass is left out"))
             .ior == 1.25f);
   CHECK(std::get<Lambert>(comes_back(RoughDiffuse{{0.2f, 0.3f, 0.4f}},
                                      "a material of the type rough_diffuse is written as a diffuse surface"))
             .reflectance == Rgb{0.2f, 0.3f, 0.4f});
   comes_back(Mirror{}, "a material of the type mirror is written as a smooth conductor");
-  comes_back(Refraction{}, "a material of the type refraction is written as a dielectric, which also reflects");
+  comes_back(Refraction{},
+             "a material of the type refraction is written as a dielectric, which also reflects");
   Principled model;
   model.base_color = {0.5f, 0.25f, 0.125f};
   model.specular_roughness = 0.5f;
@@ -239,16 +247,15 @@ TEST_CASE("written pbrt: a material that pbrt has not is the nearest one, and is
 TEST_CASE("written pbrt: textures of each class give the same values, as colors and as numbers") {
   Scene scene = scene_of(triangle_with_uvs(), CoatedDiffuse{});
   const UvTransform uv{{{2, 0, 0.25f}, {0, -3, 0.5f}}};
-  scene.textures = {
-      {"picture", ImageTexture{picture(), WrapMode::clamp, TextureFilter::bilinear, uv}},
-      {"half", ConstantTexture{{0.5f, 0.5f, 0.5f}}},
-      {"tint", ConstantTexture{{0.5f, 0.25f, 1}}},
-      {"halved", ScaleTexture{1, 0}},
-      {"mixed", MixTexture{0, 2, 3}},
-      {"board", CheckerboardTexture{4, 2, uv}},
-      {"points", ImageTexture{picture(), WrapMode::repeat, TextureFilter::nearest, {}}},
-      {"black beside", ImageTexture{picture(), WrapMode::black, TextureFilter::bilinear, {}}},
-      {"tinted", ScaleTexture{6, 2}}};
+  scene.textures = {{"picture", ImageTexture{picture(), WrapMode::clamp, TextureFilter::bilinear, uv}},
+                    {"half", ConstantTexture{{0.5f, 0.5f, 0.5f}}},
+                    {"tint", ConstantTexture{{0.5f, 0.25f, 1}}},
+                    {"halved", ScaleTexture{1, 0}},
+                    {"mixed", MixTexture{0, 2, 3}},
+                    {"board", CheckerboardTexture{4, 2, uv}},
+                    {"points", ImageTexture{picture(), WrapMode::repeat, TextureFilter::nearest, {}}},
+                    {"black beside", ImageTexture{picture(), WrapMode::black, TextureFilter::bilinear, {}}},
+                    {"tinted", ScaleTexture{6, 2}}};
   for (std::uint32_t texture = 0; texture < scene.textures.size(); ++texture) {
     INFO(scene.textures[texture].name);
     scene.materials[0].textures = {{MaterialInput::reflectance, texture},
@@ -289,15 +296,16 @@ TEST_CASE("written pbrt: textures of roughnesses and of metals keep what they me
 
 TEST_CASE("written pbrt: holes, bumps and normal maps come back, and turned textures are named") {
   Scene scene = scene_of(triangle_with_uvs(), Lambert{});
-  scene.textures = {{"picture", ImageTexture{picture(), WrapMode::repeat, TextureFilter::bilinear, {}}},
-                    {"third", ConstantTexture{{0.25f, 0.25f, 0.25f}}},
-                    {"turned", ImageTexture{picture(), WrapMode::repeat, TextureFilter::bilinear,
-                                            {{{0, 1, 0}, {-1, 0, 0}}}}}};
+  scene.textures = {
+      {"picture", ImageTexture{picture(), WrapMode::repeat, TextureFilter::bilinear, {}}},
+      {"third", ConstantTexture{{0.25f, 0.25f, 0.25f}}},
+      {"turned",
+       ImageTexture{picture(), WrapMode::repeat, TextureFilter::bilinear, {{{0, 1, 0}, {-1, 0, 0}}}}}};
   scene.materials[0].normal_map = scene.materials[0].bump_map = 0;
   for (const std::uint32_t alpha : {0u, 1u}) {
     scene.bindings[0].alpha = alpha;
-    scene.geometry = std::make_shared<const Geometry>(
-        cut_out({triangle_with_uvs()}, scene.bindings, scene.textures, {}));
+    scene.geometry =
+        std::make_shared<const Geometry>(cut_out({triangle_with_uvs()}, scene.bindings, scene.textures, {}));
     const RoundTrip trip = round_trip(scene, "a.pbrt");
     CHECK(trip.warnings.empty());
     CHECK(are_alike(scene, alpha, trip.scene, trip.scene.bindings[0].alpha, true));
@@ -319,14 +327,14 @@ TEST_CASE("written pbrt: each light that pbrt has comes back") {
   one->pixels = {{0.5f, 0.25f, 1}};
   const Transform turn = Transform::rotation({1, 2, 3}, 40);
   const Vec3 along = normalize(Vec3{1, -2, 0.5f}), right = normalize(cross(along, {0, 1, 0}));
-  scene.lights = {{"", PointLight{{1, 2, 3}, {4, 5, 6.1f}}},
-                  {"", SpotLight{{100.1f, 2, 3}, along, {4, 5, 6}, {}, 35.5f, 0, 4.25f}},
-                  {"", DirectionalLight{along, {0.1f, 0.2f, 3e5f}}},
-                  {"", EnvironmentLight{one, MapLayout::latitude_longitude, {}, {3, 2, 1}}},
-                  {"", EnvironmentLight{square, MapLayout::equal_area, turn, {3, 3, 3}}},
-                  {"", GoniometricLight{{1, 2, 3}, {4, 5, 6}, square, MapLayout::equal_area, turn}},
-                  {"", ProjectionLight{{1, 2, 3}, right, cross(right, along), along, 0.75f, 0.375f,
-                                       {2, 2, 2}, wide}}};
+  scene.lights = {
+      {"", PointLight{{1, 2, 3}, {4, 5, 6.1f}}},
+      {"", SpotLight{{100.1f, 2, 3}, along, {4, 5, 6}, {}, 35.5f, 0, 4.25f}},
+      {"", DirectionalLight{along, {0.1f, 0.2f, 3e5f}}},
+      {"", EnvironmentLight{one, MapLayout::latitude_longitude, {}, {3, 2, 1}}},
+      {"", EnvironmentLight{square, MapLayout::equal_area, turn, {3, 3, 3}}},
+      {"", GoniometricLight{{1, 2, 3}, {4, 5, 6}, square, MapLayout::equal_area, turn}},
+      {"", ProjectionLight{{1, 2, 3}, right, cross(right, along), along, 0.75f, 0.375f, {2, 2, 2}, wide}}};
   const RoundTrip trip = round_trip(scene, "a.pbrt");
   CHECK(trip.warnings.empty());
   auto wanted = free_lights(scene);
@@ -354,13 +362,12 @@ TEST_CASE("written pbrt: lights that pbrt has not are others of the same strengt
                   {"", PointLight{{}, {1, 1, 1}, {1, 0, 0}}},
                   {"", SpotLight{.intensity = {1, 1, 1}, .falloff_exponent = 2}}};
   const RoundTrip trip = round_trip(scene, "a.pbrt");
-  CHECK(trip.warnings ==
-        std::vector<std::string>{
-            "an ambient light is an environment, which is seen",
-            "an environment light is drawn anew as a square of equal areas",
-            "a sun light is a direction, without a disc",
-            "a point light falls off with the square of the distance, not as the scene says",
-            "a spot light is as bright beside its axis as along it"});
+  CHECK(trip.warnings == std::vector<std::string>{
+                             "an ambient light is an environment, which is seen",
+                             "an environment light is drawn anew as a square of equal areas",
+                             "a sun light is a direction, without a disc",
+                             "a point light falls off with the square of the distance, not as the scene says",
+                             "a spot light is as bright beside its axis as along it"});
   const auto& ambient = std::get<EnvironmentLight>(trip.scene.lights[0].source);
   CHECK(mean_of(*ambient.map) == Rgb{0.5f, 1, 1.5f});  // A half of all directions.
   CHECK(dot(ambient.rotation.vector({0, 0, 1}), {0, 1, 0}) == Approx(1));
@@ -410,7 +417,7 @@ TEST_CASE("written pbrt: normals on the other side of a triangle are turned, so 
   const Scene scene = scene_of(mesh, Lambert{});
   const RoundTrip trip = round_trip(scene, "a.pbrt");
   const GeometryDifference apart = difference(scene, trip.scene);
-  CHECK(apart.fault.empty());
+  CHECK(apart.fault == "");
   CHECK(apart.positions == 0);
   CHECK(apart.normals <= 1.2e-7f);
   const Mesh& read = *trip.scene.geometry->mesh(0);
@@ -428,7 +435,7 @@ TEST_CASE("written pbrt: what is shown by instances is stored once, wherever it 
   const RoundTrip trip = round_trip(scene, "a.pbrt");
   CHECK(trip.warnings.empty());
   const GeometryDifference apart = difference(scene, trip.scene);
-  CHECK(apart.fault.empty());
+  CHECK(apart.fault == "");
   CHECK(apart.positions == 0);
   CHECK(trip.scene.geometry->prototypes() == scene.geometry->prototypes());
   REQUIRE(trip.scene.geometry->instances().size() == 2);

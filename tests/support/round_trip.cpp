@@ -22,13 +22,14 @@ float apart(const Vec3& a, const Vec3& b) { return max_abs(a - b); }
 /// Adds one triangle's corners to the difference.
 void compare(const Mesh& a, const Mesh& b, std::size_t triangle, GeometryDifference& d) {
   for (std::size_t k = 0; k < 3; ++k) {
-    d.positions = std::max(d.positions, apart(a.positions[a.triangles[triangle][k]],
-                                              b.positions[b.triangles[triangle][k]]));
+    d.positions = std::max(
+        d.positions, apart(a.positions[a.triangles[triangle][k]], b.positions[b.triangles[triangle][k]]));
     if (!a.normals.empty()) {
       const Vec3 &m = a.normals[a.normal_indices[triangle][k]], &n = b.normals[b.normal_indices[triangle][k]];
       d.normals = std::max(d.normals, std::min(apart(m, n), apart(m, -n)));
     }
-    if (!a.uvs.empty()) {
+    if (a.uvs.empty() != b.uvs.empty()) d.has_lost_uvs = true;
+    if (!a.uvs.empty() && !b.uvs.empty()) {
       const Vec2 s = a.uvs[a.uv_indices[triangle][k]], t = b.uvs[b.uv_indices[triangle][k]];
       d.uvs = std::max({d.uvs, std::fabs(s.x - t.x), std::fabs(s.y - t.y)});
     }
@@ -38,8 +39,7 @@ void compare(const Mesh& a, const Mesh& b, std::size_t triangle, GeometryDiffere
 std::string fault_of(const Mesh& a, const Mesh& b) {
   if (a.triangles.size() != b.triangles.size())
     return fmt::format("{} has {} triangles, not {}", a.name, b.triangles.size(), a.triangles.size());
-  if (a.normals.empty() != b.normals.empty()) return a.name + " has normals in one scene alone";
-  return a.uvs.empty() != b.uvs.empty() ? a.name + " has coordinates in one scene alone" : "";
+  return a.normals.empty() != b.normals.empty() ? a.name + " has normals in one scene alone" : "";
 }
 
 nlohmann::json exchange(const Scene& scene) {
@@ -60,7 +60,8 @@ RoundTrip round_trip(const Scene& scene, const std::string& name, LoadOptions op
   write_files(written);
   RoundTrip trip;
   trip.text = read_text(path);
-  for (const std::string& warning : written.warnings) trip.warnings.push_back(warning.substr(path.size() + 2));
+  for (const std::string& warning : written.warnings)
+    trip.warnings.push_back(warning.substr(path.size() + 2));
   if (options.instances == InstanceUse::automatic) options.instances = InstanceUse::keep;
   options.strict = true;
   trip.scene = load_scene(path, options).scene;
@@ -70,8 +71,7 @@ RoundTrip round_trip(const Scene& scene, const std::string& name, LoadOptions op
 GeometryDifference difference(const Scene& a, const Scene& b) {
   GeometryDifference d;
   const auto &of_a = a.geometry->shapes(), &of_b = b.geometry->shapes();
-  if (of_a.size() != of_b.size())
-    d.fault = fmt::format("{} shapes, not {}", of_b.size(), of_a.size());
+  if (of_a.size() != of_b.size()) d.fault = fmt::format("{} shapes, not {}", of_b.size(), of_a.size());
   for (std::size_t i = 0; i < of_a.size() && d.fault.empty(); ++i) {
     const auto *mesh = std::get_if<Mesh>(&of_a[i]), *other = std::get_if<Mesh>(&of_b[i]);
     if (!mesh != !other) d.fault = fmt::format("shape {} is of another kind", i);
@@ -79,7 +79,8 @@ GeometryDifference difference(const Scene& a, const Scene& b) {
     if (!d.fault.empty()) break;
     for (std::size_t k = 0; mesh && k < mesh->triangles.size(); ++k) compare(*mesh, *other, k, d);
     if (mesh) continue;
-    const auto &spheres = std::get<SphereSet>(of_a[i]).spheres, &others = std::get<SphereSet>(of_b[i]).spheres;
+    const auto &spheres = std::get<SphereSet>(of_a[i]).spheres,
+               &others = std::get<SphereSet>(of_b[i]).spheres;
     if (spheres.size() != others.size()) d.fault = fmt::format("shape {} has other spheres", i);
     for (std::size_t k = 0; k < std::min(spheres.size(), others.size()); ++k)
       d.positions = std::max({d.positions, apart(spheres[k].center, others[k].center),
@@ -100,7 +101,8 @@ nlohmann::json surfaces(const Scene& scene) {
 
 nlohmann::json free_lights(const Scene& scene) {
   nlohmann::json list = nlohmann::json::array();
-  for (const nlohmann::json& light : exchange(scene)["lights"])
+  const nlohmann::json json = exchange(scene);
+  for (const nlohmann::json& light : json["lights"])
     if (!light.contains("shape")) list.push_back(without_names(light));
   return list;
 }

@@ -24,6 +24,7 @@ RoundTrip round_trip(const Scene& scene, const std::string& name, LoadOptions op
 struct GeometryDifference {
   std::string fault;  ///< Why they cannot be compared: other shapes or numbers of triangles. Or empty.
   float positions = 0, normals = 0, uvs = 0;  ///< 0: the same bits. Normals may point to the other side.
+  bool has_lost_uvs = false;                  ///< The second one lacks some texture coordinates.
 };
 GeometryDifference difference(const Scene& a, const Scene& b);
 
