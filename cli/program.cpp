@@ -111,8 +111,9 @@ const std::vector<Subcommand> subcommands{
      "its\n"
      "command, times, rays per second, tests per ray and error. Goes on where it was stopped."},
     {"convert", add_convert,
-     "Writes a scene in a form that scripts read: a JSON file, and beside it a PLY file for each mesh\n"
-     "and an EXR file for each environment (docs/exchange.md)."},
+     "Writes a scene for other programs, in the format that the ending of OUT says: pbrt-v4 (.pbrt), glTF\n"
+     "(.gltf, .glb), or JSON for scripts (.json), with meshes and pictures in files beside it. Names what\n"
+     "the format cannot say (docs/convert.md)."},
     {"verify", add_verify,
      "Renders some tiles of a picture again, by the command and the files that its metadata names, and says\n"
      "whether its pixels have the same bits (docs/unattended.md)."}};

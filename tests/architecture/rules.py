@@ -46,7 +46,8 @@ DOORS = {
     "nlohmann/json": (r"nlohmann/", r"(cli|bench)/\w*report\.cpp|"
                                     r"cli/(study/record|live/web_state|film/notes_json|plan/open_job)\.cpp|"
                                     r"cli/status/(json_lines|metrics_file)\.cpp|"
-                                    r"io/(cryptomatte|exchange|film_header|gltf_schema)\.cpp|io/gltf_writer_file\.h|"
+                                    r"io/(cryptomatte|exchange|film_header|gltf_schema)\.cpp|"
+                                    r"io/gltf_writer_file\.h|"
                                     r"tests/(cli|io)/|tests/support/round_trip\.h"),
     "Landlock": (r"linux/landlock\.h", r"cli/sandbox/files\.cpp"),
     "libseccomp": (r"seccomp\.h", r"cli/sandbox/system_calls\.cpp"),

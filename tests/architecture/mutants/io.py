@@ -3,7 +3,7 @@
 from mutant import Mutant
 
 MUTANTS = [
-    Mutant("corners of one normal share texture coordinates in a PLY file", "io/ply.cpp",
+    Mutant("corners of one normal share texture coordinates in a PLY file", "io/joined_mesh.cpp",
            "mesh.uvs.empty() ? 0 : mesh.uv_indices[i][k]",
            "0",
            "test_io", "a PLY file has each corner of each triangle with all bits, and no vertex twice"),
