@@ -8,6 +8,7 @@
 
 #include "cli/console.h"
 #include "cli/counted.h"
+#include "cli/default_light.h"
 #include "cli/interrupt.h"
 #include "cli/options.h"
 #include "cli/outputs.h"
@@ -60,6 +61,9 @@ LoadedScene load(const ConvertArguments& arguments) {
   Scene& scene = loaded.scene;
   scene.camera = camera_of(scene, arguments.view, picture.resolution->width, picture.resolution->height);
   if (!arguments.environment.empty()) scene.lights.push_back({"environment", read_environment(arguments)});
+  if (loaded.wants_light && !is_lit(scene))
+    console::warn(
+        "the scene has no light: a render adds a sky and a light at the camera, which are not written");
   return loaded;
 }
 

@@ -173,6 +173,11 @@ TEST_CASE("convert warns of what a format has not, and writes the files that it 
   CHECK(folder.file_count() == 2);
   CHECK(run_program("convert -q " + box + " " + quoted(folder.file("box.glb"))).exit_code == 0);
   CHECK(folder.file_count() == 3);
+  const ProcessResult dark = run_program("convert -q " TWINRAY_SOURCE_DIR "/scenes/blocks.obj " +
+                                         quoted(folder.file("blocks.json")));
+  CHECK(dark.err ==
+        "warning: the scene has no light: a render adds a sky and a light at the camera, which are not "
+        "written\n");
 }
 
 TEST_CASE("convert takes a file's own size of the picture, unless another one is asked for") {
