@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/aabb.h"
 #include "core/error.h"
@@ -143,8 +144,9 @@ std::size_t GltfFile::add_image(const std::string& name, std::string bytes) {
 }
 
 /// Of one file: a header, and the chunks of the text and the buffer, each of a multiple of four bytes.
-std::string GltfFile::packed() const {
-  std::string text = root_.dump(-1, ' ', false, GltfJson::error_handler_t::replace), buffer = buffer_;
+std::string GltfFile::packed() {
+  std::string text = root_.dump(-1, ' ', false, GltfJson::error_handler_t::replace),
+              buffer = std::move(buffer_);
   pad(text, ' ');
   pad(buffer, '\0');
   constexpr std::size_t header = 12, chunk_header = 8;
@@ -168,8 +170,8 @@ WrittenScene GltfFile::finish() {
   if (!buffer_.empty()) {
     GltfJson buffer{{"byteLength", buffer_.size()}};
     if (!is_binary_)
-      buffer["uri"] =
-          uri_of(output.add(".bin", [bytes = buffer_](const std::string& path) { write_file(path, bytes); }));
+      buffer["uri"] = uri_of(output.add(
+          ".bin", [bytes = std::move(buffer_)](const std::string& path) { write_file(path, bytes); }));
     root_["buffers"] = GltfJson::array({buffer});
   }
   return output.finish(is_binary_ ? packed()

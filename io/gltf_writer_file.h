@@ -61,7 +61,7 @@ class GltfFile {
   enum class Use { vertices, corners, picture };
   std::size_t add_view(std::string_view bytes, Use use);
   std::size_t add_accessor(GltfJson accessor, std::string_view bytes, Use use);
-  std::string packed() const;
+  std::string packed();
 
   bool is_binary_;
   GltfJson root_{{"asset", {{"version", "2.0"}, {"generator", "twinray"}}}};

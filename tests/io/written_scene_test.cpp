@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/written_scene.h"
 
+#include <cmath>
+
+#include "core/direction_map.h"
 #include "core/error.h"
 #include "io/baked_texture.h"
+#include "io/equal_area.h"
 #include "io/scene_writer.h"
 #include "tests/support/catch.h"
 
@@ -87,6 +91,30 @@ TEST_CASE(
   CHECK_FALSE(apart.is_exact);
   CHECK(apart.uv.m[0][0] == 1);
   CHECK(bake(textures, 0).picture.pixels == small.pixels);
+}
+
+TEST_CASE("a sky of latitude and longitude that is drawn anew has the same colors in the same directions") {
+  Image map(64, 32);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 64; ++x) map.at(x, y) = {float(y), float(x < 32 ? x : 64 - x), 1};
+  const Image square = equal_area_of(map, MapLayout::latitude_longitude);
+  CHECK(square.width == 37);
+  CHECK(square.height == 37);
+  const auto value = [](const Image& image, MapLayout layout, const Vec3& direction) {
+    return map_value(layout, image, map_point(layout, direction));
+  };
+  for (const Vec3& d : {Vec3{1, 0.1f, 0.2f},
+                        {-1, 0.3f, 0.1f},
+                        {0.1f, 1, 0.2f},
+                        {0.2f, -1, 0.1f},
+                        {0.1f, 0.2f, 1},
+                        {0.2f, 0.1f, -1}}) {
+    const Rgb wanted = value(map, MapLayout::latitude_longitude, d);
+    const Rgb drawn = value(square, MapLayout::equal_area, d);
+    CHECK(drawn.r == Approx(wanted.r).margin(0.5));  // Pixels of 5.6 degrees, of whose rows each is 1 more.
+    CHECK(drawn.b == Approx(1));
+    if (std::fabs(d.y) < 0.5f) CHECK(drawn.g == Approx(wanted.g).margin(1));
+  }
 }
 
 }  // namespace twinray::test
