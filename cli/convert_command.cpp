@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "cli/console.h"
@@ -50,8 +52,8 @@ EnvironmentLight read_environment(const ConvertArguments& arguments) {
 }
 
 /// The scene, and its picture of the size that is asked for or, without one, the file's.
-LoadedScene load(const ConvertArguments& arguments) {
-  LoadedScene loaded = load_with_warnings(arguments.scene, arguments.load);
+LoadedScene load(const ConvertArguments& arguments, const LoadOptions& options) {
+  LoadedScene loaded = load_with_warnings(arguments.scene, options);
   if (arguments.load.time && !loaded.summary.animation)
     console::warn("--time: no effect, for nothing in the scene moves");
   RenderDefaults& picture = loaded.defaults;
@@ -73,6 +75,16 @@ std::vector<std::string> paths_of(const WrittenScene& written) {
   return paths;
 }
 
+/// Throws Error where a file of the scene would be written over.
+void check_not_read(const std::vector<std::string>& written, const std::vector<std::string>& read) {
+  for (const std::string& path : written)
+    for (const std::string& file : read) {
+      std::error_code error;  // Of a file that is not there: it is another one.
+      if (std::filesystem::equivalent(path, file, error))
+        throw Error(fmt::format("{}: the scene is read from this file; choose another name", path));
+    }
+}
+
 }  // namespace
 
 std::function<ConvertArguments()> add_convert_options(CLI::App& app) {
@@ -84,10 +96,13 @@ std::function<ConvertArguments()> add_convert_options(CLI::App& app) {
 int convert_command(const ConvertArguments& arguments) {
   check_scene_output(arguments.output);
   prepare_outputs({arguments.output});
-  const LoadedScene loaded = load(arguments);
+  LoadOptions options = arguments.load;
+  options.files = std::make_shared<std::vector<std::string>>();
+  const LoadedScene loaded = load(arguments, options);
   const Scene& scene = loaded.scene;
   const WrittenScene written = written_scene({scene, loaded.defaults}, arguments.output);
   const std::vector<std::string> paths = paths_of(written);
+  check_not_read(paths, *options.files);
   const InterruptGuard guard(paths);
   prepare_outputs(paths);
   write_files(written);

@@ -140,6 +140,8 @@ class StandIn {
     model_.base_weight = 1;
     model_.emission_luminance = 0;
     if (model.base_diffuse_roughness != 0) lose("the roughness of the diffuse part");
+    if (model.base_metalness == 1 && !(model.specular_weight == 1 && model.specular_color == white))
+      lose("the metal's specular color");
     check_clear(model);
     check_coat(model);
     if (model.fuzz_weight > 0 && max_component(model.fuzz_color) < 1)

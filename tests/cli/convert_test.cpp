@@ -224,4 +224,21 @@ TEST_CASE("convert writes what moves where it stands at a time") {
   CHECK(run_program("convert --time=soon " + box + " a.json").exit_code == 2);
 }
 
+TEST_CASE("convert writes over no file that the scene is made of") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("box.pbrt");
+  REQUIRE(run_program("convert -q " + box + " " + quoted(scene)).exit_code == 0);
+  const std::string text = read_text(scene);
+  const std::size_t files = folder.file_count();
+  for (const auto& [name, found] : {std::pair{"box.pbrt", "box-0.ply"}, {"box.json", "box-0.ply"}}) {
+    const ProcessResult result = run_program("convert " + quoted(scene) + " " + quoted(folder.file(name)));
+    CHECK(result.exit_code == 1);
+    CHECK(result.err == fmt::format("twinray: {}: the scene is read from this file; choose another name\n",
+                                    folder.file(found)));
+  }
+  CHECK(read_text(scene) == text);
+  CHECK(folder.file_count() == files);
+  CHECK(run_program("convert -q " + quoted(scene) + " " + quoted(folder.file("box.glb"))).exit_code == 0);
+}
+
 }  // namespace twinray::test

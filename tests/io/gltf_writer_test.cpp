@@ -169,6 +169,9 @@ TEST_CASE("written gltf: other materials are surfaces that reflect alike, and ar
                  {"a material of the type coated_conductor is written as a metal of its color below a clear "
                   "coat"})
           .coat_weight == 1);
+  Principled tinted;
+  tinted.base_metalness = 1, tinted.specular_color = {1, 0.5f, 0.5f};
+  comes_back(tinted, {"the metal's specular color of a material is left out"});
   Scene mixed = scene_of(triangle(), Lambert{{0.5f, 0.5f, 0.5f}});
   mixed.materials.push_back({"b", Lambert{{0.25f, 0.25f, 0.25f}}});
   mixed.materials.push_back({"mix", Mix{0, 1, 0.75f}});

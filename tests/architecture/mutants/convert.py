@@ -156,4 +156,7 @@ MUTANTS = [
     Mutant("convert takes no file's size of the picture", "cli/convert_command.cpp",
            "if (arguments.resolution || !picture.resolution)", "if (true)",
            "test_cli", "convert takes a file's own size of the picture, unless another one is asked for"),
+    Mutant("convert writes over the scene that it reads", "cli/convert_command.cpp",
+           "  check_not_read(paths, *options.files);\n", "",
+           "test_cli", "convert writes over no file that the scene is made of"),
 ]
