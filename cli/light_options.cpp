@@ -118,6 +118,21 @@ void add_light_options(CLI::App& app, RenderRequest& request) {
   add_light_words(app, request);
 }
 
+namespace {
+
+constexpr const char* default_light_if_dark = "if-dark";
+
+/// Of the option's word, which is empty where it was not given.
+DefaultLight parse_default_light(const std::string& word) {
+  if (word.empty()) return DefaultLight::none;
+  if (word == "always") return DefaultLight::always;
+  if (word == default_light_if_dark) return DefaultLight::if_dark;
+  throw UsageError(fmt::format(
+      "--default-light: \"{}\" is not valid; it stands alone or is --default-light=always", word));
+}
+
+}  // namespace
+
 void add_light_words(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, group_name);
   RenderArguments& arguments = request.arguments;
@@ -134,12 +149,14 @@ void add_light_words(CLI::App& app, RenderRequest& request) {
   group.add_choice<bool>("--attenuation", arguments.load.attenuation_as_file,
                          {{"physical", false}, {"file", true}},
                          "Of a point light of which the file says nothing");
-  group.add_flag("--default-light", arguments.default_light, "Light a scene without light by a soft sky");
+  group.add_optional_word({"--default-light", "[=always]", "Light a scene without light by a soft sky"},
+                          default_light_if_dark, request.default_light);
   group.add_flag("--keep-both-lamps", arguments.load.keep_both_lamps,
                  "Keep a lamp's rectangle beside its mesh");
 }
 
 void resolve_light(const RenderRequest& request, RenderArguments& arguments) {
+  arguments.default_light = parse_default_light(request.default_light);
   PathOptions& path = arguments.path;
   if (request.hemisphere) path.direct = DirectMethod::hemisphere;
   if (arguments.integrator == IntegratorKind::direct) path.max_depth = std::min(path.max_depth, 1);

@@ -313,8 +313,8 @@ std::vector<std::string> options_without_effect(const RenderRequest& request,
 
 std::vector<std::string> options_without_effect(const Scene& scene, const RenderArguments& arguments) {
   std::vector<std::string> found;
-  if (arguments.default_light && is_lit(scene))
-    found.push_back("--default-light: no effect, for the scene has light");
+  if (arguments.default_light == DefaultLight::if_dark && is_lit(scene))
+    found.push_back("--default-light: no effect, for the scene has light; --default-light=always adds to it");
   if (is_given("--light-samples", arguments) && arguments.path.direct != DirectMethod::hemisphere &&
       !has_area_light(scene))
     found.push_back("--light-samples: no effect, for no light of the scene has an area");

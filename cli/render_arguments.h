@@ -57,6 +57,13 @@ struct Overscan {
 };
 
 /// What a render command line asks for.
+/// Whether a soft sky and a light at the camera light the scene (cli/default_light.h).
+enum class DefaultLight {
+  none,
+  if_dark,  ///< Where nothing else does.
+  always,   ///< Beside what else does.
+};
+
 struct RenderArguments {
   std::string scene;
   std::string output = "twinray.png";
@@ -71,7 +78,7 @@ struct RenderArguments {
   EnvironmentPlacement placement;    ///< Of the environment.
   bool lenient_environment = false;  ///< Its pixels that are not radiance are black; else they are an error.
   LoadOptions load;
-  bool default_light = false;  ///< A scene without light is lit from the camera.
+  DefaultLight default_light = DefaultLight::none;
   Backend backend = Backend::bvh;
   BuildOptions build;
   bool is_auto = false;       ///< The scene decides about backend and build: choose_engine().

@@ -19,6 +19,7 @@ struct RenderRequest {
   std::optional<AdaptiveRule> adaptive_rule;
   std::string roulette = "throughput";
   std::string clamp = "off";
+  std::string default_light;
   bool hemisphere = false;
   enum class Bounces { all, direct, indirect, last } bounces = Bounces::all;
   std::optional<CostKind> cost;

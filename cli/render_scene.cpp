@@ -72,9 +72,10 @@ namespace {
 
 /// Of what cannot have a light, without being asked for.
 void add_default_lights(const RenderArguments& arguments, LoadedScene& loaded, RenderTalk& talk) {
-  if (!(arguments.default_light || loaded.wants_light) || is_lit(loaded.scene)) return;
+  const bool is_wanted = arguments.default_light != DefaultLight::none || loaded.wants_light;
+  if (!is_wanted || (arguments.default_light != DefaultLight::always && is_lit(loaded.scene))) return;
   for (Light& light : default_lights(loaded.scene.camera)) loaded.scene.lights.push_back(std::move(light));
-  if (loaded.wants_light && traces_paths(arguments.integrator))
+  if (arguments.default_light == DefaultLight::none && traces_paths(arguments.integrator))
     talk.note("the file has no light: a soft sky, and a light at the camera");
 }
 

@@ -155,9 +155,15 @@ struct Check {
 }  // namespace
 
 void set_filter(std::span<Texture> textures, TextureFilter filter) {
+  // Whoever asks for pixels wants to see them; and a picture that vertices were drawn into
+  // is exact as it is: pixels by chance would add noise to it.
+  const auto is_meant = [](const ImageTexture& image) {
+    const MipLevel picture = image.image->level(0);
+    const bool has_levels = image.image->levels() > 1 || picture.width * picture.height == 1;
+    return image.filter == TextureFilter::nearest || (image.filter == TextureFilter::bilinear && !has_levels);
+  };
   for (Texture& texture : textures)
-    if (auto* image = std::get_if<ImageTexture>(&texture.model);
-        image && image->filter != TextureFilter::nearest)
+    if (auto* image = std::get_if<ImageTexture>(&texture.model); image && !is_meant(*image))
       image->filter = filter;
 }
 

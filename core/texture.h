@@ -79,7 +79,7 @@ struct TexturePoint {
   bool is_smooth = false;  ///< Stochastic filters are trilinear here: for what nobody takes the mean of.
 };
 
-/// Gives all pictures this filter but those that have `nearest`: whoever asks for pixels wants to see them.
+/// Gives all pictures this filter but those of `nearest` pixels, and `bilinear` ones that have no mip-map.
 void set_filter(std::span<Texture> textures, TextureFilter filter);
 
 /// Whether any of them is a picture.

@@ -158,7 +158,7 @@ TEST_CASE("options without a letter mean what they mean elsewhere") {
   CHECK(parse({"--adaptive-rule=careful"}).render.adaptive->rule == AdaptiveRule::careful);
   CHECK(parse({"--seed=3"}).render.seed == 3);
   CHECK(parse({"--bvh-split=median"}).without_effect.empty());
-  CHECK(parse({"--default-light"}).default_light);
+  CHECK(parse({"--default-light"}).default_light == DefaultLight::if_dark);
   CHECK(message_of({"--view=whole"}) == "there is no option --view=whole");
   CHECK(message_of({"--clip=file"}) == "there is no option --clip=file; did you mean --clamp?");
   CHECK(parse({"--attenuation=file"}).without_effect ==

@@ -173,7 +173,25 @@ TEST_CASE(
   CHECK(mean_of(read_image(picture)).r == Approx(0.5f).epsilon(0.01));
   const ProcessResult lit = run_program(box + small + "--default-light -o " + quoted(picture));
   CHECK(lit.exit_code == 0);
-  CHECK(lit.err == "warning: --default-light: no effect, for the scene has light\n");
+  CHECK(lit.err ==
+        "warning: --default-light: no effect, for the scene has light; --default-light=always adds to it\n");
+}
+
+TEST_CASE("option --default-light=always adds to a scene's own light") {
+  const TemporaryFolder folder;
+  const auto mean = [&](const std::string& option) {
+    const std::string picture = folder.file("a.exr");
+    const ProcessResult result = run_program(box + small + "-s 16 " + option + " -o " + quoted(picture));
+    CHECK(result.exit_code == 0);
+    CHECK(result.err.empty());
+    return mean_of(read_image(picture)).g;
+  };
+  CHECK(mean("--default-light=always") > mean("") + 0.1f);
+  const ProcessResult wrong =
+      run_program(box + small + "--default-light=bright -o " + quoted(folder.file("b.exr")));
+  CHECK(wrong.exit_code == 2);
+  CHECK(wrong.err.find("--default-light: \"bright\" is not valid; it stands alone or is "
+                       "--default-light=always") != std::string::npos);
 }
 
 TEST_CASE("an OBJ file is lit by default, unless something else lights it") {

@@ -118,13 +118,16 @@ TEST_CASE("stochastic filtering has one pixel for each draw, and trilinear filte
   }
 }
 
-TEST_CASE("a filter is set for all pictures but those whose pixels are to be seen") {
+TEST_CASE("a filter is set for all pictures but those whose pixels are to be seen, or are exact") {
+  const auto alone = std::make_shared<const MipMap>(std::vector<Image>{Image(4, 2)});
   std::vector<Texture> textures{half,
                                 {"", ImageTexture{ramp(4, 2), WrapMode::clamp, TextureFilter::nearest, {}}},
-                                {"", ImageTexture{ramp(4, 2), WrapMode::clamp, TextureFilter::bilinear, {}}}};
+                                {"", ImageTexture{ramp(4, 2), WrapMode::clamp, TextureFilter::bilinear, {}}},
+                                {"", ImageTexture{alone, WrapMode::clamp, TextureFilter::bilinear, {}}}};
   set_filter(textures, TextureFilter::trilinear);
   CHECK(std::get<ImageTexture>(textures[1].model).filter == TextureFilter::nearest);
   CHECK(std::get<ImageTexture>(textures[2].model).filter == TextureFilter::trilinear);
+  CHECK(std::get<ImageTexture>(textures[3].model).filter == TextureFilter::bilinear);
 }
 
 TEST_CASE("coordinates are transformed before a picture is looked up") {

@@ -15,6 +15,8 @@ APART = "work that runs apart gives its bytes or its fault, however it ends"
 
 BEHIND = "colors behind an OBJ file's coordinates are those of its vertices, where no picture is"
 
+FILTER = "a filter is set for all pictures but those whose pixels are to be seen, or are exact"
+
 MUTANTS = [
     Mutant("elements from the back are one off", "io/obj_reader.cpp",
            "return std::uint32_t(std::int64_t(count) + index);",
@@ -46,10 +48,12 @@ MUTANTS = [
     Mutant("pictures are not moved", "io/obj_material.cpp",
            "how.origin_offset[1]", "0.0f", "test_io", PICTURES),
     Mutant("a mesh alone stays dark", "cli/render_scene.cpp",
-           "(arguments.default_light || loaded.wants_light)", "arguments.default_light",
+           "arguments.default_light != DefaultLight::none || loaded.wants_light;",
+           "arguments.default_light != DefaultLight::none;",
            "test_cli_engines", LIT),
     Mutant("the sky is there beside a picture of one", "cli/render_scene.cpp",
-           "|| is_lit(loaded.scene)) return;", ") return;", "test_cli_engines", LIT),
+           "!= DefaultLight::always && is_lit(loaded.scene))", "!= DefaultLight::always && false)",
+           "test_cli_engines", LIT),
     Mutant("mirrored nodes show their backs", "io/assimp_importer.cpp",
            "const bool mirrors = to_world.Determinant() < 0;", "const bool mirrors = false;", "test_io",
            "nodes, materials and pictures of an imported scene are where the file has them"),
@@ -79,4 +83,7 @@ MUTANTS = [
            "model_.colors.resize(model_.positions.size(), {1, 1, 1});",
            "model_.colors.resize(model_.positions.size(), color.value_or(Rgb{1, 1, 1}));",
            "test_io", BEHIND),
+    Mutant("pixels of vertices' colors are chosen by chance", "core/texture.cpp",
+           "(image.filter == TextureFilter::bilinear && !has_levels)", "false",
+           "test_core", FILTER),
 ]
