@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf_writer.h"
 
+#include <array>
 #include <map>
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "io/gltf_writer_material.h"
 #include "io/gltf_writer_view.h"
@@ -73,11 +75,15 @@ class Shapes {
 
   GltfJson primitive(const Mesh& mesh, std::uint32_t shape) {
     JoinedMesh joined = join_corners(mesh);
+    const std::vector<std::array<float, 4>> colors =
+        materials_.vertex_colors(scene_.bindings[shape], joined.uvs);
+    if (!colors.empty()) joined.uvs.clear();
     flip(joined.uvs);
     if (is_turned(shape)) turn(joined.triangles);
     GltfJson attributes{{"POSITION", file_.vectors(joined.positions, true)}};
     if (!joined.normals.empty()) attributes["NORMAL"] = file_.vectors(joined.normals, false);
     if (!joined.uvs.empty()) attributes["TEXCOORD_0"] = file_.pairs(joined.uvs);
+    if (!colors.empty()) attributes["COLOR_0"] = file_.colors(colors);
     const std::span<const std::uint32_t> corners(
         joined.triangles.empty() ? nullptr : joined.triangles[0].data(), 3 * joined.triangles.size());
     return {{"attributes", attributes},

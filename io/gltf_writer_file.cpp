@@ -123,6 +123,11 @@ std::size_t GltfFile::pairs(std::span<const Vec2> values) {
                       bytes_of(values), Use::vertices);
 }
 
+std::size_t GltfFile::colors(std::span<const std::array<float, 4>> values) {
+  return add_accessor({{"componentType", float_type}, {"count", values.size()}, {"type", "VEC4"}},
+                      bytes_of(values), Use::vertices);
+}
+
 std::size_t GltfFile::indices(std::span<const std::uint32_t> values) {
   return add_accessor({{"componentType", index_type}, {"count", values.size()}, {"type", "SCALAR"}},
                       bytes_of(values), Use::corners);

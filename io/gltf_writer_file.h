@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Private to the writer of glTF: the JSON text of a file that grows, and its one buffer.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -47,6 +48,8 @@ class GltfFile {
   // Accessors of attributes and indices.
   std::size_t vectors(std::span<const Vec3> values, bool has_bounds);
   std::size_t pairs(std::span<const Vec2> values);
+  /// Of four components each.
+  std::size_t colors(std::span<const std::array<float, 4>> values);
   std::size_t indices(std::span<const std::uint32_t> values);
 
   /// A picture of PNG's bytes: in a file beside the scene, or in the buffer.

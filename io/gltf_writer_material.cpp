@@ -9,6 +9,7 @@
 
 #include "core/elementary.h"
 #include "core/textured_material.h"
+#include "io/vertex_colors.h"
 
 namespace twinray {
 namespace {
@@ -31,6 +32,17 @@ std::optional<Mask> mask_of(const Scene& scene, std::uint32_t alpha) {
   const auto* at_1 = std::get_if<ConstantTexture>(&scene.textures[mix->second].model);
   if (!at_0 || !at_1 || !(at_1->value.r - at_0->value.r >= least_step)) return std::nullopt;
   return Mask{mix->amount, (1 - at_0->value.r) / (at_1->value.r - at_0->value.r)};
+}
+
+bool is_drawn(const Scene& scene, std::uint32_t texture) {
+  return texture != no_texture && is_drawn_of_vertices(scene.textures, texture);
+}
+
+/// The texture of what a material reflects, or no_texture.
+std::uint32_t color_of(const Material& material) {
+  for (const TextureUse& use : material.textures)
+    if (use.input == reflectance) return use.texture;
+  return no_texture;
 }
 
 /// The JSON of one material, but for what it emits.
@@ -93,6 +105,7 @@ class Properties {
     float opacity = 1;
     if (alpha != no_texture) opacity = add_alpha(scene, alpha, color);
     GltfJson factor = gltf_color(color.color == no_texture ? model_.base_color : white);
+    if (is_drawn(scene, color.color)) color.color = no_texture;  // Its vertices have the color.
     factor.push_back(gltf_number(opacity));
     base["baseColorFactor"] = factor;
     put(base, "baseColorTexture", color);
@@ -111,6 +124,7 @@ class Properties {
   /// Sets the mode; a constant alpha is returned, all else is a channel of the base color's picture.
   float add_alpha(const Scene& scene, std::uint32_t alpha, GltfChannels& color) {
     json_["alphaMode"] = "BLEND";
+    if (is_drawn(scene, alpha)) return 1;  // Its vertices have it.
     if (const auto* constant = std::get_if<ConstantTexture>(&scene.textures[alpha].model))
       return std::clamp(constant->value.r, 0.0f, 1.0f);
     color.number[alpha_channel] = alpha;
@@ -232,6 +246,21 @@ std::size_t GltfMaterialWriter::material(const ShapeBinding& binding) {
   const auto [entry, is_new] = made_.try_emplace({binding.material, binding.light, binding.alpha});
   if (is_new) entry->second = file_.add("materials", make(binding));
   return entry->second;
+}
+
+std::vector<std::array<float, 4>> GltfMaterialWriter::vertex_colors(const ShapeBinding& binding,
+                                                                    std::span<const Vec2> uvs) {
+  const std::uint32_t color = color_of(scene_.materials[binding.material]);
+  const bool has_color = is_drawn(scene_, color), has_alpha = is_drawn(scene_, binding.alpha);
+  std::vector<std::array<float, 4>> colors;
+  if (!has_color && !has_alpha) return colors;
+  for (const Vec2 uv : uvs) {
+    const TexturePoint at{.uv = uv, .is_smooth = true};
+    const Rgb c = has_color ? evaluate(scene_.textures, color, at) : white;
+    const float alpha = has_alpha ? evaluate(scene_.textures, binding.alpha, at).r : 1;
+    colors.push_back({c.r, c.g, c.b, alpha});
+  }
+  return colors;
 }
 
 GltfJson GltfMaterialWriter::make(const ShapeBinding& binding) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Private to the writer of glTF: materials, which there say also what a surface emits and where it has holes.
 #pragma once
+#include <array>
 #include <map>
+#include <span>
 #include <tuple>
+#include <vector>
 
 #include "io/gltf_stand_in.h"
 #include "io/gltf_writer_texture.h"
@@ -16,6 +19,9 @@ class GltfMaterialWriter {
 
   /// The index of what a shape of this binding is made of.
   std::size_t material(const ShapeBinding& binding);
+  /// The colours and alphas of vertices with these texture coordinates, where the shape's base colour or its
+  /// holes were drawn of such (io/vertex_colors.h); else nothing.
+  std::vector<std::array<float, 4>> vertex_colors(const ShapeBinding& binding, std::span<const Vec2> uvs);
 
  private:
   GltfJson make(const ShapeBinding& binding);

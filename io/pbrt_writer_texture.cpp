@@ -9,6 +9,7 @@
 #include "io/baked_texture.h"
 #include "io/image_file.h"
 #include "io/pbrt_text.h"
+#include "io/vertex_colors.h"
 
 namespace twinray {
 namespace {
@@ -105,6 +106,9 @@ std::string PbrtTextureWriter::mapping(const UvTransform& uv) {
 }
 
 std::string PbrtTextureWriter::image_rest(const ImageTexture& texture, PbrtTextureKind kind) {
+  if (is_drawn_of_vertices(texture))
+    output_.losses.add("the colors of vertices are a picture, which is filtered across triangles",
+                       "{} pictures are the colors of vertices, and are filtered across triangles");
   return "\"imagemap\"" + pbrt_word("filename", picture(*texture.image, kind)) +
          pbrt_word("filter", filter_name(texture.filter)) + pbrt_word("wrap", wrap_name(texture.wrap)) +
          mapping(texture.uv);

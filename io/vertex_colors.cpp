@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "io/picture_meaning.h"
@@ -32,7 +33,32 @@ class Blocks {
   std::size_t columns_, rows_;
 };
 
+/// Whether one of the pictures that a texture is made of is drawn of vertices.
+struct IsDrawn {
+  std::span<const Texture> textures;
+
+  bool of(std::uint32_t texture) const { return std::visit(*this, textures[texture].model); }
+  bool operator()(const ConstantTexture&) const { return false; }
+  bool operator()(const ImageTexture& texture) const { return is_drawn_of_vertices(texture); }
+  bool operator()(const ScaleTexture& texture) const { return of(texture.first) || of(texture.second); }
+  bool operator()(const MixTexture& texture) const {
+    return of(texture.first) || of(texture.second) || of(texture.amount);
+  }
+  bool operator()(const CheckerboardTexture& texture) const {
+    return of(texture.first) || of(texture.second);
+  }
+};
+
 }  // namespace
+
+bool is_drawn_of_vertices(const ImageTexture& picture) {
+  return picture.filter == TextureFilter::bilinear && picture.image->levels() == 1 &&
+         picture.image->level(0).width > 1;
+}
+
+bool is_drawn_of_vertices(std::span<const Texture> textures, std::uint32_t texture) {
+  return IsDrawn{textures}.of(texture);
+}
 
 bool can_draw_vertices(const Mesh& mesh) {
   return mesh.triangles.size() <= std::size_t(most_texture_pixels) / 4;

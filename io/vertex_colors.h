@@ -4,6 +4,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <span>
 
 #include "core/geometry.h"
 #include "core/texture.h"
@@ -15,6 +16,11 @@ bool can_draw_vertices(const Mesh& mesh);
 
 /// The picture of what vertices have, by the numbers of their positions.
 ImageTexture draw_vertices(const Mesh& mesh, const std::function<Rgb(std::uint32_t)>& value);
+
+/// Whether a texture, or one that it is made of, is such a picture: then the surface has the coordinates of
+/// its mesh's.
+bool is_drawn_of_vertices(std::span<const Texture> textures, std::uint32_t texture);
+bool is_drawn_of_vertices(const ImageTexture& picture);
 
 /// Gives a mesh the texture coordinates of such pictures of it, in place of its own.
 void set_drawn_uvs(Mesh& mesh);

@@ -9,6 +9,7 @@
 #include "io/output_file.h"
 #include "io/scene_file.h"
 #include "io/scene_writer.h"
+#include "io/vertex_colors.h"
 #include "tests/support/catch.h"
 #include "tests/support/round_trip.h"
 #include "tests/support/temporary_folder.h"
@@ -359,6 +360,44 @@ TEST_CASE("written gltf: the bounds of positions are said, and shapes without a 
   CHECK(positions["min"] == nlohmann::json({0, 0, 0}));
   CHECK(positions["max"] == nlohmann::json({1, 1, 0}));
   CHECK(json["buffers"][0]["uri"] == "a.bin");
+}
+
+TEST_CASE("glTF: colors and alphas of vertices are those of vertices again") {
+  Mesh mesh = triangle();
+  mesh.positions.push_back({1, 1, 1});
+  mesh.triangles.push_back({1, 3, 2});
+  const Rgb corners[] = {{1, 0, 0}, {0, 0.5f, 0}, {0.25f, 0, 1}, {0.125f, 1, 0.5f}};
+  const ImageTexture colors = draw_vertices(mesh, [&](std::uint32_t i) { return corners[i]; });
+  const ImageTexture alphas = draw_vertices(mesh, [&](std::uint32_t i) {
+    return Rgb{1, 1, 1} * (0.25f * float(i));
+  });
+  set_drawn_uvs(mesh);
+  Scene scene = scene_of(mesh, Lambert{});
+  scene.textures = {{"colors", colors}, {"alphas", alphas}};
+  scene.materials[0].textures.push_back({MaterialInput::reflectance, 0});
+  scene.bindings[0].alpha = 1;
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  scene.geometry =
+      std::make_shared<const Geometry>(cut_out(std::move(shapes), scene.bindings, scene.textures));
+  const RoundTrip trip = round_trip(scene, "a.gltf");
+  CHECK(trip.warnings.empty());
+  CHECK(trip.text.find("images") == std::string::npos);
+  const Mesh& read = *trip.scene.geometry->mesh(0);
+  REQUIRE(read.uv_indices.size() == 2);
+  for (std::size_t t = 0; t < 2; ++t)
+    for (const auto& [u, v] : {std::pair{0.0f, 0.0f}, {1.0f, 0.0f}, {0.25f, 0.5f}}) {
+      const auto value = [&, u = u, v = v](const Scene& of, const Mesh& with, std::uint32_t texture) {
+        const auto& [a, b, c] = with.uv_indices[t];
+        const Vec2 uv = with.uvs[a] * (1 - u - v) + with.uvs[b] * u + with.uvs[c] * v;
+        return evaluate(of.textures, texture, {.uv = uv, .footprint = 10, .is_smooth = true});
+      };
+      const Rgb was = value(scene, mesh, 0),
+                is = value(trip.scene, read, only_material(trip).textures[0].texture);
+      CHECK(max_component(was - is) <= rounding);
+      CHECK(max_component(is - was) <= rounding);
+      const float alpha = value(scene, mesh, 1).r;
+      CHECK(std::fabs(value(trip.scene, read, trip.scene.bindings[0].alpha).r - alpha) <= rounding);
+    }
 }
 
 }  // namespace twinray::test

@@ -159,4 +159,10 @@ MUTANTS = [
     Mutant("convert writes over the scene that it reads", "cli/convert_command.cpp",
            "  check_not_read(paths, *options.files);\n", "",
            "test_cli", "convert writes over no file that the scene is made of"),
+    Mutant("colors of vertices are a picture in glTF, too", "io/gltf_writer.cpp",
+           "if (!colors.empty()) attributes[\"COLOR_0\"]", "if (false) attributes[\"COLOR_0\"]",
+           "test_io", "glTF: colors and alphas of vertices are those of vertices again"),
+    Mutant("holes of vertices are lost in glTF", "io/gltf_writer_material.cpp",
+           "colors.push_back({c.r, c.g, c.b, alpha});", "colors.push_back({c.r, c.g, c.b, 1});",
+           "test_io", "glTF: colors and alphas of vertices are those of vertices again"),
 ]
