@@ -34,18 +34,6 @@ Mesh triangle() {
   return mesh;
 }
 
-Scene scene_of(Shape shape, const SurfaceModel& model) {
-  Scene scene;
-  scene.materials = {{"stuff", model}};
-  scene.bindings = {{}};
-  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{std::move(shape)});
-  return scene;
-}
-
-const Material& only_material(const RoundTrip& trip) {
-  return trip.scene.materials[trip.scene.bindings[0].material];
-}
-
 /// Of colours that bytes of sRGB have, about.
 std::shared_ptr<const MipMap> picture() {
   Image image(4, 2);

@@ -34,20 +34,6 @@ Mesh triangle_with_uvs() {
   return mesh;
 }
 
-/// A scene of one shape.
-Scene scene_of(Shape shape, const SurfaceModel& model) {
-  Scene scene;
-  scene.materials = {{"stuff", model}};
-  scene.bindings = {{}};
-  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{std::move(shape)});
-  return scene;
-}
-
-/// The model that comes back.
-const Material& only_material(const RoundTrip& trip) {
-  return trip.scene.materials[trip.scene.bindings[0].material];
-}
-
 /// A picture of some numbers that no byte has.
 std::shared_ptr<const MipMap> picture() {
   Image image(3, 2);

@@ -68,6 +68,18 @@ RoundTrip round_trip(const Scene& scene, const std::string& name, LoadOptions op
   return trip;
 }
 
+Scene scene_of(Shape shape, const SurfaceModel& model) {
+  Scene scene;
+  scene.materials = {{"stuff", model}};
+  scene.bindings = {{}};
+  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{std::move(shape)});
+  return scene;
+}
+
+const Material& only_material(const RoundTrip& trip) {
+  return trip.scene.materials[trip.scene.bindings[0].material];
+}
+
 GeometryDifference difference(const Scene& a, const Scene& b) {
   GeometryDifference d;
   const auto &of_a = a.geometry->shapes(), &of_b = b.geometry->shapes();

@@ -20,6 +20,11 @@ struct RoundTrip {
 /// reads it with each of its instances. Throws Error; also where the reader has a warning.
 RoundTrip round_trip(const Scene& scene, const std::string& name, LoadOptions options = {});
 
+/// A scene of one shape.
+Scene scene_of(Shape shape, const SurfaceModel& model);
+/// The material of the first shape that came back.
+const Material& only_material(const RoundTrip& trip);
+
 /// How far the corners of triangles of two scenes are apart at most, in the order of shapes and triangles.
 struct GeometryDifference {
   std::string fault;  ///< Why they cannot be compared: other shapes or numbers of triangles. Or empty.
