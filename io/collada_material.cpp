@@ -245,7 +245,7 @@ void ColladaMaterials::add_holes(const ColladaEffect& effect, const XmlElement& 
   const PictureChannels channels = mode[0] == 'A' ? PictureChannels::alpha : PictureChannels::number;
   const std::uint32_t texture =
       texture_in(effect, slot, {PictureRole::data, channels}, "this surface is opaque", made);
-  if (texture == no_texture) return;
+  if (texture == no_texture || textures_.is_faulty(texture)) return;
   const float at_0 = mode.ends_with("ONE") ? 0.0f : 1.0f, at_1 = std::fabs(at_0 - amount);
   if (at_1 == 1 && textures_.is_one(texture)) return;
   const std::uint32_t first = textures_.constant(at_0), second = textures_.constant(at_1);

@@ -44,12 +44,12 @@ bool is_border(const std::string& wrap) { return wrap == "BORDER" || wrap == "NO
 ColladaTextures::Sampling ColladaTextures::sampling_of(const ColladaTextureUse& use) {
   Sampling sampling;
   const std::string s = word_of(use.sampler, "wrap_s", "WRAP"), t = word_of(use.sampler, "wrap_t", "WRAP");
-  if (is_clamped(s) && is_clamped(t)) sampling.wrap = WrapMode::clamp;
-  if (is_border(s) && is_border(t)) sampling.wrap = WrapMode::black;
+  const bool ends_in_s = is_clamped(s) || is_border(s), ends_in_t = is_clamped(t) || is_border(t);
+  if (ends_in_s && ends_in_t)
+    sampling.wrap = is_border(s) && is_border(t) ? WrapMode::black : WrapMode::clamp;
   sampling.mirrors_u = s == "MIRROR";
   sampling.mirrors_v = t == "MIRROR";
-  const bool ends_in_one = (is_clamped(s) || is_border(s)) != (is_clamped(t) || is_border(t));
-  if (ends_in_one)
+  if (ends_in_s != ends_in_t)
     document_.warn(*use.sampler,
                    "a picture that ends in one direction and repeats in the other is not rendered: it "
                    "repeats in both");
@@ -63,10 +63,10 @@ ColladaTextures::Sampling ColladaTextures::sampling_of(const ColladaTextureUse& 
 }
 
 std::uint32_t ColladaTextures::picture(const ColladaTextureUse& use, const PictureMeaning& meaning) {
-  const auto [entry, is_new] =
-      pictures_.try_emplace({use.element, int(meaning.role), int(meaning.channels)}, 0);
-  if (!is_new) return entry->second;
   const std::string path = found_picture(path_of_uri(with_slashes(use.name), use.from_file), use.from_file);
+  const auto [entry, is_new] =
+      pictures_.try_emplace({use.element, use.sampler, path, int(meaning.role), int(meaning.channels)}, 0);
+  if (!is_new) return entry->second;
   const Sampling sampling = sampling_of(use);
   ImageTexture texture{
       .image = image(path, use, meaning, sampling), .wrap = sampling.wrap, .filter = sampling.filter};

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -58,7 +59,8 @@ class ColladaTextures {
   PictureReader read_;
   /// By path, role, channels and in which directions it is mirrored.
   std::map<std::tuple<std::string, int, int, int>, std::shared_ptr<const MipMap>> images_;
-  std::map<std::tuple<XmlElement, int, int>, std::uint32_t> pictures_;
+  /// By what they are used by: an effect's parameters differ by the material that instances it.
+  std::map<std::tuple<XmlElement, std::optional<XmlElement>, std::string, int, int>, std::uint32_t> pictures_;
   std::set<std::shared_ptr<const MipMap>> faulty_;
 };
 

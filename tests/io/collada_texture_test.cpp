@@ -128,6 +128,7 @@ TEST_CASE("a sampler says how a picture goes on beside itself, and a Maya techni
   CHECK(picture_of(load("")).wrap == WrapMode::repeat);
   CHECK(picture_of(load(clamp)).wrap == WrapMode::clamp);
   CHECK(picture_of(load("<wrap_s>BORDER</wrap_s><wrap_t>NONE</wrap_t>")).wrap == WrapMode::black);
+  CHECK(picture_of(load("<wrap_s>BORDER</wrap_s><wrap_t>CLAMP</wrap_t>")).wrap == WrapMode::clamp);
   CHECK(picture_of(load("<magfilter>NEAREST</magfilter>")).filter == TextureFilter::nearest);
   const LoadedScene mirrored = load("<wrap_s>MIRROR</wrap_s>");
   CHECK(color_at(mirrored, {0.25f, 0.75f}) == Rgb{1, 0, 0});
@@ -216,6 +217,45 @@ TEST_CASE("a texture of the transparency cuts holes, in each opaque mode") {
   CHECK(alpha("RGB_ZERO", "1", white) == 0);
   CHECK(alpha("RGB_ZERO", "1", black) == 1);
   CHECK(alpha("RGB_ZERO", "0.5", white) == 0.5f);
+}
+
+TEST_CASE("holes of a picture that cannot be read are none") {
+  const Folder folder;
+  write_text(folder.folder.file("colors.png"), "no picture");
+  for (const std::string mode : {"A_ONE", "A_ZERO", "RGB_ONE", "RGB_ZERO"}) {
+    const LoadedScene loaded =
+        folder.load(document("", "<transparent opaque=\"" + mode + "\">" + colors + "</transparent>"));
+    CHECK(loaded.scene.geometry->is_opaque(0));
+    CHECK(messages(loaded).size() == 1);
+  }
+}
+
+TEST_CASE("materials that instance one effect may set its picture") {
+  const Folder folder;
+  write_png(folder.folder.file("white.png"), {1, 1, {255, 255, 255}});
+  std::string text = document(sampler(""), diffuse("<texture texture=\"sampler\" texcoord=\"UV\"/>"));
+  const auto replace = [&](const std::string& old, const std::string& anew) {
+    const std::size_t at = text.find(old);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, old.size(), anew);
+  };
+  replace("</library_images>",
+          "<image id=\"white\"><init_from>white.png</init_from></image></library_images>");
+  replace("</library_materials>",
+          "<material id=\"n\"><instance_effect url=\"#fx\"><setparam ref=\"surface\"><surface "
+          "type=\"2D\"><init_from>white</init_from></surface></setparam></instance_effect></material>"
+          "</library_materials>");
+  const std::size_t begin = text.find("<node>"), end = text.find("</node>") + 7;
+  std::string second = text.substr(begin, end - begin);
+  second.replace(second.find("#m"), 2, "#n");
+  text.insert(end, second);
+  const LoadedScene loaded = folder.load(text);
+  REQUIRE(loaded.scene.textures.size() == 2);
+  const auto color = [&](std::uint32_t texture) {
+    return evaluate(loaded.scene.textures, texture, {.uv = {0.25f, 0.25f}, .is_smooth = true});
+  };
+  CHECK(color(0) == Rgb{0, 0, 1});
+  CHECK(color(1) == Rgb{1, 1, 1});
 }
 
 TEST_CASE("a picture without holes leaves its surface opaque") {
