@@ -124,6 +124,8 @@ def one_shape(shape, ours, light):
 
 
 def cycles_scene(scene, samples, depth, seed=0, roulette=False):
+    if scene.get("instances"):
+        raise Unsupported("instances are not converted for Cycles; --instances=copy converts copies")
     shapes, points = [], []
     for shape in scene["shapes"]:
         shapes.append(one_shape(shape, scene["materials"][shape["material"]], light_of(scene, shape)))

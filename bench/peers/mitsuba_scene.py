@@ -133,13 +133,19 @@ def environment(light):
 
 
 def shapes(scene):
+    """Each of them, behind the number of the prototype that it belongs to, or None."""
     for shape in scene["shapes"]:
         light = light_of(scene, shape)
         for entry in [mesh(shape, light)] if shape["type"] == "mesh" else spheres(shape):
             entry["bsdf"] = material(scene["materials"][shape["material"]])
             if light is not None:
                 entry["emitter"] = {"type": "area", "radiance": rgb(light["radiance"])}
-            yield entry
+            yield shape.get("prototype"), entry
+
+
+def instance(ours):
+    return {"type": "instance", "to_world": [*ours["to_world"], [0, 0, 0, 1]],
+            "group": {"type": "ref", "id": f"prototype_{ours['prototype']}"}}
 
 
 def mitsuba_scene(scene, samples, depth, sampler="independent", seed=0, roulette=False):
@@ -148,8 +154,13 @@ def mitsuba_scene(scene, samples, depth, sampler="independent", seed=0, roulette
               "integrator": {"type": "path", "max_depth": depth + 1,
                              "rr_depth": DEFAULT_ROULETTE if roulette else NO_ROULETTE},
               "sensor": camera(scene, samples, sampler, seed)}
-    for number, entry in enumerate(shapes(scene)):
-        result[f"shape_{number}"] = entry
+    for number, (prototype, entry) in enumerate(shapes(scene)):
+        place = result
+        if prototype is not None:
+            place = result.setdefault(f"prototype_{prototype}", {"type": "shapegroup"})
+        place[f"shape_{number}"] = entry
+    for number, ours in enumerate(scene.get("instances", [])):
+        result[f"instance_{number}"] = instance(ours)
     free = [light for light in scene["lights"] if light["type"] not in ("mesh", "sphere")]
     for number, light in enumerate(free):
         result[f"light_{number}"] = emitter(light)

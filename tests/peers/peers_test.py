@@ -11,7 +11,6 @@ import subprocess
 import sys
 import tempfile
 import unittest
-import zlib
 from array import array
 from pathlib import Path
 from unittest import mock
@@ -114,8 +113,9 @@ class Exchange(Folder):
 
     def test_another_version_is_refused(self):
         path = self.folder / "a.json"
-        path.write_text('{"format": "twinray scene", "version": 2}')
-        with self.assertRaisesRegex(exchange.Unsupported, "no scene in twinray's exchange form, version 1"):
+        path.write_text('{"format": "twinray scene", "version": 3}')
+        with self.assertRaisesRegex(exchange.Unsupported,
+                                    "no scene in twinray's exchange form, version 1 or 2"):
             exchange.read_scene(path)
 
     def test_our_scenes_are_converted_for_both_peers(self):
@@ -130,6 +130,26 @@ class Exchange(Folder):
             for_cycles = cycles_scene.cycles_scene(scene, 4, 5)
             self.assertEqual(len(for_cycles["shapes"]), len(scene["shapes"]))
             self.assertEqual(sum(shape["lamp"] is not None for shape in for_cycles["shapes"]), 1)
+
+
+def test_instances_are_converted_for_mitsuba_and_refused_for_cycles(self):
+        path = self.folder / "pawns.json"
+        source = str(ROOT / "scenes" / "pawns.pbrt")
+        subprocess.run([PROGRAM, "convert", "-q", "--instances=keep", source, str(path)], check=True)
+        scene = exchange.read_scene(path)
+        for light in scene["lights"]:  # Mitsuba would read its picture.
+            light.update(type="directional", direction=[0, -1, 0], irradiance=[1, 1, 1])
+        for_mitsuba = mitsuba_scene.mitsuba_scene(scene, 4, 5)
+        instances = [entry for entry in for_mitsuba.values() if entry.get("type") == "instance"]
+        self.assertEqual(len(instances), 33)
+        group = for_mitsuba[instances[0]["group"]["id"]]
+        self.assertEqual(group["type"], "shapegroup")
+        self.assertEqual({entry["type"] for entry in group.values() if entry != "shapegroup"},
+                         {"ply", "sphere"})
+        self.assertEqual([row[3] for row in instances[1]["to_world"]],
+                         [row[3] for row in scene["instances"][1]["to_world"]] + [1])
+        with self.assertRaisesRegex(exchange.Unsupported, "--instances=copy"):
+            cycles_scene.cycles_scene(scene, 4, 5)
 
 
 class Mitsuba(Folder):
@@ -304,55 +324,6 @@ class Cycles(Folder):
                             (self.scene(lights=[{"name": "s", "type": "ambient"}]), "\"s\" \\(ambient\\)")):
             with self.assertRaisesRegex(exchange.Unsupported, text):
                 self.convert(scene)
-
-
-def packed_lines(rows):
-    """Lines of bytes as OpenEXR's ZIP keeps them."""
-    data = b"".join(rows)
-    halves = data[0::2] + data[1::2]
-    steps = bytes([halves[0]]) + bytes((b - a + 128) & 255 for a, b in zip(halves, halves[1:]))
-    return zlib.compress(steps)
-
-
-class Pictures(Folder):
-    def picture(self, width=5, height=19):
-        rng = random.Random(2)
-        return exr.Picture(width, height, array("f", (rng.uniform(0, 9) for _ in range(3 * width * height))))
-
-    def test_a_picture_is_written_and_read(self):
-        picture = self.picture()
-        exr.write(self.folder / "a.exr", picture)
-        self.assertEqual(exr.read(self.folder / "a.exr"), picture)
-
-    def test_compressed_lines_are_read(self):
-        picture = exr.Picture(40, 19, array("f", [x % 7 for x in range(3 * 40 * 19)]))
-        exr.write(self.folder / "a.exr", picture)
-        data = (self.folder / "a.exr").read_bytes()
-        header_end = len(data) - 19 * (8 + 12 * 40) - 8 * 19
-        kind = b"compression\0compression\0\1\0\0\0"
-        header = data[:header_end].replace(kind + b"\0", kind + b"\3")
-        lines = [data[-(19 - y) * 488:][8:488] for y in range(19)]
-        blocks = [(0, packed_lines(lines[:16])), (16, packed_lines(lines[16:]))]
-        offsets = struct.pack("<2Q", header_end + 16, header_end + 24 + len(blocks[0][1]))
-        body = b"".join(struct.pack("<iI", y, len(block)) + block for y, block in blocks)
-        (self.folder / "b.exr").write_bytes(header + offsets + body)
-        self.assertEqual(exr.read(self.folder / "b.exr"), picture)
-
-    def test_twinrays_pictures_are_read(self):
-        path = self.folder / "a.exr"
-        box = str(ROOT / "scenes" / "box.dae")
-        subprocess.run([PROGRAM, box, "-q", "-r", "40", "30", "-s", "1", "-o", str(path)], check=True)
-        picture = exr.read(path)
-        self.assertEqual((picture.width, picture.height, len(picture.pixels)), (40, 30, 3600))
-        red, blue = (sum(picture.pixels[3 * (40 * 15 + x) + c] for x in xs)
-                     for c, xs in ((0, range(4)), (2, range(36, 40))))
-        self.assertGreater(red, 0.01)
-        self.assertGreater(blue, 0.01)
-
-    def test_other_files_are_refused(self):
-        (self.folder / "a.exr").write_bytes(b"no picture")
-        with self.assertRaisesRegex(ValueError, "no OpenEXR file"):
-            exr.read(self.folder / "a.exr")
 
 
 class Scripts(Folder):
