@@ -202,6 +202,13 @@ class Suite(unittest.TestCase):
         self.add("case", 'camera ours.png name="testCamera"', square(6), square(6, channels=3))
         self.assertEqual(self.run_suite()[2]["case"]["outcome"], "agrees")
 
+    def test_surfaces_with_holes_are_met_by_some_of_many_samples(self):
+        for name, text, samples in (("a.dae", "<transparent opaque='A_ONE'>", 16), ("b.dae", "<diffuse>", 1),
+                                    ("c.zae", "PK", 16)):
+            path = self.program.with_name(name)
+            path.write_text(text)
+            self.assertEqual(conformance.samples_of(path), samples)
+
     def test_without_a_camera_a_file_has_no_picture(self):
         self.add("case", "show", square(6))
         (self.root / "case" / "case.dae").write_text("show")
