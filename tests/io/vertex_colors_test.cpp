@@ -58,8 +58,8 @@ TEST_CASE("colors of a PLY file's vertices are mixed as their triangles do, from
 }
 
 TEST_CASE("colors of vertices are bytes, words or numbers up to 1, within which they are kept") {
-  const LoadedScene words = load_ply_colors("ushort", {"65535 0 0", "0 0 0", "0 0 0", "0 0 0"});
-  check_near(color_at(words, 0, 0, 0), {1, 0, 0});
+  const LoadedScene words = load_ply_colors("ushort", {"65535 13107 0", "0 0 0", "0 0 0", "0 0 0"});
+  check_near(color_at(words, 0, 0, 0), {1, decode_srgb(0.2f), 0});
   const LoadedScene numbers = load_ply_colors("float", {"1 0 7", "-1 0 0", "0 0 0", "0 0 0"});
   check_near(color_at(numbers, 0, 0, 0), {1, 0, 1});
   check_near(color_at(numbers, 0, 1, 0), {0, 0, 0});
