@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
@@ -14,7 +14,9 @@ namespace {
 using nlohmann::json;
 
 /// More than a film has of parts of its light: a light group each.
-constexpr std::size_t most_parts = 1 << 20;
+constexpr std::int64_t most_parts = 1 << 20;
+/// Farther than any pixel of a frame, or beside it.
+constexpr std::int64_t most_coordinate = 1 << 30;
 /// That of all samples, and their halves.
 constexpr std::size_t most_films = 3;
 
@@ -30,13 +32,21 @@ Layer layer_named(const std::string& name) {
   throw Error(fmt::format("there is no layer \"{}\"", name));
 }
 
+/// A whole number from `least` to `most`. What the library makes of others is undefined, or another number.
+std::int64_t whole_number(const json& value, std::int64_t least, std::int64_t most) {
+  const bool is_large = value.is_number_unsigned() && value.get<std::uint64_t>() > std::uint64_t(most);
+  const bool is_whole = value.is_number_integer() && !is_large;
+  if (is_whole && value.get<std::int64_t>() >= least && value.get<std::int64_t>() <= most)
+    return value.get<std::int64_t>();
+  throw Error(fmt::format("{} stands where a whole number from {} to {} should", value.dump(), least, most));
+}
+int coordinate(const json& value) { return int(whole_number(value, -most_coordinate, most_coordinate)); }
+
 FilmContents parse_contents(const json& contents) {
   FilmContents parsed;
   for (const json& name : contents.at("layers")) parsed.layers.push_back(layer_named(name));
-  parsed.parts = contents.at("parts").get<PartCounts>();
-  if (std::any_of(parsed.parts.begin(), parsed.parts.end(),
-                  [](std::size_t parts) { return parts > most_parts; }))
-    throw Error(fmt::format("light in more than {} parts", most_parts));
+  for (std::size_t i = 0; i < parsed.parts.size(); ++i)
+    parsed.parts[i] = std::size_t(whole_number(contents.at("parts").at(i), 0, most_parts));
   return parsed;
 }
 
@@ -52,10 +62,11 @@ void check_frame(const FilmHeader& header) {
 
 FilmHeader parse(const json& root) {
   FilmHeader header;
-  header.frame_width = root.at("frame").at(0);
-  header.frame_height = root.at("frame").at(1);
+  header.frame_width = coordinate(root.at("frame").at(0));
+  header.frame_height = coordinate(root.at("frame").at(1));
   const json& window = root.at("window");
-  header.window = {window.at(0), window.at(1), window.at(2), window.at(3)};
+  header.window = {coordinate(window.at(0)), coordinate(window.at(1)), coordinate(window.at(2)),
+                   coordinate(window.at(3))};
   for (const json& film : root.at("films")) header.films.push_back(parse_contents(film));
   header.notes = root.at("notes").dump();
   check_frame(header);

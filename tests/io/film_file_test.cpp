@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/film_file.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "core/error.h"
@@ -153,9 +155,15 @@ TEST_CASE("a header that no film can have is an error before memory is taken") {
             "there is no layer \"x\""},
            {R"({"frame": [4, 4], "window": [0, 0, 4, 4], "films": [{"layers": [], "parts": [0, 9999999]}],
                "notes": {}})",
-            "light in more than 1048576 parts"},
+            "9999999 stands where a whole number from 0 to 1048576 should"},
        })
     CHECK_THROWS_WITH(parse_film_header(json), reason);
+  for (const char* number :
+       {"2.5", "1e300", "25555555555555555555", "-2e9", "-1073741825", "true", "\"4\"", "null"})
+    CHECK_THROWS_WITH(
+        parse_film_header(fmt::format(
+            R"({{"frame": [4, 4], "window": [0, 0, 4, {}], "films": [], "notes": {{}}}})", number)),
+        Catch::EndsWith("stands where a whole number from -1073741824 to 1073741824 should"));
   CHECK_THROWS_AS(parse_film_header("[1, 2"), Error);
   CHECK_THROWS_AS(parse_film_header(R"({"frame": [4, 4]})"), Error);
 }

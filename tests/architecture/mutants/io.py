@@ -116,4 +116,8 @@ MUTANTS = [
            "  check_end(*file, layout);\n", "",
            "test_io",
            "tiles that are cut off, foreign or broken are refused, and the picture is read in their place"),
+    Mutant("a film's sides may be any numbers", "io/film_header.cpp",
+           "const bool is_whole = value.is_number_integer() && !is_large;",
+           "const bool is_whole = value.is_number() && !is_large;",
+           "test_io", "a header that no film can have is an error before memory is taken"),
 ]
