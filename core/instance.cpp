@@ -78,11 +78,10 @@ Aabb widened(const Aabb& box, double pad) {
 
 /// What is known of an instance's matrix.
 struct Matrix {
-  double norm = 0;  ///< As Transform::stretch().
-  double inverse_norm = 0;
-  double translation = 0;  ///< The largest component.
+  double norm;  ///< As Transform::stretch().
+  double inverse_norm;
+  double translation;  ///< The largest component.
 
-  Matrix() = default;
   Matrix(const Transform& to_world, const Transform& inverse)
       : norm(to_world.stretch()),
         inverse_norm(inverse.stretch()),

@@ -140,9 +140,7 @@ void ColladaShapes::add_part(const Shown& shown, std::size_t index, const Transf
   made.asset = shown.asset;
   made.prototype = prototype;
   if (emits(binding.material.glow) && !set_emission(binding.material.glow, placed.mesh, made))
-    document_.warn(part.element,
-                   "texture coordinates beyond one picture are not rendered where it emits: this surface "
-                   "emits the picture's mean");
+    document_.warn(part.element, emits_mean);
   made.shape = std::move(placed.mesh);
   parts_.shapes.push_back(std::move(made));
 }

@@ -49,10 +49,7 @@ ColladaTextures::Sampling ColladaTextures::sampling_of(const ColladaTextureUse& 
     sampling.wrap = is_border(s) && is_border(t) ? WrapMode::black : WrapMode::clamp;
   sampling.mirrors_u = s == "MIRROR";
   sampling.mirrors_v = t == "MIRROR";
-  if (ends_in_s != ends_in_t)
-    document_.warn(*use.sampler,
-                   "a picture that ends in one direction and repeats in the other is not rendered: it "
-                   "repeats in both");
+  if (ends_in_s != ends_in_t) document_.warn(*use.sampler, ends_in_one_direction);
   if (word_of(use.sampler, "magfilter", "") == "NEAREST") sampling.filter = TextureFilter::nearest;
   try {
     sampling.uv = read_placement(use.element);

@@ -26,5 +26,9 @@ bool emits(const Glow& glow);
 /// A light has one picture over the unit square of its mesh's own coordinates: where these leave it, the
 /// picture's mean stands for it, and the result is false.
 bool set_emission(const Glow& glow, Mesh& mesh, ScenePart& part);
+/// The warning of that.
+inline constexpr const char* emits_mean =
+    "texture coordinates beyond one picture are not rendered where it emits: this surface emits the "
+    "picture's mean";
 
 }  // namespace twinray

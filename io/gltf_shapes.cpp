@@ -180,9 +180,7 @@ void GltfShapes::place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse u
   part.light_name = placed.mesh.name;
   if (emits(surface.glow) && !document_.context().options.surfaces_only &&
       !set_emission(surface.glow, placed.mesh, part))
-    document_.context().warn(primitive.pointer,
-                             "texture coordinates beyond one picture are not rendered where it emits: this "
-                             "surface emits the picture's mean");
+    document_.context().warn(primitive.pointer, emits_mean);
   part.shape = std::move(placed.mesh);
   parts.push_back(std::move(part));
 }

@@ -40,10 +40,7 @@ bool GltfTextures::repeats(const GltfSlot& slot) const {
 WrapMode GltfTextures::wrap(const GltfSlot& slot) const {
   const auto [s, t] = wraps(slot);
   constexpr int clamp = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
-  if ((s == clamp) != (t == clamp))
-    document_.context().warn(slot.pointer,
-                             "a picture that ends in one direction and repeats in the other is not rendered: "
-                             "it repeats in both");
+  if ((s == clamp) != (t == clamp)) document_.context().warn(slot.pointer, ends_in_one_direction);
   return s == clamp && t == clamp ? WrapMode::clamp : WrapMode::repeat;
 }
 
