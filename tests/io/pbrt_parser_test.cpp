@@ -211,6 +211,16 @@ TEST_CASE("an object that is shown often is stored once, but for what emits") {
                     Catch::Contains("coordinate"));
 }
 
+TEST_CASE("an instance that reaches too far is an error where it stands") {
+  LoadOptions keep;
+  keep.instances = InstanceUse::keep;
+  const std::string object =
+      "WorldBegin\nObjectBegin \"a\"\nTranslate 0 0 5\n" + pbrt_triangle + "ObjectEnd\n";
+  const std::string one = "ObjectInstance \"a\"\n";
+  CHECK_THROWS_WITH(test::load_pbrt_text(object + one + "Translate 2e12 0 0\n" + one, keep),
+                    Catch::Contains("this instance reaches to (2e+12,"));
+}
+
 TEST_CASE("only objects that are stored once are prototypes, and spheres count") {
   std::string shown;
   for (int i = 0; i < 60001; ++i) shown += "ObjectInstance \"a\"\n";

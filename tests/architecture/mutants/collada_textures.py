@@ -61,4 +61,7 @@ MUTANTS = [
     Mutant("an effect has one picture, whoever instances it", "io/collada_texture.cpp",
            "use.sampler, path, int(meaning.role)", 'use.sampler, "", int(meaning.role)',
            IO, "materials that instance one effect may set its picture"),
+    Mutant("any path is one within the archive", "io/collada_archive.cpp",
+           "if (wanted.rfind(inside, 0) != 0)", "if (false)",
+           IO, "pictures of an archive are its own"),
 ]

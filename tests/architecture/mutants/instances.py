@@ -117,4 +117,7 @@ MUTANTS = [
     Mutant("a ray is shot again at other instances", "cli/crosscheck_report.cpp",
            "instances_words(load.instances)", '""',
            "test_cli_engines", "an unexplained ray is printed as the command that shoots it again"),
+    Mutant("pbrt's instances may reach anywhere", "io/pbrt_builder.cpp",
+           "    check_reach(box, shown.to_world", "    if (false) check_reach(box, shown.to_world",
+           IO, "an instance that reaches too far is an error where it stands"),
 ]
