@@ -11,13 +11,12 @@ std::uint64_t bytes_of(const std::vector<Element>& elements) {
   return elements.size() * sizeof(Element);
 }
 
-/// What Geometry keeps of a shape, facets of triangles included.
+/// What Geometry keeps of a shape.
 std::uint64_t bytes_of(const Shape& shape) {
   if (const auto* const set = std::get_if<SphereSet>(&shape)) return bytes_of(set->spheres);
   const Mesh& mesh = std::get<Mesh>(shape);
   return bytes_of(mesh.positions) + bytes_of(mesh.triangles) + bytes_of(mesh.normals) +
-         bytes_of(mesh.normal_indices) + bytes_of(mesh.uvs) + bytes_of(mesh.uv_indices) +
-         mesh.triangles.size() * sizeof(Facet);
+         bytes_of(mesh.normal_indices) + bytes_of(mesh.uvs) + bytes_of(mesh.uv_indices);
 }
 
 std::size_t triangles_of(const Shape& shape) {

@@ -65,17 +65,6 @@ Aabb check(const SphereSet& set, const std::string& label) {
   return bounds;
 }
 
-/// One for each triangle of a mesh whose indices are valid.
-std::vector<Facet> facets_of(const Mesh& mesh) {
-  std::vector<Facet> facets;
-  facets.reserve(mesh.triangles.size());
-  for (const auto& [ia, ib, ic] : mesh.triangles) {
-    const Vec3 &a = mesh.positions[ia], &b = mesh.positions[ib], &c = mesh.positions[ic];
-    facets.push_back({AreaVector(a, b, c).normal(), triangle_offset(a, b, c)});
-  }
-  return facets;
-}
-
 }  // namespace
 
 std::size_t drop_degenerate_triangles(Mesh& mesh) {
@@ -119,7 +108,6 @@ Geometry::Geometry(std::vector<Shape> shapes, std::shared_ptr<const Acceptance> 
                    Instancing instancing)
     : shapes_(std::move(shapes)),
       acceptance_(std::move(acceptance)),
-      facets_(shapes_.size()),
       direct_(direct_of(instancing.prototypes, shapes_.size())),
       prototypes_(std::move(instancing.prototypes)) {
   std::vector<Aabb> boxes(shapes_.size());
@@ -132,10 +120,7 @@ Geometry::Geometry(std::vector<Shape> shapes, std::shared_ptr<const Acceptance> 
             throw Error(fmt::format("{}: it is not opaque, but nothing says which of its hits count", label));
         },
         shapes_[i]);
-    if (const Mesh* m = mesh(std::uint32_t(i))) {
-      triangle_count_ += m->triangles.size();
-      facets_[i] = facets_of(*m);
-    }
+    if (const Mesh* m = mesh(std::uint32_t(i))) triangle_count_ += m->triangles.size();
     if (const SphereSet* set = sphere_set(std::uint32_t(i))) sphere_count_ += set->spheres.size();
   }
   const auto bounds_of = [&](ShapeRange range) {

@@ -13,6 +13,7 @@
 #include "core/aabb.h"
 #include "core/acceptance.h"
 #include "core/coordinates.h"
+#include "core/facet.h"
 #include "core/hit.h"
 #include "core/instance.h"
 #include "core/vec.h"
@@ -47,12 +48,6 @@ struct SphereSet {
 
 using Shape = std::variant<Mesh, SphereSet>;
 
-/// What all points of a triangle have in common.
-struct Facet {
-  Vec3 normal;       ///< Unit, out of the triangle's front; of one without area, NaNs.
-  float offset = 0;  ///< How far along the normal a ray must start to leave it (core/offset.h).
-};
-
 /// Takes the triangles out that have no area or a corner that is not finite; returns how many.
 std::size_t drop_degenerate_triangles(Mesh& mesh);
 
@@ -80,8 +75,12 @@ class Geometry {
   }
   /// Null where all shapes are opaque, mostly.
   const std::shared_ptr<const Acceptance>& acceptance() const { return acceptance_; }
-  /// Of a triangle of a mesh: worked out once, for every hit asks for it.
-  const Facet& facet(std::uint32_t shape, std::uint32_t triangle) const { return facets_[shape][triangle]; }
+  /// Of a triangle of a mesh.
+  Facet facet(std::uint32_t shape, std::uint32_t triangle) const {
+    const Mesh& in = *mesh(shape);
+    const auto& [a, b, c] = in.triangles[triangle];
+    return {in.positions[a], in.positions[b], in.positions[c]};
+  }
   /// Those that stand in the scene directly: the first ones.
   ShapeRange direct_shapes() const { return direct_; }
   /// Those that instances place, by prototype.
@@ -110,7 +109,6 @@ class Geometry {
 
   std::vector<Shape> shapes_;
   std::shared_ptr<const Acceptance> acceptance_;
-  std::vector<std::vector<Facet>> facets_;  ///< For each shape; of spheres none.
   ShapeRange direct_;
   std::vector<ShapeRange> prototypes_;
   PlacedInstances placed_;

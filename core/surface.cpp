@@ -51,7 +51,7 @@ SurfacePoint triangle_point(const Geometry& geometry, std::uint32_t shape, std::
   const Mesh& mesh = *geometry.mesh(shape);
   const auto& [ia, ib, ic] = mesh.triangles[triangle];
   const Vec3 &a = mesh.positions[ia], &b = mesh.positions[ib], &c = mesh.positions[ic];
-  const Facet& facet = geometry.facet(shape, triangle);
+  const Facet facet(a, b, c);
   SurfacePoint point;
   point.offset = facet.offset;
   point.position = interpolate(a, b, c, keep_off_edges(a, b, c, {1 - u - v, u, v}, facet.offset));

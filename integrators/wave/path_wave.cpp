@@ -151,7 +151,6 @@ constexpr std::size_t triangle_ahead = 16, corners_ahead = 8;
 void prefetch_triangle(const ShapeEntry& shape, std::uint32_t triangle) {
   if (!shape.positions) return;
   __builtin_prefetch(shape.triangles + triangle);
-  __builtin_prefetch(shape.facets + triangle);
   if (shape.normals) __builtin_prefetch(shape.normal_indices + triangle);
 }
 
@@ -163,14 +162,15 @@ void prefetch_corners(const ShapeEntry& shape, std::uint32_t triangle) {
       __builtin_prefetch(shape.normals + corner);
 }
 
-/// The corners of a triangle, for position `i` of the columns.
-void gather_corners(const Vec3* positions, const Triangle& triangle, TrianglePoints& points, std::size_t i) {
-  points.a.set(i, positions[triangle[0]]);
-  points.b.set(i, positions[triangle[1]]);
-  points.c.set(i, positions[triangle[2]]);
-}
-
-void gather_facet(const Facet& facet, Points& points, std::size_t i) {
+/// The corners of a triangle, for position `i` of the columns, and what all of its points have in common.
+void gather_triangle(const ShapeEntry& shape, std::uint32_t triangle, TrianglePoints& corners, Points& points,
+                     std::size_t i) {
+  const auto& [ia, ib, ic] = shape.triangles[triangle];
+  const Vec3 &a = shape.positions[ia], &b = shape.positions[ib], &c = shape.positions[ic];
+  corners.a.set(i, a);
+  corners.b.set(i, b);
+  corners.c.set(i, c);
+  const Facet facet(a, b, c);
   points.normal.set(i, facet.normal);
   points.offset[i] = facet.offset;
 }
@@ -188,8 +188,7 @@ void PathWave::expand_hits() {
     surfaces_.triangle.u[i] = hit.u;
     surfaces_.triangle.v[i] = hit.v;
     if (is_placed_alone(hit)) continue;
-    gather_corners(shape.positions, shape.triangles[hit.primitive], surfaces_.triangle, i);
-    gather_facet(shape.facets[hit.primitive], surfaces_.point, i);
+    gather_triangle(shape, hit.primitive, surfaces_.triangle, surfaces_.point, i);
     if (shape.normals) {
       const auto& [a, b, c] = shape.normal_indices[hit.primitive];
       surfaces_.normal_a.set(i, shape.normals[a]);
@@ -292,8 +291,7 @@ void PathWave::choose_of_many(const Distribution& triangles, const ShapeEntry& s
     light_.triangle.u[i] = weights.x;
     light_.triangle.v[i] = weights.y;
     light_.density[i] = 1;
-    gather_corners(shape.positions, shape.triangles[choice.index], light_.triangle, i);
-    gather_facet(shape.facets[choice.index], light_.point, i);
+    gather_triangle(shape, choice.index, light_.triangle, light_.point, i);
   }
 }
 

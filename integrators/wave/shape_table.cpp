@@ -9,7 +9,7 @@ namespace {
 PatchTriangle patch_triangle(const Geometry& geometry, std::uint32_t shape, std::uint32_t triangle) {
   const Mesh& mesh = *geometry.mesh(shape);
   const auto& [a, b, c] = mesh.triangles[triangle];
-  const Facet& facet = geometry.facet(shape, triangle);
+  const Facet facet = geometry.facet(shape, triangle);
   return {mesh.positions[a], mesh.positions[b], mesh.positions[c], facet.normal, facet.offset};
 }
 
@@ -29,7 +29,6 @@ std::vector<ShapeEntry> shape_table(const Scene& scene) {
     if (const Mesh* mesh = geometry.mesh(shape); mesh && !mesh->triangles.empty()) {
       entry.positions = mesh->positions.data();
       entry.triangles = mesh->triangles.data();
-      entry.facets = &geometry.facet(shape, 0);
       if (!mesh->normals.empty()) {
         entry.normals = mesh->normals.data();
         entry.normal_indices = mesh->normal_indices.data();
