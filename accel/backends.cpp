@@ -48,8 +48,9 @@ std::unique_ptr<Accelerator> build_accelerator(Backend backend, std::shared_ptr<
     case Backend::bvh:
       if (options.triangle_test == TriangleTest::moller_trumbore)
         return build_moller_trumbore(std::move(geometry), options);
-      return options.bvh_width == 8 ? build_wide_bvh(std::move(geometry), options)
-                                    : build_bvh(std::move(geometry), options);
+      if (options.bvh_width == 2) return build_bvh(std::move(geometry), options);
+      return options.memory_mode == MemoryMode::compact ? build_compact_bvh(std::move(geometry), options)
+                                                        : build_wide_bvh(std::move(geometry), options);
     case Backend::brute_force:
       return build_brute_force(std::move(geometry), options);
 #ifdef TWINRAY_WITH_EMBREE

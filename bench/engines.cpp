@@ -41,6 +41,8 @@ constexpr Row rows[] = {
     {"embree"},
     {"bvh"},
     {"bvh", Wanted::always, Asked::in_batches, "bvh-batch", "the same, many rays a call"},
+    {"bvh-compact"},
+    {"bvh-compact", Wanted::always, Asked::in_batches, "bvh-compact-batch", "the same, many rays a call"},
     {"bvh-fast"},
     {"bvh-high"},
     {"bvh-2"},

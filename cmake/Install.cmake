@@ -38,6 +38,12 @@ set(private_headers
   accel/canonical/sphere.h
   accel/canonical/sphere_test-inl.h
   accel/canonical/triangle.h
+  accel/compact/build.h
+  accel/compact/kernel.h
+  accel/compact/node.h
+  accel/compact/packed_block.h
+  accel/compact/partition.h
+  accel/compact/unpack-inl.h
   accel/counting.h
   accel/embree/api.h
   accel/embree/bounds.h
@@ -53,14 +59,23 @@ set(private_headers
   accel/wide/box_test-inl.h
   accel/wide/build.h
   accel/wide/collapse.h
+  accel/wide/engine.h
+  accel/wide/forest.h
+  accel/wide/inspection.h
   accel/wide/instanced-inl.h
   accel/wide/invariants.h
   accel/wide/kernel.h
+  accel/wide/layout.h
   accel/wide/node.h
   accel/wide/occlusion.h
+  accel/wide/open_leaves-inl.h
+  accel/wide/queries-inl.h
   accel/wide/scalar.h
+  accel/wide/scalar_query.h
   accel/wide/stack-inl.h
   accel/wide/statistics.h
+  accel/wide/survey.h
+  accel/wide/tree.h
   check/exact.h
   core/fork_join.h
   core/lanes.h

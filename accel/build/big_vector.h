@@ -3,9 +3,11 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -48,5 +50,17 @@ struct BigAllocator {
 
 template <typename T>
 using BigVector = std::vector<T, BigAllocator<T>>;
+
+/// Gives the memory of elements that nobody will read again back to the system, before their vector ends: the
+/// whole pages among them. Their values are lost.
+template <typename T>
+void release_memory(T* first, std::size_t count) {
+  static_assert(std::is_trivially_destructible_v<T>);
+  constexpr std::uintptr_t page = 4096;
+  const auto begin = (reinterpret_cast<std::uintptr_t>(first) + page - 1) / page * page;
+  const auto end = reinterpret_cast<std::uintptr_t>(first + count) / page * page;
+  // If it is refused, nothing is lost.
+  if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
+}
 
 }  // namespace twinray

@@ -23,14 +23,17 @@
 #include "accel/canonical/load_ray-inl.h"
 #include "accel/counting.h"
 #include "accel/wide/box_test-inl.h"
+#include "accel/wide/open_leaves-inl.h"
 #include "accel/wide/stack-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 
 /// A closest-hit query on its way through a tree with primitives.
+template <typename Bvh>
 class ClosestQuery {
  public:
+  using Tree = Bvh;
   using Answer = Hit;
   static constexpr bool has_instances = false;
 
@@ -49,13 +52,17 @@ class ClosestQuery {
   /// What it was.
   WideRef next() const { return next_; }
 
-  HWY_ATTR HWY_INLINE void visit(const WideNode& node) {
+  HWY_ATTR HWY_INLINE void visit(const typename Tree::Node& node) {
     alignas(32) float entries[WideNode::width];
     const std::uint32_t met = BoxRay(ray_).intersect(node, t_max_, entries);
-    push_sorted(node, met, entries, top_);
+    push_sorted(node.children, met, entries, top_);
   }
-  HWY_ATTR HWY_INLINE void visit(const PrimitiveBlock& block, const Geometry& geometry) {
+  template <typename Steps>
+  HWY_ATTR HWY_INLINE void visit_leaf(const Tree& bvh, const Geometry& geometry, const Steps& steps) {
+    const PrimitiveBlock& block = leaves_.open(bvh, next_);
+    steps.test_block(block);
     BlockRay(ray_).closest(geometry, ray_, block, best_);
+    leaves_.keep(best_);
     t_max_ = std::min(t_max_, best_.t);
   }
   Hit answer() const {
@@ -67,6 +74,7 @@ class ClosestQuery {
  private:
   CheckedRay ray_;
   Nearest best_;
+  [[no_unique_address]] OpenLeaves<Tree> leaves_;
   float t_max_;
   WideRef next_;
   Key* top_;
@@ -74,8 +82,10 @@ class ClosestQuery {
 };
 
 /// An any-hit query, likewise.
+template <typename Bvh>
 class AnyQuery {
  public:
+  using Tree = Bvh;
   using Answer = std::uint8_t;
   static constexpr bool has_instances = false;
 
@@ -90,12 +100,16 @@ class AnyQuery {
   HWY_ATTR HWY_INLINE WideRef advance() { return next_ = {*--top_}; }
   WideRef next() const { return next_; }
 
-  HWY_ATTR HWY_INLINE void visit(const WideNode& node) {
+  HWY_ATTR HWY_INLINE void visit(const typename Tree::Node& node) {
     alignas(32) float entries[WideNode::width];
     const std::uint32_t met = BoxRay(ray_).intersect(node, ray_.t_max, entries);
-    push_all(node, met, top_);
+    push_all(node.children, met, top_);
   }
-  HWY_ATTR HWY_INLINE void visit(const PrimitiveBlock& block, const Geometry& geometry) {
+  template <typename Steps>
+  HWY_ATTR HWY_INLINE void visit_leaf(const Tree& bvh, const Geometry& geometry, const Steps& steps) {
+    OpenLeaves<Tree> leaves;
+    const PrimitiveBlock& block = leaves.open(bvh, next_);
+    steps.test_block(block);
     is_hit_ = BlockRay(ray_).any(geometry, ray_, block);
     top_ = is_hit_ ? stack_ + 1 : top_;  // Nothing is next then.
   }
@@ -131,20 +145,13 @@ class Queue {
   std::size_t size_ = 0;
 };
 
-/// Prefetches what will be visited.
-template <typename T>
-HWY_ATTR HWY_INLINE void prefetch(const T& visited) {
-  constexpr std::size_t line = 64;
-  for (std::size_t i = 0; i < sizeof(T); i += line)
-    __builtin_prefetch(reinterpret_cast<const char*>(&visited) + i);
-}
-
 /// The rays of a batch, and the queries that answer them.
 template <typename Query>
 class Batch {
  public:
-  Batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
-        typename Query::Answer* answers)
+  using Tree = typename Query::Tree;
+
+  Batch(const Tree& bvh, const Geometry& geometry, std::span<const Ray> rays, typename Query::Answer* answers)
       : bvh_(bvh), geometry_(geometry), rays_(rays), answers_(answers) {}
 
   /// Steps: NoCounts, or Counting.
@@ -163,7 +170,7 @@ class Batch {
         answered.add(i, next.is_none());
       }
       for (const std::uint32_t i : nodes) prefetch(next_node(i));
-      for (const std::uint32_t i : blocks) prefetch(next_block(i));
+      for (const std::uint32_t i : blocks) OpenLeaves<Tree>::prefetch(bvh_, queries_[i].next());
       if constexpr (Query::has_instances)
         for (const std::uint32_t i : instances) prefetch(next_instance(i));
       active.clear();
@@ -178,8 +185,7 @@ class Batch {
       }
       for (const std::uint32_t i : blocks) {
         steps.visit_leaf();
-        steps.test_block(next_block(i));
-        queries_[i].visit(next_block(i), geometry_);
+        queries_[i].visit_leaf(bvh_, geometry_, steps);
         active.add(i);
       }
       if constexpr (Query::has_instances)
@@ -204,15 +210,14 @@ class Batch {
     }
     return false;
   }
-  const WideNode& next_node(std::uint32_t query) const { return bvh_.nodes[queries_[query].next().index()]; }
-  const PrimitiveBlock& next_block(std::uint32_t query) const {
-    return bvh_.blocks[queries_[query].next().index()];
+  const typename Tree::Node& next_node(std::uint32_t query) const {
+    return bvh_.node(queries_[query].next());
   }
   const PlacedInstance& next_instance(std::uint32_t query) const {
     return geometry_.placed()[queries_[query].next().index()];
   }
 
-  const WideBvh& bvh_;
+  const Tree& bvh_;
   const Geometry& geometry_;
   const std::span<const Ray> rays_;
   typename Query::Answer* const answers_;

@@ -22,8 +22,26 @@
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 
+/// The vectors in which a node's boxes are tested: up to eight planes of one row.
+struct PlaneLanes {
+  using Tag = hn::CappedTag<float, WideNode::width>;
+  using Lanes = hn::Vec<Tag>;
+  static constexpr std::size_t lane_count = hn::MaxLanes(Tag());
+};
+
+/// How the planes of a node are read. A node of another kind has a specialisation.
+template <typename Node>
+struct NodePlanes : PlaneLanes {
+  /// Those across an axis, from a place in the node's table of planes on.
+  static HWY_ATTR HWY_INLINE Lanes load(const Node& node, int /*axis*/, std::size_t place) {
+    return hn::Load(Tag(), node.planes[0][0] + place);
+  }
+  /// Bit i: there is a child i. No empty box is intersected, so it need not be asked here.
+  static std::uint32_t children(const Node&) { return ~0u; }
+};
+
 /// A ray in the form that the box test needs: in lanes, with its octant as places of rows in a node.
-class BoxRay {
+class BoxRay : PlaneLanes {
  public:
   HWY_ATTR HWY_INLINE explicit BoxRay(const CheckedRay& ray)
       : t_min_(hn::Set(IntTag(), std::bit_cast<std::int32_t>(ray.t_min + 0.0f))) {
@@ -38,7 +56,8 @@ class BoxRay {
   }
 
   /// Bit i: the ray intersects the box of child i within [t_min, t_max], at entries[i], which is never -0.
-  HWY_ATTR HWY_INLINE std::uint32_t intersect(const WideNode& node, float t_max, float* entries) const {
+  template <typename Node>
+  HWY_ATTR HWY_INLINE std::uint32_t intersect(const Node& node, float t_max, float* entries) const {
     const Lanes exit_limit = hn::Set(Tag(), t_max);
     std::uint32_t met = 0;
     for (std::size_t first = 0; first < WideNode::width; first += lane_count) {
@@ -52,21 +71,20 @@ class BoxRay {
       hn::Store(entry, Tag(), entries + first);
       met |= bits_of(Tag(), hn::Le(entry, exit)) << first;
     }
-    return met;
+    return met & NodePlanes<Node>::children(node);
   }
 
  private:
-  using Tag = hn::CappedTag<float, WideNode::width>;
   using IntTag = hn::RebindToSigned<Tag>;
-  using Lanes = hn::Vec<Tag>;
-  static constexpr std::size_t lane_count = hn::MaxLanes(Tag());
 
-  HWY_ATTR HWY_INLINE Lanes near_at(const WideNode& node, int axis, std::size_t first) const {
-    const Lanes planes = hn::Load(Tag(), node.planes[0][0] + near_row_[axis] + first);
+  template <typename Node>
+  HWY_ATTR HWY_INLINE Lanes near_at(const Node& node, int axis, std::size_t first) const {
+    const Lanes planes = NodePlanes<Node>::load(node, axis, near_row_[axis] + first);
     return hn::Mul(hn::Sub(planes, near_origin_[axis]), near_inverse_[axis]);
   }
-  HWY_ATTR HWY_INLINE Lanes far_at(const WideNode& node, int axis, std::size_t first) const {
-    const Lanes planes = hn::Load(Tag(), node.planes[0][0] + far_row_[axis] + first);
+  template <typename Node>
+  HWY_ATTR HWY_INLINE Lanes far_at(const Node& node, int axis, std::size_t first) const {
+    const Lanes planes = NodePlanes<Node>::load(node, axis, far_row_[axis] + first);
     return hn::Mul(hn::Sub(planes, far_origin_[axis]), far_inverse_[axis]);
   }
 

@@ -22,8 +22,10 @@ HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 
 /// A closest-hit query on its way through a scene with instances.
+template <typename Bvh>
 class InstancedClosestQuery {
  public:
+  using Tree = Bvh;
   using Answer = Hit;
   static constexpr bool has_instances = true;
 
@@ -51,13 +53,17 @@ class InstancedClosestQuery {
   /// What it was.
   WideRef next() const { return next_; }
 
-  HWY_ATTR HWY_INLINE void visit(const WideNode& node) {
+  HWY_ATTR HWY_INLINE void visit(const typename Tree::Node& node) {
     alignas(32) float entries[WideNode::width];
     const std::uint32_t met = BoxRay(rays_[space_]).intersect(node, t_max_, entries);
-    push_sorted(node, met, entries, top_);
+    push_sorted(node.children, met, entries, top_);
   }
-  HWY_ATTR HWY_INLINE void visit(const PrimitiveBlock& block, const Geometry& geometry) {
+  template <typename Steps>
+  HWY_ATTR HWY_INLINE void visit_leaf(const Tree& bvh, const Geometry& geometry, const Steps& steps) {
+    const PrimitiveBlock& block = leaves_.open(bvh, next_);
+    steps.test_block(block);
     BlockRay(rays_[space_]).closest(geometry, rays_[space_], block, nearest_);
+    leaves_.keep(nearest_);
     t_max_ = std::min(t_max_, nearest_.t);
   }
   /// Goes on in the instance that next() is; false where there is nothing to be hit in it.
@@ -93,6 +99,7 @@ class InstancedClosestQuery {
   int space_;           ///< Which of them it is.
   Hit best_;            ///< Of the spaces before.
   Nearest nearest_;     ///< Of this one.
+  [[no_unique_address]] OpenLeaves<Tree> leaves_;
   float t_max_;
   WideRef next_;
   Key* top_;
@@ -100,8 +107,10 @@ class InstancedClosestQuery {
 };
 
 /// An any-hit query, likewise.
+template <typename Bvh>
 class InstancedAnyQuery {
  public:
+  using Tree = Bvh;
   using Answer = std::uint8_t;
   static constexpr bool has_instances = true;
 
@@ -124,12 +133,16 @@ class InstancedAnyQuery {
   }
   WideRef next() const { return next_; }
 
-  HWY_ATTR HWY_INLINE void visit(const WideNode& node) {
+  HWY_ATTR HWY_INLINE void visit(const typename Tree::Node& node) {
     alignas(32) float entries[WideNode::width];
     const std::uint32_t met = BoxRay(rays_[space_]).intersect(node, rays_[space_].t_max, entries);
-    push_all(node, met, top_);
+    push_all(node.children, met, top_);
   }
-  HWY_ATTR HWY_INLINE void visit(const PrimitiveBlock& block, const Geometry& geometry) {
+  template <typename Steps>
+  HWY_ATTR HWY_INLINE void visit_leaf(const Tree& bvh, const Geometry& geometry, const Steps& steps) {
+    OpenLeaves<Tree> leaves;
+    const PrimitiveBlock& block = leaves.open(bvh, next_);
+    steps.test_block(block);
     is_hit_ = BlockRay(rays_[space_]).any(geometry, rays_[space_], block);
     if (!is_hit_) return;
     space_ = 0;  // Nothing is next then.

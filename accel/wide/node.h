@@ -65,10 +65,12 @@ struct alignas(64) WideNode {
 };
 static_assert(sizeof(WideNode) == 256, "four cache lines");
 
+/// A tree that was built in parts has at most so many levels above them.
+inline constexpr int max_part_depth = 24;
 /// A wide node stands for at least one level of the binary tree it was made from, so no wide tree is deeper.
 /// A traversal keeps at most seven siblings a level, and looks at eight before it goes on with one; a batch
 /// has a mark below them.
-inline constexpr int max_wide_depth = max_bvh_depth;
+inline constexpr int max_wide_depth = max_part_depth + max_bvh_depth;
 inline constexpr int wide_stack_size = (WideNode::width - 1) * max_wide_depth + 2;
 /// One level above both trees, that of the scene and that of a prototype.
 inline constexpr int instanced_stack_size = 2 * wide_stack_size + WideNode::width;
@@ -76,10 +78,17 @@ inline constexpr int instanced_stack_size = 2 * wide_stack_size + WideNode::widt
 /// Finished trees in one: that of the scene, whose leaves are blocks and instances, and those of the
 /// prototypes. Where nothing can be hit there is no root.
 struct WideBvh {
+  using Node = WideNode;
+
   WideRef root;
   std::vector<WideRef> prototypes;  ///< Their roots; none where they are empty.
   BigVector<WideNode> nodes;        ///< Of each tree in depth-first order.
   BigVector<PrimitiveBlock> blocks;
+
+  /// By how much the names of blocks grow that come behind these.
+  std::size_t block_places() const { return blocks.size(); }
+  const WideNode& node(WideRef ref) const { return nodes[ref.index()]; }
+  const PrimitiveBlock& block(WideRef ref) const { return blocks[ref.index()]; }
 
   std::size_t bytes() const {
     return nodes.size() * sizeof(WideNode) + blocks.size() * sizeof(PrimitiveBlock);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Private: the children that wait while a ray is on its way through an eight-wide BVH, compiled once for each
-// instruction set.
+// instruction set. A node's children are given as an array of WideNode::width, aligned to 32 bytes.
 #if defined(TWINRAY_ACCEL_WIDE_STACK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TWINRAY_ACCEL_WIDE_STACK_INL_H
 #undef TWINRAY_ACCEL_WIDE_STACK_INL_H
@@ -23,8 +23,8 @@ namespace twinray::HWY_NAMESPACE {
 /// numbers are ordered as entries are.
 using Key = std::uint64_t;
 
-HWY_ATTR HWY_INLINE Key key_of(const float* entries, const WideNode& node, int child) {
-  return Key(std::bit_cast<std::uint32_t>(entries[child])) << 32 | node.children[child].bits;
+HWY_ATTR HWY_INLINE Key key_of(const float* entries, const WideRef* children, int child) {
+  return Key(std::bit_cast<std::uint32_t>(entries[child])) << 32 | children[child].bits;
 }
 
 HWY_ATTR HWY_INLINE void order(Key& larger, Key& smaller) {
@@ -55,12 +55,12 @@ HWY_ATTR HWY_INLINE void sort(Key* keys, std::ptrdiff_t count) {
 
 /// The nearest of the children that the ray intersects, at least one; the others wait on the stack, the
 /// nearer the higher.
-HWY_ATTR HWY_INLINE WideRef nearest_child(const WideNode& node, std::uint32_t met, const float* entries,
+HWY_ATTR HWY_INLINE WideRef nearest_child(const WideRef* children, std::uint32_t met, const float* entries,
                                           Key*& top) {
   const int first = std::countr_zero(met);
   met &= met - 1;
-  if (met == 0) return node.children[first];
-  Key key = key_of(entries, node, first), other = key_of(entries, node, std::countr_zero(met));
+  if (met == 0) return children[first];
+  Key key = key_of(entries, children, first), other = key_of(entries, children, std::countr_zero(met));
   met &= met - 1;
   if (met == 0) {
     order(other, key);
@@ -70,7 +70,7 @@ HWY_ATTR HWY_INLINE WideRef nearest_child(const WideNode& node, std::uint32_t me
   Key* const lowest = top;
   *top++ = key;
   *top++ = other;
-  for (; met != 0; met &= met - 1) *top++ = key_of(entries, node, std::countr_zero(met));
+  for (; met != 0; met &= met - 1) *top++ = key_of(entries, children, std::countr_zero(met));
   sort(lowest, top - lowest);
   return {std::uint32_t(*--top)};
 }
@@ -123,7 +123,7 @@ HWY_ATTR HWY_INLINE Keys sorted(Keys keys) {
 
 /// Puts the children that the ray intersects on the stack, the nearer the higher; of its places `top` and the
 /// seven behind it may be written.
-HWY_ATTR HWY_INLINE void push_sorted(const WideNode& node, std::uint32_t met, const float* entries,
+HWY_ATTR HWY_INLINE void push_sorted(const WideRef* children, std::uint32_t met, const float* entries,
                                      Key*& top) {
 #if HWY_TARGET <= HWY_AVX3
   // All eight: a branch on how many are hit is mispredicted. Those that are not come last, and are
@@ -131,7 +131,7 @@ HWY_ATTR HWY_INLINE void push_sorted(const WideNode& node, std::uint32_t met, co
   const hn::FixedTag<std::uint32_t, WideNode::width> halves;
   const std::uint8_t bits[8] = {std::uint8_t(met)};
   const auto entry = hn::BitCast(halves, hn::Load(hn::FixedTag<float, WideNode::width>(), entries));
-  const auto name = hn::Load(halves, &node.children[0].bits);
+  const auto name = hn::Load(halves, &children[0].bits);
   const Keys keys =
       hn::Or(hn::ShiftLeft<32>(hn::PromoteTo(KeysTag(), entry)), hn::PromoteTo(KeysTag(), name));
   const auto is_met = hn::LoadMaskBits(KeysTag(), bits);
@@ -139,39 +139,39 @@ HWY_ATTR HWY_INLINE void push_sorted(const WideNode& node, std::uint32_t met, co
   top += std::popcount(met);
 #else
   if (met == 0) return;
-  const WideRef nearest = nearest_child(node, met, entries, top);
+  const WideRef nearest = nearest_child(children, met, entries, top);
   *top++ = nearest.bits;  // It is taken before t_max can change: its entry does not matter.
 #endif
 }
 
 /// Puts children of a node on the stack, of whose places `top` and the seven behind it may be written.
-HWY_ATTR HWY_INLINE void push(const WideNode& node, std::uint32_t children, std::uint32_t*& top) {
+HWY_ATTR HWY_INLINE void push(const WideRef* children, std::uint32_t chosen, std::uint32_t*& top) {
 #if HWY_TARGET <= HWY_AVX3
   // All at once, for the end of a loop is mispredicted: 10 % on shadow rays. What other sets of instructions
   // take for it is slower than the loop.
   const hn::FixedTag<std::uint32_t, WideNode::width> tag;
-  const std::uint8_t bits[8] = {std::uint8_t(children)};
-  hn::StoreU(hn::CompressBits(hn::Load(tag, &node.children[0].bits), bits), tag, top);
-  top += std::popcount(children);
+  const std::uint8_t bits[8] = {std::uint8_t(chosen)};
+  hn::StoreU(hn::CompressBits(hn::Load(tag, &children[0].bits), bits), tag, top);
+  top += std::popcount(chosen);
 #else
-  for (; children != 0; children &= children - 1) *top++ = node.children[std::countr_zero(children)].bits;
+  for (; chosen != 0; chosen &= chosen - 1) *top++ = children[std::countr_zero(chosen)].bits;
 #endif
 }
 
 /// The first of the children that the ray intersects; the others wait on the stack, as they come: to sort
 /// them by distance took longer than the blocks that it saved, 8 % on shadow rays.
-HWY_ATTR HWY_INLINE WideRef any_child(const WideNode& node, std::uint32_t met, std::uint32_t*& top) {
-  const WideRef child = node.children[std::countr_zero(met)];
+HWY_ATTR HWY_INLINE WideRef any_child(const WideRef* children, std::uint32_t met, std::uint32_t*& top) {
+  const WideRef child = children[std::countr_zero(met)];
   met &= met - 1;
-  if (met != 0) push(node, met, top);
+  if (met != 0) push(children, met, top);
   return child;
 }
 
 /// The same with all children that the ray intersects on the stack, the first on top.
-HWY_ATTR HWY_INLINE void push_all(const WideNode& node, std::uint32_t met, std::uint32_t*& top) {
+HWY_ATTR HWY_INLINE void push_all(const WideRef* children, std::uint32_t met, std::uint32_t*& top) {
   constexpr std::uint32_t last = 1u << (WideNode::width - 1);  // Some child, where none is hit.
-  push(node, met & (met - 1), top);
-  *top = node.children[std::countr_zero(met | last)].bits;
+  push(children, met & (met - 1), top);
+  *top = children[std::countr_zero(met | last)].bits;
   top += met != 0;
 }
 

@@ -7,7 +7,9 @@
 namespace twinray {
 
 /// The numbers of all trees of a scene, with the costs of the options. A node's traversal cost is counted
-/// once, not for each of its children; an instance costs a step and what its prototype's tree does.
-TreeStats statistics_of(const WideBvh& bvh, const Geometry& geometry, const BuildOptions& options);
+/// once, not for each of its children; an instance costs a step and what its prototype's tree does. Tree:
+/// WideBvh or CompactBvh.
+template <typename Tree>
+TreeStats statistics_of(const Tree& bvh, const Geometry& geometry, const BuildOptions& options);
 
 }  // namespace twinray

@@ -249,7 +249,7 @@ TEST_CASE("a batch gives the bits of single rays, for every instruction set and 
   Random random(8);
   for (const WideKernel& kernel : wide_kernels()) {
     CAPTURE(kernel.name);
-    const WideEngine bvh(geometry, kernel);
+    const auto bvh = wide_engine(geometry, kernel);
     for (const int count : {0, 1, 7, 8, 31, 32, 33, 128, 1000}) {
       std::vector<Ray> rays;
       for (int i = 0; i < count; ++i) {
@@ -259,11 +259,11 @@ TEST_CASE("a batch gives the bits of single rays, for every instruction set and 
       }
       std::vector<Hit> hits(rays.size(), Hit{.t = 1});
       std::vector<std::uint8_t> blocked(rays.size(), 7);
-      bvh.closest_hits(rays, hits);
-      bvh.any_hits(rays, blocked);
+      bvh->closest_hits(rays, hits);
+      bvh->any_hits(rays, blocked);
       for (std::size_t i = 0; i < rays.size(); ++i) {
-        REQUIRE(hits[i] == bvh.closest_hit(rays[i]));
-        REQUIRE(blocked[i] == std::uint8_t(bvh.any_hit(rays[i])));
+        REQUIRE(hits[i] == bvh->closest_hit(rays[i]));
+        REQUIRE(blocked[i] == std::uint8_t(bvh->any_hit(rays[i])));
       }
     }
   }
@@ -273,12 +273,12 @@ TEST_CASE("a batch misses an empty tree, and misses with rays all of which are i
   const auto some = share({soup(50, 0.3f, 1)});
   for (const WideKernel& kernel : wide_kernels())
     for (const bool is_empty : {true, false}) {
-      const WideEngine bvh(is_empty ? share({}) : some, kernel);
+      const auto bvh = wide_engine(is_empty ? share({}) : some, kernel);
       std::vector<Ray> rays(100, Ray{.origin = {}, .direction = {is_empty ? 1.0f : 0.0f, 0, 0}});
       std::vector<Hit> hits(rays.size(), Hit{.t = 1});
       std::vector<std::uint8_t> blocked(rays.size(), 7);
-      bvh.closest_hits(rays, hits);
-      bvh.any_hits(rays, blocked);
+      bvh->closest_hits(rays, hits);
+      bvh->any_hits(rays, blocked);
       for (const Hit& hit : hits) CHECK(hit.is_miss());
       for (const std::uint8_t is_blocked : blocked) CHECK(is_blocked == 0);
     }

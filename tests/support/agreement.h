@@ -48,7 +48,10 @@ inline std::vector<LabelledEngine> canonical_engines(const std::shared_ptr<const
   add("bvh 8-wide median", Backend::bvh, {.bvh_width = 8, .bvh_split = BvhSplit::median});
   const WideTrees trees = geometry->has_instances() ? WideTrees::instanced : WideTrees::plain;
   for (const WideKernel& kernel : wide_kernels(trees))
-    engines.push_back({"bvh 8-wide, " + kernel.name, std::make_unique<WideEngine>(geometry, kernel)});
+    engines.push_back({"bvh 8-wide, " + kernel.name, wide_engine(geometry, kernel)});
+  add("bvh compact", Backend::bvh, {.memory_mode = MemoryMode::compact});
+  for (const CompactKernel& kernel : compact_kernels(trees))
+    engines.push_back({"bvh compact, " + kernel.name, compact_engine(geometry, kernel)});
 #ifdef TWINRAY_WITH_EMBREE
   for (const char* isa : {"sse2", "sse4.2", "avx", "avx2", "avx512", "default"})
     add(std::string("embree ") + isa, Backend::embree, {.threads = 1, .embree_isa = isa});

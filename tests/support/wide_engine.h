@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The eight-wide BVH with a kernel of the test's choice, as an accelerator.
+// The eight-wide BVHs with a kernel of the test's choice, as accelerators.
 #pragma once
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "accel/accelerator.h"
+#include "accel/compact/build.h"
+#include "accel/compact/kernel.h"
 #include "accel/wide/build.h"
 #include "accel/wide/kernel.h"
 
@@ -16,11 +18,20 @@ inline WideBvh build_wide(const Geometry& geometry, const BuildOptions& options 
   return make_wide_bvh(geometry, options, phases);
 }
 
-/// Always in batches where it is asked for many rays, however small the tree; counts nothing.
-class WideEngine final : public Accelerator {
+/// In parts of a few primitives, so that small scenes have some.
+inline CompactBvh build_compact(const Geometry& geometry, const BuildOptions& options = {},
+                                std::size_t least_part = 16) {
+  std::vector<BuildPhase> phases;
+  return make_compact_bvh(geometry, options, phases, least_part);
+}
+
+/// Always in batches where it is asked for many rays, however small the tree; counts nothing. Tree: WideBvh
+/// or CompactBvh.
+template <typename Tree>
+class TreeEngine final : public Accelerator {
  public:
-  WideEngine(std::shared_ptr<const Geometry> geometry, WideKernel kernel)
-      : Accelerator(std::move(geometry)), kernel_(std::move(kernel)), bvh_(build_wide(this->geometry())) {}
+  TreeEngine(std::shared_ptr<const Geometry> geometry, BasicWideKernel<Tree> kernel, Tree bvh)
+      : Accelerator(std::move(geometry)), kernel_(std::move(kernel)), bvh_(std::move(bvh)) {}
 
  private:
   Hit closest(Query query) const noexcept override { return kernel_.closest(bvh_, geometry(), query.ray); }
@@ -32,8 +43,17 @@ class WideEngine final : public Accelerator {
     kernel_.any_batch(bvh_, geometry(), rays, answers);
   }
 
-  WideKernel kernel_;
-  WideBvh bvh_;
+  BasicWideKernel<Tree> kernel_;
+  Tree bvh_;
 };
+
+inline std::unique_ptr<Accelerator> wide_engine(const std::shared_ptr<const Geometry>& geometry,
+                                                const WideKernel& kernel) {
+  return std::make_unique<TreeEngine<WideBvh>>(geometry, kernel, build_wide(*geometry));
+}
+inline std::unique_ptr<Accelerator> compact_engine(const std::shared_ptr<const Geometry>& geometry,
+                                                   const CompactKernel& kernel) {
+  return std::make_unique<TreeEngine<CompactBvh>>(geometry, kernel, build_compact(*geometry));
+}
 
 }  // namespace twinray::test

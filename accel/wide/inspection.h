@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+// Private: the inspection of either tree; compiled in instantiations.cpp.
+#pragma once
 #include "accel/wide/invariants.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <type_traits>
 #include <vector>
 
 #include "accel/canonical/slab.h"
@@ -10,13 +14,16 @@
 namespace twinray {
 namespace {
 
+/// Tree: WideBvh, whose boxes contain those of their children, or CompactBvh, whose boxes contain the
+/// primitives, but are rounded outward each by itself.
+template <typename Tree>
 class Inspection {
  public:
-  Inspection(const WideBvh& bvh, const Geometry& geometry)
+  Inspection(const Tree& bvh, const Geometry& geometry)
       : bvh_(bvh),
         geometry_(geometry),
         nodes_(bvh.nodes.size()),
-        blocks_(bvh.blocks.size()),
+        blocks_(bvh.block_places()),
         instances_(geometry.instances().size()),
         leaves_(geometry) {}
 
@@ -31,11 +38,27 @@ class Inspection {
       if (!prototype.is_none()) visit(prototype, all, 0);
     check_instances();
     check_seen_once("node", nodes_);
-    check_seen_once("block", blocks_);
+    check_blocks();
     return fault_.empty() ? leaves_.fault(occurrence) : fault_;
   }
 
  private:
+  static constexpr bool is_exact = std::is_same_v<Tree, WideBvh>;
+
+  /// What all boxes on the way to a leaf have in common, in which a ray must find its primitives.
+  static Aabb intersection(Aabb a, const Aabb& b) {
+    for (int axis = 0; axis < 3; ++axis) {
+      a.lower[axis] = std::max(a.lower[axis], b.lower[axis]);
+      a.upper[axis] = std::min(a.upper[axis], b.upper[axis]);
+    }
+    return a;
+  }
+
+  /// Packed blocks lie at some places; that each is found once follows from their primitives.
+  void check_blocks() {
+    if (is_exact) check_seen_once("block", blocks_);
+  }
+
   template <typename... Values>
   void report(fmt::format_string<Values...> text, Values&&... values) {
     if (fault_.empty()) fault_ = fmt::format(text, std::forward<Values>(values)...);
@@ -61,16 +84,17 @@ class Inspection {
       return report("{} {} is named, of {}", ref.is_leaf() ? "block" : "node", ref.index(), count);
     if (ref.is_leaf()) return visit_block(ref.index(), box);
     ++nodes_[ref.index()];
-    const WideNode& node = bvh_.nodes[ref.index()];
+    const typename Tree::Node& node = bvh_.node(ref);
     const int children = node.count();
     if (children < 2) report("node {} has {} children", ref.index(), children);
-    for (int child = 0; child < WideNode::width; ++child) {
-      if (!box.contains(node.box(child))) report("child {} of node {} leaves its parent", child, ref.index());
-      if (child < children)
-        visit(node.children[child], node.box(child), depth + 1);
-      else if (!node.children[child].is_none() || !node.box(child).is_empty())
-        report("child {} of node {}, which has {}, can be met", child, ref.index(), children);
+    for (int child = 0; child < children; ++child) {
+      if (is_exact && !box.contains(node.box(child)))
+        report("child {} of node {} leaves its parent", child, ref.index());
+      visit(node.children[child], intersection(box, node.box(child)), depth + 1);
     }
+    for (int child = children; child < WideNode::width; ++child)
+      if (!node.children[child].is_none() || (is_exact && !node.box(child).is_empty()))
+        report("child {} of node {}, which has {}, can be met", child, ref.index(), children);
   }
 
   void visit_instance(std::uint32_t index, const Aabb& box) {
@@ -81,14 +105,14 @@ class Inspection {
 
   void visit_block(std::uint32_t index, const Aabb& box) {
     ++blocks_[index];
-    const PrimitiveBlock& block = bvh_.blocks[index];
+    const PrimitiveBlock& block = bvh_.block(WideRef::block(index));
     if (block.count == 0 || block.count > std::uint32_t(PrimitiveBlock::width))
       return report("block {} holds {} primitives", index, block.count);
     for (std::uint32_t lane = 0; lane < block.count; ++lane)
       if (const std::string fault = leaves_.add(block.ids[lane], box); !fault.empty()) report("{}", fault);
   }
 
-  const WideBvh& bvh_;
+  const Tree& bvh_;
   const Geometry& geometry_;
   std::vector<int> nodes_, blocks_, instances_;
   LeavesOfPrimitives leaves_;
@@ -97,8 +121,9 @@ class Inspection {
 
 }  // namespace
 
-std::string find_fault(const WideBvh& bvh, const Geometry& geometry, Occurrence occurrence) {
-  return Inspection(bvh, geometry).fault(occurrence);
+template <typename Tree>
+std::string find_fault(const Tree& bvh, const Geometry& geometry, Occurrence occurrence) {
+  return Inspection<Tree>(bvh, geometry).fault(occurrence);
 }
 
 }  // namespace twinray

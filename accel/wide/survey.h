@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Private: the statistics of either tree; compiled in instantiations.cpp.
+#pragma once
 #include "accel/wide/statistics.h"
 
 #include <algorithm>
@@ -17,10 +19,11 @@ struct InstanceCosts {
   double of(std::uint32_t instance) const { return prototypes[geometry.instances()[instance].prototype]; }
 };
 
+template <typename Tree>
 class Survey {
  public:
   /// `prototypes`: what each instance's prototype's tree costs a ray.
-  Survey(const WideBvh& bvh, const CostModel& cost, const InstanceCosts& instances, TreeStats& stats)
+  Survey(const Tree& bvh, const CostModel& cost, const InstanceCosts& instances, TreeStats& stats)
       : bvh_(bvh), cost_(cost), instances_(instances), stats_(stats) {}
 
   /// `probability`: that a ray that intersects the root intersects this node, whose box has half the area
@@ -34,7 +37,7 @@ class Survey {
       return;
     }
     stats_.sah_cost += probability * cost_.traversal();
-    const WideNode& node = bvh_.nodes[ref.index()];
+    const typename Tree::Node& node = bvh_.node(ref);
     for (int child = 0; child < node.count(); ++child) {
       const double child_area = node.box(child).half_area();
       visit(node.children[child], area > 0 ? probability * child_area / area : probability, child_area,
@@ -45,17 +48,17 @@ class Survey {
   double area_of(const WideRef& root) const {
     Aabb box;
     if (!root.is_leaf())
-      for (int child = 0; child < WideNode::width; ++child) box.extend(bvh_.nodes[root.index()].box(child));
+      for (int child = 0; child < bvh_.node(root).count(); ++child) box.extend(bvh_.node(root).box(child));
     return box.half_area();
   }
 
  private:
   double leaf_cost(const WideRef& leaf) const {
     if (leaf.is_instance()) return cost_.traversal() + instances_.of(leaf.index());
-    return cost_.leaf(bvh_.blocks[leaf.index()].count);
+    return cost_.leaf(bvh_.block(leaf).count);
   }
 
-  const WideBvh& bvh_;
+  const Tree& bvh_;
   const CostModel& cost_;
   const InstanceCosts& instances_;
   TreeStats& stats_;
@@ -63,7 +66,8 @@ class Survey {
 
 }  // namespace
 
-TreeStats statistics_of(const WideBvh& bvh, const Geometry& geometry, const BuildOptions& options) {
+template <typename Tree>
+TreeStats statistics_of(const Tree& bvh, const Geometry& geometry, const BuildOptions& options) {
   const CostModel cost(options);
   InstanceCosts instances{geometry, {}};
   const auto survey = [&](const WideRef& root) {

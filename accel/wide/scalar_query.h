@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Out of line: what counts must not make the queries that do not count any slower.
+// Private: the scalar traversal of either tree; compiled in instantiations.cpp.
+#pragma once
 #include "accel/wide/scalar.h"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ inline bool is_later(const Waiting& a, const Waiting& b) {
 /// of the fast kernels: for the closest hit about front to back, for any hit as the children come, but the
 /// last of the waiting ones first. `test` may lower t_max, and ends the traversal by returning true. Whether
 /// it did.
-template <QueryKind kind, typename Test>
-bool traverse_scalar(const WideBvh& bvh, WideRef root, const CheckedRay& ray, const float& t_max,
+template <QueryKind kind, typename Tree, typename Test>
+bool traverse_scalar(const Tree& bvh, WideRef root, const CheckedRay& ray, const float& t_max,
                      QueryCounts& counts, Test&& test) {
   Waiting stack[wide_stack_size + WideNode::width];
   int size = 0;
@@ -40,7 +41,7 @@ bool traverse_scalar(const WideBvh& bvh, WideRef root, const CheckedRay& ray, co
       continue;
     }
     ++counts.nodes;
-    const WideNode& node = bvh.nodes[ref.index()];
+    const typename Tree::Node& node = bvh.node(ref);
     counts.boxes += std::uint64_t(node.count());
     float entries[WideNode::width];
     const std::uint32_t met = intersect_children(node, ray, t_max, entries);
@@ -56,23 +57,23 @@ bool traverse_scalar(const WideBvh& bvh, WideRef root, const CheckedRay& ray, co
 }
 
 /// One query: the blocks that it tests, of the scene and of instances.
-template <QueryKind kind>
+template <QueryKind kind, typename Tree>
 class ScalarQuery {
  public:
-  ScalarQuery(const WideBvh& bvh, const Geometry& geometry, const CheckedRay& ray, QueryCounts& counts)
+  ScalarQuery(const Tree& bvh, const Geometry& geometry, const CheckedRay& ray, QueryCounts& counts)
       : bvh_(bvh), geometry_(geometry), ray_(ray), counts_(counts), t_max_(ray.t_max) {}
 
   /// The least accepted hit; of QueryKind::any, one of them.
   Hit find() {
     traverse_scalar<kind>(bvh_, bvh_.root, ray_, t_max_, counts_, [&](WideRef leaf) {
-      return leaf.is_instance() ? visit_instance(leaf.index()) : visit_block(ray_, leaf.index());
+      return leaf.is_instance() ? visit_instance(leaf.index()) : visit_block(ray_, leaf);
     });
     return best_;
   }
 
  private:
-  bool visit_block(const CheckedRay& ray, std::uint32_t index) {
-    const PrimitiveBlock& block = bvh_.blocks[index];
+  bool visit_block(const CheckedRay& ray, WideRef leaf) {
+    const PrimitiveBlock& block = bvh_.block(leaf);
     counts_.primitives += block.count;
     test_block<kind>(geometry_, ray, block, best_);
     if (kind == QueryKind::closest) t_max_ = std::min(t_max_, best_.t);
@@ -85,13 +86,13 @@ class ScalarQuery {
     float own_t_max = own.t_max;
     const WideRef root = bvh_.prototypes[geometry_.instances()[instance].prototype];
     return traverse_scalar<kind>(bvh_, root, own, own_t_max, counts_, [&](WideRef leaf) {
-      const bool is_done = visit_block(own, leaf.index());
+      const bool is_done = visit_block(own, leaf);
       own_t_max = std::min(own_t_max, t_max_);
       return is_done;
     });
   }
 
-  const WideBvh& bvh_;
+  const Tree& bvh_;
   const Geometry& geometry_;
   const CheckedRay& ray_;
   QueryCounts& counts_;
@@ -101,15 +102,17 @@ class ScalarQuery {
 
 }  // namespace
 
-Hit scalar_closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given, QueryCounts& counts) {
+template <typename Tree>
+Hit scalar_closest(const Tree& bvh, const Geometry& geometry, const Ray& given, QueryCounts& counts) {
   return closest_of(geometry, given, [&](const CheckedRay& ray) {
-    return ScalarQuery<QueryKind::closest>(bvh, geometry, ray, counts).find();
+    return ScalarQuery<QueryKind::closest, Tree>(bvh, geometry, ray, counts).find();
   });
 }
 
-bool scalar_any(const WideBvh& bvh, const Geometry& geometry, const Ray& given, QueryCounts& counts) {
+template <typename Tree>
+bool scalar_any(const Tree& bvh, const Geometry& geometry, const Ray& given, QueryCounts& counts) {
   return any_of(geometry, given, [&](const CheckedRay& ray) {
-    return bool(ScalarQuery<QueryKind::any>(bvh, geometry, ray, counts).find());
+    return bool(ScalarQuery<QueryKind::any, Tree>(bvh, geometry, ray, counts).find());
   });
 }
 

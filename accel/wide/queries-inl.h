@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The queries over an eight-wide BVH, compiled once for each instruction set.
-#include "accel/wide/kernel.h"
+// Private: the queries over an eight-wide BVH of any kind of tree, compiled once for each instruction set by
+// the file that includes it for its kind.
+#if defined(TWINRAY_ACCEL_WIDE_QUERIES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TWINRAY_ACCEL_WIDE_QUERIES_INL_H
+#undef TWINRAY_ACCEL_WIDE_QUERIES_INL_H
+#else
+#define TWINRAY_ACCEL_WIDE_QUERIES_INL_H
+#endif
 
 #include <algorithm>
 #include <cstdint>
@@ -8,32 +14,32 @@
 #include <new>
 #include <span>
 
-#include "accel/counting.h"
-#include "accel/wide/scalar.h"
-#include "core/instruction_sets.h"
-
-#define HWY_TARGET_INCLUDE "accel/wide/kernel.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
-#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128  // Scalar::kernel() serves for these.
 #include "accel/canonical/load_ray-inl.h"
+#include "accel/counting.h"
 #include "accel/wide/batch-inl.h"
 #include "accel/wide/instanced-inl.h"
+#include "accel/wide/kernel.h"
 #include "accel/wide/stack-inl.h"
+#include "core/instruction_sets.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
-namespace {
 
 // The single queries have loops of their own: while one waits for the number of children that it hits there
 // is nothing else to do, so a predicted branch is faster there.
 
+/// What a single query of one space has found.
+template <typename Tree>
+struct Found {
+  Nearest best;
+  [[no_unique_address]] OpenLeaves<Tree> leaves;
+};
+
 /// The least hit of one space's tree: of what lies below `ref`, which there is. `enter` is called for the
 /// instances on the way, with their number and t_max, and returns what is left of t_max.
-template <typename Steps, typename Enter>
-HWY_ATTR HWY_INLINE void find_closest(const WideBvh& bvh, const Geometry& geometry, WideRef ref,
-                                      const CheckedRay& ray, Nearest& best, const Steps& steps,
+template <typename Tree, typename Steps, typename Enter>
+HWY_ATTR HWY_INLINE void find_closest(const Tree& bvh, const Geometry& geometry, WideRef ref,
+                                      const CheckedRay& ray, Found<Tree>& found, const Steps& steps,
                                       const Enter& enter) {
   const BoxRay box_ray(ray);
   const BlockRay block_ray(ray);
@@ -42,22 +48,23 @@ HWY_ATTR HWY_INLINE void find_closest(const WideBvh& bvh, const Geometry& geomet
   Key* top = stack;
   for (;;) {
     while (!ref.is_leaf()) {
-      const WideNode& node = bvh.nodes[ref.index()];
+      const typename Tree::Node& node = bvh.node(ref);
       steps.visit_node(node);
       alignas(32) float entries[WideNode::width];
       const std::uint32_t met = box_ray.intersect(node, t_max, entries);
       if (met == 0) break;
-      ref = nearest_child(node, met, entries, top);
+      ref = nearest_child(node.children, met, entries, top);
     }
     if (ref.is_leaf()) {
       steps.visit_leaf();
       if (Enter::exist && ref.is_instance()) {
         t_max = enter(ref.index(), t_max);
       } else {
-        const PrimitiveBlock& block = bvh.blocks[ref.index()];
+        const PrimitiveBlock& block = found.leaves.open(bvh, ref);
         steps.test_block(block);
-        block_ray.closest(geometry, ray, block, best);
-        t_max = std::min(t_max, best.t);
+        block_ray.closest(geometry, ray, block, found.best);
+        found.leaves.keep(found.best);
+        t_max = std::min(t_max, found.best.t);
       }
     }
     ref = pop(stack, top, t_max);
@@ -66,28 +73,29 @@ HWY_ATTR HWY_INLINE void find_closest(const WideBvh& bvh, const Geometry& geomet
 }
 
 /// Whether anything is hit, likewise; `enter` returns whether something of the instance is.
-template <typename Steps, typename Enter>
-HWY_ATTR HWY_INLINE bool find_any(const WideBvh& bvh, const Geometry& geometry, WideRef ref,
+template <typename Tree, typename Steps, typename Enter>
+HWY_ATTR HWY_INLINE bool find_any(const Tree& bvh, const Geometry& geometry, WideRef ref,
                                   const CheckedRay& ray, const Steps& steps, const Enter& enter) {
   const BoxRay box_ray(ray);
   const BlockRay block_ray(ray);
+  OpenLeaves<Tree> leaves;
   std::uint32_t stack[Enter::stack_size];
   std::uint32_t* top = stack;
   for (;;) {
     while (!ref.is_leaf()) {
-      const WideNode& node = bvh.nodes[ref.index()];
+      const typename Tree::Node& node = bvh.node(ref);
       steps.visit_node(node);
       alignas(32) float entries[WideNode::width];
       const std::uint32_t met = box_ray.intersect(node, ray.t_max, entries);
       if (met == 0) break;
-      ref = any_child(node, met, top);
+      ref = any_child(node.children, met, top);
     }
     if (ref.is_leaf()) {
       steps.visit_leaf();
       if (Enter::exist && ref.is_instance()) {
         if (enter(ref.index(), ray.t_max)) return true;
       } else {
-        const PrimitiveBlock& block = bvh.blocks[ref.index()];
+        const PrimitiveBlock& block = leaves.open(bvh, ref);
         steps.test_block(block);
         if (block_ray.any(geometry, ray, block)) return true;
       }
@@ -106,11 +114,12 @@ struct NoInstances {
 };
 
 /// The way into the instances of a scene.
+template <typename Tree>
 struct Instances {
   static constexpr bool exist = true;
   static constexpr int stack_size = instanced_stack_size;
 
-  const WideBvh& bvh;
+  const Tree& bvh;
   const Geometry& geometry;
   const CheckedRay& world;
 
@@ -121,53 +130,55 @@ struct Instances {
   WideRef root(std::uint32_t instance) const { return bvh.prototypes[geometry.placed()[instance].prototype]; }
 };
 
-template <typename Steps>
-struct ClosestInInstances : Instances {
+template <typename Tree, typename Steps>
+struct ClosestInInstances : Instances<Tree> {
   Hit& best;
   const Steps& steps;
 
   HWY_ATTR HWY_NOINLINE float operator()(std::uint32_t instance, float t_max) const {
     CheckedRay own;
-    if (!enter(instance, t_max, own)) return t_max;
+    if (!this->enter(instance, t_max, own)) return t_max;
     steps.enter_instance();
-    Nearest nearest;
-    find_closest(bvh, geometry, root(instance), own, nearest, steps, NoInstances());
-    if (const Hit hit = nearest.hit(own); precedes(hit, best)) best = hit;
+    Found<Tree> found;
+    find_closest(this->bvh, this->geometry, this->root(instance), own, found, steps, NoInstances());
+    if (const Hit hit = found.best.hit(own); precedes(hit, best)) best = hit;
     return std::min(t_max, best.t);
   }
 };
 
-template <typename Steps>
-struct AnyInInstances : Instances {
+template <typename Tree, typename Steps>
+struct AnyInInstances : Instances<Tree> {
   const Steps& steps;
 
   HWY_ATTR HWY_NOINLINE bool operator()(std::uint32_t instance, float t_max) const {
     CheckedRay own;
-    if (!enter(instance, t_max, own)) return false;
+    if (!this->enter(instance, t_max, own)) return false;
     steps.enter_instance();
-    return find_any(bvh, geometry, root(instance), own, steps, NoInstances());
+    return find_any(this->bvh, this->geometry, this->root(instance), own, steps, NoInstances());
   }
 };
 
 /// Queries over trees without instances.
+template <typename Bvh>
 struct Plain {
-  using Closest = ClosestQuery;
-  using Any = AnyQuery;
+  using Tree = Bvh;
+  using Closest = ClosestQuery<Tree>;
+  using Any = AnyQuery<Tree>;
 
   template <typename Steps>
-  static HWY_ATTR HWY_INLINE Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given,
+  static HWY_ATTR HWY_INLINE Hit closest(const Tree& bvh, const Geometry& geometry, const Ray& given,
                                          const Steps& steps) {
     Hit hit;  // The one variable that every path returns: it is written where it goes.
     CheckedRay ray;
     if (bvh.root.is_none() || !RayLoader::load(given, ray)) return hit;
-    Nearest best;
-    find_closest(bvh, geometry, bvh.root, ray, best, steps, NoInstances());
-    hit = best.hit(ray);
+    Found<Tree> found;
+    find_closest(bvh, geometry, bvh.root, ray, found, steps, NoInstances());
+    hit = found.best.hit(ray);
     ray.scale_back(hit);
     return hit;
   }
   template <typename Steps>
-  static HWY_ATTR HWY_INLINE bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& given,
+  static HWY_ATTR HWY_INLINE bool any(const Tree& bvh, const Geometry& geometry, const Ray& given,
                                       const Steps& steps) {
     CheckedRay ray;
     if (bvh.root.is_none() || !RayLoader::load(given, ray)) return false;
@@ -176,39 +187,44 @@ struct Plain {
 };
 
 /// Over those with instances.
+template <typename Bvh>
 struct Instanced {
-  using Closest = InstancedClosestQuery;
-  using Any = InstancedAnyQuery;
+  using Tree = Bvh;
+  using Closest = InstancedClosestQuery<Tree>;
+  using Any = InstancedAnyQuery<Tree>;
 
   template <typename Steps>
-  static HWY_ATTR HWY_INLINE Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& given,
+  static HWY_ATTR HWY_INLINE Hit closest(const Tree& bvh, const Geometry& geometry, const Ray& given,
                                          const Steps& steps) {
     Hit hit;
     CheckedRay ray;
     if (bvh.root.is_none() || !InstanceRayLoader::load_world(geometry.placed(), given, ray)) return hit;
-    Nearest best;
-    find_closest(bvh, geometry, bvh.root, ray, best, steps,
-                 ClosestInInstances<Steps>{{bvh, geometry, ray}, hit, steps});
-    if (const Hit direct = best.hit(ray); precedes(direct, hit)) hit = direct;
+    Found<Tree> found;
+    find_closest(bvh, geometry, bvh.root, ray, found, steps,
+                 ClosestInInstances<Tree, Steps>{{bvh, geometry, ray}, hit, steps});
+    if (const Hit direct = found.best.hit(ray); precedes(direct, hit)) hit = direct;
     ray.scale_back(hit);
     return hit;
   }
   template <typename Steps>
-  static HWY_ATTR HWY_INLINE bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& given,
+  static HWY_ATTR HWY_INLINE bool any(const Tree& bvh, const Geometry& geometry, const Ray& given,
                                       const Steps& steps) {
     CheckedRay ray;
     if (bvh.root.is_none() || !InstanceRayLoader::load_world(geometry.placed(), given, ray)) return false;
-    return find_any(bvh, geometry, bvh.root, ray, steps, AnyInInstances<Steps>{{bvh, geometry, ray}, steps});
+    return find_any(bvh, geometry, bvh.root, ray, steps,
+                    AnyInInstances<Tree, Steps>{{bvh, geometry, ray}, steps});
   }
 };
 
 template <typename Queries, typename... Counts>
-HWY_ATTR Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& ray, Counts&... counts) {
+HWY_ATTR Hit closest(const typename Queries::Tree& bvh, const Geometry& geometry, const Ray& ray,
+                     Counts&... counts) {
   return Queries::closest(bvh, geometry, ray, steps_of(counts...));
 }
 
 template <typename Queries, typename... Counts>
-HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& ray, Counts&... counts) {
+HWY_ATTR bool any(const typename Queries::Tree& bvh, const Geometry& geometry, const Ray& ray,
+                  Counts&... counts) {
   return Queries::any(bvh, geometry, ray, steps_of(counts...));
 }
 
@@ -216,35 +232,35 @@ HWY_ATTR bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& ray, 
 // done once.
 
 template <typename Queries, typename... Counts>
-HWY_ATTR void closest_in_turn(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
-                              Hit* hits, Counts&... counts) {
+HWY_ATTR void closest_in_turn(const typename Queries::Tree& bvh, const Geometry& geometry,
+                              std::span<const Ray> rays, Hit* hits, Counts&... counts) {
   const auto steps = steps_of(counts...);
   for (const Ray& ray : rays) new (hits++) Hit(Queries::closest(bvh, geometry, ray, steps));
 }
 
 template <typename Queries, typename... Counts>
-HWY_ATTR void any_in_turn(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
-                          std::uint8_t* hits, Counts&... counts) {
+HWY_ATTR void any_in_turn(const typename Queries::Tree& bvh, const Geometry& geometry,
+                          std::span<const Ray> rays, std::uint8_t* hits, Counts&... counts) {
   const auto steps = steps_of(counts...);
   for (const Ray& ray : rays) *hits++ = Queries::any(bvh, geometry, ray, steps);
 }
 
 template <typename Queries, typename... Counts>
-HWY_ATTR void closest_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
-                            Hit* hits, Counts&... counts) {
+HWY_ATTR void closest_batch(const typename Queries::Tree& bvh, const Geometry& geometry,
+                            std::span<const Ray> rays, Hit* hits, Counts&... counts) {
   Batch<typename Queries::Closest>(bvh, geometry, rays, hits).answer(steps_of(counts...));
 }
 
 template <typename Queries, typename... Counts>
-HWY_ATTR void any_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
-                        std::uint8_t* hits, Counts&... counts) {
+HWY_ATTR void any_batch(const typename Queries::Tree& bvh, const Geometry& geometry,
+                        std::span<const Ray> rays, std::uint8_t* hits, Counts&... counts) {
   Batch<typename Queries::Any>(bvh, geometry, rays, hits).answer(steps_of(counts...));
 }
 
-HWY_ATTR bool load(const Ray& ray, CheckedRay& checked) { return RayLoader::load(ray, checked); }
+inline HWY_ATTR bool load(const Ray& ray, CheckedRay& checked) { return RayLoader::load(ray, checked); }
 
-HWY_ATTR std::uint32_t intersect_boxes(const WideNode& node, const CheckedRay& ray, float t_max,
-                                       float* entries) {
+template <typename Node>
+HWY_ATTR std::uint32_t intersect_boxes(const Node& node, const CheckedRay& ray, float t_max, float* entries) {
   alignas(32) float stored[WideNode::width];
   const std::uint32_t met = BoxRay(ray).intersect(node, t_max, stored);
   std::copy(std::begin(stored), std::end(stored), entries);
@@ -253,7 +269,7 @@ HWY_ATTR std::uint32_t intersect_boxes(const WideNode& node, const CheckedRay& r
 
 /// Queries: Plain or Instanced; Counts: none, or QueryCounts.
 template <typename Queries, typename... Counts>
-BasicWideKernel<Counts&...> kernel() {
+BasicWideKernel<typename Queries::Tree, Counts&...> kernel() {
   return {simd_name(hwy::TargetName(HWY_TARGET)),
           closest<Queries, Counts...>,
           any<Queries, Counts...>,
@@ -262,68 +278,19 @@ BasicWideKernel<Counts&...> kernel() {
           closest_batch<Queries, Counts...>,
           any_batch<Queries, Counts...>,
           load,
-          intersect_boxes};
+          intersect_boxes<typename Queries::Tree::Node>};
 }
 
-template <typename... Counts>
-BasicWideKernel<Counts&...> kernel_for(WideTrees trees) {
-  return trees == WideTrees::instanced ? kernel<Instanced, Counts...>() : kernel<Plain, Counts...>();
+template <typename Tree, typename... Counts>
+BasicWideKernel<Tree, Counts&...> kernel_for(WideTrees trees) {
+  return trees == WideTrees::instanced ? kernel<Instanced<Tree>, Counts...>()
+                                       : kernel<Plain<Tree>, Counts...>();
+}
+template <typename Tree>
+BasicWideKernel<Tree, QueryCounts&> counting_kernel_for(WideTrees trees) {
+  return kernel_for<Tree, QueryCounts>(trees);
 }
 
-}  // namespace
 }  // namespace twinray::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif
-
-#if HWY_ONCE
-#include "core/supported_sets.h"
-
-namespace twinray {
-namespace {
-
-/// The scalar traversal as a kernel.
-struct Scalar {
-  static Hit closest(const WideBvh& bvh, const Geometry& geometry, const Ray& ray) {
-    QueryCounts counts;
-    return scalar_closest(bvh, geometry, ray, counts);
-  }
-  static bool any(const WideBvh& bvh, const Geometry& geometry, const Ray& ray) {
-    QueryCounts counts;
-    return scalar_any(bvh, geometry, ray, counts);
-  }
-  static void closest_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
-                            Hit* hits) {
-    for (const Ray& ray : rays) *hits++ = closest(bvh, geometry, ray);
-  }
-  static void any_batch(const WideBvh& bvh, const Geometry& geometry, std::span<const Ray> rays,
-                        std::uint8_t* hits) {
-    for (const Ray& ray : rays) *hits++ = any(bvh, geometry, ray);
-  }
-  static WideKernel kernel() {
-    return {"scalar",      closest,   any,      closest_batch,     any_batch,
-            closest_batch, any_batch, load_ray, intersect_children};
-  }
-};
-
-/// Those that were compiled for an instruction set of this machine, the fastest first.
-template <typename... Counts>
-std::vector<BasicWideKernel<Counts&...>> fast_kernels(WideTrees trees) {
-  std::vector<BasicWideKernel<Counts&...>> kernels;
-  TWINRAY_APPEND_SUPPORTED(kernels, kernel_for<Counts...>(trees));
-  return kernels;
-}
-
-}  // namespace
-
-std::vector<WideKernel> wide_kernels(WideTrees trees) {
-  std::vector<WideKernel> kernels = fast_kernels<>(trees);
-  kernels.push_back(Scalar::kernel());
-  return kernels;
-}
-
-std::vector<CountingWideKernel> counting_wide_kernels(WideTrees trees) {
-  return fast_kernels<QueryCounts>(trees);
-}
-
-}  // namespace twinray
 #endif

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Defects of the eight-wide tree in little memory: its nodes, its leaves, its parts."""
+from mutant import Mutant
+
+TARGET = "test_accel"
+
+BOXES = "a compact node's boxes contain those of the ordinary one, and are at most a step larger"
+HOLDS = "every compact tree holds all primitives, in one part and in many"
+PACKED = "blocks of random triangles that share corners come back with their bits"
+BATCHES = "the fast kernels take the steps of the scalar traversal in batches"
+PARTS = "parts are a sixteenth of all primitives at most, and lie no deeper than a stack has room for"
+AGREE = "engines agree on triangle soups and spheres"
+
+MUTANTS = [
+    Mutant("a lower plane is rounded up", "accel/compact/node.cpp",
+           "  while (node.plane(axis, steps) > plane) --steps;\n", "",
+           TARGET, BOXES),
+    Mutant("an upper plane is rounded down", "accel/compact/node.cpp",
+           "  while (node.plane(axis, steps) < plane) ++steps;\n", "",
+           TARGET, BOXES),
+    Mutant("steps are twice as long as they must be", "accel/compact/node.cpp",
+           "exponent + 126", "exponent + 127",
+           TARGET, "the steps of a compact node are the shortest powers of two that reach all of it"),
+    Mutant("wide ids are packed as narrow ones", "accel/compact/packed_block.cpp",
+           "    is_wide |= primitives.is_wide() || block.ids[0].mesh > UINT16_MAX;\n", "",
+           TARGET, "ids that lie far apart, and of several meshes, are packed whole"),
+    Mutant("nine vertices are packed into eight places", "accel/compact/packed_block.cpp",
+           "if (place == packed::max_vertices) return false;",
+           "if (place == packed::max_vertices) return true;",
+           TARGET, PACKED),
+    Mutant("the least index is forgotten where leaves are unpacked in lanes", "accel/compact/unpack-inl.h",
+           "{mesh, least + words_", "{mesh, words_",
+           TARGET, AGREE),
+    Mutant("wide axes are unpacked as narrow ones", "accel/compact/unpack-inl.h",
+           "0u - (head_.wide_axes >> axis & 1)", "0u",
+           TARGET, AGREE),
+    Mutant("the block of the nearest hit is written over", "accel/compact/unpack-inl.h",
+           "free_ ^= best.block == &places_[free_].block;", "free_ ^= 0 * (best.block == nullptr);",
+           TARGET, AGREE),
+    Mutant("parts may lie as deep as splits like", "accel/compact/partition.cpp",
+           "depth < free_part_depth ? divide", "depth < 1000 ? divide",
+           TARGET, PARTS),
+    Mutant("the tree above the parts names their numbers", "accel/compact/build.cpp",
+           "child = roots[child.index()];", "child = roots[0];",
+           TARGET, HOLDS),
+]
