@@ -58,6 +58,9 @@ void add_bvh_options(OptionGroup& group, RenderRequest& request) {
       "--bvh-quality", build.bvh_quality,
       {{"fast", BvhQuality::fast}, {"medium", BvhQuality::medium}, {"high", BvhQuality::high}},
       "Build time against speed");
+  group.add_choice<MemoryMode>("--memory-mode", build.memory_mode,
+                               {{"ordinary", MemoryMode::ordinary}, {"compact", MemoryMode::compact}},
+                               "compact: a bvh in a third of the memory");
   group.add_choice<BvhSplit>("--bvh-split", build.bvh_split,
                              {{"sah", BvhSplit::sah},
                               {"median", BvhSplit::median},
@@ -93,9 +96,11 @@ void choose_backend(const RenderRequest& request, RenderArguments& arguments) {
   if (is_check(request) && !request.check_with.empty() && arguments.plant_difference)
     throw UsageError("--plant-difference is an engine of its own; it does not go with --check-with");
   const bool counts = arguments.render.counting || arguments.integrator == IntegratorKind::cost;
-  arguments.is_auto = request.accel == "auto" && !counts;
-  arguments.engine_reason =
-      request.accel == "auto" ? "its counts compare among all trees" : "named by --accel";
+  const bool is_compact = arguments.build.memory_mode == MemoryMode::compact;
+  arguments.is_auto = request.accel == "auto" && !counts && !is_compact;
+  arguments.engine_reason = request.accel != "auto" ? "named by --accel"
+                            : counts                ? "its counts compare among all trees"
+                                                    : "no other tree is compact";
   for (const Backend backend : available_backends())
     if (request.accel == backend_name(backend)) arguments.backend = backend;
 }

@@ -132,6 +132,8 @@ std::string info_text(const SceneInfo& info) {
   for (const auto& [name, bytes] : memory.items())
     if (bytes.get<std::uint64_t>() > 0)
       text += fmt::format("memory: {} for {}\n", bytes_text(bytes.get<std::uint64_t>()), name);
+  for (const MemoryNeed& need : info.needs)
+    if (!need.instead.empty()) text += fmt::format("memory: {}, for {}\n", need.instead, need.name);
   return text;
 }
 

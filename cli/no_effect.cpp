@@ -280,6 +280,7 @@ constexpr Rule rules[]{
     {"--bvh-width", needs_bvh},
     {"--simd", needs_lanes},
     {"--bvh-quality", needs_wide},
+    {"--memory-mode", needs_wide},
     {"--bvh-split", needs_own_builder},
     {"--bvh-builder", needs_bvh},
     {"--bvh-bins", needs_sah},

@@ -73,8 +73,8 @@ Action add_verify(CLI::App& app) {
 const std::vector<Subcommand> subcommands{
     {"render", add_render,
      "Renders a scene by path tracing; with --cs184 as CS184's program does (docs/cs184.md).", "Run",
-     "Others: twinray agreement, compare, convert, crosscheck, error, info, merge, plan, relight,\nresume, "
-     "stats, study, verify; each has help"},
+     "Others: agreement compare convert crosscheck error info merge plan relight resume stats study "
+     "verify"},
     {"agreement", add_agreement,
      "Renders scenes small by every engine, split method, integrator, sampler and number of threads,\n"
      "and compares all pictures and ray counts bit for bit. Exit code 1 if any differs."},

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
+#include "accel/build_options.h"
 #include "core/film.h"
 #include "core/threads.h"
 
@@ -17,27 +19,48 @@ constexpr std::uint64_t picture_bytes_a_pixel = 32;
 /// Of layers: the file, which may have to move while it grows.
 constexpr std::uint64_t picture_bytes_a_channel = 8;
 
-/// Bytes a primitive, with room: on forests of 200,000 to 2,000,000 triangles these were 162 to 188, 245 to
-/// 282, and 184.
-std::uint64_t tree_bytes_a_primitive(Backend backend, const BuildOptions& build) {
+/// Bytes a primitive, with room. A compact tree is built in parts, of which one at a time is an ordinary
+/// tree.
+constexpr std::uint64_t wide_bytes = 240, compact_bytes = 70;
+
+/// Primitives of the largest part of a compact tree.
+std::uint64_t compact_part(std::uint64_t primitives) {
+  return std::min(primitives, std::max<std::uint64_t>(65536, primitives / 16));
+}
+
+/// Of forests of 200,000 to 2,000,000 triangles these took 162 to 188, 245 to 282, and 184 bytes a primitive.
+std::uint64_t tree_bytes(Backend backend, const BuildOptions& build, std::uint64_t primitives) {
   switch (backend) {
     case Backend::bvh:
-      return build.bvh_width == 2 ? 320 : 240;
+      if (build.bvh_width == 2) return 320 * primitives;
+      if (build.memory_mode == MemoryMode::ordinary) return wide_bytes * primitives;
+      return compact_bytes * primitives + wide_bytes * compact_part(primitives);
     case Backend::embree:
     case Backend::embree_native:
-      return 260;
+      return 260 * primitives;
     case Backend::brute_force:
       return 0;
   }
   return 0;
 }
 
+/// What the tree would take if it were compact, where that is less.
+std::string compact_text(Backend backend, const BuildOptions& build, std::uint64_t primitives) {
+  if (backend != Backend::bvh || build.bvh_width == 2 || build.memory_mode == MemoryMode::compact) return {};
+  BuildOptions compact = build;
+  compact.memory_mode = MemoryMode::compact;
+  const std::uint64_t bytes = tree_bytes(backend, compact, primitives);
+  if (bytes >= tree_bytes(backend, build, primitives)) return {};
+  return fmt::format("{} with --memory-mode=compact", bytes_text(bytes));
+}
+
 }  // namespace
 
 std::vector<MemoryNeed> memory_needs(Backend backend, const BuildOptions& build, std::size_t primitives) {
-  const std::uint64_t bytes = tree_bytes_a_primitive(backend, build) * primitives;
+  const std::uint64_t bytes = tree_bytes(backend, build, primitives);
   if (bytes == 0) return {};
-  return {{fmt::format("the tree of {} over {} primitives", backend_name(backend), primitives), bytes}};
+  return {{fmt::format("the tree of {} over {} primitives", backend_name(backend), primitives), bytes,
+           compact_text(backend, build, primitives)}};
 }
 
 std::vector<MemoryNeed> memory_needs(const RenderOptions& options, const Scene& scene) {

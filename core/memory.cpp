@@ -116,14 +116,16 @@ MemoryLimit available_memory(const std::string& root) {
 
 void check_memory(std::span<const MemoryNeed> needs, const MemoryLimit& limit) {
   std::uint64_t sum = 0;
-  std::vector<std::string> names;
+  std::vector<std::string> names, advice;
   for (const MemoryNeed& need : needs) {
     sum = need.bytes > UINT64_MAX - sum ? UINT64_MAX : sum + need.bytes;
     names.push_back(fmt::format("{} for {}", bytes_text(need.bytes), need.name));
+    if (!need.instead.empty()) advice.push_back(fmt::format("; {}: {}", need.name, need.instead));
   }
   if (sum <= limit.bytes) return;
-  throw Error(fmt::format("{} of memory are needed ({}); {} leaves the program {}", bytes_text(sum),
-                          fmt::join(names, ", "), limit.name, bytes_text(limit.bytes)));
+  throw Error(fmt::format("{} of memory are needed ({}); {} leaves the program {}{}", bytes_text(sum),
+                          fmt::join(names, ", "), limit.name, bytes_text(limit.bytes),
+                          fmt::join(advice, "")));
 }
 
 std::string bytes_text(std::uint64_t bytes) {

@@ -18,6 +18,7 @@ struct MemoryLimit {
 struct MemoryNeed {
   std::string name;
   std::uint64_t bytes = 0;
+  std::string instead;  ///< How to need less, and how much: "24.0 MB with --memory-mode=compact"; or empty.
 };
 
 /// The tightest of: the machine's available memory and free swap; what the process's control group and those
@@ -26,7 +27,8 @@ struct MemoryNeed {
 /// folder that holds proc and sys.
 MemoryLimit available_memory(const std::string& root = "/");
 
-/// Throws Error, which says how much is needed for what, where the needs exceed the limit.
+/// Throws Error, which says how much is needed for what, and what would need less, where the needs exceed the
+/// limit.
 void check_memory(std::span<const MemoryNeed> needs, const MemoryLimit& limit = available_memory());
 
 /// "512 bytes", "1.5 MB", "64.0 GB": powers of 1000.

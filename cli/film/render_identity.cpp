@@ -21,9 +21,9 @@ constexpr std::string_view free_options[] = {
     "--environment", "--camera"};
 /// All canonical engines make the same samples.
 constexpr std::string_view engine_options[] = {
-    "--accel",       "--simd",      "--bvh-width",     "--bvh-quality",    "--bvh-split",
-    "--bvh-builder", "--bvh-bins",  "--max-leaf-size", "--traversal-cost", "--intersection-cost",
-    "--embree-mode", "--embree-isa"};
+    "--accel",       "--simd",       "--bvh-width",     "--bvh-quality",    "--bvh-split",
+    "--bvh-builder", "--bvh-bins",   "--max-leaf-size", "--traversal-cost", "--intersection-cost",
+    "--embree-mode", "--embree-isa", "--memory-mode"};
 
 template <std::size_t count>
 bool is_among(const std::string_view (&options)[count], const std::string& name) {

@@ -110,7 +110,7 @@ std::uint64_t peak_bytes(const std::optional<Engine>& engine) {
 TEST_CASE("what a tree is said to need is what building it takes, and at most twice as much") {
   const std::uint64_t scene = peak_bytes(std::nullopt);
   const std::size_t primitives = generated::make_forest(400'000).geometry->primitive_count();
-  for (const std::string name : {"bvh", "bvh-2", "embree"}) {
+  for (const std::string name : {"bvh", "bvh-compact", "bvh-2", "embree"}) {
     const std::optional<Engine> engine = find_engine(name);
     if (!engine) continue;  // This build lacks it.
     const std::vector<MemoryNeed> needs = memory_needs(engine->backend, engine->build, primitives);
@@ -125,6 +125,17 @@ TEST_CASE("what a tree is said to need is what building it takes, and at most tw
   CHECK(memory_needs(Backend::brute_force, {}, 1000).empty());
 }
 
+TEST_CASE("what a compact tree needs instead is told of the ordinary one, where it is less") {
+  const auto instead = [](const char* name, std::size_t primitives) {
+    const Engine engine = named_engine(name);
+    return memory_needs(engine.backend, engine.build, primitives)[0].instead;
+  };
+  CHECK(instead("bvh", 10'000'000) == "850.0 MB with --memory-mode=compact");
+  CHECK(instead("bvh", 1000) == "");
+  CHECK(instead("bvh-compact", 10'000'000) == "");
+  CHECK(instead("bvh-2", 10'000'000) == "");
+}
+
 TEST_CASE("a tree larger than the memory is an error that says so") {
   // Room for the scene of 130 MB, and not for a tree of 500 MB beside it.
   const ProcessResult result =
@@ -133,6 +144,20 @@ TEST_CASE("a tree larger than the memory is an error that says so") {
                 "-o /dev/null");
   CHECK(result.exit_code == 1);
   CHECK(result.err.find("for the tree of bvh over ") != std::string::npos);
+}
+
+TEST_CASE("where the ordinary tree is too large, the message names the compact one, and that renders") {
+  const auto render = [](const char* options) {
+    return run_shell(fmt::format("ulimit -v 600000; timeout 60 '" TWINRAY_PROGRAM
+                                 "' generated:forest:2000000 --accel=bvh -r 8 6 -s 1 -q -t 1 -o /dev/null {}",
+                                 options));
+  };
+  const ProcessResult ordinary = render("");
+  CHECK(ordinary.exit_code == 1);
+  CHECK(ordinary.err.find(" with --memory-mode=compact") != std::string::npos);
+  const ProcessResult compact = render("--memory-mode=compact");
+  CAPTURE(compact.err);
+  CHECK(compact.exit_code == 0);
 }
 
 TEST_CASE("a picture larger than the memory is an error before rendering that says how much of what") {

@@ -102,7 +102,12 @@ TEST_CASE("needs beyond the limit are an error that names each") {
   CHECK_THROWS_WITH(check_memory(needs, {1'004'095, "the machine"}),
                     "1.0 MB of memory are needed (4.1 kB for the film of 8 x 8 pixels, 1.0 MB for the "
                     "picture); the machine leaves the program 1.0 MB");
-  const std::array<MemoryNeed, 2> endless{{{"a", UINT64_MAX}, {"b", UINT64_MAX}}};
+  const std::array<MemoryNeed, 1> avoidable{{{"the tree", 1'000'000, "2.0 kB with --small"}}};
+  CHECK_THROWS_WITH(
+      check_memory(avoidable, {4000, "the machine"}),
+      "1.0 MB of memory are needed (1.0 MB for the tree); the machine leaves the program 4.0 kB; "
+      "the tree: 2.0 kB with --small");
+  const std::array<MemoryNeed, 2> endless{{{"a", UINT64_MAX, {}}, {"b", UINT64_MAX, {}}}};
   CHECK_THROWS_AS(check_memory(endless, {UINT64_MAX - 1, "the machine"}), Error);
 }
 
