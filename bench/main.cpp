@@ -16,8 +16,8 @@
 #include "core/error.h"
 #include "integrators/render.h"
 #include "io/destination.h"
-#include "io/image_file.h"
 #include "io/output_file.h"
+#include "io/picture/image_file.h"
 #include "io/progress_line.h"
 
 namespace twinray::bench {

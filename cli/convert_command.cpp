@@ -15,7 +15,7 @@
 #include "cli/options.h"
 #include "cli/outputs.h"
 #include "core/error.h"
-#include "io/environment_file.h"
+#include "io/picture/environment_file.h"
 #include "io/scene_writer.h"
 
 namespace twinray {

@@ -9,7 +9,7 @@
 #include "cli/render_command_line.h"
 #include "cli/render_options.h"
 #include "cli/version.h"
-#include "io/cs184_picture.h"
+#include "io/cs184/picture.h"
 
 namespace twinray {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "cli/render_options.h"
-#include "io/output_format.h"
+#include "io/picture/output_format.h"
 
 namespace twinray {
 namespace {

@@ -15,8 +15,8 @@
 #include "cli/resources.h"
 #include "cli/shell_text.h"
 #include "io/destination.h"
-#include "io/image_codec.h"
 #include "io/output_file.h"
+#include "io/picture/image_codec.h"
 
 namespace twinray {
 namespace {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 
 namespace twinray {
 

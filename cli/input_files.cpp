@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "io/content_hash.h"
+#include "io/film/content_hash.h"
 #include "io/generated/generated.h"
 
 namespace twinray {

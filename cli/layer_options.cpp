@@ -6,7 +6,7 @@
 #include "cli/render_options.h"
 #include "cli/render_outputs.h"
 #include "core/error.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 
 namespace twinray {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "io/cryptomatte.h"
+#include "io/picture/cryptomatte.h"
 
 namespace twinray {
 namespace {

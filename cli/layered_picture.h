@@ -5,8 +5,8 @@
 #include "cli/denoising.h"
 #include "cli/scene_names.h"
 #include "core/film.h"
-#include "io/image_metadata.h"
-#include "io/layered_image.h"
+#include "io/picture/image_metadata.h"
+#include "io/picture/layered_image.h"
 
 namespace twinray {
 

@@ -8,7 +8,7 @@
 #include "cli/film/saved_film.h"
 #include "cli/render_outputs.h"
 #include "core/light_set.h"
-#include "io/output_format.h"
+#include "io/picture/output_format.h"
 
 namespace twinray {
 namespace {

@@ -15,7 +15,7 @@
 #include "cli/shell_text.h"
 #include "cli/version.h"
 #include "core/error.h"
-#include "io/camera_matrices.h"
+#include "io/picture/camera_matrices.h"
 
 namespace twinray {
 

@@ -6,7 +6,7 @@
 #include "cli/input_files.h"
 #include "cli/render_arguments.h"
 #include "cli/scene_names.h"
-#include "io/image_metadata.h"
+#include "io/picture/image_metadata.h"
 
 namespace twinray {
 

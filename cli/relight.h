@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/image.h"
-#include "io/layered_image.h"
+#include "io/picture/layered_image.h"
 
 namespace twinray {
 

@@ -11,8 +11,8 @@
 #include "cli/outputs.h"
 #include "cli/shell_text.h"
 #include "core/error.h"
-#include "io/image_file.h"
-#include "io/output_format.h"
+#include "io/picture/image_file.h"
+#include "io/picture/output_format.h"
 
 namespace twinray {
 namespace {

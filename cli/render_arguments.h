@@ -17,9 +17,9 @@
 #include "integrators/cost.h"
 #include "integrators/path.h"
 #include "integrators/render.h"
-#include "io/display.h"
-#include "io/layered_image.h"
-#include "io/network_address.h"
+#include "io/display/display.h"
+#include "io/network/network_address.h"
+#include "io/picture/layered_image.h"
 #include "io/scene_file.h"
 
 namespace twinray {

@@ -27,9 +27,9 @@
 #include "cli/texture_command.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "io/image_codec.h"
-#include "io/image_file.h"
 #include "io/output_file.h"
+#include "io/picture/image_codec.h"
+#include "io/picture/image_file.h"
 
 namespace twinray {
 namespace {

@@ -9,9 +9,9 @@
 #include "cli/film/saved_film.h"
 #include "cli/layered_picture.h"
 #include "cli/outputs.h"
-#include "io/color_scale.h"
-#include "io/cs184_picture.h"
+#include "io/cs184/picture.h"
 #include "io/destination.h"
+#include "io/display/color_scale.h"
 
 namespace twinray {
 namespace {

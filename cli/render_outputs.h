@@ -10,7 +10,7 @@
 #include "cli/denoising.h"
 #include "cli/picture_metadata.h"
 #include "cli/render_arguments.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 
 namespace twinray {
 

@@ -18,9 +18,9 @@
 #include "integrators/path.h"
 #include "integrators/path_reference.h"
 #include "io/camera_file.h"
-#include "io/cs184_camera.h"
-#include "io/environment_file.h"
-#include "io/texture_store.h"
+#include "io/cs184/camera.h"
+#include "io/picture/environment_file.h"
+#include "io/picture/texture_store.h"
 
 namespace twinray {
 namespace {

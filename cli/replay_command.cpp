@@ -9,7 +9,7 @@
 #include "cli/replay_report.h"
 #include "cli/replay_text.h"
 #include "integrators/replay.h"
-#include "io/obj_lines.h"
+#include "io/obj/lines.h"
 #include "io/output_file.h"
 
 namespace twinray {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cli/replayed_sample.h"
-#include "io/obj_lines.h"
+#include "io/obj/lines.h"
 
 namespace twinray {
 

@@ -2,7 +2,7 @@
 #include "cli/common_options.h"
 #include "cli/live/web_server.h"
 #include "cli/render_options.h"
-#include "io/tev_viewer.h"
+#include "io/network/tev_viewer.h"
 
 namespace twinray {
 namespace {

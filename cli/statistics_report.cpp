@@ -9,7 +9,7 @@
 #include "cli/version.h"
 #include "core/memory.h"
 #include "core/parallel.h"
-#include "io/texture_store.h"
+#include "io/picture/texture_store.h"
 
 namespace twinray {
 namespace {

@@ -9,8 +9,8 @@
 #include "cli/common_options.h"
 #include "cli/console.h"
 #include "core/error.h"
-#include "io/texture_file.h"
-#include "io/tiled_texture.h"
+#include "io/picture/texture_file.h"
+#include "io/picture/tiled_texture.h"
 
 namespace twinray {
 namespace {

@@ -16,7 +16,7 @@
 #include "cli/verify/tile_check.h"
 #include "cli/version.h"
 #include "core/error.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 
 namespace twinray {
 namespace {

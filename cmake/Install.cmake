@@ -99,16 +99,16 @@ set(private_headers
   integrators/wave/surfaces-inl.h
   integrators/wave/warp-inl.h
   integrators/wave/wave.h
-  io/gltf_writer_file.h
-  io/gltf_writer_material.h
-  io/gltf_writer_texture.h
-  io/gltf_writer_view.h
-  io/import_function.h
-  io/model_bytes.h
-  io/obj_material.h
-  io/obj_reader.h
-  io/obj_scene.h
-  io/openimageio_view.h)
+  io/assimp/import_function.h
+  io/assimp/model_bytes.h
+  io/gltf/writer_file.h
+  io/gltf/writer_material.h
+  io/gltf/writer_texture.h
+  io/gltf/writer_view.h
+  io/obj/material.h
+  io/obj/reader.h
+  io/obj/scene.h
+  io/picture/openimageio_view.h)
 list(TRANSFORM private_headers REPLACE "\\." "\\\\." OUTPUT_VARIABLE private_patterns)
 list(JOIN private_patterns "|" private_patterns)
 

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/textured_material.h"
-#include "io/image_file.h"
 #include "io/output_file.h"
-#include "io/ply.h"
+#include "io/picture/image_file.h"
+#include "io/ply/ply.h"
 
 namespace twinray {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "io/instance_use.h"
 #include "io/interpretation.h"
-#include "io/picture_meaning.h"
+#include "io/picture/picture_meaning.h"
 
 namespace twinray {
 
@@ -16,7 +16,7 @@ class TextureStore;
 /// What a reader of scene files makes of a file where more than one reading is sensible.
 struct LoadOptions {
   bool strict = false;              ///< Whatever would be a warning is an Error.
-  bool keep_both_lamps = false;     ///< Undoes the one-lamp rule (io/collada_lamp.h).
+  bool keep_both_lamps = false;     ///< Undoes the one-lamp rule (io/collada/lamp.h).
   std::string camera_name = {};     ///< Of the camera to see by, or its node; empty: the file's choice.
   std::optional<double> time = {};  ///< In seconds, when what moves is seen; none: as it rests.
   InstanceUse instances = InstanceUse::automatic;

@@ -10,16 +10,16 @@
 #include <map>
 #include <string_view>
 
-#include "io/collada.h"
-#include "io/collada_archive.h"
+#include "io/assimp/scene_importer.h"
+#include "io/collada/archive.h"
+#include "io/collada/collada.h"
+#include "io/collada/xml_reader.h"
 #include "io/generated/generated.h"
-#include "io/gltf.h"
+#include "io/gltf/gltf.h"
 #include "io/gzip.h"
-#include "io/obj_scene.h"
-#include "io/pbrt_scene.h"
-#include "io/ply_scene.h"
-#include "io/scene_importer.h"
-#include "io/xml_reader.h"
+#include "io/obj/scene.h"
+#include "io/pbrt/scene.h"
+#include "io/ply/scene.h"
 
 namespace twinray {
 

@@ -8,8 +8,8 @@
 
 #include "core/error.h"
 #include "io/exchange.h"
-#include "io/gltf_writer.h"
-#include "io/pbrt_writer.h"
+#include "io/gltf/writer.h"
+#include "io/pbrt/writer.h"
 
 namespace twinray {
 namespace {

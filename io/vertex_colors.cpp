@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "io/picture_meaning.h"
+#include "io/picture/picture_meaning.h"
 
 namespace twinray {
 namespace {

@@ -11,7 +11,7 @@
 
 namespace twinray {
 
-/// Whether a mesh is small enough for such a picture (io/picture_meaning.h).
+/// Whether a mesh is small enough for such a picture (io/picture/picture_meaning.h).
 bool can_draw_vertices(const Mesh& mesh);
 
 /// The picture of what vertices have, by the numbers of their positions.

@@ -10,7 +10,7 @@
 #include "cli/finite_picture.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 
 namespace twinray::compare {
 namespace {

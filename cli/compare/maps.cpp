@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/color_scale.h"
+#include "io/display/color_scale.h"
 
 namespace twinray::compare {
 namespace {

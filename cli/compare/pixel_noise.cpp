@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 
 namespace twinray::compare {
 namespace {

@@ -8,7 +8,7 @@
 #include "cli/finite_picture.h"
 #include "cli/outputs.h"
 #include "core/error.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 
 namespace twinray::error {
 namespace {

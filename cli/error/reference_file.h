@@ -4,7 +4,7 @@
 #include <string>
 
 #include "check/picture_error.h"
-#include "io/image_metadata.h"
+#include "io/picture/image_metadata.h"
 
 namespace twinray::error {
 

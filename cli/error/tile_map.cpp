@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/elementary.h"
-#include "io/color_scale.h"
+#include "io/display/color_scale.h"
 
 namespace twinray::error {
 namespace {

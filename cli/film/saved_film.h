@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/film/film_notes.h"
-#include "io/film_file.h"
+#include "io/film/film_file.h"
 
 namespace twinray {
 

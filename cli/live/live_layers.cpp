@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "cli/layered_picture.h"
-#include "io/plain_picture.h"
+#include "io/picture/plain_picture.h"
 
 namespace twinray {
 namespace {

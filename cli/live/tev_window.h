@@ -4,7 +4,7 @@
 
 #include "cli/live/picture_viewer.h"
 #include "cli/scene_names.h"
-#include "io/tev_viewer.h"
+#include "io/network/tev_viewer.h"
 
 namespace twinray {
 

@@ -11,7 +11,7 @@
 #include <cstring>
 
 #include "core/error.h"
-#include "io/apart.h"
+#include "io/assimp/apart.h"
 
 namespace twinray {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "io/destination.h"
-#include "io/film_file.h"
+#include "io/film/film_file.h"
 #include "io/generated/generated.h"
 
 namespace twinray {

@@ -13,8 +13,8 @@
 
 #include "cli/console.h"
 #include "core/error.h"
-#include "io/image_codec.h"
-#include "io/scene_importer.h"
+#include "io/assimp/scene_importer.h"
+#include "io/picture/image_codec.h"
 
 namespace twinray {
 namespace {

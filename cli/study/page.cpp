@@ -9,8 +9,8 @@
 #include "cli/version.h"
 #include "io/html/page.h"
 #include "io/html/picture_address.h"
-#include "io/image_file.h"
 #include "io/machine.h"
+#include "io/picture/image_file.h"
 
 namespace twinray::study {
 namespace {

@@ -15,8 +15,8 @@
 #include "cli/version.h"
 #include "core/error.h"
 #include "core/image.h"
-#include "io/image_file.h"
 #include "io/output_file.h"
+#include "io/picture/image_file.h"
 
 namespace twinray::study {
 namespace {

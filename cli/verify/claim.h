@@ -5,7 +5,7 @@
 
 #include "cli/input_files.h"
 #include "cli/options.h"
-#include "io/image_metadata.h"
+#include "io/picture/image_metadata.h"
 
 namespace twinray {
 

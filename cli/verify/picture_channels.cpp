@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "io/image_file.h"
-#include "io/picture_header.h"
+#include "io/picture/image_file.h"
+#include "io/picture/picture_header.h"
 
 namespace twinray {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/film.h"
-#include "io/layered_image.h"
+#include "io/picture/layered_image.h"
 
 namespace twinray {
 

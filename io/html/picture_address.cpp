@@ -12,7 +12,7 @@
 #include <iterator>
 
 #include "core/error.h"
-#include "io/png.h"
+#include "io/picture/png.h"
 
 namespace twinray::html {
 namespace {

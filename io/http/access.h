@@ -4,8 +4,8 @@
 #include <string>
 
 #include "io/http/message.h"
-#include "io/network_address.h"
-#include "io/tcp_listener.h"
+#include "io/network/network_address.h"
+#include "io/network/tcp_listener.h"
 
 namespace twinray::http {
 

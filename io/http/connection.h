@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "io/http/message.h"
-#include "io/socket.h"
+#include "io/network/socket.h"
 
 namespace twinray::http {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "io/http/connection.h"
-#include "io/socket.h"
-#include "io/tcp_listener.h"
+#include "io/network/socket.h"
+#include "io/network/tcp_listener.h"
 
 namespace twinray::http {
 

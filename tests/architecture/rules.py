@@ -30,24 +30,24 @@ DOORS = {
                                r"accel/|core/(denormals|instruction_sets)\.cpp|integrators/wave/"),
     "Boost": (r"boost/", r"check/(exact\.h|welch\.cpp)"),
     "oneTBB": (r"tbb/|oneapi/", r"core/parallel\.cpp"),
-    "OpenImageIO": (r"OpenImageIO/", r"io/openimageio_(codec|view)\.cpp"),
-    "libpng": (r"png\.h", r"io/png\.cpp"),
+    "OpenImageIO": (r"OpenImageIO/", r"io/picture/openimageio_(codec|view)\.cpp"),
+    "libpng": (r"png\.h", r"io/picture/png\.cpp"),
     "zlib": (r"zlib\.h", r"io/gzip\.cpp"),
-    "Zstandard": (r"zstd\.h", r"io/zstd\.cpp"),
-    "xxHash": (r"xxhash\.h", r"io/content_hash\.cpp"),
-    "libzip": (r"zip\.h", r"io/zip_archive\.cpp"),
-    "tinyxml2": (r"tinyxml2\.h", r"io/xml_reader\.(h|cpp)"),
-    "tinygltf": (r"tiny_gltf\.h", r"io/gltf\w*\.cpp"),
-    "Draco": (r"draco/", r"io/gltf_draco\.cpp|tests/io/gltf_compression_test\.cpp"),
-    "meshoptimizer": (r"meshoptimizer\.h", r"io/gltf_meshopt\.cpp|tests/io/gltf_compression_test\.cpp"),
-    "tinyobjloader": (r"tiny_obj_loader\.h", r"io/obj_(reader\.h|reader\.cpp|material\.cpp)"),
-    "Assimp": (r"assimp/", r"io/assimp_importer\.cpp"),
+    "Zstandard": (r"zstd\.h", r"io/film/zstd\.cpp"),
+    "xxHash": (r"xxhash\.h", r"io/film/content_hash\.cpp"),
+    "libzip": (r"zip\.h", r"io/collada/zip_archive\.cpp"),
+    "tinyxml2": (r"tinyxml2\.h", r"io/collada/xml_reader\.(h|cpp)"),
+    "tinygltf": (r"tiny_gltf\.h", r"io/gltf/\w+\.cpp"),
+    "Draco": (r"draco/", r"io/gltf/draco\.cpp|tests/io/gltf/compression_test\.cpp"),
+    "meshoptimizer": (r"meshoptimizer\.h", r"io/gltf/meshopt\.cpp|tests/io/gltf/compression_test\.cpp"),
+    "tinyobjloader": (r"tiny_obj_loader\.h", r"io/obj/(reader\.h|reader\.cpp|material\.cpp)"),
+    "Assimp": (r"assimp/", r"io/assimp/assimp_importer\.cpp"),
     "CLI11": (r"CLI/", r"cli/|bench/options\.cpp"),
     "nlohmann/json": (r"nlohmann/", r"(cli|bench)/\w*report\.cpp|"
                                     r"cli/(study/record|live/web_state|film/notes_json|plan/open_job)\.cpp|"
                                     r"cli/status/(json_lines|metrics_file)\.cpp|"
-                                    r"io/(cryptomatte|exchange|film_header|gltf_schema)\.cpp|"
-                                    r"io/gltf_writer_file\.h|"
+                                    r"io/(exchange|film/film_header|gltf/schema|picture/cryptomatte)\.cpp|"
+                                    r"io/gltf/writer_file\.h|"
                                     r"tests/(cli|io)/|tests/support/round_trip\.h"),
     "Landlock": (r"linux/landlock\.h", r"cli/sandbox/files\.cpp"),
     "libseccomp": (r"seccomp\.h", r"cli/sandbox/system_calls\.cpp"),
@@ -68,7 +68,8 @@ TALKS = re.compile(r"\b(?:std::c(?:out|err|log)\b|(?:std::)?f?printf\s*\(|(?:std
 
 # Libraries that are loaded while the program runs: each by its door.
 LOADS = re.compile(r"\bdlopen\s*\(")
-LOADERS = ("io/image_codec.cpp", "io/scene_importer.cpp", "integrators/denoise/open_image_denoise.cpp")
+LOADERS = ("io/picture/image_codec.cpp", "io/assimp/scene_importer.cpp",
+           "integrators/denoise/open_image_denoise.cpp")
 
 LEFT_OPEN = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|X" r"XX|HA" r"CK)\b")
 NATIVE = "-march=" + "native"

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "cli/compare/maps.h"
-#include "io/color_scale.h"
-#include "io/image_file.h"
+#include "io/display/color_scale.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/html.h"
 #include "tests/support/layered_exr.h"

@@ -8,7 +8,7 @@
 #include "cli/convert_command.h"
 #include "core/error.h"
 #include "core/image.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <regex>
 
-#include "io/cs184_picture.h"
+#include "io/cs184/picture.h"
 #include "tests/support/catch.h"
 #include "tests/support/cs184_scene.h"
 

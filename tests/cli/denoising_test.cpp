@@ -11,7 +11,7 @@
 #include "cli/render_command_line.h"
 #include "cli/resources.h"
 #include "cli/statistics_report.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/arguments.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"

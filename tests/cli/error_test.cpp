@@ -12,7 +12,7 @@
 #include "cli/error/reference_file.h"
 #include "cli/error/tile_map.h"
 #include "cli/error_command.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/html.h"
 #include "tests/support/process.h"

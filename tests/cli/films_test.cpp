@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "cli/film/saved_film.h"
-#include "io/image_file.h"
-#include "io/layered_image.h"
+#include "io/picture/image_file.h"
+#include "io/picture/layered_image.h"
 #include "tests/support/arguments.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/rgb.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
 #include "tests/support/process.h"

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"

@@ -9,7 +9,7 @@
 
 #include "cli/partial_picture.h"
 #include "core/rgb.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"

@@ -7,7 +7,7 @@
 #include "cli/relight.h"
 #include "cli/relight_command.h"
 #include "core/error.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/layered_exr.h"
 #include "tests/support/process.h"

@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "core/image.h"
 #include "integrators/path.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "io/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/html.h"

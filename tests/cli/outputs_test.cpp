@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "cli/picture_metadata.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"

@@ -2,7 +2,7 @@
 // Names of files that are no plain words.
 #include <fmt/format.h>
 
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"

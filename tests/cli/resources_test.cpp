@@ -10,7 +10,7 @@
 #include "accel/engines.h"
 #include "core/threads.h"
 #include "io/generated/generated.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"

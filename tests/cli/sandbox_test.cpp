@@ -15,7 +15,7 @@
 
 #include "cli/sandbox/files.h"
 #include "cli/sandbox/system_calls.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"

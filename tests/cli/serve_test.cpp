@@ -7,8 +7,8 @@
 #include <cstring>
 #include <list>
 
-#include "io/image_file.h"
-#include "io/tcp_listener.h"
+#include "io/network/tcp_listener.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/http_client.h"
 #include "tests/support/process.h"

@@ -3,7 +3,7 @@
 // pictures that need them.
 #include <fmt/format.h>
 
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"

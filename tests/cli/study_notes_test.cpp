@@ -3,7 +3,7 @@
 
 #include "cli/study/notes.h"
 #include "core/error.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 

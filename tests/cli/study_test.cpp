@@ -13,7 +13,7 @@
 
 #include "cli/study/page.h"
 #include "io/html/page.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
 #include "tests/support/html.h"

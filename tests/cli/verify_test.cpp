@@ -7,7 +7,7 @@
 #include "cli/input_files.h"
 #include "cli/shell_text.h"
 #include "cli/verify/tile_check.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"

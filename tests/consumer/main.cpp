@@ -7,7 +7,7 @@
 #include "accel/accelerator.h"
 #include "canonical_table.h"
 #include "core/error.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 
 namespace {
 

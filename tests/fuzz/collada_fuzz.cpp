@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "core/scene.h"
-#include "io/collada.h"
+#include "io/collada/collada.h"
 #include "tests/fuzz/require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -11,8 +11,8 @@
 
 #include "core/columns.h"
 #include "core/error.h"
-#include "io/content_hash.h"
-#include "io/film_file.h"
+#include "io/film/content_hash.h"
+#include "io/film/film_file.h"
 #include "tests/fuzz/require.h"
 
 namespace twinray::fuzz {

@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "core/scene.h"
-#include "io/gltf.h"
+#include "io/gltf/gltf.h"
 #include "tests/fuzz/require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/error.h"
-#include "io/image_file.h"
-#include "io/picture_header.h"
+#include "io/picture/image_file.h"
+#include "io/picture/picture_header.h"
 #include "tests/fuzz/require.h"
 
 namespace {

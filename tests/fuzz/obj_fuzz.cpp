@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "io/obj_scene.h"
+#include "io/obj/scene.h"
 #include "tests/fuzz/require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

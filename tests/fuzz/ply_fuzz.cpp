@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "core/error.h"
-#include "io/ply_reader.h"
+#include "io/ply/reader.h"
 #include "tests/fuzz/require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -9,8 +9,8 @@
 #include <random>
 
 #include "core/error.h"
-#include "io/image_file.h"
-#include "io/ply.h"
+#include "io/picture/image_file.h"
+#include "io/ply/ply.h"
 #include "io/scene_writer.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"

@@ -6,7 +6,7 @@
 #include "io/html/picture_address.h"
 #include "io/html/plot.h"
 #include "io/html/slider.h"
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 

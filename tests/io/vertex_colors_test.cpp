@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/vertex_colors.h"
 
-#include "io/ply_scene.h"
-#include "io/srgb.h"
+#include "io/picture/srgb.h"
+#include "io/ply/scene.h"
 #include "tests/support/catch.h"
 #include "tests/support/obj_text.h"
 #include "tests/support/temporary_folder.h"

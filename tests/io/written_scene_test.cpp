@@ -5,8 +5,8 @@
 
 #include "core/direction_map.h"
 #include "core/error.h"
-#include "io/baked_texture.h"
-#include "io/equal_area.h"
+#include "io/picture/baked_texture.h"
+#include "io/picture/equal_area.h"
 #include "io/scene_writer.h"
 #include "tests/support/catch.h"
 

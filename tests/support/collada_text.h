@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "io/collada.h"
+#include "io/collada/collada.h"
 
 namespace twinray {
 

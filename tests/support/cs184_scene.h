@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "io/image_file.h"
+#include "io/picture/image_file.h"
 #include "tests/support/collada_text.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"

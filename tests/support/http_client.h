@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "io/socket.h"
+#include "io/network/socket.h"
 
 namespace twinray::test {
 

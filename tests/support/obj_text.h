@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "io/obj_scene.h"
+#include "io/obj/scene.h"
 
 namespace twinray::test {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "io/pbrt_scene.h"
+#include "io/pbrt/scene.h"
 
 namespace twinray::test {
 

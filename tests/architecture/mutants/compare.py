@@ -62,7 +62,7 @@ MUTANTS = [
     Mutant("pixels of a single sample are tested", "cli/compare/pixel_noise.cpp",
            "noise.samples[i] >= 2", "noise.samples[i] >= 1",
            "test_cli", "pictures without variances, or of single samples, are not tested"),
-    Mutant("a channel is always the first", "io/openimageio_codec.cpp",
+    Mutant("a channel is always the first", "io/picture/openimageio_codec.cpp",
            "int(found - names.begin()), 1, image", "0, 1, image",
            "test_io",
            "a channel of an EXR is read by its name, and colours are R, G and B wherever they stand"),

@@ -325,7 +325,7 @@ MUTANTS = [
     Mutant("a wave samples a lamp with a picture in lanes", "integrators/wave/path_wave.cpp",
            "if (mesh && (mesh->picture || ", "if (mesh && (", "test_integrators",
            "waves of paths have the bits and the rays of paths one after the other"),
-    Mutant("the power of a lamp's picture is not by its mean", "io/pbrt_light.cpp",
+    Mutant("the power of a lamp's picture is not by its mean", "io/pbrt/light.cpp",
            "(is_two_sided ? 2 : 1) * pi * area * mean;", "(is_two_sided ? 2 : 1) * pi * area;", "test_io",
            "an area light's picture is times its scale, and has its power over the mean"),
 ]

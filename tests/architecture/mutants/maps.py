@@ -37,7 +37,7 @@ MUTANTS = [
            "solve(-qu, pu)", "solve(qu, pu)", "test_core", TRIANGLE),
     Mutant("the lower half of a ball is taken for the upper one", "core/tangents.cpp",
            "const bool is_folded = normal.z < 0;", "const bool is_folded = false;", "test_core", BALL),
-    Mutant("a normal map is decoded as colours are", "io/texture_file.cpp",
+    Mutant("a normal map is decoded as colours are", "io/picture/texture_file.cpp",
            "{path, {PictureRole::data, PictureChannels::color}}, flat",
            "{path, {PictureRole::color, PictureChannels::color}}, flat", "test_io",
            "a normal map is read as data, a displacement is a bump map, and one that is missing is flat"),

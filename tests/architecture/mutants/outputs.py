@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Defects in what becomes of outputs and of words: io/output_file, io/destination, io/image_file, cli/."""
+"""Defects in what becomes of outputs and of words: io/output_file, io/destination, io/picture, cli/."""
 from mutant import Mutant
 
 MUTANTS = [
@@ -27,10 +27,10 @@ MUTANTS = [
     Mutant("hard links are two places", "io/destination.cpp", "at_a->st_ino == at_b->st_ino",
            "a.path == b.path",
            "test_io", "two outputs with one place are refused"),
-    Mutant("pictures have a time stamp", "io/openimageio_codec.cpp", 'spec.attribute("DateTime", "");', "",
-           "test_io",
+    Mutant("pictures have a time stamp", "io/picture/openimageio_codec.cpp",
+           'spec.attribute("DateTime", "");', "", "test_io",
            "a picture holds no time but that of its metadata"),
-    Mutant("a crop is not placed in its frame", "io/openimageio_codec.cpp", "spec.x = frame.x;", "",
+    Mutant("a crop is not placed in its frame", "io/picture/openimageio_codec.cpp", "spec.x = frame.x;", "",
            "test_io",
            "a part of a frame is an EXR's data window, and the frame its display window"),
     Mutant("a render does not guard its unfinished files", "cli/render_command.cpp",

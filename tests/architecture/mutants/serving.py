@@ -20,7 +20,7 @@ MUTANTS = [
     Mutant("pages of others may change something", "io/http/access.cpp",
            'request.field("origin") != "http://" + host', 'request.field("origin").empty()',
            "test_io", "what changes something is asked for by a page of the server itself"),
-    Mutant("a server listens for others without a token", "io/tcp_listener.cpp",
+    Mutant("a server listens for others without a token", "io/network/tcp_listener.cpp",
            ">> 24 == 127", ">> 24 >= 0", "test_io",
            "a port that is taken, or a host that is none, is an error with the system's reason"),
     Mutant("a request may be endless", "io/http/connection.cpp",
@@ -44,7 +44,7 @@ MUTANTS = [
     Mutant("each part of the light is the first one", "cli/live/live_layers.cpp",
            "return parts[layer.index];", "return parts[0];",
            "test_cli", "a page gets a layer's channels from the pass after it asked for them"),
-    Mutant("a PFM stands on its head", "io/plain_picture.cpp",
+    Mutant("a PFM stands on its head", "io/picture/plain_picture.cpp",
            "for (int y = image.height - 1; y >= 0; --y)\n    for (int x = 0; x < image.width; ++x)\n"
            "      for (",
            "for (int y = 0; y < image.height; ++y)\n    for (int x = 0; x < image.width; ++x)\n"

@@ -6,9 +6,9 @@
 #include "accel/accelerator.h"
 #include "integrators/normals.h"
 #include "integrators/render.h"
-#include "io/collada.h"
-#include "io/cs184_camera.h"
-#include "io/cs184_picture.h"
+#include "io/collada/collada.h"
+#include "io/cs184/camera.h"
+#include "io/cs184/picture.h"
 #include "tests/support/temporary_folder.h"
 
 namespace twinray::test::cs184 {

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: what the library that has Assimp offers to io/assimp/scene_importer.cpp.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "io/obj/reader.h"
+
+namespace twinray {
+
+/// What is to be imported: the bytes of a file, and its path, which tells the format and where its pictures
+/// are.
+struct ImportedFile {
+  std::string path;
+  std::string_view bytes;
+};
+
+/// The name of the function, and its type. It throws Error, without the path.
+inline constexpr const char* import_symbol = "twinray_import_model";
+using ImportFunction = ObjModel (*)(const ImportedFile& file);
+
+}  // namespace twinray

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/collada/texture.h"
+
+#include <fmt/format.h>
+
+#include "io/picture/mirrored_picture.h"
+#include "io/picture/texture_store.h"
+#include "io/picture_path.h"
+#include "io/uri.h"
+
+namespace twinray {
+namespace {
+
+/// A word of a sampler; `fallback` where it has none.
+std::string word_of(const std::optional<XmlElement>& sampler, const char* name, const char* fallback) {
+  const auto element = sampler ? sampler->child(name) : std::nullopt;
+  const std::string word = element ? element->text() : "";
+  return word.empty() ? fallback : word;
+}
+
+/// What Maya's exporters, and those that follow them, say of where a picture lies: it is repeated so many
+/// times, and then moved.
+UvTransform read_placement(const XmlElement& texture) {
+  UvTransform uv;
+  for (const XmlElement& extra : texture.children("extra"))
+    for (const XmlElement& technique : extra.children("technique")) {
+      if (technique.attribute("profile") != "MAYA") continue;
+      const auto set = [&](const char* name, float& number) {
+        if (const auto element = technique.child(name)) number = float(number_in(*element, -1e6, 1e6));
+      };
+      set("repeatU", uv.m[0][0]);
+      set("repeatV", uv.m[1][1]);
+      set("offsetU", uv.m[0][2]);
+      set("offsetV", uv.m[1][2]);
+    }
+  return uv;
+}
+
+bool is_clamped(const std::string& wrap) { return wrap == "CLAMP"; }
+bool is_border(const std::string& wrap) { return wrap == "BORDER" || wrap == "NONE"; }
+
+}  // namespace
+
+ColladaTextures::Sampling ColladaTextures::sampling_of(const ColladaTextureUse& use) {
+  Sampling sampling;
+  const std::string s = word_of(use.sampler, "wrap_s", "WRAP"), t = word_of(use.sampler, "wrap_t", "WRAP");
+  const bool ends_in_s = is_clamped(s) || is_border(s), ends_in_t = is_clamped(t) || is_border(t);
+  if (ends_in_s && ends_in_t)
+    sampling.wrap = is_border(s) && is_border(t) ? WrapMode::black : WrapMode::clamp;
+  sampling.mirrors_u = s == "MIRROR";
+  sampling.mirrors_v = t == "MIRROR";
+  if (ends_in_s != ends_in_t) document_.warn(*use.sampler, ends_in_one_direction);
+  if (word_of(use.sampler, "magfilter", "") == "NEAREST") sampling.filter = TextureFilter::nearest;
+  try {
+    sampling.uv = read_placement(use.element);
+  } catch (const Error&) {
+    document_.warn(use.element, "where this picture lies makes no sense; it lies as it is");
+  }
+  return sampling;
+}
+
+std::uint32_t ColladaTextures::picture(const ColladaTextureUse& use, const PictureMeaning& meaning) {
+  const std::string path = found_picture(path_of_uri(with_slashes(use.name), use.from_file), use.from_file);
+  const auto [entry, is_new] =
+      pictures_.try_emplace({use.element, use.sampler, path, int(meaning.role), int(meaning.channels)}, 0);
+  if (!is_new) return entry->second;
+  const Sampling sampling = sampling_of(use);
+  ImageTexture texture{
+      .image = image(path, use, meaning, sampling), .wrap = sampling.wrap, .filter = sampling.filter};
+  texture.uv = halved(sampling.uv, sampling.mirrors_u, sampling.mirrors_v);
+  textures.push_back({use.name, std::move(texture)});
+  return entry->second = std::uint32_t(textures.size() - 1);
+}
+
+std::shared_ptr<const MipMap> ColladaTextures::image(const std::string& path, const ColladaTextureUse& use,
+                                                     const PictureMeaning& meaning,
+                                                     const Sampling& sampling) {
+  const auto [u, v] = std::pair(sampling.mirrors_u, sampling.mirrors_v);
+  auto& image = images_[{path, int(meaning.role), int(meaning.channels), u + 2 * v}];
+  if (image) return image;
+  LoadedTexture loaded = read_(path, meaning, document_.options());
+  image = loaded.image;
+  if (!loaded.warning.empty()) {
+    document_.warn(use.element, loaded.warning);
+    faulty_.insert(image);
+    return image;
+  }
+  if (!u && !v) return image;
+  MipMap wide(mirrored(image->image(0), u, v));
+  TextureStore* const store = document_.options().textures.get();
+  return image = store ? store->keep(std::move(wide)) : std::make_shared<const MipMap>(std::move(wide));
+}
+
+std::uint32_t ColladaTextures::constant(float value) { return add(ConstantTexture{{value, value, value}}); }
+
+std::uint32_t ColladaTextures::add(const TextureModel& model) {
+  textures.push_back({"", model});
+  return std::uint32_t(textures.size() - 1);
+}
+
+bool ColladaTextures::is_one(std::uint32_t texture) const {
+  const auto* picture = std::get_if<ImageTexture>(&textures[texture].model);
+  return picture && picture->image->level(picture->image->levels() - 1).at(0, 0) == Rgb{1, 1, 1};
+}
+
+bool ColladaTextures::is_faulty(std::uint32_t texture) const {
+  const auto* picture = std::get_if<ImageTexture>(&textures[texture].model);
+  return picture && faulty_.count(picture->image) > 0;
+}
+
+bool ColladaTextures::repeats(std::uint32_t texture) const {
+  const auto* picture = std::get_if<ImageTexture>(&textures[texture].model);
+  return picture && picture->wrap == WrapMode::repeat && picture->uv.m[0][0] == 1 && picture->uv.m[1][1] == 1;
+}
+
+}  // namespace twinray

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/display/white_balance.h"
+
+#include "io/pbrt/spectrum.h"
+
+namespace twinray {
+namespace {
+
+/// From XYZ to what the eye's receptors answer, sharpened.
+constexpr ColorMatrix bradford{
+    {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
+
+}  // namespace
+
+ColorMatrix white_balance(double kelvin) {
+  const ColorMatrix to_cones = product(bradford, to_xyz(srgb_primaries));
+  const Rgb light = blackbody_color(kelvin);
+  using Triple = std::array<double, 3>;
+  const Triple from = transformed(to_cones, Triple{light.r, light.g, light.b}),
+               to = transformed(to_cones, Triple{1, 1, 1});
+  ColorMatrix scaled = to_cones;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (double& entry : scaled[i]) entry *= to[i] / from[i];
+  return product(inverse(to_cones), scaled);
+}
+
+}  // namespace twinray

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/colors.h"
+
+#include <algorithm>
+
+#include "io/gltf/context.h"
+#include "io/vertex_colors.h"
+
+namespace twinray {
+namespace {
+
+using VertexColors = GltfNumbers;
+
+Rgb color_of(const VertexColors& colors, std::size_t vertex) {
+  const auto channel = [&](std::size_t c) {
+    const float value = colors.at(vertex, c);
+    return value > 0 ? std::min(value, 1.0f) : 0;
+  };
+  return {channel(0), channel(1), channel(2)};
+}
+
+float alpha_of(const VertexColors& colors, std::size_t vertex) {
+  if (colors.components < 4) return 1;
+  const float value = colors.at(vertex, 3);
+  return value > 0 ? std::min(value, 1.0f) : 0;
+}
+
+bool are_equal(const VertexColors& colors) {
+  for (std::size_t i = 1; i < colors.count; ++i)
+    if (color_of(colors, i) != color_of(colors, 0) || alpha_of(colors, i) != alpha_of(colors, 0))
+      return false;
+  return true;
+}
+
+bool has_alpha(const VertexColors& colors) {
+  for (std::size_t i = 0; i < colors.count; ++i)
+    if (alpha_of(colors, i) != 1) return true;
+  return false;
+}
+
+}  // namespace
+
+const GltfColors::Drawn& GltfColors::drawn(const GltfPrimitive& primitive, const Mesh& mesh) {
+  const auto [entry, is_new] = known_.try_emplace(primitive.pointer);
+  if (!is_new) return entry->second;
+  const VertexColors& colors = primitive.colors;
+  const auto add = [&](const std::function<Rgb(std::uint32_t)>& value) {
+    return textures_.add("colors of vertices", draw_vertices(mesh, value));
+  };
+  entry->second.color = add([&](std::uint32_t i) { return color_of(colors, i); });
+  if (has_alpha(colors))
+    entry->second.alpha = add([&](std::uint32_t i) {
+      const float alpha = alpha_of(colors, i);
+      return Rgb{alpha, alpha, alpha};
+    });
+  return entry->second;
+}
+
+void GltfColors::add(const GltfPrimitive& primitive, Mesh& mesh, GltfUse& use) {
+  const VertexColors& colors = primitive.colors;
+  if (colors.count == 0) return;
+  if (are_equal(colors)) {
+    const float alpha = alpha_of(colors, 0);
+    if (color_of(colors, 0) != Rgb{1, 1, 1}) use.color = textures_.constant(color_of(colors, 0));
+    if (alpha != 1) use.alpha = textures_.constant({alpha, alpha, alpha});
+    return;
+  }
+  if (use.has_uvs || !can_draw_vertices(mesh))
+    return context_.warn(primitive.pointer + "/attributes/COLOR_0",
+                         "colors of vertices beside textures are not rendered, and left out");
+  use.color = drawn(primitive, mesh).color;
+  use.alpha = drawn(primitive, mesh).alpha;
+  set_drawn_uvs(mesh);
+}
+
+}  // namespace twinray

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Colours of vertices, as io/vertex_colors.h draws them.
+#pragma once
+#include <map>
+#include <string>
+
+#include "core/geometry.h"
+#include "io/gltf/material.h"
+#include "io/gltf/primitive.h"
+
+namespace twinray {
+
+struct GltfContext;
+
+class GltfColors {
+ public:
+  GltfColors(GltfTextures& textures, GltfContext& context) : textures_(textures), context_(context) {}
+
+  /// Adds the colours of a primitive's vertices, if it has any, to the use of its material: the same one for
+  /// all as a constant; else a picture, by whose texture coordinates the mesh goes. A mesh that has some of
+  /// its own keeps these, and a warning says that its colours are left out. A primitive has the same picture
+  /// wherever it is placed.
+  void add(const GltfPrimitive& primitive, Mesh& mesh, GltfUse& use);
+
+ private:
+  struct Drawn {
+    std::uint32_t color = no_texture, alpha = no_texture;
+  };
+
+  const Drawn& drawn(const GltfPrimitive& primitive, const Mesh& mesh);
+
+  GltfTextures& textures_;
+  GltfContext& context_;
+  std::map<std::string, Drawn> known_;  ///< By the primitive's pointer.
+};
+
+}  // namespace twinray

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+
+#include "core/material.h"
+#include "io/gltf/texture.h"
+
+namespace twinray {
+
+struct GltfContext;
+
+/// A material while its parts are read: numbers that are the same everywhere go into its model, pictures
+/// become textures of it.
+struct GltfInputs {
+  GltfTextures& textures;
+  GltfContext& context;
+  int uv_set = -1;  ///< The only set of texture coordinates that is there; -1: none.
+  Material material = {};
+  Principled model = {};
+
+  /// Whether a slot has a picture that can be used. Warns where it goes by other texture coordinates.
+  bool can_use(const GltfSlot& slot) const;
+  /// Colours encoded as sRGB has it, times a factor.
+  void color(MaterialInput input, const GltfSlot& slot, const Rgb& factor);
+  /// One channel as it stands, times a factor.
+  void number(MaterialInput input, const GltfSlot& slot, PictureChannels channel, float factor);
+};
+
+}  // namespace twinray

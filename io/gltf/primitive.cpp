@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/primitive.h"
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include <algorithm>
+
+#include "io/gltf/document.h"
+#include "io/gltf/draco.h"
+
+namespace twinray {
+namespace {
+
+/// Corners of triangles, three each, of a list of vertices: lists, strips and fans (section 3.7.2.1 of the
+/// specification).
+std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& corners, int mode) {
+  std::vector<Triangle> triangles;
+  const std::size_t count = corners.size();
+  if (mode == TINYGLTF_MODE_TRIANGLES) {
+    triangles.reserve(count / 3);
+    for (std::size_t i = 0; i + 2 < count; i += 3)
+      triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+    return triangles;
+  }
+  for (std::size_t i = 0; i + 2 < count; ++i)
+    if (mode == TINYGLTF_MODE_TRIANGLE_FAN)
+      triangles.push_back({corners[i + 1], corners[i + 2], corners[0]});
+    else
+      triangles.push_back({corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2]});
+  return triangles;
+}
+
+/// The vertex attributes of a primitive, wherever they are.
+class Attributes {
+ public:
+  Attributes(GltfDocument& document, const tinygltf::Primitive& primitive, std::string pointer)
+      : document_(document), primitive_(primitive), pointer_(std::move(pointer)) {
+    if (primitive.extensions.count(draco_extension) > 0) draco_ = decode_draco(document, primitive, pointer_);
+  }
+
+  bool has(const std::string& name) const { return primitive_.attributes.count(name) > 0; }
+  std::string pointer_of(const std::string& name) const {
+    return fmt::format("{}/attributes/{}", pointer_, name);
+  }
+
+  GltfNumbers numbers(const std::string& name, const char* types) {
+    require_type(document_, primitive_.attributes.at(name), types);
+    if (draco_)
+      if (const auto found = draco_->attributes.find(name); found != draco_->attributes.end())
+        return found->second;
+    return read_numbers(document_, primitive_.attributes.at(name), types);
+  }
+
+  /// The corners of all triangles, in order.
+  std::vector<std::uint32_t> corners(std::size_t positions) {
+    std::vector<std::uint32_t> corners;
+    if (draco_) {
+      corners = draco_->indices;
+    } else if (primitive_.indices >= 0) {
+      corners = read_integers(document_, primitive_.indices, "SCALAR");
+    } else {
+      corners.resize(positions);
+      for (std::size_t i = 0; i < positions; ++i) corners[i] = std::uint32_t(i);
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      if (corners[i] >= positions)
+        document_.context().fail(pointer_ + "/indices",
+                                 fmt::format("the index {} (number {}) is out of range; valid are 0 to {}",
+                                             corners[i], i, positions - 1));
+    return corners;
+  }
+
+ private:
+  GltfDocument& document_;
+  const tinygltf::Primitive& primitive_;
+  std::string pointer_;
+  std::optional<DracoMesh> draco_;
+};
+
+class Builder {
+ public:
+  Builder(GltfDocument& document, const tinygltf::Primitive& source, const std::string& pointer)
+      : document_(document), source_(source), attributes_(document, source, pointer) {
+    made_.pointer = pointer;
+    made_.material = source.material;
+  }
+
+  GltfPrimitive build() {
+    made_.positions = vectors("POSITION", "VEC3");
+    const std::vector<std::uint32_t> corners = attributes_.corners(made_.positions.size());
+    if (source_.mode == TINYGLTF_MODE_TRIANGLES && corners.size() % 3 != 0)
+      document_.context().warn(made_.pointer,
+                               fmt::format("{} corners are not three a triangle; the last {} are left out",
+                                           corners.size(), corners.size() % 3));
+    made_.triangles = triangles_of(corners, source_.mode);
+    if (attributes_.has("NORMAL")) made_.normals = vectors("NORMAL", "VEC3");
+    if (attributes_.has("TANGENT")) read_handedness();
+    if (attributes_.has("COLOR_0")) made_.colors = numbers("COLOR_0", "VEC3 VEC4");
+    for (const auto& [name, accessor] : source_.attributes) read_uvs(name);
+    return std::move(made_);
+  }
+
+ private:
+  /// One row for each position.
+  GltfNumbers numbers(const std::string& name, const char* types) {
+    GltfNumbers numbers = attributes_.numbers(name, types);
+    if (name != "POSITION" && numbers.count != made_.positions.size())
+      document_.context().fail(attributes_.pointer_of(name),
+                               fmt::format("{} values for {} positions; there must be as many", numbers.count,
+                                           made_.positions.size()));
+    return numbers;
+  }
+
+  std::vector<Vec3> vectors(const std::string& name, const char* types) {
+    const GltfNumbers list = numbers(name, types);
+    std::vector<Vec3> vectors(list.count);
+    for (std::size_t i = 0; i < list.count; ++i) vectors[i] = list.vec3(i);
+    return vectors;
+  }
+
+  void read_handedness() {
+    const GltfNumbers tangents = numbers("TANGENT", "VEC4");
+    for (std::size_t i = 0; i < tangents.count; ++i)
+      made_.handedness.push_back(tangents.at(i, 3) < 0 ? -1.0f : 1.0f);
+  }
+
+  /// Sets of texture coordinates have one digit. The format's v runs downwards, ours upwards.
+  void read_uvs(const std::string& name) {
+    constexpr std::string_view prefix = "TEXCOORD_";
+    if (name.size() != prefix.size() + 1 || name.substr(0, prefix.size()) != prefix) return;
+    const GltfNumbers list = numbers(name, "VEC2");
+    std::vector<Vec2>& uvs = made_.uvs[name.back() - '0'];
+    uvs.reserve(list.count);
+    for (std::size_t i = 0; i < list.count; ++i) {
+      const Vec2 uv = list.vec2(i);
+      const bool is_good = std::isfinite(uv.x) && std::isfinite(uv.y);
+      uvs.push_back(is_good ? Vec2{uv.x, 1 - uv.y} : Vec2{0, 0});
+      if (!is_good)
+        document_.context().warn(attributes_.pointer_of(name),
+                                 "texture coordinates that are not finite are 0");
+    }
+  }
+
+  GltfDocument& document_;
+  const tinygltf::Primitive& source_;
+  Attributes attributes_;
+  GltfPrimitive made_;
+};
+
+}  // namespace
+
+std::optional<GltfPrimitive> read_primitive(GltfDocument& document, int mesh, int primitive) {
+  const tinygltf::Primitive& source =
+      document.model().meshes[std::size_t(mesh)].primitives[std::size_t(primitive)];
+  const std::string pointer = fmt::format("/meshes/{}/primitives/{}", mesh, primitive);
+  if (source.mode < TINYGLTF_MODE_TRIANGLES) {
+    document.context().warn(pointer, source.mode == TINYGLTF_MODE_POINTS
+                                         ? "points are not rendered; this primitive is left out"
+                                         : "lines are not rendered; this primitive is left out");
+    return std::nullopt;
+  }
+  if (source.attributes.count("POSITION") == 0) {
+    document.context().warn(pointer, "this primitive has no POSITION, and is left out");
+    return std::nullopt;
+  }
+  GltfPrimitive made = Builder(document, source, pointer).build();
+  made.mesh = mesh, made.index = primitive;
+  return made;
+}
+
+}  // namespace twinray

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/schema.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "io/gltf/context.h"
+#include "io/gltf/rules.h"
+
+namespace twinray {
+namespace {
+
+using Json = nlohmann::json;
+
+/// What a file may nest; the format itself needs less than ten levels, what tools add may have more.
+constexpr int most_depth = 100;
+
+/// Throws Error where brackets nest too deeply for readers that call themselves.
+void check_depth(const std::string& text, const GltfContext& context) {
+  int depth = 0;
+  bool is_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (is_string && c == '\\')
+      ++i;
+    else if (c == '"')
+      is_string = !is_string;
+    else if (!is_string && (c == '{' || c == '['))
+      ++depth;
+    else if (!is_string && (c == '}' || c == ']'))
+      --depth;
+    if (depth > most_depth)
+      throw error_at(place_of(context.file, text, i),
+                     fmt::format("objects and arrays nest deeper than {} levels", most_depth));
+  }
+}
+
+Json parse(const std::string& text, const GltfContext& context) {
+  check_depth(text, context);
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw error_at(place_of(context.file, text, error.byte > 0 ? error.byte - 1 : 0),
+                   "the text is not JSON here, or ends too early");
+  } catch (const Json::exception&) {
+    throw error_at({context.file}, "the JSON text holds a number that is too large");
+  }
+}
+
+/// "a, b or c" of words between spaces.
+std::string alternatives(std::string_view words) {
+  std::vector<std::string_view> list;
+  while (!words.empty()) {
+    const std::size_t space = std::min(words.find(' '), words.size());
+    list.push_back(words.substr(0, space));
+    words.remove_prefix(std::min(space + 1, words.size()));
+  }
+  return list_names(list);
+}
+
+bool has_word(std::string_view words, std::string_view word) {
+  return fmt::format(" {} ", words).find(fmt::format(" {} ", word)) != std::string::npos &&
+         word.find(' ') == std::string_view::npos && !word.empty();
+}
+
+/// A part of a JSON pointer: '~' and '/' have codes.
+std::string escaped(const std::string& name) {
+  std::string text;
+  for (const char c : name) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+  return text;
+}
+
+/// The rules of an extension, some of which mean something else on objects of one kind.
+std::string rules_of(std::string_view kind, const std::string& extension) {
+  if (kind == "node" && extension == "KHR_lights_punctual") return extension + " of a node";
+  if (kind == "buffer" && extension == "EXT_meshopt_compression") return extension + " of a buffer";
+  return extension;
+}
+
+class Checker {
+ public:
+  Checker(Json& root, GltfContext& context) : root_(root), context_(context) {}
+
+  void check() {
+    if (!root_.is_object()) context_.fail("/", "a glTF file is one JSON object");
+    check_object(root_, "", "");
+    check_version();
+    check_extensions();
+  }
+
+ private:
+  void check_version() const {
+    const std::string version = root_["asset"]["version"];
+    if (version.substr(0, 2) != "2.")
+      context_.fail("/asset/version", fmt::format("the version is \"{}\"; valid is 2.0", version));
+  }
+
+  void check_extensions() {
+    for (const char* list : {"extensionsRequired", "extensionsUsed"}) {
+      if (!root_.contains(list)) continue;
+      for (std::size_t i = 0; i < root_[list].size(); ++i) {
+        const std::string name = root_[list][i];
+        const std::string pointer = fmt::format("/{}/{}", list, i);
+        if (is_read_extension(name) || is_silent_extension(name)) continue;
+        const std::string message = fmt::format("the extension {} is not rendered", name);
+        if (list == std::string_view("extensionsRequired"))
+          context_.fail(pointer, message + ", and the file cannot be shown without it");
+        context_.warn(pointer, message);
+      }
+    }
+  }
+
+  void check_object(Json& object, std::string_view kind, const std::string& pointer) {
+    std::vector<std::string_view> known{"extensions", "extras", "name"};
+    bool has_rule = false;
+    for (const GltfRule& rule : gltf_rules()) {
+      if (rule.object != kind) continue;
+      has_rule = true;
+      known.push_back(rule.property);
+      const std::string property(rule.property);
+      const std::string place = fmt::format("{}/{}", pointer, property);
+      if (object.contains(property))
+        check_property(object[property], rule, place);
+      else if (rule.is_required)
+        context_.fail(pointer.empty() ? "/" : pointer,
+                      fmt::format("\"{}\" is missing, and required", property));
+    }
+    if (object.contains("name") && !object["name"].is_string())
+      fail_of(object["name"], pointer + "/name", "text");
+    if (object.contains("extensions")) check_extensions_of(object["extensions"], kind, pointer);
+    if (has_rule) warn_of_unknown(object, known, pointer);
+  }
+
+  void warn_of_unknown(const Json& object, const std::vector<std::string_view>& known,
+                       const std::string& pointer) {
+    for (const auto& [name, value] : object.items()) {
+      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      const std::string nearest = nearest_name(name, known);
+      context_.warn(pointer.empty() ? "/" : pointer,
+                    nearest.empty()
+                        ? fmt::format("\"{}\" is not a known name", name)
+                        : fmt::format("\"{}\" is not a known name; did you mean \"{}\"?", name, nearest));
+    }
+  }
+
+  void check_extensions_of(Json& extensions, std::string_view kind, const std::string& pointer) {
+    const std::string place = pointer + "/extensions";
+    if (!extensions.is_object()) fail_of(extensions, place, "an object");
+    for (auto& [name, value] : extensions.items()) {
+      if (!is_read_extension(name)) continue;
+      if (!value.is_object()) fail_of(value, place + "/" + name, "an object");
+      check_object(value, rules_of(kind, name), place + "/" + name);
+    }
+  }
+
+  [[noreturn]] void fail_of(const Json& value, const std::string& pointer, const std::string& valid) const {
+    std::string text = value.is_structured() ? std::string(value.type_name()) : value.dump();
+    constexpr std::size_t most = 40;
+    if (text.size() > most) text = text.substr(0, most) + "...";
+    context_.fail(pointer, fmt::format("this is {}; valid is {}", text, valid));
+  }
+
+  void check_property(Json& value, const GltfRule& rule, const std::string& pointer) {
+    switch (rule.kind) {
+      case GltfKind::passed:
+        return;
+      case GltfKind::flag:
+        return value.is_boolean() ? void() : fail_of(value, pointer, "true or false");
+      case GltfKind::text:
+        return value.is_string() ? void() : fail_of(value, pointer, "text");
+      case GltfKind::word:
+        if (!value.is_string() || !has_word(rule.of, value.get_ref<const std::string&>()))
+          fail_of(value, pointer, alternatives(rule.of));
+        return;
+      case GltfKind::number:
+        return check_number(value, rule, pointer);
+      case GltfKind::integer:
+        return check_integer(value, rule.least, rule.most, pointer);
+      case GltfKind::code:
+        check_integer(value, 0, 2147483647.0, pointer);
+        return has_word(rule.of, value.dump()) ? void() : fail_of(value, pointer, alternatives(rule.of));
+      case GltfKind::index:
+        return check_index(value, rule.of, pointer);
+      case GltfKind::object:
+        if (!value.is_object()) fail_of(value, pointer, "an object");
+        return check_object(value, rule.of, pointer);
+      case GltfKind::accessors:
+        if (!value.is_object()) fail_of(value, pointer, "an object");
+        for (auto& [name, each] : value.items())
+          check_index(each, "accessors", pointer + "/" + escaped(name));
+        return;
+      default:
+        return check_array(value, rule, pointer);
+    }
+  }
+
+  void check_array(Json& value, const GltfRule& rule, const std::string& pointer) {
+    if (!value.is_array()) fail_of(value, pointer, "an array");
+    const bool is_sized = rule.kind == GltfKind::numbers;
+    if (value.size() < rule.least_size || (is_sized && value.size() > rule.most_size))
+      context_.fail(pointer,
+                    rule.least_size == rule.most_size
+                        ? fmt::format("{} numbers; valid are {}", value.size(), rule.most_size)
+                        : fmt::format("{} elements; valid are {} and more", value.size(), rule.least_size));
+    std::set<std::size_t> seen;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      Json& each = value[i];
+      const std::string place = fmt::format("{}/{}", pointer, i);
+      if (rule.kind == GltfKind::numbers) check_number(each, rule, place);
+      if (rule.kind == GltfKind::texts && !each.is_string()) fail_of(each, place, "text");
+      if (rule.kind == GltfKind::objects && !each.is_object()) fail_of(each, place, "an object");
+      if (rule.kind == GltfKind::objects) check_element(each, rule.of, place);
+      if (rule.kind != GltfKind::indices) continue;
+      check_index(each, rule.of, place);
+      if (!seen.insert(each.get<std::size_t>()).second)
+        context_.fail(place, fmt::format("the index {} stands here a second time", each.dump()));
+    }
+  }
+
+  void check_element(Json& object, std::string_view kind, const std::string& pointer) {
+    if (kind != "target") return check_object(object, kind, pointer);
+    for (auto& [name, each] : object.items()) check_index(each, "accessors", pointer + "/" + escaped(name));
+  }
+
+  void check_number(const Json& value, const GltfRule& rule, const std::string& pointer) const {
+    const bool is_in =
+        value.is_number() && value.get<double>() >= rule.least && value.get<double>() <= rule.most;
+    if (!is_in) fail_of(value, pointer, fmt::format("a number from {:g} to {:g}", rule.least, rule.most));
+  }
+
+  /// Whole numbers may stand with a decimal point: they lose it.
+  void check_integer(Json& value, double least, double most, const std::string& pointer) const {
+    const double number = value.is_number() ? value.get<double>() : -1;
+    const bool is_in = value.is_number() && number >= least && number <= most && number == std::floor(number);
+    if (!is_in) fail_of(value, pointer, fmt::format("a whole number from {:.0f} to {:.0f}", least, most));
+    if (value.is_number_float()) value = std::int64_t(number);
+  }
+
+  void check_index(Json& value, std::string_view array, const std::string& pointer) const {
+    const std::string name(array);
+    const std::size_t size = root_.contains(name) && root_[name].is_array() ? root_[name].size() : 0;
+    if (size == 0) fail_of(value, pointer, fmt::format("none: the file has no {}", array));
+    check_integer(value, 0, double(size - 1), pointer);
+  }
+
+  Json& root_;
+  GltfContext& context_;
+};
+
+/// Takes the list out of the file: who reads the JSON must not read files.
+std::vector<CheckedGltf::Source> take_sources(Json& root, const char* list) {
+  std::vector<CheckedGltf::Source> sources;
+  if (!root.contains(list)) return sources;
+  for (Json& each : root[list])
+    sources.push_back({each.value("uri", ""), each.value("byteLength", std::size_t(0)),
+                       each.value("bufferView", -1), each.value("name", "")});
+  root.erase(list);
+  return sources;
+}
+
+/// tinygltf wants a buffer view for all indices, and those that Draco compressed have none: they go where it
+/// does not look.
+void move_draco_indices(Json& root) {
+  if (!root.contains("meshes")) return;
+  for (Json& mesh : root["meshes"])
+    for (Json& primitive : mesh["primitives"]) {
+      if (!primitive.contains("extensions") || !primitive.contains("indices")) continue;
+      Json& extensions = primitive["extensions"];
+      if (!extensions.contains("KHR_draco_mesh_compression")) continue;
+      extensions["KHR_draco_mesh_compression"]["indices"] = primitive["indices"];
+      primitive.erase("indices");
+    }
+}
+
+}  // namespace
+
+CheckedGltf check_gltf(const std::string& json, GltfContext& context) {
+  Json root = parse(json, context);
+  Checker(root, context).check();
+  CheckedGltf checked;
+  checked.buffers = take_sources(root, "buffers");
+  checked.images = take_sources(root, "images");
+  move_draco_indices(root);
+  checked.json = root.dump();
+  return checked;
+}
+
+}  // namespace twinray

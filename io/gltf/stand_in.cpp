@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/stand_in.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/exchange.h"
+
+namespace twinray {
+namespace {
+
+constexpr Rgb white{1, 1, 1};
+
+/// What a smooth metal reflects of the light that falls straight on it.
+Rgb reflected(const Rgb& eta, const Rgb& k) {
+  const auto channel = [](float n, float a) {
+    return ((n - 1) * (n - 1) + a * a) / ((n + 1) * (n + 1) + a * a);
+  };
+  return {channel(eta.r, k.r), channel(eta.g, k.g), channel(eta.b, k.b)};
+}
+
+/// Sets OpenPBR's roughness and anisotropy: alpha_t = r^2 sqrt(2 / (1 + (1 - a)^2)), alpha_b = (1 - a)
+/// alpha_t.
+void set_alpha(const Roughness& alpha, Principled& model) {
+  const float along = std::max(alpha.x, alpha.y), across = std::min(alpha.x, alpha.y);
+  const float ratio = along > 0 ? across / along : 1;
+  model.specular_roughness_anisotropy = 1 - ratio;
+  model.specular_roughness = std::sqrt(along * std::sqrt((1 + ratio * ratio) / 2));
+}
+
+class StandIn {
+ public:
+  StandIn(const Material& material, Losses& losses) : material_(material), losses_(losses) {}
+
+  GltfStandIn make() {
+    made_.material = material_;
+    model_.coat_ior = 1.5f;
+    model_.coat_darkening = 0;
+    std::visit([&](const auto& model) { take(model); }, material_.model);
+    made_.material.model = model_;
+    for (const TextureUse& use : material_.textures)
+      if (use.meaning == InputMeaning::squared_roughness) made_.roughness_power = 0.25f;
+    return std::move(made_);
+  }
+
+ private:
+  void name(const char* one, const char* many) {
+    const std::string type = type_of(material_.model);
+    losses_.add(fmt::format("a material of the type {} is written as a {}", type, one),
+                fmt::format("{{}} materials of the type {} are written as {}", type, many));
+  }
+  void lose(const char* what) {
+    losses_.add(fmt::format("{} of a material is left out", what),
+                fmt::format("{} of {{}} materials is left out", what));
+  }
+
+  /// A diffuse surface, which reflects nothing by facets.
+  void make_diffuse(const Rgb& reflectance) {
+    model_.base_color = reflectance;
+    model_.specular_weight = 0;
+    model_.specular_roughness = 1;
+  }
+  void make_metal(const Rgb& color, const Roughness& alpha) {
+    model_.base_metalness = 1;
+    model_.base_color = color;
+    set_alpha(alpha, model_);
+    made_.roughness_power = 0.5f;
+    for (TextureUse& use : made_.material.textures)
+      if (use.meaning == InputMeaning::metal_reflectance) use.input = MaterialInput::reflectance;
+  }
+  void make_clear(float ior, const Roughness& alpha, const Rgb& tint, bool is_thin) {
+    model_.transmission_weight = 1;
+    model_.base_color = model_.transmission_color = tint;
+    model_.specular_ior = ior;
+    model_.geometry_thin_walled = is_thin;
+    set_alpha(alpha, model_);
+    made_.roughness_power = 0.5f;
+  }
+
+  void check_direction(const Roughness& alpha) {
+    if (alpha.x < alpha.y) lose("the direction of facets that are wider across than along");
+  }
+
+  void take(const Lambert& model) { make_diffuse(model.reflectance); }
+  void take(const RoughDiffuse& model) {
+    name("diffuse surface", "diffuse surfaces");
+    make_diffuse(model.reflectance);
+  }
+  void take(const DiffuseTransmission& model) {
+    name("diffuse surface, through which no light goes", "diffuse surfaces, through which no light goes");
+    make_diffuse(model.reflectance);
+  }
+  void take(const Mirror& model) {
+    name("smooth metal", "smooth metals");
+    make_metal(model.reflectance, {});
+  }
+  void take(const Microfacet& model) {
+    name("metal of its color and of GGX facets", "metals of their colors and of GGX facets");
+    make_metal(reflected(model.eta, model.k), {model.alpha, model.alpha});
+  }
+  void take(const Conductor& model) {
+    name("metal of its color", "metals of their colors");
+    check_direction(model.roughness);
+    make_metal(reflected(model.eta, model.k) * model.reflectance, model.roughness);
+  }
+  void take(const CoatedConductor& model) {
+    name("metal of its color below a clear coat", "metals of their colors below clear coats");
+    make_metal(reflected(model.eta, model.k) * model.reflectance, model.roughness);
+    model_.coat_weight = 1;
+    model_.coat_roughness = std::sqrt(std::sqrt(model.coat_roughness.x * model.coat_roughness.y));
+  }
+  void take(const CoatedDiffuse& model) {
+    name("glossy surface", "glossy surfaces");
+    check_direction(model.roughness);
+    model_.base_color = model.reflectance;
+    model_.specular_ior = model.ior;
+    set_alpha(model.roughness, model_);
+    made_.roughness_power = 0.5f;
+  }
+  void take(const Dielectric& model) {
+    if (model.reflectance != white) lose("the color of the reflection");
+    make_clear(model.ior, model.roughness, model.transmittance, model.is_thin);
+  }
+  void take(const Glass& model) {
+    if (model.reflectance != white) lose("the color of the reflection");
+    make_clear(model.ior, {}, model.transmittance, false);
+  }
+  void take(const Refraction& model) {
+    name("clear surface, which also reflects", "clear surfaces, which also reflect");
+    make_clear(model.ior, {}, model.transmittance, false);
+  }
+  /// Of a shape that emits: else it is left out.
+  void take(const Interface&) { make_diffuse({}); }
+  void take(const Mix&) {}  // One of its materials was taken.
+  void take(const Principled& model) {
+    model_ = model;
+    model_.base_color = model.base_color * model.base_weight;
+    model_.base_weight = 1;
+    model_.emission_luminance = 0;
+    if (model.base_diffuse_roughness != 0) lose("the roughness of the diffuse part");
+    if (model.base_metalness == 1 && !(model.specular_weight == 1 && model.specular_color == white))
+      lose("the metal's specular color");
+    check_clear(model);
+    check_coat(model);
+    if (model.fuzz_weight > 0 && max_component(model.fuzz_color) < 1)
+      model_.fuzz_weight *= max_component(model.fuzz_color);
+  }
+
+  /// Light that goes through is times the base color.
+  void check_clear(const Principled& model) {
+    if (model.transmission_weight == 0) return;
+    const Rgb tint = model.transmission_depth > 0 ? white : model.transmission_color;
+    if (tint == model_.base_color) return;
+    if (model.transmission_weight < 1)
+      lose("the color of the diffuse part, which is that of the clear part,");
+    model_.base_color = tint;
+    model_.transmission_color = tint;
+  }
+  void check_coat(const Principled& model) {
+    if (model.coat_weight == 0) return;
+    if (model.coat_color != white) lose("the color of the coat");
+    if (model.coat_ior != 1.5f || model.coat_darkening != 0) lose("the coat's index, which is 1.5 there,");
+  }
+
+  const Material& material_;
+  Losses& losses_;
+  Principled model_;
+  GltfStandIn made_;
+};
+
+/// Of a mixture the part that most of its points show.
+std::uint32_t unmixed(const Scene& scene, std::uint32_t material, Losses& losses) {
+  const auto* mix = std::get_if<Mix>(&scene.materials[material].model);
+  if (!mix) return material;
+  losses.add("a mixture of materials is the one that it has more of",
+             "{} mixtures of materials are the ones that they have more of");
+  return unmixed(scene, mix->amount >= 0.5f ? mix->second : mix->first, losses);
+}
+
+}  // namespace
+
+GltfStandIn gltf_stand_in(const Scene& scene, std::uint32_t material, Losses& losses) {
+  return StandIn(scene.materials[unmixed(scene, material, losses)], losses).make();
+}
+
+}  // namespace twinray

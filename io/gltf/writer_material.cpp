@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/writer_material.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/elementary.h"
+#include "core/textured_material.h"
+#include "io/vertex_colors.h"
+
+namespace twinray {
+namespace {
+
+using enum MaterialInput;
+
+constexpr Rgb white{1, 1, 1};
+constexpr std::size_t red = 0, green = 1, blue = 2, alpha_channel = 3;
+
+/// A hole where a texture is below a limit, as the reader of glTF makes it: a mix of two numbers far apart.
+struct Mask {
+  std::uint32_t texture;
+  float limit;
+};
+std::optional<Mask> mask_of(const Scene& scene, std::uint32_t alpha) {
+  constexpr float least_step = 256;
+  const auto* mix = std::get_if<MixTexture>(&scene.textures[alpha].model);
+  if (!mix) return std::nullopt;
+  const auto* at_0 = std::get_if<ConstantTexture>(&scene.textures[mix->first].model);
+  const auto* at_1 = std::get_if<ConstantTexture>(&scene.textures[mix->second].model);
+  if (!at_0 || !at_1 || !(at_1->value.r - at_0->value.r >= least_step)) return std::nullopt;
+  return Mask{mix->amount, (1 - at_0->value.r) / (at_1->value.r - at_0->value.r)};
+}
+
+bool is_drawn(const Scene& scene, std::uint32_t texture) {
+  return texture != no_texture && is_drawn_of_vertices(scene.textures, texture);
+}
+
+/// The texture of what a material reflects, or no_texture.
+std::uint32_t color_of(const Material& material) {
+  for (const TextureUse& use : material.textures)
+    if (use.input == reflectance) return use.texture;
+  return no_texture;
+}
+
+/// The JSON of one material, but for what it emits.
+class Properties {
+ public:
+  Properties(const GltfStandIn& made, GltfFile& file, GltfTextureWriter& textures)
+      : made_(made),
+        model_(std::get<Principled>(made.material.model)),
+        uses_(made.material.textures),
+        file_(file),
+        textures_(textures) {
+    if (!made.material.name.empty()) json_["name"] = made.material.name;
+  }
+
+  GltfJson make(const Scene& scene, std::uint32_t alpha) {
+    add_base(scene, alpha);
+    add_index();
+    add_transmission();
+    add_coat();
+    add_sheen();
+    add_maps();
+    for (const TextureUse& use : uses_) {
+      const std::string name = input_name(use.input);
+      file_.output.losses.add(fmt::format("a texture of a material's {} is left out", name),
+                              fmt::format("{{}} textures of materials' {} are left out", name));
+    }
+    return std::move(json_);
+  }
+
+ private:
+  /// The texture of an input, which counts as written; no_texture if there is none.
+  std::uint32_t take(MaterialInput input) {
+    const auto found =
+        std::find_if(uses_.begin(), uses_.end(), [&](const TextureUse& use) { return use.input == input; });
+    if (found == uses_.end()) return no_texture;
+    const std::uint32_t texture = found->texture;
+    uses_.erase(found);
+    return texture;
+  }
+  /// Stays there until another one is added.
+  GltfJson& extension(const char* name) {
+    file_.use(name);
+    return json_["extensions"][name];
+  }
+  void put(GltfJson& object, const char* property, const GltfChannels& channels) {
+    if (!channels.is_empty()) object[property] = textures_.info(channels);
+  }
+  /// A number, and the texture that stands in place of it in one channel.
+  void put_number(GltfJson& object, const char* factor, const char* texture, std::size_t channel,
+                  std::pair<MaterialInput, float> input) {
+    GltfChannels channels;
+    channels.number[channel] = take(input.first);
+    object[factor] = channels.is_empty() ? gltf_number(input.second) : 1.0;
+    put(object, texture, channels);
+  }
+
+  void add_base(const Scene& scene, std::uint32_t alpha) {
+    GltfJson base;
+    GltfChannels color{.color = take(reflectance)};
+    float opacity = 1;
+    if (alpha != no_texture) opacity = add_alpha(scene, alpha, color);
+    GltfJson factor = gltf_color(color.color == no_texture ? model_.base_color : white);
+    if (is_drawn(scene, color.color)) color.color = no_texture;  // Its vertices have the color.
+    factor.push_back(gltf_number(opacity));
+    base["baseColorFactor"] = factor;
+    put(base, "baseColorTexture", color);
+    const Facets facets = read_facets();
+    GltfChannels rough{.power = made_.roughness_power};
+    rough.number[green] = take(roughness), rough.number[blue] = take(base_metalness);
+    const bool is_rough = rough.number[green] != no_texture, is_metal = rough.number[blue] != no_texture;
+    base["metallicFactor"] = is_metal ? 1.0 : gltf_number(model_.base_metalness);
+    base["roughnessFactor"] = is_rough ? 1.0 : gltf_number(facets.roughness);
+    put(base, "metallicRoughnessTexture", rough);
+    json_["pbrMetallicRoughness"] = base;
+    if (facets.anisotropy > 0)
+      extension("KHR_materials_anisotropy")["anisotropyStrength"] = gltf_number(facets.anisotropy);
+  }
+
+  /// Sets the mode; a constant alpha is returned, all else is a channel of the base color's picture.
+  float add_alpha(const Scene& scene, std::uint32_t alpha, GltfChannels& color) {
+    json_["alphaMode"] = "BLEND";
+    if (is_drawn(scene, alpha)) return 1;  // Its vertices have it.
+    if (const auto* constant = std::get_if<ConstantTexture>(&scene.textures[alpha].model))
+      return std::clamp(constant->value.r, 0.0f, 1.0f);
+    color.number[alpha_channel] = alpha;
+    if (const auto mask = mask_of(scene, alpha)) {
+      json_["alphaMode"] = "MASK";
+      json_["alphaCutoff"] = gltf_number(std::max(mask->limit, 0.0f));
+      color.number[alpha_channel] = mask->texture;
+    }
+    return 1;
+  }
+
+  /// The extension keeps the width across, and widens along: the inverse of io/gltf/layers.cpp.
+  struct Facets {
+    float roughness, anisotropy;
+  };
+  Facets read_facets() const {
+    const float rough = model_.specular_roughness, ratio = 1 - model_.specular_roughness_anisotropy;
+    if (ratio == 1) return {rough, 0};
+    const float along = rough * rough / std::sqrt((1 + ratio * ratio) / 2), across = ratio * along;
+    const float strength = across < 1 ? std::sqrt(std::max(0.0f, (along - across) / (1 - across))) : 0;
+    return {std::sqrt(across), std::min(strength, 1.0f)};
+  }
+
+  void add_index() {
+    if (model_.specular_ior < 1)
+      file_.output.losses.add("a material's index of refraction below 1 is 1",
+                              "{} materials' indices of refraction below 1 are 1");
+    if (model_.specular_ior != 1.5f)
+      extension("KHR_materials_ior")["ior"] = gltf_number(std::max(1.0f, model_.specular_ior));
+    const auto is_specular = [](const TextureUse& use) {
+      return use.input == specular_weight || use.input == specular_color;
+    };
+    const bool has_texture = std::any_of(uses_.begin(), uses_.end(), is_specular);
+    if (model_.specular_weight == 1 && model_.specular_color == white && !has_texture) return;
+    GltfJson& json = extension("KHR_materials_specular");
+    put_number(json, "specularFactor", "specularTexture", alpha_channel,
+               {specular_weight, model_.specular_weight});
+    const GltfChannels color{.color = take(specular_color)};
+    json["specularColorFactor"] = gltf_color(color.is_empty() ? model_.specular_color : white);
+    put(json, "specularColorTexture", color);
+  }
+
+  void add_transmission() {
+    if (model_.transmission_weight == 0) return;
+    take(transmission_color);  // That of the base.
+    put_number(extension("KHR_materials_transmission"), "transmissionFactor", "transmissionTexture", red,
+               {transmission_weight, model_.transmission_weight});
+    if (model_.geometry_thin_walled) return;
+    GltfJson& volume = extension("KHR_materials_volume");
+    volume["thicknessFactor"] = 1.0;
+    const Rgb& absorption = made_.material.interior.absorption;
+    const float most = max_component(absorption);
+    if (made_.material.interior.priority != 0)
+      file_.output.losses.add("the priority of a body that overlaps others is left out",
+                              "the priorities of {} materials of bodies that overlap are left out");
+    if (most == 0) return;
+    // The color after the way at which the strongest channel is down to 1/e.
+    constexpr float log2_e = 1.442695f;
+    const auto channel = [&](float a) { return float(exp2_of(-double(a / most) * double(log2_e))); };
+    volume["attenuationDistance"] = gltf_number(1 / most);
+    volume["attenuationColor"] =
+        gltf_color({channel(absorption.r), channel(absorption.g), channel(absorption.b)});
+  }
+
+  void add_coat() {
+    if (model_.coat_weight == 0) return;
+    GltfJson& coat = extension("KHR_materials_clearcoat");
+    put_number(coat, "clearcoatFactor", "clearcoatTexture", red, {coat_weight, model_.coat_weight});
+    GltfChannels rough{.power = made_.roughness_power};
+    rough.number[green] = take(coat_roughness);
+    coat["clearcoatRoughnessFactor"] = rough.is_empty() ? gltf_number(model_.coat_roughness) : 1.0;
+    put(coat, "clearcoatRoughnessTexture", rough);
+  }
+
+  void add_sheen() {
+    if (model_.fuzz_weight == 0) return;
+    GltfJson& sheen = extension("KHR_materials_sheen");
+    const GltfChannels color{.color = take(fuzz_color)};
+    const float most = max_component(model_.fuzz_color);
+    const Rgb full = most > 0 ? model_.fuzz_color / most : Rgb{};
+    sheen["sheenColorFactor"] = gltf_color((color.is_empty() ? full : white) * model_.fuzz_weight);
+    put(sheen, "sheenColorTexture", color);
+    put_number(sheen, "sheenRoughnessFactor", "sheenRoughnessTexture", alpha_channel,
+               {fuzz_roughness, model_.fuzz_roughness});
+  }
+
+  void add_maps() {
+    const Material& material = made_.material;
+    if (material.normal_map != no_texture)
+      put(json_, "normalTexture", {.color = material.normal_map, .is_data = true});
+    if (material.bump_map != no_texture)
+      file_.output.losses.add("a bump map is left out", "{} bump maps are left out");
+  }
+
+  const GltfStandIn& made_;
+  const Principled& model_;
+  std::vector<TextureUse> uses_;  ///< Those that are not written yet.
+  GltfFile& file_;
+  GltfTextureWriter& textures_;
+  GltfJson json_;
+};
+
+/// The brightest component of a picture, or 1 if none is above.
+float brightest(const Image& picture) {
+  float most = 1;
+  for (const Rgb& pixel : picture.pixels) most = std::max(most, max_component(pixel));
+  return most;
+}
+
+std::shared_ptr<const Image> divided(const Image& picture, float by) {
+  auto image = std::make_shared<Image>(picture);
+  for (Rgb& pixel : image->pixels) pixel = pixel / by;
+  return image;
+}
+
+}  // namespace
+
+std::size_t GltfMaterialWriter::material(const ShapeBinding& binding) {
+  const auto [entry, is_new] = made_.try_emplace({binding.material, binding.light, binding.alpha});
+  if (is_new) entry->second = file_.add("materials", make(binding));
+  return entry->second;
+}
+
+std::vector<std::array<float, 4>> GltfMaterialWriter::vertex_colors(const ShapeBinding& binding,
+                                                                    std::span<const Vec2> uvs) {
+  const std::uint32_t color = color_of(scene_.materials[binding.material]);
+  const bool has_color = is_drawn(scene_, color), has_alpha = is_drawn(scene_, binding.alpha);
+  std::vector<std::array<float, 4>> colors;
+  if (!has_color && !has_alpha) return colors;
+  for (const Vec2 uv : uvs) {
+    const TexturePoint at{.uv = uv, .is_smooth = true};
+    const Rgb c = has_color ? evaluate(scene_.textures, color, at) : white;
+    const float alpha = has_alpha ? evaluate(scene_.textures, binding.alpha, at).r : 1;
+    colors.push_back({c.r, c.g, c.b, alpha});
+  }
+  return colors;
+}
+
+GltfJson GltfMaterialWriter::make(const ShapeBinding& binding) {
+  const GltfStandIn made = gltf_stand_in(scene_, binding.material, file_.output.losses);
+  GltfJson json = Properties(made, file_, textures_).make(scene_, binding.alpha);
+  json["doubleSided"] = true;
+  if (binding.light != no_light) add_emission(binding.light, json);
+  return json;
+}
+
+void GltfMaterialWriter::add_emission(std::uint32_t light, GltfJson& json) {
+  const LightSource& source = scene_.lights[light].source;
+  const auto* mesh = std::get_if<MeshLight>(&source);
+  Rgb radiance = mesh ? mesh->radiance : std::get<SphereLight>(source).radiance;
+  if (mesh && mesh->picture) {
+    const float most = brightest(*mesh->picture);
+    radiance = radiance * most;
+    json["emissiveTexture"] = textures_.info(most == 1 ? mesh->picture : divided(*mesh->picture, most));
+  }
+  const GltfLight emitted = gltf_light(radiance);
+  json["emissiveFactor"] = gltf_color(emitted.color);
+  json["doubleSided"] = mesh && mesh->side == EmissionSide::both;
+  if (emitted.strength == 1) return;
+  file_.use("KHR_materials_emissive_strength");
+  json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = gltf_number(emitted.strength);
+}
+
+}  // namespace twinray

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/writer_texture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/elementary.h"
+#include "io/picture/png.h"
+
+namespace twinray {
+namespace {
+
+constexpr int nearest = 9728, linear = 9729, trilinear = 9987;
+constexpr int clamp_to_edge = 33071, repeat = 10497;
+constexpr double pi = 3.14159265358979323846;
+constexpr std::size_t alpha_channel = 3;
+
+std::uint8_t byte_of(float number) {
+  return std::uint8_t(std::lround(255 * (number > 0 ? std::min(number, 1.0f) : 0)));
+}
+
+float powered(float number, float power) {
+  return power == 1 || !(number > 0) ? number : float(pow_of(double(number), double(power)));
+}
+
+template <typename Picture>
+std::string png_bytes(const Picture& picture) {
+  std::vector<unsigned char> bytes;
+  if constexpr (std::is_same_v<Picture, AlphaImage>)
+    bytes = encode_png(picture);
+  else
+    bytes = encode_png(picture, {});
+  return {bytes.begin(), bytes.end()};
+}
+
+ByteImage without_alpha(const AlphaImage& image) {
+  ByteImage plain{image.width, image.height, {}};
+  for (std::size_t i = 0; i < image.bytes.size(); ++i)
+    if (i % 4 != alpha_channel) plain.bytes.push_back(image.bytes[i]);
+  return plain;
+}
+
+}  // namespace
+
+GltfJson GltfTextureWriter::info(const GltfChannels& channels) {
+  const auto [entry, is_new] = made_.try_emplace(channels);
+  if (is_new) entry->second = make(channels);
+  return entry->second;
+}
+
+GltfJson GltfTextureWriter::make(const GltfChannels& channels) {
+  std::vector<std::uint32_t> indices;
+  std::string name;
+  const auto add_index = [&](std::uint32_t texture) {
+    if (texture == no_texture) return std::size_t(0);
+    indices.push_back(texture);
+    if (name.empty()) name = scene_.textures[texture].name;
+    return indices.size();  // One behind its place.
+  };
+  const std::size_t color = add_index(channels.color);
+  std::array<std::size_t, 4> numbers{};
+  for (std::size_t k = 0; k < 4; ++k) numbers[k] = add_index(channels.number[k]);
+  const BakedTextures baked = bake_together(scene_.textures, indices);
+  if (!baked.frame.is_exact)
+    file_.output.losses.add("a picture stands for textures that lie differently over one surface",
+                            "{} pictures stand for textures that lie differently over one surface");
+  if (color > 0) check_range(baked.pictures[color - 1]);
+  const Image& size = baked.pictures.at(0);
+  AlphaImage image{size.width, size.height, std::vector<std::uint8_t>(4 * size.pixels.size(), 255)};
+  for (std::size_t pixel = 0; pixel < size.pixels.size(); ++pixel)
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::uint8_t& byte = image.bytes[4 * pixel + k];
+      if (numbers[k] > 0) {
+        const float value = baked.pictures[numbers[k] - 1].pixels[pixel].r;
+        byte = byte_of(k == alpha_channel ? value : powered(value, channels.power));
+      } else if (color > 0 && k != alpha_channel) {
+        const Rgb& c = baked.pictures[color - 1].pixels[pixel];
+        const float value = k == 0 ? c.r : k == 1 ? c.g : c.b;
+        byte = channels.is_data ? byte_of(value) : encode_srgb(value);
+      }
+    }
+  const bool has_alpha = numbers[alpha_channel] > 0;
+  return add(name, has_alpha ? png_bytes(image) : png_bytes(without_alpha(image)), baked.frame);
+}
+
+GltfJson GltfTextureWriter::info(const std::shared_ptr<const Image>& picture) {
+  const auto [entry, is_new] = pictures_.try_emplace(picture);
+  if (!is_new) return entry->second;
+  BakedTexture frame;
+  frame.wrap = WrapMode::clamp;
+  check_range(*picture);
+  return entry->second = add("", png_bytes(encode_srgb(*picture)), frame);
+}
+
+void GltfTextureWriter::check_range(const Image& picture) {
+  constexpr float margin = 1e-3f;
+  if (std::any_of(picture.pixels.begin(), picture.pixels.end(),
+                  [](const Rgb& pixel) { return max_component(pixel) > 1 + margin; }))
+    file_.output.losses.add("a picture has colors above 1, which end at 1",
+                            "{} pictures have colors above 1, which end at 1");
+}
+
+GltfJson GltfTextureWriter::add(const std::string& name, std::string png, const BakedTexture& frame) {
+  const std::size_t image = file_.add_image(name, std::move(png));
+  GltfJson info{{"index", file_.add("textures", {{"sampler", sampler(frame)}, {"source", image}})}};
+  const UvTransform identity;
+  if (std::equal(&frame.uv.m[0][0], &frame.uv.m[0][0] + 6, &identity.m[0][0])) return info;
+  file_.use("KHR_texture_transform");
+  info["extensions"]["KHR_texture_transform"] = transform(frame.uv);
+  return info;
+}
+
+std::size_t GltfTextureWriter::sampler(const BakedTexture& frame) {
+  if (frame.wrap == WrapMode::black)
+    file_.output.losses.add("a picture that is black beside itself goes on as at its edge",
+                            "{} pictures that are black beside themselves go on as at their edges");
+  const bool is_nearest = frame.filter == TextureFilter::nearest;
+  const int wrap = frame.wrap == WrapMode::repeat ? repeat : clamp_to_edge;
+  const auto [entry, is_new] = samplers_.try_emplace({int(is_nearest), wrap});
+  if (is_new)
+    entry->second = file_.add("samplers", {{"magFilter", is_nearest ? nearest : linear},
+                                           {"minFilter", is_nearest ? nearest : trilinear},
+                                           {"wrapS", wrap},
+                                           {"wrapT", wrap}});
+  return entry->second;
+}
+
+/// The inverse of what io/gltf/slot.cpp reads: offset + R S (u, v), whose v runs downwards.
+GltfJson GltfTextureWriter::transform(const UvTransform& uv) {
+  const auto& [u, v] = uv.m;
+  const double turns = atan2_turns(double(v[0]), double(u[0])), angle = 2 * pi * turns;
+  const double s = sin_radians(angle), c = cos_radians(angle);
+  const double sx = c * double(u[0]) + s * double(v[0]), sy = c * double(v[1]) - s * double(u[1]);
+  constexpr double tolerance = 1e-5;
+  if (std::fabs(c * double(u[1]) + s * double(v[1])) > tolerance * (std::fabs(sx) + std::fabs(sy)))
+    file_.output.losses.add("a texture that is skewed is not skewed there",
+                            "{} textures that are skewed are not skewed there");
+  return {{"offset", {double(u[2]) - s * sy, 1 - c * sy - double(v[2])}},
+          {"rotation", angle},
+          {"scale", {sx, sy}}};
+}
+
+}  // namespace twinray

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private to the writer of glTF: textures as PNG pictures, in the channels where the format has them.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+
+#include "core/image.h"
+#include "core/scene.h"
+#include "io/gltf/writer_file.h"
+#include "io/picture/baked_texture.h"
+
+namespace twinray {
+
+/// What the channels of one picture are.
+struct GltfChannels {
+  /// Of the colour; a texture in `number` stands in for a channel of it. no_texture: white.
+  std::uint32_t color = no_texture;
+  /// Textures of numbers in red, green, blue and alpha: their red. no_texture: 1.
+  std::array<std::uint32_t, 4> number{no_texture, no_texture, no_texture, no_texture};
+  bool is_data = false;  ///< The colour is no colour but a direction: it is not encoded as sRGB.
+  float power = 1;       ///< To which numbers are taken, but for alpha.
+
+  bool is_empty() const { return *this == GltfChannels{.is_data = is_data, .power = power}; }
+  auto operator<=>(const GltfChannels&) const = default;
+};
+
+class GltfTextureWriter {
+ public:
+  GltfTextureWriter(const Scene& scene, GltfFile& file) : scene_(scene), file_(file) {}
+
+  /// A textureInfo of a picture with these channels, made once.
+  GltfJson info(const GltfChannels& channels);
+  /// A textureInfo of a picture of colours that ends at its edge.
+  GltfJson info(const std::shared_ptr<const Image>& picture);
+
+ private:
+  GltfJson make(const GltfChannels& channels);
+  GltfJson add(const std::string& name, std::string png, const BakedTexture& frame);
+  std::size_t sampler(const BakedTexture& frame);
+  GltfJson transform(const UvTransform& uv);
+  void check_range(const Image& picture);
+
+  const Scene& scene_;
+  GltfFile& file_;
+  std::map<GltfChannels, GltfJson> made_;
+  std::map<std::shared_ptr<const Image>, GltfJson> pictures_;
+  std::map<std::array<int, 2>, std::size_t> samplers_;
+};
+
+}  // namespace twinray

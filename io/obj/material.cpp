@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/obj/material.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/picture/texture_file.h"
+#include "io/picture_path.h"
+#include "io/uri.h"
+
+namespace twinray {
+namespace {
+
+float unit(float x) { return x > 0 ? std::min(x, 1.0f) : 0; }  // A NaN is 0.
+
+Rgb color_of(const tinyobj::real_t (&from)[3]) { return {from[0], from[1], from[2]}; }
+Rgb unit_color(const tinyobj::real_t (&from)[3]) { return {unit(from[0]), unit(from[1]), unit(from[2])}; }
+
+/// Whether one of the values of the extension for physically based rendering stands there.
+bool is_physical(const tinyobj::material_t& m) {
+  return m.roughness > 0 || m.metallic > 0 || m.sheen > 0 || m.clearcoat_thickness > 0 ||
+         !m.roughness_texname.empty() || !m.metallic_texname.empty();
+}
+
+/// Phong's exponent as a roughness: that of the distribution of facets which is as wide (Walter et al.,
+/// "Microfacet Models for Refraction through Rough Surfaces", 2007).
+float roughness_of(float exponent) { return std::sqrt(std::sqrt(2 / (std::max(exponent, 0.0f) + 2))); }
+
+Principled physical(const tinyobj::material_t& m) {
+  Principled model;
+  model.base_color = unit_color(m.diffuse);
+  model.base_metalness = unit(m.metallic);
+  model.specular_roughness = unit(m.roughness);
+  model.specular_roughness_anisotropy = unit(m.anisotropy);
+  if (m.ior > 1) model.specular_ior = std::min(m.ior, 10.0f);
+  model.coat_weight = unit(m.clearcoat_thickness);
+  model.coat_roughness = unit(m.clearcoat_roughness);
+  model.fuzz_weight = unit(m.sheen);
+  return model;
+}
+
+/// A specular colour of 0.5 is that of usual plastic, as Blender writes it.
+Principled glossy(const tinyobj::material_t& m) {
+  Principled model;
+  model.base_color = unit_color(m.diffuse);
+  const Rgb specular = unit_color(m.specular);
+  model.specular_weight = unit(2 * max_component(specular));
+  model.specular_color = specular * (1 / max_component(specular));
+  model.specular_roughness = roughness_of(m.shininess);
+  return model;
+}
+
+/// Illumination models that refract: "transparency: glass on", with and without reflection.
+bool refracts(const tinyobj::material_t& m) {
+  const bool is_clear = m.dissolve < 1 || !is_black(unit_color(m.transmittance));
+  return is_clear && m.ior > 1 && (m.illum == 4 || m.illum == 6 || m.illum == 7 || m.illum == 9);
+}
+
+/// Those that mirror: "reflection: ray trace on".
+bool mirrors(const tinyobj::material_t& m) {
+  return (m.illum == 3 || m.illum == 5) && is_black(unit_color(m.diffuse)) && m.diffuse_texname.empty() &&
+         !is_black(unit_color(m.specular));
+}
+
+SurfaceModel model_of(const tinyobj::material_t& m) {
+  if (refracts(m)) {
+    Dielectric glass{.ior = std::min(m.ior, 10.0f)};
+    if (const Rgb color = unit_color(m.transmittance); !is_black(color)) glass.transmittance = color;
+    return glass;
+  }
+  if (is_physical(m)) return physical(m);
+  if (mirrors(m)) return Mirror{unit_color(m.specular)};
+  const bool shines = m.illum >= 2 && !is_black(unit_color(m.specular));
+  return shines ? SurfaceModel(glossy(m)) : SurfaceModel(Lambert{unit_color(m.diffuse)});
+}
+
+/// Heights are grey; normals point out of the surface, which is blue.
+bool shows_normals(const MipMap& map) {
+  const Rgb mean = map.level(map.levels() - 1).at(0, 0);
+  return mean.b > mean.r + 0.2f && mean.b > mean.g + 0.2f;
+}
+
+constexpr PictureMeaning colors{PictureRole::color, PictureChannels::color},
+    numbers{PictureRole::data, PictureChannels::number}, vectors{PictureRole::data, PictureChannels::color};
+
+}  // namespace
+
+void ObjMaterials::warn(const std::string& message) {
+  warnings_.add([&] { return Place{model_.material_file, 0, 0, "", 0}; }, message);
+}
+
+std::string ObjMaterials::path_of(const std::string& name) const {
+  return found_picture(path_of_name(with_slashes(name), model_.material_file), model_.material_file);
+}
+
+ObjSurface ObjMaterials::surface(int number) {
+  const auto made = made_.find(number);
+  if (made != made_.end()) return made->second;
+  ObjSurface surface;
+  if (number >= 0) {
+    surface = make(model_.materials[std::size_t(number)]);
+  } else {
+    surface.material = std::uint32_t(materials.size());
+    materials.push_back({"none", Lambert{}});
+  }
+  made_.emplace(number, surface);
+  return surface;
+}
+
+ObjSurface ObjMaterials::painted(const ObjSurface& surface, const ImageTexture& picture) {
+  Material material = materials[surface.material];
+  material.textures.push_back({MaterialInput::reflectance, std::uint32_t(textures.size())});
+  textures.push_back({"colors of vertices", picture});
+  ObjSurface result = surface;
+  result.material = std::uint32_t(materials.size());
+  materials.push_back(std::move(material));
+  return result;
+}
+
+bool ObjMaterials::is_textured(const ObjSurface& surface) const {
+  const Material& material = materials[surface.material];
+  const bool has_alpha =
+      surface.alpha != no_texture && !std::holds_alternative<ConstantTexture>(textures[surface.alpha].model);
+  return has_alpha || surface.picture || !material.textures.empty() || material.normal_map != no_texture ||
+         material.bump_map != no_texture;
+}
+
+ObjSurface ObjMaterials::make(const tinyobj::material_t& from) {
+  Material material{.name = from.name, .model = model_of(from)};
+  add_textures(from, material);
+  add_relief(from, material);
+  ObjSurface surface;
+  surface.alpha = alpha_of(from, material);
+  add_emission(from, surface);
+  surface.material = std::uint32_t(materials.size());
+  materials.push_back(std::move(material));
+  return surface;
+}
+
+void ObjMaterials::add_textures(const tinyobj::material_t& from, Material& to) {
+  const auto add = [&](const std::string& name, const tinyobj::texture_option_t& how,
+                       const PictureMeaning& meaning, MaterialInput input) {
+    if (!name.empty()) to.textures.push_back({input, picture(name, how, meaning)});
+  };
+  const bool is_principled = std::holds_alternative<Principled>(to.model);
+  if (is_principled || std::holds_alternative<Lambert>(to.model))
+    add(from.diffuse_texname, from.diffuse_texopt, colors, MaterialInput::reflectance);
+  if (is_principled) {
+    add(from.roughness_texname, from.roughness_texopt, numbers, MaterialInput::roughness);
+    add(from.metallic_texname, from.metallic_texopt, numbers, MaterialInput::base_metalness);
+    add(from.sheen_texname, from.sheen_texopt, numbers, MaterialInput::fuzz_weight);
+    if (!is_physical(from))
+      add(from.specular_texname, from.specular_texopt, colors, MaterialInput::specular_color);
+  }
+  if (!from.specular_highlight_texname.empty()) warn("pictures of the exponent (map_Ns) are left out");
+  if (!from.displacement_texname.empty()) warn("displacement (disp) is left out");
+  if (!from.reflection_texname.empty()) warn("pictures of reflections (refl) are left out");
+}
+
+void ObjMaterials::add_relief(const tinyobj::material_t& from, Material& to) {
+  const auto add_normals = [&](const std::string& name) {
+    LoadedTexture loaded = load_normal_map(path_of(name), options_);
+    if (!loaded.warning.empty()) warn(loaded.warning);
+    ImageTexture map{.image = loaded.image};
+    map.filter = TextureFilter::bilinear;
+    textures.push_back({name, map});
+    to.normal_map = std::uint32_t(textures.size() - 1);
+  };
+  if (!from.normal_texname.empty()) return add_normals(from.normal_texname);
+  if (from.bump_texname.empty()) return;
+  if (shows_normals(*load_texture(path_of(from.bump_texname), vectors, options_).image))
+    return add_normals(from.bump_texname);
+  const std::uint32_t height = picture(from.bump_texname, from.bump_texopt, numbers);
+  textures.push_back({"", ScaleTexture{height, number(from.bump_texopt.bump_multiplier)}});
+  to.bump_map = std::uint32_t(textures.size() - 1);
+}
+
+/// What refracts is whole: light goes through it as it is.
+std::uint32_t ObjMaterials::alpha_of(const tinyobj::material_t& from, const Material& made) {
+  if (std::holds_alternative<Dielectric>(made.model)) return no_texture;
+  const float dissolve = unit(from.dissolve);
+  if (from.alpha_texname.empty()) return dissolve < 1 ? number(dissolve) : no_texture;
+  const std::uint32_t alpha = picture(from.alpha_texname, from.alpha_texopt, numbers);
+  if (dissolve == 1) return alpha;
+  textures.push_back({"", ScaleTexture{alpha, number(dissolve)}});
+  return std::uint32_t(textures.size() - 1);
+}
+
+void ObjMaterials::add_emission(const tinyobj::material_t& from, ObjSurface& to) {
+  if (options_.surfaces_only) return;
+  const Rgb given = color_of(from.emission);
+  to.radiance = {std::max(given.r, 0.0f), std::max(given.g, 0.0f), std::max(given.b, 0.0f)};
+  if (from.emissive_texname.empty()) return;
+  const LoadedTexture loaded = load_texture(path_of(from.emissive_texname), colors, options_);
+  if (!loaded.warning.empty()) return warn(loaded.warning);
+  if (is_black(to.radiance)) to.radiance = {1, 1, 1};
+  to.picture = std::make_shared<const Image>(loaded.image->image(0));
+}
+
+std::uint32_t ObjMaterials::picture(const std::string& name, const tinyobj::texture_option_t& how,
+                                    const PictureMeaning& meaning) {
+  const LoadedTexture loaded = load_texture(path_of(name), meaning, options_);
+  if (!loaded.warning.empty()) warn(loaded.warning);
+  ImageTexture made{.image = loaded.image};
+  made.uv = {{{how.scale[0], 0, how.origin_offset[0]}, {0, how.scale[1], how.origin_offset[1]}}};
+  if (how.clamp) made.wrap = WrapMode::clamp;
+  textures.push_back({name, made});
+  return std::uint32_t(textures.size() - 1);
+}
+
+std::uint32_t ObjMaterials::number(float value) {
+  textures.push_back({"", ConstantTexture{{value, value, value}}});
+  return std::uint32_t(textures.size() - 1);
+}
+
+}  // namespace twinray

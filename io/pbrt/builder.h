@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gathers the shapes, lights and materials of a scene that is read from pbrt's format.
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/loaded_scene.h"
+#include "io/pbrt/camera.h"
+#include "io/pbrt/material.h"
+#include "io/pbrt/medium.h"
+#include "io/pbrt/shape.h"
+#include "io/pbrt/state.h"
+
+namespace twinray {
+
+class PbrtBuilder {
+ public:
+  explicit PbrtBuilder(PbrtContext& context) : context_(context), materials_(context), media_(context) {}
+
+  PbrtMaterials& materials() { return materials_; }
+  PbrtMedia& media() { return media_; }
+
+  void add_shape(const std::string& type, const PbrtParameters& parameters, const PbrtState& state);
+  void add_light(const std::string& type, const PbrtParameters& parameters, const PbrtState& state);
+
+  /// Shapes up to end_object() are parts of an object that instances show; the scene does not.
+  void begin_object(const std::string& name, const PbrtPlace& place);
+  void end_object() { object_ = nullptr; }
+  /// Shows an object's shapes. Throws Error where there is none of this name.
+  void add_instance(const std::string& name, const Transform& to_world, const PbrtPlace& place);
+
+  /// The scene, but for its camera, with all light times the exposure. Throws Error where a name was used
+  /// that nothing was given.
+  LoadedScene finish(float exposure);
+
+  static constexpr std::size_t max_triangles = std::size_t(1) << 28;
+
+ private:
+  /// A shape with what it is made of.
+  struct Part {
+    std::shared_ptr<const PbrtShape> shape;
+    Transform to_world;
+    bool is_reversed;
+    std::uint32_t material;
+    Rgb absorption;  ///< Within.
+    std::shared_ptr<const PbrtAreaLight> light;
+    std::uint32_t alpha;
+    PbrtPlace place;
+    std::uint32_t asset;  ///< The object that it belongs to, if any.
+  };
+  struct ShownAt {
+    Transform to_world;
+    PbrtPlace place;
+  };
+  /// What instances show, and where.
+  struct Object {
+    std::vector<Part> parts;
+    std::vector<ShownAt> shown;
+  };
+  /// Shapes in their places, what they wear, and what is within them.
+  struct Placed {
+    std::vector<Shape> shapes;
+    std::vector<ShapeBinding> bindings;
+    std::map<std::size_t, Rgb> absorptions;  ///< Within those shapes that have any.
+  };
+
+  void place(const Part& part, const Transform& to_world, Placed& placed);
+  /// Makes instances or copies of all objects; puts the shapes of the former behind all others.
+  Instancing place_objects();
+  void place_object(const Object& object, Placed& shared, Instancing& instancing);
+  /// Whether there are so many copies of an object that what does not emit is better stored once.
+  bool is_shared(const Object& object) const;
+
+  bool emits(const Part& part) const;
+  bool is_textured(std::uint32_t material) const;
+  /// Whether the shape's texture coordinates matter.
+  bool needs_uvs(const Part& part) const;
+  /// The shape; where textures need coordinates and it has none, with those that pbrt gives each triangle.
+  std::shared_ptr<const PbrtShape> with_uvs(const Part& part) const;
+  void add_emission(const Part& part, ShapeBinding& binding);
+  void check_room(const Part& part);
+  /// A light of a mesh, or of a sphere in its place, as an index into shape_lights_.
+  std::uint32_t add_shape_light(const std::string& name, const MeshLight& light);
+  std::uint32_t black();
+  /// Gives shapes with something in them materials of their own.
+  void fill_interiors();
+  /// Makes lights of shapes whose materials emit by themselves.
+  void add_glow();
+
+  PbrtContext& context_;
+  PbrtMaterials materials_;
+  PbrtMedia media_;
+  Placed placed_;  ///< All that stands in the scene directly and, at the end, what instances show.
+  std::vector<Light> shape_lights_, lights_;
+  std::map<std::string, Object> objects_;
+  Object* object_ = nullptr;         ///< The one that shapes belong to: the last of the assets.
+  std::vector<std::string> assets_;  ///< Names of the objects in their order.
+  PlacedShapes account_;
+  std::size_t triangles_ = 0;
+};
+
+}  // namespace twinray

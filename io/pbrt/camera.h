@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The camera, the film and the other statements before WorldBegin: how the scene is seen.
+#pragma once
+#include <string>
+
+#include "core/camera.h"
+#include "core/transform.h"
+#include "io/pbrt/context.h"
+#include "io/pbrt/parameters.h"
+#include "io/render_defaults.h"
+
+namespace twinray {
+
+/// The frame of a camera in its own units at distance 1, and its lens.
+struct PbrtCamera {
+  bool is_given = false;
+  Projection projection = Projection::perspective;
+  float fov_degrees = 90;         ///< Of the frame's shorter side.
+  float frame_aspect = 0;         ///< Width over height; 0: that of the film.
+  std::array<float, 4> window{};  ///< x and y from and to, in place of the frame's shape.
+  bool has_window = false;
+  float lens_radius = 0, focal_distance = 1e6f;
+  float exposure_seconds = 1;
+  Transform from_world;  ///< From world to camera space.
+  PbrtPlace place;
+};
+
+struct PbrtFilm {
+  RenderDefaults defaults;
+  float iso = 100;
+};
+
+PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters, const Transform& from_world,
+                       PbrtContext& context);
+PbrtFilm read_film(const std::string& type, const PbrtParameters& parameters, PbrtContext& context);
+/// Sets the samples per pixel.
+void read_sampler(const std::string& type, const PbrtParameters& parameters, RenderDefaults& defaults,
+                  PbrtContext& context);
+/// Sets the greatest number of scattering events.
+void read_integrator(const std::string& type, const PbrtParameters& parameters, RenderDefaults& defaults,
+                     PbrtContext& context);
+/// Sets the pixel filter.
+void read_filter(const std::string& type, const PbrtParameters& parameters, RenderDefaults& defaults,
+                 PbrtContext& context);
+
+/// The camera in the world. Throws Error where its transform flattens.
+Camera place_camera(const PbrtCamera& camera, const RenderDefaults& film, PbrtContext& context);
+
+}  // namespace twinray

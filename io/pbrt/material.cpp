@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt/material.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "core/elementary.h"
+#include "core/microfacet.h"
+#include "core/radiance.h"
+#include "core/textured_material.h"
+#include "io/pbrt/spectrum.h"
+
+namespace twinray {
+namespace {
+
+/// Names of inputs that are not pbrt's own, or stand for others; all else is called as in core/material.h.
+struct InputAlias {
+  std::string_view name;
+  MaterialInput input;
+};
+constexpr InputAlias input_aliases[] = {{"base_color", MaterialInput::reflectance},
+                                        {"specular_roughness", MaterialInput::roughness},
+                                        {"conductor.eta", MaterialInput::eta},
+                                        {"conductor.k", MaterialInput::k}};
+
+std::optional<MaterialInput> input_named(std::string_view name) {
+  for (const InputAlias& alias : input_aliases)
+    if (alias.name == name) return alias.input;
+  for (int i = 0; i < material_inputs; ++i)
+    if (input_name(MaterialInput(i)) == name) return MaterialInput(i);
+  return std::nullopt;
+}
+
+/// Reads the inputs of a material, each a value or a texture.
+struct Inputs {
+  const PbrtParameters& parameters;
+  PbrtTextures& textures;
+  PbrtContext& context;
+  std::vector<TextureUse>& uses;  ///< Textures that the model's inputs have.
+
+  bool has(const std::string& name) const { return parameters.find(name.c_str()) != nullptr; }
+
+  Rgb color(const char* name, const Rgb& fallback, ColorRole role = ColorRole::reflectance) const {
+    const PbrtParameter* found = parameters.find(name);
+    if (!found) return fallback;
+    if (found->type != PbrtType::texture) return color_of(parameters, *found, role, context.files);
+    const Rgb mean = use(*found, input_named(name)).mean;
+    if (role != ColorRole::reflectance) return mean;
+    return {std::clamp(mean.r, 0.0f, 1.0f), std::clamp(mean.g, 0.0f, 1.0f), std::clamp(mean.b, 0.0f, 1.0f)};
+  }
+
+  float number(const char* name, float fallback) const {
+    const PbrtParameter* found = parameters.find(name);
+    if (!found || found->type != PbrtType::texture) return parameters.real(name, fallback);
+    return use(*found, input_named(name)).mean.r;
+  }
+
+  /// A metal's k by its "reflectance".
+  Rgb k_of_reflectance(const PbrtParameter& reflectance) const {
+    if (reflectance.type != PbrtType::texture)
+      return metal_k(color_of(parameters, reflectance, ColorRole::reflectance, context.files));
+    return metal_k(use(reflectance, MaterialInput::k, InputMeaning::metal_reflectance).mean);
+  }
+
+  /// An index of refraction; of a spectrum the mean as the eye weighs it.
+  float ior(const char* name) const {
+    const PbrtParameter* found = parameters.find(name);
+    if (!found) return 1.5f;
+    const float value = luminance(color_of(parameters, *found, ColorRole::unbounded, context.files));
+    if (!(value > 0 && value <= 100))
+      found->place.fail(fmt::format("\"{}\" is {:g}; an index of refraction lies in (0, 100]", name, value));
+    return value;
+  }
+
+  /// The width of microfacets, of "roughness", "uroughness" and "vroughness" and what stands before these
+  /// ("interface."). `input`: the model's.
+  Roughness roughness(const std::string& prefix = "", MaterialInput input = MaterialInput::roughness) const {
+    const PbrtParameter* both = parameters.find((prefix + "roughness").c_str());
+    const PbrtParameter* u = parameters.find((prefix + "uroughness").c_str());
+    const PbrtParameter* v = parameters.find((prefix + "vroughness").c_str());
+    const auto next = [&](int steps) { return MaterialInput(int(input) + steps); };
+    const bool is_even = !u && !v;
+    const float x = axis(u ? u : both, is_even ? input : next(1));
+    const float y = is_even ? x : axis(v ? v : both, next(2));
+    return std::max(x, y) < least_alpha ? Roughness{} : Roughness{x, y};
+  }
+
+ private:
+  const PbrtTextures::Named& use(const PbrtParameter& parameter, std::optional<MaterialInput> input,
+                                 InputMeaning meaning = InputMeaning::value) const {
+    const PbrtTextures::Named& texture = textures.named(parameters, parameter);
+    if (input)
+      uses.push_back({*input, texture.index, meaning});
+    else
+      parameter.place.warn(
+          context.warnings,
+          fmt::format("a texture of \"{}\" is not rendered here: its mean stands for it", parameter.name));
+    return texture;
+  }
+
+  /// The alpha of a roughness along one axis.
+  float axis(const PbrtParameter* found, MaterialInput input) const {
+    const bool is_remapped = parameters.flag("remaproughness", true);
+    const auto meaning = is_remapped ? InputMeaning::squared_roughness : InputMeaning::value;
+    if (!found) return 0;
+    const bool is_texture = found->type == PbrtType::texture;
+    const float roughness =
+        is_texture ? use(*found, input, meaning).mean.r : parameters.real(found->name.c_str(), 0);
+    if (!(roughness >= 0 && roughness <= 1))
+      parameters.place().warn(
+          context.warnings,
+          fmt::format("a roughness of {:g} is taken as the nearest one in [0, 1]", roughness));
+    const float in_range = std::clamp(roughness, 0.0f, 1.0f);
+    return is_remapped ? alpha_of_roughness(in_range) : in_range;
+  }
+};
+
+constexpr Rgb half{0.5f, 0.5f, 0.5f}, quarter{0.25f, 0.25f, 0.25f};
+
+SurfaceModel read_diffuse(const Inputs& in) { return Lambert{in.color("reflectance", half)}; }
+
+struct Metal {
+  Rgb eta, k;
+};
+
+/// Copper where nothing is said.
+Metal read_metal(const Inputs& in, const std::string& prefix) {
+  const std::string eta = prefix + "eta", k = prefix + "k";
+  if (in.has("reflectance")) {
+    if (in.has(eta) || in.has(k))
+      in.parameters.find("reflectance")
+          ->place.fail("a metal has \"reflectance\" or \"eta\" and \"k\", not both");
+    return {{1, 1, 1}, in.k_of_reflectance(*in.parameters.find("reflectance"))};
+  }
+  return {in.color(eta.c_str(), named_spectrum("metal-Cu-eta")->color, ColorRole::unbounded),
+          in.color(k.c_str(), named_spectrum("metal-Cu-k")->color, ColorRole::unbounded)};
+}
+
+SurfaceModel read_conductor(const Inputs& in) {
+  const Metal metal = read_metal(in, "");
+  return Conductor{metal.eta, metal.k, in.roughness()};
+}
+
+SurfaceModel read_dielectric(const Inputs& in) { return Dielectric{in.ior("eta"), in.roughness()}; }
+
+SurfaceModel read_thin(const Inputs& in) {
+  Dielectric sheet{in.ior("eta")};
+  sheet.is_thin = true;
+  return sheet;
+}
+
+/// What lies between the layers of a coated material.
+void read_between(const Inputs& in) {
+  for (const char* known : {"thickness", "g", "maxdepth", "nsamples"}) in.parameters.find(known);
+  if (!is_black(in.color("albedo", {})))
+    in.parameters.find("albedo")->place.warn(in.context.warnings,
+                                             "what scatters between the layers is not rendered");
+}
+
+SurfaceModel read_coated_diffuse(const Inputs& in) {
+  read_between(in);
+  return CoatedDiffuse{in.color("reflectance", half), in.roughness(), in.ior("eta")};
+}
+
+SurfaceModel read_coated_conductor(const Inputs& in) {
+  read_between(in);
+  const Metal metal = read_metal(in, "conductor.");
+  CoatedConductor coated{metal.eta, metal.k, in.roughness("conductor.")};
+  coated.coat_roughness = in.roughness("interface.", MaterialInput::coat_roughness);
+  coated.coat_ior = in.ior("interface.eta");
+  return coated;
+}
+
+/// Where reflectance and transmittance sum up to more than 1, both are made smaller.
+SurfaceModel read_transmission(const Inputs& in) {
+  const float scale = in.parameters.real("scale", 1, {0, 1e6});
+  DiffuseTransmission sheet{in.color("reflectance", quarter) * scale,
+                            in.color("transmittance", quarter) * scale};
+  const float most = max_component(sheet.reflectance + sheet.transmittance);
+  if (most > 1) {
+    in.parameters.place().warn(
+        in.context.warnings,
+        fmt::format("this surface would scatter {:g} of the light; it scatters all of it", most));
+    sheet.reflectance = sheet.reflectance / most, sheet.transmittance = sheet.transmittance / most;
+  }
+  return sheet;
+}
+
+struct PrincipledWeight {
+  const char* name;
+  float Principled::*member;
+  float most = 1;
+};
+constexpr PrincipledWeight principled_weights[] = {
+    {"base_weight", &Principled::base_weight},
+    {"base_diffuse_roughness", &Principled::base_diffuse_roughness},
+    {"base_metalness", &Principled::base_metalness},
+    {"specular_weight", &Principled::specular_weight},
+    {"specular_roughness", &Principled::specular_roughness},
+    {"specular_roughness_anisotropy", &Principled::specular_roughness_anisotropy},
+    {"transmission_weight", &Principled::transmission_weight},
+    {"transmission_depth", &Principled::transmission_depth, 1e9f},
+    {"coat_weight", &Principled::coat_weight},
+    {"coat_roughness", &Principled::coat_roughness},
+    {"coat_darkening", &Principled::coat_darkening},
+    {"fuzz_weight", &Principled::fuzz_weight},
+    {"fuzz_roughness", &Principled::fuzz_roughness},
+    // Blue light of this luminance is as bright as a picture can hold.
+    {"emission_luminance", &Principled::emission_luminance, 0.0722f * max_radiance}};
+
+struct PrincipledColor {
+  const char* name;
+  Rgb Principled::*member;
+};
+constexpr PrincipledColor principled_colors[] = {{"base_color", &Principled::base_color},
+                                                 {"specular_color", &Principled::specular_color},
+                                                 {"transmission_color", &Principled::transmission_color},
+                                                 {"coat_color", &Principled::coat_color},
+                                                 {"fuzz_color", &Principled::fuzz_color},
+                                                 {"emission_color", &Principled::emission_color}};
+
+/// OpenPBR's surface: not one of pbrt's materials.
+SurfaceModel read_principled(const Inputs& in) {
+  Principled model;
+  for (const auto& [name, member, most] : principled_weights) {
+    model.*member = in.number(name, model.*member);
+    if (!(model.*member >= 0 && model.*member <= most))
+      in.parameters.find(name)->place.fail(
+          fmt::format("\"{}\" is {:g}; it lies in [0, {:g}]", name, model.*member, most));
+  }
+  for (const auto& [name, member] : principled_colors) model.*member = in.color(name, model.*member);
+  if (in.has("specular_ior")) model.specular_ior = in.ior("specular_ior");
+  if (in.has("coat_ior")) model.coat_ior = std::max(1.0f, in.ior("coat_ior"));
+  model.geometry_thin_walled = in.parameters.flag("geometry_thin_walled", false);
+  return model;
+}
+
+/// What a clear surface of a colour and a depth absorbs within, per unit of length.
+Rgb absorption_within(const Principled& model) {
+  if (model.transmission_depth == 0) return {};
+  constexpr float least = 1e-4f;
+  const auto channel = [&](float c) { return -log_of(std::max(c, least)) / model.transmission_depth; };
+  const Rgb& color = model.transmission_color;
+  return {std::max(0.0f, channel(color.r)), std::max(0.0f, channel(color.g)),
+          std::max(0.0f, channel(color.b))};
+}
+
+SurfaceModel instead(const Inputs& in, const char* what, const char* shown, const SurfaceModel& model) {
+  in.parameters.place().warn(in.context.warnings,
+                             fmt::format("{} is not rendered; {} stands for it", what, shown));
+  return model;
+}
+
+SurfaceModel read_subsurface(const Inputs& in) {
+  for (const char* known : {"sigma_a", "sigma_s", "mfp", "g", "scale", "name"}) in.parameters.find(known);
+  const Rgb pale{0.8f, 0.8f, 0.8f};
+  return instead(
+      in, "light below a surface (subsurface)", "a coated diffuse surface",
+      CoatedDiffuse{in.color("reflectance", pale), in.roughness(), in.has("eta") ? in.ior("eta") : 1.33f});
+}
+
+SurfaceModel read_hair(const Inputs& in) {
+  for (const char* known : {"sigma_a", "eumelanin", "pheomelanin", "eta", "beta_m", "beta_n", "alpha"})
+    in.parameters.find(known);
+  const Rgb brown{0.2f, 0.12f, 0.08f};
+  return instead(in, "hair", "a diffuse surface", Lambert{in.color("reflectance", in.color("color", brown))});
+}
+
+SurfaceModel read_measured(const Inputs& in) {
+  in.parameters.find("filename");
+  return instead(in, "a measured material", "a diffuse surface of 0.5", Lambert{half});
+}
+
+struct Reader {
+  std::string_view type;
+  SurfaceModel (*read)(const Inputs&);
+};
+constexpr std::array<Reader, 11> readers{{{"diffuse", read_diffuse},
+                                          {"conductor", read_conductor},
+                                          {"dielectric", read_dielectric},
+                                          {"thindielectric", read_thin},
+                                          {"coateddiffuse", read_coated_diffuse},
+                                          {"coatedconductor", read_coated_conductor},
+                                          {"diffusetransmission", read_transmission},
+                                          {"openpbr", read_principled},
+                                          {"subsurface", read_subsurface},
+                                          {"hair", read_hair},
+                                          {"measured", read_measured}}};
+
+SurfaceModel read_model(const std::string& type, const Inputs& in) {
+  const auto reader =
+      std::find_if(readers.begin(), readers.end(), [&](const Reader& r) { return r.type == type; });
+  if (reader != readers.end()) return reader->read(in);
+  std::vector<std::string_view> names;
+  for (const Reader& each : readers) names.push_back(each.type);
+  for (const char* name : {"mix", "interface"}) names.push_back(name);
+  in.parameters.place().fail(
+      fmt::format("there is no material \"{}\"; valid are {}", type, list_names(names)));
+}
+
+}  // namespace
+
+PbrtMaterials::PbrtMaterials(PbrtContext& context) : textures(context), context_(context) {
+  new_entry("default", {});
+}
+
+std::uint32_t PbrtMaterials::new_entry(const std::string& name, const Entry& entry) {
+  materials.push_back({name});
+  entries_.push_back(entry);
+  return std::uint32_t(materials.size() - 1);
+}
+
+std::uint32_t PbrtMaterials::add(const std::string& type, const PbrtParameters& parameters) {
+  const std::uint32_t index = new_entry(fmt::format("{}, line {}", type, parameters.place().line), {});
+  make(index, type, parameters);
+  return index;
+}
+
+void PbrtMaterials::add_named(const std::string& name, const PbrtParameters& parameters) {
+  const auto known = named_.find(name);
+  if (known != named_.end() && entries_[known->second].is_made)
+    parameters.place().fail(fmt::format("the material \"{}\" is made a second time", name));
+  const std::string type = parameters.text("type", "");
+  if (type.empty()) parameters.place().fail("MakeNamedMaterial needs the kind of material, \"string type\"");
+  const std::uint32_t index = known != named_.end() ? known->second : new_entry(name, {});
+  named_[name] = index;
+  entries_[index].is_made = true;
+  make(index, type, parameters);
+}
+
+std::uint32_t PbrtMaterials::named(const std::string& name, const PbrtPlace& place) {
+  const auto known = named_.find(name);
+  if (known != named_.end()) return known->second;
+  return named_[name] = new_entry(name, {false, false, place});
+}
+
+void PbrtMaterials::check_all_made() const {
+  std::vector<std::string_view> made;
+  for (const auto& [name, index] : named_)
+    if (entries_[index].is_made) made.push_back(name);
+  for (const auto& [name, index] : named_) {
+    if (entries_[index].is_made) continue;
+    const std::string nearest = nearest_name(name, made);
+    entries_[index].first_use.fail(
+        fmt::format("no MakeNamedMaterial makes \"{}\"{}", name,
+                    nearest.empty() ? "" : fmt::format("; \"{}\" is the nearest one", nearest)));
+  }
+}
+
+void PbrtMaterials::make(std::uint32_t index, const std::string& type, const PbrtParameters& parameters) {
+  std::vector<TextureUse> uses;
+  const Inputs in{parameters, textures, context_, uses};
+  if (type == "interface" || type == "none" || type.empty())
+    entries_[index].is_interface = true, materials[index].model = Interface{};
+  else if (type == "mix")
+    materials[index].model = read_mix(index, in.number("amount", 0.5f), parameters);
+  else
+    materials[index].model = read_model(type, in);
+  materials[index].textures = std::move(uses);
+  if (lets_light_in(materials[index].model))
+    materials[index].interior.priority = parameters.integer("priority", 0, {0, 1e6});
+  if (const auto* model = std::get_if<Principled>(&materials[index].model); model && lets_light_in(*model))
+    materials[index].interior.absorption = absorption_within(*model);
+  materials[index].normal_map = textures.normal_map(parameters);
+  materials[index].bump_map = textures.bump_map(parameters);
+  parameters.warn_of_unused(context_.warnings);
+}
+
+Mix PbrtMaterials::read_mix(std::uint32_t index, float amount, const PbrtParameters& parameters) {
+  const std::span<const std::string> names = parameters.texts("materials");
+  if (names.size() != 2) parameters.place().fail("a mix needs two names in \"string materials\"");
+  std::array<std::uint32_t, 2> indices{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto known = named_.find(names[i]);
+    if (known == named_.end() || !entries_[known->second].is_made || known->second >= index)
+      parameters.find("materials")
+          ->place.fail(fmt::format("a mix is of materials that are made before it; \"{}\" is not", names[i]));
+    if (is_interface(known->second))
+      parameters.find("materials")
+          ->place.fail(fmt::format("\"{}\" is an interface, which cannot be mixed", names[i]));
+    indices[i] = known->second;
+  }
+  return {indices[0], indices[1], std::clamp(amount, 0.0f, 1.0f)};
+}
+
+}  // namespace twinray

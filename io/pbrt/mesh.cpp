@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt/mesh.h"
+
+#include <fmt/format.h>
+
+#include "io/pbrt/quadric.h"
+#include "io/ply/reader.h"
+
+namespace twinray {
+namespace {
+
+std::vector<Vec3> triples(std::span<const float> numbers) {
+  std::vector<Vec3> list;
+  list.reserve(numbers.size() / 3);
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+    list.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+  return list;
+}
+
+std::vector<Vec2> pairs(std::span<const float> numbers) {
+  std::vector<Vec2> list;
+  list.reserve(numbers.size() / 2);
+  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) list.push_back({numbers[i], numbers[i + 1]});
+  return list;
+}
+
+/// Leaves out a list that has not one value for each position.
+template <typename Value>
+void check_length(std::vector<Value>& values, std::size_t positions, const char* name,
+                  const PbrtParameters& parameters, WarningList& warnings) {
+  if (values.empty() || values.size() == positions) return;
+  parameters.find(name)->place.warn(
+      warnings,
+      fmt::format("\"{}\" has {} values for {} positions; it is left out", name, values.size(), positions));
+  values.clear();
+}
+
+Mesh read_vertices(const PbrtParameters& parameters, WarningList& warnings) {
+  Mesh mesh;
+  mesh.positions = triples(parameters.tuples("P", 3));
+  if (mesh.positions.empty()) parameters.place().fail("this shape needs its positions, \"point3 P\"");
+  mesh.normals = triples(parameters.tuples("N", 3));
+  mesh.uvs = pairs(parameters.tuples("uv", 2));
+  for (const char* unused : {"S", "faceIndices"}) parameters.find(unused);  // nothing rendered needs them
+  check_length(mesh.normals, mesh.positions.size(), "N", parameters, warnings);
+  check_length(mesh.uvs, mesh.positions.size(), "uv", parameters, warnings);
+  return mesh;
+}
+
+/// Indices in groups of `corners`, checked; the first group of positions where there are just as many.
+std::vector<std::uint32_t> read_indices(const PbrtParameters& parameters, const Mesh& mesh,
+                                        std::size_t corners) {
+  const std::span<const std::int32_t> given = parameters.integers("indices");
+  std::vector<std::uint32_t> indices(given.begin(), given.end());
+  if (given.empty() && mesh.positions.size() == corners)
+    for (std::uint32_t i = 0; i < corners; ++i) indices.push_back(i);
+  if (indices.empty())
+    parameters.place().fail(fmt::format("this shape of {} positions needs \"integer indices\", {} a face",
+                                        mesh.positions.size(), corners));
+  if (indices.size() % corners != 0)
+    parameters.find("indices")->place.fail(
+        fmt::format("{} indices are not {} a face", indices.size(), corners));
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    if (indices[i] >= mesh.positions.size())
+      parameters.find("indices")->place.fail(
+          fmt::format("the index {} (number {}) is out of range; valid are 0 to {}", std::int32_t(indices[i]),
+                      i + 1, mesh.positions.size() - 1));
+  return indices;
+}
+
+}  // namespace
+
+Mesh read_triangle_mesh(const PbrtParameters& parameters, WarningList& warnings) {
+  Mesh mesh = read_vertices(parameters, warnings);
+  const std::vector<std::uint32_t> indices = read_indices(parameters, mesh, 3);
+  mesh.triangles.reserve(indices.size() / 3);
+  for (std::size_t i = 0; i < indices.size(); i += 3)
+    mesh.triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
+  return mesh;
+}
+
+Mesh read_bilinear_mesh(const PbrtParameters& parameters, WarningList& warnings) {
+  Mesh mesh = read_vertices(parameters, warnings);
+  if (const PbrtParameter* picture = parameters.find("emissionfilename"))
+    picture->place.warn(warnings, "\"emissionfilename\" is not rendered: the patch emits evenly");
+  const std::vector<std::uint32_t> indices = read_indices(parameters, mesh, 4);
+  for (std::size_t i = 0; i < indices.size(); i += 4)
+    add_bilinear_patch({indices[i], indices[i + 1], indices[i + 2], indices[i + 3]}, mesh);
+  return mesh;
+}
+
+Mesh read_loop_mesh(const PbrtParameters& parameters, WarningList& warnings) {
+  for (const char* unused : {"levels", "scheme"}) parameters.find(unused);
+  parameters.place().warn(warnings, "subdivision is not rendered: loopsubdiv shows its control mesh");
+  return read_triangle_mesh(parameters, warnings);
+}
+
+Mesh read_ply_file(const PbrtParameters& parameters, PbrtContext& context) {
+  const std::string name = parameters.text("filename", "");
+  if (name.empty()) parameters.place().fail("a plymesh needs its file, \"string filename\"");
+  if (const PbrtParameter* displacement = parameters.find("displacement"))
+    displacement->place.warn(context.warnings, "displacement is not rendered: the mesh stays as it is");
+  parameters.find("edgelength");  // of displacement
+  const PbrtPlace& place = parameters.find("filename")->place;
+  const std::string path = context.files.path(place, name);
+  const std::string bytes = context.files.bytes(place, path);
+  try {
+    PlyMesh ply = read_ply(bytes, path);
+    if (ply.flat_faces > 0)
+      place.warn(context.warnings, fmt::format("{}: {} faces have less than three corners, and are left out",
+                                               path, ply.flat_faces));
+    return std::move(ply.mesh);
+  } catch (const Error& error) {
+    place.fail(error.what());
+  }
+}
+
+}  // namespace twinray

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shapes that are lists of vertices and indices: their parameters, checked.
+#pragma once
+#include "core/geometry.h"
+#include "io/pbrt/context.h"
+#include "io/pbrt/parameters.h"
+
+namespace twinray {
+
+// Each gives a mesh without indices of normals and uvs: they are those of the positions. Throws Error where
+// positions are missing or not enough, or an index is out of range.
+
+Mesh read_triangle_mesh(const PbrtParameters& parameters, WarningList& warnings);
+Mesh read_bilinear_mesh(const PbrtParameters& parameters, WarningList& warnings);
+/// The control mesh of a subdivision surface, with a warning.
+Mesh read_loop_mesh(const PbrtParameters& parameters, WarningList& warnings);
+
+/// The mesh in the file that a plymesh names.
+Mesh read_ply_file(const PbrtParameters& parameters, PbrtContext& context);
+
+}  // namespace twinray

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// What holds for the statements that follow: pbrt's graphics state, which AttributeBegin saves.
+#pragma once
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/pbrt/light.h"
+#include "io/pbrt/parser.h"
+#include "io/pbrt/transform.h"
+
+namespace twinray {
+
+/// What Attribute statements give defaults to.
+enum class PbrtTarget { shape, light, material, medium, texture };
+
+struct PbrtState {
+  Transform transform;  ///< From object to world space (before WorldBegin: from world to camera space).
+  bool is_start_active = true;  ///< Transforms change it; else only what motion would end with.
+  bool is_reversed = false;
+  std::uint32_t material = 0;
+  Rgb absorption_inside, absorption_outside;  ///< Of closed shapes (MediumInterface).
+  std::shared_ptr<const PbrtAreaLight> area_light;
+  PbrtColorSpace color_space = PbrtColorSpace::srgb;
+  std::array<std::shared_ptr<const PbrtParameters>, 5> defaults;  ///< By PbrtTarget.
+};
+
+/// The state, those that were saved, and the coordinate systems that have a name.
+class PbrtStates {
+ public:
+  PbrtState& now() { return now_; }
+  const PbrtState& now() const { return now_; }
+
+  /// Changes the transform as a statement says, and returns whether the statement is one that does. Throws
+  /// Error where it means no transform.
+  bool take_transform(const PbrtStatement& statement, WarningList& warnings);
+  /// Adds an Attribute statement's parameters to the defaults of what it names.
+  void add_defaults(const PbrtStatement& statement);
+  const std::shared_ptr<const PbrtParameters>& defaults(PbrtTarget target) const {
+    return now_.defaults[std::size_t(target)];
+  }
+
+  /// Saves the state for the statement that ends what this one begins.
+  void begin(const PbrtStatement& statement);
+  /// Goes back to the state that `begins` (a statement's name) saved. Throws Error where it was another one,
+  /// or none.
+  void end(const PbrtStatement& statement, PbrtDirective begins);
+  /// Throws Error, at the statement that saved it, where a state was not gone back to.
+  void check_ended() const;
+
+  /// Names the space of a camera whose transform from world to camera space is the present one.
+  void name_camera();
+  /// The transform is the identity from here on, and the world has this space.
+  void begin_world();
+
+ private:
+  struct Saved {
+    PbrtState state;
+    PbrtDirective directive;
+    std::string_view name;
+    PbrtPlace place;
+  };
+
+  PbrtState now_;
+  std::vector<Saved> saved_;
+  std::map<std::string, Transform> systems_;
+};
+
+}  // namespace twinray

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt/texture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "io/pbrt/spectrum.h"
+#include "io/picture/texture_file.h"
+
+namespace twinray {
+namespace {
+
+constexpr std::array<std::string_view, 13> classes{
+    "constant", "scale", "mix",    "directionmix", "imagemap", "checkerboard", "dots",
+    "bilerp",   "fbm",   "marble", "windy",        "wrinkled", "ptex"};
+
+/// Words with what they stand for; the first one is pbrt's default.
+template <typename Value>
+struct Word {
+  std::string_view word;
+  Value value;
+};
+
+template <typename Value, std::size_t n>
+Value word_of(const PbrtParameters& parameters, const char* name, const std::array<Word<Value>, n>& words) {
+  const std::string text = parameters.text(name, std::string(words[0].word));
+  std::vector<std::string_view> known;
+  for (const auto& [word, value] : words) {
+    if (word == text) return value;
+    known.push_back(word);
+  }
+  parameters.find(name)->place.fail(
+      fmt::format("there is no {} \"{}\"; valid are {}", name, text, list_names(known)));
+}
+
+constexpr std::array<Word<TextureFilter>, 4> filters{{{"bilinear", TextureFilter::bilinear},
+                                                      {"trilinear", TextureFilter::trilinear},
+                                                      {"EWA", TextureFilter::trilinear},
+                                                      {"point", TextureFilter::nearest}}};
+constexpr std::array<Word<WrapMode>, 4> wraps{{{"repeat", WrapMode::repeat},
+                                               {"clamp", WrapMode::clamp},
+                                               {"black", WrapMode::black},
+                                               {"octahedralsphere", WrapMode::clamp}}};
+
+Rgb lerp(const Rgb& a, const Rgb& b, const Rgb& amount) { return a + (b - a) * amount; }
+
+}  // namespace
+
+void PbrtTextures::define(const std::string& name, const std::string& type, const std::string& texture_class,
+                          const PbrtParameters& parameters) {
+  if (type != "float" && type != "spectrum")
+    parameters.place().fail(
+        fmt::format("the texture \"{}\" is of type \"{}\"; valid are float and spectrum", name, type));
+  if (std::find(classes.begin(), classes.end(), texture_class) == classes.end())
+    parameters.place().fail(
+        fmt::format("there is no texture class \"{}\"; valid are {}", texture_class, list_names(classes)));
+  if (named_.count(name) > 0)
+    parameters.place().warn(
+        context_.warnings,
+        fmt::format("the texture \"{}\" is defined a second time; the last one counts", name));
+  const bool is_number = type == "float";
+  const Named made =
+      make(texture_class, parameters, is_number ? PictureChannels::number : PictureChannels::color);
+  textures[made.index].name = name;
+  named_[name] = made;
+  parameters.warn_of_unused(context_.warnings);
+}
+
+PbrtTextures::Named PbrtTextures::add(const TextureModel& model, const Rgb& mean) {
+  textures.push_back({"", model});
+  return {std::uint32_t(textures.size() - 1), mean};
+}
+
+PbrtTextures::Named PbrtTextures::instead(const Rgb& mean, const PbrtParameters& parameters,
+                                          const char* why) {
+  parameters.place().warn(context_.warnings, fmt::format("{}: the texture's mean stands for it", why));
+  return constant(mean);
+}
+
+PbrtTextures::Named PbrtTextures::value(const PbrtParameters& parameters, const char* name, float fallback) {
+  const PbrtParameter* found = parameters.find(name);
+  if (!found) return constant({fallback, fallback, fallback});
+  if (found->type == PbrtType::texture) return named(parameters, *found);
+  return constant(color_of(parameters, *found, ColorRole::unbounded, context_.files));
+}
+
+std::uint32_t PbrtTextures::normal_map(const PbrtParameters& parameters) {
+  const std::string name = parameters.text("normalmap", "");
+  if (name.empty()) return no_texture;
+  const PbrtPlace& place = parameters.find("normalmap")->place;
+  LoadedTexture loaded =
+      load_normal_map(context_.files.is_disk() ? context_.files.path(place, name) : "", context_.options);
+  if (!loaded.warning.empty()) place.warn(context_.warnings, loaded.warning);
+  ImageTexture picture{.image = loaded.image};
+  picture.filter = TextureFilter::bilinear;
+  return add(picture, {0.5f, 0.5f, 1}).index;
+}
+
+std::uint32_t PbrtTextures::bump_map(const PbrtParameters& parameters) {
+  const PbrtParameter* found = parameters.find("displacement");
+  if (!found) return no_texture;
+  if (found->type == PbrtType::texture) return named(parameters, *found).index;
+  parameters.real("displacement", 0);
+  return no_texture;
+}
+
+std::uint32_t PbrtTextures::alpha(const PbrtParameters& parameters) {
+  const PbrtParameter* found = parameters.find("alpha");
+  if (!found) return no_texture;
+  if (found->type == PbrtType::texture) return named(parameters, *found).index;
+  const float alpha = parameters.real("alpha", 1);
+  return alpha >= 1 ? no_texture : constant({alpha, alpha, alpha}).index;
+}
+
+bool PbrtTextures::is_at_most(std::uint32_t texture, float number) const {
+  const auto* constant = std::get_if<ConstantTexture>(&textures[texture].model);
+  return constant && !(constant->value.r > number);
+}
+
+/// Of the mappings only that by the surface's coordinates is there.
+UvTransform PbrtTextures::read_mapping(const PbrtParameters& parameters) {
+  const float u = parameters.real("uscale", 1), v = parameters.real("vscale", 1);
+  const float du = parameters.real("udelta", 0), dv = parameters.real("vdelta", 0);
+  for (const char* unused : {"v1", "v2"}) parameters.find(unused);
+  const std::string mapping = parameters.text("mapping", "uv");
+  if (mapping != "uv")
+    parameters.find("mapping")->place.warn(
+        context_.warnings,
+        fmt::format("the mapping \"{}\" is not rendered: the surface's own coordinates are used", mapping));
+  return {{{u, 0, du}, {0, v, dv}}};
+}
+
+PbrtTextures::Named PbrtTextures::make(const std::string& texture_class, const PbrtParameters& parameters,
+                                       PictureChannels channels) {
+  if (texture_class == "constant") return value(parameters, "value", 1);
+  if (texture_class == "imagemap") return read_picture(parameters, channels);
+  if (texture_class == "scale") {
+    const Named tex = value(parameters, "tex", 1), scale = value(parameters, "scale", 1);
+    return add(ScaleTexture{tex.index, scale.index}, tex.mean * scale.mean);
+  }
+  if (texture_class == "mix" || texture_class == "directionmix") {
+    const Named first = value(parameters, "tex1", 0), second = value(parameters, "tex2", 1);
+    const Named amount = value(parameters, "amount", 0.5f);
+    parameters.find("dir");
+    const Rgb mean = lerp(first.mean, second.mean, amount.mean);
+    if (texture_class == "directionmix")
+      return instead(mean, parameters, "a mix by direction is not rendered");
+    return add(MixTexture{first.index, second.index, amount.index}, mean);
+  }
+  const UvTransform uv = read_mapping(parameters);
+  if (texture_class == "checkerboard") {
+    const Named first = value(parameters, "tex1", 1), second = value(parameters, "tex2", 0);
+    const Rgb mean = (first.mean + second.mean) * 0.5f;
+    if (parameters.integer("dimension", 2, {2, 3}) == 3)
+      return instead(mean, parameters, "a checkerboard of cubes is not rendered");
+    return add(CheckerboardTexture{first.index, second.index, uv}, mean);
+  }
+  for (const char* known : {"inside", "outside", "v00", "v01", "v10", "v11", "octaves", "roughness", "scale",
+                            "variation", "filename", "encoding"})
+    parameters.find(known);
+  return instead({0.5f, 0.5f, 0.5f}, parameters, "this pattern is not rendered");
+}
+
+PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters, PictureChannels channels) {
+  ImageTexture picture;
+  picture.uv = read_mapping(parameters);
+  picture.filter = word_of(parameters, "filter", filters);
+  picture.wrap = word_of(parameters, "wrap", wraps);
+  parameters.find("maxanisotropy");
+  const std::string name = parameters.text("filename", "");
+  if (name.empty()) parameters.place().fail("an imagemap needs its picture, \"string filename\"");
+  const PbrtPlace& place = parameters.find("filename")->place;
+  const bool is_data = parameters.text("encoding", "sRGB") == "linear";
+  const std::string path = context_.files.is_disk() ? context_.files.path(place, name) : "";
+  LoadedTexture loaded =
+      load_texture(path, {is_data ? PictureRole::data : PictureRole::color, channels}, context_.options);
+  if (!loaded.warning.empty()) place.warn(context_.warnings, loaded.warning);
+  picture.image = loaded.image;
+  const MipMap& map = *loaded.image;
+  const Rgb mean = map.level(map.levels() - 1).at(0, 0);
+  const Named read = add(picture, mean);
+  const float scale = parameters.real("scale", 1);
+  const Named scaled =
+      scale == 1 ? read : add(ScaleTexture{read.index, constant({scale, scale, scale}).index}, mean * scale);
+  if (!parameters.flag("invert", false)) return scaled;
+  const Rgb inverted{1 - scaled.mean.r, 1 - scaled.mean.g, 1 - scaled.mean.b};
+  return instead(inverted, parameters, "\"invert\" is not rendered");
+}
+
+const PbrtTextures::Named& PbrtTextures::named(const PbrtParameters& parameters,
+                                               const PbrtParameter& parameter) const {
+  const auto found = named_.find(parameters.text(parameter));
+  if (found == named_.end())
+    parameter.place.fail(fmt::format("no texture \"{}\" is defined before this", parameters.text(parameter)));
+  return found->second;
+}
+
+}  // namespace twinray

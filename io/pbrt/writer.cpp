@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt/writer.h"
+
+#include <fmt/format.h>
+
+#include "io/output_file.h"
+#include "io/pbrt/text.h"
+#include "io/pbrt/writer_camera.h"
+#include "io/pbrt/writer_light.h"
+#include "io/pbrt/writer_material.h"
+#include "io/pbrt/writer_texture.h"
+#include "io/ply/ply.h"
+
+namespace twinray {
+namespace {
+
+/// pbrt's outside is where shading normals point, and ours where the corners go around: normals that point
+/// to the other side are turned.
+Mesh with_outward_normals(Mesh mesh) {
+  const auto count = std::uint32_t(mesh.normals.size());
+  bool is_turned = false;
+  for (std::size_t i = 0; i < mesh.normal_indices.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    const Vec3 facet =
+        cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
+    Vec3 sum;
+    for (const std::uint32_t index : mesh.normal_indices[i]) sum += mesh.normals[index];
+    if (!(dot(facet, sum) < 0)) continue;
+    if (!is_turned)
+      for (std::uint32_t k = 0; k < count; ++k) mesh.normals.push_back(-mesh.normals[k]);
+    is_turned = true;
+    for (std::uint32_t& index : mesh.normal_indices[i]) index += count;
+  }
+  return mesh;
+}
+
+/// Writes the shapes, which name materials that stand before them.
+class Shapes {
+ public:
+  Shapes(const Scene& scene, const PbrtMaterialTexts& materials, PbrtTextureWriter& textures,
+         SceneOutput& output)
+      : scene_(scene), materials_(materials), textures_(textures), output_(output) {}
+
+  std::string text() {
+    const Geometry& geometry = *scene_.geometry;
+    add(geometry.direct_shapes());
+    for (std::size_t i = 0; i < geometry.prototypes().size(); ++i) {
+      text_ += fmt::format("ObjectBegin \"{}\"\n", object_name(i));
+      add(geometry.prototypes()[i]);
+      text_ += "ObjectEnd\n";
+    }
+    for (const auto& [prototype, to_world] : geometry.instances())
+      text_ += fmt::format("AttributeBegin\n{}ObjectInstance \"{}\"\nAttributeEnd\n",
+                           pbrt_transform(to_world), object_name(prototype));
+    return std::move(text_);
+  }
+
+ private:
+  static std::string object_name(std::size_t prototype) { return fmt::format("object {}", prototype); }
+
+  void add(ShapeRange range) {
+    for (std::uint32_t shape = range.first; shape < range.end(); ++shape) add(shape);
+  }
+
+  void add(std::uint32_t shape) {
+    const ShapeBinding& binding = scene_.bindings[shape];
+    text_ += pbrt_comment(std::visit([](const auto& s) { return s.name; }, scene_.geometry->shapes()[shape]));
+    text_ += "AttributeBegin\n" + materials_.interior[binding.material] +
+             fmt::format("NamedMaterial {}\n", pbrt_string(materials_.names[binding.material]));
+    if (binding.light != no_light) text_ += pbrt_area_light(scene_, binding.light, output_);
+    const std::string alpha = alpha_of(binding);
+    if (const SphereSet* set = scene_.geometry->sphere_set(shape)) {
+      name_coordinates(binding, set->spheres.size());
+      for (const Sphere& sphere : set->spheres) add_sphere(sphere, alpha);
+    } else {
+      add_mesh(shape, alpha);
+    }
+    text_ += "AttributeEnd\n";
+  }
+
+  std::string alpha_of(const ShapeBinding& binding) {
+    if (binding.alpha == no_texture) return "";
+    const auto* constant = std::get_if<ConstantTexture>(&scene_.textures[binding.alpha].model);
+    if (constant) return pbrt_real("alpha", constant->value.r);
+    return pbrt_texture("alpha", textures_.named(binding.alpha, PbrtTextureKind::number));
+  }
+
+  bool has_picture_of(std::uint32_t alpha) const {
+    return alpha != no_texture && !std::holds_alternative<ConstantTexture>(scene_.textures[alpha].model);
+  }
+
+  /// pbrt's coordinates go around the z axis, ours are octahedral.
+  void name_coordinates(const ShapeBinding& binding, std::size_t spheres) {
+    const Material& material = scene_.materials[binding.material];
+    const bool is_textured = !material.textures.empty() || material.normal_map != no_texture ||
+                             material.bump_map != no_texture || has_picture_of(binding.alpha);
+    for (std::size_t i = 0; i < spheres && is_textured; ++i)
+      output_.losses.add("the texture of a sphere lies as pbrt's spheres have it",
+                         "the textures of {} spheres lie as pbrt's spheres have them");
+  }
+
+  void add_sphere(const Sphere& sphere, const std::string& alpha) {
+    const Vec3& c = sphere.center;
+    text_ += pbrt_transform(Transform::translation(double(c.x), double(c.y), double(c.z))) +
+             "Shape \"sphere\"" + pbrt_real("radius", sphere.radius) + alpha + "\n";
+  }
+
+  void add_mesh(std::uint32_t shape, const std::string& alpha) {
+    const auto write = [geometry = scene_.geometry, shape](const std::string& path) {
+      write_file(path, ply_bytes(with_outward_normals(*geometry->mesh(shape))));
+    };
+    text_ += "Shape \"plymesh\"" + pbrt_word("filename", output_.add(fmt::format("-{}.ply", shape), write)) +
+             alpha + "\n";
+  }
+
+  const Scene& scene_;
+  const PbrtMaterialTexts& materials_;
+  PbrtTextureWriter& textures_;
+  SceneOutput& output_;
+  std::string text_;
+};
+
+}  // namespace
+
+WrittenScene written_pbrt(const SceneToWrite& input, const std::string& path) {
+  SceneOutput output(path);
+  PbrtTextureWriter textures(input.scene, output);
+  const std::string view = pbrt_view(input, output);
+  const PbrtMaterialTexts materials = pbrt_materials(input.scene, textures, output);
+  const std::string lights = pbrt_lights(input.scene, output);
+  const std::string shapes = Shapes(input.scene, materials, textures, output).text();
+  return output.finish(view + "WorldBegin\n" + textures.text + materials.text + lights + shapes);
+}
+
+}  // namespace twinray

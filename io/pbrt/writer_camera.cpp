@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt/writer_camera.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/elementary.h"
+#include "io/pbrt/text.h"
+#include "io/pbrt/transform.h"
+
+namespace twinray {
+namespace {
+
+constexpr double degrees_per_turn = 360;
+/// Of a fisheye, whose picture is written as a plane's.
+constexpr float widest_tangent = 4;
+
+/// From camera space, where x is to the right, y up and z along the view.
+Transform to_world(const Vec3& right, const Vec3& up, const Vec3& forward, const Vec3& position) {
+  Transform t;
+  const Vec3 columns[4] = {right, up, forward, position};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column) t.m[row][column] = double(columns[column][row]);
+  return t;
+}
+
+/// A panorama's directions go around another axis there: io/pbrt/camera.cpp turns them the other way.
+Transform frame_of(const Camera& camera) {
+  if (camera.projection == Projection::latitude_longitude)
+    return to_world(-camera.forward, camera.up, -camera.right, camera.position);
+  return to_world(camera.right, camera.up, camera.forward, camera.position);
+}
+
+bool has_aspect(const Camera& camera, const RenderDefaults::Resolution& size) {
+  constexpr double tolerance = 1e-5;
+  const double picture = double(size.width) / size.height;
+  const double frame = double(camera.tan_half_width) / double(camera.tan_half_height);
+  return std::fabs(frame - picture) <= tolerance * picture;
+}
+
+/// The frame in units of `unit`: x from and to, y from and to.
+std::string window(const Camera& camera, float unit) {
+  const Vec2 c = camera.frame_center;
+  return fmt::format(" \"float screenwindow\" [ {} {} {} {} ]", (c.x - camera.tan_half_width) / unit,
+                     (c.x + camera.tan_half_width) / unit, (c.y - camera.tan_half_height) / unit,
+                     (c.y + camera.tan_half_height) / unit);
+}
+
+std::string lens(const Camera& camera) {
+  if (camera.lens_radius == 0) return "";
+  return pbrt_real("lensradius", camera.lens_radius) + pbrt_real("focaldistance", camera.focal_distance);
+}
+
+/// "fov" is that of the shorter side, unless a window says more.
+std::string perspective(const Camera& camera, const RenderDefaults::Resolution& size) {
+  const float shorter = std::min(camera.tan_half_width, camera.tan_half_height);
+  const double degrees = 2 * degrees_per_turn * atan2_turns(double(shorter), 1);
+  const bool is_plain = camera.frame_center == Vec2{0, 0} && has_aspect(camera, size);
+  return "Camera \"perspective\"" + pbrt_real("fov", float(degrees)) +
+         (is_plain ? "" : window(camera, shorter)) + lens(camera);
+}
+
+/// What sees within an angle becomes a plane that is as high, as far as it goes.
+Camera flat(const Camera& fisheye) {
+  Camera camera = fisheye;
+  const auto tangent = [](float angle) {
+    return angle < 1.3f ? std::min(float(tan_radians(double(angle))), widest_tangent) : widest_tangent;
+  };
+  camera.projection = Projection::perspective;
+  const float ratio = fisheye.tan_half_width / fisheye.tan_half_height;
+  const float least = tangent(std::min(fisheye.tan_half_width, fisheye.tan_half_height));
+  camera.tan_half_width = least * std::max(ratio, 1.0f);
+  camera.tan_half_height = least * std::max(1 / ratio, 1.0f);
+  return camera;
+}
+
+std::string camera_text(const Camera& camera, const RenderDefaults::Resolution& size) {
+  switch (camera.projection) {
+    case Projection::orthographic:
+      return "Camera \"orthographic\"" + window(camera, 1) + lens(camera);
+    case Projection::latitude_longitude:
+      return "Camera \"spherical\"" + pbrt_word("mapping", "equirectangular");
+    case Projection::equal_area:
+      return "Camera \"spherical\"" + pbrt_word("mapping", "equalarea");
+    case Projection::fisheye:
+      return perspective(flat(camera), size);
+    default:
+      return perspective(camera, size);
+  }
+}
+
+void name_losses(const Camera& camera, Losses& losses) {
+  if (camera.projection == Projection::fisheye)
+    losses.add("the fisheye camera is a perspective one, whose frame is as wide as far as a plane goes");
+  if (camera.clip_near > 0 || std::isfinite(camera.clip_far))
+    losses.add("the camera's clip distances are left out");
+  if (camera.lens_radius > 0 && camera.aperture_blades > 0)
+    losses.add("the blades of the camera's lens are left out: it is round");
+}
+
+std::string film(const SceneToWrite& input, const std::string& path) {
+  const RenderDefaults::Resolution& size = *input.picture.resolution;
+  const std::string name = name_of_file(path);
+  std::string text = "Film \"rgb\"" + pbrt_integer("xresolution", size.width) +
+                     pbrt_integer("yresolution", size.height) +
+                     pbrt_word("filename", name.substr(0, name.rfind('.')) + ".exr");
+  if (input.picture.crop) {
+    const auto& [x, y, width, height] = *input.picture.crop;
+    text += fmt::format(" \"integer pixelbounds\" [ {} {} {} {} ]", x, x + width, y, y + height);
+  }
+  return text + "\n";
+}
+
+std::string filter(const PixelFilter& filter, Losses& losses) {
+  const bool is_known = filter.kind != FilterKind::blackman_harris;
+  if (!is_known) losses.add("the pixel filter blackman-harris is a Gaussian");
+  std::string text = fmt::format("PixelFilter \"{}\"", is_known ? filter_name(filter.kind) : "gaussian") +
+                     pbrt_real("xradius", filter.radius.x) + pbrt_real("yradius", filter.radius.y);
+  if (filter.kind == FilterKind::gaussian) text += pbrt_real("sigma", filter.sigma);
+  if (filter.kind == FilterKind::mitchell) text += pbrt_real("B", filter.b) + pbrt_real("C", filter.c);
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string pbrt_view(const SceneToWrite& input, SceneOutput& output) {
+  const RenderDefaults::Resolution& size = *input.picture.resolution;
+  const Camera camera = fit_frame(input.scene.camera, size.width, size.height);
+  name_losses(camera, output.losses);
+  const auto from_world = inverse(frame_of(camera));
+  std::string text = pbrt_transform(from_world.value_or(Transform{})) + camera_text(camera, size) + "\n";
+  text += film(input, output.path());
+  if (input.picture.samples)
+    text += "Sampler \"zsobol\"" + pbrt_integer("pixelsamples", int(*input.picture.samples)) + "\n";
+  text += "Integrator \"volpath\"";
+  if (input.picture.max_depth) text += pbrt_integer("maxdepth", *input.picture.max_depth);
+  text += "\n";
+  return input.picture.filter ? text + filter(*input.picture.filter, output.losses) : text;
+}
+
+}  // namespace twinray

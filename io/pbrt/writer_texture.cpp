@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt/writer_texture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "io/pbrt/text.h"
+#include "io/picture/baked_texture.h"
+#include "io/picture/image_file.h"
+#include "io/vertex_colors.h"
+
+namespace twinray {
+namespace {
+
+const char* type_name(PbrtTextureKind kind) { return kind == PbrtTextureKind::color ? "spectrum" : "float"; }
+
+/// What a stochastic filter gives on the average is trilinear.
+const char* filter_name(TextureFilter filter) {
+  if (filter == TextureFilter::nearest) return "point";
+  return filter == TextureFilter::bilinear ? "bilinear" : "trilinear";
+}
+
+const char* wrap_name(WrapMode wrap) {
+  constexpr const char* names[] = {"repeat", "clamp", "black"};
+  return names[int(wrap)];
+}
+
+/// Red in all channels: pbrt takes a number of a picture as the mean of these.
+Image red_of(Image image) {
+  for (Rgb& pixel : image.pixels) pixel = {pixel.r, pixel.r, pixel.r};
+  return image;
+}
+
+bool is_grey(const Rgb& c) { return c.r == c.g && c.r == c.b; }
+
+const ConstantTexture* constant_of(std::span<const Texture> textures, std::uint32_t index) {
+  return std::get_if<ConstantTexture>(&textures[index].model);
+}
+
+}  // namespace
+
+std::string PbrtTextureWriter::define(const std::string& name, const std::string& type,
+                                      const std::string& rest) {
+  text += fmt::format("Texture {} \"{}\" {}\n", pbrt_string(name), type, rest);
+  return name;
+}
+
+std::string PbrtTextureWriter::named(std::uint32_t texture, PbrtTextureKind kind) {
+  const auto known = named_.find({texture, kind});
+  if (known != named_.end()) return known->second;
+  const std::string rest = rest_of(texture, kind);  // First, for it may define what it is made of.
+  const std::string name = names_.unique(textures[texture].name, fmt::format("texture {}", texture));
+  return named_[{texture, kind}] = define(name, type_name(kind), rest);
+}
+
+std::string PbrtTextureWriter::squared(std::uint32_t texture) {
+  textures.push_back({"", ScaleTexture{texture, texture}});
+  return named(std::uint32_t(textures.size() - 1), PbrtTextureKind::number);
+}
+
+std::string PbrtTextureWriter::normal_map(std::uint32_t texture) {
+  const auto known = normal_maps_.find(texture);
+  if (known != normal_maps_.end()) return known->second;
+  BakedTexture baked = bake(textures, texture);
+  const UvTransform identity;
+  const bool is_moved = !std::equal(&baked.uv.m[0][0], &baked.uv.m[0][0] + 6, &identity.m[0][0]);
+  if (!baked.is_exact || is_moved || baked.wrap != WrapMode::repeat)
+    output_.losses.add("a normal map is written over the texture coordinates as they stand, and repeats",
+                       "{} normal maps are written over the texture coordinates as they stand, and repeat");
+  return normal_maps_[texture] = add_file(std::move(baked.picture));
+}
+
+std::string PbrtTextureWriter::part(const char* name, std::uint32_t texture, PbrtTextureKind kind) {
+  const ConstantTexture* constant = constant_of(textures, texture);
+  if (!constant) return pbrt_texture(name, named(texture, kind));
+  return kind == PbrtTextureKind::color ? pbrt_rgb(name, constant->value)
+                                        : pbrt_real(name, constant->value.r);
+}
+
+std::string PbrtTextureWriter::add_file(Image image) {
+  const auto kept = std::make_shared<const Image>(std::move(image));
+  return output_.add(fmt::format("-texture-{}.exr", files_++),
+                     [kept](const std::string& path) { write_exr(path, *kept); });
+}
+
+std::string PbrtTextureWriter::picture(const MipMap& image, PbrtTextureKind kind) {
+  const auto [entry, is_new] = pictures_.try_emplace({&image, kind});
+  if (!is_new) return entry->second;
+  return entry->second = add_file(kind == PbrtTextureKind::color ? image.image(0) : red_of(image.image(0)));
+}
+
+std::string PbrtTextureWriter::mapping(const UvTransform& uv) {
+  const auto& [u, v] = uv.m;
+  if (u[1] != 0 || v[0] != 0)
+    output_.losses.add("a texture that is turned lies as if it were not",
+                       "{} textures that are turned lie as if they were not");
+  std::string numbers;
+  for (const auto& [name, value, usual] : {std::tuple{"uscale", u[0], 1.0f},
+                                           {"vscale", v[1], 1.0f},
+                                           {"udelta", u[2], 0.0f},
+                                           {"vdelta", v[2], 0.0f}})
+    if (value != usual) numbers += pbrt_real(name, value);
+  return numbers;
+}
+
+std::string PbrtTextureWriter::image_rest(const ImageTexture& texture, PbrtTextureKind kind) {
+  if (is_drawn_of_vertices(texture))
+    output_.losses.add("the colors of vertices are a picture, which is filtered across triangles",
+                       "{} pictures are the colors of vertices, and are filtered across triangles");
+  return "\"imagemap\"" + pbrt_word("filename", picture(*texture.image, kind)) +
+         pbrt_word("filter", filter_name(texture.filter)) + pbrt_word("wrap", wrap_name(texture.wrap)) +
+         mapping(texture.uv);
+}
+
+std::string PbrtTextureWriter::baked_rest(std::uint32_t texture, PbrtTextureKind kind) {
+  BakedTexture baked = bake(textures, texture);
+  if (!baked.is_exact)
+    output_.losses.add("a product of textures that lie differently is a picture over the unit square",
+                       "{} products of textures that lie differently are pictures over the unit square");
+  if (kind == PbrtTextureKind::number) baked.picture = red_of(std::move(baked.picture));
+  return "\"imagemap\"" + pbrt_word("filename", add_file(std::move(baked.picture))) +
+         pbrt_word("filter", filter_name(baked.filter)) + pbrt_word("wrap", wrap_name(baked.wrap)) +
+         mapping(baked.uv);
+}
+
+/// A colour there is times a number alone: of two textures with colours a picture is made.
+std::string PbrtTextureWriter::scale_rest(std::uint32_t index, const ScaleTexture& texture,
+                                          PbrtTextureKind kind) {
+  std::uint32_t first = texture.first, second = texture.second;
+  const auto is_number = [&](std::uint32_t t) {
+    const ConstantTexture* constant = constant_of(textures, t);
+    return kind == PbrtTextureKind::number || (constant && is_grey(constant->value));
+  };
+  if (!is_number(second)) std::swap(first, second);
+  if (!is_number(second)) return baked_rest(index, kind);
+  return "\"scale\"" + part("tex", first, kind) + part("scale", second, PbrtTextureKind::number);
+}
+
+std::string PbrtTextureWriter::rest_of(std::uint32_t index, PbrtTextureKind kind) {
+  const TextureModel model = textures[index].model;
+  if (const auto* constant = std::get_if<ConstantTexture>(&model))
+    return "\"constant\"" + (kind == PbrtTextureKind::color ? pbrt_rgb("value", constant->value)
+                                                            : pbrt_real("value", constant->value.r));
+  if (const auto* image = std::get_if<ImageTexture>(&model)) return image_rest(*image, kind);
+  if (const auto* scale = std::get_if<ScaleTexture>(&model)) return scale_rest(index, *scale, kind);
+  if (const auto* mix = std::get_if<MixTexture>(&model))
+    return "\"mix\"" + part("tex1", mix->first, kind) + part("tex2", mix->second, kind) +
+           part("amount", mix->amount, PbrtTextureKind::number);
+  const auto& board = std::get<CheckerboardTexture>(model);
+  return "\"checkerboard\"" + part("tex1", board.first, kind) + part("tex2", board.second, kind) +
+         mapping(board.uv);
+}
+
+}  // namespace twinray

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/picture/baked_texture.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace twinray {
+namespace {
+
+/// How one part of a texture lies over the surface.
+struct Part {
+  UvTransform uv;
+  int period = 1;  ///< In the transformed coordinates: so often a board or picture repeats.
+  int width = 1, height = 1;
+  WrapMode wrap = WrapMode::repeat;
+  TextureFilter filter = TextureFilter::nearest;
+};
+
+bool lie_alike(const Part& a, const Part& b) {
+  return a.wrap == b.wrap && std::equal(&a.uv.m[0][0], &a.uv.m[0][0] + 6, &b.uv.m[0][0]);
+}
+
+/// Whose coordinates are those of the baked picture.
+UvTransform scaled(const UvTransform& uv, float factor) {
+  UvTransform result = uv;
+  for (auto& row : result.m)
+    for (float& number : row) number *= factor;
+  return result;
+}
+
+/// All pictures and boards of a texture.
+class Parts {
+ public:
+  explicit Parts(std::span<const Texture> textures) : textures_(textures) {}
+
+  void add(std::uint32_t index) { std::visit(*this, textures_[index].model); }
+  void operator()(const ConstantTexture&) {}
+  void operator()(const ImageTexture& texture) {
+    const MipLevel level = texture.image->level(0);
+    list.push_back({texture.uv, 1, level.width, level.height, texture.wrap, texture.filter});
+  }
+  void operator()(const ScaleTexture& texture) {
+    add(texture.first);
+    add(texture.second);
+  }
+  void operator()(const MixTexture& texture) {
+    add(texture.first);
+    add(texture.second);
+    add(texture.amount);
+  }
+  void operator()(const CheckerboardTexture& texture) {
+    list.push_back({texture.uv, 2, 2, 2, WrapMode::repeat, TextureFilter::nearest});
+    add(texture.first);
+    add(texture.second);
+  }
+
+  std::vector<Part> list;
+
+ private:
+  std::span<const Texture> textures_;
+};
+
+bool has_size(const MipMap& image, const Part& part) {
+  return image.level(0).width == part.width && image.level(0).height == part.height;
+}
+
+bool is_nearest(const Part& part) { return part.filter == TextureFilter::nearest; }
+
+/// How all parts lie together, and how large a picture of them is.
+struct Frame {
+  Part part;
+  bool is_exact = true, lies_alike = true;
+};
+
+Frame frame_of(const std::vector<Part>& parts) {
+  Frame frame;
+  if (parts.empty()) return frame;
+  frame.part = parts[0];
+  for (const Part& part : parts) {
+    frame.lies_alike = frame.lies_alike && lie_alike(part, parts[0]);
+    frame.part.period = std::max(frame.part.period, part.period);
+  }
+  const int period = frame.part.period;
+  for (const Part& part : parts) {
+    frame.part.width = std::max(frame.part.width, part.width * period / part.period);
+    frame.part.height = std::max(frame.part.height, part.height * period / part.period);
+    if (!is_nearest(part)) frame.part.filter = part.filter;
+  }
+  const bool is_mixed = !is_nearest(frame.part) && std::any_of(parts.begin(), parts.end(), is_nearest);
+  frame.is_exact = frame.lies_alike && !is_mixed;
+  if (!frame.lies_alike) frame.part.uv = {}, frame.part.period = 1, frame.part.wrap = WrapMode::repeat;
+  return frame;
+}
+
+/// The textures with those that lie like the frame over the unit square, which is one period of theirs.
+std::vector<Texture> in_frame(std::span<const Texture> textures, const Frame& frame) {
+  std::vector<Texture> list(textures.begin(), textures.end());
+  if (!frame.lies_alike) return list;
+  const UvTransform uv = scaled({}, float(frame.part.period));
+  for (Texture& texture : list)
+    if (auto* image = std::get_if<ImageTexture>(&texture.model))
+      image->uv = uv;
+    else if (auto* board = std::get_if<CheckerboardTexture>(&texture.model))
+      board->uv = uv;
+  return list;
+}
+
+Image drawn(std::span<const Texture> textures, std::uint32_t index, int width, int height) {
+  Image image(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const Vec2 uv{(float(x) + 0.5f) / float(width), 1 - (float(y) + 0.5f) / float(height)};
+      image.at(x, y) = evaluate(textures, index, {.uv = uv, .is_smooth = true});
+    }
+  return image;
+}
+
+}  // namespace
+
+BakedTextures bake_together(std::span<const Texture> textures, std::span<const std::uint32_t> indices) {
+  Parts parts(textures);
+  for (const std::uint32_t index : indices) parts.add(index);
+  const Frame frame = frame_of(parts.list);
+  const Part& part = frame.part;
+  const std::vector<Texture> placed = in_frame(textures, frame);
+  BakedTextures baked;
+  baked.frame = {{}, scaled(part.uv, 1 / float(part.period)), part.wrap, part.filter, frame.is_exact};
+  for (const std::uint32_t index : indices) {
+    const auto* image = std::get_if<ImageTexture>(&textures[index].model);
+    const bool is_itself = image && frame.lies_alike && part.period == 1 && has_size(*image->image, part);
+    baked.pictures.push_back(is_itself ? image->image->image(0)
+                                       : drawn(placed, index, part.width, part.height));
+  }
+  return baked;
+}
+
+BakedTexture bake(std::span<const Texture> textures, std::uint32_t index) {
+  BakedTextures together = bake_together(textures, std::span(&index, 1));
+  BakedTexture baked = std::move(together.frame);
+  baked.picture = std::move(together.pictures[0]);
+  return baked;
+}
+
+}  // namespace twinray

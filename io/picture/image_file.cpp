@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/picture/image_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.h"
+#include "core/memory.h"
+#include "io/output_file.h"
+#include "io/picture/image_codec.h"
+#include "io/picture/picture_header.h"
+#include "io/picture/plain_picture.h"
+#include "io/picture/png.h"
+#include "io/picture/srgb.h"
+
+namespace twinray {
+namespace {
+
+namespace fs = std::filesystem;
+
+void decode_all(Image& image) {
+  for (Rgb& pixel : image.pixels) pixel = {decode_srgb(pixel.r), decode_srgb(pixel.g), decode_srgb(pixel.b)};
+}
+
+/// Throws Error where memory cannot hold so many bytes. A few are not worth the question: the answer takes
+/// the system a tenth of a millisecond, as long as a small picture is read.
+void check_room(const std::string& name, std::uint64_t bytes) {
+  constexpr std::uint64_t few = 1 << 20;
+  const MemoryNeed need{name, bytes};
+  if (bytes > few) check_memory({&need, 1});
+}
+
+/// Pictures of layers have many, but not as many as a broken header says.
+constexpr int most_channels = 1024;
+
+/// Throws Error unless the picture is of a kind that is read, and memory can hold so many bytes a pixel.
+void check_kind(const ImageCodec::Header& header, PictureFormat format, const PictureBytes& picture,
+                std::size_t pixel_bytes = sizeof(Rgb)) {
+  check_picture_size(format, {header.width, header.height}, picture);
+  const std::string& path = picture.path;
+  if (header.channels < 1 || header.channels > most_channels)
+    throw Error(fmt::format("{}: {} channels; valid are 1 to {}", path, header.channels, most_channels));
+  if (header.is_deep)
+    throw Error(fmt::format("{}: a deep picture, or one of several layers in depth, is not read", path));
+  check_room(fmt::format("the {} x {} pixels of {}", header.width, header.height, path),
+             std::uint64_t(header.width) * std::uint64_t(header.height) * pixel_bytes);
+}
+
+/// PNG, JPEG and TGA are sRGB whatever their depth; the others hold linear numbers.
+bool is_encoded(PictureFormat format) {
+  return format == PictureFormat::png || format == PictureFormat::jpeg || format == PictureFormat::tga;
+}
+
+bool is_plain(PictureFormat format) { return format == PictureFormat::pfm || format == PictureFormat::tga; }
+
+Image decode_plain(PictureFormat format, const PictureBytes& picture, PictureLayer layer) {
+  const PictureSize size = format == PictureFormat::pfm ? pfm_size(picture) : tga_size(picture);
+  check_room(fmt::format("the {} x {} pixels of {}", size.width, size.height, picture.path),
+             std::uint64_t(size.width) * std::uint64_t(size.height) * sizeof(Rgb));
+  if (format == PictureFormat::pfm) return decode_pfm(picture);
+  return (layer == PictureLayer::alpha ? decode_tga_alpha : decode_tga)(picture);
+}
+
+/// Throws Error where a picture has more pixels than its reader wants.
+void check_pixels(const PictureSize& size, const ReadOptions& options, const std::string& path) {
+  if (size.width * size.height > options.most_pixels)
+    throw Error(fmt::format("{}: {} x {} pixels; valid are up to {} here", path, size.width, size.height,
+                            options.most_pixels));
+}
+
+Image decode_layer(PictureFormat format, const PictureBytes& picture, PictureLayer layer) {
+  const auto check = [&](const ImageCodec::Header& header) { check_kind(header, format, picture); };
+  return is_plain(format) ? decode_plain(format, picture, layer)
+                          : image_codec().read(format, picture, layer, check);
+}
+
+bool has_alpha(PictureFormat format) {
+  return format == PictureFormat::png || format == PictureFormat::exr || format == PictureFormat::tga;
+}
+
+bool is_all_one(const Image& image) {
+  return std::all_of(image.pixels.begin(), image.pixels.end(), [](const Rgb& p) { return p.r == 1; });
+}
+
+/// The number that a pixel stands for; the alpha of a picture that has none.
+float number_of(const Rgb& pixel, PictureChannels channels) {
+  switch (channels) {
+    case PictureChannels::red:
+      return pixel.r;
+    case PictureChannels::green:
+      return pixel.g;
+    case PictureChannels::blue:
+      return pixel.b;
+    case PictureChannels::alpha:
+      return 1;
+    default:
+      return pixel.r == pixel.g && pixel.g == pixel.b ? pixel.r : (pixel.r + pixel.g + pixel.b) / 3;
+  }
+}
+
+Image decode(PictureFormat format, const PictureBytes& picture, const ReadOptions& options) {
+  check_pixels(check_picture_header(format, picture), options, picture.path);
+  const bool is_number = options.channels == PictureChannels::number;
+  if ((is_number || options.channels == PictureChannels::alpha) && has_alpha(format)) {
+    Image alpha = decode_layer(format, picture, PictureLayer::alpha);
+    if (!is_number || !is_all_one(alpha)) return alpha;
+  }
+  Image image = decode_layer(format, picture, PictureLayer::color);
+  if (is_encoded(format) && options.role == PictureRole::color) decode_all(image);
+  if (options.channels != PictureChannels::color)
+    for (Rgb& pixel : image.pixels) {
+      const float number = number_of(pixel, options.channels);
+      pixel = {number, number, number};
+    }
+  return image;
+}
+
+std::string read_bytes(const std::string& path) {
+  if (!fs::is_regular_file(path)) throw Error(fmt::format("{}: there is no such file", path));
+  std::error_code error;
+  const std::uint64_t size = fs::file_size(path, error);
+  if (!error) check_room(path, size);
+  std::string bytes(error ? 0 : std::size_t(size), '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (error || !file.read(bytes.data(), std::streamsize(bytes.size())))
+    throw Error(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  return bytes;
+}
+
+void write_bytes(const std::string& path, const std::vector<unsigned char>& bytes) {
+  write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+}  // namespace
+
+void write_png(const std::string& path, const ByteImage& image, const ImageMetadata& metadata) {
+  write_bytes(path, encode_png(image, metadata));
+}
+
+void write_exr(const std::string& path, const LayeredImage& image, const ImageMetadata& metadata,
+               const ImageFrame& frame) {
+  write_bytes(path, image_codec().encode_exr(path, image, metadata, frame));
+}
+
+void write_exr(const std::string& path, const Image& image, const ImageMetadata& metadata,
+               const ImageFrame& frame) {
+  const auto fill_row = [&image](int y, std::span<float> values) {
+    for (std::size_t i = 0; i < values.size(); i += 3) {
+      const Rgb& pixel = image.at(int(i / 3), y);
+      values[i] = pixel.r;
+      values[i + 1] = pixel.g;
+      values[i + 2] = pixel.b;
+    }
+  };
+  write_exr(path, LayeredImage{image.width, image.height, {{"R"}, {"G"}, {"B"}}, fill_row}, metadata, frame);
+}
+
+void write_linear(const std::string& path, const Image& image, const ImageMetadata& metadata,
+                  const ImageFrame& frame) {
+  const OutputFormat format = output_format(path);
+  if (format == OutputFormat::exr) return write_exr(path, image, metadata, frame);
+  if (format == OutputFormat::pfm) return write_file(path, encode_pfm(image));
+  write_bytes(path, image_codec().encode_floats(format, path, image, metadata));
+}
+
+void write_display(const std::string& path, const ByteImage& image, const ImageMetadata& metadata) {
+  if (output_format(path) == OutputFormat::jpeg)
+    write_bytes(path, image_codec().encode_jpeg(path, image, metadata));
+  else
+    write_png(path, image, metadata);
+}
+
+void write_image(const std::string& path, const Image& image, const ImageMetadata& metadata,
+                 const ImageFrame& frame) {
+  if (is_linear(output_format(path)))
+    write_linear(path, image, metadata, frame);
+  else
+    write_display(path, encode_srgb(image), metadata);
+}
+
+bool holds_radiance(const std::string& path) { return !is_encoded(picture_format(path)); }
+
+Image read_image(const std::string& path, const ReadOptions& options) {
+  const PictureFormat format = picture_format(path);
+  const std::string bytes = read_bytes(path);
+  return decode(format, {bytes, path}, options);
+}
+
+StoredLayers read_layers(const std::string& path) {
+  if (picture_format(path) != PictureFormat::exr)
+    throw Error(path + ": it holds no layers; an OpenEXR picture, .exr, may");
+  const std::string bytes = read_bytes(path);
+  const PictureBytes picture{bytes, path};
+  check_picture_header(PictureFormat::exr, picture);
+  return image_codec().read_layers(picture, [&](const ImageCodec::Header& header) {
+    check_kind(header, PictureFormat::exr, picture, std::size_t(header.channels) * sizeof(float));
+  });
+}
+
+ImageMetadata read_metadata(const std::string& path) {
+  const PictureFormat format = picture_format(path);
+  if (format == PictureFormat::pfm || format == PictureFormat::tga) return {};
+  const std::string bytes = read_bytes(path);
+  const PictureBytes picture{bytes, path};
+  check_picture_header(format, picture);
+  return image_codec().read_metadata(
+      format, picture, [&](const ImageCodec::Header& header) { check_kind(header, format, picture); });
+}
+
+std::vector<float> read_channel(const std::string& path, const std::string& name) {
+  if (picture_format(path) != PictureFormat::exr) return {};
+  const std::string bytes = read_bytes(path);
+  const PictureBytes picture{bytes, path};
+  check_picture_header(PictureFormat::exr, picture);
+  return image_codec().read_channel(picture, name, [&](const ImageCodec::Header& header) {
+    check_kind(header, PictureFormat::exr, picture);
+  });
+}
+
+Image decode_image(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+  return decode(picture_format(name), {bytes, name}, options);
+}
+
+}  // namespace twinray

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a picture's file says of itself, read before a library opens it: libraries take memory by it at once.
+#pragma once
+#include <string>
+
+#include "io/picture/picture_bytes.h"
+
+namespace twinray {
+
+enum class PictureFormat { exr, hdr, png, jpeg, pfm, tga };
+
+/// The ending of a name with its dot, in small letters: ".png".
+std::string picture_ending(const std::string& path);
+
+/// The format of a file by its ending: never by its contents, so that only well-tried readers see a
+/// stranger's file. Throws Error where it is none that is read.
+PictureFormat picture_format(const std::string& path);
+
+/// The size that the header of a picture states. Throws Error unless the header is there, of this format, and
+/// its sizes are in range and fit the number of bytes.
+PictureSize check_picture_header(PictureFormat format, const PictureBytes& picture);
+
+/// The same for OpenEXR, which may hold several pictures: the size of the largest.
+PictureSize check_exr_header(const PictureBytes& picture);
+
+/// Throws Error where a picture of this size has more than 2^28 pixels, or none, or more than so many bytes
+/// of this format can hold.
+void check_picture_size(PictureFormat format, const PictureSize& size, const PictureBytes& picture);
+
+}  // namespace twinray

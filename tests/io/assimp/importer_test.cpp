@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes that Assimp reads, and the process of its own that it does so in.
+#include <csignal>
+
+#include "io/assimp/apart.h"
+#include "io/assimp/model_bytes.h"
+#include "io/picture/image_file.h"
+#include "io/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+const std::string triangle =
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\nendloop\nendfacet\n"
+    "endsolid a\n";
+
+/// A square of a red material with a picture, moved, and a mirrored copy of it.
+const std::string squares =
+    "AC3Db\n"
+    "MATERIAL \"red\" rgb 1 0 0  amb 0 0 0  emis 0 0 0  spec 0 0 0  shi 0  trans 0\n"
+    "OBJECT world\nkids 2\n"
+    "OBJECT poly\nname \"left\"\nloc 5 0 0\ntexture \"wood.png\"\nnumvert 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+    "numsurf 1\nSURF 0x20\nmat 0\nrefs 4\n0 0 0\n1 1 0\n2 1 1\n3 0 1\nkids 0\n"
+    "OBJECT poly\nname \"right\"\nrot -1 0 0  0 1 0  0 0 1\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\n"
+    "numsurf 1\nSURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 0 0\n2 0 0\nkids 0\n";
+
+std::string error_of(const std::string& path) {
+  try {
+    load_scene(path);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+ObjModel small_model() {
+  ObjModel model;
+  model.name = "a";
+  model.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  model.uvs = {{0.5f, 0.25f}};
+  model.faces = {
+      {"object", "group", 0, false, true, {{0, no_element, 0}, {1, no_element, 0}, {2, no_element, 0}}, {3}}};
+  model.materials.resize(1);
+  model.materials[0].name = "red";
+  model.materials[0].diffuse[0] = 1;
+  model.materials[0].emissive_texname = "lamp.png";
+  model.notes = {"one"};
+  return model;
+}
+
+}  // namespace
+
+TEST_CASE("an STL file is a scene, lit by default") {
+  const TemporaryFolder folder;
+  write_text(folder.file("a.stl"), triangle);
+  const LoadedScene loaded = load_scene(folder.file("a.stl"));
+  CHECK(loaded.scene.geometry->triangle_count() == 1);
+  CHECK(loaded.scene.geometry->bounds().upper == Vec3{1, 2, 0});
+  CHECK(loaded.wants_light);
+}
+
+TEST_CASE("nodes, materials and pictures of an imported scene are where the file has them") {
+  const TemporaryFolder folder;
+  write_png(folder.file("wood.png"), {1, 1, {200, 200, 200}});
+  write_text(folder.file("a.ac"), squares);
+  const LoadedScene loaded = load_scene(folder.file("a.ac"));
+  CHECK(loaded.warnings.empty());
+  const Scene& scene = loaded.scene;
+  REQUIRE(scene.geometry->shapes().size() == 2);
+  const Mesh &left = *scene.geometry->mesh(0), &right = *scene.geometry->mesh(1);
+  CHECK(scene.geometry->bounds().upper.x == 6);
+  CHECK(scene.geometry->bounds().lower.x == -1);
+  CHECK(left.triangles.size() == 2);
+  CHECK(left.uvs.size() == 4);
+  // Mirrored, the front stays the front.
+  const Vec3 &a = right.positions[right.triangles[0][0]], &b = right.positions[right.triangles[0][1]],
+             &c = right.positions[right.triangles[0][2]];
+  CHECK(cross(b - a, c - a).z > 0);
+  const Material& red = scene.materials[scene.bindings[0].material];
+  CHECK(std::get<Lambert>(red.model).reflectance == Rgb{1, 0, 0});
+  CHECK(red.textures.size() == 1);
+}
+
+TEST_CASE("a file that Assimp does not understand is an error with its name") {
+  const TemporaryFolder folder;
+  const auto refuses = [&](const std::string& name, const std::string& text, const std::string& said) {
+    const std::string path = folder.file(name);
+    write_text(path, text);
+    CAPTURE(name, error_of(path));
+    CHECK(error_of(path).starts_with(path + ": "));
+    CHECK(error_of(path).find(said) != std::string::npos);
+  };
+  refuses("a.stl", "", "the file is empty");
+  refuses("b.fbx", "nothing of the kind", "");
+  refuses("c.ac", "AC3Db\nOBJECT world\nkids 0\n", "");
+  refuses("d.off", "OFF\n353535235358 6 0\n0 0 0\n", "");
+  refuses("e.ac",
+          "AC3Db\nMATERIAL \"\" rgb 1 1 1  amb 0 0 0  emis 0 0 0  spec 0 0 0  shi 0  trans 0\nOBJECT world\n"
+          "kids 1\nOBJECT poly\nnumvert 3\n0 0 0\n1e30 0 0\n0 1 0\nnumsurf 1\nSURF 0x20\nmat 0\nrefs 3\n"
+          "0 0 0\n1 0 0\n2 0 0\nkids 0\n",
+          "lies beyond +-1e+12");
+}
+
+TEST_CASE("work that runs apart gives its bytes or its fault, however it ends") {
+  const std::string many(3000000, 'x');
+  CHECK(run_apart(1 << 30, [&] { return many; }).bytes == many);
+  CHECK(run_apart(1 << 30, []() -> std::string { throw Error("no good"); }).fault == "no good");
+  CHECK(run_apart(1 << 30, []() -> std::string {
+          std::raise(SIGSEGV);
+          return "";
+        }).fault == "what reads it was ended by signal 11");
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // Their own memory has no bound.
+  CHECK(run_apart(1 << 26, [] { return std::string(std::size_t(1) << 28, 'x'); }).fault.find("memory") !=
+        std::string::npos);
+#endif
+  int here = 0;
+  CHECK(run_apart(1 << 30, [&] {
+          ++here;
+          return std::string("done");
+        }).bytes == "done");
+  CHECK(here == 0);  // It ran in another process.
+}
+
+TEST_CASE("a model comes back from its bytes, and from no others") {
+  const ObjModel model = small_model();
+  const std::string bytes = model_bytes(model);
+  const ObjModel back = model_of_bytes(bytes);
+  CHECK(model_bytes(back) == bytes);
+  CHECK(back.faces[0].group == "group");
+  CHECK(back.materials[0].emissive_texname == "lamp.png");
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    CHECK_THROWS_AS(model_of_bytes(bytes.substr(0, size)), Error);
+  CHECK_THROWS_AS(model_of_bytes(bytes + "x"), Error);
+  for (const auto damage :
+       {+[](ObjModel& m) { m.faces[0].corners[1].position = 3; },
+        +[](ObjModel& m) { m.faces[0].corners[2].uv = 1; },
+        +[](ObjModel& m) { m.faces[0].has_normals = true; }, +[](ObjModel& m) { m.faces[0].sizes[0] = 4; },
+        +[](ObjModel& m) { m.faces[0].material = 1; }}) {
+    ObjModel damaged = small_model();
+    damage(damaged);
+    CHECK_THROWS_AS(model_of_bytes(model_bytes(damaged)), Error);
+  }
+}
+
+}  // namespace twinray::test

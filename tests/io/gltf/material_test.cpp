@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/material.h"
+
+#include "core/elementary.h"
+#include "io/picture/png.h"
+#include "tests/io/gltf/file.h"
+#include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray {
+namespace {
+
+using nlohmann::json;
+using test::gltf_surface;
+using test::GltfFile;
+
+Principled model_of(const GltfFile& file) {
+  const LoadedScene loaded = file.load();
+  CHECK(loaded.warnings.empty());
+  return std::get<Principled>(loaded.scene.materials.at(0).model);
+}
+
+/// A surface whose material has one extension.
+GltfFile extended(const char* name, const json& properties) {
+  GltfFile file = gltf_surface({{"extensions", {{name, properties}}}});
+  file.json["extensionsUsed"] = {name};
+  return file;
+}
+
+/// A picture of one row: 188 51 0, and 0 102 255.
+std::string picture_bytes() {
+  const auto bytes = encode_png(ByteImage{2, 1, {188, 51, 0, 0, 102, 255}}, {});
+  return {bytes.begin(), bytes.end()};
+}
+
+int add_picture(GltfFile& file, const json& sampler = json::object()) {
+  const int image =
+      file.add("images", {{"bufferView", file.view(picture_bytes())}, {"mimeType", "image/png"}});
+  return file.add("textures", {{"source", image}, {"sampler", file.add("samplers", sampler)}});
+}
+
+/// What an input of the first material is at texture coordinates.
+Rgb input_at(const LoadedScene& loaded, MaterialInput input, Vec2 uv) {
+  for (const TextureUse& use : loaded.scene.materials[0].textures)
+    if (use.input == input) return evaluate(loaded.scene.textures, use.texture, {.uv = uv});
+  return {-1, -1, -1};
+}
+
+constexpr Vec2 left{0.25f, 0.5f}, right{0.75f, 0.5f};
+
+}  // namespace
+
+TEST_CASE("gltf: a material without properties is a rough white metal, as is what has none") {
+  const Principled plain = model_of(gltf_surface(json::object())), none = model_of(test::gltf_triangle());
+  CHECK(plain.base_color == Rgb{1, 1, 1});
+  CHECK(plain.base_metalness == 1);
+  CHECK(plain.specular_roughness == 1);
+  CHECK(none.base_metalness == 1);
+  CHECK(test::gltf_triangle().load().scene.materials[0].name == "default");
+}
+
+TEST_CASE("gltf: factors of metal, roughness and color are OpenPBR's") {
+  const Principled model = model_of(gltf_surface({{"pbrMetallicRoughness",
+                                                   {{"baseColorFactor", {0.25, 0.5, 0.75, 1}},
+                                                    {"metallicFactor", 0.125},
+                                                    {"roughnessFactor", 0.625}}}}));
+  CHECK(model.base_color == Rgb{0.25f, 0.5f, 0.75f});
+  CHECK(model.base_metalness == 0.125f);
+  CHECK(model.specular_roughness == 0.625f);
+  CHECK(model.specular_ior == 1.5f);
+}
+
+TEST_CASE("gltf: colors are encoded as sRGB has it, roughness is green and metal blue as they stand") {
+  GltfFile file = gltf_surface(json::object());
+  const int picture = add_picture(file);
+  file.json["materials"][0]["pbrMetallicRoughness"] = {{"baseColorFactor", {0.5, 1, 1, 1}},
+                                                       {"baseColorTexture", {{"index", picture}}},
+                                                       {"metallicRoughnessTexture", {{"index", picture}}},
+                                                       {"roughnessFactor", 0.5}};
+  const LoadedScene loaded = file.load();
+  CHECK(loaded.warnings.empty());
+  constexpr float half = 0.50288654f;  // 188 of 255, decoded
+  CHECK(input_at(loaded, MaterialInput::reflectance, left).r == Approx(half / 2).margin(1e-5));
+  CHECK(input_at(loaded, MaterialInput::roughness, left).r == Approx(0.5 * 51 / 255).margin(1e-6));
+  CHECK(input_at(loaded, MaterialInput::roughness, right).r == Approx(0.5 * 102 / 255).margin(1e-6));
+  CHECK(input_at(loaded, MaterialInput::base_metalness, left).r == 0);
+  CHECK(input_at(loaded, MaterialInput::base_metalness, right).r == 1);
+}
+
+TEST_CASE("gltf: pictures stand in buffers, in the text, or in files beside it") {
+  const test::TemporaryFolder folder;
+  test::write_text(folder.file("a b.png"), picture_bytes());
+  for (const char* uri : {"", "data:image/png;base64,", "a%20b.png"}) {
+    INFO(uri);
+    GltfFile file = gltf_surface(json::object());
+    file.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = add_picture(file);
+    if (*uri)
+      file.json["images"][0] = {
+          {"uri", std::string(uri) + (*uri == 'd' ? test::base64(picture_bytes()) : "")}};
+    test::write_text(folder.file("scene.gltf"), file.text());
+    const LoadOptions options{.files = std::make_shared<std::vector<std::string>>()};
+    const LoadedScene loaded = load_gltf(folder.file("scene.gltf"), options);
+    CHECK(loaded.warnings.empty());
+    CHECK(input_at(loaded, MaterialInput::reflectance, right).b == 1);
+    CHECK(options.files->size() == (*uri == 'a' ? 2 : 1));
+  }
+}
+
+TEST_CASE("gltf: a picture that cannot be read is magenta, and a warning says so") {
+  GltfFile file = gltf_surface(json::object());
+  file.json["textures"] = {{{"source", 0}}};
+  file.json["images"] = {{{"uri", "missing.png"}}};
+  file.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
+  CHECK(file.warning() == "test.gltf: /images/0: missing.png: there is no such file; it is shown magenta");
+  file.json["images"][0]["uri"] = "data:image/gif;base64,R0lGODlhAQABAAAAACw=";
+  CHECK(file.warning().find("it is shown magenta") != std::string::npos);
+}
+
+TEST_CASE("gltf: pictures repeat, end or are mirrored beside themselves") {
+  const auto beside = [](int wrap) {
+    GltfFile file = gltf_surface(json::object());
+    const int picture = add_picture(file, {{"wrapS", wrap}, {"wrapT", wrap}});
+    file.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = picture;
+    const LoadedScene loaded = file.load();
+    CHECK(loaded.warnings.empty());
+    return input_at(loaded, MaterialInput::reflectance, {1.25f, 0.5f}).b;
+  };
+  CHECK(beside(10497) == 0);  // the left pixel again
+  CHECK(beside(33071) == 1);
+  CHECK(beside(33648) == 1);
+  GltfFile file = gltf_surface(json::object());
+  const int picture = add_picture(file, {{"wrapS", 33071}});
+  file.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = picture;
+  CHECK(file.warning() ==
+        "test.gltf: /materials/0/pbrMetallicRoughness/baseColorTexture: a picture that ends in one direction "
+        "and repeats in the other is not rendered: it repeats in both");
+}
+
+TEST_CASE("gltf: KHR_texture_transform scales, then turns counter-clockwise, then moves") {
+  GltfFile file = gltf_surface(json::object());
+  const double right_angle = 1.5707963267948966;
+  const json transform = {{"offset", {0.5, 0.25}}, {"rotation", right_angle}, {"scale", {2, 3}}};
+  file.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {
+      {"index", add_picture(file)}, {"extensions", {{"KHR_texture_transform", transform}}}};
+  const LoadedScene loaded = file.load();
+  const auto* picture = std::get_if<ImageTexture>(&loaded.scene.textures[0].model);
+  REQUIRE(picture);
+  // u = 0.1 and v = 0.2 downwards become 0.6 + 0.5 and -0.2 + 0.25.
+  const Vec2 uv = picture->uv({0.1f, 0.8f});
+  CHECK(uv.x == Approx(1.1));
+  CHECK(uv.y == Approx(1 - 0.05));
+}
+
+TEST_CASE("gltf: textures go by one set of coordinates, that of the base color") {
+  GltfFile file = gltf_surface(json::object());
+  const int picture = add_picture(file);
+  file.primitive()["attributes"]["TEXCOORD_1"] = file.accessor<float>({0, 0, 0, 0, 0, 0}, "VEC2");
+  file.json["materials"][0]["pbrMetallicRoughness"] = {
+      {"baseColorTexture", {{"index", picture}, {"texCoord", 1}}},
+      {"metallicRoughnessTexture", {{"index", picture}}}};
+  const LoadedScene loaded = file.load();
+  CHECK(test::only_mesh(loaded).uvs[2] == Vec2{0, 1});
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(
+      loaded.warnings[0].text() ==
+      "test.gltf: /materials/0/pbrMetallicRoughness/metallicRoughnessTexture: one set of texture coordinates "
+      "is rendered, here TEXCOORD_1; this texture goes by TEXCOORD_0, and is left out (2 times)");
+  file.primitive()["attributes"].erase("TEXCOORD_1");
+  CHECK(file.load().scene.materials[0].textures.empty());
+}
+
+TEST_CASE("gltf: a mask cuts off at its limit, a blend is there by its alpha") {
+  GltfFile file = gltf_surface({{"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.25}}}}});
+  const auto alpha = [&](const char* mode, double cutoff) {
+    file.json["materials"][0]["alphaMode"] = mode;
+    file.json["materials"][0]["alphaCutoff"] = cutoff;
+    const LoadedScene loaded = file.load();
+    const std::uint32_t texture = loaded.scene.bindings[0].alpha;
+    return texture == no_texture ? 1 : evaluate(loaded.scene.textures, texture, {}).r;
+  };
+  CHECK(alpha("OPAQUE", 0.5) == 1);
+  CHECK(alpha("BLEND", 0.5) == 0.25f);
+  CHECK(alpha("MASK", 0.5) == 0);
+  CHECK(alpha("MASK", 0.25) == 1);
+}
+
+TEST_CASE("gltf: where a picture's alpha times the factor is below the limit there is a hole") {
+  GltfFile file = gltf_surface(json::object());
+  const double limit = 0.3;
+  file.primitive()["attributes"]["COLOR_0"] =
+      file.accessor<float>({1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 0}, "VEC4");
+  file.primitive()["attributes"].erase("TEXCOORD_0");
+  file.json["materials"][0] = {{"alphaMode", "MASK"},
+                               {"alphaCutoff", limit},
+                               {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.5}}}}};
+  // Without the file's own picture: the alpha of the vertices runs from 0 to 1 along the first edge.
+  const LoadedScene loaded = file.load();
+  const Mesh& mesh = test::only_mesh(loaded);
+  const auto& [a, b, c] = mesh.uv_indices[0];
+  const auto there_is = [&](float u) {
+    const Vec2 uv = mesh.uvs[a] * (1 - u) + mesh.uvs[b] * u;
+    return evaluate(loaded.scene.textures, loaded.scene.bindings[0].alpha, {.uv = uv}).r;
+  };
+  CHECK(there_is(0.1f) <= 0);  // Nothing, and not little: a mask cuts.
+  CHECK(there_is(0.55f) <= 0);
+  CHECK(there_is(0.65f) >= 1);
+  CHECK(there_is(0.9f) >= 1);
+}
+
+TEST_CASE("gltf: what emits is a light, on both sides where it has two") {
+  GltfFile file =
+      gltf_surface({{"emissiveFactor", {0.5, 1, 0}},
+                    {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}}}}});
+  auto light = std::get<MeshLight>(file.load().scene.lights.at(0).source);
+  CHECK(light.radiance == Rgb{4, 8, 0});
+  CHECK(light.side == EmissionSide::front);
+  file.json["materials"][0]["doubleSided"] = true;
+  file.json["materials"][0]["emissiveTexture"]["index"] = add_picture(file);
+  const LoadedScene loaded = file.load();
+  CHECK(loaded.warnings.empty());
+  CHECK(loaded.scene.bindings[0].light == 0);
+  light = std::get<MeshLight>(loaded.scene.lights.at(0).source);
+  CHECK(light.side == EmissionSide::both);
+  REQUIRE(light.picture);
+  CHECK(light.picture->at(1, 0).b == 1);
+  CHECK(file.load({.surfaces_only = true}).scene.lights.empty());
+}
+
+TEST_CASE("gltf: a picture of light that is moved is drawn anew where coordinates stay within the square") {
+  GltfFile file = gltf_surface({{"emissiveFactor", {1, 1, 1}}});
+  file.json["materials"][0]["emissiveTexture"] = {
+      {"index", add_picture(file)}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}}}}}};
+  const LoadedScene loaded = file.load();
+  const auto light = std::get<MeshLight>(loaded.scene.lights.at(0).source);
+  REQUIRE(light.picture);
+  CHECK(bilinear(*light.picture, WrapMode::clamp, left).b == 1);
+  CHECK(bilinear(*light.picture, WrapMode::clamp, right).b == 0);
+  file.primitive()["attributes"]["TEXCOORD_0"] = file.accessor<float>({0, 1, 3, 1, 0, 0}, "VEC2");
+  CHECK(file.warning().find("this surface emits the picture's mean") != std::string::npos);
+  CHECK(std::get<MeshLight>(file.load().scene.lights.at(0).source).radiance.b == Approx(0.5));
+}
+
+TEST_CASE("gltf: what emits a picture that repeats has its coordinates moved into it, triangle by triangle") {
+  GltfFile file = gltf_surface({{"emissiveFactor", {1, 1, 1}}});
+  const int picture = add_picture(file);
+  file.json["materials"][0]["emissiveTexture"]["index"] = picture;
+  file.primitive()["attributes"]["TEXCOORD_0"] = file.accessor<float>({3, 2, 3.5f, 2, 3, 1}, "VEC2");
+  const LoadedScene loaded = file.load();
+  CHECK(loaded.warnings.empty());
+  const Mesh& mesh = test::only_mesh(loaded);
+  CHECK(mesh.uvs[mesh.uv_indices[0][1]] == Vec2{0.5f, 0});
+  CHECK(mesh.uvs[mesh.uv_indices[0][2]] == Vec2{0, 1});
+  CHECK(std::get<MeshLight>(loaded.scene.lights.at(0).source).picture);
+  file.json["samplers"][0] = {{"wrapS", 33071}, {"wrapT", 33071}};
+  CHECK(file.warning().find("this surface emits the picture's mean") != std::string::npos);
+}
+
+TEST_CASE("gltf: an unlit surface emits its color and reflects nothing") {
+  GltfFile file = extended("KHR_materials_unlit", json::object());
+  file.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.25, 0.5, 1, 1};
+  const LoadedScene loaded = file.load();
+  CHECK(std::get<Lambert>(loaded.scene.materials[0].model).reflectance == Rgb{0, 0, 0});
+  CHECK(std::get<MeshLight>(loaded.scene.lights.at(0).source).radiance == Rgb{0.25f, 0.5f, 1});
+}
+
+TEST_CASE("gltf: indices of refraction and specular reflection") {
+  CHECK(model_of(extended("KHR_materials_ior", {{"ior", 1.25}})).specular_ior == 1.25f);
+  CHECK(model_of(extended("KHR_materials_ior", {{"ior", 0}})).specular_ior == 1000);
+  GltfFile file =
+      extended("KHR_materials_specular", {{"specularFactor", 0.5}, {"specularColorFactor", {1, 0.5, 0.25}}});
+  CHECK(model_of(file).specular_weight == 1);  // a metal's stays
+  file.json["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = 0;
+  CHECK(model_of(file).specular_weight == 0.5f);
+  CHECK(model_of(file).specular_color == Rgb{1, 0.5f, 0.25f});
+}
+
+TEST_CASE("gltf: transmission is that of a sheet or, with a thickness, of a body that absorbs") {
+  GltfFile file = extended("KHR_materials_transmission", {{"transmissionFactor", 0.75}});
+  file.json["materials"][0]["pbrMetallicRoughness"] = {{"baseColorFactor", {1, 0.5, 0.25, 1}},
+                                                       {"metallicFactor", 0}};
+  const Principled sheet = model_of(file);
+  CHECK(sheet.transmission_weight == 0.75f);
+  CHECK(sheet.transmission_color == Rgb{1, 0.5f, 0.25f});
+  CHECK(sheet.geometry_thin_walled);
+  file.json["materials"][0]["extensions"]["KHR_materials_volume"] = {
+      {"thicknessFactor", 1}, {"attenuationDistance", 2}, {"attenuationColor", {1, 0.5, 0.25}}};
+  CHECK_FALSE(model_of(file).geometry_thin_walled);
+  const Rgb absorption = file.load().scene.materials[0].interior.absorption;
+  CHECK(absorption.r == 0);
+  CHECK(exp_of(-absorption.g * 2) == Approx(0.5));
+  CHECK(exp_of(-absorption.b * 2) == Approx(0.25));
+}
+
+TEST_CASE("gltf: a coat has an index of 1.5 and its own roughness") {
+  const Principled coated = model_of(
+      extended("KHR_materials_clearcoat", {{"clearcoatFactor", 0.5}, {"clearcoatRoughnessFactor", 0.25}}));
+  CHECK(coated.coat_weight == 0.5f);
+  CHECK(coated.coat_roughness == 0.25f);
+  CHECK(coated.coat_ior == 1.5f);
+  CHECK(coated.coat_darkening == 0);
+}
+
+TEST_CASE("gltf: sheen is fuzz whose weight is its brightest channel") {
+  const Principled cloth = model_of(extended(
+      "KHR_materials_sheen", {{"sheenColorFactor", {0.5, 0.25, 0}}, {"sheenRoughnessFactor", 0.75}}));
+  CHECK(cloth.fuzz_weight == 0.5f);
+  CHECK(cloth.fuzz_color == Rgb{1, 0.5f, 0});
+  CHECK(cloth.fuzz_roughness == 0.75f);
+}
+
+TEST_CASE("gltf: anisotropy widens facets along the tangent, and keeps them across") {
+  GltfFile file = extended("KHR_materials_anisotropy", {{"anisotropyStrength", 0.5}});
+  file.json["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] = 0.5;
+  const Principled model = model_of(file);
+  const float a = model.specular_roughness_anisotropy,
+              r2 = model.specular_roughness * model.specular_roughness;
+  const float along = r2 * std::sqrt(2 / (1 + (1 - a) * (1 - a)));
+  CHECK(along == Approx(0.25 + 0.75 * 0.25));
+  CHECK((1 - a) * along == Approx(0.25));
+}
+
+TEST_CASE("gltf: a normal map is scaled, and turned where texture coordinates are mirrored") {
+  GltfFile file = gltf_surface(json::object());
+  file.json["materials"][0]["normalTexture"] = {{"index", add_picture(file)}, {"scale", 0.5}};
+  const auto slope = [&] {
+    const LoadedScene loaded = file.load();
+    CHECK(loaded.warnings.empty());
+    const std::uint32_t map = loaded.scene.materials[0].normal_map;
+    return evaluate(loaded.scene.textures, map, {.uv = left});
+  };
+  // 188 51 0: x = 2 (188 / 255) - 1, halved, and so on; z stays.
+  CHECK(slope().r == Approx(0.5 + 0.5 * (188.0 / 255 - 0.5)));
+  CHECK(slope().g == Approx(0.5 + 0.5 * (51.0 / 255 - 0.5)));
+  CHECK(slope().b == Approx(0).margin(1e-6));
+  const int tangents = file.accessor<float>({1, 0, 0, -1, 1, 0, 0, -1, 1, 0, 0, -1}, "VEC4");
+  file.primitive()["attributes"]["TANGENT"] = tangents;
+  CHECK(slope().g == Approx(0.5 - 0.5 * (51.0 / 255 - 0.5)));
+  file.json["nodes"][0]["scale"] = {-1, 1, 1};
+  CHECK(slope().g == Approx(0.5 + 0.5 * (51.0 / 255 - 0.5)));
+  file.primitive()["attributes"].erase("TANGENT");
+  CHECK(slope().g == Approx(0.5 - 0.5 * (51.0 / 255 - 0.5)));
+}
+
+TEST_CASE("gltf: specular and glossiness are a dielectric of such a reflection") {
+  const Principled model = model_of(extended(
+      "KHR_materials_pbrSpecularGlossiness",
+      {{"diffuseFactor", {0.5, 1, 0, 1}}, {"specularFactor", {0.25, 0.125, 0}}, {"glossinessFactor", 0.75}}));
+  CHECK(model.base_color == Rgb{0.375f, 0.75f, 0});
+  CHECK(model.base_metalness == 0);
+  CHECK(model.specular_roughness == 0.25f);
+  CHECK(model.specular_ior == 3);  // (1.5 / 0.5)
+  CHECK(model.specular_color == Rgb{1, 0.5f, 0});
+}
+
+TEST_CASE("gltf: what is not rendered is named") {
+  GltfFile file = gltf_surface({{"occlusionTexture", {{"index", 0}}}, {"name", "wall"}});
+  file.json["textures"] = {json::object()};
+  CHECK(file.load().summary.notes ==
+        std::vector<std::string>{"occlusion textures are left out, for light is traced: that of \"wall\""});
+  file.json["extensionsUsed"] = {"KHR_materials_iridescence"};
+  CHECK(file.warning() ==
+        "test.gltf: /extensionsUsed/0: the extension KHR_materials_iridescence is not rendered");
+  file.json["extensionsRequired"] = {"KHR_texture_basisu"};
+  CHECK(file.error() ==
+        "test.gltf: /extensionsRequired/0: the extension KHR_texture_basisu is not rendered, "
+        "and the file cannot be shown without it");
+}
+
+}  // namespace twinray

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cameras and lights of glTF files, their two forms, and what is wrong with others.
+#include "io/gltf/gltf.h"
+
+#include <cstring>
+
+#include "core/elementary.h"
+#include "io/scene_file.h"
+#include "tests/io/gltf/file.h"
+#include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray {
+namespace {
+
+using nlohmann::json;
+using test::gltf_triangle;
+using test::GltfFile;
+
+GltfFile with_camera(const json& camera) {
+  GltfFile file = gltf_triangle();
+  file.add_node({{"camera", file.add("cameras", camera)}, {"translation", {0, 0, 5}}, {"name", "stand"}});
+  return file;
+}
+
+GltfFile with_light(const json& light) {
+  GltfFile file = gltf_triangle();
+  file.json["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+  file.add_node({{"translation", {0, 4, 0}},
+                 {"scale", {2, 2, 2}},
+                 {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  return file;
+}
+
+template <typename Source>
+Source light_of(const GltfFile& file) {
+  return std::get<Source>(file.load().scene.lights.at(0).source);
+}
+
+void append_word(std::string& bytes, std::size_t word) {
+  for (int i = 0; i < 4; ++i) bytes.push_back(char(word >> (8 * i)));
+}
+
+/// The file as .glb: its JSON and, if it is wanted, its buffer as a chunk.
+std::string binary(const GltfFile& file) {
+  json whole = file.json;
+  whole["buffers"] = {{{"byteLength", file.buffer.size()}}};
+  std::string text = whole.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  std::string buffer = file.buffer;
+  buffer.resize((buffer.size() + 3) / 4 * 4);
+  std::string bytes = "glTF";
+  append_word(bytes, 2);
+  append_word(bytes, 12 + 8 + text.size() + 8 + buffer.size());
+  append_word(bytes, text.size());
+  bytes += "JSON" + text;
+  append_word(bytes, buffer.size());
+  return bytes + std::string("BIN\0", 4) + buffer;
+}
+
+std::string error_of(const std::string& bytes) {
+  try {
+    read_gltf(bytes, "test.glb");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("gltf: a camera keeps its height whatever the picture's shape") {
+  const GltfFile file = with_camera({{"type", "perspective"},
+                                     {"name", "front"},
+                                     {"perspective", {{"yfov", 1.0}, {"aspectRatio", 3}, {"znear", 0.1}}}});
+  const LoadedScene loaded = file.load();
+  CHECK(loaded.summary.camera == "front");
+  const Camera& camera = loaded.scene.camera;
+  CHECK(camera.position == Vec3{0, 0, 5});
+  CHECK(camera.forward == Vec3{0, 0, -1});
+  CHECK(camera.clip_near == 0);
+  for (const auto& [width, height] : {std::pair{400, 100}, {100, 400}})
+    CHECK(fit_frame(camera, width, height).tan_half_height == Approx(tan_radians(0.5)));
+  CHECK(file.load({.clip_as_file = true}).scene.camera.clip_near == 0.1f);
+}
+
+TEST_CASE("gltf: an orthographic camera has half its frame in the node's units") {
+  GltfFile file = with_camera(
+      {{"type", "orthographic"}, {"orthographic", {{"xmag", 2}, {"ymag", 1}, {"zfar", 9}, {"znear", 0}}}});
+  file.json["nodes"][1]["scale"] = {3, 3, 3};
+  const Camera camera = file.load().scene.camera;
+  CHECK(camera.projection == Projection::orthographic);
+  CHECK(camera.tan_half_width == 6);
+  CHECK(camera.tan_half_height == 3);
+  CHECK(file.load().summary.camera == "stand");
+}
+
+TEST_CASE("gltf: a camera is chosen by its name or its node's") {
+  GltfFile file = with_camera({{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}});
+  file.add("cameras",
+           {{"type", "perspective"}, {"name", "back"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}});
+  file.add_node({{"camera", 1}, {"translation", {0, 0, -5}}});
+  CHECK(file.load().scene.camera.position.z == 5);
+  CHECK(file.load({.camera_name = "back"}).scene.camera.position.z == -5);
+  CHECK(file.load({.camera_name = "stand"}).scene.camera.position.z == 5);
+  CHECK(file.load().summary.cameras == std::vector<std::string>{"stand", "back"});
+  CHECK(file.error({.camera_name = "top"}) ==
+        "test.gltf: no camera, and no node of one, has the name \"top\"; the scene has \"stand\", \"back\"");
+}
+
+TEST_CASE("gltf: candela are intensity and lux irradiance, whatever the node's scale") {
+  const json color{0.5, 1, 0};
+  const auto point =
+      light_of<PointLight>(with_light({{"type", "point"}, {"color", color}, {"intensity", 8}}));
+  CHECK(point.intensity == Rgb{4, 8, 0});
+  CHECK(point.position == Vec3{0, 4, 0});
+  CHECK(point.attenuation.quadratic == 1);
+  const auto sun = light_of<DirectionalLight>(with_light({{"type", "directional"}, {"intensity", 3}}));
+  CHECK(sun.irradiance == Rgb{3, 3, 3});
+  CHECK(sun.direction == Vec3{0, 0, -1});
+  const auto spot = light_of<SpotLight>(
+      with_light({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.25}, {"outerConeAngle", 0.5}}}}));
+  CHECK(spot.intensity == Rgb{1, 1, 1});
+  CHECK(spot.direction == Vec3{0, 0, -1});
+  CHECK(spot.falloff_angle_degrees == Approx(57.29578));
+  CHECK(spot.penumbra_degrees == Approx(14.323945));
+}
+
+TEST_CASE("gltf: lights that are no lights are errors with their place") {
+  CHECK(with_light({{"type", "spot"}, {"spot", {{"innerConeAngle", 1}, {"outerConeAngle", 0.5}}}})
+            .error()
+            .find("test.gltf: /extensions/KHR_lights_punctual/lights/0/spot: innerConeAngle is 1 and") == 0);
+  CHECK(with_light({{"type", "tube"}}).error() ==
+        "test.gltf: /extensions/KHR_lights_punctual/lights/0/type: this is \"tube\"; valid is directional, "
+        "point or spot");
+  GltfFile file = with_light({{"type", "point"}});
+  file.json["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 1;
+  CHECK(
+      file.error() ==
+      "test.gltf: /nodes/1/extensions/KHR_lights_punctual/light: the index 1 is out of range; the file has 1 "
+      "lights");
+}
+
+TEST_CASE("gltf: a binary file holds the same scene") {
+  const LoadedScene loaded = read_gltf(binary(gltf_triangle()), "test.glb");
+  CHECK(loaded.summary.triangles == 1);
+  CHECK(loaded.warnings.empty());
+}
+
+TEST_CASE("gltf: a binary file that is damaged says where") {
+  const std::string bytes = binary(gltf_triangle());
+  CHECK(error_of(bytes.substr(0, 8)) == "test.glb: not a binary glTF file: 8 bytes are less than its header");
+  CHECK(error_of(bytes.substr(0, 100)).find("the file ends after 100") != std::string::npos);
+  std::string other = bytes;
+  other[4] = 1;
+  CHECK(error_of(other) == "test.glb: not a binary glTF file: its version is 1; valid is 2");
+  other = bytes;
+  other[16] = 'X';
+  CHECK(error_of(other) == "test.glb: not a binary glTF file: the first chunk must be the JSON one");
+  other = bytes;
+  std::memset(&other[12], 0xff, 3);
+  CHECK(error_of(other).find("the chunk at byte 12 says") != std::string::npos);
+}
+
+TEST_CASE("gltf: buffers lie beside the file, and what they lack is said") {
+  const test::TemporaryFolder folder;
+  GltfFile file = gltf_triangle();
+  json whole = file.json;
+  whole["buffers"] = {{{"byteLength", file.buffer.size()}, {"uri", "data.bin"}}};
+  const std::string path = folder.file("scene.gltf");
+  test::write_text(path, whole.dump());
+  const auto error = [&]() -> std::string {
+    try {
+      load_scene(path);
+    } catch (const Error& failed) {
+      return failed.what();
+    }
+    return "";
+  };
+  CHECK(error() == path + ": /buffers/0/uri: " + folder.file("data.bin") + ": there is no such file");
+  test::write_text(folder.file("data.bin"), file.buffer.substr(1));
+  CHECK(error() == path + ": /buffers/0: the buffer has 35 bytes, and its byteLength is 36");
+  test::write_text(folder.file("data.bin"), file.buffer);
+  CHECK(error().empty());
+  CHECK(load_scene(path).summary.triangles == 1);
+}
+
+TEST_CASE("gltf: each fault of the text is an error with its pointer and what is valid") {
+  struct Fault {
+    const char *pointer, *value, *message;
+  };
+  const Fault faults[] = {
+      {"/asset/version", "\"1.0\"", "/asset/version: the version is \"1.0\"; valid is 2.0"},
+      {"/asset", "3", "/asset: this is 3; valid is an object"},
+      {"/accessors/0/count", "-1",
+       "/accessors/0/count: this is -1; valid is a whole number from 1 to 4294967295"},
+      {"/accessors/0/count", "4000000000",
+       "/accessors/0: 4000000000 elements of 12 bytes, 12 apart, from byte 0 on reach beyond the 36 bytes of "
+       "/bufferViews/0"},
+      {"/accessors/0/count", "1.5",
+       "/accessors/0/count: this is 1.5; valid is a whole number from 1 to 4294967295"},
+      {"/accessors/0/componentType", "5124",
+       "/accessors/0/componentType: this is 5124; valid is 5120, 5121, 5122, 5123, 5125 or 5126"},
+      {"/accessors/0/type", "\"VEC2\"",
+       "/accessors/0: the type is VEC2; what names this accessor takes VEC3"},
+      {"/accessors/0/type", "\"VEC5\"",
+       "/accessors/0/type: this is \"VEC5\"; valid is SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3 or MAT4"},
+      {"/accessors/0/bufferView", "7",
+       "/accessors/0/bufferView: this is 7; valid is a whole number from 0 to 0"},
+      {"/bufferViews/0/byteLength", "100",
+       "/bufferViews/0: bytes 0 to 100 are asked for, and the buffer 0 has 36"},
+      {"/bufferViews/0/byteOffset", "40",
+       "/bufferViews/0: bytes 40 to 76 are asked for, and the buffer 0 has 36"},
+      {"/buffers/0/byteLength", "1e15",
+       "/buffers/0: the buffer has 36 bytes, and its byteLength is 1000000000000000"},
+      {"/buffers/0/uri", "\"http://x/y.bin\"",
+       "/buffers/0/uri: \"http://x/y.bin\" lies on another machine; files of this one are read"},
+      {"/buffers/0/uri", "\"data:;base64,A?==\"",
+       "/buffers/0/uri: the data URI holds a character that is none of base64's"},
+      {"/meshes/0/primitives", "[]", "/meshes/0/primitives: 0 elements; valid are 1 and more"},
+      {"/meshes/0/primitives/0/mode", "7",
+       "/meshes/0/primitives/0/mode: this is 7; valid is 0, 1, 2, 3, 4, 5 or 6"},
+      {"/meshes/0/primitives/0/material", "0",
+       "/meshes/0/primitives/0/material: this is 0; valid is none: the file has no materials"},
+      {"/nodes/0/children", "[0]", "/nodes/0: the node is its own ancestor; nodes form trees"},
+      {"/nodes/0/children", "[]", ""},
+      {"/nodes/0/scale", "[1,2]", "/nodes/0/scale: 2 numbers; valid are 3"},
+      {"/nodes/0/matrix", "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,2]",
+       "/nodes/0/matrix: the last row is 0 0 0 2; it must be 0 0 0 1"},
+      {"/nodes/0/translation", "[0,0,1e20]",
+       "/meshes/0/primitives/0: a vertex of \"mesh 0\" comes to (0, 0, 1e+20); coordinates must lie within "
+       "+-1e+12"},
+      {"/scenes/0/nodes", "[0,0]", "/scenes/0/nodes/1: the index 0 stands here a second time"},
+      {"/nodes/0/name", "[]", "/nodes/0/name: this is array; valid is text"},
+  };
+  for (const Fault& fault : faults) {
+    INFO(fault.pointer << " = " << fault.value);
+    json whole = json::parse(gltf_triangle().text());
+    whole[json::json_pointer(fault.pointer)] = json::parse(fault.value);
+    std::string message;
+    try {
+      read_gltf(whole.dump(), "test.gltf");
+    } catch (const Error& error) {
+      message = error.what();
+    }
+    CHECK(message == (*fault.message ? std::string("test.gltf: ") + fault.message : ""));
+  }
+}
+
+TEST_CASE("gltf: indices beyond the positions, and attributes of other counts, are errors") {
+  GltfFile file = gltf_triangle();
+  file.primitive()["indices"] = file.accessor<std::uint16_t>({0, 1, 3}, "SCALAR");
+  CHECK(
+      file.error() ==
+      "test.gltf: /meshes/0/primitives/0/indices: the index 3 (number 2) is out of range; valid are 0 to 2");
+  file = gltf_triangle();
+  file.primitive()["attributes"]["NORMAL"] = file.accessor<float>({0, 0, 1}, "VEC3");
+  CHECK(
+      file.error() ==
+      "test.gltf: /meshes/0/primitives/0/attributes/NORMAL: 1 values for 3 positions; there must be as many");
+}
+
+TEST_CASE("gltf: a small file that says it is large takes no memory") {
+  GltfFile file = gltf_triangle();
+  file.json["accessors"][0].erase("bufferView");
+  file.json["accessors"][0]["count"] = 4000000000u;
+  const std::string refused = "/accessors/0/count: 4000000000 zeros without a buffer view; at most ";
+  CHECK(file.error().starts_with("test.gltf: " + refused));
+  const std::string promise =
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":90000000000}],"scenes":[{"nodes":[0]}],)"
+      R"("accessors":[{"componentType":5126,"count":4000000000,"type":"VEC3"}],"nodes":[{"mesh":0}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]})";
+  CHECK(error_of(promise).starts_with("test.glb: " + refused));
+}
+
+TEST_CASE("gltf: the last element of an accessor ends with its view") {
+  GltfFile file = gltf_triangle();
+  file.json["bufferViews"][0]["byteStride"] = 12;
+  CHECK(file.error().empty());
+  file.json["accessors"][0]["byteOffset"] = 1;
+  CHECK(file.error() ==
+        "test.gltf: /accessors/0: 3 elements of 12 bytes, 12 apart, from byte 1 on reach beyond the 36 bytes "
+        "of "
+        "/bufferViews/0");
+}
+
+TEST_CASE("gltf: text that is no JSON is an error with its line, and so is deep nesting") {
+  const auto error = [](const std::string& text) { return error_of(text); };
+  CHECK(error("{\"asset\":\n  {\"version\": }}").find("test.glb:2:15: the text is not JSON here") == 0);
+  CHECK(error(std::string(100000, '[')).find("nest deeper than 100 levels") != std::string::npos);
+  CHECK(error("{\"asset\": {\"version\": \"2.0\"}, \"scene\": 1e999}").find("too large") !=
+        std::string::npos);
+  CHECK(error("[]") == "test.glb: /: a glTF file is one JSON object");
+  CHECK(error("{}") == "test.glb: /: \"asset\" is missing, and required");
+}
+
+TEST_CASE("gltf: names that are not known are warned of, with the nearest one") {
+  GltfFile file = gltf_triangle();
+  file.json["nodes"][0]["tranlation"] = {1, 2, 3};
+  CHECK(file.warning() ==
+        "test.gltf: /nodes/0: \"tranlation\" is not a known name; did you mean \"translation\"?");
+}
+
+TEST_CASE("gltf: nodes with two parents are no tree") {
+  GltfFile file = gltf_triangle();
+  file.add_node({{"children", {0}}});
+  CHECK(file.error() ==
+        "test.gltf: /scenes/0/nodes: node 0 is a child of node 1; a scene names nodes without a parent");
+  file.add_node({{"children", {0}}});
+  CHECK(file.error() ==
+        "test.gltf: /nodes/0: the node is a child of both node 1 and node 2; nodes form trees");
+}
+
+TEST_CASE("gltf: triangles that are not finite are dropped and counted") {
+  GltfFile file;
+  const float inf = std::numeric_limits<float>::infinity();
+  const int positions =
+      file.accessor<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, inf, 0, 0, 0, 1, 0}, "VEC3");
+  file.show({{"attributes", {{"POSITION", positions}}}});
+  CHECK(file.load().summary.dropped_triangles == 1);
+  CHECK(file.load().summary.triangles == 1);
+}
+
+}  // namespace twinray

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "io/picture/image_file.h"
+#include "io/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/obj_text.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+const Mesh& mesh_of(const LoadedScene& loaded, std::uint32_t shape = 0) {
+  return *loaded.scene.geometry->mesh(shape);
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    load_obj_text(text);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The material of a triangle that has one with these lines.
+struct Made {
+  LoadedScene loaded;
+  const Material& material() const { return loaded.scene.materials[binding().material]; }
+  const ShapeBinding& binding() const { return loaded.scene.bindings[0]; }
+  template <typename Model>
+  const Model& model() const {
+    return std::get<Model>(material().model);
+  }
+  const Texture& texture(std::uint32_t index) const { return loaded.scene.textures[index]; }
+};
+
+Made made_of(const std::string& lines) {
+  return {load_obj_text("mtllib a.mtl\nvt 0 0\n" + square + "usemtl m\nf 1/1 2/1 3/1\n",
+                        {{"a.mtl", "newmtl m\n" + lines}})};
+}
+
+}  // namespace
+
+TEST_CASE("faces of an OBJ file become triangles with their winding, normals and texture coordinates") {
+  const LoadedScene loaded = load_obj_text(
+      square + "vn 0 0 2\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1/1 2/2/1 3/3/1\nf -4/-3/-1 -2/-1/-1 -1/-2/-1\n");
+  const Mesh& mesh = mesh_of(loaded);
+  CHECK(mesh.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
+  CHECK(mesh.positions[3] == Vec3{0, 1, 0});
+  CHECK(mesh.uv_indices == std::vector<Triangle>{{0, 1, 2}, {0, 2, 1}});
+  CHECK(mesh.uvs[2] == Vec2{1, 1});
+  CHECK(mesh.normals == std::vector<Vec3>{{0, 0, 1}});
+  CHECK(loaded.warnings.empty());
+  CHECK(loaded.wants_light);
+  CHECK(std::holds_alternative<Lambert>(loaded.scene.materials[0].model));
+}
+
+TEST_CASE("a face of an OBJ file may have many corners, be concave, and stand before its vertices") {
+  const std::string arrow = "f 1 2 3 4\nv 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\n";
+  const LoadedScene loaded = load_obj_text(arrow);
+  const Mesh& mesh = mesh_of(loaded);
+  CHECK(mesh.triangles.size() == 2);
+  for (const Triangle& triangle : mesh.triangles)  // None lies outside, across the notch.
+    CHECK(std::count(triangle.begin(), triangle.end(), 3u) == 1);
+  std::string round = "";
+  std::string face = "f";
+  for (int i = 0; i < 300; ++i) {
+    round += fmt::format("v {} {} 0\n", i, (i - 150) * (i - 150));
+    face += fmt::format(" {}", i + 1);
+  }
+  CHECK(load_obj_text(round + face).scene.geometry->triangle_count() == 298);
+}
+
+TEST_CASE("objects, groups and materials of an OBJ file are shapes of their own") {
+  const LoadedScene loaded = load_obj_text("mtllib a.mtl\n" + square +
+                                               "f 1 2 3\no car\nusemtl red\nf 1 2 4\ng wheel\nf 2 3 "
+                                               "4\nusemtl blue\nf 2 3 4\nusemtl red\nf 1 3 4\r\n",
+                                           {{"a.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n"}});
+  REQUIRE(loaded.scene.bindings.size() == 4);
+  CHECK(loaded.scene.bindings[0].asset == no_asset);
+  CHECK(loaded.scene.assets == std::vector<std::string>{"car"});
+  CHECK(loaded.scene.bindings[3].asset == 0);
+  CHECK(mesh_of(loaded, 1).name == "car");
+  CHECK(mesh_of(loaded, 2).name == "wheel");
+  CHECK(mesh_of(loaded, 2).triangles.size() == 2);
+  const auto red = [&](std::uint32_t shape) {
+    return std::get<Lambert>(loaded.scene.materials[loaded.scene.bindings[shape].material].model)
+        .reflectance.r;
+  };
+  CHECK(red(1) == 1);
+  CHECK(red(2) == 1);
+  CHECK(red(3) == 0);
+}
+
+TEST_CASE("a group ends where another object begins") {
+  const LoadedScene loaded = load_obj_text(square + "o car\ng wheel\nf 1 2 3\no house\nf 2 3 4\n");
+  CHECK(mesh_of(loaded, 0).name == "wheel");
+  CHECK(mesh_of(loaded, 1).name == "house");
+}
+
+TEST_CASE("what is wrong with a face of an OBJ file is an error with its line") {
+  CHECK(error_of(square + "f 1 2 -9\n") ==
+        "scene.obj:5:1: there is no element -9 among the 4 vertices so far\n  f 1 2 -9\n  ^");
+  CHECK(error_of(square + "f 1 0 2\n").starts_with("scene.obj:5:1: there is no element 0"));
+  CHECK(error_of(square + "\r\nf 1/-1 2/-1 3/-1\r\n")
+            .starts_with("scene.obj:6:1: there is no element -1 among the 0"));
+  CHECK(error_of(square + "f 1 2 5\n") == "scene.obj: a face has element 5 of the 4 vertices");
+  CHECK(error_of(square + "f 1//7 2//7 3//7\n") == "scene.obj: a face has element 7 of the 0 normals");
+  CHECK(error_of(square + "f 1/2 2/2 3/2\n") ==
+        "scene.obj: a face has element 2 of the 0 texture coordinates");
+  CHECK(error_of(square + "l 1 2\n") == "scene.obj: the file has no faces (\"f\")");
+  CHECK(error_of("\xff\xfe f").find("UTF-16") != std::string::npos);
+  std::string face = "f";
+  for (int i = 0; i < 10001; ++i) face += " 1";
+  CHECK(error_of(square + face).find("a face of 10001 corners; 10000 are the most") != std::string::npos);
+  CHECK(error_of("v 1e30 0 0\n") == "scene.obj:1:1: a coordinate lies beyond +-1e+12\n  v 1e30 0 0\n  ^");
+}
+
+TEST_CASE("what an OBJ file has beside faces is told") {
+  const LoadedScene loaded = load_obj_text("v 0 0 0 0.5\n" + square + "vn 0 0 0\nf 2 3\nf 2//1 3//1 4//1\n");
+  const std::vector<std::string> notes{
+      "3 shading normals have no direction; those of their triangles stand for them",
+      "faces of less than three corners, left out: 1",
+      "weights of vertices, behind their coordinates, are left out"};
+  CHECK(loaded.summary.notes == notes);
+  CHECK(mesh_of(loaded).normals.back() == Vec3{0, 0, 1});
+}
+
+TEST_CASE("a material that an OBJ file lacks is grey, with a warning") {
+  const LoadedScene absent = load_obj_text("mtllib no.mtl\n" + square + "usemtl red\nf 1 2 3\n");
+  REQUIRE(absent.warnings.size() == 2);
+  CHECK(absent.warnings[0].text() ==
+        "scene.obj:1:1: its materials are grey: no.mtl: there is no such file\n  mtllib no.mtl\n  ^");
+  CHECK(absent.warnings[1].message == "there is no material \"red\"; it is grey");
+  CHECK_THROWS_AS(load_obj_text("mtllib no.mtl\n" + square + "f 1 2 3\n", {}, true), Error);
+}
+
+TEST_CASE("names of materials and their files may have spaces") {
+  const TemporaryFolder folder;
+  write_text(folder.file("my colors.mtl"), "newmtl deep red \nKd 1 0 0\n");
+  write_text(folder.file("a.obj"), "mtllib my colors.mtl \n" + square + "usemtl  deep red\nf 1 2 3\n");
+  LoadOptions options;
+  options.files = std::make_shared<std::vector<std::string>>();
+  const LoadedScene loaded = load_scene(folder.file("a.obj"), options);
+  CHECK(loaded.warnings.empty());
+  CHECK(loaded.scene.materials[0].name == "deep red");
+  CHECK(*options.files == std::vector<std::string>{folder.file("a.obj"), folder.file("my colors.mtl")});
+}
+
+TEST_CASE("MTL's models of illumination become materials") {
+  CHECK(made_of("Kd 0.1 0.2 2\n").model<Lambert>().reflectance == Rgb{0.1f, 0.2f, 1});
+  const Made glossy = made_of("Kd 0.5 0.5 0.5\nKs 0.25 0.125 0.25\nNs 30\nillum 2\n");
+  CHECK(glossy.model<Principled>().specular_weight == 0.5f);
+  CHECK(glossy.model<Principled>().specular_color == Rgb{1, 0.5f, 1});
+  CHECK(glossy.model<Principled>().specular_roughness == 0.5f);  // The fourth root of 2 / (Ns + 2).
+  CHECK(std::holds_alternative<Lambert>(made_of("Kd 1 1 1\nKs 1 1 1\nillum 1\n").material().model));
+  CHECK(made_of("Kd 0 0 0\nKs 0.9 0.9 0.9\nillum 3\n").model<Mirror>().reflectance == Rgb{0.9f, 0.9f, 0.9f});
+  const Made glass = made_of("illum 7\nNi 1.4\nTf 0.5 1 1\nd 0.2\n");
+  CHECK(glass.model<Dielectric>().ior == 1.4f);
+  CHECK(glass.model<Dielectric>().transmittance == Rgb{0.5f, 1, 1});
+  CHECK(glass.binding().alpha == no_texture);
+}
+
+TEST_CASE("MTL's values for physically based rendering are those of the principled material") {
+  const Made made = made_of("Kd 1 0 0\nPr 0.25\nPm 0.5\nPs 0.125\nPc 0.75\nPcr 0.0625\naniso 0.5\nNi 1.25\n");
+  const Principled& model = made.model<Principled>();
+  CHECK(model.base_color == Rgb{1, 0, 0});
+  CHECK(model.specular_roughness == 0.25f);
+  CHECK(model.base_metalness == 0.5f);
+  CHECK(model.fuzz_weight == 0.125f);
+  CHECK(model.coat_weight == 0.75f);
+  CHECK(model.coat_roughness == 0.0625f);
+  CHECK(model.specular_roughness_anisotropy == 0.5f);
+  CHECK(model.specular_ior == 1.25f);
+}
+
+TEST_CASE("surfaces of an OBJ file emit, and are dissolved, as MTL says") {
+  const Made lamp = made_of("Ke 1 2 3\n");
+  REQUIRE(lamp.loaded.scene.lights.size() == 1);
+  CHECK(std::get<MeshLight>(lamp.loaded.scene.lights[0].source).radiance == Rgb{1, 2, 3});
+  CHECK(!lamp.loaded.wants_light);
+  const Made thin = made_of("d 0.25\n");
+  REQUIRE(thin.binding().alpha != no_texture);
+  CHECK(std::get<ConstantTexture>(thin.texture(thin.binding().alpha).model).value.r == 0.25f);
+  CHECK(!thin.loaded.scene.geometry->is_opaque(0));
+  const Made cut = made_of("d 0.5\nmap_d leaf.png\n");
+  CHECK(std::holds_alternative<ScaleTexture>(cut.texture(cut.binding().alpha).model));
+  const Made shown = made_of("map_Ke lamp.png\n");
+  CHECK(std::get<MeshLight>(shown.loaded.scene.lights[0].source).picture);
+}
+
+TEST_CASE("pictures of MTL files are textures, placed as their options say") {
+  const Made made =
+      made_of("Kd 1 1 1\nPr 1\nmap_Kd -s 2 3 1 -o 0.5 0.25 0 -clamp on a.png\nmap_Pm b.png\nmap_Pr c.png\n");
+  REQUIRE(made.material().textures.size() == 3);
+  CHECK(made.material().textures[0].input == MaterialInput::reflectance);
+  CHECK(made.material().textures[1].input == MaterialInput::roughness);
+  CHECK(made.material().textures[2].input == MaterialInput::base_metalness);
+  const auto& picture = std::get<ImageTexture>(made.texture(made.material().textures[0].texture).model);
+  CHECK(picture.uv({1, 1}).x == 2.5f);
+  CHECK(picture.uv({1, 1}).y == 3.25f);
+  CHECK(picture.wrap == WrapMode::clamp);
+  CHECK(made_of("norm n.png\n").material().normal_map != no_texture);
+  CHECK(made_of("bump -bm 0.5 h.png\n").material().bump_map != no_texture);
+  const Made rest = made_of("map_Ns a.png\ndisp b.png\nrefl c.png\n");
+  CHECK(rest.loaded.warnings.size() == 3);
+}
+
+TEST_CASE("a bump map that shows directions is a normal map, and one that is absent is told") {
+  const TemporaryFolder folder;
+  write_png(folder.file("blue.png"), {1, 1, {128, 128, 255}});
+  write_png(folder.file("grey.png"), {1, 1, {128, 128, 128}});
+  for (const std::string picture : {"blue", "grey"}) {
+    write_text(folder.file("a.mtl"), "newmtl m\nbump " + picture + ".png\n");
+    write_text(folder.file("a.obj"), "mtllib a.mtl\nvt 0 0\n" + square + "usemtl m\nf 1/1 2/1 3/1\n");
+    const LoadedScene loaded = load_scene(folder.file("a.obj"));
+    CHECK(loaded.warnings.empty());
+    CHECK((loaded.scene.materials[0].normal_map != no_texture) == (picture == "blue"));
+    CHECK((loaded.scene.materials[0].bump_map != no_texture) == (picture == "grey"));
+  }
+  write_text(folder.file("a.mtl"), "newmtl m\nmap_Kd textures\\none.png\n");
+  const LoadedScene absent = load_scene(folder.file("a.obj"));
+  REQUIRE(absent.warnings.size() == 1);
+  CHECK(absent.warnings[0].message.find("textures/none.png") != std::string::npos);
+  write_text(folder.file("a.mtl"), "newmtl m\nmap_Kd C:\\pictures\\blue.png\n");
+  CHECK(load_scene(folder.file("a.obj")).warnings.empty());  // It lies beside the file.
+}
+
+TEST_CASE("a PLY file is a scene of one grey mesh") {
+  const TemporaryFolder folder;
+  write_text(folder.file("tri.ply"),
+             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+             "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+             "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n");
+  const LoadedScene loaded = load_scene(folder.file("tri.ply"));
+  CHECK(mesh_of(loaded).name == "tri");
+  CHECK(mesh_of(loaded).triangles.size() == 1);
+  CHECK(loaded.wants_light);
+  CHECK(loaded.summary.notes == std::vector<std::string>{"faces of less than three corners, left out: 1"});
+  CHECK(!is_scene_file(folder.file("tri.ply")));  // Most are parts of scenes.
+}
+
+TEST_CASE("USD is refused by its name") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.usda");
+  write_text(path, "#usda 1.0\n");
+  std::string said;
+  try {
+    load_scene(path);
+  } catch (const Error& error) {
+    said = error.what();
+  }
+  CHECK(said.starts_with(path +
+                         ": \".usda\" is not the extension of a scene file, for USD is not read yet; valid"));
+}
+
+}  // namespace twinray::test

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt/light.h"
+
+#include <fstream>
+
+#include "io/picture/image_file.h"
+#include "io/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/pbrt_text.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray {
+namespace {
+
+using test::load_pbrt_text;
+using test::load_pbrt_world;
+using test::pbrt_triangle;
+
+constexpr double pi = 3.14159265358979323846;
+
+template <typename Source>
+Source light_of(const std::string& statements) {
+  const LoadedScene loaded = load_pbrt_world(statements);
+  REQUIRE(loaded.scene.lights.size() == 1);
+  return std::get<Source>(loaded.scene.lights[0].source);
+}
+
+}  // namespace
+
+TEST_CASE("an area light emits from the outside of its shape, or from both sides") {
+  const auto triangle = [](const std::string& more) {
+    return light_of<MeshLight>("AreaLightSource \"diffuse\" \"rgb L\" [ 1 2 3 ] \"float scale\" 2 " + more +
+                               "\n" + pbrt_triangle);
+  };
+  CHECK(triangle("").radiance == Rgb{2, 4, 6});
+  CHECK(triangle("").side == EmissionSide::front);
+  CHECK(triangle("\"bool twosided\" true").side == EmissionSide::both);
+  CHECK(light_of<SphereLight>("AreaLightSource \"diffuse\" Shape \"sphere\"").radiance == Rgb{1, 1, 1});
+}
+
+TEST_CASE("an area light of a power has it, over the area and both sides") {
+  const std::string light = "AreaLightSource \"diffuse\" \"float power\" 100 ";
+  CHECK(light_of<MeshLight>(light + pbrt_triangle).radiance.g == Approx(100 / (pi * 0.5)));
+  CHECK(light_of<MeshLight>(light + "\"bool twosided\" true " + pbrt_triangle).radiance.g ==
+        Approx(100 / pi));
+  CHECK(light_of<SphereLight>(light + "Shape \"sphere\" \"float radius\" 2").radiance.g ==
+        Approx(100 / (pi * 16 * pi)));
+}
+
+TEST_CASE("an area light's picture is times its scale, and has its power over the mean") {
+  const test::TemporaryFolder folder;
+  Image image(2, 1);
+  image.pixels = {{0.5f, 1, 0.25f}, {0, -3, 0}};
+  write_exr(folder.file("glow.exr"), image);
+  const auto load = [&](const std::string& more, const std::string& shape) {
+    std::ofstream(folder.file("a.pbrt")) << "WorldBegin AreaLightSource \"diffuse\" \"string filename\" "
+                                            "\"glow.exr\" "
+                                         << more << "\n" + shape;
+    return load_scene(folder.file("a.pbrt"), {});
+  };
+  const auto light = [&](const std::string& more, const std::string& shape) {
+    const LoadedScene loaded = load(more, shape);
+    REQUIRE(loaded.warnings.empty());
+    return std::get<MeshLight>(loaded.scene.lights.at(0).source);
+  };
+  const MeshLight plain = light("\"float scale\" 3", pbrt_triangle);
+  CHECK(plain.radiance == Rgb{3, 3, 3});
+  CHECK(plain.picture->pixels == std::vector<Rgb>{{0.5f, 1, 0.25f}, {}});
+  const double mean = double(luminance(Rgb{0.25f, 0.5f, 0.125f}));
+  CHECK(light("\"float power\" 100 \"bool twosided\" true", pbrt_triangle).radiance.g ==
+        Approx(100 / (pi * mean)));
+  // A sphere emits by its texture coordinates: it is a mesh that has them. So has a mesh without.
+  CHECK(light("", "Shape \"sphere\"").side == EmissionSide::front);
+  CHECK(load("", pbrt_triangle).scene.geometry->mesh(0)->uvs.size() == 3);
+  CHECK_THROWS_WITH(load("\"rgb L\" [ 1 1 1 ]", pbrt_triangle),
+                    Catch::Contains("an area light has a color \"L\" or a picture \"filename\", not both"));
+}
+
+TEST_CASE("an area light ends with the state that it stands in") {
+  const LoadedScene loaded =
+      load_pbrt_world("AttributeBegin AreaLightSource \"diffuse\" AttributeEnd " + pbrt_triangle);
+  CHECK(loaded.scene.lights.empty());
+}
+
+TEST_CASE("point, spot and distant lights stand where the transform puts them") {
+  const auto point = light_of<PointLight>(
+      "Translate 1 0 0 LightSource \"point\" \"point3 from\" [ 0 2 0 ] \"rgb I\" [ 1 2 3 ] \"float power\" "
+      "10");
+  CHECK(point.position == Vec3{1, 2, 0});
+  CHECK(point.intensity.b == Approx(3 * 10 / (4 * pi)));
+  const auto distant = light_of<DirectionalLight>(
+      "Rotate 90 0 0 1 LightSource \"distant\" \"point3 from\" [ 0 0 0 ] \"point3 to\" [ 2 0 0 ] \"rgb L\" [ "
+      "1 1 1 ]"
+      " \"float illuminance\" 5");
+  CHECK(distant.direction.y == Approx(1));
+  CHECK(distant.irradiance.r == Approx(5));
+}
+
+TEST_CASE("light of a black body has the luminance of its scale") {
+  const auto light = light_of<PointLight>("LightSource \"point\" \"blackbody I\" 3000 \"float scale\" 7");
+  CHECK(luminance(light.intensity) == Approx(7).epsilon(1e-3));
+  CHECK(light.intensity.r > 2 * light.intensity.b);
+}
+
+TEST_CASE("the exposure of film and shutter multiplies all light") {
+  const LoadedScene loaded = load_pbrt_text(
+      "Camera \"perspective\" \"float shutterclose\" 0.5 Film \"rgb\" \"float iso\" 400 WorldBegin "
+      "LightSource "
+      "\"point\" AreaLightSource \"diffuse\" " +
+      pbrt_triangle);
+  CHECK(std::get<MeshLight>(loaded.scene.lights[0].source).radiance == Rgb{2, 2, 2});
+  CHECK(std::get<PointLight>(loaded.scene.lights[1].source).intensity == Rgb{2, 2, 2});
+  CHECK(loaded.summary.notes.back() == "all light is times 2, the film's exposure (shutter x iso / 100)");
+}
+
+}  // namespace twinray

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt/material.h"
+
+#include <cmath>
+
+#include "io/pbrt/spectrum.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/pbrt_text.h"
+
+namespace twinray {
+namespace {
+
+using test::load_pbrt_text;
+using test::load_pbrt_world;
+using test::pbrt_error;
+
+template <typename Model>
+Model model_of(const std::string& material) {
+  const LoadedScene loaded = load_pbrt_world("Material " + material);
+  CHECK(loaded.warnings.empty());
+  REQUIRE(loaded.scene.materials.size() == 2);
+  return std::get<Model>(loaded.scene.materials[1].model);
+}
+
+std::string warning_of(const std::string& statements) {
+  const LoadedScene loaded = load_pbrt_world(statements);
+  return loaded.warnings.empty() ? "" : loaded.warnings[0].message;
+}
+
+}  // namespace
+
+TEST_CASE("each material becomes its model, with pbrt's values where the file has none") {
+  CHECK(model_of<Lambert>("\"diffuse\"").reflectance == Rgb{0.5f, 0.5f, 0.5f});
+  CHECK(model_of<Lambert>("\"diffuse\" \"rgb reflectance\" [ .1 .2 .3 ]").reflectance ==
+        Rgb{0.1f, 0.2f, 0.3f});
+  CHECK(model_of<Dielectric>("\"dielectric\"").ior == 1.5f);
+  CHECK(model_of<Dielectric>("\"dielectric\" \"spectrum eta\" \"glass-LASF9\"").ior == Approx(1.8556));
+  CHECK_FALSE(model_of<Dielectric>("\"dielectric\"").is_thin);
+  CHECK(model_of<Dielectric>("\"thindielectric\" \"float eta\" 1.3").is_thin);
+  CHECK(model_of<Conductor>("\"conductor\"").eta == named_spectrum("metal-Cu-eta")->color);
+  CHECK(model_of<Conductor>("\"conductor\" \"rgb k\" [ 3 2 1 ]").k == Rgb{3, 2, 1});
+  CHECK(model_of<CoatedDiffuse>("\"coateddiffuse\" \"float eta\" 1.4").ior == Approx(1.4));
+  const auto leaf = model_of<DiffuseTransmission>("\"diffusetransmission\" \"float scale\" 0.5");
+  CHECK(leaf.transmittance == Rgb{0.125f, 0.125f, 0.125f});
+}
+
+TEST_CASE("a surface of OpenPBR has its parameters by name, and its defaults") {
+  const auto plain = model_of<Principled>("\"openpbr\"");
+  CHECK(plain.base_color == Rgb{0.8f, 0.8f, 0.8f});
+  CHECK(plain.specular_roughness == 0.3f);
+  CHECK(plain.coat_ior == 1.6f);
+  const auto m = model_of<Principled>(
+      "\"openpbr\" \"rgb base_color\" [ .1 .2 .3 ] \"float base_metalness\" 0.25 \"float specular_ior\" 1.4 "
+      "\"float coat_weight\" 0.5 \"rgb fuzz_color\" [ .3 .2 .1 ] \"bool geometry_thin_walled\" true "
+      "\"float specular_roughness_anisotropy\" 0.125");
+  CHECK(m.base_color == Rgb{0.1f, 0.2f, 0.3f});
+  CHECK(m.base_metalness == 0.25f);
+  CHECK(m.specular_ior == Approx(1.4));
+  CHECK(m.coat_weight == 0.5f);
+  CHECK(m.fuzz_color == Rgb{0.3f, 0.2f, 0.1f});
+  CHECK(m.specular_roughness_anisotropy == 0.125f);
+  CHECK(m.geometry_thin_walled);
+  CHECK(pbrt_error("Material \"openpbr\" \"float coat_weight\" 1.5")
+            .find("\"coat_weight\" is 1.5; it lies in [0, 1]") != std::string::npos);
+  CHECK(pbrt_error("Material \"openpbr\" \"float emission_luminance\" 1e9").find("emission_luminance") !=
+        std::string::npos);
+  CHECK(warning_of("Material \"openpbr\" \"float coat_wieght\" 1").find("\"coat_weight\" is") !=
+        std::string::npos);
+}
+
+TEST_CASE("a clear surface of OpenPBR absorbs within, and one that emits is a light") {
+  const LoadedScene loaded = load_pbrt_world(
+      "Material \"openpbr\" \"float transmission_weight\" 1 \"rgb transmission_color\" [ 1 0.5 0 ] \"float "
+      "transmission_depth\" 2 " +
+      test::pbrt_triangle +
+      "Material \"openpbr\" \"float emission_luminance\" 3 \"rgb emission_color\" [ 1 0.5 0 ] " +
+      test::pbrt_triangle);
+  const Scene& scene = loaded.scene;
+  const Rgb& absorption = scene.materials[scene.bindings[0].material].interior.absorption;
+  CHECK(absorption.r == 0);
+  CHECK(absorption.g == Approx(std::log(2.0) / 2));
+  CHECK(absorption.b > 4);
+  CHECK(scene.bindings[0].light == no_light);
+  REQUIRE(scene.lights.size() == 1);
+  CHECK(scene.bindings[1].light == 0);
+  const Rgb radiance = std::get<MeshLight>(scene.lights[0].source).radiance;
+  CHECK(luminance(radiance) == Approx(3));
+  CHECK(radiance.g == Approx(radiance.r / 2));
+}
+
+TEST_CASE("a roughness is the square of alpha, unless it is not remapped") {
+  const auto alpha = [](const std::string& more) {
+    return model_of<Conductor>("\"conductor\" " + more).roughness;
+  };
+  CHECK(alpha("\"float roughness\" 0.25") == Roughness{0.5f, 0.5f});
+  CHECK(alpha("\"float roughness\" 0.25 \"bool remaproughness\" false") == Roughness{0.25f, 0.25f});
+  CHECK(alpha("\"float uroughness\" 0.04 \"float vroughness\" 0.25") == Roughness{0.2f, 0.5f});
+  CHECK(alpha("\"float uroughness\" 0.04") == Roughness{0.2f, 0});
+  CHECK(alpha("\"float roughness\" 9e-7") == Roughness{});
+  CHECK(alpha("") == Roughness{});
+}
+
+TEST_CASE("a metal of a reflectance has it where light falls straight on it") {
+  const auto metal = model_of<Conductor>("\"conductor\" \"rgb reflectance\" [ 0.9 0.5 0 ]");
+  CHECK(metal.eta == Rgb{1, 1, 1});
+  const auto reflected = [](float k) { return k * k / (4 + k * k); };
+  CHECK(reflected(metal.k.r) == Approx(0.9));
+  CHECK(reflected(metal.k.g) == Approx(0.5));
+  CHECK(metal.k.b == 0);
+  CHECK(pbrt_error("Material \"conductor\" \"rgb reflectance\" [ 1 1 1 ] \"rgb eta\" [ 1 1 1 ]")
+            .find("a metal has \"reflectance\" or \"eta\" and \"k\", not both") != std::string::npos);
+}
+
+TEST_CASE("the layers of a coated conductor have names of their own") {
+  const auto coated = model_of<CoatedConductor>(
+      "\"coatedconductor\" \"float interface.roughness\" 0.04 \"float conductor.roughness\" 0.25 \"float "
+      "interface.eta\" 1.7 \"rgb conductor.eta\" [ 1 2 3 ] \"rgb conductor.k\" [ 4 5 6 ]");
+  CHECK(coated.coat_roughness == Roughness{0.2f, 0.2f});
+  CHECK(coated.roughness == Roughness{0.5f, 0.5f});
+  CHECK(coated.coat_ior == Approx(1.7));
+  CHECK(coated.eta == Rgb{1, 2, 3});
+  CHECK(coated.k == Rgb{4, 5, 6});
+}
+
+TEST_CASE("named materials may be used before they are made, and a mix is of those before it") {
+  const LoadedScene loaded = load_pbrt_world(
+      "NamedMaterial \"late\" " + test::pbrt_triangle +
+      "MakeNamedMaterial \"a\" \"string type\" \"diffuse\" MakeNamedMaterial \"late\" \"string type\" "
+      "\"dielectric\" MakeNamedMaterial \"both\" \"string type\" \"mix\" \"string materials\" [ \"a\" "
+      "\"late\" ] "
+      "\"float amount\" 0.3");
+  const Scene& scene = loaded.scene;
+  CHECK(std::holds_alternative<Dielectric>(scene.materials[scene.bindings[0].material].model));
+  const Mix mix = std::get<Mix>(scene.materials.back().model);
+  CHECK(scene.materials[mix.first].name == "a");
+  CHECK(scene.materials[mix.second].name == "late");
+  CHECK(mix.amount == 0.3f);
+  CHECK(pbrt_error("NamedMaterial \"gless\" MakeNamedMaterial \"glass\" \"string type\" \"dielectric\"")
+            .find("no MakeNamedMaterial makes \"gless\"; \"glass\" is the nearest one") != std::string::npos);
+  CHECK(pbrt_error("MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" [ \"m\" \"m\" ]")
+            .find("a mix is of materials that are made before it; \"m\" is not") != std::string::npos);
+}
+
+TEST_CASE("what is not rendered is named, with what stands for it") {
+  CHECK(warning_of("Material \"hair\"") == "hair is not rendered; a diffuse surface stands for it");
+  CHECK(warning_of("Material \"subsurface\"") ==
+        "light below a surface (subsurface) is not rendered; a coated diffuse surface stands for it");
+  CHECK(warning_of("Material \"measured\" \"string filename\" \"a\"") ==
+        "a measured material is not rendered; a diffuse surface of 0.5 stands for it");
+  CHECK(warning_of("Shape \"curve\" \"point3 P\" [ 0 0 0 1 1 1 2 2 2 3 3 3 ]") ==
+        "curves are not rendered; this one is left out");
+  CHECK(pbrt_error("Material \"plastic\"").find("there is no material \"plastic\"; valid are diffuse") !=
+        std::string::npos);
+  CHECK(pbrt_error("Material \"diffuse\" \"rgb reflectance\" [ 1 1.5 1 ]")
+            .find("\"reflectance\" is 1 1.5 1; each must lie in [0, 1]") != std::string::npos);
+}
+
+TEST_CASE("an interface is no surface") {
+  CHECK(load_pbrt_world("Material \"interface\" " + test::pbrt_triangle).scene.geometry->triangle_count() ==
+        0);
+  const LoadedScene lit =
+      load_pbrt_world("Material \"interface\" AreaLightSource \"diffuse\" " + test::pbrt_triangle);
+  CHECK(lit.scene.lights.size() == 1);
+}
+
+}  // namespace twinray

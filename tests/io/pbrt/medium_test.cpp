@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/pbrt/medium.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/pbrt_text.h"
+
+namespace twinray {
+namespace {
+
+using test::load_pbrt_world;
+using test::pbrt_error;
+
+const std::string ball = "Shape \"sphere\" ";
+const std::string tea =
+    "MakeNamedMedium \"tea\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [ 1 2 4 ] \"rgb sigma_s\" [ 0 0 "
+    "0 ] ";
+
+const Material& material_of(const LoadedScene& loaded, std::size_t shape) {
+  return loaded.scene.materials[loaded.scene.bindings[shape].material];
+}
+
+std::vector<std::string> warnings_of(const std::string& statements) {
+  std::vector<std::string> messages;
+  for (const Diagnostic& warning : load_pbrt_world(statements).warnings) messages.push_back(warning.message);
+  return messages;
+}
+
+}  // namespace
+
+TEST_CASE("what light is absorbed by within a shape becomes its material's interior") {
+  const LoadedScene loaded = load_pbrt_world(
+      tea + "Material \"dielectric\" " + ball + "MediumInterface \"tea\" \"\" " + ball + ball +
+      "MakeNamedMedium \"more\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [ 1 2 4 ] \"rgb sigma_s\" "
+      "[ 0 0 0 ] \"float scale\" 0.5 MediumInterface \"more\" \"\" " +
+      ball + "Material \"diffuse\" " + ball + "Material \"interface\" " + ball +
+      "MediumInterface \"\" \"\" " + ball);
+  CHECK(loaded.warnings.empty());
+  REQUIRE(loaded.scene.bindings.size() == 6);  // The last one is no surface, and has nothing within.
+  CHECK_FALSE(has_interior(material_of(loaded, 0)));
+  CHECK(material_of(loaded, 1).interior.absorption == Rgb{1, 2, 4});
+  CHECK(loaded.scene.bindings[1].material == loaded.scene.bindings[2].material);
+  CHECK(std::holds_alternative<Dielectric>(material_of(loaded, 1).model));
+  CHECK(material_of(loaded, 3).interior.absorption == Rgb{0.5f, 1, 2});
+  CHECK_FALSE(has_interior(material_of(loaded, 4)));
+  CHECK(std::holds_alternative<Interface>(material_of(loaded, 5).model));
+  CHECK(material_of(loaded, 5).interior.absorption == Rgb{0.5f, 1, 2});
+}
+
+TEST_CASE("a medium that says nothing has pbrt's numbers, and attributes end") {
+  const LoadedScene loaded = load_pbrt_world(
+      "Material \"dielectric\" AttributeBegin Attribute \"medium\" \"rgb sigma_s\" [ 0 0 0 ] "
+      "MakeNamedMedium \"milk\" \"string type\" \"homogeneous\" MediumInterface \"milk\" " +
+      ball + "AttributeEnd " + ball);
+  CHECK(loaded.warnings.empty());
+  CHECK(material_of(loaded, 0).interior.absorption == Rgb{0.0011f, 0.0024f, 0.014f});
+  CHECK_FALSE(has_interior(material_of(loaded, 1)));
+}
+
+TEST_CASE("nested bodies have priorities") {
+  const LoadedScene loaded =
+      load_pbrt_world(tea + "MediumInterface \"tea\" \"\" Material \"dielectric\" \"integer priority\" 3 " +
+                      ball + "Material \"diffuse\" \"integer priority\" 3 " + ball);
+  CHECK(material_of(loaded, 0).interior == Interior{{1, 2, 4}, 3});
+  CHECK(material_of(loaded, 1).interior == Interior{});
+  REQUIRE(loaded.warnings.size() == 1);  // A diffuse surface has none.
+  CHECK(pbrt_error("Material \"dielectric\" \"integer priority\" -1").find("priority") != std::string::npos);
+}
+
+TEST_CASE("what of media is not rendered is said, and what is none is an error") {
+  const std::string begin = "MakeNamedMedium \"m\" \"string type\" ";
+  CHECK(warnings_of(begin + "\"homogeneous\"") ==
+        std::vector<std::string>{"what this medium scatters is not rendered, only what it absorbs"});
+  CHECK(warnings_of(begin + "\"cloud\"") ==
+        std::vector<std::string>{"a medium of the kind \"cloud\" is not rendered: it is clear"});
+  CHECK(warnings_of(begin + "\"homogeneous\" \"string preset\" \"Skin1\"") ==
+        std::vector<std::string>{"measured media are not known here: this one is taken as clear"});
+  CHECK(pbrt_error(begin + "\"fog\"").find("there is no medium \"fog\"; valid are homogeneous") !=
+        std::string::npos);
+  CHECK(pbrt_error("MakeNamedMedium \"m\"").find("\"string type\"") != std::string::npos);
+  CHECK(pbrt_error(tea + tea).find("the medium \"tea\" is made a second time") != std::string::npos);
+  CHECK(pbrt_error(tea + "MediumInterface \"tee\" \"\"").find("\"tea\" is the nearest one") !=
+        std::string::npos);
+  CHECK(pbrt_error(tea + "MediumInterface \"\" \"te\"").find("makes \"te\"") != std::string::npos);
+  CHECK(pbrt_error(begin + "\"homogeneous\" \"rgb sigma_a\" [ 1 -1 1 ]").find("sigma_a") !=
+        std::string::npos);
+}
+
+}  // namespace twinray
