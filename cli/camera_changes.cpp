@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/error.h"
 
 namespace twinray {
 namespace {
 
-constexpr float radians_per_degree = 0.017453292519943295f;
 constexpr float usual_fisheye_degrees = 180;
 
 /// Half of the frame's height, and as much of its width as the picture's shape has.
@@ -50,12 +50,13 @@ Camera with_projection(const Camera& camera, const AskedProjection& asked, const
   switch (asked.projection) {
     case Projection::perspective:
       return with_half_height(camera, Projection::perspective,
-                              float(tan_radians(double(*asked.size * radians_per_degree / 2))), aspect);
+                              float(tan_radians(double(*asked.size * float(radians_per_degree) / 2))),
+                              aspect);
     case Projection::orthographic:
       return with_parallel_rays(camera, asked, box, aspect);
     default:
       return with_panorama(camera, asked.projection,
-                           asked.size.value_or(usual_fisheye_degrees) * radians_per_degree / 2);
+                           asked.size.value_or(usual_fisheye_degrees) * float(radians_per_degree) / 2);
   }
 }
 

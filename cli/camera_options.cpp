@@ -8,7 +8,6 @@
 namespace twinray {
 namespace {
 
-constexpr const char* group_name = "Picture and samples";
 constexpr Range<float> lengths{0, 1e12f};
 constexpr Range<float> parts_of_frame{-100, 100};
 constexpr Range<float> frame_heights{1e-12f, 1e12f};
@@ -90,7 +89,7 @@ void parse_clip(const std::string& word, RenderArguments& arguments) {
 }  // namespace
 
 void add_camera_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, group_name);
+  OptionGroup group(app, option_groups::picture);
   RenderArguments& arguments = request.arguments;
   CameraChanges& changes = arguments.changes;
   group.add_words({"--clip", "none|file|NEAR,FAR", "Clip planes: of the scene's file, or depths (none)"}, 1,

@@ -15,7 +15,7 @@ DenoiserKind denoiser_named(const std::string& name) {
 }  // namespace
 
 void add_denoise_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, "Picture and samples");
+  OptionGroup group(app, option_groups::picture);
   group.add_optional_word({"--denoise", "[=auto|oidn|own]", "By Open Image Denoise, else by our own filter"},
                           "auto", request.denoise);
   group.add_flag("--denoise-light-groups", request.denoise_light_groups,

@@ -8,14 +8,13 @@
 namespace twinray {
 namespace {
 
-constexpr const char* group_name = "Picture and samples";
 constexpr Range<double> stops{-64, 64};
 constexpr Range<double> kelvins{least_white_kelvin, most_white_kelvin};
 
 }  // namespace
 
 void add_display_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, group_name);
+  OptionGroup group(app, option_groups::picture);
   Display& display = request.arguments.display;
   group.add_number({"--exposure", "STOPS", "8-bit pictures: light times 2^STOPS"}, display.exposure_stops,
                    stops);

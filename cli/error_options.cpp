@@ -79,7 +79,7 @@ void add_options(CLI::App& app, ErrorRequest& request) {
   add_texture_options(app, request.common);
   add_sampler_options(app, request.common);
   add_engine_options(app, request.common);
-  OptionGroup group(app, "Run");
+  OptionGroup group(app, option_groups::run);
   add_threads(group, request.common.arguments.render.threads);
   group.add_flag("--strict", request.common.arguments.load.strict,
                  "What a scene file or an option says must have an effect");

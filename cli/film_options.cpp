@@ -6,7 +6,6 @@
 namespace twinray {
 namespace {
 
-constexpr const char* group_name = "Parts and checkpoints (docs/films.md)";
 constexpr Range<double> intervals{1e-3, 1e6};
 
 /// Of samples or tiles: one at least.
@@ -35,7 +34,7 @@ void check_part(const char* option, const RenderArguments& arguments) {
 }  // namespace
 
 void add_film_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, group_name);
+  OptionGroup group(app, "Parts and checkpoints (docs/films.md)");
   RenderArguments& arguments = request.arguments;
   group.add_word({"--checkpoint", "FILE", "Keep the render there, for `twinray resume FILE`"},
                  arguments.checkpoint);

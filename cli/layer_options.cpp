@@ -61,7 +61,7 @@ bool has_mattes(const RenderOptions& render) {
 }  // namespace
 
 void add_layer_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, "Picture and samples");
+  OptionGroup group(app, option_groups::picture);
   group.add_words({"--layers", "NAME,...", "More layers in an .exr: albedo, normal, ids, ... or all"}, 1,
                   [&request](const Words& words) { parse_layers(words.front(), request.arguments.render); });
   group.add_repeated({"--light-group", "NAME=LIGHT,...", "A layer of light-groups; * is any text of a name"},

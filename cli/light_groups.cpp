@@ -38,7 +38,7 @@ bool names(const LightGroupRule& rule, const std::string& light) {
                      [&](const std::string& pattern) { return matches(pattern, light); });
 }
 
-std::string group_name(const Light& light, std::span<const LightGroupRule> rules) {
+std::string group_of(const Light& light, std::span<const LightGroupRule> rules) {
   for (const LightGroupRule& rule : rules)
     if (names(rule, light.name)) return rule.name;
   return layer_word(light.name.empty() ? "light" : light.name);
@@ -93,7 +93,7 @@ void group_lights(Scene& scene, std::span<const LightGroupRule> rules) {
   std::vector<std::string>& groups = scene.light_groups;
   groups.clear();
   for (Light& light : scene.lights) {
-    const std::string name = group_name(light, rules);
+    const std::string name = group_of(light, rules);
     const auto known = std::find(groups.begin(), groups.end(), name);
     light.group = std::uint32_t(known - groups.begin());
     if (known == groups.end()) groups.push_back(name);

@@ -12,8 +12,6 @@ namespace {
 
 using Bounces = RenderRequest::Bounces;
 
-constexpr const char* group_name = "Light";
-
 const Choices<IntegratorKind> integrators{
     {"path", IntegratorKind::path},       {"path-reference", IntegratorKind::path_reference},
     {"direct", IntegratorKind::direct},   {"ambient-occlusion", IntegratorKind::ambient_occlusion},
@@ -112,7 +110,7 @@ std::string integrator_name(IntegratorKind kind) {
 }
 
 void add_light_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, group_name);
+  OptionGroup group(app, option_groups::light);
   OptionGroup(app, "").add_flag("-H,--hemisphere", request.hemisphere, "");  // Help has it at --direct.
   add_light_letters(group, request);
   add_light_words(app, request);
@@ -134,7 +132,7 @@ DefaultLight parse_default_light(const std::string& word) {
 }  // namespace
 
 void add_light_words(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, group_name);
+  OptionGroup group(app, option_groups::light);
   RenderArguments& arguments = request.arguments;
   group.add_choice<IntegratorKind>("--integrator", arguments.integrator, integrators, "What is computed");
   group.add_number({"--ao-distance", "X", "How far ambient occlusion looks for obstacles"},

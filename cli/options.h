@@ -78,6 +78,11 @@ struct OptionText {
   std::string names, value, description;
 };
 
+/// Groups of the help that options of several files are in.
+namespace option_groups {
+inline constexpr const char *picture = "Picture and samples", *light = "Light", *run = "Run";
+}  // namespace option_groups
+
 /// Options of a command that stand together in its help. All targets must outlive the reading. Of equal
 /// options the last counts.
 class OptionGroup {

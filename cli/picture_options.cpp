@@ -9,8 +9,6 @@
 namespace twinray {
 namespace {
 
-constexpr const char* group_name = "Picture and samples";
-
 constexpr FilterKind all_filters[] = {FilterKind::box, FilterKind::triangle, FilterKind::gaussian,
                                       FilterKind::blackman_harris, FilterKind::mitchell};
 
@@ -71,7 +69,7 @@ void add_filter(OptionGroup& group, PixelFilter& filter) {
 }  // namespace
 
 void add_picture_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, group_name);
+  OptionGroup group(app, option_groups::picture);
   RenderArguments& arguments = request.arguments;
   group.add_word({"-o,--output,-f", "FILE",
                   fmt::format("The picture: .png .jpg .exr .tif .hdr .pfm, - ({})", arguments.output)},
@@ -82,7 +80,7 @@ void add_picture_options(CLI::App& app, RenderRequest& request) {
 }
 
 void add_frame_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, group_name);
+  OptionGroup group(app, option_groups::picture);
   RenderArguments& arguments = request.arguments;
   add_resolution(group, arguments.render.width, arguments.render.height, "Width and height in pixels");
   constexpr Range<int> any{std::numeric_limits<int>::min(), std::numeric_limits<int>::max()};

@@ -10,7 +10,7 @@ constexpr Range<std::uint32_t> places{0, std::uint32_t(frame_sides.most) - 1},
 }  // namespace
 
 void add_replay_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, "Run");
+  OptionGroup group(app, option_groups::run);
   group.add_words({"--replay", "X Y INDEX", "Print the path of one sample of a pixel, and render nothing"}, 3,
                   [&request](const Words& words) {
                     request.replay = {parse_number("--replay", words[0], places),

@@ -7,8 +7,6 @@
 namespace twinray {
 namespace {
 
-constexpr const char* group_name = "Run";
-
 /// None for the empty text.
 std::optional<NetworkAddress> parsed(const char* option, const std::string& text,
                                      NetworkAddress (*parse)(const std::string&)) {
@@ -23,7 +21,7 @@ std::optional<NetworkAddress> parsed(const char* option, const std::string& text
 }  // namespace
 
 void add_run_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, group_name);
+  OptionGroup group(app, option_groups::run);
   RenderArguments& arguments = request.arguments;
   add_threads(group, arguments.render.threads);
   group.add_flag("--count", arguments.render.counting, "Count nodes and primitives per ray (slower)");
@@ -44,7 +42,7 @@ void add_run_options(CLI::App& app, RenderRequest& request) {
 }
 
 void add_run_words(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, group_name);
+  OptionGroup group(app, option_groups::run);
   RenderArguments& arguments = request.arguments;
   group.add_word({"--stats", "FILE", "Write all statistics as JSON"}, arguments.stats_file);
   const std::string usual = text_of(parse_viewer_address(""));

@@ -10,12 +10,10 @@ constexpr Range<std::uint32_t> batches{2, Film::max_samples};
 constexpr Range<double> tolerances{0, 1e6};
 constexpr Range<double> time_limits{1e-3, 1e9};
 constexpr Range<double> noise_targets{1e-6, 1e3};
-constexpr const char* group_name = "Picture and samples";
-
 }  // namespace
 
 void add_sampling_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, group_name);
+  OptionGroup group(app, option_groups::picture);
   group.add_number({"-s,--samples", "N", "Samples per pixel"}, request.arguments.render.samples,
                    sample_counts);
   group.add_number({"--seconds", "T", "As many samples as this time allows; at most N if given"},
@@ -34,7 +32,7 @@ void add_sampling_options(CLI::App& app, RenderRequest& request) {
 }
 
 void add_sampler_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, group_name);
+  OptionGroup group(app, option_groups::picture);
   const AdaptiveSampling usual;
   group.add_words(
       {"-a,--adaptive", "N T",
@@ -44,7 +42,7 @@ void add_sampler_options(CLI::App& app, RenderRequest& request) {
 }
 
 void add_sampling_words(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, group_name);
+  OptionGroup group(app, option_groups::picture);
   RenderOptions& render = request.arguments.render;
   group.add_choice<std::optional<AdaptiveRule>>(
       "--adaptive-rule", request.adaptive_rule,

@@ -9,7 +9,7 @@ constexpr Range<double> texture_megabytes{0, 1e9};
 }  // namespace
 
 void add_texture_options(CLI::App& app, RenderRequest& request) {
-  OptionGroup group(app, "Light");
+  OptionGroup group(app, option_groups::light);
   group.add_choice<std::optional<TextureFilter>>("--texture-filter", request.arguments.texture_filter,
                                                  {{"stochastic", TextureFilter::stochastic},
                                                   {"trilinear", TextureFilter::trilinear},

@@ -31,6 +31,26 @@ function(twinray_share_objects target)
   endif()
 endfunction()
 
+# To compile a file of io, cli or their tests is mostly to read the headers that it includes: eight together take little
+# longer than one. The preset dev takes each alone, and so sees whether it includes what it needs.
+option(TWINRAY_UNITY "Compile files of io, cli and their tests eight at a time: half of the time of a build from nothing" ON)
+# twinray_compile_together(TARGET [file...]): these of its files, or all. No two of them may use a name for two things.
+function(twinray_compile_together target)
+  set(files ${ARGN})
+  if(NOT files)
+    get_target_property(files ${target} SOURCES)
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${TWINRAY_UNITY} UNITY_BUILD_MODE GROUP)
+  set(place 0)
+  foreach(file ${files})
+    if(place EQUAL 0)
+      string(MAKE_C_IDENTIFIER ${file} group)
+    endif()
+    set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${group})
+    math(EXPR place "(${place} + 1) % 8")
+  endforeach()
+endfunction()
+
 # Warnings and sanitizers: linked PRIVATE by every target of ours, never installed.
 add_library(twinray_developer INTERFACE)
 target_compile_options(twinray_developer INTERFACE -Wall -Wextra -Wshadow -Wno-missing-field-initializers

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 
 namespace twinray {
 namespace {
-
-constexpr double pi_double = 3.14159265358979323846;
 
 double lerp(double from, double to, double t) { return from + (to - from) * t; }
 

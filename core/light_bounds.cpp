@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/mesh_area.h"
 
 namespace twinray {
 namespace {
-
-constexpr double pi_double = 3.14159265358979324;
 
 LightBounds at_point(const Vec3& position, double power, const EmissionCone& cone = {}) {
   LightBounds bounds;

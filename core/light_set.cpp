@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/alpha_test.h"
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/environment.h"
 #include "core/frame.h"
@@ -150,7 +151,6 @@ struct Disc {
 };
 
 Disc disc_of(const SunLight& sun) {
-  constexpr double radians_per_degree = 3.14159265358979323846 / 180;
   const double radius = 0.5 * sun.diameter_degrees * radians_per_degree;
   const double half = sin_radians(0.5 * radius), edge = sin_radians(radius);
   return {float(2 * half * half), sun.irradiance / float(pi * edge * edge)};

@@ -7,12 +7,12 @@
 #include <limits>
 #include <numeric>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 
 namespace twinray {
 namespace {
 
-constexpr double pi_double = 3.14159265358979324;
 constexpr int bins = 12;
 /// Below it a node is halved by numbers, so that no choice of splits makes the tree a list.
 constexpr int most_levels = 48;

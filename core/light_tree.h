@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/aabb.h"
+#include "core/angle.h"
 #include "core/light_patch.h"
 #include "core/vec.h"
 
@@ -19,7 +20,7 @@ namespace twinray {
 /// The directions of normals, and how far from a normal light is emitted: angles in radians.
 struct EmissionCone {
   Vec3 axis{0, 0, 1};                     ///< Unit.
-  double normals = 3.14159265358979324;   ///< Around the axis, all normals lie within; in [0, pi].
+  double normals = pi_double;             ///< Around the axis, all normals lie within; in [0, pi].
   double emission = 1.57079632679489662;  ///< Around a normal, all light goes within; in [0, pi / 2].
 };
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/error.h"
 
@@ -12,7 +13,6 @@ namespace twinray {
 namespace {
 
 constexpr double log2_e = 1.4426950408889634;
-constexpr double pi = 3.14159265358979323846;
 constexpr float sigmas_per_radius = 3;
 
 struct KindInfo {
@@ -26,7 +26,7 @@ double bell(double x, double sigma) { return exp2_of(-x * x / (2 * sigma * sigma
 
 /// x in [0, 1].
 double blackman_harris(double x) {
-  const double angle = pi * x;
+  const double angle = pi_double * x;
   return 0.35875 + 0.48829 * cos_radians(angle) + 0.14128 * cos_radians(2 * angle) +
          0.01168 * cos_radians(3 * angle);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.h"
 #include "core/direction_map.h"
 #include "core/elementary.h"
 #include "core/radiance.h"
@@ -12,10 +13,7 @@
 namespace twinray {
 namespace {
 
-double cos_degrees(double degrees) {
-  constexpr double radians_per_degree = 3.14159265358979323846 / 180;
-  return cos_radians(degrees * radians_per_degree);
-}
+double cos_degrees(double degrees) { return cos_radians(degrees * radians_per_degree); }
 
 float falloff(const Attenuation& a, float distance) {
   return 1 / (a.constant + a.linear * distance + a.quadratic * distance * distance);

@@ -20,6 +20,7 @@ constexpr Rgb operator/(const Rgb& a, float s) { return {a.r / s, a.g / s, a.b /
 constexpr Rgb& operator+=(Rgb& a, const Rgb& b) { return a = a + b; }
 
 constexpr bool is_black(const Rgb& c) { return c.r == 0 && c.g == 0 && c.b == 0; }
+constexpr bool is_grey(const Rgb& c) { return c.r == c.g && c.r == c.b; }
 constexpr float max_component(const Rgb& c) { return std::max(c.r, std::max(c.g, c.b)); }
 inline bool is_finite(const Rgb& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
 

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 
 namespace twinray {
 namespace {
-
-constexpr double radians_per_degree = 0.017453292519943295;
 
 /// Row `row` of A times v.
 double row_times(const double (&m)[3][4], int row, const Vec3& v) {

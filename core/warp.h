@@ -3,11 +3,10 @@
 #pragma once
 #include <algorithm>
 
+#include "core/angle.h"
 #include "core/vec.h"
 
 namespace twinray {
-
-inline constexpr float pi = 3.14159265358979323846f;
 
 /// Uniform in the unit disc (Shirley and Chiu, "A Low Distortion Map Between Disk and Square", 1997). Density
 /// per area: 1 / pi.

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <utility>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/error.h"
 #include "core/geometry.h"
@@ -57,7 +58,7 @@ class CameraText {
   float tan_half(Field field) const {
     const double degrees = numbers_[field];
     if (!(degrees > 0 && degrees < 180)) throw wrong(field, "a field of view lies between 0 and 180 degrees");
-    const auto half = float(tan_radians(degrees * (3.14159265358979323846 / 360)));
+    const auto half = float(tan_radians(degrees * (pi_double / 360)));
     if (!(half > 0 && std::isfinite(half)))
       throw wrong(field, "this field of view cannot be told from 0 or 180 degrees");
     return half;

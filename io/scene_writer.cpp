@@ -14,16 +14,16 @@
 namespace twinray {
 namespace {
 
-struct Format {
+struct WrittenFormat {
   std::string_view ending;
   WrittenScene (*written)(const SceneToWrite&, const std::string& path);
 };
-constexpr std::array<Format, 4> formats{
+constexpr std::array<WrittenFormat, 4> written_formats{
     {{".json", written_exchange}, {".pbrt", written_pbrt}, {".gltf", written_gltf}, {".glb", written_gltf}}};
 
-const Format& format_of(const std::string& path) {
+const WrittenFormat& format_of(const std::string& path) {
   const std::string name = name_of_file(path);
-  for (const Format& format : formats)
+  for (const WrittenFormat& format : written_formats)
     if (name.size() > format.ending.size() && name.ends_with(format.ending)) return format;
   throw Error(
       fmt::format("{}: a scene is written to a file whose name ends in .json, .pbrt, .gltf or .glb; other "

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/geometry.h"
 #include "io/camera_axes.h"
@@ -13,7 +14,6 @@
 namespace twinray {
 namespace {
 
-constexpr double radians_per_degree = 0.017453292519943295;
 /// Where a file leaves one side to the image, its tangent is this part of the other one's: below that of any
 /// image, so that fit_frame() widens it to the image's shape.
 constexpr double open_side = 0x1p-20;

@@ -10,7 +10,7 @@
 namespace twinray::generated {
 namespace {
 
-constexpr unsigned seed = 5;
+constexpr unsigned ball_seed = 5;
 /// Noise as fine as the grid itself, at most.
 constexpr int most_octaves = 8;
 
@@ -45,7 +45,7 @@ Scene make_ball(std::size_t triangles) {
   while (octaves < most_octaves && 4 << octaves < n) ++octaves;
   Mesh ball{.name = "ball"};
   add_ball(ball, {0, -0.2f, -0.4f}, n,
-           [octaves](const Vec3& p) { return 1 + 0.17f * fractal_noise(p * 2.3f, octaves, seed); });
+           [octaves](const Vec3& p) { return 1 + 0.17f * fractal_noise(p * 2.3f, octaves, ball_seed); });
   scene.add(std::move(ball), Rgb{0.72f, 0.62f, 0.45f});
   return scene.finish(camera_of({{0.3f, 0.2f, 2.8f}, {0, -0.1f, 0}, 0.62f}));
 }

@@ -17,12 +17,10 @@
 namespace twinray::generated {
 namespace {
 
-constexpr unsigned seed = 11;
+constexpr unsigned forest_seed = 11;
 constexpr float spacing = 4.5f;
 constexpr double share_of_leaves = 0.85;  // Of the triangles that are neither wood nor ground.
 constexpr double wood_of_tree = 2 * 6 * 6 + 2 * 4 * 2 * branches;  // Triangles.
-
-float ground_height(float x, float z) { return 0.9f * fractal_noise({0.07f * x, 0, 0.07f * z}, 4, seed); }
 
 struct Plan {
   int columns, rows;  ///< Of trees; the first row stands before the camera.
@@ -52,7 +50,7 @@ void add_trees(Forest& forest) {
       const float dz = forest.trees.random.uniform(0.15f, 0.85f);
       const float x = (float(column) + dx) * spacing - plan.half_width();
       const float z = -(float(row) + dz) * spacing;
-      add_tree(forest.trees, {x, ground_height(x, z), z});
+      add_tree(forest.trees, {x, ground_height(x, z, forest_seed), z});
     }
 }
 
@@ -62,7 +60,7 @@ Mesh make_ground(const Plan& plan, std::size_t triangles) {
   const float half = plan.half_width() + 12, front = 14, back = plan.depth() + 12;
   add_surface(ground, n, n, [&](float u, float v) {
     const float x = half * (2 * u - 1), z = front - (front + back) * v;
-    return Vec3{x, ground_height(x, z), z};
+    return Vec3{x, ground_height(x, z, forest_seed), z};
   });
   return ground;
 }
@@ -75,7 +73,7 @@ Mesh make_grass(Forest& forest, std::size_t blades) {
     const float near = random.unit();
     const float x = random.uniform(-1, 1) * (forest.plan.half_width() + 2);
     const float z = 9 - (forest.plan.depth() + 9) * near * near;
-    const Vec3 root{x, ground_height(x, z) - 0.02f, z};
+    const Vec3 root{x, ground_height(x, z, forest_seed) - 0.02f, z};
     const Vec3 side = random.in_ball() * 0.02f;
     const Vec3 bend = random.in_cube(0.12f);
     const float height = random.uniform(0.15f, 0.5f);
@@ -90,7 +88,7 @@ Mesh make_grass(Forest& forest, std::size_t blades) {
 Scene make_forest(std::size_t triangles) {
   check_size("forest", triangles, 10'000);
   const Plan plan = plan_of(triangles);
-  Forest forest{plan, {Random(seed), plan.leaves_of_tree}};
+  Forest forest{plan, {Random(forest_seed), plan.leaves_of_tree}};
   SceneMaker scene;
   scene.add(make_ground(forest.plan, triangles), Rgb{0.28f, 0.2f, 0.12f});
   add_trees(forest);

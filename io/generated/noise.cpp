@@ -42,4 +42,8 @@ float fractal_noise(const Vec3& p, int octaves, unsigned seed) {
   return sum;
 }
 
+float ground_height(float x, float z, unsigned seed) {
+  return 0.9f * fractal_noise({0.07f * x, 0, 0.07f * z}, 4, seed);
+}
+
 }  // namespace twinray::generated

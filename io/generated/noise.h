@@ -12,4 +12,7 @@ float noise(const Vec3& p, unsigned seed);
 /// (-2, 2).
 float fractal_noise(const Vec3& p, int octaves, unsigned seed);
 
+/// The height of gentle hills at a place; below 2.
+float ground_height(float x, float z, unsigned seed);
+
 }  // namespace twinray::generated

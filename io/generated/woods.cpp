@@ -13,13 +13,11 @@
 namespace twinray::generated {
 namespace {
 
-constexpr unsigned seed = 17;
+constexpr unsigned woods_seed = 17;
 constexpr int kinds_of_trees = 8, kinds_of_tufts = 4;
 constexpr std::size_t leaves_of_tree = 5000;
 constexpr int blades_of_tuft = 600;
 constexpr float spacing = 2.2f;
-
-float ground_height(float x, float z) { return 0.9f * fractal_noise({0.07f * x, 0, 0.07f * z}, 4, seed); }
 
 /// A square of trees and tufts, most of it before the camera.
 struct Plan {
@@ -50,7 +48,7 @@ void add_ground(SceneMaker& scene, const Plan& plan) {
   const float half = plan.half_width() + 12, front = 14, back = plan.depth() + 12;
   add_surface(ground, 120, 120, [&](float u, float v) {
     const float x = half * (2 * u - 1), z = front - (front + back) * v;
-    return Vec3{x, ground_height(x, z), z};
+    return Vec3{x, ground_height(x, z, woods_seed), z};
   });
   scene.add(std::move(ground), Rgb{0.28f, 0.2f, 0.12f});
 }
@@ -59,7 +57,7 @@ void add_ground(SceneMaker& scene, const Plan& plan) {
 void add_plants(SceneMaker& scene, Random& random) {
   for (int kind = 0; kind < kinds_of_trees; ++kind) {
     scene.begin_prototype();
-    Trees trees{Random(seed, std::uint64_t(kind)), leaves_of_tree};
+    Trees trees{Random(woods_seed, std::uint64_t(kind)), leaves_of_tree};
     add_tree(trees, {0, 0, 0});
     scene.add(std::move(trees.wood), Rgb{0.3f, 0.22f, 0.16f});
     const float yellow = 0.2f + 0.03f * float(kind);
@@ -81,8 +79,8 @@ void add_instances(SceneMaker& scene, Random& random, const Plan& plan, std::siz
         i % 4 == 0 ? random.below(kinds_of_trees) : kinds_of_trees + random.below(kinds_of_tufts);
     const double mirror = i % 2 ? -1 : 1;
     const Transform turn = Transform::rotation({0, 1, 0}, 360.0 * random.unit());
-    scene.add_instance(std::uint32_t(kind), Transform::translation(x, ground_height(x, z), z) * turn *
-                                                Transform::scaling(mirror * size, size, size));
+    scene.add_instance(std::uint32_t(kind), Transform::translation(x, ground_height(x, z, woods_seed), z) *
+                                                turn * Transform::scaling(mirror * size, size, size));
   }
 }
 
@@ -91,7 +89,7 @@ void add_instances(SceneMaker& scene, Random& random, const Plan& plan, std::siz
 Scene make_woods(std::size_t instances) {
   check_count("woods", instances);
   const Plan plan(instances);
-  Random random(seed);
+  Random random(woods_seed);
   SceneMaker scene;
   add_ground(scene, plan);
   add_plants(scene, random);

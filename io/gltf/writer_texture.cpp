@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "io/picture/png.h"
 
@@ -13,8 +14,6 @@ namespace {
 
 constexpr int nearest = 9728, linear = 9729, trilinear = 9987;
 constexpr int clamp_to_edge = 33071, repeat = 10497;
-constexpr double pi = 3.14159265358979323846;
-constexpr std::size_t alpha_channel = 3;
 
 std::uint8_t byte_of(float number) {
   return std::uint8_t(std::lround(255 * (number > 0 ? std::min(number, 1.0f) : 0)));
@@ -129,7 +128,7 @@ std::size_t GltfTextureWriter::sampler(const BakedTexture& frame) {
 /// The inverse of what io/gltf/slot.cpp reads: offset + R S (u, v), whose v runs downwards.
 GltfJson GltfTextureWriter::transform(const UvTransform& uv) {
   const auto& [u, v] = uv.m;
-  const double turns = atan2_turns(double(v[0]), double(u[0])), angle = 2 * pi * turns;
+  const double turns = atan2_turns(double(v[0]), double(u[0])), angle = 2 * pi_double * turns;
   const double s = sin_radians(angle), c = cos_radians(angle);
   const double sx = c * double(u[0]) + s * double(v[0]), sy = c * double(v[1]) - s * double(u[1]);
   constexpr double tolerance = 1e-5;

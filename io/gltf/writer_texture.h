@@ -2,6 +2,7 @@
 // Private to the writer of glTF: textures as PNG pictures, in the channels where the format has them.
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -12,6 +13,9 @@
 #include "io/picture/baked_texture.h"
 
 namespace twinray {
+
+/// Of a picture with four channels, the last.
+inline constexpr std::size_t alpha_channel = 3;
 
 /// What the channels of one picture are.
 struct GltfChannels {

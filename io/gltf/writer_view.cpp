@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/frame.h"
 
 namespace twinray {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double radians_per_degree = pi / 180;
 /// What stands for the depths that a camera without clip distances sees, in sizes of the scene.
 constexpr float near_part = 1e-4f, far_part = 1e2f;
 
@@ -93,7 +92,8 @@ class Lights {
     check(light.attenuation, "spot");
     if (light.falloff_exponent != 0) lose("spot", "is as bright beside its axis as along it");
     if (light.falloff_angle_degrees > 180) lose("spot", "has a cone of a half of all directions at most");
-    const double outer = std::min(double(light.falloff_angle_degrees) / 2 * radians_per_degree, pi / 2);
+    const double outer =
+        std::min(double(light.falloff_angle_degrees) / 2 * radians_per_degree, pi_double / 2);
     const double inner = outer - double(light.penumbra_degrees) * radians_per_degree;
     GltfJson json = light_of("spot", light.intensity);
     json["spot"] = {{"innerConeAngle", std::clamp(inner, 0.0, std::nextafter(outer, 0.0))},
@@ -115,7 +115,7 @@ class Lights {
   void add(const ProjectionLight& light) {
     lose("projection", "is a spot of its mean color");
     const double outer =
-        2 * pi * atan2_turns(double(std::max(light.tan_half_width, light.tan_half_height)), 1);
+        2 * pi_double * atan2_turns(double(std::max(light.tan_half_width, light.tan_half_height)), 1);
     GltfJson json = light_of("spot", light.intensity * mean_of(*light.picture));
     json["spot"] = {{"innerConeAngle", std::nextafter(outer, 0.0)}, {"outerConeAngle", outer}};
     place(json, along(light.forward, light.position));
@@ -155,7 +155,7 @@ void add_gltf_camera(const SceneToWrite& input, GltfFile& file) {
     lens = {{"type", "perspective"},
             {"perspective",
              {{"aspectRatio", gltf_number(camera.tan_half_width / camera.tan_half_height)},
-              {"yfov", 4 * pi * atan2_turns(double(camera.tan_half_height), 1)},
+              {"yfov", 4 * pi_double * atan2_turns(double(camera.tan_half_height), 1)},
               {"znear", gltf_number(near)}}}};
     if (std::isfinite(camera.clip_far)) lens["perspective"]["zfar"] = gltf_number(camera.clip_far);
   }

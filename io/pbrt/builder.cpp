@@ -8,6 +8,7 @@
 
 #include "core/alpha_test.h"
 
+#include "core/angle.h"
 #include "core/mesh_area.h"
 #include "core/radiance.h"
 #include "core/shading_map.h"
@@ -17,10 +18,10 @@ namespace twinray {
 namespace {
 
 double area_of(const Shape& shape) {
-  constexpr double pi = 3.14159265358979323846;
   double area = 0;
   if (const auto* set = std::get_if<SphereSet>(&shape))
-    for (const Sphere& sphere : set->spheres) area += 4 * pi * double(sphere.radius) * double(sphere.radius);
+    for (const Sphere& sphere : set->spheres)
+      area += 4 * pi_double * double(sphere.radius) * double(sphere.radius);
   if (const auto* mesh = std::get_if<Mesh>(&shape))
     for (const Triangle& triangle : mesh->triangles) area += area_vector(*mesh, triangle).area();
   return area;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/geometry.h"
 #include "io/pbrt/transform.h"
@@ -13,7 +14,6 @@
 namespace twinray {
 namespace {
 
-constexpr double radians_per_degree = 0.017453292519943295;
 constexpr int default_width = 1280, default_height = 720, default_samples = 16, default_depth = 5;
 constexpr int most_depth = 100, most_side = 65536, most_samples = 1 << 20;
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "io/pbrt/spectrum.h"
 #include "io/pbrt/transform.h"
@@ -16,8 +17,6 @@
 namespace twinray {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double radians_per_degree = pi / 180;
 constexpr NumberRange scales{0, 1e12}, any_power{-1e30, 1e30};
 constexpr Rgb white{1, 1, 1};
 
@@ -46,7 +45,7 @@ std::optional<LightSource> read_point(const PbrtParameters& parameters, const Tr
                                       PbrtContext& context) {
   const Rgb intensity = scaled_color(parameters, "I", context);
   return PointLight{to_world.point(parameters.point("from", {0, 0, 0})),
-                    with_strength(intensity, "power", 4 * pi, parameters),
+                    with_strength(intensity, "power", 4 * pi_double, parameters),
                     {}};
 }
 
@@ -58,7 +57,7 @@ std::optional<LightSource> read_spot(const PbrtParameters& parameters, const Tra
   const double end = cos_radians(double(angle) * radians_per_degree);
   const double start = cos_radians(double(std::max(0.0f, angle - delta)) * radians_per_degree);
   const Rgb intensity = scaled_color(parameters, "I", context);
-  const double unit = 2 * pi * ((1 - start) + (start - end) / 2);
+  const double unit = 2 * pi_double * ((1 - start) + (start - end) / 2);
   SpotLight spot{to_world.point(from), direction(from, to, to_world, parameters),
                  with_strength(intensity, "power", unit, parameters)};
   spot.falloff_angle_degrees = std::max(2 * angle, 1e-3f);
@@ -147,7 +146,7 @@ std::optional<LightSource> read_infinite(const PbrtParameters& parameters, const
     warn_of_strength("illuminance", parameters, context);
     return EnvironmentLight{map, layout_of(*map), rotation_of(to_world, parameters, context), radiance};
   }
-  return EnvironmentLight{one_pixel(with_strength(radiance, "illuminance", pi, parameters))};
+  return EnvironmentLight{one_pixel(with_strength(radiance, "illuminance", pi_double, parameters))};
 }
 
 /// The light's y axis is the picture's z axis.
@@ -182,16 +181,16 @@ std::optional<LightSource> read_projection(const PbrtParameters& parameters, con
                          {strength, strength, strength},      picture};
 }
 
-struct Reader {
+struct LightReader {
   std::string_view type;
   std::optional<LightSource> (*read)(const PbrtParameters&, const Transform&, PbrtContext&);
 };
-constexpr std::array<Reader, 6> readers{{{"point", read_point},
-                                         {"spot", read_spot},
-                                         {"distant", read_distant},
-                                         {"infinite", read_infinite},
-                                         {"goniometric", read_goniometric},
-                                         {"projection", read_projection}}};
+constexpr std::array<LightReader, 6> light_readers{{{"point", read_point},
+                                                    {"spot", read_spot},
+                                                    {"distant", read_distant},
+                                                    {"infinite", read_infinite},
+                                                    {"goniometric", read_goniometric},
+                                                    {"projection", read_projection}}};
 
 Rgb* strength(LightSource& light) {
   if (auto* mesh = std::get_if<MeshLight>(&light)) return &mesh->radiance;
@@ -209,7 +208,7 @@ Rgb* strength(LightSource& light) {
 
 Rgb PbrtAreaLight::radiance_of(double area) const {
   const double mean = picture ? double(luminance(mean_of(*picture))) : 1;
-  const double unit = (is_two_sided ? 2 : 1) * pi * area * mean;
+  const double unit = (is_two_sided ? 2 : 1) * pi_double * area * mean;
   return power > 0 && unit > 0 ? radiance * float(double(power) / unit) : radiance;
 }
 
@@ -228,11 +227,11 @@ PbrtAreaLight read_area_light(const std::string& type, const PbrtParameters& par
 
 std::optional<LightSource> read_light(const std::string& type, const PbrtParameters& parameters,
                                       const Transform& to_world, PbrtContext& context) {
-  const auto reader =
-      std::find_if(readers.begin(), readers.end(), [&](const Reader& r) { return r.type == type; });
-  if (reader == readers.end()) {
+  const auto reader = std::find_if(light_readers.begin(), light_readers.end(),
+                                   [&](const LightReader& r) { return r.type == type; });
+  if (reader == light_readers.end()) {
     std::vector<std::string_view> names;
-    for (const Reader& each : readers) names.push_back(each.type);
+    for (const LightReader& each : light_readers) names.push_back(each.type);
     parameters.place().fail(fmt::format("there is no light \"{}\"; valid are {}", type, list_names(names)));
   }
   auto light = reader->read(parameters, to_world, context);

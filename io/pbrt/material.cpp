@@ -276,28 +276,28 @@ SurfaceModel read_measured(const Inputs& in) {
   return instead(in, "a measured material", "a diffuse surface of 0.5", Lambert{half});
 }
 
-struct Reader {
+struct MaterialReader {
   std::string_view type;
   SurfaceModel (*read)(const Inputs&);
 };
-constexpr std::array<Reader, 11> readers{{{"diffuse", read_diffuse},
-                                          {"conductor", read_conductor},
-                                          {"dielectric", read_dielectric},
-                                          {"thindielectric", read_thin},
-                                          {"coateddiffuse", read_coated_diffuse},
-                                          {"coatedconductor", read_coated_conductor},
-                                          {"diffusetransmission", read_transmission},
-                                          {"openpbr", read_principled},
-                                          {"subsurface", read_subsurface},
-                                          {"hair", read_hair},
-                                          {"measured", read_measured}}};
+constexpr std::array<MaterialReader, 11> material_readers{{{"diffuse", read_diffuse},
+                                                           {"conductor", read_conductor},
+                                                           {"dielectric", read_dielectric},
+                                                           {"thindielectric", read_thin},
+                                                           {"coateddiffuse", read_coated_diffuse},
+                                                           {"coatedconductor", read_coated_conductor},
+                                                           {"diffusetransmission", read_transmission},
+                                                           {"openpbr", read_principled},
+                                                           {"subsurface", read_subsurface},
+                                                           {"hair", read_hair},
+                                                           {"measured", read_measured}}};
 
 SurfaceModel read_model(const std::string& type, const Inputs& in) {
-  const auto reader =
-      std::find_if(readers.begin(), readers.end(), [&](const Reader& r) { return r.type == type; });
-  if (reader != readers.end()) return reader->read(in);
+  const auto reader = std::find_if(material_readers.begin(), material_readers.end(),
+                                   [&](const MaterialReader& r) { return r.type == type; });
+  if (reader != material_readers.end()) return reader->read(in);
   std::vector<std::string_view> names;
-  for (const Reader& each : readers) names.push_back(each.type);
+  for (const MaterialReader& each : material_readers) names.push_back(each.type);
   for (const char* name : {"mix", "interface"}) names.push_back(name);
   in.parameters.place().fail(
       fmt::format("there is no material \"{}\"; valid are {}", type, list_names(names)));

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 
 namespace twinray {
 namespace {
 
 constexpr std::uint32_t edges_around = 256;
-constexpr double radians_per_degree = 0.017453292519943295;
 
 /// A grid of columns x rows cells over the unit square: point(u, v) gives position and normal.
 template <typename Point>

@@ -79,18 +79,18 @@ std::optional<PbrtShape> read_curve(const PbrtParameters& parameters, PbrtContex
   return std::nullopt;
 }
 
-struct Reader {
+struct ShapeReader {
   std::string_view type;
   std::optional<PbrtShape> (*read)(const PbrtParameters&, PbrtContext&);
 };
-constexpr std::array<Reader, 8> readers{{{"trianglemesh", read_triangles},
-                                         {"plymesh", read_ply_mesh},
-                                         {"sphere", read_sphere},
-                                         {"disk", read_disk},
-                                         {"cylinder", read_cylinder},
-                                         {"bilinearmesh", read_bilinear},
-                                         {"loopsubdiv", read_subdivision},
-                                         {"curve", read_curve}}};
+constexpr std::array<ShapeReader, 8> shape_readers{{{"trianglemesh", read_triangles},
+                                                    {"plymesh", read_ply_mesh},
+                                                    {"sphere", read_sphere},
+                                                    {"disk", read_disk},
+                                                    {"cylinder", read_cylinder},
+                                                    {"bilinearmesh", read_bilinear},
+                                                    {"loopsubdiv", read_subdivision},
+                                                    {"curve", read_curve}}};
 
 void turn(Triangle& triangle) { std::swap(triangle[1], triangle[2]); }
 
@@ -148,11 +148,11 @@ Mesh place_mesh(Mesh mesh, const Transform& to_world, bool is_reversed, PlacedSh
 
 std::optional<PbrtShape> read_shape(const std::string& type, const PbrtParameters& parameters,
                                     PbrtContext& context) {
-  const auto reader =
-      std::find_if(readers.begin(), readers.end(), [&](const Reader& r) { return r.type == type; });
-  if (reader == readers.end()) {
+  const auto reader = std::find_if(shape_readers.begin(), shape_readers.end(),
+                                   [&](const ShapeReader& r) { return r.type == type; });
+  if (reader == shape_readers.end()) {
     std::vector<std::string_view> names;
-    for (const Reader& each : readers) names.push_back(each.type);
+    for (const ShapeReader& each : shape_readers) names.push_back(each.type);
     parameters.place().fail(fmt::format("there is no shape \"{}\"; valid are {}", type, list_names(names)));
   }
   auto shape = reader->read(parameters, context);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "io/pbrt/text.h"
 #include "io/pbrt/transform.h"
@@ -13,7 +14,6 @@
 namespace twinray {
 namespace {
 
-constexpr double degrees_per_turn = 360;
 /// Of a fisheye, whose picture is written as a plane's.
 constexpr float widest_tangent = 4;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/frame.h"
 #include "io/pbrt/text.h"
@@ -14,10 +15,6 @@
 
 namespace twinray {
 namespace {
-
-constexpr double degrees_per_turn = 360;
-
-bool is_grey(const Rgb& c) { return c.r == c.g && c.r == c.b; }
 
 Transform moved(Transform rotation, const Vec3& position) {
   for (int row = 0; row < 3; ++row) rotation.m[row][3] = double(position[row]);

@@ -33,8 +33,6 @@ Image red_of(Image image) {
   return image;
 }
 
-bool is_grey(const Rgb& c) { return c.r == c.g && c.r == c.b; }
-
 const ConstantTexture* constant_of(std::span<const Texture> textures, std::uint32_t index) {
   return std::get_if<ConstantTexture>(&textures[index].model);
 }

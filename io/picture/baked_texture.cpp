@@ -69,13 +69,13 @@ bool has_size(const MipMap& image, const Part& part) {
 bool is_nearest(const Part& part) { return part.filter == TextureFilter::nearest; }
 
 /// How all parts lie together, and how large a picture of them is.
-struct Frame {
+struct PictureFrame {
   Part part;
   bool is_exact = true, lies_alike = true;
 };
 
-Frame frame_of(const std::vector<Part>& parts) {
-  Frame frame;
+PictureFrame frame_of(const std::vector<Part>& parts) {
+  PictureFrame frame;
   if (parts.empty()) return frame;
   frame.part = parts[0];
   for (const Part& part : parts) {
@@ -95,7 +95,7 @@ Frame frame_of(const std::vector<Part>& parts) {
 }
 
 /// The textures with those that lie like the frame over the unit square, which is one period of theirs.
-std::vector<Texture> in_frame(std::span<const Texture> textures, const Frame& frame) {
+std::vector<Texture> in_frame(std::span<const Texture> textures, const PictureFrame& frame) {
   std::vector<Texture> list(textures.begin(), textures.end());
   if (!frame.lies_alike) return list;
   const UvTransform uv = scaled({}, float(frame.part.period));
@@ -122,7 +122,7 @@ Image drawn(std::span<const Texture> textures, std::uint32_t index, int width, i
 BakedTextures bake_together(std::span<const Texture> textures, std::span<const std::uint32_t> indices) {
   Parts parts(textures);
   for (const std::uint32_t index : indices) parts.add(index);
-  const Frame frame = frame_of(parts.list);
+  const PictureFrame frame = frame_of(parts.list);
   const Part& part = frame.part;
   const std::vector<Texture> placed = in_frame(textures, frame);
   BakedTextures baked;

@@ -72,7 +72,7 @@ def copy_tree():
 def configure():
     scenes = os.environ.get("TWINRAY_SCENES", "")
     ok, text = run(["cmake", "--preset", "release", "-DTWINRAY_TESTS=ON", "-DTWINRAY_BENCH=ON",
-                    f"-DTWINRAY_SCENES={scenes}"])
+                    "-DTWINRAY_UNITY=OFF", f"-DTWINRAY_SCENES={scenes}"])
     if not ok:
         sys.exit(text)
 

@@ -2,6 +2,7 @@
 // COLLADA documents in a few lines, for tests.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "io/collada/collada.h"
 
@@ -59,6 +60,13 @@ inline std::string collada_error(const std::string& text, const LoadOptions& opt
 
 inline const Mesh& mesh_of(const LoadedScene& loaded, std::size_t shape = 0) {
   return *loaded.scene.geometry->mesh(std::uint32_t(shape));
+}
+
+/// What a reader had to warn of.
+inline std::vector<std::string> messages(const LoadedScene& loaded) {
+  std::vector<std::string> result;
+  for (const Diagnostic& warning : loaded.warnings) result.push_back(warning.message);
+  return result;
 }
 
 }  // namespace twinray

@@ -75,7 +75,7 @@ MUTANTS = [
            "beside it"),
     Mutant("a sun's radiance is that of a flat cone of directions", "core/light_set.cpp",
            "sun.irradiance / float(pi * edge * edge)",
-           "sun.irradiance / float(4 * pi * half * half)",
+           "sun.irradiance / float(4 * pi_double * half * half)",
            "test_core", "a sun shines from a disc whose irradiance is the stated one, and is seen as it is "
            "sampled"),
     Mutant("small levels lie in one place", "core/tile_layout.cpp",
@@ -326,6 +326,7 @@ MUTANTS = [
            "if (mesh && (mesh->picture || ", "if (mesh && (", "test_integrators",
            "waves of paths have the bits and the rays of paths one after the other"),
     Mutant("the power of a lamp's picture is not by its mean", "io/pbrt/light.cpp",
-           "(is_two_sided ? 2 : 1) * pi * area * mean;", "(is_two_sided ? 2 : 1) * pi * area;", "test_io",
+           "(is_two_sided ? 2 : 1) * pi_double * area * mean;", "(is_two_sided ? 2 : 1) * pi_double * area;",
+           "test_io",
            "an area light's picture is times its scale, and has its power over the mean"),
 ]

@@ -13,7 +13,7 @@ MUTANTS = [
            "is_remapped ? alpha_of_roughness(in_range) : in_range", "in_range",
            "test_io", "a roughness is the square of alpha, unless it is not remapped"),
     Mutant("a lamp of two sides has the power of one", "io/pbrt/light.cpp",
-           "(is_two_sided ? 2 : 1) * pi * area", "pi * area",
+           "(is_two_sided ? 2 : 1) * pi_double * area", "pi * area",
            "test_io", "an area light of a power has it, over the area and both sides"),
     Mutant("the field of view is the whole angle to either side", "io/pbrt/camera.cpp",
            "tan_radians(double(camera.fov_degrees) * radians_per_degree / 2)",

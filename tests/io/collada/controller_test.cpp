@@ -77,12 +77,6 @@ void check_positions(const LoadedScene& loaded, const std::vector<Vec3>& expecte
   }
 }
 
-std::vector<std::string> messages(const LoadedScene& loaded) {
-  std::vector<std::string> result;
-  for (const Diagnostic& warning : loaded.warnings) result.push_back(warning.message);
-  return result;
-}
-
 const std::vector<std::string> skin_stands{
     "<skin> stands as its joints do in the file; animations do not move them"};
 const std::vector<std::string> morph_stands{

@@ -19,12 +19,6 @@ std::string with_root(const std::string& root) {
   return root + text.substr(text.find('>'));
 }
 
-std::vector<std::string> messages(const LoadedScene& loaded) {
-  std::vector<std::string> result;
-  for (const Diagnostic& warning : loaded.warnings) result.push_back(warning.message);
-  return result;
-}
-
 /// A folder of files that refer to each other.
 struct Folder {
   void write(const std::string& name, const std::string& text) const {

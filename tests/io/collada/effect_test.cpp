@@ -35,12 +35,6 @@ Rgb reflectance(const LoadedScene& loaded) {
   return std::get<Lambert>(loaded.scene.materials[loaded.scene.bindings[0].material].model).reflectance;
 }
 
-std::vector<std::string> messages(const LoadedScene& loaded) {
-  std::vector<std::string> result;
-  for (const Diagnostic& warning : loaded.warnings) result.push_back(warning.message);
-  return result;
-}
-
 std::string transparency_warning(const std::string& opacity) {
   return "transparency is not rendered; this surface is opaque, and the file makes its opacity " + opacity;
 }

@@ -27,12 +27,6 @@ Vec3 front_of(const Mesh& mesh, std::size_t i = 0) {
   return normalize(cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]));
 }
 
-std::vector<std::string> messages(const LoadedScene& loaded) {
-  std::vector<std::string> result;
-  for (const Diagnostic& warning : loaded.warnings) result.push_back(warning.message);
-  return result;
-}
-
 /// The area of all triangles of a mesh in the plane x, y.
 float flat_area(const Mesh& mesh) {
   float area = 0;

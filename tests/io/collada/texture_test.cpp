@@ -81,12 +81,6 @@ Rgb color_at(const LoadedScene& loaded, Vec2 uv) {
   return evaluate(loaded.scene.textures, material.textures.at(0).texture, {.uv = uv, .is_smooth = true});
 }
 
-std::vector<std::string> messages(const LoadedScene& loaded) {
-  std::vector<std::string> result;
-  for (const Diagnostic& warning : loaded.warnings) result.push_back(warning.message);
-  return result;
-}
-
 }  // namespace
 
 TEST_CASE("a diffuse texture is a picture over the first texture coordinates, its lower left at 0 0") {

@@ -24,12 +24,6 @@ LoadedScene load_light(const std::string& kind, const std::string& transform, co
                       cs184);
 }
 
-std::vector<std::string> messages(const LoadedScene& loaded) {
-  std::vector<std::string> result;
-  for (const Diagnostic& warning : loaded.warnings) result.push_back(warning.message);
-  return result;
-}
-
 const std::string triangles = "<input semantic=\"VERTEX\" source=\"#vertices\" offset=\"0\"/><p>0 1 2</p>";
 
 }  // namespace
