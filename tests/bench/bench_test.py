@@ -15,7 +15,8 @@ from pathlib import Path
 
 PROGRAM = sys.argv.pop(1)
 SETS = ("camera", "shadow-1", "bounce-1", "shadow-2", "bounce-2")
-ALWAYS = {"bvh", "bvh-batch", "bvh-fast", "bvh-high", "bvh-2", "brute-force"}
+ALWAYS = {"bvh", "bvh-batch", "bvh-compact", "bvh-compact-batch", "bvh-fast", "bvh-high", "bvh-2",
+          "brute-force"}
 WITH_EMBREE = {"embree-direct", "embree-native-default", "embree-native", "embree-native-fast",
                "embree-native-fast-high", "embree"}
 ROUNDS = 3

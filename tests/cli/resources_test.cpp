@@ -130,10 +130,10 @@ TEST_CASE("what a compact tree needs instead is told of the ordinary one, where 
     const Engine engine = named_engine(name);
     return memory_needs(engine.backend, engine.build, primitives)[0].instead;
   };
-  CHECK(instead("bvh", 10'000'000) == "850.0 MB with --memory-mode=compact");
+  CHECK(instead("bvh", 5'000'000) == "525.0 MB with --memory-mode=compact");
   CHECK(instead("bvh", 1000) == "");
-  CHECK(instead("bvh-compact", 10'000'000) == "");
-  CHECK(instead("bvh-2", 10'000'000) == "");
+  CHECK(instead("bvh-compact", 5'000'000) == "");
+  CHECK(instead("bvh-2", 5'000'000) == "");
 }
 
 TEST_CASE("a tree larger than the memory is an error that says so") {
