@@ -12,7 +12,7 @@
 #include "cli/counted.h"
 #include "cli/default_light.h"
 #include "cli/interrupt.h"
-#include "cli/options.h"
+#include "cli/options/options.h"
 #include "cli/outputs.h"
 #include "core/error.h"
 #include "io/picture/environment_file.h"

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "cli/common_options.h"
-#include "cli/environment_options.h"
+#include "cli/options/common.h"
+#include "cli/options/environment.h"
 #include "io/render_defaults.h"
 
 namespace twinray {

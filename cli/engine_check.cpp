@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/console.h"
-#include "cli/replay_command.h"
+#include "cli/replay/command.h"
 
 namespace twinray {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "check/render_check.h"
-#include "cli/crosscheck_report.h"
+#include "cli/crosscheck/report.h"
 #include "cli/render_arguments.h"
 
 namespace twinray {

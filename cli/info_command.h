@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "cli/common_options.h"
+#include "cli/options/common.h"
 
 namespace twinray {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/render_options.h"
+#include "cli/options/render.h"
 #include "core/scene.h"
 #include "io/scene_summary.h"
 

@@ -12,12 +12,12 @@
 namespace twinray {
 namespace {
 
-struct SampleRange {
+struct CountRange {
   std::uint32_t least = std::numeric_limits<std::uint32_t>::max(), most = 0;
 };
 
-SampleRange sample_range(const Film& film) {
-  SampleRange range;
+CountRange count_range(const Film& film) {
+  CountRange range;
   const PixelRect& window = film.window();
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x) {
@@ -39,7 +39,7 @@ RenderOutputs partial_outputs(const RenderOutputs& outputs) {
 }
 
 std::string sample_range_text(const Film& film, std::uint32_t wanted) {
-  const auto [least, most] = sample_range(film);
+  const auto [least, most] = count_range(film);
   std::string text = least == most ? fmt::format("{}", most) : fmt::format("{} to {}", least, most);
   if (wanted < Film::max_samples) text += fmt::format(" of {}", wanted);
   return text;
@@ -47,7 +47,7 @@ std::string sample_range_text(const Film& film, std::uint32_t wanted) {
 
 std::string write_partial(const RenderOutputs& partial, const RenderArguments& arguments, const Film& film,
                           PictureNotes notes) {
-  if (sample_range(film).most == 0) return "there is no sample yet; no picture is written";
+  if (count_range(film).most == 0) return "there is no sample yet; no picture is written";
   const std::string samples = sample_range_text(film, arguments.render.samples);
   set_value(notes.metadata, "twinray:samples", samples);
   write_pictures(partial, arguments, {film}, notes);

@@ -5,23 +5,23 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/agreement_command.h"
-#include "cli/compare_command.h"
+#include "cli/compare/command.h"
 #include "cli/convert_command.h"
-#include "cli/crosscheck_command.h"
-#include "cli/cs184_program.h"
-#include "cli/error_command.h"
+#include "cli/crosscheck/agreement_command.h"
+#include "cli/crosscheck/command.h"
+#include "cli/cs184/program.h"
+#include "cli/error/command.h"
+#include "cli/film/merge_command.h"
+#include "cli/film/resume_command.h"
 #include "cli/info_command.h"
-#include "cli/merge_command.h"
-#include "cli/options.h"
-#include "cli/plan_command.h"
-#include "cli/relight_command.h"
+#include "cli/options/options.h"
+#include "cli/plan/command.h"
+#include "cli/relight/command.h"
 #include "cli/render_command.h"
 #include "cli/render_command_line.h"
-#include "cli/resume_command.h"
-#include "cli/stats_command.h"
-#include "cli/study_command.h"
-#include "cli/verify_command.h"
+#include "cli/stats/command.h"
+#include "cli/study/command.h"
+#include "cli/verify/command.h"
 
 namespace twinray {
 namespace {

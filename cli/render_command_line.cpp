@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "cli/no_effect.h"
-#include "cli/render_options.h"
+#include "cli/options/render.h"
 
 namespace twinray {
 namespace {

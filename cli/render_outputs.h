@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/crosscheck_report.h"
+#include "cli/crosscheck/report.h"
 #include "cli/denoising.h"
 #include "cli/picture_metadata.h"
 #include "cli/render_arguments.h"

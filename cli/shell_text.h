@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "cli/options.h"
+#include "cli/options/options.h"
 
 namespace twinray {
 

@@ -6,9 +6,9 @@
 
 #include "accel/accelerator.h"
 #include "cli/denoising.h"
-#include "cli/engine_statistics.h"
 #include "cli/render_arguments.h"
-#include "cli/stats_arguments.h"
+#include "cli/stats/arguments.h"
+#include "cli/stats/engine_statistics.h"
 #include "integrators/render.h"
 
 namespace twinray {

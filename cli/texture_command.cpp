@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/common_options.h"
 #include "cli/console.h"
+#include "cli/options/common.h"
 #include "core/error.h"
 #include "io/picture/texture_file.h"
 #include "io/picture/tiled_texture.h"

@@ -3,8 +3,8 @@
 #pragma once
 #include <string>
 
-#include "cli/options.h"
-#include "cli/render_options.h"
+#include "cli/options/options.h"
+#include "cli/options/render.h"
 
 namespace twinray::error {
 

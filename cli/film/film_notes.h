@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/input_files.h"
-#include "cli/options.h"
+#include "cli/options/options.h"
 #include "cli/picture_metadata.h"
 #include "integrators/render.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/options.h"
+#include "cli/options/options.h"
 
 namespace twinray {
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/common_options.h"
-#include "cli/cs184_options.h"
+#include "cli/cs184/options.h"
+#include "cli/options/common.h"
 #include "cli/render_command_line.h"
 #include "cli/shell_text.h"
 #include "core/error.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cli/input_files.h"
-#include "cli/options.h"
+#include "cli/options/options.h"
 #include "io/picture/image_metadata.h"
 
 namespace twinray {

@@ -43,7 +43,7 @@ DOORS = {
     "tinyobjloader": (r"tiny_obj_loader\.h", r"io/obj/(reader\.h|reader\.cpp|material\.cpp)"),
     "Assimp": (r"assimp/", r"io/assimp/assimp_importer\.cpp"),
     "CLI11": (r"CLI/", r"cli/|bench/options\.cpp"),
-    "nlohmann/json": (r"nlohmann/", r"(cli|bench)/\w*report\.cpp|"
+    "nlohmann/json": (r"nlohmann/", r"(cli|bench)/(\w+/)?\w*report\.cpp|"
                                     r"cli/(study/record|live/web_state|film/notes_json|plan/open_job)\.cpp|"
                                     r"cli/status/(json_lines|metrics_file)\.cpp|"
                                     r"io/(exchange|film/film_header|gltf/schema|picture/cryptomatte)\.cpp|"

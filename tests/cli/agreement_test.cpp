@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/agreement.h"
+#include "cli/crosscheck/agreement.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "cli/agreement_command.h"
+#include "cli/crosscheck/agreement_command.h"
 #include "core/error.h"
 #include "io/scene_file.h"
 #include "tests/support/catch.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "cli/camera_changes.h"
+#include "cli/options/render.h"
 #include "cli/render_command_line.h"
-#include "cli/render_options.h"
 #include "core/error.h"
 #include "tests/support/arguments.h"
 #include "tests/support/catch.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How two pictures differ, as a user asks.
-#include "cli/compare_command.h"
+#include "cli/compare/command.h"
 
 #include <map>
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli/crosscheck_arguments.h"
-#include "cli/crosscheck_report.h"
-#include "cli/ray_text.h"
+#include "cli/crosscheck/arguments.h"
+#include "cli/crosscheck/ray_text.h"
+#include "cli/crosscheck/report.h"
 #include "core/error.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"

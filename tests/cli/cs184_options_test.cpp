@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/cs184_options.h"
+#include "cli/cs184/options.h"
 
 #include <fmt/format.h>
 
-#include "cli/screenshot_name.h"
+#include "cli/cs184/screenshot_name.h"
 #include "core/error.h"
 #include "tests/support/catch.h"
 

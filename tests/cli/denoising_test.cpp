@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/relight.h"
+#include "cli/relight/relight.h"
 #include "cli/render_command_line.h"
 #include "cli/resources.h"
 #include "cli/statistics_report.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/engine_statistics.h"
+#include "cli/stats/engine_statistics.h"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/statistics_report.h"
-#include "cli/stats_command.h"
+#include "cli/stats/command.h"
 #include "core/error.h"
 #include "io/scene_file.h"
 #include "tests/support/catch.h"

@@ -8,10 +8,10 @@
 #include <sstream>
 
 #include "check/picture_error.h"
+#include "cli/error/command.h"
 #include "cli/error/option_set.h"
 #include "cli/error/reference_file.h"
 #include "cli/error/tile_map.h"
-#include "cli/error_command.h"
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/html.h"

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/relight.h"
-#include "cli/relight_command.h"
+#include "cli/relight/command.h"
+#include "cli/relight/relight.h"
 #include "core/error.h"
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"

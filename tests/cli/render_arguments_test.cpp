@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/options/render.h"
 #include "cli/render_command_line.h"
-#include "cli/render_options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

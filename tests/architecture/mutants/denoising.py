@@ -83,7 +83,7 @@ MUTANTS = [
     Mutant("light groups of Open Image Denoise are all the first", "cli/denoising.cpp",
            "take_light_group(halves, group, pictures);", "take_light_group(halves, 0, pictures);",
            "test_cli", "Open Image Denoise denoises each light group with the same clean features"),
-    Mutant("noisy light groups outlive relighting", "cli/relight.cpp",
+    Mutant("noisy light groups outlive relighting", "cli/relight/relight.cpp",
            'channel.starts_with("noisy_" + light_group_layer(""))', "false", "test_cli", GROUPS),
     Mutant("a noise target looks at the noisy picture", "cli/render_command.cpp",
            "return denoising_->estimated_error(halves);",

@@ -114,7 +114,7 @@ MUTANTS = [
     Mutant("an instance may reach anywhere", "io/placed_mesh.cpp",
            "!(max_abs(p) <= max_coordinate))\n      fail(", "false)\n      fail(",
            GLTF, INSTANCING),
-    Mutant("a ray is shot again at other instances", "cli/crosscheck_report.cpp",
+    Mutant("a ray is shot again at other instances", "cli/crosscheck/report.cpp",
            "instances_words(load.instances)", '""',
            "test_cli_engines", "an unexplained ray is printed as the command that shoots it again"),
     Mutant("pbrt's instances may reach anywhere", "io/pbrt/builder.cpp",

@@ -73,7 +73,7 @@ MUTANTS = [
     Mutant("a picture of layers begins at the top of the frame", "cli/layered_picture.cpp",
            "rows.fill(first + y, values);", "rows.fill(y, values);",
            "test_cli", "a part of the frame with layers is that part of the whole"),
-    Mutant("a layer that is asked for twice is written twice", "cli/layer_options.cpp",
+    Mutant("a layer that is asked for twice is written twice", "cli/options/layer.cpp",
            "  layers.erase(std::unique(layers.begin(), layers.end()), layers.end());\n", "",
            "test_cli", "layers are named with commas, each once and in the order of the file"),
     Mutant("parts keep what rounding leaves to themselves", "core/exact_parts.cpp",
@@ -169,10 +169,10 @@ MUTANTS = [
            "for (std::size_t i = rules.size(); i-- > 0;)\n"
            "    if (names(rules[i], light.name)) return rules[i].name;",
            "test_cli", "a light belongs to the first group that names it, by its name or any text in it"),
-    Mutant("relit pictures keep the variance of other light", "cli/relight.cpp",
+    Mutant("relit pictures keep the variance of other light", "cli/relight/relight.cpp",
            "channel == \"variance.Y\" || channel", "channel",
            "test_cli", "lights are mixed anew: the colours are the sum of the groups, each times its factor"),
-    Mutant("relit colours keep the light that was there", "cli/relight.cpp",
+    Mutant("relit colours keep the light that was there", "cli/relight/relight.cpp",
            "for (const std::size_t place : sum) picture.values[pixel + place] = 0;", "break;",
            "test_cli", "lights are mixed anew: the colours are the sum of the groups, each times its factor"),
 ]

@@ -19,7 +19,7 @@ MUTANTS = [
            "first > now ?", "first >= now ?", "test_cli", TIMES),
     Mutant("UTC is the machine's zone", "cli/clock_time.cpp",
            "timegm(&fields)", "mktime(&fields)", "test_cli", TIMES),
-    Mutant("what loading took is time to render", "cli/sampling_options.cpp",
+    Mutant("what loading took is time to render", "cli/options/sampling.cpp",
            "std::clamp(left.count(), time_limits.least, seconds)", "std::min(seconds, 1800.5)", "test_cli",
            UNTIL),
     Mutant("a render that is done does not say so", "cli/status/render_status.cpp",

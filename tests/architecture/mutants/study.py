@@ -17,7 +17,7 @@ MUTANTS = [
            "return is_whole ? record : std::nullopt;",
            "return record;",
            "test_cli", RESUMED),
-    Mutant("every picture is made anew", "cli/study_command.cpp",
+    Mutant("every picture is made anew", "cli/study/command.cpp",
            "if (study_.pictures.finished(picture)) {",
            "if (false) {",
            "test_cli", RESUMED),

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/film/merge_command.h"
+
+#include <memory>
+
+#include "cli/console.h"
+#include "cli/denoising.h"
+#include "cli/film/film_parts.h"
+#include "cli/interrupt.h"
+#include "cli/options/common.h"
+#include "cli/outputs.h"
+#include "cli/render_command_line.h"
+#include "cli/render_outputs.h"
+#include "cli/shell_text.h"
+#include "core/memory.h"
+
+namespace twinray {
+namespace {
+
+void add_options(CLI::App& app, MergeArguments& arguments) {
+  add_files(app, "FILM", arguments.films, "The films of all parts, in any order");
+  OptionGroup group(app, "Options");
+  group.add_word({"-o,--output", "FILE", "The picture, or a .film of all samples"}, arguments.output);
+  group.add_flag("--allow-gaps", arguments.allow_gaps,
+                 "Merge what there is; the picture's metadata says what is missing");
+  add_threads(group, arguments.threads);
+  group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
+}
+
+/// Options that say which part a film is, and where it and its checkpoint go.
+const std::vector<std::string> part_options{"--sample-range", "--tile-range", "--of", "--checkpoint",
+                                            "--output",       "-o",           "-f",   "--checkpoint-seconds"};
+
+/// The words of a part's command line without those that are the part's alone.
+Words words_of_whole(const Words& of_part) {
+  Words words = without_options(of_part, part_options);
+  std::erase(words, "--resume");
+  return words;
+}
+
+/// What the whole picture's command line would ask for.
+RenderArguments arguments_of(const Words& words, const FilmNotes& notes) {
+  RenderArguments arguments = parse_render_arguments(words);
+  arguments.render.samples = notes.samples;
+  arguments.render.width = notes.identity.width;
+  arguments.render.height = notes.identity.height;
+  arguments.render.window = notes.identity.window;
+  return arguments;
+}
+
+PictureNotes notes_of(const FilmParts& parts, const Words& words) {
+  PictureNotes notes = parts.notes.picture;
+  set_value(notes.metadata, "twinray:options", shell_text(words));
+  set_value(notes.metadata, "twinray:engine", fmt::format("{}", fmt::join(parts.engines, ", ")));
+  if (!parts.missing.empty())
+    set_value(notes.metadata, "twinray:missing", fmt::format("{}", fmt::join(parts.missing, ", ")));
+  return notes;
+}
+
+/// Of a film of all parts together.
+FilmNotes film_notes_of(const FilmParts& parts, const Words& words) {
+  FilmNotes notes = parts.notes;
+  notes.words = words;
+  notes.picture = notes_of(parts, words);
+  notes.range.reset();
+  notes.tiles.reset();
+  const std::uint32_t begin = parts.parts.front().begin, end = parts.parts.back().end;
+  if (parts.missing.empty()) return notes;
+  if (parts.are_tiles())
+    notes.tiles = {begin, end};
+  else
+    notes.range = {begin, end};
+  return notes;
+}
+
+void write_merged_picture(const RenderOutputs& outputs, const RenderArguments& arguments,
+                          const RenderState& state, PictureNotes notes) {
+  std::optional<DenoisedPicture> denoised;
+  if (arguments.denoiser && state.halves) {
+    const Denoising denoising(*arguments.denoiser, arguments.render.threads);
+    denoised = denoising.denoise(*state.halves);
+    set_value(notes.metadata, "twinray:denoiser", denoised->denoiser);
+  }
+  write_pictures(outputs, arguments, {state.film, denoised ? &*denoised : nullptr}, notes);
+}
+
+/// A film with gaps amid its range would be taken for one without.
+void check_film_output(const MergeArguments& arguments, const FilmParts& parts) {
+  if (is_film_name(arguments.output) && parts.has_inner_gap())
+    throw Error(fmt::format("{}: {} are missing amid it; a film is of a range without gaps", arguments.output,
+                            parts.missing.front()));
+}
+
+void say_what_was_merged(const MergeArguments& arguments, const FilmParts& parts) {
+  for (const std::string& path : parts.repeated)
+    console::warn(fmt::format("{}: the same samples as in another film; they count once", path));
+  for (const std::string& missing : parts.missing) console::warn(fmt::format("{} are missing", missing));
+  if (arguments.quiet) return;
+  console::print("Films          {}\n{:<15}{}\n", parts.parts.size(), output_word(arguments.output),
+                 arguments.output);
+}
+
+}  // namespace
+
+std::function<MergeArguments()> add_merge_options(CLI::App& app) {
+  const auto arguments = std::make_shared<MergeArguments>();
+  add_options(app, *arguments);
+  return [arguments] {
+    if (arguments->output.empty()) throw UsageError("--output=FILE is missing");
+    return *arguments;
+  };
+}
+
+int merge_command(const MergeArguments& asked) {
+  const FilmParts parts = read_film_parts(asked.films, asked.allow_gaps ? Gaps::allowed : Gaps::refused);
+  check_film_output(asked, parts);
+  const FilmNotes& first = parts.notes;
+  Words words = words_of_whole(first.words);
+  words.insert(words.end(), {"--samples", fmt::format("{}", first.samples), "--output", asked.output});
+  RenderArguments arguments = arguments_of(words, first);
+  arguments.render.threads = asked.threads;
+  const RenderOutputs outputs = render_outputs(arguments);
+  const InterruptGuard guard(outputs.names());
+  prepare_outputs(outputs.names());
+  const RenderState state = merged(parts, asked.threads);
+  if (outputs.film.empty())
+    write_merged_picture(outputs, arguments, state, notes_of(parts, words));
+  else
+    write_film(outputs.film, film_notes_of(parts, words), state, asked.threads);
+  say_what_was_merged(asked, parts);
+  return 0;
+}
+
+}  // namespace twinray

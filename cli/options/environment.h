@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the picture of --environment lies around the scene: the same options for all that load one.
+#pragma once
+#include "cli/options/options.h"
+#include "core/light.h"
+
+namespace twinray {
+
+struct EnvironmentPlacement {
+  MapLayout layout = MapLayout::latitude_longitude;
+  float rotation_degrees = 0;  ///< About +y, counter-clockwise as seen from above.
+  float scale = 1;             ///< Times the picture's radiance.
+};
+
+/// --environment-layout, --environment-rotation, --environment-scale.
+void add_environment_placement(OptionGroup& group, EnvironmentPlacement& placement);
+
+/// The light of a picture of radiance. Throws Error, which names the file, where it cannot be of that layout.
+EnvironmentLight placed_environment(Image map, const EnvironmentPlacement& placement,
+                                    const std::string& file);
+
+}  // namespace twinray

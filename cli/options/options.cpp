@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/options/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <string_view>
+
+#include "cli/console.h"
+#include "cli/version.h"
+#include "io/diagnostic.h"
+
+namespace twinray {
+namespace {
+
+/// Whether a value is written "[=FILE]": it may be left out.
+bool is_optional_value(const std::string& type) { return type.starts_with("[="); }
+
+/// Help without the ranges and counts that CLI11 appends to an option's value, and without empty lines
+/// between groups: that of a render fills a screen.
+class BriefFormatter final : public CLI::Formatter {
+ public:
+  BriefFormatter() { column_width(41); }
+
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string type = option->get_type_name();
+    if (is_optional_value(type)) return type;
+    return option->get_type_size() == 0 || type.empty() ? "" : " " + type;
+  }
+
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    const std::string name = CLI::Formatter::make_option_name(option, is_positional);
+    return name.substr(0, name.find('{'));  // CLI11 appends what stands for a value that is left out.
+  }
+
+  std::string make_group(std::string group, bool is_positional,
+                         std::vector<const CLI::Option*> options) const override {
+    std::string text = is_positional ? "" : group + ":\n";
+    for (const CLI::Option* option : options) text += make_option(option, is_positional);
+    if (!is_positional) text.pop_back();  // CLI11 puts a line's end behind such a group.
+    return text;
+  }
+};
+
+void prepare(CLI::App& app) {
+  app.formatter(std::make_shared<BriefFormatter>());
+  app.option_defaults()->take_last()->always_capture_default(false);
+  app.set_help_flag("-h,--help", "Print this help");
+}
+
+/// The subcommand that the first word names; else the app itself.
+const CLI::App& app_of(const CLI::App& app, const Words& words) {
+  for (const CLI::App* subcommand : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (!words.empty() && subcommand->get_name() == words.front()) return *subcommand;
+  return app;
+}
+
+/// "; did you mean --samples?": the app's option whose name is most like this word; "" where none is.
+std::string nearest_option(const CLI::App& app, const std::string& word) {
+  Words names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back(name);
+  const std::string asked = word.substr(0, word.find('=')).erase(0, word.find_first_not_of('-'));
+  const std::string nearest = nearest_name(asked, std::vector<std::string_view>(names.begin(), names.end()));
+  return nearest.empty() ? "" : fmt::format("; did you mean --{}?", nearest);
+}
+
+/// The words that no option took, as a message; without such words, the error's.
+std::string extra_text(const CLI::App& app, const Words& words, const CLI::Error& error) {
+  const Words extra = app.remaining(true);
+  if (extra.empty()) return error.what();
+  const std::string& word = extra.front();
+  if (!word.starts_with('-')) return fmt::format("\"{}\" is one word too many", word);
+  return fmt::format("there is no option {}{}", word, nearest_option(app_of(app, words), word));
+}
+
+/// "--stats: 1 required FILE missing", as CLI11 says it, in our words.
+std::string missing_text(const CLI::ArgumentMismatch& error) {
+  const std::string text = error.what();
+  if (const std::size_t end = text.find(" was given a disallowed flag override"); end != text.npos)
+    return fmt::format("{}{} takes no value", end == 1 ? "-" : "--", text.substr(0, end));
+  const std::size_t colon = text.find(": "), required = text.find(" required "), end = text.rfind(" missing");
+  if (colon == text.npos || required == text.npos || end == text.npos) return text;
+  return fmt::format("{}: {} is missing", text.substr(0, colon),
+                     text.substr(required + 10, end - required - 10));
+}
+
+bool takes_value(const CLI::Option* option) { return option && option->get_items_expected_max() > 0; }
+
+/// The option that a word such as "--stats" or "-o" is by itself; null for any other.
+const CLI::Option* option_named(const CLI::App& app, const std::string& word) {
+  return word.starts_with('-') ? app.get_option_no_throw(word) : nullptr;
+}
+
+/// CLI11 takes "--stats=" for "--stats", and the word behind it for the value, were it an option.
+void check_values(const CLI::App& app, const Words& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word.starts_with("--") && word.size() > 3 && word.find('=') == word.size() - 1)
+      throw UsageError(fmt::format("{} its value is missing", word));
+    if (i + 1 < words.size() && takes_value(option_named(app, word)) && option_named(app, words[i + 1]))
+      throw UsageError(fmt::format("{}: its value is missing; {} is an option", word, words[i + 1]));
+  }
+}
+
+void parse(CLI::App& app, const Words& words) {
+  check_values(app_of(app, words), words);
+  try {
+    app.parse(Words(words.rbegin(), words.rend()));  // CLI11 takes the last word first
+  } catch (const CLI::Success&) {
+    throw;
+  } catch (const CLI::ExtrasError& error) {
+    throw UsageError(extra_text(app, words, error));
+  } catch (const CLI::ArgumentMismatch& error) {
+    throw UsageError(missing_text(error));
+  } catch (const CLI::RequiredError& error) {
+    // Of a command that leaves words to others, the first of these may be why.
+    if (!app.remaining(true).empty()) throw UsageError(extra_text(app, words, error));
+    const std::string text = error.what();  // "SCENE is required"
+    throw UsageError(text.substr(0, text.find(' ')) + " is missing");
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+}
+
+}  // namespace
+
+std::string long_name(const std::string& names) {
+  const std::size_t begin = names.find("--");
+  return begin == names.npos ? names : names.substr(begin, names.find(',', begin) - begin);
+}
+
+void OptionGroup::add_flag(const std::string& names, bool& target, const std::string& description) {
+  app_.add_flag(names, target, description)->disable_flag_override()->group(name_);
+}
+
+void OptionGroup::add_words(const OptionText& text, std::size_t count,
+                            std::function<void(const Words&)> take) {
+  const std::function<void(const Words&)> take_all = [take = std::move(take), count,
+                                                      name = long_name(text.names)](const Words& words) {
+    if (words.size() != count)
+      throw UsageError(fmt::format("{}: {} numbers are needed, not {}", name, count, words.size()));
+    if (std::find(words.begin(), words.end(), "") != words.end())
+      throw UsageError(fmt::format("{}: its value is empty", name));
+    take(words);
+  };
+  app_.add_option_function(text.names, take_all, text.description)
+      ->expected(int(count))
+      ->allow_extra_args(false)
+      ->type_name(text.value)
+      ->group(name_);
+}
+
+void OptionGroup::add_word(const OptionText& text, std::string& target) {
+  add_words(text, 1, [&target](const Words& words) { target = words.front(); });
+}
+
+void OptionGroup::add_optional_word(const OptionText& text, const std::string& without, std::string& target) {
+  app_.add_flag(fmt::format("{}{{{}}}", text.names, without), target, text.description)
+      ->type_name(text.value)
+      ->group(name_);
+}
+
+void OptionGroup::add_repeated(const OptionText& text, Words& target) {
+  app_.add_option(text.names, target, text.description)
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name(text.value)
+      ->group(name_);
+}
+
+namespace {
+
+/// A word that a command needs, without an option before it.
+void add_needed(CLI::App& app, const std::string& name, std::string& target, const std::string& description) {
+  app.add_option(name, target, description)
+      ->required()
+      ->check([](const std::string& word) { return word.empty() ? "its value is empty" : std::string(); }, "")
+      ->type_name("");
+}
+
+}  // namespace
+
+void add_scene(CLI::App& app, std::string& scene) {
+  add_needed(app, "SCENE", scene, "The scene: .dae, .pbrt, .gltf, .obj, ..., or generated:NAME");
+}
+
+void add_file(CLI::App& app, const std::string& name, std::string& file, const std::string& description) {
+  add_needed(app, name, file, description);
+}
+
+void add_scenes(CLI::App& app, Words& scenes, const std::string& description) {
+  app.add_option("SCENE", scenes, description)->expected(0, -1)->take_all()->type_name("");
+}
+
+void add_folder(CLI::App& app, std::string& folder, const std::string& description) {
+  app.add_option("FOLDER", folder, description)->required()->type_name("");
+}
+
+void add_files(CLI::App& app, const std::string& name, Words& files, const std::string& description) {
+  app.add_option(name, files, description)->required()->expected(1, -1)->take_all()->type_name("");
+}
+
+void leave_other_words(CLI::App& app) { app.allow_extras(); }
+
+Words given_options(const CLI::App& app) {
+  Words given;
+  for (const CLI::Option* option : app.get_options())
+    if (option->count() > 0 && !option->get_lnames().empty())
+      given.push_back("--" + option->get_lnames().front());
+  return given;
+}
+
+std::map<std::string, Words> given_words(const CLI::App& app) {
+  std::map<std::string, Words> given;
+  for (const CLI::Option* option : app.get_options())
+    if (option->count() > 0 && !option->get_lnames().empty())
+      given.emplace("--" + option->get_lnames().front(), option->reduced_results());
+  return given;
+}
+
+Words without_options(const Words& words, const std::vector<std::string>& names) {
+  const auto is_named = [&](const std::string& word) {
+    return std::find(names.begin(), names.end(), word) != names.end();
+  };
+  Words left;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    const bool is_short = word.size() > 2 && word[0] == '-' && word[1] != '-';
+    if (is_named(word))
+      ++i;
+    else if (!is_named(is_short ? word.substr(0, 2) : word.substr(0, word.find('='))))
+      left.push_back(word);
+  }
+  return left;
+}
+
+void read_alone(const Words& words, const std::function<std::function<void()>(CLI::App&)>& use) {
+  CLI::App app("", "twinray");
+  prepare(app);
+  const std::function<void()> take = use(app);
+  parse(app, words);
+  take();
+}
+
+int run_subcommand(const std::vector<Subcommand>& subcommands, const Words& words) {
+  CLI::App app("", "twinray");
+  prepare(app);
+  app.require_subcommand(1);
+  Action chosen;
+  for (const Subcommand& subcommand : subcommands) {
+    CLI::App* options = app.add_subcommand(subcommand.name, subcommand.description);
+    options->footer(subcommand.footer);
+    Action action = subcommand.add(*options);
+    options->set_version_flag("--version", version_text(), "Print versions, engines, instruction sets")
+        ->group(subcommand.last_group);
+    options->set_help_flag("-h,--help", "Print this help")->group(subcommand.last_group);
+    if (subcommand.name == words.front()) chosen = std::move(action);
+  }
+  try {
+    parse(app, words);
+  } catch (const CLI::CallForHelp&) {
+    console::write(app.help());
+    return 0;
+  } catch (const CLI::CallForVersion&) {
+    console::write(version_text());
+    return 0;
+  }
+  return chosen(Words(words.begin() + 1, words.end()));
+}
+
+}  // namespace twinray

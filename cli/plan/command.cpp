@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/plan/command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "cli/console.h"
+#include "cli/film/saved_film.h"
+#include "cli/render_command_line.h"
+#include "cli/render_scene.h"
+#include "cli/shell_text.h"
+#include "io/output_file.h"
+
+namespace twinray {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Range<std::uint32_t> job_counts{1, 100000};
+constexpr Range<double> minutes{0.01, 1e5};
+constexpr Range<int> frame_numbers{0, 999999};
+/// So long the machine is tried.
+constexpr double pilot_seconds = 3;
+const std::vector<std::string> plan_options{"--folder", "--jobs", "--part-minutes", "--frames"};
+const std::vector<std::string> output_options{"--output", "-o", "-f"};
+
+FrameRange parse_frames(const std::string& word) {
+  const auto [first, last] = parse_range("--frames", word, frame_numbers, "1:100");
+  if (first > last) throw UsageError(fmt::format("--frames: {} is more than {}", first, last));
+  return {first, last};
+}
+
+void add_options(CLI::App& app, PlanArguments& arguments) {
+  OptionGroup group(app, "Plan");
+  group.add_word({"--folder", "DIR", "Where scripts, parts and logs go; it must not be there yet"},
+                 arguments.folder);
+  group.add_number({"--jobs", "N", "Parts of each frame"}, arguments.jobs, job_counts);
+  group.add_number({"--part-minutes", "T", "Or as many that a part takes so long on this machine"},
+                   arguments.part_minutes, minutes);
+  group.add_flag("--by-tiles", arguments.by_tiles,
+                 "Parts are ranges of tiles, not of samples: smaller films for many parts");
+  group.add_words({"--frames", "FIRST:LAST", "Frames; %04d in the words of the render is their number"}, 1,
+                  [&arguments](const Words& words) { arguments.frames = parse_frames(words[0]); });
+}
+
+void check(const PlanArguments& arguments) {
+  const RenderArguments& render = arguments.render;
+  if (arguments.folder.empty()) throw UsageError("--folder=DIR is missing");
+  if (arguments.jobs.has_value() == arguments.part_minutes.has_value())
+    throw UsageError("--jobs or --part-minutes is needed, and not both");
+  if (arguments.frames && !has_frame_number(render.output))
+    throw UsageError(
+        fmt::format("--frames: the picture's name needs a place for the number, as in \"%04d\"; {} "
+                    "has none",
+                    render.output));
+  if (is_film_name(render.output) || render.replay || render.check_with || !render.checkpoint.empty())
+    throw UsageError("a plan is for pictures: it makes films, checkpoints and their names itself");
+  if (is_open_ended(render.render))
+    throw UsageError(
+        "a part has as many samples as the picture's others; --seconds and --noise-target do not "
+        "go with a plan");
+}
+
+/// The words of a frame's render.
+Words words_of_frame(Words words, int frame) {
+  for (std::string& word : words) word = with_frame_number(word, frame);
+  return words;
+}
+
+/// Seconds of the whole picture on this machine, by a few samples of it.
+double pilot(const RenderArguments& arguments, const LoadedScene& loaded) {
+  RenderOptions options = arguments.render;
+  options.adaptive.reset();  // The most that it may take.
+  options.seconds = pilot_seconds;
+  options.samples = Film::max_samples;
+  const auto integrator = make_integrator(arguments, loaded.scene);
+  const auto accelerator = build_accelerator(arguments.backend, loaded.scene.geometry, arguments.build);
+  const RenderResult result = render(loaded.scene, *accelerator, *integrator, options);
+  return result.seconds / result.samples * arguments.render.samples;
+}
+
+std::string program_path() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).string();
+}
+
+/// What is written into the plan's folder: scripts with the mode of such.
+struct PlanFile {
+  std::string name, text;
+  bool is_script = false;
+};
+
+void write(const FarmPlan& plan) {
+  const fs::path folder = plan.folder;
+  for (const char* inner : {"parts", "logs", "slurm", "openjd"}) fs::create_directories(folder / inner);
+  const PlanFile files[] = {{"render-part", render_script(plan), true},
+                            {"merge-parts", merge_script(plan), true},
+                            {"commands.txt", command_list(plan)},
+                            {"slurm/render.sbatch", slurm_render_job(plan)},
+                            {"slurm/merge.sbatch", slurm_merge_job(plan)},
+                            {"slurm/submit", slurm_submit_script(plan), true},
+                            {"openjd/template.json", open_job_template(plan)}};
+  for (const auto& [name, text, is_script] : files) {
+    write_file((folder / name).string(), text);
+    if (is_script)
+      fs::permissions(folder / name, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                      fs::perm_options::add);
+  }
+}
+
+void say(const FarmPlan& plan, const std::optional<double>& seconds) {
+  const std::string folder = shell_text({plan.folder});
+  console::print("Plan           {} {} in {} {}{}\n", plan.units, plan.is_by_tiles ? "tiles" : "samples",
+                 plan.parts, plan.parts == 1 ? "part" : "parts",
+                 plan.frames ? fmt::format(", for each of {} frames", plan.frame_count()) : "");
+  if (seconds)
+    console::print("A part         {:.1f} minutes on a machine as this one\n", *seconds / plan.parts / 60);
+  console::print("Here           parallel -j1 < {0}/commands.txt && {0}/merge-parts\n", folder);
+  console::print("Slurm          {}/slurm/submit --time=60\n", folder);
+  console::print("OpenJD         openjd run {}/openjd/template.json\n", folder);
+}
+
+/// Whatever a job engine may take amiss becomes a dash.
+std::string job_name(const std::string& scene) {
+  std::string name = "twinray-" + fs::path(scene).stem().string();
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_') c = '-';
+  return name;
+}
+
+}  // namespace
+
+std::function<PlanArguments()> add_plan_options(CLI::App& app) {
+  const auto arguments = std::make_shared<PlanArguments>();
+  add_options(app, *arguments);
+  return [arguments, read = add_render_options(app)] {
+    arguments->render = read();
+    check(*arguments);
+    return *arguments;
+  };
+}
+
+int plan_command(const PlanArguments& arguments, const Words& words) {
+  if (fs::exists(arguments.folder))
+    throw Error(fmt::format("{}: it is there already; a plan needs a folder of its own", arguments.folder));
+  FarmPlan plan;
+  plan.words = without_options(without_options(words, plan_options), output_options);
+  std::erase(plan.words, "--by-tiles");
+  plan.frames = arguments.frames;
+  RenderArguments render = arguments.render;
+  if (plan.frames) render = parse_render_arguments(words_of_frame(plan.words, plan.frames->first));
+  render.quiet = true;
+  RenderTalk nobody;
+  const LoadedScene loaded = load_for_render(render, nobody);
+  choose_engine(*loaded.scene.geometry, render);
+  plan.name = job_name(render.scene);
+  plan.program = program_path();
+  plan.called_in = fs::current_path().string();
+  plan.folder = fs::absolute(arguments.folder).lexically_normal().string();
+  plan.output = arguments.render.output;
+  plan.samples = render.render.samples;
+  plan.is_by_tiles = arguments.by_tiles || render.render.adaptive.has_value();
+  plan.units = plan.is_by_tiles ? tile_grid(window_of(render.render), tile_size).count() : plan.samples;
+  std::optional<double> seconds;
+  if (arguments.part_minutes) seconds = pilot(render, loaded);
+  const double wanted = seconds ? std::ceil(*seconds / (60 * *arguments.part_minutes)) : *arguments.jobs;
+  plan.parts = std::uint32_t(std::clamp(wanted, 1.0, double(plan.units)));
+  write(plan);
+  if (!arguments.render.quiet) say(plan, seconds);
+  return 0;
+}
+
+}  // namespace twinray

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/relight/command.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <sstream>
+
+#include "cli/console.h"
+#include "cli/interrupt.h"
+#include "cli/outputs.h"
+#include "cli/shell_text.h"
+#include "core/error.h"
+#include "io/picture/image_file.h"
+#include "io/picture/output_format.h"
+
+namespace twinray {
+namespace {
+
+constexpr const char* option = "--light";
+constexpr Range<float> factors{0, 1e6f};
+
+/// The options as they are read.
+struct RelightRequest {
+  RelightArguments arguments;
+  Words changes;
+};
+
+void add_options(CLI::App& app, RelightRequest& request) {
+  add_file(app, "PICTURE", request.arguments.picture, "A picture rendered with --layers=light-groups: .exr");
+  OptionGroup group(app, "Options");
+  group.add_repeated({option, "GROUP=COLOR", "Its light, times R,G,B or one number; 0 turns it off"},
+                     request.changes);
+  group.add_word(
+      {"-o,--output", "FILE", "The picture; .exr keeps its layers. Without it the groups are listed"},
+      request.arguments.output);
+  group.add_flag("-q,--quiet", request.arguments.quiet, "Do not say what was changed");
+}
+
+/// What a file says of its pixels, but for what it says of itself.
+ImageMetadata carried(const ImageMetadata& stored, const Words& words) {
+  ImageMetadata metadata;
+  for (const auto& [name, value] : stored)
+    if (!name.starts_with("oiio:") && !name.starts_with("openexr:") && name != "compression")
+      metadata.emplace_back(name, value);
+  metadata.emplace_back("twinray:relit", "twinray relight " + shell_text(words));
+  return metadata;
+}
+
+LayeredImage layered(const StoredLayers& stored) {
+  const std::size_t row = std::size_t(stored.width) * stored.channels.size();
+  return {stored.width, stored.height, stored.channels, [&stored, row](int y, std::span<float> values) {
+            std::copy_n(stored.values.begin() + std::ptrdiff_t(std::size_t(y) * row), row, values.begin());
+          }};
+}
+
+void write(const StoredLayers& picture, const RelightArguments& arguments, const Words& words) {
+  const ImageMetadata metadata = carried(picture.metadata, words);
+  if (output_format(arguments.output) == OutputFormat::exr)
+    write_exr(arguments.output, layered(picture), metadata, picture.frame);
+  else
+    write_image(arguments.output, colors_of(picture), metadata, picture.frame);
+}
+
+}  // namespace
+
+LightChange parse_light_change(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  Words numbers;
+  if (equals != text.npos) {
+    std::istringstream list(text.substr(equals + 1));
+    for (std::string number; std::getline(list, number, ',');) numbers.push_back(number);
+  }
+  if (equals == 0 || (numbers.size() != 1 && numbers.size() != 3))
+    throw UsageError(fmt::format("{}: \"{}\" is no change; valid are GROUP=X and GROUP=R,G,B", option, text));
+  const auto factor = [&](std::size_t i) {
+    return parse_number(option, numbers[i % numbers.size()], factors);
+  };
+  return {text.substr(0, equals), {factor(0), factor(1), factor(2)}};
+}
+
+std::function<RelightArguments()> add_relight_options(CLI::App& app) {
+  const auto request = std::make_shared<RelightRequest>();
+  add_options(app, *request);
+  return [request] {
+    RelightArguments arguments = request->arguments;
+    for (const std::string& text : request->changes) arguments.changes.push_back(parse_light_change(text));
+    if (arguments.output.empty() && !arguments.changes.empty())
+      throw UsageError("--light: where to? --output=FILE is missing");
+    if (!arguments.output.empty()) check_image_name(arguments.output);
+    return arguments;
+  };
+}
+
+int relight_command(const RelightArguments& arguments, const Words& words) {
+  const std::vector<std::string> outputs = given_names({arguments.output});
+  const InterruptGuard guard(outputs);
+  prepare_outputs(outputs);
+  StoredLayers picture = read_layers(arguments.picture);
+  relight(picture, arguments.changes, arguments.picture);
+  const std::vector<std::string> groups = light_groups_of(picture);
+  if (arguments.output.empty()) {
+    for (const std::string& group : groups) console::print("{}\n", group);
+    return 0;
+  }
+  write(picture, arguments, words);
+  if (!arguments.quiet)
+    console::print("{}: {} changes, of {} light groups\n", arguments.output, arguments.changes.size(),
+                   groups.size());
+  return 0;
+}
+
+}  // namespace twinray

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/replay/command.h"
+
+#include "cli/console.h"
+#include "cli/interrupt.h"
+#include "cli/outputs.h"
+#include "cli/render_scene.h"
+#include "cli/replay/lines.h"
+#include "cli/replay/report.h"
+#include "cli/replay/text.h"
+#include "integrators/replay.h"
+#include "io/obj/lines.h"
+#include "io/output_file.h"
+
+namespace twinray {
+namespace {
+
+/// Throws UsageError unless the picture has this sample: once its size is known, which the scene may state.
+void check_sample(const PixelSample& sample, const RenderOptions& render) {
+  if (sample.x >= render.width || sample.y >= render.height)
+    throw UsageError(
+        fmt::format("--replay: pixel {} {} is not in the picture of {} x {} pixels; the last is {} {}",
+                    sample.x, sample.y, render.width, render.height, render.width - 1, render.height - 1));
+  if (sample.index >= render.samples)
+    throw UsageError(
+        fmt::format("--replay: sample {} is not in the picture: of {} samples a pixel the last is {}",
+                    sample.index, render.samples, render.samples - 1));
+}
+
+void write(const ReplayRequest& asked, const ReplayedSample& replayed) {
+  if (!asked.json_file.empty()) write_file(asked.json_file, replay_json(replayed));
+  if (!asked.obj_file.empty()) write_file(asked.obj_file, obj_text(replay_lines(replayed)));
+}
+
+}  // namespace
+
+int replay_command(const RenderArguments& asked) {
+  RenderArguments arguments = asked;
+  const ReplayRequest& request = *arguments.replay;
+  const std::vector<std::string> outputs = given_names({request.json_file, request.obj_file});
+  const InterruptGuard guard(outputs);
+  prepare_outputs(outputs);
+  RenderTalk silence;
+  const LoadedScene loaded = load_for_render(arguments, silence);
+  check_sample(request.sample, arguments.render);
+  choose_engine(*loaded.scene.geometry, arguments);
+  const auto integrator = make_integrator(arguments, loaded.scene);
+  const auto accelerator = build_accelerator(arguments.backend, loaded.scene.geometry, arguments.build);
+  const Replay made =
+      replay({loaded.scene, *accelerator, *integrator}, arguments.path, arguments.render, request.sample);
+  const ReplayedSample replayed{arguments, loaded.scene, made};
+  write(request, replayed);
+  if (!arguments.quiet) console::write(replay_text(replayed));
+  if (same_bits(made.path.sum(), made.radiance)) return 0;
+  console::print_error(
+      "twinray: the sample that is rendered is not the path's sum: an error of this program\n");
+  return 1;
+}
+
+}  // namespace twinray
