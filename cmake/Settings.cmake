@@ -34,7 +34,8 @@ endfunction()
 # To compile a file of io, cli or their tests is mostly to read the headers that it includes: eight together take little
 # longer than one. The preset dev takes each alone, and so sees whether it includes what it needs.
 option(TWINRAY_UNITY "Compile files of io, cli and their tests eight at a time: half of the time of a build from nothing" ON)
-# twinray_compile_together(TARGET [file...]): these of its files, or all. No two of them may use a name for two things.
+# twinray_compile_together(TARGET [file...]): these of its files, or all, those of one folder next to each other. No two
+# of them may use a name for two things.
 function(twinray_compile_together target)
   set(files ${ARGN})
   if(NOT files)
@@ -42,9 +43,13 @@ function(twinray_compile_together target)
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${TWINRAY_UNITY} UNITY_BUILD_MODE GROUP)
   set(place 0)
+  set(last_folder "")
   foreach(file ${files})
-    if(place EQUAL 0)
+    cmake_path(GET file PARENT_PATH folder)
+    if(place EQUAL 0 OR NOT folder STREQUAL last_folder)
       string(MAKE_C_IDENTIFIER ${file} group)
+      set(place 0)
+      set(last_folder ${folder})
     endif()
     set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${group})
     math(EXPR place "(${place} + 1) % 8")

@@ -29,8 +29,8 @@ struct Lens {
   const char *x, *y, *what;
   double (*half)(const XmlElement&);
 };
-constexpr Lens perspective{"xfov", "yfov", ", in degrees", tan_half_angle},
-    orthographic{"xmag", "ymag", ", half the frame in scene units", half_magnification};
+constexpr Lens perspective_lens{"xfov", "yfov", ", in degrees", tan_half_angle},
+    orthographic_lens{"xmag", "ymag", ", half the frame in scene units", half_magnification};
 
 /// A height is kept whatever the image's shape, as Khronos's conformance suite has it; an <aspect_ratio>
 /// beside it cannot change that.
@@ -107,7 +107,7 @@ Camera read_camera(const XmlElement& element, const XmlElement& instance, const 
   const XmlElement lens = parallel ? *parallel : common.required_child("perspective");
   Camera camera;
   if (parallel) camera.projection = Projection::orthographic;
-  read_field(lens, parallel ? orthographic : perspective, camera, document);
+  read_field(lens, parallel ? orthographic_lens : perspective_lens, camera, document);
   if (parallel) scale_frame(to_world, camera);
   read_shift(element, camera);
   if (document.options().clip_as_file) read_clip(lens, unit, camera);

@@ -13,7 +13,7 @@ namespace twinray::generated {
 namespace {
 
 // The room is x in [-3, 3], y in [0, 2.8], z in [-4, 4]; behind the wall at x = -3 lies a shaft of light.
-constexpr float shaft_x = -4.2f, wall_x = -3.2f, inside_x = -3, end_x = 3, height = 2.8f, end_z = 4;
+constexpr float shaft_x = -4.2f, wall_x = -3.2f, inside_x = -3, end_x = 3, room_height = 2.8f, end_z = 4;
 constexpr float window_low = 0.85f, window_high = 2.35f;
 struct Span {
   float begin, end;
@@ -22,16 +22,18 @@ constexpr Span windows[] = {{-2.3f, -0.2f}, {0.5f, 2.5f}};
 
 void add_shell(SceneMaker& scene) {
   Mesh walls{.name = "walls"};
-  add_quad(walls, {shaft_x, height, -end_z}, {end_x, height, -end_z}, {end_x, height, end_z},
-           {shaft_x, height, end_z});
-  add_quad(walls, {shaft_x, 0, -end_z}, {end_x, 0, -end_z}, {end_x, height, -end_z},
-           {shaft_x, height, -end_z});
-  add_quad(walls, {shaft_x, 0, end_z}, {shaft_x, height, end_z}, {end_x, height, end_z}, {end_x, 0, end_z});
-  add_quad(walls, {end_x, 0, -end_z}, {end_x, 0, end_z}, {end_x, height, end_z}, {end_x, height, -end_z});
-  add_quad(walls, {shaft_x, 0, -end_z}, {shaft_x, height, -end_z}, {shaft_x, height, end_z},
+  add_quad(walls, {shaft_x, room_height, -end_z}, {end_x, room_height, -end_z}, {end_x, room_height, end_z},
+           {shaft_x, room_height, end_z});
+  add_quad(walls, {shaft_x, 0, -end_z}, {end_x, 0, -end_z}, {end_x, room_height, -end_z},
+           {shaft_x, room_height, -end_z});
+  add_quad(walls, {shaft_x, 0, end_z}, {shaft_x, room_height, end_z}, {end_x, room_height, end_z},
+           {end_x, 0, end_z});
+  add_quad(walls, {end_x, 0, -end_z}, {end_x, 0, end_z}, {end_x, room_height, end_z},
+           {end_x, room_height, -end_z});
+  add_quad(walls, {shaft_x, 0, -end_z}, {shaft_x, room_height, -end_z}, {shaft_x, room_height, end_z},
            {shaft_x, 0, end_z});
   add_box(walls, {{wall_x, 0, -end_z}, {inside_x, window_low, end_z}});
-  add_box(walls, {{wall_x, window_high, -end_z}, {inside_x, height, end_z}});
+  add_box(walls, {{wall_x, window_high, -end_z}, {inside_x, room_height, end_z}});
   float begin = -end_z;
   for (const Span& window : windows) {
     add_box(walls, {{wall_x, window_low, begin}, {inside_x, window_high, window.begin}});
@@ -67,7 +69,7 @@ void add_boards(SceneMaker& scene) {
 void add_beams(SceneMaker& scene) {
   Mesh beams{.name = "beams"};
   for (const float z : {-3.2f, -1.9f, 0.5f, 1.8f, 3.1f})
-    add_box(beams, {{inside_x, height - 0.14f, z - 0.06f}, {end_x, height, z + 0.06f}});
+    add_box(beams, {{inside_x, room_height - 0.14f, z - 0.06f}, {end_x, room_height, z + 0.06f}});
   scene.add(std::move(beams), Rgb{0.35f, 0.23f, 0.14f});
 }
 

@@ -24,16 +24,17 @@ struct Type {
   const char* name;
   std::size_t components;
 };
-constexpr std::array<Type, 7> types{{{TINYGLTF_TYPE_SCALAR, "SCALAR", 1},
-                                     {TINYGLTF_TYPE_VEC2, "VEC2", 2},
-                                     {TINYGLTF_TYPE_VEC3, "VEC3", 3},
-                                     {TINYGLTF_TYPE_VEC4, "VEC4", 4},
-                                     {TINYGLTF_TYPE_MAT2, "MAT2", 4},
-                                     {TINYGLTF_TYPE_MAT3, "MAT3", 9},
-                                     {TINYGLTF_TYPE_MAT4, "MAT4", 16}}};
+constexpr std::array<Type, 7> accessor_types{{{TINYGLTF_TYPE_SCALAR, "SCALAR", 1},
+                                              {TINYGLTF_TYPE_VEC2, "VEC2", 2},
+                                              {TINYGLTF_TYPE_VEC3, "VEC3", 3},
+                                              {TINYGLTF_TYPE_VEC4, "VEC4", 4},
+                                              {TINYGLTF_TYPE_MAT2, "MAT2", 4},
+                                              {TINYGLTF_TYPE_MAT3, "MAT3", 9},
+                                              {TINYGLTF_TYPE_MAT4, "MAT4", 16}}};
 
 const Type& type_of(const tinygltf::Accessor& accessor) {
-  return *std::find_if(types.begin(), types.end(), [&](const Type& t) { return t.code == accessor.type; });
+  return *std::find_if(accessor_types.begin(), accessor_types.end(),
+                       [&](const Type& t) { return t.code == accessor.type; });
 }
 
 std::size_t component_bytes(int component_type) {

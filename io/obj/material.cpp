@@ -83,7 +83,8 @@ bool shows_normals(const MipMap& map) {
 }
 
 constexpr PictureMeaning colors{PictureRole::color, PictureChannels::color},
-    numbers{PictureRole::data, PictureChannels::number}, vectors{PictureRole::data, PictureChannels::color};
+    number_use{PictureRole::data, PictureChannels::number},
+    vectors{PictureRole::data, PictureChannels::color};
 
 }  // namespace
 
@@ -148,9 +149,9 @@ void ObjMaterials::add_textures(const tinyobj::material_t& from, Material& to) {
   if (is_principled || std::holds_alternative<Lambert>(to.model))
     add(from.diffuse_texname, from.diffuse_texopt, colors, MaterialInput::reflectance);
   if (is_principled) {
-    add(from.roughness_texname, from.roughness_texopt, numbers, MaterialInput::roughness);
-    add(from.metallic_texname, from.metallic_texopt, numbers, MaterialInput::base_metalness);
-    add(from.sheen_texname, from.sheen_texopt, numbers, MaterialInput::fuzz_weight);
+    add(from.roughness_texname, from.roughness_texopt, number_use, MaterialInput::roughness);
+    add(from.metallic_texname, from.metallic_texopt, number_use, MaterialInput::base_metalness);
+    add(from.sheen_texname, from.sheen_texopt, number_use, MaterialInput::fuzz_weight);
     if (!is_physical(from))
       add(from.specular_texname, from.specular_texopt, colors, MaterialInput::specular_color);
   }
@@ -172,7 +173,7 @@ void ObjMaterials::add_relief(const tinyobj::material_t& from, Material& to) {
   if (from.bump_texname.empty()) return;
   if (shows_normals(*load_texture(path_of(from.bump_texname), vectors, options_).image))
     return add_normals(from.bump_texname);
-  const std::uint32_t height = picture(from.bump_texname, from.bump_texopt, numbers);
+  const std::uint32_t height = picture(from.bump_texname, from.bump_texopt, number_use);
   textures.push_back({"", ScaleTexture{height, number(from.bump_texopt.bump_multiplier)}});
   to.bump_map = std::uint32_t(textures.size() - 1);
 }
@@ -182,7 +183,7 @@ std::uint32_t ObjMaterials::alpha_of(const tinyobj::material_t& from, const Mate
   if (std::holds_alternative<Dielectric>(made.model)) return no_texture;
   const float dissolve = unit(from.dissolve);
   if (from.alpha_texname.empty()) return dissolve < 1 ? number(dissolve) : no_texture;
-  const std::uint32_t alpha = picture(from.alpha_texname, from.alpha_texopt, numbers);
+  const std::uint32_t alpha = picture(from.alpha_texname, from.alpha_texopt, number_use);
   if (dissolve == 1) return alpha;
   textures.push_back({"", ScaleTexture{alpha, number(dissolve)}});
   return std::uint32_t(textures.size() - 1);

@@ -100,7 +100,7 @@ void name_losses(const Camera& camera, Losses& losses) {
     losses.add("the blades of the camera's lens are left out: it is round");
 }
 
-std::string film(const SceneToWrite& input, const std::string& path) {
+std::string film_text(const SceneToWrite& input, const std::string& path) {
   const RenderDefaults::Resolution& size = *input.picture.resolution;
   const std::string name = name_of_file(path);
   std::string text = "Film \"rgb\"" + pbrt_integer("xresolution", size.width) +
@@ -131,7 +131,7 @@ std::string pbrt_view(const SceneToWrite& input, SceneOutput& output) {
   name_losses(camera, output.losses);
   const auto from_world = inverse(frame_of(camera));
   std::string text = pbrt_transform(from_world.value_or(Transform{})) + camera_text(camera, size) + "\n";
-  text += film(input, output.path());
+  text += film_text(input, output.path());
   if (input.picture.samples)
     text += "Sampler \"zsobol\"" + pbrt_integer("pixelsamples", int(*input.picture.samples)) + "\n";
   text += "Integrator \"volpath\"";
