@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/assimp/model_bytes.h"
 
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <type_traits>
 
 #include "core/error.h"
@@ -95,7 +95,7 @@ class Reader {
  private:
   void take(void* to, std::size_t size) {
     if (size > left_.size()) throw Error("the model ends early");
-    std::memcpy(to, left_.data(), size);
+    std::copy_n(left_.data(), size, static_cast<char*>(to));  // Of nothing, `to` may be null.
     left_.remove_prefix(size);
   }
   template <typename List>

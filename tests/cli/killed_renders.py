@@ -8,7 +8,7 @@ KILLS (200): that many processes get SIGKILL at seeded instants of their first S
 resumed, by another number of threads or another engine, and perhaps killed again, until it is done. Then the
 disk fails, or tears what is written, at each of the first events of a checkpoint
 (tests/support/failing_disk.cpp). Every film must have the sums of the undisturbed one, and no checkpoint may
-have fewer samples than the one before. An empty FAILING_DISK leaves that part out. A build with sanitizers is
+have fewer samples than the one before. "none" for FAILING_DISK leaves that part out. A build with sanitizers is
 slower: it needs more SECONDS.
 """
 import json
@@ -139,7 +139,7 @@ def main(arguments):
         renders = Renders(program, scene, folder)
         kills, seconds = (*arguments[3:], *("200", "0.25")[len(arguments) - 3:])
         fault = kill_at_random(renders, int(kills), float(seconds))
-        if not fault and disk:
+        if not fault and disk != "none":
             fault = fail_at_events(renders, disk)
     if fault:
         print(fault)

@@ -29,6 +29,10 @@ void release(void* block) {
 }  // namespace
 
 void* operator new(std::size_t size) { return counted(std::malloc(std::max<std::size_t>(size, 1))); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  void* const block = std::malloc(std::max<std::size_t>(size, 1));
+  return block ? counted(block) : nullptr;
+}
 void* operator new(std::size_t size, std::align_val_t alignment) {
   const std::size_t unit = std::size_t(alignment);
   return counted(std::aligned_alloc(unit, (std::max<std::size_t>(size, 1) + unit - 1) / unit * unit));
