@@ -8,8 +8,8 @@ KILLS (200): that many processes get SIGKILL at seeded instants of their first S
 resumed, by another number of threads or another engine, and perhaps killed again, until it is done. Then the
 disk fails, or tears what is written, at each of the first events of a checkpoint
 (tests/support/failing_disk.cpp). Every film must have the sums of the undisturbed one, and no checkpoint may
-have fewer samples than the one before. "none" for FAILING_DISK leaves that part out. A build with sanitizers is
-slower: it needs more SECONDS.
+have fewer samples than the one before. "none" for FAILING_DISK leaves that part out. A build with sanitizers
+is slower: it needs more SECONDS.
 """
 import json
 import os
