@@ -31,9 +31,9 @@ function(twinray_share_objects target)
   endif()
 endfunction()
 
-# To compile a file of io, cli or their tests is mostly to read the headers that it includes: eight together take little
+# To compile a file of io, cli or bench is mostly to read the headers that it includes: eight together take little
 # longer than one. The preset dev takes each alone, and so sees whether it includes what it needs.
-option(TWINRAY_UNITY "Compile files of io, cli and their tests eight at a time: half of the time of a build from nothing" ON)
+option(TWINRAY_UNITY "Compile files of io, cli and bench eight at a time: half of the time of a build from nothing" ON)
 # twinray_compile_together(TARGET [file...]): these of its files, or all, those of one folder next to each other. No two
 # of them may use a name for two things.
 function(twinray_compile_together target)

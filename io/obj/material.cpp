@@ -82,9 +82,9 @@ bool shows_normals(const MipMap& map) {
   return mean.b > mean.r + 0.2f && mean.b > mean.g + 0.2f;
 }
 
-constexpr PictureMeaning colors{PictureRole::color, PictureChannels::color},
-    number_use{PictureRole::data, PictureChannels::number},
-    vectors{PictureRole::data, PictureChannels::color};
+constexpr PictureMeaning for_colors{PictureRole::color, PictureChannels::color},
+    for_numbers{PictureRole::data, PictureChannels::number},
+    for_vectors{PictureRole::data, PictureChannels::color};
 
 }  // namespace
 
@@ -147,13 +147,13 @@ void ObjMaterials::add_textures(const tinyobj::material_t& from, Material& to) {
   };
   const bool is_principled = std::holds_alternative<Principled>(to.model);
   if (is_principled || std::holds_alternative<Lambert>(to.model))
-    add(from.diffuse_texname, from.diffuse_texopt, colors, MaterialInput::reflectance);
+    add(from.diffuse_texname, from.diffuse_texopt, for_colors, MaterialInput::reflectance);
   if (is_principled) {
-    add(from.roughness_texname, from.roughness_texopt, number_use, MaterialInput::roughness);
-    add(from.metallic_texname, from.metallic_texopt, number_use, MaterialInput::base_metalness);
-    add(from.sheen_texname, from.sheen_texopt, number_use, MaterialInput::fuzz_weight);
+    add(from.roughness_texname, from.roughness_texopt, for_numbers, MaterialInput::roughness);
+    add(from.metallic_texname, from.metallic_texopt, for_numbers, MaterialInput::base_metalness);
+    add(from.sheen_texname, from.sheen_texopt, for_numbers, MaterialInput::fuzz_weight);
     if (!is_physical(from))
-      add(from.specular_texname, from.specular_texopt, colors, MaterialInput::specular_color);
+      add(from.specular_texname, from.specular_texopt, for_colors, MaterialInput::specular_color);
   }
   if (!from.specular_highlight_texname.empty()) warn("pictures of the exponent (map_Ns) are left out");
   if (!from.displacement_texname.empty()) warn("displacement (disp) is left out");
@@ -171,9 +171,9 @@ void ObjMaterials::add_relief(const tinyobj::material_t& from, Material& to) {
   };
   if (!from.normal_texname.empty()) return add_normals(from.normal_texname);
   if (from.bump_texname.empty()) return;
-  if (shows_normals(*load_texture(path_of(from.bump_texname), vectors, options_).image))
+  if (shows_normals(*load_texture(path_of(from.bump_texname), for_vectors, options_).image))
     return add_normals(from.bump_texname);
-  const std::uint32_t height = picture(from.bump_texname, from.bump_texopt, number_use);
+  const std::uint32_t height = picture(from.bump_texname, from.bump_texopt, for_numbers);
   textures.push_back({"", ScaleTexture{height, number(from.bump_texopt.bump_multiplier)}});
   to.bump_map = std::uint32_t(textures.size() - 1);
 }
@@ -183,7 +183,7 @@ std::uint32_t ObjMaterials::alpha_of(const tinyobj::material_t& from, const Mate
   if (std::holds_alternative<Dielectric>(made.model)) return no_texture;
   const float dissolve = unit(from.dissolve);
   if (from.alpha_texname.empty()) return dissolve < 1 ? number(dissolve) : no_texture;
-  const std::uint32_t alpha = picture(from.alpha_texname, from.alpha_texopt, number_use);
+  const std::uint32_t alpha = picture(from.alpha_texname, from.alpha_texopt, for_numbers);
   if (dissolve == 1) return alpha;
   textures.push_back({"", ScaleTexture{alpha, number(dissolve)}});
   return std::uint32_t(textures.size() - 1);
@@ -194,7 +194,7 @@ void ObjMaterials::add_emission(const tinyobj::material_t& from, ObjSurface& to)
   const Rgb given = color_of(from.emission);
   to.radiance = {std::max(given.r, 0.0f), std::max(given.g, 0.0f), std::max(given.b, 0.0f)};
   if (from.emissive_texname.empty()) return;
-  const LoadedTexture loaded = load_texture(path_of(from.emissive_texname), colors, options_);
+  const LoadedTexture loaded = load_texture(path_of(from.emissive_texname), for_colors, options_);
   if (!loaded.warning.empty()) return warn(loaded.warning);
   if (is_black(to.radiance)) to.radiance = {1, 1, 1};
   to.picture = std::make_shared<const Image>(loaded.image->image(0));
