@@ -86,10 +86,15 @@ set(private_headers
   integrators/denoise/regression.h
   integrators/denoise/tile.h
   integrators/wave/camera_stage.h
+  integrators/wave/coats-inl.h
   integrators/wave/columns.h
   integrators/wave/draws-inl.h
+  integrators/wave/facets-inl.h
   integrators/wave/lanes-inl.h
   integrators/wave/light-inl.h
+  integrators/wave/lobe_surfaces.h
+  integrators/wave/lobes-inl.h
+  integrators/wave/metals-inl.h
   integrators/wave/patches-inl.h
   integrators/wave/path_wave.h
   integrators/wave/requests.h

@@ -36,6 +36,11 @@ class Bsdf {
   }
   /// Whether light is reflected evenly, on the viewer's side alone.
   bool is_lambert() const { return std::holds_alternative<LambertLobe>(lobes_); }
+  /// Its lobe, if that is of this class; else null.
+  template <typename Lobe>
+  const Lobe* as() const {
+    return std::get_if<Lobe>(&lobes_);
+  }
   BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const {
     return std::visit([&](const auto& lobe) { return lobe.evaluate(wo, wi); }, lobes_);
   }

@@ -24,9 +24,11 @@ class GgxDielectricReflectance {
   float operator()(float cosine) const;
   /// The same for light that is the same from all directions. Within 3e-3.
   float average() const { return average_; }
+  /// The reflectances at cosines whose roots are equally spaced over [0, 1]; between them it is linear.
+  const std::array<float, 16>& row() const { return row_; }
 
  private:
-  std::array<float, 16> row_;  ///< By the root of the cosine, equally spaced over [0, 1].
+  std::array<float, 16> row_;
   float average_;
 };
 
@@ -46,6 +48,8 @@ class MultipleScattering {
 
   /// The part of light along a direction with this cosine that meets several facets.
   float loss(float cosine) const { return ggx_loss(cosine, alpha_); }
+  /// Of facets without direction that lose as much.
+  float alpha() const { return alpha_; }
   /// The same for light that is the same from all directions.
   float average_loss() const { return average_loss_; }
   /// f(wo, wi) of facets that absorb nothing, for the cosines of both.

@@ -29,6 +29,10 @@ class Interaction {
   const Vec3& wo_local() const { return wo_local_; }  ///< z > 0.
   const Vec3& normal() const { return shading_.frame.normal; }
 
+  const Frame& frame() const { return shading_.frame; }
+  /// Whether a map bends the normal: then kept() is not always 1.
+  bool is_mapped() const { return shading_.is_mapped; }
+
   Vec3 to_local(const Vec3& v) const { return shading_.frame.to_local(v); }
   Vec3 to_world(const Vec3& v) const { return shading_.frame.to_world(v); }
   /// f(wo, wi) |cos(wi)| for a unit direction in world space, and the density with which scattering chooses

@@ -18,6 +18,9 @@ class Coat {
   float ior() const { return ior_; }
   /// Of the facets; 0 if smooth.
   float alpha() const { return alpha_; }
+  /// Of a rough coat.
+  const Ggx& facets() const { return facets_; }
+  const GgxDielectricReflectance& rough_reflectance() const { return rough_reflectance_; }
 
   /// The part of light from a direction above that is reflected; the rest goes through.
   float reflectance(float cosine) const;
@@ -41,7 +44,7 @@ class Coat {
   bool is_smooth_;
   float ior_, alpha_;
   Ggx facets_;
-  GgxDielectricReflectance rough_reflectance_;  ///< Of a rough coat.
+  GgxDielectricReflectance rough_reflectance_;
   float average_reflectance_;
 };
 

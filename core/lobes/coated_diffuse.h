@@ -17,6 +17,9 @@ class CoatedDiffuseLobe {
   /// Reflectance of the base, in [0, 1].
   CoatedDiffuseLobe(const Coat& coat, const Rgb& reflectance);
 
+  const Coat& coat() const { return coat_; }
+  /// The radiosity below the coat: reflectance / (1 - reflectance R) / ior^2.
+  const Rgb& base() const { return base_; }
   Rgb albedo() const;
   BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;
   /// What of it comes from the base.
@@ -28,7 +31,7 @@ class CoatedDiffuseLobe {
   float coat_probability(float reflectance) const;
 
   Coat coat_;
-  Rgb base_;  ///< reflectance / (1 - reflectance R) / ior^2: radiosity below the coat.
+  Rgb base_;
 };
 
 }  // namespace twinray

@@ -14,6 +14,15 @@ class RoughConductorLobe {
   /// Complex index of refraction eta + i k per channel, relative to the viewer's side; a factor in [0, 1].
   RoughConductorLobe(const Ggx& facets, const Rgb& eta, const Rgb& k, const Rgb& reflectance);
 
+  const Ggx& facets() const { return facets_; }
+  const Rgb& eta() const { return eta_; }
+  const Rgb& k() const { return k_; }
+  const Rgb& reflectance() const { return reflectance_; }
+  const Rgb& average_fresnel() const { return average_fresnel_; }
+  /// What facets reflect to each other, and how much of that is not absorbed.
+  const MultipleScattering& multiple() const { return multiple_; }
+  const Rgb& multiple_factor() const { return multiple_factor_; }
+
   Rgb albedo() const;
   BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a wave does at surfaces that are not Lambert's: one by one, by the functions of the reference. The
-// lanes have worked there, too, as if the surfaces were black; what they wrote is overwritten.
+// What a wave does at surfaces that are not Lambert's: in lanes for the lobes that these know, else one by
+// one, by the functions of the reference. The lanes of Lambert surfaces have worked there, too, as if the
+// surfaces were black; what they wrote is overwritten.
 #include <algorithm>
 
 #include "core/spawn_ray.h"
@@ -9,14 +10,35 @@
 
 namespace twinray {
 
+template <typename F>
+void PathWave::for_each_lobe(F&& f) {
+  f(wave_.coated_diffuse, stages_.coated_diffuse);
+  f(wave_.rough_conductor, stages_.rough_conductor);
+}
+
+bool PathWave::is_listed(const OtherSurface& other) {
+  const Bsdf& bsdf = other.at.bsdf();
+  if (other.at.is_mapped()) return false;
+  if (const auto* const lobe = bsdf.as<CoatedDiffuseLobe>())
+    wave_.coated_diffuse.add(other.index, other.at, *lobe);
+  else if (const auto* const metal = bsdf.as<RoughConductorLobe>())
+    wave_.rough_conductor.add(other.index, other.at, *metal);
+  else
+    return false;
+  return true;
+}
+
 void PathWave::find_others() {
   wave_.others.clear();
+  wave_.alone.clear();
+  for_each_lobe([](auto& lobes, const auto& /*stages*/) { lobes.clear(); });
   for (std::size_t i = 0; i < paths_.size; ++i) {
     const Hit& hit = wave_.hits[i];
     if (context_.shapes[hit.mesh].is_lambert) continue;
     const Viewing viewing{Materials(paths_.materials[i]), paths_.interiors_at(i)};
     wave_.others.emplace_back(i, context_.bsdfs, with_footprint(found_surface(i), i),
                               -normalize(paths_.direction.at(i)), viewing);
+    if (!is_listed(wave_.others.back())) wave_.alone.push_back(std::uint32_t(wave_.others.size() - 1));
   }
 }
 
@@ -41,8 +63,18 @@ void PathWave::show_others() {
   }
 }
 
+void PathWave::scatter_light_at_lobes(const MisRequest& mis) {
+  for_each_lobe([&](const auto& lobes, const auto& stages) {
+    if (lobes.size == 0) return;
+    stages.scatter_light(lobes, surfaces_, light_, mis, wave_.scattered_at_lobes);
+    for (std::size_t k = 0; k < lobes.size; ++k)
+      connections_.scattered.set(lobes.surface[k], wave_.scattered_at_lobes.at<Rgb>(k));
+  });
+}
+
 void PathWave::scatter_light_at_others(std::uint32_t light) {
-  for (const OtherSurface& other : wave_.others) {
+  for (const std::uint32_t n : wave_.alone) {
+    const OtherSurface& other = wave_.others[n];
     const std::size_t i = other.index;
     const LightSample sample{light_.direction.at(i), light_.radiance.at<Rgb>(i), light_.pdf[i],
                              light_.ray(i)};
@@ -74,11 +106,35 @@ Interiors PathWave::interiors_of(std::size_t connection) const {
 
 void PathWave::keep_throughput_at_others() {
   for (OtherSurface& other : wave_.others) other.throughput = paths_.throughput.at<Rgb>(other.index);
+  for_each_lobe([&](auto& lobes, const auto& /*stages*/) {
+    for (std::size_t k = 0; k < lobes.size; ++k)
+      lobes.throughput.set(k, paths_.throughput.at<Rgb>(lobes.surface[k]));
+  });
+}
+
+void PathWave::scatter_at_lobes() {
+  const LobePaths& found = wave_.lobe_paths;
+  for_each_lobe([&](const auto& lobes, const auto& stages) {
+    if (lobes.size == 0) return;
+    stages.scatter_paths(lobes, surfaces_, {wave_.lobe, wave_.ux, wave_.uy}, wave_.lobe_paths);
+    for (std::size_t k = 0; k < lobes.size; ++k) {
+      const std::size_t i = lobes.surface[k];
+      paths_.throughput.set(i, found.throughput.at<Rgb>(k));
+      paths_.direction.set(i, found.direction.at(k));
+      wave_.origin.set(i, found.origin.at(k));
+      wave_.pdf[i] = found.pdf[k];
+      wave_.seeking[i] = found.seeking[k];
+      wave_.kind[i] = found.kind[k];
+    }
+  });
 }
 
 void PathWave::scatter_at_others() {
-  if (!wave_.others.empty()) draw(Purpose::lobe, {}, wave_.unused, wave_.lobe);
-  for (const OtherSurface& other : wave_.others) {
+  if (wave_.others.empty()) return;
+  draw(Purpose::lobe, {}, wave_.unused, wave_.lobe);
+  scatter_at_lobes();
+  for (const std::uint32_t n : wave_.alone) {
+    const OtherSurface& other = wave_.others[n];
     const std::size_t i = other.index;
     const Vec2 u{wave_.ux[i], wave_.uy[i]};
     const auto next = twinray::scatter(other.at, other.throughput, wave_.lobe[i], u);

@@ -254,7 +254,10 @@ void PathWave::sample_light(std::uint32_t light) {
   if (mesh && (mesh->picture || context_.transport.lights.has_alpha(light))) mesh = nullptr;
   const std::uint32_t count = context_.transport.samples_of(light);
   MisRequest mis{.count = float(count)};
-  if (context_.transport.method == DirectMethod::mis) mis.zone = context_.transport.lights.zone(light);
+  if (context_.transport.method == DirectMethod::mis) {
+    mis.zone = context_.transport.lights.zone(light);
+    mis.is_shared = !context_.transport.lights.is_delta(light);
+  }
   if (const PatchLight* patches = mesh ? context_.patches[light].light : nullptr)
     stages_.weigh_patches(*patches, surfaces_, paths_.size, wave_.corners);
   for (std::uint32_t part = 0; part < count; ++part) {
@@ -264,6 +267,7 @@ void PathWave::sample_light(std::uint32_t light) {
     else
       sample_other_light(light);
     stages_.scatter_light(surfaces_, light_, paths_.size, mis, connections_);
+    scatter_light_at_lobes(mis);
     if (context_.has_interiors) absorb_light();
     scatter_light_at_others(light);
     stages_.make_shadow_rays(light_, paths_.size, connections_);

@@ -85,19 +85,27 @@ class PathWave {
   /// Whether lanes do not find the point of a hit: of a sphere, or of an instance.
   bool is_placed_alone(const Hit& hit) const;
   void place_others();
-  /// What is done alone, since lanes know Lambert surfaces only (integrators/wave/other_surfaces.cpp): finds
-  /// these surfaces before their normals are turned to the viewer,
+  /// Surfaces that are not Lambert's (integrators/wave/other_surfaces.cpp), in lanes where these know their
+  /// lobes, else alone: finds them before their normals are turned to the viewer,
   void find_others();
   /// writes their albedos and normals,
   void show_others();
-  /// writes what they scatter of a light's samples,
+  /// writes what they scatter of a light's samples, in lanes but for what interiors absorb,
+  void scatter_light_at_lobes(const MisRequest& mis);
+  /// and alone,
   void scatter_light_at_others(std::uint32_t light);
   /// looks for light all around them, where lanes look in the hemisphere,
   void look_around_others();
   /// remembers the throughput of the paths that have come there, which scattering in lanes overwrites,
   void keep_throughput_at_others();
   /// and chooses where these go on.
+  void scatter_at_lobes();
   void scatter_at_others();
+  /// Puts a surface on the list of its lobe, if lanes know that.
+  bool is_listed(const OtherSurface& other);
+  /// Calls f with each list and its stages.
+  template <typename F>
+  void for_each_lobe(F&& f);
   Departure departure_from(std::size_t surface) const;
   void add_direct_light();
   void add_lights();

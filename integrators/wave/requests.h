@@ -8,6 +8,7 @@
 #include "core/light_patch.h"
 #include "core/light_set.h"
 #include "core/sampler.h"
+#include "integrators/wave/columns.h"
 
 namespace twinray {
 
@@ -27,8 +28,14 @@ struct MeshLightRequest {
 
 /// Where and how light samples are weighted by multiple importance sampling.
 struct MisRequest {
-  Zone zone;        ///< None: not at all.
-  float count = 1;  ///< Of the light's samples.
+  Zone zone;               ///< At Lambert surfaces; none: not at all.
+  bool is_shared = false;  ///< At other surfaces: everywhere.
+  float count = 1;         ///< Of the light's samples.
+};
+
+/// The draws of a direction at each of the wave's surfaces.
+struct DirectionDraws {
+  const Floats &lobe, &ux, &uy;
 };
 
 /// A triangle of a light, as points of it are made.

@@ -9,8 +9,10 @@
 #include <hwy/highway.h>
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#include "integrators/wave/coats-inl.h"
 #include "integrators/wave/draws-inl.h"
 #include "integrators/wave/light-inl.h"
+#include "integrators/wave/metals-inl.h"
 #include "integrators/wave/patches-inl.h"
 #include "integrators/wave/scatter-inl.h"
 #include "integrators/wave/surfaces-inl.h"
@@ -18,6 +20,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 namespace {
+
+template <typename LobeLanes, typename Lobes>
+LobeStages<Lobes> lobe_stages() {
+  return {scatter_light_at<LobeLanes, Lobes>, scatter_paths_at<LobeLanes, Lobes>};
+}
 
 WaveStages stages() {
   return {simd_name(hwy::TargetName(HWY_TARGET)),
@@ -32,7 +39,9 @@ WaveStages stages() {
           make_shadow_rays,
           add_connections,
           scatter_paths,
-          keep_paths};
+          keep_paths,
+          lobe_stages<CoatedDiffuseLanes, CoatedDiffuseSurfaces>(),
+          lobe_stages<RoughConductorLanes, RoughConductorSurfaces>()};
 }
 
 }  // namespace

@@ -13,6 +13,17 @@
 
 namespace twinray {
 
+/// What lanes do at surfaces with one kind of lobe.
+template <typename Lobes>
+struct LobeStages {
+  /// LightSamples -> what each of the list's surfaces scatters of them: scattered_sample, but for what
+  /// interiors absorb.
+  void (*scatter_light)(const Lobes&, const Surfaces&, const LightSamples&, const MisRequest&,
+                        Columns3& scattered);
+  /// Draws of a direction -> where the paths of the list's surfaces go on: twinray::scatter.
+  void (*scatter_paths)(const Lobes&, const Surfaces&, const DirectionDraws&, LobePaths&);
+};
+
 struct WaveStages {
   std::string name;  ///< Of the instruction set: "avx512", "avx2", "sse4".
   /// Keys of pixels, indices of samples -> draws in the unit square.
@@ -44,6 +55,8 @@ struct WaveStages {
   void (*scatter_paths)(const Surfaces&, Wave&);
   /// Throughput -> kept: the paths that go on. Returns how many.
   std::size_t (*keep_paths)(Wave&);
+  LobeStages<CoatedDiffuseSurfaces> coated_diffuse;
+  LobeStages<RoughConductorSurfaces> rough_conductor;
 };
 
 /// Those that this machine can run, the fastest first; none where it has no such instruction set.

@@ -13,6 +13,7 @@
 #include "integrators/direct_light.h"
 #include "integrators/interaction.h"
 #include "integrators/wave/columns.h"
+#include "integrators/wave/lobe_surfaces.h"
 
 namespace twinray {
 
@@ -131,10 +132,15 @@ struct Wave {
   PatchCorners corners;
   LightSamples light;
   Connections connections;
-  std::vector<OtherSurface> others;  ///< In the order of the surfaces.
-  Floats ux, uy;                     ///< Draws of a direction, or of roulette.
-  Floats lobe, unused;               ///< Draws of how other surfaces scatter, and what comes with them.
-  Floats texture_x, texture_y;       ///< Draws of the pixels of textures, where there are any.
+  std::vector<OtherSurface> others;      ///< In the order of the surfaces.
+  std::vector<std::uint32_t> alone;      ///< Which of these no lanes know.
+  CoatedDiffuseSurfaces coated_diffuse;  ///< Those that lanes know, by their lobes.
+  RoughConductorSurfaces rough_conductor;
+  Columns3 scattered_at_lobes;  ///< Of a light's sample, at a list's surfaces.
+  LobePaths lobe_paths;
+  Floats ux, uy;                ///< Draws of a direction, or of roulette.
+  Floats lobe, unused;          ///< Draws of how other surfaces scatter, and what comes with them.
+  Floats texture_x, texture_y;  ///< Draws of the pixels of textures, where there are any.
   Words kept;               ///< The paths that go on; until they arrive, the surfaces that they come from.
   Floats pdf;               ///< At each surface: of the direction that goes on, per solid angle.
   Words kind;               ///< Likewise: how it is scattered, a ScatterKind; where that has a limit.

@@ -10,6 +10,7 @@ are those of this system, which must be a Debian that serves both processors fro
 done where the sysroot holds these packages already.
 """
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -56,6 +57,15 @@ def make_links_relative(sysroot):
             path.symlink_to(os.path.relpath(sysroot / target[1:], path.parent))
 
 
+def move_cmake_files(sysroot):
+    """Some packages' CMake files name /usr, and not where they are found, as the place of their libraries."""
+    for file in sysroot.glob("usr/lib/*/cmake/**/*.cmake"):
+        text = file.read_text()
+        moved = re.sub(r'(?<=[";:])/usr(?=[/"])', f"{sysroot}/usr", text)
+        if moved != text:
+            file.write_text(moved)
+
+
 def link_alternatives(sysroot):
     for name in ALTERNATIVES:
         for file in sysroot.glob(f"usr/lib/*/{name}"):
@@ -81,6 +91,7 @@ def main(arguments):
         run("dpkg-deb", "--extract", archive, sysroot)
     make_links_relative(sysroot)
     link_alternatives(sysroot)
+    move_cmake_files(sysroot)
     shutil.rmtree(apt)
     stamp.write_text(wanted)
     return 0
