@@ -3,6 +3,7 @@
 #include "accel/compact/kernel.h"
 
 #include "accel/wide/scalar.h"
+#include "core/instruction_sets.h"  // Before Highway: which sets it leaves out.
 
 #define HWY_TARGET_INCLUDE "accel/compact/kernel.cpp"
 #include <hwy/foreach_target.h>

@@ -4,6 +4,7 @@ from mutant import Mutant
 
 MITSUBA_CONDUCTORS = "rough conductors are Mitsuba's, but for light that meets several facets"
 COATED_FURNACE = "a coated white surface passes the furnace"
+WAVES = "waves of paths have the bits and the rays of paths one after the other"
 
 MUTANTS = [
     Mutant("a conductor's Fresnel reflectance forgets what it absorbs", "core/fresnel.cpp",
@@ -40,4 +41,22 @@ MUTANTS = [
     Mutant("CS184's masking has the root of pi", "core/lobes/cs184_microfacet.cpp",
            "exp_of(-a * a) / (a * pi)", "exp_of(-a * a) / (a * 1.77245385f)", "test_core",
            "CS184's microfacets have the values of the course's formulas"),
+    Mutant("in lanes all coats reflect as the first of the list", "integrators/wave/coats-inl.h",
+           "row_(indices(at.row, k, at.size))", "row_(hn::Zero(IndexTag()))", "test_integrators", WAVES),
+    Mutant("in lanes rough coats are mirrors", "integrators/wave/coats-inl.h",
+           "is_delta = hn::And(reflects, is_smooth_)", "is_delta = reflects", "test_integrators", WAVES),
+    Mutant("in lanes metals lose light as seen from the viewer alone", "integrators/wave/metals-inl.h",
+           "hn::Mul(loss_, ggx_loss(wi.z, alpha_))", "hn::Mul(loss_, loss_)", "test_integrators", WAVES),
+    Mutant("in lanes no light is shared with rough surfaces", "integrators/wave/lobes-inl.h",
+           "if (mis.is_shared) {", "if (false) {", "test_integrators", WAVES),
+    Mutant("in lanes light leaks between the two normals of rough surfaces", "integrators/wave/lobes-inl.h",
+           "hn::And(is_not_black(radiance), is_consistent(surfaces, surface, wi, local.z))",
+           "is_not_black(radiance)", "test_integrators", WAVES),
+    Mutant("what is in glass scatters in lanes as if nothing were absorbed", "integrators/wave/path_wave.cpp",
+           """    scatter_light_at_lobes(mis);
+    if (context_.has_interiors) absorb_light();
+""",
+           """    if (context_.has_interiors) absorb_light();
+    scatter_light_at_lobes(mis);
+""", "test_integrators", WAVES),
 ]
