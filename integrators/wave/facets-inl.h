@@ -49,9 +49,9 @@ HWY_ATTR HWY_INLINE Lanes ggx_loss(Lanes cosine, Lanes alpha) {
   constexpr int count = tables::loss_count;
   const TablePlace y(alpha, count);
   const Lanes sum = hn::Add(cosine, alpha), least = splat(1e-6f);
-  const TablePlace x(hn::Sqrt(hn::Div(hn::Mul(cosine, hn::Add(splat(1), alpha)),
-                                      select(hn::Lt(sum, least), least, sum))),
-                     count);
+  const TablePlace x(
+      hn::Sqrt(hn::Div(hn::Mul(cosine, hn::Add(splat(1), alpha)), select(hn::Lt(sum, least), least, sum))),
+      count);
   const IndexLanes row = hn::Mul(y.first, hn::Set(IndexTag(), count));
   return mix(at(tables::loss[0], row, x), at(tables::loss[1], row, x), y.part);
 }
@@ -63,8 +63,8 @@ HWY_ATTR HWY_INLINE Lanes fresnel_dielectric(Lanes cos_i, Lanes eta) {
   const Lanes along = hn::Mul(eta, cos_i), across = hn::Mul(eta, cos_t);
   const Lanes parallel = hn::Div(hn::Sub(along, cos_t), hn::Add(along, cos_t));
   const Lanes perpendicular = hn::Div(hn::Sub(cos_i, across), hn::Add(cos_i, across));
-  const Lanes reflected = hn::Mul(
-      splat(0.5f), hn::Add(hn::Mul(parallel, parallel), hn::Mul(perpendicular, perpendicular)));
+  const Lanes reflected =
+      hn::Mul(splat(0.5f), hn::Add(hn::Mul(parallel, parallel), hn::Mul(perpendicular, perpendicular)));
   const Lanes total = select(hn::Eq(cos_t, hn::Zero(FloatTag())), one, reflected);
   return hn::IfThenZeroElse(hn::Eq(eta, one), total);
 }
@@ -77,8 +77,8 @@ HWY_ATTR HWY_INLINE Lanes fresnel_conductor(Lanes cos_i, Lanes eta, Lanes k) {
   const Lanes squares = hn::Sqrt(hn::Add(hn::Mul(difference, difference), product));
   const Lanes a = hn::Sqrt(not_below_0(hn::Mul(half, hn::Add(squares, difference))));
   const Lanes across = hn::Mul(hn::Mul(splat(2), a), cos_i);
-  const Lanes perpendicular = hn::Div(not_below_0(hn::Sub(hn::Add(squares, cos2), across)),
-                                      hn::Add(hn::Add(squares, cos2), across));
+  const Lanes perpendicular =
+      hn::Div(not_below_0(hn::Sub(hn::Add(squares, cos2), across)), hn::Add(hn::Add(squares, cos2), across));
   const Lanes along = hn::Mul(across, sin2), rest = hn::Add(hn::Mul(cos2, squares), hn::Mul(sin2, sin2));
   const Lanes both = hn::Add(rest, along);
   const Lanes parallel = hn::Div(not_below_0(hn::Sub(rest, along)), both);
@@ -97,8 +97,7 @@ struct GgxLanes {
 
   HWY_ATTR HWY_INLINE Lanes density(const Lanes3& m) const {
     const Lanes mx = hn::Div(m.x, x), my = hn::Div(m.y, y);
-    const Lanes ellipsoid =
-        hn::Add(hn::Add(hn::Mul(mx, mx), hn::Mul(my, my)), hn::Mul(m.z, m.z));
+    const Lanes ellipsoid = hn::Add(hn::Add(hn::Mul(mx, mx), hn::Mul(my, my)), hn::Mul(m.z, m.z));
     const Lanes area = hn::Mul(hn::Mul(splat(pi), x), y);
     return hn::Div(splat(1), hn::Mul(hn::Mul(area, ellipsoid), ellipsoid));
   }

@@ -66,8 +66,7 @@ HWY_ATTR void scatter_light_at(const Lobes& lobes, const Surfaces& surfaces, con
       const Lanes ratio = hn::Div(found.pdf, pdf);
       light = light * hn::Div(splat(1), hn::Add(splat(1), hn::Mul(ratio, ratio)));
     }
-    const LaneMask counts =
-        hn::And(is_not_black(radiance), is_consistent(surfaces, surface, wi, local.z));
+    const LaneMask counts = hn::And(is_not_black(radiance), is_consistent(surfaces, surface, wi, local.z));
     store(zero_unless(counts, light), scattered, k);
   }
 }
@@ -87,9 +86,8 @@ HWY_ATTR void scatter_paths_at(const Lobes& lobes, const Surfaces& surfaces, con
                       load(lobes.normal, k) * sample.wi.z;
     const Lanes3 throughput =
         load(lobes.throughput, k) * sample.value * hn::Div(hn::Abs(sample.wi.z), sample.pdf);
-    const LaneMask goes_on =
-        hn::And(hn::Ne(sample.pdf, hn::Zero(FloatTag())),
-                is_consistent(surfaces, surface, wi, dot(load(lobes.normal, k), wi)));
+    const LaneMask goes_on = hn::And(hn::Ne(sample.pdf, hn::Zero(FloatTag())),
+                                     is_consistent(surfaces, surface, wi, dot(load(lobes.normal, k), wi)));
     store(zero_unless(goes_on, throughput), paths.throughput, k);
     store(wi, paths.direction, k);
     store(leave_surface(gather(surfaces.point.position, surface), gather(surfaces.point.normal, surface),

@@ -38,8 +38,8 @@ class RoughConductorLanes {
                          fresnel_conductor(facets.cosine, eta_.z, k_.z)};
     const Lanes3 once = reflectance_ * fresnel * facets.value;
     const Lanes losses = hn::Mul(loss_, ggx_loss(wi.z, alpha_));
-    const Lanes multiple = hn::IfThenElseZero(is_positive(average_loss_),
-                                              hn::Div(losses, hn::Mul(splat(pi), average_loss_)));
+    const Lanes multiple =
+        hn::IfThenElseZero(is_positive(average_loss_), hn::Div(losses, hn::Mul(splat(pi), average_loss_)));
     const Lanes3 more = reflectance_ * multiple_factor_ * multiple;
     const Lanes cosine_pdf = hn::Div(not_below_0(wi.z), splat(pi));
     const Lanes pdf = hn::Add(hn::Mul(hn::Sub(splat(1), multiple_probability_), facets.pdf),
