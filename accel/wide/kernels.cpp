@@ -3,6 +3,7 @@
 #include "accel/wide/kernel.h"
 
 #include "accel/wide/scalar.h"
+#include "core/instruction_sets.h"  // Before Highway: which sets it leaves out.
 
 #define HWY_TARGET_INCLUDE "accel/wide/kernels.cpp"
 #include <hwy/foreach_target.h>

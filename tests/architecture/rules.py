@@ -291,6 +291,16 @@ def all_listed(tree):
             yield name, 1, "no CMakeLists.txt lists this file"
 
 
+def sets_before_highway(tree):
+    """What a file compiles for each instruction set leaves out those that core/instruction_sets.h names."""
+    for name, text in tree.items():
+        seen = set()
+        for number, header, _ in includes(text) if is_cpp(name) else ():
+            seen.add(header)
+            if header == "hwy/foreach_target.h" and "core/instruction_sets.h" not in seen:
+                yield name, number, "include core/instruction_sets.h first: it says which sets are left out"
+
+
 def unit(name):
     """A header and the source file that implements it."""
     return re.sub(r"(-inl)?\.(h|cpp)$", "", name)
@@ -339,7 +349,8 @@ def no_circles(tree):
 
 RULES = (layers, includes_from_root, doors, privacy, installed_headers, public_headers, headers_guarded,
          licensed, sizes, same_bits, random_numbers, quiet_libraries, loaded_libraries, nothing_left_open,
-         no_machine_paths, portable_builds, every_test_counts, whole_names, all_listed, no_circles)
+         no_machine_paths, portable_builds, every_test_counts, whole_names, all_listed, sets_before_highway,
+         no_circles)
 
 
 def read_tree(root):

@@ -151,6 +151,14 @@ class Rules(unittest.TestCase):
         self.expect({"tests/x/CMakeLists.txt": SHELL + "twinray_test(x SOURCES a_test.cpp ../y/b.cpp)\n",
                      "tests/x/a_test.cpp": CPP, "tests/y/b.cpp": CPP})
 
+    def test_instruction_sets_are_left_out_before_highway(self):
+        tree = {"accel/CMakeLists.txt": SHELL + "twinray_library(accel\n  lanes.cpp)\n",
+                "core/instruction_sets.h": HEADER}
+        sets, each = '#include "core/instruction_sets.h"\n', "#include <hwy/foreach_target.h>\n"
+        self.expect({**tree, "accel/lanes.cpp": CPP + sets + each})
+        for text in (each, each + sets):
+            self.expect({**tree, "accel/lanes.cpp": CPP + text}, "include core/instruction_sets.h first")
+
     def test_nothing_is_included_in_a_circle(self):
         listed = SHELL + "twinray_library(accel\n  a.cpp b.cpp x/c.cpp y/d.cpp)\n"
         self.expect({"accel/CMakeLists.txt": listed, "accel/a.h": HEADER, "accel/b.h": HEADER,

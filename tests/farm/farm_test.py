@@ -72,13 +72,13 @@ def cancel(cluster, folder):
     """A job that is cancelled keeps its checkpoints, and does not come back."""
     job = cluster.run(str(folder / "cancelled/slurm/submit"), "--time=30").split()[2].strip(";")
     cluster.wait(lambda: len(running(cluster.tasks(job))) > 1, "parts are rendered")
-    time.sleep(2)
+    cluster.wait(lambda: list((folder / "cancelled/parts").glob("*.checkpoint")), "a checkpoint is written")
     cluster.run("scancel", job)
     cluster.wait(lambda: not running(cluster.tasks(job)), "no part is rendered any more")
     time.sleep(10)
     states = {task["JobState"] for task in cluster.tasks(job).values()}
     if states - {"CANCELLED"} or not list((folder / "cancelled/parts").glob("*.checkpoint")):
-        raise RuntimeError(f"after scancel tasks are {states}, or there is no checkpoint")
+        raise RuntimeError(f"after scancel tasks are {states}, or no checkpoint is left")
 
 
 def render_on_slurm(folder):
