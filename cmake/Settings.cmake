@@ -66,7 +66,7 @@ if(TWINRAY_SANITIZE)
                          -fno-omit-frame-pointer)
   # GCC 12 takes strings that are put together for writes beyond their ends where it also counts accesses.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(twinray_developer INTERFACE -Wno-array-bounds)
+    target_compile_options(twinray_developer INTERFACE -Wno-array-bounds -Wno-stringop-overflow)
   endif()
   # A sanitizer opens libraries in the program's place: it sees the program's RPATH, but no RUNPATH.
   target_link_options(twinray_developer INTERFACE -fsanitize=${TWINRAY_SANITIZE} LINKER:--disable-new-dtags)

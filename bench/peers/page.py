@@ -105,7 +105,8 @@ def processor_name():
 def versions(results, arguments):
     """Ours, and what each peer said of itself in its last line."""
     asked = subprocess.run([arguments.program, "--version"], text=True, stdout=subprocess.PIPE, check=False)
-    said = [entry.starts[0].said.splitlines()[-1:] for entry in results[0].entries if not entry.failure]
+    said = [entry.starts[0].said.splitlines()[-1:] for entry in results[0].entries
+            if not entry.failure and entry.renderer.family != "twinray"]
     return list(dict.fromkeys(asked.stdout.splitlines()[:1] + sum(said, [])))
 
 

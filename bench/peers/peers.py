@@ -4,7 +4,7 @@
 
 peers.py PROGRAM [SCENE]... [option]...   docs/peers.md says what is measured, and how
 
-Of each scene every renderer makes, in every round: a picture of 16 x 12 pixels and one sample (its start),
+Of each scene every renderer makes, in every round: a picture of some 16 x 12 pixels, one sample (its start),
 one of --samples without roulette, and one by its own default roulette, of as many samples (a power of two) as
 it makes in --seconds. Exit code 1 where a renderer fails, or pictures do not agree.
 """
@@ -24,7 +24,7 @@ import page
 import renderers
 
 OWN_SCENE = Path(__file__).resolve().parents[2] / "scenes" / "cornell-bunny.dae"
-START_SIZE = (16, 12)
+START_WIDTH = 16  # pixels, of at least so many
 LIGHT = 2.0  # radiance from which a pixel is said to see a light
 
 
@@ -71,6 +71,8 @@ def read_arguments(words):
     parser.add_argument("--rounds", type=int, default=3, help="of all pictures (3)")
     parser.add_argument("-m", "--depth", type=int, default=5, help="bounces of light (5)")
     parser.add_argument("-r", "--resolution", type=int, nargs=2, metavar=("W", "H"), default=(480, 360))
+    parser.add_argument("--view", choices=("whole", "file"), default="whole",
+                        help="all of the scene, or as the file's camera sees it (whole)")
     parser.add_argument("-t", "--threads", type=int, default=1, help="of each renderer (1)")
     parser.add_argument("--rmse", type=float, default=0.005, help="the error whose seconds are told (0.005)")
     parser.add_argument("--only", metavar="TEXT", default="", help="only peers whose name holds this text")
@@ -82,6 +84,13 @@ def read_arguments(words):
             parser.error(f"--{name}: {getattr(arguments, name)} is not above 0")
     arguments.scenes = arguments.scenes or [str(OWN_SCENE)]
     return arguments
+
+
+def start_size(width, height):
+    """The smallest picture of this shape, but not below START_WIDTH."""
+    common = math.gcd(width, height)
+    times = min(common, math.ceil(START_WIDTH * common / width))
+    return width // common * times, height // common * times
 
 
 def say(text):
@@ -113,7 +122,8 @@ class Bench:
 
     def one_round(self, entry):
         try:
-            entry.starts.append(self.render(entry.renderer, 1, True, START_SIZE)[0])
+            size = start_size(*self.arguments.resolution)
+            entry.starts.append(self.render(entry.renderer, 1, True, size)[0])
             entry.equal = entry.equal or Series(self.arguments.samples)
             self.add(entry, entry.equal, False)
             entry.usual = entry.usual or Series(self.affordable(entry))
@@ -175,7 +185,7 @@ def judge(result):
 
 def convert(program, scene, output, arguments):
     width, height = map(str, arguments.resolution)
-    words = [program, "convert", "-q", "--view=whole", "-r", width, height, scene, output]
+    words = [program, "convert", "-q", f"--view={arguments.view}", "-r", width, height, scene, output]
     if subprocess.run(words, check=False).returncode != 0:
         sys.exit(1)
 
@@ -184,8 +194,8 @@ def measured(arguments, scene, found):
     with tempfile.TemporaryDirectory() as folder:
         exchange = str(Path(folder) / "scene.json")
         convert(arguments.program, scene, exchange, arguments)
-        picture = renderers.Picture(scene, exchange, *arguments.resolution, arguments.depth,
-                                    arguments.threads)
+        picture = renderers.Picture(scene, exchange, arguments.view, *arguments.resolution,
+                                    arguments.depth, arguments.threads)
         bench = Bench(arguments, picture, found)
         for number in range(arguments.rounds):
             say(f"{Path(scene).stem}: round {number + 1} of {arguments.rounds}")

@@ -20,6 +20,7 @@ class Picture:
     """What is rendered."""
     scene: str       # the scene file
     exchange: str    # the same in exchange form
+    view: str        # of twinray's --view
     width: int
     height: int
     depth: int
@@ -46,7 +47,7 @@ class Renderer:
 def twinray(program, options=()):
     def call(picture, request):
         width, height = request.size or (picture.width, picture.height)
-        return [program, "render", picture.scene, "--view=whole", "-r", str(width), str(height),
+        return [program, "render", picture.scene, f"--view={picture.view}", "-r", str(width), str(height),
                 "-s", str(request.samples), "-m", str(picture.depth), "-t", str(picture.threads),
                 "--seed", str(request.seed), "--filter=box", "-q", "-o", request.output,
                 *([] if request.roulette else ["--roulette=1"]), *options]
