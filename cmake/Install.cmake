@@ -100,6 +100,7 @@ set(private_headers
   integrators/wave/requests.h
   integrators/wave/scatter-inl.h
   integrators/wave/shape_table.h
+  integrators/wave/sphere_light-inl.h
   integrators/wave/stages.h
   integrators/wave/surfaces-inl.h
   integrators/wave/warp-inl.h

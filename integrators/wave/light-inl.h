@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private: direct light in lanes, compiled once for each instruction set: samples of mesh lights and of the
+// Private: direct light in lanes, compiled once for each instruction set: samples of mesh lights and the
 // hemisphere, what surfaces scatter of them, and their sum.
 #if defined(TWINRAY_WAVE_LIGHT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TWINRAY_WAVE_LIGHT_INL_H
@@ -35,6 +35,30 @@ HWY_ATTR HWY_INLINE LaneMask emits(EmissionSide side, Lanes cos_front) {
   return side == EmissionSide::front ? hn::Gt(cos_front, zero) : hn::Lt(cos_front, zero);
 }
 
+/// What comes along the directions from a light, and nothing where it does not arrive.
+HWY_ATTR HWY_INLINE void store_arriving(LaneMask arrives, const Lanes3& direction, const Rgb& radiance,
+                                        LightSamples& samples, std::size_t i) {
+  store(zero_unless(arrives, direction), samples.direction, i);
+  store(zero_unless(arrives, splat(radiance.r, radiance.g, radiance.b)), samples.radiance, i);
+}
+
+/// Points of lights.
+struct PointLanes {
+  Lanes3 position, normal;
+  Lanes offset;
+};
+
+/// The shadow rays from the surfaces to them: connect.
+HWY_ATTR HWY_INLINE void store_ray_to(const PointLanes& to, const Surfaces& surfaces, LightSamples& samples,
+                                      std::size_t i) {
+  const Lanes3 between = to.position - load(surfaces.point.position, i);
+  const Lanes3 origin = leave_surface(surfaces.point, i, between);
+  const Lanes3 target = leave_surface(to.position, to.normal, to.offset, -between);
+  store(origin, samples.origin, i);
+  store(target - origin, samples.towards, i);
+  store(splat(1), samples.t_max, i);
+}
+
 HWY_ATTR void sample_mesh_light(const Surfaces& surfaces, const MeshLightRequest& light,
                                 LightSamples& samples, std::size_t size) {
   for (std::size_t i = 0; i < size; i += lane_count) {
@@ -46,22 +70,16 @@ HWY_ATTR void sample_mesh_light(const Surfaces& surfaces, const MeshLightRequest
     const Lanes3 direction = between / hn::Sqrt(squared);
     const Lanes cos_front = hn::Neg(dot(normal, direction));
     const LaneMask arrives = hn::And(is_positive_and_finite(squared), emits(light.side, cos_front));
-    const Lanes3 origin = leave_surface(surfaces.point, i, between);
-    const Lanes3 target = leave_surface(position, normal, load(samples.point.offset, i), -between);
-    store(zero_unless(arrives, direction), samples.direction, i);
-    store(zero_unless(arrives, splat(light.radiance.r, light.radiance.g, light.radiance.b)), samples.radiance,
-          i);
+    store_arriving(arrives, direction, light.radiance, samples, i);
     const Lanes uniform = area_to_solid_angle(light.area, squared, cos_front);
     store(hn::Mul(load(samples.density, i), uniform), samples.pdf, i);
-    store(origin, samples.origin, i);
-    store(target - origin, samples.towards, i);
-    store(splat(1), samples.t_max, i);
+    store_ray_to({position, normal, load(samples.point.offset, i)}, surfaces, samples, i);
   }
 }
 
 HWY_ATTR void sample_hemisphere(const Surfaces& surfaces, LightSamples& samples, std::size_t size) {
   for (std::size_t i = 0; i < size; i += lane_count) {
-    const Lanes3 local = square_to_uniform_hemisphere(load(samples.ux, i), load(samples.uy, i));
+    const Lanes3 local = direction_around_z(load(samples.ux, i), load(samples.uy, i));
     const Lanes3 direction = to_world(load(surfaces.shading, i), local);
     store(direction, samples.direction, i);
     store(splat(1, 1, 1), samples.radiance, i);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/octahedron.h"
+#include "core/offset.h"
 #include "core/warp.h"
 #include "integrators/layer_records.h"
 
@@ -246,12 +247,23 @@ void PathWave::draw(Purpose purpose, const SubSample& sub, Floats& x, Floats& y)
   stages_.draw(paths_.pixel, paths_.index, paths_.size, {kind_, place, sub}, x, y);
 }
 
+namespace {
+
+/// A sphere light all of whose sphere emits; null for another light and for a group.
+const SphereLight* plain_sphere(const LightSet& lights, std::uint32_t light) {
+  if (light >= lights.size() || lights.has_alpha(light)) return nullptr;
+  return std::get_if<SphereLight>(&lights.light(light).source);
+}
+
+}  // namespace
+
 void PathWave::sample_light(std::uint32_t light) {
   connections_.of_light.clear(paths_.size);
   const MeshLight* mesh = context_.transport.lights.mesh(light);
   if (mesh && context_.transport.lights.triangles(light).total() == 0) return;
   // Lanes know neither alpha nor pictures.
   if (mesh && (mesh->picture || context_.transport.lights.has_alpha(light))) mesh = nullptr;
+  const SphereLight* const sphere = plain_sphere(context_.transport.lights, light);
   const std::uint32_t count = context_.transport.samples_of(light);
   MisRequest mis{.count = float(count)};
   if (context_.transport.method == DirectMethod::mis) {
@@ -264,6 +276,8 @@ void PathWave::sample_light(std::uint32_t light) {
     draw(Purpose::light_point, {part, count, light}, light_.ux, light_.uy);
     if (mesh)
       sample_mesh_light(light, *mesh);
+    else if (sphere)
+      sample_sphere_light(*sphere);
     else
       sample_other_light(light);
     stages_.scatter_light(surfaces_, light_, paths_.size, mis, connections_);
@@ -297,6 +311,13 @@ void PathWave::choose_of_many(const Distribution& triangles, const ShapeEntry& s
     light_.density[i] = 1;
     gather_triangle(shape, choice.index, light_.triangle, light_.point, i);
   }
+}
+
+void PathWave::sample_sphere_light(const SphereLight& light) {
+  const Sphere& sphere = context_.transport.scene.geometry->sphere_set(light.shape)->spheres[0];
+  const float offset = sphere_offset(sphere.center, sphere.radius);
+  stages_.sample_sphere_light(surfaces_, {light.radiance, sphere.center, sphere.radius, offset}, light_,
+                              paths_.size);
 }
 
 void PathWave::sample_other_light(std::uint32_t light) {

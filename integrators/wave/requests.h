@@ -26,6 +26,16 @@ struct MeshLightRequest {
   double area = 0;
 };
 
+/// A sphere light likewise.
+struct SphereLightRequest {
+  Rgb radiance;
+  Vec3 center;
+  float radius = 0;
+  float offset = 0;  ///< sphere_offset.
+
+  double squared_radius() const { return double(radius) * radius; }
+};
+
 /// Where and how light samples are weighted by multiple importance sampling.
 struct MisRequest {
   Zone zone;               ///< At Lambert surfaces; none: not at all.

@@ -15,6 +15,7 @@
 #include "integrators/wave/metals-inl.h"
 #include "integrators/wave/patches-inl.h"
 #include "integrators/wave/scatter-inl.h"
+#include "integrators/wave/sphere_light-inl.h"
 #include "integrators/wave/surfaces-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -34,6 +35,7 @@ WaveStages stages() {
           weigh_patches,
           choose_of_patches,
           sample_mesh_light,
+          sample_sphere_light,
           sample_hemisphere,
           scatter_light,
           make_shadow_rays,

@@ -40,6 +40,8 @@ struct WaveStages {
   /// LightSamples::triangle, point.normal, point.offset, density -> the rest of them: LightSet::sample of a
   /// mesh light.
   void (*sample_mesh_light)(const Surfaces&, const MeshLightRequest&, LightSamples&, std::size_t size);
+  /// Draws -> LightSamples: LightSet::sample of a sphere light.
+  void (*sample_sphere_light)(const Surfaces&, const SphereLightRequest&, LightSamples&, std::size_t size);
   /// Draws -> directions, with the radiance 1: uniform in the hemisphere.
   void (*sample_hemisphere)(const Surfaces&, LightSamples&, std::size_t size);
   /// LightSamples -> Connections::scattered: Interaction::scattered of Lambert surfaces times the radiance

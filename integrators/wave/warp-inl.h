@@ -59,10 +59,11 @@ HWY_ATTR HWY_INLINE Lanes3 square_to_cosine_hemisphere(Lanes u, Lanes v) {
   return {disc_x, disc_y, hn::Sqrt(hn::Mul(hn::Sub(splat(1), distance), hn::Add(splat(1), distance)))};
 }
 
-HWY_ATTR HWY_INLINE Lanes3 square_to_uniform_hemisphere(Lanes u, Lanes v) {
-  const Lanes r = hn::Sqrt(hn::Mul(u, hn::Sub(splat(2), u)));
-  const SinCosLanes angle = sincos_turns(v);
-  return {hn::Mul(r, angle.cos), hn::Mul(r, angle.sin), hn::Sub(splat(1), u)};
+/// Uniform in the hemisphere, and in the cone of an angle where `one_minus_z` is scaled to 1 - cos of that.
+HWY_ATTR HWY_INLINE Lanes3 direction_around_z(Lanes one_minus_z, Lanes turns) {
+  const Lanes r = hn::Sqrt(hn::Mul(one_minus_z, hn::Sub(splat(2), one_minus_z)));
+  const SinCosLanes angle = sincos_turns(turns);
+  return {hn::Mul(r, angle.cos), hn::Mul(r, angle.sin), hn::Sub(splat(1), one_minus_z)};
 }
 
 /// Frame(normal).to_world(local).

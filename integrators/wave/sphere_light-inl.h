@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: samples of sphere lights (core/light_set.cpp) in lanes, compiled once for each instruction set. In
+// double where the scalar code is, half of the lanes at a time.
+#if defined(TWINRAY_WAVE_SPHERE_LIGHT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef TWINRAY_WAVE_SPHERE_LIGHT_INL_H
+#undef TWINRAY_WAVE_SPHERE_LIGHT_INL_H
+#else
+#define TWINRAY_WAVE_SPHERE_LIGHT_INL_H
+#endif
+
+#include "integrators/wave/light-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace twinray::HWY_NAMESPACE {
+
+using HalfLanes = hn::Vec<HalfTag>;
+using DoubleLanes = hn::Vec<DoubleTag>;
+
+struct HalfLanes3 {
+  HalfLanes x, y, z;
+};
+HWY_ATTR HWY_INLINE HalfLanes3 lower_half(const Lanes3& a) {
+  const HalfTag half;
+  return {hn::LowerHalf(half, a.x), hn::LowerHalf(half, a.y), hn::LowerHalf(half, a.z)};
+}
+HWY_ATTR HWY_INLINE HalfLanes3 upper_half(const Lanes3& a) {
+  const HalfTag half;
+  return {hn::UpperHalf(half, a.x), hn::UpperHalf(half, a.y), hn::UpperHalf(half, a.z)};
+}
+HWY_ATTR HWY_INLINE Lanes3 combine(const HalfLanes3& upper, const HalfLanes3& lower) {
+  const FloatTag tag;
+  return {hn::Combine(tag, upper.x, lower.x), hn::Combine(tag, upper.y, lower.y),
+          hn::Combine(tag, upper.z, lower.z)};
+}
+
+struct DoubleLanes3 {
+  DoubleLanes x, y, z;
+};
+HWY_ATTR HWY_INLINE DoubleLanes3 promote(const HalfLanes3& a) {
+  const DoubleTag tag;
+  return {hn::PromoteTo(tag, a.x), hn::PromoteTo(tag, a.y), hn::PromoteTo(tag, a.z)};
+}
+HWY_ATTR HWY_INLINE HalfLanes3 demote(const DoubleLanes3& a) {
+  const HalfTag half;
+  return {hn::DemoteTo(half, a.x), hn::DemoteTo(half, a.y), hn::DemoteTo(half, a.z)};
+}
+HWY_ATTR HWY_INLINE DoubleLanes dot(const DoubleLanes3& a, const DoubleLanes3& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+HWY_ATTR HWY_INLINE DoubleLanes3 operator+(const DoubleLanes3& a, const DoubleLanes3& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+HWY_ATTR HWY_INLINE DoubleLanes3 operator-(const DoubleLanes3& a, const DoubleLanes3& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_ATTR HWY_INLINE DoubleLanes3 operator*(const DoubleLanes3& a, DoubleLanes s) {
+  return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
+}
+HWY_ATTR HWY_INLINE DoubleLanes3 operator/(const DoubleLanes3& a, DoubleLanes s) {
+  return {hn::Div(a.x, s), hn::Div(a.y, s), hn::Div(a.z, s)};
+}
+
+/// visible_cone: 1 - cos of the half-angle, 0 from inside of the sphere.
+HWY_ATTR HWY_INLINE HalfLanes visible_cone(double squared_radius, HalfLanes distance_squared) {
+  const DoubleTag tag;
+  const DoubleLanes one = hn::Set(tag, 1);
+  const DoubleLanes sin_squared =
+      hn::Div(hn::Set(tag, squared_radius), hn::PromoteTo(tag, distance_squared));
+  const DoubleLanes cone = hn::Div(sin_squared, hn::Add(one, hn::Sqrt(hn::Sub(one, sin_squared))));
+  return hn::DemoteTo(HalfTag(), hn::IfThenElseZero(hn::Lt(sin_squared, one), cone));
+}
+HWY_ATTR HWY_INLINE Lanes visible_cone(double squared_radius, Lanes distance_squared) {
+  const HalfTag half;
+  return hn::Combine(FloatTag(), visible_cone(squared_radius, hn::UpperHalf(half, distance_squared)),
+                     visible_cone(squared_radius, hn::LowerHalf(half, distance_squared)));
+}
+
+/// entry_normal.
+HWY_ATTR HWY_INLINE HalfLanes3 entry_normal(const SphereLightRequest& light, const HalfLanes3& from,
+                                            const HalfLanes3& direction) {
+  const DoubleTag tag;
+  const DoubleLanes3 center{hn::Set(tag, light.center.x), hn::Set(tag, light.center.y),
+                            hn::Set(tag, light.center.z)};
+  const DoubleLanes3 d = promote(direction), o = promote(from) - center;
+  const DoubleLanes3 closest = o + d * hn::Div(hn::Neg(dot(o, d)), dot(d, d));
+  const DoubleLanes room = hn::Sub(hn::Set(tag, light.squared_radius()), dot(closest, closest));
+  const DoubleLanes h = hn::Sqrt(hn::IfThenElseZero(hn::Gt(room, hn::Zero(tag)), room));
+  const DoubleLanes3 normal = closest - d * h;
+  return demote(normal / hn::Sqrt(dot(normal, normal)));
+}
+
+HWY_ATTR void sample_sphere_light(const Surfaces& surfaces, const SphereLightRequest& light,
+                                  LightSamples& samples, std::size_t size) {
+  const Lanes3 center = splat(light.center.x, light.center.y, light.center.z);
+  for (std::size_t i = 0; i < size; i += lane_count) {
+    const Lanes3 from = load(surfaces.point.position, i);
+    const Lanes3 axis = center - from;
+    const Lanes squared = dot(axis, axis);
+    const Lanes cone = visible_cone(light.squared_radius(), squared);
+    const Lanes3 local = direction_around_z(hn::Mul(load(samples.ux, i), cone), load(samples.uy, i));
+    const Lanes3 direction = to_world(axis / hn::Sqrt(squared), local);
+    const Lanes3 normal = combine(entry_normal(light, upper_half(from), upper_half(direction)),
+                                  entry_normal(light, lower_half(from), lower_half(direction)));
+    const Lanes3 position = center + normal * splat(light.radius);
+    const LaneMask arrives = hn::And(is_positive_and_finite(squared), is_positive(cone));
+    store_arriving(arrives, direction, light.radiance, samples, i);
+    store(hn::Div(splat(1), hn::Mul(splat(2 * pi), cone)), samples.pdf, i);
+    store_ray_to({position, normal, splat(light.offset)}, surfaces, samples, i);
+  }
+}
+
+}  // namespace twinray::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
