@@ -13,8 +13,10 @@ namespace twinray::test {
 
 inline double between(Random& random, double low, double high) { return low + (high - low) * random.unit(); }
 
+// One draw a statement: compilers differ in which operand they work out first.
 inline Transform turned(Random& random) {
-  return Transform::rotation(normalize(random.in_ball()), between(random, 0, 360));
+  const Vec3 axis = normalize(random.in_ball());
+  return Transform::rotation(axis, between(random, 0, 360));
 }
 
 inline Transform moved(Random& random, double distance) {
@@ -28,7 +30,8 @@ inline constexpr Kind kinds[] = {Kind::rigid,    Kind::scaled, Kind::mirrored, K
                                  Kind::squashed, Kind::tiny,   Kind::huge,     Kind::far};
 
 inline Transform transform_of(Kind kind, Random& random) {
-  const Transform place = moved(random, 4) * turned(random);
+  const Transform shift = moved(random, 4);
+  const Transform place = shift * turned(random);
   const double size = std::exp2(between(random, -3, 1));
   switch (kind) {
     case Kind::scaled:
