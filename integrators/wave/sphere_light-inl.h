@@ -64,8 +64,7 @@ HWY_ATTR HWY_INLINE DoubleLanes3 operator/(const DoubleLanes3& a, DoubleLanes s)
 HWY_ATTR HWY_INLINE HalfLanes visible_cone(double squared_radius, HalfLanes distance_squared) {
   const DoubleTag tag;
   const DoubleLanes one = hn::Set(tag, 1);
-  const DoubleLanes sin_squared =
-      hn::Div(hn::Set(tag, squared_radius), hn::PromoteTo(tag, distance_squared));
+  const DoubleLanes sin_squared = hn::Div(hn::Set(tag, squared_radius), hn::PromoteTo(tag, distance_squared));
   const DoubleLanes cone = hn::Div(sin_squared, hn::Add(one, hn::Sqrt(hn::Sub(one, sin_squared))));
   return hn::DemoteTo(HalfTag(), hn::IfThenElseZero(hn::Lt(sin_squared, one), cone));
 }
