@@ -29,6 +29,8 @@ using LongTag = hn::Rebind<std::uint64_t, HalfWordTag>;
 using Lanes = hn::Vec<FloatTag>;
 using WordLanes = hn::Vec<WordTag>;
 using LongLanes = hn::Vec<LongTag>;
+using HalfLanes = hn::Vec<HalfTag>;
+using DoubleLanes = hn::Vec<DoubleTag>;
 using LaneMask = hn::Mask<FloatTag>;
 inline constexpr std::size_t lane_count = hn::MaxLanes(FloatTag());
 

@@ -16,8 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 
 /// Density per solid angle of points chosen with density 1 / area; in double, since areas may be tiny.
-HWY_ATTR HWY_INLINE hn::Vec<HalfTag> area_to_solid_angle(double area, hn::Vec<HalfTag> distance_squared,
-                                                         hn::Vec<HalfTag> cosine) {
+HWY_ATTR HWY_INLINE HalfLanes area_to_solid_angle(double area, HalfLanes distance_squared, HalfLanes cosine) {
   const auto projected = hn::Mul(hn::PromoteTo(DoubleTag(), hn::Abs(cosine)), hn::Set(DoubleTag(), area));
   return hn::DemoteTo(HalfTag(), hn::Div(hn::PromoteTo(DoubleTag(), distance_squared), projected));
 }

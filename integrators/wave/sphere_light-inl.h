@@ -13,9 +13,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 
-using HalfLanes = hn::Vec<HalfTag>;
-using DoubleLanes = hn::Vec<DoubleTag>;
-
 struct HalfLanes3 {
   HalfLanes x, y, z;
 };
