@@ -11,6 +11,8 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
+// No expression draws twice: compilers differ in which operand they work out first, and so in the rays.
+
 /// A zero of either sign.
 float signed_zero(Random& random) { return random.below(2) ? 0.0f : -0.0f; }
 float sign(Random& random) { return random.below(2) ? 1.0f : -1.0f; }
@@ -154,7 +156,8 @@ Ray ShapeRays::box_face_ray(Random& random) const {
   const Corners v = corners(random);
   const Aabb box = triangle_bounds(v[0], v[1], v[2]);
   const int axis = random.below(3);
-  Ray ray = through(point(random, 1.5f), between(v[0], v[1], random.unit()));
+  const Vec3 target = between(v[0], v[1], random.unit());
+  Ray ray = through(point(random, 1.5f), target);
   ray.origin[axis] = random.below(2) ? box.lower[axis] : box.upper[axis];
   ray.direction[axis] = signed_zero(random);
   if (random.below(2)) ray.direction[(axis + 1) % 3] = signed_zero(random);
@@ -166,7 +169,8 @@ Ray ShapeRays::grazing_ray(Random& random) const {
   const Corners v = corners(random);
   const float s = random.uniform(-3, 3), t = random.uniform(-3, 3), along = random.unit();
   const Vec3 origin = v[0] + (v[1] - v[0]) * s + (v[2] - v[0]) * t;
-  return through(nudged(random, origin), between(between(v[0], v[1], along), v[2], random.unit()));
+  const Vec3 target = between(between(v[0], v[1], along), v[2], random.unit());
+  return through(nudged(random, origin), target);
 }
 
 Ray ShapeRays::surface_ray(Random& random) const {
