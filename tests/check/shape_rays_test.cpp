@@ -2,10 +2,12 @@
 // Each class of rays is what it says: an engine that is never asked the hard question always agrees.
 #include "check/shape_rays.h"
 
+#include <bit>
 #include <cmath>
 
 #include "check/judge.h"
 #include "tests/support/catch.h"
+#include "tests/support/crosscheck.h"
 #include "tests/support/instances.h"
 #include "tests/support/shapes.h"
 
@@ -55,6 +57,16 @@ double margin_of_edges(const Ray& ray, const Mesh& mesh) {
       least = std::min(least, std::fabs(judgement.edge_margin_ulps()));
   }
   return least;
+}
+
+/// Of the bits of all rays, in their order (FNV-1a by words).
+std::uint64_t hash_of(const std::vector<Ray>& rays) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const Ray& ray : rays)
+    for (const float x : {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y,
+                          ray.direction.z, ray.t_min, ray.t_max})
+      hash = (hash ^ std::bit_cast<std::uint32_t>(x)) * 0x100000001b3u;
+  return hash;
 }
 
 bool is_negative_zero(float x) { return x == 0 && std::signbit(x); }
@@ -215,6 +227,19 @@ TEST_CASE("the rays of a moved, shrunk or grown scene are of many classes") {
           }) > 0.1);
     CHECK(share_of(rays, [](const Ray& ray) { return ray.t_max == 1; }) > 0.04);
     CHECK(share_of(rays, [](const Ray& ray) { return ray.t_min > 0; }) > 0.03);
+  }
+}
+
+TEST_CASE("the rays of a seed are the same on every machine") {
+  constexpr std::uint64_t hashes[] = {
+      0x89a3628b46d38dc6u, 0xff7c425e3d71dd53u, 0x8a30d3282c204f5u,  0xa67d46e2b8f82229u, 0xdb5ea6f563ded7e4u,
+      0xc9f6d08c1433f0du,  0x949ec2991362d8bfu, 0xe38502591e8acb9du, 0xa547a476a057e8c6u, 0x1ab9444796798598u,
+      0x349de7bacd77e960u, 0x869e6545ccf5d79fu, 0x125b8a40cfec0fe7u};
+  const Source source;
+  auto hash = std::begin(hashes);
+  for (const RayClass ray_class : shape_ray_classes()) {
+    INFO(ray_class_name(ray_class) << " rays");
+    CHECK(hash_of(source.of(ray_class)) == *hash++);
   }
 }
 

@@ -15,8 +15,8 @@ inline double between(Random& random, double low, double high) { return low + (h
 
 // One draw a statement: compilers differ in which operand they work out first.
 inline Transform turned(Random& random) {
-  const Vec3 axis = normalize(random.in_ball());
-  return Transform::rotation(axis, between(random, 0, 360));
+  const double degrees = between(random, 0, 360);
+  return Transform::rotation(normalize(random.in_ball()), degrees);
 }
 
 inline Transform moved(Random& random, double distance) {
@@ -30,8 +30,7 @@ inline constexpr Kind kinds[] = {Kind::rigid,    Kind::scaled, Kind::mirrored, K
                                  Kind::squashed, Kind::tiny,   Kind::huge,     Kind::far};
 
 inline Transform transform_of(Kind kind, Random& random) {
-  const Transform shift = moved(random, 4);
-  const Transform place = shift * turned(random);
+  const Transform turn = turned(random), place = moved(random, 4) * turn;
   const double size = std::exp2(between(random, -3, 1));
   switch (kind) {
     case Kind::scaled:
