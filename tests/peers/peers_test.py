@@ -329,7 +329,7 @@ class Cycles(Folder):
 class Scripts(Folder):
     def test_the_scripts_of_the_peers_understand_what_they_are_told(self):
         self.scene()
-        picture = renderers.Picture("a.dae", str(self.folder / "scene.json"), 40, 20, 7, 3)
+        picture = renderers.Picture("a.dae", str(self.folder / "scene.json"), "whole", 40, 20, 7, 3)
         for request in (renderers.Request("a.exr", 16, 9, True),
                         renderers.Request("a.exr", 1, 2, False, (16, 12))):
             told = task.parser().parse_args(renderers.common_words(picture, request))
@@ -338,6 +338,15 @@ class Scripts(Folder):
                              (request.samples, request.seed, request.roulette))
             self.assertEqual((told.depth, told.threads), (7, 3))
             self.assertEqual(task.scene_of(told)["resolution"], list(request.size or (40, 20)))
+
+    def test_the_picture_of_a_start_is_small_and_of_the_same_shape(self):
+        for whole, small in (((480, 360), (16, 12)), ((200, 250), (16, 20)), ((7, 3), (7, 3))):
+            self.assertEqual(peers.start_size(*whole), small)
+
+    def test_our_own_words_name_the_view(self):
+        picture = renderers.Picture("a.dae", "scene.json", "file", 40, 20, 7, 3)
+        request = renderers.Request("a.exr", 1, 1, True)
+        self.assertIn("--view=file", renderers.twinray("twinray")(picture, request))
 
 
 class Runs(Folder):
