@@ -187,6 +187,13 @@ std::string needs_samples_for_target(const Asked& asked) {
                      least_samples_of_target, render.samples);
 }
 
+std::string needs_more_than_pilot(const Asked& asked) {
+  const RenderOptions& render = asked.arguments.render;
+  if (render.allocation == Allocation::even || render.samples > SampleAllocation::pilot) return "";
+  return fmt::format("for the first {} samples are even, and {} are asked for", SampleAllocation::pilot,
+                     render.samples);
+}
+
 std::string needs_checkpoint(const Asked& asked) {
   return asked.arguments.checkpoint.empty() ? "for there is no --checkpoint" : "";
 }
@@ -270,6 +277,7 @@ constexpr Rule rules[]{
     {"--replay-json", needs_replay},
     {"--replay-obj", needs_replay},
     {"--adaptive", needs_batches},
+    {"--allocation", needs_more_than_pilot},
     {"--sample-range", needs_picture},
     {"--tile-range", needs_picture},
     {"--of", needs_picture},

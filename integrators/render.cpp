@@ -41,6 +41,8 @@ void check_part(const RenderOptions& options) {
   if (options.range && options.tiles)
     throw Error("a part of a render is a range of samples, or one of tiles, not both");
   if (options.noise_target) throw Error("a noise target needs all samples of the picture, not a part");
+  if (options.allocation == Allocation::error)
+    throw Error("samples are spread by the error of the whole picture, which a part does not have");
   if (options.range && options.adaptive)
     throw Error("adaptive sampling needs all samples of a pixel: its parts are ranges of tiles");
   if (const auto range = options.range;
@@ -65,6 +67,8 @@ void check(const RenderOptions& options) {
   if (options.half_light_groups && !(options.half_layers && options.light_groups))
     throw Error("halves by light groups need halves, and a film by light groups");
   if (!options.adaptive) return;
+  if (options.allocation == Allocation::error)
+    throw Error("samples are spread by error, or adaptive sampling takes fewer; not both");
   if (options.adaptive->batch < 1)
     throw Error(
         fmt::format("a batch of {} samples; adaptive sampling needs at least 1", options.adaptive->batch));
@@ -114,7 +118,7 @@ class Renderer {
         film_(state_.film),
         tiles_(spiral_tiles(window_of(options), tile_size, options.tiles)) {
     state_.samples = range_.begin;
-    if (options.restore) restore();
+    if (options.restore) restore(scene);
     progress_.samples_total = pixel_count() * (range_.end - range_.begin);
     if (options.seconds) progress_.seconds_total = *options.seconds;
     progress_.seconds_before = state_.seconds;
@@ -130,6 +134,7 @@ class Renderer {
       const std::uint64_t rays = state_.rays.total();
       const std::uint32_t begin = state_.samples, end = end_in_time(begin, end_of_pass(begin));
       if (end > begin && !render_pass(begin, end)) break;
+      allocate(end);
       // Where time is to decide, a pass may find that all pixels have converged.
       const bool is_idle = begin > first && state_.rays.total() == rays;
       is_over = end == range_.end || (options_.seconds && is_idle);
@@ -142,15 +147,58 @@ class Renderer {
   }
 
  private:
-  void restore() {
+  void restore(const Scene& scene) {
     options_.restore(state_);
-    std::uint32_t end = state_.samples;
+    if (state_.samples >= half_pilot && !repeat_pilot(scene)) return;
+    if (state_.samples < range_.begin || state_.samples > range_.end)
+      throw_wanted(state_.samples, range_.end);
     for (const PixelRect& tile : tiles_)
       for (int y = tile.y0; y < tile.y1; ++y)
-        for (int x = tile.x0; x < tile.x1; ++x) end = std::max(end, next_index(x, y));
-    if (state_.samples < range_.begin || end > range_.end)
-      throw Error(fmt::format("{} samples of a pixel are there already, and {} are wanted",
-                              end - range_.begin, range_.end - range_.begin));
+        for (int x = tile.x0; x < tile.x1; ++x)
+          if (const std::uint32_t end = end_index(x, y, range_.end), next = next_index(x, y); next > end)
+            throw_wanted(next, end);
+  }
+
+  [[noreturn]] void throw_wanted(std::uint32_t there, std::uint32_t wanted) const {
+    throw Error(fmt::format("{} samples of a pixel are there already, and {} are wanted",
+                            there - range_.begin, wanted - range_.begin));
+  }
+
+  /// Half of the pilot by which samples are spread.
+  static constexpr std::uint32_t half_pilot = SampleAllocation::pilot / 2;
+
+  /// Once the pilot is there, spreads the samples by it. A pass ends at its half, too.
+  void allocate(std::uint32_t samples) {
+    if (options_.allocation != Allocation::error) return;
+    if (samples == half_pilot) half_pilot_ = pixel_means(film_);
+    if (samples == SampleAllocation::pilot)
+      allocation_.emplace(film_.window(), half_pilot_, pixel_means(film_));
+  }
+
+  /// Makes again the samples by which a render that goes on has spread its own. False where it is stopped.
+  bool repeat_pilot(const Scene& scene) {
+    if (options_.allocation != Allocation::error) return true;
+    RenderOptions pilot{.width = options_.width,
+                        .height = options_.height,
+                        .window = options_.window,
+                        .samples = options_.samples,
+                        .filter = options_.filter,
+                        .sampler = options_.sampler,
+                        .seed = options_.seed,
+                        .threads = options_.threads,
+                        .is_stopped = options_.is_stopped};
+    const auto film_of = [&](std::uint32_t begin, std::uint32_t end) {
+      pilot.range = SampleRange{begin, end};
+      return render(scene, accelerator_, integrator_, pilot);
+    };
+    RenderResult half = film_of(0, half_pilot);
+    half_pilot_ = pixel_means(half.film);
+    const RenderResult rest = film_of(half_pilot, SampleAllocation::pilot);
+    if (!half.is_complete || !rest.is_complete) return false;
+    half.film.merge(rest.film);
+    if (state_.samples >= SampleAllocation::pilot)
+      allocation_.emplace(film_.window(), half_pilot_, pixel_means(half.film));
+    return true;
   }
 
   double seconds() const {
@@ -271,8 +319,15 @@ class Renderer {
       for (int x = tile.x0; x < tile.x1; ++x) {
         if (is_stopped()) return;
         if (is_converged(x, y, begin)) continue;
-        for (std::uint32_t index = next_index(x, y); index < end; ++index) take(PixelSample{x, y, index});
+        const std::uint32_t end_of_pixel = end_index(x, y, end);
+        for (std::uint32_t index = next_index(x, y); index < end_of_pixel; ++index)
+          take(PixelSample{x, y, index});
       }
+  }
+
+  /// The end of a pixel's samples after the pass with such an end.
+  std::uint32_t end_index(int x, int y, std::uint32_t end) const {
+    return allocation_ ? allocation_->samples_of(x, y, end) : end;
   }
 
   /// The first sample that a pixel does not have.
@@ -335,6 +390,8 @@ class Renderer {
   RenderState state_;
   Film& film_;  ///< Its film.
   std::vector<PixelRect> tiles_;
+  std::vector<Rgb> half_pilot_;  ///< Means after it.
+  std::optional<SampleAllocation> allocation_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double pass_seconds_ = 0;  ///< Of a sample of all pixels, in the last pass.
   std::mutex mutex_;

@@ -15,6 +15,7 @@
 #include "core/sampler.h"
 #include "core/scene.h"
 #include "integrators/adaptive.h"
+#include "integrators/allocation.h"
 #include "integrators/half_films.h"
 #include "integrators/integrator.h"
 #include "integrators/tiles.h"
@@ -31,7 +32,8 @@ struct SampleRange {
 };
 
 /// How far a render is, between two samples. In each pixel lie the first samples of those that it is to have,
-/// without a gap: nothing else decides what is still to be done.
+/// without a gap: nothing else decides what is still to be done. (Where samples are spread by error, those of
+/// the pilot decide; a render that goes on makes them again.)
 struct RenderState {
   Film film;
   std::optional<HalfFilms> halves = {};  ///< Where they are asked for.
@@ -50,10 +52,13 @@ struct RenderOptions {
   std::optional<PixelRect> window;  ///< What to render, also beside it; all if not set.
   std::uint32_t samples = 32;       ///< Per pixel; the most per pixel where sampling is adaptive.
   std::optional<AdaptiveSampling> adaptive;
+  /// How they are spread: by error, `samples` is their mean. Not where sampling is adaptive.
+  Allocation allocation = Allocation::even;
   /// A part of a render that several share: these of its samples alone; not with a noise target, nor where
-  /// sampling is adaptive,
+  /// sampling is adaptive, nor spread by error,
   std::optional<SampleRange> range;
-  std::optional<TileRange> tiles;  ///< or these tiles of tile_size alone; not with a noise target.
+  /// or these tiles of tile_size alone; not with a noise target, nor where samples are spread by error.
+  std::optional<TileRange> tiles;
   /// If set, sampling ends with the last pass over all pixels that is likely to be over by then, wall-clock
   /// time, or with the first one; the picture is that of as many samples.
   std::optional<double> seconds;

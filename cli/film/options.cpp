@@ -29,6 +29,9 @@ void check_part(const char* option, const RenderArguments& arguments) {
         fmt::format("{}: a part has as many samples as the picture's others; --seconds and "
                     "--noise-target do not go with it",
                     option));
+  if (arguments.render.allocation == Allocation::error)
+    throw UsageError(
+        fmt::format("{}: --allocation=error looks at the whole picture, and has no parts", option));
 }
 
 }  // namespace

@@ -38,6 +38,9 @@ void add_sampler_options(CLI::App& app, RenderRequest& request) {
       {"-a,--adaptive", "N T",
        fmt::format("Stop a pixel early: batch size, tolerance; as {} {}", usual.batch, usual.tolerance)},
       2, [&request](const Words& words) { request.adaptive = words; });
+  group.add_choice<Allocation>("--allocation", request.arguments.render.allocation,
+                               {{"even", Allocation::even}, {"error", Allocation::error}},
+                               "N in each pixel, or on average: more where noise is");
   add_sampling_words(app, request);
 }
 
@@ -73,6 +76,8 @@ void resolve_sampling(const RenderRequest& request, RenderArguments& arguments) 
   if (is_open_ended(arguments.render) && !is_given("--samples", arguments))
     arguments.render.samples = Film::max_samples;
   if (arguments.render.noise_target) arguments.render.half_layers.emplace();
+  if (!request.adaptive.empty() && arguments.render.allocation == Allocation::error)
+    throw UsageError("--allocation=error spreads as many samples, --adaptive takes fewer: give one of them");
   if (request.adaptive.empty()) {
     if (request.adaptive_rule) throw UsageError("--adaptive-rule goes with --adaptive");
     return;

@@ -57,6 +57,8 @@ void check(const PlanArguments& arguments) {
                     render.output));
   if (is_film_name(render.output) || render.replay || render.check_with || !render.checkpoint.empty())
     throw UsageError("a plan is for pictures: it makes films, checkpoints and their names itself");
+  if (render.render.allocation == Allocation::error)
+    throw UsageError("--allocation=error looks at the whole picture, which no part of a plan has");
   if (is_open_ended(render.render))
     throw UsageError(
         "a part has as many samples as the picture's others; --seconds and --noise-target do not "

@@ -21,10 +21,12 @@ void check_sample(const PixelSample& sample, const RenderOptions& render) {
     throw UsageError(
         fmt::format("--replay: pixel {} {} is not in the picture of {} x {} pixels; the last is {} {}",
                     sample.x, sample.y, render.width, render.height, render.width - 1, render.height - 1));
-  if (sample.index >= render.samples)
+  const bool is_spread = render.allocation == Allocation::error && render.samples > SampleAllocation::pilot;
+  const std::uint32_t samples = is_spread ? Film::max_samples : render.samples;  // A pixel may have more.
+  if (sample.index >= samples)
     throw UsageError(
         fmt::format("--replay: sample {} is not in the picture: of {} samples a pixel the last is {}",
-                    sample.index, render.samples, render.samples - 1));
+                    sample.index, samples, samples - 1));
 }
 
 void write(const ReplayRequest& asked, const ReplayedSample& replayed) {

@@ -324,6 +324,12 @@ TEST_CASE("what a part or a checkpoint cannot be is said before it is begun") {
         "--sample-range and --tile-range exclude each other");
   CHECK(message_of({"--sample-range=0:4", "-a", "8", "0.1", "-o", "a.film"}) ==
         "--sample-range: --adaptive looks at all samples of a pixel; --tile-range goes with it");
+  for (const char* part : {"--sample-range=0:4", "--tile-range=0:4"}) {
+    const std::string text = part;
+    CHECK(message_of({part, "--allocation=error", "-o", "a.film"}) ==
+          text.substr(0, text.find('=')) +
+              ": --allocation=error looks at the whole picture, and has no parts");
+  }
   CHECK(message_of({"--sample-range=0:4", "--seconds=3", "-o", "a.film"}) ==
         "--sample-range: a part has as many samples as the picture's others; --seconds and --noise-target do "
         "not go "

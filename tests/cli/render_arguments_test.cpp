@@ -259,6 +259,9 @@ TEST_CASE("an option without effect is named with the reason, and refused by a s
   CHECK(no_effect({"-a", "32", "0.05", "-s", "32"}) ==
         "--adaptive: no effect, for a batch of 32 is all of the 32 samples");
   CHECK(no_effect({"-a", "32", "0.05", "-s", "33"}).empty());
+  CHECK(no_effect({"--allocation=error", "-s", "16"}) ==
+        "--allocation: no effect, for the first 16 samples are even, and 16 are asked for");
+  CHECK(no_effect({"--allocation=error", "-s", "17"}).empty());
   for (const char* integrator : {"--integrator=path", "--integrator=path-reference"})
     CHECK(
         no_effect({integrator, "-l", "4", "-m", "3", "-H", "--roulette=0.5", "--attenuation=file"}).empty());
@@ -342,6 +345,8 @@ TEST_CASE("a number out of range, or no number, is refused in the option's name 
   CHECK(message_of({"-r", "0", "10"}) == "--resolution: \"0\" is not a whole number from 1 to 65536");
   CHECK(message_of({"-r", "10", "48x"}) == "--resolution: \"48x\" is not a whole number from 1 to 65536");
   CHECK(message_of({"-r", "64"}) == "--resolution: 2 numbers are needed, not 1");
+  CHECK(message_of({"--allocation=error", "-a", "32", "0.05"}) ==
+        "--allocation=error spreads as many samples, --adaptive takes fewer: give one of them");
   CHECK(message_of({"--adaptive-rule=cs184"}) == "--adaptive-rule goes with --adaptive");
   CHECK(message_of({"--seconds=0"}) == "--seconds: \"0\" is not a number from 0.001 to 1000000000");
   CHECK(message_of({"-a", "1", "0.05"}) == "--adaptive: \"1\" is not a whole number from 2 to 4194304");

@@ -159,6 +159,7 @@ TEST_CASE("a sample that the picture does not have is an error that says which i
         "twinray: --replay: pixel 48 0 is not in the picture of 48 x 36 pixels; the last is 47 35");
   CHECK(said("--replay 0 36 0") ==
         "twinray: --replay: pixel 0 36 is not in the picture of 48 x 36 pixels; the last is 47 35");
+  CHECK(run_program(spheres + "-r 48 36 -s 17 --allocation=error --replay 0 0 4000").exit_code == 0);
   CHECK(said("--replay 0 0 1") ==
         "twinray: --replay: sample 1 is not in the picture: of 1 samples a pixel the last is 0");
   CHECK(said("--replay 0 -1 0") == "twinray: --replay: \"-1\" is not a whole number from 0 to 65535");

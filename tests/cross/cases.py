@@ -22,6 +22,7 @@ ENGINES = (("--accel=bvh",), ("--accel=bvh", "--simd=scalar"), ("--accel=bvh", "
            ("--integrator=path-reference", "--accel=bvh", "--simd=scalar"))
 OPTIONS = (("-s", "64", "-a", "8", "0.1"),
            ("-s", "16", "--noise-target=0.3"),
+           ("-s", "40", "--allocation=error"),
            ("-s", "8", "--sampler=independent", "--filter=mitchell", "--lens=0.05,5", "--aperture-blades=5"),
            ("-s", "8", "--seed=7", "-l", "4", "-m", "20", "--roulette=0.7", "--filter=gaussian"),
            ("-s", "4", "--projection=fisheye", "--regularize", "--clamp=10"),

@@ -128,6 +128,23 @@ TEST_CASE("a render that is done needs nothing more, and takes more samples") {
                     "20 samples of a pixel are there already, and 19 are wanted");
 }
 
+TEST_CASE("a render with more samples in a single pixel than are wanted does not go on") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, {.max_depth = 2});
+  const RenderResult done = render_with(scene, path, options(20, 1));
+  RenderState amid_pass = done;
+  amid_pass.samples = 16;
+  CHECK_THROWS_WITH(render_with(scene, path, resuming(amid_pass, options(19, 1))),
+                    "20 samples of a pixel are there already, and 19 are wanted");
+  RenderOptions adaptive = options(40, 1);
+  adaptive.adaptive = AdaptiveSampling{8, 1e6};
+  const RenderResult calm = render_with(scene, path, adaptive);
+  RenderOptions fewer = resuming(calm, adaptive);
+  fewer.samples = 39;
+  CHECK_THROWS_WITH(render_with(scene, path, fewer),
+                    "40 samples of a pixel are there already, and 39 are wanted");
+}
+
 TEST_CASE("passes end at the same places wherever a render goes on") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 2});

@@ -4,6 +4,7 @@ from mutant import Mutant
 
 RESUMED = "a render goes on from any state to the bits and the rays of an undisturbed one"
 STOPPED = "a render that was stopped amid a tile goes on without a gap"
+FEWER = "a render with more samples in a single pixel than are wanted does not go on"
 COLUMNS = "a film comes back from the columns of its bands with every layer and sum"
 PARTS = "films that are no parts of one render are refused by name"
 OTHERS = "a checkpoint of another scene, option or file does not go on"
@@ -27,8 +28,9 @@ MUTANTS = [
            "(state_.error && is_good(*state_.error))", "false", "test_integrators",
            "a noise target ends a render that goes on where it would have ended"),
     Mutant("fewer samples than there are pass for all", "integrators/render.cpp",
-           "state_.samples < range_.begin || end > range_.end", "false", "test_integrators",
-           "a render that is done needs nothing more, and takes more samples"),
+           "next > end)", "false)", "test_integrators", FEWER),
+    Mutant("fewer passes than there are pass for all", "integrators/render.cpp",
+           "|| state_.samples > range_.end", "", "test_integrators", FEWER),
     Mutant("tiles of a range count by columns", "integrators/tiles.cpp",
            "std::uint32_t(row) * std::uint32_t(grid.columns) + std::uint32_t(column)",
            "std::uint32_t(column) * std::uint32_t(grid.rows) + std::uint32_t(row)", "test_integrators",

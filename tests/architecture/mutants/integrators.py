@@ -4,6 +4,8 @@ from mutant import Mutant
 
 PATH_LOG = "what is written of a path adds up to the bits of its sample, as waves make it"
 WAVE_BITS = "waves of paths have the bits and the rays of paths one after the other"
+OTHER_COLOR = "the samples of a pixel do not depend on the pilot of any pixel of its colour"
+SPREAD_RESUMED = "spread samples have the bits of an undisturbed render, wherever that goes on"
 
 MUTANTS = [
     Mutant("a bounce may leave between the two normals", "integrators/wave/scatter-inl.h",
@@ -300,4 +302,22 @@ MUTANTS = [
     Mutant("a path in the furnace forgets what it is in", "integrators/furnace.cpp",
            "    viewing.interiors = next->interiors;\n", "",
            "test_integrators", "in a furnace a body is darker by what it absorbs"),
+    Mutant("a pixel's own samples decide how many more it has", "integrators/allocation.cpp",
+           "color_of(x1, y1) == color_of(x, y)", "x1 != x || y1 != y", "test_integrators",
+           "means are unbiased where rare samples are bright"),
+    Mutant("all pixels around one decide how many more it has", "integrators/allocation.cpp",
+           "color_of(x1, y1) == color_of(x, y)", "false", "test_integrators", OTHER_COLOR),
+    Mutant("errors count by the brightness that the pixel's own colour shows", "integrators/allocation.cpp",
+           "levels[1 - color_of(x, y)]", "levels[color_of(x, y)]", "test_integrators", OTHER_COLOR),
+    Mutant("errors are compared with the mean of both colours", "integrators/allocation.cpp",
+           "sums[color_of(x, y)] += value(x, y);", "sums[0] += value(x, y) / 2, sums[1] += value(x, y) / 2;",
+           "test_integrators", OTHER_COLOR),
+    Mutant("one noisy pixel takes everything", "integrators/allocation.cpp",
+           "std::min(most_error, rate / mean)", "rate / mean", "test_integrators",
+           "one noisy pixel does not take the samples of all others"),
+    Mutant("a render that goes on spreads its samples by the second half of the pilot alone",
+           "integrators/render.cpp", "half.film.merge(rest.film);", "half.film = rest.film;",
+           "test_integrators", SPREAD_RESUMED),
+    Mutant("a render that goes on spreads no samples", "integrators/render.cpp",
+           "!repeat_pilot(scene)", "false", "test_integrators", SPREAD_RESUMED),
 ]
