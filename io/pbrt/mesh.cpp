@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/loop_subdivision.h"
 #include "io/pbrt/quadric.h"
 #include "io/ply/reader.h"
 
@@ -90,9 +91,20 @@ Mesh read_bilinear_mesh(const PbrtParameters& parameters, WarningList& warnings)
 }
 
 Mesh read_loop_mesh(const PbrtParameters& parameters, WarningList& warnings) {
-  for (const char* unused : {"levels", "scheme"}) parameters.find(unused);
-  parameters.place().warn(warnings, "subdivision is not rendered: loopsubdiv shows its control mesh");
-  return read_triangle_mesh(parameters, warnings);
+  constexpr double most_triangles = 1 << 24;  // They take 2 GB for a moment.
+  constexpr std::int32_t usual_levels = 3;
+  parameters.find("scheme");  // There is one.
+  const std::int32_t levels = parameters.integer("levels", usual_levels, {0, most_loop_levels});
+  const Mesh control = read_triangle_mesh(parameters, warnings);
+  if (const double triangles = loop_triangles(control.triangles.size(), levels); triangles > most_triangles)
+    parameters.place().fail(fmt::format("{} levels of {} triangles make {:.0f}; at most {:.0f} are valid",
+                                        levels, control.triangles.size(), triangles, most_triangles));
+  if (auto divided = loop_subdivided(control, levels)) return std::move(*divided);
+  parameters.place().warn(
+      warnings,
+      "this control mesh is no surface (more than two triangles at an edge, two windings, or "
+      "triangles that share a corner alone): it is shown as it is");
+  return control;
 }
 
 Mesh read_ply_file(const PbrtParameters& parameters, PbrtContext& context) {

@@ -12,7 +12,8 @@ namespace twinray {
 
 Mesh read_triangle_mesh(const PbrtParameters& parameters, WarningList& warnings);
 Mesh read_bilinear_mesh(const PbrtParameters& parameters, WarningList& warnings);
-/// The control mesh of a subdivision surface, with a warning.
+/// A subdivision surface's triangles with its normals; its control mesh, with a warning, where it is none.
+/// Throws Error, too, where they would be too many.
 Mesh read_loop_mesh(const PbrtParameters& parameters, WarningList& warnings);
 
 /// The mesh in the file that a plymesh names.

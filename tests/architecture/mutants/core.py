@@ -9,6 +9,7 @@ STOCHASTIC_MEAN = ("stochastic filtering has one pixel for each draw, "
 METAL_INPUTS = ("a metal takes eta, k or its reflectance from textures, "
                 "and a roughness along each axis")
 TWO_HALVES = "a lamp with a picture of two halves is two lamps, by every way of finding direct light"
+LOOP_LIMIT = "a vertex has the same limit and normal at every level, inside and at the end of a surface"
 
 MUTANTS = [
     Mutant("a task computes as its thread did before, with denormal numbers or without", "core/denormals.cpp",
@@ -329,4 +330,16 @@ MUTANTS = [
            "(is_two_sided ? 2 : 1) * pi_double * area * mean;", "(is_two_sided ? 2 : 1) * pi_double * area;",
            "test_io",
            "an area light's picture is times its scale, and has its power over the mean"),
+    Mutant("new vertices are the middles of their edges", "core/loop_subdivision.cpp",
+           "ends * 0.375f + beside * 0.125f", "ends * 0.5f", "test_core", LOOP_LIMIT),
+    Mutant("the end of a surface is drawn in as pbrt does", "core/loop_subdivision.cpp",
+           "weight, 1.0f / 6)", "weight, 1.0f / 5)", "test_core", LOOP_LIMIT),
+    Mutant("the ends of a ring do not count across the surface's end", "core/loop_subdivision.cpp",
+           "-cos_radians(angle) * inner /", "0 * inner /", "test_core", LOOP_LIMIT),
+    Mutant("rings run clockwise", "core/loop_subdivision.cpp",
+           "cross(tangents.first, tangents.second)", "cross(tangents.second, tangents.first)", "test_core",
+           "normals are those of the triangles around, up to their size"),
+    Mutant("triangles that share a corner alone are a surface", "core/loop_subdivision.cpp",
+           "if (ring.size() != counts[vertex] + (ring.is_open ? 1 : 0)) return false;", "", "test_core",
+           "a mesh that is no surface is not divided"),
 ]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/pbrt/scene.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "core/mesh_area.h"
@@ -51,6 +53,39 @@ TEST_CASE("the front of a triangle is pbrt's outside, through every turn and mir
   CHECK(near(front(load_pbrt_world("Scale 1 1 -1 " + pbrt_triangle)), down));
   CHECK(near(front(load_pbrt_world("Scale -1 1 1 ReverseOrientation " + pbrt_triangle)), down));
   CHECK(near(front(load_pbrt_world("Rotate 180 1 0 0 " + pbrt_triangle)), down));
+}
+
+TEST_CASE("loopsubdiv is divided as often as it says, and its vertices are on the limit surface") {
+  const std::string tetrahedron =
+      "\"point3 P\" [ 1 1 1  1 -1 -1  -1 1 -1  -1 -1 1 ] \"integer indices\" [ 0 1 2  0 3 1  0 2 3  1 3 2 ]";
+  const auto mesh_of = [&](const std::string& more) {
+    return *load_pbrt_world("Shape \"loopsubdiv\" " + tetrahedron + more).scene.geometry->mesh(0);
+  };
+  CHECK(mesh_of("").triangles.size() == 4 * 64);
+  CHECK(mesh_of(" \"integer levels\" 1").triangles.size() == 16);
+  const Mesh coarse = mesh_of(" \"integer levels\" 0");
+  REQUIRE(coarse.triangles.size() == 4);
+  // Three neighbours: half of a vertex' limit is its own, and they are its opposite in sum.
+  CHECK(near(coarse.positions[0], {1.0f / 5, 1.0f / 5, 1.0f / 5}));
+  CHECK(near(coarse.normals[0], normalize(Vec3{1, 1, 1})));
+}
+
+TEST_CASE("a loopsubdiv that is no surface is shown as it is, and one that grows too large is an error") {
+  const std::string fins =
+      "Shape \"loopsubdiv\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  0 0 1  0 -1 0 ] \"integer indices\" "
+      "[ 0 1 2  0 1 3  0 1 4 ]";
+  const LoadedScene loaded = load_pbrt_world(fins);
+  CHECK(loaded.scene.geometry->mesh(0)->triangles.size() == 3);
+  CHECK(loaded.warnings.at(0).message.find("this control mesh is no surface") != std::string::npos);
+  CHECK(message_of("WorldBegin\n" + fins + " \"integer levels\" 13")
+            .find("\"levels\" is 13; it must lie in [0, 12]") != std::string::npos);
+  std::string many = "WorldBegin\nShape \"loopsubdiv\" \"integer levels\" 12 \"point3 P\" [";
+  for (int i = 0; i < 30; ++i) many += " " + std::to_string(i) + " 0 0";
+  many += "] \"integer indices\" [";
+  for (int i = 0; i + 2 < 30; i += 3) many += fmt::format(" {} {} {}", i, i + 1, i + 2);
+  CHECK(
+      message_of(many + "]").find("12 levels of 10 triangles make 167772160; at most 16777216 are valid") !=
+      std::string::npos);
 }
 
 TEST_CASE("shading normals say which side is outside, whatever the winding") {
