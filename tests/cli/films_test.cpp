@@ -354,7 +354,11 @@ TEST_CASE("a checkpoint that cannot be written is a warning, and the render goes
   says(result.err, "warning: no checkpoint: " + folder.file("a.ck") +
                        ": cannot be written: File too large; "
                        "the one before is as it was");
-  CHECK(folder.file_count() == 1);
+  // A slow machine has written one before, of a few samples. No other file is left.
+  std::size_t kept = 0;
+  for (const char* name : {"a.png", "a.ck", "a.ck.before"}) kept += fs::exists(folder.file(name));
+  CHECK(folder.file_count() == kept);
+  CHECK(fs::exists(folder.file("a.png")));
 }
 
 }  // namespace twinray::test

@@ -83,9 +83,8 @@ TEST_CASE("a loopsubdiv that is no surface is shown as it is, and one that grows
   for (int i = 0; i < 30; ++i) many += " " + std::to_string(i) + " 0 0";
   many += "] \"integer indices\" [";
   for (int i = 0; i + 2 < 30; i += 3) many += fmt::format(" {} {} {}", i, i + 1, i + 2);
-  CHECK(
-      message_of(many + "]").find("12 levels of 10 triangles make 167772160; at most 16777216 are valid") !=
-      std::string::npos);
+  CHECK(message_of(many + "]").find("12 levels of 10 triangles make 167772160; at most 16777216 are valid") !=
+        std::string::npos);
 }
 
 TEST_CASE("shading normals say which side is outside, whatever the winding") {
