@@ -60,12 +60,13 @@ def measure(renderer):
     own_noise = float(numpy.mean((a - b) ** 2 / 4 / (reference ** 2 + 0.01)))
     for count in (*COUNTS, HARM):
         options = ("-s", str(count), "--noise-target=1e-6")
+        estimate = renderer.picture(f"noisy-{count}", *options)[1]["render"]["estimated_error"]
         own, statistics = renderer.picture(f"own-{count}", *options, "--denoise=own")
         noisy, ours = color(own, "noisy."), color(own)
         row = {"noisy": relative(noisy, reference) - own_noise, "own": relative(ours, reference) - own_noise,
                "noisy flip": flip(noisy, reference), "own flip": flip(ours, reference),
                "own seconds": statistics["denoising"]["seconds"],
-               "estimate": statistics["render"]["estimated_error"]}
+               "estimate": estimate}
         if count != HARM:
             other, statistics = renderer.picture(f"oidn-{count}", *options, "--denoise=oidn")
             theirs = color(other)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/scene_info.h"
 
-#include "io/exchange.h"
+#include "io/exchange/writer.h"
 
 namespace twinray {
 namespace {

@@ -107,6 +107,9 @@ set(private_headers
   integrators/wave/wave.h
   io/assimp/import_function.h
   io/assimp/model_bytes.h
+  io/exchange/entry.h
+  io/exchange/json.h
+  io/exchange/members.h
   io/gltf/writer_file.h
   io/gltf/writer_material.h
   io/gltf/writer_texture.h

@@ -14,6 +14,7 @@
 #include "io/collada/archive.h"
 #include "io/collada/collada.h"
 #include "io/collada/xml_reader.h"
+#include "io/exchange/reader.h"
 #include "io/generated/generated.h"
 #include "io/gltf/gltf.h"
 #include "io/gzip.h"
@@ -44,18 +45,28 @@ struct Format {
   const char* name;
   LoadedScene (*load)(const std::string& path, const LoadOptions& options);
 };
-constexpr std::array formats{
-    Format{".dae", "COLLADA", load_dae},       Format{".zae", "COLLADA", read_zae},
-    Format{".pbrt", "pbrt-v4", load_pbrt},     Format{".pbrt.gz", "pbrt-v4", load_pbrt},
-    Format{".gltf", "glTF 2.0", load_gltf},    Format{".glb", "glTF 2.0", load_gltf},
-    Format{".obj", "Wavefront", load_obj},     Format{".ply", "a mesh", load_ply},
-    Format{".ply.gz", "a mesh", load_ply},     Format{".stl", "by Assimp", import_scene},
-    Format{".fbx", "by Assimp", import_scene}, Format{".3ds", "by Assimp", import_scene},
-    Format{".off", "by Assimp", import_scene}, Format{".x", "by Assimp", import_scene},
-    Format{".lwo", "by Assimp", import_scene}, Format{".ase", "by Assimp", import_scene},
-    Format{".ac", "by Assimp", import_scene},  Format{".dxf", "by Assimp", import_scene},
-    Format{".3mf", "by Assimp", import_scene}, Format{".amf", "by Assimp", import_scene},
-    Format{".x3d", "by Assimp", import_scene}};
+constexpr std::array formats{Format{".dae", "COLLADA", load_dae},
+                             Format{".zae", "COLLADA", read_zae},
+                             Format{".pbrt", "pbrt-v4", load_pbrt},
+                             Format{".pbrt.gz", "pbrt-v4", load_pbrt},
+                             Format{".gltf", "glTF 2.0", load_gltf},
+                             Format{".glb", "glTF 2.0", load_gltf},
+                             Format{".json", "twinray's exchange form", load_exchange},
+                             Format{".obj", "Wavefront", load_obj},
+                             Format{".ply", "a mesh", load_ply},
+                             Format{".ply.gz", "a mesh", load_ply},
+                             Format{".stl", "by Assimp", import_scene},
+                             Format{".fbx", "by Assimp", import_scene},
+                             Format{".3ds", "by Assimp", import_scene},
+                             Format{".off", "by Assimp", import_scene},
+                             Format{".x", "by Assimp", import_scene},
+                             Format{".lwo", "by Assimp", import_scene},
+                             Format{".ase", "by Assimp", import_scene},
+                             Format{".ac", "by Assimp", import_scene},
+                             Format{".dxf", "by Assimp", import_scene},
+                             Format{".3mf", "by Assimp", import_scene},
+                             Format{".amf", "by Assimp", import_scene},
+                             Format{".x3d", "by Assimp", import_scene}};
 
 /// Null for no known extension.
 const Format* find_format(const std::string& extension) {
@@ -97,7 +108,7 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
 
 bool has_defaults(const std::string& path) {
   const std::string extension = scene_extension(path);
-  return extension == ".pbrt" || extension == ".pbrt.gz";
+  return extension == ".pbrt" || extension == ".pbrt.gz" || extension == ".json";
 }
 
 bool is_scene_file(const std::string& path) {
@@ -105,7 +116,9 @@ bool is_scene_file(const std::string& path) {
   if (!find_format(extension) || extension.starts_with(".ply")) return false;
   if (!has_defaults(path)) return true;
   try {
-    return read_unpacked(path).find("WorldBegin") != std::string::npos;
+    // Other files, such as statistics and parts of scenes, end alike.
+    const char* const sign = extension == ".json" ? "\"twinray scene\"" : "WorldBegin";
+    return read_unpacked(path).find(sign) != std::string::npos;
   } catch (const Error&) {
     return true;  // whoever reads it says what is wrong
   }

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "io/exchange.h"
+#include "io/exchange/writer.h"
 #include "io/gltf/writer.h"
 #include "io/pbrt/writer.h"
 

@@ -8,7 +8,7 @@
 
 #include "cli/replay/text.h"
 #include "cli/version.h"
-#include "io/exchange.h"
+#include "io/exchange/writer.h"
 
 namespace twinray {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/exchange.h"
+#include "io/exchange/writer.h"
 
 namespace twinray {
 namespace {

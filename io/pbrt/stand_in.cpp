@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/textured_material.h"
-#include "io/exchange.h"
+#include "io/exchange/writer.h"
 
 namespace twinray {
 namespace {

@@ -46,7 +46,8 @@ DOORS = {
     "nlohmann/json": (r"nlohmann/", r"(cli|bench)/(\w+/)?\w*report\.cpp|"
                                     r"cli/(study/record|live/web_state|film/notes_json|plan/open_job)\.cpp|"
                                     r"cli/status/(json_lines|metrics_file)\.cpp|"
-                                    r"io/(exchange|film/film_header|gltf/schema|picture/cryptomatte)\.cpp|"
+                                    r"io/(film/film_header|gltf/schema|picture/cryptomatte)\.cpp|"
+                                    r"io/exchange/json\.h|"
                                     r"io/gltf/writer_file\.h|"
                                     r"tests/(cli|io)/|tests/support/round_trip\.h"),
     "Landlock": (r"linux/landlock\.h", r"cli/sandbox/files\.cpp"),

@@ -16,7 +16,7 @@ namespace {
 const std::filesystem::path folder = std::filesystem::path(TWINRAY_SOURCE_DIR) / "tests" / "bad";
 
 std::vector<std::string> bad_files() {
-  const std::set<std::string> extensions{".dae", ".glb", ".gltf", ".pbrt"};
+  const std::set<std::string> extensions{".dae", ".glb", ".gltf", ".json", ".pbrt"};
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (extensions.count(entry.path().extension().string()) > 0)
@@ -94,7 +94,8 @@ TEST_CASE("a missing file, a directory and another format are named") {
         text +
             ": \".txt\" is not the extension of a scene file; valid are .dae .zae (COLLADA), "
             ".obj (Wavefront), .ply .ply.gz (a mesh), .stl .fbx .3ds .off .x .lwo .ase .ac .dxf "
-            ".3mf .amf .x3d (by Assimp), .gltf .glb (glTF 2.0), .pbrt .pbrt.gz (pbrt-v4)");
+            ".3mf .amf .x3d (by Assimp), .gltf .glb (glTF 2.0), .pbrt .pbrt.gz (pbrt-v4), .json (twinray's "
+            "exchange form)");
 }
 
 }  // namespace twinray

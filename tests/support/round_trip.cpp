@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "io/exchange.h"
+#include "io/exchange/writer.h"
 #include "io/scene_file.h"
 #include "io/scene_writer.h"
 #include "tests/support/temporary_folder.h"

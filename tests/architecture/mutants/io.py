@@ -2,20 +2,38 @@
 """Defects in io/."""
 from mutant import Mutant
 
+EXCHANGED = "a scene in exchange form is read with all its bits, whatever is in it"
+
 MUTANTS = [
     Mutant("corners of one normal share texture coordinates in a PLY file", "io/joined_mesh.cpp",
            "mesh.uvs.empty() ? 0 : mesh.uv_indices[i][k]",
            "0",
            "test_io", "a PLY file has each corner of each triangle with all bits, and no vertex twice"),
-    Mutant("an exchanged camera keeps the file's frame", "io/exchange.cpp",
+    Mutant("an exchanged camera keeps the file's frame", "io/exchange/writer.cpp",
            "const Camera camera = fit_frame(scene.camera, frame.width, frame.height);",
            "const Camera camera = scene.camera;",
            "test_io", "each kind of camera in exchange form, its frame as wide as the picture"),
-    Mutant("numbers of the exchange form have six digits", "io/exchange.cpp",
-           "Json json_of(const Vec3& v) { return {v.x, v.y, v.z}; }",
-           "float cut(float x) { return std::stof(fmt::format(\"{:.6g}\", x)); }\n"
-           "Json json_of(const Vec3& v) { return {cut(v.x), cut(v.y), cut(v.z)}; }",
+    Mutant("numbers of the exchange form have six digits", "io/exchange/json.cpp",
+           "std::to_chars(digits, std::end(digits), number);",
+           "std::to_chars(digits, std::end(digits), number, std::chars_format::general, 6);",
            "test_io", "every number of the JSON file is read back with all its bits"),
+    Mutant("transforms in exchange form are floats", "io/exchange/writer.cpp",
+           "for (const auto& row : to_world.m) rows.push_back(row);",
+           "for (const auto& row : to_world.m)\n"
+           "      rows.push_back({float(row[0]), float(row[1]), float(row[2]), float(row[3])});",
+           "test_io", EXCHANGED),
+    Mutant("a camera in exchange form is fitted to its picture twice", "io/exchange/reader.cpp",
+           "std::nextafter(camera.tan_half_height, 0.0f)", "camera.tan_half_height", "test_io",
+           "a camera in exchange form has the bits of its frame, whatever the shape of the picture"),
+    Mutant("normals in exchange form are made unit vectors again", "io/exchange/reader.cpp",
+           "std::all_of(mesh.normals.begin(), mesh.normals.end(), is_unit)", "mesh.normals.empty()",
+           "test_io", EXCHANGED),
+    Mutant("a file of an exchange form may lie anywhere", "io/exchange/reader.cpp",
+           "name.empty() || name != name.filename()", "name.empty()", "test_io",
+           "files of an exchange form lie beside it"),
+    Mutant("a vector of any length is a direction", "io/exchange/entry.cpp",
+           "if (!is_unit(member))", "if (false)", "test_io",
+           "what is wrong in an exchange form is said with its entry and what would be valid"),
     Mutant("<constant> without a diffuse colour is rendered grey", "io/collada/material.cpp",
            ": effect.shading()->is(\"constant\");",
            ": false;",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/exchange.h"
+#include "io/exchange/writer.h"
 
 #include <algorithm>
 #include <bit>

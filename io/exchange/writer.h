@@ -23,7 +23,7 @@ std::string type_of(const LightSource& source);
 std::string exchange_json(const Scene& scene, const std::string& path, const ExchangeFrame& frame);
 
 /// The files of a scene: those of its meshes and environments, and last the JSON file, `path`. Textures are
-/// named there, not here (docs/exchange.md).
+/// lost, with warnings.
 WrittenScene written_exchange(const SceneToWrite& input, const std::string& path);
 
 }  // namespace twinray

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/exchange/entry.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+
+namespace twinray {
+namespace {
+
+constexpr float rounding = 1e-4f;
+
+struct Bounds {
+  float least, most;
+  const char* words;
+};
+
+Bounds bounds_of(Valid valid) {
+  constexpr float huge = std::numeric_limits<float>::max(), tiny = std::numeric_limits<float>::denorm_min();
+  switch (valid) {
+    case Valid::not_negative:
+      return {0, huge, "a float, and not negative"};
+    case Valid::positive:
+      return {tiny, huge, "a float above 0"};
+    case Valid::at_least_one:
+      return {1, huge, "a float of 1 or more"};
+    case Valid::part:
+      return {0, 1, "from 0 to 1"};
+    case Valid::any:
+      break;
+  }
+  return {-huge, huge, "a float"};
+}
+
+}  // namespace
+
+bool is_unit(const Vec3& v) { return std::fabs(length_squared(v) - 1) <= rounding; }
+bool is_right_angle(const Vec3& a, const Vec3& b) { return std::fabs(dot(a, b)) <= rounding; }
+
+Entry::Entry(const Json& json, std::string place) : json_(json), place_(std::move(place)) {
+  if (!json.is_object()) fail("it must be an object");
+}
+
+void Entry::fail(const std::string& what) const { throw Error(fmt::format("{}: {}", place_, what)); }
+void Entry::fail(const char* key, const std::string& what) const {
+  fail(fmt::format("\"{}\" {}", key, what));
+}
+
+std::string Entry::place_of(const char* key, std::size_t i) const {
+  return fmt::format("{}: {}[{}]", place_, key, i);
+}
+
+const Json& Entry::at(const char* key) const {
+  const auto found = json_.find(key);
+  if (found == json_.end()) fail(key, "is missing");
+  return *found;
+}
+
+Entry Entry::entry(const char* key) const { return {at(key), fmt::format("{}: {}", place_, key)}; }
+
+const Json& Entry::list(const char* key) const {
+  const Json& found = at(key);
+  if (!found.is_array()) fail(key, "must be a list");
+  return found;
+}
+
+const Json& Entry::list(const char* key, std::size_t count) const {
+  const Json& found = list(key);
+  if (found.size() != count) fail(key, fmt::format("has {} elements; it must have {}", found.size(), count));
+  return found;
+}
+
+double Entry::real(const char* key, const Json& json) const {
+  if (!json.is_number()) fail(key, "must be a number");
+  return json.get<double>();
+}
+
+float Entry::number(const char* key, const Json& json, Valid valid) const {
+  const Bounds bounds = bounds_of(valid);
+  const double value = real(key, json);
+  if (!(value >= double(bounds.least) && value <= double(bounds.most)))
+    fail(key, fmt::format("is {}; it must be {}", json.dump(), bounds.words));
+  return float(value);
+}
+
+std::vector<float> Entry::numbers(const char* key, std::size_t count, Valid valid) const {
+  std::vector<float> found;
+  for (const Json& each : list(key, count)) found.push_back(number(key, each, valid));
+  return found;
+}
+
+std::uint32_t Entry::whole(const char* key, const Json& json, std::uint32_t least, std::uint32_t most) const {
+  const auto is_valid = [&] {
+    return json.is_number_unsigned() && json.get<std::uint64_t>() >= least &&
+           json.get<std::uint64_t>() <= most;
+  };
+  if (!is_valid())
+    fail(key, fmt::format("is {}; it must be a whole number from {} to {}",
+                          json.is_structured() ? "no number"
+                                               : json.dump(-1, ' ', true, Json::error_handler_t::replace),
+                          least, most));
+  return json.get<std::uint32_t>();
+}
+
+std::uint32_t Entry::index(const char* key) const {
+  return whole(key, at(key), 0, std::numeric_limits<std::int32_t>::max());
+}
+
+std::string Entry::word(const char* key) const {
+  if (!at(key).is_string()) fail(key, "must be a string");
+  return at(key).get<std::string>();
+}
+
+bool Entry::flag(const char* key) const {
+  if (!at(key).is_boolean()) fail(key, "must be true or false");
+  return at(key).get<bool>();
+}
+
+void MemberReader::operator()(const char* key, Rgb& member, Valid valid) const {
+  const auto n = entry_.numbers(key, 3, valid);
+  member = {n[0], n[1], n[2]};
+}
+void MemberReader::operator()(const char* key, Roughness& member, Valid valid) const {
+  const auto n = entry_.numbers(key, 2, valid);
+  member = {n[0], n[1]};
+}
+void MemberReader::operator()(const char* key, Vec2& member) const {
+  const auto n = entry_.numbers(key, 2);
+  member = {n[0], n[1]};
+}
+void MemberReader::operator()(const char* key, Vec3& member) const {
+  const auto n = entry_.numbers(key, 3);
+  member = {n[0], n[1], n[2]};
+}
+
+void MemberReader::operator()(const char* key, EmissionSide& member) const {
+  member = entry_.named<EmissionSide>(
+      key, {{"front", EmissionSide::front}, {"back", EmissionSide::back}, {"both", EmissionSide::both}});
+}
+
+void MemberReader::operator()(const char* key, MapLayout& member) const {
+  member = entry_.named<MapLayout>(
+      key, {{"latitude-longitude", MapLayout::latitude_longitude}, {"equal-area", MapLayout::equal_area}});
+}
+
+void MemberReader::operator()(const char* key, Transform& rotation) const {
+  const Entry axes = entry_.entry(key);
+  constexpr const char* names[] = {"x", "y", "z"};
+  for (std::size_t column = 0; column < 3; ++column) {
+    const Json& axis = axes.list(names[column], 3);
+    for (std::size_t row = 0; row < 3; ++row) rotation.m[row][column] = axes.real(names[column], axis[row]);
+  }
+}
+
+void MemberReader::operator()(const char* key, Attenuation& member) const {
+  members(MemberReader(entry_.entry(key)), member);
+}
+
+void MemberReader::direction(const char* key, Vec3& member) const {
+  (*this)(key, member);
+  if (!is_unit(member)) entry_.fail(key, "must be a vector of length 1");
+}
+
+void MemberReader::constant(const char* key, const char* word) const {
+  if (const std::string found = entry_.word(key); found != word)
+    entry_.fail(key, fmt::format("is \"{}\"; valid is {}", found, word));
+}
+
+}  // namespace twinray

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: what stands in the exchange form's JSON, taken out with checks.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/exchange/json.h"
+
+namespace twinray {
+
+/// Whether a vector has length 1, but for the rounding of a file's numbers.
+bool is_unit(const Vec3& v);
+/// Whether two such are at right angles.
+bool is_right_angle(const Vec3& a, const Vec3& b);
+
+/// An object of the file, with its place for messages, such as "a.json: lights[2]". What it gives is as
+/// asked; all throw Error where it is not, with the place and what would be valid.
+class Entry {
+ public:
+  /// The JSON must outlive it.
+  Entry(const Json& json, std::string place);
+
+  const std::string& place() const { return place_; }
+  [[noreturn]] void fail(const std::string& what) const;
+  [[noreturn]] void fail(const char* key, const std::string& what) const;
+
+  bool has(const char* key) const { return json_.contains(key); }
+  const Json& at(const char* key) const;
+  Entry entry(const char* key) const;
+  /// Of a list, which may have to have so many.
+  const Json& list(const char* key) const;
+  const Json& list(const char* key, std::size_t count) const;
+  /// Calls take(entry) for each object of a list.
+  template <typename Take>
+  void for_each(const char* key, const Take& take) const {
+    std::size_t i = 0;
+    for (const Json& each : list(key)) take(Entry(each, place_of(key, i++)));
+  }
+
+  float number(const char* key, Valid valid = Valid::any) const { return number(key, at(key), valid); }
+  /// Of a list's element.
+  float number(const char* key, const Json& json, Valid valid = Valid::any) const;
+  double real(const char* key, const Json& json) const;
+  std::vector<float> numbers(const char* key, std::size_t count, Valid valid = Valid::any) const;
+  /// A whole number in [least, most].
+  std::uint32_t whole(const char* key, const Json& json, std::uint32_t least, std::uint32_t most) const;
+  /// One that counts entries.
+  std::uint32_t index(const char* key) const;
+  std::string word(const char* key) const;
+  bool flag(const char* key) const;
+  /// The value whose name stands there.
+  template <typename Value>
+  Value named(const char* key, const std::vector<std::pair<std::string, Value>>& values) const {
+    const std::string found = word(key);
+    std::string valid;
+    for (const auto& [name, value] : values) {
+      if (found == name) return value;
+      valid += (valid.empty() ? "" : ", ") + name;
+    }
+    fail(key, "is \"" + found + "\"; valid are " + valid);
+  }
+
+ private:
+  std::string place_of(const char* key, std::size_t i) const;
+
+  const Json& json_;
+  std::string place_;
+};
+
+/// Reads members out of an object.
+class MemberReader {
+ public:
+  explicit MemberReader(const Entry& entry) : entry_(entry) {}
+
+  void operator()(const char* key, float& member, Valid valid) const { member = entry_.number(key, valid); }
+  void operator()(const char* key, Rgb& member, Valid valid) const;
+  void operator()(const char* key, Roughness& member, Valid valid) const;
+  void operator()(const char* key, Vec2& member) const;
+  void operator()(const char* key, Vec3& member) const;
+  void operator()(const char* key, bool& member) const { member = entry_.flag(key); }
+  void operator()(const char* key, std::uint32_t& member) const { member = entry_.index(key); }
+  void operator()(const char* key, std::int32_t& member) const { member = std::int32_t(entry_.index(key)); }
+  void operator()(const char* key, EmissionSide& member) const;
+  void operator()(const char* key, MapLayout& member) const;
+  void operator()(const char* key, Transform& rotation) const;
+  void operator()(const char* key, Attenuation& member) const;
+  /// A unit vector.
+  void direction(const char* key, Vec3& member) const;
+  void constant(const char* key, const char* word) const;
+
+ private:
+  const Entry entry_;
+};
+
+}  // namespace twinray

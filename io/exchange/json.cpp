@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/exchange/json.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <string_view>
+
+namespace twinray {
+namespace {
+
+constexpr std::string_view ending = ".json";
+
+/// "room.json" and "-3.ply" -> "room-3.ply".
+std::string beside(const std::string& path, const std::string& suffix) {
+  return path.substr(0, path.size() - ending.size()) + suffix;
+}
+
+}  // namespace
+
+Json json_of(float number) {
+  char digits[32];
+  const auto written = std::to_chars(digits, std::end(digits), number);
+  double decimal = 0;
+  std::from_chars(digits, written.ptr, decimal);
+  return decimal;
+}
+
+Json json_of(const Vec2& v) { return {json_of(v.x), json_of(v.y)}; }
+Json json_of(const Vec3& v) { return {json_of(v.x), json_of(v.y), json_of(v.z)}; }
+Json json_of(const Rgb& color) { return {json_of(color.r), json_of(color.g), json_of(color.b)}; }
+Json json_of(const Roughness& roughness) { return {json_of(roughness.x), json_of(roughness.y)}; }
+
+Json json_of(EmissionSide side) {
+  if (side == EmissionSide::both) return "both";
+  return side == EmissionSide::front ? "front" : "back";
+}
+
+Json json_of(MapLayout layout) {
+  return layout == MapLayout::equal_area ? "equal-area" : "latitude-longitude";
+}
+
+Json json_of(const Transform& rotation) {
+  Json object;
+  for (int column = 0; column < 3; ++column)
+    object[std::string(1, char('x' + column))] = {rotation.m[0][column], rotation.m[1][column],
+                                                  rotation.m[2][column]};
+  return object;
+}
+
+Json json_of(const Attenuation& attenuation) {
+  Json object;
+  Attenuation copy = attenuation;
+  members(MemberWriter(object), copy);
+  return object;
+}
+
+std::string exchange_mesh_file(const std::string& path, std::size_t shape) {
+  return beside(path, fmt::format("-{}.ply", shape));
+}
+std::string exchange_light_file(const std::string& path, std::size_t light) {
+  return beside(path, fmt::format("-light-{}.exr", light));
+}
+
+}  // namespace twinray

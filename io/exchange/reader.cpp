@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/exchange/reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "io/exchange/entry.h"
+#include "io/input_file.h"
+#include "io/mesh_scene.h"
+#include "io/picture/image_file.h"
+#include "io/ply/reader.h"
+
+namespace twinray {
+namespace {
+
+/// Of a variant with each of its types, the one that an entry names, with its members.
+template <typename Variant>
+Variant described_by(const Entry& entry, std::vector<Variant> types) {
+  const std::string type = entry.word("type");
+  std::string valid;
+  for (Variant& each : types) {
+    const char* const name = std::visit([](const auto& value) { return type_name(value); }, each);
+    if (type == name) {
+      std::visit([&](auto& value) { members(MemberReader(entry), value); }, each);
+      return std::move(each);
+    }
+    valid += fmt::format("{}{}", valid.empty() ? "" : ", ", name);
+  }
+  entry.fail("type", fmt::format("is \"{}\"; valid are {}", type, valid));
+}
+
+SurfaceModel read_model(const Entry& entry) {
+  return described_by<SurfaceModel>(
+      entry, {Lambert{}, Mirror{}, Refraction{}, Glass{}, Microfacet{}, Dielectric{},
+              Dielectric{.is_thin = true}, Conductor{}, DiffuseTransmission{}, RoughDiffuse{},
+              CoatedDiffuse{}, CoatedConductor{}, Principled{}, Interface{}, Mix{}});
+}
+
+LightSource read_source(const Entry& entry) {
+  return described_by<LightSource>(
+      entry, {MeshLight{}, SphereLight{}, PointLight{}, SpotLight{}, DirectionalLight{}, AmbientLight{},
+              EnvironmentLight{}, GoniometricLight{}, ProjectionLight{}, SunLight{}});
+}
+
+/// What reading a file gives; its Error begins with the place that names the file.
+template <typename Read>
+auto at_place(const std::string& place, const Read& read) {
+  try {
+    return read();
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", place, error.what()));
+  }
+}
+
+/// Reads one file.
+class Reader {
+ public:
+  Reader(const std::string& path, const LoadOptions& options, const ExchangeRead& read)
+      : path_(path), options_(options), read_(read) {}
+
+  LoadedScene read(const std::string& text) {
+    const Json json = parse(text);
+    const Entry file(json, path_);
+    check_version(file);
+    read_materials(file);
+    if (!options_.surfaces_only) read_lights(file);
+    read_shapes(file);
+    assemble({prototypes_, read_instances(file)});
+    read_camera(file);
+    finish();
+    return std::move(loaded_);
+  }
+
+ private:
+  Json parse(const std::string& text) const {
+    try {
+      return Json::parse(text);
+    } catch (const Json::exception& error) {
+      const std::string_view what =
+          error.what();  // "[json.exception.parse_error.101] parse error at line 1, ..."
+      throw Error(fmt::format("{}: this is no JSON: {}", path_, what.substr(what.find(' ') + 1)));
+    }
+  }
+
+  void check_version(const Entry& file) const {
+    if (!file.has("format") || file.word("format") != "twinray scene")
+      file.fail("format", "is not \"twinray scene\": this is another kind of JSON file");
+    if (const std::uint32_t version = file.index("version"); version != 1 && version != 2)
+      file.fail("version", fmt::format("is {}; versions 1 and 2 are known", version));
+  }
+
+  void read_materials(const Entry& file) {
+    file.for_each("materials", [&](const Entry& entry) {
+      Material material{.name = entry.word("name"), .model = read_model(entry), .textures = {}};
+      if (entry.has("interior")) members(MemberReader(entry.entry("interior")), material.interior);
+      textured_ += entry.has("textured");
+      loaded_.scene.materials.push_back(std::move(material));
+    });
+  }
+
+  /// The file that an entry names: one in the folder of this one.
+  std::string file_of(const Entry& entry) const {
+    const std::filesystem::path name = entry.word("file");
+    if (name.empty() || name != name.filename())
+      entry.fail("file",
+                 fmt::format("is \"{}\"; it must be the name of a file beside this one", name.string()));
+    return (std::filesystem::path(path_).parent_path() / name).string();
+  }
+
+  std::shared_ptr<const Image> read_picture(const Entry& entry) const {
+    const std::string path = file_of(entry);
+    options_.add_file(path);
+    const Image image = at_place(entry.place(), [&] { return decode_image(read_(path), path); });
+    for (const Rgb& pixel : image.pixels)
+      if (!is_finite(pixel) || pixel.r < 0 || pixel.g < 0 || pixel.b < 0)
+        entry.fail("file", fmt::format("{} has a pixel that is no radiance", path));
+    return std::make_shared<const Image>(image);
+  }
+
+  void read_lights(const Entry& file) {
+    file.for_each("lights", [&](const Entry& entry) {
+      Light light{entry.word("name"), read_source(entry)};
+      if (auto* environment = std::get_if<EnvironmentLight>(&light.source))
+        environment->map = read_picture(entry);
+      else if (auto* goniometric = std::get_if<GoniometricLight>(&light.source))
+        goniometric->map = read_picture(entry);
+      else if (auto* projection = std::get_if<ProjectionLight>(&light.source))
+        projection->picture = read_picture(entry);
+      loaded_.scene.lights.push_back(std::move(light));
+    });
+  }
+
+  static SphereSet read_spheres(const Entry& entry) {
+    SphereSet set{.name = entry.word("name"), .spheres = {}};
+    for (const Json& each : entry.list("spheres")) {
+      if (!each.is_array() || each.size() != 4) entry.fail("spheres", "must be lists of 4 numbers");
+      const auto at = [&](std::size_t i) { return entry.number("spheres", each[i]); };
+      set.spheres.push_back({{at(0), at(1), at(2)}, entry.number("spheres", each[3], Valid::not_negative)});
+    }
+    return set;
+  }
+
+  /// A mesh whose triangles are yet to be read.
+  struct PendingMesh {
+    std::size_t shape;
+    std::string path;
+    std::string place;  ///< In the file.
+    MeshRepairs repairs = {};
+  };
+
+  void read_shapes(const Entry& file) {
+    file.for_each("shapes", [&](const Entry& entry) {
+      const std::string type = entry.word("type");
+      if (type == "mesh") {
+        meshes_.push_back({.shape = shapes_.size(), .path = file_of(entry), .place = entry.place()});
+        shapes_.emplace_back(Mesh{.name = entry.word("name")});
+      } else if (type == "spheres") {
+        shapes_.emplace_back(read_spheres(entry));
+      } else {
+        entry.fail("type", fmt::format("is \"{}\"; valid are mesh, spheres", type));
+      }
+      ShapeBinding binding{.material = entry.index("material")};
+      if (entry.has("light") && !options_.surfaces_only) binding.light = entry.index("light");
+      loaded_.scene.bindings.push_back(binding);
+      textured_ += entry.has("textured");
+      note_prototype(entry);
+    });
+    for (const PendingMesh& mesh : meshes_) options_.add_file(mesh.path);
+    parallel_for(meshes_.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) read_mesh(meshes_[i]);
+    });
+  }
+
+  /// Shapes of a prototype follow each other, behind those of the scene.
+  void note_prototype(const Entry& entry) {
+    const auto shape = std::uint32_t(shapes_.size() - 1);
+    if (!entry.has("prototype")) {
+      if (!prototypes_.empty()) entry.fail("stands behind shapes of prototypes, and is of none");
+      return;
+    }
+    const std::uint32_t prototype = entry.index("prototype");
+    if (prototypes_.empty() ? prototype != 0
+                            : prototype != prototypes_.size() && prototype + 1 != prototypes_.size())
+      entry.fail("prototype",
+                 fmt::format("is {}; the shapes of prototypes follow each other, from 0 on", prototype));
+    if (prototype == prototypes_.size()) prototypes_.push_back({shape, 0});
+    ++prototypes_.back().count;
+  }
+
+  void read_mesh(PendingMesh& pending) {
+    Mesh& mesh = std::get<Mesh>(shapes_[pending.shape]);
+    std::string name = std::move(mesh.name);
+    mesh = at_place(pending.place, [&] { return read_ply(read_(pending.path), pending.path).mesh; });
+    mesh.name = std::move(name);
+    // Normals that need none keep their bits.
+    if (std::all_of(mesh.normals.begin(), mesh.normals.end(), is_unit))
+      pending.repairs.dropped_triangles = drop_degenerate_triangles(mesh);
+    else
+      repair_mesh(mesh, pending.repairs);
+  }
+
+  void assemble(Instancing instancing) {
+    Scene& scene = loaded_.scene;
+    at_place(path_, [&] {
+      scene.geometry = std::make_shared<const Geometry>(std::move(shapes_), nullptr, std::move(instancing));
+      check_scene(scene);
+    });
+  }
+
+  std::vector<Instance> read_instances(const Entry& file) const {
+    std::vector<Instance> instances;
+    if (!file.has("instances")) return instances;
+    file.for_each("instances", [&](const Entry& entry) {
+      Instance instance{entry.index("prototype"), {}};
+      const Json& rows = entry.list("to_world", 3);
+      for (std::size_t row = 0; row < 3; ++row) {
+        if (!rows[row].is_array() || rows[row].size() != 4)
+          entry.fail("to_world", "must be 3 rows of 4 numbers");
+        for (std::size_t column = 0; column < 4; ++column)
+          instance.to_world.m[row][column] = entry.real("to_world", rows[row][column]);
+      }
+      instances.push_back(instance);
+    });
+    return instances;
+  }
+
+  void read_camera(const Entry& file) {
+    const Entry entry = file.entry("camera");
+    const MemberReader visit(entry);
+    Camera camera;
+    std::vector<std::pair<std::string, Projection>> projections;
+    for (const Projection each :
+         {Projection::perspective, Projection::orthographic, Projection::latitude_longitude,
+          Projection::fisheye, Projection::equal_area})
+      projections.emplace_back(projection_name(each), each);
+    camera.projection = entry.named("type", projections);
+    const bool is_at_distance = camera.projection == Projection::perspective;
+    visit("position", camera.position);
+    visit.direction("right", camera.right);
+    visit.direction("up", camera.up);
+    visit.direction("forward", camera.forward);
+    if (!is_right_angle(camera.right, camera.up) || !is_right_angle(camera.right, camera.forward) ||
+        !is_right_angle(camera.up, camera.forward))
+      entry.fail("\"right\", \"up\" and \"forward\" must be at right angles");
+    visit(is_at_distance ? "tan_half_width" : "half_width", camera.tan_half_width, Valid::positive);
+    visit(is_at_distance ? "tan_half_height" : "half_height", camera.tan_half_height, Valid::positive);
+    visit("lens_radius", camera.lens_radius, Valid::not_negative);
+    visit("focal_distance", camera.focal_distance, Valid::positive);
+    visit("clip_near", camera.clip_near, Valid::not_negative);
+    if (entry.has("frame_center")) visit("frame_center", camera.frame_center);
+    if (entry.has("aperture")) read_aperture(entry.entry("aperture"), camera);
+    if (entry.has("clip_far")) visit("clip_far", camera.clip_far, Valid::positive);
+    camera.clips_by_distance = entry.named<bool>("clip_along", {{"forward", false}, {"ray", true}}) &&
+                               !is_panorama(camera.projection);
+    if (!options_.clip_as_file) camera = without_clip(camera);
+    set_frame(file, camera);
+    loaded_.scene.camera = camera;
+  }
+
+  static void read_aperture(const Entry& entry, Camera& camera) {
+    camera.aperture_blades = int(entry.whole("blades", entry.at("blades"), 3, 1000));
+    const MemberReader visit(entry);
+    visit("turns", camera.aperture_turns, Valid::part);
+  }
+
+  /// The resolution, and a camera whose frame, fitted to it, is that of the file to the bit: of its sides the
+  /// one that fit_frame() made of the other is a bit short.
+  void set_frame(const Entry& file, Camera& camera) {
+    constexpr std::uint32_t most = 65536;
+    const Json& list = file.list("resolution", 2);
+    const auto width = int(file.whole("resolution", list[0], 1, most));
+    const auto height = int(file.whole("resolution", list[1], 1, most));
+    loaded_.defaults.resolution = {width, height};
+    const float aspect = float(width) / float(height);
+    if (camera.tan_half_width == camera.tan_half_height * aspect)
+      camera.tan_half_width = std::nextafter(camera.tan_half_width, 0.0f);
+    else if (camera.tan_half_height == camera.tan_half_width / aspect)
+      camera.tan_half_height = std::nextafter(camera.tan_half_height, 0.0f);
+    else
+      camera.is_stretched = true;
+  }
+
+  void finish() {
+    SceneSummary& summary = loaded_.summary;
+    summary.unit_name.clear();
+    for (const PendingMesh& mesh : meshes_) summary.dropped_triangles += mesh.repairs.dropped_triangles;
+    if (textured_ > 0)
+      summary.notes.push_back(fmt::format(
+          "{} materials and shapes had textures: this form has what is the same everywhere in their place",
+          textured_));
+    count_scene(loaded_.scene, summary);
+  }
+
+  const std::string path_;
+  const LoadOptions& options_;
+  const ExchangeRead& read_;
+  LoadedScene loaded_;
+  std::vector<Shape> shapes_;
+  std::vector<PendingMesh> meshes_;
+  std::vector<ShapeRange> prototypes_;
+  std::size_t textured_ = 0;
+};
+
+}  // namespace
+
+LoadedScene read_exchange(const std::string& json, const std::string& path, const LoadOptions& options,
+                          const ExchangeRead& read) {
+  return Reader(path, options, read).read(json);
+}
+
+LoadedScene load_exchange(const std::string& path, const LoadOptions& options) {
+  options.add_file(path);
+  return read_exchange(read_input_file(path, "scene file"), path, options,
+                       [](const std::string& file) { return read_input_file(file, "file of a scene"); });
+}
+
+}  // namespace twinray

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/exchange/reader.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "io/exchange/writer.h"
+#include "io/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/meshes.h"
+#include "tests/support/round_trip.h"
+
+namespace twinray::test {
+namespace {
+
+const std::string sources = TWINRAY_SOURCE_DIR;
+constexpr ExchangeFrame frame{480, 360};
+
+std::shared_ptr<const Image> picture(int width, int height) {
+  auto image = std::make_shared<Image>();
+  image->width = width;
+  image->height = height;
+  for (int i = 0; i < width * height; ++i) image->pixels.push_back({float(i) / 3, 0.1f, 2});
+  return image;
+}
+
+/// With shading normals, few of which keep their bits when they are made unit vectors once more.
+Mesh smooth_mesh() {
+  Mesh mesh = icosphere_mesh(2);
+  for (const Vec3& p : mesh.positions) mesh.normals.push_back(normalize(p + Vec3{0.3f, 0.2f, 0.1f}));
+  mesh.normal_indices = mesh.triangles;
+  return mesh;
+}
+
+/// Of each material and each light there is, with numbers of many digits.
+Scene everything() {
+  Scene scene;
+  constexpr float third = 1.0f / 3, seventh = 1.0f / 7;
+  const Rgb color{third, seventh, 0.1f}, metal{0.2f + seventh, 1 + third, 3 + seventh};
+  const Roughness facets{third, seventh};
+  Principled principled;
+  principled.base_color = color;
+  principled.specular_ior = 1 + third;
+  principled.coat_ior = 1 + seventh;
+  principled.fuzz_color = color;
+  principled.geometry_thin_walled = true;
+  const SurfaceModel models[] = {Lambert{color},
+                                 Mirror{color},
+                                 Refraction{color, seventh, 1 + third},
+                                 Glass{color, color, third, 1 + seventh},
+                                 Microfacet{third, metal, metal},
+                                 Dielectric{1 + third, facets, color, color, false},
+                                 Dielectric{1 + third, {}, color, color, true},
+                                 Conductor{metal, metal, facets, color},
+                                 DiffuseTransmission{color, color},
+                                 RoughDiffuse{color, third},
+                                 CoatedDiffuse{color, facets, 1 + third},
+                                 CoatedConductor{metal, metal, facets, color, facets, 1 + seventh},
+                                 principled,
+                                 Interface{},
+                                 Mix{1, 3, third}};
+  for (const SurfaceModel& model : models) scene.materials.push_back({"m", model, {}});
+  scene.materials[5].interior = {{third, seventh, 0}, 2};
+  const Vec3 slanted = normalize({1, 2, 3});
+  const Transform turned = Transform::rotation({0, 1, 0}, 33);
+  scene.lights = {
+      {"mesh", MeshLight{0, metal, EmissionSide::back}},
+      {"sphere", SphereLight{1, metal}},
+      {"point", PointLight{{third, 1, 2}, metal, {third, seventh, 2}}},
+      {"spot", SpotLight{{third, 1, 2}, slanted, metal, {}, 40 + third, seventh, 1 + third}},
+      {"directional", DirectionalLight{slanted, metal}},
+      {"ambient", AmbientLight{slanted, metal}},
+      {"sky", EnvironmentLight{picture(6, 3), MapLayout::latitude_longitude, turned, metal}},
+      {"all around", GoniometricLight{{1, third, 2}, metal, picture(2, 2), MapLayout::equal_area, turned}},
+      {"slide",
+       ProjectionLight{
+           {1, 2, third}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, third, seventh, metal, picture(3, 2)}},
+      {"sun", SunLight{slanted, metal, 0.5f + seventh}}};
+  Transform place = turned;
+  place.m[1][3] = 1.0 / 3;
+  const SphereSet ball{"ball", {{{third, seventh, 3}, third}}};
+  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{smooth_mesh(), ball, box_mesh()},
+                                                    nullptr, Instancing{{{2, 1}}, {{0, place}, {0, {}}}});
+  scene.bindings = {{.material = 14, .light = 0}, {.material = 7, .light = 1}, {.material = 12}};
+  scene.camera.position = {third, 1, 5};
+  return scene;
+}
+
+/// The error that a text gives.
+std::string error_of(const nlohmann::json& json) {
+  try {
+    read_exchange(json.dump(), "a.json", {}, [](const std::string& path) -> std::string {
+      throw Error(path + ": there is no such file");
+    });
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A scene without files.
+nlohmann::json small() {
+  Scene scene;
+  scene.materials = {{"grey", Lambert{}}, {"metal", Conductor{}}};
+  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{SphereSet{"ball", {{{0, 0, 0}, 1}}}});
+  scene.bindings = {{.material = 1, .light = 0}};
+  scene.lights = {{"lamp", SphereLight{0, {1, 1, 1}}}, {"spot", SpotLight{}}};
+  return nlohmann::json::parse(exchange_json(scene, "a.json", frame));
+}
+
+}  // namespace
+
+TEST_CASE("a scene in exchange form is read with all its bits, whatever is in it") {
+  const Scene scene = everything();
+  const RoundTrip trip = round_trip(scene, "a.json");
+  CHECK(trip.warnings.empty());
+  CHECK(exchange_json(trip.scene, "a.json", frame) == trip.text);
+  const GeometryDifference apart = difference(scene, trip.scene);
+  CHECK(apart.fault == "");
+  CHECK(apart.positions == 0);
+  CHECK(apart.normals == 0);
+  REQUIRE(trip.scene.geometry->instances().size() == 2);
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 4; ++column)
+      CHECK(trip.scene.geometry->instances()[0].to_world.m[row][column] ==
+            scene.geometry->instances()[0].to_world.m[row][column]);
+  for (const std::size_t light : {6u, 7u, 8u})
+    CHECK(scene.lights[light].name == trip.scene.lights[light].name);
+  const auto& sky = std::get<EnvironmentLight>(scene.lights[6].source);
+  const auto& read_sky = std::get<EnvironmentLight>(trip.scene.lights[6].source);
+  CHECK(sky.map->pixels == read_sky.map->pixels);
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 3; ++column)
+      CHECK(sky.rotation.m[row][column] == read_sky.rotation.m[row][column]);
+}
+
+TEST_CASE("our own scenes come back from exchange form, with the camera's bits at their resolution") {
+  for (const char* name :
+       {"box.dae", "cornell-bunny.dae", "spheres.dae", "lights.dae", "still-life.pbrt", "pawns.pbrt"}) {
+    INFO(name);
+    const Scene scene = load_scene(sources + "/scenes/" + name).scene;
+    const RoundTrip trip = round_trip(scene, "a.json");
+    CHECK(exchange_json(trip.scene, "a.json", frame) == trip.text);
+    const GeometryDifference apart = difference(scene, trip.scene);
+    CHECK(apart.fault == "");
+    CHECK(apart.positions == 0);
+    CHECK(apart.normals == 0);
+    const Camera written = fit_frame(scene.camera, frame.width, frame.height);
+    const Camera read = fit_frame(trip.scene.camera, frame.width, frame.height);
+    CHECK(read.tan_half_width == written.tan_half_width);
+    CHECK(read.tan_half_height == written.tan_half_height);
+    // Other pictures show the same frame, widened.
+    const Camera square = fit_frame(trip.scene.camera, 100, 100);
+    CHECK(square.tan_half_width == Approx(square.tan_half_height));
+  }
+}
+
+TEST_CASE("a camera in exchange form has the bits of its frame, whatever the shape of the picture") {
+  Scene scene;
+  scene.materials = {{"grey", Lambert{}}};
+  for (const ExchangeFrame size : {ExchangeFrame{500, 333}, ExchangeFrame{333, 500}})
+    for (int i = 1; i <= 200; ++i) {
+      CAPTURE(size.width, i);
+      scene.camera.tan_half_width = i % 2 == 0 ? 0.01f * float(i) : 0.001f;
+      scene.camera.tan_half_height = i % 2 == 0 ? 0.001f : 0.01f * float(i);
+      const Camera written = fit_frame(scene.camera, size.width, size.height);
+      const LoadedScene loaded = read_exchange(exchange_json(scene, "a.json", size), "a.json", {}, {});
+      const Camera read = fit_frame(loaded.scene.camera, size.width, size.height);
+      CHECK_FALSE(read.is_stretched);
+      CHECK(read.tan_half_width == written.tan_half_width);
+      CHECK(read.tan_half_height == written.tan_half_height);
+    }
+}
+
+TEST_CASE("a camera of oblong pixels keeps its frame") {
+  Scene scene = everything();
+  scene.camera.is_stretched = true;
+  scene.camera.tan_half_width = 0.3f;
+  scene.camera.tan_half_height = 0.7f;
+  const Camera read = round_trip(scene, "a.json").scene.camera;
+  CHECK(read.is_stretched);
+  CHECK(read.tan_half_width == 0.3f);
+  CHECK(read.tan_half_height == 0.7f);
+}
+
+TEST_CASE("the picture's size is that of the file, and textures are told of") {
+  nlohmann::json json = small();
+  json["materials"][0]["textured"] = {"reflectance"};
+  const LoadedScene loaded = read_exchange(json.dump(), "a.json", {}, {});
+  REQUIRE(loaded.defaults.resolution);
+  CHECK(loaded.defaults.resolution->width == 480);
+  CHECK(loaded.defaults.resolution->height == 360);
+  REQUIRE(loaded.summary.notes.size() == 1);
+  CHECK(loaded.summary.notes[0].starts_with("1 materials and shapes had textures"));
+}
+
+TEST_CASE("what is wrong in an exchange form is said with its entry and what would be valid") {
+  CHECK(error_of(small()) == "");
+  const auto wrong = [](const char* pointer, const nlohmann::json& value) {
+    nlohmann::json json = small();
+    json[nlohmann::json::json_pointer(pointer)] = value;
+    return error_of(json);
+  };
+  const auto without = [](const char* list, const char* key) {
+    nlohmann::json json = small();
+    json[list][0].erase(key);
+    return error_of(json);
+  };
+  CHECK(wrong("/format", "gltf") ==
+        "a.json: \"format\" is not \"twinray scene\": this is another kind of JSON file");
+  CHECK(wrong("/version", 3) == "a.json: \"version\" is 3; versions 1 and 2 are known");
+  CHECK(wrong("/materials/1/type", "gold")
+            .starts_with("a.json: materials[1]: \"type\" is \"gold\"; valid are lambert, mirror,"));
+  CHECK(wrong("/materials/1/eta", {1, 2}) == "a.json: materials[1]: \"eta\" has 2 elements; it must have 3");
+  CHECK(wrong("/materials/1/eta/2", -1) ==
+        "a.json: materials[1]: \"eta\" is -1; it must be a float, and not negative");
+  CHECK(wrong("/materials/1/k/0", 1e300) ==
+        "a.json: materials[1]: \"k\" is 1e+300; it must be a float, and not negative");
+  CHECK(wrong("/materials/1/alpha/0", 1.5) ==
+        "a.json: materials[1]: \"alpha\" is 1.5; it must be from 0 to 1");
+  CHECK(wrong("/materials/1/alpha/0", "wide") == "a.json: materials[1]: \"alpha\" must be a number");
+  CHECK(without("materials", "reflectance") == "a.json: materials[0]: \"reflectance\" is missing");
+  CHECK(wrong("/materials/0", 7) == "a.json: materials[0]: it must be an object");
+  CHECK(wrong("/lights", 7) == "a.json: \"lights\" must be a list");
+  CHECK(wrong("/lights/0/shape", -1) ==
+        "a.json: lights[0]: \"shape\" is -1; it must be a whole number from 0 to 2147483647");
+  CHECK(wrong("/lights/0/shape", 4) == "a.json: light 0 names shape 4, which is not a set of one sphere");
+  CHECK(wrong("/lights/1/direction", {0, 0, 2}) ==
+        "a.json: lights[1]: \"direction\" must be a vector of length 1");
+  CHECK(wrong("/lights/1/attenuation/linear", -2) ==
+        "a.json: lights[1]: attenuation: \"linear\" is -2; it must be a float, and not negative");
+  CHECK(wrong("/shapes/0/type", "cube") ==
+        "a.json: shapes[0]: \"type\" is \"cube\"; valid are mesh, spheres");
+  CHECK(wrong("/shapes/0/spheres/0", {1, 2}) == "a.json: shapes[0]: \"spheres\" must be lists of 4 numbers");
+  CHECK(wrong("/shapes/0/material", 2) == "a.json: shape 0 names material 2; there are 2");
+  CHECK(wrong("/shapes/0/prototype", 1) ==
+        "a.json: shapes[0]: \"prototype\" is 1; the shapes of prototypes follow each other, from 0 on");
+  CHECK(wrong("/camera/type", "pinhole")
+            .starts_with("a.json: camera: \"type\" is \"pinhole\"; valid are perspective,"));
+  CHECK(wrong("/camera/up", {1, 0, 0}) ==
+        "a.json: camera: \"right\", \"up\" and \"forward\" must be at right angles");
+  CHECK(wrong("/camera/tan_half_width", 0) ==
+        "a.json: camera: \"tan_half_width\" is 0; it must be a float above 0");
+  CHECK(wrong("/camera/clip_along", "x") ==
+        "a.json: camera: \"clip_along\" is \"x\"; valid are forward, ray");
+  CHECK(wrong("/camera/aperture", {{"blades", 2}, {"turns", 0}}) ==
+        "a.json: camera: aperture: \"blades\" is 2; it must be a whole number from 3 to 1000");
+  CHECK(wrong("/resolution/1", 0) ==
+        "a.json: \"resolution\" is 0; it must be a whole number from 1 to 65536");
+  CHECK(wrong("/instances", {{{"prototype", 0}, {"to_world", {1, 2}}}}) ==
+        "a.json: instances[0]: \"to_world\" has 2 elements; it must have 3");
+}
+
+TEST_CASE("files of an exchange form lie beside it") {
+  nlohmann::json json = small();
+  json["shapes"][0] = {{"name", "a"}, {"type", "mesh"}, {"file", "../a.ply"}, {"material", 0}};
+  json["lights"].erase(0);
+  CHECK(error_of(json) ==
+        "a.json: shapes[0]: \"file\" is \"../a.ply\"; it must be the name of a file beside this one");
+  json["shapes"][0]["file"] = "a.ply";
+  CHECK(error_of(json) == "a.json: shapes[0]: a.ply: there is no such file");
+  for (const char* text : {"", "{", "[[[", "nul"}) {
+    INFO(text);
+    CHECK_THROWS_WITH(read_exchange(text, "a.json", {}, {}),
+                      Catch::Matchers::StartsWith("a.json: this is no JSON: "));
+  }
+}
+
+}  // namespace twinray::test
