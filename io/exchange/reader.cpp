@@ -213,6 +213,22 @@ class Reader {
       scene.geometry = std::make_shared<const Geometry>(std::move(shapes_), nullptr, std::move(instancing));
       check_scene(scene);
     });
+    if (!options_.surfaces_only) check_emitters();
+  }
+
+  /// Shapes that emit and their lights name each other.
+  void check_emitters() const {
+    const Scene& scene = loaded_.scene;
+    std::vector<std::uint32_t> lights(scene.bindings.size(), no_light);
+    for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+      const auto* mesh = std::get_if<MeshLight>(&scene.lights[i].source);
+      const auto* sphere = std::get_if<SphereLight>(&scene.lights[i].source);
+      if (mesh || sphere) lights[mesh ? mesh->shape : sphere->shape] = i;
+    }
+    for (std::size_t shape = 0; shape < lights.size(); ++shape)
+      if (scene.bindings[shape].light != lights[shape])
+        throw Error(
+            fmt::format("{}: shapes[{}]: its \"light\" must be the one whose \"shape\" it is", path_, shape));
   }
 
   std::vector<Instance> read_instances(const Entry& file) const {

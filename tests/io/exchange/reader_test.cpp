@@ -233,6 +233,10 @@ TEST_CASE("what is wrong in an exchange form is said with its entry and what wou
         "a.json: shapes[0]: \"type\" is \"cube\"; valid are mesh, spheres");
   CHECK(wrong("/shapes/0/spheres/0", {1, 2}) == "a.json: shapes[0]: \"spheres\" must be lists of 4 numbers");
   CHECK(wrong("/shapes/0/material", 2) == "a.json: shape 0 names material 2; there are 2");
+  const std::string one_sided = "a.json: shapes[0]: its \"light\" must be the one whose \"shape\" it is";
+  CHECK(wrong("/shapes/0/light", 1) == one_sided);
+  CHECK(without("shapes", "light") == one_sided);
+  CHECK(wrong("/shapes/0/light", 2) == "a.json: shape 0 names light 2; there are 2");
   CHECK(wrong("/shapes/0/prototype", 1) ==
         "a.json: shapes[0]: \"prototype\" is 1; the shapes of prototypes follow each other, from 0 on");
   CHECK(wrong("/camera/type", "pinhole")
