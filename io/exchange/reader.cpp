@@ -109,7 +109,8 @@ class Reader {
   /// The file that an entry names: one in the folder of this one.
   std::string file_of(const Entry& entry) const {
     const std::filesystem::path name = entry.word("file");
-    if (name.empty() || name != name.filename())
+    const bool has_zero = name.native().find('\0') != std::string::npos;
+    if (name.empty() || name != name.filename() || has_zero)
       entry.fail("file",
                  fmt::format("is \"{}\"; it must be the name of a file beside this one", name.string()));
     return (std::filesystem::path(path_).parent_path() / name).string();

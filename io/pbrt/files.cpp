@@ -19,6 +19,7 @@ PbrtFiles::PbrtFiles(const std::string& scene, Read read, const LoadOptions& opt
     : scene_(scene), read_(std::move(read)), options_(options) {}
 
 std::string PbrtFiles::path(const PbrtPlace& place, const std::string& name) const {
+  if (name.find('\0') != std::string::npos) place.fail("the name of a file has a zero byte");
   const std::filesystem::path first = beside(scene_, name), second = beside(place.file->name, name);
   std::error_code error;
   const bool is_second =

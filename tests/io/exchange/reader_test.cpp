@@ -261,6 +261,8 @@ TEST_CASE("files of an exchange form lie beside it") {
   json["lights"].erase(0);
   CHECK(error_of(json) ==
         "a.json: shapes[0]: \"file\" is \"../a.ply\"; it must be the name of a file beside this one");
+  json["shapes"][0]["file"] = std::string("a.ply\0b", 7);
+  CHECK(error_of(json).starts_with("a.json: shapes[0]: \"file\" is \"a.ply"));
   json["shapes"][0]["file"] = "a.ply";
   CHECK(error_of(json) == "a.json: shapes[0]: a.ply: there is no such file");
   for (const char* text : {"", "{", "[[[", "nul"}) {

@@ -153,6 +153,8 @@ TEST_CASE("files that include themselves, or lie too deep, or are missing, are e
         "b:1:1: \"a\" includes itself, here or by way of others\n  Include \"a\"\n  ^");
   CHECK(error_of("Include \"scene.pbrt\"").starts_with("scene.pbrt:1:1: \"scene.pbrt\" includes itself"));
   CHECK(error_of("Include \"none\"").starts_with("scene.pbrt:1:1: none: there is no such file"));
+  CHECK(error_of(std::string("Include \"a\0b\"", 13))
+            .starts_with("scene.pbrt:1:1: the name of a file has a zero byte"));
   test::PbrtTexts deep;
   for (int i = 0; i < 40; ++i) deep[fmt::format("f{}", i)] = fmt::format("Include \"f{}\"", i + 1);
   CHECK(error_of("Include \"f0\"", deep).find("files include each other more than 30 deep") !=
