@@ -79,12 +79,49 @@ void Environment::subtract(std::vector<double>& luminances, double compensation)
 Environment::Sample Environment::sample(Vec2 u) const {
   if (!(row_.total() > 0)) return {};
   const Distribution::Choice row = row_.sample(u.y);
-  const Distribution::Choice column = columns_of_[row.index].sample(u.x);
-  const Vec3 local = direction_within(light_.layout, cell(int(column.index), int(row.index)),
-                                      {column.remainder, row.remainder});
+  const Vec3 direction = direction_in({row, columns_of_[row.index].sample(u.x)});
+  return sample_at(direction, point_of(direction));
+}
+
+void Environment::sample(std::span<const Vec2> u, std::span<Sample> samples) const {
+  constexpr std::size_t together = 64;
+  if (!(row_.total() > 0)) {
+    std::fill(samples.begin(), samples.end(), Sample{});
+    return;
+  }
+  Cell cells[together];
+  Vec3 directions[together];
+  MapPoint points[together];
+  for (std::size_t first = 0; first < u.size(); first += together) {
+    const std::size_t count = std::min(together, u.size() - first);
+    for (std::size_t i = 0; i < count; ++i) cells[i].row = row_.sample(u[first + i].y);
+    for (std::size_t i = 0; i < count; ++i)
+      cells[i].column = columns_of_[cells[i].row.index].sample(u[first + i].x);
+    for (std::size_t i = 0; i < count; ++i) {
+      directions[i] = direction_in(cells[i]);
+      points[i] = point_of(directions[i]);
+      prefetch(points[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i) samples[first + i] = sample_at(directions[i], points[i]);
+  }
+}
+
+void Environment::prefetch(MapPoint point) const {
+  const Image& map = *light_.map;
+  const int x = std::clamp(int(point.x * map.width - 0.5), 0, map.width - 1);
+  const int y = std::clamp(int(point.y * map.height - 0.5), 0, map.height - 1);
+  __builtin_prefetch(&map.at(x, y));
+  __builtin_prefetch(&map.at(x, std::min(y + 1, map.height - 1)));
+}
+
+Vec3 Environment::direction_in(const Cell& chosen) const {
+  const Vec3 local = direction_within(light_.layout, cell(int(chosen.column.index), int(chosen.row.index)),
+                                      {chosen.column.remainder, chosen.row.remainder});
+  return light_.rotation.vector(local);
+}
+
+Environment::Sample Environment::sample_at(const Vec3& direction, MapPoint point) const {
   // The direction is rounded: all that is said of it is that of the point where it lies now.
-  const Vec3 direction = light_.rotation.vector(local);
-  const MapPoint point = point_of(direction);
   const float pdf = pdf_at(point);
   if (!(pdf > 0)) return {};
   return {direction, radiance_at(point), pdf};

@@ -6,6 +6,7 @@
 // dim and wide by themselves: part of the mean is subtracted before, and samples go to what is bright (Karlik
 // et al., "MIS Compensation", 2019).
 #pragma once
+#include <span>
 #include <vector>
 
 #include "core/direction_map.h"
@@ -30,10 +31,21 @@ class Environment {
   Rgb radiance(const Vec3& direction) const { return radiance_at(point_of(direction)); }
   /// u in [0, 1)^2.
   Sample sample(Vec2 u) const;
+  /// samples[i] = sample(u[i]), several at a time, so that they wait for memory together: the picture and its
+  /// distribution are larger than the nearer caches.
+  void sample(std::span<const Vec2> u, std::span<Sample> samples) const;
   /// The density, per solid angle, with which sample() chooses a unit direction.
   float pdf(const Vec3& direction) const { return pdf_at(point_of(direction)); }
 
  private:
+  /// Where a draw falls.
+  struct Cell {
+    Distribution::Choice row, column;
+  };
+  Vec3 direction_in(const Cell& chosen) const;
+  Sample sample_at(const Vec3& direction, MapPoint point) const;
+  /// Asks memory for the pixels at a point.
+  void prefetch(MapPoint point) const;
   MapPoint point_of(const Vec3& direction) const;
   Rgb radiance_at(MapPoint point) const;
   float pdf_at(MapPoint point) const;

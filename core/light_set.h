@@ -75,6 +75,11 @@ class LightSet {
   /// Whether there is less of the light's shape than its geometry (core/alpha_test.h), and so of its light.
   bool has_alpha(std::uint32_t light) const { return alphas_[light] != no_texture; }
 
+  /// Of an environment light; null for another light and for a group.
+  const Environment* environment(std::uint32_t light) const {
+    const bool is_one = light < size() && std::holds_alternative<EnvironmentLight>(lights_[light].source);
+    return is_one ? &environments_[environment_of_[light]] : nullptr;
+  }
   /// The patches of a mesh light that has few; none for any other.
   const PatchLight& patches(std::uint32_t light) const { return patches_[light]; }
 

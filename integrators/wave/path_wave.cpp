@@ -2,9 +2,11 @@
 #include "integrators/wave/path_wave.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/octahedron.h"
 #include "core/offset.h"
+#include "core/spawn_ray.h"
 #include "core/warp.h"
 #include "integrators/layer_records.h"
 
@@ -264,6 +266,7 @@ void PathWave::sample_light(std::uint32_t light) {
   // Lanes know neither alpha nor pictures.
   if (mesh && (mesh->picture || context_.transport.lights.has_alpha(light))) mesh = nullptr;
   const SphereLight* const sphere = plain_sphere(context_.transport.lights, light);
+  const Environment* const environment = context_.transport.lights.environment(light);
   const std::uint32_t count = context_.transport.samples_of(light);
   MisRequest mis{.count = float(count)};
   if (context_.transport.method == DirectMethod::mis) {
@@ -278,6 +281,8 @@ void PathWave::sample_light(std::uint32_t light) {
       sample_mesh_light(light, *mesh);
     else if (sphere)
       sample_sphere_light(*sphere);
+    else if (environment)
+      sample_environment(*environment);
     else
       sample_other_light(light);
     stages_.scatter_light(surfaces_, light_, paths_.size, mis, connections_);
@@ -318,6 +323,28 @@ void PathWave::sample_sphere_light(const SphereLight& light) {
   const float offset = sphere_offset(sphere.center, sphere.radius);
   stages_.sample_sphere_light(surfaces_, {light.radiance, sphere.center, sphere.radius, offset}, light_,
                               paths_.size);
+}
+
+void PathWave::sample_environment(const Environment& environment) {
+  std::array<Vec2, wave_size> draws;
+  std::array<Environment::Sample, wave_size> samples;
+  for (std::size_t i = 0; i < paths_.size; ++i) draws[i] = {light_.ux[i], light_.uy[i]};
+  environment.sample(std::span(draws).first(paths_.size), std::span(samples).first(paths_.size));
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    const Environment::Sample& sample = samples[i];
+    light_.direction.set(i, sample.direction);
+    light_.radiance.set(i, sample.radiance);
+    light_.pdf[i] = sample.pdf > 0 ? sample.pdf : 1;
+    SurfacePoint from;
+    from.position = surfaces_.point.position.at(i);
+    from.geometric_normal = surfaces_.point.normal.at(i);
+    from.offset = surfaces_.point.offset[i];
+    const Ray ray = sample.pdf > 0 ? spawn_ray(from, sample.direction) : Ray{};
+    light_.origin.set(i, ray.origin);
+    light_.towards.set(i, ray.direction);
+    light_.t_max[i] = ray.t_max;
+    light_.source[i] = 0;
+  }
 }
 
 void PathWave::sample_other_light(std::uint32_t light) {

@@ -116,6 +116,7 @@ class PathWave {
   void sample_mesh_light(std::uint32_t light, const MeshLight& mesh);
   void choose_of_many(const Distribution& triangles, const ShapeEntry& shape);
   void sample_sphere_light(const SphereLight& light);
+  void sample_environment(const Environment& environment);
   void sample_other_light(std::uint32_t light);
   void connect();
   /// What the ray of a hemisphere sample's connection brings.

@@ -272,6 +272,28 @@ TEST_CASE("compensation takes the mean away, and leaves nothing to sample of a c
   CHECK(mis_compensation(3) == 0.5);
 }
 
+TEST_CASE("many samples of an environment are those of each draw alone") {
+  for (const MapLayout layout : layouts)
+    for (const double compensation : {0.0, 1.0, 1e9}) {
+      const Environment environment({random_map(layout, 32), layout, slanted_mirror(), {1, 2, 3}},
+                                    compensation);
+      Random random(8);
+      for (const std::size_t count : {0u, 1u, 63u, 64u, 65u, 200u}) {
+        CAPTURE(name_of(layout), compensation, count);
+        std::vector<Vec2> draws(count);
+        for (Vec2& u : draws) u = draw(random);
+        std::vector<Environment::Sample> samples(count, {{1, 2, 3}, {4, 5, 6}, 7});
+        environment.sample(draws, samples);
+        for (std::size_t i = 0; i < count; ++i) {
+          const Environment::Sample alone = environment.sample(draws[i]);
+          CHECK(samples[i].direction == alone.direction);
+          CHECK(samples[i].radiance == alone.radiance);
+          CHECK(samples[i].pdf == alone.pdf);
+        }
+      }
+    }
+}
+
 TEST_CASE("a black environment is not sampled") {
   const Environment night({std::make_shared<Image>(4, 2)}, 0);
   CHECK(night.pdf({0, 1, 0}) == 0);

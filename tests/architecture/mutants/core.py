@@ -342,4 +342,8 @@ MUTANTS = [
     Mutant("triangles that share a corner alone are a surface", "core/loop_subdivision.cpp",
            "if (ring.size() != counts[vertex] + (ring.is_open ? 1 : 0)) return false;", "", "test_core",
            "a mesh that is no surface is not divided"),
+    Mutant("samples of an environment share a row", "core/environment.cpp",
+           "columns_of_[cells[i].row.index].sample(u[first + i].x)",
+           "columns_of_[cells[0].row.index].sample(u[first + i].x)", "test_core",
+           "many samples of an environment are those of each draw alone"),
 ]
