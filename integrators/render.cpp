@@ -167,9 +167,14 @@ class Renderer {
   /// Half of the pilot by which samples are spread.
   static constexpr std::uint32_t half_pilot = SampleAllocation::pilot / 2;
 
+  /// Whether there are any behind the pilot.
+  bool spreads_samples() const {
+    return options_.allocation == Allocation::error && range_.end > SampleAllocation::pilot;
+  }
+
   /// Once the pilot is there, spreads the samples by it. A pass ends at its half, too.
   void allocate(std::uint32_t samples) {
-    if (options_.allocation != Allocation::error) return;
+    if (!spreads_samples()) return;
     if (samples == half_pilot) half_pilot_ = pixel_means(film_);
     if (samples == SampleAllocation::pilot)
       allocation_.emplace(film_.window(), half_pilot_, pixel_means(film_));
@@ -177,7 +182,7 @@ class Renderer {
 
   /// Makes again the samples by which a render that goes on has spread its own. False where it is stopped.
   bool repeat_pilot(const Scene& scene) {
-    if (options_.allocation != Allocation::error) return true;
+    if (!spreads_samples()) return true;
     RenderOptions pilot{.width = options_.width,
                         .height = options_.height,
                         .window = options_.window,

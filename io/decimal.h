@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A word as a decimal number: what all readers of text files have in common. Each has messages of its own.
+// Words as decimal numbers, and numbers as such: what readers and writers of text files have in common. Each
+// has messages of its own.
 #pragma once
 #include <charconv>
 #include <cmath>
@@ -37,6 +38,15 @@ Decimal<Number> read_decimal(std::string_view word) {
     return {{}, is_tiny(word) ? DecimalFault::none : DecimalFault::too_large};
   if (!std::isfinite(double(value))) return {{}, DecimalFault::not_finite};
   return {value};
+}
+
+/// The double whose text is the shortest one that means this float.
+inline double shortest_decimal(float x) {
+  char digits[32];
+  const auto written = std::to_chars(digits, digits + sizeof digits, x);
+  double decimal = double(x);
+  std::from_chars(digits, written.ptr, decimal);
+  return decimal;
 }
 
 }  // namespace twinray

@@ -44,12 +44,9 @@ void PathWave::find_others() {
 
 SurfacePoint PathWave::found_surface(std::size_t i) const {
   const Hit& hit = wave_.hits[i];
-  SurfacePoint point;
-  point.position = surfaces_.point.position.at(i);
-  point.geometric_normal = surfaces_.point.normal.at(i);
+  SurfacePoint point = point_at(i);
   point.shading_normal = surfaces_.shading.at(i);
   point.uv = {hit.u, hit.v};
-  point.offset = surfaces_.point.offset[i];
   point.shape = hit.mesh;
   point.primitive = hit.primitive;
   point.instance = hit.instance;

@@ -335,11 +335,7 @@ void PathWave::sample_environment(const Environment& environment) {
     light_.direction.set(i, sample.direction);
     light_.radiance.set(i, sample.radiance);
     light_.pdf[i] = sample.pdf > 0 ? sample.pdf : 1;
-    SurfacePoint from;
-    from.position = surfaces_.point.position.at(i);
-    from.geometric_normal = surfaces_.point.normal.at(i);
-    from.offset = surfaces_.point.offset[i];
-    const Ray ray = sample.pdf > 0 ? spawn_ray(from, sample.direction) : Ray{};
+    const Ray ray = sample.pdf > 0 ? spawn_ray(point_at(i), sample.direction) : Ray{};
     light_.origin.set(i, ray.origin);
     light_.towards.set(i, ray.direction);
     light_.t_max[i] = ray.t_max;
@@ -347,14 +343,18 @@ void PathWave::sample_environment(const Environment& environment) {
   }
 }
 
+SurfacePoint PathWave::point_at(std::size_t surface) const {
+  SurfacePoint point;
+  point.position = surfaces_.point.position.at(surface);
+  point.geometric_normal = surfaces_.point.normal.at(surface);
+  point.offset = surfaces_.point.offset[surface];
+  return point;
+}
+
 void PathWave::sample_other_light(std::uint32_t light) {
-  SurfacePoint from;
   for (std::size_t i = 0; i < paths_.size; ++i) {
-    from.position = surfaces_.point.position.at(i);
-    from.geometric_normal = surfaces_.point.normal.at(i);
-    from.offset = surfaces_.point.offset[i];
-    const LightSample sample =
-        context_.transport.lights.sample(light, from, surfaces_.shading.at(i), {light_.ux[i], light_.uy[i]});
+    const LightSample sample = context_.transport.lights.sample(light, point_at(i), surfaces_.shading.at(i),
+                                                                {light_.ux[i], light_.uy[i]});
     light_.direction.set(i, sample.direction);
     light_.radiance.set(i, sample.radiance);
     light_.pdf[i] = sample.pdf;

@@ -79,6 +79,8 @@ class PathWave {
   bool has_textures() const { return !context_.transport.scene.textures.empty(); }
   /// The surface that path `i` has come to, once its point is found.
   SurfacePoint found_surface(std::size_t i) const;
+  /// Where rays leave a surface from.
+  SurfacePoint point_at(std::size_t surface) const;
   /// The same with what textures need to know of it, if there are any.
   SurfacePoint with_footprint(SurfacePoint point, std::size_t i) const;
   Rgb textured_reflectance(const ShapeEntry& shape, std::size_t i) const;

@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <string_view>
+
+#include "io/decimal.h"
 
 namespace twinray {
 namespace {
@@ -18,13 +19,7 @@ std::string beside(const std::string& path, const std::string& suffix) {
 
 }  // namespace
 
-Json json_of(float number) {
-  char digits[32];
-  const auto written = std::to_chars(digits, std::end(digits), number);
-  double decimal = 0;
-  std::from_chars(digits, written.ptr, decimal);
-  return decimal;
-}
+Json json_of(float number) { return shortest_decimal(number); }
 
 Json json_of(const Vec2& v) { return {json_of(v.x), json_of(v.y)}; }
 Json json_of(const Vec3& v) { return {json_of(v.x), json_of(v.y), json_of(v.z)}; }

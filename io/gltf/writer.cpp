@@ -116,11 +116,11 @@ class Shapes {
     if (is_new) entry->second = add_mesh(set.name, GltfJson::array({primitive(sphere_mesh({}), shape)}));
     for (const Sphere& sphere : set.spheres) {
       name_sphere();
-      const double r = gltf_number(sphere.radius);
+      const double r = shortest_decimal(sphere.radius);
       const Vec3& c = sphere.center;
       file_.add_node({{"name", asset_name(shape)},
                       {"mesh", entry->second},
-                      {"translation", {gltf_number(c.x), gltf_number(c.y), gltf_number(c.z)}},
+                      {"translation", {shortest_decimal(c.x), shortest_decimal(c.y), shortest_decimal(c.z)}},
                       {"scale", {r, r, r}}});
     }
   }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -55,15 +54,8 @@ std::string uri_of(const std::string& name) {
 
 }  // namespace
 
-double gltf_number(float x) {
-  const std::string text = fmt::format("{}", x);
-  double value = double(x);
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
 GltfJson gltf_color(const Rgb& color) {
-  return {gltf_number(color.r), gltf_number(color.g), gltf_number(color.b)};
+  return {shortest_decimal(color.r), shortest_decimal(color.g), shortest_decimal(color.b)};
 }
 
 GltfJson gltf_matrix(const Transform& transform) {

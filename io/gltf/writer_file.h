@@ -11,6 +11,7 @@
 #include "core/rgb.h"
 #include "core/transform.h"
 #include "core/vec.h"
+#include "io/decimal.h"
 #include "io/written_scene.h"
 
 namespace twinray {
@@ -18,8 +19,6 @@ namespace twinray {
 /// Objects keep their order.
 using GltfJson = nlohmann::ordered_json;
 
-/// The double whose text is the shortest one that means this float.
-double gltf_number(float x);
 GltfJson gltf_color(const Rgb& color);
 /// Column by column, as a node has it.
 GltfJson gltf_matrix(const Transform& transform);

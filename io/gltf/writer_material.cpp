@@ -95,7 +95,7 @@ class Properties {
                   std::pair<MaterialInput, float> input) {
     GltfChannels channels;
     channels.number[channel] = take(input.first);
-    object[factor] = channels.is_empty() ? gltf_number(input.second) : 1.0;
+    object[factor] = channels.is_empty() ? shortest_decimal(input.second) : 1.0;
     put(object, texture, channels);
   }
 
@@ -106,19 +106,19 @@ class Properties {
     if (alpha != no_texture) opacity = add_alpha(scene, alpha, color);
     GltfJson factor = gltf_color(color.color == no_texture ? model_.base_color : white);
     if (is_drawn(scene, color.color)) color.color = no_texture;  // Its vertices have the color.
-    factor.push_back(gltf_number(opacity));
+    factor.push_back(shortest_decimal(opacity));
     base["baseColorFactor"] = factor;
     put(base, "baseColorTexture", color);
     const Facets facets = read_facets();
     GltfChannels rough{.power = made_.roughness_power};
     rough.number[green] = take(roughness), rough.number[blue] = take(base_metalness);
     const bool is_rough = rough.number[green] != no_texture, is_metal = rough.number[blue] != no_texture;
-    base["metallicFactor"] = is_metal ? 1.0 : gltf_number(model_.base_metalness);
-    base["roughnessFactor"] = is_rough ? 1.0 : gltf_number(facets.roughness);
+    base["metallicFactor"] = is_metal ? 1.0 : shortest_decimal(model_.base_metalness);
+    base["roughnessFactor"] = is_rough ? 1.0 : shortest_decimal(facets.roughness);
     put(base, "metallicRoughnessTexture", rough);
     json_["pbrMetallicRoughness"] = base;
     if (facets.anisotropy > 0)
-      extension("KHR_materials_anisotropy")["anisotropyStrength"] = gltf_number(facets.anisotropy);
+      extension("KHR_materials_anisotropy")["anisotropyStrength"] = shortest_decimal(facets.anisotropy);
   }
 
   /// Sets the mode; a constant alpha is returned, all else is a channel of the base color's picture.
@@ -130,7 +130,7 @@ class Properties {
     color.number[alpha_channel] = alpha;
     if (const auto mask = mask_of(scene, alpha)) {
       json_["alphaMode"] = "MASK";
-      json_["alphaCutoff"] = gltf_number(std::max(mask->limit, 0.0f));
+      json_["alphaCutoff"] = shortest_decimal(std::max(mask->limit, 0.0f));
       color.number[alpha_channel] = mask->texture;
     }
     return 1;
@@ -153,7 +153,7 @@ class Properties {
       file_.output.losses.add("a material's index of refraction below 1 is 1",
                               "{} materials' indices of refraction below 1 are 1");
     if (model_.specular_ior != 1.5f)
-      extension("KHR_materials_ior")["ior"] = gltf_number(std::max(1.0f, model_.specular_ior));
+      extension("KHR_materials_ior")["ior"] = shortest_decimal(std::max(1.0f, model_.specular_ior));
     const auto is_specular = [](const TextureUse& use) {
       return use.input == specular_weight || use.input == specular_color;
     };
@@ -184,7 +184,7 @@ class Properties {
     // The color after the way at which the strongest channel is down to 1/e.
     constexpr float log2_e = 1.442695f;
     const auto channel = [&](float a) { return float(exp2_of(-double(a / most) * double(log2_e))); };
-    volume["attenuationDistance"] = gltf_number(1 / most);
+    volume["attenuationDistance"] = shortest_decimal(1 / most);
     volume["attenuationColor"] =
         gltf_color({channel(absorption.r), channel(absorption.g), channel(absorption.b)});
   }
@@ -195,7 +195,7 @@ class Properties {
     put_number(coat, "clearcoatFactor", "clearcoatTexture", red, {coat_weight, model_.coat_weight});
     GltfChannels rough{.power = made_.roughness_power};
     rough.number[green] = take(coat_roughness);
-    coat["clearcoatRoughnessFactor"] = rough.is_empty() ? gltf_number(model_.coat_roughness) : 1.0;
+    coat["clearcoatRoughnessFactor"] = rough.is_empty() ? shortest_decimal(model_.coat_roughness) : 1.0;
     put(coat, "clearcoatRoughnessTexture", rough);
   }
 
@@ -285,7 +285,8 @@ void GltfMaterialWriter::add_emission(std::uint32_t light, GltfJson& json) {
   json["doubleSided"] = mesh && mesh->side == EmissionSide::both;
   if (emitted.strength == 1) return;
   file_.use("KHR_materials_emissive_strength");
-  json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = gltf_number(emitted.strength);
+  json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] =
+      shortest_decimal(emitted.strength);
 }
 
 }  // namespace twinray

@@ -64,8 +64,10 @@ class Lights {
 
   GltfJson light_of(const char* type, const Rgb& amount) {
     const auto [color, strength] = gltf_light(amount);
-    return {
-        {"name", name_}, {"type", type}, {"color", gltf_color(color)}, {"intensity", gltf_number(strength)}};
+    return {{"name", name_},
+            {"type", type},
+            {"color", gltf_color(color)},
+            {"intensity", shortest_decimal(strength)}};
   }
   void place(const GltfJson& light, const GltfJson& place) {
     GltfJson node{{"name", name_}};
@@ -75,7 +77,7 @@ class Lights {
     file_.add_node(node);
   }
   static GltfJson at(const Vec3& p) {
-    return {{"translation", {gltf_number(p.x), gltf_number(p.y), gltf_number(p.z)}}};
+    return {{"translation", {shortest_decimal(p.x), shortest_decimal(p.y), shortest_decimal(p.z)}}};
   }
   static GltfJson along(const Vec3& direction, const Vec3& position) {
     const Frame frame(-direction);
@@ -147,17 +149,17 @@ void add_gltf_camera(const SceneToWrite& input, GltfFile& file) {
   if (camera.projection == Projection::orthographic) {
     lens = {{"type", "orthographic"},
             {"orthographic",
-             {{"xmag", gltf_number(camera.tan_half_width)},
-              {"ymag", gltf_number(camera.tan_half_height)},
-              {"znear", gltf_number(camera.clip_near)},
-              {"zfar", gltf_number(far)}}}};
+             {{"xmag", shortest_decimal(camera.tan_half_width)},
+              {"ymag", shortest_decimal(camera.tan_half_height)},
+              {"znear", shortest_decimal(camera.clip_near)},
+              {"zfar", shortest_decimal(far)}}}};
   } else {
     lens = {{"type", "perspective"},
             {"perspective",
-             {{"aspectRatio", gltf_number(camera.tan_half_width / camera.tan_half_height)},
+             {{"aspectRatio", shortest_decimal(camera.tan_half_width / camera.tan_half_height)},
               {"yfov", 4 * pi_double * atan2_turns(double(camera.tan_half_height), 1)},
-              {"znear", gltf_number(near)}}}};
-    if (std::isfinite(camera.clip_far)) lens["perspective"]["zfar"] = gltf_number(camera.clip_far);
+              {"znear", shortest_decimal(near)}}}};
+    if (std::isfinite(camera.clip_far)) lens["perspective"]["zfar"] = shortest_decimal(camera.clip_far);
   }
   const std::size_t index = file.add("cameras", lens);
   file.add_node({{"name", "camera"},

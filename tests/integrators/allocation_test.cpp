@@ -253,6 +253,21 @@ TEST_CASE("spread samples have the bits of an undisturbed render, wherever that 
   CHECK_THROWS_AS(resumed(expected, by_error(40, 2)), Error);
 }
 
+TEST_CASE("a render that has no more than the pilot is even, and goes on") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, {.max_depth = 2});
+  for (const std::uint32_t samples : {8u, 12u, 16u}) {
+    CAPTURE(samples);
+    RenderOptions even = by_error(samples, 2);
+    even.allocation = Allocation::even;
+    const RenderResult expected = render_with(scene, path, even);
+    RenderResult begun = render_with(scene, path, by_error(8, 1));
+    RenderOptions more = by_error(samples, 2);
+    more.restore = [&](RenderState& empty) { empty = begun; };
+    CHECK(same_bits(render_with(scene, path, more).film, expected.film));
+  }
+}
+
 TEST_CASE("a render that is stopped while it makes its pilot again is not complete, and keeps what it has") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 2});

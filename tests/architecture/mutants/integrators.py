@@ -320,4 +320,8 @@ MUTANTS = [
            "test_integrators", SPREAD_RESUMED),
     Mutant("a render that goes on spreads no samples", "integrators/render.cpp",
            "!repeat_pilot(scene)", "false", "test_integrators", SPREAD_RESUMED),
+    Mutant("a render with no more than the pilot makes it again", "integrators/render.cpp",
+           "options_.allocation == Allocation::error && range_.end > SampleAllocation::pilot",
+           "options_.allocation == Allocation::error", "test_integrators",
+           "a render that has no more than the pilot is even, and goes on"),
 ]
