@@ -110,6 +110,8 @@ set(private_headers
   io/exchange/entry.h
   io/exchange/json.h
   io/exchange/members.h
+  io/exchange/texture.h
+  io/exchange/words.h
   io/gltf/writer_file.h
   io/gltf/writer_material.h
   io/gltf/writer_texture.h

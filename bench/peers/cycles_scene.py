@@ -7,7 +7,7 @@ rectangle stands just behind it. Our depth m is Cycles' m - 1 bounces behind the
 import math
 
 from exchange import (Unsupported, columns_as_rows, cross, dot, half_size, has_inverse_square_law, light_of,
-                      read_ply, rectangle, scaled, subtract, unit)
+                      read_ply, rectangle, refuse_holes, refuse_picture, scaled, subtract, unit)
 
 BEHIND = 1e-4  # the distance of the black rectangle, of the lamp's half width
 RINGS = 128    # of a sphere's mesh, each of twice as many faces
@@ -111,6 +111,10 @@ def lamp_of(shape, light):
 
 
 def one_shape(shape, ours, light):
+    refuse_holes(shape, "Cycles")
+    refuse_picture(light, "Cycles")
+    if "textures" in ours or "normal_map" in ours or "bump_map" in ours:
+        raise Unsupported(f"the textures of \"{ours['name']}\" are not converted for Cycles")
     lamp = lamp_of(shape, light)
     if light is not None and lamp is None and light.get("side", "both") != "both":
         raise Unsupported(f"the light \"{light['name']}\", one side of a mesh, is not converted for Cycles")

@@ -59,12 +59,35 @@ def columns_as_rows(x, y, z, origin):
 def read_scene(path):
     """The scene as its JSON file has it, each "file" as a whole path."""
     scene = json.loads(Path(path).read_text(encoding="utf-8"))
-    if scene.get("format") != "twinray scene" or scene.get("version") not in (1, 2):
-        raise Unsupported(f"{path}: this is no scene in twinray's exchange form, version 1 or 2")
-    for entry in scene["shapes"] + scene["lights"]:
+    if scene.get("format") != "twinray scene" or scene.get("version") not in (1, 2, 3):
+        raise Unsupported(f"{path}: this is no scene in twinray's exchange form, version 1 to 3")
+    for entry in scene["shapes"] + scene["lights"] + scene.setdefault("textures", []):
         if "file" in entry:
             entry["file"] = str(Path(path).resolve().parent / entry["file"])
     return scene
+
+
+def textures_of(material, scene, peer):
+    """What textures give the material, by the name of its number or colour: entries of the scene's list."""
+    for relief in ("normal_map", "bump_map"):
+        if relief in material:
+            raise Unsupported(f"the {relief} of \"{material['name']}\" is not converted for {peer}")
+    for use in material.get("textures", []):
+        if use["meaning"] != "value":
+            raise Unsupported(f"the {use['input']} of \"{material['name']}\" is not converted for {peer}: "
+                              f"it is the {use['meaning']} of a texture")
+    return {use["input"]: scene["textures"][use["texture"]] for use in material.get("textures", [])}
+
+
+def refuse_holes(shape, peer):
+    if "alpha" in shape:
+        raise Unsupported(f"the holes of \"{shape['name']}\" are not converted for {peer}")
+
+
+def refuse_picture(light, peer):
+    """A mesh that emits differently from point to point."""
+    if light is not None and "file" in light:
+        raise Unsupported(f"the picture of the light \"{light['name']}\" is not converted for {peer}")
 
 
 def light_of(scene, shape):

@@ -16,8 +16,9 @@ def loadable(value):
     if not isinstance(value, dict):
         return value
     result = {key: loadable(entry) for key, entry in value.items()}
-    if "to_world" in result:
-        result["to_world"] = mitsuba.ScalarTransform4f(result["to_world"])
+    for place in ("to_world", "to_uv"):
+        if place in result:
+            result[place] = mitsuba.ScalarTransform4f(result[place])
     if "tan_half_width" in result:
         result["fov"] = 2 * math.degrees(math.atan(result.pop("tan_half_width")))
         result["fov_axis"] = "x"

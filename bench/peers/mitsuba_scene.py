@@ -5,15 +5,50 @@ mitsuba_render.py gives it to Mitsuba. Our depth m is Mitsuba's max_depth m + 1,
 vertex, too.
 """
 from exchange import (Unsupported, columns_as_rows, cross, half_size, has_inverse_square_law, has_normals,
-                      light_of, read_ply, rectangle, scaled, unit)
+                      light_of, read_ply, rectangle, refuse_holes, refuse_picture, scaled, textures_of, unit)
 
 NO_ROULETTE = 1 << 20  # Mitsuba's roulette begins at a depth that no path has
 DEFAULT_ROULETTE = 5
+COLORS = ("reflectance", "transmittance", "eta", "k")
 SMOOTH = 1e-3  # alpha below which a surface is a smooth one, as here and in pbrt
 
 
 def rgb(values):
     return {"type": "rgb", "value": list(values)}
+
+
+def uv_transform(rows, scale=1):
+    """A map of texture coordinates, and behind it a factor."""
+    (a, b, c), (d, e, f) = rows
+    return [[scale * a, scale * b, 0, scale * c], [scale * d, scale * e, 0, scale * f], [0, 0, 1, 0],
+            [0, 0, 0, 1]]
+
+
+def texture(ours, scene):
+    kind = ours["type"]
+    if kind == "constant":
+        return rgb(ours["value"])
+    if kind == "image" and ours["wrap"] != "black":  # Mitsuba's v runs downwards in a picture
+        (a, b, c), (d, e, f) = ours["uv"]
+        return {"type": "bitmap", "filename": ours["file"], "raw": True, "wrap_mode": ours["wrap"],
+                "filter_type": "nearest" if ours["filter"] == "nearest" else "bilinear",
+                "to_uv": uv_transform([[a, b, c], [-d, -e, 1 - f]])}
+    if kind == "checkerboard":  # Mitsuba's squares have the side 1/2
+        return {"type": "checkerboard", "to_uv": uv_transform(ours["uv"], 0.5),
+                "color0": texture(scene["textures"][ours["first"]], scene),
+                "color1": texture(scene["textures"][ours["second"]], scene)}
+    raise Unsupported(f"the texture \"{ours['name']}\" of the type {kind} is not converted for Mitsuba")
+
+
+def with_textures(ours, scene):
+    """The material, its colours as Mitsuba has them: texture() of those that textures give."""
+    given = textures_of(ours, scene, "Mitsuba")
+    for name, entry in given.items():
+        if name not in COLORS:
+            raise Unsupported(f"the texture of {name} of \"{ours['name']}\" is not converted for Mitsuba")
+    colors = {name: texture(given[name], scene) if name in given else rgb(ours[name])
+              for name in COLORS if name in ours}
+    return {**ours, **colors}
 
 
 def camera(scene, samples, sampler, seed):
@@ -42,8 +77,8 @@ def facets(alpha):
 
 
 def dielectric(ours):
-    values = {"int_ior": ours["ior"], "ext_ior": 1.0, "specular_reflectance": rgb(ours["reflectance"]),
-              "specular_transmittance": rgb(ours["transmittance"])}
+    values = {"int_ior": ours["ior"], "ext_ior": 1.0, "specular_reflectance": ours["reflectance"],
+              "specular_transmittance": ours["transmittance"]}
     if ours["type"] == "thin_dielectric":
         return {"type": "thindielectric", **values}
     alpha = ours.get("alpha", [0, 0])  # CS184's glass has none
@@ -53,14 +88,14 @@ def dielectric(ours):
 
 
 def conductor(ours):
-    values = {"eta": rgb(ours["eta"]), "k": rgb(ours["k"]), "specular_reflectance": rgb(ours["reflectance"])}
+    values = {"eta": ours["eta"], "k": ours["k"], "specular_reflectance": ours["reflectance"]}
     if max(ours["alpha"]) < SMOOTH:
         return {"type": "conductor", **values}
     return {"type": "roughconductor", **values, **facets(ours["alpha"])}
 
 
 def coated_diffuse(ours):
-    values = {"int_ior": ours["ior"], "ext_ior": 1.0, "diffuse_reflectance": rgb(ours["reflectance"]),
+    values = {"int_ior": ours["ior"], "ext_ior": 1.0, "diffuse_reflectance": ours["reflectance"],
               "nonlinear": True}
     alpha = ours["alpha"]
     if max(alpha) < SMOOTH:
@@ -70,19 +105,20 @@ def coated_diffuse(ours):
     return {"type": "roughplastic", "distribution": "ggx", "alpha": alpha[0], **values}
 
 
-def material(ours):
+def material(entry, scene):
+    ours = with_textures(entry, scene)
     kind = ours["type"]
     if kind == "lambert":
-        return {"type": "twosided", "bsdf": {"type": "diffuse", "reflectance": rgb(ours["reflectance"])}}
+        return {"type": "twosided", "bsdf": {"type": "diffuse", "reflectance": ours["reflectance"]}}
     if kind == "mirror":
         return {"type": "twosided", "bsdf": {"type": "conductor", "material": "none",
-                                             "specular_reflectance": rgb(ours["reflectance"])}}
+                                             "specular_reflectance": ours["reflectance"]}}
     if kind in ("glass", "dielectric", "thin_dielectric"):
         return dielectric(ours)
     if kind == "microfacet":
         return {"type": "twosided", "bsdf": {"type": "roughconductor", "distribution": ours["distribution"],
-                                             "alpha": ours["alpha"], "eta": rgb(ours["eta"]),
-                                             "k": rgb(ours["k"])}}
+                                             "alpha": ours["alpha"], "eta": ours["eta"],
+                                             "k": ours["k"]}}
     if kind == "conductor":
         return {"type": "twosided", "bsdf": conductor(ours)}
     if kind == "coated_diffuse":
@@ -136,8 +172,10 @@ def shapes(scene):
     """Each of them, behind the number of the prototype that it belongs to, or None."""
     for shape in scene["shapes"]:
         light = light_of(scene, shape)
+        refuse_holes(shape, "Mitsuba")
+        refuse_picture(light, "Mitsuba")
         for entry in [mesh(shape, light)] if shape["type"] == "mesh" else spheres(shape):
-            entry["bsdf"] = material(scene["materials"][shape["material"]])
+            entry["bsdf"] = material(scene["materials"][shape["material"]], scene)
             if light is not None:
                 entry["emitter"] = {"type": "area", "radiance": rgb(light["radiance"])}
             yield shape.get("prototype"), entry

@@ -119,6 +119,14 @@ bool Entry::flag(const char* key) const {
   return at(key).get<bool>();
 }
 
+std::string Entry::file_beside(const std::string& path) const {
+  const std::filesystem::path name = word("file");
+  const bool has_zero = name.native().find('\0') != std::string::npos;
+  if (name.empty() || name != name.filename() || has_zero)
+    fail("file", fmt::format("is \"{}\"; it must be the name of a file beside this one", name.string()));
+  return (std::filesystem::path(path).parent_path() / name).string();
+}
+
 void MemberReader::operator()(const char* key, Rgb& member, Valid valid) const {
   const auto n = entry_.numbers(key, 3, valid);
   member = {n[0], n[1], n[2]};
@@ -136,14 +144,13 @@ void MemberReader::operator()(const char* key, Vec3& member) const {
   member = {n[0], n[1], n[2]};
 }
 
-void MemberReader::operator()(const char* key, EmissionSide& member) const {
-  member = entry_.named<EmissionSide>(
-      key, {{"front", EmissionSide::front}, {"back", EmissionSide::back}, {"both", EmissionSide::both}});
-}
-
-void MemberReader::operator()(const char* key, MapLayout& member) const {
-  member = entry_.named<MapLayout>(
-      key, {{"latitude-longitude", MapLayout::latitude_longitude}, {"equal-area", MapLayout::equal_area}});
+void MemberReader::operator()(const char* key, UvTransform& member) const {
+  const Json& rows = entry_.list(key, 2);
+  for (std::size_t row = 0; row < 2; ++row) {
+    if (!rows[row].is_array() || rows[row].size() != 3) entry_.fail(key, "must be 2 rows of 3 numbers");
+    for (std::size_t column = 0; column < 3; ++column)
+      member.m[row][column] = entry_.number(key, rows[row][column]);
+  }
 }
 
 void MemberReader::operator()(const char* key, Transform& rotation) const {

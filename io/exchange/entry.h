@@ -5,10 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "io/exchange/json.h"
+#include "io/exchange/words.h"
 
 namespace twinray {
 
@@ -52,9 +55,11 @@ class Entry {
   std::uint32_t index(const char* key) const;
   std::string word(const char* key) const;
   bool flag(const char* key) const;
+  /// The path of the file that it names: one in the folder of the file that it stands in.
+  std::string file_beside(const std::string& path) const;
   /// The value whose name stands there.
   template <typename Value>
-  Value named(const char* key, const std::vector<std::pair<std::string, Value>>& values) const {
+  Value named(const char* key, const Words<Value>& values) const {
     const std::string found = word(key);
     std::string valid;
     for (const auto& [name, value] : values) {
@@ -84,8 +89,10 @@ class MemberReader {
   void operator()(const char* key, bool& member) const { member = entry_.flag(key); }
   void operator()(const char* key, std::uint32_t& member) const { member = entry_.index(key); }
   void operator()(const char* key, std::int32_t& member) const { member = std::int32_t(entry_.index(key)); }
-  void operator()(const char* key, EmissionSide& member) const;
-  void operator()(const char* key, MapLayout& member) const;
+  void operator()(const char* key, UvTransform& member) const;
+  template <typename Word>
+  requires std::is_enum_v<Word>
+  void operator()(const char* key, Word& member) const { member = entry_.named(key, words<Word>()); }
   void operator()(const char* key, Transform& rotation) const;
   void operator()(const char* key, Attenuation& member) const;
   /// A unit vector.
@@ -95,5 +102,16 @@ class MemberReader {
  private:
   const Entry entry_;
 };
+
+/// Of a variant with each of its types, the one that an entry names, with its members.
+template <typename Variant>
+Variant described_by(const Entry& entry, std::vector<Variant> types) {
+  Words<Variant*> names;
+  for (Variant& each : types)
+    names.emplace_back(std::visit([](const auto& value) { return type_name(value); }, each), &each);
+  Variant& chosen = *entry.named("type", names);
+  std::visit([&](auto& value) { members(MemberReader(entry), value); }, chosen);
+  return std::move(chosen);
+}
 
 }  // namespace twinray

@@ -26,15 +26,6 @@ Json json_of(const Vec3& v) { return {json_of(v.x), json_of(v.y), json_of(v.z)};
 Json json_of(const Rgb& color) { return {json_of(color.r), json_of(color.g), json_of(color.b)}; }
 Json json_of(const Roughness& roughness) { return {json_of(roughness.x), json_of(roughness.y)}; }
 
-Json json_of(EmissionSide side) {
-  if (side == EmissionSide::both) return "both";
-  return side == EmissionSide::front ? "front" : "back";
-}
-
-Json json_of(MapLayout layout) {
-  return layout == MapLayout::equal_area ? "equal-area" : "latitude-longitude";
-}
-
 Json json_of(const Transform& rotation) {
   Json object;
   for (int column = 0; column < 3; ++column)
@@ -50,11 +41,20 @@ Json json_of(const Attenuation& attenuation) {
   return object;
 }
 
+Json json_of(const UvTransform& uv) {
+  Json rows = Json::array();
+  for (const auto& row : uv.m) rows.push_back({json_of(row[0]), json_of(row[1]), json_of(row[2])});
+  return rows;
+}
+
 std::string exchange_mesh_file(const std::string& path, std::size_t shape) {
   return beside(path, fmt::format("-{}.ply", shape));
 }
 std::string exchange_light_file(const std::string& path, std::size_t light) {
   return beside(path, fmt::format("-light-{}.exr", light));
+}
+std::string exchange_texture_file(const std::string& path, std::size_t texture) {
+  return beside(path, fmt::format("-texture-{}.exr", texture));
 }
 
 }  // namespace twinray

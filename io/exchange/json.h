@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <type_traits>
 
 #include "core/light.h"
 #include "core/material.h"
 #include "core/vec.h"
 #include "io/exchange/members.h"
+#include "io/exchange/words.h"
 
 namespace twinray {
 
@@ -21,11 +23,18 @@ Json json_of(const Vec2& v);
 Json json_of(const Vec3& v);
 Json json_of(const Rgb& color);
 Json json_of(const Roughness& roughness);
-Json json_of(EmissionSide side);
-Json json_of(MapLayout layout);
+/// A value of one of the sets in io/exchange/words.h.
+template <typename Word>
+requires std::is_enum_v<Word> Json json_of(Word word) {
+  for (const auto& [name, value] : words<Word>())
+    if (value == word) return name;
+  return nullptr;
+}
 /// The columns of a rotation, with all their digits: where the axes of the picture's space point to.
 Json json_of(const Transform& rotation);
 Json json_of(const Attenuation& attenuation);
+/// Its two rows.
+Json json_of(const UvTransform& uv);
 inline Json json_of(std::uint32_t index) { return index; }
 inline Json json_of(std::int32_t number) { return number; }
 inline Json json_of(bool flag) { return flag; }
@@ -54,8 +63,9 @@ Json described(Described value) {
   return object;
 }
 
-/// The files that stand beside the JSON file of this path, by the numbers of shape or light.
+/// The files that stand beside the JSON file of this path, by the numbers of shape, light or texture.
 std::string exchange_mesh_file(const std::string& path, std::size_t shape);
 std::string exchange_light_file(const std::string& path, std::size_t light);
+std::string exchange_texture_file(const std::string& path, std::size_t texture);
 
 }  // namespace twinray

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private: what the exchange form says of materials and lights, in its order. Each is described once, for the
-// writer and the reader: members(visit, x) calls visit(key, member, valid) for what is a number or a colour,
-// and visit(key, member) for the rest.
+// Private: what the exchange form says of textures, materials and lights, in its order. Each is described
+// once, for the writer and the reader: members(visit, x) calls visit(key, member, valid) for what is a number
+// or a colour, and visit(key, member) for the rest.
 #pragma once
 #include "core/light.h"
 #include "core/material.h"
+#include "core/texture.h"
 
 namespace twinray {
 
 /// The numbers that a member may have; those of colours, each of the three. All are finite.
 enum class Valid { any, not_negative, positive, at_least_one, part };
 
-// The types of materials,
+// The types of textures,
+inline const char* type_name(const ConstantTexture&) { return "constant"; }
+inline const char* type_name(const ImageTexture&) { return "image"; }
+inline const char* type_name(const ScaleTexture&) { return "scale"; }
+inline const char* type_name(const MixTexture&) { return "mix"; }
+inline const char* type_name(const CheckerboardTexture&) { return "checkerboard"; }
+// of materials,
 inline const char* type_name(const Lambert&) { return "lambert"; }
 inline const char* type_name(const Mirror&) { return "mirror"; }
 inline const char* type_name(const Refraction&) { return "refraction"; }
@@ -37,6 +44,42 @@ inline const char* type_name(const EnvironmentLight&) { return "environment"; }
 inline const char* type_name(const GoniometricLight&) { return "goniometric"; }
 inline const char* type_name(const ProjectionLight&) { return "projection"; }
 inline const char* type_name(const SunLight&) { return "sun"; }
+
+template <typename Visit>
+void members(const Visit& visit, ConstantTexture& texture) {
+  visit("value", texture.value, Valid::any);
+}
+template <typename Visit>
+void members(const Visit& visit, ImageTexture& texture) {
+  visit("wrap", texture.wrap);
+  visit("filter", texture.filter);
+  visit("uv", texture.uv);
+}
+template <typename Visit>
+void members(const Visit& visit, ScaleTexture& texture) {
+  visit("first", texture.first);
+  visit("second", texture.second);
+}
+template <typename Visit>
+void members(const Visit& visit, MixTexture& texture) {
+  visit("first", texture.first);
+  visit("second", texture.second);
+  visit("amount", texture.amount);
+}
+template <typename Visit>
+void members(const Visit& visit, CheckerboardTexture& texture) {
+  visit("first", texture.first);
+  visit("second", texture.second);
+  visit("uv", texture.uv);
+}
+
+/// What a texture gives a material.
+template <typename Visit>
+void members(const Visit& visit, TextureUse& use) {
+  visit("input", use.input);
+  visit("texture", use.texture);
+  visit("meaning", use.meaning);
+}
 
 template <typename Visit>
 void members(const Visit& visit, Lambert& m) {

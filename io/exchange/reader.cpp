@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
+#include <map>
 #include <string_view>
 #include <utility>
 
+#include "core/alpha_test.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "io/exchange/entry.h"
+#include "io/exchange/texture.h"
 #include "io/input_file.h"
 #include "io/mesh_scene.h"
 #include "io/picture/image_file.h"
@@ -20,22 +22,6 @@
 
 namespace twinray {
 namespace {
-
-/// Of a variant with each of its types, the one that an entry names, with its members.
-template <typename Variant>
-Variant described_by(const Entry& entry, std::vector<Variant> types) {
-  const std::string type = entry.word("type");
-  std::string valid;
-  for (Variant& each : types) {
-    const char* const name = std::visit([](const auto& value) { return type_name(value); }, each);
-    if (type == name) {
-      std::visit([&](auto& value) { members(MemberReader(entry), value); }, each);
-      return std::move(each);
-    }
-    valid += fmt::format("{}{}", valid.empty() ? "" : ", ", name);
-  }
-  entry.fail("type", fmt::format("is \"{}\"; valid are {}", type, valid));
-}
 
 SurfaceModel read_model(const Entry& entry) {
   return described_by<SurfaceModel>(
@@ -70,6 +56,9 @@ class Reader {
     const Json json = parse(text);
     const Entry file(json, path_);
     check_version(file);
+    WarningList warnings(options_.strict);
+    loaded_.scene.textures = read_textures(file, path_, options_, warnings);
+    loaded_.warnings = warnings.items();
     read_materials(file);
     if (!options_.surfaces_only) read_lights(file);
     read_shapes(file);
@@ -93,31 +82,28 @@ class Reader {
   void check_version(const Entry& file) const {
     if (!file.has("format") || file.word("format") != "twinray scene")
       file.fail("format", "is not \"twinray scene\": this is another kind of JSON file");
-    if (const std::uint32_t version = file.index("version"); version != 1 && version != 2)
-      file.fail("version", fmt::format("is {}; versions 1 and 2 are known", version));
+    if (const std::uint32_t version = file.index("version"); version < 1 || version > 3)
+      file.fail("version", fmt::format("is {}; versions 1 to 3 are known", version));
   }
 
   void read_materials(const Entry& file) {
     file.for_each("materials", [&](const Entry& entry) {
       Material material{.name = entry.word("name"), .model = read_model(entry), .textures = {}};
       if (entry.has("interior")) members(MemberReader(entry.entry("interior")), material.interior);
-      textured_ += entry.has("textured");
+      if (entry.has("textures"))
+        entry.for_each("textures", [&](const Entry& each) {
+          TextureUse use;
+          members(MemberReader(each), use);
+          material.textures.push_back(use);
+        });
+      if (entry.has("normal_map")) material.normal_map = entry.index("normal_map");
+      if (entry.has("bump_map")) material.bump_map = entry.index("bump_map");
       loaded_.scene.materials.push_back(std::move(material));
     });
   }
 
-  /// The file that an entry names: one in the folder of this one.
-  std::string file_of(const Entry& entry) const {
-    const std::filesystem::path name = entry.word("file");
-    const bool has_zero = name.native().find('\0') != std::string::npos;
-    if (name.empty() || name != name.filename() || has_zero)
-      entry.fail("file",
-                 fmt::format("is \"{}\"; it must be the name of a file beside this one", name.string()));
-    return (std::filesystem::path(path_).parent_path() / name).string();
-  }
-
   std::shared_ptr<const Image> read_picture(const Entry& entry) const {
-    const std::string path = file_of(entry);
+    const std::string path = entry.file_beside(path_);
     options_.add_file(path);
     const Image image = at_place(entry.place(), [&] { return decode_image(read_(path), path); });
     for (const Rgb& pixel : image.pixels)
@@ -129,7 +115,9 @@ class Reader {
   void read_lights(const Entry& file) {
     file.for_each("lights", [&](const Entry& entry) {
       Light light{entry.word("name"), read_source(entry)};
-      if (auto* environment = std::get_if<EnvironmentLight>(&light.source))
+      if (auto* mesh = std::get_if<MeshLight>(&light.source); mesh && entry.has("file"))
+        mesh->picture = read_picture(entry);
+      else if (auto* environment = std::get_if<EnvironmentLight>(&light.source))
         environment->map = read_picture(entry);
       else if (auto* goniometric = std::get_if<GoniometricLight>(&light.source))
         goniometric->map = read_picture(entry);
@@ -161,7 +149,8 @@ class Reader {
     file.for_each("shapes", [&](const Entry& entry) {
       const std::string type = entry.word("type");
       if (type == "mesh") {
-        meshes_.push_back({.shape = shapes_.size(), .path = file_of(entry), .place = entry.place()});
+        meshes_.push_back(
+            {.shape = shapes_.size(), .path = entry.file_beside(path_), .place = entry.place()});
         shapes_.emplace_back(Mesh{.name = entry.word("name")});
       } else if (type == "spheres") {
         shapes_.emplace_back(read_spheres(entry));
@@ -170,14 +159,30 @@ class Reader {
       }
       ShapeBinding binding{.material = entry.index("material")};
       if (entry.has("light") && !options_.surfaces_only) binding.light = entry.index("light");
+      if (entry.has("alpha")) binding.alpha = texture_of(entry, "alpha");
+      if (entry.has("asset")) binding.asset = asset_of(entry.word("asset"));
       loaded_.scene.bindings.push_back(binding);
-      textured_ += entry.has("textured");
       note_prototype(entry);
     });
     for (const PendingMesh& mesh : meshes_) options_.add_file(mesh.path);
     parallel_for(meshes_.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) read_mesh(meshes_[i]);
     });
+  }
+
+  std::uint32_t texture_of(const Entry& entry, const char* key) const {
+    const std::uint32_t index = entry.index(key);
+    const std::size_t count = loaded_.scene.textures.size();
+    if (index >= count) entry.fail(key, fmt::format("is {}; there are {} textures", index, count));
+    return index;
+  }
+
+  /// The number of the asset of this name.
+  std::uint32_t asset_of(const std::string& name) {
+    std::vector<std::string>& assets = loaded_.scene.assets;
+    const auto [asset, is_new] = assets_.try_emplace(name, std::uint32_t(assets.size()));
+    if (is_new) assets.push_back(name);
+    return asset->second;
   }
 
   /// Shapes of a prototype follow each other, behind those of the scene.
@@ -211,7 +216,9 @@ class Reader {
   void assemble(Instancing instancing) {
     Scene& scene = loaded_.scene;
     at_place(path_, [&] {
-      scene.geometry = std::make_shared<const Geometry>(std::move(shapes_), nullptr, std::move(instancing));
+      check_textures(scene.textures);
+      scene.geometry = std::make_shared<const Geometry>(
+          cut_out(std::move(shapes_), scene.bindings, scene.textures, std::move(instancing)));
       check_scene(scene);
     });
     if (!options_.surfaces_only) check_emitters();
@@ -308,11 +315,8 @@ class Reader {
   void finish() {
     SceneSummary& summary = loaded_.summary;
     summary.unit_name.clear();
+    summary.camera = "camera";
     for (const PendingMesh& mesh : meshes_) summary.dropped_triangles += mesh.repairs.dropped_triangles;
-    if (textured_ > 0)
-      summary.notes.push_back(fmt::format(
-          "{} materials and shapes had textures: this form has what is the same everywhere in their place",
-          textured_));
     count_scene(loaded_.scene, summary);
   }
 
@@ -323,7 +327,7 @@ class Reader {
   std::vector<Shape> shapes_;
   std::vector<PendingMesh> meshes_;
   std::vector<ShapeRange> prototypes_;
-  std::size_t textured_ = 0;
+  std::map<std::string, std::uint32_t> assets_;  ///< The numbers of their names.
 };
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
-#include "core/textured_material.h"
 #include "io/exchange/json.h"
 #include "io/output_file.h"
 #include "io/picture/image_file.h"
@@ -16,6 +16,7 @@ namespace {
 
 /// The picture that a light is made of; null for most.
 const Image* picture_of(const Light& light) {
+  if (const auto* source = std::get_if<MeshLight>(&light.source)) return source->picture.get();
   if (const auto* source = std::get_if<EnvironmentLight>(&light.source)) return source->map.get();
   if (const auto* source = std::get_if<GoniometricLight>(&light.source)) return source->map.get();
   const auto* projection = std::get_if<ProjectionLight>(&light.source);
@@ -42,15 +43,25 @@ Json camera_json(const Camera& camera) {
   return json;
 }
 
-/// A light of a picture has, on a mesh, its mean radiance.
-Json source_json(const LightSource& source) {
-  if (const auto* mesh = std::get_if<MeshLight>(&source))
-    return described(MeshLight{mesh->shape, mean_radiance(*mesh), mesh->side});
-  return std::visit([](const auto& other) { return described(other); }, source);
+/// Of a texture, of a material's model or of a light's source.
+template <typename Variant>
+Json json_of_any(const Variant& variant) {
+  return std::visit([](const auto& value) { return described(value); }, variant);
 }
 
-Json model_json(const SurfaceModel& model) {
-  return std::visit([](const auto& m) { return described(m); }, model);
+/// The picture of a texture; null for most.
+const MipMap* picture_of(const Texture& texture) {
+  const auto* image = std::get_if<ImageTexture>(&texture.model);
+  return image ? image->image.get() : nullptr;
+}
+
+/// Of each texture the first one of the same picture: its number stands in the file's name.
+std::vector<std::size_t> first_of_picture(const Scene& scene) {
+  std::vector<std::size_t> first;
+  std::map<const MipMap*, std::size_t> known;
+  for (std::size_t i = 0; i < scene.textures.size(); ++i)
+    first.push_back(known.try_emplace(picture_of(scene.textures[i]), i).first->second);
+  return first;
 }
 
 Json shape_json(const Mesh&) { return {{"type", "mesh"}}; }
@@ -69,11 +80,28 @@ Json named(const std::string& name, const Json& entry) {
   return json;
 }
 
+Json textures_json(const Scene& scene, const std::string& path) {
+  Json list = Json::array();
+  const std::vector<std::size_t> first = first_of_picture(scene);
+  for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+    const Texture& texture = scene.textures[i];
+    list.push_back(named(texture.name, json_of_any(texture.model)));
+    const MipMap* const picture = picture_of(texture);
+    if (!picture) continue;
+    list.back()["file"] = name_of_file(exchange_texture_file(path, first[i]));
+    if (picture->levels() == 1) list.back()["mip_map"] = false;
+  }
+  return list;
+}
+
 Json material_json(const Material& material) {
-  Json json = named(material.name, model_json(material.model));
-  for (const TextureUse& use : material.textures) json["textured"].push_back(input_name(use.input));
-  if (material.normal_map != no_texture) json["textured"].push_back("normal_map");
-  if (material.bump_map != no_texture) json["textured"].push_back("bump_map");
+  Json json = named(material.name, json_of_any(material.model));
+  for (TextureUse use : material.textures) {
+    Json& entry = json["textures"].emplace_back(Json::object());
+    members(MemberWriter(entry), use);
+  }
+  if (material.normal_map != no_texture) json["normal_map"] = material.normal_map;
+  if (material.bump_map != no_texture) json["bump_map"] = material.bump_map;
   if (Interior interior = material.interior; has_interior(material))
     members(MemberWriter(json["interior"]), interior);
   return json;
@@ -89,7 +117,7 @@ Json lights_json(const Scene& scene, const std::string& path) {
   Json list = Json::array();
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& light = scene.lights[i];
-    list.push_back(named(light.name, source_json(light.source)));
+    list.push_back(named(light.name, json_of_any(light.source)));
     if (picture_of(light)) list.back()["file"] = name_of_file(exchange_light_file(path, i));
   }
   return list;
@@ -105,7 +133,8 @@ Json shapes_json(const Scene& scene, const std::string& path) {
       list.back()["file"] = name_of_file(exchange_mesh_file(path, i));
     list.back()["material"] = scene.bindings[i].material;
     if (scene.bindings[i].light != no_light) list.back()["light"] = scene.bindings[i].light;
-    if (scene.bindings[i].alpha != no_texture) list.back()["textured"].push_back("alpha");
+    if (scene.bindings[i].alpha != no_texture) list.back()["alpha"] = scene.bindings[i].alpha;
+    if (scene.bindings[i].asset != no_asset) list.back()["asset"] = scene.assets[scene.bindings[i].asset];
   }
   const std::vector<ShapeRange>& prototypes = scene.geometry->prototypes();
   for (std::size_t i = 0; i < prototypes.size(); ++i)
@@ -147,38 +176,25 @@ std::string type_of(const LightSource& source) {
 
 std::string exchange_json(const Scene& scene, const std::string& path, const ExchangeFrame& frame) {
   const Camera camera = fit_frame(scene.camera, frame.width, frame.height);
-  const bool has_instances = scene.geometry->has_instances();
-  return fmt::format(
-      "{{\n  \"format\": \"twinray scene\",\n  \"version\": {},\n  \"resolution\": [{},{}],\n"
-      "  \"camera\": {},\n  \"materials\": {},\n  \"lights\": {},\n  \"shapes\": {}{}\n}}\n",
-      has_instances ? 2 : 1, frame.width, frame.height, line(camera_json(camera)),
-      lines(materials_json(scene)), lines(lights_json(scene, path)), lines(shapes_json(scene, path)),
-      has_instances ? ",\n  \"instances\": " + lines(instances_json(scene)) : "");
+  const bool has_instances = scene.geometry->has_instances(), has_textures = !scene.textures.empty();
+  const auto list = [](const char* key, const Json& json) {
+    return fmt::format(",\n  \"{}\": {}", key, lines(json));
+  };
+  return fmt::format("{{\n  \"format\": \"twinray scene\",\n  \"version\": {},\n  \"resolution\": [{},{}],\n",
+                     has_textures    ? 3
+                     : has_instances ? 2
+                                     : 1,
+                     frame.width, frame.height) +
+         "  \"camera\": " + line(camera_json(camera)) +
+         (has_textures ? list("textures", textures_json(scene, path)) : "") +
+         list("materials", materials_json(scene)) + list("lights", lights_json(scene, path)) +
+         list("shapes", shapes_json(scene, path)) +
+         (has_instances ? list("instances", instances_json(scene)) : "") + "\n}\n";
 }
-
-namespace {
-
-/// What the form does not hold.
-Losses losses_of(const Scene& scene) {
-  Losses losses;
-  for (const Material& material : scene.materials)
-    if (!material.textures.empty() || material.normal_map != no_texture || material.bump_map != no_texture)
-      losses.add("a material loses its textures: what is the same everywhere stands in their place",
-                 "{} materials lose their textures: what is the same everywhere stands in their place");
-  for (const ShapeBinding& binding : scene.bindings)
-    if (binding.alpha != no_texture) losses.add("a shape loses its holes", "{} shapes lose their holes");
-  for (const Light& light : scene.lights)
-    if (const auto* mesh = std::get_if<MeshLight>(&light.source); mesh && mesh->picture)
-      losses.add("an area light has the mean of its picture",
-                 "{} area lights have the means of their pictures");
-  return losses;
-}
-
-}  // namespace
 
 WrittenScene written_exchange(const SceneToWrite& input, const std::string& path) {
   const Scene& scene = input.scene;
-  WrittenScene written{.files = {}, .warnings = losses_of(scene).lines(path)};
+  WrittenScene written;
   for (std::size_t i = 0; i < scene.geometry->shapes().size(); ++i)
     if (const Mesh* mesh = scene.geometry->mesh(std::uint32_t(i)))
       written.files.push_back({exchange_mesh_file(path, i),
@@ -187,6 +203,11 @@ WrittenScene written_exchange(const SceneToWrite& input, const std::string& path
     if (const Image* picture = picture_of(scene.lights[i]))
       written.files.push_back(
           {exchange_light_file(path, i), [picture](const std::string& file) { write_exr(file, *picture); }});
+  const std::vector<std::size_t> first = first_of_picture(scene);
+  for (std::size_t i = 0; i < scene.textures.size(); ++i)
+    if (const MipMap* picture = picture_of(scene.textures[i]); picture && first[i] == i)
+      written.files.push_back({exchange_texture_file(path, i),
+                               [picture](const std::string& file) { write_exr(file, picture->image(0)); }});
   const ExchangeFrame frame{input.picture.resolution->width, input.picture.resolution->height};
   written.files.push_back({path, [&scene, path, frame](const std::string& file) {
                              write_file(file, exchange_json(scene, path, frame));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene in a form that small scripts read: one JSON file, and beside it a PLY file for each mesh and an EXR
-// file for each environment. docs/exchange.md describes it.
+// file for each picture of a texture or light. docs/exchange.md describes it.
 #pragma once
 #include <string>
 
@@ -22,8 +22,7 @@ std::string type_of(const LightSource& source);
 /// has as many digits as tell it from any other float.
 std::string exchange_json(const Scene& scene, const std::string& path, const ExchangeFrame& frame);
 
-/// The files of a scene: those of its meshes and environments, and last the JSON file, `path`. Textures are
-/// lost, with warnings.
+/// The files of a scene: those of its meshes, textures and lights, and last the JSON file, `path`.
 WrittenScene written_exchange(const SceneToWrite& input, const std::string& path);
 
 }  // namespace twinray

@@ -113,9 +113,9 @@ class Exchange(Folder):
 
     def test_another_version_is_refused(self):
         path = self.folder / "a.json"
-        path.write_text('{"format": "twinray scene", "version": 3}')
+        path.write_text('{"format": "twinray scene", "version": 4}')
         with self.assertRaisesRegex(exchange.Unsupported,
-                                    "no scene in twinray's exchange form, version 1 or 2"):
+                                    "no scene in twinray's exchange form, version 1 to 3"):
             exchange.read_scene(path)
 
     def test_our_scenes_are_converted_for_both_peers(self):
@@ -234,6 +234,37 @@ class Mitsuba(Folder):
             self.bsdf(type="coated_diffuse", ior=1.5, reflectance=[1, 1, 1], alpha=[0.25, 0.5])
         with self.assertRaisesRegex(exchange.Unsupported, "no material like \"m\", which is of the type mix"):
             self.bsdf(type="mix", first=0, second=0, amount=0.5)
+
+    def textured(self, textures, uses=(), **more):
+        shape = {"name": "a", "type": "spheres", "spheres": [[1, 2, 3, 4]], "material": 0}
+        uses = [{"input": "reflectance", "texture": 0, "meaning": "value", **use} for use in uses]
+        scene = self.scene([shape], materials=[{**GREY, "textures": uses, **more}])
+        return {**scene, "textures": [{"name": "t", **entry} for entry in textures]}
+
+    def test_textures_of_colours_become_mitsubas(self):
+        def made(*textures):
+            return self.convert(self.textured(textures, [{}]))["shape_0"]["bsdf"]["bsdf"]["reflectance"]
+
+        red = {"type": "constant", "value": [1, 0, 0]}
+        self.assertEqual(made(red), {"type": "rgb", "value": [1, 0, 0]})
+        board = made({"type": "checkerboard", "first": 1, "second": 1, "uv": [[8, 0, 1], [0, 4, 0]]}, red)
+        self.assertEqual((board["color1"]["value"], board["to_uv"][0]), ([1, 0, 0], [4, 0, 0, 0.5]))
+        bitmap = made({"type": "image", "wrap": "clamp", "filter": "stochastic", "file": "a.exr",
+                       "uv": [[2, 0, 1], [0, 3, 0.5]]})
+        self.assertEqual((bitmap["filename"], bitmap["wrap_mode"]), ("a.exr", "clamp"))
+        self.assertEqual(bitmap["to_uv"][:2], [[2, 0, 0, 1], [0, -3, 0, 0.5]])
+
+    def test_textures_that_mitsuba_has_not_are_named(self):
+        scale, white = {"type": "scale"}, {"type": "constant", "value": [1, 1, 1]}
+        holes, lamp = self.textured([white]), self.lamp(file="a.exr")
+        holes["shapes"][0]["alpha"] = 0
+        for scene, text in ((self.textured([scale], [{}]), "texture \"t\" of the type scale"),
+                            (self.textured([white], [{"input": "alpha"}]), "texture of alpha of \"grey"),
+                            (self.textured([white], [{"meaning": "metal_reflectance"}]), "metal_reflectance"),
+                            (self.textured([white], bump_map=0), "the bump_map of \"grey"),
+                            (holes, "holes of \"a\""), (lamp, "picture of the light \"lamp\"")):
+            with self.assertRaisesRegex(exchange.Unsupported, text):
+                self.convert(scene)
 
     def test_what_mitsuba_has_not_is_named(self):
         law = {"constant": 0, "linear": 0, "quadratic": 1}

@@ -3,12 +3,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/alpha_test.h"
 #include "core/error.h"
 #include "io/exchange/writer.h"
+#include "io/picture/image_file.h"
 #include "io/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/meshes.h"
 #include "tests/support/round_trip.h"
+#include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
 namespace {
@@ -32,7 +35,28 @@ Mesh smooth_mesh() {
   return mesh;
 }
 
-/// Of each material and each light there is, with numbers of many digits.
+/// Of each kind, with numbers of many digits: a picture that two share, and one without a mip-map.
+void add_textures(Scene& scene) {
+  constexpr float third = 1.0f / 3, seventh = 1.0f / 7;
+  const auto shared = std::make_shared<const MipMap>(*picture(4, 2));
+  const auto single = std::make_shared<const MipMap>(std::vector{*picture(5, 3)});
+  const UvTransform uv{{{third, 2, seventh}, {-1, third, 0.5f}}};
+  scene.textures = {{"red", ConstantTexture{{third, seventh, -2}}},
+                    {"wood", ImageTexture{shared, WrapMode::clamp, TextureFilter::trilinear, uv}},
+                    {"wood", ImageTexture{shared, WrapMode::black, TextureFilter::nearest, {}}},
+                    {"", ImageTexture{single, WrapMode::repeat, TextureFilter::bilinear, uv}},
+                    {"product", ScaleTexture{0, 2}},
+                    {"mixture", MixTexture{1, 2, 3}},
+                    {"board", CheckerboardTexture{0, 4, uv}}};
+  scene.materials[0].textures = {{MaterialInput::reflectance, 1}};
+  scene.materials[10].textures = {{MaterialInput::roughness_u, 5, InputMeaning::squared_roughness},
+                                  {MaterialInput::reflectance, 6}};
+  scene.materials[7].textures = {{MaterialInput::k, 4, InputMeaning::metal_reflectance}};
+  scene.materials[1].normal_map = 2;
+  scene.materials[2].bump_map = 3;
+}
+
+/// Of each texture, material and light there is, with numbers of many digits.
 Scene everything() {
   Scene scene;
   constexpr float third = 1.0f / 3, seventh = 1.0f / 7;
@@ -61,10 +85,11 @@ Scene everything() {
                                  Mix{1, 3, third}};
   for (const SurfaceModel& model : models) scene.materials.push_back({"m", model, {}});
   scene.materials[5].interior = {{third, seventh, 0}, 2};
+  add_textures(scene);
   const Vec3 slanted = normalize({1, 2, 3});
   const Transform turned = Transform::rotation({0, 1, 0}, 33);
   scene.lights = {
-      {"mesh", MeshLight{0, metal, EmissionSide::back}},
+      {"mesh", MeshLight{0, metal, EmissionSide::back, picture(3, 1)}},
       {"sphere", SphereLight{1, metal}},
       {"point", PointLight{{third, 1, 2}, metal, {third, seventh, 2}}},
       {"spot", SpotLight{{third, 1, 2}, slanted, metal, {}, 40 + third, seventh, 1 + third}},
@@ -79,9 +104,13 @@ Scene everything() {
   Transform place = turned;
   place.m[1][3] = 1.0 / 3;
   const SphereSet ball{"ball", {{{third, seventh, 3}, third}}};
-  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{smooth_mesh(), ball, box_mesh()},
-                                                    nullptr, Instancing{{{2, 1}}, {{0, place}, {0, {}}}});
-  scene.bindings = {{.material = 14, .light = 0}, {.material = 7, .light = 1}, {.material = 12}};
+  scene.assets = {"chair"};
+  scene.bindings = {{.material = 14, .light = 0, .asset = 0},
+                    {.material = 7, .light = 1},
+                    {.material = 12, .alpha = 5, .asset = 0}};
+  scene.geometry =
+      std::make_shared<const Geometry>(cut_out({smooth_mesh(), ball, box_mesh()}, scene.bindings,
+                                               scene.textures, Instancing{{{2, 1}}, {{0, place}, {0, {}}}}));
   scene.camera.position = {third, 1, 5};
   return scene;
 }
@@ -126,6 +155,8 @@ TEST_CASE("a scene in exchange form is read with all its bits, whatever is in it
             scene.geometry->instances()[0].to_world.m[row][column]);
   for (const std::size_t light : {6u, 7u, 8u})
     CHECK(scene.lights[light].name == trip.scene.lights[light].name);
+  CHECK(std::get<MeshLight>(trip.scene.lights[0].source).picture->pixels == picture(3, 1)->pixels);
+  CHECK(trip.scene.assets == scene.assets);
   const auto& sky = std::get<EnvironmentLight>(scene.lights[6].source);
   const auto& read_sky = std::get<EnvironmentLight>(trip.scene.lights[6].source);
   CHECK(sky.map->pixels == read_sky.map->pixels);
@@ -135,8 +166,8 @@ TEST_CASE("a scene in exchange form is read with all its bits, whatever is in it
 }
 
 TEST_CASE("our own scenes come back from exchange form, with the camera's bits at their resolution") {
-  for (const char* name :
-       {"box.dae", "cornell-bunny.dae", "spheres.dae", "lights.dae", "still-life.pbrt", "pawns.pbrt"}) {
+  for (const char* name : {"box.dae", "cornell-bunny.dae", "spheres.dae", "lights.dae", "still-life.pbrt",
+                           "pawns.pbrt", "layers.pbrt", "table.gltf", "blocks.obj"}) {
     INFO(name);
     const Scene scene = load_scene(sources + "/scenes/" + name).scene;
     const RoundTrip trip = round_trip(scene, "a.json");
@@ -183,15 +214,103 @@ TEST_CASE("a camera of oblong pixels keeps its frame") {
   CHECK(read.tan_half_height == 0.7f);
 }
 
-TEST_CASE("the picture's size is that of the file, and textures are told of") {
-  nlohmann::json json = small();
-  json["materials"][0]["textured"] = {"reflectance"};
-  const LoadedScene loaded = read_exchange(json.dump(), "a.json", {}, {});
+TEST_CASE("the picture's size is that of the file") {
+  const LoadedScene loaded = read_exchange(small().dump(), "a.json", {}, {});
   REQUIRE(loaded.defaults.resolution);
   CHECK(loaded.defaults.resolution->width == 480);
   CHECK(loaded.defaults.resolution->height == 360);
-  REQUIRE(loaded.summary.notes.size() == 1);
-  CHECK(loaded.summary.notes[0].starts_with("1 materials and shapes had textures"));
+}
+
+TEST_CASE("textures come back from exchange form with all that they are made of") {
+  Scene scene = everything();
+  RoundTrip trip = round_trip(scene, "a.json");
+  REQUIRE(trip.scene.textures.size() == scene.textures.size());
+  for (std::uint32_t i = 0; i < scene.textures.size(); ++i)
+    for (const float u : {-0.3f, 0.1f, 0.4f, 1.2f}) {
+      CAPTURE(i, u);
+      const TexturePoint at{.uv = {u, 0.7f - u}, .footprint = 0.4f};
+      CHECK(evaluate(trip.scene.textures, i, at) == evaluate(scene.textures, i, at));
+    }
+  const auto image = [&](std::size_t i) {
+    return std::get<ImageTexture>(trip.scene.textures[i].model).image;
+  };
+  CHECK(image(1) == image(2));
+  CHECK(image(1)->levels() == 3);
+  CHECK(image(3)->levels() == 1);
+  // What --texture-filter makes of them is the same, too: it leaves a picture without a mip-map as it is.
+  set_filter(trip.scene.textures, TextureFilter::stochastic);
+  CHECK(std::get<ImageTexture>(trip.scene.textures[3].model).filter == TextureFilter::bilinear);
+}
+
+TEST_CASE("a picture that an exchange form names and that is not there is shown magenta, and named") {
+  nlohmann::json json = small();
+  const nlohmann::json uv = {{1, 0, 0}, {0, 1, 0}};
+  json["version"] = 3;
+  json["textures"] = {{{"name", "wood"},
+                       {"type", "image"},
+                       {"wrap", "repeat"},
+                       {"filter", "stochastic"},
+                       {"uv", uv},
+                       {"file", "no-such.exr"}}};
+  const LoadedScene loaded = read_exchange(json.dump(), "a.json", {}, {});
+  CHECK(evaluate(loaded.scene.textures, 0, {}) == Rgb{1, 0, 1});
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].text().starts_with("a.json: textures[0]: no-such.exr: "));
+  CHECK(loaded.warnings[0].text().ends_with("; it is shown magenta"));
+  LoadOptions strict;
+  strict.strict = true;
+  CHECK_THROWS_WITH(read_exchange(json.dump(), "a.json", strict, {}),
+                    Catch::Matchers::StartsWith("a.json: textures[0]: no-such.exr: "));
+}
+
+TEST_CASE("a picture of an exchange form has the role that it is given") {
+  const TemporaryFolder folder;
+  write_png(folder.file("grey.png"), ByteImage{1, 1, {188, 188, 188}});
+  nlohmann::json json = small();
+  const nlohmann::json uv = {{1, 0, 0}, {0, 1, 0}};
+  const nlohmann::json image = {{"name", ""},           {"type", "image"}, {"wrap", "repeat"},
+                                {"filter", "bilinear"}, {"uv", uv},        {"file", "grey.png"}};
+  json["textures"] = {image, image, image};
+  json["textures"][1]["role"] = "color";
+  json["textures"][2]["role"] = "data";
+  const LoadedScene loaded = read_exchange(json.dump(), folder.file("a.json"), {}, {});
+  const auto value = [&](std::uint32_t i) { return evaluate(loaded.scene.textures, i, {}).r; };
+  CHECK(value(0) == Approx(0.5f).margin(0.005));
+  CHECK(value(1) == value(0));
+  CHECK(value(2) == Approx(188.0f / 255));
+}
+
+TEST_CASE("what is wrong with the textures of an exchange form is said with its entry") {
+  nlohmann::json right = small();
+  right["version"] = 3;
+  right["textures"] = {{{"name", "red"}, {"type", "constant"}, {"value", {1, 0, 0}}},
+                       {{"name", "product"}, {"type", "scale"}, {"first", 0}, {"second", 0}}};
+  right["materials"][0]["textures"] = {{{"input", "reflectance"}, {"texture", 1}, {"meaning", "value"}}};
+  right["shapes"][0]["alpha"] = 0;
+  CHECK(error_of(right) == "");
+  const auto wrong = [&](const char* pointer, const nlohmann::json& value) {
+    nlohmann::json json = right;
+    json[nlohmann::json::json_pointer(pointer)] = value;
+    return error_of(json);
+  };
+  CHECK(wrong("/textures/0/type", "marble") ==
+        "a.json: textures[0]: \"type\" is \"marble\"; valid are constant, image, scale, mix, checkerboard");
+  CHECK(wrong("/textures/0/value", "red") == "a.json: textures[0]: \"value\" must be a list");
+  CHECK(wrong("/textures/1/first", 1).starts_with("a.json: texture 1 "));
+  CHECK(
+      wrong("/materials/0/textures/0/input", "shine")
+          .starts_with("a.json: materials[0]: textures[0]: \"input\" is \"shine\"; valid are reflectance, "));
+  CHECK(wrong("/materials/0/textures/0/texture", 2) == "a.json: material 0 names texture 2; there are 2");
+  CHECK(wrong("/materials/0/textures/0/input", "eta") ==
+        "a.json: material 0 has a texture for its eta, and its model has none");
+  CHECK(wrong("/materials/0/bump_map", 7) == "a.json: material 0 names texture 7; there are 2");
+  CHECK(wrong("/shapes/0/alpha", 2) == "a.json: shapes[0]: \"alpha\" is 2; there are 2 textures");
+  right["textures"].push_back({{"name", "board"},
+                               {"type", "checkerboard"},
+                               {"first", 0},
+                               {"second", 1},
+                               {"uv", {{1, 0, 0}, {0, 1}}}});
+  CHECK(error_of(right) == "a.json: textures[2]: \"uv\" must be 2 rows of 3 numbers");
 }
 
 TEST_CASE("what is wrong in an exchange form is said with its entry and what would be valid") {
@@ -208,7 +327,7 @@ TEST_CASE("what is wrong in an exchange form is said with its entry and what wou
   };
   CHECK(wrong("/format", "gltf") ==
         "a.json: \"format\" is not \"twinray scene\": this is another kind of JSON file");
-  CHECK(wrong("/version", 3) == "a.json: \"version\" is 3; versions 1 and 2 are known");
+  CHECK(wrong("/version", 4) == "a.json: \"version\" is 4; versions 1 to 3 are known");
   CHECK(wrong("/materials/1/type", "gold")
             .starts_with("a.json: materials[1]: \"type\" is \"gold\"; valid are lambert, mirror,"));
   CHECK(wrong("/materials/1/eta", {1, 2}) == "a.json: materials[1]: \"eta\" has 2 elements; it must have 3");

@@ -331,6 +331,36 @@ TEST_CASE("the files of a scene, the JSON file last") {
   CHECK(std::memcmp(read.pixels.data(), map->pixels.data(), sizeof(Rgb) * 2) == 0);
 }
 
+TEST_CASE("textures in exchange form are of its third version, and each picture is a file") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("room.json");
+  Scene scene;
+  Image map(2, 1);
+  map.pixels = {{0.1f, 2, 3}, {4, 5, 6}};
+  const auto picture = std::make_shared<const MipMap>(map);
+  scene.textures = {{"even", ConstantTexture{{0.25f, 0.5f, 1}}},
+                    {"wood", ImageTexture{picture, WrapMode::clamp, TextureFilter::nearest, {}}},
+                    {"same", ImageTexture{picture, WrapMode::repeat, TextureFilter::stochastic, {}}},
+                    {"drawn", ImageTexture{std::make_shared<const MipMap>(std::vector{map})}}};
+  CHECK(list_text(scene, "textures") == R"(  "textures": [
+    {"name":"even","type":"constant","value":[0.25,0.5,1.0]},
+    {"name":"wood","type":"image","wrap":"clamp","filter":"nearest","uv":[[1.0,0.0,0.0],[0.0,1.0,0.0]],)"
+                                        R"("file":"a-texture-1.exr"},
+    {"name":"same","type":"image","wrap":"repeat","filter":"stochastic","uv":[[1.0,0.0,0.0],[0.0,1.0,0.0]],)"
+                                        R"("file":"a-texture-1.exr"},
+    {"name":"drawn","type":"image","wrap":"repeat","filter":"stochastic","uv":[[1.0,0.0,0.0],[0.0,1.0,0.0]],)"
+                                        R"("file":"a-texture-3.exr","mip_map":false})");
+  CHECK(nlohmann::json::parse(exchange_json(scene, "a.json", {}))["version"] == 3);
+  const WrittenScene written = written_scene({scene, {.resolution = {{480, 360}}}}, path);
+  std::vector<std::string> paths;
+  for (const SceneFile& file : written.files) paths.push_back(file.path);
+  CHECK(paths ==
+        std::vector<std::string>{folder.file("room-texture-1.exr"), folder.file("room-texture-3.exr"), path});
+  CHECK(written.warnings.empty());
+  write_files(written);
+  CHECK(read_image(folder.file("room-texture-1.exr")).pixels == map.pixels);
+}
+
 TEST_CASE("instances in exchange form are of its second version") {
   Scene scene;
   Transform place = Transform::translation(1, 2, 3);

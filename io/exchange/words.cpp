@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/exchange/words.h"
+
+#include "core/textured_material.h"
+
+namespace twinray {
+
+template <>
+Words<EmissionSide> words() {
+  return {{"front", EmissionSide::front}, {"back", EmissionSide::back}, {"both", EmissionSide::both}};
+}
+
+template <>
+Words<MapLayout> words() {
+  return {{"latitude-longitude", MapLayout::latitude_longitude}, {"equal-area", MapLayout::equal_area}};
+}
+
+template <>
+Words<WrapMode> words() {
+  return {{"repeat", WrapMode::repeat}, {"clamp", WrapMode::clamp}, {"black", WrapMode::black}};
+}
+
+template <>
+Words<TextureFilter> words() {
+  return {{"nearest", TextureFilter::nearest},
+          {"bilinear", TextureFilter::bilinear},
+          {"trilinear", TextureFilter::trilinear},
+          {"stochastic", TextureFilter::stochastic}};
+}
+
+template <>
+Words<MaterialInput> words() {
+  Words<MaterialInput> inputs;
+  for (int i = 0; i < material_inputs; ++i)
+    inputs.emplace_back(input_name(MaterialInput(i)), MaterialInput(i));
+  return inputs;
+}
+
+template <>
+Words<InputMeaning> words() {
+  return {{"value", InputMeaning::value},
+          {"squared_roughness", InputMeaning::squared_roughness},
+          {"metal_reflectance", InputMeaning::metal_reflectance}};
+}
+
+template <>
+Words<PictureRole> words() {
+  return {{"color", PictureRole::color}, {"data", PictureRole::data}};
+}
+
+}  // namespace twinray
