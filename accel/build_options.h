@@ -23,7 +23,7 @@ enum class BvhBuilder {
 /// How much memory a bvh of width 8 takes, in bytes a triangle: the tree alone, and while it is built.
 enum class MemoryMode {
   ordinary,  ///< About 65, and 140.
-  compact,   ///< 25 to 32, and 40 to 85; rays take 1.5 to 2.4 times as long.
+  compact,   ///< 25 to 32, and of more than a million 40 to 85; rays take 1.2 to 2.4 times as long.
 };
 
 /// How much time goes into the tree of a bvh of width 8.

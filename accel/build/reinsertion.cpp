@@ -28,8 +28,11 @@ struct Move {
 
 class Reinsertion {
  public:
-  explicit Reinsertion(BuildTree& tree)
-      : nodes_(tree.nodes), parents_(tree.nodes.size()), heights_(tree.nodes.size()) {
+  Reinsertion(BuildTree& tree, int most_depth)
+      : nodes_(tree.nodes),
+        most_depth_(most_depth),
+        parents_(tree.nodes.size()),
+        heights_(tree.nodes.size()) {
     link(0);
   }
 
@@ -151,7 +154,7 @@ class Reinsertion {
     for (std::uint32_t above = move.node; above != 0; above = parents_[above])
       if (above == move.target) return false;
     const int height = std::max(heights_[move.node], heights_[move.target]);
-    return depth(move.target) + 1 + height <= max_bvh_depth;
+    return depth(move.target) + 1 + height <= most_depth_;
   }
 
   /// By how much a sound move lowers the sum of areas of the tree as it is now.
@@ -212,6 +215,7 @@ class Reinsertion {
   }
 
   BuildTree::Nodes& nodes_;
+  const int most_depth_;
   std::vector<std::uint32_t> parents_;
   std::vector<std::uint8_t> heights_;  ///< Edges to the deepest leaf below.
   std::vector<std::uint32_t> places_;  ///< The indices that stand for nodes, but the root's.
@@ -221,7 +225,7 @@ class Reinsertion {
 
 std::uint64_t reinsert(BuildTree& tree, const ReinsertionEffort& effort) {
   if (tree.nodes.size() < 2 || effort.rounds == 0) return 0;
-  Reinsertion reinsertion(tree);
+  Reinsertion reinsertion(tree, effort.most_depth);
   std::uint64_t steps = 0;
   for (int i = 0; i < effort.rounds; ++i) steps += reinsertion.round(effort.share);
   return steps;

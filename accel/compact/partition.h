@@ -21,7 +21,7 @@ struct Partition {
 
 /// Reorders the primitives, of which there are some, and divides them as a builder divides nodes, until no
 /// part has more than the larger of a sixteenth of all and `least` of them, which is not below
-/// options.max_leaf_size.
+/// options.max_leaf_size. Large primitives, such as a room's walls, are parts of their own.
 Partition partition(BuildPrimitives& primitives, const BuildOptions& options, std::size_t least);
 
 /// A part's primitives; the memory that they had in the array goes back to the system.

@@ -157,6 +157,49 @@ TEST_CASE("parts are a sixteenth of all primitives at most, and lie no deeper th
     }
 }
 
+TEST_CASE("walls of a room are parts of their own, each with the triangles of its rectangle") {
+  const auto geometry = ball(20000);  // In a room of six walls, and below a lamp: seven rectangles.
+  BuildPrimitives primitives = collect_primitives(*geometry, geometry->direct_shapes());
+  const Partition parts = partition(primitives, BuildOptions{}, 1000);
+  std::size_t rectangles = 0;
+  for (const Partition::Part& part : parts.parts) {
+    const std::span<const BuildPrimitive> within(&primitives[part.first], part.count);
+    const bool has_wall = std::any_of(within.begin(), within.end(), [](const BuildPrimitive& p) {
+      return max_abs(p.box.extent()) > 1;  // The ball's triangles are smaller, as is the lamp's side.
+    });
+    rectangles += part.count == 2;
+    if (!has_wall) continue;
+    REQUIRE(part.count == 2);
+    CHECK(within[0].box == within[1].box);
+  }
+  CHECK(rectangles >= 7);
+}
+
+TEST_CASE("nodes above the parts are full, and few primitives need none") {
+  const auto geometry = share({soup(20000, 0.01f, 1)});
+  BuildPrimitives primitives = collect_primitives(*geometry, geometry->direct_shapes());
+  // Sixteen to 32 would do; but then the second of two levels would be half empty.
+  const std::size_t parts = partition(primitives, BuildOptions{}, 1000).parts.size();
+  CHECK(parts > 40);
+  CHECK(parts <= 64);
+  CHECK(partition(primitives, BuildOptions{}, 20000).parts.size() == 1);
+}
+
+TEST_CASE("a tree that was built in parts takes few more steps than one that was built as a whole") {
+  for (const auto& geometry : {ball(20000), share({soup(20000, 0.05f, 1)})}) {
+    const CompactBvh whole = build_compact(*geometry, {}, geometry->primitive_count());
+    const CompactBvh parts = build_compact(*geometry, {}, 1000);
+    QueryCounts of_whole, of_parts;
+    for (const Ray& ray : random_rays(2000, geometry->bounds(), 3)) {
+      const Hit hit = scalar_closest(whole, *geometry, ray, of_whole);
+      REQUIRE(hit == scalar_closest(parts, *geometry, ray, of_parts));
+    }
+    INFO(of_whole.nodes << " and " << of_parts.nodes);
+    CHECK(double(of_parts.nodes) < 1.1 * double(of_whole.nodes));
+    CHECK(double(of_parts.leaves) < 1.2 * double(of_whole.leaves));
+  }
+}
+
 TEST_CASE("a part is taken with its bits, and the rest stays as it was") {
   const auto geometry = share({soup(3000, 0.1f, 1)});
   BuildPrimitives primitives = collect_primitives(*geometry, geometry->direct_shapes());
