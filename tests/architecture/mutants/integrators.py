@@ -8,6 +8,9 @@ OTHER_COLOR = "the samples of a pixel do not depend on the pilot of any pixel of
 SPREAD_RESUMED = "spread samples have the bits of an undisturbed render, wherever that goes on"
 
 MUTANTS = [
+    Mutant("light that rays find counts in full beside that of light samples", "integrators/direct_light.cpp",
+           "power_heuristic(departure.pdf, count * pdf)};", "1.0f};", "test_stored",
+           "no pixel of our scenes differs from its stored mean by more than noise"),
     Mutant("a bounce may leave between the two normals", "integrators/wave/scatter-inl.h",
            "hn::And(is_scattered, is_consistent(surfaces, i, wi))",
            "is_scattered",
