@@ -70,6 +70,15 @@ Rgb Bsdf::diffuse(const Vec3& wo, const Vec3& wi) const {
   return std::visit(of, lobes_);
 }
 
+bool Bsdf::lets_light_through() const {
+  const auto of = [](const auto& lobe) {
+    using Lobe = std::decay_t<decltype(lobe)>;
+    if constexpr (requires { lobe.lets_light_through(); }) return lobe.lets_light_through();
+    return std::is_same_v<Lobe, RoughDielectricLobe> || std::is_same_v<Lobe, DiffuseTransmissionLobe>;
+  };
+  return std::visit(of, lobes_);
+}
+
 Bsdf::Bsdf(const SurfaceModel& model, Side side) : lobes_(std::visit(LobesOf{side}, model)) {}
 
 }  // namespace twinray

@@ -36,6 +36,9 @@ class Bsdf {
   }
   /// Whether light is reflected evenly, on the viewer's side alone.
   bool is_lambert() const { return std::holds_alternative<LambertLobe>(lobes_); }
+  /// Whether light from behind the surface may reach the viewer otherwise than straight on, or refracted by a
+  /// smooth boundary.
+  bool lets_light_through() const;
   /// Its lobe, if that is of this class; else null.
   template <typename Lobe>
   const Lobe* as() const {

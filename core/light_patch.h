@@ -50,7 +50,8 @@ PatchLight patch_light(const Mesh& mesh, EmissionSide side, double area);
 /// Where light is gathered.
 struct Receiver {
   Vec3 position;
-  Vec3 normal;  ///< The unit shading normal on the side that is lit.
+  Vec3 normal;                      ///< The unit shading normal on the viewer's side.
+  bool lets_light_through = false;  ///< Light from behind counts, too.
 };
 
 /// What a receiver gets from the corners of each patch of a light, relative to the mean over the light.

@@ -260,15 +260,15 @@ bool LightSet::is_in_a_zone(const Vec3& position) const {
          std::any_of(zones_.begin(), zones_.end(), [&](const Zone& zone) { return zone.contains(position); });
 }
 
-LightSample LightSet::sample_group(const Group& group, const SurfacePoint& from, const Vec3& normal,
+LightSample LightSet::sample_group(const Group& group, const SurfacePoint& from, const Receiver& receiver,
                                    Vec2 u) const {
-  const auto pick = group.tree.pick({from.position, normal}, u.x);
+  const auto pick = group.tree.pick(receiver, u.x);
   if (!pick) return {};
   // The pick takes most of u.x: what is left of it would be a few points. A hash of both stands in.
   const std::uint64_t bits =
       std::uint64_t(std::bit_cast<std::uint32_t>(u.x)) << 32 | std::bit_cast<std::uint32_t>(u.y);
   const float fresh = float(mix(bits + hash_step) >> 40) * 0x1p-24f;
-  LightSample chosen = sample(group.lights[pick->light], from, normal, {fresh, u.y});
+  LightSample chosen = sample(group.lights[pick->light], from, receiver, {fresh, u.y});
   chosen.light = group.lights[pick->light];
   chosen.pdf *= pick->probability;
   if (!(chosen.pdf > 0)) return {};
@@ -284,14 +284,14 @@ float LightSet::alpha_of(std::uint32_t light, const Hit& hit) const {
   return alpha_at(textures_, alphas_[light], texture_coordinates(geometry_, hit));
 }
 
-LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, const Vec3& normal,
+LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, const Receiver& receiver,
                              Vec2 u) const {
-  if (light >= size()) return sample_group(groups_[light - size()], from, normal, u);
+  if (light >= size()) return sample_group(groups_[light - size()], from, receiver, u);
   const LightSource& source = lights_[light].source;
   if (const auto* mesh = std::get_if<MeshLight>(&source)) {
     const double area = triangles_[light].total();
     if (area == 0) return {};
-    const auto choice = choose_point(triangles_[light], patches_[light], {from.position, normal}, u);
+    const auto choice = choose_point(triangles_[light], patches_[light], receiver, u);
     LightSample chosen = sample_mesh(*mesh, geometry_, area, choice, from);
     chosen.radiance =
         chosen.radiance *

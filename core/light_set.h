@@ -89,9 +89,9 @@ class LightSet {
   /// Whether a point lies in the zone of any light.
   bool is_in_a_zone(const Vec3& position) const;
 
-  /// Light of one source at a point that is lit on the side of `normal`, its unit shading normal; black where
-  /// none of this sample can arrive. u in [0, 1)^2.
-  LightSample sample(std::uint32_t light, const SurfacePoint& from, const Vec3& normal, Vec2 u) const;
+  /// Light of one source at a point, which is the receiver; black where none of this sample can arrive. u in
+  /// [0, 1)^2.
+  LightSample sample(std::uint32_t light, const SurfacePoint& from, const Receiver& receiver, Vec2 u) const;
   /// The light that a sample comes from: of a group of lights, the one that was chosen.
   std::uint32_t source(std::uint32_t light, std::uint32_t chosen) const {
     return light < size() ? light : chosen;
@@ -127,7 +127,8 @@ class LightSet {
 
   void prepare(std::uint32_t light, double compensation);
   void make_groups(ManyLights many);
-  LightSample sample_group(const Group& group, const SurfacePoint& from, const Vec3& normal, Vec2 u) const;
+  LightSample sample_group(const Group& group, const SurfacePoint& from, const Receiver& receiver,
+                           Vec2 u) const;
   float alpha_of(std::uint32_t light, const Hit& hit) const;
   float pdf_alone(std::uint32_t light, const Receiver& from, const Hit& hit) const;
   float probability_in_group(std::uint32_t light, const Receiver& from) const;

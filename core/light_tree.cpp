@@ -105,6 +105,9 @@ float cos_less(float sin_a, float cos_a, float sin_b, float cos_b) {
 float sin_less(float sin_a, float cos_a, float sin_b, float cos_b) {
   return cos_a > cos_b ? 0 : sin_a * cos_b - cos_a * sin_b;
 }
+/// Rounding must not cut off light that goes just within a cone.
+constexpr float slack = 1e-5f;
+
 float sine_of(float cosine) { return std::sqrt(std::max(0.0f, 1 - cosine * cosine)); }
 
 }  // namespace
@@ -140,8 +143,6 @@ LightNode::LightNode(const LightBounds& bounds)
       cos_normals(float(cos_radians(bounds.cone.normals))),
       sin_normals(float(sin_radians(bounds.cone.normals))),
       cos_emission(float(cos_radians(bounds.cone.emission))) {
-  // Rounding must not cut off light that goes just within.
-  constexpr float slack = 1e-5f;
   cos_emission = std::max(cos_emission - slack, 0.0f);
 }
 
@@ -159,8 +160,9 @@ float LightNode::importance(const Receiver& receiver) const {
   const float cos_least = cos_less(sin_beyond, cos_beyond, sin_box, cos_box);
   if (cos_least < cos_emission) return 0;
 
-  const float cos_receiver = std::fabs(dot(receiver.normal, direction));
-  const float cos_at_best = cos_less(sine_of(cos_receiver), cos_receiver, sin_box, cos_box);
+  const float cos_normal = dot(receiver.normal, direction);
+  const float cos_receiver = receiver.lets_light_through ? std::fabs(cos_normal) : cos_normal;
+  const float cos_at_best = cos_less(sine_of(cos_receiver), cos_receiver, sin_box, cos_box) + slack;
   return std::max(power * cos_least * cos_at_best / squared, 0.0f);
 }
 

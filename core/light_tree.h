@@ -39,7 +39,7 @@ LightBounds together(const LightBounds& a, const LightBounds& b);
 /// What is asked of bounds at a receiver, prepared.
 struct LightNode {
   explicit LightNode(const LightBounds& bounds);
-  /// A measure of how much light of these bounds a receiver gets at most, whichever side of it is lit.
+  /// A measure of how much light of these bounds a receiver gets at most.
   float importance(const Receiver& receiver) const;
 
   Vec3 center, axis;

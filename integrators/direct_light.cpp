@@ -41,7 +41,7 @@ Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Int
   Rgb sum;
   for (std::uint32_t part = 0; part < count; ++part) {
     const Vec2 u = sampler.draw_2d(Purpose::light_point, {part, count, light});
-    const LightSample sample = transport.lights.sample(light, at.point(), at.normal(), u);
+    const LightSample sample = transport.lights.sample(light, at.point(), at.receiver(), u);
     const Rgb scattered = scattered_sample(transport, light, at, sample);
     const Rgb visibility = is_black(scattered) ? Rgb{} : tracer.visibility(sample.shadow_ray);
     if (!is_black(scattered)) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/bsdf_table.h"
+#include "core/light_patch.h"
 #include "core/shadow_terminator.h"
 #include "core/surface.h"
 #include "integrators/shading_frame.h"
@@ -28,6 +29,7 @@ class Interaction {
   const Vec3& wo() const { return wo_; }              ///< World space.
   const Vec3& wo_local() const { return wo_local_; }  ///< z > 0.
   const Vec3& normal() const { return shading_.frame.normal; }
+  Receiver receiver() const { return {point_.position, normal(), bsdf_.lets_light_through()}; }
 
   const Frame& frame() const { return shading_.frame; }
   /// Whether a map bends the normal: then kept() is not always 1.

@@ -25,7 +25,7 @@ std::optional<Scattering> scatter(const Interaction& at, const Rgb& throughput, 
   if (!at.is_consistent(wi)) return std::nullopt;
   const Rgb next = throughput * sample.value * (at.kept(wi) * std::fabs(sample.wi.z) / sample.pdf);
   if (is_black(next)) return std::nullopt;
-  const Departure departure{{at.point().position, at.normal()}, sample.pdf, seeking_of(at, sample)};
+  const Departure departure{at.receiver(), sample.pdf, seeking_of(at, sample)};
   return Scattering{wi, next, departure, at.interiors(wi), sample.eta, kind_of(sample)};
 }
 

@@ -33,6 +33,7 @@ class PrincipledLobe {
   PrincipledLobe(const Principled& model, bool is_inside);
 
   Rgb albedo() const;
+  bool lets_light_through() const { return clear_ > 0; }
   BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;
   /// What of it comes from the opaque base below the gloss, and from the fuzz.
   Rgb diffuse(const Vec3& wo, const Vec3& wi) const;

@@ -54,9 +54,11 @@ SurfacePoint PathWave::found_surface(std::size_t i) const {
 }
 
 void PathWave::show_others() {
+  std::fill_n(surfaces_.lets_through.values, paths_.size, 0u);
   for (const OtherSurface& other : wave_.others) {
     surfaces_.reflectance.set(other.index, other.at.bsdf().albedo());
     surfaces_.shading.set(other.index, other.at.normal());
+    surfaces_.lets_through[other.index] = other.at.bsdf().lets_light_through() ? 1 : 0;
   }
 }
 

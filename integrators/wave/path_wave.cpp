@@ -122,9 +122,12 @@ void PathWave::add_found_light() {
 }
 
 Departure PathWave::departure_from(std::size_t surface) const {
-  return {{surfaces_.point.position.at(surface), surfaces_.shading.at(surface)},
-          wave_.pdf[surface],
-          Seeking(wave_.seeking[surface])};
+  return {receiver_at(surface), wave_.pdf[surface], Seeking(wave_.seeking[surface])};
+}
+
+Receiver PathWave::receiver_at(std::size_t surface) const {
+  return {surfaces_.point.position.at(surface), surfaces_.shading.at(surface),
+          surfaces_.lets_through[surface] != 0};
 }
 
 bool PathWave::may_find_light() const {
@@ -353,8 +356,8 @@ SurfacePoint PathWave::point_at(std::size_t surface) const {
 
 void PathWave::sample_other_light(std::uint32_t light) {
   for (std::size_t i = 0; i < paths_.size; ++i) {
-    const LightSample sample = context_.transport.lights.sample(light, point_at(i), surfaces_.shading.at(i),
-                                                                {light_.ux[i], light_.uy[i]});
+    const LightSample sample =
+        context_.transport.lights.sample(light, point_at(i), receiver_at(i), {light_.ux[i], light_.uy[i]});
     light_.direction.set(i, sample.direction);
     light_.radiance.set(i, sample.radiance);
     light_.pdf[i] = sample.pdf;

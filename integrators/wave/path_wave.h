@@ -109,6 +109,7 @@ class PathWave {
   template <typename F>
   void for_each_lobe(F&& f);
   Departure departure_from(std::size_t surface) const;
+  Receiver receiver_at(std::size_t surface) const;
   void add_direct_light();
   void add_lights();
   void add_hemisphere();

@@ -76,6 +76,7 @@ struct Surfaces {
   Floats facing;         ///< 1, or -1 where the geometric normal looks away from the viewer.
   Floats wo_z;           ///< Cosine of the direction to the viewer and the shading normal.
   Columns3 reflectance;  ///< Of Lambert surfaces; the albedo of others.
+  Words lets_through;    ///< 1 where light from behind counts, as a Receiver has it.
 };
 
 /// A surface that is not Lambert's: what it scatters is worked out alone, by the functions of PathReference.

@@ -52,6 +52,33 @@ TEST_CASE("sampled directions have the stated density, from both sides") {
   }
 }
 
+TEST_CASE("light from behind is scattered by those that let light through, and by no other") {
+  Principled clear;
+  clear.transmission_weight = 0.5f;
+  clear.specular_roughness = 0.5f;
+  const SurfaceModel models[] = {
+      Lambert{},        Mirror{},        Microfacet{},          Conductor{.roughness = {0.3f, 0.3f}},
+      RoughDiffuse{},   CoatedDiffuse{}, CoatedConductor{},     Principled{},
+      Dielectric{1.5f}, clear,           DiffuseTransmission{}, Dielectric{1.5f, {0.3f, 0.3f}}};
+  int through = 0;
+  for (const SurfaceModel& model : models) {
+    const Bsdf bsdf(model);
+    Random random(3);
+    bool is_seen = false;
+    for (int i = 0; i < 2000; ++i) {
+      Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
+      wo.z = std::fabs(wo.z);
+      wi.z = -std::fabs(wi.z);
+      const auto [value, pdf] = bsdf.evaluate(wo, wi);
+      is_seen = is_seen || !is_black(value) || pdf > 0;
+    }
+    CAPTURE(model.index());
+    CHECK(is_seen == bsdf.lets_light_through());
+    through += is_seen;
+  }
+  CHECK(through == 3);
+}
+
 TEST_CASE("facets narrower than a thousandth are smooth, and wider ones near that look smooth") {
   const Vec3 wo = test::direction_at(0.6f), image{-wo.x, -wo.y, wo.z};
   const auto is_delta = [&](const SurfaceModel& model) {

@@ -24,6 +24,8 @@ SurfacePoint below() {
   return point;
 }
 
+Receiver receiver() { return {below().position, below().shading_normal}; }
+
 Scene scene_with(Shape lamp) {
   Scene scene = scene_of(floor_square(5, -1), {0.5f, 0.5f, 0.5f}, {0, 1, 5}, {0, 0, 0});
   add_lamp(scene, std::move(lamp), {3, 2, 1}, EmissionSide::both);
@@ -42,7 +44,7 @@ SampleMean inverse_density(const Scene& scene, int seed) {
   Random random{std::uint64_t(seed)};
   SampleMean mean;
   for (int i = 0; i < 100000; ++i) {
-    const LightSample sample = lights.sample(0, below(), {0, 1, 0}, draw(random));
+    const LightSample sample = lights.sample(0, below(), receiver(), draw(random));
     if (!is_black(sample.radiance)) mean.add(1 / double(sample.pdf));
   }
   return mean;
@@ -93,7 +95,7 @@ TEST_CASE("the density of a sample is the density that is asked for") {
     Random random(3);
     int checked = 0;
     for (int i = 0; i < 1000; ++i) {
-      const LightSample sample = lights.sample(0, below(), {0, 1, 0}, draw(random));
+      const LightSample sample = lights.sample(0, below(), receiver(), draw(random));
       if (is_black(sample.radiance)) continue;
       // The end of the shadow ray lies just off the light; the surface there is where a ray on from it would
       // hit.
@@ -133,7 +135,8 @@ TEST_CASE("a sphere light shows its radiance outside, and is black from within")
     CHECK(lights.emitted(point, wo) == (dot(normal, wo) > 0 ? Rgb{3, 2, 1} : Rgb{}));
     SurfacePoint within = below();
     within.position = sphere.center + normal * (0.99f * random.unit());
-    CHECK(is_black(lights.sample(0, within, within.shading_normal, draw(random)).radiance));
+    CHECK(
+        is_black(lights.sample(0, within, {within.position, within.shading_normal}, draw(random)).radiance));
     CHECK(lights.pdf(0, {within.position, within.shading_normal}, {.primitive = 0, .mesh = 1}) == 0);
   }
 }
@@ -167,7 +170,7 @@ TEST_CASE("distant lights state the density and the radiance of their samples, o
   for (int i = 0; i < 1000; ++i) {
     Rgb all;
     for (const std::uint32_t light : lights.distant()) {
-      const LightSample sample = lights.sample(light, below(), {0, 1, 0}, draw(random));
+      const LightSample sample = lights.sample(light, below(), receiver(), draw(random));
       CHECK(lights.pdf(light, sample.direction) == sample.pdf);
       CHECK(lights.radiance(light, sample.direction) == sample.radiance);
       all += lights.radiance(light, normalize({0.3f, 0.2f, 0.1f}));
@@ -192,7 +195,7 @@ TEST_CASE("a sun shines from a disc whose irradiance is the stated one, and is s
     SampleMean irradiance;
     int outside = 0;
     for (int i = 0; i < 20000; ++i) {
-      const LightSample sample = lights.sample(0, below(), {0, 1, 0}, draw(random));
+      const LightSample sample = lights.sample(0, below(), receiver(), draw(random));
       CHECK(sample.pdf == Approx(1 / (2 * M_PI * (1 - std::cos(radius)))).epsilon(1e-3));
       irradiance.add(double(sample.radiance.r) * double(dot(sample.direction, towards)) / double(sample.pdf));
       // Rounded directions may lie just beyond the edge.

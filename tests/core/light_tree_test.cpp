@@ -35,7 +35,8 @@ std::vector<LightBounds> random_lamps(int count) {
 
 Receiver random_receiver(Random& random) {
   const Vec3 position = random.in_ball() * 12;
-  return {position, normalize(random.in_ball())};
+  const Vec3 normal = normalize(random.in_ball());
+  return {position, normal, random.below(2) == 0};
 }
 
 /// What a point of a lamp that faces `axis` sends to a receiver, up to a factor.
@@ -43,7 +44,8 @@ double received(const LightBounds& light, const Vec3& at, const Vec3& normal, co
   const Vec3 towards = at - receiver.position;
   const double squared = double(length_squared(towards)), distance = std::sqrt(squared);
   const double cos_light = -double(dot(normal, towards)) / distance;
-  const double cos_receiver = std::fabs(double(dot(receiver.normal, towards))) / distance;
+  const double cos_normal = double(dot(receiver.normal, towards)) / distance;
+  const double cos_receiver = receiver.lets_light_through ? std::fabs(cos_normal) : std::max(cos_normal, 0.0);
   return cos_light > 0 ? light.power * cos_light * cos_receiver / squared : 0;
 }
 
@@ -56,7 +58,9 @@ TEST_CASE(
     const LightTree tree(lamps, choice);
     Random random(5);
     for (int i = 0; i < 5; ++i) {
-      const Receiver receiver = random_receiver(random);
+      Receiver receiver = random_receiver(random);
+      receiver.position = receiver.position * 0.3f;  // Lamps on both sides.
+      receiver.lets_light_through = i % 2 == 0;
       std::vector<double> expected;
       double sum = 0;
       for (std::uint32_t light = 0; light < lamps.size(); ++light) {
@@ -109,6 +113,16 @@ TEST_CASE("no light that reaches a receiver has the probability 0") {
     REQUIRE(tree.probability(light, receiver) > 0);
   }
   CHECK(lit > 5000);
+}
+
+TEST_CASE("a lamp behind a surface is chosen where that lets light through, and else not") {
+  const std::vector<LightBounds> lamps{lamp({0, 5, 0}, 0.1f, 1, {}), lamp({0, -5, 0}, 0.1f, 1, {})};
+  const LightTree tree(lamps);
+  const Receiver floor{{0, 0, 0}, {0, 1, 0}}, glass{{0, 0, 0}, {0, 1, 0}, true};
+  CHECK(tree.probability(0, floor) == 1);
+  CHECK(tree.probability(1, floor) == 0);
+  CHECK(tree.probability(0, glass) == Approx(0.5));
+  CHECK(tree.probability(1, glass) == Approx(0.5));
 }
 
 TEST_CASE("a lamp is found from where the middle of those beside it cannot be seen") {

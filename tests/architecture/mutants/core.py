@@ -12,6 +12,12 @@ TWO_HALVES = "a lamp with a picture of two halves is two lamps, by every way of 
 LOOP_LIMIT = "a vertex has the same limit and normal at every level, inside and at the end of a surface"
 
 MUTANTS = [
+    Mutant("lamps behind an opaque surface are chosen, too", "core/light_tree.cpp",
+           "receiver.lets_light_through ? std::fabs(cos_normal) : cos_normal;", "std::fabs(cos_normal);",
+           "test_core", "a lamp behind a surface is chosen where that lets light through, and else not"),
+    Mutant("rough glass is taken for opaque", "core/bsdf.cpp",
+           "std::is_same_v<Lobe, RoughDielectricLobe> || std", "std",
+           "test_core", "light from behind is scattered by those that let light through, and by no other"),
     Mutant("a task computes as its thread did before, with denormal numbers or without", "core/denormals.cpp",
            "set_mode(saved_ & ~flushes);",
            "set_mode(saved_);",
