@@ -159,7 +159,7 @@ class Reader {
       }
       ShapeBinding binding{.material = entry.index("material")};
       if (entry.has("light") && !options_.surfaces_only) binding.light = entry.index("light");
-      if (entry.has("alpha")) binding.alpha = texture_of(entry, "alpha");
+      if (entry.has("alpha")) binding.alpha = alpha_of(entry);
       if (entry.has("asset")) binding.asset = asset_of(entry.word("asset"));
       loaded_.scene.bindings.push_back(binding);
       note_prototype(entry);
@@ -170,10 +170,11 @@ class Reader {
     });
   }
 
-  std::uint32_t texture_of(const Entry& entry, const char* key) const {
-    const std::uint32_t index = entry.index(key);
+  /// The texture that cuts holes into a shape; checked here, for the geometry looks it up.
+  std::uint32_t alpha_of(const Entry& entry) const {
+    const std::uint32_t index = entry.index("alpha");
     const std::size_t count = loaded_.scene.textures.size();
-    if (index >= count) entry.fail(key, fmt::format("is {}; there are {} textures", index, count));
+    if (index >= count) entry.fail("alpha", fmt::format("is {}; there are {} textures", index, count));
     return index;
   }
 

@@ -174,6 +174,23 @@ TEST_CASE("one of many lights chosen by a tree or by power has the mean of all o
   }
 }
 
+TEST_CASE("one of many lights has the mean of all of them behind a surface that lets light through, too") {
+  Scene scene = floor_scene();
+  scene.materials[0].model = DiffuseTransmission{{0.2f, 0.2f, 0.2f}, {0.6f, 0.6f, 0.6f}};
+  Random random(3);
+  for (int i = 0; i < 30; ++i) {
+    const Vec3 place = Vec3{0, i % 2 ? -2.5f : 2.5f, 0} + random.in_ball() * 2;
+    Mesh lamp = floor_square(0.2f, 0);
+    for (Vec3& p : lamp.positions) p = p + place;
+    add_lamp(scene, std::move(lamp), {1, 2, 3}, EmissionSide::both);
+  }
+  const auto by = [&](ManyLights many, std::uint32_t samples) {
+    return estimate(scene, {.max_depth = 1, .direct = DirectMethod::lights, .many_lights = many},
+                    small_picture(samples));
+  };
+  check_same_mean(by(ManyLights::all, 256), by(ManyLights::tree, 8192), 0.05);
+}
+
 TEST_CASE("a floor has the reflectance of its texture where it is seen") {
   auto picture = Image(2, 2);
   picture.pixels = {{0.1f, 0.1f, 0.1f}, {0.3f, 0.3f, 0.3f}, {0.9f, 0.9f, 0.9f}, {0.7f, 0.7f, 0.7f}};

@@ -138,9 +138,18 @@ Scene scene_of_interiors() {
   return scene;
 }
 
-/// Lamps, balls and points of light, more of each than are sampled alone.
+/// Lamps, balls and points of light, more of each than are sampled alone, some of them behind surfaces that
+/// let light through.
 Scene scene_of_many_lights() {
   Scene scene = scene_of(soup(60, 0.7f, 3), {0.8f, 0.7f, 0.6f}, {0, 0.3f, 1.6f}, {0, 0, 0});
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  for (const SurfaceModel& model : {SurfaceModel(DiffuseTransmission{}),
+                                    SurfaceModel(Dielectric{.ior = 1.5f, .roughness = {0.3f, 0.2f}})}) {
+    scene.bindings.push_back({std::uint32_t(scene.materials.size())});
+    scene.materials.push_back({"", model});
+    shapes.push_back(soup(12, 0.7f, scene.materials.size()));
+  }
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
   Random random(8);
   for (int i = 0; i < 7; ++i) {
     const Vec3 place = random.in_ball() * 1.4f;

@@ -263,21 +263,28 @@ TEST_CASE("a picture that an exchange form names and that is not there is shown 
                     Catch::Matchers::StartsWith("a.json: textures[0]: no-such.exr: "));
 }
 
-TEST_CASE("a picture of an exchange form has the role that it is given") {
+TEST_CASE("a picture of an exchange form has the role and the smaller copies that each texture asks for") {
   const TemporaryFolder folder;
-  write_png(folder.file("grey.png"), ByteImage{1, 1, {188, 188, 188}});
+  write_png(folder.file("grey.png"), ByteImage{2, 1, {188, 188, 188, 188, 188, 188}});
   nlohmann::json json = small();
   const nlohmann::json uv = {{1, 0, 0}, {0, 1, 0}};
   const nlohmann::json image = {{"name", ""},           {"type", "image"}, {"wrap", "repeat"},
                                 {"filter", "bilinear"}, {"uv", uv},        {"file", "grey.png"}};
-  json["textures"] = {image, image, image};
+  json["textures"] = {image, image, image, image};
   json["textures"][1]["role"] = "color";
   json["textures"][2]["role"] = "data";
+  json["textures"][3]["mip_map"] = false;
   const LoadedScene loaded = read_exchange(json.dump(), folder.file("a.json"), {}, {});
   const auto value = [&](std::uint32_t i) { return evaluate(loaded.scene.textures, i, {}).r; };
   CHECK(value(0) == Approx(0.5f).margin(0.005));
   CHECK(value(1) == value(0));
   CHECK(value(2) == Approx(188.0f / 255));
+  const auto picture = [&](std::size_t i) {
+    return std::get<ImageTexture>(loaded.scene.textures[i].model).image;
+  };
+  CHECK(picture(0) == picture(1));
+  CHECK(picture(0)->levels() == 2);
+  CHECK(picture(3)->levels() == 1);
 }
 
 TEST_CASE("what is wrong with the textures of an exchange form is said with its entry") {
