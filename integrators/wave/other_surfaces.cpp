@@ -58,7 +58,7 @@ void PathWave::show_others() {
   for (const OtherSurface& other : wave_.others) {
     surfaces_.reflectance.set(other.index, other.at.bsdf().albedo());
     surfaces_.shading.set(other.index, other.at.normal());
-    surfaces_.lets_through[other.index] = other.at.bsdf().lets_light_through() ? 1 : 0;
+    surfaces_.lets_through[other.index] = other.at.receiver().lets_light_through ? 1 : 0;
   }
 }
 

@@ -4,6 +4,8 @@ from mutant import Mutant
 
 EXCHANGED = "a scene in exchange form is read with all its bits, whatever is in it"
 
+PICTURES = "a picture of an exchange form has the role and the smaller copies that each texture asks for"
+
 MUTANTS = [
     Mutant("corners of one normal share texture coordinates in a PLY file", "io/joined_mesh.cpp",
            "mesh.uvs.empty() ? 0 : mesh.uv_indices[i][k]",
@@ -39,10 +41,10 @@ MUTANTS = [
     Mutant("a picture of an exchange form is data, whatever its role", "io/exchange/texture.cpp",
            "load_texture(picture, {.role = role}, options_)",
            "load_texture(picture, {PictureRole::data}, options_)",
-           "test_io", "a picture of an exchange form has the role and the smaller copies that each texture asks for"),
+           "test_io", PICTURES),
     Mutant("a picture of an exchange form has the smaller copies of the first texture that names it",
            "io/exchange/texture.cpp", "known_[{picture, role, has_levels}]", "known_[{picture, role, true}]",
-           "test_io", "a picture of an exchange form has the role and the smaller copies that each texture asks for"),
+           "test_io", PICTURES),
     Mutant("a file of an exchange form may lie anywhere", "io/exchange/entry.cpp",
            "name.empty() || name != name.filename()", "name.empty()", "test_io",
            "files of an exchange form lie beside it"),
