@@ -45,10 +45,11 @@ void RenderCheck::observe(const PixelSample& sample, std::span<const RecordedRay
   CrosscheckReport part(2, kept_);
   for (const RecordedRay& recorded : rays)
     crosscheck_.check(recorded.ray, class_of(recorded.kind), pixel * samples_ + sample.index, part);
+  Mark& mark = marks_[place(sample.x, sample.y)];
   if (part.unexplained() > 0)
-    mark(sample.x, sample.y) = Mark::unexplained;
+    mark = Mark::unexplained;
   else if (odd_rays(part) > 0)
-    mark(sample.x, sample.y) = std::max(mark(sample.x, sample.y), Mark::explained);
+    mark = std::max(mark, Mark::explained);
   const std::lock_guard lock(mutex_);
   report_ += part;
 }
@@ -65,14 +66,19 @@ PixelSample RenderCheck::sample_of(const Finding& finding) const {
           std::uint32_t(finding.number % samples_)};
 }
 
+Rgb RenderCheck::shown(int x, int y, const Rgb& rendered) const {
+  const Mark mark = marks_[place(x, y)];
+  if (mark == Mark::none) return dark(rendered);
+  return mark == Mark::unexplained ? Rgb{1, 0, 0} : Rgb{1, 1, 0};
+}
+
 Image RenderCheck::picture(const Image& rendered) const {
   Image image = rendered;
-  for (std::size_t i = 0; i < marks_.size(); ++i) {
-    constexpr Rgb red{1, 0, 0}, yellow{1, 1, 0};
-    image.pixels[i] = marks_[i] == Mark::none          ? dark(rendered.pixels[i])
-                      : marks_[i] == Mark::unexplained ? red
-                                                       : yellow;
-  }
+  for (int y = window_.y0; y < window_.y1; ++y)
+    for (int x = window_.x0; x < window_.x1; ++x) {
+      Rgb& pixel = image.pixels[place(x, y)];
+      pixel = shown(x, y, pixel);
+    }
   return image;
 }
 

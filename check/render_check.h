@@ -30,15 +30,17 @@ class RenderCheck {
   CrosscheckReport report() const;
   /// The sample that traced a finding's ray.
   PixelSample sample_of(const Finding& finding) const;
-  /// The rendered picture, dark and grey, with the pixels that have a differing ray: red where it is
-  /// unexplained, yellow where it is explained but more than rounding.
+  /// What shows a pixel of this colour: dark and grey or, where it has a differing ray, red if that is
+  /// unexplained, yellow if it is explained but more than rounding.
+  Rgb shown(int x, int y, const Rgb& rendered) const;
+  /// The rendered picture with all pixels so.
   Image picture(const Image& rendered) const;
 
  private:
   enum class Mark : std::uint8_t { none, explained, unexplained };
 
-  Mark& mark(int x, int y) {
-    return marks_[std::size_t(y - window_.y0) * std::size_t(window_.width()) + std::size_t(x - window_.x0)];
+  std::size_t place(int x, int y) const {
+    return std::size_t(y - window_.y0) * std::size_t(window_.width()) + std::size_t(x - window_.x0);
   }
 
   std::shared_ptr<const Geometry> geometry_;

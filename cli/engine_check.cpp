@@ -25,6 +25,12 @@ RenderOptions EngineCheck::observed(RenderOptions options) {
   return options;
 }
 
+LiveLayer EngineCheck::layer() const {
+  return {"differences", {"R", "G", "B"}, [this](const Film& film, int x, int y) {
+            return account_.shown(x, y, film.pixel(x, y).mean());
+          }};
+}
+
 /// "camera ray of pixel 3 4, sample 5"
 std::string EngineCheck::label(const Finding& finding) const {
   const PixelSample sample = account_.sample_of(finding);

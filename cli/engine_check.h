@@ -7,6 +7,7 @@
 
 #include "check/render_check.h"
 #include "cli/crosscheck/report.h"
+#include "cli/live/live_layers.h"
 #include "cli/render_arguments.h"
 
 namespace twinray {
@@ -18,6 +19,8 @@ class EngineCheck {
 
   /// The options of a render whose rays come here.
   RenderOptions observed(RenderOptions options);
+  /// "differences": the picture of them as it grows.
+  LiveLayer layer() const;
   /// The rendered picture with the pixels where engines differ.
   Image picture(const Image& rendered) const { return account_.picture(rendered); }
   /// Of a render that took so long.

@@ -141,13 +141,14 @@ class RenderRun {
         return stop->is_made();
       };
     }
+    const std::vector<LiveLayer> more = check_ ? std::vector{check_->layer()} : std::vector<LiveLayer>{};
+    options = live.watching(std::move(options), job.scene, more);
     talk_.rendering();
-    RenderResult result =
-        twinray::render(job.scene, job.accelerator, job.integrator,
-                        live.watching(std::move(options), job.scene), [&](const RenderProgress& progress) {
-                          talk_.progress(progress);
-                          live.progress(progress);
-                        });
+    RenderResult result = twinray::render(job.scene, job.accelerator, job.integrator, options,
+                                          [&](const RenderProgress& progress) {
+                                            talk_.progress(progress);
+                                            live.progress(progress);
+                                          });
     live.show_last(result);
     const int stop_code = result.is_complete ? 0 : stop->exit_code();
     if (stop_code == 0)

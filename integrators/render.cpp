@@ -313,6 +313,7 @@ class Renderer {
     });
     const bool is_done = !is_stopped();
     if (is_done && !samples.empty()) finish();
+    if (is_done && options_.tile_done) options_.tile_done(film_, tile);
     finish_tile(is_done ? pixels_of(tile) * (end - begin) : 0, tracer.counts());
     return is_done;
   }

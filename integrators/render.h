@@ -85,6 +85,9 @@ struct RenderOptions {
   /// If set, gets the rays of each sample once it is done: from any thread, those of one pixel one after the
   /// other.
   std::function<void(const PixelSample&, std::span<const RecordedRay>)> observe;
+  /// If set, gets the film, and a tile of which all samples of the pass are there: from the thread that made
+  /// them, which alone changes the tile until the pass ends, while others change others.
+  std::function<void(const Film&, const PixelRect&)> tile_done;
   /// If set, gets the film after each pass, in which pixels then have all its samples; the next pass waits.
   std::function<void(const Film&)> pass_done;
   /// If set, asked many times a second, from any thread: once it says true, rendering ends with the samples

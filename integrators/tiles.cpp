@@ -4,17 +4,14 @@
 #include <algorithm>
 
 namespace twinray {
-namespace {
+
+TileGrid tile_grid(const PixelRect& window, int size) {
+  return {(window.width() + size - 1) / size, (window.height() + size - 1) / size};
+}
 
 PixelRect tile_at(const PixelRect& window, int size, int column, int row) {
   const int x0 = window.x0 + column * size, y0 = window.y0 + row * size;
   return {x0, y0, std::min(x0 + size, window.x1), std::min(y0 + size, window.y1)};
-}
-
-}  // namespace
-
-TileGrid tile_grid(const PixelRect& window, int size) {
-  return {(window.width() + size - 1) / size, (window.height() + size - 1) / size};
 }
 
 PixelRect rows_of(const TileRange& tiles, const PixelRect& window, int size) {

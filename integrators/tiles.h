@@ -14,6 +14,8 @@ struct TileGrid {
   std::uint32_t count() const { return std::uint32_t(columns) * std::uint32_t(rows); }
 };
 TileGrid tile_grid(const PixelRect& window, int size);
+/// The tile of a window in this column and row: up to size x size pixels.
+PixelRect tile_at(const PixelRect& window, int size, int column, int row);
 
 /// Tiles [begin, end) of those of a window, which count row by row.
 struct TileRange {

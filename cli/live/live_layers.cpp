@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstring>
 
 #include "cli/layered_picture.h"
@@ -11,8 +10,6 @@
 
 namespace twinray {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "values go out as they lie in memory");
 
 const std::vector<std::string> rgb{"R", "G", "B"};
 
@@ -31,58 +28,52 @@ std::vector<std::string> short_names(const std::vector<std::string>& channels) {
 }
 
 LiveLayer layer_of(Layer layer, std::size_t index) {
-  return {layer_info(layer).name, short_names(layer_info(layer).channels), LiveLayer::Kind::layer, index};
+  return {layer_info(layer).name, short_names(layer_info(layer).channels),
+          [index](const Film& film, int x, int y) { return film.value(index, x, y); }};
 }
 
-Rgb part_of(const Film& film, const LiveLayer& layer, int x, int y) {
-  static thread_local std::vector<Rgb> parts;
-  parts.resize(film.contents().parts[std::size_t(layer.division)]);
-  film.read_parts(layer.division, x, y, parts);
-  return parts[layer.index];
-}
-
-Rgb value_of(const Film& film, const LiveLayer& layer, int x, int y) {
-  if (layer.kind == LiveLayer::Kind::layer) return film.value(layer.index, x, y);
-  if (layer.kind == LiveLayer::Kind::part) return part_of(film, layer, x, y);
-  return film.pixel(x, y).mean();
+LiveLayer part_of(const std::string& name, Division division, std::size_t index) {
+  return {name, rgb, [division, index](const Film& film, int x, int y) {
+            static thread_local std::vector<Rgb> parts;
+            parts.resize(film.contents().parts[std::size_t(division)]);
+            film.read_parts(division, x, y, parts);
+            return parts[index];
+          }};
 }
 
 }  // namespace
 
 std::vector<LiveLayer> live_layers(const FilmContents& contents,
                                    const std::vector<std::string>& light_groups) {
-  std::vector<LiveLayer> layers{{"beauty", rgb}};
+  std::vector<LiveLayer> layers{
+      {"beauty", rgb, [](const Film& film, int x, int y) { return film.pixel(x, y).mean(); }}};
   for (std::size_t i = 0; i < contents.layers.size(); ++i)
     if (layer_info(contents.layers[i]).gathering != Gathering::coverage)
       layers.push_back(layer_of(contents.layers[i], i));
   const auto& [paths, groups] = contents.parts;
   for (std::size_t i = 0; i < paths; ++i)
-    layers.push_back({light_path_name(LightPath(i)), rgb, LiveLayer::Kind::part, i, Division::paths});
+    layers.push_back(part_of(light_path_name(LightPath(i)), Division::paths, i));
   for (std::size_t i = 0; i < groups; ++i)
-    layers.push_back({light_group_layer(light_groups[i]), rgb, LiveLayer::Kind::part, i, Division::groups});
+    layers.push_back(part_of(light_group_layer(light_groups[i]), Division::groups, i));
   return layers;
 }
 
-LiveValues live_values(const Film& film, const LiveLayer& layer) {
-  const PixelRect& window = film.window();
-  const std::size_t bytes = layer.channels.size() * sizeof(float);
-  LiveValues values{window.width(), window.height(), {}};
-  values.bytes.resize(bytes * std::size_t(values.width) * std::size_t(values.height));
-  char* next = values.bytes.data();
-  for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x, next += bytes) {
-      const Rgb value = value_of(film, layer, x, y);
-      const float channels[] = {value.r, value.g, value.b};
-      std::memcpy(next, channels, bytes);
+void read_tile(const Film& film, const LiveLayer& layer, const PixelRect& tile, std::vector<float>& values) {
+  const std::size_t channels = layer.channels.size();
+  values.clear();
+  for (int y = tile.y0; y < tile.y1; ++y)
+    for (int x = tile.x0; x < tile.x1; ++x) {
+      const Rgb value = layer.value(film, x, y);
+      const std::array<float, 3> all{value.r, value.g, value.b};
+      values.insert(values.end(), all.begin(), all.begin() + std::ptrdiff_t(channels));
     }
-  return values;
 }
 
-std::string pfm_of(const LiveValues& values, std::size_t channels) {
-  Image image(values.width, values.height);
+std::string pfm_of(const std::string& values, int width, int height, std::size_t channels) {
+  Image image(width, height);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     std::array<float, 3> pixel{};
-    std::memcpy(pixel.data(), values.bytes.data() + i * channels * sizeof(float), channels * sizeof(float));
+    std::memcpy(pixel.data(), values.data() + i * channels * sizeof(float), channels * sizeof(float));
     image.pixels[i] = {pixel[0], pixel[1], pixel[2]};
   }
   return encode_pfm(image, channels == 1 ? 1 : 3);

@@ -2,6 +2,7 @@
 #include "cli/live/live_picture.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "cli/console.h"
 
@@ -14,10 +15,28 @@ constexpr int rarity = 50;
 
 }  // namespace
 
-RenderOptions LivePicture::watching(RenderOptions options, const Scene& scene) {
-  for (const auto& viewer : viewers_) viewer->begin(options, scene);
-  if (!viewers_.empty()) options.pass_done = [this](const Film& film) { show_pass(film); };
+RenderOptions LivePicture::watching(RenderOptions options, const Scene& scene,
+                                    const std::vector<LiveLayer>& more) {
+  if (viewers_.empty()) return options;
+  for (const auto& viewer : viewers_) viewer->begin(options, scene, more);
+  options.tile_done = [this](const Film& film, const PixelRect& tile) {
+    for (const auto& viewer : viewers_) viewer->show_tile(film, tile);
+  };
+  options.pass_done = [this](const Film& film) { show_pass(film); };
+  options.is_pause_due = [this, is_due = std::move(options.is_pause_due)] {
+    return needs_film() || (is_due && is_due());
+  };
+  options.paused = [this, paused = std::move(options.paused)](const RenderState& state) {
+    for (const auto& viewer : viewers_)
+      if (viewer->needs_film()) viewer->show(state.film);
+    if (paused) paused(state);
+  };
   return options;
+}
+
+bool LivePicture::needs_film() const {
+  return std::any_of(viewers_.begin(), viewers_.end(),
+                     [](const auto& viewer) { return viewer->needs_film(); });
 }
 
 void LivePicture::progress(const RenderProgress& progress) {

@@ -15,9 +15,10 @@ class LivePicture {
  public:
   explicit LivePicture(std::vector<std::unique_ptr<PictureViewer>> viewers) : viewers_(std::move(viewers)) {}
 
-  /// The options of a render of the scene whose passes come here, as long as this lives: what there is after
-  /// a pass is shown to whoever has all before, and copies take 2 % of the time at most.
-  RenderOptions watching(RenderOptions options, const Scene& scene);
+  /// The options of a render of the scene whose tiles and passes come here, as long as this lives: what there
+  /// is after a pass is shown to whoever has all before, and copies take 2 % of the time at most. `more` may
+  /// be looked at, too.
+  RenderOptions watching(RenderOptions options, const Scene& scene, const std::vector<LiveLayer>& more = {});
   /// From one thread at a time.
   void progress(const RenderProgress& progress);
   /// Whether somebody who looks has asked for the end of the render; from any thread.
@@ -31,6 +32,7 @@ class LivePicture {
  private:
   using Clock = std::chrono::steady_clock;
   void show_pass(const Film& film);
+  bool needs_film() const;
 
   std::vector<std::unique_ptr<PictureViewer>> viewers_;
   Clock::time_point next_;  ///< No copy before.

@@ -23,7 +23,7 @@ ViewerPicture viewer_picture(const std::string& name, const LayeredImage& image)
 TevWindow::TevWindow(const NetworkAddress& address, const std::string& picture_name)
     : address_(address), name_(picture_name), viewer_(address) {}
 
-void TevWindow::begin(const RenderOptions& options, const Scene& scene) {
+void TevWindow::begin(const RenderOptions& options, const Scene& scene, const std::vector<LiveLayer>&) {
   names_ = scene_names(scene, film_contents(options, scene));
 }
 

@@ -12,7 +12,7 @@ namespace twinray {
 class TevWindow final : public PictureViewer {
  public:
   TevWindow(const NetworkAddress& address, const std::string& picture_name);
-  void begin(const RenderOptions& options, const Scene& scene) override;
+  void begin(const RenderOptions& options, const Scene& scene, const std::vector<LiveLayer>& more) override;
   bool is_ready() const override { return viewer_.is_idle(); }
   void show(const Film& film) override;
   void show_last(const RenderResult& result) override { show(result.film); }

@@ -21,16 +21,17 @@ WebPicture::WebPicture(const std::string& picture, const std::string& partial) {
   looks_.resize(state_.layers.size());
 }
 
-void WebPicture::begin(const RenderOptions& options, const Scene& scene) {
+void WebPicture::begin(const RenderOptions& options, const Scene& scene, const std::vector<LiveLayer>& more) {
   const std::lock_guard lock(mutex_);
-  const PixelRect window = window_of(options);
+  window_ = film_window(options);
   state_.phase = WebState::Phase::rendering;
-  state_.width = window.width();
-  state_.height = window.height();
+  state_.width = window_.width();
+  state_.height = window_.height();
   state_.layers = live_layers(film_contents(options, scene), scene.light_groups);
+  state_.layers.insert(state_.layers.end(), more.begin(), more.end());
   looks_.resize(state_.layers.size());
   state_.progress.samples_total =
-      std::uint64_t(window.width()) * std::uint64_t(window.height()) * options.samples;
+      std::uint64_t(window_.width()) * std::uint64_t(window_.height()) * options.samples;
   begun_ = Clock::now();
 }
 
@@ -49,29 +50,44 @@ bool WebPicture::is_awaited() const {
   return picture_asked_ > shown_ && Clock::now() - picture_asked_ < attention;
 }
 
-std::vector<std::size_t> WebPicture::watched_layers() const {
+std::vector<WebPicture::Seen> WebPicture::seen(Clock::duration within) const {
   const std::lock_guard lock(mutex_);
-  std::vector<std::size_t> layers;
+  std::vector<Seen> seen;
   for (std::size_t i = 0; i < looks_.size(); ++i)
-    if (Clock::now() - looks_[i].asked < attention) layers.push_back(i);
-  return layers;
+    if (looks_[i].image && Clock::now() - looks_[i].asked < within)
+      seen.push_back({state_.layers[i], looks_[i].image});
+  return seen;
 }
 
-void WebPicture::copy_layers(const Film& film) {
-  // The layers are changed by the render alone, which is here.
-  std::vector<std::pair<std::size_t, std::shared_ptr<const LiveValues>>> copies;
-  for (const std::size_t layer : watched_layers())
-    copies.emplace_back(layer, std::make_shared<const LiveValues>(live_values(film, state_.layers[layer])));
+void WebPicture::show(const Film& film) {
+  needs_film_ = false;
+  std::vector<float> values;
+  for (const auto& [layer, image] : seen(attention))
+    for (const PixelRect& tile : spiral_tiles(window_, tile_size))
+      if (image->is_old(tile)) {
+        read_tile(film, layer, tile, values);
+        image->put(tile, values, Clock::now());
+      }
   const std::lock_guard lock(mutex_);
-  ++version_;
-  for (auto& [layer, values] : copies) looks_[layer].copy = {version_, std::move(values)};
   shown_ = Clock::now();
 }
 
-void WebPicture::show(const Film& film) { copy_layers(film); }
+void WebPicture::show_tile(const Film& film, const PixelRect& tile) {
+  static thread_local std::vector<float> values;
+  for (const auto& [layer, image] : seen(attention)) {
+    if (!image->is_due(tile, Clock::now())) continue;
+    read_tile(film, layer, tile, values);
+    image->put(tile, values, Clock::now());
+  }
+}
 
 void WebPicture::show_last(const RenderResult& result) {
-  copy_layers(result.film);
+  std::vector<float> values;
+  for (const auto& [layer, image] : seen(Clock::duration::max()))
+    for (const PixelRect& tile : spiral_tiles(window_, tile_size)) {
+      read_tile(result.film, layer, tile, values);
+      image->put(tile, values, Clock::now());
+    }
   const std::lock_guard lock(mutex_);
   state_.phase = WebState::Phase::ended;
   state_.is_complete = result.is_complete;
@@ -85,7 +101,7 @@ WebState WebPicture::state() {
     state_.seconds = std::chrono::duration<double>(asked_ - begun_).count();
   WebState state = state_;
   state.is_stopping = is_stopping_;
-  for (const Look& look : looks_) state.versions.push_back(look.copy.version);
+  for (const Look& look : looks_) state.versions.push_back(look.image ? look.image->version() : 0);
   return state;
 }
 
@@ -97,10 +113,18 @@ std::optional<std::size_t> WebPicture::layer_number(std::string_view name) const
   return std::size_t(found - state_.layers.begin());
 }
 
-WebCopy WebPicture::look_at(std::size_t layer) {
+std::shared_ptr<const LiveImage> WebPicture::look_at(std::size_t layer) {
   const std::lock_guard lock(mutex_);
-  asked_ = picture_asked_ = looks_[layer].asked = Clock::now();
-  return looks_[layer].copy;
+  Look& look = looks_[layer];
+  const Clock::time_point now = Clock::now(), before = std::exchange(look.asked, now);
+  asked_ = picture_asked_ = now;
+  if (state_.phase != WebState::Phase::rendering) return look.image;
+  if (look.image && now - before < attention) return look.image;
+  // Tiles came and went while nobody looked.
+  if (!look.image) look.image = std::make_shared<LiveImage>(window_, state_.layers[layer].channels.size());
+  look.image->age();
+  needs_film_ = true;
+  return look.image;
 }
 
 void WebPicture::stop() {

@@ -2,7 +2,6 @@
 #pragma once
 #include <atomic>
 #include <chrono>
-#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -10,18 +9,13 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/live/live_image.h"
 #include "cli/live/web_state.h"
 
 namespace twinray {
 
-/// A layer as it was after a pass; what it is once it was replaced stays with those who still read it.
-struct WebCopy {
-  std::uint64_t version = 0;  ///< Grows with each pass that is copied.
-  std::shared_ptr<const LiveValues> values;
-};
-
 /// What pages see of a render. It is written by the render and read by the server's thread, and neither waits
-/// for the other for longer than a few words take.
+/// for the other for longer than a row of tiles takes.
 class WebPicture {
  public:
   /// The files, as in WebState.
@@ -29,14 +23,18 @@ class WebPicture {
 
   // For the render.
 
-  void begin(const RenderOptions& options, const Scene& scene);
+  void begin(const RenderOptions& options, const Scene& scene, const std::vector<LiveLayer>& more);
   void progress(const RenderProgress& progress);
   /// Whether a page asked within the last three seconds.
   bool is_watched() const;
   /// Whether one has asked for a picture since the last one was shown.
   bool is_awaited() const;
-  /// Copies the layers that pages look at.
+  /// Whether a page began to look at a layer whose tiles are old.
+  bool needs_film() const { return needs_film_; }
+  /// Copies what pages do not have of the layers that they look at.
   void show(const Film& film);
+  /// Of a tile, where they have not had it for a while.
+  void show_tile(const Film& film, const PixelRect& tile);
   void show_last(const RenderResult& result);
 
   // For the server.
@@ -45,27 +43,33 @@ class WebPicture {
   WebState state();
   /// The layer's number among the state's layers; none of that name: nothing.
   std::optional<std::size_t> layer_number(std::string_view name) const;
-  /// A layer's last copy, if there is one. The layer is looked at from now on.
-  WebCopy look_at(std::size_t layer);
+  /// What there is of a layer, if anything. The layer is looked at from now on.
+  std::shared_ptr<const LiveImage> look_at(std::size_t layer);
 
   /// Asks for the end of the render. Throws Error where there is none, or where nothing would be kept of it.
   void stop();
   bool is_stopping() const { return is_stopping_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
+  using Clock = LiveImage::Clock;
   struct Look {
-    WebCopy copy;
-    Clock::time_point asked;  ///< When somebody last wanted to see it.
+    std::shared_ptr<LiveImage> image;  ///< None before somebody asked.
+    Clock::time_point asked;           ///< When somebody last wanted to see it.
   };
-  std::vector<std::size_t> watched_layers() const;
-  void copy_layers(const Film& film);
+  /// A layer that somebody saw.
+  struct Seen {
+    const LiveLayer& layer;
+    std::shared_ptr<LiveImage> image;
+  };
+  /// Those that were asked for not longer ago than that.
+  std::vector<Seen> seen(Clock::duration within) const;
 
   mutable std::mutex mutex_;
   std::atomic<bool> is_stopping_ = false;  ///< Asked for each pixel: no lock.
+  std::atomic<bool> needs_film_ = false;
   WebState state_;
+  PixelRect window_;         ///< Of the film.
   std::vector<Look> looks_;  ///< One for each of the state's layers.
-  std::uint64_t version_ = 0;
   Clock::time_point begun_, asked_, picture_asked_, shown_;
 };
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
+#include <utility>
 
 #include "cli/live/page/page.h"
 
@@ -44,9 +46,9 @@ std::size_t layer_of(const Request& request, WebPicture& picture) {
       400, fmt::format("There is no layer \"{}\"; valid are {}.", found->second, fmt::join(names, ", ")));
 }
 
-std::uint64_t since_of(const Request& request) {
+std::optional<std::uint64_t> since_of(const Request& request) {
   const auto found = request.query.find("since");
-  if (found == request.query.end()) return 0;
+  if (found == request.query.end()) return std::nullopt;
   std::uint64_t version = 0;
   const char* const last = found->second.data() + found->second.size();
   const auto [end, error] = std::from_chars(found->second.data(), last, version);
@@ -56,25 +58,30 @@ std::uint64_t since_of(const Request& request) {
   return version;
 }
 
+/// The picture, or those of its tiles that changed.
 Response values(const Request& request, WebPicture& picture) {
-  const std::uint64_t since = since_of(request);
-  const WebCopy copy = picture.look_at(layer_of(request, picture));
-  if (!copy.values || copy.version <= since) return {.status = 204};
+  const std::optional<std::uint64_t> since = since_of(request);
+  const auto image = picture.look_at(layer_of(request, picture));
+  if (!image || image->version() <= since.value_or(0)) return {.status = 204};
+  LiveBytes found = since ? image->changed_since(*since) : image->all();
   return {.type = "application/octet-stream",
-          .body = {copy.values, &copy.values->bytes},
-          .fields = {{"Picture-Version", std::to_string(copy.version)},
-                     {"Picture-Width", std::to_string(copy.values->width)},
-                     {"Picture-Height", std::to_string(copy.values->height)}}};
+          .body = std::make_shared<const std::string>(std::move(found.bytes)),
+          .fields = {{"Picture-Version", std::to_string(found.version)},
+                     {"Picture-Width", std::to_string(image->width())},
+                     {"Picture-Height", std::to_string(image->height())},
+                     {"Picture-Tiles", std::to_string(found.tiles)}}};
 }
 
 Response pfm(const Request& request, WebPicture& picture) {
   const std::size_t layer = layer_of(request, picture);
-  const WebCopy copy = picture.look_at(layer);
-  if (!copy.values) throw Refusal(404, "There is no picture yet: this layer comes with the next pass.");
-  return {.type = "image/x-portable-floatmap",
-          .body = std::make_shared<const std::string>(
-              pfm_of(*copy.values, picture.state().layers[layer].channels.size())),
-          .fields = {{"Content-Disposition", "attachment; filename=\"picture.pfm\""}}};
+  const auto image = picture.look_at(layer);
+  if (!image || image->version() == 0)
+    throw Refusal(404, "There is no picture yet: this layer comes in a moment.");
+  return {
+      .type = "image/x-portable-floatmap",
+      .body = std::make_shared<const std::string>(pfm_of(image->all().bytes, image->width(), image->height(),
+                                                         picture.state().layers[layer].channels.size())),
+      .fields = {{"Content-Disposition", "attachment; filename=\"picture.pfm\""}}};
 }
 
 Response stop(const Request&, WebPicture& picture) {

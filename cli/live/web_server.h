@@ -23,10 +23,14 @@ class WebServer final : public PictureViewer {
   /// Where people find the page.
   std::string page_address() const { return access_.page_address(); }
 
-  void begin(const RenderOptions& options, const Scene& scene) override { picture_.begin(options, scene); }
+  void begin(const RenderOptions& options, const Scene& scene, const std::vector<LiveLayer>& more) override {
+    picture_.begin(options, scene, more);
+  }
   void progress(const RenderProgress& progress) override { picture_.progress(progress); }
   bool is_ready() const override { return picture_.is_awaited(); }
   void show(const Film& film) override { picture_.show(film); }
+  bool needs_film() const override { return picture_.needs_film(); }
+  void show_tile(const Film& film, const PixelRect& tile) override { picture_.show_tile(film, tile); }
   void show_last(const RenderResult& result) override;
   std::string finish() override;
   bool asks_to_stop() const override { return picture_.is_stopping(); }

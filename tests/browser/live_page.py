@@ -24,12 +24,35 @@ def expect(condition, text):
         sys.exit(f"live_page.py: {text}")
 
 
-def start(program, picture):
+def start(program, picture, *options):
     """A render that takes hours, and where its page is."""
     render = subprocess.Popen(
         [program, "render", ROOT / "scenes" / "still-life.pbrt", "-r", "400", "300", "-s", "400000", "-q",
-         "--layers=all", "-o", picture, "--serve=0"], stderr=subprocess.PIPE, text=True)
+         "-o", picture, "--serve=0", *options], stderr=subprocess.PIPE, text=True)
     return render, re.search(r"http://\S+", render.stderr.readline())[0]
+
+
+def stop(browser):
+    browser.value("$('stop').click()")
+    browser.wait("isGone")
+
+
+def check_tiles(browser, program, folder):
+    """Tiles, of several passes, make the picture that is saved."""
+    render, address = start(program, f"{folder}/tiles.pfm")
+    try:
+        browser.open(address)
+        browser.wait("document.readyState === 'complete' && picture?.version > 2000")
+        stop(browser)
+        expect(render.wait(20) == 130, "the program did not end as after Ctrl-C")
+        shown = browser.value("[...picture.values]")
+        size = 400 * 300 * 3
+        rows = Path(f"{folder}/tiles_partial.pfm").read_bytes()[-4 * size:]
+        saved = struct.unpack(f"<{size}f", rows)
+        saved = [value for y in reversed(range(300)) for value in saved[1200 * y:1200 * (y + 1)]]
+        expect(shown == saved, "the page does not show what is saved")
+    finally:
+        render.kill()
 
 
 def served(address, width, x, y):
@@ -79,8 +102,7 @@ def check(browser, address, shoot):
     browser.value("$('save').click()")
     size = len("PF\n400 300\n-1.0\n") + 12 * 400 * 300
     expect(browser.value("saved.size") == size, "the saved file has another size")
-    browser.value("$('stop').click()")
-    browser.wait("isGone")
+    stop(browser)
     shoot("stopped")
     expect("was stopped" in browser.value("$('message').textContent"), "the page does not say how it ended")
     faults = [fault for fault in browser.faults() if "ERR_CONNECTION" not in fault]
@@ -92,7 +114,8 @@ def main():
         sys.exit(__doc__)
     pictures = Path(sys.argv[2]) if len(sys.argv) == 3 else None
     with tempfile.TemporaryDirectory() as folder, Browser() as browser:
-        render, address = start(sys.argv[1], f"{folder}/still-life.exr")
+        check_tiles(browser, sys.argv[1], folder)
+        render, address = start(sys.argv[1], f"{folder}/still-life.exr", "--layers=all")
         try:
             check(browser, address, lambda name: pictures and browser.screenshot(pictures / f"{name}.png"))
             expect(render.wait(20) == 130, "the program did not end as after Ctrl-C")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a page sees of a render, asked for as pages do.
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cstring>
@@ -48,6 +49,7 @@ class Page {
   explicit Page(const std::string& partial = "a_partial.exr")
       : server({"127.0.0.1", 0}, "a.exr", partial), port_(port_of(server.page_address())) {}
 
+  void begin(const BoxRender& box) { server.begin(box.options(), box.scene(), {}); }
   HttpAnswer get(const std::string& target) const { return test::get(port_, target); }
   HttpAnswer post(const std::string& target) const { return ask(port_, "POST", target); }
   Json state() const { return Json::parse(get("/state").body); }
@@ -98,7 +100,7 @@ TEST_CASE("a page is told how far the render is") {
   CHECK(state["picture"] == "a.exr");
   CHECK(state["width"] == 0);
   CHECK(state["share"] == 0);
-  page.server.begin(box.options(), box.scene());
+  page.begin(box);
   page.server.progress({.samples_done = 24, .samples_total = 96, .rays = 1000});
   state = page.state();
   CHECK(state["phase"] == "rendering");
@@ -127,7 +129,7 @@ TEST_CASE("where time is to end a render a page is told no number of samples") {
   const BoxRender box;
   Page page;
   RenderOptions options = box.options();
-  page.server.begin(options, box.scene());
+  page.server.begin(options, box.scene(), {});
   page.server.progress({.samples_done = 1, .samples_total = 1'000'000'000, .seconds_total = 1e-9});
   const Json state = page.state();
   CHECK(state["samples"]["total"] == nullptr);
@@ -139,10 +141,10 @@ TEST_CASE("a page gets the means of the film, all bits of them, and each version
   const RenderResult result = box.result();
   Page page;
   CHECK(page.get("/picture").status == 204);
-  page.server.begin(box.options(), box.scene());
+  page.begin(box);
   CHECK(page.get("/picture").status == 204);
   page.server.show(result.film);
-  const HttpAnswer first = page.get("/picture?layer=beauty&since=0");
+  const HttpAnswer first = page.get("/picture?layer=beauty");
   CHECK(first.status == 200);
   CHECK(first.field("Picture-Version") == "1");
   CHECK(first.field("Picture-Width") == "8");
@@ -150,15 +152,98 @@ TEST_CASE("a page gets the means of the film, all bits of them, and each version
   CHECK(floats_of(first.body) == colors_of(mean_image(result.film)));
   CHECK(page.get("/picture?since=1").status == 204);
   page.server.show(result.film);
-  CHECK(page.get("/picture?since=1").field("Picture-Version") == "2");
-  CHECK(page.state()["layers"][0]["version"] == 2);
+  CHECK(page.get("/picture?since=1").status == 204);  // Nothing changed.
+  CHECK(page.state()["layers"][0]["version"] == 1);
+}
+
+TEST_CASE("a page gets tiles while others are rendered, and of a picture that it knows those that changed") {
+  const BoxRender box;
+  RenderOptions options = box.options();
+  options.width = 40;  // three tiles
+  options.samples = 1;
+  options.threads = 1;
+  Page page;
+  page.server.begin(options, box.scene(), {});
+  page.get("/picture");
+  std::vector<std::string> places;
+  options.tile_done = [&](const Film& film, const PixelRect& tile) {
+    page.server.show_tile(film, tile);
+    const HttpAnswer answer = page.get(fmt::format("/picture?since={}", places.size()));
+    CHECK(answer.status == 200);
+    CHECK(answer.field("Picture-Tiles") == "1");
+    CHECK(answer.field("Picture-Version") == std::to_string(places.size() + 1));
+    REQUIRE(answer.body.size() > 16);
+    std::uint32_t place[4];
+    std::memcpy(place, answer.body.data(), sizeof(place));
+    CHECK(PixelRect{int(place[0]), int(place[1]), int(place[0] + place[2]), int(place[1] + place[3])} ==
+          tile);
+    std::vector<float> values;
+    for (int y = tile.y0; y < tile.y1; ++y)
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        const Rgb color = film.pixel(x, y).mean();
+        values.insert(values.end(), {color.r, color.g, color.b});
+      }
+    CHECK(floats_of(answer.body.substr(16)) == values);
+    places.push_back(answer.body.substr(0, 16));
+  };
+  const auto accelerator = build_accelerator(Backend::bvh, box.scene().geometry);
+  const RenderResult result = render(box.scene(), *accelerator, PathIntegrator(box.scene(), {}), options);
+  CHECK(places.size() == 3);
+  CHECK(floats_of(page.get("/picture").body) == colors_of(mean_image(result.film)));
+}
+
+TEST_CASE("tiles that came within a fifth of a second are shown after the pass") {
+  const BoxRender box;
+  const RenderResult result = box.result();
+  Page page;
+  page.begin(box);
+  page.get("/picture");
+  const Film empty(8, 6, {0, 0, 8, 6}, result.film.contents());
+  const PixelRect all{0, 0, 8, 6};
+  page.server.show_tile(empty, all);
+  page.server.show_tile(result.film, all);
+  CHECK(floats_of(page.get("/picture").body) == std::vector<float>(8 * 6 * 3, 0));
+  page.server.show(result.film);
+  CHECK(floats_of(page.get("/picture").body) == colors_of(mean_image(result.film)));
+}
+
+TEST_CASE("a page that begins to look needs the film once") {
+  const BoxRender box;
+  const RenderResult result = box.result();
+  Page page;
+  page.begin(box);
+  CHECK_FALSE(page.server.needs_film());
+  page.get("/picture");
+  CHECK(page.server.needs_film());
+  page.server.show(result.film);
+  CHECK_FALSE(page.server.needs_film());
+  page.get("/picture?since=1");
+  CHECK_FALSE(page.server.needs_film());
+  page.get("/picture?layer=depth");
+  CHECK(page.server.needs_film());
+}
+
+TEST_CASE("a page may look at more than the film keeps") {
+  const BoxRender box;
+  const RenderResult result = box.result();
+  Page page;
+  page.server.begin(box.options(), box.scene(), {{"place", {"X", "Y"}, [](const Film&, int x, int y) {
+                                                    return Rgb{float(x), float(y), 0};
+                                                  }}});
+  CHECK(page.state()["layers"].back()["channels"] == Json{"X", "Y"});
+  page.get("/picture?layer=place");
+  page.server.show(result.film);
+  const std::vector<float> values = floats_of(page.get("/picture?layer=place").body);
+  REQUIRE(values.size() == 8 * 6 * 2);
+  CHECK(values[2 * (8 * 4 + 3)] == 3);
+  CHECK(values[2 * (8 * 4 + 3) + 1] == 4);
 }
 
 TEST_CASE("a page gets a layer's channels from the pass after it asked for them") {
   const BoxRender box;
   const RenderResult result = box.result();
   Page page;
-  page.server.begin(box.options(), box.scene());
+  page.begin(box);
   page.get("/picture");
   page.server.show(result.film);
   for (const std::string layer : {"depth", "uv", "diffuse_direct"})
@@ -186,7 +271,7 @@ TEST_CASE("a picture is saved as a PFM with all bits, also of a layer of one cha
   const RenderResult result = box.result();
   const TemporaryFolder folder;
   Page page;
-  page.server.begin(box.options(), box.scene());
+  page.begin(box);
   CHECK(page.get("/picture.pfm").status == 404);
   for (const std::string layer : {"beauty", "depth", "uv"}) page.get("/picture?layer=" + layer);
   page.server.show(result.film);
@@ -201,7 +286,7 @@ TEST_CASE("copies are made for whoever asked since the last one, and for nobody 
   const BoxRender box;
   const RenderResult result = box.result();
   Page page;
-  page.server.begin(box.options(), box.scene());
+  page.begin(box);
   CHECK_FALSE(page.server.is_ready());
   page.get("/");
   page.state();
@@ -217,7 +302,7 @@ TEST_CASE("copies are made for whoever asked since the last one, and for nobody 
 TEST_CASE("what a page cannot have is refused with what would be valid") {
   const BoxRender box;
   Page page;
-  page.server.begin(box.options(), box.scene());
+  page.begin(box);
   const HttpAnswer layer = page.get("/picture?layer=z");
   CHECK(layer.status == 400);
   CHECK(layer.body.starts_with("There is no layer \"z\"; valid are beauty, uv, depth, ids, emission, "));
@@ -241,7 +326,7 @@ TEST_CASE("a page stops a render that has begun, of which something is kept, onc
   const BoxRender box;
   Page page;
   CHECK(page.post("/stop").body == "The render has not begun.\n");
-  page.server.begin(box.options(), box.scene());
+  page.begin(box);
   CHECK_FALSE(page.server.asks_to_stop());
   HttpClient stranger(page.port());
   stranger.send("POST /stop HTTP/1.1\r\nHost: localhost\r\nOrigin: http://evil.example\r\n\r\n");
@@ -253,7 +338,7 @@ TEST_CASE("a page stops a render that has begun, of which something is kept, onc
   page.server.show_last(box.result());
   CHECK(page.post("/stop").status == 409);
   Page of_device("");
-  of_device.server.begin(box.options(), box.scene());
+  of_device.begin(box);
   CHECK(of_device.state()["can_stop"] == false);
   CHECK(of_device.post("/stop").body == "The picture goes to no file that could keep a part of it.\n");
   CHECK_FALSE(of_device.server.asks_to_stop());

@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstring>
 #include <list>
 
@@ -44,11 +45,12 @@ struct LastPicture {
   HttpAnswer picture;
 };
 
-LastPicture follow(std::uint16_t port) {
+LastPicture follow(std::uint16_t port, const std::string& layer = "beauty") {
   LastPicture last;
   do {
     last.state = Json::parse(get(port, "/state").body);
-    if (HttpAnswer answer = get(port, "/picture"); answer.status == 200) last.picture = std::move(answer);
+    if (HttpAnswer answer = get(port, "/picture?layer=" + layer); answer.status == 200)
+      last.picture = std::move(answer);
   } while (last.state["phase"] != "ended");
   return last;
 }
@@ -73,6 +75,24 @@ TEST_CASE("a page ends with the picture that is saved, and the file has the bits
   REQUIRE(run_program(fmt::format("'{}' -r 40 30 -s 400 -q -o '{}'", box, folder.file("b.exr"))).exit_code ==
           0);
   CHECK(read_image(folder.file("b.exr")).pixels == saved.pixels);
+}
+
+TEST_CASE("a page may look at the pixels where engines differ while the render runs") {
+  const TemporaryFolder folder;
+  TerminalProgram program(
+      command(folder.file("a.png"), "64", {"--accel=check", "--plant-difference", "--serve=0"}));
+  const auto [state, picture] = follow(port_of(program), "differences");
+  CHECK(program.exit_code() == 1);
+  CHECK(state["layers"].back()["name"] == "differences");
+  std::vector<Rgb> pixels(40 * 30);
+  REQUIRE(picture.body.size() == pixels.size() * sizeof(Rgb));
+  std::memcpy(pixels.data(), picture.body.data(), picture.body.size());
+  const Image saved = read_image(folder.file("a_differences.png"));
+  std::vector<bool> shown, kept;
+  for (const Rgb& pixel : pixels) shown.push_back(pixel == Rgb{1, 0, 0});
+  for (const Rgb& pixel : saved.pixels) kept.push_back(pixel == Rgb{1, 0, 0});
+  CHECK(shown == kept);
+  CHECK(std::count(shown.begin(), shown.end(), true) > 0);
 }
 
 TEST_CASE("the button of a page ends the render, which is kept as after Ctrl-C") {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
+#include <mutex>
 
 #include "check/recorded_rays.h"
 #include "integrators/normals.h"
@@ -260,6 +262,26 @@ TEST_CASE("whoever watches passes sees all samples of each, more each time, and 
   const RenderResult result = render_with(scene, path, watched, Backend::bvh);
   CHECK(samples == std::vector<std::uint64_t>{1200, 2 * 1200, 4 * 1200, 8 * 1200, 9 * 1200});
   CHECK(same_bits(result.film, render_with(scene, path, options(9, 1), Backend::bvh).film));
+}
+
+TEST_CASE("whoever watches tiles sees each once a pass with all of its samples, and changes nothing") {
+  const Scene scene = small_room();
+  const PathIntegrator path(scene, {.max_depth = 2});
+  RenderOptions watched = options(3, 3);
+  std::mutex mutex;
+  std::map<std::pair<int, int>, std::vector<std::uint32_t>> counts;
+  watched.tile_done = [&](const Film& film, const PixelRect& tile) {
+    const std::uint32_t count = film.pixel(tile.x0, tile.y0).count;
+    for (int y = tile.y0; y < tile.y1; ++y)
+      for (int x = tile.x0; x < tile.x1; ++x)
+        if (film.pixel(x, y).count != count) return;
+    const std::lock_guard lock(mutex);
+    counts[{tile.x0, tile.y0}].push_back(count);
+  };
+  const RenderResult result = render_with(scene, path, watched, Backend::bvh);
+  CHECK(counts.size() == 6);  // 40 x 30 pixels
+  for (const auto& [place, of_passes] : counts) CHECK(of_passes == std::vector<std::uint32_t>{1, 2, 3});
+  CHECK(same_bits(result.film, render_with(scene, path, options(3, 1), Backend::bvh).film));
 }
 
 TEST_CASE("a pass that is stopped is not shown as done") {

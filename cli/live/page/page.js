@@ -8,7 +8,7 @@ const least = -8, largest = 8;  // stops of false colour
 const token = new URLSearchParams(location.search).get('token');
 
 let state = null;  // as /state says it
-let picture = null;  // {layer, channels, width, height, values, version}, and its bytes as shown
+let picture = null;  // {layer, channels, width, height, values, version}, and its image as shown
 const view = {zoom: 1, x: 0, y: 0, fits: true};  // device pixels a pixel; where the picture's corner lies
 let pointer = null;  // in device pixels of the canvas
 let isGone = false;
@@ -32,12 +32,33 @@ async function takePicture() {
   const since = picture?.layer === layer.name ? picture.version : 0;
   const response = await ask('/picture', {layer: layer.name, since});
   if (response.status !== 200) return;
-  const values = new Float32Array(await response.arrayBuffer());
+  const tiles = await response.arrayBuffer();
   if (layer.name !== $('layer').value) return;  // another one was chosen in the meantime
   const number = name => Number(response.headers.get(name));
-  picture = {layer: layer.name, channels: layer.channels, values, width: number('Picture-Width'),
-             height: number('Picture-Height'), version: number('Picture-Version')};
-  showPicture();
+  if (!since) picture = emptyPicture(layer, number('Picture-Width'), number('Picture-Height'));
+  picture.version = number('Picture-Version');
+  const changed = takeTiles(tiles);
+  showPicture(since ? changed : whole());
+}
+
+function emptyPicture({name, channels}, width, height) {
+  return {layer: name, channels, width, height, values: new Float32Array(width * height * channels.length),
+          image: new ImageData(width, height)};
+}
+
+/// Takes the tiles over: of each its place, its size and its values. The rectangle in which they lie.
+function takeTiles(buffer) {
+  const channels = picture.channels.length;
+  let [left, top, right, bottom] = [picture.width, picture.height, 0, 0];
+  for (let at = 0; at < buffer.byteLength;) {
+    const [x, y, width, height] = new Uint32Array(buffer, at, 4), size = width * channels;
+    at += 16;
+    for (let row = 0; row < height; ++row, at += 4 * size)
+      picture.values.set(new Float32Array(buffer, at, size), ((y + row) * picture.width + x) * channels);
+    [left, top] = [Math.min(left, x), Math.min(top, y)];
+    [right, bottom] = [Math.max(right, x + width), Math.max(bottom, y + height)];
+  }
+  return {x: left, y: top, width: right - left, height: bottom - top};
 }
 
 function isComplete() {
@@ -114,7 +135,7 @@ function sentence() {
   if (isGone) return 'The program has gone. This is the last picture that it sent.';
   if (state.stopping) return 'Stopping…';
   if (state.phase === 'loading') return 'The scene is being loaded…';
-  if (!picture || picture.layer !== $('layer').value) return 'This layer comes with the next pass…';
+  if (!picture || picture.layer !== $('layer').value) return 'This layer comes in a moment…';
   return '';
 }
 
@@ -207,31 +228,40 @@ function toneCurve() {
 
 const shown = document.createElement('canvas');  // the picture, a pixel each
 
-function showPicture() {
-  if (!picture) return;
-  const {width, height, values} = picture, channels = picture.channels.length;
-  const image = new ImageData(width, height), to = image.data, table = tableOf(toneCurve());
-  const bits = new Uint32Array(values.buffer);
+const whole = () => ({x: 0, y: 0, width: picture.width, height: picture.height});
+
+/// Calls `give(i, j)` for each pixel of a part of the picture: where its values and its bytes begin.
+function forEachPixel({x, y, width, height}, give) {
+  for (let row = y; row < y + height; ++row)
+    for (let place = row * picture.width + x, end = place + width; place < end; ++place)
+      give(place * picture.channels.length, place * 4);
+}
+
+/// Shows what changed; the scale from the least to the largest value goes by all.
+function showPicture(part = whole()) {
+  const {values, image} = picture, channels = picture.channels.length;
+  const to = image.data, table = tableOf(toneCurve()), bits = new Uint32Array(values.buffer);
+  if ($('tone').value === 'range') part = whole();
   if ($('tone').value === 'false-color') {
     const colors = Array.from({length: 256}, (_, i) => scaleColor(i / 255)).flat();
     const luminance = new Float32Array(1), of = new Uint32Array(luminance.buffer);
-    for (let i = 0, j = 0; j < to.length; i += channels, j += 4) {
+    forEachPixel(part, (i, j) => {
       luminance[0] = channels < 3 ? values[i]
                                   : 0.2126 * values[i] + 0.7152 * values[i + 1] + 0.0722 * values[i + 2];
       const place = 3 * table[of[0] >>> 15];
       for (let c = 0; c < 3; ++c) to[j + c] = colors[place + c];
       to[j + 3] = 255;
-    }
+    });
   } else {
-    for (let i = 0, j = 0; j < to.length; i += channels, j += 4) {
+    forEachPixel(part, (i, j) => {
       for (let c = 0; c < 3; ++c)
         to[j + c] = channels === 1 ? table[bits[i] >>> 15] : c < channels ? table[bits[i + c] >>> 15] : 0;
       to[j + 3] = 255;
-    }
+    });
   }
-  if (shown.width !== width || shown.height !== height) [shown.width, shown.height] = [width, height];
-  shown.getContext('2d').putImageData(image, 0, 0);
-  picture.bytes = to;
+  if (shown.width !== picture.width || shown.height !== picture.height)
+    [shown.width, shown.height] = [picture.width, picture.height];
+  shown.getContext('2d').putImageData(image, 0, 0, part.x, part.y, part.width, part.height);
   $('save').disabled = false;
   showLegend();
   draw();
@@ -320,7 +350,7 @@ function showPixel() {
   const values = channels.map((name, c) => `${name} ${shortNumber(value(c))}`);
   text.textContent = [`x ${at.x}  y ${at.y}`, ...values].join('   ');
   swatch.hidden = false;
-  swatch.style.background = `rgb(${picture.bytes.slice(4 * place, 4 * place + 3).join()})`;
+  swatch.style.background = `rgb(${picture.image.data.slice(4 * place, 4 * place + 3).join()})`;
 }
 
 const placeOf = event => {
@@ -377,11 +407,11 @@ $('one').addEventListener('click', () => act('1'));
 function expose(value) {
   $('exposure').value = value;
   $('stops').textContent = (stops() > 0 ? '+' : '') + stops().toFixed(1);
-  showPicture();
+  if (picture) showPicture();
 }
 $('exposure').addEventListener('input', () => expose(stops()));
 $('exposure').addEventListener('dblclick', () => expose(0));
-$('tone').addEventListener('change', showPicture);
+$('tone').addEventListener('change', () => { if (picture) showPicture(); });
 $('layer').addEventListener('change', () => {
   $('tone').value = usualTone($('layer').value);
   showState();

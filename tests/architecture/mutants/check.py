@@ -113,7 +113,7 @@ MUTANTS = [
            "i < surrounding_rays; ++i", "i < surrounding_rays / 2; ++i",
            TARGET, "a ray that is lost inside of a surface leaks, one that is lost on its outline does not"),
     Mutant("an explained difference hides an unexplained one of the same pixel", "check/render_check.cpp",
-           "std::max(mark(sample.x, sample.y), Mark::explained)", "Mark::explained",
+           "std::max(mark, Mark::explained)", "Mark::explained",
            TARGET, "a pixel with an unexplained difference is red, whatever else it has"),
     Mutant("films are compared in their first layer only", "check/difference.cpp",
            "layer < found.layers().size()", "layer < 1",
