@@ -55,6 +55,12 @@ void ExactSums::add(std::size_t place, float x) {
     add_units(place, fixed_units(in_range(x)));
 }
 
+void ExactSums::add(std::size_t place, const Rgb& color) {
+  add(place, color.r);
+  add(place + 1, color.g);
+  add(place + 2, color.b);
+}
+
 void ExactSums::add_units(std::size_t place, Int128 units) {
   const Int128 sum = Int128(sums_[place]) + units;
   sums_[place] = std::int64_t(std::uint64_t(sum));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/fixed_sum.h"
+#include "core/rgb.h"
 
 namespace twinray {
 
@@ -44,6 +45,8 @@ class ExactSums {
   /// Adds x to one of them, rounded to the nearest unit. What is not a number counts as 0, what lies beyond
   /// +-max_radiance as that.
   void add(std::size_t place, float x);
+  /// The same for three successive ones.
+  void add(std::size_t place, const Rgb& color);
   void add_units(std::size_t place, Int128 units);
   Int128 units(std::size_t place) const;
   /// One of the sums over a number of samples; 0 for none.

@@ -33,9 +33,7 @@ Rgb MeanPixels::mean(std::size_t pixel, std::uint32_t count) const {
 void PartPixels::add(std::size_t pixel, std::span<const Rgb> parts) {
   const std::size_t first = pixel * parts_ * 3;
   for (std::size_t part = 0; part < parts_; ++part)
-    if (!is_black(parts[part]))
-      for (std::size_t channel = 0; channel < 3; ++channel)
-        sums_.add(first + 3 * part + channel, parts[part].*channels[channel]);
+    if (!is_black(parts[part])) sums_.add(first + 3 * part, parts[part]);
 }
 
 void PartPixels::merge(std::size_t pixel, const PartPixels& other, std::size_t other_pixel) {

@@ -19,6 +19,8 @@ namespace twinray {
 struct FirstScattering {
   Rgb diffuse{1, 1, 1};  ///< The part of its light that the matte part of the surface scattered.
   bool is_transmitted = false;
+  /// Whether the matte part is all that did.
+  bool is_diffuse() const { return !is_transmitted && diffuse == Rgb{1, 1, 1}; }
 };
 
 /// Of a path that leaves in a direction.
@@ -46,8 +48,12 @@ inline void add_seen_light(bool is_miss, const Rgb& term, const PathParts& parts
 inline void add_scattered_light(const FirstScattering& first, const Rgb& term, int depth,
                                 const PathParts& parts) {
   using enum LightPath;
-  if (is_black(term)) return;
   const bool is_direct = depth == 1;
+  if (first.is_diffuse()) {
+    parts[is_direct ? diffuse_direct : diffuse_indirect] += term;
+    return;
+  }
+  if (is_black(term)) return;
   if (first.is_transmitted) {
     parts[is_direct ? transmission_direct : transmission_indirect] += term;
     return;

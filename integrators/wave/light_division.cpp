@@ -5,19 +5,16 @@
 
 namespace twinray {
 
-FirstScattering PathWave::first_scattering_of(std::uint32_t sample) const {
-  return {wave_.first_diffuse.at<Rgb>(sample), wave_.first_transmitted[sample] != 0};
-}
-
 void PathWave::keep_first_scattering() {
-  const auto keep = [&](std::size_t i, const FirstScattering& first) {
-    wave_.first_diffuse.set(paths_.sample[i], first.diffuse);
-    wave_.first_transmitted[paths_.sample[i]] = first.is_transmitted;
-  };
-  for (std::size_t i = 0; i < paths_.size; ++i) keep(i, {});
-  for (const OtherSurface& other : wave_.others)
-    keep(other.index,
-         first_scattering(other.at, paths_.direction.at(other.index), Seeking(wave_.seeking[other.index])));
+  for (std::size_t i = 0; i < paths_.size; ++i) wave_.first_is_other[paths_.sample[i]] = 0;
+  for (const OtherSurface& other : wave_.others) {
+    const std::uint32_t sample = paths_.sample[other.index];
+    const FirstScattering first =
+        first_scattering(other.at, paths_.direction.at(other.index), Seeking(wave_.seeking[other.index]));
+    wave_.first_is_other[sample] = 1;
+    wave_.first_diffuse.set(sample, first.diffuse);
+    wave_.first_transmitted[sample] = first.is_transmitted;
+  }
 }
 
 void PathWave::gather_scattered_light(float divisor) {

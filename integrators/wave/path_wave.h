@@ -60,7 +60,10 @@ class PathWave {
   // Parts of the light (integrators/wave/light_division.cpp): how paths are scattered at their first
   // surfaces,
   void keep_first_scattering();
-  FirstScattering first_scattering_of(std::uint32_t sample) const;
+  FirstScattering first_scattering_of(std::uint32_t sample) const {
+    if (wave_.first_is_other[sample] == 0) return {};
+    return {wave_.first_diffuse.at<Rgb>(sample), wave_.first_transmitted[sample] != 0};
+  }
   /// what each kind of scattering brings there of a light's sample,
   void gather_scattered_light(float divisor);
   /// what each group of lights brings anywhere: by a sample of a light,

@@ -142,13 +142,15 @@ struct Wave {
   Floats ux, uy;                ///< Draws of a direction, or of roulette.
   Floats lobe, unused;          ///< Draws of how other surfaces scatter, and what comes with them.
   Floats texture_x, texture_y;  ///< Draws of the pixels of textures, where there are any.
-  Words kept;               ///< The paths that go on; until they arrive, the surfaces that they come from.
-  Floats pdf;               ///< At each surface: of the direction that goes on, per solid angle.
-  Words kind;               ///< Likewise: how it is scattered, a ScatterKind; where that has a limit.
-  Words seeking;            ///< Likewise: which light its ray is to bring, a Seeking.
-  Words follows;            ///< Of each sample: 1 where its path was scattered by mirrors and the like alone.
-  Columns3 first_diffuse;   ///< Of each sample, where the light's parts are asked for:
-  Words first_transmitted;  ///< FirstScattering.
+  Words kept;     ///< The paths that go on; until they arrive, the surfaces that they come from.
+  Floats pdf;     ///< At each surface: of the direction that goes on, per solid angle.
+  Words kind;     ///< Likewise: how it is scattered, a ScatterKind; where that has a limit.
+  Words seeking;  ///< Likewise: which light its ray is to bring, a Seeking.
+  Words follows;  ///< Of each sample: 1 where its path was scattered by mirrors and the like alone.
+  Words
+      first_is_other;  ///< Of each sample, where the light's parts are asked for: 1 where its FirstScattering
+  Columns3 first_diffuse;       ///< is not that of a matte surface, but
+  Words first_transmitted;      ///< this.
   std::vector<Rgb> group_sums;  ///< Of each path, where light groups are asked for: LightGroups' sums.
   Columns3 origin;              ///< Of their rays.
   std::vector<Ray> rays;        ///< Of the paths, as accelerators take them.
