@@ -14,6 +14,11 @@ namespace {
 
 float in_range(float x) { return std::isnan(x) ? 0 : std::clamp(x, -max_radiance, max_radiance); }
 
+/// What lies beyond the range counts as its end. Nearly always one word is enough.
+Int128 units_of(float x) {
+  return std::fabs(x) < 0x1p19f ? std::llrint(x * 0x1p43) : fixed_units(in_range(x));
+}
+
 }  // namespace
 
 void Carries::add(std::size_t place, std::int64_t carry) {
@@ -46,19 +51,17 @@ void Carries::load(std::size_t places, ColumnReader& from) {
   }
 }
 
-void ExactSums::add(std::size_t place, float x) {
-  std::int64_t longer = 0;
-  // Nearly always one word is enough.
-  if (std::fabs(x) < 0x1p19f && !__builtin_add_overflow(sums_[place], std::llrint(x * 0x1p43), &longer))
-    sums_[place] = longer;
-  else
-    add_units(place, fixed_units(in_range(x)));
-}
+void ExactSums::add(std::size_t place, float x) { add_units(place, units_of(x)); }
 
-void ExactSums::add(std::size_t place, const Rgb& color) {
-  add(place, color.r);
-  add(place + 1, color.g);
-  add(place + 2, color.b);
+void ExactSums::add(std::size_t place, std::size_t channels, std::span<const Rgb> colors,
+                    std::size_t stride) {
+  constexpr float Rgb::*of[] = {&Rgb::r, &Rgb::g, &Rgb::b};
+  for (std::size_t channel = 0; channel < channels; ++channel) {
+    Int128 sum = 0;
+    for (std::size_t i = 0; i < colors.size(); i += stride)
+      if (const float x = colors[i].*of[channel]; x != 0) sum += units_of(x);
+    if (sum != 0) add_units(place + channel, sum);
+  }
 }
 
 void ExactSums::add_units(std::size_t place, Int128 units) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "core/fixed_sum.h"
@@ -45,8 +46,9 @@ class ExactSums {
   /// Adds x to one of them, rounded to the nearest unit. What is not a number counts as 0, what lies beyond
   /// +-max_radiance as that.
   void add(std::size_t place, float x);
-  /// The same for three successive ones.
-  void add(std::size_t place, const Rgb& color);
+  /// The same for each channel of several colours: a sum for each of the first `channels`, from `place` on,
+  /// and of the colours each `stride`-th one.
+  void add(std::size_t place, std::size_t channels, std::span<const Rgb> colors, std::size_t stride = 1);
   void add_units(std::size_t place, Int128 units);
   Int128 units(std::size_t place) const;
   /// One of the sums over a number of samples; 0 for none.

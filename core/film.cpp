@@ -97,10 +97,7 @@ std::size_t Film::offset(int x, int y) const {
   return std::size_t(y - window_.y0) * std::size_t(window_.width()) + std::size_t(x - window_.x0);
 }
 
-bool Film::add(int x, int y, std::uint32_t sample_index, const RecordSpans& records, std::size_t record) {
-  const std::size_t at = offset(x, y);
-  const Rgb& color = records.color()[record];
-  PixelSums& sums = pixels_[at];
+bool Film::add_color(PixelSums& sums, std::uint32_t sample_index, const Rgb& color) {
   assert(sums.count + sums.rejected < max_samples);
   if (!in_range(color.r) || !in_range(color.g) || !in_range(color.b)) {
     sums.reject(sample_index);
@@ -111,21 +108,44 @@ bool Film::add(int x, int y, std::uint32_t sample_index, const RecordSpans& reco
   sums.b.add(color.b);
   sums.luminance_squared.add_square_of(wide_luminance(color.r, color.g, color.b));
   ++sums.count;
-  for (std::size_t layer = 0; layer < layer_pixels_.size(); ++layer)
-    if (const auto column = records[layers()[layer]]; !column.empty())
-      add_to_layer(layer, at, sample_index, column[record]);
-  for (const Division division : divisions)
-    if (const PartRows& rows = records[division]; !rows.empty())
-      part_pixels_[std::size_t(division)].add(at, rows[record]);
   return true;
 }
 
-void Film::add_to_layer(std::size_t layer, std::size_t pixel, std::uint32_t sample_index, const Rgb& value) {
-  if (auto* const mean = std::get_if<MeanPixels>(&layer_pixels_[layer])) mean->add(pixel, value);
-  if (auto* const first = std::get_if<FirstPixels>(&layer_pixels_[layer]))
-    first->add(pixel, sample_index, value);
-  if (auto* const covered = std::get_if<CoveragePixels>(&layer_pixels_[layer]))
-    covered->add(pixel, {recorded_id(value), 1});
+bool Film::add(int x, int y, std::uint32_t sample_index, const RecordSpans& records, std::size_t record) {
+  const std::size_t at = offset(x, y);
+  const bool is_accepted = add_color(pixels_[at], sample_index, records.color()[record]);
+  if (is_accepted) add_layers(at, sample_index, records, record, 1);
+  return is_accepted;
+}
+
+void Film::add(int x, int y, std::uint32_t first_index, const RecordSpans& records, std::size_t record,
+               std::size_t count) {
+  const std::size_t at = offset(x, y);
+  std::size_t first = 0;  // of those accepted one after the other that are not in the layers yet
+  for (std::size_t i = 0; i < count; ++i) {
+    if (add_color(pixels_[at], first_index + std::uint32_t(i), records.color()[record + i])) continue;
+    add_layers(at, first_index + std::uint32_t(first), records, record + first, i - first);
+    first = i + 1;
+  }
+  add_layers(at, first_index + std::uint32_t(first), records, record + first, count - first);
+}
+
+void Film::add_layers(std::size_t pixel, std::uint32_t first_index, const RecordSpans& records,
+                      std::size_t record, std::size_t count) {
+  if (count == 0) return;
+  for (std::size_t layer = 0; layer < layer_pixels_.size(); ++layer) {
+    const auto column = records[layers()[layer]];
+    if (column.empty()) continue;
+    const auto values = column.subspan(record, count);
+    if (auto* const mean = std::get_if<MeanPixels>(&layer_pixels_[layer])) mean->add(pixel, values);
+    if (auto* const first = std::get_if<FirstPixels>(&layer_pixels_[layer]))
+      for (std::size_t i = 0; i < count; ++i) first->add(pixel, first_index + std::uint32_t(i), values[i]);
+    if (auto* const covered = std::get_if<CoveragePixels>(&layer_pixels_[layer]))
+      for (const Rgb& value : values) covered->add(pixel, {recorded_id(value), 1});
+  }
+  for (const Division division : divisions)
+    if (const PartRows& rows = records[division]; !rows.empty())
+      part_pixels_[std::size_t(division)].add(pixel, rows.part(record, count).values());
 }
 
 Rgb Film::value(std::size_t layer, int x, int y) const {

@@ -78,6 +78,9 @@ class Film {
   /// that the film keeps is asked for. False, and only counted, where the radiance is not finite or out of
   /// range.
   bool add(int x, int y, std::uint32_t sample_index, const RecordSpans& records, std::size_t record);
+  /// The same with `count` records from `record` on, of samples with successive indices.
+  void add(int x, int y, std::uint32_t first_index, const RecordSpans& records, std::size_t record,
+           std::size_t count);
   /// The same to a film of colours alone.
   bool add(int x, int y, std::uint32_t sample_index, Rgb color) {
     return add(x, y, sample_index, RecordSpans({&color, 1}), 0);
@@ -115,7 +118,10 @@ class Film {
   /// How a layer is kept; not at all where the colours say what it is.
   using LayerPixels = std::variant<std::monostate, MeanPixels, FirstPixels, CoveragePixels>;
   static LayerPixels make_pixels(Layer layer, std::size_t pixels);
-  void add_to_layer(std::size_t layer, std::size_t pixel, std::uint32_t sample_index, const Rgb& value);
+  bool add_color(PixelSums& sums, std::uint32_t sample_index, const Rgb& color);
+  /// What accepted samples with successive indices have besides their colours.
+  void add_layers(std::size_t pixel, std::uint32_t first_index, const RecordSpans& records,
+                  std::size_t record, std::size_t count);
   std::size_t offset(int x, int y) const;
   void check_mergeable(const Film& other) const;
   void merge_layer(LayerPixels& own, const LayerPixels& other, std::size_t to, std::size_t from);

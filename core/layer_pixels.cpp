@@ -13,9 +13,8 @@ constexpr float Rgb::*channels[] = {&Rgb::r, &Rgb::g, &Rgb::b};
 
 }  // namespace
 
-void MeanPixels::add(std::size_t pixel, const Rgb& value) {
-  for (std::size_t channel = 0; channel < channels_; ++channel)
-    sums_.add(pixel * channels_ + channel, value.*channels[channel]);
+void MeanPixels::add(std::size_t pixel, std::span<const Rgb> values) {
+  sums_.add(pixel * channels_, channels_, values);
 }
 
 void MeanPixels::merge(std::size_t pixel, const MeanPixels& other, std::size_t other_pixel) {
@@ -31,9 +30,8 @@ Rgb MeanPixels::mean(std::size_t pixel, std::uint32_t count) const {
 }
 
 void PartPixels::add(std::size_t pixel, std::span<const Rgb> parts) {
-  const std::size_t first = pixel * parts_ * 3;
   for (std::size_t part = 0; part < parts_; ++part)
-    if (!is_black(parts[part])) sums_.add(first + 3 * part, parts[part]);
+    sums_.add(3 * (pixel * parts_ + part), 3, parts.subspan(part), parts_);
 }
 
 void PartPixels::merge(std::size_t pixel, const PartPixels& other, std::size_t other_pixel) {

@@ -17,8 +17,8 @@ namespace twinray {
 class MeanPixels {
  public:
   MeanPixels(std::size_t pixels, std::size_t channels) : channels_(channels), sums_(pixels * channels) {}
-  /// Adds one sample, as ExactSums does.
-  void add(std::size_t pixel, const Rgb& value);
+  /// Adds samples, as ExactSums does.
+  void add(std::size_t pixel, std::span<const Rgb> values);
   void merge(std::size_t pixel, const MeanPixels& other, std::size_t other_pixel);
   /// Of so many samples; black of none.
   Rgb mean(std::size_t pixel, std::uint32_t count) const;
@@ -37,7 +37,7 @@ class MeanPixels {
 class PartPixels {
  public:
   PartPixels(std::size_t pixels, std::size_t parts) : parts_(parts), sums_(pixels * parts * 3) {}
-  /// Adds the parts of one sample's radiance. They add up to it but for their rounding.
+  /// Adds the parts of samples' radiance, sample by sample. They add up to it but for their rounding.
   void add(std::size_t pixel, std::span<const Rgb> parts);
   void merge(std::size_t pixel, const PartPixels& other, std::size_t other_pixel);
   /// The parts of the mean of so many samples, which they give to the last bit, added up as floats in any

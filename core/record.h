@@ -40,6 +40,8 @@ class PartRows {
   PartRows part(std::size_t first, std::size_t size) const {
     return {rows_.subspan(first * parts_, size * parts_), parts_};
   }
+  /// All rows, one after the other.
+  std::span<Rgb> values() const { return rows_; }
   void clear() const { std::fill(rows_.begin(), rows_.end(), Rgb{}); }
 
  private:

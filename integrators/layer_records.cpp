@@ -27,6 +27,14 @@ void record_first_surface(const Scene& scene, const FirstSurface& surface, const
     records[Layer::asset_matte][sample] = record_id(asset_of(scene, hit.mesh) + 1);
 }
 
+bool shows_first_surface(const RecordSpans& records) {
+  using enum Layer;
+  constexpr Layer of_first_surface[]{geometric_normal, depth,          position,   uv, ids,
+                                     object_matte,     material_matte, asset_matte};
+  return std::any_of(std::begin(of_first_surface), std::end(of_first_surface),
+                     [&](Layer layer) { return records.has(layer); });
+}
+
 bool has_environment(const Scene& scene) {
   const auto is_environment = [](const Light& light) {
     return std::holds_alternative<EnvironmentLight>(light.source);

@@ -24,6 +24,9 @@ struct FirstSurface {
 void record_first_surface(const Scene& scene, const FirstSurface& surface, const RecordSpans& records,
                           std::size_t sample);
 
+/// Whether any record is asked for that.
+bool shows_first_surface(const RecordSpans& records);
+
 /// A surface that a path has come to from the camera, by mirrors, smooth glass and the like alone, if by any.
 struct SeenSurface {
   Rgb throughput;  ///< Of the path.

@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -28,54 +27,6 @@ namespace {
 constexpr std::uint32_t longest_pass = 16;
 /// How many samples an integrator gets at once, at most: their paths stay in the second cache.
 constexpr std::size_t samples_together = 1024;
-
-void check_target(const RenderOptions& options) {
-  if (!(*options.noise_target > 0) || !std::isfinite(*options.noise_target))
-    throw Error(
-        fmt::format("a noise target of {}; it must be finite and more than 0", *options.noise_target));
-  if (!options.half_layers) throw Error("a noise target needs the halves of the samples");
-}
-
-/// What several renders share must not depend on samples that one of them does not have.
-void check_part(const RenderOptions& options) {
-  if (options.range && options.tiles)
-    throw Error("a part of a render is a range of samples, or one of tiles, not both");
-  if (options.noise_target) throw Error("a noise target needs all samples of the picture, not a part");
-  if (options.allocation == Allocation::error)
-    throw Error("samples are spread by the error of the whole picture, which a part does not have");
-  if (options.range && options.adaptive)
-    throw Error("adaptive sampling needs all samples of a pixel: its parts are ranges of tiles");
-  if (const auto range = options.range;
-      range && !(range->begin < range->end && range->end <= options.samples))
-    throw Error(fmt::format("samples {} to {}: valid are a begin below the end, and an end of up to {}",
-                            range->begin, range->end, options.samples));
-  const std::uint32_t tiles = tile_grid(window_of(options), tile_size).count();
-  if (const auto range = options.tiles; range && !(range->begin < range->end && range->end <= tiles))
-    throw Error(fmt::format("tiles {} to {}: valid are a begin below the end, and an end of up to {}",
-                            range->begin, range->end, tiles));
-}
-
-void check(const RenderOptions& options) {
-  if (options.samples < 1 || options.samples > Film::max_samples)
-    throw Error(fmt::format("{} samples per pixel; valid are 1 to {}", options.samples, Film::max_samples));
-  if (options.seconds && !(*options.seconds > 0 && std::isfinite(*options.seconds)))
-    throw Error(fmt::format("{} seconds; they must be finite and more than 0", *options.seconds));
-  if (std::set(options.layers.begin(), options.layers.end()).size() != options.layers.size())
-    throw Error("a layer of a render is asked for twice");
-  if (options.noise_target) check_target(options);
-  if (options.range || options.tiles) check_part(options);
-  if (options.half_light_groups && !(options.half_layers && options.light_groups))
-    throw Error("halves by light groups need halves, and a film by light groups");
-  if (!options.adaptive) return;
-  if (options.allocation == Allocation::error)
-    throw Error("samples are spread by error, or adaptive sampling takes fewer; not both");
-  if (options.adaptive->batch < 1)
-    throw Error(
-        fmt::format("a batch of {} samples; adaptive sampling needs at least 1", options.adaptive->batch));
-  if (!(options.adaptive->tolerance >= 0) || !std::isfinite(options.adaptive->tolerance))
-    throw Error(
-        fmt::format("a tolerance of {}; it must be finite and not negative", options.adaptive->tolerance));
-}
 
 /// The pixels through which a camera ray may see something; all, where the background shines.
 PixelRect pixels_with_light(const Scene& scene, const Camera& camera, const Aabb& bounds,
@@ -363,17 +314,33 @@ class Renderer {
     Records records;
   };
 
+  /// Fills the records. Where all lights are of one group, that has all of the radiance: nothing is divided.
+  void sample_lights(std::span<const CameraSample> camera_samples, Tracer& tracer,
+                     const RecordSpans& records) {
+    RecordSpans asked = records;
+    const PartRows& groups = records[Division::groups];
+    const bool is_one_group = !groups.empty() && groups[0].size() == 1;
+    if (is_one_group) asked[Division::groups] = {};
+    integrator_.sample(camera_samples, options_.sampler, tracer, asked);
+    if (!is_one_group) return;
+    for (std::size_t i = 0; i < records.color().size(); ++i) groups[i].front() = records.color()[i];
+  }
+
   void add(Batch& batch, Tracer& tracer) {
     const std::span<CameraSample> camera_samples =
         std::span(batch.camera_samples).first(batch.samples.size());
     const RecordSpans records = batch.records.spans(batch.samples.size());
     camera_stage_.make(batch.samples, camera_samples);
-    integrator_.sample(camera_samples, options_.sampler, tracer, records);
+    sample_lights(camera_samples, tracer, records);
     for (std::size_t i = 0; i < batch.samples.size(); ++i) {
-      const auto& [x, y, index] = batch.samples[i];
       if (const float weight = camera_samples[i].weight; weight != 1) records.weigh(i, weight);
-      film_.add(x, y, index, records, i);
+      const auto& [x, y, index] = batch.samples[i];
       if (state_.halves) state_.halves->of(index).add(x, y, index, records, i);
+    }
+    for (std::size_t begin = 0, end = 0; begin < batch.samples.size(); begin = end) {
+      const auto& [x, y, index] = batch.samples[begin];
+      while (end < batch.samples.size() && batch.samples[end].x == x && batch.samples[end].y == y) ++end;
+      film_.add(x, y, index, records, begin, end - begin);
     }
   }
 
@@ -405,29 +372,6 @@ class Renderer {
 };
 
 }  // namespace
-
-FilmContents film_contents(const RenderOptions& options, const Scene& scene) {
-  return {options.layers,
-          {options.light_paths ? light_path_count : 0, options.light_groups ? scene.light_groups.size() : 0}};
-}
-
-FilmContents half_contents(const RenderOptions& options, const Scene& scene) {
-  return {options.half_layers.value_or(std::vector<Layer>{}),
-          {0, options.half_light_groups ? scene.light_groups.size() : 0}};
-}
-
-PixelRect window_of(const RenderOptions& options) {
-  return options.window.value_or(PixelRect{0, 0, options.width, options.height});
-}
-
-PixelRect film_window(const RenderOptions& options) {
-  const PixelRect window = window_of(options);
-  return options.tiles ? rows_of(*options.tiles, window, tile_size) : window;
-}
-
-SampleRange samples_of(const RenderOptions& options) {
-  return options.range.value_or(SampleRange{0, options.samples});
-}
 
 RenderState empty_state(const RenderOptions& options, const Scene& scene) {
   RenderState state{Film(options.width, options.height, film_window(options), film_contents(options, scene))};

@@ -13,7 +13,7 @@ void PathWave::record_coverage() {
 
 void PathWave::record_surfaces() {
   if (shows_features(records_) && (depth_ == 0 || is_following_)) record_features();
-  if (depth_ > 0 || !records_.has_layers()) return;
+  if (depth_ > 0 || !shows_first_surface(records_)) return;
   for (std::size_t i = 0; i < paths_.size; ++i) {
     const Vec3 normal = surfaces_.point.normal.at(i) * surfaces_.facing[i];
     record_first_surface(context_.transport.scene, {wave_.hits[i], surfaces_.point.position.at(i), normal},

@@ -44,12 +44,6 @@ void PathWave::add_direct_paths() {
   }
 }
 
-LightGroups PathWave::groups_of(std::size_t path) {
-  const Scene& scene = context_.transport.scene;
-  const std::size_t groups = scene.light_groups.size();
-  return {scene, std::span(wave_.group_sums).subspan(path * groups, groups)};
-}
-
 void PathWave::gather_groups(std::uint32_t light, float divisor) {
   for (std::size_t k = 0; k < connections_.size; ++k) {
     const std::size_t i = connections_.surface[k];
@@ -74,8 +68,10 @@ void PathWave::gather_groups_around(float divisor) {
 
 void PathWave::add_direct_groups() {
   for (std::size_t i = 0; i < paths_.size; ++i) {
+    const Rgb sum = connections_.sum.at<Rgb>(i);
+    if (is_black(sum)) continue;  // So are the groups' sums.
     const Rgb throughput = paths_.throughput.at<Rgb>(i);
-    const float factor = context_.options.clamp_factor(throughput * connections_.sum.at<Rgb>(i), depth_ + 1);
+    const float factor = context_.options.clamp_factor(throughput * sum, depth_ + 1);
     groups_of(i).move_to(records_[Division::groups][paths_.sample[i]], throughput, factor);
   }
 }

@@ -74,7 +74,11 @@ class PathWave {
   void add_direct_paths();
   void add_direct_groups();
   /// What lights bring to a path.
-  LightGroups groups_of(std::size_t path);
+  LightGroups groups_of(std::size_t path) {
+    const Scene& scene = context_.transport.scene;
+    const std::size_t groups = scene.light_groups.size();
+    return {scene, std::span(wave_.group_sums).subspan(path * groups, groups)};
+  }
   PathParts paths_of(std::uint32_t sample) const { return PathParts(records_[Division::paths][sample]); }
   void expand_hits();
   /// Of a scene with textures: where the paths' cones have come to, and the draws of pixels.

@@ -104,7 +104,7 @@ TEST_CASE("a tile is due a fifth of a second after it was put, and old in the me
   CHECK(image.is_due(tile, now + 1s));
 }
 
-TEST_CASE("whoever takes what changed again and again ends with the picture, while threads write") {
+TEST_CASE("whoever takes what changed again and again ends with the picture") {
   LiveImage image(window, 2);
   std::jthread writer([&] {
     for (int value = 1; value <= 500; ++value)

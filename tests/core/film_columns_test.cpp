@@ -19,25 +19,35 @@ constexpr PixelRect window{-2, 1, 9, 12};
 FilmContents everything() { return {all_layers(), {3, 2}}; }
 
 /// Sums of one word and of more, pixels with no and with many ids, samples that are not accepted.
-void add_samples(Film& film, std::uint32_t begin, std::uint32_t end) {
+FilmSample sample_of(const Film& film, int x, int y, std::uint32_t index) {
+  Random random(std::uint64_t(index) * 1000003 + std::uint64_t((y + 50) * 500 + x + 50));
+  const auto number = [&] { return random.uniform(-1, 1) * (random.below(4) == 0 ? 9e8f : 3.0f); };
+  const auto color = [&]() -> Rgb { return {number(), number(), number()}; };
+  FilmSample sample{color(), {}, {color(), color(), color()}, {color(), color()}};
+  if (random.below(40) == 0) sample.color.g = not_a_number;
+  if (random.below(5) == 0) sample.paths[1] = {};
+  for (const Layer layer : film.layers()) {
+    sample.layers.push_back(color());
+    if (layer_info(layer).gathering == Gathering::coverage)
+      sample.layers.back() = record_id(std::uint32_t(random.below(9)));
+    if (random.below(5) == 0 && layer_info(layer).gathering == Gathering::first)
+      sample.layers.back().r = not_a_number;
+  }
+  return sample;
+}
+
+template <typename Take>
+void for_each_pixel(const Film& film, const Take& take) {
   const PixelRect& pixels = film.window();
   for (int y = pixels.y0; y < pixels.y1; ++y)
-    for (int x = pixels.x0; x < pixels.x1; ++x)
-      for (std::uint32_t index = begin; index < end; ++index) {
-        Random random(std::uint64_t(index) * 1000003 + std::uint64_t((y + 50) * 500 + x + 50));
-        const auto number = [&] { return random.uniform(-1, 1) * (random.below(4) == 0 ? 9e8f : 3.0f); };
-        const auto color = [&]() -> Rgb { return {number(), number(), number()}; };
-        FilmSample sample{color(), {}, {color(), color(), color()}, {color(), color()}};
-        if (random.below(40) == 0) sample.color.g = not_a_number;
-        for (const Layer layer : film.layers()) {
-          sample.layers.push_back(color());
-          if (layer_info(layer).gathering == Gathering::coverage)
-            sample.layers.back() = record_id(std::uint32_t(random.below(9)));
-          if (random.below(5) == 0 && layer_info(layer).gathering == Gathering::first)
-            sample.layers.back().r = not_a_number;
-        }
-        add_sample(film, x, y, index, sample);
-      }
+    for (int x = pixels.x0; x < pixels.x1; ++x) take(x, y);
+}
+
+void add_samples(Film& film, std::uint32_t begin, std::uint32_t end) {
+  for_each_pixel(film, [&](int x, int y) {
+    for (std::uint32_t index = begin; index < end; ++index)
+      add_sample(film, x, y, index, sample_of(film, x, y, index));
+  });
 }
 
 Film film_of(std::uint32_t begin, std::uint32_t end) {
@@ -85,6 +95,22 @@ TEST_CASE("the columns of a film do not depend on the order of its samples") {
   for (std::uint32_t index = 12; index-- > 0;) add_samples(backwards, index, index + 1);
   CHECK(bytes_of(backwards) == bytes_of(film_of(0, 12)));
   CHECK(bytes_of(backwards) != bytes_of(film_of(0, 11)));
+}
+
+TEST_CASE("samples of a pixel that are added together are those added one after the other") {
+  Film together(8, 13, window, everything());
+  Records records(together.contents(), 20);
+  const RecordSpans spans = records.spans(20);
+  for_each_pixel(together, [&](int x, int y) {
+    for (std::uint32_t i = 0; i < 12; ++i)
+      write_record(together, sample_of(together, x, y, i), spans, 5 + std::size_t(i));
+    together.add(x, y, 7, spans, 5 + 7, 5);
+    together.add(x, y, 0, spans, 5, 7);
+    together.add(x, y, 12, spans, 0, 0);
+  });
+  const Film expected = film_of(0, 12);
+  REQUIRE(expected.rejected_count() > 20);
+  CHECK(bytes_of(together) == bytes_of(expected));
 }
 
 TEST_CASE("what is no film's columns is an error") {

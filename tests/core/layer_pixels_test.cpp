@@ -57,8 +57,8 @@ TEST_CASE("the sums of two films of a layer are those of all samples") {
   MeanPixels all(1, 1), even(1, 1), odd(1, 1);
   for (int i = 0; i < 3000; ++i) {
     const Rgb value{random.uniform(-1, 1) * (i % 7 == 0 ? 1e9f : 1.0f), 0, 0};
-    all.add(0, value);
-    (i % 2 == 0 ? even : odd).add(0, value);
+    all.add(0, {&value, 1});
+    (i % 2 == 0 ? even : odd).add(0, {&value, 1});
   }
   odd.merge(0, even, 0);
   CHECK(odd.mean(0, 3000) == all.mean(0, 3000));
@@ -66,7 +66,8 @@ TEST_CASE("the sums of two films of a layer are those of all samples") {
 
 TEST_CASE("what is no number counts as 0 in a layer, and what is too large as the largest") {
   MeanPixels pixels(1, 3);
-  pixels.add(0, {not_a_number, 1e30f, -1e30f});
+  const Rgb value{not_a_number, 1e30f, -1e30f};
+  pixels.add(0, {&value, 1});
   CHECK(pixels.mean(0, 1) == Rgb{0, max_radiance, -max_radiance});
 }
 

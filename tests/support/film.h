@@ -13,18 +13,23 @@ struct FilmSample {
   std::vector<Rgb> paths = {}, groups = {};  ///< Parts of the light, where the film keeps them.
 };
 
-inline bool add_sample(Film& film, int x, int y, std::uint32_t index, const FilmSample& sample) {
-  Records records(film.contents(), 1);
-  const RecordSpans spans = records.spans(1);
-  spans.color()[0] = sample.color;
-  for (std::size_t i = 0; i < sample.layers.size(); ++i)
-    if (spans.has(film.layers()[i])) spans[film.layers()[i]][0] = sample.layers[i];
+/// Writes the sample into a record for the film.
+inline void write_record(const Film& film, const FilmSample& sample, const RecordSpans& spans,
+                         std::size_t i) {
+  spans.color()[i] = sample.color;
+  for (std::size_t layer = 0; layer < sample.layers.size(); ++layer)
+    if (spans.has(film.layers()[layer])) spans[film.layers()[layer]][i] = sample.layers[layer];
   const auto write = [&](Division division, const std::vector<Rgb>& parts) {
-    if (spans.has(division)) std::copy(parts.begin(), parts.end(), spans[division][0].begin());
+    if (spans.has(division)) std::copy(parts.begin(), parts.end(), spans[division][i].begin());
   };
   write(Division::paths, sample.paths);
   write(Division::groups, sample.groups);
-  return film.add(x, y, index, spans, 0);
+}
+
+inline bool add_sample(Film& film, int x, int y, std::uint32_t index, const FilmSample& sample) {
+  Records records(film.contents(), 1);
+  write_record(film, sample, records.spans(1), 0);
+  return film.add(x, y, index, records.spans(1), 0);
 }
 
 /// The parts of a pixel's light.

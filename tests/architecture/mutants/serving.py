@@ -46,7 +46,7 @@ MUTANTS = [
            "test_cli", "tiles that came within a fifth of a second are shown after the pass"),
     Mutant("what changes while it is sent is never sent", "cli/live/live_image.cpp",
            "LiveBytes changed{this->version(), 0, {}};", "LiveBytes changed{~std::uint64_t(0) >> 1, 0, {}};",
-           "test_cli", "whoever takes what changed again and again ends with the picture, while threads write"),
+           "test_cli", "whoever takes what changed again and again ends with the picture"),
     Mutant("who begins to look waits for each tile", "cli/live/web_picture.cpp",
            "needs_film_ = true;", "",
            "test_cli", "a page that begins to look needs the film once"),
