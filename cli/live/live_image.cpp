@@ -27,7 +27,8 @@ LiveImage::LiveImage(const PixelRect& window, std::size_t channels)
       channels_(channels),
       grid_(tile_grid(window, tile_size)),
       tiles_(grid_.count()),
-      values_(std::size_t(width()) * std::size_t(height()) * channels) {}
+      values_(std::size_t(width()) * std::size_t(height()) * channels),
+      missing_(tiles_.size()) {}
 
 std::size_t LiveImage::number_of(const PixelRect& tile) const {
   return std::size_t((tile.y0 - window_.y0) / tile_size) * std::size_t(grid_.columns) +
@@ -62,7 +63,8 @@ void LiveImage::put(const PixelRect& tile, std::span<const float> values, Clock:
   const std::size_t row_size = std::size_t(tile.width()) * channels_;
   const std::lock_guard lock(mutex_);
   Tile& known = tiles_[number_of(tile)];
-  bool is_changed = known.version == 0;
+  const bool is_first = known.version == 0;
+  bool is_changed = is_first;
   for (int row = 0; row < tile.height(); ++row) {
     float* const to = values_.data() + place_of(tile, row);
     const float* const from = values.data() + std::size_t(row) * row_size;
@@ -73,11 +75,12 @@ void LiveImage::put(const PixelRect& tile, std::span<const float> values, Clock:
   known.is_old = false;
   known.put = now;
   if (is_changed) known.version = ++version_;
+  if (is_first) --missing_;
 }
 
 std::uint64_t LiveImage::version() const {
   const std::lock_guard lock(mutex_);
-  return version_;
+  return missing_ == 0 ? version_ : 0;
 }
 
 LiveBytes LiveImage::all() const {

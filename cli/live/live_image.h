@@ -40,9 +40,9 @@ class LiveImage {
   /// The values of a tile's pixels, row by row; a new version where they are others than before.
   void put(const PixelRect& tile, std::span<const float> values, Clock::time_point now);
 
-  /// The number of changes so far.
+  /// The number of changes so far; 0 as long as a tile was never put.
   std::uint64_t version() const;
-  /// All pixels, row by row from the top left; those of tiles that were never put are 0.
+  /// All pixels, row by row from the top left.
   LiveBytes all() const;
   /// The tiles that changed after a version: of each the column and the row of its first pixel in the
   /// picture, its width and height as whole numbers, and its values row by row.
@@ -65,6 +65,7 @@ class LiveImage {
   std::vector<Tile> tiles_;
   std::vector<float> values_;
   std::uint64_t version_ = 0;
+  std::size_t missing_;  ///< Tiles that were never put.
 };
 
 }  // namespace twinray

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <cstring>
+#include <thread>
 
 #include "cli/live/web_server.h"
 #include "core/error.h"
@@ -165,13 +167,19 @@ TEST_CASE("a page gets tiles while others are rendered, and of a picture that it
   Page page;
   page.server.begin(options, box.scene(), {});
   page.get("/picture");
+  Film before(40, 6, {0, 0, 40, 6});
+  for (int y = 0; y < 6; ++y)
+    for (int x = 0; x < 40; ++x) before.add(x, y, 0, {9, 9, 9});
+  page.server.show(before);
+  page.get("/picture");
+  std::this_thread::sleep_for(std::chrono::milliseconds(250));  // Tiles are due again.
   std::vector<std::string> places;
   options.tile_done = [&](const Film& film, const PixelRect& tile) {
     page.server.show_tile(film, tile);
-    const HttpAnswer answer = page.get(fmt::format("/picture?since={}", places.size()));
+    const HttpAnswer answer = page.get(fmt::format("/picture?since={}", 3 + places.size()));
     CHECK(answer.status == 200);
     CHECK(answer.field("Picture-Tiles") == "1");
-    CHECK(answer.field("Picture-Version") == std::to_string(places.size() + 1));
+    CHECK(answer.field("Picture-Version") == std::to_string(3 + places.size() + 1));
     REQUIRE(answer.body.size() > 16);
     std::uint32_t place[4];
     std::memcpy(place, answer.body.data(), sizeof(place));

@@ -110,11 +110,13 @@ TEST_CASE("a part of the frame has the pixels of the whole") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 3});
   const RenderResult whole = render_with(scene, path, options(4, 2));
-  RenderOptions part_options = options(4, 2);
-  part_options.window = PixelRect{7, 5, 29, 22};
-  const RenderResult part = render_with(scene, path, part_options);
-  for (int y = 5; y < 22; ++y)
-    for (int x = 7; x < 29; ++x) CHECK(part.film.pixel(x, y) == whole.film.pixel(x, y));
+  for (const PixelRect& window : {PixelRect{7, 5, 29, 22}, PixelRect{8, 5, 9, 22}, PixelRect{7, 6, 29, 7}}) {
+    RenderOptions part_options = options(4, 2);
+    part_options.window = window;
+    const RenderResult part = render_with(scene, path, part_options);
+    for (int y = window.y0; y < window.y1; ++y)
+      for (int x = window.x0; x < window.x1; ++x) CHECK(part.film.pixel(x, y) == whole.film.pixel(x, y));
+  }
 }
 
 TEST_CASE("normal shading traces one ray a sample and shows (n + 1) / 2") {
@@ -284,13 +286,14 @@ TEST_CASE("whoever watches tiles sees each once a pass with all of its samples, 
   CHECK(same_bits(result.film, render_with(scene, path, options(3, 1), Backend::bvh).film));
 }
 
-TEST_CASE("a pass that is stopped is not shown as done") {
+TEST_CASE("a pass or a tile that is stopped is not shown as done") {
   const Scene scene = small_room();
   std::atomic<int> asked = 0;
   RenderOptions stopped = options(64, 1);
   stopped.is_stopped = [&] { return ++asked > 100; };
   bool is_shown = false;
   stopped.pass_done = [&](const Film&) { is_shown = true; };
+  stopped.tile_done = [&](const Film&, const PixelRect&) { is_shown = true; };
   render_with(scene, PathIntegrator(scene, {.max_depth = 2}), stopped, Backend::bvh);
   CHECK_FALSE(is_shown);
 }
