@@ -231,6 +231,26 @@ TEST_CASE("a page that begins to look needs the film once") {
   CHECK(page.server.needs_film());
 }
 
+TEST_CASE("a page that looks again gets what came in the meantime, also after the end") {
+  const BoxRender box;
+  const RenderResult result = box.result();
+  const Film empty(8, 6, {0, 0, 8, 6}, result.film.contents());
+  Page again, late;
+  for (Page* const page : {&again, &late}) {
+    page->begin(box);
+    page->get("/picture");
+    page->server.show(empty);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(3100));  // Longer than a page is waited for.
+  again.server.show_tile(result.film, {0, 0, 8, 6});             // Nobody looks.
+  again.get("/picture");
+  CHECK(again.server.needs_film());
+  again.server.show(result.film);
+  CHECK(floats_of(again.get("/picture").body) == colors_of(mean_image(result.film)));
+  late.server.show_last(result);
+  CHECK(floats_of(late.get("/picture").body) == colors_of(mean_image(result.film)));
+}
+
 TEST_CASE("a page may look at more than the film keeps") {
   const BoxRender box;
   const RenderResult result = box.result();
