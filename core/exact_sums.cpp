@@ -51,8 +51,6 @@ void Carries::load(std::size_t places, ColumnReader& from) {
   }
 }
 
-void ExactSums::add(std::size_t place, float x) { add_units(place, units_of(x)); }
-
 void ExactSums::add(std::size_t place, std::size_t channels, std::span<const Rgb> colors,
                     std::size_t stride) {
   constexpr float Rgb::*of[] = {&Rgb::r, &Rgb::g, &Rgb::b};

@@ -43,11 +43,8 @@ class Carries {
 class ExactSums {
  public:
   explicit ExactSums(std::size_t count) : sums_(count) {}
-  /// Adds x to one of them, rounded to the nearest unit. What is not a number counts as 0, what lies beyond
-  /// +-max_radiance as that.
-  void add(std::size_t place, float x);
-  /// The same for each channel of several colours: a sum for each of the first `channels`, from `place` on,
-  /// and of the colours each `stride`-th one.
+  /// Adds the first `channels` of each `stride`-th colour to as many sums from `place` on, each number
+  /// rounded to the nearest unit. What is not a number counts as 0, what lies beyond +-max_radiance as that.
   void add(std::size_t place, std::size_t channels, std::span<const Rgb> colors, std::size_t stride = 1);
   void add_units(std::size_t place, Int128 units);
   Int128 units(std::size_t place) const;

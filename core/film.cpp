@@ -22,6 +22,21 @@ double wide_luminance(double r, double g, double b) { return 0.2126 * r + 0.7152
 
 bool in_range(float x) { return std::fabs(x) <= Film::max_value; }  // A NaN is not.
 
+/// False, and only counted, where it is not accepted.
+bool add_color(PixelSums& sums, std::uint32_t sample_index, const Rgb& color) {
+  assert(sums.count + sums.rejected < Film::max_samples);
+  if (!in_range(color.r) || !in_range(color.g) || !in_range(color.b)) {
+    sums.reject(sample_index);
+    return false;
+  }
+  sums.r.add(color.r);
+  sums.g.add(color.g);
+  sums.b.add(color.b);
+  sums.luminance_squared.add_square_of(wide_luminance(color.r, color.g, color.b));
+  ++sums.count;
+  return true;
+}
+
 }  // namespace
 
 Rgb PixelSums::mean() const {
@@ -95,20 +110,6 @@ Film::Film(int frame_width, int frame_height, PixelRect window, FilmContents con
 std::size_t Film::offset(int x, int y) const {
   assert(x >= window_.x0 && x < window_.x1 && y >= window_.y0 && y < window_.y1);
   return std::size_t(y - window_.y0) * std::size_t(window_.width()) + std::size_t(x - window_.x0);
-}
-
-bool Film::add_color(PixelSums& sums, std::uint32_t sample_index, const Rgb& color) {
-  assert(sums.count + sums.rejected < max_samples);
-  if (!in_range(color.r) || !in_range(color.g) || !in_range(color.b)) {
-    sums.reject(sample_index);
-    return false;
-  }
-  sums.r.add(color.r);
-  sums.g.add(color.g);
-  sums.b.add(color.b);
-  sums.luminance_squared.add_square_of(wide_luminance(color.r, color.g, color.b));
-  ++sums.count;
-  return true;
 }
 
 bool Film::add(int x, int y, std::uint32_t sample_index, const RecordSpans& records, std::size_t record) {

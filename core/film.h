@@ -118,7 +118,6 @@ class Film {
   /// How a layer is kept; not at all where the colours say what it is.
   using LayerPixels = std::variant<std::monostate, MeanPixels, FirstPixels, CoveragePixels>;
   static LayerPixels make_pixels(Layer layer, std::size_t pixels);
-  bool add_color(PixelSums& sums, std::uint32_t sample_index, const Rgb& color);
   /// What accepted samples with successive indices have besides their colours.
   void add_layers(std::size_t pixel, std::uint32_t first_index, const RecordSpans& records,
                   std::size_t record, std::size_t count);

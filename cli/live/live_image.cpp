@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstring>
 
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 
 namespace twinray {
 namespace {

@@ -30,8 +30,8 @@ class LiveImage {
   int width() const { return window_.width(); }
   int height() const { return window_.height(); }
 
-  /// Whether the tile as it is now is to be put: it was not within the last fifth of a second. Where it is
-  /// not, it is old from now on.
+  /// Whether a tile that the film has changed is to be put now: not within a fifth of a second of the last
+  /// time. It is old then.
   bool is_due(const PixelRect& tile, Clock::time_point now);
   /// Whether it is not the film's any longer, or never was.
   bool is_old(const PixelRect& tile) const;

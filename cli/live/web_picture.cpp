@@ -59,35 +59,35 @@ std::vector<WebPicture::Seen> WebPicture::seen(Clock::duration within) const {
   return seen;
 }
 
+void WebPicture::Seen::copy(const Film& film, const PixelRect& tile) const {
+  static thread_local std::vector<float> values;
+  read_tile(film, layer, tile, values);
+  image->put(tile, values, Clock::now());
+}
+
+void WebPicture::copy_old_tiles(const Film& film, const std::vector<Seen>& seen) const {
+  const std::vector<PixelRect> tiles = spiral_tiles(window_, tile_size);
+  for (const Seen& one : seen)
+    for (const PixelRect& tile : tiles)
+      if (one.image->is_old(tile)) one.copy(film, tile);
+}
+
 void WebPicture::show(const Film& film) {
   needs_film_ = false;
-  std::vector<float> values;
-  for (const auto& [layer, image] : seen(attention))
-    for (const PixelRect& tile : spiral_tiles(window_, tile_size))
-      if (image->is_old(tile)) {
-        read_tile(film, layer, tile, values);
-        image->put(tile, values, Clock::now());
-      }
+  copy_old_tiles(film, seen(attention));
   const std::lock_guard lock(mutex_);
   shown_ = Clock::now();
 }
 
 void WebPicture::show_tile(const Film& film, const PixelRect& tile) {
-  static thread_local std::vector<float> values;
-  for (const auto& [layer, image] : seen(attention)) {
-    if (!image->is_due(tile, Clock::now())) continue;
-    read_tile(film, layer, tile, values);
-    image->put(tile, values, Clock::now());
-  }
+  for (const Seen& one : seen(attention))
+    if (one.image->is_due(tile, Clock::now())) one.copy(film, tile);
 }
 
 void WebPicture::show_last(const RenderResult& result) {
-  std::vector<float> values;
-  for (const auto& [layer, image] : seen(Clock::duration::max()))
-    for (const PixelRect& tile : spiral_tiles(window_, tile_size)) {
-      read_tile(result.film, layer, tile, values);
-      image->put(tile, values, Clock::now());
-    }
+  const std::vector<Seen> all = seen(Clock::duration::max());
+  for (const Seen& one : all) one.image->age();
+  copy_old_tiles(result.film, all);
   const std::lock_guard lock(mutex_);
   state_.phase = WebState::Phase::ended;
   state_.is_complete = result.is_complete;

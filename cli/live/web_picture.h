@@ -60,7 +60,9 @@ class WebPicture {
   struct Seen {
     const LiveLayer& layer;
     std::shared_ptr<LiveImage> image;
+    void copy(const Film& film, const PixelRect& tile) const;
   };
+  void copy_old_tiles(const Film& film, const std::vector<Seen>& seen) const;
   /// Those that were asked for not longer ago than that.
   std::vector<Seen> seen(Clock::duration within) const;
 

@@ -147,10 +147,10 @@ struct Wave {
   Words kind;     ///< Likewise: how it is scattered, a ScatterKind; where that has a limit.
   Words seeking;  ///< Likewise: which light its ray is to bring, a Seeking.
   Words follows;  ///< Of each sample: 1 where its path was scattered by mirrors and the like alone.
-  Words
-      first_is_other;  ///< Of each sample, where the light's parts are asked for: 1 where its FirstScattering
-  Columns3 first_diffuse;       ///< is not that of a matte surface, but
-  Words first_transmitted;      ///< this.
+  // Of each sample, where the light's parts are asked for: its FirstScattering.
+  Words first_is_other;  ///< 0 where it is that of a matte surface; else 1, and it is
+  Columns3 first_diffuse;
+  Words first_transmitted;
   std::vector<Rgb> group_sums;  ///< Of each path, where light groups are asked for: LightGroups' sums.
   Columns3 origin;              ///< Of their rays.
   std::vector<Ray> rays;        ///< Of the paths, as accelerators take them.

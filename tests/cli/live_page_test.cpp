@@ -66,6 +66,14 @@ class Page {
   std::uint16_t port_;
 };
 
+/// A render that has begun, a page of it, and what it will end with.
+struct BegunRender {
+  BegunRender() { page.begin(box); }
+  const BoxRender box;
+  const RenderResult result = box.result();
+  Page page;
+};
+
 std::vector<float> floats_of(const std::string& bytes) {
   std::vector<float> values(bytes.size() / sizeof(float));
   std::memcpy(values.data(), bytes.data(), bytes.size());
@@ -201,10 +209,8 @@ TEST_CASE("a page gets tiles while others are rendered, and of a picture that it
 }
 
 TEST_CASE("tiles that came within a fifth of a second are shown after the pass") {
-  const BoxRender box;
-  const RenderResult result = box.result();
-  Page page;
-  page.begin(box);
+  BegunRender begun;
+  auto& [box, result, page] = begun;
   page.get("/picture");
   const Film empty(8, 6, {0, 0, 8, 6}, result.film.contents());
   const PixelRect all{0, 0, 8, 6};
@@ -216,10 +222,8 @@ TEST_CASE("tiles that came within a fifth of a second are shown after the pass")
 }
 
 TEST_CASE("a page that begins to look needs the film once") {
-  const BoxRender box;
-  const RenderResult result = box.result();
-  Page page;
-  page.begin(box);
+  BegunRender begun;
+  auto& [box, result, page] = begun;
   CHECK_FALSE(page.server.needs_film());
   page.get("/picture");
   CHECK(page.server.needs_film());
@@ -268,10 +272,8 @@ TEST_CASE("a page may look at more than the film keeps") {
 }
 
 TEST_CASE("a page gets a layer's channels from the pass after it asked for them") {
-  const BoxRender box;
-  const RenderResult result = box.result();
-  Page page;
-  page.begin(box);
+  BegunRender begun;
+  auto& [box, result, page] = begun;
   page.get("/picture");
   page.server.show(result.film);
   for (const std::string layer : {"depth", "uv", "diffuse_direct"})
@@ -295,11 +297,9 @@ TEST_CASE("a page gets a layer's channels from the pass after it asked for them"
 }
 
 TEST_CASE("a picture is saved as a PFM with all bits, also of a layer of one channel or two") {
-  const BoxRender box;
-  const RenderResult result = box.result();
+  BegunRender begun;
+  auto& [box, result, page] = begun;
   const TemporaryFolder folder;
-  Page page;
-  page.begin(box);
   CHECK(page.get("/picture.pfm").status == 404);
   for (const std::string layer : {"beauty", "depth", "uv"}) page.get("/picture?layer=" + layer);
   page.server.show(result.film);
@@ -311,10 +311,8 @@ TEST_CASE("a picture is saved as a PFM with all bits, also of a layer of one cha
 }
 
 TEST_CASE("copies are made for whoever asked since the last one, and for nobody else") {
-  const BoxRender box;
-  const RenderResult result = box.result();
-  Page page;
-  page.begin(box);
+  BegunRender begun;
+  auto& [box, result, page] = begun;
   CHECK_FALSE(page.server.is_ready());
   page.get("/");
   page.state();

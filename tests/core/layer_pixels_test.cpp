@@ -34,12 +34,13 @@ TEST_CASE("sums hold every unit, however large they become") {
   constexpr int count = 5000;  // 5000 times 10^9 overflows 63 bits of 2^-43 about 5 million times.
   const auto add = [&](float first, float second) {
     for (int i = 0; i < count; ++i) {
-      sums.add(0, first);
-      sums.add(1, second);
+      const Rgb values{first, second, 0};
+      sums.add(0, 2, {&values, 1});
     }
   };
   add(1e9f, -1e9f);
-  for (int i = 0; i < count; ++i) sums.add(2, 0x1p-43f);
+  const std::vector<Rgb> least(count, Rgb{0x1p-43f, 0, 0});
+  sums.add(2, 1, least);
   CHECK(sums.units(0) == count * fixed_units(1e9));
   CHECK(sums.units(1) == -count * fixed_units(1e9));
   CHECK(sums.units(2) == count);
