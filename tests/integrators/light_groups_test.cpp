@@ -2,11 +2,14 @@
 // Light by groups of lights: each has what its lights bring, and together they are the picture.
 #include "integrators/light_groups.h"
 
+#include <atomic>
+
 #include "core/error.h"
 #include "integrators/path_reference.h"
 #include "tests/support/catch.h"
 #include "tests/support/estimate.h"
 #include "tests/support/film.h"
+#include "tests/support/film_bytes.h"
 #include "tests/support/scenes.h"
 #include "tests/support/traced_records.h"
 
@@ -53,7 +56,41 @@ const std::vector<PathOptions> methods{{.max_depth = 4},
                                        {.max_depth = 4, .clamp = 0.05f},
                                        {.max_depth = 3, .direct = DirectMethod::hemisphere}};
 
+Rgb color_of(const SampleKey& key) { return {0.1f * float(key.x), 0.3f * float(key.y), float(key.index)}; }
+
+/// Knows of no light groups, and remembers whether it was asked for them.
+class PlaceIntegrator final : public Integrator {
+ public:
+  void sample(std::span<const CameraSample> samples, SamplerKind, Tracer&,
+              const RecordSpans& records) const override {
+    if (records.has(Division::groups)) was_asked_for_groups = true;
+    for (std::size_t i = 0; i < samples.size(); ++i) records.color()[i] = color_of(samples[i].key);
+  }
+  mutable std::atomic<bool> was_asked_for_groups = false;
+};
+
 }  // namespace
+
+TEST_CASE("the one light group of a scene has all of the radiance, sample by sample") {
+  Scene scene = studio(all_lit);
+  const PlaceIntegrator integrator;
+  const RenderOptions options = with_groups(3);
+  render_with(scene, integrator, options);
+  CHECK(integrator.was_asked_for_groups);
+  for (Light& light : scene.lights) light.group = 0;
+  scene.light_groups = {"all"};
+  const PlaceIntegrator of_one_group;
+  const Film film = render_with(scene, of_one_group, options).film;
+  CHECK_FALSE(of_one_group.was_asked_for_groups);
+  Film expected(options.width, options.height, window_of(options), film.contents());
+  for (int y = 0; y < options.height; ++y)
+    for (int x = 0; x < options.width; ++x)
+      for (std::uint32_t index = 0; index < 3; ++index) {
+        const Rgb color = color_of({.x = std::uint32_t(x), .y = std::uint32_t(y), .index = index});
+        add_sample(expected, x, y, index, {color, {}, {}, {color}});
+      }
+  CHECK(bytes_of(film) == bytes_of(expected));
+}
 
 TEST_CASE("the light groups of a picture give its colours, added up as floats, in any order") {
   const Scene scene = studio(all_lit);
