@@ -32,7 +32,7 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
   Rgb radiance;
   State path{.ray = sample.ray, .cone = sample.cone};
   Hit hit = tracer.camera_hit(path.ray);
-  record_alpha(hit, has_environment_, record, 0);
+  if (record.has(Layer::alpha)) record[Layer::alpha][0] = alpha_record(hit, has_environment_);
   for (int depth = 0;; ++depth) {  // Scattering events before the current ray.
     tracer.arrive();
     path.throughput = path.throughput * transmittance(transport, path.viewing.interiors, path.ray, hit.t);
@@ -73,11 +73,14 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
 
 void PathReference::record_surface(const Interaction& at, const Hit& hit, int depth, const State& path,
                                    const RecordSpans& record) const {
-  if (path.is_followed && shows_features(record))
-    record_features({path.throughput, path.eta_squared, at.bsdf().albedo(), at.normal()}, record, 0);
-  if (depth == 0)
-    record_first_surface(scene_, {hit, at.point().position, facing(at.point().geometric_normal, at.wo())},
-                         record, 0);
+  if (path.is_followed && record.has(Layer::albedo))
+    record[Layer::albedo][0] = albedo_record({path.throughput, path.eta_squared, at.bsdf().albedo()});
+  if (path.is_followed && record.has(Layer::normal)) record[Layer::normal][0] = vector_record(at.normal());
+  if (depth > 0) return;
+  const FirstSurface first{hit, at.point().position, facing(at.point().geometric_normal, at.wo())};
+  record_first_surface(scene_, [&](Layer layer, auto&& value) {
+    if (record.has(layer)) record[layer][0] = value(first);
+  });
 }
 
 Rgb PathReference::seen_light(const LightTransport& transport, const Arrival& arrival, PathObserver& observer,

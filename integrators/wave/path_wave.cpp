@@ -421,7 +421,7 @@ bool PathWave::scatter(bool is_last) {
   const bool has_limits = context_.options.limits.are_any();
   if (has_limits) std::fill_n(wave_.kind.values, paths_.size, std::uint32_t(ScatterKind::diffuse));
   scatter_at_others();
-  if (shows_features(records_)) follow_mirrors();
+  if (records_.has(Layer::albedo) || records_.has(Layer::normal)) follow_mirrors();
   if (has_light_paths_ && depth_ == 0) keep_first_scattering();
   if (has_limits) count_bounces();
   if (context_.options.regularize) regularize_scattered();

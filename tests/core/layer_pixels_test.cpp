@@ -53,6 +53,25 @@ TEST_CASE("sums hold every unit, however large they become") {
   CHECK(sums.units(1) == 0);
 }
 
+TEST_CASE("samples that are added together give what they give one by one, however large they are") {
+  test::Random random(5);
+  for (const float largest : {0x1p-30f, 1.0f, 0x1p15f, 0x1p19f, 0x1p21f, 1e9f}) {
+    std::vector<Rgb> colors;
+    for (int i = 0; i < 64; ++i)
+      colors.push_back({random.uniform(-largest, largest), random.uniform(0, largest), -largest});
+    colors[7].r = not_a_number;
+    for (const std::size_t stride : {1u, 3u}) {
+      CAPTURE(largest, stride);
+      ExactSums together(3), one_by_one(3);
+      together.add(0, 3, colors, stride);
+      for (std::size_t i = 0; i < colors.size(); i += stride) one_by_one.add(0, 3, {&colors[i], 1});
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        CHECK(together.units(channel) == one_by_one.units(channel));
+      if (stride == 1) CHECK(together.units(2) == -64 * fixed_units(largest));
+    }
+  }
+}
+
 TEST_CASE("the sums of two films of a layer are those of all samples") {
   test::Random random(3);
   MeanPixels all(1, 1), even(1, 1), odd(1, 1);

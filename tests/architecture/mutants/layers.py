@@ -6,11 +6,16 @@ SEEN = "a mirror has the albedo and the normal of what it shows, or else its own
 FIRST = "depth, position, ids and coverage are those of the first surface, be it a mirror"
 
 WAVE_BITS = "waves of paths have the bits and the rays of paths one after the other"
+TOGETHER = "samples that are added together give what they give one by one, however large they are"
 
 MUTANTS = [
     Mutant("a sum of a layer forgets what 64 bits cannot hold", "core/exact_sums.cpp",
            "  if (rest != 0) carries_.add(place, std::int64_t(rest >> 64));\n", "",
            "test_core", "sums hold every unit, however large they become"),
+    Mutant("samples added together overflow their word", "core/exact_sums.cpp",
+           "size < 0x1p19f", "size < 0x1p30f", "test_core", TOGETHER),
+    Mutant("samples added together are as small as the last one", "core/exact_sums.cpp",
+           "size += std::fabs(x)", "size = std::fabs(x)", "test_core", TOGETHER),
     Mutant("merged layers keep the value of the later sample", "core/layer_pixels.cpp",
            "std::isnan(value.r) || sample_index >= indices_[pixel]",
            "std::isnan(value.r) || (has(pixel) && sample_index < indices_[pixel])",
@@ -51,16 +56,15 @@ MUTANTS = [
            "path.is_followed && next->departure.seeking == Seeking::alone", "true",
            "test_integrators", WAVE_BITS),
     Mutant("what a mirror shows is not tinted by it", "integrators/layer_records.h",
-           "const Rgb albedo = tint * seen.albedo;", "const Rgb albedo = seen.albedo;",
-           "test_integrators", SEEN),
+           "seen.throughput * seen.eta_squared * seen.albedo;", "seen.albedo;", "test_integrators", SEEN),
     Mutant("glass darkens the albedo behind it by its radiance", "integrators/layer_records.h",
            "seen.throughput * seen.eta_squared", "seen.throughput", "test_integrators",
            "what is seen through smooth glass keeps its albedo, whatever the glass does to radiance"),
     Mutant("the geometric normal of a wave's surface looks away", "integrators/wave/layers.cpp",
            "surfaces_.point.normal.at(i) * surfaces_.facing[i]", "surfaces_.point.normal.at(i)",
            "test_integrators", WAVE_BITS),
-    Mutant("a shape's material has the number of the shape", "integrators/layer_records.cpp",
-           "float(binding.material) + 1", "float(hit.mesh) + 1",
+    Mutant("a shape's material has the number of the shape", "integrators/layer_records.h",
+           "float(material(surface)) + 1", "float(surface.hit.mesh) + 1",
            "test_integrators", "shapes of one material have one material id"),
     Mutant("what misses covers its pixel", "integrators/layer_records.h",
            "hit.is_miss() && !has_environment ? 0.0f : 1.0f", "1.0f", "test_integrators", FIRST),
@@ -146,8 +150,8 @@ MUTANTS = [
     Mutant("merged mattes count each id once", "core/coverage_pixels.cpp",
            "place.count + samples.count", "place.count + 1",
            "test_core", "a film counts the samples of each id, however many there are and in whatever order"),
-    Mutant("the mattes of materials are those of objects", "integrators/layer_records.cpp",
-           "record_id(binding.material + 1)", "record_id(hit.mesh + 1)",
+    Mutant("the mattes of materials are those of objects", "integrators/layer_records.h",
+           "record_id(material(surface) + 1)", "record_id(surface.hit.mesh + 1)",
            "test_integrators", "mattes tell objects, materials and assets apart"),
     Mutant("a shape without an asset has the first one", "core/scene.h",
            "std::uint32_t(scene.assets.size()) + shape", "0", "test_integrators",
