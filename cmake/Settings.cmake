@@ -56,10 +56,20 @@ function(twinray_compile_together target)
   endforeach()
 endfunction()
 
+# twinray_compile_soon(TARGET): with the optimisations that take no time. It is not waited for: what is, are rays,
+# trees and light, in other libraries.
+function(twinray_compile_soon target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # Warnings and sanitizers: linked PRIVATE by every target of ours, never installed.
 add_library(twinray_developer INTERFACE)
 target_compile_options(twinray_developer INTERFACE -Wall -Wextra -Wshadow -Wno-missing-field-initializers
                        $<$<BOOL:${TWINRAY_WERROR}>:-Werror>)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # The compiler need not look so often for what it can forget: a sixth of its time, for a fifth more memory.
+  target_compile_options(twinray_developer INTERFACE "SHELL:--param ggc-min-heapsize=524288")
+endif()
 if(TWINRAY_SANITIZE)
   # Without recovery: a test that meets undefined behaviour fails.
   target_compile_options(twinray_developer INTERFACE -fsanitize=${TWINRAY_SANITIZE} -fno-sanitize-recover=all

@@ -27,6 +27,8 @@ void add_options(CLI::App& app, StatsArguments& arguments) {
   group.add_number({"-s,--samples", "N", "Samples per pixel"}, recording.samples, sample_counts);
   add_view(group, arguments.view);
   add_threads(group, arguments.options.threads);
+  group.add_number({"--seconds", "T", "Shoot the rays of a kind again until so long has passed"},
+                   arguments.options.least_seconds, Range<double>{0, 86400});
   group.add_word({"--csv", "FILE", "Write the statistics as a table for other programs"}, arguments.csv_file);
   group.add_word({"--json", "FILE", "Write the statistics as JSON"}, arguments.json_file);
   group.add_flag("-q,--quiet", arguments.quiet, "No table, no progress");

@@ -18,7 +18,7 @@ const std::string small = " -r 24 18 -s 2 ";
 const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae" + small;
 /// A scene and options that give a warning, in quiet runs too.
 const std::string warned = TWINRAY_SOURCE_DIR "/scenes/lights.dae" + small + "-H -q ";
-const std::string box_statistics = "stats " TWINRAY_SOURCE_DIR "/scenes/box.dae -r 8 6 -q";
+const std::string box_statistics = "stats " TWINRAY_SOURCE_DIR "/scenes/box.dae -r 8 6 --seconds=0 -q";
 
 std::string to(const std::string& picture) { return "-o '" + picture + "' "; }
 
@@ -30,7 +30,7 @@ TEST_CASE("words lost on a full standard output make the exit code 1, and are mi
   const TemporaryFolder folder;
   const std::string message = "twinray: standard output cannot be written: No space left on device\n";
   const std::vector<std::string> commands{"--help ", "crosscheck --help ", box + to(folder.file("a.png")),
-                                          "stats " TWINRAY_SOURCE_DIR "/scenes/box.dae -r 8 6 "};
+                                          "stats " TWINRAY_SOURCE_DIR "/scenes/box.dae -r 8 6 --seconds=0 "};
   for (const std::string& arguments : commands) {
     CAPTURE(arguments);
     const ProcessResult result = run_program(arguments + ">/dev/full");

@@ -134,8 +134,8 @@ TEST_CASE("a scene without shapes has statistics") {
 TEST_CASE("the stats command prints a row for each engine and writes both files") {
   const TemporaryFolder folder;
   const std::string csv = folder.file("a.csv"), json = folder.file("a.json");
-  const ProcessResult result =
-      run_program("stats -r 8 6 -t 1 " + box + " --csv " + quoted(csv) + " --json " + quoted(json));
+  const ProcessResult result = run_program("stats -r 8 6 -t 1 --seconds=0 " + box + " --csv " + quoted(csv) +
+                                           " --json " + quoted(json));
   CHECK(result.exit_code == 0);
   CHECK(folder.file_count() == 2);
   CHECK(result.out.find("\nengine ") != std::string::npos);
@@ -161,6 +161,8 @@ TEST_CASE("a wrong stats command line ends with 2, and a file that is not there 
   CHECK_THROWS_AS(parse({"a.dae", "-r", "0", "1"}), UsageError);
   CHECK_THROWS_AS(parse({"a.dae", "-s", "0"}), UsageError);
   CHECK_THROWS_AS(parse({"a.dae", "--view", "both"}), UsageError);
+  CHECK_THROWS_AS(parse({"a.dae", "--seconds=-1"}), UsageError);
+  CHECK(parse({"a.dae", "--seconds=0.5"}).options.least_seconds == 0.5);
   CHECK(parse({"a.dae"}).view == View::whole);
   CHECK(parse({"a.dae", "--view=file"}).view == View::file);
   CHECK(run_program("stats -q no-such-scene.dae").exit_code == 1);

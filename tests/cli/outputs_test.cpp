@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
 const std::string small = box + " -r 24 18 -s 2 ";
-const std::string statistics = "stats " + box + " -r 8 6 ";
+const std::string statistics = "stats " + box + " -r 8 6 --seconds=0 ";
 
 /// The environment in which something happens when half of a file is written (AT_WRITE), or when it is
 /// flushed (AT_SYNC).

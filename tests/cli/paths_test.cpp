@@ -39,7 +39,7 @@ TEST_CASE("names of files may hold spaces, any letters and any bytes, whichever 
     CHECK(read_text(file(".json")).size() > 100);
     if (name != names.front() && name != names.back()) continue;  // The others take the same way.
     for (const std::string command :
-         {"stats -r 2 2 -q ", "agreement -r 2 2 -s 1 -q ", "crosscheck --rays=16 -q "})
+         {"stats -r 2 2 --seconds=0 -q ", "agreement -r 2 2 -s 1 -q ", "crosscheck --rays=16 -q "})
       CHECK(run_program(command + quoted(file(".dae"))).exit_code == 0);
   }
 }

@@ -250,7 +250,7 @@ TEST_CASE("a generated scene is rendered, crosschecked and measured by its name"
   const TemporaryFolder folder;
   CHECK(run_program("generated:ball:1000" + small + "-o " + quoted(folder.file("a.png"))).exit_code == 0);
   CHECK(run_program("crosscheck generated:ball:1000 -q --rays=200 --engines=bvh,bvh-2").exit_code == 0);
-  CHECK(run_program("stats generated:ball:1000 -q -r 2 2").exit_code == 0);
+  CHECK(run_program("stats generated:ball:1000 -q -r 2 2 --seconds=0").exit_code == 0);
   const ProcessResult wrong = run_program("stats generated:cube -q");
   CHECK(wrong.exit_code == 1);
   CHECK(wrong.err ==
@@ -263,7 +263,7 @@ TEST_CASE("warnings of a scene file are printed by every command, in quiet runs 
   const std::string scene = TWINRAY_SOURCE_DIR "/tests/bad/warning_attribute.dae";
   const TemporaryFolder folder;
   for (const std::string& command :
-       {scene + small + "-o " + quoted(folder.file("a.png")), "stats -q -r 2 2 " + scene,
+       {scene + small + "-o " + quoted(folder.file("a.png")), "stats -q -r 2 2 --seconds=0 " + scene,
         "agreement -q -r 2 2 -s 1 " + scene, "crosscheck -q --rays=100 --engines=bvh,bvh-2 " + scene})
     CHECK(run_program(command).err.find("warning: " + scene) == 0);
 }
@@ -290,7 +290,7 @@ TEST_CASE("counts of Embree's way are said to be those of this machine") {
   const std::string said = "(Embree's way: other machines may count otherwise)";
   CHECK(run_program(line + "embree").out.find(said) != std::string::npos);
   CHECK(run_program(line + "bvh").out.find(said) == std::string::npos);
-  CHECK(run_program("stats -r 2 2 " + box)
+  CHECK(run_program("stats -r 2 2 --seconds=0 " + box)
             .out.find("\nOther machines may count otherwise in embree; all other counts are the same "
                       "everywhere.\n") != std::string::npos);
 }
