@@ -79,6 +79,7 @@ set(private_headers
   check/exact.h
   core/fork_join.h
   core/lanes.h
+  core/map_points.h
   integrators/denoise/blend.h
   integrators/denoise/box_mean.h
   integrators/denoise/error_product.h

@@ -31,4 +31,25 @@ float Distribution::probability(std::uint32_t index) const {
   return std::max(float(weight / total()), std::numeric_limits<float>::min());
 }
 
+void Distribution::sample(std::span<const Distribution* const> of, std::span<const float> u,
+                          std::span<Choice> choices) {
+  assert(of.size() <= most_together);
+  std::size_t first[most_together], left[most_together];
+  double target[most_together];
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    first[i] = 0;
+    left[i] = of[i]->last_;
+    target[i] = double(u[i]) * of[i]->total();
+    longest = std::max(longest, left[i]);
+  }
+  for (; longest > 0; longest /= 2)
+    for (std::size_t i = 0; i < of.size(); ++i) {  // A step of first_above(), which does nothing at the end.
+      const std::size_t half = (left[i] + 1) / 2;
+      first[i] += half * (of[i]->sums_[first[i] + half] <= target[i]);
+      left[i] /= 2;
+    }
+  for (std::size_t i = 0; i < of.size(); ++i) choices[i] = of[i]->choice(target[i], first[i]);
+}
+
 }  // namespace twinray

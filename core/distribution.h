@@ -27,16 +27,24 @@ class Distribution {
   /// The probability that `sample` chooses the index; 0 for weight zero, else at least 2^-126, so that it can
   /// be divided by.
   float probability(std::uint32_t index) const;
+  /// Asks memory for what probability() reads.
+  void prefetch(std::uint32_t index) const { __builtin_prefetch(&sums_[index]); }
   /// u in [0, 1). Never an index of weight zero.
   Choice sample(float u) const {
     assert(total() > 0);
-    const double target = double(u) * total();
-    const std::size_t index = first_above(target);
+    return choice(double(u) * total(), first_above(double(u) * total()));
+  }
+  /// choices[i] = of[i]->sample(u[i]), up to so many: searched side by side, so that they wait for memory
+  /// together.
+  static constexpr std::size_t most_together = 64;
+  static void sample(std::span<const Distribution* const> of, std::span<const float> u,
+                     std::span<Choice> choices);
+
+ private:
+  Choice choice(double target, std::size_t index) const {
     const float remainder = float((target - sums_[index]) / (sums_[index + 1] - sums_[index]));
     return {std::uint32_t(index), std::min(remainder, 0x1.fffffep-1f)};
   }
-
- private:
   /// The first index whose weight brings the sum above the target, but last_ at most: a tiny total rounds the
   /// target up to itself.
   std::size_t first_above(double target) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/map_points.h"
 #include "core/radiance.h"
 
 namespace twinray {
@@ -13,6 +14,9 @@ namespace {
 constexpr std::int64_t most_cells = 1 << 22;
 /// A part of the mean below which what is left of a cell is rounding.
 constexpr double residue = 1e-6;
+
+/// So many draws or directions wait for memory together.
+constexpr std::size_t together = Distribution::most_together;
 
 int ceil_divide(int a, int b) { return (a + b - 1) / b; }
 
@@ -84,34 +88,61 @@ Environment::Sample Environment::sample(Vec2 u) const {
 }
 
 void Environment::sample(std::span<const Vec2> u, std::span<Sample> samples) const {
-  constexpr std::size_t together = 64;
   if (!(row_.total() > 0)) {
     std::fill(samples.begin(), samples.end(), Sample{});
     return;
   }
   Cell cells[together];
+  const Distribution* columns[together];
+  float across[together];
+  Distribution::Choice chosen[together];
   Vec3 directions[together];
   MapPoint points[together];
   for (std::size_t first = 0; first < u.size(); first += together) {
     const std::size_t count = std::min(together, u.size() - first);
     for (std::size_t i = 0; i < count; ++i) cells[i].row = row_.sample(u[first + i].y);
-    for (std::size_t i = 0; i < count; ++i)
-      cells[i].column = columns_of_[cells[i].row.index].sample(u[first + i].x);
     for (std::size_t i = 0; i < count; ++i) {
-      directions[i] = direction_in(cells[i]);
-      points[i] = point_of(directions[i]);
-      prefetch(points[i]);
+      columns[i] = &columns_of_[cells[i].row.index];
+      across[i] = u[first + i].x;
     }
+    Distribution::sample(std::span(columns).first(count), across, chosen);
+    for (std::size_t i = 0; i < count; ++i) {
+      cells[i].column = chosen[i];
+      directions[i] = direction_in(cells[i]);
+    }
+    find_points(std::span(directions).first(count), points);
     for (std::size_t i = 0; i < count; ++i) samples[first + i] = sample_at(directions[i], points[i]);
   }
 }
 
-void Environment::prefetch(MapPoint point) const {
+void Environment::view(std::span<const Vec3> directions, std::span<View> views) const {
+  MapPoint points[together];
+  for (std::size_t first = 0; first < directions.size(); first += together) {
+    const std::size_t count = std::min(together, directions.size() - first);
+    find_points(directions.subspan(first, count), points);
+    for (std::size_t i = 0; i < count; ++i) prefetch_pdf(points[i]);
+    for (std::size_t i = 0; i < count; ++i) views[first + i] = view_at(points[i]);
+  }
+}
+
+void Environment::find_points(std::span<const Vec3> directions, std::span<MapPoint> points) const {
+  Vec3 local[together];
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    local[i] = light_.rotation.transposed_vector(directions[i]);
+  map_points(light_.layout, std::span(local).first(directions.size()), points);
+  for (std::size_t i = 0; i < directions.size(); ++i) prefetch_radiance(points[i]);
+}
+
+void Environment::prefetch_radiance(MapPoint point) const {
   const Image& map = *light_.map;
   const int x = std::clamp(int(point.x * map.width - 0.5), 0, map.width - 1);
   const int y = std::clamp(int(point.y * map.height - 0.5), 0, map.height - 1);
   __builtin_prefetch(&map.at(x, y));
   __builtin_prefetch(&map.at(x, std::min(y + 1, map.height - 1)));
+}
+
+void Environment::prefetch_pdf(MapPoint point) const {
+  columns_of_[std::size_t(row_at(point))].prefetch(std::uint32_t(column_at(point)));
 }
 
 Vec3 Environment::direction_in(const Cell& chosen) const {
@@ -137,10 +168,17 @@ Rgb Environment::radiance_at(MapPoint point) const {
           std::min(radiance.b, max_radiance)};
 }
 
+int Environment::column_at(MapPoint point) const {
+  return std::clamp(int(point.x * light_.map->width) / block_, 0, columns_ - 1);
+}
+
+int Environment::row_at(MapPoint point) const {
+  return std::clamp(int(point.y * light_.map->height) / block_, 0, rows_ - 1);
+}
+
 float Environment::pdf_at(MapPoint point) const {
   if (!(row_.total() > 0)) return 0;
-  const int column = std::clamp(int(point.x * light_.map->width) / block_, 0, columns_ - 1);
-  const int row = std::clamp(int(point.y * light_.map->height) / block_, 0, rows_ - 1);
+  const int column = column_at(point), row = row_at(point);
   const Distribution& columns = columns_of_[std::size_t(row)];
   if (!(columns.total() > 0)) return 0;
   const double probability =

@@ -23,6 +23,12 @@ class Environment {
     float pdf = 0;  ///< That of pdf(direction). 0: nothing was chosen, and the rest is zero.
   };
 
+  /// What a ray along a direction finds.
+  struct View {
+    Rgb radiance;
+    float pdf = 0;
+  };
+
   /// `compensation`: how many times the mean luminance is subtracted, >= 0; 0 unless scattered rays look for
   /// the light, too. Where nothing is left, as of a map that is the same everywhere, nothing is sampled.
   Environment(const EnvironmentLight& light, double compensation);
@@ -36,6 +42,10 @@ class Environment {
   void sample(std::span<const Vec2> u, std::span<Sample> samples) const;
   /// The density, per solid angle, with which sample() chooses a unit direction.
   float pdf(const Vec3& direction) const { return pdf_at(point_of(direction)); }
+  /// Both of a unit direction.
+  View view(const Vec3& direction) const { return view_at(point_of(direction)); }
+  /// views[i] = view(directions[i]), several at a time, as by sample().
+  void view(std::span<const Vec3> directions, std::span<View> views) const;
 
  private:
   /// Where a draw falls.
@@ -44,8 +54,15 @@ class Environment {
   };
   Vec3 direction_in(const Cell& chosen) const;
   Sample sample_at(const Vec3& direction, MapPoint point) const;
-  /// Asks memory for the pixels at a point.
-  void prefetch(MapPoint point) const;
+  View view_at(MapPoint point) const { return {radiance_at(point), pdf_at(point)}; }
+  /// points[i] = point_of(directions[i]), and asks memory for the pixels there.
+  void find_points(std::span<const Vec3> directions, std::span<MapPoint> points) const;
+  /// Asks memory for the pixels at a point,
+  void prefetch_radiance(MapPoint point) const;
+  /// and for what the density there is made of.
+  void prefetch_pdf(MapPoint point) const;
+  int column_at(MapPoint point) const;
+  int row_at(MapPoint point) const;
   MapPoint point_of(const Vec3& direction) const;
   Rgb radiance_at(MapPoint point) const;
   float pdf_at(MapPoint point) const;

@@ -367,6 +367,26 @@ Rgb LightSet::radiance(std::uint32_t light, const Vec3& direction) const {
   return {};
 }
 
+Environment::View LightSet::view(std::uint32_t light, const Vec3& direction) const {
+  if (const Environment* const map = environment(light)) return map->view(direction);
+  return {radiance(light, direction), pdf(light, direction)};
+}
+
+void LightSet::view(std::span<const Vec3> directions, std::span<Environment::View> views) const {
+  constexpr std::size_t together = 64;
+  Environment::View of_light[together];
+  for (std::size_t place = 0; place < distant_.size(); ++place)
+    for (std::size_t first = 0; first < directions.size(); first += together) {
+      const auto some = directions.subspan(first, std::min(together, directions.size() - first));
+      if (const Environment* const map = environment(distant_[place]))
+        map->view(some, of_light);
+      else
+        for (std::size_t i = 0; i < some.size(); ++i) of_light[i] = view(distant_[place], some[i]);
+      for (std::size_t i = 0; i < some.size(); ++i)
+        views[(first + i) * distant_.size() + place] = of_light[i];
+    }
+}
+
 Rgb LightSet::escaped(const Vec3& direction) const {
   Rgb sum;
   for (const std::uint32_t light : distant_) sum += radiance(light, direction);

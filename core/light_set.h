@@ -112,6 +112,10 @@ class LightSet {
   std::span<const std::uint32_t> distant() const { return distant_; }
   /// Radiance of one of them along a unit direction towards it; black for all others.
   Rgb radiance(std::uint32_t light, const Vec3& direction) const;
+  /// What a ray along a unit direction finds of one of them: radiance and pdf(light, direction).
+  Environment::View view(std::uint32_t light, const Vec3& direction) const;
+  /// For each of several unit directions the views of all of distant(), in their order.
+  void view(std::span<const Vec3> directions, std::span<Environment::View> views) const;
   /// Radiance that a bounce ray brings when it leaves the scene along a unit direction.
   Rgb escaped(const Vec3& direction) const;
   /// Radiance that a camera ray brings then: of environments; an ambient light is not seen.

@@ -117,7 +117,8 @@ Rgb found_light(const LightTransport& transport, const Departure& departure, con
   if (departure.seeking == Seeking::alone) return found_alone(transport, arrival, observer, groups);
   if (transport.method != DirectMethod::mis) return {};
   const LightSet& lights = transport.lights;
-  const auto& [hit, direction] = arrival;
+  const Hit& hit = arrival.hit;
+  const Vec3& direction = arrival.direction;
   const float count = float(transport.samples_per_light);
   const auto weighted = [&](std::uint32_t light, const Rgb& radiance, float pdf) {
     const FoundLight found{light, radiance, count * pdf, power_heuristic(departure.pdf, count * pdf)};
@@ -127,9 +128,13 @@ Rgb found_light(const LightTransport& transport, const Departure& departure, con
   };
   if (hit.is_miss()) {
     Rgb sum;
-    for (const std::uint32_t light : lights.distant())
-      if (is_sought(lights, departure, light))
-        sum += weighted(light, lights.radiance(light, direction), lights.pdf(light, direction));
+    for (std::size_t place = 0; place < lights.distant().size(); ++place) {
+      const std::uint32_t light = lights.distant()[place];
+      if (!is_sought(lights, departure, light)) continue;
+      const auto [radiance, pdf] =
+          arrival.views.empty() ? lights.view(light, direction) : arrival.views[place];
+      sum += weighted(light, radiance, pdf);
+    }
     return sum;
   }
   const std::uint32_t light = transport.scene.bindings[hit.mesh].light;

@@ -102,6 +102,8 @@ Rgb direct_light(const LightTransport& transport, const Interaction& at, const V
 struct Arrival {
   const Hit& hit;
   Vec3 direction;  ///< Unit.
+  /// Of one that misses: its views of the distant lights, in their order, where they are known already.
+  std::span<const Environment::View> views = {};
 };
 
 /// What is left out there, by the ray that a path goes on along.

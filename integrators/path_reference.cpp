@@ -85,7 +85,8 @@ void PathReference::record_surface(const Interaction& at, const Hit& hit, int de
 
 Rgb PathReference::seen_light(const LightTransport& transport, const Arrival& arrival, PathObserver& observer,
                               const LightGroups& groups) const {
-  const auto& [hit, direction] = arrival;
+  const Hit& hit = arrival.hit;
+  const Vec3& direction = arrival.direction;
   const Rgb radiance = hit.is_miss() ? lights_.background(direction)
                                      : lights_.emitted(surface_at(*scene_.geometry, hit), -direction);
   observer.found_light({.light = light_at(scene_, hit), .radiance = radiance});

@@ -28,6 +28,7 @@ PathWave::PathWave(const WaveContext& context, SamplerKind kind, Tracer& tracer,
       radiance_(records.color()),
       has_light_paths_(records.has(Division::paths)),
       has_light_groups_(records.has(Division::groups)) {
+  wave_.views.resize(views_together * context.transport.lights.distant().size());
   if (has_light_groups_)
     wave_.group_sums.assign(samples.size() * context.transport.scene.light_groups.size(), Rgb{});
 }
@@ -82,43 +83,6 @@ void PathWave::absorb() {
     if (const Interiors interiors = paths_.interiors_at(i); !interiors.empty())
       paths_.throughput.set(i, paths_.throughput.at<Rgb>(i) * transmittance(context_.transport, interiors,
                                                                             wave_.rays[i], wave_.hits[i].t));
-}
-
-void PathWave::add_emission() {
-  const LightSet& lights = context_.transport.lights;
-  for (std::size_t i = 0; i < paths_.size; ++i) {
-    const Hit& hit = wave_.hits[i];
-    if (!hit.is_miss() && !context_.shapes[hit.mesh].emits) continue;
-    const Vec3 direction = normalize(paths_.direction.at(i));
-    const Rgb radiance =
-        hit.is_miss() ? lights.background(direction)
-                      : lights.emitted(surface_at(*context_.transport.scene.geometry, hit), -direction);
-    radiance_[i] += radiance;
-    if (has_light_paths_) add_seen_light(hit.is_miss(), radiance, paths_of(std::uint32_t(i)));
-    if (!has_light_groups_) continue;
-    add_seen_groups(context_.transport, {hit, direction}, groups_of(i));
-    groups_of(i).move_to(records_[Division::groups][i], paths_.throughput.at<Rgb>(i));
-  }
-}
-
-void PathWave::add_found_light() {
-  if (context_.transport.method != DirectMethod::mis && wave_.others.empty()) return;
-  for (std::size_t k = 0; k < paths_.size; ++k) {
-    const Hit& hit = wave_.hits[k];
-    if (!hit.is_miss() && !context_.shapes[hit.mesh].emits) continue;
-    const Departure departure = departure_from(wave_.kept[k]);
-    const LightGroups groups = has_light_groups_ ? groups_of(k) : LightGroups{};
-    const Rgb throughput = paths_.throughput.at<Rgb>(k);
-    const Rgb light =
-        throughput * found_light(context_.transport, departure, {hit, normalize(paths_.direction.at(k))},
-                                 tracer_.observer(), groups);
-    const float factor = context_.options.clamp_factor(light, depth_);
-    const std::uint32_t sample = paths_.sample[k];
-    radiance_[sample] += light * factor;
-    if (has_light_paths_)
-      add_scattered_light(first_scattering_of(sample), light * factor, depth_, paths_of(sample));
-    if (has_light_groups_) groups.move_to(records_[Division::groups][sample], throughput, factor);
-  }
 }
 
 Departure PathWave::departure_from(std::size_t surface) const {

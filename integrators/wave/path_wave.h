@@ -38,11 +38,19 @@ class PathWave {
   void trace();
 
  private:
+  /// So many rays that leave the scene look for light together.
+  static constexpr std::size_t views_together = 64;
+
   void start();
-  /// Adds what the hits of camera rays emit, and what those that miss see.
+  // Light that rays find (integrators/wave/found_light.cpp): what the hits of camera rays emit, and what
+  // those that miss see,
   void add_emission();
-  /// Adds what bounce rays have found of the lights.
+  /// what bounce rays have found of the lights,
   void add_found_light();
+  /// those that have left the scene,
+  void add_found_beyond(std::span<const std::uint32_t> escaped);
+  /// and one of them.
+  void add_found(std::size_t k, const Arrival& arrival);
   /// Takes from the paths what interiors absorb on the way to the hits.
   void absorb();
   /// Takes from a light's samples what interiors absorb on the way from Lambert surfaces.

@@ -152,8 +152,9 @@ struct Wave {
   Columns3 first_diffuse;
   Words first_transmitted;
   std::vector<Rgb> group_sums;  ///< Of each path, where light groups are asked for: LightGroups' sums.
-  Columns3 origin;              ///< Of their rays.
-  std::vector<Ray> rays;        ///< Of the paths, as accelerators take them.
+  std::vector<Environment::View> views;  ///< Of some rays that leave the scene: those of distant lights.
+  Columns3 origin;                       ///< Of their rays.
+  std::vector<Ray> rays;                 ///< Of the paths, as accelerators take them.
   std::vector<Hit> hits;
 };
 

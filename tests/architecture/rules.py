@@ -27,7 +27,7 @@ SOURCE_FOLDERS = (*MAY_INCLUDE, "tests")
 DOORS = {
     "Embree": (r"embree[34]?/", r"accel/embree/"),
     "Highway and intrinsics": (r"hwy/|\w+intrin\.h",  # denormals: FTZ and DAZ
-                               r"accel/|core/(denormals|instruction_sets)\.cpp|integrators/wave/"),
+                               r"accel/|core/(denormals|instruction_sets|map_points)\.cpp|integrators/wave/"),
     "Boost": (r"boost/", r"check/(exact\.h|welch\.cpp)"),
     "oneTBB": (r"tbb/|oneapi/", r"core/parallel\.cpp"),
     "OpenImageIO": (r"OpenImageIO/", r"io/picture/openimageio_(codec|view)\.cpp"),

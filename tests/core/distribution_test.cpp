@@ -38,6 +38,32 @@ TEST_CASE("indices are chosen with their probabilities, and the remainder is uni
   test::check_uniform(remainders.counts(), 2, 0.025);
 }
 
+TEST_CASE("indices of many distributions are chosen together as each is alone") {
+  test::Random random(4);
+  std::vector<Distribution> distributions;
+  for (std::size_t size = 1; size <= Distribution::most_together; ++size) {
+    std::vector<double> weights(size * size % 97 + 1);
+    for (double& weight : weights) weight = random.unit() < 0.3 ? 0 : random.unit();
+    weights[weights.size() / 2] = 0.5;
+    distributions.push_back(make(weights));
+  }
+  for (const std::size_t count : {std::size_t(0), std::size_t(1), std::size_t(17), distributions.size()})
+    for (int repeat = 0; repeat < 100; ++repeat) {
+      std::vector<const Distribution*> of;
+      std::vector<float> draws;
+      for (std::size_t i = 0; i < count; ++i) {
+        of.push_back(&distributions[i]);
+        draws.push_back(repeat == 0 ? 0 : repeat == 1 ? just_below_one : random.unit());
+      }
+      std::vector<Distribution::Choice> choices(count);
+      Distribution::sample(of, draws, choices);
+      for (std::size_t i = 0; i < count; ++i) {
+        CHECK(choices[i].index == of[i]->sample(draws[i]).index);
+        CHECK(choices[i].remainder == of[i]->sample(draws[i]).remainder);
+      }
+    }
+}
+
 TEST_CASE("probabilities are weights over their total") {
   const Distribution distribution = make({1, 0, 3, 4});
   CHECK(distribution.total() == 8);

@@ -294,6 +294,28 @@ TEST_CASE("many samples of an environment are those of each draw alone") {
     }
 }
 
+TEST_CASE("many views of an environment have the radiance and the density of each direction") {
+  for (const MapLayout layout : layouts)
+    for (const double compensation : {0.0, 1.0, 1e9}) {
+      const Environment environment({random_map(layout, 32), layout, slanted_mirror(), {1, 2, 3}},
+                                    compensation);
+      Random random(9);
+      for (const std::size_t count : {0u, 1u, 63u, 64u, 65u, 200u}) {
+        CAPTURE(name_of(layout), compensation, count);
+        std::vector<Vec3> directions(count);
+        for (Vec3& direction : directions) direction = any_direction(random);
+        std::vector<Environment::View> views(count, {{4, 5, 6}, 7});
+        environment.view(directions, views);
+        for (std::size_t i = 0; i < count; ++i) {
+          CHECK(views[i].radiance == environment.radiance(directions[i]));
+          CHECK(views[i].pdf == environment.pdf(directions[i]));
+          CHECK(environment.view(directions[i]).radiance == views[i].radiance);
+          CHECK(environment.view(directions[i]).pdf == views[i].pdf);
+        }
+      }
+    }
+}
+
 TEST_CASE("a black environment is not sampled") {
   const Environment night({std::make_shared<Image>(4, 2)}, 0);
   CHECK(night.pdf({0, 1, 0}) == 0);

@@ -179,6 +179,33 @@ TEST_CASE("distant lights state the density and the radiance of their samples, o
   }
 }
 
+TEST_CASE("views of distant lights have their radiance and density, direction by direction") {
+  Scene scene = scene_of(floor_square(5, -1), {0.5f, 0.5f, 0.5f}, {0, 1, 5}, {0, 0, 0});
+  Random random(6);
+  auto map = std::make_shared<Image>(6, 3);
+  for (Rgb& pixel : map->pixels) pixel = {random.unit(), random.unit(), random.unit()};
+  add_light(scene, SunLight{{0, -1, 0}, {1, 1, 1}, 170});
+  add_light(scene, PointLight{{0, 1, 0}, {1, 1, 1}, {}});
+  add_light(scene, EnvironmentLight{map});
+  add_light(scene, AmbientLight{normalize({1, 1, 0}), {1, 2, 3}});
+  const LightSet lights(scene, {.compensation = 1});
+  REQUIRE(lights.distant().size() == 3);
+  for (const std::size_t count : {0u, 1u, 64u, 65u, 150u}) {
+    CAPTURE(count);
+    std::vector<Vec3> directions(count);
+    for (Vec3& direction : directions) direction = normalize(random.in_ball());
+    std::vector<Environment::View> views(3 * count);
+    lights.view(directions, views);
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t place = 0; place < 3; ++place) {
+        const std::uint32_t light = lights.distant()[place];
+        CHECK(views[3 * i + place].radiance == lights.radiance(light, directions[i]));
+        CHECK(views[3 * i + place].pdf == lights.pdf(light, directions[i]));
+        CHECK(lights.view(light, directions[i]).radiance == lights.radiance(light, directions[i]));
+      }
+  }
+}
+
 TEST_CASE("a sun shines from a disc whose irradiance is the stated one, and is seen as it is sampled") {
   constexpr double rounding_of_disc = 1e-4;
   for (const float degrees : {0.01f, 0.53f, 20.0f, 170.0f}) {
