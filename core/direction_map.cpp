@@ -68,12 +68,22 @@ Vec3 wrapped_direction(MapPoint point) {
   return equal_area_direction({std::clamp(x, 0.0, 1.0), std::clamp(y, 0.0, 1.0)});
 }
 
+double map_height(MapLayout layout, double y) {
+  return layout == MapLayout::equal_area ? y : latitude_cosine(y);
+}
+
 Vec3 direction_within(MapLayout layout, const MapCell& cell, Vec2 u) {
-  const double x = lerp(cell.lower.x, cell.upper.x, u.x);
-  if (layout == MapLayout::equal_area)
-    return equal_area_direction({x, lerp(cell.lower.y, cell.upper.y, u.y)});
-  const double cosine = lerp(latitude_cosine(cell.lower.y), latitude_cosine(cell.upper.y), u.y);
-  return latitude_longitude_direction(x, cosine);
+  return direction_between(
+      layout,
+      {{cell.lower.x, map_height(layout, cell.lower.y)}, {cell.upper.x, map_height(layout, cell.upper.y)}},
+      u);
+}
+
+Vec3 direction_between(MapLayout layout, const MapCell& heights, Vec2 u) {
+  const double x = lerp(heights.lower.x, heights.upper.x, u.x);
+  const double height = lerp(heights.lower.y, heights.upper.y, u.y);
+  return layout == MapLayout::equal_area ? equal_area_direction({x, height})
+                                         : latitude_longitude_direction(x, height);
 }
 
 double solid_angle(MapLayout layout, const MapCell& cell) {

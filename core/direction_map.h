@@ -23,8 +23,12 @@ MapPoint map_point(MapLayout layout, const Vec3& direction);
 /// The unit direction of a point of the equal-area square, which may lie up to 1 beside it: where the sphere
 /// goes on there.
 Vec3 wrapped_direction(MapPoint point);
+/// What of a point's y counts where directions are chosen: it changes evenly with the solid angle above y.
+double map_height(MapLayout layout, double y);
 /// A unit direction whose point lies in the cell, uniform by solid angle for u uniform in [0, 1)^2.
 Vec3 direction_within(MapLayout layout, const MapCell& cell, Vec2 u);
+/// The same of a cell that has heights in place of its y.
+Vec3 direction_between(MapLayout layout, const MapCell& heights, Vec2 u);
 /// How much of all directions, 4 pi, a cell covers.
 double solid_angle(MapLayout layout, const MapCell& cell);
 

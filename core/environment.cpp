@@ -44,6 +44,8 @@ Environment::Environment(const EnvironmentLight& light, double compensation)
       block_(block_for(*light.map)),
       columns_(ceil_divide(light.map->width, block_)),
       rows_(ceil_divide(light.map->height, block_)) {
+  for (int row = 0; row < rows_; ++row) heights_.push_back(map_height(light_.layout, cell(0, row).lower.y));
+  heights_.push_back(map_height(light_.layout, 1));
   for (int row = 0; row < rows_; ++row)
     row_solid_angle_.push_back(
         solid_angle(light_.layout, {{0, cell(0, row).lower.y}, {1, cell(0, row).upper.y}}));
@@ -146,8 +148,11 @@ void Environment::prefetch_pdf(MapPoint point) const {
 }
 
 Vec3 Environment::direction_in(const Cell& chosen) const {
-  const Vec3 local = direction_within(light_.layout, cell(int(chosen.column.index), int(chosen.row.index)),
-                                      {chosen.column.remainder, chosen.row.remainder});
+  MapCell heights = cell(int(chosen.column.index), int(chosen.row.index));
+  heights.lower.y = heights_[chosen.row.index];
+  heights.upper.y = heights_[chosen.row.index + 1];
+  const Vec3 local =
+      direction_between(light_.layout, heights, {chosen.column.remainder, chosen.row.remainder});
   return light_.rotation.vector(local);
 }
 

@@ -76,7 +76,8 @@ class Environment {
   EnvironmentLight light_;
   int block_ =
       1;  ///< A cell is so many pixels wide and high; at the right and the lower edge it may be less.
-  int columns_ = 0, rows_ = 0;  ///< Of cells.
+  int columns_ = 0, rows_ = 0;   ///< Of cells.
+  std::vector<double> heights_;  ///< Of the rows' edges, as map_height() has them.
   std::vector<double> row_solid_angle_;
   Distribution row_;                      ///< Of a sample's cell.
   std::vector<Distribution> columns_of_;  ///< Given the row.
