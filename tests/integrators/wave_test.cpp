@@ -54,6 +54,36 @@ Mesh lamp_of(int triangles) {
   return mesh;
 }
 
+/// Random triangles of each of the models.
+void add_models(Scene& scene, const std::vector<SurfaceModel>& models) {
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  for (const SurfaceModel& model : models) {
+    scene.bindings.push_back({std::uint32_t(scene.materials.size())});
+    scene.materials.push_back({"", model});
+    shapes.push_back(soup(12, 0.7f, scene.materials.size()));
+  }
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+}
+
+/// Every light that rays find by leaving the scene.
+void add_distant_lights(Scene& scene) {
+  add_light(scene, AmbientLight{{0, 1, 0}, {0.1f, 0.2f, 0.1f}});
+  add_light(scene, EnvironmentLight{random_sky()});
+  EnvironmentLight square{random_square(), MapLayout::equal_area};
+  square.rotation = Transform::rotation({1, 2, 3}, 40);
+  square.scale = {0.5f, 0.25f, 1};
+  add_light(scene, std::move(square));
+  add_light(scene, SunLight{normalize({-1, -2, 1}), {0.5f, 0.3f, 0.2f}, 5});
+}
+
+/// Random triangles, some of them mirrors, with nothing but skies around.
+Scene scene_under_skies() {
+  Scene scene = scene_of(soup(40, 0.7f, 3), {0.8f, 0.7f, 0.6f}, {0, 0.3f, 1.6f}, {0, 0, 0});
+  add_models(scene, {Conductor{}});
+  add_distant_lights(scene);
+  return scene;
+}
+
 /// Random triangles of which many lie close to an edge of another, spheres, and a light of every kind.
 Scene scene_of_everything() {
   Mesh mesh = soup(60, 0.7f, 3);
@@ -71,16 +101,10 @@ Scene scene_of_everything() {
   add_light(scene, PointLight{{0.3f, 0.2f, 0.1f}, {1, 2, 3}, {}});
   add_light(scene, SpotLight{{0, 1, 0}, {0, -1, 0}, {4, 4, 4}, {}, 70, 2});
   add_light(scene, DirectionalLight{normalize({1, -2, -1}), {0.5f, 0.5f, 0.4f}});
-  add_light(scene, AmbientLight{{0, 1, 0}, {0.1f, 0.2f, 0.1f}});
-  add_light(scene, EnvironmentLight{random_sky()});
-  EnvironmentLight square{random_square(), MapLayout::equal_area};
-  square.rotation = Transform::rotation({1, 2, 3}, 40);
-  square.scale = {0.5f, 0.25f, 1};
-  add_light(scene, std::move(square));
+  add_distant_lights(scene);
   add_light(scene, GoniometricLight{{-0.4f, 0.5f, 0.6f}, {1, 2, 1}, random_square()});
   ProjectionLight slide{.position = {0.5f, 0.5f, 1.2f}, .intensity = {3, 2, 1}, .picture = random_sky()};
   add_light(scene, std::move(slide));
-  add_light(scene, SunLight{normalize({-1, -2, 1}), {0.5f, 0.3f, 0.2f}, 5});
   return scene;
 }
 
@@ -142,14 +166,7 @@ Scene scene_of_interiors() {
 /// let light through.
 Scene scene_of_many_lights() {
   Scene scene = scene_of(soup(60, 0.7f, 3), {0.8f, 0.7f, 0.6f}, {0, 0.3f, 1.6f}, {0, 0, 0});
-  std::vector<Shape> shapes = scene.geometry->shapes();
-  for (const SurfaceModel& model : {SurfaceModel(DiffuseTransmission{}),
-                                    SurfaceModel(Dielectric{.ior = 1.5f, .roughness = {0.3f, 0.2f}})}) {
-    scene.bindings.push_back({std::uint32_t(scene.materials.size())});
-    scene.materials.push_back({"", model});
-    shapes.push_back(soup(12, 0.7f, scene.materials.size()));
-  }
-  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  add_models(scene, {DiffuseTransmission{}, Dielectric{.ior = 1.5f, .roughness = {0.3f, 0.2f}}});
   Random random(8);
   for (int i = 0; i < 7; ++i) {
     const Vec3 place = random.in_ball() * 1.4f;
@@ -337,7 +354,7 @@ std::vector<PixelSample> pixel_samples() {
 TEST_CASE("waves of paths have the bits and the rays of paths one after the other") {
   const Scene everything = scene_of_everything();
   const Scene models = scene_of_every_model();
-  const Scene room = small_room();
+  const Scene room = small_room(), skies = scene_under_skies();
   const Scene textures = textured(scene_of_every_model(), TextureFilter::stochastic),
               many = scene_of_many_lights(),
               lamps = textured(scene_of_everything(), TextureFilter::trilinear),
@@ -350,6 +367,7 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
     check_bits(everything, options, count);
     check_bits(models, options, count);
     check_bits(room, options, count);
+    check_bits(skies, options, count);
     check_bits(textures, options, count);
     check_bits(lamps, options, count);
     check_bits(many, options, count);
@@ -360,10 +378,11 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
 TEST_CASE("what is written of a path adds up to the bits of its sample, as waves make it") {
   const Scene everything = scene_of_everything(), models = scene_of_every_model(),
               many = scene_of_many_lights();
-  const Scene textures = textured(scene_of_every_model(), TextureFilter::stochastic), room = small_room();
+  const Scene textures = textured(scene_of_every_model(), TextureFilter::stochastic), room = small_room(),
+              skies = scene_under_skies();
   for (const PathOptions& options : cases) {
     if (options.samples_per_light > 100) continue;
-    for (const Scene* scene : {&everything, &models, &many, &textures, &room})
+    for (const Scene* scene : {&everything, &models, &many, &textures, &room, &skies})
       check_logs(*scene, options, 60);
   }
 }
