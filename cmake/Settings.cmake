@@ -56,8 +56,8 @@ function(twinray_compile_together target)
   endforeach()
 endfunction()
 
-# twinray_compile_soon(TARGET): with the optimisations that take no time. It is not waited for: what is, are rays,
-# trees and light, in other libraries.
+# twinray_compile_soon(TARGET): with those optimisations alone that the compiler makes quickly. For code whose speed
+# nobody notices: rays, trees and light are in other libraries.
 function(twinray_compile_soon target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()

@@ -15,9 +15,6 @@ constexpr std::int64_t most_cells = 1 << 22;
 /// A part of the mean below which what is left of a cell is rounding.
 constexpr double residue = 1e-6;
 
-/// So many draws or directions wait for memory together.
-constexpr std::size_t together = Distribution::most_together;
-
 int ceil_divide(int a, int b) { return (a + b - 1) / b; }
 
 int block_for(const Image& map) {

@@ -17,6 +17,9 @@ namespace twinray {
 
 class Environment {
  public:
+  /// So many draws or directions wait for memory together.
+  static constexpr std::size_t together = Distribution::most_together;
+
   struct Sample {
     Vec3 direction;  ///< Unit, in the world.
     Rgb radiance;

@@ -373,7 +373,7 @@ Environment::View LightSet::view(std::uint32_t light, const Vec3& direction) con
 }
 
 void LightSet::view(std::span<const Vec3> directions, std::span<Environment::View> views) const {
-  constexpr std::size_t together = 64;
+  constexpr std::size_t together = Environment::together;
   Environment::View of_light[together];
   for (std::size_t place = 0; place < distant_.size(); ++place)
     for (std::size_t first = 0; first < directions.size(); first += together) {

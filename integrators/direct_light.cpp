@@ -25,7 +25,7 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
     sum += light;
     if (shares.scattered) shares.scattered->add(at, look.direction, light / divisor);
     if (shares.groups.are_kept())
-      for_each_lamp(transport, hit, look.direction, [&](std::uint32_t lamp, const Rgb& radiance) {
+      for_each_lamp(transport, {hit, look.direction}, [&](std::uint32_t lamp, const Rgb& radiance) {
         shares.groups.add(lamp, scattered * (radiance * passed) / look.density / divisor);
       });
     tracer.observer().looked_around({look.direction, look.density * uniform_hemisphere_pdf(),
@@ -63,7 +63,7 @@ bool is_sought(const LightSet& lights, const Departure& departure, std::uint32_t
 Rgb found_alone(const LightTransport& transport, const Arrival& arrival, PathObserver& observer,
                 const LightGroups& groups) {
   Rgb radiance;
-  for_each_lamp(transport, arrival.hit, arrival.direction, [&](std::uint32_t lamp, const Rgb& from_lamp) {
+  for_each_lamp(transport, arrival, [&](std::uint32_t lamp, const Rgb& from_lamp) {
     radiance += from_lamp;
     groups.add(lamp, from_lamp);
   });
@@ -161,7 +161,7 @@ Rgb lamp_radiance(const LightTransport& transport, const Hit& hit, const Vec3& d
 
 void add_seen_groups(const LightTransport& transport, const Arrival& arrival, const LightGroups& groups) {
   if (!groups.are_kept()) return;
-  for_each_lamp(transport, arrival.hit, arrival.direction, [&](std::uint32_t lamp, const Rgb& radiance) {
+  for_each_lamp(transport, arrival, [&](std::uint32_t lamp, const Rgb& radiance) {
     const bool is_seen = !arrival.hit.is_miss() || is_background(transport.lights.light(lamp).source);
     if (is_seen) groups.add(lamp, radiance);
   });

@@ -117,12 +117,18 @@ std::uint32_t light_at(const Scene& scene, const Hit& hit);
 /// Calls `take(light, radiance)` for what a ray brings of each light: from an emitter that it hits, or from
 /// those beyond the scene.
 template <typename Take>
-void for_each_lamp(const LightTransport& transport, const Hit& hit, const Vec3& direction, const Take& take) {
+void for_each_lamp(const LightTransport& transport, const Arrival& arrival, const Take& take) {
   const LightSet& lights = transport.lights;
-  if (hit.is_miss())
-    for (const std::uint32_t light : lights.distant()) take(light, lights.radiance(light, direction));
-  else if (const std::uint32_t light = light_at(transport.scene, hit); light != no_light)
-    take(light, lights.emitted(surface_at(*transport.scene.geometry, hit), -direction));
+  const Vec3& direction = arrival.direction;
+  if (!arrival.hit.is_miss()) {
+    if (const std::uint32_t light = light_at(transport.scene, arrival.hit); light != no_light)
+      take(light, lights.emitted(surface_at(*transport.scene.geometry, arrival.hit), -direction));
+    return;
+  }
+  for (std::size_t place = 0; place < lights.distant().size(); ++place) {
+    const std::uint32_t light = lights.distant()[place];
+    take(light, arrival.views.empty() ? lights.radiance(light, direction) : arrival.views[place].radiance);
+  }
 }
 /// The sum of it.
 Rgb lamp_radiance(const LightTransport& transport, const Hit& hit, const Vec3& direction);

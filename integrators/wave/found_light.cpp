@@ -31,8 +31,11 @@ void PathWave::add_found_light() {
   std::size_t count = 0;
   for (std::size_t k = 0; k < paths_.size; ++k) {
     const Hit& hit = wave_.hits[k];
-    if (!hit.is_miss()) {
-      if (context_.shapes[hit.mesh].emits) add_found(k, {hit, normalize(paths_.direction.at(k))});
+    if (!hit.is_miss() && !context_.shapes[hit.mesh].emits) continue;
+    const bool is_looking = context_.transport.method == DirectMethod::mis ||
+                            Seeking(wave_.seeking[wave_.kept[k]]) == Seeking::alone;
+    if (!hit.is_miss() || !is_looking) {
+      add_found(k, {hit, normalize(paths_.direction.at(k))});
       continue;
     }
     escaped[count++] = std::uint32_t(k);

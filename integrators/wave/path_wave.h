@@ -39,7 +39,7 @@ class PathWave {
 
  private:
   /// So many rays that leave the scene look for light together.
-  static constexpr std::size_t views_together = 64;
+  static constexpr std::size_t views_together = Environment::together;
 
   void start();
   // Light that rays find (integrators/wave/found_light.cpp): what the hits of camera rays emit, and what

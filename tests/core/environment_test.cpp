@@ -2,6 +2,7 @@
 #include "core/environment.h"
 
 #include <cmath>
+#include <functional>
 
 #include "core/radiance.h"
 #include "tests/support/catch.h"
@@ -52,6 +53,20 @@ double distance(const Vec3& a, const Vec3& b) { return std::sqrt(double(length_s
 
 /// A direction from its point, by the smallest of cells.
 Vec3 direction_of(MapLayout layout, MapPoint p) { return direction_within(layout, {p, p}, {0, 0}); }
+
+/// Calls `check` with environments of all kinds and with numbers of draws or directions, below and above what
+/// waits for memory together.
+void for_batches(const std::function<void(const Environment&, std::size_t)>& check) {
+  for (const MapLayout layout : layouts)
+    for (const double compensation : {0.0, 1.0, 1e9}) {
+      const Environment environment({random_map(layout, 32), layout, slanted_mirror(), {1, 2, 3}},
+                                    compensation);
+      for (const std::size_t count : {0u, 1u, 63u, 64u, 65u, 200u}) {
+        CAPTURE(name_of(layout), compensation, count);
+        check(environment, count);
+      }
+    }
+}
 
 }  // namespace
 
@@ -273,47 +288,35 @@ TEST_CASE("compensation takes the mean away, and leaves nothing to sample of a c
 }
 
 TEST_CASE("many samples of an environment are those of each draw alone") {
-  for (const MapLayout layout : layouts)
-    for (const double compensation : {0.0, 1.0, 1e9}) {
-      const Environment environment({random_map(layout, 32), layout, slanted_mirror(), {1, 2, 3}},
-                                    compensation);
-      Random random(8);
-      for (const std::size_t count : {0u, 1u, 63u, 64u, 65u, 200u}) {
-        CAPTURE(name_of(layout), compensation, count);
-        std::vector<Vec2> draws(count);
-        for (Vec2& u : draws) u = draw(random);
-        std::vector<Environment::Sample> samples(count, {{1, 2, 3}, {4, 5, 6}, 7});
-        environment.sample(draws, samples);
-        for (std::size_t i = 0; i < count; ++i) {
-          const Environment::Sample alone = environment.sample(draws[i]);
-          CHECK(samples[i].direction == alone.direction);
-          CHECK(samples[i].radiance == alone.radiance);
-          CHECK(samples[i].pdf == alone.pdf);
-        }
-      }
+  Random random(8);
+  for_batches([&](const Environment& environment, std::size_t count) {
+    std::vector<Vec2> draws(count);
+    for (Vec2& u : draws) u = draw(random);
+    std::vector<Environment::Sample> samples(count, {{1, 2, 3}, {4, 5, 6}, 7});
+    environment.sample(draws, samples);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Environment::Sample alone = environment.sample(draws[i]);
+      CHECK(samples[i].direction == alone.direction);
+      CHECK(samples[i].radiance == alone.radiance);
+      CHECK(samples[i].pdf == alone.pdf);
     }
+  });
 }
 
 TEST_CASE("many views of an environment have the radiance and the density of each direction") {
-  for (const MapLayout layout : layouts)
-    for (const double compensation : {0.0, 1.0, 1e9}) {
-      const Environment environment({random_map(layout, 32), layout, slanted_mirror(), {1, 2, 3}},
-                                    compensation);
-      Random random(9);
-      for (const std::size_t count : {0u, 1u, 63u, 64u, 65u, 200u}) {
-        CAPTURE(name_of(layout), compensation, count);
-        std::vector<Vec3> directions(count);
-        for (Vec3& direction : directions) direction = any_direction(random);
-        std::vector<Environment::View> views(count, {{4, 5, 6}, 7});
-        environment.view(directions, views);
-        for (std::size_t i = 0; i < count; ++i) {
-          CHECK(views[i].radiance == environment.radiance(directions[i]));
-          CHECK(views[i].pdf == environment.pdf(directions[i]));
-          CHECK(environment.view(directions[i]).radiance == views[i].radiance);
-          CHECK(environment.view(directions[i]).pdf == views[i].pdf);
-        }
-      }
+  Random random(9);
+  for_batches([&](const Environment& environment, std::size_t count) {
+    std::vector<Vec3> directions(count);
+    for (Vec3& direction : directions) direction = any_direction(random);
+    std::vector<Environment::View> views(count, {{4, 5, 6}, 7});
+    environment.view(directions, views);
+    for (std::size_t i = 0; i < count; ++i) {
+      CHECK(views[i].radiance == environment.radiance(directions[i]));
+      CHECK(views[i].pdf == environment.pdf(directions[i]));
+      CHECK(environment.view(directions[i]).radiance == views[i].radiance);
+      CHECK(environment.view(directions[i]).pdf == views[i].pdf);
     }
+  });
 }
 
 TEST_CASE("a black environment is not sampled") {
