@@ -30,7 +30,7 @@ void add_bvh_variants(std::vector<Engine>& all) {
   };
   add("bvh-fast", {.bvh_quality = BvhQuality::fast}, "our BVH, built in less time");
   add("bvh-high", {.bvh_quality = BvhQuality::high}, "our BVH, built with more care");
-  add("bvh-compact", {.memory_mode = MemoryMode::compact}, "our BVH in a third of the memory");
+  add("bvh-compact", {.memory_mode = MemoryMode::compact}, "our BVH in half of the memory");
   add("bvh-2-median", {.bvh_width = 2, .bvh_split = BvhSplit::median}, "split into halves by count");
   add("bvh-2-midpoint", {.bvh_width = 2, .bvh_split = BvhSplit::midpoint}, "split in the middle");
   add("bvh-2-mean", {.bvh_width = 2, .bvh_split = BvhSplit::mean}, "split at the mean centroid");

@@ -39,6 +39,7 @@ set(private_headers
   accel/canonical/sphere_test-inl.h
   accel/canonical/triangle.h
   accel/compact/build.h
+  accel/compact/grid.h
   accel/compact/kernel.h
   accel/compact/node.h
   accel/compact/packed_block.h

@@ -11,6 +11,9 @@
 #include <utility>
 #include <vector>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <sys/mman.h>
 
 namespace twinray {
@@ -61,6 +64,13 @@ void release_memory(T* first, std::size_t count) {
   const auto end = reinterpret_cast<std::uintptr_t>(first + count) / page * page;
   // If it is refused, nothing is lost.
   if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
+}
+
+/// Gives the memory that was freed and that the allocator keeps back to the system, where it can be asked to.
+inline void release_freed_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 }  // namespace twinray

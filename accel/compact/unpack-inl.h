@@ -19,15 +19,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 
-/// With the bits of CompactNode::plane().
+/// With the bits of Grid::plane().
 template <>
 struct NodePlanes<CompactNode> : PlaneLanes {
   static HWY_ATTR HWY_INLINE Lanes load(const CompactNode& node, int axis, std::size_t place) {
     const hn::Rebind<std::uint8_t, Tag> bytes;
     const hn::Rebind<std::int32_t, Tag> integers;
     const auto steps = hn::PromoteTo(integers, hn::LoadU(bytes, node.planes[0][0] + place));
-    return hn::Add(hn::Mul(hn::ConvertTo(Tag(), steps), hn::Set(Tag(), node.step(axis))),
-                   hn::Set(Tag(), node.origin[axis]));
+    return hn::Add(hn::Mul(hn::ConvertTo(Tag(), steps), hn::Set(Tag(), node.grids[axis].step)),
+                   hn::Set(Tag(), node.grids[axis].origin));
   }
   static std::uint32_t children(const CompactNode& node) { return (1u << node.child_count) - 1; }
 };
@@ -132,7 +132,8 @@ class OpenLeaves<CompactBvh> {
   }
   HWY_ATTR HWY_INLINE void keep(const Nearest& best) { free_ ^= best.block == &places_[free_].block; }
   static HWY_ATTR HWY_INLINE void prefetch(const CompactBvh& bvh, WideRef leaf) {
-    prefetch_bytes<2 * 64>(bvh.packed(leaf));  // No more are read of nearly all of them.
+    // Two lines hold nearly all of them; behind the last vertex of an axis a third is read, too.
+    prefetch_bytes<3 * 64>(bvh.packed(leaf));
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "accel/build/big_vector.h"
 #include "accel/build/phase_timer.h"
 #include "accel/canonical/slab.h"
 #include "accel/wide/tree.h"
@@ -29,6 +30,9 @@ WideRef append(Tree bvh, Tree& all) {
     for (WideRef& child : node.children) child = moved(child);
   all.nodes.insert(all.nodes.end(), bvh.nodes.begin(), bvh.nodes.end());
   all.blocks.insert(all.blocks.end(), bvh.blocks.begin(), bvh.blocks.end());
+  // An allocator would keep it for what comes, of which there is little.
+  release_memory(bvh.nodes.data(), bvh.nodes.size());
+  release_memory(bvh.blocks.data(), bvh.blocks.size());
   return moved(bvh.root);
 }
 

@@ -60,7 +60,7 @@ void add_bvh_options(OptionGroup& group, RenderRequest& request) {
       "Build time against speed");
   group.add_choice<MemoryMode>("--memory-mode", build.memory_mode,
                                {{"ordinary", MemoryMode::ordinary}, {"compact", MemoryMode::compact}},
-                               "compact: a bvh in a third of the memory");
+                               "compact: a bvh in half of the memory");
   group.add_choice<BvhSplit>("--bvh-split", build.bvh_split,
                              {{"sah", BvhSplit::sah},
                               {"median", BvhSplit::median},

@@ -68,25 +68,12 @@ TEST_CASE("a compact node's boxes contain those of the ordinary one, and are at 
       for (int axis = 0; axis < 3; ++axis) {
         // A step, and the rounding of a plane.
         const double most =
-            1.001 * compact.step(axis) + 1e-6 * max_abs(rounded.lower) + 1e-6 * max_abs(rounded.upper);
+            1.001 * compact.grids[axis].step + 1e-6 * max_abs(rounded.lower) + 1e-6 * max_abs(rounded.upper);
         REQUIRE(double(box.lower[axis]) - rounded.lower[axis] <= most);
         REQUIRE(double(rounded.upper[axis]) - box.upper[axis] <= most);
       }
     }
   }
-}
-
-TEST_CASE("the steps of a compact node are the shortest powers of two that reach all of it") {
-  WideNode node;
-  node.set_box(0, {{0, 0, 0}, {1, 1, 255}});
-  node.set_box(1, {{10, 0, 0}, {255, 1, 256}});
-  node.children[0] = node.children[1] = WideRef::block(0);
-  const CompactNode compact(node);
-  CHECK(compact.step(0) == 1);
-  CHECK(compact.step(1) == 1.0f / 128);
-  CHECK(compact.step(2) == 2);
-  CHECK(compact.box(0).upper.x == 1);
-  CHECK(compact.box(1).lower.x == 10);
 }
 
 TEST_CASE("every compact tree holds all primitives, in one part and in many") {

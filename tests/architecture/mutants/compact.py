@@ -4,7 +4,8 @@ from mutant import Mutant
 
 TARGET = "test_accel"
 
-BOXES = "a compact node's boxes contain those of the ordinary one, and are at most a step larger"
+OUTWARD = "a grid reaches over all children, and the nearest planes outside of each are found"
+ROOMS = "a floor and a ceiling become thicker on the outside alone"
 HOLDS = "every compact tree holds all primitives, in one part and in many"
 PACKED = "blocks of random triangles that share corners come back with their bits"
 BATCHES = "the fast kernels take the steps of the scalar traversal in batches"
@@ -12,15 +13,30 @@ PARTS = "parts are a sixteenth of all primitives at most, and lie no deeper than
 AGREE = "engines agree on triangle soups and spheres"
 
 MUTANTS = [
-    Mutant("a lower plane is rounded up", "accel/compact/node.cpp",
-           "  while (node.plane(axis, steps) > plane) --steps;\n", "",
-           TARGET, BOXES),
-    Mutant("an upper plane is rounded down", "accel/compact/node.cpp",
-           "  while (node.plane(axis, steps) < plane) ++steps;\n", "",
-           TARGET, BOXES),
-    Mutant("steps are twice as long as they must be", "accel/compact/node.cpp",
-           "exponent + 126", "exponent + 127",
-           TARGET, "the steps of a compact node are the shortest powers of two that reach all of it"),
+    Mutant("a lower plane is rounded up", "accel/compact/grid.cpp",
+           "  while (plane(steps) > at) --steps;\n", "",
+           TARGET, "a plane is the nearest one to itself, and not to the floats beside it"),
+    Mutant("an upper plane is rounded down", "accel/compact/grid.cpp",
+           "  while (plane(steps) < at) ++steps;\n", "",
+           TARGET, OUTWARD),
+    Mutant("a grid may end before the last child does", "accel/compact/grid.cpp",
+           "&& grid.plane(Grid::most_steps) >= all.upper", "",
+           TARGET, OUTWARD),
+    Mutant("steps are twice as long as they must be", "accel/compact/grid.cpp",
+           "float(length(all) / Grid::most_steps)", "float(2 * length(all) / Grid::most_steps)",
+           TARGET, "without flat children a grid is the finest one, from end to end"),
+    Mutant("floors become thicker on the inside", "accel/compact/grid.cpp",
+           "std::min(first_end, child.upper)", "std::min(first_end, child.lower)",
+           TARGET, ROOMS),
+    Mutant("ceilings become thicker on the inside", "accel/compact/grid.cpp",
+           "std::max(last_begin, child.lower)", "std::max(last_begin, child.upper)",
+           TARGET, ROOMS),
+    Mutant("grids give up where a plane is rounded inward", "accel/compact/grid.cpp",
+           "lower_moves + upper_moves < 8", "lower_moves + upper_moves < 1",
+           TARGET, ROOMS),
+    Mutant("steps of fitted grids are longer than they must be", "accel/compact/grid.cpp",
+           "(Grid::most_steps - 2)", "(Grid::most_steps / 2)",
+           TARGET, ROOMS),
     Mutant("wide ids are packed as narrow ones", "accel/compact/packed_block.cpp",
            "    is_wide |= primitives.is_wide() || block.ids[0].mesh > UINT16_MAX;\n", "",
            TARGET, "ids that lie far apart, and of several meshes, are packed whole"),
