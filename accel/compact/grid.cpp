@@ -8,7 +8,7 @@
 namespace twinray {
 namespace {
 
-/// Below this step planes are so close to each other that none is thinner.
+/// From this step on, fitted steps and what they are rounded by are normal floats.
 constexpr double min_fitted_step = 0x1p-100;
 
 Extent extent_of_all(std::span<const Extent> children) {
