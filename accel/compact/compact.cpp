@@ -13,7 +13,7 @@ std::unique_ptr<Accelerator> build_compact_bvh(std::shared_ptr<const Geometry> g
   const CompactKernel kernel = chosen(compact_kernels(trees_of(*geometry)), options.simd);
   AccelStats stats;
   CompactBvh bvh = make_compact_bvh(*geometry, options, stats.phases);
-  release_freed_memory();  // Else building would leave a tenth of it with the process.
+  release_freed_memory();  // Else the process would keep much of what building took.
   return make_wide_accelerator(std::move(geometry), std::move(bvh), kernel, options, std::move(stats));
 }
 

@@ -142,7 +142,9 @@ TEST_CASE("grids of the largest, the smallest and no extents reach over them") {
     const Grid grid = fit_grid(children);
     for (const Extent& child : children) {
       CHECK(grid.plane(grid.last_below(child.lower)) <= child.lower);
-      CHECK(grid.plane(grid.first_above(child.upper)) >= child.upper);
+      const int upper = grid.first_above(child.upper);
+      CHECK(upper <= Grid::most_steps);
+      CHECK(grid.plane(upper) >= child.upper);
     }
   }
 }
