@@ -45,14 +45,16 @@ inline constexpr double max_instance_squash = 0x1p20;
 /// Whether an instance may have this transform.
 bool can_place(const Transform& to_world);
 
-/// What a ray needs of an instance.
-struct PlacedInstance {
+/// What a ray needs of an instance: two cache lines, side by side. At a place that is no multiple of it, it
+/// would reach into a third one, for which a batch of rays waits.
+struct alignas(128) PlacedInstance {
   Transform to_object;  ///< From the scene's space into the prototype's.
   /// Of the scene's space, widened: every hit of the instance lies within the interval of a ray, from no
   /// farther than PlacedInstances::reach(), in this box. Empty where the prototype is.
   Aabb box;
   std::uint32_t prototype = 0;
 };
+static_assert(sizeof(PlacedInstance) == 128);
 
 /// Instances, ready for rays.
 class PlacedInstances {
