@@ -19,7 +19,7 @@ struct Row {
   bool is_coherent = false;
 };
 
-constexpr Row rows[] = {
+constexpr Row engine_rows[] = {
     {"embree-native-default", Wanted::always, Asked::directly, "embree-direct",
      "rtcIntersect1 and rtcOccluded1, own triangles, robust, as Embree comes: the baseline"},
     {"embree-native-default", Wanted::full, Asked::in_packets, "embree-packets",
@@ -69,7 +69,7 @@ bool has_streams() {
 
 std::vector<Engine> engines() {
   std::vector<Engine> all;
-  for (const Row& row : rows) {
+  for (const Row& row : engine_rows) {
     const std::optional<twinray::Engine> found = find_engine(row.name);
     if (!found || (row.asked >= Asked::in_streams && !has_streams())) continue;
     Engine engine{*found, row.wanted, row.asked, row.is_coherent};

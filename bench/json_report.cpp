@@ -9,12 +9,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Every round's number, and what they come to.
-Json spread(const std::vector<double>& values) {
+Json spread_json(const std::vector<double>& values) {
   const Quartiles q = quartiles(values);
   return {{"median", q.median}, {"q1", q.low}, {"q3", q.high}, {"rounds", values}};
 }
 
-Json known(std::optional<double> value) { return value ? Json(*value) : Json(); }
+Json known_json(std::optional<double> value) { return value ? Json(*value) : Json(); }
 
 Json trace(const EngineStatistics& engine) {
   Json sets;
@@ -22,10 +22,10 @@ Json trace(const EngineStatistics& engine) {
     const TraceStatistics& f = engine.trace[set];
     if (f.rays == 0) continue;
     sets[ray_sets[set].name] = {{"rays", f.rays},
-                                {"nanoseconds", spread(f.nanoseconds)},
-                                {"speed", spread(f.speed)},
-                                {"nodes_per_ray", known(f.nodes_per_ray)},
-                                {"primitives_per_ray", known(f.primitives_per_ray)}};
+                                {"nanoseconds", spread_json(f.nanoseconds)},
+                                {"speed", spread_json(f.speed)},
+                                {"nodes_per_ray", known_json(f.nodes_per_ray)},
+                                {"primitives_per_ray", known_json(f.primitives_per_ray)}};
   }
   return sets;
 }
@@ -33,8 +33,8 @@ Json trace(const EngineStatistics& engine) {
 Json to_json(const EngineStatistics& engine) {
   Json json{{"name", engine.name}};
   if (!engine.complaint.empty()) json["complaint"] = engine.complaint;
-  json["build"] = {{"seconds", spread(engine.build.wall_seconds)},
-                   {"cpu_seconds", spread(engine.build.cpu_seconds)},
+  json["build"] = {{"seconds", spread_json(engine.build.wall_seconds)},
+                   {"cpu_seconds", spread_json(engine.build.cpu_seconds)},
                    {"bytes", engine.build.stats.bytes},
                    {"nodes", nullptr},
                    {"sah_cost", nullptr}};
@@ -42,8 +42,8 @@ Json to_json(const EngineStatistics& engine) {
     json["build"]["nodes"] = tree->nodes;
     json["build"]["sah_cost"] = tree->sah_cost;
   }
-  json["speed"] = spread(engine.mean_speed());
-  json["nanoseconds"] = spread(engine.mean_nanoseconds());
+  json["speed"] = spread_json(engine.mean_speed());
+  json["nanoseconds"] = spread_json(engine.mean_nanoseconds());
   json["rays"] = trace(engine);
   return json;
 }
@@ -52,10 +52,10 @@ Json to_json(const PictureOfScene& picture) {
   Json json{{"scene", picture.scene}, {"samples", picture.samples}, {"engines", Json::array()}};
   for (const PictureStatistics& engine : picture.engines)
     json["engines"].push_back({{"name", engine.engine},
-                               {"seconds", spread(engine.seconds)},
-                               {"speed", spread(engine.speed)},
-                               {"replay_seconds", spread(engine.replay_seconds)},
-                               {"all_threads_seconds", spread(engine.wall_seconds)}});
+                               {"seconds", spread_json(engine.seconds)},
+                               {"speed", spread_json(engine.speed)},
+                               {"replay_seconds", spread_json(engine.replay_seconds)},
+                               {"all_threads_seconds", spread_json(engine.wall_seconds)}});
   return json;
 }
 
@@ -63,7 +63,7 @@ Json to_json(const ReadingStatistics& reading) {
   return {{"scene", reading.scene},
           {"megabytes", reading.megabytes},
           {"primitives", reading.primitives},
-          {"seconds", spread(reading.seconds)}};
+          {"seconds", spread_json(reading.seconds)}};
 }
 
 Json to_json(const ErrorStatistics& error) {
@@ -72,8 +72,9 @@ Json to_json(const ErrorStatistics& error) {
             {"reference_samples", error.reference_samples},
             {"points", Json::array()}};
   for (const ErrorPoint& point : error.points)
-    json["points"].push_back(
-        {{"samples", point.samples}, {"seconds", spread(point.seconds)}, {"relative_error", point.error}});
+    json["points"].push_back({{"samples", point.samples},
+                              {"seconds", spread_json(point.seconds)},
+                              {"relative_error", point.error}});
   return json;
 }
 
@@ -81,8 +82,8 @@ Json to_json(const ScalingStatistics& scaling) {
   Json json{{"scene", scaling.scene}, {"engine", scaling.engine}, {"points", Json::array()}};
   for (const ScalingPoint& point : scaling.points)
     json["points"].push_back({{"threads", point.threads},
-                              {"samples_per_second", spread(point.rate)},
-                              {"processes_samples_per_second", spread(point.processes_rate)}});
+                              {"samples_per_second", spread_json(point.rate)},
+                              {"processes_samples_per_second", spread_json(point.processes_rate)}});
   return json;
 }
 

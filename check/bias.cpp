@@ -61,14 +61,14 @@ bool is_rejected(const WelchTest& one, const BiasTest& all) {
 }
 
 BiasTest test_means(const PixelMeans& picture, const PixelMeans& converged, const MaskedFrame& frame,
-                    int tile_size) {
+                    int tile_edge) {
   if (frame.mask.size() != std::size_t(frame.width) * std::size_t(frame.height))
     throw Error("the mask has another size than the picture");
   const Comparison compared{picture, converged, frame};
   BiasTest result;
   result.whole = test_tile(compared, {0, 0, frame.width, frame.height});
   double least = result.whole.test.p_value;
-  for (const PixelRect& tile : tiles_of(frame.width, frame.height, tile_size)) {
+  for (const PixelRect& tile : tiles_of(frame.width, frame.height, tile_edge)) {
     const TileTest test = test_tile(compared, tile);
     if (test.pixels == 0) continue;
     least = std::min(least, test.test.p_value);
@@ -79,11 +79,11 @@ BiasTest test_means(const PixelMeans& picture, const PixelMeans& converged, cons
 }
 
 BiasTest test_bias(const PictureMoments& pictures, const ConvergedPicture& converged, const PixelMask& mask,
-                   int tile_size) {
+                   int tile_edge) {
   if (pictures.count() < 2) throw Error("a test for bias needs two pictures of different seeds");
   return test_means([&](std::size_t i) { return pictures.pixel(i); },
                     [&](std::size_t i) { return converged_pixel(converged, i); },
-                    {converged.mean.width, converged.mean.height, mask}, tile_size);
+                    {converged.mean.width, converged.mean.height, mask}, tile_edge);
 }
 
 }  // namespace twinray

@@ -66,11 +66,11 @@ struct MaskedFrame {
 /// Whether a picture has other means than another one, tile by tile and over all. Throws Error unless the
 /// mask has the size of the frame.
 BiasTest test_means(const PixelMeans& picture, const PixelMeans& converged, const MaskedFrame& frame,
-                    int tile_size = 16);
+                    int tile_edge = 16);
 
 /// Where the noise of the converged picture is not known it counts as exact: what it has, then, is taken for
 /// bias. Throws Error unless there are two pictures at least, and all have the same size.
 BiasTest test_bias(const PictureMoments& pictures, const ConvergedPicture& converged, const PixelMask& mask,
-                   int tile_size = 16);
+                   int tile_edge = 16);
 
 }  // namespace twinray

@@ -8,8 +8,8 @@
 
 #include "check/flip_color.h"
 #include "check/flip_filters.h"
+#include "check/same_size.h"
 #include "core/elementary.h"
-#include "core/error.h"
 #include "core/parallel.h"
 
 namespace twinray {
@@ -105,11 +105,6 @@ void add_differences(const Image& picture, const Image& reference, double pixels
   });
 }
 
-void check_sizes(const Image& picture, const Image& reference) {
-  if (picture.width != reference.width || picture.height != reference.height)
-    throw Error("pictures of different sizes cannot be compared");
-}
-
 Rgb without_negatives(const Rgb& c) {
   return {std::max(c.r, 0.0f), std::max(c.g, 0.0f), std::max(c.b, 0.0f)};
 }
@@ -130,7 +125,7 @@ double mean_of(const FlipMap& map) {
 }
 
 FlipMap ldr_flip(const Image& picture, const Image& reference, double pixels_per_degree) {
-  check_sizes(picture, reference);
+  check_same_size(picture, reference);
   FlipMap map(reference.width, reference.height);
   add_differences(picture, reference, pixels_per_degree, flip::clipped, map);
   return map;
@@ -149,7 +144,7 @@ FlipExposures flip_exposures(const Image& reference) {
 }
 
 FlipMap hdr_flip(const Image& picture, const Image& reference, double pixels_per_degree) {
-  check_sizes(picture, reference);
+  check_same_size(picture, reference);
   FlipMap map(reference.width, reference.height);
   const FlipExposures exposures = flip_exposures(reference);
   for (int i = 0; i < exposures.count; ++i) {

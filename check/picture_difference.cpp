@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "check/same_size.h"
 #include "check/tiles.h"
 #include "core/elementary.h"
 #include "core/error.h"
@@ -14,11 +15,9 @@ namespace {
 
 constexpr std::array channels{&Rgb::r, &Rgb::g, &Rgb::b};
 
-[[noreturn]] void fail_sizes() { throw Error("pictures of different sizes cannot be compared"); }
-
 void check_sizes(const Image& picture, const Image& reference) {
-  if (picture.width != reference.width || picture.height != reference.height || picture.pixels.empty())
-    fail_sizes();
+  check_same_size(picture, reference);
+  if (picture.pixels.empty()) throw Error("pictures without pixels cannot be compared");
 }
 
 ChannelDifference channel_difference(const Image& picture, const Image& reference, float Rgb::*channel) {
@@ -96,10 +95,10 @@ PictureDifference picture_difference(const Image& picture, const Image& referenc
 }
 
 std::vector<TileDifference> largest_differences(const Image& picture, const Image& reference,
-                                                std::size_t count, int tile_size) {
+                                                std::size_t count, int tile_edge) {
   check_sizes(picture, reference);
   std::vector<TileDifference> tiles;
-  for (const PixelRect& tile : tiles_of(reference.width, reference.height, tile_size))
+  for (const PixelRect& tile : tiles_of(reference.width, reference.height, tile_edge))
     tiles.push_back(tile_difference(picture, reference, tile));
   std::erase_if(tiles, [](const TileDifference& one) { return !(one.mse > 0); });
   std::stable_sort(tiles.begin(), tiles.end(),
@@ -109,7 +108,7 @@ std::vector<TileDifference> largest_differences(const Image& picture, const Imag
 }
 
 std::optional<double> peak_signal_to_noise(const ByteImage& picture, const ByteImage& reference) {
-  if (picture.width != reference.width || picture.height != reference.height) fail_sizes();
+  check_same_size(picture, reference);
   double squares = 0;
   for (std::size_t i = 0; i < reference.bytes.size(); ++i) {
     const double difference = double(picture.bytes[i]) - double(reference.bytes[i]);

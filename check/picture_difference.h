@@ -43,7 +43,7 @@ struct TileDifference {
 
 /// Those that differ most, up to `count`, by falling mean squared error; equal ones are left out.
 std::vector<TileDifference> largest_differences(const Image& picture, const Image& reference,
-                                                std::size_t count, int tile_size = 16);
+                                                std::size_t count, int tile_edge = 16);
 
 /// 10 log10(255^2 / mean squared error) of 8-bit pictures, in decibels; none for equal ones. Throws Error
 /// unless both have the same size.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check/picture_error.h"
 
+#include "check/same_size.h"
 #include "core/error.h"
 
 namespace twinray {
@@ -24,9 +25,8 @@ SquaredError mean_of(const Image& converged, const PixelMask& mask, const Differ
 }
 
 void check_sizes(const Image& image, const ConvergedPicture& converged, const PixelMask& mask) {
-  if (image.width != converged.mean.width || image.height != converged.mean.height ||
-      mask.size() != image.pixels.size())
-    throw Error("pictures of different sizes cannot be compared");
+  check_same_size(image, converged.mean);
+  if (mask.size() != image.pixels.size()) throw Error("a mask must have the size of the picture");
 }
 
 }  // namespace

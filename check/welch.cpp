@@ -10,7 +10,7 @@
 namespace twinray {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 /// Relative; pictures are floats, whose means are rounded to 2^-24.
 constexpr double float_rounding = 1e-6;
 
@@ -20,7 +20,7 @@ double share(const MeanEstimate& one) {
 }
 
 double freedom_of(double variance, double shares) {
-  return shares > 0 ? variance * variance / shares : infinity;
+  return shares > 0 ? variance * variance / shares : unbounded;
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ WelchTest welch_test(const MeanEstimate& a, const MeanEstimate& b) {
   const double freedom = freedom_of(variance, share(a) + share(b));
   if (std::abs(difference) <= float_rounding * std::max(std::abs(a.mean), std::abs(b.mean)))
     return {0, freedom, 1};
-  if (!(variance > 0)) return {difference > 0 ? infinity : -infinity, freedom, 0};
+  if (!(variance > 0)) return {difference > 0 ? unbounded : -unbounded, freedom, 0};
   const double t = difference / std::sqrt(variance);
   return {t, freedom, two_sided_p_value(t, freedom)};
 }

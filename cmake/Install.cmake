@@ -78,6 +78,7 @@ set(private_headers
   accel/wide/survey.h
   accel/wide/tree.h
   check/exact.h
+  check/same_size.h
   core/fork_join.h
   core/lanes.h
   core/map_points.h

@@ -31,9 +31,10 @@ function(twinray_share_objects target)
   endif()
 endfunction()
 
-# To compile a file of io, cli or bench is mostly to read the headers that it includes: eight together take little
-# longer than one. The preset dev takes each alone, and so sees whether it includes what it needs.
-option(TWINRAY_UNITY "Compile files of io, cli and bench eight at a time: half of the time of a build from nothing" ON)
+# To compile most files is mostly to read the headers that they include, and to make the templates in them: sixteen
+# together take little longer than one. The preset dev takes each alone, and so sees whether it includes what it needs.
+# What traces rays and shades stands alone in any case: its files compile themselves once for each set of instructions.
+option(TWINRAY_UNITY "Compile files sixteen at a time: half of the time of a build from nothing" ON)
 # twinray_compile_together(TARGET [file...]): these of its files, or all, those of one folder next to each other. No two
 # of them may use a name for two things.
 function(twinray_compile_together target)
@@ -46,14 +47,19 @@ function(twinray_compile_together target)
   set(last_folder "")
   foreach(file ${files})
     cmake_path(GET file PARENT_PATH folder)
-    if(place EQUAL 0 OR NOT folder STREQUAL last_folder)
+    if(place EQUAL 0 OR NOT "${folder}" STREQUAL "${last_folder}")
       string(MAKE_C_IDENTIFIER ${file} group)
       set(place 0)
-      set(last_folder ${folder})
+      set(last_folder "${folder}")
     endif()
     set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${group})
-    math(EXPR place "(${place} + 1) % 8")
+    math(EXPR place "(${place} + 1) % 16")
   endforeach()
+endfunction()
+
+# twinray_compile_sooner(TARGET): without those optimisations that only loops over numbers gain from.
+function(twinray_compile_sooner target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
 endfunction()
 
 # twinray_compile_soon(TARGET): with those optimisations alone that the compiler makes quickly. For code whose speed

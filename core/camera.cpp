@@ -50,10 +50,10 @@ Camera panoramic_view(const Camera& camera, const Aabb& box) {
   return moved;
 }
 
-constexpr float turns_per_radian = 0.15915494309189535f;
+constexpr float turns_a_radian = 0.15915494309189535f;
 
 SinCos sincos_radians(float radians) {
-  const float turns = radians * turns_per_radian;
+  const float turns = radians * turns_a_radian;
   return sincos_turns(turns - std::floor(turns));
 }
 
@@ -71,7 +71,7 @@ Vec3 fisheye_direction(float x, float y) {
 }
 
 /// pbrt's square lies around the camera's up.
-Vec3 equal_area_direction(Vec2 frame) {
+Vec3 equal_area_view(Vec2 frame) {
   const Vec3 d = wrapped_direction({frame.x, frame.y});
   return {d.x, d.z, d.y};
 }
@@ -79,7 +79,7 @@ Vec3 equal_area_direction(Vec2 frame) {
 Ray panorama_ray(const Camera& camera, Vec2 frame, float x, float y) {
   const bool is_fisheye = camera.projection == Projection::fisheye;
   const Vec3 d = is_fisheye                                    ? fisheye_direction(x, y)
-                 : camera.projection == Projection::equal_area ? equal_area_direction(frame)
+                 : camera.projection == Projection::equal_area ? equal_area_view(frame)
                                                                : latitude_longitude_direction(x, y);
   const float edge = std::min(camera.tan_half_width, camera.tan_half_height);
   const bool is_beside = is_fisheye && !(x * x + y * y <= edge * edge);

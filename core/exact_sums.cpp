@@ -12,10 +12,10 @@
 namespace twinray {
 namespace {
 
-float in_range(float x) { return std::isnan(x) ? 0 : std::clamp(x, -max_radiance, max_radiance); }
+float clamped(float x) { return std::isnan(x) ? 0 : std::clamp(x, -max_radiance, max_radiance); }
 
 /// What lies beyond the range counts as its end.
-Int128 units_of(float x) { return fixed_units(in_range(x)); }
+Int128 units_of(float x) { return fixed_units(clamped(x)); }
 
 /// The sum of one channel of colors. Nearly always one word is enough: where the sum of their absolute values
 /// is below 2^19, its rounding included, that of their units, which are 2^43 times as large, is below 2^63.

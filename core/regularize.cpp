@@ -11,11 +11,11 @@ float regularized(float alpha) { return alpha < 0.3f ? std::clamp(2 * alpha, 0.1
 Roughness regularized(const Roughness& r) { return {regularized(r.x), regularized(r.y)}; }
 
 /// A conductor with no index and any absorption reflects everything.
-constexpr Rgb no_index{0, 0, 0}, absorption{1, 1, 1};
+constexpr Rgb no_index{0, 0, 0}, any_absorption{1, 1, 1};
 
 struct Regularized {
   SurfaceModel operator()(const Mirror& m) const {
-    return Conductor{no_index, absorption, regularized(Roughness{}), m.reflectance};
+    return Conductor{no_index, any_absorption, regularized(Roughness{}), m.reflectance};
   }
   SurfaceModel operator()(const Glass& m) const {
     return Dielectric{m.ior, regularized(Roughness{}), m.reflectance, m.transmittance};

@@ -8,7 +8,6 @@ namespace twinray {
 namespace {
 
 constexpr Range<double> memory_megabytes{64, 1e9};
-constexpr Range<double> time_limits{1e-3, 1e9};
 constexpr const char* no_places = ":";
 
 const Choices<View> views{{"file", View::file}, {"whole", View::whole}};

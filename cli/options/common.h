@@ -27,6 +27,7 @@ Camera camera_of(const Scene& scene, View view, int width, int height);
 
 inline constexpr Range<std::uint32_t> sample_counts{1, Film::max_samples};
 inline constexpr Range<std::uint32_t> light_sample_counts{1, 65536};
+inline constexpr Range<double> time_limits{1e-3, 1e9};  // Seconds.
 inline constexpr Range<int> thread_counts{1, 1024};
 
 /// The help gives width and height as they are.

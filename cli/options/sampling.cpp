@@ -8,7 +8,6 @@ namespace {
 
 constexpr Range<std::uint32_t> batches{2, Film::max_samples};
 constexpr Range<double> tolerances{0, 1e6};
-constexpr Range<double> time_limits{1e-3, 1e9};
 constexpr Range<double> noise_targets{1e-6, 1e3};
 }  // namespace
 

@@ -23,7 +23,7 @@ namespace {
 /// Of the headings within a section: parts have the second level.
 constexpr int least_level = 3, most_level = 6;
 
-constexpr int options = CMARK_OPT_SMART | CMARK_OPT_VALIDATE_UTF8;
+constexpr int markdown_options = CMARK_OPT_SMART | CMARK_OPT_VALIDATE_UTF8;
 
 struct FreeNode {
   void operator()(cmark_node* node) const { cmark_node_free(node); }
@@ -102,11 +102,12 @@ class Sections {
     if (!file || !std::filesystem::is_regular_file(path))
       throw Error(fmt::format("{}: there is no such file", path));
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    return Node(cmark_parse_document(text.data(), text.size(), options));
+    return Node(cmark_parse_document(text.data(), text.size(), markdown_options));
   }
   static Node empty_document() { return Node(cmark_node_new(CMARK_NODE_DOCUMENT)); }
   static std::string html_of(cmark_node* document) {
-    const std::unique_ptr<char, decltype(&std::free)> html(cmark_render_html(document, options), &std::free);
+    const std::unique_ptr<char, decltype(&std::free)> html(cmark_render_html(document, markdown_options),
+                                                           &std::free);
     return html.get();
   }
   std::string place_of(cmark_node* node) const {

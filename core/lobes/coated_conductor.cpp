@@ -7,8 +7,6 @@
 namespace twinray {
 namespace {
 
-constexpr Rgb white{1, 1, 1};
-
 Rgb divide(const Rgb& a, const Rgb& b) { return {a.r / b.r, a.g / b.g, a.b / b.b}; }
 
 /// The facets of a metal with the tilts that a rough coat gives to light on its way in and out: each adds its

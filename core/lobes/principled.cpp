@@ -10,8 +10,6 @@
 namespace twinray {
 namespace {
 
-constexpr Rgb white{1, 1, 1};
-
 float mix(float a, float b, float part) { return a + (b - a) * part; }
 Rgb mix(const Rgb& a, const Rgb& b, float part) { return a + (b - a) * part; }
 

@@ -18,18 +18,18 @@ namespace twinray::generated {
 namespace {
 
 constexpr unsigned forest_seed = 11;
-constexpr float spacing = 4.5f;
+constexpr float tree_spacing = 4.5f;
 constexpr double share_of_leaves = 0.85;  // Of the triangles that are neither wood nor ground.
 constexpr double wood_of_tree = 2 * 6 * 6 + 2 * 4 * 2 * branches;  // Triangles.
 
-struct Plan {
+struct ForestPlan {
   int columns, rows;  ///< Of trees; the first row stands before the camera.
   std::size_t leaves_of_tree;
-  float half_width() const { return 0.5f * spacing * float(columns); }
-  float depth() const { return spacing * float(rows); }
+  float half_width() const { return 0.5f * tree_spacing * float(columns); }
+  float depth() const { return tree_spacing * float(rows); }
 };
 
-Plan plan_of(std::size_t triangles) {
+ForestPlan plan_of(std::size_t triangles) {
   const int columns = std::max(3, int(std::sqrt(std::sqrt(double(triangles)) / 6)));
   const int rows = columns + columns / 2;
   const double trees = double(columns * rows);
@@ -38,23 +38,23 @@ Plan plan_of(std::size_t triangles) {
 }
 
 struct Forest {
-  Plan plan;
+  ForestPlan plan;
   Trees trees;
 };
 
 void add_trees(Forest& forest) {
-  const Plan& plan = forest.plan;
+  const ForestPlan& plan = forest.plan;
   for (int row = 0; row < plan.rows; ++row)
     for (int column = 0; column < plan.columns; ++column) {
       const float dx = forest.trees.random.uniform(0.15f, 0.85f);
       const float dz = forest.trees.random.uniform(0.15f, 0.85f);
-      const float x = (float(column) + dx) * spacing - plan.half_width();
-      const float z = -(float(row) + dz) * spacing;
+      const float x = (float(column) + dx) * tree_spacing - plan.half_width();
+      const float z = -(float(row) + dz) * tree_spacing;
       add_tree(forest.trees, {x, ground_height(x, z, forest_seed), z});
     }
 }
 
-Mesh make_ground(const Plan& plan, std::size_t triangles) {
+Mesh make_ground(const ForestPlan& plan, std::size_t triangles) {
   Mesh ground{.name = "ground"};
   const int n = std::max(4, int(std::sqrt(0.01 * double(triangles))));
   const float half = plan.half_width() + 12, front = 14, back = plan.depth() + 12;
@@ -87,7 +87,7 @@ Mesh make_grass(Forest& forest, std::size_t blades) {
 
 Scene make_forest(std::size_t triangles) {
   check_size("forest", triangles, 10'000);
-  const Plan plan = plan_of(triangles);
+  const ForestPlan plan = plan_of(triangles);
   Forest forest{plan, {Random(forest_seed), plan.leaves_of_tree}};
   SceneMaker scene;
   scene.add(make_ground(forest.plan, triangles), Rgb{0.28f, 0.2f, 0.12f});

@@ -17,17 +17,17 @@ constexpr unsigned woods_seed = 17;
 constexpr int kinds_of_trees = 8, kinds_of_tufts = 4;
 constexpr std::size_t leaves_of_tree = 5000;
 constexpr int blades_of_tuft = 600;
-constexpr float spacing = 2.2f;
+constexpr float plant_spacing = 2.2f;
 
 /// A square of trees and tufts, most of it before the camera.
-struct Plan {
+struct WoodsPlan {
   int columns, rows;
 
-  explicit Plan(std::size_t instances)
+  explicit WoodsPlan(std::size_t instances)
       : columns(int(std::ceil(std::sqrt(double(instances))))),
         rows(int((instances + std::size_t(columns) - 1) / std::size_t(columns))) {}
-  float half_width() const { return 0.5f * spacing * float(columns); }
-  float depth() const { return spacing * float(rows); }
+  float half_width() const { return 0.5f * plant_spacing * float(columns); }
+  float depth() const { return plant_spacing * float(rows); }
 };
 
 Mesh make_tuft(Random& random) {
@@ -43,7 +43,7 @@ Mesh make_tuft(Random& random) {
   return tuft;
 }
 
-void add_ground(SceneMaker& scene, const Plan& plan) {
+void add_ground(SceneMaker& scene, const WoodsPlan& plan) {
   Mesh ground{.name = "ground"};
   const float half = plan.half_width() + 12, front = 14, back = plan.depth() + 12;
   add_surface(ground, 120, 120, [&](float u, float v) {
@@ -70,11 +70,11 @@ void add_plants(SceneMaker& scene, Random& random) {
 }
 
 /// Every fourth plant is a tree.
-void add_instances(SceneMaker& scene, Random& random, const Plan& plan, std::size_t count) {
+void add_instances(SceneMaker& scene, Random& random, const WoodsPlan& plan, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto column = float(i % std::size_t(plan.columns)), row = float(i / std::size_t(plan.columns));
     const float dx = random.unit(), dz = random.unit(), size = random.uniform(0.6f, 1.3f);
-    const float x = (column + dx) * spacing - plan.half_width(), z = -(row + dz) * spacing;
+    const float x = (column + dx) * plant_spacing - plan.half_width(), z = -(row + dz) * plant_spacing;
     const int kind =
         i % 4 == 0 ? random.below(kinds_of_trees) : kinds_of_trees + random.below(kinds_of_tufts);
     const double mirror = i % 2 ? -1 : 1;
@@ -88,7 +88,7 @@ void add_instances(SceneMaker& scene, Random& random, const Plan& plan, std::siz
 
 Scene make_woods(std::size_t instances) {
   check_count("woods", instances);
-  const Plan plan(instances);
+  const WoodsPlan plan(instances);
   Random random(woods_seed);
   SceneMaker scene;
   add_ground(scene, plan);

@@ -126,9 +126,9 @@ Span span_of(GltfDocument& document, const Extent& extent, const std::string& po
 
 /// Gives each component's bits to take(row, component, bits).
 template <typename Take>
-class Reader {
+class ComponentReader {
  public:
-  Reader(GltfDocument& document, int index, const Take& take)
+  ComponentReader(GltfDocument& document, int index, const Take& take)
       : document_(document),
         accessor_(document.model().accessors[std::size_t(index)]),
         pointer_(accessor_pointer(index)),
@@ -234,7 +234,7 @@ GltfNumbers read_numbers(GltfDocument& document, int index, const char* wanted) 
   const auto take = [&](std::size_t row, std::size_t component, std::uint32_t bits) {
     numbers.values[row * numbers.components + component] = number_of(bits, accessor);
   };
-  Reader(document, index, take).read();
+  ComponentReader(document, index, take).read();
   return numbers;
 }
 
@@ -251,7 +251,7 @@ std::vector<std::uint32_t> read_integers(GltfDocument& document, int index, cons
   const auto take = [&](std::size_t row, std::size_t component, std::uint32_t bits) {
     integers[row * components + component] = bits;
   };
-  Reader(document, index, take).read();
+  ComponentReader(document, index, take).read();
   return integers;
 }
 

@@ -45,9 +45,9 @@ std::vector<GltfSlot> rendered_slots(const tinygltf::Material& source, const std
   return list;
 }
 
-class Reader {
+class MaterialReader {
  public:
-  Reader(const tinygltf::Material& source, const std::string& pointer, GltfInputs& inputs)
+  MaterialReader(const tinygltf::Material& source, const std::string& pointer, GltfInputs& inputs)
       : source_(source), pointer_(pointer), inputs_(inputs), slots_(slots_of(source, pointer)) {}
 
   GltfSurface read(const GltfUse& use) {
@@ -206,7 +206,7 @@ const GltfSurface& GltfMaterials::surface(int index, const GltfUse& use) {
   const tinygltf::Material& source = material_at(document_, index);
   const std::string pointer = material_pointer(index);
   GltfInputs inputs{textures, document_.context(), use.has_uvs ? uv_set(index).value_or(-1) : -1};
-  GltfSurface surface = Reader(source, pointer, inputs).read(use);
+  GltfSurface surface = MaterialReader(source, pointer, inputs).read(use);
   inputs.material.name = index < 0             ? "default"
                          : source.name.empty() ? fmt::format("material {}", index)
                                                : source.name;

@@ -11,8 +11,6 @@
 namespace twinray {
 namespace {
 
-constexpr Rgb white{1, 1, 1};
-
 /// What a smooth metal reflects of the light that falls straight on it.
 Rgb reflected(const Rgb& eta, const Rgb& k) {
   const auto channel = [](float n, float a) {

@@ -16,7 +16,6 @@ namespace {
 
 using enum MaterialInput;
 
-constexpr Rgb white{1, 1, 1};
 constexpr std::size_t red = 0, green = 1, blue = 2;
 
 /// A hole where a texture is below a limit, as the reader of glTF makes it: a mix of two numbers far apart.

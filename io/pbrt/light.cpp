@@ -18,7 +18,6 @@ namespace twinray {
 namespace {
 
 constexpr NumberRange scales{0, 1e12}, any_power{-1e30, 1e30};
-constexpr Rgb white{1, 1, 1};
 
 /// The color of a light times its scale.
 Rgb scaled_color(const PbrtParameters& parameters, const char* name, PbrtContext& context) {

@@ -137,8 +137,8 @@ Rgb blackbody_color(double kelvin) {
 Rgb matter_color(const Spectrum& spectrum) {
   const auto seen = to_rgb(
       integrate([&](const Observed& o) { return o.daylight * double(spectrum.at(float(o.wavelength))); }));
-  const auto white = to_rgb(integrate([](const Observed& o) { return o.daylight; }));
-  return clipped({seen[0] / white[0], seen[1] / white[1], seen[2] / white[2]});
+  const auto daylight = to_rgb(integrate([](const Observed& o) { return o.daylight; }));
+  return clipped({seen[0] / daylight[0], seen[1] / daylight[1], seen[2] / daylight[2]});
 }
 
 float luminous_mean(const Spectrum& spectrum) {

@@ -12,7 +12,6 @@
 namespace twinray {
 namespace {
 
-constexpr Rgb white{1, 1, 1};
 constexpr float half = 0.5f;
 
 /// Alpha along the tangent and across, of OpenPBR's roughness and anisotropy.

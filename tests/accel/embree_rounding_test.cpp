@@ -13,7 +13,7 @@ using namespace twinray::test;
 
 namespace {
 
-constexpr double u = 0x1p-24;
+constexpr double unit_roundoff = 0x1p-24;
 
 Aabb random_box(Random& random, float size) {
   Aabb box;
@@ -33,7 +33,7 @@ TEST_CASE("a box padded for Embree holds what the canonical test accepts, seen f
     const float size = std::ldexp(1 + random.unit(), random.between(-100, 38));
     const Aabb box = random_box(random, size), padded = embree::padded_for_embree(box, size);
     const double origin = double(size) * double(embree::reach);
-    const double away = (canonical_error + embree_error) * u * (double(size) + origin);
+    const double away = (canonical_error + embree_error) * unit_roundoff * (double(size) + origin);
     INFO("draw " << i << " size " << size);
     for (int axis = 0; axis < 3; ++axis) {
       REQUIRE(double(padded.lower[axis]) <= double(box.lower[axis]) - away);
@@ -44,7 +44,7 @@ TEST_CASE("a box padded for Embree holds what the canonical test accepts, seen f
 
 TEST_CASE("the ends that Embree is told lie outside of an interval by more than its parameters are off") {
   // Of one plane, Embree's parameter and the canonical one differ by up to 32 u.
-  constexpr double difference = 32 * u;
+  constexpr double difference = 32 * unit_roundoff;
   Random random(72);
   for (int i = 0; i < 20000; ++i) {
     const float t = std::ldexp(1 + random.unit(), random.between(-80, 80));

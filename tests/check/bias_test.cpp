@@ -41,7 +41,7 @@ ConvergedPicture converged(std::uint64_t seed, int samples) {
   return converged_picture(noisy_picture(seed, samples / 2), noisy_picture(seed + 1, samples / 2));
 }
 
-const PixelMask all(std::size_t(width) * height, 1);
+const PixelMask all_pixels(std::size_t(width) * height, 1);
 
 /// The largest distance of the p-values' distribution from the uniform one (Kolmogorov and Smirnov).
 double distance_from_uniform(std::vector<double> values) {
@@ -58,7 +58,8 @@ double distance_from_uniform(std::vector<double> values) {
 TEST_CASE("p-values of tiles without bias are uniformly distributed") {
   std::vector<double> values;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const BiasTest test = test_bias(pictures(100 * seed, 4, 8), converged(100 * seed + 50, 128), all, tile);
+    const BiasTest test =
+        test_bias(pictures(100 * seed, 4, 8), converged(100 * seed + 50, 128), all_pixels, tile);
     CHECK(test.tiles.size() == 100);
     for (const TileTest& one : test.tiles) values.push_back(one.test.p_value);
   }
@@ -68,17 +69,17 @@ TEST_CASE("p-values of tiles without bias are uniformly distributed") {
 
 TEST_CASE("no bias is found where there is none, and one of 1 % is found") {
   const ConvergedPicture reference = converged(7, 256);
-  const BiasTest honest = test_bias(pictures(20, 4, 16), reference, all, tile);
+  const BiasTest honest = test_bias(pictures(20, 4, 16), reference, all_pixels, tile);
   CHECK(honest.p_value > 0.01);
   CHECK(std::abs(honest.whole.test.t) < 3);
-  const BiasTest biased = test_bias(pictures(20, 4, 16, 1.01f), reference, all, tile);
+  const BiasTest biased = test_bias(pictures(20, 4, 16, 1.01f), reference, all_pixels, tile);
   CHECK(biased.p_value < 1e-6);
   CHECK(biased.whole.test.t > 5);
   CHECK(biased.whole.picture.mean / biased.whole.converged.mean == Approx(1.01).margin(0.003));
 }
 
 TEST_CASE("the p-value of a picture is corrected for all its tiles and the whole") {
-  const BiasTest test = test_bias(pictures(20, 4, 16), converged(7, 256), all, tile);
+  const BiasTest test = test_bias(pictures(20, 4, 16), converged(7, 256), all_pixels, tile);
   double least = test.whole.test.p_value;
   for (const TileTest& one : test.tiles) least = std::min(least, one.test.p_value);
   CHECK(test.p_value == corrected_p_value(least, 101));
@@ -93,7 +94,7 @@ TEST_CASE("a bias of one tile is found there, though the picture's mean hides it
       for (int x = 64; x < 80; ++x) picture.at(x, y) = picture.at(x, y) * 1.15f;
     moments.add(picture);
   }
-  const BiasTest test = test_bias(moments, reference, all, tile);
+  const BiasTest test = test_bias(moments, reference, all_pixels, tile);
   CHECK(test.p_value < 1e-4);
   CHECK(test.whole.test.p_value > 0.01);
   const auto worst =
@@ -106,9 +107,9 @@ TEST_CASE("a bias of one tile is found there, though the picture's mean hides it
 TEST_CASE("the converged picture's noise counts where it is known, else it is taken for bias") {
   ConvergedPicture rough = converged(7, 16);
   const PictureMoments moments = pictures(20, 4, 64);
-  CHECK(test_bias(moments, rough, all, tile).p_value > 0.01);
+  CHECK(test_bias(moments, rough, all_pixels, tile).p_value > 0.01);
   rough.noise.reset();
-  CHECK(test_bias(moments, rough, all, tile).p_value < 1e-6);
+  CHECK(test_bias(moments, rough, all_pixels, tile).p_value < 1e-6);
 }
 
 TEST_CASE("means have the variance of seeds and of halves, over the number of pixels") {
@@ -132,14 +133,14 @@ TEST_CASE("means have the variance of seeds and of halves, over the number of pi
 }
 
 TEST_CASE("pixels that do not count, and tiles of them alone, are left out") {
-  PixelMask mask = all;
+  PixelMask mask = all_pixels;
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 24; ++x) mask[std::size_t(y * width + x)] = 0;
   const BiasTest test = test_bias(pictures(20, 2, 4), converged(7, 16), mask, tile);
   CHECK(test.tiles.size() == 99);
   CHECK(test.tiles.front().tile == PixelRect{16, 0, 32, 16});
   CHECK(test.tiles.front().pixels == 128);
-  CHECK(test.whole.pixels == all.size() - 16 * 24);
+  CHECK(test.whole.pixels == all_pixels.size() - 16 * 24);
 }
 
 TEST_CASE("tiles at the right and at the bottom are as wide and high as what is left") {
@@ -152,7 +153,7 @@ TEST_CASE("tiles at the right and at the bottom are as wide and high as what is 
 }
 
 TEST_CASE("a single picture tells nothing of its noise") {
-  CHECK_THROWS_AS(test_bias(pictures(1, 1, 1), converged(7, 2), all, tile), Error);
+  CHECK_THROWS_AS(test_bias(pictures(1, 1, 1), converged(7, 2), all_pixels, tile), Error);
   PictureMoments moments = pictures(1, 1, 1);
   CHECK_THROWS_AS(moments.add(Image(2, 2)), Error);
 }

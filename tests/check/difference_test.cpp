@@ -9,17 +9,17 @@
 namespace twinray::test {
 namespace {
 
-constexpr int width = 4, height = 3;
+constexpr int film_width = 4, film_height = 3;
 
 Film film_of(PixelRect window) {
-  Film film(width, height, window);
+  Film film(film_width, film_height, window);
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x)
       for (std::uint32_t index = 0; index < 3; ++index) film.add(x, y, index, {float(x + 1), float(y), 0.5f});
   return film;
 }
 
-const PixelRect whole{0, 0, width, height};
+const PixelRect whole{0, 0, film_width, film_height};
 
 std::string difference_after(int x, int y, const Rgb& expected, const Rgb& found) {
   Film a = film_of(whole), b = film_of(whole);
@@ -76,7 +76,7 @@ TEST_CASE("the first of several differences is the one nearest to the top left")
 
 TEST_CASE("a difference in a layer is found where the colours do not differ") {
   const FilmContents layers{{Layer::albedo, Layer::depth}, {}};
-  Film a(width, height, whole, layers), b(width, height, whole, layers);
+  Film a(film_width, film_height, whole, layers), b(film_width, film_height, whole, layers);
   add_sample(a, 2, 1, 0, {{1, 1, 1}, {{0.5f, 0, 1}, {3, 0, 0}}});
   add_sample(b, 2, 1, 0, {{1, 1, 1}, {{0.5f, 0, 1}, {3.5f, 0, 0}}});
   CHECK_FALSE(first_difference(a, a));
@@ -85,7 +85,7 @@ TEST_CASE("a difference in a layer is found where the colours do not differ") {
 
 TEST_CASE("a difference in mattes, or in the parts of the light, is found as well") {
   const FilmContents contents{{Layer::object_matte}, {0, 2}};
-  Film a(width, height, whole, contents), b = a, c = a;
+  Film a(film_width, film_height, whole, contents), b = a, c = a;
   add_sample(a, 3, 1, 0, {{1, 1, 1}, {record_id(5)}, {}, {{1, 1, 1}, {0, 0, 0}}});
   add_sample(b, 3, 1, 0, {{1, 1, 1}, {record_id(6)}, {}, {{1, 1, 1}, {0, 0, 0}}});
   add_sample(c, 3, 1, 0, {{1, 1, 1}, {record_id(5)}, {}, {{1, 0.5f, 1}, {0, 0.5f, 0}}});
@@ -95,9 +95,9 @@ TEST_CASE("a difference in mattes, or in the parts of the light, is found as wel
 
 TEST_CASE("films of other frames, or with more pixels than expected, differ") {
   const std::string misfit = "frames, windows or layers that do not fit";
-  CHECK(first_difference(film_of(whole), Film(width, height + 1, whole)) == misfit);
+  CHECK(first_difference(film_of(whole), Film(film_width, film_height + 1, whole)) == misfit);
   CHECK(first_difference(film_of({1, 1, 3, 2}), film_of(whole)) == misfit);
-  CHECK(first_difference(film_of(whole), Film(width, height, whole, {{Layer::depth}})) == misfit);
+  CHECK(first_difference(film_of(whole), Film(film_width, film_height, whole, {{Layer::depth}})) == misfit);
 }
 
 TEST_CASE("one ray more of any kind is a difference") {

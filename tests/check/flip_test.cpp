@@ -12,15 +12,15 @@
 namespace twinray::test {
 namespace {
 
-constexpr int width = 64, height = 48;
+constexpr int columns = 64, rows = 48;
 /// The program computes in floats, and blurs in another order.
 constexpr double rounding = 2e-5;
 
 /// Two slopes and a board of squares.
 Image reference() {
-  Image image(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
+  Image image(columns, rows);
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x)
       image.at(x, y) = {float(x) / 63, float(y) / 47, (x / 8 + y / 8) % 2 ? 0.75f : 0.25f};
   return image;
 }
@@ -28,11 +28,11 @@ Image reference() {
 /// With noise in red, and too little blue on the right.
 Image picture() {
   Image image = reference();
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
       Rgb& pixel = image.at(x, y);
       pixel.r = std::clamp(pixel.r + float((x * 37 + y * 101) % 17 - 8) / 100, 0.0f, 1.0f);
-      if (x >= width / 2) pixel.b *= 0.9f;
+      if (x >= columns / 2) pixel.b *= 0.9f;
     }
   return image;
 }
@@ -46,7 +46,7 @@ Image radiance(Image image, const Rgb& spot) {
 }
 
 Image filled(const Rgb& color) {
-  Image image(width, height);
+  Image image(columns, rows);
   std::fill(image.pixels.begin(), image.pixels.end(), color);
   return image;
 }
@@ -109,10 +109,10 @@ TEST_CASE("FLIP takes a single exposure of a black reference, and 23 where most 
   CHECK(flip_exposures(filled({})).count == 1);
   Image half = reference();
   for (Rgb& pixel : half.pixels) pixel = {1, 1, 1};
-  std::fill(half.pixels.begin(), half.pixels.begin() + width * height / 2, Rgb{});
+  std::fill(half.pixels.begin(), half.pixels.begin() + columns * rows / 2, Rgb{});
   CHECK(flip_exposures(half).first == Approx(1.0832935).margin(1e-6));
   CHECK(flip_exposures(half).count == 2);
-  half.pixels[width * height / 2] = {};
+  half.pixels[columns * rows / 2] = {};
   CHECK(flip_exposures(half).last == Approx(24.0832935).margin(1e-6));
   CHECK(flip_exposures(half).count == 23);
 }

@@ -5,6 +5,7 @@
 // The limits are 64 ulps, of 2^-24 each, of what a float test rounds on. The numbers below were worked out by
 // hand from the shapes; a limit that becomes a hundredth more generous is noticed.
 #include "check/oracle.h"
+#include "tests/support/answers.h"
 #include "tests/support/catch.h"
 #include "tests/support/shapes.h"
 
@@ -26,10 +27,6 @@ const Oracle& triangle() {
   static const Oracle oracle(share({right_triangle(4)}));
   return oracle;
 }
-
-Ray downward(float x, float y) { return {.origin = {x, y, 2}, .direction = {0, 0, -1}}; }
-Answer hit(float t, float u, float v, std::uint32_t primitive = 0) { return {{t, u, v, primitive}, true}; }
-const Answer miss;
 
 Difference of_t(float t) {
   return triangle().classify(downward(1, 1), hit(2, 0.25f, 0.25f), hit(t, 0.25f, 0.25f));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/support/answers.h"
 #include "tests/support/catch.h"
 #include "tests/support/shapes.h"
 
@@ -20,10 +21,6 @@ std::shared_ptr<const Geometry> square() {
   add_triangle(mesh, {-9, -9, -1}, {99, -9, -1}, {-9, 99, -1});
   return share({mesh});
 }
-
-Ray downward(float x, float y) { return {.origin = {x, y, 2}, .direction = {0, 0, -1}}; }
-Answer hit(float t, float u, float v, std::uint32_t primitive) { return {{t, u, v, primitive}, true}; }
-const Answer miss;
 
 }  // namespace
 

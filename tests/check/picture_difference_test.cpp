@@ -9,7 +9,7 @@ namespace twinray::test {
 namespace {
 
 /// 20 x 20 pixels of one colour.
-Image filled(const Rgb& color) {
+Image small_picture_of(const Rgb& color) {
   Image image(20, 20);
   for (Rgb& pixel : image.pixels) pixel = color;
   return image;
@@ -18,7 +18,7 @@ Image filled(const Rgb& color) {
 }  // namespace
 
 TEST_CASE("differences are the picture's values minus the reference's, by channel and over all") {
-  const Image reference = filled({1, 2, 0});
+  const Image reference = small_picture_of({1, 2, 0});
   Image picture = reference;
   picture.at(3, 7) = {1, 2, 4};
   picture.at(4, 7) = {0, 2, 0};
@@ -42,9 +42,9 @@ TEST_CASE("differences are the picture's values minus the reference's, by channe
 }
 
 TEST_CASE("the mean squared error and its relative are those of error") {
-  Image picture = filled({0.3f, 0.5f, 0.1f});
+  Image picture = small_picture_of({0.3f, 0.5f, 0.1f});
   picture.at(0, 0) = {4, 1, 0};
-  const Image reference = filled({0.25f, 0.5f, 0.2f});
+  const Image reference = small_picture_of({0.25f, 0.5f, 0.2f});
   const SquaredError expected =
       squared_error(picture, {reference, {}}, PixelMask(reference.pixels.size(), 1));
   const PictureDifference difference = picture_difference(picture, reference);
@@ -53,9 +53,9 @@ TEST_CASE("the mean squared error and its relative are those of error") {
 }
 
 TEST_CASE("a darker picture has a largest difference below 0") {
-  Image picture = filled({1, 1, 1});
+  Image picture = small_picture_of({1, 1, 1});
   picture.at(19, 19).g = -2;
-  CHECK(picture_difference(picture, filled({1, 1, 1})).largest.value == -3);
+  CHECK(picture_difference(picture, small_picture_of({1, 1, 1})).largest.value == -3);
 }
 
 TEST_CASE("tiles cover a picture once, the last ones as far as it goes") {
@@ -69,7 +69,7 @@ TEST_CASE("tiles cover a picture once, the last ones as far as it goes") {
 }
 
 TEST_CASE("the tiles that differ most come first, and those that are equal not at all") {
-  const Image reference = filled({1, 1, 1});
+  const Image reference = small_picture_of({1, 1, 1});
   Image picture = reference;
   picture.at(0, 0) = {3, 1, 1};    // 4 / (3 256)
   picture.at(18, 18) = {1, 0, 1};  // 1 / (3 16)

@@ -9,7 +9,7 @@ using namespace twinray::test;
 
 namespace {
 
-constexpr double rounding = 1e-6;  // A few roundings of float.
+constexpr double float_rounding = 1e-6;  // A few roundings of float.
 
 /// A triangle and a sphere in a box of 8 x 4 x 2 around (1, 0, 0).
 std::shared_ptr<const Geometry> small() {
@@ -25,7 +25,7 @@ const Sphere& ball(const Geometry& geometry) { return geometry.sphere_set(1)->sp
 
 void check_near(const Vec3& found, const Vec3& expected) {
   for (int axis = 0; axis < 3; ++axis)
-    CHECK(found[axis] == Approx(expected[axis]).epsilon(rounding).margin(1e-30));
+    CHECK(found[axis] == Approx(expected[axis]).epsilon(float_rounding).margin(1e-30));
 }
 
 /// All of `small()` times a factor, radii too.
@@ -33,7 +33,7 @@ void check_scaled(Placement placement, float factor) {
   const auto placed = placed_geometry(small(), placement);
   for (int i = 0; i < 3; ++i) check_near(corner(*placed, i), corner(*small(), i) * factor);
   check_near(ball(*placed).center, ball(*small()).center * factor);
-  CHECK(ball(*placed).radius == Approx(ball(*small()).radius * factor).epsilon(rounding));
+  CHECK(ball(*placed).radius == Approx(ball(*small()).radius * factor).epsilon(float_rounding));
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ TEST_CASE("no placement leaves the range of coordinates") {
   Mesh mesh;
   add_triangle(mesh, {0, 0, 0}, {5e9f, 0, 0}, {0, 5e9f, 0});
   const auto grown = placed_geometry(share({mesh}), Placement::grown);
-  CHECK(max_abs(grown->bounds().upper) == Approx(5e11).epsilon(rounding));
+  CHECK(max_abs(grown->bounds().upper) == Approx(5e11).epsilon(float_rounding));
   const auto moved = placed_geometry(share({mesh}), Placement::moved);
   CHECK(max_abs(moved->bounds().upper) > 4e11f);
   CHECK(max_abs(moved->bounds().upper) <= max_coordinate);

@@ -34,7 +34,7 @@ std::shared_ptr<const Geometry> turned_square(float angle) {
   return share({mesh});
 }
 
-Ray downward(float x, float y) { return {.origin = {x, y, 1}, .direction = {0, 0, -1}}; }
+Ray from_above(float x, float y) { return {.origin = {x, y, 1}, .direction = {0, 0, -1}}; }
 
 Finding finding(std::uint64_t number, Difference difference, bool is_leak) {
   return {.ray_class = RayClass::random,
@@ -72,8 +72,8 @@ TEST_CASE("a ray that is lost inside of a surface leaks, one that is lost on its
     CrosscheckReport report(2);
     constexpr float inside = 0.5f - 1e-6f;  // A few ulps from the middle of a side.
     const float side = angle + pi / 4;
-    check.check(downward(inside * std::cos(side), inside * std::sin(side)), RayClass::edges, 0, report);
-    check.check(downward(0, 0), RayClass::vertices, 1,
+    check.check(from_above(inside * std::cos(side), inside * std::sin(side)), RayClass::edges, 0, report);
+    check.check(from_above(0, 0), RayClass::vertices, 1,
                 report);  // On the diagonal: an edge of both triangles.
     CHECK(report.tally(1, RayClass::edges).hit_or_miss == 1);
     CHECK(report.tally(1, RayClass::edges).leaks == 0);
@@ -95,7 +95,7 @@ TEST_CASE("a pixel with an unexplained difference is red, whatever else it has")
   });
   const RenderOptions options{.width = 3, .height = 1, .samples = 2, .threads = 1};
   RenderCheck check(geometry, {"bvh", sound.get()}, {"wrong", &wrong, false}, options);
-  const RecordedRay explained{.ray = downward(0, 0)}, unexplained{.ray = downward(0.1f, 0.2f)};
+  const RecordedRay explained{.ray = from_above(0, 0)}, unexplained{.ray = from_above(0.1f, 0.2f)};
   check.observe({0, 0, 0}, std::span(&explained, 1));
   check.observe({1, 0, 0}, std::span(&unexplained, 1));
   check.observe({1, 0, 1}, std::span(&explained, 1));

@@ -14,7 +14,7 @@ namespace {
 
 /// Looks along -z at a box in 9 to 11 in front of it.
 constexpr Camera ahead{.tan_half_width = 0.5f, .tan_half_height = 0.25f};
-const Aabb box{{-1, -1, -11}, {1, 1, -9}};
+const Aabb box_ahead{{-1, -1, -11}, {1, 1, -9}};
 
 std::string error_of(const CameraChanges& changes, const Camera& camera) {
   try {
@@ -100,15 +100,15 @@ TEST_CASE("projections are names, some of them with a number") {
 }
 
 TEST_CASE("a camera gets another projection where it stands") {
-  const Camera wide = with_projection(ahead, {Projection::perspective, 90}, box, 2);
+  const Camera wide = with_projection(ahead, {Projection::perspective, 90}, box_ahead, 2);
   CHECK(wide.tan_half_height == Approx(1));
   CHECK(wide.tan_half_width == Approx(2));
-  const Camera flat = with_projection(ahead, {Projection::orthographic, {}}, box, 2);
+  const Camera flat = with_projection(ahead, {Projection::orthographic, {}}, box_ahead, 2);
   CHECK(flat.projection == Projection::orthographic);
   CHECK(flat.tan_half_width == Approx(5));  // What it saw at the depth 10.
   CHECK(flat.tan_half_height == Approx(2.5));
-  CHECK(with_projection(ahead, {Projection::orthographic, 8}, box, 1.5).tan_half_width == Approx(6));
-  const Camera eye = with_projection(ahead, {Projection::fisheye, {}}, box, 2);
+  CHECK(with_projection(ahead, {Projection::orthographic, 8}, box_ahead, 1.5).tan_half_width == Approx(6));
+  const Camera eye = with_projection(ahead, {Projection::fisheye, {}}, box_ahead, 2);
   CHECK(eye.tan_half_height == Approx(M_PI / 2));
   CHECK_THROWS_AS(with_projection(ahead, {Projection::orthographic, {}}, {{0, 0, 1}, {1, 1, 2}}, 1), Error);
 }

@@ -14,10 +14,10 @@
 namespace twinray::test {
 namespace {
 
-const std::string small = " -r 24 18 -s 2 ";
-const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae" + small;
+const std::string small_frame = " -r 24 18 -s 2 ";
+const std::string small_box = TWINRAY_SOURCE_DIR "/scenes/box.dae" + small_frame;
 /// A scene and options that give a warning, in quiet runs too.
-const std::string warned = TWINRAY_SOURCE_DIR "/scenes/lights.dae" + small + "-H -q ";
+const std::string warned = TWINRAY_SOURCE_DIR "/scenes/lights.dae" + small_frame + "-H -q ";
 const std::string box_statistics = "stats " TWINRAY_SOURCE_DIR "/scenes/box.dae -r 8 6 --seconds=0 -q";
 
 std::string to(const std::string& picture) { return "-o '" + picture + "' "; }
@@ -29,7 +29,8 @@ bool is_picture(const std::string& path) { return read_image(path).width == 24; 
 TEST_CASE("words lost on a full standard output make the exit code 1, and are missed by a message") {
   const TemporaryFolder folder;
   const std::string message = "twinray: standard output cannot be written: No space left on device\n";
-  const std::vector<std::string> commands{"--help ", "crosscheck --help ", box + to(folder.file("a.png")),
+  const std::vector<std::string> commands{"--help ", "crosscheck --help ",
+                                          small_box + to(folder.file("a.png")),
                                           "stats " TWINRAY_SOURCE_DIR "/scenes/box.dae -r 8 6 --seconds=0 "};
   for (const std::string& arguments : commands) {
     CAPTURE(arguments);
@@ -68,7 +69,7 @@ TEST_CASE("a file that is opened never becomes a standard stream that was closed
 
 TEST_CASE("a program that has nothing to say needs no standard output or error") {
   const TemporaryFolder folder;
-  CHECK(run_program(box + "-q " + to(folder.file("a.png")) + "<&- >&- 2>&-").exit_code == 0);
+  CHECK(run_program(small_box + "-q " + to(folder.file("a.png")) + "<&- >&- 2>&-").exit_code == 0);
   CHECK(is_picture(folder.file("a.png")));
   CHECK(run_program(box_statistics + ">/dev/full 2>/dev/full").exit_code == 0);
 }
@@ -82,7 +83,7 @@ TEST_CASE("words to a reader who has gone do not end the program") {
   const TemporaryFolder folder;
   // The pipe's reader ends at once; the program begins a second later.
   const ProcessResult result =
-      run_shell("{ sleep 1; '" TWINRAY_PROGRAM "' " + box + to(folder.file("a.png")) + "; echo $? >'" +
+      run_shell("{ sleep 1; '" TWINRAY_PROGRAM "' " + small_box + to(folder.file("a.png")) + "; echo $? >'" +
                 folder.file("code") + "'; } | true");
   CHECK(read_text(folder.file("code")) == "1\n");
   CHECK(is_picture(folder.file("a.png")));

@@ -3,24 +3,23 @@
 
 #include <cstring>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "cli/convert_command.h"
 #include "core/error.h"
 #include "core/image.h"
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
 namespace {
 
-const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
-
 nlohmann::json read_json(const std::string& path) { return nlohmann::json::parse(read_text(path)); }
 
-ConvertArguments parse(const Words& words) {
+ConvertArguments parse_convert(const Words& words) {
   return parse_alone<ConvertArguments>(add_convert_options, words);
 }
 
@@ -29,7 +28,7 @@ ConvertArguments parse(const Words& words) {
 TEST_CASE("convert writes a scene's files, and says how many") {
   const TemporaryFolder folder;
   const std::string path = folder.file("box.json");
-  const ProcessResult result = run_program("convert " + box + " " + quoted(path));
+  const ProcessResult result = run_program("convert " + box_scene + " " + quoted(path));
   CHECK(result.exit_code == 0);
   CHECK(result.err.empty());
   const auto json = read_json(path);
@@ -45,9 +44,9 @@ TEST_CASE("convert writes a scene's files, and says how many") {
 TEST_CASE("converting twice gives the same bytes") {
   const TemporaryFolder folder;
   const std::string path = folder.file("box.json");
-  CHECK(run_program("convert -q " + box + " " + quoted(path)).out.empty());
+  CHECK(run_program("convert -q " + box_scene + " " + quoted(path)).out.empty());
   const std::string text = read_text(path), mesh = read_text(folder.file("box-0.ply"));
-  CHECK(run_program("convert -q " + box + " " + quoted(path)).exit_code == 0);
+  CHECK(run_program("convert -q " + box_scene + " " + quoted(path)).exit_code == 0);
   CHECK(read_text(path) == text);
   CHECK(read_text(folder.file("box-0.ply")) == mesh);
 }
@@ -55,8 +54,8 @@ TEST_CASE("converting twice gives the same bytes") {
 TEST_CASE("convert writes the camera for the view and the size that are asked for") {
   const TemporaryFolder folder;
   const std::string file = folder.file("file.json"), whole = folder.file("whole.json");
-  CHECK(run_program("convert -q " + box + " " + quoted(file)).exit_code == 0);
-  CHECK(run_program("convert -q --view=whole -r 40 20 " + box + " " + quoted(whole)).exit_code == 0);
+  CHECK(run_program("convert -q " + box_scene + " " + quoted(file)).exit_code == 0);
+  CHECK(run_program("convert -q --view=whole -r 40 20 " + box_scene + " " + quoted(whole)).exit_code == 0);
   CHECK(read_json(file)["resolution"] == nlohmann::json({480, 360}));
   const auto json = read_json(whole);
   CHECK(json["resolution"] == nlohmann::json({40, 20}));
@@ -70,7 +69,7 @@ TEST_CASE("convert writes an environment beside the scene") {
   Image map(2, 1);
   map.pixels = {{1, 2, 3}, {4, 5, 6}};
   write_exr(folder.file("sky.exr"), map);
-  const std::string command = "convert -q -e " + quoted(folder.file("sky.exr")) + " " + box + " ";
+  const std::string command = "convert -q -e " + quoted(folder.file("sky.exr")) + " " + box_scene + " ";
   CHECK(run_program(command + quoted(folder.file("a.json"))).exit_code == 0);
   const auto lights = read_json(folder.file("a.json"))["lights"];
   REQUIRE(lights.size() == 2);
@@ -79,20 +78,20 @@ TEST_CASE("convert writes an environment beside the scene") {
 }
 
 TEST_CASE("a wrong convert command line ends with 2, and a file that is not there or not writable with 1") {
-  CHECK_THROWS_WITH(parse({}), "SCENE is missing");
-  CHECK_THROWS_WITH(parse({"a.dae"}), "OUT is missing");
-  CHECK_THROWS_WITH(parse({"a.dae", "b.json", "c"}), "\"c\" is one word too many");
-  CHECK_THROWS_WITH(parse({"a.dae", "b.json", "-r", "0", "1"}),
+  CHECK_THROWS_WITH(parse_convert({}), "SCENE is missing");
+  CHECK_THROWS_WITH(parse_convert({"a.dae"}), "OUT is missing");
+  CHECK_THROWS_WITH(parse_convert({"a.dae", "b.json", "c"}), "\"c\" is one word too many");
+  CHECK_THROWS_WITH(parse_convert({"a.dae", "b.json", "-r", "0", "1"}),
                     "--resolution: \"0\" is not a whole number from 1 to 65536");
-  CHECK(parse({"a.dae", "b.json"}).view == View::file);
+  CHECK(parse_convert({"a.dae", "b.json"}).view == View::file);
   const TemporaryFolder folder;
-  const ProcessResult unknown = run_program("convert --vieww=file " + box + " a.json");
+  const ProcessResult unknown = run_program("convert --vieww=file " + box_scene + " a.json");
   CHECK(unknown.exit_code == 2);
   CHECK(unknown.err ==
         "twinray: there is no option --vieww=file; did you mean --view?\n"
         "usage: twinray convert SCENE.dae OUT.json|.pbrt|.gltf|.glb [options]; all options: twinray convert "
         "--help\n");
-  const ProcessResult output = run_program("convert " + box + " -");
+  const ProcessResult output = run_program("convert " + box_scene + " -");
   CHECK(output.exit_code == 1);
   CHECK(output.err ==
         "twinray: -: a scene is written to a file whose name ends in .json, .pbrt, .gltf or .glb; other "
@@ -100,7 +99,8 @@ TEST_CASE("a wrong convert command line ends with 2, and a file that is not ther
   const ProcessResult missing = run_program("convert no-such-scene.dae " + quoted(folder.file("a.json")));
   CHECK(missing.exit_code == 1);
   CHECK(missing.err.find("no-such-scene.dae") != std::string::npos);
-  const ProcessResult nowhere = run_program("convert " + box + " " + quoted(folder.file("none/a.json")));
+  const ProcessResult nowhere =
+      run_program("convert " + box_scene + " " + quoted(folder.file("none/a.json")));
   CHECK(nowhere.exit_code == 1);
   CHECK(nowhere.err ==
         fmt::format("twinray: {}: there is no folder {}\n", folder.file("none/a.json"), folder.file("none")));
@@ -110,7 +110,7 @@ TEST_CASE("a wrong convert command line ends with 2, and a file that is not ther
 TEST_CASE("convert writes nothing where one of its files cannot be written") {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("box-1.ply"));
-  const ProcessResult result = run_program("convert " + box + " " + quoted(folder.file("box.json")));
+  const ProcessResult result = run_program("convert " + box_scene + " " + quoted(folder.file("box.json")));
   CHECK(result.exit_code == 1);
   CHECK(result.err.find("box-1.ply") != std::string::npos);
   CHECK(folder.file_count() == 1);
@@ -120,7 +120,7 @@ TEST_CASE("convert writes nothing where two of its files are the same place") {
   const TemporaryFolder folder;
   write_text(folder.file("box-0.ply"), "old");
   std::filesystem::create_symlink("box-0.ply", folder.file("box-1.ply"));
-  const ProcessResult result = run_program("convert " + box + " " + quoted(folder.file("box.json")));
+  const ProcessResult result = run_program("convert " + box_scene + " " + quoted(folder.file("box.json")));
   CHECK(result.exit_code == 1);
   CHECK(result.err == fmt::format("twinray: {}: the same place as {}; every output needs its own\n",
                                   folder.file("box-1.ply"), folder.file("box-0.ply")));
@@ -191,7 +191,7 @@ TEST_CASE("convert warns of what a format has not, and writes the files that it 
     wanted += fmt::format("warning: {}: {}\n", path, line);
   CHECK(result.err == wanted);
   CHECK(folder.file_count() == 2);
-  CHECK(run_program("convert -q " + box + " " + quoted(folder.file("box.glb"))).exit_code == 0);
+  CHECK(run_program("convert -q " + box_scene + " " + quoted(folder.file("box.glb"))).exit_code == 0);
   CHECK(folder.file_count() == 3);
   const ProcessResult dark = run_program("convert -q " TWINRAY_SOURCE_DIR "/scenes/blocks.obj " +
                                          quoted(folder.file("blocks.json")));
@@ -239,15 +239,15 @@ TEST_CASE("convert writes what moves where it stands at a time") {
   std::memcpy(&x, mesh.data() + mesh.find("end_header\n") + 11, sizeof x);
   CHECK(x == 1);
   const ProcessResult still =
-      run_program("convert -q --time=0.5 " + box + " " + quoted(folder.file("box.json")));
+      run_program("convert -q --time=0.5 " + box_scene + " " + quoted(folder.file("box.json")));
   CHECK(still.err == "warning: --time: no effect, for nothing in the scene moves\n");
-  CHECK(run_program("convert --time=soon " + box + " a.json").exit_code == 2);
+  CHECK(run_program("convert --time=soon " + box_scene + " a.json").exit_code == 2);
 }
 
 TEST_CASE("convert writes over no file that the scene is made of") {
   const TemporaryFolder folder;
   const std::string scene = folder.file("box.pbrt");
-  REQUIRE(run_program("convert -q " + box + " " + quoted(scene)).exit_code == 0);
+  REQUIRE(run_program("convert -q " + box_scene + " " + quoted(scene)).exit_code == 0);
   const std::string text = read_text(scene);
   const std::size_t files = folder.file_count();
   for (const auto& [name, found] : {std::pair{"box.pbrt", "box-0.ply"}, {"box.json", "box-0.ply"}}) {

@@ -2,19 +2,18 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "cli/crosscheck/arguments.h"
 #include "cli/crosscheck/ray_text.h"
 #include "cli/crosscheck/report.h"
 #include "core/error.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 
 namespace twinray::test {
 namespace {
-
-const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
 
 /// A report with one unexplained ray among a thousand.
 SceneCrosscheck with_one_unexplained() {
@@ -112,20 +111,20 @@ TEST_CASE("a leak that is explained is a remark, and an error where ceilings cou
 }
 
 TEST_CASE("crosscheck ends with 0 where engines agree, and prints a table") {
-  const ProcessResult result = run_program("crosscheck " + box + " --rays=5000 -q");
+  const ProcessResult result = run_program("crosscheck " + box_scene + " --rays=5000 -q");
   CHECK(result.exit_code == 0);
   CHECK(result.err.empty());
   CHECK(result.out.find(" against ") != std::string::npos);
   CHECK(result.out.find("\nbox faces") != std::string::npos);
   const ProcessResult json =
-      run_program("crosscheck " + box + " --rays=2000 -q --json --engines=bvh,brute-force");
+      run_program("crosscheck " + box_scene + " --rays=2000 -q --json --engines=bvh,brute-force");
   CHECK(json.exit_code == 0);
   CHECK(nlohmann::json::parse(json.out)["passed"] == true);
 }
 
 TEST_CASE("one ray is shot again by its text") {
   const ProcessResult result =
-      run_program("crosscheck " + box + " -q --engines=bvh,brute-force --ray=0,0.1,0.2,0,0,-1,0,inf");
+      run_program("crosscheck " + box_scene + " -q --engines=bvh,brute-force --ray=0,0.1,0.2,0,0,-1,0,inf");
   CHECK(result.exit_code == 0);
   CHECK(result.out.find("bvh ") == 0);
   CHECK(result.out.find("brute-force    t 0x1.") != std::string::npos);
@@ -133,13 +132,13 @@ TEST_CASE("one ray is shot again by its text") {
 }
 
 TEST_CASE("a wrong crosscheck command line ends with 2 and its own usage") {
-  const ProcessResult result = run_program("crosscheck " + box + " --engines=bvh,octree");
+  const ProcessResult result = run_program("crosscheck " + box_scene + " --engines=bvh,octree");
   CHECK(result.exit_code == 2);
   CHECK(result.err.find("there is no engine \"octree\"") != std::string::npos);
   CHECK(result.err.find("usage: twinray crosscheck SCENE.dae") != std::string::npos);
   CHECK(run_program("crosscheck").exit_code == 2);
-  CHECK(run_program("crosscheck " + box + " --ray=1,2").exit_code == 2);
-  CHECK(run_program("crosscheck " + box + " --placement=gone").exit_code == 2);
+  CHECK(run_program("crosscheck " + box_scene + " --ray=1,2").exit_code == 2);
+  CHECK(run_program("crosscheck " + box_scene + " --placement=gone").exit_code == 2);
   CHECK(run_program("crosscheck --help").exit_code == 0);
 }
 

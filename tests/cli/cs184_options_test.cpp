@@ -10,14 +10,14 @@
 namespace twinray::test {
 namespace {
 
-RenderArguments parse(Words words) {
+RenderArguments parse_cs184(Words words) {
   words.push_back("scene.dae");
   return parse_cs184_arguments(words);
 }
 
-std::string message_of(Words words) {
+std::string cs184_message_of(Words words) {
   try {
-    parse(std::move(words));
+    parse_cs184(std::move(words));
   } catch (const UsageError& error) {
     return error.what();
   }
@@ -27,7 +27,7 @@ std::string message_of(Words words) {
 }  // namespace
 
 TEST_CASE("CS184's defaults hold where its program runs") {
-  const RenderArguments arguments = parse({});
+  const RenderArguments arguments = parse_cs184({});
   CHECK(arguments.scene == "scene.dae");
   CHECK(arguments.render.samples == 1);
   CHECK(arguments.render.filter == usual_filter(FilterKind::box));
@@ -58,9 +58,9 @@ TEST_CASE("CS184's defaults hold where its program runs") {
 
 TEST_CASE("each letter of CS184's program has its meaning there") {
   const RenderArguments arguments =
-      parse({"-s", "64", "-l",  "4",  "-t",  "2",   "-m", "7",       "-H", "-o",      "1",
-             "-a", "16", "0.1", "-r", "320", "240", "-e", "sky.exr", "-c", "cam.txt", "-p",
-             "10", "20", "30",  "40", "-b",  "0.5", "-d", "2.5",     "-f", "out.png"});
+      parse_cs184({"-s", "64", "-l",  "4",  "-t",  "2",   "-m", "7",       "-H", "-o",      "1",
+                   "-a", "16", "0.1", "-r", "320", "240", "-e", "sky.exr", "-c", "cam.txt", "-p",
+                   "10", "20", "30",  "40", "-b",  "0.5", "-d", "2.5",     "-f", "out.png"});
   CHECK(arguments.render.samples == 64);
   CHECK(arguments.path.samples_per_light == 4);
   CHECK(arguments.render.threads == 2);
@@ -80,13 +80,13 @@ TEST_CASE("each letter of CS184's program has its meaning there") {
 
 TEST_CASE("option -o 0 shows the light of the last bounce that -m allows, and -o 1 all of it") {
   for (const int depth : {0, 1, 5}) {
-    const RenderArguments last = parse({"-m", fmt::format("{}", depth), "-o", "0"});
+    const RenderArguments last = parse_cs184({"-m", fmt::format("{}", depth), "-o", "0"});
     CHECK(last.path.max_depth == depth);
     CHECK(last.path.first_depth == depth);
     CHECK(last.path.last_depth == depth);
   }
-  CHECK(parse({"-m", "5", "-o", "1"}).path.first_depth == 0);
-  CHECK(message_of({"-o", "2"}) == "-o: there is no \"2\"; valid are 0, 1");
+  CHECK(parse_cs184({"-m", "5", "-o", "1"}).path.first_depth == 0);
+  CHECK(cs184_message_of({"-o", "2"}) == "-o: there is no \"2\"; valid are 0, 1");
 }
 
 TEST_CASE("words stand as getopt takes them: behind the scene, and joined to their letter") {
@@ -97,73 +97,73 @@ TEST_CASE("words stand as getopt takes them: behind the scene, and joined to the
   CHECK(behind.path.samples_per_light == 8);
   CHECK(behind.render.width == 48);
   CHECK(behind.output == "x");
-  CHECK(parse({"-s", "4", "-s", "8"}).render.samples == 8);
+  CHECK(parse_cs184({"-s", "4", "-s", "8"}).render.samples == 8);
   CHECK(parse_cs184_arguments({"-m2", "-H", "--", "a.dae"}).scene == "a.dae");
-  CHECK(parse({"-r", "016", "012", "-a", "64", ".05"}).render.adaptive->tolerance == 0.05);
+  CHECK(parse_cs184({"-r", "016", "012", "-a", "64", ".05"}).render.adaptive->tolerance == 0.05);
 }
 
 TEST_CASE("option -H takes no value, also as the last word") {
-  CHECK(parse({"-H", "-m", "6"}).path.max_depth == 6);
+  CHECK(parse_cs184({"-H", "-m", "6"}).path.max_depth == 6);
   CHECK(parse_cs184_arguments({"-H", "a.dae"}).scene == "a.dae");
   CHECK(parse_cs184_arguments({"a.dae", "-H"}).path.direct == DirectMethod::hemisphere);
 }
 
 TEST_CASE("what CS184's program swallowed is refused in the option's name") {
-  CHECK(message_of({"-r", "64", "-f", "x.png"}) == "-r: 2 numbers are needed, not 1");
-  CHECK(message_of({"-r", "0", "0"}) == "-r: \"0\" is not a whole number from 1 to 65536");
-  CHECK(message_of({"-t", "0"}) == "-t: \"0\" is not a whole number from 1 to 1024");
-  CHECK(message_of({"-s", "many"}) == "-s: \"many\" is not a whole number from 1 to 4194304");
-  CHECK(message_of({"-s", ""}) == "-s: its value is empty");
-  CHECK(message_of({"-s", "-4"}) == "-s: \"-4\" is not a whole number from 1 to 4194304");
-  CHECK(message_of({"-l", "0"}) == "-l: \"0\" is not a whole number from 1 to 65536");
-  CHECK(message_of({"-m", "-1"}) == "-m: \"-1\" is not a whole number from 0 to 2147483647");
-  CHECK(message_of({"-a", "0", "0.05"}) == "-a: \"0\" is not a whole number from 1 to 4194304");
-  CHECK(message_of({"-a", "32", "nan"}) == "-a: \"nan\" is not a number from 0 to 1000000");
-  CHECK(message_of({"-b", "-1"}) == "-b: \"-1\" is not a number from 0 to 1000000000");
-  CHECK(message_of({"-b", "0.1", "-d", "0"}) ==
+  CHECK(cs184_message_of({"-r", "64", "-f", "x.png"}) == "-r: 2 numbers are needed, not 1");
+  CHECK(cs184_message_of({"-r", "0", "0"}) == "-r: \"0\" is not a whole number from 1 to 65536");
+  CHECK(cs184_message_of({"-t", "0"}) == "-t: \"0\" is not a whole number from 1 to 1024");
+  CHECK(cs184_message_of({"-s", "many"}) == "-s: \"many\" is not a whole number from 1 to 4194304");
+  CHECK(cs184_message_of({"-s", ""}) == "-s: its value is empty");
+  CHECK(cs184_message_of({"-s", "-4"}) == "-s: \"-4\" is not a whole number from 1 to 4194304");
+  CHECK(cs184_message_of({"-l", "0"}) == "-l: \"0\" is not a whole number from 1 to 65536");
+  CHECK(cs184_message_of({"-m", "-1"}) == "-m: \"-1\" is not a whole number from 0 to 2147483647");
+  CHECK(cs184_message_of({"-a", "0", "0.05"}) == "-a: \"0\" is not a whole number from 1 to 4194304");
+  CHECK(cs184_message_of({"-a", "32", "nan"}) == "-a: \"nan\" is not a number from 0 to 1000000");
+  CHECK(cs184_message_of({"-b", "-1"}) == "-b: \"-1\" is not a number from 0 to 1000000000");
+  CHECK(cs184_message_of({"-b", "0.1", "-d", "0"}) ==
         "-d: behind a lens (-b) something is in focus at a distance greater than 0 only");
-  CHECK(message_of({"-d", "0"}) == "accepted");
-  CHECK(message_of({"-f", ""}) == "-f: its value is empty");
-  CHECK(message_of({"-z"}) == "there is no option -z");
-  CHECK(message_of({"-f", "-H"}) == "-f: its value is missing; -H is an option");
+  CHECK(cs184_message_of({"-d", "0"}) == "accepted");
+  CHECK(cs184_message_of({"-f", ""}) == "-f: its value is empty");
+  CHECK(cs184_message_of({"-z"}) == "there is no option -z");
+  CHECK(cs184_message_of({"-f", "-H"}) == "-f: its value is missing; -H is an option");
   CHECK_THROWS_WITH(parse_cs184_arguments({""}), "SCENE: its value is empty");
-  CHECK(message_of({"b.dae"}) == "\"scene.dae\" is one word too many");
+  CHECK(cs184_message_of({"b.dae"}) == "\"scene.dae\" is one word too many");
 }
 
 TEST_CASE("a cell must lie within the frame, whose lowest row is 0") {
-  CHECK(parse({"-r", "64", "48", "-p", "0", "0", "8", "4"}).render.window == PixelRect{0, 44, 8, 48});
-  CHECK(parse({"-r", "64", "48", "-p", "0", "0", "64", "48"}).render.window == PixelRect{0, 0, 64, 48});
-  CHECK(message_of({"-r", "64", "48", "-p", "60", "0", "8", "4"}) ==
+  CHECK(parse_cs184({"-r", "64", "48", "-p", "0", "0", "8", "4"}).render.window == PixelRect{0, 44, 8, 48});
+  CHECK(parse_cs184({"-r", "64", "48", "-p", "0", "0", "64", "48"}).render.window == PixelRect{0, 0, 64, 48});
+  CHECK(cs184_message_of({"-r", "64", "48", "-p", "60", "0", "8", "4"}) ==
         "-p: 60 0 8 4 (X Y DX DY) is not a part of 64 x 48 pixels");
-  CHECK(message_of({"-r", "64", "48", "-p", "0", "45", "8", "4"}) ==
+  CHECK(cs184_message_of({"-r", "64", "48", "-p", "0", "45", "8", "4"}) ==
         "-p: 0 45 8 4 (X Y DX DY) is not a part of 64 x 48 pixels");
-  CHECK(message_of({"-p", "0", "0", "0", "4"}) ==
+  CHECK(cs184_message_of({"-p", "0", "0", "0", "4"}) ==
         "-p: 0 0 0 4 (X Y DX DY) is not a part of 800 x 600 pixels");
 }
 
 TEST_CASE("paths of any depth are asked for, and end after 100 bounces with a warning") {
-  CHECK(parse({"-m", "100"}).without_effect.empty());
-  const RenderArguments deep = parse({"-m", "1000"});
+  CHECK(parse_cs184({"-m", "100"}).without_effect.empty());
+  const RenderArguments deep = parse_cs184({"-m", "1000"});
   CHECK(deep.path.max_depth == 100);
   CHECK(deep.without_effect == Words{"-m: paths end after 100 bounces, not after 1000"});
 }
 
 TEST_CASE("options without a letter mean what they mean elsewhere") {
-  CHECK(parse({"--integrator=normals"}).integrator == IntegratorKind::normals);
-  CHECK(parse({"--integrator=normals"}).load.surfaces_only);
-  CHECK_FALSE(parse({}).load.surfaces_only);
-  CHECK(parse({"--accel=brute-force"}).backend == Backend::brute_force);
-  CHECK(parse({"--roulette=0.5"}).path.roulette.continuation == 0.5f);
-  CHECK(parse({"--bounces=indirect", "-m", "5"}).path.first_depth == 2);
-  CHECK(parse({"--adaptive-rule=careful"}).render.adaptive->rule == AdaptiveRule::careful);
-  CHECK(parse({"--seed=3"}).render.seed == 3);
-  CHECK(parse({"--bvh-split=median"}).without_effect.empty());
-  CHECK(parse({"--default-light"}).default_light == DefaultLight::if_dark);
-  CHECK(message_of({"--view=whole"}) == "there is no option --view=whole");
-  CHECK(message_of({"--clip=file"}) == "there is no option --clip=file; did you mean --clamp?");
-  CHECK(parse({"--attenuation=file"}).without_effect ==
+  CHECK(parse_cs184({"--integrator=normals"}).integrator == IntegratorKind::normals);
+  CHECK(parse_cs184({"--integrator=normals"}).load.surfaces_only);
+  CHECK_FALSE(parse_cs184({}).load.surfaces_only);
+  CHECK(parse_cs184({"--accel=brute-force"}).backend == Backend::brute_force);
+  CHECK(parse_cs184({"--roulette=0.5"}).path.roulette.continuation == 0.5f);
+  CHECK(parse_cs184({"--bounces=indirect", "-m", "5"}).path.first_depth == 2);
+  CHECK(parse_cs184({"--adaptive-rule=careful"}).render.adaptive->rule == AdaptiveRule::careful);
+  CHECK(parse_cs184({"--seed=3"}).render.seed == 3);
+  CHECK(parse_cs184({"--bvh-split=median"}).without_effect.empty());
+  CHECK(parse_cs184({"--default-light"}).default_light == DefaultLight::if_dark);
+  CHECK(cs184_message_of({"--view=whole"}) == "there is no option --view=whole");
+  CHECK(cs184_message_of({"--clip=file"}) == "there is no option --clip=file; did you mean --clamp?");
+  CHECK(parse_cs184({"--attenuation=file"}).without_effect ==
         Words{"--attenuation: no effect, for point lights do not fall off in CS184's program"});
-  CHECK(parse({"--accel=brute-force", "--bvh-split=median"}).without_effect ==
+  CHECK(parse_cs184({"--accel=brute-force", "--bvh-split=median"}).without_effect ==
         Words{"--bvh-split: no effect, for the engine is brute-force; --accel=bvh takes it"});
 }
 

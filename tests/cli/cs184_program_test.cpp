@@ -24,13 +24,13 @@ std::string between(const std::string& text, const std::string& before, const st
   return end == text.npos ? "" : text.substr(begin + before.size(), end - begin - before.size());
 }
 
-const std::string small = "-r 16 12 -f picture.png ";
+const std::string small_cs184 = "-r 16 12 -f picture.png ";
 
 }  // namespace
 
 TEST_CASE("the lines of CS184's program are printed in its order, on its streams") {
   const TemporaryFolder folder;
-  const ProcessResult result = run_cs184(folder, lit_floor(), small);
+  const ProcessResult result = run_cs184(folder, lit_floor(), small_cs184);
   REQUIRE(result.exit_code == 0);
   CHECK(matches(result.out,
                 "\\[PathTracer\\] Collecting primitives\\.\\.\\. Done! \\(\\d+\\.\\d{4} sec\\)\n"
@@ -49,17 +49,17 @@ TEST_CASE("the lines of CS184's program are printed in its order, on its streams
 
 TEST_CASE("with another engine the lines name what was built") {
   const TemporaryFolder folder;
-  const ProcessResult brute = run_cs184(folder, lit_floor(), small + "--accel=brute-force -m 0 ");
+  const ProcessResult brute = run_cs184(folder, lit_floor(), small_cs184 + "--accel=brute-force -m 0 ");
   CHECK(brute.out.find("[PathTracer] Building brute-force from 4 primitives... Done! (") !=
         std::string::npos);
   CHECK(brute.out.find("[PathTracer] brute-force traced 192 rays.\n") != std::string::npos);
   CHECK(brute.out.find("[PathTracer] Averaged 4.000000 intersection tests per ray.\n") != std::string::npos);
 #ifdef TWINRAY_WITH_EMBREE
-  const ProcessResult native = run_cs184(folder, lit_floor(), small + "--accel=embree-native ");
+  const ProcessResult native = run_cs184(folder, lit_floor(), small_cs184 + "--accel=embree-native ");
   CHECK(native.out.find("[PathTracer] No intersection tests were counted.\n") != std::string::npos);
   CHECK(native.out.find("Averaged") == std::string::npos);
 #endif
-  const ProcessResult fastest = run_cs184(folder, lit_floor(), small + "--accel=auto ");
+  const ProcessResult fastest = run_cs184(folder, lit_floor(), small_cs184 + "--accel=auto ");
   CHECK(fastest.out.find("[PathTracer] No intersection tests were counted.\n") != std::string::npos);
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("a cell, camera settings and an environment have lines of their own") 
   for (Rgb& pixel : sky.pixels) pixel = {1, 1, 1};
   write_exr(folder.file("sky.exr"), sky);
   const ProcessResult result =
-      run_cs184(folder, lit_floor(), small + "-p 0 0 8 4 -c cam.txt -e sky.exr -t 2 ");
+      run_cs184(folder, lit_floor(), small_cs184 + "-p 0 0 8 4 -c cam.txt -e sky.exr -t 2 ");
   REQUIRE(result.exit_code == 0);
   CHECK(result.out.find("[PathTracer] Loading environment map sky.exr\n"
                         "[PathTracer] Initializing environment light...done.\n"

@@ -5,8 +5,6 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/relight/relight.h"
 #include "cli/render_command_line.h"
 #include "cli/resources.h"
@@ -14,17 +12,18 @@
 #include "io/picture/image_file.h"
 #include "tests/support/arguments.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
 namespace {
 
-const std::string scene = TWINRAY_SOURCE_DIR "/scenes/box.dae";
-const std::string small = fmt::format("render {} -r 24 18 -s 6 -q ", scene);
+const std::string small_render = fmt::format("render {} -r 24 18 -s 6 -q ", box_scene);
 const std::string fake = std::string("TWINRAY_OIDN=") + TWINRAY_FAKE_DENOISER;
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
 /// The mean square of the differences of red of two pictures.
 double squared_difference(const Image& a, const Image& b) {
@@ -72,7 +71,7 @@ TEST_CASE("the halves of the samples are counted among what a render needs of me
 TEST_CASE("where a picture is one sample, there is nothing to denoise it by") {
   const TemporaryFolder folder;
   const ProcessResult result =
-      run_program("render " + scene + " -s 1 --denoise=own -q -o " + folder.file("a.png"));
+      run_program("render " + box_scene + " -s 1 --denoise=own -q -o " + folder.file("a.png"));
   CHECK(result.exit_code == 1);
   CHECK(result.err ==
         "twinray: --denoise: a single sample per pixel says nothing of the noise; -s takes 2 or more\n");
@@ -81,7 +80,7 @@ TEST_CASE("where a picture is one sample, there is nothing to denoise it by") {
 
 TEST_CASE("a denoiser that cannot be loaded is an error before the render") {
   const TemporaryFolder folder;
-  const std::string denoised = small + "--denoise -o " + folder.file("a.png");
+  const std::string denoised = small_render + "--denoise -o " + folder.file("a.png");
   const ProcessResult result = run_program(denoised, "TWINRAY_OIDN=/nowhere/library.so");
   CHECK(result.exit_code == 1);
   CHECK(result.err.starts_with("twinray: TWINRAY_OIDN: /nowhere/library.so: cannot open shared object file"));
@@ -91,8 +90,8 @@ TEST_CASE("a denoiser that cannot be loaded is an error before the render") {
 TEST_CASE("an EXR picture has denoised colours, and the noisy ones as layers") {
   const TemporaryFolder folder;
   const std::string plain = folder.file("plain.exr"), denoised = folder.file("denoised.exr");
-  REQUIRE(run_program(small + "--layers=albedo,normal -o " + plain).exit_code == 0);
-  REQUIRE(run_program(small + "--layers=depth --denoise -o " + denoised, fake).exit_code == 0);
+  REQUIRE(run_program(small_render + "--layers=albedo,normal -o " + plain).exit_code == 0);
+  REQUIRE(run_program(small_render + "--layers=depth --denoise -o " + denoised, fake).exit_code == 0);
   const Image before = read_image(plain), after = read_image(denoised);
   const std::vector<float> noisy = read_channel(denoised, "noisy.R"),
                            albedo = read_channel(plain, "albedo.R"), normal = read_channel(plain, "N.X");
@@ -105,23 +104,23 @@ TEST_CASE("an EXR picture has denoised colours, and the noisy ones as layers") {
   }
   CHECK_FALSE(read_channel(denoised, "Z").empty());
   CHECK(read_channel(denoised, "albedo.R").empty());  // It was not asked for.
-  CHECK(contains(read_text(denoised), "Open Image Denoise 2.4.3"));
+  CHECK(holds(read_text(denoised), "Open Image Denoise 2.4.3"));
 }
 
 TEST_CASE("a PNG picture is denoised, and the noisy one stands beside it") {
   const TemporaryFolder folder;
-  REQUIRE(run_program(small + "-o " + folder.file("plain.png")).exit_code == 0);
-  REQUIRE(run_program(small + "--denoise=own -o " + folder.file("a.png")).exit_code == 0);
+  REQUIRE(run_program(small_render + "-o " + folder.file("plain.png")).exit_code == 0);
+  REQUIRE(run_program(small_render + "--denoise=own -o " + folder.file("a.png")).exit_code == 0);
   CHECK(read_image(folder.file("a_noisy.png")).pixels == read_image(folder.file("plain.png")).pixels);
   CHECK(read_image(folder.file("a.png")).pixels != read_image(folder.file("plain.png")).pixels);
-  CHECK(contains(read_text(folder.file("a.png")), "own filter"));
-  const ProcessResult piped = run_program(small + "--denoise=own -o - > " + folder.file("b.png"));
+  CHECK(holds(read_text(folder.file("a.png")), "own filter"));
+  const ProcessResult piped = run_program(small_render + "--denoise=own -o - > " + folder.file("b.png"));
   CHECK(piped.err == "warning: - is no file: the picture that would stand beside it is not written\n");
 }
 
 TEST_CASE("our own filter brings a picture nearer to the converged one, in the same bits by any threads") {
   const TemporaryFolder folder;
-  const std::string render = fmt::format("render {} -r 48 36 -q ", scene);
+  const std::string render = fmt::format("render {} -r 48 36 -q ", box_scene);
   REQUIRE(run_program(render + "-s 1024 --seed 5 -o " + folder.file("converged.exr")).exit_code == 0);
   for (const int threads : {1, 3})
     REQUIRE(run_program(render + fmt::format("-s 16 --denoise=own -t {0} -o {1} --stats {1}.json", threads,
@@ -134,7 +133,7 @@ TEST_CASE("our own filter brings a picture nearer to the converged one, in the s
   Image before = denoised;
   for (std::size_t i = 0; i < noisy.size(); ++i) before.pixels[i].r = noisy[i];
   CHECK(squared_difference(denoised, converged) < 0.8 * squared_difference(before, converged));
-  CHECK(contains(read_text(folder.file("1.exr.json")), "own filter\",\n    \"seconds\""));
+  CHECK(holds(read_text(folder.file("1.exr.json")), "own filter\",\n    \"seconds\""));
 }
 
 TEST_CASE(
@@ -165,7 +164,7 @@ TEST_CASE(
 TEST_CASE("a crop and adaptive sampling are denoised, too") {
   const TemporaryFolder folder;
   const std::string render =
-      fmt::format("render {} -r 48 36 -p 8 4 20 30 -s 48 -a 8 0.1 -q --denoise=own ", scene);
+      fmt::format("render {} -r 48 36 -p 8 4 20 30 -s 48 -a 8 0.1 -q --denoise=own ", box_scene);
   REQUIRE(run_program(render + "-o " + folder.file("a.exr")).exit_code == 0);
   CHECK(read_image(folder.file("a.exr")).width == 20);
   CHECK(read_channel(folder.file("a.exr"), "noisy.G").size() == 600);
@@ -173,21 +172,21 @@ TEST_CASE("a crop and adaptive sampling are denoised, too") {
 
 TEST_CASE("a render that ends by its noise says after how many samples, and which error is left") {
   const TemporaryFolder folder;
-  const std::string render = fmt::format("render {} -r 24 18 --noise-target=0.2 -o {} --stats {}", scene,
+  const std::string render = fmt::format("render {} -r 24 18 --noise-target=0.2 -o {} --stats {}", box_scene,
                                          folder.file("a.exr"), folder.file("a.json"));
   const ProcessResult result = run_program(render);
   REQUIRE(result.exit_code == 0);
-  CHECK(contains(result.out, " s, 16 samples per pixel, relative error 0."));
-  CHECK(contains(read_text(folder.file("a.json")), "\"samples_per_pixel\": 16"));
-  CHECK(contains(read_text(folder.file("a.json")), "\"estimated_error\": 0."));
-  CHECK(contains(read_text(folder.file("a.exr")), "twinray:samples"));
+  CHECK(holds(result.out, " s, 16 samples per pixel, relative error 0."));
+  CHECK(holds(read_text(folder.file("a.json")), "\"samples_per_pixel\": 16"));
+  CHECK(holds(read_text(folder.file("a.json")), "\"estimated_error\": 0."));
+  CHECK(holds(read_text(folder.file("a.exr")), "twinray:samples"));
 }
 
 TEST_CASE("with a denoiser a noise target is that of the denoised picture, which needs fewer samples") {
   const TemporaryFolder folder;
   const auto samples = [&](const std::string& options) {
-    REQUIRE(run_program(fmt::format("render {} -r 48 36 --noise-target=0.04 -q {} -o {} --stats {}", scene,
-                                    options, folder.file("a.exr"), folder.file("a.json")))
+    REQUIRE(run_program(fmt::format("render {} -r 48 36 --noise-target=0.04 -q {} -o {} --stats {}",
+                                    box_scene, options, folder.file("a.exr"), folder.file("a.json")))
                 .exit_code == 0);
     return nlohmann::json::parse(read_text(folder.file("a.json")))["samples_per_pixel"].get<int>();
   };
@@ -198,12 +197,13 @@ TEST_CASE("Open Image Denoise is judged by what it makes of the halves") {
   // What the library of the tests adds to both halves is bias: 20 albedo + 200 normal, clean features
   // doubled.
   const TemporaryFolder folder;
-  REQUIRE(run_program(
-              small + fmt::format(
-                          "-s 64 --layers=albedo,normal --noise-target=1e-6 --denoise=oidn -o {} --stats {}",
+  REQUIRE(
+      run_program(
+          small_render +
+              fmt::format("-s 64 --layers=albedo,normal --noise-target=1e-6 --denoise=oidn -o {} --stats {}",
                           folder.file("a.exr"), folder.file("a.json")),
-              fake)
-              .exit_code == 0);
+          fake)
+          .exit_code == 0);
   const auto json = nlohmann::json::parse(read_text(folder.file("a.json")));
   const std::string text = json.dump();
   const std::size_t at = text.find("\"estimated_error\":");

@@ -3,27 +3,25 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/statistics_report.h"
 #include "cli/stats/command.h"
 #include "core/error.h"
 #include "io/scene_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
 namespace {
 
-const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
-
 /// One pass over the rays of 8 x 6 pixels.
-StatsOptions tiny(int threads = 1) {
+StatsOptions tiny_statistics(int threads = 1) {
   return {.recording = {.width = 8, .height = 6}, .threads = threads, .least_seconds = 0};
 }
 
-SceneStatistics statistics_of(const std::string& path, const StatsOptions& options = tiny()) {
+SceneStatistics statistics_of(const std::string& path, const StatsOptions& options = tiny_statistics()) {
   return measure_engines(load_scene(path).scene, options);
 }
 
@@ -41,7 +39,9 @@ std::string counts_text(const EngineStatistics& statistics) {
   return text;
 }
 
-StatsArguments parse(const Words& words) { return parse_alone<StatsArguments>(add_stats_options, words); }
+StatsArguments parse_stats(const Words& words) {
+  return parse_alone<StatsArguments>(add_stats_options, words);
+}
 
 std::size_t count_of(const std::string& text, const std::string& part) {
   std::size_t count = 0;
@@ -52,7 +52,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("the counts of a small box follow from its trees") {
-  const SceneStatistics statistics = statistics_of(box);
+  const SceneStatistics statistics = statistics_of(box_scene);
   CHECK(statistics.engines.size() == stats_engines().size());
   for (const char* name : {"bvh-2", "bvh-2-median"})
     for (const RayStatistics& rays : engine(statistics, name).rays) {
@@ -88,7 +88,7 @@ TEST_CASE("the counts of a small box follow from its trees") {
 }
 
 TEST_CASE("all engines get the same rays, and their counts do not depend on threads") {
-  const SceneStatistics one = statistics_of(box), three = statistics_of(box, tiny(3));
+  const SceneStatistics one = statistics_of(box_scene), three = statistics_of(box_scene, tiny_statistics(3));
   REQUIRE(one.engines.size() == three.engines.size());
   for (std::size_t i = 0; i < one.engines.size(); ++i) {
     CAPTURE(one.engines[i].name);
@@ -116,10 +116,10 @@ TEST_CASE("what an engine does not tell is a dash, an empty field, and null") {
 }
 
 TEST_CASE("brute force is left out where it would take too long") {
-  StatsOptions options = tiny();
-  CHECK_FALSE(statistics_of(box, options).is_brute_force_left_out);
+  StatsOptions options = tiny_statistics();
+  CHECK_FALSE(statistics_of(box_scene, options).is_brute_force_left_out);
   options.brute_force_tests = 100;
-  const SceneStatistics statistics = statistics_of(box, options);
+  const SceneStatistics statistics = statistics_of(box_scene, options);
   CHECK(statistics.is_brute_force_left_out);
   CHECK(statistics.engines.size() + 1 == stats_engines().size());
   CHECK(stats_text({}, statistics).find("Brute force is left out") != std::string::npos);
@@ -134,8 +134,8 @@ TEST_CASE("a scene without shapes has statistics") {
 TEST_CASE("the stats command prints a row for each engine and writes both files") {
   const TemporaryFolder folder;
   const std::string csv = folder.file("a.csv"), json = folder.file("a.json");
-  const ProcessResult result = run_program("stats -r 8 6 -t 1 --seconds=0 " + box + " --csv " + quoted(csv) +
-                                           " --json " + quoted(json));
+  const ProcessResult result = run_program("stats -r 8 6 -t 1 --seconds=0 " + box_scene + " --csv " +
+                                           quoted(csv) + " --json " + quoted(json));
   CHECK(result.exit_code == 0);
   CHECK(folder.file_count() == 2);
   CHECK(result.out.find("\nengine ") != std::string::npos);
@@ -152,23 +152,23 @@ TEST_CASE("the stats command prints a row for each engine and writes both files"
 }
 
 TEST_CASE("a wrong stats command line ends with 2, and a file that is not there or not writable with 1") {
-  const ProcessResult unknown = run_program("stats --none " + box);
+  const ProcessResult unknown = run_program("stats --none " + box_scene);
   CHECK(unknown.exit_code == 2);
   CHECK(unknown.err ==
         "twinray: there is no option --none\n"
         "usage: twinray stats SCENE.dae [options]; all options: twinray stats --help\n");
-  CHECK_THROWS_AS(parse({}), UsageError);
-  CHECK_THROWS_AS(parse({"a.dae", "-r", "0", "1"}), UsageError);
-  CHECK_THROWS_AS(parse({"a.dae", "-s", "0"}), UsageError);
-  CHECK_THROWS_AS(parse({"a.dae", "--view", "both"}), UsageError);
-  CHECK_THROWS_AS(parse({"a.dae", "--seconds=-1"}), UsageError);
-  CHECK(parse({"a.dae", "--seconds=0.5"}).options.least_seconds == 0.5);
-  CHECK(parse({"a.dae"}).view == View::whole);
-  CHECK(parse({"a.dae", "--view=file"}).view == View::file);
+  CHECK_THROWS_AS(parse_stats({}), UsageError);
+  CHECK_THROWS_AS(parse_stats({"a.dae", "-r", "0", "1"}), UsageError);
+  CHECK_THROWS_AS(parse_stats({"a.dae", "-s", "0"}), UsageError);
+  CHECK_THROWS_AS(parse_stats({"a.dae", "--view", "both"}), UsageError);
+  CHECK_THROWS_AS(parse_stats({"a.dae", "--seconds=-1"}), UsageError);
+  CHECK(parse_stats({"a.dae", "--seconds=0.5"}).options.least_seconds == 0.5);
+  CHECK(parse_stats({"a.dae"}).view == View::whole);
+  CHECK(parse_stats({"a.dae", "--view=file"}).view == View::file);
   CHECK(run_program("stats -q no-such-scene.dae").exit_code == 1);
   const TemporaryFolder folder;
   const std::string nowhere = folder.file("none/a.csv");
-  const ProcessResult refused = run_program("stats -q " + box + " --csv " + quoted(nowhere));
+  const ProcessResult refused = run_program("stats -q " + box_scene + " --csv " + quoted(nowhere));
   CHECK(refused.exit_code == 1);
   CHECK(refused.out.empty());
   CHECK(refused.err == fmt::format("twinray: {}: there is no folder {}\n", nowhere, folder.file("none")));

@@ -14,7 +14,7 @@ using namespace twinray::error;
 
 constexpr int width = 4, height = 2;
 
-Image grey(float value) {
+Image grey_picture(float value) {
   Image image(width, height);
   for (Rgb& pixel : image.pixels) pixel = {value, value, value};
   return image;
@@ -22,7 +22,7 @@ Image grey(float value) {
 
 /// Against a reference of 1 everywhere, whose noise is 1/8.
 Measurement measurement_of(const std::vector<Curve>& curves) {
-  return {{grey(1), grey(0.125f)}, PixelMask(width * height, 1), curves};
+  return {{grey_picture(1), grey_picture(0.125f)}, PixelMask(width * height, 1), curves};
 }
 
 /// A point with a picture of each of these grey values, which took 1, 2, ... seconds.
@@ -32,8 +32,8 @@ Point point_of(std::uint32_t samples, const std::vector<float>& values) {
     point.samples_per_pixel.push_back(samples);
     point.cpu_seconds.push_back(double(point.cpu_seconds.size() + 1));
     point.errors.push_back(
-        squared_error(grey(value), {grey(1), {}}, PixelMask(std::size_t(width) * height, 1)));
-    point.moments.add(grey(value));
+        squared_error(grey_picture(value), {grey_picture(1), {}}, PixelMask(std::size_t(width) * height, 1)));
+    point.moments.add(grey_picture(value));
   }
   return point;
 }

@@ -11,6 +11,7 @@
 #include "io/picture/layered_image.h"
 #include "tests/support/arguments.h"
 #include "tests/support/catch.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/terminal.h"
@@ -20,10 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
-
 /// A small picture of the box by these options.
-std::string words(const std::string& more) { return quoted(box) + " -r 48 36 -q " + more; }
+std::string words(const std::string& more) { return quoted(box_scene) + " -r 48 36 -q " + more; }
 
 void run(const std::string& arguments) {
   const ProcessResult result = run_program(arguments);
@@ -47,7 +46,7 @@ bool says(const std::string& text, const std::string& part) {
 
 /// A render that is stopped once it has its first checkpoint; the exit code.
 int interrupted(const TemporaryFolder& folder, std::vector<std::string> more, int signal_number) {
-  std::vector<std::string> all{box,
+  std::vector<std::string> all{box_scene,
                                "-r",
                                "48",
                                "36",
@@ -118,7 +117,7 @@ TEST_CASE("a render that was killed goes on from its last checkpoint, or the one
 
 TEST_CASE("a render without a checkpoint ends as it did, and its film can go on") {
   const TemporaryFolder folder;
-  TerminalProgram program({box, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.film")});
+  TerminalProgram program({box_scene, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.film")});
   REQUIRE(program.wait_for(" samples |"));
   program.send(SIGTERM);
   CHECK(program.exit_code() == 143);
@@ -156,7 +155,7 @@ TEST_CASE("a checkpoint of before counts where none can be written any more") {
 
 TEST_CASE("SIGUSR1 writes a picture of what there is, and the render goes on") {
   const TemporaryFolder folder;
-  TerminalProgram program({box, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.png")});
+  TerminalProgram program({box_scene, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.png")});
   REQUIRE(program.wait_for(" samples |"));
   program.send(SIGUSR1);
   REQUIRE(program.wait_for("note: " + folder.file("a_partial.png") + " holds what there is"));
@@ -224,7 +223,7 @@ TEST_CASE("films that are no parts of one render are refused by name") {
   part("h", "--sample-range=4:8 --of=8 --denoise=own");
   run(quoted(TWINRAY_SOURCE_DIR "/scenes/spheres.dae") + " -r 48 36 -q --sample-range=4:8 --of=8 -o " +
       film("i.film"));
-  run(quoted(box) + " -r 48 35 -q --sample-range=4:8 --of=8 -o " + film("j.film"));
+  run(quoted(box_scene) + " -r 48 35 -q --sample-range=4:8 --of=8 -o " + film("j.film"));
   const std::string a = folder.file("a.film") + ": ", go = ": it does not go with " + a;
   says(merge("ac"), folder.file("c.film") + go + "it was made with --seed 1");
   says(merge("ad b"), folder.file("a.film") + " and " + folder.file("d.film") +
@@ -256,7 +255,7 @@ TEST_CASE("films that are no parts of one render are refused by name") {
 TEST_CASE("a checkpoint of another scene, option or file does not go on") {
   const TemporaryFolder folder;
   const std::string scene = folder.file("scene.dae"), film = quoted(folder.file("a.ck"));
-  fs::copy(box, scene);
+  fs::copy(box_scene, scene);
   run(quoted(scene) + " -r 48 36 -q -s 4 --max-depth=3 --checkpoint=" + film + " -o " +
       quoted(folder.file("a.pfm")));
   const std::string go = folder.file("a.ck") + ": this film cannot go on here: ";

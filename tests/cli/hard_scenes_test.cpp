@@ -49,7 +49,7 @@ std::string nested(const std::string& tag, int depth, const std::string& inner) 
 }
 
 /// A box of half side `size`, whose faces look inward, with its 12 triangles as one mesh.
-std::string box(double size) {
+std::string inward_box(double size) {
   std::string positions;
   for (int corner = 0; corner < 8; ++corner)
     positions += fmt::format("{} {} {} ", corner & 1 ? size : -size, corner & 2 ? size : -size,
@@ -101,7 +101,7 @@ TEST_CASE("nodes are rendered as deep as the XML reader goes, and a message says
 
 TEST_CASE("coordinates from 10^-12 to 10^12 give the same picture, and greater ones an error") {
   const auto text = [](double scale) {
-    return collada_text(camera + glow + box(scale),
+    return collada_text(camera + glow + inward_box(scale),
                         fmt::format("<node>{}</node><node><translate>0 0 {}</translate>"
                                     "<instance_camera url=\"#eye\"/></node>\n",
                                     glowing, 3 * scale));
@@ -130,9 +130,9 @@ TEST_CASE("lights without an area are rendered: they send none") {
   const std::string flat_mesh = "<node><scale>0 0 0</scale>" + glowing + "</node>";
   for (const std::string& light : {flat_area, flat_mesh}) {
     CAPTURE(light);
-    const auto [result, image] = rendered(
-        collada_text(camera + area + glow + box(1), camera_node + light + "<node>" + triangle + "</node>"),
-        "-s 4");
+    const auto [result, image] = rendered(collada_text(camera + area + glow + inward_box(1),
+                                                       camera_node + light + "<node>" + triangle + "</node>"),
+                                          "-s 4");
     CAPTURE(result.err);
     CHECK((result.exit_code == 0 || result.exit_code == 1));
     CHECK_FALSE(result.err.empty());
@@ -141,8 +141,8 @@ TEST_CASE("lights without an area are rendered: they send none") {
 }
 
 TEST_CASE("a camera inside a mesh that glows sees its light everywhere") {
-  const auto [result, image] =
-      rendered(collada_text(camera + glow + box(5), camera_node + "<node>" + glowing + "</node>"), "-s 1");
+  const auto [result, image] = rendered(
+      collada_text(camera + glow + inward_box(5), camera_node + "<node>" + glowing + "</node>"), "-s 1");
   REQUIRE(result.exit_code == 0);
   CHECK(lit_pixels(image) == 32 * 24);
 }

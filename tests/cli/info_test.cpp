@@ -2,10 +2,9 @@
 // twinray info: what is in a scene.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 

@@ -3,18 +3,19 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "accel/accelerator.h"
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
 namespace {
 
-const std::string pawns = TWINRAY_SOURCE_DIR "/scenes/pawns.pbrt", box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
+const std::string pawns = TWINRAY_SOURCE_DIR "/scenes/pawns.pbrt";
 
 /// Renders the pawns, small; the picture's bytes.
 std::string render(const TemporaryFolder& folder, const std::string& name, const std::string& options) {
@@ -60,11 +61,11 @@ TEST_CASE("what --instances may be, and where it has no effect") {
   CHECK(wrong.err.find("--instances") != std::string::npos);
   CHECK(wrong.err.find("auto, keep, copy") != std::string::npos);
   const std::string rest = " -r 8 8 -s 1 --instances=keep -o " + quoted(folder.file("b.png"));
-  const ProcessResult useless = run_program(quoted(box) + rest);
+  const ProcessResult useless = run_program(quoted(box_scene) + rest);
   CHECK(useless.exit_code == 0);
   CHECK(useless.err.find("--instances: no effect, for the scene's file shows nothing by instances") !=
         std::string::npos);
-  CHECK(run_program(quoted(box) + " --strict" + rest).exit_code == 2);
+  CHECK(run_program(quoted(box_scene) + " --strict" + rest).exit_code == 2);
 }
 
 TEST_CASE("statistics count the instances that rays enter") {

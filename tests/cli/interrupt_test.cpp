@@ -11,6 +11,7 @@
 #include "core/rgb.h"
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/terminal.h"
@@ -18,11 +19,9 @@
 namespace twinray::test {
 namespace {
 
-const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
-
 /// A render that would take days, into a file.
 std::vector<std::string> endless(const std::string& path, std::vector<std::string> more = {}) {
-  std::vector<std::string> words{box, "-r", "48", "36", "-s", "4000000", "-o", path};
+  std::vector<std::string> words{box_scene, "-r", "48", "36", "-s", "4000000", "-o", path};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
@@ -80,8 +79,8 @@ TEST_CASE("the picture of sample rates is kept beside what was rendered") {
 TEST_CASE("Ctrl-C keeps what CS184's program rendered, the rates and a part of the frame too") {
   const TemporaryFolder folder;
   const std::vector<std::string> words{
-      "--cs184", box, "-r", "48", "36", "-s", "4000000",           "-a", "64", "0",
-      "-p",      "4", "2",  "30", "20", "-f", folder.file("a.png")};
+      "--cs184", box_scene, "-r", "48", "36", "-s", "4000000",           "-a", "64", "0",
+      "-p",      "4",       "2",  "30", "20", "-f", folder.file("a.png")};
   TerminalProgram program(words);
   REQUIRE(program.wait_for("Rendering... 0%"));
   program.press_control_c();
@@ -111,7 +110,7 @@ TEST_CASE("a second Ctrl-C ends at once") {
 }
 
 TEST_CASE("under its other name the program ends by a signal under that name, too") {
-  TerminalProgram program({"--cs184", box, "-s", "4000000", "-f", "/dev/null"});
+  TerminalProgram program({"--cs184", box_scene, "-s", "4000000", "-f", "/dev/null"});
   REQUIRE(program.wait_for("Rendering... 0%"));
   program.press_control_c();
   CHECK(program.exit_code() == 130);

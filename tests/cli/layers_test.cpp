@@ -13,13 +13,12 @@
 #include "tests/support/arguments.h"
 #include "tests/support/catch.h"
 #include "tests/support/film.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
 namespace {
-
-const std::string scene = TWINRAY_SOURCE_DIR "/scenes/box.dae";
 
 std::vector<Layer> layers_of(const std::vector<std::string>& options) {
   std::vector<std::string> words = options;
@@ -71,7 +70,7 @@ TEST_CASE("layers that there are not, and pictures that cannot hold any, are ref
 
 TEST_CASE("a picture with all layers has their channels, and the colours that it has alone") {
   const TemporaryFolder folder;
-  const std::string render = fmt::format("{} -r 24 18 -s 4 -q -o ", scene);
+  const std::string render = fmt::format("{} -r 24 18 -s 4 -q -o ", box_scene);
   REQUIRE(run_program(render + folder.file("alone.exr")).exit_code == 0);
   REQUIRE(run_program(render + folder.file("all.exr") + " --layers=all").exit_code == 0);
   CHECK(read_image(folder.file("all.exr")).pixels == read_image(folder.file("alone.exr")).pixels);
@@ -91,8 +90,8 @@ TEST_CASE("a picture with all layers has their channels, and the colours that it
 TEST_CASE("pictures with layers have the same bytes, whichever engine and path tracer made them") {
   const TemporaryFolder folder;
   const auto pixels = [&](const std::string& options) {
-    REQUIRE(run_program(fmt::format("{} -r 24 18 -s 4 -q --layers=all -o {} {}", scene, folder.file("a.exr"),
-                                    options))
+    REQUIRE(run_program(fmt::format("{} -r 24 18 -s 4 -q --layers=all -o {} {}", box_scene,
+                                    folder.file("a.exr"), options))
                 .exit_code == 0);
     const std::string file = read_text(folder.file("a.exr")), last = "worldToNDC";
     // The metadata name the options; behind the last of them are the places of two blocks of 16 rows.
@@ -125,7 +124,7 @@ TEST_CASE("shapes of one name are one thing in a matte") {
 TEST_CASE("a picture with mattes and ids has the names of what they stand for") {
   const TemporaryFolder folder;
   const std::string picture = folder.file("a.exr");
-  REQUIRE(run_program(fmt::format("{} -r 8 6 -s 1 -q --layers=cryptomatte,ids -o {}", scene, picture))
+  REQUIRE(run_program(fmt::format("{} -r 8 6 -s 1 -q --layers=cryptomatte,ids -o {}", box_scene, picture))
               .exit_code == 0);
   const ImageMetadata stored = read_layers(picture).metadata;
   const std::map<std::string, std::string> metadata(stored.begin(), stored.end());
@@ -140,7 +139,8 @@ TEST_CASE("an EXR is packed as asked for, but mattes never with a loss") {
   const TemporaryFolder folder;
   const auto compression = [&](const std::string& options) {
     const std::string picture = folder.file("a.exr");
-    REQUIRE(run_program(fmt::format("{} -r 8 6 -s 1 -q {} -o {}", scene, options, picture)).exit_code == 0);
+    REQUIRE(run_program(fmt::format("{} -r 8 6 -s 1 -q {} -o {}", box_scene, options, picture)).exit_code ==
+            0);
     const ImageMetadata stored = read_layers(picture).metadata;
     return std::map<std::string, std::string>(stored.begin(), stored.end()).at("compression");
   };

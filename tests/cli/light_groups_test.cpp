@@ -53,7 +53,7 @@ std::string two_groups(const TemporaryFolder& folder) {
   return path;
 }
 
-std::string message_of(const std::string& text) {
+std::string message_in(const std::string& text) {
   try {
     parse_light_change(text);
   } catch (const UsageError& error) {
@@ -113,9 +113,9 @@ TEST_CASE("a change of a light group is a number or a colour") {
   CHECK(parse_light_change("key=1,0,2").factor == Rgb{1, 0, 2});
   CHECK(parse_light_change("key=1,0,2").group == "key");
   for (const char* const text : {"key", "key=", "=1", "key=1,2", "key=1,2,3,4"})
-    CHECK(message_of(text) ==
+    CHECK(message_in(text) ==
           fmt::format("--light: \"{}\" is no change; valid are GROUP=X and GROUP=R,G,B", text));
-  CHECK(message_of("key=-1") == "--light: \"-1\" is not a number from 0 to 1000000");
+  CHECK(message_in("key=-1") == "--light: \"-1\" is not a number from 0 to 1000000");
 }
 
 TEST_CASE("lights are mixed anew: the colours are the sum of the groups, each times its factor") {

@@ -9,24 +9,25 @@
 namespace twinray::test {
 namespace {
 
-RenderArguments parse(std::vector<std::string> words, const std::string& scene = "scene.dae") {
+RenderArguments parse_light(std::vector<std::string> words, const std::string& scene = "scene.dae") {
   words.push_back(scene);
   return parse_render_arguments(words);
 }
 
 std::string no_effect(const std::vector<std::string>& words, const std::string& scene = "scene.dae") {
-  return fmt::format("{}", fmt::join(parse(words, scene).without_effect, "\n"));
+  return fmt::format("{}", fmt::join(parse_light(words, scene).without_effect, "\n"));
 }
 
 }  // namespace
 
 TEST_CASE("limits of bounces are none unless given, and have no effect on paths that are no longer") {
   const BounceLimits limits =
-      parse({"-m", "9", "--diffuse-bounces=1", "--glossy-bounces=2", "--transmission-bounces=3"}).path.limits;
+      parse_light({"-m", "9", "--diffuse-bounces=1", "--glossy-bounces=2", "--transmission-bounces=3"})
+          .path.limits;
   CHECK(limits.diffuse == 1);
   CHECK(limits.glossy == 2);
   CHECK(limits.transmission == 3);
-  CHECK_FALSE(parse({}).path.limits.are_any());
+  CHECK_FALSE(parse_light({}).path.limits.are_any());
   CHECK(no_effect({"-m", "4", "--glossy-bounces=3"}) ==
         "--glossy-bounces: no effect, for paths of 4 bounces make no more");
   CHECK(no_effect({"-m", "4", "--glossy-bounces=2"}).empty());
@@ -47,8 +48,8 @@ TEST_CASE("the furnace takes a depth and no light, ambient occlusion a distance"
         "--texture-filter: no effect, for --integrator=normals does not ask for the scene's materials");
   CHECK(no_effect({"--ao-distance=2"}) ==
         "--ao-distance: no effect, for --integrator=ambient-occlusion alone looks around");
-  CHECK(parse({"--integrator=ambient-occlusion", "--ao-distance=2"}).occlusion_distance == 2);
-  CHECK_THROWS_WITH(parse({"--integrator=ambient-occlusion", "--ao-distance=0"}),
+  CHECK(parse_light({"--integrator=ambient-occlusion", "--ao-distance=2"}).occlusion_distance == 2);
+  CHECK_THROWS_WITH(parse_light({"--integrator=ambient-occlusion", "--ao-distance=0"}),
                     "--ao-distance: \"0\" is not a number from 1e-12 to 1000000000000");
 }
 

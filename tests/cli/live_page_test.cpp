@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a page sees of a render, asked for as pages do.
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <cstring>
@@ -16,6 +15,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/html.h"
 #include "tests/support/http_client.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace twinray::test {

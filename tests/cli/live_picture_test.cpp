@@ -11,10 +11,10 @@
 namespace twinray::test {
 namespace {
 
-const std::string spheres = quoted(TWINRAY_SOURCE_DIR "/scenes/spheres.dae");
+const std::string quoted_spheres = quoted(TWINRAY_SOURCE_DIR "/scenes/spheres.dae");
 
 ProcessResult render(const std::string& output, const std::string& options) {
-  return run_program(spheres + " -r 40 30 -s 16 -m 2 -q -o " + quoted(output) + " " + options);
+  return run_program(quoted_spheres + " -r 40 30 -s 16 -m 2 -q -o " + quoted(output) + " " + options);
 }
 
 }  // namespace

@@ -4,12 +4,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "cli/picture_metadata.h"
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -18,9 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
-const std::string small = box + " -r 24 18 -s 2 ";
-const std::string statistics = "stats " + box + " -r 8 6 --seconds=0 ";
+const std::string small_output = box_scene + " -r 24 18 -s 2 ";
+const std::string statistics = "stats " + box_scene + " -r 8 6 --seconds=0 ";
 
 /// The environment in which something happens when half of a file is written (AT_WRITE), or when it is
 /// flushed (AT_SYNC).
@@ -37,13 +37,13 @@ std::string without_rights() { return geteuid() == 0 ? "setpriv --bounding-set=-
 
 TEST_CASE("an old file survives a disk that is full, whichever output it is") {
   const TemporaryFolder folder;
-  const std::string large = box + " -r 160 120 -s 1 -q ";
-  for (const auto& [name, arguments] :
-       std::vector<std::pair<std::string, std::string>>{{"a.png", large + "-o "},
-                                                        {"a.exr", large + "-o "},
-                                                        {"render.json", small + "-q -o /dev/null --stats "},
-                                                        {"stats.json", statistics + "-q --json "},
-                                                        {"stats.csv", statistics + "-q --csv "}}) {
+  const std::string large = box_scene + " -r 160 120 -s 1 -q ";
+  for (const auto& [name, arguments] : std::vector<std::pair<std::string, std::string>>{
+           {"a.png", large + "-o "},
+           {"a.exr", large + "-o "},
+           {"render.json", small_output + "-q -o /dev/null --stats "},
+           {"stats.json", statistics + "-q --json "},
+           {"stats.csv", statistics + "-q --csv "}}) {
     CAPTURE(name);
     const std::string path = folder.file(name);
     write_text(path, "old");
@@ -61,7 +61,7 @@ TEST_CASE("an old file survives a disk that fails when it is flushed") {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.png");
   write_text(path, "old");
-  const ProcessResult result = run_program(small + "-q -o " + quoted(path), at_sync("fail"));
+  const ProcessResult result = run_program(small_output + "-q -o " + quoted(path), at_sync("fail"));
   CHECK(result.exit_code == 1);
   CHECK(result.err == fmt::format("twinray: {}: cannot be written: Input/output error\n", path));
   CHECK(read_text(path) == "old");
@@ -70,7 +70,8 @@ TEST_CASE("an old file survives a disk that fails when it is flushed") {
 
 TEST_CASE("an old file survives an interruption in the middle, and no unfinished file stays") {
   const TemporaryFolder folder;
-  for (const std::string& arguments : {small + "-q -o ", statistics + "-q --json ", statistics + "-q --csv "})
+  for (const std::string& arguments :
+       {small_output + "-q -o ", statistics + "-q --json ", statistics + "-q --csv "})
     for (const std::string moment : {"AT_WRITE", "AT_SYNC"})
       for (const auto& [what, code, word] :
            {std::tuple("interrupt", 130, "interrupted"), {"terminate", 143, "ended by a signal"}}) {
@@ -93,9 +94,10 @@ TEST_CASE("an old file survives SIGKILL in the middle, and the next run replaces
     const TemporaryFolder folder;
     const std::string path = folder.file("a.png");
     write_text(path, "old");
-    CHECK(run_program(small + "-q -o " + quoted(path), while_writing(moment, "kill")).exit_code == 137);
+    CHECK(run_program(small_output + "-q -o " + quoted(path), while_writing(moment, "kill")).exit_code ==
+          137);
     CHECK(read_text(path) == "old");
-    CHECK(run_program(small + "-q -o " + quoted(path)).exit_code == 0);
+    CHECK(run_program(small_output + "-q -o " + quoted(path)).exit_code == 0);
     CHECK(read_image(path).width == 24);
   }
 }
@@ -105,7 +107,7 @@ TEST_CASE("an old file survives a disk that fails when half of the new one is wr
   const std::string path = folder.file("a.png");
   write_text(path, "old");
   const ProcessResult result =
-      run_program(small + "-q -o " + quoted(path), while_writing("AT_WRITE", "fail"));
+      run_program(small_output + "-q -o " + quoted(path), while_writing("AT_WRITE", "fail"));
   CHECK(result.exit_code == 1);
   CHECK(result.err == fmt::format("twinray: {}: cannot be written: Input/output error\n", path));
   CHECK(read_text(path) == "old");
@@ -118,8 +120,8 @@ TEST_CASE("a folder that may not be written into is an error before rendering, a
   write_text(path, "old");
   fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
   for (const std::string& output : {path, anew}) {
-    const ProcessResult result =
-        run_shell(without_rights() + "'" TWINRAY_PROGRAM "' " + box + " -s 1000000 -q -o " + quoted(output));
+    const ProcessResult result = run_shell(without_rights() + "'" TWINRAY_PROGRAM "' " + box_scene +
+                                           " -s 1000000 -q -o " + quoted(output));
     CHECK(result.exit_code == 1);
     CHECK(result.err == fmt::format("twinray: {}: cannot be written: Permission denied\n", output));
   }
@@ -132,7 +134,7 @@ TEST_CASE("a program that was started to ignore interruptions ignores them") {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.png");
   const ProcessResult result = run_shell("trap '' INT; " + at_sync("interrupt") + " '" TWINRAY_PROGRAM "' " +
-                                         small + "-q -o " + quoted(path));
+                                         small_output + "-q -o " + quoted(path));
   CHECK(result.exit_code == 0);
   CHECK(read_image(path).width == 24);
 }
@@ -141,11 +143,11 @@ TEST_CASE("a dash is standard output for a picture, and words go to standard err
   const TemporaryFolder folder;
   for (const std::string name : {"-", "/dev/stdout"}) {
     CAPTURE(name);
-    const ProcessResult result = run_program(small + "-o " + name);
+    const ProcessResult result = run_program(small_output + "-o " + name);
     CHECK(result.exit_code == 0);
     CHECK(result.err.find("Picture        " + name) != std::string::npos);
     write_text(folder.file("a.png"), result.out);
-    REQUIRE(run_program(small + "-q -o " + quoted(folder.file("b.png"))).exit_code == 0);
+    REQUIRE(run_program(small_output + "-q -o " + quoted(folder.file("b.png"))).exit_code == 0);
     CHECK(read_image(folder.file("a.png")).pixels == read_image(folder.file("b.png")).pixels);
     CHECK(result.out.ends_with("IEND\xae\x42\x60\x82"));
   }
@@ -153,7 +155,7 @@ TEST_CASE("a dash is standard output for a picture, and words go to standard err
 }
 
 TEST_CASE("a dash is standard output for statistics, and words go to standard error") {
-  const ProcessResult render = run_program(small + "-o /dev/null --stats -");
+  const ProcessResult render = run_program(small_output + "-o /dev/null --stats -");
   CHECK(render.exit_code == 0);
   CHECK(nlohmann::json::parse(render.out)["rays"].contains("camera"));
   CHECK(render.err.find("Picture        /dev/null") != std::string::npos);
@@ -170,12 +172,12 @@ TEST_CASE("a dash is standard output for statistics, and words go to standard er
 TEST_CASE("a picture or statistics that a full device does not take end with 1 and a message") {
   const std::string full = "/dev/full: cannot be written: No space left on device\n";
   for (const std::string& arguments :
-       {small + "-q -o /dev/full", small + "-q -o /dev/null --stats /dev/full"}) {
+       {small_output + "-q -o /dev/full", small_output + "-q -o /dev/null --stats /dev/full"}) {
     const ProcessResult result = run_program(arguments);
     CHECK(result.exit_code == 1);
     CHECK(result.err == "twinray: " + full);
   }
-  const ProcessResult result = run_program(small + "-q -o - >/dev/full");
+  const ProcessResult result = run_program(small_output + "-q -o - >/dev/full");
   CHECK(result.exit_code == 1);
   CHECK(result.err == "twinray: -: cannot be written: No space left on device\n");
   CHECK(fs::is_character_file("/dev/full"));
@@ -188,14 +190,14 @@ TEST_CASE("a picture goes into a FIFO, which stays one") {
   REQUIRE(mkfifo(fifo.c_str(), 0600) == 0);
   const ProcessResult result =
       run_shell("cat " + quoted(fifo) + " >" + quoted(folder.file("b.exr")) + " & '" TWINRAY_PROGRAM "' " +
-                small + "-q -o " + quoted(fifo) + " && wait");
+                small_output + "-q -o " + quoted(fifo) + " && wait");
   CHECK(result.exit_code == 0);
   CHECK(read_image(folder.file("b.exr")).width == 24);
   CHECK(fs::is_fifo(fifo));
 }
 
 TEST_CASE("what would stand beside a picture that is no file is left out, with a warning") {
-  const ProcessResult result = run_program(small + "-q --integrator=cost -o /dev/null");
+  const ProcessResult result = run_program(small_output + "-q --integrator=cost -o /dev/null");
   CHECK(result.exit_code == 0);
   CHECK(result.err ==
         "warning: /dev/null is no file: the picture that would stand beside it is not written\n");
@@ -205,7 +207,7 @@ TEST_CASE("two outputs with one place are an error before rendering") {
   const TemporaryFolder folder;
   const std::string picture = folder.file("a.exr");
   fs::create_symlink("a.exr", folder.path() / "link");
-  const std::string endless = box + " -s 1000000 -q ";
+  const std::string endless = box_scene + " -s 1000000 -q ";
   for (const std::string other : {"a.exr", "./a.exr", "link"}) {
     const ProcessResult result =
         run_program(endless + "-o " + quoted(picture) + " --stats " + quoted(folder.file(other)));
@@ -223,7 +225,7 @@ TEST_CASE("two outputs with one place are an error before rendering") {
 TEST_CASE("the same command gives the same bytes, and SOURCE_DATE_EPOCH is the only time in them") {
   const TemporaryFolder folder;
   for (const std::string name : {"a.png", "a.exr"}) {
-    const std::string path = folder.file(name), command = small + "-q -o " + quoted(path);
+    const std::string path = folder.file(name), command = small_output + "-q -o " + quoted(path);
     REQUIRE(run_program(command, "SOURCE_DATE_EPOCH=1700000000 TZ=Asia/Tokyo").exit_code == 0);
     const std::string dated = read_text(path);
     REQUIRE(run_program(command, "SOURCE_DATE_EPOCH=1700000000").exit_code == 0);
@@ -233,7 +235,7 @@ TEST_CASE("the same command gives the same bytes, and SOURCE_DATE_EPOCH is the o
   }
   CHECK(time_stamp("0") == "1970:01:01 00:00:00");
   CHECK(time_stamp("1700000000") == "2023:11:14 22:13:20");
-  const ProcessResult wrong = run_program(small + "-q -o /dev/null", "SOURCE_DATE_EPOCH=today");
+  const ProcessResult wrong = run_program(small_output + "-q -o /dev/null", "SOURCE_DATE_EPOCH=today");
   CHECK(wrong.exit_code == 1);
   CHECK(wrong.err ==
         "twinray: SOURCE_DATE_EPOCH: \"today\" is not a time; valid are 0 to 253402300799, seconds since "
@@ -242,7 +244,7 @@ TEST_CASE("the same command gives the same bytes, and SOURCE_DATE_EPOCH is the o
 
 TEST_CASE("a cropped EXR says where in its frame it lies") {
   const TemporaryFolder folder;
-  REQUIRE(run_program(small + "-q -p 5 6 7 8 -o " + quoted(folder.file("a.exr"))).exit_code == 0);
+  REQUIRE(run_program(small_output + "-q -p 5 6 7 8 -o " + quoted(folder.file("a.exr"))).exit_code == 0);
   const std::string text = read_text(folder.file("a.exr"));
   const auto window = [&](const std::string& name) {
     const std::string attribute = name + '\0' + "box2i" + '\0' + '\x10' + std::string(3, '\0');

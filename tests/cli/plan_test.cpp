@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "cli/plan/farm_plan.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -14,8 +15,6 @@ namespace twinray::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
 
 /// A command of a shell within the folder.
 ProcessResult shell_in(const TemporaryFolder& folder, const std::string& command) {
@@ -28,7 +27,7 @@ ProcessResult plan_in(const TemporaryFolder& folder, const std::string& words) {
 
 std::string error_of(const std::string& words) {
   const TemporaryFolder folder;
-  const ProcessResult result = plan_in(folder, quoted(box) + " " + words);
+  const ProcessResult result = plan_in(folder, quoted(box_scene) + " " + words);
   CHECK(result.exit_code != 0);
   CHECK(folder.file_count() == 0);
   return result.err.substr(0, result.err.find('\n'));
@@ -49,7 +48,9 @@ void render_by(const TemporaryFolder& folder, const std::string& plan) {
 
 TEST_CASE("a task of Open Job Description renders several parts that follow on each other") {
   const TemporaryFolder folder;
-  REQUIRE(plan_in(folder, quoted(box) + " -r 16 12 -s 2500 --folder=p --jobs=2500 -o a.pfm").exit_code == 0);
+  REQUIRE(
+      plan_in(folder, quoted(box_scene) + " -r 16 12 -s 2500 --folder=p --jobs=2500 -o a.pfm").exit_code ==
+      0);
   const auto plan = nlohmann::json::parse(read_text(folder.file("p/openjd/template.json")));
   CHECK(plan["extensions"] == nlohmann::json{"TASK_CHUNKING"});
   CHECK(plan["parameterDefinitions"][0]["default"] == 3);  // A thousand tasks, at most.
@@ -67,7 +68,7 @@ TEST_CASE("a task of Open Job Description renders several parts that follow on e
 TEST_CASE("the parts of a plan merge to the picture of one render, in whatever order they are made") {
   const TemporaryFolder folder;
   const std::string scene = "'a b.dae'", options = " -r 48 36 -s 11 ";
-  fs::copy(box, folder.file("a b.dae"));
+  fs::copy(box_scene, folder.file("a b.dae"));
   const ProcessResult planned =
       plan_in(folder, scene + options + "--folder='my plan' --jobs=4 --output='a b.pfm'");
   INFO(planned.err);
@@ -88,7 +89,7 @@ TEST_CASE(
   const TemporaryFolder folder;
   const auto check = [&](const std::string& options, const std::string& plan, const std::string& said) {
     fs::remove_all(folder.file("p"));
-    const std::string scene = quoted(box) + " -r 40 20 " + options;
+    const std::string scene = quoted(box_scene) + " -r 40 20 " + options;
     CHECK(plan_in(folder, scene + " --folder=p -o a.pfm " + plan).out.starts_with(said));
     render_by(folder, "p");
     CHECK(shell_in(folder, quoted(TWINRAY_PROGRAM) + " " + scene + " -q -o b.pfm").exit_code == 0);
@@ -101,7 +102,7 @@ TEST_CASE(
 
 TEST_CASE("frames have their numbers in scenes and pictures") {
   const TemporaryFolder folder;
-  for (const char* name : {"s08.dae", "s09.dae", "s10.dae"}) fs::copy(box, folder.file(name));
+  for (const char* name : {"s08.dae", "s09.dae", "s10.dae"}) fs::copy(box_scene, folder.file(name));
   const ProcessResult planned =
       plan_in(folder, "s%02d.dae -r 24 18 -s 4 --frames=8:10 --folder=p --jobs=2 -o f%04d.pfm --seed=3");
   INFO(planned.err);
@@ -116,7 +117,7 @@ TEST_CASE("frames have their numbers in scenes and pictures") {
 TEST_CASE("a part's minutes say how many parts there are") {
   const TemporaryFolder folder;
   const ProcessResult planned =
-      plan_in(folder, quoted(box) + " -s 1000000 --folder=p --part-minutes=1 -o a.pfm");
+      plan_in(folder, quoted(box_scene) + " -s 1000000 --folder=p --part-minutes=1 -o a.pfm");
   REQUIRE(planned.exit_code == 0);
   const std::string list = read_text(folder.file("p/commands.txt"));
   CHECK(std::count(list.begin(), list.end(), '\n') > 10);
@@ -188,15 +189,16 @@ TEST_CASE("what a plan cannot be is said before anything is written") {
 
 TEST_CASE("a render with --resume goes on where there is a checkpoint, and begins where there is none") {
   const TemporaryFolder folder;
-  const std::string words = fmt::format("{} -r 48 36 -q --checkpoint={} --resume -o {} ", quoted(box),
+  const std::string words = fmt::format("{} -r 48 36 -q --checkpoint={} --resume -o {} ", quoted(box_scene),
                                         quoted(folder.file("a.ck")), quoted(folder.file("a.pfm")));
   CHECK(run_program(words + "-s 8").exit_code == 0);
   CHECK(run_program(words + "-s 8 --seed=1").err.find("it was made without --seed 1") != std::string::npos);
   CHECK(run_program(words + "-s 20").exit_code == 0);
-  CHECK(run_program(fmt::format("{} -r 48 36 -q -s 20 -o {}", quoted(box), quoted(folder.file("b.pfm"))))
-            .exit_code == 0);
+  CHECK(
+      run_program(fmt::format("{} -r 48 36 -q -s 20 -o {}", quoted(box_scene), quoted(folder.file("b.pfm"))))
+          .exit_code == 0);
   CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
-  CHECK(run_program(quoted(box) + " --resume")
+  CHECK(run_program(quoted(box_scene) + " --resume")
             .err.starts_with("twinray: --resume goes with --checkpoint, which says what to go on with\n"));
 }
 

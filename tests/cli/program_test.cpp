@@ -2,24 +2,23 @@
 // The program as a whole: exit codes, messages, files.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
+#include "tests/support/json.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
 namespace {
 
-const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
-const std::string small = " -r 24 18 -s 2 -q ";
+const std::string small_quiet = " -r 24 18 -s 2 -q ";
 
 }  // namespace
 
 TEST_CASE("a wrong command line ends with 2, the reason and the usage") {
-  const ProcessResult result = run_program("--bvh-split=none " + box);
+  const ProcessResult result = run_program("--bvh-split=none " + box_scene);
   CHECK(result.exit_code == 2);
   CHECK(result.out.empty());
   CHECK(result.err ==
@@ -49,18 +48,19 @@ TEST_CASE("a scene that is not there, or an output that cannot be written, ends 
   const ProcessResult missing = run_program("no-such-scene.dae -q -o " + quoted(folder.file("a.png")));
   CHECK(missing.exit_code == 1);
   CHECK(missing.err.find("no-such-scene.dae") != std::string::npos);
-  const ProcessResult nowhere = run_program(box + small + "-o " + quoted(folder.file("none/a.png")));
+  const ProcessResult nowhere =
+      run_program(box_scene + small_quiet + "-o " + quoted(folder.file("none/a.png")));
   CHECK(nowhere.exit_code == 1);
   CHECK(nowhere.err ==
         fmt::format("twinray: {}: there is no folder {}\n", folder.file("none/a.png"), folder.file("none")));
-  const ProcessResult ending = run_program(box + small + "-o " + quoted(folder.file("a.gif")));
+  const ProcessResult ending = run_program(box_scene + small_quiet + "-o " + quoted(folder.file("a.gif")));
   CHECK(ending.exit_code == 1);
   CHECK(ending.err ==
         fmt::format(
             "twinray: {}: a picture's name must end in .png, .jpg, .jpeg, .exr, .tif, .tiff, .hdr or .pfm\n",
             folder.file("a.gif")));
-  const ProcessResult stats = run_program(box + small + "-o " + quoted(folder.file("a.png")) + " --stats " +
-                                          quoted(folder.file("none/s")));
+  const ProcessResult stats = run_program(box_scene + small_quiet + "-o " + quoted(folder.file("a.png")) +
+                                          " --stats " + quoted(folder.file("none/s")));
   CHECK(stats.exit_code == 1);
   CHECK(stats.err ==
         fmt::format("twinray: {}: there is no folder {}\n", folder.file("none/s"), folder.file("none")));
@@ -69,7 +69,7 @@ TEST_CASE("a scene that is not there, or an output that cannot be written, ends 
 
 TEST_CASE("a picture is written whole, and nothing else beside it") {
   const TemporaryFolder folder;
-  REQUIRE(run_program(box + small + "-o " + quoted(folder.file("a.exr"))).exit_code == 0);
+  REQUIRE(run_program(box_scene + small_quiet + "-o " + quoted(folder.file("a.exr"))).exit_code == 0);
   CHECK(folder.file_count() == 1);
   const Image image = read_image(folder.file("a.exr"));
   CHECK(image.width == 24);
@@ -78,7 +78,7 @@ TEST_CASE("a picture is written whole, and nothing else beside it") {
 
 TEST_CASE("costs are colours with a legend beside the picture, and numbers in an .exr") {
   const TemporaryFolder folder;
-  const std::string options = box + small + "--accel=brute-force --integrator=cost -o ";
+  const std::string options = box_scene + small_quiet + "--accel=brute-force --integrator=cost -o ";
   REQUIRE(run_program(options + quoted(folder.file("a.EXR"))).exit_code == 0);
   CHECK(folder.file_count() == 2);
   for (const Rgb& pixel : read_image(folder.file("a.EXR")).pixels) CHECK(pixel == Rgb{12, 12, 12});
@@ -92,14 +92,15 @@ TEST_CASE("costs are colours with a legend beside the picture, and numbers in an
 
 TEST_CASE("render is the subcommand that may be left out") {
   const TemporaryFolder folder;
-  REQUIRE(run_program("render " + box + small + "-o " + quoted(folder.file("a.exr"))).exit_code == 0);
-  REQUIRE(run_program(box + small + "-o " + quoted(folder.file("b.exr"))).exit_code == 0);
+  REQUIRE(run_program("render " + box_scene + small_quiet + "-o " + quoted(folder.file("a.exr"))).exit_code ==
+          0);
+  REQUIRE(run_program(box_scene + small_quiet + "-o " + quoted(folder.file("b.exr"))).exit_code == 0);
   CHECK(read_image(folder.file("a.exr")).pixels == read_image(folder.file("b.exr")).pixels);
 }
 
 TEST_CASE("paths one after the other give the picture of the default, and are named in help") {
   const TemporaryFolder folder;
-  const std::string options = box + small + "-s 3 -l 2 -m 6 ";
+  const std::string options = box_scene + small_quiet + "-s 3 -l 2 -m 6 ";
   REQUIRE(run_program(options + "-o " + quoted(folder.file("a.exr"))).exit_code == 0);
   REQUIRE(run_program(options + "--integrator=path-reference -o " + quoted(folder.file("b.exr"))).exit_code ==
           0);
@@ -109,7 +110,9 @@ TEST_CASE("paths one after the other give the picture of the default, and are na
 
 TEST_CASE("adaptive sampling writes its sample rates beside the picture") {
   const TemporaryFolder folder;
-  REQUIRE(run_program(box + small + "-s 64 -a 8 0.5 -o " + quoted(folder.file("a.png"))).exit_code == 0);
+  REQUIRE(
+      run_program(box_scene + small_quiet + "-s 64 -a 8 0.5 -o " + quoted(folder.file("a.png"))).exit_code ==
+      0);
   CHECK(folder.file_count() == 2);
   CHECK(read_image(folder.file("a_rate.png")).width == 24);
 }
@@ -117,7 +120,8 @@ TEST_CASE("adaptive sampling writes its sample rates beside the picture") {
 TEST_CASE("statistics are JSON, and brute force tests each primitive for each ray of normal shading") {
   const TemporaryFolder folder;
   const std::string stats = folder.file("stats.json");
-  REQUIRE(run_program(box + " -r 24 18 -s 1 -q --integrator=normals --count --accel=brute-force --stats " +
+  REQUIRE(run_program(box_scene +
+                      " -r 24 18 -s 1 -q --integrator=normals --count --accel=brute-force --stats " +
                       quoted(stats) + " -o " + quoted(folder.file("a.png")))
               .exit_code == 0);
   const nlohmann::json json = nlohmann::json::parse(read_text(stats));
@@ -128,7 +132,7 @@ TEST_CASE("statistics are JSON, and brute force tests each primitive for each ra
 
 TEST_CASE("what hemisphere sampling leaves out is a warning on stderr, in quiet runs too") {
   const TemporaryFolder folder;
-  const std::string lights = TWINRAY_SOURCE_DIR "/scenes/lights.dae" + small;
+  const std::string lights = TWINRAY_SOURCE_DIR "/scenes/lights.dae" + small_quiet;
   const ProcessResult result = run_program(lights + "-H -o " + quoted(folder.file("a.png")));
   CHECK(result.exit_code == 0);
   CHECK(result.out.empty());
@@ -146,7 +150,7 @@ TEST_CASE("a scene without a light is a warning") {
   write_text(folder.file("dark.dae"),
              collada_text(ball, "<node id=\"node\"><instance_geometry url=\"#ball\"/></node>\n"));
   const ProcessResult result =
-      run_program(quoted(folder.file("dark.dae")) + small + "-o " + quoted(folder.file("a.png")));
+      run_program(quoted(folder.file("dark.dae")) + small_quiet + "-o " + quoted(folder.file("a.png")));
   CHECK(result.exit_code == 0);
   CHECK(result.err ==
         "warning: the scene has no light: the picture will be black; --default-light lights it by a "
@@ -166,12 +170,12 @@ TEST_CASE(
                        "</xfov></perspective></technique_common></optics></camera></library_cameras>",
                    "<node><instance_geometry url=\"#shape\"/><instance_camera url=\"#eye\"/></node>\n"));
   const std::string picture = folder.file("a.exr");
-  const ProcessResult result =
-      run_program(quoted(folder.file("dark.dae")) + small + "-s 64 --default-light -o " + quoted(picture));
+  const ProcessResult result = run_program(quoted(folder.file("dark.dae")) + small_quiet +
+                                           "-s 64 --default-light -o " + quoted(picture));
   CHECK(result.exit_code == 0);
   CHECK(result.err.empty());
   CHECK(mean_of(read_image(picture)).r == Approx(0.5f).epsilon(0.01));
-  const ProcessResult lit = run_program(box + small + "--default-light -o " + quoted(picture));
+  const ProcessResult lit = run_program(box_scene + small_quiet + "--default-light -o " + quoted(picture));
   CHECK(lit.exit_code == 0);
   CHECK(lit.err ==
         "warning: --default-light: no effect, for the scene has light; --default-light=always adds to it\n");
@@ -181,14 +185,15 @@ TEST_CASE("option --default-light=always adds to a scene's own light") {
   const TemporaryFolder folder;
   const auto mean = [&](const std::string& option) {
     const std::string picture = folder.file("a.exr");
-    const ProcessResult result = run_program(box + small + "-s 16 " + option + " -o " + quoted(picture));
+    const ProcessResult result =
+        run_program(box_scene + small_quiet + "-s 16 " + option + " -o " + quoted(picture));
     CHECK(result.exit_code == 0);
     CHECK(result.err.empty());
     return mean_of(read_image(picture)).g;
   };
   CHECK(mean("--default-light=always") > mean("") + 0.1f);
   const ProcessResult wrong =
-      run_program(box + small + "--default-light=bright -o " + quoted(folder.file("b.exr")));
+      run_program(box_scene + small_quiet + "--default-light=bright -o " + quoted(folder.file("b.exr")));
   CHECK(wrong.exit_code == 2);
   CHECK(wrong.err.find("--default-light: \"bright\" is not valid; it stands alone or is "
                        "--default-light=always") != std::string::npos);
@@ -219,7 +224,8 @@ TEST_CASE("option --clip=file cuts the view at the file's clip distances, also t
   const TemporaryFolder folder;
   const std::string picture = folder.file("a.exr");
   const auto rendered = [&](const std::string& options) {
-    CHECK(run_program(box + small + "--integrator=normals -o " + quoted(picture) + options).exit_code == 0);
+    CHECK(run_program(box_scene + small_quiet + "--integrator=normals -o " + quoted(picture) + options)
+              .exit_code == 0);
     return read_image(picture).pixels;
   };
   const auto is_empty = [](const std::vector<Rgb>& pixels) {
@@ -236,7 +242,7 @@ TEST_CASE("option --clip=file cuts the view at the file's clip distances, also t
 TEST_CASE("an option without effect is a warning, in quiet runs too, and ends a strict run with 2") {
   const TemporaryFolder folder;
   const std::string line =
-      box + small + "--accel=brute-force --bvh-split=mean -o " + quoted(folder.file("a.png"));
+      box_scene + small_quiet + "--accel=brute-force --bvh-split=mean -o " + quoted(folder.file("a.png"));
   const std::string reason = "--bvh-split: no effect, for the engine is brute-force; --accel=bvh takes it\n";
   const ProcessResult lenient = run_program(line);
   CHECK(lenient.exit_code == 0);
@@ -248,7 +254,8 @@ TEST_CASE("an option without effect is a warning, in quiet runs too, and ends a 
 
 TEST_CASE("a generated scene is rendered, crosschecked and measured by its name") {
   const TemporaryFolder folder;
-  CHECK(run_program("generated:ball:1000" + small + "-o " + quoted(folder.file("a.png"))).exit_code == 0);
+  CHECK(run_program("generated:ball:1000" + small_quiet + "-o " + quoted(folder.file("a.png"))).exit_code ==
+        0);
   CHECK(run_program("crosscheck generated:ball:1000 -q --rays=200 --engines=bvh,bvh-2").exit_code == 0);
   CHECK(run_program("stats generated:ball:1000 -q -r 2 2 --seconds=0").exit_code == 0);
   const ProcessResult wrong = run_program("stats generated:cube -q");
@@ -263,7 +270,7 @@ TEST_CASE("warnings of a scene file are printed by every command, in quiet runs 
   const std::string scene = TWINRAY_SOURCE_DIR "/tests/bad/warning_attribute.dae";
   const TemporaryFolder folder;
   for (const std::string& command :
-       {scene + small + "-o " + quoted(folder.file("a.png")), "stats -q -r 2 2 --seconds=0 " + scene,
+       {scene + small_quiet + "-o " + quoted(folder.file("a.png")), "stats -q -r 2 2 --seconds=0 " + scene,
         "agreement -q -r 2 2 -s 1 " + scene, "crosscheck -q --rays=100 --engines=bvh,bvh-2 " + scene})
     CHECK(run_program(command).err.find("warning: " + scene) == 0);
 }
@@ -272,7 +279,7 @@ TEST_CASE("what an engine does not know is neither printed nor written as 0") {
   const TemporaryFolder folder;
   const std::string stats = folder.file("a.json");
   const ProcessResult result =
-      run_program(box + " -r 8 6 -s 1 --count --accel=brute-force --integrator=normals -o " +
+      run_program(box_scene + " -r 8 6 -s 1 --count --accel=brute-force --integrator=normals -o " +
                   quoted(folder.file("a.png")) + " --stats " + quoted(stats));
   CHECK(result.out.find("nodes") == std::string::npos);
   CHECK(result.out.find("SAH") == std::string::npos);
@@ -286,11 +293,12 @@ TEST_CASE("what an engine does not know is neither printed nor written as 0") {
 #ifdef TWINRAY_WITH_EMBREE
 TEST_CASE("counts of Embree's way are said to be those of this machine") {
   const TemporaryFolder folder;
-  const std::string line = box + " -r 8 6 -s 1 --count -o " + quoted(folder.file("a.png")) + " --accel=";
+  const std::string line =
+      box_scene + " -r 8 6 -s 1 --count -o " + quoted(folder.file("a.png")) + " --accel=";
   const std::string said = "(Embree's way: other machines may count otherwise)";
   CHECK(run_program(line + "embree").out.find(said) != std::string::npos);
   CHECK(run_program(line + "bvh").out.find(said) == std::string::npos);
-  CHECK(run_program("stats -r 2 2 --seconds=0 " + box)
+  CHECK(run_program("stats -r 2 2 --seconds=0 " + box_scene)
             .out.find("\nOther machines may count otherwise in embree; all other counts are the same "
                       "everywhere.\n") != std::string::npos);
 }

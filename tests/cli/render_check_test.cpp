@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // twinray render --accel=check, as a program.
-#include <nlohmann/json.hpp>
 
 #include "core/image.h"
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 

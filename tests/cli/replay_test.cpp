@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -16,9 +16,9 @@ namespace {
 
 using nlohmann::json;
 
-const std::string spheres = "'" TWINRAY_SOURCE_DIR "/scenes/spheres.dae' ";
+const std::string replayed = "'" TWINRAY_SOURCE_DIR "/scenes/spheres.dae' ";
 const std::string materials = "'" TWINRAY_SOURCE_DIR "/scenes/materials.pbrt' ";
-const std::string small = "-r 48 36 -s 1 ";
+const std::string replay_frame = "-r 48 36 -s 1 ";
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -44,11 +44,11 @@ const std::string glaring =
 TEST_CASE("a replayed sample is the pixel of a picture of one sample, by every way of finding light") {
   const TemporaryFolder folder;
   const std::string picture = folder.file("a.exr"), replay = folder.file("a.json");
-  for (const std::string& scene : {spheres, materials})
+  for (const std::string& scene : {replayed, materials})
     for (const std::string options :
          {"", "--direct=hemisphere -l 64 ", "--integrator=path-reference --seed 3 "}) {
       CAPTURE(scene, options);
-      const std::string command = scene + small + options;
+      const std::string command = scene + replay_frame + options;
       REQUIRE(run_program(command + "-q -o " + quoted(picture)).exit_code == 0);
       const Image image = read_image(picture);
       for (const auto& [x, y] : {std::pair(24, 20), std::pair(10, 30)}) {
@@ -66,7 +66,7 @@ TEST_CASE("a replayed sample is the pixel of a picture of one sample, by every w
 }
 
 TEST_CASE("a replay says in words what happens at each vertex, and why the path ends") {
-  const ProcessResult result = run_program(spheres + small + "--replay 24 34 0");
+  const ProcessResult result = run_program(replayed + replay_frame + "--replay 24 34 0");
   CHECK(result.exit_code == 0);
   CHECK(result.err.empty());
   CHECK(result.out.find("Pixel 24 34, sample 0 of 1: ") == 0);
@@ -85,7 +85,7 @@ TEST_CASE("a replay says in words what happens at each vertex, and why the path 
 TEST_CASE("a replay draws the path as lines from the camera to its vertices") {
   const TemporaryFolder folder;
   const std::string obj = folder.file("a.obj"), text = folder.file("a.json");
-  REQUIRE(run_program(spheres + small + "-q --replay 16 29 0 --replay-obj " + quoted(obj) +
+  REQUIRE(run_program(replayed + replay_frame + "-q --replay 16 29 0 --replay-obj " + quoted(obj) +
                       " --replay-json " + quoted(text))
               .exit_code == 0);
   const json path = json::parse(read_text(text));
@@ -124,7 +124,7 @@ TEST_CASE("a replay draws the path as lines from the camera to its vertices") {
 }
 
 TEST_CASE("JSON on standard output stands there alone") {
-  const ProcessResult result = run_program(spheres + small + "--replay 1 1 0 --replay-json -");
+  const ProcessResult result = run_program(replayed + replay_frame + "--replay 1 1 0 --replay-json -");
   CHECK(result.exit_code == 0);
   CHECK(json::parse(result.out)["pixel"] == json({1, 1}));
   CHECK(holds(result.err, "The path ends: "));
@@ -151,7 +151,7 @@ TEST_CASE("a sample that is no radiance is rejected, counted, and named so that 
 
 TEST_CASE("a sample that the picture does not have is an error that says which it has") {
   const auto said = [](const std::string& options) {
-    const ProcessResult result = run_program(spheres + small + options);
+    const ProcessResult result = run_program(replayed + replay_frame + options);
     CHECK(result.exit_code == 2);
     return result.err.substr(0, result.err.find("\nusage"));
   };
@@ -159,7 +159,7 @@ TEST_CASE("a sample that the picture does not have is an error that says which i
         "twinray: --replay: pixel 48 0 is not in the picture of 48 x 36 pixels; the last is 47 35");
   CHECK(said("--replay 0 36 0") ==
         "twinray: --replay: pixel 0 36 is not in the picture of 48 x 36 pixels; the last is 47 35");
-  CHECK(run_program(spheres + "-r 48 36 -s 17 --allocation=error --replay 0 0 4000").exit_code == 0);
+  CHECK(run_program(replayed + "-r 48 36 -s 17 --allocation=error --replay 0 0 4000").exit_code == 0);
   CHECK(said("--replay 0 0 1") ==
         "twinray: --replay: sample 1 is not in the picture: of 1 samples a pixel the last is 0");
   CHECK(said("--replay 0 -1 0") == "twinray: --replay: \"-1\" is not a whole number from 0 to 65535");
@@ -172,15 +172,16 @@ TEST_CASE("a sample that the picture does not have is an error that says which i
 TEST_CASE("what has no effect on a replay, or without one, is named") {
   const TemporaryFolder folder;
   const ProcessResult result =
-      run_program(spheres + small + "-t 2 --stats a.json --crop 0 0 9 9 --replay 1 1 0 -o " +
+      run_program(replayed + replay_frame + "-t 2 --stats a.json --crop 0 0 9 9 --replay 1 1 0 -o " +
                   quoted(folder.file("a.png")));
   CHECK(result.exit_code == 0);
   for (const char* option : {"--output", "--stats", "--crop", "--threads"})
     CHECK(
         holds(result.err, fmt::format("warning: {}: no effect, for --replay renders no picture\n", option)));
   CHECK(folder.file_count() == 0);
-  const ProcessResult without = run_program(
-      spheres + small + "-q --replay-json b.json --replay-obj b.obj -o " + quoted(folder.file("a.png")));
+  const ProcessResult without =
+      run_program(replayed + replay_frame + "-q --replay-json b.json --replay-obj b.obj -o " +
+                  quoted(folder.file("a.png")));
   CHECK(holds(without.err, "warning: --replay-json: no effect, for there is no --replay\n"));
   CHECK(holds(without.err, "warning: --replay-obj: no effect, for there is no --replay\n"));
 }

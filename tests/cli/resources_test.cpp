@@ -18,7 +18,7 @@
 namespace twinray::test {
 namespace {
 
-const std::string box = "'" TWINRAY_SOURCE_DIR "/scenes/box.dae'";
+const std::string quoted_box = "'" TWINRAY_SOURCE_DIR "/scenes/box.dae'";
 
 }  // namespace
 
@@ -67,8 +67,9 @@ TEST_CASE("threads that can all be made are no warning, more than the machine ha
   CHECK(thread_warning(2).empty());
   const TemporaryFolder folder;
   for (const Backend backend : available_backends()) {
-    const ProcessResult result = run_program(fmt::format("{} -r 24 18 -s 2 -q -t 9 --accel={} -o '{}'", box,
-                                                         backend_name(backend), folder.file("a.png")));
+    const ProcessResult result =
+        run_program(fmt::format("{} -r 24 18 -s 2 -q -t 9 --accel={} -o '{}'", quoted_box,
+                                backend_name(backend), folder.file("a.png")));
     CAPTURE(backend_name(backend));
     CHECK(result.exit_code == 0);
     CHECK(result.err.empty());
@@ -83,7 +84,7 @@ namespace {
 ProcessResult render_with_few(int threads, const std::string& options) {
   return run_shell(fmt::format("TWINRAY_TEST_THREADS={} LD_PRELOAD='" TWINRAY_FEW_THREADS
                                "' timeout 60 '" TWINRAY_PROGRAM "' {} -r 24 18 -s 2 -q {}",
-                               threads, box, options));
+                               threads, quoted_box, options));
 }
 
 }  // namespace
@@ -164,7 +165,7 @@ TEST_CASE("a picture larger than the memory is an error before rendering that sa
   const TemporaryFolder folder;
   const ProcessResult result = run_shell(fmt::format("ulimit -v 3000000; timeout 60 '" TWINRAY_PROGRAM
                                                      "' {} -r 8192 8192 -s 1 -o '{}'",
-                                                     box, folder.file("a.png")));
+                                                     quoted_box, folder.file("a.png")));
   CHECK(result.exit_code == 1);
   CHECK(result.out.empty());
   const std::string needs =
@@ -177,7 +178,7 @@ TEST_CASE("a picture larger than the memory is an error before rendering that sa
 TEST_CASE("with any limit of addresses a picture is made, or an error says why not and the old one stays") {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.exr");
-  for (const std::string& scene : {box, std::string("generated:ball:200000")})
+  for (const std::string& scene : {quoted_box, std::string("generated:ball:200000")})
     for (int megabytes = 64; megabytes <= 4096; megabytes += megabytes / 4) {
       CAPTURE(scene, megabytes);
       write_text(path, "old");
@@ -197,7 +198,7 @@ TEST_CASE("with any limit of addresses a picture is made, or an error says why n
 TEST_CASE("where no thread can be made it renders on its first one, on every engine") {
   const TemporaryFolder folder;
   const std::string expected = folder.file("expected.exr"), found = folder.file("found.exr");
-  REQUIRE(run_program(fmt::format("{} -r 24 18 -s 2 -q -o '{}'", box, expected)).exit_code == 0);
+  REQUIRE(run_program(fmt::format("{} -r 24 18 -s 2 -q -o '{}'", quoted_box, expected)).exit_code == 0);
   for (const Backend backend : available_backends()) {
     const auto render = [&](const std::string& threads) {
       return render_with_few(0, fmt::format("{} --accel={} -o '{}'", threads, backend_name(backend), found));
@@ -220,12 +221,12 @@ TEST_CASE("where no thread can be made it renders on its first one, on every eng
 
 TEST_CASE("statistics of more rays than the memory holds are an error, and fewer threads a warning") {
   const ProcessResult large =
-      run_shell("ulimit -v 3000000; timeout 60 '" TWINRAY_PROGRAM "' stats " + box + " -r 8192 8192");
+      run_shell("ulimit -v 3000000; timeout 60 '" TWINRAY_PROGRAM "' stats " + quoted_box + " -r 8192 8192");
   CHECK(large.exit_code == 1);
   CHECK(large.err.find("for the rays of 8192 x 8192 pixels") != std::string::npos);
   const ProcessResult few = run_shell("TWINRAY_TEST_THREADS=3 LD_PRELOAD='" TWINRAY_FEW_THREADS
                                       "' timeout 60 '" TWINRAY_PROGRAM "' stats " +
-                                      box + " -r 8 6 -t 8");
+                                      quoted_box + " -r 8 6 -t 8");
   CHECK(few.exit_code == 0);
   CHECK(few.err.find("4 of 8 threads") != std::string::npos);
 }

@@ -2,7 +2,6 @@
 // The program while pages look at its picture.
 #include <fmt/format.h>
 #include <signal.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -12,6 +11,8 @@
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/http_client.h"
+#include "tests/support/json.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/terminal.h"
@@ -21,11 +22,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
-
 std::vector<std::string> command(const std::string& path, const std::string& samples,
                                  std::vector<std::string> more = {"--serve=0"}) {
-  std::vector<std::string> words{box, "-r", "40", "30", "-s", samples, "-o", path, "-q"};
+  std::vector<std::string> words{box_scene, "-r", "40", "30", "-s", samples, "-o", path, "-q"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
@@ -72,8 +71,8 @@ TEST_CASE("a page ends with the picture that is saved, and the file has the bits
   CHECK(state["picture"] == folder.file("a.exr"));
   const Image saved = read_image(folder.file("a.exr"));
   CHECK(picture.body == bytes_of(saved));
-  REQUIRE(run_program(fmt::format("'{}' -r 40 30 -s 400 -q -o '{}'", box, folder.file("b.exr"))).exit_code ==
-          0);
+  REQUIRE(run_program(fmt::format("'{}' -r 40 30 -s 400 -q -o '{}'", box_scene, folder.file("b.exr")))
+              .exit_code == 0);
   CHECK(read_image(folder.file("b.exr")).pixels == saved.pixels);
 }
 
@@ -147,8 +146,8 @@ TEST_CASE("for other machines the program says a token, without which nothing is
 TEST_CASE("a port that is taken is an error before the render") {
   const TemporaryFolder folder;
   const TcpListener taken({"127.0.0.1", 0});
-  const ProcessResult result =
-      run_program(fmt::format("'{}' -q -o '{}' --serve={}", box, folder.file("a.png"), taken.address().port));
+  const ProcessResult result = run_program(
+      fmt::format("'{}' -q -o '{}' --serve={}", box_scene, folder.file("a.png"), taken.address().port));
   CHECK(result.exit_code == 1);
   CHECK(result.err == fmt::format("twinray: --serve: cannot listen at 127.0.0.1:{}: Address already in use; "
                                   "--serve=0 takes any free port of this machine\n",
@@ -157,10 +156,10 @@ TEST_CASE("a port that is taken is an error before the render") {
 }
 
 TEST_CASE("an address to serve at that is none is refused, and of no effect where there is no picture") {
-  const ProcessResult wrong = run_program(fmt::format("'{}' --serve=desk:x", box));
+  const ProcessResult wrong = run_program(fmt::format("'{}' --serve=desk:x", box_scene));
   CHECK(wrong.exit_code == 2);
   CHECK(wrong.err.starts_with("twinray: --serve: \"x\" is no port in \"desk:x\"; valid are 0 to 65535\n"));
-  const ProcessResult replay = run_program(fmt::format("'{}' --serve=0 --replay 1 1 0", box));
+  const ProcessResult replay = run_program(fmt::format("'{}' --serve=0 --replay 1 1 0", box_scene));
   CHECK(replay.exit_code == 0);
   CHECK(replay.err == "warning: --serve: no effect, for --replay renders no picture\n");
 }

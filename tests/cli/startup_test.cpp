@@ -11,7 +11,7 @@
 namespace twinray::test {
 namespace {
 
-const std::string box = "'" TWINRAY_SOURCE_DIR "/scenes/box.dae' -r 8 6 -s 1 -q";
+const std::string tiny_box = "'" TWINRAY_SOURCE_DIR "/scenes/box.dae' -r 8 6 -s 1 -q";
 
 /// Whether the dynamic linker opens OpenImageIO for this command line.
 bool loads_openimageio(const std::string& arguments) {
@@ -30,9 +30,9 @@ TEST_CASE("OpenImageIO is loaded for an EXR and an environment, and for nothing 
   write_image(sky, Image(4, 2));
   for (const std::string arguments : {"--version", "--help", "render --help"})
     CHECK_FALSE(loads_openimageio(arguments));
-  CHECK_FALSE(loads_openimageio(fmt::format("{} -o '{}'", box, png)));
-  CHECK(loads_openimageio(fmt::format("{} -o '{}'", box, folder.file("a.exr"))));
-  CHECK(loads_openimageio(fmt::format("{} -o '{}' -e '{}'", box, png, sky)));
+  CHECK_FALSE(loads_openimageio(fmt::format("{} -o '{}'", tiny_box, png)));
+  CHECK(loads_openimageio(fmt::format("{} -o '{}'", tiny_box, folder.file("a.exr"))));
+  CHECK(loads_openimageio(fmt::format("{} -o '{}' -e '{}'", tiny_box, png, sky)));
 }
 
 #ifdef TWINRAY_FEW_THREADS  // Sanitizers look for libraries in another order.
@@ -41,11 +41,12 @@ TEST_CASE("where OpenImageIO cannot be loaded PNGs are written, and an EXR is a 
   const TemporaryFolder folder;
   write_text(folder.file("libtwinray_image_codec.so"), "broken");
   const std::string environment = fmt::format("LD_LIBRARY_PATH='{}'", folder.path().string());
-  const ProcessResult exr = run_program(fmt::format("{} -o '{}'", box, folder.file("a.exr")), environment);
+  const ProcessResult exr =
+      run_program(fmt::format("{} -o '{}'", tiny_box, folder.file("a.exr")), environment);
   CHECK(exr.exit_code == 1);
   CHECK(exr.err.starts_with("twinray: pictures other than PNG cannot be read or written: "));
   CHECK(exr.err.find("libtwinray_image_codec.so") != std::string::npos);
-  CHECK(run_program(fmt::format("{} -o '{}'", box, folder.file("a.png")), environment).exit_code == 0);
+  CHECK(run_program(fmt::format("{} -o '{}'", tiny_box, folder.file("a.png")), environment).exit_code == 0);
   CHECK(read_image(folder.file("a.png")).width == 8);
 }
 

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 #include <thread>
@@ -15,6 +14,8 @@
 #include "cli/status/metrics_file.h"
 #include "core/error.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/terminal.h"
@@ -23,8 +24,6 @@ namespace twinray::test {
 namespace {
 
 using nlohmann::json;
-
-const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae";
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -96,7 +95,7 @@ TEST_CASE("what is no time is refused, with what would be one") {
 TEST_CASE("a time to end by is one that a render has at most, beside its seconds") {
   const auto until = [](int seconds, std::vector<std::string> more = {}) {
     const WallTime end = std::chrono::system_clock::now() + std::chrono::seconds(seconds);
-    std::vector<std::string> words{box, "--until", clock_text(end)};
+    std::vector<std::string> words{box_scene, "--until", clock_text(end)};
     words.insert(words.end(), more.begin(), more.end());
     return parse_render_arguments(words);
   };
@@ -116,8 +115,8 @@ TEST_CASE("a time to end by is one that a render has at most, beside its seconds
 
 TEST_CASE("a render whose time is over makes the least picture, and says so") {
   const TemporaryFolder folder;
-  const ProcessResult late = run_program(
-      fmt::format("render {} -r 8 6 --until=2026-01-02T03:04 -o {}", box, quoted(folder.file("a.png"))));
+  const ProcessResult late = run_program(fmt::format("render {} -r 8 6 --until=2026-01-02T03:04 -o {}",
+                                                     box_scene, quoted(folder.file("a.png"))));
   CHECK(late.exit_code == 0);
   CHECK(late.err.find("--until: 2026-01-02 03:04:00 is over: as few samples are rendered as can be") !=
         std::string::npos);
@@ -126,8 +125,8 @@ TEST_CASE("a render whose time is over makes the least picture, and says so") {
 
 TEST_CASE("progress in JSON is a line for each step, and all numbers are those of the render") {
   const TemporaryFolder folder;
-  const ProcessResult result = run_program(
-      fmt::format("render {} -r 16 12 -s 4 -q --progress=json -o {}", box, quoted(folder.file("a.png"))));
+  const ProcessResult result = run_program(fmt::format("render {} -r 16 12 -s 4 -q --progress=json -o {}",
+                                                       box_scene, quoted(folder.file("a.png"))));
   REQUIRE(result.exit_code == 0);
   CHECK(result.out.empty());
   const std::vector<json> objects = objects_of(result.err);
@@ -135,7 +134,7 @@ TEST_CASE("progress in JSON is a line for each step, and all numbers are those o
   std::vector<std::string> steps;
   for (const json& object : objects) steps.push_back(object["step"]);
   CHECK(steps == std::vector<std::string>{"loading", "building", "rendering", "saving", "done"});
-  CHECK(objects.front()["scene"] == box);
+  CHECK(objects.front()["scene"] == box_scene);
   CHECK(objects.front()["output"] == folder.file("a.png"));
   CHECK(objects.front()["samples_done"].is_null());
   const json& last = objects.back();
@@ -163,7 +162,7 @@ TEST_CASE("a line for machines says that a render is done which ended before its
 TEST_CASE("a line of progress comes each second, and the last says that it was interrupted") {
   const TemporaryFolder folder;
   TerminalProgram program(
-      {box, "-r", "48", "36", "-s", "4000000", "--progress=json", "-o", folder.file("a.png")});
+      {box_scene, "-r", "48", "36", "-s", "4000000", "--progress=json", "-o", folder.file("a.png")});
   REQUIRE(program.wait_for("\"elapsed_seconds\":1."));
   REQUIRE(program.wait_for("\"elapsed_seconds\":2."));
   program.press_control_c();
@@ -175,8 +174,8 @@ TEST_CASE("a line of progress comes each second, and the last says that it was i
 TEST_CASE("a metrics file follows a render while it goes on") {
   const TemporaryFolder folder;
   const std::string metrics = folder.file("a.prom");
-  TerminalProgram program(
-      {box, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.png"), "--metrics-file=" + metrics});
+  TerminalProgram program({box_scene, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.png"),
+                           "--metrics-file=" + metrics});
   const auto samples = [&] { return metric(read_text(metrics), "samples_done"); };
   for (int i = 0; i < 600 && !samples(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   CHECK(samples() > 0);
@@ -187,7 +186,7 @@ TEST_CASE("a metrics file follows a render while it goes on") {
 
 TEST_CASE("an interrupted render tells machines of its last checkpoint") {
   const TemporaryFolder folder;
-  TerminalProgram program({box, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.png"),
+  TerminalProgram program({box_scene, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.png"),
                            "--checkpoint=" + folder.file("a.ck"), "--metrics-file=" + folder.file("a.prom")});
   REQUIRE(program.wait_for(" samples |"));
   program.press_control_c();
@@ -214,7 +213,7 @@ TEST_CASE("a metrics file has the numbers of the render at its end, in Prometheu
   const TemporaryFolder folder;
   const std::string metrics = folder.file("a.prom");
   const ProcessResult result =
-      run_program(fmt::format("render {} -r 16 12 -s 4 -q --metrics-file={} -o {} --checkpoint={}", box,
+      run_program(fmt::format("render {} -r 16 12 -s 4 -q --metrics-file={} -o {} --checkpoint={}", box_scene,
                               quoted(metrics), quoted(folder.file("a.png")), quoted(folder.file("a.ck"))));
   REQUIRE(result.exit_code == 0);
   const std::string text = read_text(metrics);
@@ -242,7 +241,7 @@ TEST_CASE("names in metrics keep their signs, and lose bytes that are no letters
 TEST_CASE("metrics go to a file that can be replaced, and to no other output's place") {
   const TemporaryFolder folder;
   const auto error_of = [&](const std::string& words) {
-    const ProcessResult result = run_program(fmt::format("render {} -r 4 3 -s 1 {}", box, words));
+    const ProcessResult result = run_program(fmt::format("render {} -r 4 3 -s 1 {}", box_scene, words));
     CHECK(result.exit_code == 1);
     return result.err;
   };

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
 #include "tests/support/process.h"
 #include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
@@ -15,7 +15,7 @@ namespace twinray::test {
 namespace {
 
 /// A floor to the horizon with one picture, behind a fence with holes by another, under a bumpy wall.
-constexpr const char* scene = R"(
+constexpr const char* mapped_scene = R"(
 LookAt 0 1 4  0 0.6 0  0 1 0
 Camera "perspective" "float fov" 60
 WorldBegin
@@ -41,7 +41,7 @@ void write_noise(const std::string& path, int width, int height) {
 
 TEST_CASE("a picture has the same bytes with any memory for textures, which is kept to and told of") {
   const TemporaryFolder folder;
-  write_text(folder.file("a.pbrt"), scene);
+  write_text(folder.file("a.pbrt"), mapped_scene);
   write_noise(folder.file("noise.png"), 700, 500);
   write_noise(folder.file("holes.png"), 300, 200);
   const auto render = [&](const std::string& name, const std::string& options) {
@@ -74,7 +74,7 @@ TEST_CASE("a picture has the same bytes with any memory for textures, which is k
 
 TEST_CASE("pictures are converted once, and what is rendered from their tiles has the same pixels") {
   const TemporaryFolder folder;
-  write_text(folder.file("a.pbrt"), scene);
+  write_text(folder.file("a.pbrt"), mapped_scene);
   write_noise(folder.file("noise.png"), 300, 200);
   write_noise(folder.file("holes.png"), 150, 100);
   const std::string name = quoted(folder.file("a.pbrt"));

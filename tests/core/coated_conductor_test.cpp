@@ -7,16 +7,15 @@
 namespace twinray {
 namespace {
 
+using test::coat_cosines;
+using test::coat_of;
 using test::direction_at;
 
-constexpr Rgb white{1, 1, 1};
 /// Relative to a coat of 1.5.
-const Rgb gold_eta{0.11f, 0.28f, 0.97f}, gold_k{2.32f, 1.61f, 1.18f};
-const float cosines[] = {1.0f, 0.6f, 0.2f};
+const Rgb coated_eta{0.11f, 0.28f, 0.97f}, coated_k{2.32f, 1.61f, 1.18f};
 
-Coat coat(float alpha, float ior = 1.5f) { return alpha > 0 ? Coat(ior, Ggx(alpha)) : Coat(ior); }
 CoatedConductorLobe gold(float coat_alpha, float alpha) {
-  return {coat(coat_alpha), Ggx(alpha), gold_eta, gold_k, white};
+  return {coat_of(coat_alpha), Ggx(alpha), coated_eta, coated_k, white};
 }
 
 }  // namespace
@@ -27,7 +26,7 @@ TEST_CASE("a coated conductor is sampled with its density, and is reciprocal") {
     for (const float alpha : {0.1f, 0.4f, 1.0f}) {
       CAPTURE(coat_alpha, alpha);
       const CoatedConductorLobe lobe = gold(coat_alpha, alpha);
-      for (const float cosine : cosines) test::check_sampling(lobe, direction_at(cosine), 18, 24);
+      for (const float cosine : coat_cosines) test::check_sampling(lobe, direction_at(cosine), 18, 24);
       for (int i = 0; i < 200; ++i) {
         Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
         wo.z = std::fabs(wo.z), wi.z = std::fabs(wi.z);
@@ -41,10 +40,10 @@ TEST_CASE("a coated white metal passes the furnace within the fit's error") {
   for (const float ior : {1.3f, 1.5f, 2.0f})
     for (const float coat_alpha : {0.0f, 0.1f, 0.5f})
       for (const float alpha : {0.05f, 0.3f, 1.0f})
-        for (const float cosine : cosines) {
+        for (const float cosine : coat_cosines) {
           CAPTURE(ior, coat_alpha, alpha, cosine);
           const double fit = ior == 1.5f ? 0.07 : 0.13;  // It was fitted at 1.5.
-          const CoatedConductorLobe lobe(coat(coat_alpha, ior), Ggx(alpha), {}, white, white);
+          const CoatedConductorLobe lobe(coat_of(coat_alpha, ior), Ggx(alpha), {}, white, white);
           CHECK(std::fabs(test::sampled_albedo(lobe, direction_at(cosine), 40000).g - 1) <= fit);
         }
 }
@@ -52,11 +51,11 @@ TEST_CASE("a coated white metal passes the furnace within the fit's error") {
 TEST_CASE("a coated conductor brings about what a walk through the layers brings") {
   for (const float coat_alpha : {0.0f, 0.05f})
     for (const float alpha : {0.05f, 0.1f, 0.3f, 0.6f, 1.0f})
-      for (const float cosine : cosines) {
+      for (const float cosine : coat_cosines) {
         CAPTURE(coat_alpha, alpha, cosine);
         // The facets of the walk's rough coat lose light.
         const double fit = coat_alpha > 0 ? 0.1 : 0.06, of_a_ring = coat_alpha > 0 ? 0.055 : 0.02;
-        const RoughConductorLobe metal(Ggx(alpha), gold_eta, gold_k, white);
+        const RoughConductorLobe metal(Ggx(alpha), coated_eta, coated_k, white);
         const auto walked = test::layer_rings(1.5f, coat_alpha, metal, direction_at(cosine), 1000);
         const auto ours = test::lobe_rings(gold(coat_alpha, alpha), direction_at(cosine));
         CHECK(std::fabs(test::sum_of_means(ours) - test::sum_of_means(walked)) <= fit);
@@ -66,8 +65,8 @@ TEST_CASE("a coated conductor brings about what a walk through the layers brings
 }
 
 TEST_CASE("a smooth coated conductor is a mirror, and the limit of rough ones") {
-  const SmoothCoatedConductorLobe lobe(1.5f, gold_eta, gold_k, white), mirror(1.5f, {}, white, white);
-  for (const float cosine : cosines) {
+  const SmoothCoatedConductorLobe lobe(1.5f, coated_eta, coated_k, white), mirror(1.5f, {}, white, white);
+  for (const float cosine : coat_cosines) {
     CAPTURE(cosine);
     const Vec3 wo = direction_at(cosine);
     const BsdfSample sample = lobe.sample(wo, 0.5f, {0.5f, 0.5f});
@@ -75,7 +74,7 @@ TEST_CASE("a smooth coated conductor is a mirror, and the limit of rough ones") 
     CHECK(sample.wi == Vec3{-wo.x, -wo.y, wo.z});
     CHECK(test::sampled_albedo(mirror, wo, 10).g == Approx(1));
     const float fresnel = fresnel_dielectric(cosine, 1.5f);
-    const float metal = fresnel_conductor(refracted_cosine(cosine, 1.5f), gold_eta.g, gold_k.g);
+    const float metal = fresnel_conductor(refracted_cosine(cosine, 1.5f), coated_eta.g, coated_k.g);
     // Reflections between the layers, one after the other.
     double sum = fresnel, light = 1 - fresnel;
     for (int i = 0; i < 50; ++i) {
@@ -84,7 +83,7 @@ TEST_CASE("a smooth coated conductor is a mirror, and the limit of rough ones") 
       light *= fresnel;
     }
     CHECK(sample.value.g * wo.z == Approx(sum).epsilon(1e-5));
-    const CoatedConductorLobe rough(Coat(1.5f), Ggx(0.002f), gold_eta, gold_k, white);
+    const CoatedConductorLobe rough(Coat(1.5f), Ggx(0.002f), coated_eta, coated_k, white);
     CHECK(test::sampled_albedo(rough, wo, 20000).g == Approx(sum).margin(0.03));
   }
 }

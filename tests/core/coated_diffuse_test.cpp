@@ -8,20 +8,19 @@
 namespace twinray {
 namespace {
 
+using test::coat_cosines;
+using test::coat_of;
 using test::direction_at;
 
-constexpr Rgb white{1, 1, 1}, grey{0.2f, 0.5f, 0.8f};
-const float cosines[] = {1.0f, 0.6f, 0.2f};
-
-Coat coat(float alpha, float ior = 1.5f) { return alpha > 0 ? Coat(ior, Ggx(alpha)) : Coat(ior); }
+constexpr Rgb base_color{0.2f, 0.5f, 0.8f};
 
 }  // namespace
 
 TEST_CASE("a coated diffuse surface is sampled with its density, and is reciprocal") {
   test::Random random(3);
   for (const float alpha : {0.0f, 0.15f, 0.6f}) {
-    const CoatedDiffuseLobe lobe(coat(alpha), grey);
-    for (const float cosine : cosines) {
+    const CoatedDiffuseLobe lobe(coat_of(alpha), base_color);
+    for (const float cosine : coat_cosines) {
       CAPTURE(alpha, cosine);
       test::check_sampling(lobe, direction_at(cosine), 11);
     }
@@ -32,40 +31,41 @@ TEST_CASE("a coated diffuse surface is sampled with its density, and is reciproc
       CHECK(lobe.evaluate(wo, test::flipped(wi)).value == Rgb{});
     }
   }
-  test::check_sampling(CoatedDiffuseLobe(Coat(1.5f, Ggx(0.1f, 0.5f)), grey), direction_at(0.5f), 11);
+  test::check_sampling(CoatedDiffuseLobe(Coat(1.5f, Ggx(0.1f, 0.5f)), base_color), direction_at(0.5f), 11);
   test::check_sampling(CoatedDiffuseLobe(Coat(1.5f, Ggx(0.3f)), {}), direction_at(0.5f), 11, 24);
 }
 
 TEST_CASE("a coated white surface passes the furnace") {
   for (const float ior : {1.1f, 1.5f, 2.0f})
-    for (const float cosine : cosines) {
+    for (const float cosine : coat_cosines) {
       CAPTURE(ior, cosine);
       // Exact; the sum over samples of the mirror's direction and of a smooth function errs by its noise.
-      CHECK(test::sampled_albedo(CoatedDiffuseLobe(coat(0, ior), white), direction_at(cosine)).g ==
+      CHECK(test::sampled_albedo(CoatedDiffuseLobe(coat_of(0, ior), white), direction_at(cosine)).g ==
             Approx(1).margin(5e-3));
       // The tables' error.
       for (const float alpha : {0.1f, 0.5f, 1.0f}) {
         CAPTURE(alpha);
-        CHECK(test::scattered(CoatedDiffuseLobe(coat(alpha, ior), white), direction_at(cosine), 32).g ==
+        CHECK(test::scattered(CoatedDiffuseLobe(coat_of(alpha, ior), white), direction_at(cosine), 32).g ==
               Approx(1).margin(1e-2));
       }
     }
 }
 
 TEST_CASE("a coat of the outside's own index is none") {
-  const CoatedDiffuseLobe lobe(coat(0, 1), grey);
-  CHECK(lobe.evaluate(direction_at(0.5f), direction_at(0.7f)).value.g == Approx(grey.g / pi));
-  CHECK(lobe.albedo().g == Approx(grey.g));
+  const CoatedDiffuseLobe lobe(coat_of(0, 1), base_color);
+  CHECK(lobe.evaluate(direction_at(0.5f), direction_at(0.7f)).value.g == Approx(base_color.g / pi));
+  CHECK(lobe.albedo().g == Approx(base_color.g));
 }
 
 TEST_CASE("a smooth coat over a diffuse base is what a walk through the layers brings") {
   int failed = 0, compared = 0;
   const double limit = test::z_limit(test::sidak_level(9 * 8));
-  for (const float cosine : cosines)
+  for (const float cosine : coat_cosines)
     for (const float reflectance : {0.1f, 0.5f, 1.0f}) {
       const LambertLobe base{{reflectance, reflectance, reflectance}};
       const auto walked = test::layer_rings(1.5f, 0, base, direction_at(cosine), 1000);
-      const auto ours = test::lobe_rings(CoatedDiffuseLobe(coat(0), base.reflectance), direction_at(cosine));
+      const auto ours =
+          test::lobe_rings(CoatedDiffuseLobe(coat_of(0), base.reflectance), direction_at(cosine));
       for (std::size_t i = 0; i < walked.size(); ++i) {
         const double error = std::hypot(walked[i].standard_error(), ours[i].standard_error());
         if (std::fabs(walked[i].mean() - ours[i].mean()) > limit * error) ++failed;
@@ -81,12 +81,12 @@ TEST_CASE("a rough coat brings as much as a walk through pbrt's layers, and what
   // at these reflectances and cosines; docs/materials.md has more.
   const auto difference = [](float alpha, float reflectance, float cosine) {
     const LambertLobe base{{reflectance, reflectance, reflectance}};
-    const CoatedDiffuseLobe lobe(coat(alpha), base.reflectance);
+    const CoatedDiffuseLobe lobe(coat_of(alpha), base.reflectance);
     return test::sum_of_means(test::lobe_rings(lobe, direction_at(cosine))) -
            test::sum_of_means(test::layer_rings(1.5f, alpha, base, direction_at(cosine), 1000));
   };
   constexpr double noise = 0.002;
-  for (const float cosine : cosines) {
+  for (const float cosine : coat_cosines) {
     CAPTURE(cosine);
     CHECK(difference(0.05f, 0.5f, cosine) > -noise);
     CHECK(difference(0.05f, 0.5f, cosine) < 0.012 + noise);
@@ -101,10 +101,10 @@ TEST_CASE("a rough coat brings what a walk brings through layers that lose nothi
   constexpr double of_all = 0.026, of_a_ring = 0.006;
   for (const float reflectance : {0.2f, 0.8f})
     for (const float alpha : {0.05f, 0.3f, 1.0f})
-      for (const float cosine : cosines) {
+      for (const float cosine : coat_cosines) {
         CAPTURE(reflectance, alpha, cosine);
         const LambertLobe base{{reflectance, reflectance, reflectance}};
-        const CoatedDiffuseLobe lobe(coat(alpha), base.reflectance);
+        const CoatedDiffuseLobe lobe(coat_of(alpha), base.reflectance);
         const auto ours = test::lobe_rings(lobe, direction_at(cosine));
         const auto walked =
             test::layer_rings<RoughDielectricLobe>(1.5f, alpha, base, direction_at(cosine), 1000);

@@ -9,8 +9,8 @@ namespace {
 
 using test::direction_at;
 
-const float cosines[] = {1.0f, 0.7f, 0.3f, 0.05f};
-constexpr Rgb grey{0.2f, 0.5f, 0.8f}, white{1, 1, 1};
+const float diffuse_cosines[] = {1.0f, 0.7f, 0.3f, 0.05f};
+constexpr Rgb grey{0.2f, 0.5f, 0.8f};
 
 }  // namespace
 
@@ -18,7 +18,7 @@ TEST_CASE("a rough diffuse surface is sampled with its density, and is reciproca
   test::Random random(3);
   for (const float roughness : {0.0f, 0.4f, 1.0f}) {
     const RoughDiffuseLobe lobe(grey, roughness);
-    for (const float cosine : cosines) test::check_sampling(lobe, direction_at(cosine), 12);
+    for (const float cosine : diffuse_cosines) test::check_sampling(lobe, direction_at(cosine), 12);
     for (int i = 0; i < 200; ++i) {
       Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
       wo.z = std::fabs(wo.z), wi.z = std::fabs(wi.z);
@@ -31,7 +31,7 @@ TEST_CASE("a rough diffuse surface is sampled with its density, and is reciproca
 TEST_CASE("a rough white diffuse surface passes the furnace") {
   constexpr double fit = 1.5e-3;
   for (const float roughness : {0.0f, 0.2f, 0.5f, 1.0f})
-    for (const float cosine : cosines) {
+    for (const float cosine : diffuse_cosines) {
       CAPTURE(roughness, cosine);
       CHECK(std::fabs(test::scattered(RoughDiffuseLobe(white, roughness), direction_at(cosine)).g - 1) <=
             fit);

@@ -13,7 +13,7 @@
 namespace twinray {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float unbounded = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 FixedSum sum_of(std::initializer_list<double> values) {
@@ -239,11 +239,11 @@ TEST_CASE("threads may add to different pixels at the same time") {
 
 TEST_CASE("samples that are not finite or out of range are counted and nothing else") {
   Film film(10, 10, {2, 3, 8, 9});
-  const float beyond = std::nextafter(Film::max_value, infinity);
+  const float beyond = std::nextafter(Film::max_value, unbounded);
   CHECK(film.rejected_count() == 0);
   CHECK_FALSE(film.add(5, 6, 9, {not_a_number, 0, 0}));
-  CHECK_FALSE(film.add(5, 6, 4, {0, infinity, 0}));
-  CHECK_FALSE(film.add(5, 6, 7, {0, 0, -infinity}));
+  CHECK_FALSE(film.add(5, 6, 4, {0, unbounded, 0}));
+  CHECK_FALSE(film.add(5, 6, 7, {0, 0, -unbounded}));
   CHECK_FALSE(film.add(2, 7, 0, {beyond, 0, 0}));
   CHECK_FALSE(film.add(7, 6, 1, {0, -beyond, 0}));
   CHECK(film.add(5, 6, 5, {Film::max_value, -Film::max_value, 0}));

@@ -11,7 +11,7 @@ namespace twinray {
 namespace {
 
 constexpr float alphas[] = {0.02f, 0.1f, 0.25f, 0.43f, 0.7f, 0.98f};
-constexpr float cosines[] = {0.02f, 0.09f, 0.3f, 0.55f, 0.83f, 1.0f};
+constexpr float albedo_cosines[] = {0.02f, 0.09f, 0.3f, 0.55f, 0.83f, 1.0f};
 
 /// The mean of f(wi) / p(wi) = F G2 / G1 over `count`^2 visible normals; `fresnel` of the cosine to them.
 template <class Fresnel>
@@ -49,7 +49,7 @@ float one(float) { return 1; }
 TEST_CASE("what facets lose after one reflection is tabulated within the stated error") {
   constexpr double stated = 3e-3;
   for (const float alpha : alphas)
-    for (const float cosine : cosines) {
+    for (const float cosine : albedo_cosines) {
       CAPTURE(alpha, cosine);
       CHECK(std::fabs(ggx_loss(cosine, alpha) - (1 - reflected_part(cosine, alpha, 300, one))) <= stated);
     }
@@ -62,7 +62,7 @@ TEST_CASE("what facets lose after one reflection is tabulated within the stated 
 }
 
 TEST_CASE("smooth facets lose nothing, and the tables end where facets do") {
-  for (const float cosine : cosines) CHECK(ggx_loss(cosine, 0) <= 4e-3f);
+  for (const float cosine : albedo_cosines) CHECK(ggx_loss(cosine, 0) <= 4e-3f);
   CHECK(average_ggx_loss(0) <= 1e-4f);
   CHECK(ggx_loss(1, 2) == ggx_loss(1, 1));
   CHECK(std::isfinite(ggx_loss(0, 0)));
@@ -74,7 +74,7 @@ TEST_CASE("what dielectric facets reflect is tabulated within the stated error")
   for (const float ior : {1.2f, 1.33f, 1.5f, 1.8f, 2.5f}) {
     const auto fresnel = [&](float c) { return fresnel_dielectric(c, ior); };
     for (const float alpha : alphas) {
-      for (const float cosine : cosines) {
+      for (const float cosine : albedo_cosines) {
         CAPTURE(ior, alpha, cosine);
         const double stated = cosine < 0.1f ? 2e-2 : 5e-3;
         CHECK(std::fabs(GgxDielectricReflectance(alpha, ior)(cosine) -

@@ -15,7 +15,7 @@
 namespace twinray::test {
 namespace {
 
-constexpr Receiver below{{0.2f, -1, 0.3f}, {0, 1, 0}};
+constexpr Receiver receiver_below{{0.2f, -1, 0.3f}, {0, 1, 0}};
 
 /// A parallelogram of two triangles, whose vertices begin at the given corners of them.
 Mesh two_triangles(int first, int second) {
@@ -47,7 +47,7 @@ PatchLight light_of(const Mesh& mesh, EmissionSide side = EmissionSide::both) {
   return patch_light(mesh, side, area_of(mesh));
 }
 
-Vec2 draw(Random& random) {
+Vec2 draw_of(Random& random) {
   const float u = random.unit();
   const float v = random.unit();
   return {u, v};
@@ -76,7 +76,7 @@ SampleMean arriving(const Mesh& mesh, const Receiver& receiver, bool by_corners)
   Random random(4);
   SampleMean mean;
   for (int i = 0; i < 20000; ++i) {
-    const Vec2 u = draw(random);
+    const Vec2 u = draw_of(random);
     PatchWeights::Choice choice = weights.choose(u);
     if (!by_corners) {  // A single parallelogram, by area.
       const std::size_t half = u.y <= u.x ? 0 : 1;
@@ -127,7 +127,7 @@ TEST_CASE("points of patches lie where their density says") {
   for (std::size_t number = 0; number < all.size(); ++number) {
     const Mesh& mesh = all[number];
     const PatchLight light = light_of(mesh);
-    const PatchWeights weights(light, below), uniform(light, {{0, 0, 0}, {0, 0, 0}});
+    const PatchWeights weights(light, receiver_below), uniform(light, {{0, 0, 0}, {0, 0, 0}});
     const auto cell_of = [&](const PatchWeights::Choice& choice) {
       const Vec3 p = position_of(mesh, choice);
       const auto index = [](float x) { return std::clamp(int((x + 1.5f) * side / 4), 0, side - 1); };
@@ -136,7 +136,8 @@ TEST_CASE("points of patches lie where their density says") {
     Random random(number);
     std::vector<SampleMean> chosen(side * side), by_area(side * side);
     for (int i = 0; i < samples; ++i) {
-      const PatchWeights::Choice choice = weights.choose(draw(random)), other = uniform.choose(draw(random));
+      const PatchWeights::Choice choice = weights.choose(draw_of(random)),
+                                 other = uniform.choose(draw_of(random));
       REQUIRE(other.density == 1);
       for (std::size_t cell = 0; cell < chosen.size(); ++cell) {
         chosen[cell].add(cell_of(choice) == cell ? 1 / double(choice.density) : 0);
@@ -157,10 +158,10 @@ TEST_CASE("the density of a chosen point is the density that is asked for") {
   for (const Mesh& mesh : lamps())
     for (const EmissionSide side : {EmissionSide::front, EmissionSide::back, EmissionSide::both}) {
       const PatchLight light = light_of(mesh, side);
-      const PatchWeights weights(light, below);
+      const PatchWeights weights(light, receiver_below);
       Random random(8);
       for (int i = 0; i < 2000; ++i) {
-        const PatchWeights::Choice choice = weights.choose(draw(random));
+        const PatchWeights::Choice choice = weights.choose(draw_of(random));
         CHECK(weights.density(choice.triangle, choice.u, choice.v) == Approx(choice.density).epsilon(1e-4));
       }
     }
@@ -184,7 +185,7 @@ TEST_CASE("a patch that faces away is chosen seldom, and no point much too seldo
   Random random(9);
   int away = 0;
   for (int i = 0; i < 10000; ++i) {
-    const PatchWeights::Choice choice = weights.choose(draw(random));
+    const PatchWeights::Choice choice = weights.choose(draw_of(random));
     CHECK(choice.density >= 0.999f * least);
     const auto& [a, b, c] = box.triangles[choice.triangle];
     away += cross(box.positions[b] - box.positions[a], box.positions[c] - box.positions[a]).y >= 0;

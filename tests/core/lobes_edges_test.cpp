@@ -8,7 +8,7 @@
 namespace twinray {
 namespace {
 
-constexpr Rgb black{}, white{1, 1, 1};
+constexpr Rgb black{};
 /// The least number below 1 that a draw has.
 constexpr float almost_1 = 0x1.fffffep-1f;
 

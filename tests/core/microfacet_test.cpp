@@ -9,10 +9,10 @@ namespace {
 
 using test::direction_at;
 
-const Ggx distributions[] = {Ggx(0.001f), Ggx(0.05f),      Ggx(0.3f),
-                             Ggx(1.0f),   Ggx(0.1f, 0.6f), Ggx(0.8f, 0.02f)};
+const Ggx facet_distributions[] = {Ggx(0.001f), Ggx(0.05f),      Ggx(0.3f),
+                                   Ggx(1.0f),   Ggx(0.1f, 0.6f), Ggx(0.8f, 0.02f)};
 constexpr int rows = 24, columns = 16;
-const float cosines[] = {1.0f, 0.8f, 0.3f, 0.05f};
+const float facet_cosines[] = {1.0f, 0.8f, 0.3f, 0.05f};
 
 /// Calls f(m, solid angle, cell) over facet normals, in steps of the angle a and the azimuth of their slopes
 /// alpha tan(a) (cos, sin), so that narrow peaks are seen as well as wide ones.
@@ -40,15 +40,15 @@ double over_normals(const Ggx& ggx, const Function& f) {
 }  // namespace
 
 TEST_CASE("the facets' projected area is the surface's") {
-  for (const Ggx& ggx : distributions) {
+  for (const Ggx& ggx : facet_distributions) {
     CAPTURE(ggx.alpha_x(), ggx.alpha_y());
     CHECK(over_normals(ggx, [&](const Vec3& m) { return ggx.density(m) * m.z; }) == Approx(1).epsilon(2e-3));
   }
 }
 
 TEST_CASE("the facets that a direction sees have its projected area") {
-  for (const Ggx& ggx : distributions)
-    for (const float cosine : cosines) {
+  for (const Ggx& ggx : facet_distributions)
+    for (const float cosine : facet_cosines) {
       const Vec3 w = direction_at(cosine);
       CAPTURE(ggx.alpha_x(), ggx.alpha_y(), cosine);
       CHECK(over_normals(ggx, [&](const Vec3& m) { return ggx.visible_density(w, m); }) ==
@@ -57,9 +57,9 @@ TEST_CASE("the facets that a direction sees have its projected area") {
 }
 
 TEST_CASE("visible normals have the stated density") {
-  constexpr int samples = 60000, count = int(std::size(distributions) * std::size(cosines));
-  for (const Ggx& ggx : distributions)
-    for (const float cosine : cosines) {
+  constexpr int samples = 60000, count = int(std::size(facet_distributions) * std::size(facet_cosines));
+  for (const Ggx& ggx : facet_distributions)
+    for (const float cosine : facet_cosines) {
       const Vec3 w = direction_at(cosine);
       CAPTURE(ggx.alpha_x(), ggx.alpha_y(), cosine);
       test::Random random(5);
@@ -84,7 +84,7 @@ TEST_CASE("visible normals have the stated density") {
 }
 
 TEST_CASE("masking is 1 along the normal, falls towards the horizon and is correlated by height") {
-  for (const Ggx& ggx : distributions) {
+  for (const Ggx& ggx : facet_distributions) {
     CHECK(ggx.masking({0, 0, 1}) == 1);
     float last = 1;
     for (const float cosine : {0.9f, 0.5f, 0.1f, 0.01f, 1e-6f}) {

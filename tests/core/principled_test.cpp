@@ -13,7 +13,6 @@ namespace {
 
 using test::direction_at;
 
-constexpr Rgb white{1, 1, 1};
 const float cosines[] = {1.0f, 0.6f, 0.2f};
 
 Principled varnished() {

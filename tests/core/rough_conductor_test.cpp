@@ -10,18 +10,18 @@ namespace {
 using test::direction_at;
 
 const Rgb copper_eta{0.2f, 0.92f, 1.1f}, copper_k{3.9f, 2.45f, 2.14f};
-const float cosines[] = {1.0f, 0.7f, 0.3f, 0.08f};
-const Ggx distributions[] = {Ggx(0.1f), Ggx(0.4f), Ggx(1.0f), Ggx(0.1f, 0.5f), Ggx(0.7f, 0.15f)};
+const float metal_cosines[] = {1.0f, 0.7f, 0.3f, 0.08f};
+const Ggx metal_distributions[] = {Ggx(0.1f), Ggx(0.4f), Ggx(1.0f), Ggx(0.1f, 0.5f), Ggx(0.7f, 0.15f)};
 
 RoughConductorLobe copper(const Ggx& facets) { return {facets, copper_eta, copper_k, {1, 1, 1}}; }
 /// Facets that reflect everything.
-RoughConductorLobe white(const Ggx& facets) { return {facets, {}, {1, 1, 1}, {1, 1, 1}}; }
+RoughConductorLobe white_metal(const Ggx& facets) { return {facets, {}, {1, 1, 1}, {1, 1, 1}}; }
 
 }  // namespace
 
 TEST_CASE("a rough conductor is sampled with its density") {
-  for (const Ggx& facets : distributions)
-    for (const float cosine : cosines) {
+  for (const Ggx& facets : metal_distributions)
+    for (const float cosine : metal_cosines) {
       CAPTURE(facets.alpha_x(), facets.alpha_y(), cosine);
       test::check_sampling(copper(facets), direction_at(cosine), 20);
     }
@@ -29,7 +29,7 @@ TEST_CASE("a rough conductor is sampled with its density") {
 
 TEST_CASE("a rough conductor is reciprocal and scatters to the viewer's side only") {
   test::Random random(3);
-  for (const Ggx& facets : distributions)
+  for (const Ggx& facets : metal_distributions)
     for (int i = 0; i < 200; ++i) {
       Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
       wo.z = std::fabs(wo.z), wi.z = std::fabs(wi.z);
@@ -42,18 +42,18 @@ TEST_CASE("a rough conductor is reciprocal and scatters to the viewer's side onl
 
 TEST_CASE("a rough white metal passes the furnace") {
   // The tables' error, and what core/ggx_albedo.h states for two alphas.
-  for (const Ggx& facets : distributions)
-    for (const float cosine : cosines) {
+  for (const Ggx& facets : metal_distributions)
+    for (const float cosine : metal_cosines) {
       const double stated = facets.alpha_x() == facets.alpha_y() ? 5e-3 : cosine < 0.1f ? 0.1 : 0.05;
       CAPTURE(facets.alpha_x(), facets.alpha_y(), cosine);
-      const float all = test::scattered(white(facets), direction_at(cosine), 24).g;
+      const float all = test::scattered(white_metal(facets), direction_at(cosine), 24).g;
       CHECK(std::fabs(all - 1) <= stated);
-      CHECK(test::sampled_albedo(white(facets), direction_at(cosine)).g == Approx(all).epsilon(5e-3));
+      CHECK(test::sampled_albedo(white_metal(facets), direction_at(cosine)).g == Approx(all).epsilon(5e-3));
     }
   // Without compensation more than half would be missing.
   const auto single = [](const Vec3& wo, const Vec3& wi) {
     const Ggx facets(1.0f);
-    return wi.z > 0 ? white(facets).single_scattering(facets.reflection(wo, wi)) : Rgb{};
+    return wi.z > 0 ? white_metal(facets).single_scattering(facets.reflection(wo, wi)) : Rgb{};
   };
   double sum = 0;
   test::SphereGrid::visit(8, [&](const Vec3& wi, double area, std::size_t) {
@@ -64,7 +64,7 @@ TEST_CASE("a rough white metal passes the furnace") {
 
 TEST_CASE("a rough conductor never scatters more than it receives") {
   for (const float alpha : {0.1f, 0.5f, 1.0f})
-    for (const float cosine : cosines) {
+    for (const float cosine : metal_cosines) {
       const Rgb all = test::scattered(copper(Ggx(alpha)), direction_at(cosine));
       CHECK(max_component(all) < 1);
       CHECK(all.r > all.g);

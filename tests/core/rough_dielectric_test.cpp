@@ -9,11 +9,10 @@ namespace {
 
 using test::direction_at;
 
-constexpr Rgb white{1, 1, 1};
 /// Refraction narrows peaks, and ends at an edge.
 constexpr int fine = 48;
-const float cosines[] = {1.0f, 0.6f, 0.2f};
-const Ggx distributions[] = {Ggx(0.15f), Ggx(0.4f), Ggx(1.0f), Ggx(0.15f, 0.5f)};
+const float glass_cosines[] = {1.0f, 0.6f, 0.2f};
+const Ggx glass_distributions[] = {Ggx(0.15f), Ggx(0.4f), Ggx(1.0f), Ggx(0.15f, 0.5f)};
 /// Into glass, out of it, and out of diamond.
 const float ratios[] = {1.5f, 1 / 1.5f, 1 / 2.4f};
 
@@ -25,9 +24,9 @@ RoughDielectricLobe other_side(const Ggx& facets, float eta) { return glass(face
 }  // namespace
 
 TEST_CASE("a rough dielectric is sampled with its density, from both sides") {
-  for (const Ggx& facets : distributions)
+  for (const Ggx& facets : glass_distributions)
     for (const float eta : ratios)
-      for (const float cosine : cosines) {
+      for (const float cosine : glass_cosines) {
         CAPTURE(facets.alpha_x(), facets.alpha_y(), eta, cosine);
         test::check_sampling(glass(facets, eta), direction_at(cosine), 40, fine);
       }
@@ -40,7 +39,7 @@ TEST_CASE("a rough dielectric is sampled with its density, from both sides") {
 TEST_CASE("a rough dielectric is reciprocal, by eta squared where it transmits") {
   test::Random random(3);
   int refracted = 0;
-  for (const Ggx& facets : distributions)
+  for (const Ggx& facets : glass_distributions)
     for (const float eta : ratios)
       for (int i = 0; i < 200; ++i) {
         Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
@@ -60,7 +59,7 @@ TEST_CASE("a rough dielectric is reciprocal, by eta squared where it transmits")
 }
 
 TEST_CASE("light that meets one facet of a rough dielectric is sampled with its density") {
-  for (const Ggx& facets : distributions)
+  for (const Ggx& facets : glass_distributions)
     for (const float eta : ratios)
       test::check_sampling(DielectricFacets(facets, eta, white, white), direction_at(0.6f), 12, fine);
 }
@@ -69,7 +68,7 @@ TEST_CASE("a rough dielectric passes the furnace on both sides") {
   constexpr double tables = 0.03;
   for (const float alpha : {0.05f, 0.1f, 0.3f, 0.6f, 1.0f})
     for (const float eta : ratios)
-      for (const float cosine : cosines) {
+      for (const float cosine : glass_cosines) {
         CAPTURE(alpha, eta, cosine);
         const Vec3 wo = direction_at(cosine);
         CHECK(std::fabs(test::sampled_albedo(glass(Ggx(alpha), eta), wo, 50000).g - 1) <= tables);
@@ -81,7 +80,7 @@ TEST_CASE("a rough dielectric passes the furnace on both sides") {
 
 TEST_CASE("a nearly smooth dielectric splits light as a smooth one") {
   const RoughDielectricLobe lobe = glass(Ggx(0.001f), 1.5f);
-  for (const float cosine : cosines) {
+  for (const float cosine : glass_cosines) {
     CAPTURE(cosine);
     const Vec3 wo = direction_at(cosine);
     const float fresnel = fresnel_dielectric(cosine, 1.5f);

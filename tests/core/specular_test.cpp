@@ -8,8 +8,7 @@
 namespace twinray {
 namespace {
 
-constexpr Rgb white{1, 1, 1};
-const float cosines[] = {1.0f, 0.7f, 0.3f, 0.02f};
+const float smooth_cosines[] = {1.0f, 0.7f, 0.3f, 0.02f};
 
 Vec3 at_degrees(float theta) {
   const double radians = theta * M_PI / 180;
@@ -39,7 +38,7 @@ TEST_CASE("smooth and thin dielectrics are Mitsuba's, with total internal reflec
 }
 
 TEST_CASE("smooth white surfaces scatter all light, to directions with no density") {
-  for (const float cosine : cosines) {
+  for (const float cosine : smooth_cosines) {
     const Vec3 wo = test::direction_at(cosine);
     const auto check = [&](const auto& lobe) {
       CHECK(test::sampled_albedo(lobe, wo, 2000).g == Approx(1).epsilon(1e-4));
@@ -54,7 +53,7 @@ TEST_CASE("smooth white surfaces scatter all light, to directions with no densit
 }
 
 TEST_CASE("what a thin sheet reflects is the sum over the reflections within it") {
-  for (const float cosine : cosines) {
+  for (const float cosine : smooth_cosines) {
     const double once = fresnel_dielectric(cosine, 1.5f);
     double sum = once, within = (1 - once) * (1 - once) * once;
     for (int i = 0; i < 200; ++i, within *= once * once) sum += within;

@@ -12,9 +12,6 @@
 namespace twinray::test {
 namespace {
 
-/// Relative, of a few floats.
-constexpr double rounding = 1e-5;
-
 EnvironmentLight sky() {
   Image map(2, 1);
   map.pixels = {{1, 2, 3}, {3, 2, 0.5f}};
@@ -90,7 +87,7 @@ TEST_CASE("a mirror without glossy bounces shows lamps, and no other surface") {
   Scene with_lamp = scene;
   add_lamp(with_lamp, square, {3, 3, 3}, EmissionSide::both);
   const PathOptions no_glossy{.max_depth = 5, .limits = {.glossy = 0}};
-  CHECK(estimate(with_lamp, no_glossy, small_picture(4)).mean == Approx(3).epsilon(rounding));
+  CHECK(estimate(with_lamp, no_glossy, small_picture(4)).mean == Approx(3).epsilon(render_rounding));
 
   Scene with_wall = scene;
   add_lamp(with_wall, square, {0, 0, 0}, EmissionSide::both);
@@ -101,7 +98,7 @@ TEST_CASE("a mirror without glossy bounces shows lamps, and no other surface") {
   CHECK(lit > 0);
   // One bounce at the mirror, and direct light on the wall behind it.
   const PathOptions one{.max_depth = 5, .limits = {.diffuse = 0, .glossy = 1}};
-  CHECK(estimate(with_wall, one, small_picture(4)).mean == Approx(lit).epsilon(rounding));
+  CHECK(estimate(with_wall, one, small_picture(4)).mean == Approx(lit).epsilon(render_rounding));
 }
 
 TEST_CASE("a coated surface scatters by its coat glossily, and by its base diffusely") {

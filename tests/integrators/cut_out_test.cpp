@@ -14,9 +14,6 @@
 namespace twinray::test {
 namespace {
 
-constexpr DirectMethod all_methods[] = {DirectMethod::mis, DirectMethod::lights, DirectMethod::hemisphere};
-/// Relative, of a few floats.
-constexpr double rounding = 1e-5;
 constexpr int cells = 16;
 
 /// Whether a cell of the unit square belongs to a leaf: an ellipse with a notch.

@@ -19,25 +19,25 @@ struct Shown {
 };
 using Motif = std::function<Shown(int x, int y)>;
 
-constexpr int width = 75, height = 43;  ///< No multiples of a tile.
+constexpr int columns = 75, rows = 43;  ///< No multiples of a tile.
 
 Image clean(const Motif& motif) {
-  Image image(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) image.at(x, y) = motif(x, y).color;
+  Image image(columns, rows);
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) image.at(x, y) = motif(x, y).color;
   return image;
 }
 
 /// Both halves, each with noise of its own: a deviation of the mean of both, as a share of each colour.
 HalfPictures with_noise(const Motif& motif, float deviation) {
-  const Plane empty(width, height);
-  HalfPictures noisy{width, height, {}, empty};
+  const Plane empty(columns, rows);
+  HalfPictures noisy{columns, rows, {}, empty};
   Random random(9);
   for (HalfPicture& half : noisy.halves) {
     half.color = {empty, empty, empty};
     half.features.assign(6, empty);
     for (std::size_t i = 0; i < empty.values.size(); ++i) {
-      const Shown shown = motif(int(i) % width, int(i) / width);
+      const Shown shown = motif(int(i) % columns, int(i) / columns);
       const float colors[] = {shown.color.r, shown.color.g, shown.color.b};
       const float features[] = {shown.albedo.r, shown.albedo.g, shown.albedo.b,
                                 shown.normal.x, shown.normal.y, shown.normal.z};
@@ -55,17 +55,19 @@ Image mean_picture(const HalfPictures& pictures) {
   return image_of(means_of_halves(a.color, b.color, pictures.second_weight));
 }
 
-Image denoised(const HalfPictures& noisy) { return picture_of(denoised_halves(noisy), noisy.second_weight); }
+Image denoised_picture(const HalfPictures& noisy) {
+  return picture_of(denoised_halves(noisy), noisy.second_weight);
+}
 
 bool everywhere(int, int) { return true; }
-bool at_the_border(int x, int y) { return x == 0 || y == 0 || x == width - 1 || y == height - 1; }
+bool at_the_border(int x, int y) { return x == 0 || y == 0 || x == columns - 1 || y == rows - 1; }
 
 /// The sum of the squared differences of red, of some of the pixels.
 double squared_error(const Image& image, const Motif& motif, bool (*counts)(int x, int y)) {
   const Image should = clean(motif);
   double sum = 0;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x)
       if (counts(x, y)) sum += std::pow(double(image.at(x, y).r) - should.at(x, y).r, 2);
   return sum;
 }
@@ -73,7 +75,8 @@ double squared_error(const Image& image, const Motif& motif, bool (*counts)(int 
 /// How much of the noise's squared error is left.
 double left_of(const Motif& motif, float deviation, bool (*counts)(int x, int y) = everywhere) {
   const HalfPictures noisy = with_noise(motif, deviation);
-  return squared_error(denoised(noisy), motif, counts) / squared_error(mean_picture(noisy), motif, counts);
+  return squared_error(denoised_picture(noisy), motif, counts) /
+         squared_error(mean_picture(noisy), motif, counts);
 }
 
 Shown wall(int, int) { return {{0.5f, 0.4f, 0.3f}, {0.8f, 0.8f, 0.8f}}; }
@@ -86,7 +89,7 @@ Shown stripes(int x, int) {
 
 /// Paint without any pattern: no pixel has neighbours that look alike, but for what the albedo explains.
 Shown speckles(int x, int y) {
-  Random random(std::uint64_t(y * width + x));
+  Random random(std::uint64_t(y * columns + x));
   const float paint = random.uniform(0.2f, 0.9f);
   return {{0.6f * paint, 0.6f * paint, 0.6f * paint}, {paint, paint, paint}};
 }
@@ -99,7 +102,7 @@ Shown shadow(int x, int y) {
 
 /// Light that nothing explains: another in each pixel.
 Shown glitter(int x, int y) {
-  Random random(std::uint64_t(y * width + x));
+  Random random(std::uint64_t(y * columns + x));
   const float light = random.uniform(0.2f, 1.5f);
   return {{light, light, light}, {0.8f, 0.8f, 0.8f}};
 }
@@ -129,15 +132,15 @@ TEST_CASE("light below nothing, as a pixel filter may leave it, becomes none") {
     return shown;
   };
   for (const float deviation : {0.0f, 0.1f})
-    for (const Rgb& pixel : denoised(with_noise(motif, deviation)).pixels)
+    for (const Rgb& pixel : denoised_picture(with_noise(motif, deviation)).pixels)
       CHECK(std::min({pixel.r, pixel.g, pixel.b}) >= 0);
 }
 
 TEST_CASE("an edge that no feature shows stays, and the noise around it goes") {
   CHECK(left_of(shadow, 0.1f) < 0.15);
-  const Image image = denoised(with_noise(shadow, 0.1f));
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
+  const Image image = denoised_picture(with_noise(shadow, 0.1f));
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
       const float light = shadow(x, y).color.r;
       CHECK(std::fabs(image.at(x, y).r - light) < 0.35f * light);  // The noise alone reaches 17 %.
     }
@@ -154,7 +157,7 @@ TEST_CASE("faint light that nothing explains is left in its noise, where filters
   for (const float strength : {1.0f, 1.5f, 2.0f, 3.0f}) {
     constexpr float deviation = 0.05f;
     const Motif faint = [&](int x, int y) {
-      Random random(std::uint64_t(y * width + x));
+      Random random(std::uint64_t(y * columns + x));
       const float light = 1 + strength * deviation * (random.unit() < 0.5f ? -1 : 1);
       return Shown{{light, light, light}, {0.8f, 0.8f, 0.8f}};
     };
@@ -165,29 +168,29 @@ TEST_CASE("faint light that nothing explains is left in its noise, where filters
 
 TEST_CASE("a picture without noise keeps its bits") {
   for (const auto& motif : {wall, stripes, shadow, glitter})
-    CHECK(denoised(with_noise(motif, 0)).pixels == clean(motif).pixels);
+    CHECK(denoised_picture(with_noise(motif, 0)).pixels == clean(motif).pixels);
 }
 
 TEST_CASE("a half without samples leaves a picture as it is") {
   HalfPictures noisy = with_noise(wall, 0.1f);
   for (float& weight : noisy.second_weight.values) weight = 0;
   noisy.halves[1] = noisy.halves[0];
-  CHECK(denoised(noisy).pixels == mean_picture(noisy).pixels);
+  CHECK(denoised_picture(noisy).pixels == mean_picture(noisy).pixels);
 }
 
 TEST_CASE("denoised pictures have the same bits with any number of threads") {
   const HalfPictures noisy = with_noise(shadow, 0.3f);
   Image one, seven;
-  with_threads(1, [&] { one = denoised(noisy); });
-  with_threads(7, [&] { seven = denoised(noisy); });
+  with_threads(1, [&] { one = denoised_picture(noisy); });
+  with_threads(7, [&] { seven = denoised_picture(noisy); });
   CHECK(one.pixels == seven.pixels);
 }
 
 TEST_CASE("a pixel that is far too bright is spread, and leaves no hole") {
   HalfPictures noisy = with_noise(wall, 0.05f);
-  const std::size_t at = 20 * width + 30;
+  const std::size_t at = 20 * columns + 30;
   noisy.halves[0].color[0].values[at] += 200;
-  const Image before = mean_picture(noisy), after = denoised(noisy);
+  const Image before = mean_picture(noisy), after = denoised_picture(noisy);
   CHECK(after.pixels[at].r < 0.05f * before.pixels[at].r);
   for (const Rgb& pixel : after.pixels) CHECK(pixel.r > 0.3f);
 }
@@ -195,7 +198,7 @@ TEST_CASE("a pixel that is far too bright is spread, and leaves no hole") {
 TEST_CASE("a picture is denoised by albedo and normal, no other features") {
   HalfPictures noisy = with_noise(wall, 0.1f);
   noisy.halves[0].features.pop_back();
-  CHECK_THROWS_WITH(denoised(noisy), "5 features: a picture is denoised by 6");
+  CHECK_THROWS_WITH(denoised_picture(noisy), "5 features: a picture is denoised by 6");
 }
 
 }  // namespace twinray::test

@@ -11,9 +11,6 @@
 namespace twinray::test {
 namespace {
 
-/// Relative, of a few floats.
-constexpr double rounding = 1e-5;
-
 /// A ball of a material that fills the picture, beside a lamp and under a sky of its own.
 Scene ball_of(const SurfaceModel& model) {
   Scene scene = scene_of({}, {}, {0, 0, 3}, {0, 0, 0});
@@ -34,8 +31,8 @@ Estimate furnace(const Scene& scene, int max_depth, std::uint32_t samples = 64) 
 TEST_CASE("in a furnace a convex Lambert shape has the radiance of its albedo, sample by sample") {
   for (const float albedo : {1.0f, 0.5f}) {
     const Estimate found = furnace(ball_of(Lambert{{albedo, albedo, albedo}}), 5);
-    CHECK(found.mean == Approx(albedo).epsilon(rounding));
-    CHECK(found.standard_error < rounding);
+    CHECK(found.mean == Approx(albedo).epsilon(render_rounding));
+    CHECK(found.standard_error < render_rounding);
   }
 }
 
@@ -45,8 +42,8 @@ TEST_CASE("in a furnace smooth surfaces that lose no light are not seen, once pa
         SurfaceModel(DiffuseTransmission{{0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f}})}) {
     CAPTURE(model.index());
     const Estimate found = furnace(ball_of(model), 100);
-    CHECK(found.mean == Approx(1).epsilon(rounding));
-    CHECK(found.standard_error < rounding);
+    CHECK(found.mean == Approx(1).epsilon(render_rounding));
+    CHECK(found.standard_error < render_rounding);
   }
 }
 
@@ -86,14 +83,14 @@ TEST_CASE("in a furnace light is lost that is scattered more often than the dept
   CHECK(furnace(emissive_enclosure(1, 1), 100).mean == 0);
   const Scene scene = ball_of(Refraction{});
   CHECK(furnace(scene, 1).mean == 0);
-  CHECK(furnace(scene, 2).mean == Approx(1).epsilon(rounding));
+  CHECK(furnace(scene, 2).mean == Approx(1).epsilon(render_rounding));
   CHECK(furnace(ball_of(Lambert{{1, 1, 1}}), 0).mean == 0);
 }
 
 TEST_CASE("the sky of a furnace is white where there is nothing") {
   Scene scene = ball_of(Lambert{});
   scene.camera = camera_at({0, 0, 3}, {0, 0, 9});
-  CHECK(furnace(scene, 0).mean == Approx(1).epsilon(rounding));
+  CHECK(furnace(scene, 0).mean == Approx(1).epsilon(render_rounding));
 }
 
 TEST_CASE("in a furnace the mean of stochastic textures is that of the pixels around") {

@@ -15,7 +15,6 @@ namespace {
 
 constexpr float reflectance = 0.6f;
 /// Of a few products of floats.
-constexpr double rounding = 1e-5;
 
 SurfacePoint point_with(const Vec3& geometric, const Vec3& shading) {
   SurfacePoint point;
@@ -140,7 +139,7 @@ TEST_CASE("a surface whose shading normal looks away from the viewer is as brigh
   scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-4f;
   add_light(scene, DirectionalLight{normalize(Vec3{-1, -2, 2}), {3, 3, 3}});
   CHECK(estimate(scene, {.max_depth = 1}, options(16)).mean ==
-        Approx(reflectance / M_PI * 3 * (2.0 / 3)).epsilon(rounding));
+        Approx(reflectance / M_PI * 3 * (2.0 / 3)).epsilon(render_rounding));
 }
 
 }  // namespace twinray::test

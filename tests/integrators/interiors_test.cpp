@@ -11,7 +11,6 @@
 namespace twinray::test {
 namespace {
 
-constexpr double rounding = 1e-5;
 constexpr Rgb absorption{0.5f, 1, 2};
 
 /// The luminance of white light that has gone a way.
@@ -64,10 +63,10 @@ TEST_CASE("what is seen through an interior without a surface is darker by its a
   Scene scene = nested_balls({1}, {body(Interface{}, {absorption})});
   look_closely(scene);
   add_white_sky(scene);
-  CHECK(estimate(scene, {}, small_picture(4)).mean == Approx(left_of(2)).epsilon(rounding));
+  CHECK(estimate(scene, {}, small_picture(4)).mean == Approx(left_of(2)).epsilon(render_rounding));
   // From within, the way out is not known to be one.
   scene.camera.position = {0, 0, 0};
-  CHECK(estimate(scene, {}, small_picture(4)).mean == Approx(1).epsilon(rounding));
+  CHECK(estimate(scene, {}, small_picture(4)).mean == Approx(1).epsilon(render_rounding));
 }
 
 TEST_CASE("a plate of absorbing glass reflects and lets through what the sum of its reflections says") {

@@ -40,7 +40,7 @@ std::vector<LightPath> lit_parts(const Scene& scene, const PathOptions& path) {
   return lit;
 }
 
-Image constant(const Rgb& radiance) {
+Image constant_sky(const Rgb& radiance) {
   Image map(1, 1);
   map.pixels[0] = radiance;
   return map;
@@ -52,7 +52,7 @@ Scene ball_under_sky(const SurfaceModel& model) {
   scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{SphereSet{"ball", {{{0, 0, 0}, 1}}}});
   scene.materials = {{"ball", model}};
   scene.camera.tan_half_width = scene.camera.tan_half_height = 0.1f;
-  add_light(scene, EnvironmentLight{std::make_shared<const Image>(constant({1, 1, 1}))});
+  add_light(scene, EnvironmentLight{std::make_shared<const Image>(constant_sky({1, 1, 1}))});
   return scene;
 }
 

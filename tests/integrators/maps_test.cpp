@@ -15,8 +15,6 @@
 namespace twinray::test {
 namespace {
 
-/// Relative, of a few floats.
-constexpr double rounding = 1e-5;
 constexpr int teeth = 16;
 
 Texture picture_of(Image image, TextureFilter filter) {
@@ -162,7 +160,7 @@ TEST_CASE("ridges of a normal map are as bright as real ones, in light that reac
     check_same_mean(found, expected, 0.02);
     // Half the ridges are seen in each of two brightnesses, which their variance shows.
     CHECK(found.standard_error == Approx(expected.standard_error).epsilon(0.05));
-    CHECK(expected.standard_error > 10 * rounding * flat);
+    CHECK(expected.standard_error > 10 * render_rounding * flat);
   }
 }
 
@@ -208,7 +206,7 @@ TEST_CASE("of light from below the true surface a map shows none, whatever its n
       REQUIRE(is_finite(scattered));
       if (wo.y * wi.y <= 0) REQUIRE(is_black(scattered));
       // Softening takes, it never gives.
-      REQUIRE(scattered.r <= 0.8 / pi * std::fabs(dot(at.normal(), wi)) * (1 + rounding));
+      REQUIRE(scattered.r <= 0.8 / pi * std::fabs(dot(at.normal(), wi)) * (1 + render_rounding));
       lit_ones += !is_black(scattered);
     }
     CHECK(lit_ones > 400);

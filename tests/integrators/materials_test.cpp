@@ -12,9 +12,6 @@
 namespace twinray::test {
 namespace {
 
-/// Relative, of a few floats.
-constexpr double rounding = 1e-5;
-constexpr DirectMethod all_methods[] = {DirectMethod::mis, DirectMethod::lights, DirectMethod::hemisphere};
 constexpr float sky_radiance = 2;
 
 EnvironmentLight colored_sky(const Rgb& radiance) {
@@ -52,7 +49,7 @@ TEST_CASE("a mirror shows a lamp with its reflectance, by every way of finding d
     const PathOptions path{.max_depth = 1, .direct = method};
     const Scene lit = mirror_scene(Mirror{{0.5f, 0.5f, 0.5f}}, EmissionSide::front);
     CHECK(estimate(lit, path, small_picture(4)).mean ==
-          Approx(0.5 * luminance(Rgb{3, 2, 1})).epsilon(rounding));
+          Approx(0.5 * luminance(Rgb{3, 2, 1})).epsilon(render_rounding));
     const Scene dark = mirror_scene(Mirror{}, EmissionSide::back);
     CHECK(estimate(dark, path, small_picture(4)).mean == 0);
     // At depth 0 there is emission alone, and of light scattered twice there is none.
@@ -80,8 +77,8 @@ TEST_CASE("a ball that loses no light is as bright as the sky around it, sample 
       CAPTURE(model.index(), int(method));
       const auto found = estimate(ball_under_sky(model),
                                   {.max_depth = 100, .direct = method, .roulette = {1}}, small_picture(64));
-      CHECK(found.mean == Approx(sky_radiance).epsilon(rounding));
-      CHECK(found.standard_error < rounding);
+      CHECK(found.mean == Approx(sky_radiance).epsilon(render_rounding));
+      CHECK(found.standard_error < render_rounding);
     }
 }
 
@@ -89,15 +86,15 @@ TEST_CASE("roulette does not see the change of radiance at boundaries") {
   // Within glass of an index of 3, throughput is a ninth: by that alone two of three paths would be given up.
   const Scene scene = ball_under_sky(Glass{.ior = 3});
   const auto found = estimate(scene, {.max_depth = 100}, small_picture(64));
-  CHECK(found.mean == Approx(sky_radiance).epsilon(rounding));
-  CHECK(found.standard_error < rounding);
+  CHECK(found.mean == Approx(sky_radiance).epsilon(render_rounding));
+  CHECK(found.standard_error < render_rounding);
 }
 
 TEST_CASE(
     "a surface that only refracts shows what lies behind it, and nothing where all would be reflected") {
   const Scene outside = ball_under_sky(Refraction{});
   CHECK(estimate(outside, {.max_depth = 2}, small_picture(16)).mean ==
-        Approx(sky_radiance).epsilon(rounding));
+        Approx(sky_radiance).epsilon(render_rounding));
   CHECK(estimate(outside, {.max_depth = 1}, small_picture(16)).mean == 0);  // Still within the ball.
   // From within glass, the sky is seen brighter by the square of the index, and only up to the critical
   // angle.
@@ -107,7 +104,7 @@ TEST_CASE(
   CHECK(estimate(inside, {.max_depth = 1}, small_picture(16)).mean == 0);
   inside.camera.position = {0, 0, 0};
   CHECK(estimate(inside, {.max_depth = 1}, small_picture(16)).mean ==
-        Approx(2.25 * sky_radiance).epsilon(rounding));
+        Approx(2.25 * sky_radiance).epsilon(render_rounding));
 }
 
 TEST_CASE("rough surfaces are equally bright by every way of finding direct light") {
@@ -149,14 +146,14 @@ TEST_CASE("an ambient light is seen in a mirror, not by the camera") {
   Scene scene = ball_under_sky(Mirror{{0.5f, 0.5f, 0.5f}});
   scene.lights.clear();
   add_light(scene, AmbientLight{{0, 0, 1}, {1, 1, 1}});
-  CHECK(estimate(scene, {.max_depth = 1}, small_picture(4)).mean == Approx(0.5).epsilon(rounding));
+  CHECK(estimate(scene, {.max_depth = 1}, small_picture(4)).mean == Approx(0.5).epsilon(render_rounding));
   CHECK(estimate(scene, {.max_depth = 0}, small_picture(4)).mean == 0);
 }
 
 TEST_CASE("a clamp bounds light of two bounces and more, and keeps its color") {
   const Scene once = mirror_scene(Mirror{}, EmissionSide::front);
   CHECK(estimate(once, {.max_depth = 5, .clamp = 0.5f}, small_picture(4)).mean ==
-        Approx(luminance(Rgb{3, 2, 1})).epsilon(rounding));
+        Approx(luminance(Rgb{3, 2, 1})).epsilon(render_rounding));
   Scene twice = ball_under_sky(Glass{});
   twice.lights[0].source = colored_sky({4, 2, 1});
   const PathOptions clamped{.max_depth = 100, .clamp = 2};
@@ -166,8 +163,8 @@ TEST_CASE("a clamp bounds light of two bounces and more, and keeps its color") {
   const Rgb mean = mean_image(result.film).at(1, 1);
   const double reflected = fresnel_dielectric(1, 1.5f);
   CHECK(mean.r == Approx(expected.r * (1 + reflected)).epsilon(0.05));
-  CHECK(mean.g / mean.r == Approx(0.5).epsilon(rounding));
-  CHECK(mean.b / mean.r == Approx(0.25).epsilon(rounding));
+  CHECK(mean.g / mean.r == Approx(0.5).epsilon(render_rounding));
+  CHECK(mean.b / mean.r == Approx(0.25).epsilon(render_rounding));
 }
 
 TEST_CASE("regularized, a mirror behind a diffuse surface lets lights be found") {
@@ -192,7 +189,7 @@ TEST_CASE("regularized, a mirror behind a diffuse surface lets lights be found")
   // Light that comes by mirrors alone is as it was.
   const Scene direct = mirror_scene(Mirror{}, EmissionSide::front);
   CHECK(estimate(direct, {.max_depth = 5, .regularize = true}, small_picture(4)).mean ==
-        Approx(luminance(Rgb{3, 2, 1})).epsilon(rounding));
+        Approx(luminance(Rgb{3, 2, 1})).epsilon(render_rounding));
 }
 
 TEST_CASE("a mixture is its second material at the stated part of its points") {

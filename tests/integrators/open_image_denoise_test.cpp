@@ -28,14 +28,14 @@ class Environment {
 
 constexpr const char* fake = TWINRAY_FAKE_DENOISER;
 
-Image constant(const Rgb& color) {
+Image constant_picture(const Rgb& color) {
   Image image(3, 2);
   for (Rgb& pixel : image.pixels) pixel = color;
   return image;
 }
 
-const Image noisy = constant({1, 2, -300});
-const SurfaceFeatures features{constant({0.1f, 0.2f, 0.3f}), constant({0, 0, 1})};
+const Image noisy = constant_picture({1, 2, -300});
+const SurfaceFeatures features{constant_picture({0.1f, 0.2f, 0.3f}), constant_picture({0, 0, 1})};
 
 }  // namespace
 

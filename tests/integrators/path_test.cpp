@@ -8,7 +8,7 @@
 namespace twinray::test {
 namespace {
 
-RenderOptions options(std::uint32_t samples, SamplerKind sampler = SamplerKind::independent) {
+RenderOptions path_options(std::uint32_t samples, SamplerKind sampler = SamplerKind::independent) {
   return {.width = 12, .height = 10, .samples = samples, .sampler = sampler, .seed = 3, .threads = 2};
 }
 
@@ -18,9 +18,10 @@ Rgb pixel_mean(const Film& film, int x, int y) { return film.pixel(x, y).mean();
 
 TEST_CASE("at equal seed no greater depth takes light away from any pixel") {
   const Scene scene = small_room();
-  RenderResult before = render_with(scene, PathIntegrator(scene, {.max_depth = 0}), options(4));
+  RenderResult before = render_with(scene, PathIntegrator(scene, {.max_depth = 0}), path_options(4));
   for (int depth = 1; depth <= 6; ++depth) {
-    const RenderResult after = render_with(scene, PathIntegrator(scene, {.max_depth = depth}), options(4));
+    const RenderResult after =
+        render_with(scene, PathIntegrator(scene, {.max_depth = depth}), path_options(4));
     for (int y = 0; y < 10; ++y)
       for (int x = 0; x < 12; ++x) {
         CHECK(pixel_mean(after.film, x, y).r >= pixel_mean(before.film, x, y).r);
@@ -32,15 +33,15 @@ TEST_CASE("at equal seed no greater depth takes light away from any pixel") {
 
 TEST_CASE("the mean does not depend on roulette, sampler or samples per light") {
   const Scene scene = small_room();
-  const Estimate without = estimate(scene, {.max_depth = 8, .roulette = {1}}, options(256));
+  const Estimate without = estimate(scene, {.max_depth = 8, .roulette = {1}}, path_options(256));
   const auto check = [&](const PathOptions& path, const RenderOptions& how) {
     check_same_mean(estimate(scene, path, how), without, 0.035);
   };
-  check({.max_depth = 8}, options(256));
-  check({.max_depth = 8, .roulette = {0.7f}}, options(256));
-  check({.max_depth = 8, .roulette = {0.4f}}, options(256));
-  check({.max_depth = 8, .roulette = {1}}, options(256, SamplerKind::sobol));
-  check({.max_depth = 8, .samples_per_light = 4, .roulette = {1}}, options(128));
+  check({.max_depth = 8}, path_options(256));
+  check({.max_depth = 8, .roulette = {0.7f}}, path_options(256));
+  check({.max_depth = 8, .roulette = {0.4f}}, path_options(256));
+  check({.max_depth = 8, .roulette = {1}}, path_options(256, SamplerKind::sobol));
+  check({.max_depth = 8, .samples_per_light = 4, .roulette = {1}}, path_options(128));
 }
 
 TEST_CASE("no path of the default ends at random before its fourth bounce, and those of a fixed chance may") {
@@ -49,7 +50,7 @@ TEST_CASE("no path of the default ends at random before its fourth bounce, and t
   const Scene scene = emissive_enclosure(1, 0.5f);
   const auto bounces = [&](int depth, Roulette roulette) {
     const PathOptions path{.max_depth = depth, .direct = DirectMethod::lights, .roulette = roulette};
-    const RenderResult result = render_with(scene, PathIntegrator(scene, path), options(64));
+    const RenderResult result = render_with(scene, PathIntegrator(scene, path), path_options(64));
     return double(result.rays.bounce) / double(result.rays.camera);
   };
   constexpr double tolerance = 0.012;  // Four standard errors of 7680 paths; 0 where nothing is random.
@@ -61,9 +62,9 @@ TEST_CASE("no path of the default ends at random before its fourth bounce, and t
 
 TEST_CASE("hemisphere and light sampling have the same mean where no light is a delta") {
   const Scene scene = small_room();
-  const Estimate by_lights = estimate(scene, {.max_depth = 3}, options(256));
+  const Estimate by_lights = estimate(scene, {.max_depth = 3}, path_options(256));
   const Estimate by_directions = estimate(
-      scene, {.max_depth = 3, .direct = DirectMethod::hemisphere, .samples_per_light = 8}, options(512));
+      scene, {.max_depth = 3, .direct = DirectMethod::hemisphere, .samples_per_light = 8}, path_options(512));
   check_same_mean(by_directions, by_lights, 0.065);
 }
 
@@ -71,19 +72,19 @@ TEST_CASE("direct and indirect light add up to all of it, and the last bounces t
   const Scene scene = small_room();
   const auto mean_of = [&](int first, int last) {
     const PathOptions path{.max_depth = 4, .first_depth = first, .last_depth = last, .roulette = {0.7f}};
-    return render_with(scene, PathIntegrator(scene, path), options(16)).film;
+    return render_with(scene, PathIntegrator(scene, path), path_options(16)).film;
   };
   const Film all = mean_of(0, 100), direct = mean_of(0, 1), indirect = mean_of(2, 100);
   const Film bounce[5] = {mean_of(0, 0), mean_of(1, 1), mean_of(2, 2), mean_of(3, 3), mean_of(4, 4)};
   // A sum of a few floats in another order.
-  constexpr double rounding = 1e-5;
   for (int y = 0; y < 10; ++y)
     for (int x = 0; x < 12; ++x) {
       const double whole = pixel_mean(all, x, y).g;
-      CHECK(pixel_mean(direct, x, y).g + pixel_mean(indirect, x, y).g == Approx(whole).epsilon(rounding));
+      CHECK(pixel_mean(direct, x, y).g + pixel_mean(indirect, x, y).g ==
+            Approx(whole).epsilon(render_rounding));
       double sum = 0;
       for (const Film& film : bounce) sum += pixel_mean(film, x, y).g;
-      CHECK(sum == Approx(whole).epsilon(rounding));
+      CHECK(sum == Approx(whole).epsilon(render_rounding));
     }
 }
 
@@ -101,8 +102,8 @@ TEST_CASE("samples estimated together have the bits of each alone, and as many r
                                {.max_depth = 3, .samples_per_light = 5},
                                {.max_depth = 4, .first_depth = 2, .last_depth = 3},
                                {.max_depth = 2, .direct = DirectMethod::hemisphere, .samples_per_light = 2}};
-  for (const PathOptions& options : cases) {
-    const PathIntegrator path(scene, options);
+  for (const PathOptions& path_options : cases) {
+    const PathIntegrator path(scene, path_options);
     Tracer alone(*accelerator, true), together(*accelerator, true);
     std::vector<Rgb> estimates(samples.size());
     path.sample(samples, SamplerKind::sobol, together, RecordSpans(estimates));

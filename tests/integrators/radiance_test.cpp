@@ -11,8 +11,6 @@ namespace twinray::test {
 namespace {
 
 constexpr float reflectance = 0.6f;
-/// Relative, of a few floats.
-constexpr double rounding = 1e-5;
 
 /// A floor seen in a single point, the origin, so that one radiance is that of the whole picture.
 Scene floor_scene() {
@@ -25,7 +23,6 @@ Scene floor_scene() {
 }
 
 /// Of direct light. An error of 5 % would be seen, whatever the light and the method.
-constexpr DirectMethod all_methods[] = {DirectMethod::mis, DirectMethod::lights, DirectMethod::hemisphere};
 
 void check_radiance(const Scene& scene, double expected, DirectMethod method) {
   const RenderOptions render = small_picture(method == DirectMethod::hemisphere ? 20000 : 4096);
@@ -112,7 +109,7 @@ TEST_CASE("a uniform environment lights a floor by its radiance times the reflec
     check_mean(estimate(scene, {.max_depth = 3, .direct = method}, small_picture(20000)), reflectance * 2,
                0.05);
     scene.camera = camera_at({0, 1, 0}, {0, 2, 0.5f});
-    CHECK(estimate(scene, {.max_depth = 0}, small_picture(1)).mean == Approx(2).epsilon(rounding));
+    CHECK(estimate(scene, {.max_depth = 0}, small_picture(1)).mean == Approx(2).epsilon(render_rounding));
   }
 }
 
@@ -124,7 +121,7 @@ TEST_CASE("a sun lights a floor by its irradiance and the cosine, by every way o
     check_radiance(scene, reflectance / M_PI * 3 * (2.0 / 3), method);
     scene.camera = camera_at({0, 1, 0}, Vec3{0, 1, 0} + towards);
     CHECK(estimate(scene, {.max_depth = 0}, small_picture(1)).mean ==
-          Approx(3 / (M_PI / 4)).epsilon(rounding));
+          Approx(3 / (M_PI / 4)).epsilon(render_rounding));
   }
 }
 

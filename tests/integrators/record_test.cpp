@@ -14,7 +14,7 @@
 namespace twinray::test {
 namespace {
 
-constexpr int width = 16, height = 12;
+constexpr int record_width = 16, record_height = 12;
 /// Points are kept off the edges of triangles by a little (core/surface.h).
 constexpr double off_edges = 1e-4;
 
@@ -22,7 +22,11 @@ constexpr double off_edges = 1e-4;
 Scene ball() { return scene_of(icosphere(2), {0.8f, 0.4f, 0.2f}, {0, 0, 4}, {0, 0, 0}); }
 
 RenderOptions with_layers(std::vector<Layer> layers) {
-  return {.width = width, .height = height, .samples = 4, .layers = std::move(layers), .threads = 2};
+  return {.width = record_width,
+          .height = record_height,
+          .samples = 4,
+          .layers = std::move(layers),
+          .threads = 2};
 }
 
 /// The records of these camera rays by each of the two path tracers.
@@ -69,8 +73,8 @@ TEST_CASE("a render keeps the layers asked for, and its colours have the bits th
     const Film alone = render_with(scene, path, with_layers({})).film;
     const Film film = render_with(scene, path, with_layers({Layer::normal, Layer::albedo})).film;
     CHECK(film.layers() == std::vector{Layer::normal, Layer::albedo});
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
+    for (int y = 0; y < record_height; ++y)
+      for (int x = 0; x < record_width; ++x) {
         CHECK(film.pixel(x, y) == alone.pixel(x, y));
         const Rgb normal = film.value(0, x, y);
         CHECK(length(Vec3{normal.r, normal.g, normal.b}) > 0.5f);
@@ -93,7 +97,7 @@ TEST_CASE("layers have the same bits by any engine, path tracer, number of threa
   CHECK(same_bits(film, render_with(scene, waves, options).film));
   options.window = PixelRect{3, 2, 11, 9};
   const Film part = render_with(scene, waves, options).film;
-  Film rest(width, height, {0, 0, width, height}, film.contents());
+  Film rest(record_width, record_height, {0, 0, record_width, record_height}, film.contents());
   rest.merge(part);
   CHECK_FALSE(first_difference(film, part));
   for (std::size_t layer = 0; layer < options.layers.size(); ++layer)
@@ -213,9 +217,9 @@ TEST_CASE("an integrator that knows nothing of a layer leaves it blank") {
   const Scene scene = ball();
   const Film film =
       render_with(scene, NormalsIntegrator(scene), with_layers({Layer::albedo, Layer::depth})).film;
-  CHECK_FALSE(is_black(film.pixel(width / 2, height / 2).mean()));
-  CHECK(is_black(film.value(0, width / 2, height / 2)));
-  CHECK(film.value(1, width / 2, height / 2).r == layer_info(Layer::depth).nothing);
+  CHECK_FALSE(is_black(film.pixel(record_width / 2, record_height / 2).mean()));
+  CHECK(is_black(film.value(0, record_width / 2, record_height / 2)));
+  CHECK(film.value(1, record_width / 2, record_height / 2).r == layer_info(Layer::depth).nothing);
 }
 
 TEST_CASE("no layer of a render comes twice") {

@@ -14,7 +14,7 @@
 namespace twinray::test {
 namespace {
 
-RenderOptions options(std::uint32_t samples, int threads) {
+RenderOptions kept_options(std::uint32_t samples, int threads) {
   return {.width = 40, .height = 30, .samples = samples, .seed = 5, .threads = threads};
 }
 
@@ -36,19 +36,19 @@ bool is_same(const RenderState& a, const RenderState& b) {
 }
 
 /// The states in which a render rests, each time that so many tiles were asked about.
-std::vector<RenderState> states_of(const Scene& scene, const Integrator& integrator, RenderOptions options,
-                                   int every) {
+std::vector<RenderState> states_of(const Scene& scene, const Integrator& integrator,
+                                   RenderOptions kept_options, int every) {
   std::vector<RenderState> states;
   std::atomic<int> asked = 0;
-  options.is_pause_due = [&, every] { return asked++ % every == every - 1; };
-  options.paused = [&](const RenderState& state) { states.push_back(state); };
-  render_with(scene, integrator, options);
+  kept_options.is_pause_due = [&, every] { return asked++ % every == every - 1; };
+  kept_options.paused = [&](const RenderState& state) { states.push_back(state); };
+  render_with(scene, integrator, kept_options);
   return states;
 }
 
-RenderOptions resuming(const RenderState& state, RenderOptions options) {
-  options.restore = [&state](RenderState& empty) { empty = state; };
-  return options;
+RenderOptions resuming(const RenderState& state, RenderOptions kept_options) {
+  kept_options.restore = [&state](RenderState& empty) { empty = state; };
+  return kept_options;
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ RenderOptions resuming(const RenderState& state, RenderOptions options) {
 TEST_CASE("a render that rests has the bits of one that does not") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 3});
-  const RenderOptions plain = rich(options(9, 3));
+  const RenderOptions plain = rich(kept_options(9, 3));
   const RenderResult expected = render_with(scene, path, plain);
   RenderOptions resting = plain;
   int rests = 0;
@@ -72,7 +72,7 @@ TEST_CASE("a render that rests has the bits of one that does not") {
 TEST_CASE("a render goes on from any state to the bits and the rays of an undisturbed one") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 3});
-  const RenderOptions plain = rich(options(13, 2));
+  const RenderOptions plain = rich(kept_options(13, 2));
   const RenderResult expected = render_with(scene, path, plain);
   const std::vector<RenderState> states = states_of(scene, path, plain, 4);
   REQUIRE(states.size() >= 5);
@@ -91,15 +91,15 @@ TEST_CASE("a render goes on from any state to the bits and the rays of an undist
 TEST_CASE("a render that was stopped amid a tile goes on without a gap") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 2});
-  const RenderResult expected = render_with(scene, path, options(40, 1));
+  const RenderResult expected = render_with(scene, path, kept_options(40, 1));
   for (const int most : {0, 1, 300, 1199, 1300, 2500, 4000, 6111}) {
     CAPTURE(most);
-    RenderOptions stopped = options(40, 2);
+    RenderOptions stopped = kept_options(40, 2);
     std::atomic<int> asked = 0;
     stopped.is_stopped = [&asked, most] { return ++asked > most; };
     const RenderResult partial = render_with(scene, path, stopped);
     REQUIRE_FALSE(partial.is_complete);
-    const RenderResult result = render_with(scene, path, resuming(partial, options(40, 2)));
+    const RenderResult result = render_with(scene, path, resuming(partial, kept_options(40, 2)));
     CHECK(result.is_complete);
     CHECK(is_same(result, expected));
   }
@@ -108,7 +108,7 @@ TEST_CASE("a render that was stopped amid a tile goes on without a gap") {
 TEST_CASE("adaptive sampling decides alike in a render that goes on") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 2});
-  RenderOptions adaptive = options(70, 2);
+  RenderOptions adaptive = kept_options(70, 2);
   adaptive.adaptive = AdaptiveSampling{8, 0.3};
   const RenderResult expected = render_with(scene, path, adaptive);
   for (const RenderState& state : states_of(scene, path, adaptive, 6))
@@ -118,25 +118,25 @@ TEST_CASE("adaptive sampling decides alike in a render that goes on") {
 TEST_CASE("a render that is done needs nothing more, and takes more samples") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 2});
-  const RenderResult done = render_with(scene, path, options(20, 1));
-  const RenderResult again = render_with(scene, path, resuming(done, options(20, 2)));
+  const RenderResult done = render_with(scene, path, kept_options(20, 1));
+  const RenderResult again = render_with(scene, path, resuming(done, kept_options(20, 2)));
   CHECK(again.is_complete);
   CHECK(is_same(again, done));
-  const RenderResult more = render_with(scene, path, resuming(done, options(50, 2)));
-  CHECK(is_same(more, render_with(scene, path, options(50, 1))));
-  CHECK_THROWS_WITH(render_with(scene, path, resuming(done, options(19, 1))),
+  const RenderResult more = render_with(scene, path, resuming(done, kept_options(50, 2)));
+  CHECK(is_same(more, render_with(scene, path, kept_options(50, 1))));
+  CHECK_THROWS_WITH(render_with(scene, path, resuming(done, kept_options(19, 1))),
                     "20 samples of a pixel are there already, and 19 are wanted");
 }
 
 TEST_CASE("a render with more samples in a single pixel than are wanted does not go on") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 2});
-  const RenderResult done = render_with(scene, path, options(20, 1));
+  const RenderResult done = render_with(scene, path, kept_options(20, 1));
   RenderState amid_pass = done;
   amid_pass.samples = 16;
-  CHECK_THROWS_WITH(render_with(scene, path, resuming(amid_pass, options(19, 1))),
+  CHECK_THROWS_WITH(render_with(scene, path, resuming(amid_pass, kept_options(19, 1))),
                     "20 samples of a pixel are there already, and 19 are wanted");
-  RenderOptions adaptive = options(40, 1);
+  RenderOptions adaptive = kept_options(40, 1);
   adaptive.adaptive = AdaptiveSampling{8, 1e6};
   const RenderResult calm = render_with(scene, path, adaptive);
   RenderOptions fewer = resuming(calm, adaptive);
@@ -148,8 +148,8 @@ TEST_CASE("a render with more samples in a single pixel than are wanted does not
 TEST_CASE("passes end at the same places wherever a render goes on") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 2});
-  const RenderResult done = render_with(scene, path, options(20, 1));
-  RenderOptions more = resuming(done, options(50, 2));
+  const RenderResult done = render_with(scene, path, kept_options(20, 1));
+  RenderOptions more = resuming(done, kept_options(50, 2));
   std::vector<std::uint32_t> ends;
   more.pass_done = [&](const Film& film) { ends.push_back(film.pixel(7, 7).count); };
   render_with(scene, path, more);
@@ -159,7 +159,7 @@ TEST_CASE("passes end at the same places wherever a render goes on") {
 TEST_CASE("a noise target ends a render that goes on where it would have ended") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 2});
-  RenderOptions target = options(4096, 2);
+  RenderOptions target = kept_options(4096, 2);
   target.half_layers.emplace();
   target.noise_target = 0.02;
   const RenderResult expected = render_with(scene, path, target);
@@ -175,7 +175,7 @@ TEST_CASE("a noise target ends a render that goes on where it would have ended")
 TEST_CASE("ranges of samples make one picture together") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 3});
-  const RenderOptions plain = rich(options(23, 2));
+  const RenderOptions plain = rich(kept_options(23, 2));
   const RenderResult expected = render_with(scene, path, plain);
   RenderState sum = empty_state(plain, scene);
   for (const SampleRange range : {SampleRange{7, 21}, {0, 1}, {21, 23}, {1, 7}}) {
@@ -201,7 +201,7 @@ TEST_CASE("ranges of tiles make one picture together, adaptive or not") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 2});
   for (const bool is_adaptive : {false, true}) {
-    RenderOptions plain = options(40, 2);
+    RenderOptions plain = kept_options(40, 2);
     plain.window = PixelRect{3, 2, 38, 29};  // 3 x 2 tiles
     if (is_adaptive) plain.adaptive = AdaptiveSampling{8, 0.3};
     const RenderResult expected = render_with(scene, path, plain);
@@ -224,7 +224,7 @@ TEST_CASE("parts that could not be merged are refused") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, {.max_depth = 2});
   const auto message = [&](const std::function<void(RenderOptions&)>& change) -> std::string {
-    RenderOptions wrong = options(16, 1);
+    RenderOptions wrong = kept_options(16, 1);
     change(wrong);
     try {
       render_with(scene, path, wrong);

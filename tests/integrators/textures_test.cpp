@@ -11,7 +11,7 @@
 namespace twinray::test {
 namespace {
 
-constexpr std::uint32_t samples = 512;
+constexpr std::uint32_t samples_of_texture = 512;
 
 /// A square has 32 density pixels for each unit of length: it has no texture coordinates, and the weights of
 /// its corners are 1/2 a unit of length.
@@ -58,11 +58,11 @@ Levels levels_of(Scene scene, float density, const RayCone& cone, int depth) {
     return radiance;
   };
   std::vector<Rgb> grey;
-  for (std::uint32_t i = 0; i < samples; ++i) grey.push_back(radiance_of(i));
+  for (std::uint32_t i = 0; i < samples_of_texture; ++i) grey.push_back(radiance_of(i));
   scene.textures = {{"", black_and_white(density)}};
   scene.materials[1].textures = {{MaterialInput::reflectance, 0}};
   Levels found;
-  for (std::uint32_t i = 0; i < samples; ++i)
+  for (std::uint32_t i = 0; i < samples_of_texture; ++i)
     if (!is_black(grey[i])) ++(radiance_of(i) == grey[i] ? found.grey : found.other);
   REQUIRE(found.grey + found.other > 4);
   return found;
@@ -83,8 +83,8 @@ TEST_CASE("a texture in a mirror is seen at the level of the whole way to it") {
   CHECK(levels_of(scene, 1, cone_of(0.95, to_wall), 2).grey == 0);
   CHECK(levels_of(scene, 1, cone_of(2.1, to_wall), 2).other == 0);
   const Levels between = levels_of(scene, 1, cone_of(std::sqrt(2.0), to_wall), 2);
-  CHECK(between.grey > int(samples) / 4);
-  CHECK(between.other > int(samples) / 4);
+  CHECK(between.grey > int(samples_of_texture) / 4);
+  CHECK(between.other > int(samples_of_texture) / 4);
   // A cone that has a width and does not widen.
   const auto width = float(slant / 32);
   CHECK(levels_of(scene, 1, {0.95f * width, 0}, 2).grey == 0);
@@ -99,7 +99,7 @@ TEST_CASE(
   // A lobe of a metal is narrower: seen of a denser texture.
   const Conductor metal{.roughness = {0.2f, 0.2f}};
   CHECK(levels_of(floor_and_wall(metal), 32, ray, 2).other == 0);
-  CHECK(levels_of(floor_and_wall(metal), 0.05f, ray, 2).grey < int(samples) / 4);
+  CHECK(levels_of(floor_and_wall(metal), 0.05f, ray, 2).grey < int(samples_of_texture) / 4);
   CHECK(levels_of(floor_and_wall(Mirror{}), 32, ray, 2).grey == 0);
 }
 

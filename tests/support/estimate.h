@@ -7,6 +7,13 @@
 
 namespace twinray::test {
 
+/// How far two routes to one radiance may differ, relatively: by the rounding of many floats.
+inline constexpr double render_rounding = 1e-5;
+
+/// All ways of finding direct light.
+inline constexpr DirectMethod all_methods[] = {DirectMethod::mis, DirectMethod::lights,
+                                               DirectMethod::hemisphere};
+
 struct Estimate {
   double mean = 0;            ///< Of the luminance over all pixels.
   double standard_error = 0;  ///< From the pixels' own variances; an upper bound for stratified samples.

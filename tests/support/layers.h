@@ -2,12 +2,19 @@
 // Layers as pbrt-v4 has them (LayeredBxDF without a medium): light goes to and fro between a coat and a base
 // until it leaves. Slow, and free of closed forms: the oracle of coated materials.
 #pragma once
+#include "core/lobes/coat.h"
 #include "core/lobes/dielectric_facets.h"
 #include "core/lobes/specular.h"
 #include "tests/support/lobe_checks.h"
 #include "tests/support/statistics.h"
 
 namespace twinray::test {
+
+/// From straight above to grazing.
+inline constexpr float coat_cosines[] = {1.0f, 0.6f, 0.2f};
+
+/// Of alpha 0: a smooth one.
+inline Coat coat_of(float alpha, float ior = 1.5f) { return alpha > 0 ? Coat(ior, Ggx(alpha)) : Coat(ior); }
 
 /// What a walk brings: a direction above the coat and its weight, both zero where it was absorbed or cut.
 struct LayerWalk {
@@ -19,7 +26,6 @@ struct LayerWalk {
 /// base. `depth`: how many times light may meet a layer below the first boundary; pbrt cuts at 10.
 template <class Boundary, class Base>
 LayerWalk walk_layers(float ior, float alpha, const Base& base, const Vec3& wo, int depth, Random& random) {
-  constexpr Rgb white{1, 1, 1};
   const auto sample = [&](const auto& lobe, const Vec3& w) {
     const float choice = random.unit();
     const float u = random.unit();

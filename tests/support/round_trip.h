@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes that are written to a file and read again, and what of them must be the same.
 #pragma once
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "core/scene.h"
 #include "io/load_options.h"
+#include "tests/support/json.h"
 
 namespace twinray::test {
 

@@ -3,6 +3,7 @@
 from mutant import Mutant
 
 TARGET = "test_accel"
+ENGINES = "test_accel_engines"
 
 WORK = "each tree costs, and each ray does, what the table says"
 SINGLY = "the fast kernels take the steps of the scalar traversal, one ray at a time"
@@ -101,7 +102,7 @@ MUTANTS = [
            TARGET, "the interval is scaled with the direction"),
     Mutant("of equal hits of two blocks the greater id wins", "accel/canonical/block_lanes-inl.h",
            "best.id() < block.ids[lane]", "block.ids[lane] < best.id()",
-           TARGET, "engines agree on coplanar layers and duplicates, where the lowest id wins"),
+           ENGINES, "engines agree on coplanar layers and duplicates, where the lowest id wins"),
     Mutant("reinsertion moves the smallest gain first", "accel/build/reinsertion.cpp",
            "? a.gain > b.gain :", "? a.gain < b.gain :",
            TARGET, WORK),
@@ -125,13 +126,13 @@ MUTANTS = [
            TARGET, WORK),
     Mutant("Embree is not told of a hit", "accel/embree/leaf.h",
            "if (t <= ray.t_max) ray_hit", "if (t < 0) ray_hit",
-           TARGET, TOLD),
+           ENGINES, TOLD),
     Mutant("Embree goes on after any hit", "accel/embree/leaf.h",
            "if (is_hit) ended", "if (false) ended",
-           TARGET, TOLD),
+           ENGINES, TOLD),
     Mutant("the leaves of embree are not filled", "accel/embree/embree.cpp",
            ".leaf_block = PrimitiveBlock::width}", ".leaf_block = 1}",
-           TARGET, "embree's blocks are nearly full"),
+           ENGINES, "embree's blocks are nearly full"),
     Mutant("the collapse takes leaves for almost free", "accel/wide/collapse.h",
            "leaf_cost = 0.9f", "leaf_cost = 0.1f",
            TARGET, WORK),
@@ -143,7 +144,7 @@ MUTANTS = [
            TARGET, WORK),
     Mutant("the binary tree's depth counts nodes", "accel/bvh/statistics.cpp",
            "std::max(stats_.depth, depth)", "std::max(stats_.depth, depth + 1)",
-           TARGET, "coincident centres are divided by halves"),
+           ENGINES, "coincident centres are divided by halves"),
     Mutant("in lanes a sphere has no far root", "accel/canonical/sphere_test-inl.h",
            "t = hn::IfThenElse(is_far, far, near);", "t = near;",
            TARGET, SPHERES),
@@ -178,17 +179,17 @@ MUTANTS = [
            TARGET, SPHERES),
     Mutant("the answers of a stream overwrite those of the one before", "accel/embree/direct.cpp",
            "read(queries[i], answers[first + i]);", "read(queries[i], answers[i]);",
-           TARGET, PACKETS),
+           ENGINES, PACKETS),
     Mutant("the answers of a packet overwrite those of the one before", "accel/embree/direct.cpp",
            "read(packet, lane, answers[first + lane]);", "read(packet, lane, answers[lane]);",
-           TARGET, PACKETS),
+           ENGINES, PACKETS),
     Mutant("a packet's old hits are believed", "accel/embree/direct.cpp",
            "  std::fill_n(packet.hit.geomID, packet_size, RTC_INVALID_GEOMETRY_ID);\n", "",
-           TARGET, PACKETS),
+           ENGINES, PACKETS),
     Mutant("packets see rays without their ends", "accel/embree/direct.cpp",
            "packet.tfar[lane] = ray.t_max + 0.0f;", "packet.tfar[lane] = 1e30f;",
-           TARGET, PACKETS),
+           ENGINES, PACKETS),
     Mutant("a packet's last ray is not active", "accel/embree/direct.cpp",
            "lane < count ? -1 : 0", "lane + 1 < count ? -1 : 0",
-           TARGET, PACKETS),
+           ENGINES, PACKETS),
 ]

@@ -3,6 +3,7 @@
 from mutant import Mutant
 
 TARGET = "test_accel"
+ENGINES = "test_accel_engines"
 
 OUTWARD = "a grid reaches over all children, and the nearest planes outside of each are found"
 ROOMS = "a floor and a ceiling become thicker on the outside alone"
@@ -55,13 +56,13 @@ MUTANTS = [
            TARGET, PACKED),
     Mutant("the least index is forgotten where leaves are unpacked in lanes", "accel/compact/unpack-inl.h",
            "{mesh, least + words_", "{mesh, words_",
-           TARGET, AGREE),
+           ENGINES, AGREE),
     Mutant("wide axes are unpacked as narrow ones", "accel/compact/unpack-inl.h",
            "0u - (head_.wide_axes >> axis & 1)", "0u",
-           TARGET, AGREE),
+           ENGINES, AGREE),
     Mutant("the block of the nearest hit is written over", "accel/compact/unpack-inl.h",
            "free_ ^= best.block == &places_[free_].block;", "free_ ^= 0 * (best.block == nullptr);",
-           TARGET, AGREE),
+           ENGINES, AGREE),
     Mutant("parts may lie as deep as splits like", "accel/compact/partition.cpp",
            "is_free ? divide(", "true ? divide(",
            TARGET, PARTS),

@@ -2,7 +2,7 @@
 """Defects of instances: their boxes, their rays, their trees, their points."""
 from mutant import Mutant
 
-ACCEL, CORE, IO, GLTF = "test_accel", "test_core", "test_io", "test_io_gltf"
+ACCEL, ENGINES, CORE, IO, GLTF = "test_accel", "test_accel_engines", "test_core", "test_io", "test_io_gltf"
 INSTANCING = "gltf: what EXT_mesh_gpu_instancing shows lies within its node, copied or not"
 KINDS = "engines agree on instances of each kind"
 ALL_KINDS = "engines agree on instances of all kinds at once, with and without shapes beside them"
@@ -97,7 +97,7 @@ MUTANTS = [
            IO, "an object that is shown often is stored once, but for what emits"),
     Mutant("Embree's boxes of instances are for rays from nearby", "accel/embree/bounds.h",
            "const float pad = placed.far_margin() * reach * scene_size;", "const float pad = 0;",
-           ACCEL, "Embree's boxes of instances hold what the farthest of its rays may hit"),
+           ENGINES, "Embree's boxes of instances hold what the farthest of its rays may hit"),
     Mutant("a wide tree may be a level deeper than its stack", "accel/wide/inspection.h",
            "visit(bvh_.root, all, is_joined ? -1 : 0);", "visit(bvh_.root, all, -1);",
            ACCEL, "a wide tree that is one level too deep has a fault"),

@@ -6,11 +6,12 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
+#include "tests/support/near.h"
 
 namespace twinray {
 namespace {
 
-constexpr float tolerance = 1e-6f;
+constexpr float camera_tolerance = 1e-6f;
 
 /// `lens` stands within <perspective>, `extra` within <camera>.
 std::string camera_text(const std::string& lens, const std::string& transform = "",
@@ -29,11 +30,6 @@ LoadedScene load_camera(const std::string& lens, const std::string& transform = 
 }
 
 Camera lens(const std::string& elements) { return load_camera(elements).scene.camera; }
-
-void check_near(const Vec3& a, const Vec3& b) {
-  CAPTURE(a.x, a.y, a.z, b.x, b.y, b.z);
-  CHECK(max_abs(a - b) <= tolerance);
-}
 
 /// Half of the frame, in units of the distance to it.
 void check_frame(const Camera& camera, double half_width, double half_height) {
@@ -86,26 +82,26 @@ TEST_CASE("a camera stands and turns with its node") {
                   "<translate>1 2 3</translate><rotate>0 1 0 90</rotate><scale>3 2 5</scale>")
           .scene.camera;
   CHECK(camera.position == Vec3{1, 2, 3});
-  check_near(camera.forward, {-1, 0, 0});
-  check_near(camera.up, {0, 1, 0});
-  check_near(camera.right, {0, 0, -1});
+  test::check_near(camera.forward, {-1, 0, 0});
+  test::check_near(camera.up, {0, 1, 0});
+  test::check_near(camera.right, {0, 0, -1});
 }
 
 TEST_CASE("a camera's axes are orthonormal under a skew, and keep their view") {
   const Camera camera =
       load_camera("<xfov>40</xfov>", "<matrix>1 0.25 0 0  0 1 0.5 0  0 0 1 0  0 0 0 1</matrix>").scene.camera;
-  CHECK(std::fabs(dot(camera.up, camera.forward)) < tolerance);
-  CHECK(std::fabs(dot(camera.right, camera.forward)) < tolerance);
-  CHECK(std::fabs(dot(camera.right, camera.up)) < tolerance);
-  check_near(camera.forward, normalize(Vec3{0, -0.5f, -1}));
-  check_near(cross(camera.right, camera.up), -camera.forward);
+  CHECK(std::fabs(dot(camera.up, camera.forward)) < camera_tolerance);
+  CHECK(std::fabs(dot(camera.right, camera.forward)) < camera_tolerance);
+  CHECK(std::fabs(dot(camera.right, camera.up)) < camera_tolerance);
+  test::check_near(camera.forward, normalize(Vec3{0, -0.5f, -1}));
+  test::check_near(cross(camera.right, camera.up), -camera.forward);
 }
 
 TEST_CASE("a mirrored camera stays mirrored") {
   const Camera camera = load_camera("<xfov>40</xfov>", "<scale>-1 1 1</scale>").scene.camera;
-  check_near(camera.right, {-1, 0, 0});
-  check_near(camera.up, {0, 1, 0});
-  check_near(camera.forward, {0, 0, -1});
+  test::check_near(camera.right, {-1, 0, 0});
+  test::check_near(camera.up, {0, 1, 0});
+  test::check_near(camera.forward, {0, 0, -1});
 }
 
 TEST_CASE("a note says where clip distances would have cut something, and are not used") {
@@ -149,7 +145,7 @@ TEST_CASE("without a camera a default one sees all of the scene") {
     CHECK(std::fabs(dot(d, camera.right)) < depth * camera.tan_half_width);
     CHECK(std::fabs(dot(d, camera.up)) < depth * camera.tan_half_height);
   }
-  check_near(cross(camera.right, camera.up), -camera.forward);
+  test::check_near(cross(camera.right, camera.up), -camera.forward);
   CHECK(loaded.summary.camera.empty());
   CHECK(summary_lines(loaded.summary)[1] ==
         "camera: none in the file; a default one sees the whole scene from the front, right and above");

@@ -9,7 +9,7 @@
 namespace twinray {
 namespace {
 
-constexpr float tolerance = 1e-5f;
+constexpr float skin_tolerance = 1e-5f;
 
 std::string plain_source(const std::string& id, int count, int stride, const std::string& array) {
   return "<source id=\"" + id + "\">" + array + "<technique_common><accessor source=\"#" + id +
@@ -52,7 +52,7 @@ struct SkinText {
 const std::string joint_nodes =
     "<node id=\"root\" sid=\"base\"><node id=\"end\" sid=\"tip\"><translate>1 2 0</translate></node></node>";
 
-std::string instance_of(const std::string& skeleton = "", const std::string& transform = "") {
+std::string controller_instance(const std::string& skeleton = "", const std::string& transform = "") {
   return "<node>" + transform + "<instance_controller url=\"#c\">" + skeleton +
          "</instance_controller></node>";
 }
@@ -64,7 +64,7 @@ LoadedScene load(const std::string& controllers, const std::string& nodes,
       nodes));
 }
 
-LoadedScene load_skin(const SkinText& skin, const std::string& nodes = instance_of() + joint_nodes) {
+LoadedScene load_skin(const SkinText& skin, const std::string& nodes = controller_instance() + joint_nodes) {
   return load(skin.text(), nodes);
 }
 
@@ -73,7 +73,7 @@ void check_positions(const LoadedScene& loaded, const std::vector<Vec3>& expecte
   REQUIRE(positions.size() == expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
     CAPTURE(i, positions[i].x, positions[i].y, positions[i].z);
-    CHECK(max_abs(positions[i] - expected[i]) <= tolerance);
+    CHECK(max_abs(positions[i] - expected[i]) <= skin_tolerance);
   }
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("a skin's vertices go where its joints take them, each by its weights"
 }
 
 TEST_CASE("a skin is moved by its node after its joints, and turned with the scene's axis") {
-  const std::string nodes = instance_of("", "<translate>0 0 7</translate>") + joint_nodes;
+  const std::string nodes = controller_instance("", "<translate>0 0 7</translate>") + joint_nodes;
   check_positions(load_skin({}, nodes), {{0, 0, 7}, {1, 2, 7}, {0, 2, 7}});
   const std::string library = "<library_controllers>" + SkinText{}.text() + "</library_controllers>";
   check_positions(load_collada(collada_text(collada_triangle() + library, nodes, "Z_UP")),
@@ -141,7 +141,7 @@ TEST_CASE("a joint is the first node of its sid below the skeleton") {
   const std::string other =
       "<node id=\"other\" sid=\"base\"><node sid=\"tip\"><translate>1 0 5</translate></node></node>";
   const auto load_below = [&](const std::string& skeleton) {
-    return load_skin({}, instance_of("<skeleton>#" + skeleton + "</skeleton>") + other + joint_nodes);
+    return load_skin({}, controller_instance("<skeleton>#" + skeleton + "</skeleton>") + other + joint_nodes);
   };
   check_positions(load_below("root"), {{0, 0, 0}, {1, 2, 0}, {0, 2, 0}});
   check_positions(load_below("other"), {{0, 0, 0}, {1, 0, 5}, {0, 1, 2.5}});
@@ -155,9 +155,10 @@ TEST_CASE("a joint may be named by its id, and stand in a library of nodes or be
   skin.joints = names("joints", 2, "Name_array", "root end");
   check_positions(load_skin(skin), {{0, 0, 0}, {1, 2, 0}, {0, 2, 0}});
   const std::string library = "<library_nodes>" + joint_nodes + "</library_nodes>";
-  check_positions(load(skin.text(), instance_of(), library), {{0, 0, 0}, {1, 2, 0}, {0, 2, 0}});
+  check_positions(load(skin.text(), controller_instance(), library), {{0, 0, 0}, {1, 2, 0}, {0, 2, 0}});
   const std::string placed = "<node><translate>0 0 6</translate><instance_node url=\"#root\"/></node>";
-  check_positions(load(skin.text(), instance_of() + placed, library), {{0, 0, 6}, {1, 2, 6}, {0, 2, 6}});
+  check_positions(load(skin.text(), controller_instance() + placed, library),
+                  {{0, 0, 6}, {1, 2, 6}, {0, 2, 6}});
 }
 
 TEST_CASE("a skin's normals turn with their joints") {
@@ -167,7 +168,7 @@ TEST_CASE("a skin's normals turn with their joints") {
           "<triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#vertices\" offset=\"0\"/><input "
           "semantic=\"NORMAL\" source=\"#normals\" offset=\"1\"/><p>0 0 1 0 2 0</p></triangles>");
   const std::string nodes =
-      instance_of() +
+      controller_instance() +
       "<node sid=\"base\"/><node sid=\"tip\"><translate>1 0 0</translate><rotate>0 1 0 90</rotate></node>";
   SkinText skin;
   skin.counts = "1 1 1";
@@ -176,8 +177,8 @@ TEST_CASE("a skin's normals turn with their joints") {
       collada_text(geometry + "<library_controllers>" + skin.text() + "</library_controllers>", nodes));
   const Mesh& mesh = mesh_of(loaded);
   const Triangle& normals = mesh.normal_indices.at(0);
-  CHECK(max_abs(mesh.normals[normals[0]] - Vec3{0, 0, 1}) <= tolerance);
-  CHECK(max_abs(mesh.normals[normals[1]] - Vec3{1, 0, 0}) <= tolerance);
+  CHECK(max_abs(mesh.normals[normals[0]] - Vec3{0, 0, 1}) <= skin_tolerance);
+  CHECK(max_abs(mesh.normals[normals[1]] - Vec3{1, 0, 0}) <= skin_tolerance);
 }
 
 TEST_CASE("a skin whose joints or numbers are missing stands in its bind pose, with the reason") {
@@ -187,10 +188,11 @@ TEST_CASE("a skin whose joints or numbers are missing stands in its bind pose, w
     REQUIRE(loaded.warnings.size() == 1);
     return loaded.warnings[0].message;
   };
-  const std::string pose = "; this <skin> is rendered in its bind pose", all = instance_of() + joint_nodes;
+  const std::string pose = "; this <skin> is rendered in its bind pose",
+                    all = controller_instance() + joint_nodes;
   SkinText skin;
   skin.shape = "<bind_shape_matrix>1 0 0 5 0 1 0 0 0 0 1 0 0 0 0 1</bind_shape_matrix>";
-  CHECK(warning(skin, instance_of()) == "no <node> of the scene is the joint \"base\"" + pose);
+  CHECK(warning(skin, controller_instance()) == "no <node> of the scene is the joint \"base\"" + pose);
   SkinText broken = skin;
   broken.influences = "0 0 1 0 0 1 2 1";
   CHECK(warning(broken, all) == "2 is not the index of a joint; there are 2, numbered from 0" + pose);
@@ -209,15 +211,15 @@ TEST_CASE("a skin whose joints or numbers are missing stands in its bind pose, w
 TEST_CASE("a normalized morph goes from its base towards its targets by their weights") {
   const std::string wide = target("wide", 3, "0 0 0 5 0 0 0 1 0");
   const LoadedScene one =
-      load(morph("lifted", "0.75"), instance_of("", "<translate>0 9 0</translate>"), lifted);
+      load(morph("lifted", "0.75"), controller_instance("", "<translate>0 9 0</translate>"), lifted);
   check_positions(one, {{0, 9, 3}, {1, 9, 3}, {0, 10, 3}});
   CHECK(messages(one) == morph_stands);
-  check_positions(load(morph("lifted wide", "0.5 0.25"), instance_of(), lifted + wide),
+  check_positions(load(morph("lifted wide", "0.5 0.25"), controller_instance(), lifted + wide),
                   {{0, 0, 2}, {2, 0, 2}, {0, 1, 2}});
 }
 
 TEST_CASE("a relative morph adds its targets to its base") {
-  check_positions(load(morph("lifted", "0.5", "method=\"RELATIVE\""), instance_of(), lifted),
+  check_positions(load(morph("lifted", "0.5", "method=\"RELATIVE\""), controller_instance(), lifted),
                   {{0, 0, 2}, {1.5f, 0, 2}, {0, 1.5f, 2}});
 }
 
@@ -232,17 +234,17 @@ TEST_CASE("a morph blends the normals of its targets, and shades flat where one 
     return load_collada(collada_text(collada_mesh(3, "0 0 0 1 0 0 0 1 0", primitives("", "0 0 1")) + further +
                                          "<library_controllers>" + morph("t", "0.5") +
                                          "</library_controllers>",
-                                     instance_of()));
+                                     controller_instance()));
   };
   const LoadedScene blended = load_with(target("t", 3, "0 0 0 1 0 0 0 1 2", primitives("t-", "1 0 0")));
   const Vec3 normal = mesh_of(blended).normals.at(0);
-  CHECK(max_abs(normal - Vec3{0.70710678f, 0, 0.70710678f}) <= tolerance);
+  CHECK(max_abs(normal - Vec3{0.70710678f, 0, 0.70710678f}) <= skin_tolerance);
   CHECK(mesh_of(load_with(target("t", 3, "0 0 0 1 0 0 0 1 2"))).normals.empty());
 }
 
 TEST_CASE("a morph that does not fit is its base mesh, with the reason") {
   const auto warning = [](const std::string& controller, const std::string& libraries) {
-    const LoadedScene loaded = load(controller, instance_of(), libraries);
+    const LoadedScene loaded = load(controller, controller_instance(), libraries);
     check_positions(loaded, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     REQUIRE(loaded.warnings.size() == 1);
     return loaded.warnings[0].message;
@@ -262,8 +264,9 @@ TEST_CASE("a morph that does not fit is its base mesh, with the reason") {
 TEST_CASE("a skin may move a morph") {
   SkinText skin;
   skin.source = "#m";
-  check_positions(load(skin.text() + morph("lifted", "0.5", "", "m"), instance_of() + joint_nodes, lifted),
-                  {{0, 0, 2}, {1, 2, 2}, {0, 2, 2}});
+  check_positions(
+      load(skin.text() + morph("lifted", "0.5", "", "m"), controller_instance() + joint_nodes, lifted),
+      {{0, 0, 2}, {1, 2, 2}, {0, 2, 2}});
 }
 
 TEST_CASE("by CS184's rules controllers are left out, with a warning") {
@@ -271,7 +274,7 @@ TEST_CASE("by CS184's rules controllers are left out, with a warning") {
   options.interpretation = Interpretation::cs184;
   const std::string library = "<library_controllers>" + SkinText{}.text() + "</library_controllers>";
   const LoadedScene loaded =
-      load_collada(collada_text(collada_triangle() + library, instance_of() + joint_nodes), options);
+      load_collada(collada_text(collada_triangle() + library, controller_instance() + joint_nodes), options);
   CHECK(loaded.scene.geometry->triangle_count() == 0);
   CHECK(messages(loaded) ==
         std::vector<std::string>{"CS184's program reads no controllers; this one is left out",
@@ -281,7 +284,7 @@ TEST_CASE("by CS184's rules controllers are left out, with a warning") {
 TEST_CASE("so many nodes may be joints and no more") {
   std::string nodes;
   for (std::size_t i = 0; i < ColladaJoints::max_joints; ++i) nodes += "<node/>";
-  const LoadedScene loaded = load_skin({}, nodes + instance_of() + joint_nodes);
+  const LoadedScene loaded = load_skin({}, nodes + controller_instance() + joint_nodes);
   CHECK(messages(loaded) ==
         std::vector<std::string>{
             "of so many nodes the first 100000 may be joints",
@@ -292,8 +295,8 @@ TEST_CASE("controllers that are each other's source are an error") {
   const std::string controllers =
       "<controller id=\"c\"><skin source=\"#d\"/></controller>"
       "<controller id=\"d\"><morph source=\"#c\"/></controller>";
-  CHECK(collada_error(
-            collada_text("<library_controllers>" + controllers + "</library_controllers>", instance_of()))
+  CHECK(collada_error(collada_text("<library_controllers>" + controllers + "</library_controllers>",
+                                   controller_instance()))
             .find("this controller is its own source; controllers must form no circle") != std::string::npos);
 }
 

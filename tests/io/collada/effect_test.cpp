@@ -12,7 +12,7 @@ const std::string images =
     "<image id=\"stone\"><init_from><ref>pictures/stone.png</ref></init_from></image></library_images>";
 
 /// The triangle in a material whose effect's profile holds this, instanced with these settings.
-LoadedScene load_effect(const std::string& profile, const std::string& settings = "") {
+LoadedScene load_painted(const std::string& profile, const std::string& settings = "") {
   return load_collada(collada_text(
       images +
           collada_mesh(3, "0 0 0 1 0 0 0 1 0",
@@ -28,7 +28,7 @@ LoadedScene load_effect(const std::string& profile, const std::string& settings 
 }
 
 LoadedScene load_shading(const std::string& model, const std::string& slots) {
-  return load_effect("<technique><" + model + ">" + slots + "</" + model + "></technique>");
+  return load_painted("<technique><" + model + ">" + slots + "</" + model + "></technique>");
 }
 
 Rgb reflectance(const LoadedScene& loaded) {
@@ -60,17 +60,17 @@ TEST_CASE("a color may be a parameter, which the instance may set") {
   const std::string shading =
       "<technique><lambert><diffuse><param ref=\"tint\"/></diffuse></lambert></technique>";
   const std::string parameter = "<newparam sid=\"tint\"><float4>0.1 0.2 0.3 1</float4></newparam>";
-  CHECK(reflectance(load_effect(parameter + shading)) == Rgb{0.1f, 0.2f, 0.3f});
+  CHECK(reflectance(load_painted(parameter + shading)) == Rgb{0.1f, 0.2f, 0.3f});
   const LoadedScene set =
-      load_effect(parameter + shading, "<setparam ref=\"tint\"><float3>0.5 0.6 0.7</float3></setparam>");
+      load_painted(parameter + shading, "<setparam ref=\"tint\"><float3>0.5 0.6 0.7</float3></setparam>");
   CHECK(reflectance(set) == Rgb{0.5f, 0.6f, 0.7f});
   CHECK(messages(set).empty());
 }
 
 TEST_CASE("a texture leads to its image file, by whatever way it is referred to") {
   const auto named = [](const std::string& parameters, const std::string& texture) {
-    return messages(load_effect(parameters + "<technique><lambert><diffuse><texture texture=\"" + texture +
-                                "\" texcoord=\"UV\"/></diffuse></lambert></technique>"));
+    return messages(load_painted(parameters + "<technique><lambert><diffuse><texture texture=\"" + texture +
+                                 "\" texcoord=\"UV\"/></diffuse></lambert></technique>"));
   };
   const auto warning = [](const std::string& name) {
     return std::vector<std::string>{name + ": there is no such file; it is shown magenta",
@@ -138,7 +138,7 @@ TEST_CASE("mirror reflection is told where there is some") {
 }
 
 TEST_CASE("an effect without a common profile is grey, and said to be") {
-  const LoadedScene loaded = load_effect("<technique/>");
+  const LoadedScene loaded = load_painted("<technique/>");
   REQUIRE(loaded.warnings.size() == 1);
   CHECK(loaded.warnings[0].message.find("this <effect> has no <phong>") == 0);
   CHECK(reflectance(loaded) == Rgb{0.5f, 0.5f, 0.5f});

@@ -30,7 +30,7 @@ std::string lamp_scene(const std::string& shift, const std::string& winding, con
 }
 
 const std::string up = "0 1 2 0 2 3", down = "0 2 1 0 3 2", mixed = "0 1 2 0 3 2";
-const std::string area =
+const std::string area_lamp =
     "<technique_common><point><color>3 3 3</color></point></technique_common><extra><technique "
     "profile=\"CGL\"><area>"
     "<color>10 9 8</color></area></technique></extra>";
@@ -40,7 +40,7 @@ const std::string point = "<technique_common><point><color>3 3 3</color></point>
 
 TEST_CASE("where an area light and an emissive mesh coincide the mesh is the lamp") {
   for (const std::string& winding : {up, down}) {
-    const LoadedScene loaded = load_collada(lamp_scene("0 0.004 1.49001", winding, area));
+    const LoadedScene loaded = load_collada(lamp_scene("0 0.004 1.49001", winding, area_lamp));
     REQUIRE(loaded.scene.lights.size() == 1);
     const auto& lamp = std::get<MeshLight>(loaded.scene.lights[0].source);
     CHECK(lamp.shape == 0);
@@ -60,7 +60,7 @@ TEST_CASE("lamps that do not coincide are both kept") {
   const std::string apart[][2] = {{"0 0 1.488", down}, {"0 0.01 1.49", down}, {"0 0 1.49", mixed}};
   for (const auto& [shift, winding] : apart) {
     INFO(shift << ", " << winding);
-    const LoadedScene loaded = load_collada(lamp_scene(shift, winding, area));
+    const LoadedScene loaded = load_collada(lamp_scene(shift, winding, area_lamp));
     CHECK(loaded.scene.lights.size() == 2);
     CHECK(std::get<MeshLight>(loaded.scene.lights[0].source).side == EmissionSide::both);
     CHECK(loaded.summary.notes.empty());
@@ -81,7 +81,7 @@ TEST_CASE("a point light within an emissive mesh is left out, and the mesh keeps
 
 TEST_CASE("on request both lamps are kept") {
   const LoadOptions keep{.keep_both_lamps = true};
-  CHECK(load_collada(lamp_scene("0 0 1.49", down, area), keep).scene.lights.size() == 2);
+  CHECK(load_collada(lamp_scene("0 0 1.49", down, area_lamp), keep).scene.lights.size() == 2);
   CHECK(load_collada(lamp_scene("0 0 1.49", down, point), keep).scene.lights.size() == 2);
 }
 

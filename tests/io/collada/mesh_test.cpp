@@ -7,7 +7,7 @@
 namespace twinray {
 namespace {
 
-constexpr float tolerance = 1e-6f;
+constexpr float area_tolerance = 1e-6f;
 
 const std::string square = "0 0 0 1 0 0 1 1 0 0 1 0";
 const std::string vertex_input = "<input semantic=\"VERTEX\" source=\"#vertices\" offset=\"0\"/>";
@@ -205,7 +205,7 @@ TEST_CASE("normals stay perpendicular under an uneven scale") {
       "<input semantic=\"NORMAL\" source=\"#n\" offset=\"1\"/><p>0 0 1 0 2 0</p></triangles>";
   const std::string library = collada_mesh(3, "1 0 0 0 1 0 0 0 1", collada_source("n", 1, "1 1 1") + element);
   const Mesh mesh = mesh_of(load_shape(library, "<scale>1e-9 5e-9 2e-9</scale>"));
-  CHECK(max_abs(mesh.normals[0] - front_of(mesh)) < tolerance);
+  CHECK(max_abs(mesh.normals[0] - front_of(mesh)) < area_tolerance);
 }
 
 TEST_CASE("degenerate triangles are dropped and counted, with the vertices only they use") {

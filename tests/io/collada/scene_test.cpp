@@ -5,12 +5,13 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
+#include "tests/support/near.h"
 
 namespace twinray {
 namespace {
 
-constexpr float tolerance = 1e-5f;
-const std::string placed = "<node id=\"n\"><instance_geometry url=\"#shape\"/></node>";
+constexpr float scene_tolerance = 1e-5f;
+const std::string shape_node = "<node id=\"n\"><instance_geometry url=\"#shape\"/></node>";
 
 std::string camera(const std::string& id, const std::string& lens) {
   return "<camera id=\"" + id + "\" name=\"" + id + " name\"><optics><technique_common>" + lens +
@@ -27,13 +28,10 @@ std::string two_cameras(const std::string& further = "") {
   const std::string lens = "<perspective><xfov>40</xfov></perspective>";
   return collada_text("<library_cameras>" + camera("one", lens) + camera("two", lens) + "</library_cameras>" +
                           collada_triangle(),
-                      placed + camera_node("one", "1") + camera_node("two", "2") + further);
+                      shape_node + camera_node("one", "1") + camera_node("two", "2") + further);
 }
 
-void check_near(const Vec3& a, const Vec3& b) {
-  CAPTURE(a.x, a.y, a.z, b.x, b.y, b.z);
-  CHECK(max_abs(a - b) <= tolerance);
-}
+void check_close(const Vec3& a, const Vec3& b) { test::check_near(a, b, 1e-5f); }
 
 Vec3 second_vertex(const LoadedScene& loaded) { return mesh_of(loaded).positions[1]; }
 
@@ -60,7 +58,7 @@ TEST_CASE("a camera is chosen by its name or id, or that of its node") {
   CHECK(collada_error(two_cameras(), options) ==
         "scene.dae: no camera, and no node of one, has the name \"three\"; the scene has \"one name\", \"two "
         "name\"");
-  CHECK(collada_error(collada_text(collada_triangle(), placed), options) ==
+  CHECK(collada_error(collada_text(collada_triangle(), shape_node), options) ==
         "scene.dae: no camera, and no node of one, has the name \"three\"; the scene has no camera");
 }
 
@@ -76,16 +74,17 @@ TEST_CASE("a camera that does not make the picture may be wrong") {
   const std::string text =
       collada_text("<library_cameras>" + camera("good", "<perspective><xfov>40</xfov></perspective>") +
                        camera("bad", "<perspective/>") + "</library_cameras>" + collada_triangle(),
-                   placed + camera_node("good", "1") + camera_node("bad", "2"));
+                   shape_node + camera_node("good", "1") + camera_node("bad", "2"));
   CHECK(load_collada(text).scene.camera.position == Vec3{1, 0, 0});
 }
 
 TEST_CASE("an orthographic camera's frame is in scene units, scaled with its node") {
   const auto lens = [](const std::string& elements, const std::string& scale = "") {
-    return load_collada(collada_text("<library_cameras>" +
-                                         camera("eye", "<orthographic>" + elements + "</orthographic>") +
-                                         "</library_cameras>" + collada_triangle(),
-                                     placed + "<node>" + scale + "<instance_camera url=\"#eye\"/></node>"))
+    return load_collada(
+               collada_text("<library_cameras>" +
+                                camera("eye", "<orthographic>" + elements + "</orthographic>") +
+                                "</library_cameras>" + collada_triangle(),
+                            shape_node + "<node>" + scale + "<instance_camera url=\"#eye\"/></node>"))
         .scene.camera;
   };
   const Camera both = lens("<xmag>2</xmag><ymag>3</ymag><znear>0.1</znear><zfar>10</zfar>");
@@ -105,7 +104,7 @@ TEST_CASE("what an exporter hides is left out, with all below, but for cameras")
     const LoadedScene loaded = load_collada(collada_text(
         "<library_cameras>" + camera("eye", "<perspective><xfov>40</xfov></perspective>") +
             "</library_cameras>" + collada_triangle(),
-        placed + "<node name=\"top\">" + camera_node("eye", "7") +
+        shape_node + "<node name=\"top\">" + camera_node("eye", "7") +
             "<node name=\"below\"><instance_geometry url=\"#shape\"/></node>" + hide + "</node>"));
     CHECK(loaded.scene.geometry->triangle_count() == 1);
     CHECK(loaded.scene.camera.position == Vec3{7, 0, 0});
@@ -141,14 +140,14 @@ TEST_CASE("nested assets have their own unit and axis") {
   };
   const std::string inches = "<asset><unit name=\"inch\" meter=\"0.0254\"/></asset>",
                     upward = "<asset><up_axis>Z_UP</up_axis></asset>";
-  check_near(second_vertex(load("", "")), {1, 0, 1});
-  check_near(second_vertex(load("", inches)), {0.0254f, 0, 1});
-  check_near(second_vertex(load(inches, "")), {0.0254f, 0, 0.0254f});
-  check_near(second_vertex(load(inches, inches)), {0.0254f, 0, 0.0254f});
-  check_near(second_vertex(load(upward, upward)), {1, 1, 0});
-  check_near(second_vertex(load("", upward)), {1, 0, 1});
-  check_near(mesh_of(load("", upward)).positions[2], {0, 0, 0});
-  check_near(mesh_of(load(upward, "")).positions[2], {0, 1, -1});
+  check_close(second_vertex(load("", "")), {1, 0, 1});
+  check_close(second_vertex(load("", inches)), {0.0254f, 0, 1});
+  check_close(second_vertex(load(inches, "")), {0.0254f, 0, 0.0254f});
+  check_close(second_vertex(load(inches, inches)), {0.0254f, 0, 0.0254f});
+  check_close(second_vertex(load(upward, upward)), {1, 1, 0});
+  check_close(second_vertex(load("", upward)), {1, 0, 1});
+  check_close(mesh_of(load("", upward)).positions[2], {0, 0, 0});
+  check_close(mesh_of(load(upward, "")).positions[2], {0, 1, -1});
 }
 
 TEST_CASE("a node of a library is in the space that it is placed in, unless an asset says another one") {
@@ -159,8 +158,8 @@ TEST_CASE("a node of a library is in the space that it is placed in, unless an a
                                      "<node><asset><unit meter=\"10\"/></asset><instance_node "
                                      "url=\"#n\"/></node>"));
   };
-  check_near(second_vertex(load("")), {10, 0, 30});
-  check_near(second_vertex(load("<asset><unit meter=\"2\"/></asset>")), {2, 0, 6});
+  check_close(second_vertex(load("")), {10, 0, 30});
+  check_close(second_vertex(load("<asset><unit meter=\"2\"/></asset>")), {2, 0, 6});
 }
 
 TEST_CASE("a camera's asset is that of its lengths, and its up axis is its up") {
@@ -172,19 +171,19 @@ TEST_CASE("a camera's asset is that of its lengths, and its up axis is its up") 
     element.insert(element.find("<optics>"), asset);
     return load_collada(
                collada_text("<library_cameras>" + element + "</library_cameras>" + collada_triangle(),
-                            placed + node),
+                            shape_node + node),
                options)
         .scene.camera;
   };
   const std::string inches = "<asset><unit meter=\"0.0254\"/></asset>",
                     lens = "<orthographic><xmag>100</xmag><znear>200</znear><zfar>300</zfar></orthographic>";
   CHECK(load("", lens).tan_half_width == 100.0f);
-  CHECK(std::fabs(load(inches, lens).tan_half_width - 2.54f) <= tolerance);
-  CHECK(std::fabs(load(inches, lens).clip_near - 5.08f) <= tolerance);
+  CHECK(std::fabs(load(inches, lens).tan_half_width - 2.54f) <= scene_tolerance);
+  CHECK(std::fabs(load(inches, lens).clip_near - 5.08f) <= scene_tolerance);
   const Camera upward = load("<asset><up_axis>Z_UP</up_axis></asset>", lens);
-  check_near(upward.up, {0, 0, 1});
-  check_near(upward.forward, {0, 1, 0});
-  check_near(upward.position, {0, 0, 5});
+  check_close(upward.up, {0, 0, 1});
+  check_close(upward.forward, {0, 1, 0});
+  check_close(upward.position, {0, 0, 5});
 }
 
 TEST_CASE("a bind_vertex_input is known, and changes nothing while textures are not rendered") {
@@ -205,17 +204,17 @@ TEST_CASE("a nested asset without unit and axis changes nothing") {
   const LoadedScene loaded = load_collada(collada_text(
       collada_triangle(),
       "<node><asset><created/><modified/></asset><instance_geometry url=\"#shape\"/></node>", "Z_UP"));
-  check_near(second_vertex(loaded), {-1, 0, 0});
+  check_close(second_vertex(loaded), {-1, 0, 0});
   CHECK(loaded.warnings.empty());
 }
 
 TEST_CASE("without unit and axis a file is in meters, with Y up") {
-  std::string text = collada_text(collada_triangle(), placed);
+  std::string text = collada_text(collada_triangle(), shape_node);
   text.replace(text.find("<asset>"), text.find("</asset>") - text.find("<asset>") + 8, "<asset/>");
   const LoadedScene loaded = load_collada(text);
   CHECK(loaded.summary.unit_meters == 1);
   CHECK(loaded.summary.up_axis == 'Y');
-  check_near(second_vertex(loaded), {1, 0, 0});
+  check_close(second_vertex(loaded), {1, 0, 0});
 }
 
 }  // namespace twinray

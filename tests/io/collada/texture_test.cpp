@@ -32,7 +32,7 @@ const std::string mesh = collada_mesh(
         "offset=\"0\"/><input semantic=\"TEXCOORD\" source=\"#first\" offset=\"0\" set=\"0\"/>"
         "<input semantic=\"TEXCOORD\" source=\"#second\" offset=\"0\" set=\"3\"/><p>0 1 2</p></triangles>");
 
-const std::string images =
+const std::string color_image =
     "<library_images><image id=\"colors\"><init_from>colors.png</init_from></image></library_images>";
 const std::string colors = "<texture texture=\"colors\" texcoord=\"UV\"/>";
 
@@ -46,7 +46,7 @@ std::string sampler(const std::string& words) {
 /// <instance_material>.
 std::string document(const std::string& parameters, const std::string& slots, const std::string& bind = "") {
   return collada_text(
-      images + mesh + "<library_effects><effect id=\"fx\"><profile_COMMON>" + parameters +
+      color_image + mesh + "<library_effects><effect id=\"fx\"><profile_COMMON>" + parameters +
           "<technique><lambert>" + slots +
           "</lambert></technique></profile_COMMON></effect></library_effects><library_materials>"
           "<material id=\"m\"><instance_effect url=\"#fx\"/></material></library_materials>",
@@ -58,8 +58,8 @@ std::string document(const std::string& parameters, const std::string& slots, co
 std::string diffuse(const std::string& texture) { return "<diffuse>" + texture + "</diffuse>"; }
 
 /// A folder with the picture, and documents beside it.
-struct Folder {
-  Folder() { write_png(folder.file("colors.png"), four_colors); }
+struct PictureFolder {
+  PictureFolder() { write_png(folder.file("colors.png"), four_colors); }
 
   LoadedScene load(const std::string& text, const LoadOptions& options = {}) const {
     return read_collada(*XmlDocument::parse(text, folder.file("scene.dae")), options);
@@ -84,7 +84,7 @@ Rgb color_at(const LoadedScene& loaded, Vec2 uv) {
 }  // namespace
 
 TEST_CASE("a diffuse texture is a picture over the first texture coordinates, its lower left at 0 0") {
-  const Folder folder;
+  const PictureFolder folder;
   const LoadedScene loaded = folder.load(document("", diffuse(colors)));
   CHECK(messages(loaded).empty());
   CHECK(color_at(loaded, {0.25f, 0.25f}) == Rgb{0, 0, 1});
@@ -95,7 +95,7 @@ TEST_CASE("a diffuse texture is a picture over the first texture coordinates, it
 }
 
 TEST_CASE("bind_vertex_input says which set of texture coordinates a texture means") {
-  const Folder folder;
+  const PictureFolder folder;
   const auto uvs = [&](const std::string& bind) {
     return mesh_of(folder.load(document("", diffuse(colors), bind))).uvs;
   };
@@ -113,7 +113,7 @@ TEST_CASE("bind_vertex_input says which set of texture coordinates a texture mea
 }
 
 TEST_CASE("a sampler says how a picture goes on beside itself, and a Maya technique where it lies") {
-  const Folder folder;
+  const PictureFolder folder;
   const auto load = [&](const std::string& words, const std::string& extra = "") {
     return folder.load(document(
         sampler(words), diffuse("<texture texture=\"sampler\" texcoord=\"UV\">" + extra + "</texture>")));
@@ -142,7 +142,7 @@ TEST_CASE("a sampler says how a picture goes on beside itself, and a Maya techni
 }
 
 TEST_CASE("a picture is found by its URI or, where exporters wrote another system's path, beside the file") {
-  const Folder folder;
+  const PictureFolder folder;
   const auto color_by = [&](const std::string& name) {
     std::string text = document("", diffuse(colors));
     text.replace(text.find("colors.png"), 10, name);
@@ -156,7 +156,7 @@ TEST_CASE("a picture is found by its URI or, where exporters wrote another syste
 }
 
 TEST_CASE("a picture that cannot be read is told with its texture's place") {
-  const Folder folder;
+  const PictureFolder folder;
   write_text(folder.folder.file("colors.png"), "no picture");
   const LoadedScene loaded = folder.load(document("", diffuse(colors)));
   REQUIRE(loaded.warnings.size() == 1);
@@ -168,7 +168,7 @@ TEST_CASE("a picture that cannot be read is told with its texture's place") {
 }
 
 TEST_CASE("an emission texture is the picture of a light") {
-  const Folder folder;
+  const PictureFolder folder;
   const LoadedScene loaded =
       folder.load(document("", "<emission>" + colors + "</emission>" + diffuse("<color>1 1 1 1</color>")));
   REQUIRE(loaded.scene.lights.size() == 1);
@@ -204,17 +204,17 @@ TEST_CASE("a texture of the transparency cuts holes, in each opaque mode") {
     CHECK_FALSE(loaded.scene.geometry->is_opaque(0));
     return evaluate(loaded.scene.textures, texture, {.uv = uv, .is_smooth = true}).r;
   };
-  const Vec2 white{0.25f, 0.5f}, black{0.75f, 0.5f};
-  CHECK(alpha("RGB_ONE", "1", white) == 1);
-  CHECK(alpha("RGB_ONE", "1", black) == 0);
-  CHECK(alpha("RGB_ONE", "0.5", white) == 0.5f);
-  CHECK(alpha("RGB_ZERO", "1", white) == 0);
-  CHECK(alpha("RGB_ZERO", "1", black) == 1);
-  CHECK(alpha("RGB_ZERO", "0.5", white) == 0.5f);
+  const Vec2 bright{0.25f, 0.5f}, dark{0.75f, 0.5f};
+  CHECK(alpha("RGB_ONE", "1", bright) == 1);
+  CHECK(alpha("RGB_ONE", "1", dark) == 0);
+  CHECK(alpha("RGB_ONE", "0.5", bright) == 0.5f);
+  CHECK(alpha("RGB_ZERO", "1", bright) == 0);
+  CHECK(alpha("RGB_ZERO", "1", dark) == 1);
+  CHECK(alpha("RGB_ZERO", "0.5", bright) == 0.5f);
 }
 
 TEST_CASE("holes of a picture that cannot be read are none") {
-  const Folder folder;
+  const PictureFolder folder;
   write_text(folder.folder.file("colors.png"), "no picture");
   for (const std::string mode : {"A_ONE", "A_ZERO", "RGB_ONE", "RGB_ZERO"}) {
     const LoadedScene loaded =
@@ -225,7 +225,7 @@ TEST_CASE("holes of a picture that cannot be read are none") {
 }
 
 TEST_CASE("materials that instance one effect may set its picture") {
-  const Folder folder;
+  const PictureFolder folder;
   write_png(folder.folder.file("white.png"), {1, 1, {255, 255, 255}});
   std::string text = document(sampler(""), diffuse("<texture texture=\"sampler\" texcoord=\"UV\"/>"));
   const auto replace = [&](const std::string& old, const std::string& anew) {
@@ -253,7 +253,7 @@ TEST_CASE("materials that instance one effect may set its picture") {
 }
 
 TEST_CASE("a picture without holes leaves its surface opaque") {
-  const Folder folder;  // Its picture has no alpha.
+  const PictureFolder folder;  // Its picture has no alpha.
   const LoadedScene loaded = folder.load(
       document("", diffuse(colors) + "<transparent opaque=\"A_ONE\">" + colors + "</transparent>"));
   CHECK(loaded.scene.geometry->is_opaque(0));
@@ -262,7 +262,7 @@ TEST_CASE("a picture without holes leaves its surface opaque") {
 }
 
 TEST_CASE("what textures have no coordinates, or other ones, is told") {
-  const Folder folder;
+  const PictureFolder folder;
   std::string text = document("", diffuse(colors));
   for (const char* set : {"0", "3"}) {
     const std::string input = std::string(" set=\"") + set + "\"/>";
@@ -281,7 +281,7 @@ TEST_CASE("what textures have no coordinates, or other ones, is told") {
 }
 
 TEST_CASE("by CS184's rules a textured surface is grey") {
-  const Folder folder;
+  const PictureFolder folder;
   LoadOptions options;
   options.interpretation = Interpretation::cs184;
   const LoadedScene loaded = folder.load(document("", diffuse(colors)), options);

@@ -3,25 +3,21 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
+#include "tests/support/near.h"
 
 namespace twinray {
 namespace {
 
 /// Rounding of a product of a few matrices to float.
-constexpr float tolerance = 2e-6f;
-
 /// Where a node with these transform elements puts a point.
-Vec3 placed(const std::string& elements, const Vec3& p) {
+Vec3 moved_point(const std::string& elements, const Vec3& p) {
   const auto xml =
       XmlDocument::parse("<COLLADA version=\"1.4.1\"><node>" + elements + "</node></COLLADA>", "scene.dae");
   ColladaDocument document(*xml, {.strict = true});
   return read_node_transform(xml->root().required_child("node"), document).point(p);
 }
 
-void check_near(const Vec3& a, const Vec3& b) {
-  CAPTURE(a.x, a.y, a.z, b.x, b.y, b.z);
-  CHECK(max_abs(a - b) <= tolerance);
-}
+void check_moved(const Vec3& a, const Vec3& b) { test::check_near(a, b, 2e-6f); }
 
 const std::string triangle_instance = "<instance_geometry url=\"#shape\"/>";
 
@@ -34,54 +30,56 @@ Vec3 second_vertex(const std::string& nodes, const std::string& up_axis = "Y_UP"
 }  // namespace
 
 TEST_CASE("the elements of a node act from the last to the first") {
-  CHECK(placed("<translate>10 0 0</translate><scale>2 3 4</scale>", {1, 1, 1}) == Vec3{12, 3, 4});
-  CHECK(placed("<scale>2 3 4</scale><translate>10 0 0</translate>", {1, 1, 1}) == Vec3{22, 3, 4});
-  check_near(placed("<translate>1 2 3</translate><rotate>0 0 1 90</rotate><scale>2 2 2</scale>", {1, 0, 0}),
-             {1, 4, 3});
+  CHECK(moved_point("<translate>10 0 0</translate><scale>2 3 4</scale>", {1, 1, 1}) == Vec3{12, 3, 4});
+  CHECK(moved_point("<scale>2 3 4</scale><translate>10 0 0</translate>", {1, 1, 1}) == Vec3{22, 3, 4});
+  check_moved(
+      moved_point("<translate>1 2 3</translate><rotate>0 0 1 90</rotate><scale>2 2 2</scale>", {1, 0, 0}),
+      {1, 4, 3});
 }
 
 TEST_CASE("a matrix is written row by row") {
-  CHECK(placed("<matrix>1 2 3 4 5 6 7 8 9 10 11 12 0 0 0 1</matrix>", {1, 10, 100}) == Vec3{325, 773, 1221});
+  CHECK(moved_point("<matrix>1 2 3 4 5 6 7 8 9 10 11 12 0 0 0 1</matrix>", {1, 10, 100}) ==
+        Vec3{325, 773, 1221});
 }
 
 TEST_CASE("the last row of a matrix may be off by rounding, and no more") {
   const auto with_row = [](const std::string& row) {
     return "<matrix>1 0 0 4 0 1 0 5 0 0 1 6 " + row + "</matrix>";
   };
-  CHECK(placed(with_row("1e-5 -1e-5 0.00000999 0.99999"), {1, 1, 1}) == Vec3{5, 6, 7});
+  CHECK(moved_point(with_row("1e-5 -1e-5 0.00000999 0.99999"), {1, 1, 1}) == Vec3{5, 6, 7});
   for (const char* row : {"1.1e-5 0 0 1", "0 0 -1.1e-5 1", "0 0 0 1.00002", "0 0 0 0"})
-    CHECK_THROWS_AS(placed(with_row(row), {1, 1, 1}), Error);
+    CHECK_THROWS_AS(moved_point(with_row(row), {1, 1, 1}), Error);
 }
 
 TEST_CASE("several matrices multiply") {
   const std::string shift = "<matrix>1 0 0 5 0 1 0 0 0 0 1 0 0 0 0 1</matrix>";
   const std::string stretch = "<matrix>2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1</matrix>";
-  CHECK(placed(shift + stretch, {1, 1, 1}) == Vec3{7, 2, 2});
-  CHECK(placed(stretch + shift, {1, 1, 1}) == Vec3{12, 2, 2});
+  CHECK(moved_point(shift + stretch, {1, 1, 1}) == Vec3{7, 2, 2});
+  CHECK(moved_point(stretch + shift, {1, 1, 1}) == Vec3{12, 2, 2});
 }
 
 TEST_CASE("a rotation is axis and degrees") {
-  check_near(placed("<rotate>1 0 0 90</rotate>", {0, 1, 0}), {0, 0, 1});
-  check_near(placed("<rotate>0 2 0 90</rotate>", {0, 0, 1}), {1, 0, 0});
-  check_near(placed("<rotate>1 1 1 120</rotate>", {1, 0, 0}), {0, 1, 0});
-  CHECK(placed("<rotate>0 0 0 0</rotate>", {1, 2, 3}) == Vec3{1, 2, 3});
+  check_moved(moved_point("<rotate>1 0 0 90</rotate>", {0, 1, 0}), {0, 0, 1});
+  check_moved(moved_point("<rotate>0 2 0 90</rotate>", {0, 0, 1}), {1, 0, 0});
+  check_moved(moved_point("<rotate>1 1 1 120</rotate>", {1, 0, 0}), {0, 1, 0});
+  CHECK(moved_point("<rotate>0 0 0 0</rotate>", {1, 2, 3}) == Vec3{1, 2, 3});
 }
 
 TEST_CASE("a lookat stands at the eye and looks along its -z") {
   const std::string look = "<lookat>1 2 3 1 2 -7 0 1 0</lookat>";
-  check_near(placed(look, {0, 0, 0}), {1, 2, 3});
-  check_near(placed(look, {0, 0, -10}), {1, 2, -7});
-  check_near(placed(look, {0, 1, 0}), {1, 3, 3});
+  check_moved(moved_point(look, {0, 0, 0}), {1, 2, 3});
+  check_moved(moved_point(look, {0, 0, -10}), {1, 2, -7});
+  check_moved(moved_point(look, {0, 1, 0}), {1, 3, 3});
   const std::string aside = "<lookat>0 0 0 5 0 0 1 1 0</lookat>";
-  check_near(placed(aside, {0, 0, -1}), {1, 0, 0});
-  check_near(placed(aside, {0, 1, 0}), {0, 1, 0});
-  check_near(placed(aside, {1, 0, 0}), {0, 0, 1});
+  check_moved(moved_point(aside, {0, 0, -1}), {1, 0, 0});
+  check_moved(moved_point(aside, {0, 1, 0}), {0, 1, 0});
+  check_moved(moved_point(aside, {1, 0, 0}), {0, 0, 1});
 }
 
 TEST_CASE("a skew turns its first axis towards the second, along the second") {
-  check_near(placed("<skew>45 0 1 0 1 0 0</skew>", {0, 1, 0}), {1, 1, 0});
-  check_near(placed("<skew>45 0 1 0 1 0 0</skew>", {3, 0, 4}), {3, 0, 4});
-  check_near(placed("<skew>-45 0 2 0 3 0 0</skew>", {0, 1, 0}), {-1, 1, 0});
+  check_moved(moved_point("<skew>45 0 1 0 1 0 0</skew>", {0, 1, 0}), {1, 1, 0});
+  check_moved(moved_point("<skew>45 0 1 0 1 0 0</skew>", {3, 0, 4}), {3, 0, 4});
+  check_moved(moved_point("<skew>-45 0 2 0 3 0 0</skew>", {0, 1, 0}), {-1, 1, 0});
 }
 
 TEST_CASE("nodes act within each other") {

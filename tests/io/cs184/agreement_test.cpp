@@ -51,7 +51,7 @@ std::string look(const std::string& id, const std::string& where = "3 1 2") {
   return "<node><translate>" + where + "</translate><instance_camera url=\"#" + id + "\"/></node>";
 }
 
-const std::string shape = "<instance_geometry url=\"#shape\"/>";
+const std::string shape_instance = "<instance_geometry url=\"#shape\"/>";
 
 /// A hilly patch of 5 x 5 vertices some of whose 32 triangles are missing, and few of the rest wound the
 /// other way round: with borders, holes, corners that only touch, and edges that no manifold has.
@@ -95,9 +95,10 @@ TEST_CASE("normals of the scenes of this project are those of CS184's program") 
 }
 
 TEST_CASE("normals of open, closed, mirrored and turned meshes are those of CS184's program") {
-  const std::string mirrored = "<node><matrix>-1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix>" + shape + "</node>";
-  const std::string nested = "<node><translate>0 2 0</translate><node><scale>0.5 1 2</scale>" + shape +
-                             "</node></node><node>" + shape + "</node>";
+  const std::string mirrored =
+      "<node><matrix>-1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix>" + shape_instance + "</node>";
+  const std::string nested = "<node><translate>0 2 0</translate><node><scale>0.5 1 2</scale>" +
+                             shape_instance + "</node></node><node>" + shape_instance + "</node>";
   for (const bool is_closed : {true, false})
     for (const char* up : {"X_UP", "Y_UP", "Z_UP"})
       for (const std::string& nodes : {mirrored, nested}) {
@@ -112,14 +113,14 @@ TEST_CASE("a polygon loses its third corner and those after it, as in CS184's pr
       collada_mesh(6, "0 0 0 1 0 0 2 1 0 1 2 0.5 0 2 1 -1 1 0", polylist("4 4", "0 1 2 3 0 3 4 5", 2)) +
       cameras;
   check(test::cs184::difference_of_text(
-      collada_text(libraries, "<node>" + shape + "</node>" + look("far", "0 0 4")), 320, 240));
+      collada_text(libraries, "<node>" + shape_instance + "</node>" + look("far", "0 0 4")), 320, 240));
 }
 
 TEST_CASE("a mesh that is no manifold has smooth normals where CS184's program would refuse it") {
   const std::string fin =
       collada_mesh(5, "0 0 0 0 0 2 1 0 1 -1 0.2 1 0 1 1", polylist("3 3 3", "0 1 2 0 1 3 0 1 4", 3)) +
       cameras;
-  const std::string text = collada_text(fin, "<node>" + shape + "</node>" + look("near"));
+  const std::string text = collada_text(fin, "<node>" + shape_instance + "</node>" + look("near"));
   check(test::cs184::difference_of_text(text, 320, 240));
   const LoadedScene loaded = load_collada(text, {.interpretation = Interpretation::cs184});
   REQUIRE(loaded.warnings.size() == 1);
@@ -129,7 +130,7 @@ TEST_CASE("a mesh that is no manifold has smooth normals where CS184's program w
 }
 
 TEST_CASE("the last camera counts, and none is one on +z") {
-  const std::string mesh = "<node>" + shape + "</node>";
+  const std::string mesh = "<node>" + shape_instance + "</node>";
   for (const std::string& nodes :
        {mesh, mesh + look("far") + look("near", "-2 0 1"), look("near") + mesh + look("far"),
         "<node><translate>1 1 -3</translate><instance_camera url=\"#near\"/><node><instance_camera "
@@ -142,11 +143,12 @@ TEST_CASE("the last camera counts, and none is one on +z") {
 }
 
 TEST_CASE("the camera's clip distances cut the picture as in CS184's program") {
-  const std::string text = collada_text(pyramid(true) + cameras, "<node>" + shape + "</node>" + look("cut"));
+  const std::string text =
+      collada_text(pyramid(true) + cameras, "<node>" + shape_instance + "</node>" + look("cut"));
   check(test::cs184::difference_of_text(text, 320, 240));
   const auto picture = test::cs184::normals_picture(text, 320, 240);
   const auto whole = test::cs184::normals_picture(
-      collada_text(pyramid(true) + cameras, "<node>" + shape + "</node>" + look("near")), 320, 240);
+      collada_text(pyramid(true) + cameras, "<node>" + shape_instance + "</node>" + look("near")), 320, 240);
   const auto hits = [](const auto& p) { return std::count(p.is_hit.begin(), p.is_hit.end(), true); };
   CHECK(hits(picture) > 100);
   CHECK(hits(picture) < hits(whole));
@@ -171,7 +173,8 @@ TEST_CASE("normals of random patches under random transforms and cameras are tho
     const std::string libraries = random_patch(random, seed % 3 != 0) + cameras;
     std::string nodes;
     for (int i = 0; i < 3; ++i)
-      nodes += "<node>" + random_matrix(random) + "<node>" + random_matrix(random) + shape + "</node></node>";
+      nodes += "<node>" + random_matrix(random) + "<node>" + random_matrix(random) + shape_instance +
+               "</node></node>";
     nodes += "<node>" + random_matrix(random) + "<instance_camera url=\"#" + (seed % 2 ? "near" : "far") +
              "\"/></node>";
     const char* axes[] = {"X_UP", "Y_UP", "Z_UP"};

@@ -11,12 +11,12 @@ namespace twinray {
 namespace {
 
 /// Positions and axes come from a few roundings to float.
-constexpr float tolerance = 1e-6f;
+constexpr float view_tolerance = 1e-6f;
 constexpr double radians = 3.14159265358979323846 / 180;
 
 const Aabb box{{1, 2, 3}, {3, 8, 6}};  // diagonal 7, middle (2, 5, 4.5)
 
-void check_near(const Vec3& a, const Vec3& b, float within = tolerance) {
+void check_relative(const Vec3& a, const Vec3& b, float within = view_tolerance) {
   CAPTURE(a.x, a.y, a.z, b.x, b.y, b.z);
   CHECK(max_abs(a - b) <= within * std::max(1.0f, max_abs(b)));
 }
@@ -31,10 +31,10 @@ Camera towards(double x, double y, double z) {
 
 TEST_CASE("CS184's camera looks at the middle of the box from one and a half diagonals away") {
   const Camera camera = towards(0, 3, 4);
-  check_near(camera.position, {2, 5 + 10.5f * 0.6f, 4.5f + 10.5f * 0.8f});
-  check_near(camera.forward, {0, -0.6f, -0.8f});
-  check_near(camera.right, {1, 0, 0});
-  check_near(camera.up, {0, 0.8f, -0.6f});
+  check_relative(camera.position, {2, 5 + 10.5f * 0.6f, 4.5f + 10.5f * 0.8f});
+  check_relative(camera.forward, {0, -0.6f, -0.8f});
+  check_relative(camera.right, {1, 0, 0});
+  check_relative(camera.up, {0, 0.8f, -0.6f});
   CHECK(camera.clips_by_distance);
 }
 
@@ -43,9 +43,9 @@ TEST_CASE("CS184's camera stands on the side that its direction points to, uprig
     CAPTURE(x, y, z);
     const Camera camera = towards(x, y, z);
     const Vec3 back = normalize(Vec3{x, y, z});
-    check_near(camera.forward, -back);
-    check_near(camera.position, box.center() + back * 10.5f);
-    check_near(cross(camera.right, camera.up), back);
+    check_relative(camera.forward, -back);
+    check_relative(camera.position, box.center() + back * 10.5f);
+    check_relative(cross(camera.right, camera.up), back);
     CHECK(camera.right.y == 0);
     CHECK(camera.up.y > 0);
   }
@@ -53,22 +53,22 @@ TEST_CASE("CS184's camera stands on the side that its direction points to, uprig
 
 TEST_CASE("CS184's camera that looks straight down is tilted a little, towards +z without a side") {
   const Camera down = towards(0, 2, 0);
-  check_near(down.right, {1, 0, 0});
-  check_near(down.up, {0, 1e-5f, -1});
+  check_relative(down.right, {1, 0, 0});
+  check_relative(down.up, {0, 1e-5f, -1});
   CHECK(down.position.z == Approx(4.5 + 10.5e-5).epsilon(1e-7));
-  check_near(towards(1e-12, 2, 0).right, {0, 0, -1});
-  check_near(towards(0, -2, 0).up, {0, 0, 1});
+  check_relative(towards(1e-12, 2, 0).right, {0, 0, -1});
+  check_relative(towards(0, -2, 0).up, {0, 0, 1});
 }
 
 TEST_CASE("without a camera CS184's program looks from +z, at angles of 50 and 35 degrees") {
   const Camera camera = cs184_camera({}, box);
-  check_near(camera.position, {2, 5, 15});
-  check_near(camera.forward, {0, 0, -1});
+  check_relative(camera.position, {2, 5, 15});
+  check_relative(camera.forward, {0, 0, -1});
   CHECK(camera.tan_half_width == Approx(std::tan(25 * radians)));
   CHECK(camera.tan_half_height == Approx(std::tan(25 * radians) * 0.75));
   CHECK(camera.clip_near == 0.01f);
   CHECK(camera.clip_far == 100);
-  check_near(cs184_camera({}, {}).position, {0, 0, 1.5f});
+  check_relative(cs184_camera({}, {}).position, {0, 0, 1.5f});
 }
 
 TEST_CASE("the frame is widened to 4 by 3, and a larger picture shows more") {

@@ -6,7 +6,7 @@
 namespace twinray {
 namespace {
 
-constexpr float tolerance = 1e-6f;
+constexpr float normal_tolerance = 1e-6f;
 
 FaceList faces(std::initializer_list<std::vector<std::uint32_t>> list) {
   FaceList result;
@@ -14,13 +14,13 @@ FaceList faces(std::initializer_list<std::vector<std::uint32_t>> list) {
   return result;
 }
 
-void check_near(const Vec3& a, const Vec3& b) {
+void check_normal(const Vec3& a, const Vec3& b) {
   CAPTURE(a.x, a.y, a.z, b.x, b.y, b.z);
-  CHECK(length(a - b) <= tolerance);
+  CHECK(length(a - b) <= normal_tolerance);
 }
 
 const std::vector<DoublePoint> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-const std::vector<DoublePoint> pyramid{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 3}};
+const std::vector<DoublePoint> pyramid_points{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 3}};
 
 }  // namespace
 
@@ -34,25 +34,26 @@ TEST_CASE("the normals of an open flat patch are the opposite of its winding's")
 
 TEST_CASE("the normals of a closed mesh are smooth, weighted by area, and on the side of its winding") {
   const VertexNormals result =
-      cs184_normals(faces({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {3, 2, 1, 0}}), pyramid);
+      cs184_normals(faces({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {3, 2, 1, 0}}), pyramid_points);
   CHECK(result.fault == "");
-  check_near(result.normals[4], {0, 0, 1});
+  check_normal(result.normals[4], {0, 0, 1});
   // The two sides give (3, 3, 1) and (3, -3, 1), and the bottom's three corners around 0 give (0, 0, -2).
-  check_near(result.normals[0], {1, 0, 0});
+  check_normal(result.normals[0], {1, 0, 0});
 }
 
 TEST_CASE("within an open mesh only the vertices on the border follow its rule") {
-  const VertexNormals result = cs184_normals(faces({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}), pyramid);
+  const VertexNormals result =
+      cs184_normals(faces({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}), pyramid_points);
   CHECK(result.fault == "");
-  check_near(result.normals[4], {0, 0, 1});
+  check_normal(result.normals[4], {0, 0, 1});
   // Before 0 on the border is 3, whose neighbours are 0, 2 and 4: as seen from 0,
   // (-1, -1, 0) x ((0, 0, 0) + (-2, 0, 0) + (-1, 0, 3)) = (-3, 3, -3).
-  check_near(result.normals[0], normalize(Vec3{-3, 3, -3}));
+  check_normal(result.normals[0], normalize(Vec3{-3, 3, -3}));
 }
 
 TEST_CASE("faces that form no manifold say why, and have smooth normals without the border's rule") {
   const auto fault = [](const FaceList& list) {
-    const VertexNormals result = cs184_normals(list, pyramid);
+    const VertexNormals result = cs184_normals(list, pyramid_points);
     CHECK(result.normals[0].z > 0);
     return result.fault;
   };

@@ -84,10 +84,10 @@ TEST_CASE("a stop of exposure doubles the light") {
 TEST_CASE("white balance makes the light of a black body white, with its luminance") {
   for (const double kelvin : {2000.0, 2856.0, 4000.0, 6500.0, 25000.0}) {
     CAPTURE(kelvin);
-    const Rgb white = transformed(white_balance(kelvin), blackbody_color(kelvin));
-    CHECK(white.r == Approx(1).margin(1e-5));
-    CHECK(white.g == Approx(1).margin(1e-5));
-    CHECK(white.b == Approx(1).margin(1e-5));
+    const Rgb balanced = transformed(white_balance(kelvin), blackbody_color(kelvin));
+    CHECK(balanced.r == Approx(1).margin(1e-5));
+    CHECK(balanced.g == Approx(1).margin(1e-5));
+    CHECK(balanced.b == Approx(1).margin(1e-5));
   }
   // What was white beside a lamp's red light is blue beside white. Daylight changes little.
   const Rgb cool = transformed(white_balance(2856), Rgb{1, 1, 1}),

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/exchange/reader.h"
 
-#include <nlohmann/json.hpp>
-
 #include "core/alpha_test.h"
 #include "core/error.h"
 #include "io/exchange/writer.h"
 #include "io/picture/image_file.h"
 #include "io/scene_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
 #include "tests/support/meshes.h"
 #include "tests/support/round_trip.h"
 #include "tests/support/temporary_folder.h"

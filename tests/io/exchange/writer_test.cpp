@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <random>
 
 #include "core/error.h"
@@ -13,6 +12,7 @@
 #include "io/ply/ply.h"
 #include "io/scene_writer.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace twinray::test {

@@ -3,12 +3,12 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
 #include "io/gltf/gltf.h"
+#include "tests/support/json.h"
 
 namespace twinray::test {
 

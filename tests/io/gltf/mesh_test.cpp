@@ -251,9 +251,9 @@ TEST_CASE("gltf: one color of all vertices goes with any texture") {
       file.add("materials", {{"pbrMetallicRoughness",
                               {{"baseColorFactor", {0.5, 1, 1, 1}}, {"baseColorTexture", {{"index", 0}}}}}});
   file.json["textures"] = {{{"source", 0}}};
-  const std::string white =
+  const std::string white_png =
       "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mP4//8/AAX+Av4zEpUUAAAAAElFTkSuQmCC";
-  file.json["images"] = {{{"uri", "data:image/png;base64," + white}}};
+  file.json["images"] = {{{"uri", "data:image/png;base64," + white_png}}};
   CHECK(color() == Rgb{0.5f, 0, 0});
 }
 

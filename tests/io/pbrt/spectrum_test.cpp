@@ -44,9 +44,9 @@ TEST_CASE("matter of a constant spectrum is that grey, and light of one has the 
   CHECK(matter_color(constant(0.25f)).r == Approx(0.25).epsilon(1e-6));
   CHECK(matter_color(constant(0.25f)).b == Approx(0.25).epsilon(1e-6));
   CHECK(luminous_mean(constant(1.5f)) == Approx(1.5).epsilon(1e-6));
-  const Vec2 white = chromaticity(light_color(constant(3)));
-  CHECK(white.x == Approx(1.0 / 3).margin(3e-4));
-  CHECK(white.y == Approx(1.0 / 3).margin(3e-4));
+  const Vec2 converted = chromaticity(light_color(constant(3)));
+  CHECK(converted.x == Approx(1.0 / 3).margin(3e-4));
+  CHECK(converted.y == Approx(1.0 / 3).margin(3e-4));
 }
 
 TEST_CASE("gold, copper, silver and aluminium have their known colors where light falls straight on them") {
@@ -107,10 +107,10 @@ TEST_CASE("spectra come from files and lists, and what is wrong with them is nam
 TEST_CASE("rgb of other color spaces is turned into sRGB, and white stays white") {
   for (const PbrtColorSpace space :
        {PbrtColorSpace::dci_p3, PbrtColorSpace::rec2020, PbrtColorSpace::aces2065_1}) {
-    const Rgb white = to_srgb({1, 1, 1}, space);
-    CHECK(white.r == Approx(1).epsilon(1e-5));
-    CHECK(white.g == Approx(1).epsilon(1e-5));
-    CHECK(white.b == Approx(1).epsilon(1e-5));
+    const Rgb converted = to_srgb({1, 1, 1}, space);
+    CHECK(converted.r == Approx(1).epsilon(1e-5));
+    CHECK(converted.g == Approx(1).epsilon(1e-5));
+    CHECK(converted.b == Approx(1).epsilon(1e-5));
   }
   CHECK(to_srgb({0, 1, 0}, PbrtColorSpace::rec2020).r == 0);  // beyond what sRGB can give
   CHECK(color_space_named("REC2020") == PbrtColorSpace::rec2020);

@@ -36,7 +36,7 @@ Image ramp(int width, int height) {
 }
 
 /// A number of a TIFF file with the least significant byte first.
-std::uint32_t number(const std::string& file, std::size_t at, std::size_t size) {
+std::uint32_t number_in(const std::string& file, std::size_t at, std::size_t size) {
   std::uint32_t value = 0;
   for (std::size_t i = size; i-- > 0;) value = value << 8 | static_cast<unsigned char>(file.at(at + i));
   return value;
@@ -44,12 +44,14 @@ std::uint32_t number(const std::string& file, std::size_t at, std::size_t size) 
 
 /// The first value of a field of the first directory; the file is little-endian (TIFF 6.0, section 2).
 std::uint32_t field(const std::string& file, std::uint32_t tag) {
-  const std::size_t directory = number(file, 4, 4);
-  for (std::size_t i = 0; i < number(file, directory, 2); ++i) {
+  const std::size_t directory = number_in(file, 4, 4);
+  for (std::size_t i = 0; i < number_in(file, directory, 2); ++i) {
     const std::size_t entry = directory + 2 + 12 * i;
-    if (number(file, entry, 2) != tag) continue;
-    const std::size_t size = number(file, entry + 2, 2) == 3 ? 2 : 4, count = number(file, entry + 4, 4);
-    return size * count <= 4 ? number(file, entry + 8, size) : number(file, number(file, entry + 8, 4), size);
+    if (number_in(file, entry, 2) != tag) continue;
+    const std::size_t size = number_in(file, entry + 2, 2) == 3 ? 2 : 4,
+                      count = number_in(file, entry + 4, 4);
+    return size * count <= 4 ? number_in(file, entry + 8, size)
+                             : number_in(file, number_in(file, entry + 8, 4), size);
   }
   FAIL("no field " << tag);
   return 0;
@@ -118,9 +120,9 @@ TEST_CASE("a TIFF holds 32-bit floats, and the metadata in its description") {
   const std::size_t strip = field(file, 273);
   for (std::size_t i = 0; i < 3 * std::size_t(7); ++i) {
     const Rgb& pixel = image.pixels[i / 3];
-    CHECK(std::bit_cast<float>(number(file, strip + 4 * i, 4)) == (i % 3 == 0   ? pixel.r
-                                                                   : i % 3 == 1 ? pixel.g
-                                                                                : pixel.b));
+    CHECK(std::bit_cast<float>(number_in(file, strip + 4 * i, 4)) == (i % 3 == 0   ? pixel.r
+                                                                      : i % 3 == 1 ? pixel.g
+                                                                                   : pixel.b));
   }
   CHECK(file.find("twinray:seed: 7") != std::string::npos);
 }
@@ -132,8 +134,8 @@ TEST_CASE(
   const std::string exr = read_text(folder.file("a.exr")), name("chromaticities\0chromaticities\0", 30);
   const std::size_t at = exr.find(name);
   REQUIRE(at != exr.npos);
-  CHECK(std::bit_cast<float>(number(exr, at + name.size() + 4, 4)) == 0.64f);
-  CHECK(std::bit_cast<float>(number(exr, at + name.size() + 4 + 28, 4)) == 0.3290f);
+  CHECK(std::bit_cast<float>(number_in(exr, at + name.size() + 4, 4)) == 0.64f);
+  CHECK(std::bit_cast<float>(number_in(exr, at + name.size() + 4 + 28, 4)) == 0.3290f);
   for (const std::string ending : {"png", "jpg", "exr", "tif", "hdr", "pfm"}) {
     CAPTURE(ending);
     for (const std::string file : {"b.", "c."}) write_image(folder.file(file + ending), noise(9, 9));
@@ -150,7 +152,7 @@ TEST_CASE("an EXR may hold more than its frame: the data window is larger than t
     REQUIRE(at != file.npos);
     std::array<std::int32_t, 4> edges{};
     for (std::size_t i = 0; i < 4; ++i)
-      edges[i] = std::int32_t(number(file, at + name.size() + 7 + 4 + 4 * i, 4));
+      edges[i] = std::int32_t(number_in(file, at + name.size() + 7 + 4 + 4 * i, 4));
     return edges;
   };
   CHECK(box("dataWindow") == std::array{-3, -2, 10, 7});
