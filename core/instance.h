@@ -54,7 +54,7 @@ struct alignas(128) PlacedInstance {
   Aabb box;
   std::uint32_t prototype = 0;
 };
-static_assert(sizeof(PlacedInstance) == 128);
+static_assert(sizeof(PlacedInstance) == alignof(PlacedInstance));
 
 /// Instances, ready for rays.
 class PlacedInstances {

@@ -92,8 +92,10 @@ TEST_CASE("the peak signal-to-noise ratio is of 8 bits") {
 }
 
 TEST_CASE("pictures of different sizes, or without a pixel, have no difference") {
-  CHECK_THROWS_AS(picture_difference(Image(2, 1), Image(1, 2)), Error);
-  CHECK_THROWS_AS(picture_difference(Image(), Image()), Error);
+  for (const Image& other : {Image(1, 1), Image(2, 2), Image(1, 2)})
+    CHECK_THROWS_WITH(picture_difference(Image(2, 1), other),
+                      "pictures of different sizes cannot be compared");
+  CHECK_THROWS_WITH(picture_difference(Image(), Image()), "pictures without pixels cannot be compared");
   CHECK_THROWS_AS(largest_differences(Image(2, 1), Image(1, 2), 8), Error);
   CHECK_THROWS_AS(peak_signal_to_noise({1, 1, {0, 0, 0}}, {2, 1, {0, 0, 0, 0, 0, 0}}), Error);
 }

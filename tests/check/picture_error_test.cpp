@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check/picture_error.h"
 
-#include "core/error.h"
 #include "tests/support/catch.h"
 
 namespace twinray::test {
@@ -38,8 +37,9 @@ TEST_CASE("two halves give a mean, and their difference its own error") {
 
 TEST_CASE("pictures and masks of different sizes are not compared") {
   const ConvergedPicture converged{Image(2, 1), {}};
-  CHECK_THROWS_AS(squared_error(Image(1, 2), converged, {1, 1}), Error);
-  CHECK_THROWS_AS(squared_error(Image(2, 1), converged, {1}), Error);
+  CHECK_THROWS_WITH(squared_error(Image(1, 2), converged, {1, 1}),
+                    "pictures of different sizes cannot be compared");
+  CHECK_THROWS_WITH(squared_error(Image(2, 1), converged, {1}), "a mask must have the size of the picture");
 }
 
 }  // namespace twinray::test

@@ -119,4 +119,13 @@ MUTANTS = [
     Mutant("films are compared in their first layer only", "check/difference.cpp",
            "layer < found.layers().size()", "layer < 1",
            TARGET, "a difference in a layer is found where the colours do not differ"),
+    Mutant("pictures of different heights are compared", "check/same_size.h",
+           " || picture.height != reference.height", "",
+           TARGET, "pictures of different sizes, or without a pixel, have no difference"),
+    Mutant("pictures without pixels are compared", "check/picture_difference.cpp",
+           "  if (picture.pixels.empty()) throw Error(\"pictures without pixels cannot be compared\");\n", "",
+           TARGET, "pictures of different sizes, or without a pixel, have no difference"),
+    Mutant("a mask may be smaller than its picture", "check/picture_error.cpp",
+           "mask.size() != image.pixels.size()", "false",
+           TARGET, "pictures and masks of different sizes are not compared"),
 ]
