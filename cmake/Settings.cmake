@@ -57,11 +57,6 @@ function(twinray_compile_together target)
   endforeach()
 endfunction()
 
-# twinray_compile_sooner(TARGET): without those optimisations that only loops over numbers gain from.
-function(twinray_compile_sooner target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
-endfunction()
-
 # twinray_compile_soon(TARGET): with those optimisations alone that the compiler makes quickly. For code whose speed
 # nobody notices: rays, trees and light are in other libraries.
 function(twinray_compile_soon target)
