@@ -8,9 +8,9 @@
 
 #include "check/flip_color.h"
 #include "check/flip_filters.h"
-#include "check/same_size.h"
 #include "core/elementary.h"
 #include "core/parallel.h"
+#include "core/same_size.h"
 
 namespace twinray {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "check/same_size.h"
 #include "check/tiles.h"
 #include "core/elementary.h"
 #include "core/error.h"
+#include "core/same_size.h"
 
 namespace twinray {
 namespace {

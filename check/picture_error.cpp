@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check/picture_error.h"
 
-#include "check/same_size.h"
 #include "core/error.h"
+#include "core/same_size.h"
 
 namespace twinray {
 namespace {
@@ -26,7 +26,7 @@ SquaredError mean_of(const Image& converged, const PixelMask& mask, const Differ
 
 void check_sizes(const Image& image, const ConvergedPicture& converged, const PixelMask& mask) {
   check_same_size(image, converged.mean);
-  if (mask.size() != image.pixels.size()) throw Error("a mask must have the size of the picture");
+  if (mask.size() != image.pixels.size()) throw Error("the mask has another size than the picture");
 }
 
 }  // namespace

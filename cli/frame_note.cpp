@@ -97,7 +97,7 @@ class Frustum {
 };
 
 /// What is known of the geometry so far: some of it in view, some of it not.
-struct Tally {
+struct Seen {
   bool has_inside = false, has_outside = false;
 
   void add(InView seen) {
@@ -107,15 +107,15 @@ struct Tally {
   bool is_decided() const { return has_inside && has_outside; }
 };
 
-void add(const Geometry& geometry, std::uint32_t shape, Frustum& frustum, Tally& tally) {
+void add(const Geometry& geometry, std::uint32_t shape, Frustum& frustum, Seen& seen) {
   if (const SphereSet* set = geometry.sphere_set(shape)) {
-    for (const Sphere& sphere : set->spheres) tally.add(frustum.of(sphere));
+    for (const Sphere& sphere : set->spheres) seen.add(frustum.of(sphere));
     return;
   }
   const Mesh& mesh = *geometry.mesh(shape);
   for (const Triangle& t : mesh.triangles) {
-    tally.add(frustum.of(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]));
-    if (tally.is_decided()) return;
+    seen.add(frustum.of(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]));
+    if (seen.is_decided()) return;
   }
 }
 
@@ -124,11 +124,11 @@ void add(const Geometry& geometry, std::uint32_t shape, Frustum& frustum, Tally&
 InView in_view(const Camera& camera, const Geometry& geometry) {
   if (is_panorama(camera.projection)) return InView::whole;
   Frustum frustum(camera);
-  Tally tally;
-  for (std::uint32_t shape = 0; shape < geometry.shapes().size() && !tally.is_decided(); ++shape)
-    add(geometry, shape, frustum, tally);
-  if (!tally.has_outside) return InView::whole;
-  return tally.has_inside ? InView::part : InView::nothing;
+  Seen seen;
+  for (std::uint32_t shape = 0; shape < geometry.shapes().size() && !seen.is_decided(); ++shape)
+    add(geometry, shape, frustum, seen);
+  if (!seen.has_outside) return InView::whole;
+  return seen.has_inside ? InView::part : InView::nothing;
 }
 
 std::string frame_note(const Camera& camera, const Geometry& geometry) {

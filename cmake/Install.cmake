@@ -78,10 +78,10 @@ set(private_headers
   accel/wide/survey.h
   accel/wide/tree.h
   check/exact.h
-  check/same_size.h
   core/fork_join.h
   core/lanes.h
   core/map_points.h
+  core/same_size.h
   integrators/denoise/blend.h
   integrators/denoise/box_mean.h
   integrators/denoise/error_product.h

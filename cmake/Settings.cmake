@@ -33,27 +33,25 @@ endfunction()
 
 # To compile most files is mostly to read the headers that they include, and to make the templates in them: sixteen
 # together take little longer than one. The preset dev takes each alone, and so sees whether it includes what it needs.
-# What traces rays and shades stands alone in any case: its files compile themselves once for each set of instructions.
+# accel and integrators stand alone in any case: their kernels include themselves once for each set of instructions.
 option(TWINRAY_UNITY "Compile files sixteen at a time: half of the time of a build from nothing" ON)
-# twinray_compile_together(TARGET [file...]): these of its files, or all, those of one folder next to each other. No two
-# of them may use a name for two things.
+# twinray_compile_together(TARGET [file...]): these of its files, or all, those of a folder sixteen at a time. No two files
+# of a folder may use a name for two things.
 function(twinray_compile_together target)
   set(files ${ARGN})
   if(NOT files)
     get_target_property(files ${target} SOURCES)
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${TWINRAY_UNITY} UNITY_BUILD_MODE GROUP)
-  set(place 0)
-  set(last_folder "")
   foreach(file ${files})
     cmake_path(GET file PARENT_PATH folder)
-    if(place EQUAL 0 OR NOT "${folder}" STREQUAL "${last_folder}")
-      string(MAKE_C_IDENTIFIER ${file} group)
-      set(place 0)
-      set(last_folder "${folder}")
-    endif()
+    string(MAKE_C_IDENTIFIER "in_${folder}" folder)
+    list(APPEND ${folder} ${file})
+    list(LENGTH ${folder} place)
+    math(EXPR part "(${place} - 1) / 16")
+    list(GET ${folder} 0 first)
+    string(MAKE_C_IDENTIFIER "with_${first}_${part}" group)
     set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${group})
-    math(EXPR place "(${place} + 1) % 16")
   endforeach()
 endfunction()
 

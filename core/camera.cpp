@@ -50,10 +50,8 @@ Camera panoramic_view(const Camera& camera, const Aabb& box) {
   return moved;
 }
 
-constexpr float turns_a_radian = 0.15915494309189535f;
-
 SinCos sincos_radians(float radians) {
-  const float turns = radians * turns_a_radian;
+  const float turns = radians * float(turns_per_radian);
   return sincos_turns(turns - std::floor(turns));
 }
 

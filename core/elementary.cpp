@@ -97,7 +97,6 @@ double sin_shifted(double x, int right_angles) {
 double atan_turns(double x) {
   constexpr double atan_of_quarters[] = {0, 0.24497866312686415, 0.46364760900080612, 0.64350110879328439,
                                          0.78539816339744831};
-  constexpr double turns_per_radian = 0.15915494309189534;
   const int nearest = int(4 * x + 0.5);
   const double center = 0.25 * nearest;
   const double t = (x - center) / (1 + x * center);

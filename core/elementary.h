@@ -8,6 +8,8 @@
 
 namespace twinray {
 
+inline constexpr double turns_per_radian = 0.15915494309189534;
+
 struct SinCos {
   float sin, cos;
 };

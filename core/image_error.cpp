@@ -3,13 +3,12 @@
 
 #include <cmath>
 
-#include "core/error.h"
+#include "core/same_size.h"
 
 namespace twinray {
 
 ImageError image_error(const Image& image, const Image& converged) {
-  if (image.width != converged.width || image.height != converged.height)
-    throw Error("pictures of different sizes cannot be compared");
+  check_same_size(image, converged);
   double squares = 0, sum = 0, expected_sum = 0;
   for (std::size_t i = 0; i < converged.pixels.size(); ++i) {
     const double value = luminance(image.pixels[i]), expected = luminance(converged.pixels[i]);

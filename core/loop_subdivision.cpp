@@ -193,12 +193,12 @@ void divide(std::vector<Vec3>& positions, std::vector<Triangle>& triangles) {
 }
 
 /// Two tangents of the limit surface, the second one counter-clockwise from the first.
-struct Tangents {
+struct LimitTangents {
   Vec3 first, second;
 };
 
-Tangents tangents_inside(const std::vector<Vec3>& positions, const Ring& ring) {
-  Tangents found;
+LimitTangents tangents_inside(const std::vector<Vec3>& positions, const Ring& ring) {
+  LimitTangents found;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const double angle = 2 * pi_double * double(i) / double(ring.size());
     found.first += positions[ring[i]] * float(cos_radians(angle));
@@ -225,9 +225,9 @@ Vec3 tangent_across_end(const std::vector<Vec3>& positions, std::uint32_t vertex
 }
 
 Vec3 limit_normal(const std::vector<Vec3>& positions, std::uint32_t vertex, const Ring& ring) {
-  const Tangents tangents = ring.is_open ? Tangents{positions[ring[0]] - positions[ring.last()],
-                                                    tangent_across_end(positions, vertex, ring)}
-                                         : tangents_inside(positions, ring);
+  const LimitTangents tangents = ring.is_open ? LimitTangents{positions[ring[0]] - positions[ring.last()],
+                                                              tangent_across_end(positions, vertex, ring)}
+                                              : tangents_inside(positions, ring);
   const Vec3 normal = cross(tangents.first, tangents.second);
   return length_squared(normal) > 0 ? normalize(normal) : Vec3{};
 }

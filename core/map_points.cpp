@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/elementary.h"
 #include "core/instruction_sets.h"
 
 #define HWY_TARGET_INCLUDE "core/map_points.cpp"
@@ -38,7 +39,7 @@ HWY_ATTR HWY_INLINE Doubles atan_turns(Doubles x) {
   const Doubles z = squared(t);
   Doubles series = splat(1.0 / 17);
   for (int odd = 15; odd >= 1; odd -= 2) series = hn::Sub(splat(1.0 / odd), hn::Mul(z, series));
-  return hn::Mul(hn::Add(start, hn::Mul(t, series)), splat(0.15915494309189534));
+  return hn::Mul(hn::Add(start, hn::Mul(t, series)), splat(turns_per_radian));
 }
 
 HWY_ATTR HWY_INLINE Doubles atan2_turns(Doubles y, Doubles x) {

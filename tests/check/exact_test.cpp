@@ -7,14 +7,14 @@
 #include "core/error.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
+#include "tests/support/wide_integer.h"
 
 namespace twinray {
 namespace {
 
 using test::Random;
-using Wide = __int128;
-
-int sign(Wide a) { return (a > 0) - (a < 0); }
+using test::sign;
+using test::Wide;
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "tests/support/catch.h"
+#include "tests/support/images.h"
 
 namespace twinray::test {
 namespace {
@@ -45,11 +46,7 @@ Image radiance(Image image, const Rgb& spot) {
   return image;
 }
 
-Image filled(const Rgb& color) {
-  Image image(columns, rows);
-  std::fill(image.pixels.begin(), image.pixels.end(), color);
-  return image;
-}
+Image filled(const Rgb& color) { return filled_image(columns, rows, color); }
 
 /// What the authors' program says of a map.
 struct Expected {

@@ -9,13 +9,15 @@
 #include "tests/support/answers.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
+#include "tests/support/wide_integer.h"
 
 namespace twinray {
 namespace {
 
 using test::downward;
 using test::Random;
-using Wide = __int128;
+using test::sign;
+using test::Wide;
 
 constexpr Vec3 corner_a{0, 0, 0}, corner_b{4, 0, 0}, corner_c{0, 4, 0};
 
@@ -32,7 +34,6 @@ IntegerVector minus(const IntegerVector& a, const IntegerVector& b) {
 Wide volume(const IntegerVector& d, const IntegerVector& p, const IntegerVector& q) {
   return d.x * (p.y * q.z - p.z * q.y) + d.y * (p.z * q.x - p.x * q.z) + d.z * (p.x * q.y - p.y * q.x);
 }
-int sign_of(Wide a) { return (a > 0) - (a < 0); }
 
 IntegerVector small_integers(Random& random, int size) {
   const int x = random.between(-size, size);
@@ -47,8 +48,8 @@ Vec3 scaled(const IntegerVector& v, int exponent) {
 
 LinePosition integer_position(const IntegerVector& o, const IntegerVector& d, const IntegerVector (&v)[3]) {
   const IntegerVector p = minus(v[0], o), q = minus(v[1], o), r = minus(v[2], o);
-  const int signs[3] = {sign_of(volume(d, q, r)), sign_of(volume(d, r, p)), sign_of(volume(d, p, q))};
-  const int facing = sign_of(volume(d, q, r) + volume(d, r, p) + volume(d, p, q));
+  const int signs[3] = {sign(volume(d, q, r)), sign(volume(d, r, p)), sign(volume(d, p, q))};
+  const int facing = sign(volume(d, q, r) + volume(d, r, p) + volume(d, p, q));
   if (facing == 0) return LinePosition::edge_on;
   int zeros = 0;
   for (const int s : signs) {

@@ -4,16 +4,12 @@
 #include "check/tiles.h"
 #include "core/error.h"
 #include "tests/support/catch.h"
+#include "tests/support/images.h"
 
 namespace twinray::test {
 namespace {
 
-/// 20 x 20 pixels of one colour.
-Image small_picture_of(const Rgb& color) {
-  Image image(20, 20);
-  for (Rgb& pixel : image.pixels) pixel = color;
-  return image;
-}
+Image small_picture_of(const Rgb& color) { return filled_image(20, 20, color); }
 
 }  // namespace
 

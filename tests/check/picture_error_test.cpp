@@ -39,7 +39,7 @@ TEST_CASE("pictures and masks of different sizes are not compared") {
   const ConvergedPicture converged{Image(2, 1), {}};
   CHECK_THROWS_WITH(squared_error(Image(1, 2), converged, {1, 1}),
                     "pictures of different sizes cannot be compared");
-  CHECK_THROWS_WITH(squared_error(Image(2, 1), converged, {1}), "a mask must have the size of the picture");
+  CHECK_THROWS_WITH(squared_error(Image(2, 1), converged, {1}), "the mask has another size than the picture");
 }
 
 }  // namespace twinray::test

@@ -9,19 +9,16 @@
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/html.h"
+#include "tests/support/images.h"
 #include "tests/support/layered_exr.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace twinray::test {
 namespace {
 
-/// 40 x 30 pixels of grey.
-Image grey(float value) {
-  Image image(40, 30);
-  for (Rgb& pixel : image.pixels) pixel = {value, value, value};
-  return image;
-}
+Image grey(float value) { return filled_image(40, 30, {value, value, value}); }
 
 /// A reference, and a picture that is too bright in a few pixels.
 struct Pair {
@@ -40,8 +37,6 @@ struct Pair {
   TemporaryFolder folder;
   std::string picture, reference;
 };
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
 /// The text behind a name at the beginning of a line, with single spaces.
 std::string line_of(const std::string& text, const std::string& name) {

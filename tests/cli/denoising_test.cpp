@@ -16,14 +16,13 @@
 #include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace twinray::test {
 namespace {
 
 const std::string small_render = fmt::format("render {} -r 24 18 -s 6 -q ", box_scene);
 const std::string fake = std::string("TWINRAY_OIDN=") + TWINRAY_FAKE_DENOISER;
-
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
 /// The mean square of the differences of red of two pictures.
 double squared_difference(const Image& a, const Image& b) {
@@ -104,7 +103,7 @@ TEST_CASE("an EXR picture has denoised colours, and the noisy ones as layers") {
   }
   CHECK_FALSE(read_channel(denoised, "Z").empty());
   CHECK(read_channel(denoised, "albedo.R").empty());  // It was not asked for.
-  CHECK(holds(read_text(denoised), "Open Image Denoise 2.4.3"));
+  CHECK(contains(read_text(denoised), "Open Image Denoise 2.4.3"));
 }
 
 TEST_CASE("a PNG picture is denoised, and the noisy one stands beside it") {
@@ -113,7 +112,7 @@ TEST_CASE("a PNG picture is denoised, and the noisy one stands beside it") {
   REQUIRE(run_program(small_render + "--denoise=own -o " + folder.file("a.png")).exit_code == 0);
   CHECK(read_image(folder.file("a_noisy.png")).pixels == read_image(folder.file("plain.png")).pixels);
   CHECK(read_image(folder.file("a.png")).pixels != read_image(folder.file("plain.png")).pixels);
-  CHECK(holds(read_text(folder.file("a.png")), "own filter"));
+  CHECK(contains(read_text(folder.file("a.png")), "own filter"));
   const ProcessResult piped = run_program(small_render + "--denoise=own -o - > " + folder.file("b.png"));
   CHECK(piped.err == "warning: - is no file: the picture that would stand beside it is not written\n");
 }
@@ -133,7 +132,7 @@ TEST_CASE("our own filter brings a picture nearer to the converged one, in the s
   Image before = denoised;
   for (std::size_t i = 0; i < noisy.size(); ++i) before.pixels[i].r = noisy[i];
   CHECK(squared_difference(denoised, converged) < 0.8 * squared_difference(before, converged));
-  CHECK(holds(read_text(folder.file("1.exr.json")), "own filter\",\n    \"seconds\""));
+  CHECK(contains(read_text(folder.file("1.exr.json")), "own filter\",\n    \"seconds\""));
 }
 
 TEST_CASE(
@@ -176,10 +175,10 @@ TEST_CASE("a render that ends by its noise says after how many samples, and whic
                                          folder.file("a.exr"), folder.file("a.json"));
   const ProcessResult result = run_program(render);
   REQUIRE(result.exit_code == 0);
-  CHECK(holds(result.out, " s, 16 samples per pixel, relative error 0."));
-  CHECK(holds(read_text(folder.file("a.json")), "\"samples_per_pixel\": 16"));
-  CHECK(holds(read_text(folder.file("a.json")), "\"estimated_error\": 0."));
-  CHECK(holds(read_text(folder.file("a.exr")), "twinray:samples"));
+  CHECK(contains(result.out, " s, 16 samples per pixel, relative error 0."));
+  CHECK(contains(read_text(folder.file("a.json")), "\"samples_per_pixel\": 16"));
+  CHECK(contains(read_text(folder.file("a.json")), "\"estimated_error\": 0."));
+  CHECK(contains(read_text(folder.file("a.exr")), "twinray:samples"));
 }
 
 TEST_CASE("with a denoiser a noise target is that of the denoised picture, which needs fewer samples") {

@@ -19,6 +19,7 @@
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/terminal.h"
+#include "tests/support/text.h"
 
 namespace twinray::test {
 namespace {
@@ -75,8 +76,6 @@ const std::string& reference() {
   return path;
 }
 
-bool has_part(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
-
 }  // namespace
 
 TEST_CASE("a set of options is a name and words, as a shell would split them") {
@@ -114,10 +113,10 @@ TEST_CASE("wrong command lines of error are refused with what would be valid") {
     const ProcessResult result = run_program(error_command(options));
     CHECK(result.exit_code == 2);
     CHECK(result.out.empty());
-    CHECK(has_part(result.err, message));
-    CHECK(has_part(result.err, "\nusage: twinray error SCENE.dae [options]"));
+    CHECK(contains(result.err, message));
+    CHECK(contains(result.err, "\nusage: twinray error SCENE.dae [options]"));
   }
-  CHECK(has_part(run_program(error_command("--converge --settings 'a: -r 3 4'")).err,
+  CHECK(contains(run_program(error_command("--converge --settings 'a: -r 3 4'")).err,
                  "valid there are render's options of light, sampling and engine"));
 }
 
@@ -149,15 +148,15 @@ TEST_CASE("a reference must be linear and of the frame's size") {
   const TemporaryFolder folder;
   const ProcessResult png = run_program(error_command("--reference a.png"));
   CHECK(png.exit_code == 1);
-  CHECK(has_part(png.err, "a.png: a reference is a picture of linear floats; its name must end in .exr"));
+  CHECK(contains(png.err, "a.png: a reference is a picture of linear floats; its name must end in .exr"));
   const ProcessResult saved = run_program(error_command("--converge --save-reference a.png"));
   CHECK(saved.exit_code == 1);
-  CHECK(has_part(saved.err, "a.png: a reference is a picture of linear floats; its name must end in .exr"));
+  CHECK(contains(saved.err, "a.png: a reference is a picture of linear floats; its name must end in .exr"));
   const std::string small = folder.file("small.exr");
   write_exr(small, Image(20, 30));
   const ProcessResult result = run_program(error_command("--reference '" + small + "'"));
   CHECK(result.exit_code == 1);
-  CHECK(has_part(result.err,
+  CHECK(contains(result.err,
                  "small.exr: it has 20 x 30 pixels, but the pictures to compare have 40 x 30; -r "
                  "sets their size"));
   Image hole(40, 30);
@@ -165,7 +164,7 @@ TEST_CASE("a reference must be linear and of the frame's size") {
   write_exr(small, hole);
   const ProcessResult holed = run_program(error_command("--reference '" + small + "'"));
   CHECK(holed.exit_code == 1);
-  CHECK(has_part(holed.err, "small.exr: pixel 7 5 is not finite"));
+  CHECK(contains(holed.err, "small.exr: pixel 7 5 is not finite"));
 }
 
 TEST_CASE("errors are those of the pictures that render makes with the same options and seeds") {
@@ -203,10 +202,10 @@ TEST_CASE("an honest picture has no bias, and a reference that is 1 % too bright
   error::write_reference(bright, planted, {}, {});
   const std::string options = "-s 16,128 --repeats 4 --reference '";
   const ProcessResult honest = run_program(error_command(options + reference() + "'"));
-  CHECK(has_part(honest.out, "\nNo bias found in 2 tests, at a level of 1 % for all together.\n"));
+  CHECK(contains(honest.out, "\nNo bias found in 2 tests, at a level of 1 % for all together.\n"));
   const ProcessResult biased = run_program(error_command(options + bright + "'"));
-  CHECK(has_part(biased.out, "\ndefault: biased, or another picture than the reference, at "));
-  CHECK(!has_part(biased.out, "No bias"));
+  CHECK(contains(biased.out, "\ndefault: biased, or another picture than the reference, at "));
+  CHECK(!contains(biased.out, "No bias"));
   const Fields row = measured(options + bright + "'").back();
   const double part = number(row, "bias") / number(row, "reference_mean");
   CHECK(std::abs(part + 0.01) < 4 * number(row, "bias_standard_error") / number(row, "reference_mean"));
@@ -244,15 +243,15 @@ TEST_CASE("each set has a row for each number of samples, and what it takes to e
 TEST_CASE("a name with a comma is one field of the table") {
   const ProcessResult result = run_program(error_command(
       "-q --csv=- -s 1 --repeats 1 --settings 'b, or \"c\": -m 2' --reference '" + reference() + "'"));
-  CHECK(has_part(result.out, "\n\"b, or \"\"c\"\"\",1,1,1,"));
+  CHECK(contains(result.out, "\n\"b, or \"\"c\"\"\",1,1,1,"));
 }
 
 TEST_CASE("pixels that see an emitter are left out unless all are asked for") {
   const std::string options = "-s 4 --repeats 2 --reference '" + reference() + "'";
   const ProcessResult without = run_program(error_command(options));
-  CHECK(has_part(without.out, "spheres.dae, 40 x 30 pixels, without "));
-  CHECK(has_part(without.out, " that see an emitter\n"));
-  CHECK(has_part(run_program(error_command(options + " --mask=none")).out, "spheres.dae, 40 x 30 pixels\n"));
+  CHECK(contains(without.out, "spheres.dae, 40 x 30 pixels, without "));
+  CHECK(contains(without.out, " that see an emitter\n"));
+  CHECK(contains(run_program(error_command(options + " --mask=none")).out, "spheres.dae, 40 x 30 pixels\n"));
   // The lamp's edge hides other noise.
   CHECK(number(measured(options + " --mask=none").front(), "mse") >
         2 * number(measured(options).front(), "mse"));
@@ -274,10 +273,10 @@ TEST_CASE("the page is whole by itself, and shows each set with both plots and i
   CHECK(count(page, "<svg class=\"curves\"") == 3);
   CHECK(count(page, "aria-label=\"where the means differ\"") == 2);
   CHECK(count(page, "a&lt;b") > 3);
-  CHECK(has_part(page, "c, 8 samples: p &lt;1e-300"));  // black, but for what emits
-  CHECK(has_part(page, "Error over samples"));
-  CHECK(has_part(page, "Error over CPU seconds"));
-  CHECK(has_part(page, "twinray error "));
+  CHECK(contains(page, "c, 8 samples: p &lt;1e-300"));  // black, but for what emits
+  CHECK(contains(page, "Error over samples"));
+  CHECK(contains(page, "Error over CPU seconds"));
+  CHECK(contains(page, "twinray error "));
 }
 
 TEST_CASE("a tile that is too bright is red, one that is too dark blue, and one without bias white") {
@@ -291,9 +290,9 @@ TEST_CASE("a reference of unknown noise, and one that is too noisy, are warned o
   const std::string alone = folder.file("alone.exr");
   std::filesystem::copy_file(reference(), alone);
   CHECK(
-      has_part(run_program(error_command("-q -s 4 --repeats 2 --reference '" + alone + "'")).err,
+      contains(run_program(error_command("-q -s 4 --repeats 2 --reference '" + alone + "'")).err,
                "warning: the reference's noise is not known: it is part of every error, and counts as bias"));
-  CHECK(has_part(run_program(error_command("-q -s 16 --repeats 2 --converge --reference-samples 32")).err,
+  CHECK(contains(run_program(error_command("-q -s 16 --repeats 2 --converge --reference-samples 32")).err,
                  "warning: the reference's own mean squared error, "));
   CHECK(run_program(error_command("-q -s 4 --repeats 2 --reference '" + reference() + "'")).err.empty());
 }
@@ -315,7 +314,7 @@ TEST_CASE("Ctrl-C keeps the rows that are there, beside the old table") {
   program.press_control_c();
   CHECK(program.exit_code() == 130);
   const std::string partial = folder.file("table_partial.csv");
-  CHECK(has_part(program.shown(), "twinray: interrupted; the table, " + partial + " hold what there is"));
+  CHECK(contains(program.shown(), "twinray: interrupted; the table, " + partial + " hold what there is"));
   CHECK(read_text(table) == "old");
   const std::vector<Fields> rows = read_table(read_text(partial));
   REQUIRE(rows.size() >= 2);
@@ -331,7 +330,7 @@ TEST_CASE("Ctrl-C before the first picture writes nothing") {
   REQUIRE(program.wait_for("reference: 2 x 2000000 samples"));
   program.press_control_c();
   CHECK(program.exit_code() == 130);
-  CHECK(has_part(program.shown(), "twinray: interrupted before the first picture; nothing is written"));
+  CHECK(contains(program.shown(), "twinray: interrupted before the first picture; nothing is written"));
   CHECK(folder.file_count() == 0);
 }
 

@@ -7,6 +7,7 @@
 #include "tests/support/json.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace twinray::test {
 namespace {
@@ -17,11 +18,6 @@ nlohmann::json info_of(const std::string& scene, const std::string& more = "") {
   const ProcessResult result = run_program(fmt::format("info {} --json {}", quoted(scene), more));
   CHECK(result.exit_code == 0);
   return nlohmann::json::parse(result.out);
-}
-
-bool has(const std::string& text, const std::string& part) {
-  CAPTURE(text, part);
-  return text.find(part) != std::string::npos;
 }
 
 /// A leaf of one triangle with a picture, a wall of two, and a lamp, two units high.
@@ -70,7 +66,7 @@ TEST_CASE("info tells what is in a scene, as JSON") {
   CHECK(info["pictures"] ==
         nlohmann::json{{{"name", "leaf.png"}, {"width", 4}, {"height", 2}, {"bytes", 11 * 12}}});
   REQUIRE(info["warnings"].size() == 1);
-  CHECK(has(info["warnings"][0], "there is no material \"none\""));
+  CHECK(contains(info["warnings"][0].get<std::string>(), "there is no material \"none\""));
 }
 
 TEST_CASE("info adds up the memory of a render") {
@@ -107,22 +103,23 @@ TEST_CASE("info tells what is stored, and what instances show") {
       CHECK(kept["bounds"][end][axis].get<double>() ==
             Approx(copied["bounds"][end][axis].get<double>()).epsilon(1e-6));
   const ProcessResult text = run_program("info --instances=keep " + quoted(pawns));
-  CHECK(has(text.out, "instances: 33 of 1 prototype, by which 9.54e+03 triangles and spheres are seen\n"));
+  CHECK(
+      contains(text.out, "instances: 33 of 1 prototype, by which 9.54e+03 triangles and spheres are seen\n"));
 }
 
 TEST_CASE("info tells the same in words, of many things the largest") {
   const Leaf leaf;
   const ProcessResult result = run_program("info " + quoted(leaf.scene()));
   CHECK(result.exit_code == 0);
-  CHECK(has(result.err, "there is no material \"none\""));
-  CHECK(has(result.out,
-            "shapes: 4 meshes, 4 triangles, 0 spheres; 1 degenerate triangle dropped; 4 materials\n"));
-  CHECK(has(result.out, "bounds: 0 0 0 to 1 2 0\n"));
-  CHECK(has(result.out,
-            "material \"wall\": openpbr, 1 shape, 2 triangles\nmaterial \"leaf\": lambert, 1 shape, 1 "
-            "triangle, 1 texture"));
-  CHECK(has(result.out, "picture \"leaf.png\": 4 x 2 pixels, 132 bytes\n"));
-  CHECK(has(result.out, "memory: 11.1 MB for the film of 480 x 360 pixels\n"));
+  CHECK(contains(result.err, "there is no material \"none\""));
+  CHECK(contains(result.out,
+                 "shapes: 4 meshes, 4 triangles, 0 spheres; 1 degenerate triangle dropped; 4 materials\n"));
+  CHECK(contains(result.out, "bounds: 0 0 0 to 1 2 0\n"));
+  CHECK(contains(result.out,
+                 "material \"wall\": openpbr, 1 shape, 2 triangles\nmaterial \"leaf\": lambert, 1 shape, 1 "
+                 "triangle, 1 texture"));
+  CHECK(contains(result.out, "picture \"leaf.png\": 4 x 2 pixels, 132 bytes\n"));
+  CHECK(contains(result.out, "memory: 11.1 MB for the film of 480 x 360 pixels\n"));
   const TemporaryFolder folder;
   std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nmtllib a.mtl\n", mtl;
   for (int i = 0; i < 25; ++i) {
@@ -132,9 +129,9 @@ TEST_CASE("info tells the same in words, of many things the largest") {
   write_text(folder.file("a.obj"), obj);
   write_text(folder.file("a.mtl"), mtl);
   const std::string many = run_program("info " + quoted(folder.file("a.obj"))).out;
-  CHECK(has(many, "material \"m19\""));
-  CHECK(!has(many, "material \"m20\""));
-  CHECK(has(many, "... and 5 more, which --json names\n"));
+  CHECK(contains(many, "material \"m19\""));
+  CHECK(!contains(many, "material \"m20\""));
+  CHECK(contains(many, "... and 5 more, which --json names\n"));
 }
 
 TEST_CASE("info refuses what render refuses") {

@@ -315,9 +315,8 @@ TEST_CASE("one of several cameras is chosen by its name, and all are listed on r
   const std::string scene = folder.file("two cameras.dae");
   write_text(scene, collada_text("<library_cameras>" + camera("front") + camera("top") +
                                      "</library_cameras>" + collada_triangle(),
-                                 "<node><instance_geometry url=\"#shape\"/></node>"
-                                 "<node><instance_camera url=\"#front\"/></node>"
-                                 "<node><instance_camera url=\"#top\"/></node>"));
+                                 collada_shape_node() + "<node><instance_camera url=\"#front\"/></node>"
+                                                        "<node><instance_camera url=\"#top\"/></node>"));
   const ProcessResult list = run_program("render " + quoted(scene) + " --camera-name=?");
   CHECK(list.exit_code == 0);
   CHECK(list.out == "front (makes the picture)\ntop\n");

@@ -10,6 +10,7 @@
 #include "tests/support/json.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace twinray::test {
 namespace {
@@ -19,8 +20,6 @@ using nlohmann::json;
 const std::string replayed = "'" TWINRAY_SOURCE_DIR "/scenes/spheres.dae' ";
 const std::string materials = "'" TWINRAY_SOURCE_DIR "/scenes/materials.pbrt' ";
 const std::string replay_frame = "-r 48 36 -s 1 ";
-
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
   std::size_t count = 0;
@@ -77,9 +76,9 @@ TEST_CASE("a replay says in words what happens at each vertex, and why the path 
         "MIS weight ", "\n  adds             ", "\n  goes on          by diffuse reflection along ",
         "\n  density          ", "\n  throughput       1 1 1\n",
         "\nVertex 2: ", "\nThe path ends: ", "\nAll that it adds   "})
-    CHECK(holds(result.out, part));
+    CHECK(contains(result.out, part));
   const std::string sum = result.out.substr(result.out.find("All that it adds   ") + 19);
-  CHECK(holds(sum, "\nRendered sample    " + sum.substr(0, sum.find('\n')) + "\n"));
+  CHECK(contains(sum, "\nRendered sample    " + sum.substr(0, sum.find('\n')) + "\n"));
 }
 
 TEST_CASE("a replay draws the path as lines from the camera to its vertices") {
@@ -127,7 +126,7 @@ TEST_CASE("JSON on standard output stands there alone") {
   const ProcessResult result = run_program(replayed + replay_frame + "--replay 1 1 0 --replay-json -");
   CHECK(result.exit_code == 0);
   CHECK(json::parse(result.out)["pixel"] == json({1, 1}));
-  CHECK(holds(result.err, "The path ends: "));
+  CHECK(contains(result.err, "The path ends: "));
 }
 
 TEST_CASE("a sample that is no radiance is rejected, counted, and named so that it can be replayed") {
@@ -137,13 +136,13 @@ TEST_CASE("a sample that is no radiance is rejected, counted, and named so that 
   const ProcessResult render = run_program(quoted(scene) + " -q -o " + quoted(folder.file("a.exr")) +
                                            " --stats " + quoted(statistics));
   CHECK(render.exit_code == 0);
-  CHECK(holds(render.err, " samples were rejected: not finite or beyond 1e+09. The first: pixel "));
+  CHECK(contains(render.err, " samples were rejected: not finite or beyond 1e+09. The first: pixel "));
   const json found = json::parse(read_text(statistics))["render"];
   CHECK(found["rejected_samples"].get<int>() > 0);
   const json first = found["first_rejected"];
   const std::string option = fmt::format("--replay {} {} {}", first["x"].get<int>(), first["y"].get<int>(),
                                          first["sample"].get<int>());
-  CHECK(holds(render.err, "; " + option + " shows its path\n"));
+  CHECK(contains(render.err, "; " + option + " shows its path\n"));
   const ProcessResult replay = run_program(quoted(scene) + " -q " + option + " --replay-json -");
   CHECK(replay.exit_code == 0);
   CHECK(json::parse(replay.out)["rendered"][0].get<double>() > 1e9);
@@ -176,14 +175,14 @@ TEST_CASE("what has no effect on a replay, or without one, is named") {
                   quoted(folder.file("a.png")));
   CHECK(result.exit_code == 0);
   for (const char* option : {"--output", "--stats", "--crop", "--threads"})
-    CHECK(
-        holds(result.err, fmt::format("warning: {}: no effect, for --replay renders no picture\n", option)));
+    CHECK(contains(result.err,
+                   fmt::format("warning: {}: no effect, for --replay renders no picture\n", option)));
   CHECK(folder.file_count() == 0);
   const ProcessResult without =
       run_program(replayed + replay_frame + "-q --replay-json b.json --replay-obj b.obj -o " +
                   quoted(folder.file("a.png")));
-  CHECK(holds(without.err, "warning: --replay-json: no effect, for there is no --replay\n"));
-  CHECK(holds(without.err, "warning: --replay-obj: no effect, for there is no --replay\n"));
+  CHECK(contains(without.err, "warning: --replay-json: no effect, for there is no --replay\n"));
+  CHECK(contains(without.err, "warning: --replay-obj: no effect, for there is no --replay\n"));
 }
 
 }  // namespace twinray::test

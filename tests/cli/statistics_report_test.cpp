@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "tests/support/catch.h"
+#include "tests/support/text.h"
 
 namespace twinray::test {
 namespace {
@@ -11,8 +12,6 @@ namespace {
 RenderResult result_of(const RayCounts& rays, double seconds) {
   return {{.film = Film(8, 8, {0, 0, 8, 8}), .rays = rays, .seconds = seconds}};
 }
-
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 
@@ -24,22 +23,22 @@ TEST_CASE("speed and counts are those of all rays") {
   accel.tree.emplace();
   arguments.render.counting = true;
   const std::string text = statistics_text(arguments, accel, result_of(rays, 2));
-  CHECK(holds(text, "6000000 (1000000 camera, 2000000 shadow, 3000000 bounce)\n"));
-  CHECK(holds(text, " 3.0000 million rays per second\n"));
-  CHECK(holds(text, "2.0000 nodes, 4.0000 boxes, 0.5000 leaves, 1.5000 intersection tests"));
+  CHECK(contains(text, "6000000 (1000000 camera, 2000000 shadow, 3000000 bounce)\n"));
+  CHECK(contains(text, " 3.0000 million rays per second\n"));
+  CHECK(contains(text, "2.0000 nodes, 4.0000 boxes, 0.5000 leaves, 1.5000 intersection tests"));
   accel.tree.reset();
-  CHECK(holds(statistics_text(arguments, accel, result_of(rays, 2)),
-              "Per ray        0.5000 leaves, 1.5000 intersection tests"));
+  CHECK(contains(statistics_text(arguments, accel, result_of(rays, 2)),
+                 "Per ray        0.5000 leaves, 1.5000 intersection tests"));
   arguments.render.counting = false;
-  CHECK_FALSE(holds(statistics_text(arguments, accel, result_of(rays, 2)), "leaves"));
+  CHECK_FALSE(contains(statistics_text(arguments, accel, result_of(rays, 2)), "leaves"));
 }
 
 TEST_CASE("nothing traced in no time has no speed") {
   RenderArguments arguments;
   arguments.render.counting = true;
   const std::string text = statistics_text(arguments, {}, result_of({}, 0));
-  CHECK(holds(text, " 0.0000 million rays per second\n"));
-  CHECK(holds(text, "0.0000 leaves, 0.0000 intersection tests"));
+  CHECK(contains(text, " 0.0000 million rays per second\n"));
+  CHECK(contains(text, "0.0000 leaves, 0.0000 intersection tests"));
 }
 
 TEST_CASE("a rejected sample can be replayed, or its pixel rendered alone") {
@@ -50,15 +49,15 @@ TEST_CASE("a rejected sample can be replayed, or its pixel rendered alone") {
   film.add(5, 4, 3, {0, nan, 0});
   film.add(3, 6, 1, {0, 0, nan});
   const std::string text = rejection_text(film, {});
-  CHECK(holds(text, "3 samples were rejected"));
-  CHECK(holds(text, "pixel 5 4, sample 3;"));
-  CHECK(holds(text, "; --replay 5 4 3 shows its path"));
+  CHECK(contains(text, "3 samples were rejected"));
+  CHECK(contains(text, "pixel 5 4, sample 3;"));
+  CHECK(contains(text, "; --replay 5 4 3 shows its path"));
   RenderArguments normals;
   normals.integrator = IntegratorKind::normals;
-  CHECK(holds(rejection_text(film, normals), "; --crop 5 4 1 1 renders it alone"));
+  CHECK(contains(rejection_text(film, normals), "; --crop 5 4 1 1 renders it alone"));
   normals.load.interpretation = Interpretation::cs184;
-  CHECK(
-      holds(rejection_text(film, normals), "; -p 5 5 1 1 renders it alone"));  // 5 from the bottom of 10 rows
+  CHECK(contains(rejection_text(film, normals),
+                 "; -p 5 5 1 1 renders it alone"));  // 5 from the bottom of 10 rows
 }
 
 }  // namespace twinray::test

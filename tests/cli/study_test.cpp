@@ -33,8 +33,7 @@ std::string point_scene() {
       collada_triangle() +
           "<library_lights><light id=\"lamp\"><technique_common><point><color>1 1 1</color></point>"
           "</technique_common></light></library_lights>",
-      "<node><instance_geometry url=\"#shape\"/></node>"
-      "<node><translate>0.3 0.3 1</translate><instance_light url=\"#lamp\"/></node>");
+      collada_shape_node() + "<node><translate>0.3 0.3 1</translate><instance_light url=\"#lamp\"/></node>");
 }
 
 /// Two boxes and a point light, under the names that a study looks for.

@@ -11,6 +11,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace twinray::test {
 namespace {
@@ -38,11 +39,6 @@ std::string error_of(const std::string& words) {
   return result.err;
 }
 
-bool has(const std::string& text, const std::string& part) {
-  CAPTURE(text, part);
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("pictures are what their metadata say, in every format that keeps bits") {
@@ -59,7 +55,7 @@ TEST_CASE("pictures are what their metadata say, in every format that keeps bits
     const ProcessResult result = verify(file_in(folder, name) + " --tiles=4 --seed=1");
     CHECK(result.err == "");
     CHECK(result.exit_code == 0);
-    CHECK(has(result.out, "Same bits      4 of 4 tiles"));
+    CHECK(contains(result.out, "Same bits      4 of 4 tiles"));
   }
 }
 
@@ -68,7 +64,7 @@ TEST_CASE("the picture of CS184's program is made again by its options") {
   const ProcessResult made = run_program(fmt::format("--cs184 -r 48 36 -s 4 -l 2 -m 2 -f {} {}",
                                                      file_in(folder, "a.png"), quoted(scenes + "box.dae")));
   REQUIRE(made.exit_code == 0);
-  CHECK(has(verify(file_in(folder, "a.png")).out, "Same bits      9 of 9 tiles"));
+  CHECK(contains(verify(file_in(folder, "a.png")).out, "Same bits      9 of 9 tiles"));
 }
 
 TEST_CASE("a merged picture is verified as that of one render") {
@@ -79,7 +75,7 @@ TEST_CASE("a merged picture is verified as that of one render") {
   REQUIRE(run_program(fmt::format("merge -q {} {} -o {}", file_in(folder, "0.film"),
                                   file_in(folder, "3.film"), file_in(folder, "a.png")))
               .exit_code == 0);
-  CHECK(has(verify(file_in(folder, "a.png")).out, "Same bits      9 of 9 tiles"));
+  CHECK(contains(verify(file_in(folder, "a.png")).out, "Same bits      9 of 9 tiles"));
 }
 
 TEST_CASE("one pixel that was changed is found, and where it is") {
@@ -94,8 +90,8 @@ TEST_CASE("one pixel that was changed is found, and where it is") {
   write_exr(folder.file("b.exr"), LayeredImage{48, 36, picture.channels, fill_row}, picture.metadata);
   const ProcessResult result = verify(file_in(folder, "b.exr"));
   CHECK(result.exit_code == 1);
-  CHECK(has(result.err, "tile at 32 16: 1 pixels differ, the first at 33 20: G is "));
-  CHECK(has(result.out, "Same bits      8 of 9 tiles"));
+  CHECK(contains(result.err, "tile at 32 16: 1 pixels differ, the first at 33 20: G is "));
+  CHECK(contains(result.out, "Same bits      8 of 9 tiles"));
 }
 
 TEST_CASE("another version is warned of, and another size is refused") {
@@ -112,9 +108,10 @@ TEST_CASE("another version is warned of, and another size is refused") {
   write_rows("b.exr", 36);
   const ProcessResult result = verify(file_in(folder, "b.exr"));
   CHECK(result.exit_code == 0);
-  CHECK(has(result.err, "b.exr: it was made by twinray 0.0.9, and this is twinray "));
+  CHECK(contains(result.err, "b.exr: it was made by twinray 0.0.9, and this is twinray "));
   write_rows("c.exr", 30);
-  CHECK(has(error_of(file_in(folder, "c.exr")), "it has 48 x 30 pixels, and its command asks for 48 x 36"));
+  CHECK(contains(error_of(file_in(folder, "c.exr")),
+                 "it has 48 x 30 pixels, and its command asks for 48 x 36"));
 }
 
 TEST_CASE("a scene that has changed since is named") {
@@ -122,41 +119,41 @@ TEST_CASE("a scene that has changed since is named") {
   fs::copy_file(scenes + "box.dae", folder.file("box.dae"));
   render(folder.file("box.dae"), "-s 4 -o " + file_in(folder, "a.png"));
   write_text(folder.file("box.dae"), read_text(folder.file("box.dae")) + "\n");
-  CHECK(has(error_of(file_in(folder, "a.png")), "a.png: box.dae is another file here"));
-  CHECK(has(verify(file_in(folder, "a.png") + " --scene " + quoted(scenes + "box.dae")).out,
-            "Same bits      9 of 9 tiles"));
+  CHECK(contains(error_of(file_in(folder, "a.png")), "a.png: box.dae is another file here"));
+  CHECK(contains(verify(file_in(folder, "a.png") + " --scene " + quoted(scenes + "box.dae")).out,
+                 "Same bits      9 of 9 tiles"));
   fs::remove(folder.file("box.dae"));
-  CHECK(has(error_of(file_in(folder, "a.png")), "box.dae"));
+  CHECK(contains(error_of(file_in(folder, "a.png")), "box.dae"));
 }
 
 TEST_CASE("pictures of which nothing can be said are refused, each with the reason") {
   const TemporaryFolder folder;
   const auto refused = [&](const std::string& name) { return error_of(file_in(folder, name)); };
   write_png(folder.file("plain.png"), ByteImage{4, 3, std::vector<std::uint8_t>(36)});
-  CHECK(has(refused("plain.png"), "it does not say how it was made"));
-  CHECK(has(refused("missing.png"), "missing.png"));
+  CHECK(contains(refused("plain.png"), "it does not say how it was made"));
+  CHECK(contains(refused("missing.png"), "missing.png"));
   render(scenes + "box.dae", "-s 4 -o " + file_in(folder, "a.jpg"));
-  CHECK(has(refused("a.jpg"), "a JPEG keeps no bits"));
+  CHECK(contains(refused("a.jpg"), "a JPEG keeps no bits"));
   render(scenes + "box.dae", "-s 4 --exr-compression=dwab -o " + file_in(folder, "a.exr"));
-  CHECK(has(refused("a.exr"), "dwab, keeps no bits"));
+  CHECK(contains(refused("a.exr"), "dwab, keeps no bits"));
   render(scenes + "box.dae", "-s 4 --denoise=own -o " + file_in(folder, "d.png"));
-  CHECK(has(refused("d.png"), "denoised pixels depend on all others"));
-  CHECK(has(verify(file_in(folder, "d_noisy.png")).out, "Same bits      9 of 9 tiles"));
+  CHECK(contains(refused("d.png"), "denoised pixels depend on all others"));
+  CHECK(contains(verify(file_in(folder, "d_noisy.png")).out, "Same bits      9 of 9 tiles"));
   render(scenes + "box.dae", "-s 4 -a 2 0.1 -o " + file_in(folder, "r.png"));
-  CHECK(has(refused("r_rate.png"), "it shows the sample rates of another picture"));
+  CHECK(contains(refused("r_rate.png"), "it shows the sample rates of another picture"));
   render(scenes + "box.dae", "-s 4 --layers=light-groups -o " + file_in(folder, "g.exr"));
   REQUIRE(run_program(fmt::format("relight {} -o {}", file_in(folder, "g.exr"), file_in(folder, "h.exr")))
               .exit_code == 0);
-  CHECK(has(refused("h.exr"), "its lights were mixed anew by `twinray relight"));
+  CHECK(contains(refused("h.exr"), "its lights were mixed anew by `twinray relight"));
   render(scenes + "box.dae", "--sample-range=0:3 --of=8 -o " + file_in(folder, "p.film"));
   REQUIRE(run_program(fmt::format("merge -q --allow-gaps {} -o {}", file_in(folder, "p.film"),
                                   file_in(folder, "p.png")))
               .exit_code == 0);
-  CHECK(has(refused("p.png"), "it was merged without samples 3 to 8 of 8"));
+  CHECK(contains(refused("p.png"), "it was merged without samples 3 to 8 of 8"));
   REQUIRE(run_program(fmt::format("render {} -r 48 36 -s 4000000 -q --time-limit=1 -o {}",
                                   quoted(scenes + "box.dae"), file_in(folder, "i.png")))
               .exit_code == 142);
-  CHECK(has(refused("i_partial.png"), "it is what an interrupted render left: "));
+  CHECK(contains(refused("i_partial.png"), "it is what an interrupted render left: "));
 }
 
 TEST_CASE("tiles are chosen by the seed, each once") {

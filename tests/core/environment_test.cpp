@@ -41,12 +41,6 @@ std::shared_ptr<const Image> random_map(MapLayout layout, int height, std::uint6
 /// A turn about a slanted axis, and a mirror.
 Transform slanted_mirror() { return Transform::rotation({1, 2, -1}, 77) * Transform::scaling(-1, 1, 1); }
 
-Vec2 draw(Random& random) {
-  const float x = random.unit();
-  const float y = random.unit();
-  return {x, y};
-}
-
 Vec3 any_direction(Random& random) { return normalize(random.in_ball()); }
 
 double distance(const Vec3& a, const Vec3& b) { return std::sqrt(double(length_squared(a - b))); }
@@ -132,7 +126,7 @@ TEST_CASE("cells of a map share the sphere among them, and each is sampled unifo
     Random random(4);
     Grid grid(16, 12);
     for (int i = 0; i < 200000; ++i) {
-      const Vec3 w = direction_within(layout, {{0, 0}, {1, 1}}, draw(random));
+      const Vec3 w = direction_within(layout, {{0, 0}, {1, 1}}, in_square(random));
       grid.add(std::atan2(double(w.x), double(w.y)) / (2 * M_PI) + 0.5, 0.5 + 0.5 * double(w.z));
     }
     check_uniform(grid.counts(), 2, 0.03);
@@ -190,7 +184,7 @@ TEST_CASE(
       Random random(8);
       Grid grid(columns, rows);
       for (int i = 0; i < samples; ++i) {
-        const Environment::Sample sample = environment.sample(draw(random));
+        const Environment::Sample sample = environment.sample(in_square(random));
         REQUIRE(sample.pdf > 0);
         REQUIRE(sample.pdf == environment.pdf(sample.direction));
         REQUIRE(sample.radiance == environment.radiance(sample.direction));
@@ -229,7 +223,7 @@ TEST_CASE("the mean of radiance over density is the light of the whole map") {
     Random random(9);
     SampleMean mean;
     for (int i = 0; i < 200000; ++i) {
-      const Environment::Sample sample = environment.sample(draw(random));
+      const Environment::Sample sample = environment.sample(in_square(random));
       mean.add(double(luminance(sample.radiance)) / double(sample.pdf));
     }
     // By the middles of equal solid angles.
@@ -291,7 +285,7 @@ TEST_CASE("many samples of an environment are those of each draw alone") {
   Random random(8);
   for_batches([&](const Environment& environment, std::size_t count) {
     std::vector<Vec2> draws(count);
-    for (Vec2& u : draws) u = draw(random);
+    for (Vec2& u : draws) u = in_square(random);
     std::vector<Environment::Sample> samples(count, {{1, 2, 3}, {4, 5, 6}, 7});
     environment.sample(draws, samples);
     for (std::size_t i = 0; i < count; ++i) {
@@ -335,7 +329,7 @@ TEST_CASE("a map of more pixels than cells has the light and the density of its 
   const Environment environment({map}, 0);
   SampleMean mean;
   for (int i = 0; i < 20000; ++i) {
-    const Environment::Sample sample = environment.sample(draw(random));
+    const Environment::Sample sample = environment.sample(in_square(random));
     mean.add(1 / double(sample.pdf));
   }
   // All of the map shines, so that the mean of 1 / density is the sphere.

@@ -47,12 +47,6 @@ PatchLight light_of(const Mesh& mesh, EmissionSide side = EmissionSide::both) {
   return patch_light(mesh, side, area_of(mesh));
 }
 
-Vec2 draw_of(Random& random) {
-  const float u = random.unit();
-  const float v = random.unit();
-  return {u, v};
-}
-
 Vec3 position_of(const Mesh& mesh, const PatchWeights::Choice& choice) {
   const auto& [a, b, c] = mesh.triangles[choice.triangle];
   return mesh.positions[a] * (1 - choice.u - choice.v) + mesh.positions[b] * choice.u +
@@ -76,7 +70,7 @@ SampleMean arriving(const Mesh& mesh, const Receiver& receiver, bool by_corners)
   Random random(4);
   SampleMean mean;
   for (int i = 0; i < 20000; ++i) {
-    const Vec2 u = draw_of(random);
+    const Vec2 u = in_square(random);
     PatchWeights::Choice choice = weights.choose(u);
     if (!by_corners) {  // A single parallelogram, by area.
       const std::size_t half = u.y <= u.x ? 0 : 1;
@@ -136,8 +130,8 @@ TEST_CASE("points of patches lie where their density says") {
     Random random(number);
     std::vector<SampleMean> chosen(side * side), by_area(side * side);
     for (int i = 0; i < samples; ++i) {
-      const PatchWeights::Choice choice = weights.choose(draw_of(random)),
-                                 other = uniform.choose(draw_of(random));
+      const PatchWeights::Choice choice = weights.choose(in_square(random)),
+                                 other = uniform.choose(in_square(random));
       REQUIRE(other.density == 1);
       for (std::size_t cell = 0; cell < chosen.size(); ++cell) {
         chosen[cell].add(cell_of(choice) == cell ? 1 / double(choice.density) : 0);
@@ -161,7 +155,7 @@ TEST_CASE("the density of a chosen point is the density that is asked for") {
       const PatchWeights weights(light, receiver_below);
       Random random(8);
       for (int i = 0; i < 2000; ++i) {
-        const PatchWeights::Choice choice = weights.choose(draw_of(random));
+        const PatchWeights::Choice choice = weights.choose(in_square(random));
         CHECK(weights.density(choice.triangle, choice.u, choice.v) == Approx(choice.density).epsilon(1e-4));
       }
     }
@@ -185,7 +179,7 @@ TEST_CASE("a patch that faces away is chosen seldom, and no point much too seldo
   Random random(9);
   int away = 0;
   for (int i = 0; i < 10000; ++i) {
-    const PatchWeights::Choice choice = weights.choose(draw_of(random));
+    const PatchWeights::Choice choice = weights.choose(in_square(random));
     CHECK(choice.density >= 0.999f * least);
     const auto& [a, b, c] = box.triangles[choice.triangle];
     away += cross(box.positions[b] - box.positions[a], box.positions[c] - box.positions[a]).y >= 0;

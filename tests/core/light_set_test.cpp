@@ -32,19 +32,13 @@ Scene scene_with(Shape lamp) {
   return scene;
 }
 
-Vec2 draw(Random& random) {
-  const float u = random.unit();
-  const float v = random.unit();
-  return {u, v};
-}
-
 /// 1 / density averaged over samples is the solid angle of what is sampled.
 SampleMean inverse_density(const Scene& scene, int seed) {
   const LightSet lights(scene);
   Random random{std::uint64_t(seed)};
   SampleMean mean;
   for (int i = 0; i < 100000; ++i) {
-    const LightSample sample = lights.sample(0, below(), receiver(), draw(random));
+    const LightSample sample = lights.sample(0, below(), receiver(), in_square(random));
     if (!is_black(sample.radiance)) mean.add(1 / double(sample.pdf));
   }
   return mean;
@@ -95,7 +89,7 @@ TEST_CASE("the density of a sample is the density that is asked for") {
     Random random(3);
     int checked = 0;
     for (int i = 0; i < 1000; ++i) {
-      const LightSample sample = lights.sample(0, below(), receiver(), draw(random));
+      const LightSample sample = lights.sample(0, below(), receiver(), in_square(random));
       if (is_black(sample.radiance)) continue;
       // The end of the shadow ray lies just off the light; the surface there is where a ray on from it would
       // hit.
@@ -135,8 +129,8 @@ TEST_CASE("a sphere light shows its radiance outside, and is black from within")
     CHECK(lights.emitted(point, wo) == (dot(normal, wo) > 0 ? Rgb{3, 2, 1} : Rgb{}));
     SurfacePoint within = below();
     within.position = sphere.center + normal * (0.99f * random.unit());
-    CHECK(
-        is_black(lights.sample(0, within, {within.position, within.shading_normal}, draw(random)).radiance));
+    CHECK(is_black(
+        lights.sample(0, within, {within.position, within.shading_normal}, in_square(random)).radiance));
     CHECK(lights.pdf(0, {within.position, within.shading_normal}, {.primitive = 0, .mesh = 1}) == 0);
   }
 }
@@ -170,7 +164,7 @@ TEST_CASE("distant lights state the density and the radiance of their samples, o
   for (int i = 0; i < 1000; ++i) {
     Rgb all;
     for (const std::uint32_t light : lights.distant()) {
-      const LightSample sample = lights.sample(light, below(), receiver(), draw(random));
+      const LightSample sample = lights.sample(light, below(), receiver(), in_square(random));
       CHECK(lights.pdf(light, sample.direction) == sample.pdf);
       CHECK(lights.radiance(light, sample.direction) == sample.radiance);
       all += lights.radiance(light, normalize({0.3f, 0.2f, 0.1f}));
@@ -222,7 +216,7 @@ TEST_CASE("a sun shines from a disc whose irradiance is the stated one, and is s
     SampleMean irradiance;
     int outside = 0;
     for (int i = 0; i < 20000; ++i) {
-      const LightSample sample = lights.sample(0, below(), receiver(), draw(random));
+      const LightSample sample = lights.sample(0, below(), receiver(), in_square(random));
       CHECK(sample.pdf == Approx(1 / (2 * M_PI * (1 - std::cos(radius)))).epsilon(1e-3));
       irradiance.add(double(sample.radiance.r) * double(dot(sample.direction, towards)) / double(sample.pdf));
       // Rounded directions may lie just beyond the edge.

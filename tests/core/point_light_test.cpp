@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/support/catch.h"
+#include "tests/support/images.h"
 #include "tests/support/random.h"
 
 namespace twinray::test {
@@ -14,12 +15,6 @@ SurfacePoint at(const Vec3& position) {
   point.position = position;
   point.geometric_normal = point.shading_normal = {0, 1, 0};
   return point;
-}
-
-std::shared_ptr<const Image> grey(int width, int height, float value) {
-  auto image = std::make_shared<Image>(width, height);
-  for (Rgb& pixel : image->pixels) pixel = {value, value, value};
-  return image;
 }
 
 /// Along the axis turned by an angle.
@@ -51,7 +46,8 @@ TEST_CASE("a spot's penumbra falls smoothly from full strength to none along the
 }
 
 TEST_CASE("a goniometric light of an even picture is a point light, and its picture turns with it") {
-  const GoniometricLight even{{1, 2, 3}, {3, 2, 1}, grey(4, 4, 0.5f)};
+  const auto grey = std::make_shared<Image>(filled_image(4, 4, {0.5f, 0.5f, 0.5f}));
+  const GoniometricLight even{{1, 2, 3}, {3, 2, 1}, grey};
   const PointLight point{{1, 2, 3}, {1.5f, 1, 0.5f}, {}};
   Random random(1);
   for (int i = 0; i < 100; ++i) {

@@ -12,6 +12,7 @@ namespace twinray {
 namespace {
 
 using test::Grid;
+using test::in_square;
 using test::Random;
 
 constexpr int samples = 200000, columns = 24, rows = 16;
@@ -20,12 +21,6 @@ constexpr double two_pi = 6.283185307179586;
 constexpr double rounding = 4e-7;
 /// u on and just inside the edges of the square.
 constexpr float edges[] = {0.0f, 0x1p-24f, 0.25f, 0.5f, 0.75f, 0x1.fffffep-1f};
-
-Vec2 next_square(Random& random) {
-  const float x = random.unit();
-  const float y = random.unit();
-  return {x, y};
-}
 
 /// The azimuth as a part of a turn, in [0, 1].
 double turn(double x, double y) { return std::atan2(-y, -x) / two_pi + 0.5; }
@@ -51,7 +46,7 @@ Counts count_directions(const std::function<Vec3(Vec2)>& warp, const std::functi
   Random random(17);
   Grid grid(columns, rows);
   for (int i = 0; i < samples; ++i) {
-    const Vec3 w = warp(next_square(random));
+    const Vec3 w = warp(in_square(random));
     REQUIRE(unit_error(w) <= rounding);
     REQUIRE(w.z >= low - rounding);
     grid.add(turn(w.x, w.y), (w.z - low) / (1 - low));
@@ -70,7 +65,7 @@ TEST_CASE("points of the disc are uniform by area") {
   Random random(3);
   Grid grid(columns, rows);
   for (int i = 0; i < samples; ++i) {
-    const Vec2 p = square_to_disc(next_square(random));
+    const Vec2 p = square_to_disc(in_square(random));
     const double r2 = double(p.x) * p.x + double(p.y) * p.y;
     REQUIRE(r2 <= 1 + rounding);
     grid.add(turn(p.x, p.y), r2);
@@ -103,7 +98,7 @@ TEST_CASE("directions of a cone are uniform, in narrow cones too") {
     Random random(5);
     Grid grid(columns, rows);
     for (int i = 0; i < samples; ++i) {
-      const Vec3 w = square_to_uniform_cone(next_square(random), one_minus_cos);
+      const Vec3 w = square_to_uniform_cone(in_square(random), one_minus_cos);
       REQUIRE(unit_error(w) <= rounding);
       const double depth = w.z < 0 ? 1.0 - w.z : one_minus_z(w);
       REQUIRE(depth <= one_minus_cos * (1 + 4 * rounding));
@@ -118,7 +113,7 @@ TEST_CASE("points of the triangle are uniform by area") {
   Random random(7);
   Grid grid(columns, rows);
   for (int i = 0; i < samples; ++i) {
-    const Vec2 weights = square_to_triangle(next_square(random));
+    const Vec2 weights = square_to_triangle(in_square(random));
     REQUIRE(weights.x >= 0);
     REQUIRE(weights.y >= 0);
     const double sum = double(weights.x) + weights.y;
@@ -169,7 +164,7 @@ TEST_CASE("points of a polygon are uniform by area within its corners") {
     const double middle_angle = M_PI / corners, height = std::cos(middle_angle);
     Grid grid(corners * 4, 4);
     for (int i = 0; i < samples; ++i) {
-      const Vec2 p = square_to_polygon(next_square(random), corners, turns);
+      const Vec2 p = square_to_polygon(in_square(random), corners, turns);
       // In a triangle from the middle to one side: how far out, and how far along.
       double place = std::atan2(p.y, p.x) / two_pi - double(turns);
       place = (place - std::floor(place)) * corners;

@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "tests/support/catch.h"
+#include "tests/support/half_pictures.h"
 #include "tests/support/random.h"
 
 namespace twinray::test {
@@ -55,10 +56,6 @@ Image mean_picture(const HalfPictures& pictures) {
   return image_of(means_of_halves(a.color, b.color, pictures.second_weight));
 }
 
-Image denoised_picture(const HalfPictures& noisy) {
-  return picture_of(denoised_halves(noisy), noisy.second_weight);
-}
-
 bool everywhere(int, int) { return true; }
 bool at_the_border(int x, int y) { return x == 0 || y == 0 || x == columns - 1 || y == rows - 1; }
 
@@ -75,8 +72,7 @@ double squared_error(const Image& image, const Motif& motif, bool (*counts)(int 
 /// How much of the noise's squared error is left.
 double left_of(const Motif& motif, float deviation, bool (*counts)(int x, int y) = everywhere) {
   const HalfPictures noisy = with_noise(motif, deviation);
-  return squared_error(denoised_picture(noisy), motif, counts) /
-         squared_error(mean_picture(noisy), motif, counts);
+  return squared_error(denoised(noisy), motif, counts) / squared_error(mean_picture(noisy), motif, counts);
 }
 
 Shown wall(int, int) { return {{0.5f, 0.4f, 0.3f}, {0.8f, 0.8f, 0.8f}}; }
@@ -132,13 +128,13 @@ TEST_CASE("light below nothing, as a pixel filter may leave it, becomes none") {
     return shown;
   };
   for (const float deviation : {0.0f, 0.1f})
-    for (const Rgb& pixel : denoised_picture(with_noise(motif, deviation)).pixels)
+    for (const Rgb& pixel : denoised(with_noise(motif, deviation)).pixels)
       CHECK(std::min({pixel.r, pixel.g, pixel.b}) >= 0);
 }
 
 TEST_CASE("an edge that no feature shows stays, and the noise around it goes") {
   CHECK(left_of(shadow, 0.1f) < 0.15);
-  const Image image = denoised_picture(with_noise(shadow, 0.1f));
+  const Image image = denoised(with_noise(shadow, 0.1f));
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x) {
       const float light = shadow(x, y).color.r;
@@ -168,21 +164,21 @@ TEST_CASE("faint light that nothing explains is left in its noise, where filters
 
 TEST_CASE("a picture without noise keeps its bits") {
   for (const auto& motif : {wall, stripes, shadow, glitter})
-    CHECK(denoised_picture(with_noise(motif, 0)).pixels == clean(motif).pixels);
+    CHECK(denoised(with_noise(motif, 0)).pixels == clean(motif).pixels);
 }
 
 TEST_CASE("a half without samples leaves a picture as it is") {
   HalfPictures noisy = with_noise(wall, 0.1f);
   for (float& weight : noisy.second_weight.values) weight = 0;
   noisy.halves[1] = noisy.halves[0];
-  CHECK(denoised_picture(noisy).pixels == mean_picture(noisy).pixels);
+  CHECK(denoised(noisy).pixels == mean_picture(noisy).pixels);
 }
 
 TEST_CASE("denoised pictures have the same bits with any number of threads") {
   const HalfPictures noisy = with_noise(shadow, 0.3f);
   Image one, seven;
-  with_threads(1, [&] { one = denoised_picture(noisy); });
-  with_threads(7, [&] { seven = denoised_picture(noisy); });
+  with_threads(1, [&] { one = denoised(noisy); });
+  with_threads(7, [&] { seven = denoised(noisy); });
   CHECK(one.pixels == seven.pixels);
 }
 
@@ -190,7 +186,7 @@ TEST_CASE("a pixel that is far too bright is spread, and leaves no hole") {
   HalfPictures noisy = with_noise(wall, 0.05f);
   const std::size_t at = 20 * columns + 30;
   noisy.halves[0].color[0].values[at] += 200;
-  const Image before = mean_picture(noisy), after = denoised_picture(noisy);
+  const Image before = mean_picture(noisy), after = denoised(noisy);
   CHECK(after.pixels[at].r < 0.05f * before.pixels[at].r);
   for (const Rgb& pixel : after.pixels) CHECK(pixel.r > 0.3f);
 }
@@ -198,7 +194,7 @@ TEST_CASE("a pixel that is far too bright is spread, and leaves no hole") {
 TEST_CASE("a picture is denoised by albedo and normal, no other features") {
   HalfPictures noisy = with_noise(wall, 0.1f);
   noisy.halves[0].features.pop_back();
-  CHECK_THROWS_WITH(denoised_picture(noisy), "5 features: a picture is denoised by 6");
+  CHECK_THROWS_WITH(denoised(noisy), "5 features: a picture is denoised by 6");
 }
 
 }  // namespace twinray::test

@@ -11,6 +11,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/estimate.h"
 #include "tests/support/film.h"
+#include "tests/support/half_pictures.h"
 #include "tests/support/random.h"
 #include "tests/support/scenes.h"
 
@@ -37,8 +38,6 @@ double relative_error(const Image& picture, const Image& converged) {
     }
   return std::sqrt(sum / (3.0 * double(picture.pixels.size())));
 }
-
-Image denoised(const HalfPictures& noisy) { return picture_of(denoised_halves(noisy), noisy.second_weight); }
 
 /// By other samples than those of halved().
 Image converged_picture(const Scene& scene, const Integrator& integrator) {

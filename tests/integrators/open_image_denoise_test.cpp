@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "tests/support/catch.h"
+#include "tests/support/images.h"
 #include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
@@ -28,14 +29,8 @@ class Environment {
 
 constexpr const char* fake = TWINRAY_FAKE_DENOISER;
 
-Image constant_picture(const Rgb& color) {
-  Image image(3, 2);
-  for (Rgb& pixel : image.pixels) pixel = color;
-  return image;
-}
-
-const Image noisy = constant_picture({1, 2, -300});
-const SurfaceFeatures features{constant_picture({0.1f, 0.2f, 0.3f}), constant_picture({0, 0, 1})};
+const Image noisy = filled_image(3, 2, {1, 2, -300});
+const SurfaceFeatures features{filled_image(3, 2, {0.1f, 0.2f, 0.3f}), filled_image(3, 2, {0, 0, 1})};
 
 }  // namespace
 

@@ -47,7 +47,7 @@ std::string sheet(int side, const std::string& kind, int parts) {
   }
   return collada_text(
       collada_mesh(side * side, positions, collada_source("normals", side * side, normals) + primitives),
-      "<node><instance_geometry url=\"#shape\"/></node>");
+      collada_shape_node());
 }
 
 /// The sheet as a skin of two joints, each vertex moved by both.

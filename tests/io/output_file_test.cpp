@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct stat status_of(const std::string& path) {
+struct stat file_status(const std::string& path) {
   struct stat status {};
   REQUIRE(stat(path.c_str(), &status) == 0);
   return status;
@@ -47,9 +47,9 @@ TEST_CASE("a file that is written anew keeps its mode and its owner") {
   write_text(name, "old");
   if (geteuid() == 0) REQUIRE(chown(name.c_str(), 65534, 65533) == 0);  // Nobody else may give a file away.
   REQUIRE(chmod(name.c_str(), 04751) == 0);
-  const struct stat before = status_of(name);
+  const struct stat before = file_status(name);
   write_file(name, "new");
-  const struct stat after = status_of(name);
+  const struct stat after = file_status(name);
   CHECK(read_text(name) == "new");
   CHECK(before.st_ino != after.st_ino);
   CHECK(after.st_mode == before.st_mode);
@@ -62,7 +62,7 @@ TEST_CASE("a new file has the mode that the umask leaves") {
   const mode_t before = umask(027);
   write_file(folder.file("a"), "new");
   umask(before);
-  CHECK((status_of(folder.file("a")).st_mode & 07777) == 0640);
+  CHECK((file_status(folder.file("a")).st_mode & 07777) == 0640);
 }
 
 TEST_CASE("links are followed, to files that are not there yet too") {
@@ -128,8 +128,9 @@ TEST_CASE("names that cannot be written are refused with what is wrong, and noth
   message(folder.file("file/a"), "there is no folder " + folder.file("file"));
   message(folder.file("folder"), "cannot be written: it is a folder");
   message(folder.file("round"), "a link that leads back to itself");
-  message(folder.file(std::string(256, 'a')), too_long);
-  message(folder.file(std::string(256, 'a') + "/a"), too_long);
+  const std::string long_name(256, 'a');
+  message(folder.file(long_name), too_long);
+  message(folder.file(long_name) + "/a", too_long);
   CHECK(folder.file_count() == 4);
   CHECK_NOTHROW(write_file(folder.file(std::string(255, 'a')), "as long as a name may be"));
 }

@@ -37,6 +37,11 @@ inline std::string collada_mesh(int count, const std::string& positions, const s
          rest + "</mesh></geometry></library_geometries>\n";
 }
 
+/// A node with collada_mesh()'s geometry, behind these transforms.
+inline std::string collada_shape_node(const std::string& transforms = "") {
+  return "<node>" + transforms + "<instance_geometry url=\"#shape\"/></node>";
+}
+
 /// The triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), whose front is towards +z.
 inline std::string collada_triangle() {
   return collada_mesh(3, "0 0 0 1 0 0 0 1 0",

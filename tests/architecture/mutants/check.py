@@ -119,7 +119,7 @@ MUTANTS = [
     Mutant("films are compared in their first layer only", "check/difference.cpp",
            "layer < found.layers().size()", "layer < 1",
            TARGET, "a difference in a layer is found where the colours do not differ"),
-    Mutant("pictures of different heights are compared", "check/same_size.h",
+    Mutant("pictures of different heights are compared", "core/same_size.h",
            " || picture.height != reference.height", "",
            TARGET, "pictures of different sizes, or without a pixel, have no difference"),
     Mutant("pictures without pixels are compared", "check/picture_difference.cpp",

@@ -13,8 +13,6 @@ namespace {
 using test::zip_text;
 using test::ZipEntry;
 
-const std::string placed_shape = "<node><instance_geometry url=\"#shape\"/></node>";
-
 /// An archive in a folder of its own.
 struct Archive {
   explicit Archive(const std::string& bytes) { test::write_text(path(), bytes); }
@@ -47,7 +45,7 @@ ZipEntry manifest(const std::string& root) {
 TEST_CASE("an archive is read from the document that its manifest names") {
   const Archive archive({manifest("./in%20it/scene.dae#world"),
                          {"other.dae", "not XML"},
-                         {"in it/scene.dae", collada_text(collada_triangle(), placed_shape)}});
+                         {"in it/scene.dae", collada_text(collada_triangle(), collada_shape_node())}});
   const LoadedScene loaded = archive.load();
   CHECK(loaded.scene.geometry->triangle_count() == 1);
   CHECK(loaded.warnings.empty());
@@ -66,7 +64,7 @@ TEST_CASE("documents of an archive refer to each other within it") {
 }
 
 TEST_CASE("an archive without a manifest is read where it has one document") {
-  const ZipEntry scene{"scene.dae", collada_text(collada_triangle(), placed_shape)};
+  const ZipEntry scene{"scene.dae", collada_text(collada_triangle(), collada_shape_node())};
   const LoadedScene loaded = Archive(std::vector{scene}).load();
   REQUIRE(loaded.warnings.size() == 1);
   CHECK(loaded.warnings[0].message ==
@@ -94,8 +92,8 @@ TEST_CASE("what would be too large is refused by its size, before it is unpacked
 }
 
 TEST_CASE("a damaged archive is an error that says so") {
-  const std::string whole =
-      zip_text({manifest("scene.dae"), {"scene.dae", collada_text(collada_triangle(), placed_shape)}});
+  const std::string whole = zip_text(
+      {manifest("scene.dae"), {"scene.dae", collada_text(collada_triangle(), collada_shape_node())}});
   std::string changed = whole;
   changed[changed.find("COLLADA")] = 'X';  // its check sum tells
   CHECK(Archive(changed).error().find("a.zae/scene.dae: cannot be unpacked") == 0);

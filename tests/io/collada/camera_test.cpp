@@ -20,8 +20,7 @@ std::string camera_text(const std::string& lens, const std::string& transform = 
       collada_triangle() +
           "<library_cameras><camera id=\"eye\" name=\"Eye\"><optics><technique_common><perspective>" + lens +
           "</perspective></technique_common></optics>" + extra + "</camera></library_cameras>",
-      "<node><instance_geometry url=\"#shape\"/></node><node>" + transform +
-          "<instance_camera url=\"#eye\"/></node>");
+      collada_shape_node() + "<node>" + transform + "<instance_camera url=\"#eye\"/></node>");
 }
 
 LoadedScene load_camera(const std::string& lens, const std::string& transform = "",
@@ -135,8 +134,8 @@ TEST_CASE("clip distances are read where they are asked for, and else nothing is
 }
 
 TEST_CASE("without a camera a default one sees all of the scene") {
-  const LoadedScene loaded = load_collada(collada_text(
-      collada_triangle(), "<node><translate>50 60 70</translate><instance_geometry url=\"#shape\"/></node>"));
+  const LoadedScene loaded =
+      load_collada(collada_text(collada_triangle(), collada_shape_node("<translate>50 60 70</translate>")));
   const Camera& camera = loaded.scene.camera;
   for (const Vec3& p : mesh_of(loaded).positions) {
     const Vec3 d = p - camera.position;

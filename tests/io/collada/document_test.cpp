@@ -9,13 +9,12 @@
 namespace twinray {
 namespace {
 
-const std::string placed = "<node><instance_geometry url=\"#shape\"/></node>";
 const std::string name_space_1_4 = "http://www.collada.org/2005/11/COLLADASchema",
                   name_space_1_5 = "http://www.collada.org/2008/03/COLLADASchema";
 
 /// A document with one triangle whose root element begins like this.
 std::string with_root(const std::string& root) {
-  std::string text = collada_text(collada_triangle(), placed);
+  std::string text = collada_text(collada_triangle(), collada_shape_node());
   return root + text.substr(text.find('>'));
 }
 
@@ -68,7 +67,7 @@ TEST_CASE("a version that is missing, or belongs to another namespace, is a warn
 }
 
 TEST_CASE("names may have a prefix") {
-  std::string text = collada_text(collada_triangle(), placed);
+  std::string text = collada_text(collada_triangle(), collada_shape_node());
   for (std::size_t i = 0; (i = text.find('<', i)) != std::string::npos; i += 2)
     text.insert(text[i + 1] == '/' ? i + 2 : i + 1, "dae:");
   text.insert(text.find(' '), " xmlns:dae=\"" + name_space_1_4 + "\"");
@@ -91,7 +90,7 @@ TEST_CASE("an id that several elements have means the one of the kind that is ne
       collada_text("<library_lights><light id=\"shape\"><technique_common><ambient><color>1 1 1</color>"
                    "</ambient></technique_common></light></library_lights>" +
                        collada_triangle(),
-                   placed));
+                   collada_shape_node()));
   CHECK(loaded.scene.geometry->triangle_count() == 1);
   REQUIRE(loaded.warnings.size() == 1);
   CHECK(loaded.warnings[0].message.find("the id \"shape\" is used before") == 0);
@@ -163,7 +162,7 @@ TEST_CASE("references lead to so many files and no more") {
 }
 
 TEST_CASE("a scene that nothing instances is read where there is one, with a warning") {
-  std::string text = collada_text(collada_triangle(), placed);
+  std::string text = collada_text(collada_triangle(), collada_shape_node());
   text.replace(text.find("<scene>"), text.rfind("</COLLADA>") - text.find("<scene>"), "");
   const LoadedScene loaded = load_collada(text);
   CHECK(loaded.scene.geometry->triangle_count() == 1);
@@ -176,7 +175,7 @@ TEST_CASE("a scene that nothing instances is read where there is one, with a war
 }
 
 TEST_CASE("a VERTEX input that names no vertices means the only ones of its mesh") {
-  std::string text = collada_text(collada_triangle(), "<node><instance_geometry url=\"#shape\"/></node>");
+  std::string text = collada_text(collada_triangle(), collada_shape_node());
   text.replace(text.find("source=\"#vertices\""), 18, "source=\"#verteces\"");
   const LoadedScene loaded = load_collada(text);
   CHECK(mesh_of(loaded).triangles.size() == 1);

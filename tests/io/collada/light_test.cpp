@@ -13,12 +13,12 @@ namespace {
 
 LoadedScene load_light(const std::string& body, const std::string& transform = "",
                        const std::string& up_axis = "Y_UP", const LoadOptions& options = {}) {
-  return load_collada(collada_text(collada_triangle() + "<library_lights><light id=\"lamp\" name=\"Lamp\">" +
-                                       body + "</light></library_lights>",
-                                   "<node><instance_geometry url=\"#shape\"/></node><node>" + transform +
-                                       "<instance_light url=\"#lamp\"/></node>",
-                                   up_axis),
-                      options);
+  return load_collada(
+      collada_text(collada_triangle() + "<library_lights><light id=\"lamp\" name=\"Lamp\">" + body +
+                       "</light></library_lights>",
+                   collada_shape_node() + "<node>" + transform + "<instance_light url=\"#lamp\"/></node>",
+                   up_axis),
+      options);
 }
 
 std::string common_light(const std::string& kind) {

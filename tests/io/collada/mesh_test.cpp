@@ -13,8 +13,7 @@ const std::string square = "0 0 0 1 0 0 1 1 0 0 1 0";
 const std::string vertex_input = "<input semantic=\"VERTEX\" source=\"#vertices\" offset=\"0\"/>";
 
 LoadedScene load_shape(const std::string& library, const std::string& transform = "") {
-  return load_collada(
-      collada_text(library, "<node>" + transform + "<instance_geometry url=\"#shape\"/></node>"));
+  return load_collada(collada_text(library, collada_shape_node(transform)));
 }
 
 /// The triangles of one primitive element over the unit square.

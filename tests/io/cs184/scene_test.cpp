@@ -17,11 +17,10 @@ std::string instance(const std::string& transform) {
   return "<node>" + transform + "<instance_light url=\"#light\"/></node>";
 }
 
-const std::string shape = "<node><instance_geometry url=\"#shape\"/></node>";
-
 LoadedScene load_light(const std::string& kind, const std::string& transform, const std::string& extra = "") {
-  return load_collada(collada_text(collada_triangle() + light(kind, extra), shape + instance(transform)),
-                      cs184);
+  return load_collada(
+      collada_text(collada_triangle() + light(kind, extra), collada_shape_node() + instance(transform)),
+      cs184);
 }
 
 const std::string triangles = "<input semantic=\"VERTEX\" source=\"#vertices\" offset=\"0\"/><p>0 1 2</p>";
@@ -48,7 +47,7 @@ TEST_CASE("by CS184's rules a directional light comes from the point in front of
   CHECK(load_light("<directional><color>1 1 1</color></directional>", "").scene.lights.size() == 1);
   const std::string text =
       collada_text(collada_triangle() + light("<directional><color>1 1 1</color></directional>"),
-                   shape + instance("<translate>0 0 1</translate>"));
+                   collada_shape_node() + instance("<translate>0 0 1</translate>"));
   CHECK(collada_error(text, cs184)
             .find("by CS184's rules this light comes from the point one unit in front of "
                   "its node, and that is the origin: it has no direction") != std::string::npos);
@@ -64,8 +63,9 @@ TEST_CASE("by CS184's rules a spot light is left out") {
 TEST_CASE("surfaces alone are the scene without lights and what area lights add to it") {
   const std::string area =
       "<extra><technique profile=\"CGL\"><area><color>1 1 1</color></area></technique></extra>";
-  const std::string text = collada_text(
-      collada_triangle() + light("<point><color>1 1 1</color></point>", area), shape + instance(""));
+  const std::string text =
+      collada_text(collada_triangle() + light("<point><color>1 1 1</color></point>", area),
+                   collada_shape_node() + instance(""));
   const LoadedScene whole = load_collada(text, cs184);
   CHECK(whole.scene.lights.size() == 1);
   CHECK(whole.scene.geometry->triangle_count() == 3);
@@ -80,9 +80,9 @@ TEST_CASE("surfaces alone are the scene without lights and what area lights add 
 TEST_CASE("by CS184's rules a node has one object, and what else it has is named") {
   const std::string libraries = collada_triangle() + light("<point><color>1 1 1</color></point>");
   const LoadedScene loaded = load_collada(
-      collada_text(
-          libraries,
-          shape + "<node><instance_geometry url=\"#shape\"/><instance_light url=\"#light\"/></node>"),
+      collada_text(libraries,
+                   collada_shape_node() +
+                       "<node><instance_geometry url=\"#shape\"/><instance_light url=\"#light\"/></node>"),
       cs184);
   CHECK(loaded.scene.geometry->triangle_count() == 1);
   CHECK(loaded.scene.lights.size() == 1);
@@ -102,7 +102,7 @@ TEST_CASE("by CS184's rules a mesh has one polylist, else one list of triangles"
                     strips = "<tristrips count=\"1\">" + triangles + "</tristrips>";
   const auto count = [](const std::string& lists) {
     const LoadedScene loaded =
-        load_collada(collada_text(collada_mesh(3, "0 0 0 1 0 0 0 1 0", lists), shape), cs184);
+        load_collada(collada_text(collada_mesh(3, "0 0 0 1 0 0 0 1 0", lists), collada_shape_node()), cs184);
     return std::pair{loaded.scene.geometry->triangle_count(), loaded.warnings.size()};
   };
   CHECK(count(list + polylist) == std::pair<std::size_t, std::size_t>{1, 1});
@@ -116,14 +116,14 @@ TEST_CASE("by CS184's rules a file's normals do not count") {
       collada_source("normals", 1, "1 0 0") +
       "<triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#vertices\" offset=\"0\"/><input "
       "semantic=\"NORMAL\" source=\"#normals\" offset=\"1\"/><p>0 0 1 0 2 0</p></triangles>";
-  const std::string text = collada_text(collada_mesh(3, "0 0 0 1 0 0 0 1 0", normals), shape);
+  const std::string text = collada_text(collada_mesh(3, "0 0 0 1 0 0 0 1 0", normals), collada_shape_node());
   CHECK(mesh_of(load_collada(text)).normals.at(0) == Vec3{1, 0, 0});
   const LoadedScene loaded = load_collada(text, cs184);
   for (const Vec3& normal : mesh_of(loaded).normals) CHECK(normal == Vec3{0, 0, -1});
 }
 
 TEST_CASE("a mirrored node turns the fronts of its triangles by CS184's rules") {
-  const std::string node = "<node><scale>-1 1 1</scale><instance_geometry url=\"#shape\"/></node>";
+  const std::string node = collada_shape_node("<scale>-1 1 1</scale>");
   const auto front = [&](const LoadOptions& options) {
     return load_collada(collada_text(collada_triangle(), node), options).scene.geometry->facet(0, 0).normal.z;
   };
@@ -136,9 +136,7 @@ TEST_CASE("by CS184's rules a node's first matrix is the last of its transforms"
       "<translate>1 0 0</translate><matrix>1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1</matrix><translate>4 0 "
       "0</translate>";
   const auto left = [&](const LoadOptions& options) {
-    return load_collada(collada_text(collada_triangle(),
-                                     "<node>" + transform + "<instance_geometry url=\"#shape\"/></node>"),
-                        options)
+    return load_collada(collada_text(collada_triangle(), collada_shape_node(transform)), options)
         .scene.geometry->bounds()
         .lower.x;
   };
@@ -153,8 +151,8 @@ TEST_CASE("a camera from whose front the origin is seen nowhere looks from +z by
       "id=\"eye\"><optics><technique_common><perspective><xfov>50</xfov></perspective>"
       "</technique_common></optics></camera></library_cameras>";
   const LoadedScene loaded = load_collada(
-      collada_text(libraries,
-                   shape + "<node><translate>0 0 1</translate><instance_camera url=\"#eye\"/></node>"),
+      collada_text(libraries, collada_shape_node() +
+                                  "<node><translate>0 0 1</translate><instance_camera url=\"#eye\"/></node>"),
       cs184);
   CHECK(loaded.scene.camera.forward == Vec3{0, 0, -1});
   CHECK(messages(loaded) ==
@@ -166,7 +164,8 @@ TEST_CASE("by CS184's rules polygons that its program does not read stay whole")
   const auto triangle_count = [](const std::string& name, const std::string& vcount) {
     const std::string list = "<" + name + " count=\"1\"><input semantic=\"VERTEX\" source=\"#vertices\" " +
                              "offset=\"0\"/>" + vcount + "<p>0 1 2 3</p></" + name + ">";
-    return load_collada(collada_text(collada_mesh(4, "0 0 0 1 0 0 1 1 0 0 1 0", list), shape), cs184)
+    return load_collada(collada_text(collada_mesh(4, "0 0 0 1 0 0 1 1 0 0 1 0", list), collada_shape_node()),
+                        cs184)
         .scene.geometry->triangle_count();
   };
   CHECK(triangle_count("polygons", "") == 2);
@@ -223,7 +222,9 @@ TEST_CASE("by CS184's rules the asset of a part of the file does not count") {
   std::string libraries = collada_triangle();
   libraries.insert(libraries.find("<mesh>"), "<asset><unit meter=\"100\"/><up_axis>Z_UP</up_axis></asset>");
   const auto upper = [&](const LoadOptions& options) {
-    return load_collada(collada_text(libraries, shape), options).scene.geometry->bounds().upper;
+    return load_collada(collada_text(libraries, collada_shape_node()), options)
+        .scene.geometry->bounds()
+        .upper;
   };
   CHECK(upper({}) == Vec3{100, 0, 0});
   CHECK(upper(cs184) == Vec3{1, 1, 0});

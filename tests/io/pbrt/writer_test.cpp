@@ -21,7 +21,7 @@ namespace {
 constexpr float rounding = 1e-6f;
 
 LoadedScene load(const std::string& name) {
-  return load_scene(std::string(TWINRAY_SOURCE_DIR) + "/scenes/" + name, {.instances = InstanceUse::keep});
+  return load_scene(TWINRAY_SOURCE_DIR "/scenes/" + name, {.instances = InstanceUse::keep});
 }
 
 Mesh triangle() {
