@@ -76,7 +76,7 @@ class RenderRun {
     if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
       console::warn(fewer);
     if (const std::string late = clock_warning(arguments); !late.empty()) console::warn(late);
-    if (!arguments.environment.empty() || (makes_picture() && !is_png(outputs_.picture)))
+    if (codec_reads(arguments.environment) || (makes_picture() && codec_writes(outputs_.picture)))
       codec_loader_ = load_image_codec_early();
   }
 
@@ -111,7 +111,6 @@ class RenderRun {
     int stop_code = 0;  ///< Where it was stopped: the program's exit code.
   };
 
-  static bool is_png(const std::string& name) { return output_format(name) == OutputFormat::png; }
   bool makes_picture() const { return outputs_.film.empty(); }
 
   void use_denoiser(DenoiserKind kind) {

@@ -122,6 +122,9 @@ set(private_headers
   io/obj/material.h
   io/obj/reader.h
   io/obj/scene.h
+  io/picture/exr_attributes.h
+  io/picture/exr_failures.h
+  io/picture/exr_streams.h
   io/picture/openimageio_view.h)
 list(TRANSFORM private_headers REPLACE "\\." "\\\\." OUTPUT_VARIABLE private_patterns)
 list(JOIN private_patterns "|" private_patterns)

@@ -16,7 +16,9 @@ struct Image {
   std::vector<Rgb> pixels;
 
   Image() = default;
-  Image(int w, int h) : width(w), height(h), pixels(std::size_t(w) * std::size_t(h)) {}
+  /// Of one colour.
+  Image(int w, int h, const Rgb& color = {})
+      : width(w), height(h), pixels(std::size_t(w) * std::size_t(h), color) {}
   Rgb& at(int x, int y) { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
   const Rgb& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };

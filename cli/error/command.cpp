@@ -70,7 +70,7 @@ class ErrorRun {
     prepare_outputs(given_names({names_.csv, names_.html, arguments_.save_reference, saved_noise()}));
     check_memory(memory_needs(arguments_));
     warn_of_options();
-    if (!arguments_.reference.empty() || !arguments_.save_reference.empty())
+    if (codec_reads(arguments_.reference) || codec_writes(arguments_.save_reference))
       codec_loader_ = load_image_codec_early();
     if (!arguments_.converges)
       measurement_.converged =

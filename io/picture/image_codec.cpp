@@ -16,7 +16,7 @@ namespace {
 constexpr const char* library = TWINRAY_IMAGE_CODEC;
 
 [[noreturn]] void fail(const char* reason) {
-  throw Error(fmt::format("pictures other than PNG cannot be read or written: {}", reason));
+  throw Error(fmt::format("JPEG, TIFF and HDR pictures cannot be read or written: {}", reason));
 }
 
 const ImageCodec& load_codec() {
@@ -33,6 +33,16 @@ const ImageCodec& load_codec() {
 std::mutex& library_loading() {
   static std::mutex mutex;
   return mutex;
+}
+
+bool codec_reads(const std::string& path) {
+  const std::string ending = picture_ending(path);
+  return ending == ".hdr" || ending == ".jpg" || ending == ".jpeg";
+}
+
+bool codec_writes(const std::string& path) {
+  const OutputFormat format = output_format(path);
+  return format == OutputFormat::jpeg || format == OutputFormat::tiff || format == OutputFormat::hdr;
 }
 
 const ImageCodec& image_codec() {

@@ -12,10 +12,13 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "io/output_file.h"
+#include "io/picture/exr_reader.h"
+#include "io/picture/exr_writer.h"
 #include "io/picture/image_codec.h"
 #include "io/picture/picture_header.h"
 #include "io/picture/plain_picture.h"
 #include "io/picture/png.h"
+#include "io/picture/png_reader.h"
 #include "io/picture/srgb.h"
 
 namespace twinray {
@@ -38,17 +41,22 @@ void check_room(const std::string& name, std::uint64_t bytes) {
 /// Pictures of layers have many, but not as many as a broken header says.
 constexpr int most_channels = 1024;
 
+/// Throws Error where memory cannot hold so many bytes for each pixel.
+void check_pixel_room(const PictureSize& size, const PictureBytes& picture,
+                      std::size_t pixel_bytes = sizeof(Rgb)) {
+  check_room(fmt::format("the {} x {} pixels of {}", size.width, size.height, picture.path),
+             std::uint64_t(size.width) * std::uint64_t(size.height) * pixel_bytes);
+}
+
 /// Throws Error unless the picture is of a kind that is read, and memory can hold so many bytes a pixel.
-void check_kind(const ImageCodec::Header& header, PictureFormat format, const PictureBytes& picture,
+void check_kind(const PictureHeader& header, PictureFormat format, const PictureBytes& picture,
                 std::size_t pixel_bytes = sizeof(Rgb)) {
-  check_picture_size(format, {header.width, header.height}, picture);
-  const std::string& path = picture.path;
+  const PictureSize size{header.width, header.height};
+  check_picture_size(format, size, picture);
   if (header.channels < 1 || header.channels > most_channels)
-    throw Error(fmt::format("{}: {} channels; valid are 1 to {}", path, header.channels, most_channels));
-  if (header.is_deep)
-    throw Error(fmt::format("{}: a deep picture, or one of several layers in depth, is not read", path));
-  check_room(fmt::format("the {} x {} pixels of {}", header.width, header.height, path),
-             std::uint64_t(header.width) * std::uint64_t(header.height) * pixel_bytes);
+    throw Error(
+        fmt::format("{}: {} channels; valid are 1 to {}", picture.path, header.channels, most_channels));
+  check_pixel_room(size, picture, pixel_bytes);
 }
 
 /// PNG, JPEG and TGA are sRGB whatever their depth; the others hold linear numbers.
@@ -56,15 +64,8 @@ bool is_encoded(PictureFormat format) {
   return format == PictureFormat::png || format == PictureFormat::jpeg || format == PictureFormat::tga;
 }
 
+/// Whether its size is all that must be checked.
 bool is_plain(PictureFormat format) { return format == PictureFormat::pfm || format == PictureFormat::tga; }
-
-Image decode_plain(PictureFormat format, const PictureBytes& picture, PictureLayer layer) {
-  const PictureSize size = format == PictureFormat::pfm ? pfm_size(picture) : tga_size(picture);
-  check_room(fmt::format("the {} x {} pixels of {}", size.width, size.height, picture.path),
-             std::uint64_t(size.width) * std::uint64_t(size.height) * sizeof(Rgb));
-  if (format == PictureFormat::pfm) return decode_pfm(picture);
-  return (layer == PictureLayer::alpha ? decode_tga_alpha : decode_tga)(picture);
-}
 
 /// Throws Error where a picture has more pixels than its reader wants.
 void check_pixels(const PictureSize& size, const ReadOptions& options, const std::string& path) {
@@ -73,14 +74,30 @@ void check_pixels(const PictureSize& size, const ReadOptions& options, const std
                             options.most_pixels));
 }
 
-Image decode_layer(PictureFormat format, const PictureBytes& picture, PictureLayer layer) {
-  const auto check = [&](const ImageCodec::Header& header) { check_kind(header, format, picture); };
-  return is_plain(format) ? decode_plain(format, picture, layer)
-                          : image_codec().read(format, picture, layer, check);
-}
-
 bool has_alpha(PictureFormat format) {
   return format == PictureFormat::png || format == PictureFormat::exr || format == PictureFormat::tga;
+}
+
+/// The alpha as grey, of a format that may have one.
+Image decode_alpha(PictureFormat format, const PictureBytes& picture, const HeaderCheck& check) {
+  if (format == PictureFormat::tga) return decode_tga_alpha(picture);
+  return (format == PictureFormat::exr ? decode_exr_alpha : decode_png_alpha)(picture, check);
+}
+
+/// The colours as they are stored.
+Image decode_colors(PictureFormat format, const PictureBytes& picture, const HeaderCheck& check) {
+  switch (format) {
+    case PictureFormat::exr:
+      return decode_exr(picture, check);
+    case PictureFormat::png:
+      return decode_png(picture, check);
+    case PictureFormat::pfm:
+      return decode_pfm(picture);
+    case PictureFormat::tga:
+      return decode_tga(picture);
+    default:
+      return image_codec().read(format, picture, check);
+  }
 }
 
 bool is_all_one(const Image& image) {
@@ -104,13 +121,16 @@ float number_of(const Rgb& pixel, PictureChannels channels) {
 }
 
 Image decode(PictureFormat format, const PictureBytes& picture, const ReadOptions& options) {
-  check_pixels(check_picture_header(format, picture), options, picture.path);
+  const PictureSize size = check_picture_header(format, picture);
+  check_pixels(size, options, picture.path);
+  if (is_plain(format)) check_pixel_room(size, picture);
+  const auto check = [&](const PictureHeader& header) { check_kind(header, format, picture); };
   const bool is_number = options.channels == PictureChannels::number;
   if ((is_number || options.channels == PictureChannels::alpha) && has_alpha(format)) {
-    Image alpha = decode_layer(format, picture, PictureLayer::alpha);
+    Image alpha = decode_alpha(format, picture, check);
     if (!is_number || !is_all_one(alpha)) return alpha;
   }
-  Image image = decode_layer(format, picture, PictureLayer::color);
+  Image image = decode_colors(format, picture, check);
   if (is_encoded(format) && options.role == PictureRole::color) decode_all(image);
   if (options.channels != PictureChannels::color)
     for (Rgb& pixel : image.pixels) {
@@ -144,7 +164,7 @@ void write_png(const std::string& path, const ByteImage& image, const ImageMetad
 
 void write_exr(const std::string& path, const LayeredImage& image, const ImageMetadata& metadata,
                const ImageFrame& frame) {
-  write_bytes(path, image_codec().encode_exr(path, image, metadata, frame));
+  write_bytes(path, encode_exr(image, metadata, frame));
 }
 
 void write_exr(const std::string& path, const Image& image, const ImageMetadata& metadata,
@@ -197,7 +217,7 @@ StoredLayers read_layers(const std::string& path) {
   const std::string bytes = read_bytes(path);
   const PictureBytes picture{bytes, path};
   check_picture_header(PictureFormat::exr, picture);
-  return image_codec().read_layers(picture, [&](const ImageCodec::Header& header) {
+  return decode_exr_layers(picture, [&](const PictureHeader& header) {
     check_kind(header, PictureFormat::exr, picture, std::size_t(header.channels) * sizeof(float));
   });
 }
@@ -208,8 +228,10 @@ ImageMetadata read_metadata(const std::string& path) {
   const std::string bytes = read_bytes(path);
   const PictureBytes picture{bytes, path};
   check_picture_header(format, picture);
-  return image_codec().read_metadata(
-      format, picture, [&](const ImageCodec::Header& header) { check_kind(header, format, picture); });
+  const auto check = [&](const PictureHeader& header) { check_kind(header, format, picture); };
+  if (format == PictureFormat::exr) return decode_exr_metadata(picture, check);
+  if (format == PictureFormat::png) return decode_png_metadata(picture, check);
+  return image_codec().read_metadata(format, picture, check);
 }
 
 std::vector<float> read_channel(const std::string& path, const std::string& name) {
@@ -217,9 +239,8 @@ std::vector<float> read_channel(const std::string& path, const std::string& name
   const std::string bytes = read_bytes(path);
   const PictureBytes picture{bytes, path};
   check_picture_header(PictureFormat::exr, picture);
-  return image_codec().read_channel(picture, name, [&](const ImageCodec::Header& header) {
-    check_kind(header, PictureFormat::exr, picture);
-  });
+  return decode_exr_channel(
+      picture, name, [&](const PictureHeader& header) { check_kind(header, PictureFormat::exr, picture); });
 }
 
 Image decode_image(std::string_view bytes, const std::string& name, const ReadOptions& options) {

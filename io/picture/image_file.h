@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures on disk. PNGs are written by PNG's own library; OpenImageIO, which takes long to load, does the
-// rest.
+// Pictures on disk. PNG and EXR have their own libraries here; OpenImageIO, which takes long to load, reads
+// and writes JPEG, HDR and TIFF.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a picture's file says of itself, read before a library opens it: libraries take memory by it at once.
 #pragma once
+#include <functional>
 #include <string>
 
 #include "io/picture/picture_bytes.h"
@@ -22,6 +23,14 @@ PictureSize check_picture_header(PictureFormat format, const PictureBytes& pictu
 
 /// The same for OpenEXR, which may hold several pictures: the size of the largest.
 PictureSize check_exr_header(const PictureBytes& picture);
+
+/// What a picture's reader finds in its header.
+struct PictureHeader {
+  int width = 0, height = 0, channels = 0;
+};
+
+/// Sees it before memory is taken for pixels, and throws Error to refuse the picture.
+using HeaderCheck = std::function<void(const PictureHeader&)>;
 
 /// Throws Error where a picture of this size has more than 2^28 pixels, or none, or more than so many bytes
 /// of this format can hold.

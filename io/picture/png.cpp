@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only door to libpng.
 #include "io/picture/png.h"
 
 #include <fmt/format.h>

@@ -14,7 +14,8 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "io/output_file.h"
-#include "io/picture/image_codec.h"
+#include "io/picture/exr_tiled_file.h"
+#include "io/picture/exr_writer.h"
 #include "io/picture/picture_header.h"
 
 namespace twinray {
@@ -28,9 +29,9 @@ constexpr const char* channels_name = "twinray:channels";
 
 const char* word(PictureRole role) { return role == PictureRole::data ? "data" : "color"; }
 
-class CodecTiles final : public TileSource {
+class ExrTiles final : public TileSource {
  public:
-  CodecTiles(const TileLayout& layout, std::unique_ptr<const TiledPictureFile> file)
+  ExrTiles(const TileLayout& layout, std::unique_ptr<const TiledExr> file)
       : layout_(layout), file_(std::move(file)) {}
 
   void read(std::uint32_t tile, std::span<Rgb> texels) const override {
@@ -57,27 +58,27 @@ class CodecTiles final : public TileSource {
   }
 
   /// What is not finite was not written by us: it is 0, as in every texture.
-  void read_finite(const TiledPictureFile::Tile& tile, std::span<Rgb> texels) const {
+  void read_finite(const TiledExr::Tile& tile, std::span<Rgb> texels) const {
     file_->read(tile, texels);
     for (Rgb& texel : texels)
       if (!is_finite(texel)) texel = {};
   }
 
   TileLayout layout_;
-  std::unique_ptr<const TiledPictureFile> file_;
+  std::unique_ptr<const TiledExr> file_;
 };
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason) {
   throw Error(fmt::format("{}: {}; --convert-textures writes it anew", path, reason));
 }
 
-std::string text(const TiledPictureFile& file, const char* name) {
+std::string text(const TiledExr& file, const char* name) {
   for (const auto& [key, value] : file.metadata())
     if (key == name) return value;
   return "";
 }
 
-PictureMeaning meaning_of(const TiledPictureFile& file, const std::string& path) {
+PictureMeaning meaning_of(const TiledExr& file, const std::string& path) {
   if (text(file, levels_name) != levels_value) refuse(path, "its levels are not those of this program");
   const std::string role = text(file, role_name), channels = text(file, channels_name);
   for (const PictureRole r : {PictureRole::color, PictureRole::data})
@@ -86,7 +87,7 @@ PictureMeaning meaning_of(const TiledPictureFile& file, const std::string& path)
   refuse(path, "it does not say what its numbers mean");
 }
 
-void check_header(const TiledPictureFile& file, const std::string& path) {
+void check_header(const TiledExr& file, const std::string& path) {
   const auto [width, height, levels, tile_width, tile_height] = file.size();
   if (tile_width != tile_side || tile_height != tile_side)
     refuse(path, fmt::format("its tiles have {} x {} texels; valid are {} x {}", tile_width, tile_height,
@@ -117,7 +118,7 @@ std::string beginning_of(const std::string& path) {
 }
 
 /// The level of one texel was written last: where it is there, the file is whole.
-void check_end(const TiledPictureFile& file, const TileLayout& layout) {
+void check_end(const TiledExr& file, const TileLayout& layout) {
   std::vector<Rgb> last(texels_a_tile);
   file.read({layout.levels() - 1, 0, 0}, last);
 }
@@ -135,12 +136,12 @@ bool is_tiled_name(const std::string& path) { return picture_ending(path) == ".t
 TiledTexture open_tiled(const std::string& path) {
   const std::string beginning = beginning_of(path);
   check_exr_header({beginning, path});
-  auto file = image_codec().open_tiled(path);
+  auto file = std::make_unique<const TiledExr>(path);
   check_header(*file, path);
   const PictureMeaning meaning = meaning_of(*file, path);
   const TileLayout layout(file->size().width, file->size().height);
   check_end(*file, layout);
-  return {layout, meaning, std::make_unique<const CodecTiles>(layout, std::move(file))};
+  return {layout, meaning, std::make_unique<const ExrTiles>(layout, std::move(file))};
 }
 
 MipMap read_whole(const TiledTexture& texture) {
@@ -164,12 +165,12 @@ MipMap read_whole(const TiledTexture& texture) {
 }
 
 void write_tiled(const std::string& path, const MipMap& map, const PictureMeaning& meaning) {
-  const std::vector<unsigned char> bytes = image_codec().encode_tiled(
-      path, map, tile_side,
-      {{levels_name, levels_value},
-       {role_name, word(meaning.role)},
-       {channels_name, channels_word(meaning.channels)},
-       {"twinray:color_space", meaning.role == PictureRole::data ? "none" : "linear sRGB"}});
+  const std::vector<unsigned char> bytes =
+      encode_tiled_exr(map, tile_side,
+                       {{levels_name, levels_value},
+                        {role_name, word(meaning.role)},
+                        {channels_name, channels_word(meaning.channels)},
+                        {"twinray:color_space", meaning.role == PictureRole::data ? "none" : "linear sRGB"}});
   write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 

@@ -7,7 +7,6 @@
 #include "core/elementary.h"
 #include "core/error.h"
 #include "tests/support/catch.h"
-#include "tests/support/images.h"
 #include "tests/support/random.h"
 #include "tests/support/statistics.h"
 
@@ -114,7 +113,7 @@ TEST_CASE("the converged picture's noise counts where it is known, else it is ta
 }
 
 TEST_CASE("means have the variance of seeds and of halves, over the number of pixels") {
-  const auto grey = [](float value) { return filled_image(2, 2, {value, value, value}); };
+  const auto grey = [](float value) { return Image(2, 2, {value, value, value}); };
   PictureMoments moments;
   for (const float value : {1.0f, 2.0f, 3.0f}) moments.add(grey(value));
   const TileTest whole =

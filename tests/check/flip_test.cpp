@@ -8,7 +8,6 @@
 
 #include "core/error.h"
 #include "tests/support/catch.h"
-#include "tests/support/images.h"
 
 namespace twinray::test {
 namespace {
@@ -46,7 +45,7 @@ Image radiance(Image image, const Rgb& spot) {
   return image;
 }
 
-Image filled(const Rgb& color) { return filled_image(columns, rows, color); }
+Image filled(const Rgb& color) { return Image(columns, rows, color); }
 
 /// What the authors' program says of a map.
 struct Expected {

@@ -4,12 +4,11 @@
 #include "check/tiles.h"
 #include "core/error.h"
 #include "tests/support/catch.h"
-#include "tests/support/images.h"
 
 namespace twinray::test {
 namespace {
 
-Image small_picture_of(const Rgb& color) { return filled_image(20, 20, color); }
+Image small_picture_of(const Rgb& color) { return Image(20, 20, color); }
 
 }  // namespace
 

@@ -9,7 +9,6 @@
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/html.h"
-#include "tests/support/images.h"
 #include "tests/support/layered_exr.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -18,7 +17,7 @@
 namespace twinray::test {
 namespace {
 
-Image grey(float value) { return filled_image(40, 30, {value, value, value}); }
+Image grey(float value) { return Image(40, 30, {value, value, value}); }
 
 /// A reference, and a picture that is too bright in a few pixels.
 struct Pair {

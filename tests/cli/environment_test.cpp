@@ -7,7 +7,6 @@
 
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
-#include "tests/support/images.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -22,7 +21,7 @@ ProcessResult render_under(const TemporaryFolder& folder, const Image& sky, cons
                                  folder.file("sky.exr"), folder.file("a.exr"), options));
 }
 
-Image grey_sky() { return filled_image(8, 4, {0.5f, 0.5f, 0.5f}); }
+Image grey_sky() { return Image(8, 4, {0.5f, 0.5f, 0.5f}); }
 
 }  // namespace
 

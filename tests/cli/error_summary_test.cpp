@@ -6,7 +6,6 @@
 
 #include "cli/error/tables.h"
 #include "tests/support/catch.h"
-#include "tests/support/images.h"
 
 namespace twinray::test {
 namespace {
@@ -15,7 +14,7 @@ using namespace twinray::error;
 
 constexpr int width = 4, height = 2;
 
-Image grey_picture(float value) { return filled_image(width, height, {value, value, value}); }
+Image grey_picture(float value) { return Image(width, height, {value, value, value}); }
 
 /// Against a reference of 1 everywhere, whose noise is 1/8.
 Measurement measurement_of(const std::vector<Curve>& curves) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the program loads before it does anything: OpenImageIO and the 260 libraries behind it only for
-// pictures that need them.
+// pictures that no smaller library reads or writes.
 #include <fmt/format.h>
 
 #include "io/picture/image_file.h"
@@ -24,30 +24,41 @@ bool loads_openimageio(const std::string& arguments) {
 
 }  // namespace
 
-TEST_CASE("OpenImageIO is loaded for an EXR and an environment, and for nothing else") {
+TEST_CASE("OpenImageIO is loaded for a JPEG, TIFF or HDR picture, and for nothing else") {
   const TemporaryFolder folder;
-  const std::string sky = folder.file("sky.exr"), png = folder.file("a.png");
-  write_image(sky, Image(4, 2));
   for (const std::string arguments : {"--version", "--help", "render --help"})
     CHECK_FALSE(loads_openimageio(arguments));
-  CHECK_FALSE(loads_openimageio(fmt::format("{} -o '{}'", tiny_box, png)));
-  CHECK(loads_openimageio(fmt::format("{} -o '{}'", tiny_box, folder.file("a.exr"))));
-  CHECK(loads_openimageio(fmt::format("{} -o '{}' -e '{}'", tiny_box, png, sky)));
+  const auto output = [&](const std::string& name) {
+    return fmt::format("{} -o '{}'", tiny_box, folder.file(name));
+  };
+  for (const std::string name : {"a.png", "a.exr", "a.pfm"}) CHECK_FALSE(loads_openimageio(output(name)));
+  for (const std::string name : {"a.jpg", "a.tif", "a.hdr"}) CHECK(loads_openimageio(output(name)));
+  const auto environment = [&](const std::string& name) {
+    write_image(folder.file(name), Image(4, 2));
+    return fmt::format("{} -e '{}'", output("b.png"), folder.file(name));
+  };
+  for (const std::string name : {"sky.png", "sky.exr", "sky.pfm"})
+    CHECK_FALSE(loads_openimageio(environment(name)));
+  for (const std::string name : {"sky.jpg", "sky.hdr"}) CHECK(loads_openimageio(environment(name)));
 }
 
 #ifdef TWINRAY_FEW_THREADS  // Sanitizers look for libraries in another order.
 
-TEST_CASE("where OpenImageIO cannot be loaded PNGs are written, and an EXR is a clear error") {
+TEST_CASE("where OpenImageIO cannot be loaded PNGs and EXRs are written, and a JPEG is a clear error") {
   const TemporaryFolder folder;
   write_text(folder.file("libtwinray_image_codec.so"), "broken");
   const std::string environment = fmt::format("LD_LIBRARY_PATH='{}'", folder.path().string());
-  const ProcessResult exr =
-      run_program(fmt::format("{} -o '{}'", tiny_box, folder.file("a.exr")), environment);
-  CHECK(exr.exit_code == 1);
-  CHECK(exr.err.starts_with("twinray: pictures other than PNG cannot be read or written: "));
-  CHECK(exr.err.find("libtwinray_image_codec.so") != std::string::npos);
-  CHECK(run_program(fmt::format("{} -o '{}'", tiny_box, folder.file("a.png")), environment).exit_code == 0);
-  CHECK(read_image(folder.file("a.png")).width == 8);
+  const auto render = [&](const std::string& name) {
+    return run_program(fmt::format("{} -o '{}'", tiny_box, folder.file(name)), environment);
+  };
+  const ProcessResult jpeg = render("a.jpg");
+  CHECK(jpeg.exit_code == 1);
+  CHECK(jpeg.err.starts_with("twinray: JPEG, TIFF and HDR pictures cannot be read or written: "));
+  CHECK(jpeg.err.find("libtwinray_image_codec.so") != std::string::npos);
+  for (const std::string name : {"a.png", "a.exr"}) {
+    CHECK(render(name).exit_code == 0);
+    CHECK(read_image(folder.file(name)).width == 8);
+  }
 }
 
 #endif

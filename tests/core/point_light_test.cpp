@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "tests/support/catch.h"
-#include "tests/support/images.h"
 #include "tests/support/random.h"
 
 namespace twinray::test {
@@ -46,7 +45,7 @@ TEST_CASE("a spot's penumbra falls smoothly from full strength to none along the
 }
 
 TEST_CASE("a goniometric light of an even picture is a point light, and its picture turns with it") {
-  const auto grey = std::make_shared<Image>(filled_image(4, 4, {0.5f, 0.5f, 0.5f}));
+  const auto grey = std::make_shared<Image>(Image(4, 4, {0.5f, 0.5f, 0.5f}));
   const GoniometricLight even{{1, 2, 3}, {3, 2, 1}, grey};
   const PointLight point{{1, 2, 3}, {1.5f, 1, 0.5f}, {}};
   Random random(1);

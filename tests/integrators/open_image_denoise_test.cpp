@@ -6,7 +6,6 @@
 
 #include "core/error.h"
 #include "tests/support/catch.h"
-#include "tests/support/images.h"
 #include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
@@ -29,8 +28,8 @@ class Environment {
 
 constexpr const char* fake = TWINRAY_FAKE_DENOISER;
 
-const Image noisy = filled_image(3, 2, {1, 2, -300});
-const SurfaceFeatures features{filled_image(3, 2, {0.1f, 0.2f, 0.3f}), filled_image(3, 2, {0, 0, 1})};
+const Image noisy = Image(3, 2, {1, 2, -300});
+const SurfaceFeatures features{Image(3, 2, {0.1f, 0.2f, 0.3f}), Image(3, 2, {0, 0, 1})};
 
 }  // namespace
 

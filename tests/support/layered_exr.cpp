@@ -28,44 +28,59 @@ std::string bytes_of(std::initializer_list<Number> numbers) {
   return bytes;
 }
 
+/// How many pixels of a row share a value.
+int sampling(const std::vector<float>& values, int width, int height) {
+  return values.size() < std::size_t(width * height) ? 2 : 1;
+}
+
 /// Name, type (2: float), linearity and sampling of each.
-std::string channel_list(const Channels& channels) {
+std::string channel_list(int width, int height, const Channels& channels) {
   std::string list;
   for (const auto& [name, values] : channels) {
+    const int step = sampling(values, width, height);
     add_text(list, name);
-    for (const int number : {2, 0, 1, 1}) add(list, std::int32_t(number));
+    for (const int number : {2, 0, step, step}) add(list, std::int32_t(number));
   }
   return list + '\0';
 }
 
-std::string header_of(int width, int height, const Channels& channels) {
+std::string window(int x, int y, int width, int height) {
+  return bytes_of<std::int32_t>({x, y, x + width - 1, y + height - 1});
+}
+
+std::string header_of(int width, int height, const Channels& channels, const ExrHeader& stated) {
   std::string header = bytes_of<std::uint8_t>({0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0});
-  const std::string window = bytes_of<std::int32_t>({0, 0, width - 1, height - 1});
-  add_attribute(header, "channels", "chlist", channel_list(channels));
+  add_attribute(header, "channels", "chlist", channel_list(width, height, channels));
   add_attribute(header, "compression", "compression", std::string(1, '\0'));
-  add_attribute(header, "dataWindow", "box2i", window);
-  add_attribute(header, "displayWindow", "box2i", window);
+  add_attribute(header, "dataWindow", "box2i", window(stated.x, stated.y, width, height));
+  add_attribute(header, "displayWindow", "box2i", window(stated.frame_x, stated.frame_y, width, height));
   add_attribute(header, "lineOrder", "lineOrder", std::string(1, '\0'));
   add_attribute(header, "pixelAspectRatio", "float", bytes_of<float>({1}));
   add_attribute(header, "screenWindowCenter", "v2f", bytes_of<float>({0, 0}));
   add_attribute(header, "screenWindowWidth", "float", bytes_of<float>({1}));
+  for (const auto& [name, text] : stated.texts) add_attribute(header, name, "string", text);
   return header + '\0';
 }
 
 }  // namespace
 
-std::string layered_exr(int width, int height, const Channels& channels) {
-  std::string bytes = header_of(width, height, channels);
-  const std::size_t row = std::size_t(width) * channels.size() * sizeof(float);
+std::string layered_exr(int width, int height, const Channels& channels, const ExrHeader& stated) {
+  std::string bytes = header_of(width, height, channels, stated);
+  std::string rows;
   const std::size_t first = bytes.size() + std::size_t(height) * sizeof(std::uint64_t);
-  for (int y = 0; y < height; ++y) add(bytes, std::uint64_t(first + std::size_t(y) * (row + 8)));
   for (int y = 0; y < height; ++y) {
-    add(bytes, std::int32_t(y));
-    add(bytes, std::int32_t(row));
-    for (const auto& [name, values] : channels)
-      for (int x = 0; x < width; ++x) add(bytes, values[std::size_t(y * width + x)]);
+    std::string row;
+    for (const auto& [name, values] : channels) {
+      const int step = sampling(values, width, height);
+      for (int x = 0; x < width && y % step == 0; x += step)
+        add(row, values[std::size_t(y / step * (width / step) + x / step)]);
+    }
+    add(bytes, std::uint64_t(first + rows.size()));
+    add(rows, std::int32_t(stated.y + y));
+    add(rows, std::int32_t(row.size()));
+    rows += row;
   }
-  return bytes;
+  return bytes + rows;
 }
 
 }  // namespace twinray::test

@@ -186,7 +186,7 @@ TEST_CASE("an EXR holds the matrices of its camera, a picture without one none")
 TEST_CASE("a picture holds no time but that of its metadata") {
   const TemporaryFolder folder;
   REQUIRE(has_time("at 2023:11:14 22:13:20."));
-  for (const std::string name : {"a.png", "a.exr"}) {
+  for (const std::string name : {"a.png", "a.exr", "a.tif"}) {
     CAPTURE(name);
     const std::string path = folder.file(name);
     write_image(path, gradient(), {{"Software", "ours"}});

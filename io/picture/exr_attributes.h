@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: what an OpenEXR file's header says, in our words.
+#pragma once
+#include <ImfHeader.h>
+
+#include <vector>
+
+#include "io/picture/image_metadata.h"
+#include "io/picture/layered_image.h"
+
+namespace twinray {
+
+/// The channels by their layers' names; within a layer R, G, B, Y, A and Z first, then the others by name.
+std::vector<PictureChannel> channels_of(const Imf::Header& header);
+
+/// The attributes that are texts. That of the time is called "DateTime".
+ImageMetadata texts_of(const Imf::Header& header);
+
+ImageFrame frame_of(const Imf::Header& header);
+
+/// The header of a picture of this size and place, without channels.
+Imf::Header header_of(int width, int height, const ImageMetadata& metadata, const ImageFrame& frame);
+
+}  // namespace twinray

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/picture/exr_reader.h"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfInputFile.h>
+#include <ImfRgbaFile.h>
+
+#include <span>
+
+#include "io/picture/exr_attributes.h"
+#include "io/picture/exr_failures.h"
+#include "io/picture/exr_streams.h"
+
+namespace twinray {
+namespace {
+
+/// A picture whose header is read.
+class OpenExr {
+ public:
+  /// `check` sees the header.
+  OpenExr(const PictureBytes& picture, const HeaderCheck& check)
+      : picture_(picture), memory_(picture), file_(memory_, no_threads), channels_(channels_of(header())) {
+    check({width(), height(), int(channels_.size())});
+  }
+
+  const Imf::Header& header() const { return file_.header(); }
+  const std::vector<PictureChannel>& channels() const { return channels_; }
+  int width() const { return header().dataWindow().max.x - header().dataWindow().min.x + 1; }
+  int height() const { return header().dataWindow().max.y - header().dataWindow().min.y + 1; }
+
+  bool has(const std::string& channel) const { return header().channels().findChannel(channel) != nullptr; }
+  /// Luminance, and the chroma of fewer pixels.
+  bool is_luminance_chroma() const { return has("Y") && has("RY") && has("BY"); }
+
+  /// Reads these channels of all pixels, row by row, with so many numbers a pixel.
+  void read(std::span<const PictureChannel> channels, float* numbers, std::size_t numbers_a_pixel) {
+    const std::size_t pixel_bytes = numbers_a_pixel * sizeof(float);
+    Imf::FrameBuffer buffer;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      const Imf::Channel& stored = header().channels()[channels[i].name];
+      if (stored.xSampling != 1 || stored.ySampling != 1)
+        fail_picture(picture_, "its channel " + channels[i].name + " does not have a number for each pixel");
+      buffer.insert(channels[i].name, Imf::Slice::Make(Imf::FLOAT, numbers + i, header().dataWindow(),
+                                                       pixel_bytes, pixel_bytes * std::size_t(width())));
+    }
+    file_.setFrameBuffer(buffer);
+    file_.readPixels(header().dataWindow().min.y, header().dataWindow().max.y);
+  }
+
+ private:
+  const PictureBytes& picture_;
+  MemoryInput memory_;
+  Imf::InputFile file_;
+  std::vector<PictureChannel> channels_;
+};
+
+Image grey_image(OpenExr& file, std::span<const PictureChannel> channel) {
+  Image image(file.width(), file.height());
+  file.read(channel, &image.pixels[0].r, 3);
+  for (Rgb& pixel : image.pixels) pixel = {pixel.r, pixel.r, pixel.r};
+  return image;
+}
+
+Image image_of_luminance_chroma(const PictureBytes& picture, int width, int height) {
+  MemoryInput memory(picture);
+  Imf::RgbaInputFile file(memory, no_threads);
+  const Imath::Box2i window = file.dataWindow();
+  Image image(width, height);
+  std::vector<Imf::Rgba> row(static_cast<std::size_t>(width));
+  for (int y = 0; y < height; ++y) {
+    file.setFrameBuffer(row.data() - window.min.x, 1, 0);
+    file.readPixels(window.min.y + y);
+    for (int x = 0; x < width; ++x) {
+      const Imf::Rgba& pixel = row[std::size_t(x)];
+      image.at(x, y) = {pixel.r, pixel.g, pixel.b};
+    }
+  }
+  return image;
+}
+
+}  // namespace
+
+Image decode_exr(const PictureBytes& picture, const HeaderCheck& check) {
+  return read_or_fail(picture.path, [&] {
+    OpenExr file(picture, check);
+    if (file.is_luminance_chroma()) return image_of_luminance_chroma(picture, file.width(), file.height());
+    const std::span channels(file.channels());
+    if (channels.size() < 3) return grey_image(file, channels.first(1));
+    Image image(file.width(), file.height());
+    file.read(channels.first(3), &image.pixels[0].r, 3);
+    return image;
+  });
+}
+
+Image decode_exr_alpha(const PictureBytes& picture, const HeaderCheck& check) {
+  return read_or_fail(picture.path, [&] {
+    OpenExr file(picture, check);
+    const PictureChannel alpha{"A"};
+    if (file.has(alpha.name)) return grey_image(file, {&alpha, 1});
+    return Image(file.width(), file.height(), white);
+  });
+}
+
+StoredLayers decode_exr_layers(const PictureBytes& picture, const HeaderCheck& check) {
+  return read_or_fail(picture.path, [&] {
+    OpenExr file(picture, check);
+    const std::size_t count = file.channels().size();
+    StoredLayers stored{file.width(), file.height(),           file.channels(),
+                        {},           texts_of(file.header()), frame_of(file.header())};
+    stored.values.resize(std::size_t(stored.width) * std::size_t(stored.height) * count);
+    file.read(stored.channels, stored.values.data(), count);
+    return stored;
+  });
+}
+
+std::vector<float> decode_exr_channel(const PictureBytes& picture, const std::string& name,
+                                      const HeaderCheck& check) {
+  return read_or_fail(picture.path, [&] {
+    OpenExr file(picture, check);
+    const PictureChannel channel{name};
+    if (!file.has(name)) return std::vector<float>();
+    std::vector<float> values(std::size_t(file.width()) * std::size_t(file.height()));
+    file.read({&channel, 1}, values.data(), 1);
+    return values;
+  });
+}
+
+ImageMetadata decode_exr_metadata(const PictureBytes& picture, const HeaderCheck& check) {
+  return read_or_fail(picture.path, [&] { return texts_of(OpenExr(picture, check).header()); });
+}
+
+}  // namespace twinray

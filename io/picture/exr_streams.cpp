@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "io/picture/exr_streams.h"
+
+namespace twinray {
+
+DiskInput::DiskInput(const std::string& path)
+    : IStream(path.c_str()), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  struct stat status {};
+  if (descriptor_ < 0 || fstat(descriptor_, &status) != 0)
+    throw Error(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  size_ = std::uint64_t(status.st_size);
+}
+
+DiskInput::~DiskInput() { close(descriptor_); }
+
+bool DiskInput::read(char* to, int count) {
+  for (int done = 0; done < count;) {
+    const ssize_t more = pread(descriptor_, to + done, std::size_t(count - done), off_t(at_) + done);
+    if (more < 0 && errno == EINTR) continue;
+    if (more < 0) throw Iex::InputExc(std::strerror(errno));
+    if (more == 0) throw Iex::InputExc("it is cut off");
+    done += int(more);
+  }
+  at_ += std::uint64_t(count);
+  return at_ < size_;
+}
+
+}  // namespace twinray

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "io/picture/exr_reader.h"
+#include "io/picture/exr_writer.h"
+#include "tests/support/catch.h"
+#include "tests/support/layered_exr.h"
+
+namespace twinray::test {
+namespace {
+
+const std::string exr_name = "a.exr";
+
+void accept(const PictureHeader&) {}
+
+std::vector<std::string> names_of(const StoredLayers& layers) {
+  std::vector<std::string> names;
+  for (const PictureChannel& channel : layers.channels) names.push_back(channel.name);
+  return names;
+}
+
+/// A file of 4 x 4 pixels whose colours are luminance and, at half the resolution, chroma (ImfRgbaYca.h says
+/// how): of one hue, each row brighter than the one above.
+std::string luminance_chroma_exr(const Rgb& first_row) {
+  const float y = luminance(first_row);
+  std::vector<float> luminances;
+  for (int i = 0; i < 16; ++i) luminances.push_back(y * float(i / 4 + 1));
+  return layered_exr(4, 4,
+                     {{"BY", std::vector<float>(4, (first_row.b - y) / y)},
+                      {"RY", std::vector<float>(4, (first_row.r - y) / y)},
+                      {"Y", luminances}});
+}
+
+}  // namespace
+
+TEST_CASE("channels of an EXR stand by their layers, colours before alpha and depth") {
+  const std::vector<float> values{1};
+  const std::string bytes = layered_exr(1, 1,
+                                        {{"A", values},
+                                         {"B", values},
+                                         {"G", values},
+                                         {"R", values},
+                                         {"Z", values},
+                                         {"albedo.B", values},
+                                         {"albedo.G", values},
+                                         {"albedo.R", values},
+                                         {"id", values}});
+  CHECK(names_of(decode_exr_layers({bytes, exr_name}, accept)) ==
+        std::vector<std::string>{"R", "G", "B", "A", "Z", "id", "albedo.R", "albedo.G", "albedo.B"});
+}
+
+TEST_CASE("luminance with chroma of a lower resolution gives the colours that it stands for") {
+  const Rgb color{0.5f, 0.25f, 0.75f};
+  const std::string bytes = luminance_chroma_exr(color);
+  const Image image = decode_exr({bytes, exr_name}, accept);
+  REQUIRE((image.width == 4 && image.height == 4));
+  for (int y = 0; y < 4; ++y) {  // The numbers on the way have 16 bits, of which 11 count.
+    const Rgb expected = color * float(y + 1);
+    CHECK(image.at(1, y).r == Approx(expected.r).epsilon(0.002));
+    CHECK(image.at(1, y).g == Approx(expected.g).epsilon(0.002));
+    CHECK(image.at(1, y).b == Approx(expected.b).epsilon(0.002));
+  }
+  CHECK_THROWS_WITH(decode_exr_layers({bytes, exr_name}, accept),
+                    "a.exr: cannot be read: its channel BY does not have a number for each pixel");
+}
+
+TEST_CASE("an EXR of one channel is grey, and its alpha is 1 where it has none") {
+  const std::string luminance = layered_exr(2, 1, {{"Y", {3, 4}}});
+  CHECK(decode_exr({luminance, exr_name}, accept).pixels == std::vector<Rgb>{{3, 3, 3}, {4, 4, 4}});
+  CHECK(decode_exr_alpha({luminance, exr_name}, accept).pixels == std::vector<Rgb>{white, white});
+  const std::string with_alpha = layered_exr(2, 1, {{"A", {0.5f, 1}}, {"Y", {3, 4}}});
+  CHECK(decode_exr({with_alpha, exr_name}, accept).pixels == std::vector<Rgb>{{3, 3, 3}, {4, 4, 4}});
+  CHECK(decode_exr_alpha({with_alpha, exr_name}, accept).pixels[0] == Rgb{0.5f, 0.5f, 0.5f});
+}
+
+TEST_CASE("texts of an EXR are read as they were written, and no others") {
+  const ImageMetadata written{
+      {"DateTime", "2023:11:14 22:13:20"}, {"Software", "ours"}, {"twinray:seed", "7"}};
+  const LayeredImage image{2, 1, {{"R"}}, [](int, std::span<float> values) {
+                             for (float& value : values) value = 1;
+                           }};
+  const std::vector<unsigned char> file = encode_exr(image, written, {});
+  const std::string bytes(file.begin(), file.end());
+  ImageMetadata read = decode_exr_metadata({bytes, exr_name}, accept);
+  std::sort(read.begin(), read.end());
+  CHECK(read == written);
+}
+
+TEST_CASE("an EXR whose frame begins anywhere is read with its place in it") {
+  ExrHeader stated;
+  stated.frame_x = -3, stated.frame_y = 7;
+  stated.x = -1, stated.y = 12;
+  const std::string bytes = layered_exr(2, 1, {{"Y", {3, 4}}}, stated);
+  const StoredLayers layers = decode_exr_layers({bytes, exr_name}, accept);
+  CHECK(layers.values == std::vector<float>{3, 4});
+  CHECK((layers.frame.x == 2 && layers.frame.y == 5));
+  CHECK((layers.frame.width == 2 && layers.frame.height == 1));
+}
+
+TEST_CASE("texts that would say how an EXR is stored are neither read nor written") {
+  ExrHeader stated;
+  stated.texts = {{"type", "scanlineimage"}, {"note", "seen"}};
+  const std::string bytes = layered_exr(1, 1, {{"Y", {3}}}, stated);
+  CHECK(decode_exr_metadata({bytes, exr_name}, accept) == ImageMetadata{{"note", "seen"}});
+  const LayeredImage image{1, 1, {{"Y"}}, [](int, std::span<float> values) { values[0] = 3; }};
+  const std::vector<unsigned char> file =
+      encode_exr(image, {{"compression", "none"}, {"dataWindow", "all"}, {"note", "seen"}}, {});
+  const std::string written(file.begin(), file.end());
+  CHECK(decode_exr_metadata({written, exr_name}, accept) == ImageMetadata{{"note", "seen"}});
+  CHECK(decode_exr({written, exr_name}, accept).pixels == std::vector<Rgb>{{3, 3, 3}});
+}
+
+TEST_CASE("an EXR is refused before memory is taken for its pixels") {
+  const std::string bytes = layered_exr(2, 1, {{"Y", {3, 4}}});
+  const HeaderCheck refuse = [](const PictureHeader&) { throw Error("too large"); };
+  CHECK_THROWS_WITH(decode_exr({bytes, exr_name}, refuse), "too large");
+  CHECK_THROWS_WITH(decode_exr_channel({bytes, exr_name}, "Y", refuse), "too large");
+}
+
+}  // namespace twinray::test
