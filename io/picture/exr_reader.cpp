@@ -86,7 +86,8 @@ Image decode_exr(const PictureBytes& picture, const HeaderCheck& check) {
     OpenExr file(picture, check);
     if (file.is_luminance_chroma()) return image_of_luminance_chroma(picture, file.width(), file.height());
     const std::span channels(file.channels());
-    if (channels.size() < 3) return grey_image(file, channels.first(1));
+    const bool is_grey = channels.size() < 3 || channels[0].name == "Y";
+    if (is_grey) return grey_image(file, channels.first(1));
     Image image(file.width(), file.height());
     file.read(channels.first(3), &image.pixels[0].r, 3);
     return image;

@@ -11,8 +11,8 @@
 
 namespace twinray {
 
-/// The first three channels, in the order of decode_exr_layers; the first one as grey where there are fewer.
-/// Of luminance with chroma at a lower resolution the colours that it stands for.
+/// The first three channels, in the order of decode_exr_layers; the first one as grey where there are fewer,
+/// or where it is luminance. Of luminance with chroma at a lower resolution the colours that it stands for.
 Image decode_exr(const PictureBytes& picture, const HeaderCheck& check);
 /// The alpha channel as grey, 1 where there is none.
 Image decode_exr_alpha(const PictureBytes& picture, const HeaderCheck& check);

@@ -73,6 +73,8 @@ TEST_CASE("an EXR of one channel is grey, and its alpha is 1 where it has none")
   const std::string with_alpha = layered_exr(2, 1, {{"A", {0.5f, 1}}, {"Y", {3, 4}}});
   CHECK(decode_exr({with_alpha, exr_name}, accept).pixels == std::vector<Rgb>{{3, 3, 3}, {4, 4, 4}});
   CHECK(decode_exr_alpha({with_alpha, exr_name}, accept).pixels[0] == Rgb{0.5f, 0.5f, 0.5f});
+  const std::string with_depth = layered_exr(1, 1, {{"A", {1}}, {"Y", {3}}, {"Z", {9}}});
+  CHECK(decode_exr({with_depth, exr_name}, accept).pixels == std::vector<Rgb>{{3, 3, 3}});
 }
 
 TEST_CASE("texts of an EXR are read as they were written, and no others") {
