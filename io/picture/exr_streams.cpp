@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "io/picture/exr_streams.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -6,15 +8,16 @@
 
 #include <cerrno>
 
-#include "io/picture/exr_streams.h"
-
 namespace twinray {
 
 DiskInput::DiskInput(const std::string& path)
     : IStream(path.c_str()), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
   struct stat status {};
-  if (descriptor_ < 0 || fstat(descriptor_, &status) != 0)
-    throw Error(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  if (descriptor_ < 0 || fstat(descriptor_, &status) != 0) {
+    const int fault = errno;
+    if (descriptor_ >= 0) close(descriptor_);  // A constructor that throws has no destructor.
+    throw Error(fmt::format("{}: cannot be read: {}", path, std::strerror(fault)));
+  }
   size_ = std::uint64_t(status.st_size);
 }
 

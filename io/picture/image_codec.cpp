@@ -36,8 +36,8 @@ std::mutex& library_loading() {
 }
 
 bool codec_reads(const std::string& path) {
-  const std::string ending = picture_ending(path);
-  return ending == ".hdr" || ending == ".jpg" || ending == ".jpeg";
+  const auto format = known_picture_format(path);
+  return format == PictureFormat::hdr || format == PictureFormat::jpeg;
 }
 
 bool codec_writes(const std::string& path) {

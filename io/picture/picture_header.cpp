@@ -133,7 +133,7 @@ std::string picture_ending(const std::string& path) {
   return ending;
 }
 
-PictureFormat picture_format(const std::string& path) {
+std::optional<PictureFormat> known_picture_format(const std::string& path) {
   const std::string ending = picture_ending(path);
   if (ending == ".exr") return PictureFormat::exr;
   if (ending == ".hdr") return PictureFormat::hdr;
@@ -141,6 +141,11 @@ PictureFormat picture_format(const std::string& path) {
   if (ending == ".jpg" || ending == ".jpeg") return PictureFormat::jpeg;
   if (ending == ".pfm") return PictureFormat::pfm;
   if (ending == ".tga") return PictureFormat::tga;
+  return std::nullopt;
+}
+
+PictureFormat picture_format(const std::string& path) {
+  if (const auto format = known_picture_format(path)) return *format;
   throw Error(fmt::format(
       "{}: not a picture that can be read; valid endings are .exr, .hdr, .png, .jpg, .pfm, .tga", path));
 }

@@ -2,6 +2,7 @@
 // What a picture's file says of itself, read before a library opens it: libraries take memory by it at once.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "io/picture/picture_bytes.h"
@@ -12,6 +13,9 @@ enum class PictureFormat { exr, hdr, png, jpeg, pfm, tga };
 
 /// The ending of a name with its dot, in small letters: ".png".
 std::string picture_ending(const std::string& path);
+
+/// The format of a file by its ending, none where that is of no picture that is read.
+std::optional<PictureFormat> known_picture_format(const std::string& path);
 
 /// The format of a file by its ending: never by its contents, so that only well-tried readers see a
 /// stranger's file. Throws Error where it is none that is read.

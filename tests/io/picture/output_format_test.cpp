@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "io/picture/image_codec.h"
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
@@ -91,6 +92,14 @@ TEST_CASE("an HDR holds a picture as well as shared exponents do") {
     REQUIRE(std::fabs(found.g - wrote.g) <= step);
     REQUIRE(std::fabs(found.b - wrote.b) <= step);
   }
+}
+
+TEST_CASE("OpenImageIO reads JPEG and HDR pictures, and writes TIFFs, too") {
+  for (const std::string name : {"a.jpg", "a.JPEG", "a.hdr"})
+    CHECK((codec_reads(name) && codec_writes(name)));
+  for (const std::string name : {"a.tif", "a.TIFF"}) CHECK((!codec_reads(name) && codec_writes(name)));
+  for (const std::string name : {"a.png", "a.exr", "a.pfm", "a.tga", "a.dae", "a", "", "-"})
+    CHECK((!codec_reads(name) && !codec_writes(name)));
 }
 
 TEST_CASE("a JPEG holds what a display shows, nearly") {
