@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "io/picture/exr_reader.h"
+#include "io/picture/exr_tiled_file.h"
 #include "io/picture/exr_writer.h"
 #include "tests/support/catch.h"
 #include "tests/support/layered_exr.h"
+#include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
 namespace {
@@ -112,6 +114,21 @@ TEST_CASE("texts that would say how an EXR is stored are neither read nor writte
   const std::string written(file.begin(), file.end());
   CHECK(decode_exr_metadata({written, exr_name}, accept) == ImageMetadata{{"note", "seen"}});
   CHECK(decode_exr({written, exr_name}, accept).pixels == std::vector<Rgb>{{3, 3, 3}});
+}
+
+TEST_CASE("tiles of other channels than three of 32-bit floats are refused") {
+  const TemporaryFolder folder;
+  const std::vector<unsigned char> file = encode_tiled_exr(MipMap(Image(4, 4, white)), 64, {});
+  std::string bytes(file.begin(), file.end());
+  write_text(folder.file("a.tx"), bytes);
+  CHECK(TiledExr(folder.file("a.tx")).size().levels == 3);
+  // A channel's name, and the number of its type: 2 for floats, 1 for halves.
+  const std::size_t red = bytes.find(std::string("R\0\2\0\0\0", 6));
+  REQUIRE(red != bytes.npos);
+  bytes[red + 2] = 1;
+  write_text(folder.file("a.tx"), bytes);
+  CHECK_THROWS_WITH(TiledExr(folder.file("a.tx")),
+                    folder.file("a.tx") + ": not a picture of three channels of 32-bit floats in tiles");
 }
 
 TEST_CASE("an EXR is refused before memory is taken for its pixels") {
