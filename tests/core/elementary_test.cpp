@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
@@ -128,6 +129,23 @@ TEST_CASE("angles outside the domain give NaN") {
   CHECK(sin_radians(0) == 0);
   CHECK(cos_radians(0) == 1);
   CHECK(tan_radians(0) == 0);
+}
+
+TEST_CASE("the angle of a point is within 2e-16 turns, in every quadrant") {
+  test::Random random(12);
+  double worst = 0;
+  for (int i = 0; i < sweep; ++i) {
+    // All around, and close to the axes.
+    const int power = i % 2 == 0 ? 0 : random.between(-50, 0);
+    const double x = uniform(random, -1, 1), y = std::ldexp(uniform(random, -1, 1), power);
+    for (const auto& [a, b] : {std::pair(y, x), {x, y}}) {
+      const long double exact = std::atan2(static_cast<long double>(a), static_cast<long double>(b)) / two_pi;
+      const long double difference = std::fabs(atan2_turns(a, b) - (exact < 0 ? exact + 1 : exact));
+      if (!(difference <= worst)) worst = double(difference);
+    }
+  }
+  CHECK(worst < 2e-16);
+  CHECK(atan2_turns(0, 0) == 0);
 }
 
 TEST_CASE("log2, exp2 and pow are within their stated errors") {

@@ -12,6 +12,9 @@ TWO_HALVES = "a lamp with a picture of two halves is two lamps, by every way of 
 LOOP_LIMIT = "a vertex has the same limit and normal at every level, inside and at the end of a surface"
 
 MUTANTS = [
+    Mutant("a radian's turns lack their last digits", "core/elementary.h",
+           "turns_per_radian = 0.15915494309189534", "turns_per_radian = 0.15915494309189",
+           "test_core", "the angle of a point is within 2e-16 turns, in every quadrant"),
     Mutant("lamps behind an opaque surface are chosen, too", "core/light_tree.cpp",
            "receiver.lets_light_through ? std::fabs(cos_normal) : cos_normal;", "std::fabs(cos_normal);",
            "test_core", "a lamp behind a surface is chosen where that lets light through, and else not"),
