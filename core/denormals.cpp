@@ -15,6 +15,10 @@ namespace {
 constexpr unsigned flushes = 0x8040;
 unsigned mode() { return _mm_getcsr(); }
 void set_mode(unsigned mode) { _mm_setcsr(mode); }
+bool are_fast() {
+  __builtin_cpu_init();  // Needed in what runs before main().
+  return __builtin_cpu_is("amd");
+}
 #elif defined(__aarch64__)
 // Of FPCR: denormal results and operands become 0 (FZ, bit 24), or operands alone (FIZ, bit 0; Armv8.7).
 constexpr unsigned flushes = 1u << 24 | 1u;
@@ -24,13 +28,17 @@ unsigned mode() {
   return unsigned(mode);
 }
 void set_mode(unsigned mode) { asm volatile("msr fpcr, %0" : : "r"(std::uint64_t(mode))); }
+bool are_fast() { return true; }
 #else
 constexpr unsigned flushes = 0;
 unsigned mode() { return 0; }
 void set_mode(unsigned) {}
+bool are_fast() { return true; }
 #endif
 
 }  // namespace
+
+const bool denormals_are_fast = are_fast();
 
 KeepDenormals::KeepDenormals() : saved_(mode()) { set_mode(saved_ & ~flushes); }
 KeepDenormals::~KeepDenormals() { set_mode((mode() & ~flushes) | (saved_ & flushes)); }

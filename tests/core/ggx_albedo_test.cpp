@@ -32,7 +32,7 @@ double reflected_part(float cosine, float alpha, int count, const Fresnel& fresn
 
 /// The integral of 2 cos f(cos), cos = t^2.
 template <class Function>
-double average(const Function& f) {
+double coarse_average(const Function& f) {
   constexpr int count = 50;
   double sum = 0;
   for (int i = 0; i < count; ++i) {
@@ -55,7 +55,7 @@ TEST_CASE("what facets lose after one reflection is tabulated within the stated 
     }
   for (const float alpha : alphas) {
     CAPTURE(alpha);
-    const double exact = average([&](float c) { return 1 - reflected_part(c, alpha, 250, one); });
+    const double exact = coarse_average([&](float c) { return 1 - reflected_part(c, alpha, 250, one); });
     CHECK(std::fabs(average_ggx_loss(alpha) - exact) <= 2e-3);
   }
   CHECK(ggx_loss(1, 1) == Approx(std::log(2)).epsilon(2e-3));  // The integral's closed form.
@@ -81,7 +81,7 @@ TEST_CASE("what dielectric facets reflect is tabulated within the stated error")
                         reflected_part(cosine, alpha, 100, fresnel)) <= stated);
       }
       CAPTURE(ior, alpha);
-      const double exact = average([&](float c) { return reflected_part(c, alpha, 80, fresnel); });
+      const double exact = coarse_average([&](float c) { return reflected_part(c, alpha, 80, fresnel); });
       CHECK(std::fabs(GgxDielectricReflectance(alpha, ior).average() - exact) <= 3e-3);
     }
     CHECK(GgxDielectricReflectance(0, ior).average() == Approx(average_fresnel_dielectric(ior)).margin(3e-3));

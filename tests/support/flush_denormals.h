@@ -9,7 +9,15 @@ namespace twinray::test {
 /// compiled with -ffast-math.
 class FlushDenormals {
  public:
-  FlushDenormals() : saved_(mode()) { set_mode(saved_ | flushes); }
+#if defined(__x86_64__)
+  using Mode = unsigned;
+  static constexpr Mode results = 0x8000, operands = 0x0040, flushes = results | operands;
+#else
+  using Mode = std::uint64_t;
+  static constexpr Mode results = 1u << 24, operands = results, flushes = results;
+#endif
+
+  explicit FlushDenormals(Mode which = flushes) : saved_(mode()) { set_mode(saved_ | which); }
   ~FlushDenormals() { set_mode(saved_); }
   FlushDenormals(const FlushDenormals&) = delete;
   FlushDenormals& operator=(const FlushDenormals&) = delete;
@@ -17,13 +25,9 @@ class FlushDenormals {
 
  private:
 #if defined(__x86_64__)
-  using Mode = unsigned;
-  static constexpr Mode flushes = 0x8040;
   static Mode mode() { return __builtin_ia32_stmxcsr(); }
   static void set_mode(Mode mode) { __builtin_ia32_ldmxcsr(mode); }
 #elif defined(__aarch64__)
-  using Mode = std::uint64_t;
-  static constexpr Mode flushes = 1u << 24;
   static Mode mode() {
     Mode mode;
     asm volatile("mrs %0, fpcr" : "=r"(mode));
