@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/denormals.h"
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/support/flush_denormals.h"
 
 namespace twinray {
 
-TEST_CASE("a thread that takes denormal numbers for 0 is known by its mode, and by what it computes") {
+TEST_CASE("a thread that flushes denormal numbers is known by its mode, and by what it computes") {
   const auto check = [](bool are_kept) {
     CHECK(computes_denormals() == are_kept);
     CHECK(mode_keeps_denormals() == are_kept);

@@ -31,7 +31,7 @@ MUTANTS = [
            "test_core", "denormal numbers are kept in every part, whatever the caller's setting"),
     Mutant("a thread that flushes results alone is not known by its mode", "core/denormals.h",
            "(flush_results | flush_operands)", "flush_operands",
-           "test_core", "a thread that takes denormal numbers for 0 is known by its mode, and by what it computes"),
+           "test_core", "a thread that flushes denormal numbers is known by its mode, and by what it computes"),
     Mutant("a sphere lamp emits inwards too", "core/light_set.cpp",
            "return sphere && cos_front > 0 ? sphere->radiance : Rgb{};",
            "return sphere ? sphere->radiance : Rgb{};",
