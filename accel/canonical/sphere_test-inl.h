@@ -39,21 +39,21 @@ class SphereBoxes : BlockLanes {
 
  private:
   /// The planes of one axis that are near and far in the ray's direction, as parameters. A negative direction
-  /// mirrors the axis. By symmetry the lower plane, centre - radius rounded down and widened, is minus what
-  /// radius - centre gives rounded up.
+  /// mirrors the axis: by its sign bit, as lanes without a sphere have denormal planes, a product of which
+  /// takes an Intel processor fifty nanoseconds. By symmetry the lower plane, centre - radius rounded down
+  /// and widened, is minus what radius - centre gives rounded up.
   struct Axis {
     FloatLanes near, far;
 
     HWY_ATTR HWY_INLINE Axis(const SphereBoxes& boxes, const CheckedRay& ray, const PrimitiveBlock& block,
                              std::size_t first, int axis) {
-      const FloatLanes one = hn::Set(Floats(), 1.0f);
-      const FloatLanes sign = hn::CopySign(one, hn::Set(Floats(), ray.direction[axis]));
-      const FloatLanes center = hn::Mul(hn::Load(Floats(), block.corners[0][axis] + first), sign);
+      const FloatLanes sign = hn::And(hn::Set(Floats(), ray.direction[axis]), hn::SignBit(Floats()));
+      const FloatLanes center = hn::Xor(hn::Load(Floats(), block.corners[0][axis] + first), sign);
       const FloatLanes before = boxes.plane(hn::Sub(boxes.radius_, center));
       const FloatLanes behind = boxes.plane(hn::Add(boxes.radius_, center));
-      near = hn::Mul(hn::Sub(hn::Neg(hn::Mul(before, sign)), hn::Set(Floats(), ray.near_origin[axis])),
+      near = hn::Mul(hn::Sub(hn::Neg(hn::Xor(before, sign)), hn::Set(Floats(), ray.near_origin[axis])),
                      hn::Set(Floats(), ray.near_inverse[axis]));
-      far = hn::Mul(hn::Sub(hn::Mul(behind, sign), hn::Set(Floats(), ray.far_origin[axis])),
+      far = hn::Mul(hn::Sub(hn::Xor(behind, sign), hn::Set(Floats(), ray.far_origin[axis])),
                     hn::Set(Floats(), ray.far_inverse[axis]));
     }
   };
