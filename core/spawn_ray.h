@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays that leave a surface: the only such functions.
 #pragma once
+#include "core/offset.h"
 #include "core/ray.h"
 #include "core/surface.h"
 
 namespace twinray {
 
-/// The point from which a ray along `direction` leaves the surface: moved to that side of it.
-inline Vec3 leave_surface(const SurfacePoint& point, const Vec3& direction) {
-  const float side = dot(point.geometric_normal, direction) < 0 ? -point.offset : point.offset;
+/// The point from which a ray along `direction` leaves the surface: moved to that side of it, by the point's
+/// offset and more.
+inline Vec3 leave_surface(const SurfacePoint& point, const Vec3& direction, float more = 0) {
+  const float offset = point.offset + more;
+  const float side = dot(point.geometric_normal, direction) < 0 ? -offset : offset;
   return point.position + point.geometric_normal * side;
 }
 
@@ -22,7 +25,7 @@ inline Ray spawn_ray(const SurfacePoint& from, const Vec3& direction) {
 inline Ray connect(const SurfacePoint& from, const SurfacePoint& to) {
   const Vec3 towards = to.position - from.position;
   const Vec3 origin = leave_surface(from, towards);
-  const Vec3 target = leave_surface(to, -towards);
+  const Vec3 target = leave_surface(to, -towards, end_offset(towards));
   return {.origin = origin, .direction = target - origin, .t_max = 1};
 }
 /// The shadow ray from a surface to a point in space, such as a point light.

@@ -47,12 +47,18 @@ struct PointLanes {
   Lanes offset;
 };
 
+HWY_ATTR HWY_INLINE Lanes end_offset(const Lanes3& between) {
+  const Lanes most = hn::Max(hn::Abs(between.x), hn::Max(hn::Abs(between.y), hn::Abs(between.z)));
+  return hn::Mul(splat(12 * 0x1p-24f), most);
+}
+
 /// The shadow rays from the surfaces to them: connect.
 HWY_ATTR HWY_INLINE void store_ray_to(const PointLanes& to, const Surfaces& surfaces, LightSamples& samples,
                                       std::size_t i) {
   const Lanes3 between = to.position - load(surfaces.point.position, i);
   const Lanes3 origin = leave_surface(surfaces.point, i, between);
-  const Lanes3 target = leave_surface(to.position, to.normal, to.offset, -between);
+  const Lanes3 target =
+      leave_surface(to.position, to.normal, hn::Add(to.offset, end_offset(between)), -between);
   store(origin, samples.origin, i);
   store(target - origin, samples.towards, i);
   store(splat(1), samples.t_max, i);

@@ -57,18 +57,19 @@ HWY_ATTR HWY_INLINE DoubleLanes3 operator/(const DoubleLanes3& a, DoubleLanes s)
   return {hn::Div(a.x, s), hn::Div(a.y, s), hn::Div(a.z, s)};
 }
 
-/// visible_cone: 1 - cos of the half-angle, 0 from inside of the sphere.
-HWY_ATTR HWY_INLINE HalfLanes visible_cone(double squared_radius, HalfLanes distance_squared) {
+/// visible_cone: 1 - cos of the half-angle; 0 from inside of the sphere and from its own surface.
+HWY_ATTR HWY_INLINE HalfLanes visible_cone(const SphereLightRequest& light, HalfLanes distance_squared) {
   const DoubleTag tag;
-  const DoubleLanes one = hn::Set(tag, 1);
-  const DoubleLanes sin_squared = hn::Div(hn::Set(tag, squared_radius), hn::PromoteTo(tag, distance_squared));
+  const DoubleLanes one = hn::Set(tag, 1), distance = hn::PromoteTo(tag, distance_squared);
+  const DoubleLanes sin_squared = hn::Div(hn::Set(tag, light.squared_radius()), distance);
   const DoubleLanes cone = hn::Div(sin_squared, hn::Add(one, hn::Sqrt(hn::Sub(one, sin_squared))));
-  return hn::DemoteTo(HalfTag(), hn::IfThenElseZero(hn::Lt(sin_squared, one), cone));
+  const auto is_outside = hn::Gt(distance, hn::Set(tag, light.least_squared_distance()));
+  return hn::DemoteTo(HalfTag(), hn::IfThenElseZero(is_outside, cone));
 }
-HWY_ATTR HWY_INLINE Lanes visible_cone(double squared_radius, Lanes distance_squared) {
+HWY_ATTR HWY_INLINE Lanes visible_cone(const SphereLightRequest& light, Lanes distance_squared) {
   const HalfTag half;
-  return hn::Combine(FloatTag(), visible_cone(squared_radius, hn::UpperHalf(half, distance_squared)),
-                     visible_cone(squared_radius, hn::LowerHalf(half, distance_squared)));
+  return hn::Combine(FloatTag(), visible_cone(light, hn::UpperHalf(half, distance_squared)),
+                     visible_cone(light, hn::LowerHalf(half, distance_squared)));
 }
 
 /// entry_normal.
@@ -92,7 +93,7 @@ HWY_ATTR void sample_sphere_light(const Surfaces& surfaces, const SphereLightReq
     const Lanes3 from = load(surfaces.point.position, i);
     const Lanes3 axis = center - from;
     const Lanes squared = dot(axis, axis);
-    const Lanes cone = visible_cone(light.squared_radius(), squared);
+    const Lanes cone = visible_cone(light, squared);
     const Lanes3 local = direction_around_z(hn::Mul(load(samples.ux, i), cone), load(samples.uy, i));
     const Lanes3 direction = to_world(axis / hn::Sqrt(squared), local);
     const Lanes3 normal = combine(entry_normal(light, upper_half(from), upper_half(direction)),

@@ -98,7 +98,7 @@ void PbrtBuilder::place(const Part& part, const Transform& to_world, Placed& pla
   placed.shapes.push_back(std::move(shape));
   ShapeBinding binding{part.material, no_light, part.alpha, part.asset};
   if (emits) add_emission(part, binding);
-  if (materials_.is_interface(part.material) && emits) binding.material = black();
+  if (materials_.is_interface(part.material) && emits) binding.material = materials_.black();
   if (is_filled) placed.absorptions[placed.bindings.size()] = part.absorption;
   placed.bindings.push_back(binding);
 }
@@ -146,11 +146,6 @@ std::uint32_t PbrtBuilder::add_shape_light(const std::string& name, const MeshLi
   else
     shape_lights_.push_back({name, light});
   return std::uint32_t(shape_lights_.size() - 1);
-}
-
-std::uint32_t PbrtBuilder::black() {
-  materials_.materials.push_back({"emits alone", Lambert{{0, 0, 0}}});
-  return std::uint32_t(materials_.materials.size() - 1);
 }
 
 void PbrtBuilder::fill_interiors() {

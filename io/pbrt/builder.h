@@ -83,7 +83,6 @@ class PbrtBuilder {
   void check_room(const Part& part);
   /// A light of a mesh, or of a sphere in its place, as an index into shape_lights_.
   std::uint32_t add_shape_light(const std::string& name, const MeshLight& light);
-  std::uint32_t black();
   /// Gives shapes with something in them materials of their own.
   void fill_interiors();
   /// Makes lights of shapes whose materials emit by themselves.

@@ -54,13 +54,15 @@ std::optional<LightSource> read_spot(const PbrtParameters& parameters, const Tra
   const float angle = parameters.real("coneangle", 30, {0, 180});
   const float delta = parameters.real("conedeltaangle", 5, {0, 180});
   const double end = cos_radians(double(angle) * radians_per_degree);
-  const double start = cos_radians(double(std::max(0.0f, angle - delta)) * radians_per_degree);
+  // pbrt takes the cosine of the difference, which may be negative.
+  const float inner = std::min(angle, std::fabs(angle - delta));
+  const double start = cos_radians(double(inner) * radians_per_degree);
   const Rgb intensity = scaled_color(parameters, "I", context);
   const double unit = 2 * pi_double * ((1 - start) + (start - end) / 2);
   SpotLight spot{to_world.point(from), direction(from, to, to_world, parameters),
                  with_strength(intensity, "power", unit, parameters)};
   spot.falloff_angle_degrees = std::max(2 * angle, 1e-3f);
-  spot.penumbra_degrees = std::min(delta, spot.falloff_angle_degrees / 2);
+  spot.penumbra_degrees = std::min(angle - inner, spot.falloff_angle_degrees / 2);
   return spot;
 }
 

@@ -52,6 +52,21 @@ TEST_CASE("a sphere is sampled within the solid angle it covers, and uniformly")
   CHECK(inverse_density(scene, 1).mean() == Approx(solid_angle).epsilon(rounding));
 }
 
+TEST_CASE("a sphere light's own surface gets none of its light, inside as outside") {
+  Random random(3);
+  for (const Vec3& center : {Vec3{0, 0, 0}, Vec3{0.3f, -1.7f, 2.1f}, Vec3{100, 20, -300}}) {
+    const Sphere sphere{center, 0.37f};
+    const Scene scene = scene_with(SphereSet{"", {sphere}});
+    const LightSet lights(scene);
+    for (int i = 0; i < 1000; ++i) {
+      SurfacePoint on_lamp = sphere_point(sphere, 1, normalize(random.in_ball()));
+      const Vec3 normal = i % 2 == 0 ? on_lamp.geometric_normal : -on_lamp.geometric_normal;
+      const LightSample sample = lights.sample(0, on_lamp, {on_lamp.position, normal}, in_square(random));
+      CHECK(is_black(sample.radiance));
+    }
+  }
+}
+
 TEST_CASE("the mean of 1 / density of a mesh light is its solid angle") {
   Mesh square = floor_square(1, 1);  // seen from two below its centre line
   for (Vec3& p : square.positions) p = p + Vec3{0.2f, 0, 0.3f};

@@ -112,12 +112,35 @@ TEST_CASE("shadow rays inside of a convex mesh are never blocked") {
     }
 }
 
+TEST_CASE("a shadow ray from afar is not blocked by the small lamp that it goes to, wherever that is") {
+  Random random(14);
+  const Sphere sphere{{0, 0, 0}, 0.25f};
+  for (int i = 0; i < 100000; ++i) {
+    const Vec3 away = normalize(random.in_ball());
+    const float distance = std::ldexp(random.uniform(1, 2), random.between(0, 10));
+    const SurfacePoint from{.position = away * distance, .geometric_normal = -away, .offset = 1e-6f};
+    const Vec3 side = cosine_direction(random, away);
+    const SurfacePoint on_sphere = sphere_point(sphere, 0, normalize(side));
+    INFO("draw " << i << ", distance " << distance);
+    if (dot(on_sphere.geometric_normal, from.position - on_sphere.position) > 0)
+      CHECK_FALSE(test::trace_sphere(connect(from, on_sphere), sphere).has_value());
+    const Vec3 a = random.in_cube(0.25f), b = random.in_cube(0.25f), c = random.in_cube(0.25f);
+    Mesh lamp{.positions = {a, b, c}, .triangles = {{0, 1, 2}}};
+    const Geometry geometry({lamp});
+    const SurfacePoint on_triangle = triangle_point(geometry, 0, 0, 0.3f, 0.4f);
+    // From about its plane, which side it is seen from is up to rounding.
+    const float height = dot(on_triangle.geometric_normal, from.position - on_triangle.position);
+    if (std::fabs(height) > 1e-4f * distance)
+      CHECK(test::trace_all(geometry, connect(from, on_triangle)).is_miss());
+  }
+}
+
 TEST_CASE("a shadow ray's ends lie on the sides that face each other, and its t_max is 1") {
   SurfacePoint below{.position = {0, 0, 0}, .geometric_normal = {0, 0, -1}, .offset = 0.25f};
   SurfacePoint above{.position = {3, 0, 8}, .geometric_normal = {0, 0, -1}, .offset = 0.5f};
   const Ray ray = connect(below, above);
   CHECK(ray.origin == Vec3{0, 0, 0.25f});
-  CHECK(ray.origin + ray.direction == Vec3{3, 0, 7.5f});
+  CHECK(ray.origin + ray.direction == Vec3{3, 0, 7.5f - 12 * 8 * 0x1p-24f});
   CHECK(ray.t_min == 0);
   CHECK(ray.t_max == 1);
   const Ray to_point = connect(below, Vec3{1, 2, -3});

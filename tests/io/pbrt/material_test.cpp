@@ -164,4 +164,18 @@ TEST_CASE("an interface is no surface") {
   CHECK(lit.scene.lights.size() == 1);
 }
 
+TEST_CASE("a lamp without a surface changes no material that comes behind it") {
+  const LoadedScene loaded = load_pbrt_world(
+      "AttributeBegin Material \"interface\" AreaLightSource \"diffuse\" " + test::pbrt_triangle +
+      " AttributeEnd Material \"diffuse\" \"rgb reflectance\" [ 0.25 0.5 1 ] " + test::pbrt_triangle +
+      " Material \"interface\" " + test::pbrt_triangle);
+  REQUIRE(loaded.scene.bindings.size() == 2);
+  const auto reflectance_of = [&](std::size_t shape) {
+    return std::get<Lambert>(loaded.scene.materials.at(loaded.scene.bindings[shape].material).model)
+        .reflectance;
+  };
+  CHECK(is_black(reflectance_of(0)));
+  CHECK(reflectance_of(1) == Rgb{0.25f, 0.5f, 1});
+}
+
 }  // namespace twinray

@@ -220,4 +220,14 @@ TEST_CASE("a spot light has pbrt's cone and soft edge") {
   CHECK(light.penumbra_degrees == 10);
 }
 
+TEST_CASE("a spot's soft edge that is wider than its cone leaves the inner part that pbrt's cosine gives") {
+  const auto penumbra_of = [](const std::string& angles) {
+    const LoadedScene loaded = load_pbrt_world("LightSource \"spot\" " + angles);
+    return std::get<SpotLight>(loaded.scene.lights.at(0).source).penumbra_degrees;
+  };
+  CHECK(penumbra_of("\"float coneangle\" 80 \"float conedeltaangle\" 100") == 60);
+  CHECK(penumbra_of("\"float coneangle\" 20 \"float conedeltaangle\" 20") == 20);
+  CHECK(penumbra_of("\"float coneangle\" 20 \"float conedeltaangle\" 50") == 0);
+}
+
 }  // namespace twinray
