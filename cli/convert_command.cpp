@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
-#include <system_error>
 #include <utility>
 
 #include "cli/console.h"
@@ -73,16 +71,6 @@ std::vector<std::string> paths_of(const WrittenScene& written) {
   std::vector<std::string> paths;
   for (const SceneFile& file : written.files) paths.push_back(file.path);
   return paths;
-}
-
-/// Throws Error where a file of the scene would be written over.
-void check_not_read(const std::vector<std::string>& written, const std::vector<std::string>& read) {
-  for (const std::string& path : written)
-    for (const std::string& file : read) {
-      std::error_code error;  // Of a file that is not there: it is another one.
-      if (std::filesystem::equivalent(path, file, error))
-        throw Error(fmt::format("{}: the scene is read from this file; choose another name", path));
-    }
 }
 
 }  // namespace

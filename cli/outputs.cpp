@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
 
 #include "cli/console.h"
+#include "core/error.h"
 #include "io/destination.h"
 #include "io/output_file.h"
 
@@ -15,6 +19,15 @@ namespace twinray {
 void prepare_outputs(const std::vector<std::string>& names) {
   check_outputs(names);
   if (std::any_of(names.begin(), names.end(), is_standard_output)) console::keep_output_for_data();
+}
+
+void check_not_read(const std::vector<std::string>& written, const std::vector<std::string>& read) {
+  for (const std::string& path : written)
+    for (const std::string& file : read) {
+      std::error_code error;  // Of a file that is not there: it is another one.
+      if (std::filesystem::is_regular_file(path, error) && std::filesystem::equivalent(path, file, error))
+        throw Error(fmt::format("{}: the scene is read from this file; choose another name", path));
+    }
 }
 
 std::vector<std::string> given_names(std::vector<std::string> names) {

@@ -9,6 +9,9 @@ namespace twinray {
 /// output to them alone where one of them is standard output.
 void prepare_outputs(const std::vector<std::string>& names);
 
+/// Throws Error where a file of the scene, or another that is read, would be written over.
+void check_not_read(const std::vector<std::string>& written, const std::vector<std::string>& read);
+
 /// Those of the names that are not empty: of the outputs that are asked for.
 std::vector<std::string> given_names(std::vector<std::string> names);
 

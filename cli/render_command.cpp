@@ -71,6 +71,7 @@ class RenderRun {
         partial_(partial_outputs(outputs_)),
         guard_(all_names({outputs_, partial_})) {
     prepare_outputs(outputs_.names());
+    check_not_read(outputs_.names(), {arguments.scene, arguments.environment, arguments.camera_file});
     if (arguments.denoiser) use_denoiser(*arguments.denoiser);
     arguments_.load.files = std::make_shared<std::vector<std::string>>();
     if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
@@ -122,6 +123,7 @@ class RenderRun {
 
   LoadedScene load() {
     LoadedScene loaded = load_for_render(arguments_, talk_);
+    check_not_read(outputs_.names(), *arguments_.load.files);
     choose_engine(*loaded.scene.geometry, arguments_);
     check_memory(memory_needs(arguments_, loaded.scene));
     check_samples_for_denoising(arguments_);

@@ -42,6 +42,7 @@ int replay_command(const RenderArguments& asked) {
   const std::vector<std::string> outputs = given_names({request.json_file, request.obj_file});
   const InterruptGuard guard(outputs);
   prepare_outputs(outputs);
+  check_not_read(outputs, {arguments.scene, arguments.environment, arguments.camera_file});
   RenderTalk silence;
   const LoadedScene loaded = load_for_render(arguments, silence);
   check_sample(request.sample, arguments.render);

@@ -16,6 +16,7 @@
 #include "cli/verify/tile_check.h"
 #include "cli/version.h"
 #include "core/error.h"
+#include "integrators/allocation.h"
 #include "io/picture/image_file.h"
 
 namespace twinray {
@@ -53,6 +54,8 @@ std::string loss_of(const RenderArguments& arguments, const PictureClaim& claim,
   const OutputFormat format = output_format(arguments.output);
   if (format == OutputFormat::exr && arguments.compression == ExrCompression::dwab)
     return "its compression, dwab, keeps no bits of what was rendered";
+  if (arguments.render.allocation == Allocation::error && arguments.render.samples > SampleAllocation::pilot)
+    return "how many samples a pixel has depends on the whole picture, by --allocation=error";
   if (arguments.integrator == IntegratorKind::cost && !is_linear(format))
     return "the scale of its colors is that of the whole picture";
   const bool has_noisy = std::any_of(picture.channels.begin(), picture.channels.end(),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/elementary.h"
 #include "io/gltf/context.h"
@@ -39,10 +40,17 @@ class Layers {
     model_.specular_ior = ior == 0 ? most : std::max(ior, 1.0f);
   }
 
+  bool is_all_metal() const {
+    const std::vector<TextureUse>& uses = inputs_.material.textures;
+    return model_.base_metalness == 1 && std::none_of(uses.begin(), uses.end(), [](const TextureUse& use) {
+             return use.input == base_metalness;
+           });
+  }
+
   /// The extension changes dielectrics alone; OpenPBR's numbers metals, too.
   void read_specular() {
     const GltfExtension specular = extension("KHR_materials_specular");
-    if (!specular || model_.base_metalness == 1) return;
+    if (!specular || is_all_metal()) return;
     model_.specular_weight = specular.number("specularFactor", 1);
     inputs_.number(specular_weight, specular.slot("specularTexture"), PictureChannels::alpha,
                    model_.specular_weight);

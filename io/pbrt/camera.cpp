@@ -27,9 +27,13 @@ void read_window(const PbrtParameters& parameters, PbrtCamera& camera) {
   camera.has_window = true;
 }
 
+double picture_aspect(const RenderDefaults& film) {
+  return film.resolution ? double(film.resolution->width) / film.resolution->height : 1;
+}
+
 /// Half of the frame, at distance 1 or in scene units; what `shorter` is of its shorter side.
 void set_frame(const PbrtCamera& camera, const RenderDefaults& film, double shorter, Camera& placed) {
-  const double picture = film.resolution ? double(film.resolution->width) / film.resolution->height : 1;
+  const double picture = picture_aspect(film);
   const double aspect = camera.frame_aspect > 0 ? double(camera.frame_aspect) : picture;
   double x = aspect > 1 ? aspect : 1, y = aspect > 1 ? 1 : 1 / aspect;
   if (camera.has_window) {
@@ -40,7 +44,6 @@ void set_frame(const PbrtCamera& camera, const RenderDefaults& film, double shor
   }
   placed.tan_half_width = float(shorter * x);
   placed.tan_half_height = float(shorter * y);
-  placed.is_stretched = film.resolution && std::fabs(x / y - picture) > 1e-4 * picture;
 }
 
 Vec3 unit_column(const Transform& t, int column) {
@@ -247,6 +250,9 @@ void set_lens(const PbrtCamera& camera, const RenderDefaults& film, const Transf
   const auto width = float(axis_length(to_world, 0) / unit), height = float(axis_length(to_world, 1) / unit);
   placed.tan_half_width *= width;
   placed.tan_half_height *= height;
+  const double picture = picture_aspect(film);
+  const double frame = double(placed.tan_half_width) / placed.tan_half_height;
+  placed.is_stretched = film.resolution && std::fabs(frame - picture) > 1e-4 * picture;
   placed.frame_center = {placed.frame_center.x * width, placed.frame_center.y * height};
   placed.lens_radius = camera.lens_radius * float(axis_length(to_world, 0));
   placed.focal_distance = camera.focal_distance * float(depth);

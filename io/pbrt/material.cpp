@@ -49,7 +49,7 @@ struct Inputs {
     const PbrtParameter* found = parameters.find(name);
     if (!found) return fallback;
     if (found->type != PbrtType::texture) return color_of(parameters, *found, role, context.files);
-    const Rgb mean = use(*found, input_named(name)).mean;
+    const Rgb mean = use(*found, PictureChannels::color, input_named(name)).mean;
     if (role != ColorRole::reflectance) return mean;
     return {std::clamp(mean.r, 0.0f, 1.0f), std::clamp(mean.g, 0.0f, 1.0f), std::clamp(mean.b, 0.0f, 1.0f)};
   }
@@ -57,14 +57,15 @@ struct Inputs {
   float number(const char* name, float fallback) const {
     const PbrtParameter* found = parameters.find(name);
     if (!found || found->type != PbrtType::texture) return parameters.real(name, fallback);
-    return use(*found, input_named(name)).mean.r;
+    return use(*found, PictureChannels::number, input_named(name)).mean.r;
   }
 
   /// A metal's k by its "reflectance".
   Rgb k_of_reflectance(const PbrtParameter& reflectance) const {
     if (reflectance.type != PbrtType::texture)
       return metal_k(color_of(parameters, reflectance, ColorRole::reflectance, context.files));
-    return metal_k(use(reflectance, MaterialInput::k, InputMeaning::metal_reflectance).mean);
+    return metal_k(
+        use(reflectance, PictureChannels::color, MaterialInput::k, InputMeaning::metal_reflectance).mean);
   }
 
   /// An index of refraction; of a spectrum the mean as the eye weighs it.
@@ -91,9 +92,10 @@ struct Inputs {
   }
 
  private:
-  const PbrtTextures::Named& use(const PbrtParameter& parameter, std::optional<MaterialInput> input,
+  const PbrtTextures::Named& use(const PbrtParameter& parameter, PictureChannels kind,
+                                 std::optional<MaterialInput> input,
                                  InputMeaning meaning = InputMeaning::value) const {
-    const PbrtTextures::Named& texture = textures.named(parameters, parameter);
+    const PbrtTextures::Named& texture = textures.named(parameters, parameter, kind);
     if (input)
       uses.push_back({*input, texture.index, meaning});
     else
@@ -109,8 +111,8 @@ struct Inputs {
     const auto meaning = is_remapped ? InputMeaning::squared_roughness : InputMeaning::value;
     if (!found) return 0;
     const bool is_texture = found->type == PbrtType::texture;
-    const float roughness =
-        is_texture ? use(*found, input, meaning).mean.r : parameters.real(found->name.c_str(), 0);
+    const float roughness = is_texture ? use(*found, PictureChannels::number, input, meaning).mean.r
+                                       : parameters.real(found->name.c_str(), 0);
     if (!(roughness >= 0 && roughness <= 1))
       parameters.place().warn(
           context.warnings,
@@ -181,6 +183,8 @@ SurfaceModel read_transmission(const Inputs& in) {
   const float scale = in.parameters.real("scale", 1, {0, 1e6});
   DiffuseTransmission sheet{in.color("reflectance", quarter) * scale,
                             in.color("transmittance", quarter) * scale};
+  if (scale != 1)
+    for (TextureUse& use : in.uses) use.texture = in.textures.scaled(use.texture, scale);
   const float most = max_component(sheet.reflectance + sheet.transmittance);
   if (most > 1) {
     in.parameters.place().warn(

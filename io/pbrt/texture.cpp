@@ -56,15 +56,14 @@ void PbrtTextures::define(const std::string& name, const std::string& type, cons
   if (std::find(classes.begin(), classes.end(), texture_class) == classes.end())
     parameters.place().fail(
         fmt::format("there is no texture class \"{}\"; valid are {}", texture_class, list_names(classes)));
-  if (named_.count(name) > 0)
+  const PictureChannels kind = type == "float" ? PictureChannels::number : PictureChannels::color;
+  if (named_.count({name, kind}) > 0)
     parameters.place().warn(
         context_.warnings,
         fmt::format("the texture \"{}\" is defined a second time; the last one counts", name));
-  const bool is_number = type == "float";
-  const Named made =
-      make(texture_class, parameters, is_number ? PictureChannels::number : PictureChannels::color);
+  const Named made = make(texture_class, parameters, kind);
   textures[made.index].name = name;
-  named_[name] = made;
+  named_[{name, kind}] = made;
   parameters.warn_of_unused(context_.warnings);
 }
 
@@ -79,10 +78,11 @@ PbrtTextures::Named PbrtTextures::instead(const Rgb& mean, const PbrtParameters&
   return constant(mean);
 }
 
-PbrtTextures::Named PbrtTextures::value(const PbrtParameters& parameters, const char* name, float fallback) {
+PbrtTextures::Named PbrtTextures::value(const PbrtParameters& parameters, const char* name, float fallback,
+                                        PictureChannels kind) {
   const PbrtParameter* found = parameters.find(name);
   if (!found) return constant({fallback, fallback, fallback});
-  if (found->type == PbrtType::texture) return named(parameters, *found);
+  if (found->type == PbrtType::texture) return named(parameters, *found, kind);
   return constant(color_of(parameters, *found, ColorRole::unbounded, context_.files));
 }
 
@@ -101,7 +101,7 @@ std::uint32_t PbrtTextures::normal_map(const PbrtParameters& parameters) {
 std::uint32_t PbrtTextures::bump_map(const PbrtParameters& parameters) {
   const PbrtParameter* found = parameters.find("displacement");
   if (!found) return no_texture;
-  if (found->type == PbrtType::texture) return named(parameters, *found).index;
+  if (found->type == PbrtType::texture) return named(parameters, *found, PictureChannels::number).index;
   parameters.real("displacement", 0);
   return no_texture;
 }
@@ -109,9 +109,13 @@ std::uint32_t PbrtTextures::bump_map(const PbrtParameters& parameters) {
 std::uint32_t PbrtTextures::alpha(const PbrtParameters& parameters) {
   const PbrtParameter* found = parameters.find("alpha");
   if (!found) return no_texture;
-  if (found->type == PbrtType::texture) return named(parameters, *found).index;
+  if (found->type == PbrtType::texture) return named(parameters, *found, PictureChannels::number).index;
   const float alpha = parameters.real("alpha", 1);
   return alpha >= 1 ? no_texture : constant({alpha, alpha, alpha}).index;
+}
+
+std::uint32_t PbrtTextures::scaled(std::uint32_t texture, float scale) {
+  return add(ScaleTexture{texture, constant({scale, scale, scale}).index}, {}).index;
 }
 
 bool PbrtTextures::is_at_most(std::uint32_t texture, float number) const {
@@ -134,15 +138,17 @@ UvTransform PbrtTextures::read_mapping(const PbrtParameters& parameters) {
 
 PbrtTextures::Named PbrtTextures::make(const std::string& texture_class, const PbrtParameters& parameters,
                                        PictureChannels channels) {
-  if (texture_class == "constant") return value(parameters, "value", 1);
+  if (texture_class == "constant") return value(parameters, "value", 1, channels);
   if (texture_class == "imagemap") return read_picture(parameters, channels);
   if (texture_class == "scale") {
-    const Named tex = value(parameters, "tex", 1), scale = value(parameters, "scale", 1);
+    const Named tex = value(parameters, "tex", 1, channels),
+                scale = value(parameters, "scale", 1, PictureChannels::number);
     return add(ScaleTexture{tex.index, scale.index}, tex.mean * scale.mean);
   }
   if (texture_class == "mix" || texture_class == "directionmix") {
-    const Named first = value(parameters, "tex1", 0), second = value(parameters, "tex2", 1);
-    const Named amount = value(parameters, "amount", 0.5f);
+    const Named first = value(parameters, "tex1", 0, channels),
+                second = value(parameters, "tex2", 1, channels);
+    const Named amount = value(parameters, "amount", 0.5f, PictureChannels::number);
     parameters.find("dir");
     const Rgb mean = lerp(first.mean, second.mean, amount.mean);
     if (texture_class == "directionmix")
@@ -151,7 +157,8 @@ PbrtTextures::Named PbrtTextures::make(const std::string& texture_class, const P
   }
   const UvTransform uv = read_mapping(parameters);
   if (texture_class == "checkerboard") {
-    const Named first = value(parameters, "tex1", 1), second = value(parameters, "tex2", 0);
+    const Named first = value(parameters, "tex1", 1, channels),
+                second = value(parameters, "tex2", 0, channels);
     const Rgb mean = (first.mean + second.mean) * 0.5f;
     if (parameters.integer("dimension", 2, {2, 3}) == 3)
       return instead(mean, parameters, "a checkerboard of cubes is not rendered");
@@ -163,6 +170,13 @@ PbrtTextures::Named PbrtTextures::make(const std::string& texture_class, const P
   return instead({0.5f, 0.5f, 0.5f}, parameters, "this pattern is not rendered");
 }
 
+void PbrtTextures::warn_of_encoding(const std::string& encoding, const PbrtParameter& parameter) {
+  if (!encoding.starts_with("gamma "))
+    parameter.place.fail(
+        fmt::format("there is no encoding \"{}\"; valid are sRGB, linear and \"gamma X\"", encoding));
+  parameter.place.warn(context_.warnings, fmt::format("\"{}\" is not rendered; it is sRGB", encoding));
+}
+
 PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters, PictureChannels channels) {
   ImageTexture picture;
   picture.uv = read_mapping(parameters);
@@ -172,7 +186,9 @@ PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters,
   const std::string name = parameters.text("filename", "");
   if (name.empty()) parameters.place().fail("an imagemap needs its picture, \"string filename\"");
   const PbrtPlace& place = parameters.find("filename")->place;
-  const bool is_data = parameters.text("encoding", "sRGB") == "linear";
+  const std::string encoding = parameters.text("encoding", "sRGB");
+  const bool is_data = encoding == "linear" || encoding == "gamma 1" || encoding == "gamma 1.0";
+  if (!is_data && encoding != "sRGB") warn_of_encoding(encoding, *parameters.find("encoding"));
   const std::string path = context_.files.is_disk() ? context_.files.path(place, name) : "";
   LoadedTexture loaded =
       load_texture(path, {is_data ? PictureRole::data : PictureRole::color, channels}, context_.options);
@@ -190,11 +206,12 @@ PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters,
 }
 
 const PbrtTextures::Named& PbrtTextures::named(const PbrtParameters& parameters,
-                                               const PbrtParameter& parameter) const {
-  const auto found = named_.find(parameters.text(parameter));
-  if (found == named_.end())
-    parameter.place.fail(fmt::format("no texture \"{}\" is defined before this", parameters.text(parameter)));
-  return found->second;
+                                               const PbrtParameter& parameter, PictureChannels kind) const {
+  const std::string name = parameters.text(parameter);
+  const bool is_number = kind == PictureChannels::number;
+  for (const PictureChannels tried : {kind, is_number ? PictureChannels::color : PictureChannels::number})
+    if (const auto found = named_.find({name, tried}); found != named_.end()) return found->second;
+  parameter.place.fail(fmt::format("no texture \"{}\" is defined before this", name));
 }
 
 }  // namespace twinray

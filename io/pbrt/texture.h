@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/material.h"
@@ -28,9 +29,10 @@ class PbrtTextures {
   /// Defines the texture that a Texture statement describes: its name, "float" or "spectrum", and its class.
   void define(const std::string& name, const std::string& type, const std::string& texture_class,
               const PbrtParameters& parameters);
-  /// The texture that a parameter of type texture names. Throws Error where none of this name was defined
-  /// before.
-  const Named& named(const PbrtParameters& parameters, const PbrtParameter& parameter) const;
+  /// The texture that a parameter of type texture names. Where there are both a "float" and a "spectrum" of
+  /// that name it is the one of this kind. Throws Error where none of this name was defined before.
+  const Named& named(const PbrtParameters& parameters, const PbrtParameter& parameter,
+                     PictureChannels kind) const;
 
   /// The texture of a material's "normalmap", a picture's file; no_texture where it has none.
   std::uint32_t normal_map(const PbrtParameters& parameters);
@@ -38,6 +40,8 @@ class PbrtTextures {
   std::uint32_t bump_map(const PbrtParameters& parameters);
   /// The texture of a shape's "alpha"; no_texture where it is 1 everywhere.
   std::uint32_t alpha(const PbrtParameters& parameters);
+  /// The texture times a number.
+  std::uint32_t scaled(std::uint32_t texture, float scale);
   /// Whether a texture is this number or less everywhere, as far as its kind tells.
   bool is_at_most(std::uint32_t texture, float number) const;
 
@@ -46,14 +50,15 @@ class PbrtTextures {
  private:
   Named add(const TextureModel& model, const Rgb& mean);
   Named constant(const Rgb& value) { return add(ConstantTexture{value}, value); }
-  Named value(const PbrtParameters& parameters, const char* name, float fallback);
+  Named value(const PbrtParameters& parameters, const char* name, float fallback, PictureChannels kind);
   Named make(const std::string& texture_class, const PbrtParameters& parameters, PictureChannels channels);
   Named read_picture(const PbrtParameters& parameters, PictureChannels channels);
   Named instead(const Rgb& mean, const PbrtParameters& parameters, const char* why);
+  void warn_of_encoding(const std::string& encoding, const PbrtParameter& parameter);
   UvTransform read_mapping(const PbrtParameters& parameters);
 
   PbrtContext& context_;
-  std::map<std::string, Named> named_;
+  std::map<std::pair<std::string, PictureChannels>, Named> named_;
 };
 
 }  // namespace twinray

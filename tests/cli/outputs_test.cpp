@@ -35,6 +35,30 @@ std::string without_rights() { return geteuid() == 0 ? "setpriv --bounding-set=-
 
 }  // namespace
 
+TEST_CASE("no command writes over what it reads") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("box.dae"), picture = folder.file("a.png");
+  fs::copy_file(box_scene, scene);
+  const std::string text = read_text(scene);
+  const std::string render = "render " + quoted(scene) + " -r 8 6 -s 1 -q -o " + quoted(picture);
+  REQUIRE(run_program(render).exit_code == 0);
+  const std::string before = read_text(picture), link = folder.file("link");
+  fs::create_symlink(scene, link);
+  for (const std::string& command :
+       {render + " --stats " + quoted(scene), render + " --checkpoint " + quoted(scene),
+        render + " --metrics-file " + quoted(scene), render + " --stats " + quoted(link),
+        render + " --replay 1 1 0 --replay-json " + quoted(scene),
+        "stats " + quoted(scene) + " -r 8 6 --seconds=0 --csv " + quoted(scene),
+        "compare " + quoted(picture) + " " + quoted(picture) + " --html " + quoted(picture)}) {
+    INFO(command);
+    const ProcessResult result = run_program(command);
+    CHECK(result.exit_code == 1);
+    CHECK(result.err.find("choose another name") != std::string::npos);
+  }
+  CHECK(read_text(scene) == text);
+  CHECK(read_text(picture) == before);
+}
+
 TEST_CASE("an old file survives a disk that is full, whichever output it is") {
   const TemporaryFolder folder;
   const std::string large = box_scene + " -r 160 120 -s 1 -q ";

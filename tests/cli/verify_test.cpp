@@ -138,6 +138,8 @@ TEST_CASE("pictures of which nothing can be said are refused, each with the reas
   CHECK(contains(refused("a.exr"), "dwab, keeps no bits"));
   render(scenes + "box.dae", "-s 4 --denoise=own -o " + file_in(folder, "d.png"));
   CHECK(contains(refused("d.png"), "denoised pixels depend on all others"));
+  render(scenes + "box.dae", "-s 32 --allocation=error -o " + file_in(folder, "s.png"));
+  CHECK(contains(refused("s.png"), "depends on the whole picture, by --allocation=error"));
   CHECK(contains(verify(file_in(folder, "d_noisy.png")).out, "Same bits      9 of 9 tiles"));
   render(scenes + "box.dae", "-s 4 -a 2 0.1 -o " + file_in(folder, "r.png"));
   CHECK(contains(refused("r_rate.png"), "it shows the sample rates of another picture"));

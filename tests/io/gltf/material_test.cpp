@@ -272,6 +272,10 @@ TEST_CASE("gltf: indices of refraction and specular reflection") {
   file.json["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = 0;
   CHECK(model_of(file).specular_weight == 0.5f);
   CHECK(model_of(file).specular_color == Rgb{1, 0.5f, 0.25f});
+  // A picture makes less of a metal of it.
+  file.json["materials"][0]["pbrMetallicRoughness"] = {
+      {"metallicFactor", 1}, {"metallicRoughnessTexture", {{"index", add_picture(file)}}}};
+  CHECK(model_of(file).specular_weight == 0.5f);
 }
 
 TEST_CASE("gltf: transmission is that of a sheet or, with a thickness, of a body that absorbs") {

@@ -158,6 +158,16 @@ TEST_CASE("lens, screen window and frame's shape are read") {
         Approx(2));
 }
 
+TEST_CASE("a camera that is scaled along one side stretches what it sees") {
+  const std::string film = "Film \"rgb\" \"integer xresolution\" 100 \"integer yresolution\" 100";
+  for (const char* kind : {"perspective", "orthographic"}) {
+    const Camera camera = camera_of(film + " Scale 1 2 1", fmt::format("Camera \"{}\"", kind));
+    CHECK(camera.tan_half_width == Approx(2 * camera.tan_half_height));
+    CHECK(camera.is_stretched);
+    CHECK_FALSE(camera_of(film + " Scale 2 2 1", fmt::format("Camera \"{}\"", kind)).is_stretched);
+  }
+}
+
 TEST_CASE("a screen window beside the axis of view shifts the frame") {
   const std::string film = "Film \"rgb\" \"integer xresolution\" 100 \"integer yresolution\" 100";
   const Camera camera =

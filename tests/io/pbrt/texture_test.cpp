@@ -211,6 +211,47 @@ TEST_CASE("a projection light's frame is a camera's, its shorter side has the fo
   CHECK(light.intensity == Rgb{5, 5, 5});
 }
 
+TEST_CASE("a number's texture and a color's may have one name") {
+  const LoadedScene loaded = load_pbrt_world(
+      "Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [ 0.75 0.25 0.5 ]\n"
+      "Texture \"t\" \"float\" \"constant\" \"float value\" 0.125\n"
+      "Texture \"half\" \"spectrum\" \"scale\" \"texture tex\" \"t\" \"float scale\" 0.5\n"
+      "Material \"diffuse\" \"texture reflectance\" \"half\"\n" +
+      test::pbrt_triangle +
+      "Material \"conductor\" \"texture roughness\" \"t\" \"bool remaproughness\" false\n" +
+      test::pbrt_triangle);
+  CHECK(loaded.warnings.empty());
+  CHECK(std::get<Lambert>(loaded.scene.materials[1].model).reflectance == Rgb{0.375f, 0.125f, 0.25f});
+  CHECK(std::get<Conductor>(loaded.scene.materials[2].model).roughness.x == 0.125f);
+}
+
+TEST_CASE("a picture is encoded as the scene says, and in no other way") {
+  const Folder folder;
+  write_png(folder.folder.file("grey.png"), ByteImage{1, 1, {128, 128, 128}});
+  const auto load_as = [&](const std::string& encoding) {
+    return folder.load(
+        "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"grey.png\" \"string encoding\" \"" +
+        encoding + "\"\nMaterial \"diffuse\" \"texture reflectance\" \"t\"\n");
+  };
+  const auto value_of = [](const LoadedScene& loaded) {
+    return std::get<Lambert>(loaded.scene.materials[1].model).reflectance.g;
+  };
+  for (const char* linear : {"linear", "gamma 1", "gamma 1.0"})
+    CHECK(value_of(load_as(linear)) == Approx(128.0 / 255).margin(1e-6));
+  CHECK(value_of(load_as("sRGB")) == Approx(0.21586).margin(1e-4));
+  CHECK(load_as("sRGB").warnings.empty());
+  CHECK(load_as("gamma 2.2").warnings.size() == 1);
+  CHECK_THROWS_WITH(load_as("Linear"), Catch::Contains("there is no encoding \"Linear\"; valid are sRGB"));
+}
+
+TEST_CASE("a sheet's scale holds for its textures") {
+  const LoadedScene loaded = load_pbrt_world(
+      checks + "Material \"diffusetransmission\" \"texture reflectance\" \"checks\" \"float scale\" 0.25\n" +
+      test::pbrt_triangle);
+  const TextureUse use = loaded.scene.materials[1].textures.at(0);
+  CHECK(evaluate(loaded.scene.textures, use.texture, {{0.1f, 0.1f}}) == Rgb{0.25f, 0, 0});
+}
+
 TEST_CASE("a spot light has pbrt's cone and soft edge") {
   const LoadedScene loaded =
       load_pbrt_world("LightSource \"spot\" \"float coneangle\" 40 \"float conedeltaangle\" 10");
