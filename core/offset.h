@@ -31,6 +31,7 @@ inline float sphere_offset(const Vec3& center, float radius) {
 /// in each component, 1.8 u D along the normal; and the test sees each vertex, less than D + E away, within 6
 /// u of that in the two sheared components and 3 u in depth, 10 u along the normal. What E adds
 /// triangle_offset() has.
-inline float end_offset(const Vec3& between) { return 12 * 0x1p-24f * max_abs(between); }
+inline constexpr float twelve_roundings = 12 * 0x1p-24f;
+inline float end_offset(const Vec3& between) { return twelve_roundings * max_abs(between); }
 
 }  // namespace twinray

@@ -375,6 +375,16 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
   }
 }
 
+TEST_CASE("waves have the bits of paths at a sphere lamp that reflects, outside and inside") {
+  const Vec3 center{0.3f, -0.2f, 0.1f};
+  for (const Vec3& eye : {Vec3{0, 0.2f, 3}, Vec3{0.4f, -0.1f, 0.1f}}) {
+    Scene scene = scene_of(inward_box(4), {0.8f, 0.7f, 0.6f}, eye, center);
+    add_lamp(scene, SphereSet{"ball", {{center, 0.5f}}}, {3, 2, 1}, EmissionSide::front);
+    scene.materials.back().model = Lambert{{0.5f, 0.5f, 0.5f}};
+    check_bits(scene, {}, 500);
+  }
+}
+
 TEST_CASE("what is written of a path adds up to the bits of its sample, as waves make it") {
   const Scene everything = scene_of_everything(), models = scene_of_every_model(),
               many = scene_of_many_lights();

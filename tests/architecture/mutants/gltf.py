@@ -103,4 +103,7 @@ MUTANTS = [
     Mutant("the picture of what emits is lost", "io/scene_part.cpp",
            "part.side, part.picture}", "part.side}", GLTF,
            "gltf: what emits a picture that repeats has its coordinates moved into it, triangle by triangle"),
+    Mutant("a metal with a picture of metalness has no specular weight", "io/gltf/layers.cpp",
+           "return use.input == base_metalness;", "return use.input == base_metalness && false;",
+           GLTF, "gltf: indices of refraction and specular reflection"),
 ]
