@@ -83,7 +83,7 @@ std::function<ConvertArguments()> add_convert_options(CLI::App& app) {
 
 int convert_command(const ConvertArguments& arguments) {
   check_scene_output(arguments.output);
-  prepare_outputs({arguments.output});
+  prepare_outputs({arguments.output}, {});
   LoadOptions options = arguments.load;
   options.files = std::make_shared<std::vector<std::string>>();
   const LoadedScene loaded = load(arguments, options);
@@ -92,7 +92,7 @@ int convert_command(const ConvertArguments& arguments) {
   const std::vector<std::string> paths = paths_of(written);
   check_not_read(paths, *options.files);
   const InterruptGuard guard(paths);
-  prepare_outputs(paths);
+  prepare_outputs(paths, {});
   write_files(written);
   for (const std::string& warning : written.warnings) console::warn(warning);
   if (!arguments.quiet)

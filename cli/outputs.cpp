@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/outputs.h"
 
+#include <fmt/format.h>
 #include <limits.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
-
-#include <fmt/format.h>
 
 #include "cli/console.h"
 #include "core/error.h"
@@ -16,8 +15,9 @@
 
 namespace twinray {
 
-void prepare_outputs(const std::vector<std::string>& names) {
+void prepare_outputs(const std::vector<std::string>& names, const std::vector<std::string>& read) {
   check_outputs(names);
+  check_not_read(names, read);
   if (std::any_of(names.begin(), names.end(), is_standard_output)) console::keep_output_for_data();
 }
 
@@ -26,7 +26,7 @@ void check_not_read(const std::vector<std::string>& written, const std::vector<s
     for (const std::string& file : read) {
       std::error_code error;  // Of a file that is not there: it is another one.
       if (std::filesystem::is_regular_file(path, error) && std::filesystem::equivalent(path, file, error))
-        throw Error(fmt::format("{}: the scene is read from this file; choose another name", path));
+        throw Error(fmt::format("{}: this file is read; choose another name", path));
     }
 }
 

@@ -5,11 +5,12 @@
 
 namespace twinray {
 
-/// To be called before the work: throws Error unless all these outputs could be written, and leaves standard
-/// output to them alone where one of them is standard output.
-void prepare_outputs(const std::vector<std::string>& names);
+/// To be called before the work: throws Error unless all these outputs could be written and none is one of
+/// the files that are `read`, and leaves standard output to them alone where one of them is standard output.
+/// Empty names are none. What a command reads to its end before it writes may be written over.
+void prepare_outputs(const std::vector<std::string>& names, const std::vector<std::string>& read);
 
-/// Throws Error where a file of the scene, or another that is read, would be written over.
+/// Throws Error where one of the files that are read would be written over.
 void check_not_read(const std::vector<std::string>& written, const std::vector<std::string>& read);
 
 /// Those of the names that are not empty: of the outputs that are asked for.

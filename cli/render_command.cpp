@@ -70,8 +70,7 @@ class RenderRun {
         outputs_(render_outputs(arguments)),
         partial_(partial_outputs(outputs_)),
         guard_(all_names({outputs_, partial_})) {
-    prepare_outputs(outputs_.names());
-    check_not_read(outputs_.names(), {arguments.scene, arguments.environment, arguments.camera_file});
+    prepare_outputs(outputs_.names(), {arguments.scene, arguments.environment, arguments.camera_file});
     if (arguments.denoiser) use_denoiser(*arguments.denoiser);
     arguments_.load.files = std::make_shared<std::vector<std::string>>();
     if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())

@@ -11,8 +11,7 @@ namespace twinray {
 namespace {
 
 #if defined(__x86_64__)
-// Of MXCSR: results that are denormal become 0 (FTZ, 0x8000), and so do operands (DAZ, 0x0040).
-constexpr unsigned flushes = 0x8040;
+constexpr unsigned flushes = denormal_flushes;
 unsigned mode() { return _mm_getcsr(); }
 void set_mode(unsigned mode) { _mm_setcsr(mode); }
 bool are_fast() {

@@ -96,8 +96,8 @@ LightSample sample_mesh(const MeshLight& light, const Geometry& geometry, double
 /// 1 - cos of the half-angle under which a sphere is seen from a distance; 0 from inside of it, and from its
 /// own surface, whose points are rounded.
 float visible_cone(const Sphere& sphere, float distance_squared) {
-  const double least = double(sphere.radius) + sphere_offset(sphere.center, sphere.radius);
-  if (!(distance_squared > least * least)) return 0;
+  const float offset = sphere_offset(sphere.center, sphere.radius);
+  if (!(distance_squared > squared_reach(sphere.radius, offset))) return 0;
   const double sin_squared = double(sphere.radius) * sphere.radius / distance_squared;
   return float(sin_squared / (1 + std::sqrt(1 - sin_squared)));
 }

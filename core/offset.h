@@ -26,6 +26,13 @@ inline float sphere_offset(const Vec3& center, float radius) {
   return ten_roundings * (max_abs(center) + radius);
 }
 
+/// The square of how far from a sphere's centre a point must be to lie outside for certain, and not on the
+/// sphere itself but for rounding. `offset`: sphere_offset().
+inline double squared_reach(float radius, float offset) {
+  const double reach = double(radius) + offset;
+  return reach * reach;
+}
+
 /// How much farther the end of a shadow ray must be moved off the surface that it goes to, `between` being
 /// the way there: 12 u D, with D its largest component. The direction is rounded, which moves the end by u D
 /// in each component, 1.8 u D along the normal; and the test sees each vertex, less than D + E away, within 6

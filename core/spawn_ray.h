@@ -7,12 +7,13 @@
 
 namespace twinray {
 
-/// The point from which a ray along `direction` leaves the surface: moved to that side of it, by the point's
-/// offset and more.
-inline Vec3 leave_surface(const SurfacePoint& point, const Vec3& direction, float more = 0) {
-  const float offset = point.offset + more;
-  const float side = dot(point.geometric_normal, direction) < 0 ? -offset : offset;
-  return point.position + point.geometric_normal * side;
+/// The point from which a ray along `direction` leaves the surface: moved to that side of it.
+inline Vec3 leave_surface(const Vec3& position, const Vec3& normal, float offset, const Vec3& direction) {
+  const float side = dot(normal, direction) < 0 ? -offset : offset;
+  return position + normal * side;
+}
+inline Vec3 leave_surface(const SurfacePoint& point, const Vec3& direction) {
+  return leave_surface(point.position, point.geometric_normal, point.offset, direction);
 }
 
 /// The ray from a surface along a direction, to infinity.
@@ -25,7 +26,8 @@ inline Ray spawn_ray(const SurfacePoint& from, const Vec3& direction) {
 inline Ray connect(const SurfacePoint& from, const SurfacePoint& to) {
   const Vec3 towards = to.position - from.position;
   const Vec3 origin = leave_surface(from, towards);
-  const Vec3 target = leave_surface(to, -towards, end_offset(towards));
+  const Vec3 target =
+      leave_surface(to.position, to.geometric_normal, to.offset + end_offset(towards), -towards);
   return {.origin = origin, .direction = target - origin, .t_max = 1};
 }
 /// The shadow ray from a surface to a point in space, such as a point light.

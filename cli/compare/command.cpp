@@ -90,8 +90,7 @@ std::function<CompareArguments()> add_compare_options(CLI::App& app) {
 int compare_command(const CompareArguments& arguments, const Words& words) {
   const std::vector<std::string> outputs = given_names({arguments.html_file});
   const InterruptGuard guard(outputs);
-  prepare_outputs(outputs);
-  check_not_read(outputs, {arguments.picture, arguments.reference});
+  prepare_outputs(outputs, {arguments.picture, arguments.reference});
   const Comparison comparison = compare::compare(arguments.picture, arguments.reference);
   if (!arguments.html_file.empty())
     write_file(arguments.html_file,

@@ -67,7 +67,8 @@ class ErrorRun {
 
   int run() {
     if (!arguments_.save_reference.empty()) error::check_reference_name(arguments_.save_reference);
-    prepare_outputs(given_names({names_.csv, names_.html, arguments_.save_reference, saved_noise()}));
+    prepare_outputs(given_names({names_.csv, names_.html, arguments_.save_reference, saved_noise()}),
+                    {arguments_.common.arguments.scene, arguments_.reference});
     check_memory(memory_needs(arguments_));
     warn_of_options();
     if (codec_reads(arguments_.reference) || codec_writes(arguments_.save_reference))

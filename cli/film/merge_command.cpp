@@ -121,7 +121,7 @@ int merge_command(const MergeArguments& asked) {
   arguments.render.threads = asked.threads;
   const RenderOutputs outputs = render_outputs(arguments);
   const InterruptGuard guard(outputs.names());
-  prepare_outputs(outputs.names());
+  prepare_outputs(outputs.names(), {});
   const RenderState state = merged(parts, asked.threads);
   if (outputs.film.empty())
     write_merged_picture(outputs, arguments, state, notes_of(parts, words));

@@ -41,10 +41,11 @@ int replay_command(const RenderArguments& asked) {
   const ReplayRequest& request = *arguments.replay;
   const std::vector<std::string> outputs = given_names({request.json_file, request.obj_file});
   const InterruptGuard guard(outputs);
-  prepare_outputs(outputs);
-  check_not_read(outputs, {arguments.scene, arguments.environment, arguments.camera_file});
+  prepare_outputs(outputs, {arguments.scene, arguments.environment, arguments.camera_file});
+  arguments.load.files = std::make_shared<std::vector<std::string>>();
   RenderTalk silence;
   const LoadedScene loaded = load_for_render(arguments, silence);
+  check_not_read(outputs, *arguments.load.files);
   check_sample(request.sample, arguments.render);
   choose_engine(*loaded.scene.geometry, arguments);
   const auto integrator = make_integrator(arguments, loaded.scene);

@@ -56,8 +56,7 @@ std::function<StatsArguments()> add_stats_options(CLI::App& app) {
 int stats_command(const StatsArguments& arguments) {
   check_memory(memory_needs(arguments.options.recording));
   const InterruptGuard guard(output_files(arguments));
-  prepare_outputs(output_files(arguments));
-  check_not_read(output_files(arguments), {arguments.scene});
+  prepare_outputs(output_files(arguments), {arguments.scene});
   if (const std::string fewer = thread_warning(arguments.options.threads); !fewer.empty())
     console::warn(fewer);
   const Scene scene = load(arguments);

@@ -34,11 +34,6 @@ struct SphereLightRequest {
   float offset = 0;  ///< sphere_offset.
 
   double squared_radius() const { return double(radius) * radius; }
-  /// Of what it lights.
-  double least_squared_distance() const {
-    const double least = double(radius) + offset;
-    return least * least;
-  }
 };
 
 /// Where and how light samples are weighted by multiple importance sampling.

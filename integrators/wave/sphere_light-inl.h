@@ -63,7 +63,7 @@ HWY_ATTR HWY_INLINE HalfLanes visible_cone(const SphereLightRequest& light, Half
   const DoubleLanes one = hn::Set(tag, 1), distance = hn::PromoteTo(tag, distance_squared);
   const DoubleLanes sin_squared = hn::Div(hn::Set(tag, light.squared_radius()), distance);
   const DoubleLanes cone = hn::Div(sin_squared, hn::Add(one, hn::Sqrt(hn::Sub(one, sin_squared))));
-  const auto is_outside = hn::Gt(distance, hn::Set(tag, light.least_squared_distance()));
+  const auto is_outside = hn::Gt(distance, hn::Set(tag, squared_reach(light.radius, light.offset)));
   return hn::DemoteTo(HalfTag(), hn::IfThenElseZero(is_outside, cone));
 }
 HWY_ATTR HWY_INLINE Lanes visible_cone(const SphereLightRequest& light, Lanes distance_squared) {

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
+#include "io/decimal.h"
 #include "io/pbrt/spectrum.h"
 #include "io/picture/texture_file.h"
 
@@ -170,11 +172,19 @@ PbrtTextures::Named PbrtTextures::make(const std::string& texture_class, const P
   return instead({0.5f, 0.5f, 0.5f}, parameters, "this pattern is not rendered");
 }
 
-void PbrtTextures::warn_of_encoding(const std::string& encoding, const PbrtParameter& parameter) {
-  if (!encoding.starts_with("gamma "))
-    parameter.place.fail(
-        fmt::format("there is no encoding \"{}\"; valid are sRGB, linear and \"gamma X\"", encoding));
-  parameter.place.warn(context_.warnings, fmt::format("\"{}\" is not rendered; it is sRGB", encoding));
+PictureRole PbrtTextures::role_of(const PbrtParameters& parameters) {
+  const std::string encoding = parameters.text("encoding", "sRGB");
+  if (encoding == "sRGB") return PictureRole::color;
+  if (encoding == "linear") return PictureRole::data;
+  constexpr std::string_view gamma = "gamma ";
+  const PbrtPlace& place = parameters.find("encoding")->place;
+  const auto exponent = read_decimal<float>(
+      encoding.starts_with(gamma) ? std::string_view(encoding).substr(gamma.size()) : std::string_view());
+  if (exponent.fault != DecimalFault::none)
+    place.fail(fmt::format("there is no encoding \"{}\"; valid are sRGB, linear and \"gamma X\"", encoding));
+  if (exponent.value == 1) return PictureRole::data;
+  place.warn(context_.warnings, fmt::format("\"{}\" is not rendered; it is sRGB", encoding));
+  return PictureRole::color;
 }
 
 PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters, PictureChannels channels) {
@@ -186,22 +196,18 @@ PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters,
   const std::string name = parameters.text("filename", "");
   if (name.empty()) parameters.place().fail("an imagemap needs its picture, \"string filename\"");
   const PbrtPlace& place = parameters.find("filename")->place;
-  const std::string encoding = parameters.text("encoding", "sRGB");
-  const bool is_data = encoding == "linear" || encoding == "gamma 1" || encoding == "gamma 1.0";
-  if (!is_data && encoding != "sRGB") warn_of_encoding(encoding, *parameters.find("encoding"));
+  const PictureRole role = role_of(parameters);
   const std::string path = context_.files.is_disk() ? context_.files.path(place, name) : "";
-  LoadedTexture loaded =
-      load_texture(path, {is_data ? PictureRole::data : PictureRole::color, channels}, context_.options);
+  LoadedTexture loaded = load_texture(path, {role, channels}, context_.options);
   if (!loaded.warning.empty()) place.warn(context_.warnings, loaded.warning);
   picture.image = loaded.image;
   const MipMap& map = *loaded.image;
   const Rgb mean = map.level(map.levels() - 1).at(0, 0);
   const Named read = add(picture, mean);
   const float scale = parameters.real("scale", 1);
-  const Named scaled =
-      scale == 1 ? read : add(ScaleTexture{read.index, constant({scale, scale, scale}).index}, mean * scale);
-  if (!parameters.flag("invert", false)) return scaled;
-  const Rgb inverted{1 - scaled.mean.r, 1 - scaled.mean.g, 1 - scaled.mean.b};
+  const Named result = scale == 1 ? read : Named{scaled(read.index, scale), mean * scale};
+  if (!parameters.flag("invert", false)) return result;
+  const Rgb inverted{1 - result.mean.r, 1 - result.mean.g, 1 - result.mean.b};
   return instead(inverted, parameters, "\"invert\" is not rendered");
 }
 

@@ -54,7 +54,8 @@ class PbrtTextures {
   Named make(const std::string& texture_class, const PbrtParameters& parameters, PictureChannels channels);
   Named read_picture(const PbrtParameters& parameters, PictureChannels channels);
   Named instead(const Rgb& mean, const PbrtParameters& parameters, const char* why);
-  void warn_of_encoding(const std::string& encoding, const PbrtParameter& parameter);
+  /// By a picture's "encoding".
+  PictureRole role_of(const PbrtParameters& parameters);
   UvTransform read_mapping(const PbrtParameters& parameters);
 
   PbrtContext& context_;

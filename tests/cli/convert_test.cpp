@@ -253,8 +253,8 @@ TEST_CASE("convert writes over no file that the scene is made of") {
   for (const auto& [name, found] : {std::pair{"box.pbrt", "box-0.ply"}, {"box.json", "box-0.ply"}}) {
     const ProcessResult result = run_program("convert " + quoted(scene) + " " + quoted(folder.file(name)));
     CHECK(result.exit_code == 1);
-    CHECK(result.err == fmt::format("twinray: {}: the scene is read from this file; choose another name\n",
-                                    folder.file(found)));
+    CHECK(result.err ==
+          fmt::format("twinray: {}: this file is read; choose another name\n", folder.file(found)));
   }
   CHECK(read_text(scene) == text);
   CHECK(folder.file_count() == files);

@@ -49,6 +49,7 @@ TEST_CASE("no command writes over what it reads") {
         render + " --metrics-file " + quoted(scene), render + " --stats " + quoted(link),
         render + " --replay 1 1 0 --replay-json " + quoted(scene),
         "stats " + quoted(scene) + " -r 8 6 --seconds=0 --csv " + quoted(scene),
+        "error " + quoted(scene) + " -r 8 6 -s 1 --converge --csv " + quoted(scene),
         "compare " + quoted(picture) + " " + quoted(picture) + " --html " + quoted(picture)}) {
     INFO(command);
     const ProcessResult result = run_program(command);
@@ -56,6 +57,25 @@ TEST_CASE("no command writes over what it reads") {
     CHECK(result.err.find("choose another name") != std::string::npos);
   }
   CHECK(read_text(scene) == text);
+  CHECK(read_text(picture) == before);
+}
+
+TEST_CASE("no command writes over a file that belongs to the scene") {
+  const TemporaryFolder folder;
+  const std::string picture = folder.file("wood.png"), scene = folder.file("a.pbrt");
+  REQUIRE(run_program("render " + small_output + "-q -o " + quoted(picture)).exit_code == 0);
+  write_text(scene,
+             "WorldBegin Texture \"wood\" \"spectrum\" \"imagemap\" \"string filename\" \"wood.png\" "
+             "Material \"diffuse\" \"texture reflectance\" \"wood\" Shape \"sphere\"");
+  const std::string before = read_text(picture);
+  const std::string render = "render " + quoted(scene) + " -r 8 6 -s 1 -q ";
+  for (const std::string& command :
+       {render + "-o " + quoted(picture), render + "--replay 1 1 0 --replay-obj " + quoted(picture)}) {
+    INFO(command);
+    const ProcessResult result = run_program(command);
+    CHECK(result.exit_code == 1);
+    CHECK(result.err.find("wood.png: this file is read; choose another name") != std::string::npos);
+  }
   CHECK(read_text(picture) == before);
 }
 

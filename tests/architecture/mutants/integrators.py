@@ -166,7 +166,7 @@ MUTANTS = [
     Mutant("a ball of light is lit on its far side by lanes", "integrators/wave/sphere_light-inl.h",
            "closest - d * h", "closest + d * h", "test_integrators", WAVE_BITS),
     Mutant("in lanes a ball of light lights its own surface", "integrators/wave/sphere_light-inl.h",
-           "hn::Set(tag, light.least_squared_distance())", "hn::Set(tag, light.squared_radius())",
+           "hn::Set(tag, squared_reach(light.radius, light.offset))", "hn::Set(tag, light.squared_radius())",
            "test_integrators",
            "waves have the bits of paths at a sphere lamp that reflects, outside and inside"),
     Mutant("lanes end shadow rays at the lamp itself", "integrators/wave/light-inl.h",

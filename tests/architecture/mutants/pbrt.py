@@ -66,7 +66,7 @@ MUTANTS = [
            "{is_number ? PictureChannels::color : PictureChannels::number, kind}",
            "test_io", "a number's texture and a color's may have one name"),
     Mutant("any encoding is sRGB", "io/pbrt/texture.cpp",
-           "if (!encoding.starts_with(\"gamma \"))", "if (encoding.empty())",
+           "if (exponent.fault != DecimalFault::none)", "if (encoding.empty())",
            "test_io", "a picture is encoded as the scene says, and in no other way"),
     Mutant("a sheet's scale leaves textures as they are", "io/pbrt/material.cpp",
            "use.texture = in.textures.scaled(use.texture, scale);", "use.texture += 0;",

@@ -236,12 +236,14 @@ TEST_CASE("a picture is encoded as the scene says, and in no other way") {
   const auto value_of = [](const LoadedScene& loaded) {
     return std::get<Lambert>(loaded.scene.materials[1].model).reflectance.g;
   };
-  for (const char* linear : {"linear", "gamma 1", "gamma 1.0"})
+  for (const char* linear : {"linear", "gamma 1", "gamma 1.00"})
     CHECK(value_of(load_as(linear)) == Approx(128.0 / 255).margin(1e-6));
   CHECK(value_of(load_as("sRGB")) == Approx(0.21586).margin(1e-4));
   CHECK(load_as("sRGB").warnings.empty());
   CHECK(load_as("gamma 2.2").warnings.size() == 1);
-  CHECK_THROWS_WITH(load_as("Linear"), Catch::Contains("there is no encoding \"Linear\"; valid are sRGB"));
+  for (const std::string wrong : {"Linear", "gamma", "gamma x", "gamma nan"})
+    CHECK_THROWS_WITH(load_as(wrong),
+                      Catch::Contains("there is no encoding \"" + wrong + "\"; valid are sRGB"));
 }
 
 TEST_CASE("a sheet's scale holds for its textures") {
