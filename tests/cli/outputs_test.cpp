@@ -6,6 +6,7 @@
 
 #include <tuple>
 
+#include "cli/outputs.h"
 #include "cli/picture_metadata.h"
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
@@ -58,6 +59,14 @@ TEST_CASE("no command writes over what it reads") {
   }
   CHECK(read_text(scene) == text);
   CHECK(read_text(picture) == before);
+}
+
+TEST_CASE("what is no file may be read and written, and what is not there is no file that is read") {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a"), other = folder.file("b");
+  write_text(file, "a");
+  CHECK_NOTHROW(check_not_read({"/dev/null", other, ""}, {"/dev/null", file, other, ""}));
+  CHECK_THROWS_WITH(check_not_read({other, file}, {"/dev/null", file}), Catch::Contains("this file is read"));
 }
 
 TEST_CASE("no command writes over a file that belongs to the scene") {
