@@ -131,8 +131,9 @@ std::shared_ptr<const PbrtShape> PbrtBuilder::with_uvs(const Part& part) const {
 
 /// A mesh emits from its front, which is pbrt's outside.
 void PbrtBuilder::add_emission(const Part& part, ShapeBinding& binding) {
+  const double area = area_of(placed_.shapes.back());
   const Rgb radiance =
-      bounded(part.light->radiance_of(area_of(placed_.shapes.back())), part.place, context_.warnings);
+      bounded(part.light->radiance_of(area, part.shape->pieces), part.place, context_.warnings);
   if (is_black(radiance)) return;
   const EmissionSide side = part.light->is_two_sided ? EmissionSide::both : EmissionSide::front;
   binding.light =

@@ -207,9 +207,9 @@ Rgb* strength(LightSource& light) {
 
 }  // namespace
 
-Rgb PbrtAreaLight::radiance_of(double area) const {
+Rgb PbrtAreaLight::radiance_of(double area, std::size_t pieces) const {
   const double mean = picture ? double(luminance(mean_of(*picture))) : 1;
-  const double unit = (is_two_sided ? 2 : 1) * pi_double * area * mean;
+  const double unit = (is_two_sided ? 2 : 1) * pi_double * area / double(pieces) * mean;
   return power > 0 && unit > 0 ? radiance * float(double(power) / unit) : radiance;
 }
 

@@ -16,12 +16,12 @@ namespace twinray {
 /// What an AreaLightSource makes of the shapes that follow.
 struct PbrtAreaLight {
   Rgb radiance;
-  float power = 0;  ///< > 0: of the whole shape; its radiance is `radiance` times what gives that power.
+  float power = 0;  ///< > 0: of each piece; the radiance is `radiance` times what gives that power.
   bool is_two_sided = false;
   std::shared_ptr<const Image> picture;  ///< Times the radiance; null: even.
 
-  /// Of a shape of this area.
-  Rgb radiance_of(double area) const;
+  /// Of a shape of this area in so many pieces (PbrtShape), as if all of them were equally large.
+  Rgb radiance_of(double area, std::size_t pieces) const;
 };
 
 /// Reads an area light. Throws Error where it is of no known type.

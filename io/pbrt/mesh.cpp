@@ -80,11 +80,28 @@ Mesh read_triangle_mesh(const PbrtParameters& parameters, WarningList& warnings)
   return mesh;
 }
 
+namespace {
+
+/// Gives each patch corners of its own, with its parameters as texture coordinates: pbrt's are these.
+void add_parameters(std::vector<std::uint32_t>& indices, Mesh& mesh) {
+  const std::vector<Vec3> positions = std::move(mesh.positions), normals = std::move(mesh.normals);
+  mesh.positions.clear(), mesh.normals.clear();
+  for (std::uint32_t i = 0; i < indices.size(); ++i) {
+    mesh.positions.push_back(positions[indices[i]]);
+    if (!normals.empty()) mesh.normals.push_back(normals[indices[i]]);
+    mesh.uvs.push_back({float(i % 2), float(i / 2 % 2)});
+    indices[i] = i;
+  }
+}
+
+}  // namespace
+
 Mesh read_bilinear_mesh(const PbrtParameters& parameters, WarningList& warnings) {
   Mesh mesh = read_vertices(parameters, warnings);
   if (const PbrtParameter* picture = parameters.find("emissionfilename"))
     picture->place.warn(warnings, "\"emissionfilename\" is not rendered: the patch emits evenly");
-  const std::vector<std::uint32_t> indices = read_indices(parameters, mesh, 4);
+  std::vector<std::uint32_t> indices = read_indices(parameters, mesh, 4);
+  if (mesh.uvs.empty()) add_parameters(indices, mesh);
   for (std::size_t i = 0; i < indices.size(); i += 4)
     add_bilinear_patch({indices[i], indices[i + 1], indices[i + 2], indices[i + 3]}, mesh);
   return mesh;

@@ -11,6 +11,7 @@ namespace twinray {
 // positions are missing or not enough, or an index is out of range.
 
 Mesh read_triangle_mesh(const PbrtParameters& parameters, WarningList& warnings);
+/// Patches without texture coordinates have their parameters.
 Mesh read_bilinear_mesh(const PbrtParameters& parameters, WarningList& warnings);
 /// A subdivision surface's triangles with its normals; its control mesh, with a warning, where it is none.
 /// Throws Error, too, where they would be too many.

@@ -50,10 +50,15 @@ std::optional<PbrtShape> read_cylinder(const PbrtParameters& parameters, PbrtCon
   return PbrtShape{cylinder_mesh(cylinder)};
 }
 
-std::optional<PbrtShape> mesh_shape(Mesh mesh) {
+PbrtShape of_triangles(Mesh mesh) {
+  const std::size_t pieces = mesh.triangles.size();
+  return {.mesh = std::move(mesh), .pieces = pieces};
+}
+
+PbrtShape mesh_shape(Mesh mesh) {
   if (!mesh.normals.empty()) mesh.normal_indices = mesh.triangles;
   if (!mesh.uvs.empty()) mesh.uv_indices = mesh.triangles;
-  return PbrtShape{std::move(mesh)};
+  return of_triangles(std::move(mesh));
 }
 
 std::optional<PbrtShape> read_triangles(const PbrtParameters& parameters, PbrtContext& context) {
@@ -61,11 +66,13 @@ std::optional<PbrtShape> read_triangles(const PbrtParameters& parameters, PbrtCo
 }
 
 std::optional<PbrtShape> read_bilinear(const PbrtParameters& parameters, PbrtContext& context) {
-  return mesh_shape(read_bilinear_mesh(parameters, context.warnings));
+  PbrtShape shape = mesh_shape(read_bilinear_mesh(parameters, context.warnings));
+  shape.pieces = std::max<std::size_t>(parameters.integers("indices").size() / 4, 1);
+  return shape;
 }
 
 std::optional<PbrtShape> read_ply_mesh(const PbrtParameters& parameters, PbrtContext& context) {
-  return PbrtShape{read_ply_file(parameters, context)};
+  return of_triangles(read_ply_file(parameters, context));
 }
 
 std::optional<PbrtShape> read_subdivision(const PbrtParameters& parameters, PbrtContext& context) {

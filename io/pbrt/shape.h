@@ -15,6 +15,8 @@ namespace twinray {
 struct PbrtShape {
   Mesh mesh;
   float sphere_radius = 0;  ///< > 0: a whole sphere about the origin, and no mesh.
+  /// Of how many shapes of pbrt's it consists: each triangle and each patch of a mesh is one.
+  std::size_t pieces = 1;
 };
 
 /// Reads a shape of this type. Nothing where it is left out, which a warning says. Throws Error where a

@@ -206,9 +206,13 @@ PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters,
   const Named read = add(picture, mean);
   const float scale = parameters.real("scale", 1);
   const Named result = scale == 1 ? read : Named{scaled(read.index, scale), mean * scale};
-  if (!parameters.flag("invert", false)) return result;
-  const Rgb inverted{1 - result.mean.r, 1 - result.mean.g, 1 - result.mean.b};
-  return instead(inverted, parameters, "\"invert\" is not rendered");
+  return parameters.flag("invert", false) ? inverted(result) : result;
+}
+
+/// 1 - t is the half of 2 and -2 t: no step rounds.
+PbrtTextures::Named PbrtTextures::inverted(const Named& from) {
+  const std::uint32_t twice = constant(white * 2).index, negative = scaled(from.index, -2);
+  return add(MixTexture{twice, negative, constant(white * 0.5f).index}, white - from.mean);
 }
 
 const PbrtTextures::Named& PbrtTextures::named(const PbrtParameters& parameters,

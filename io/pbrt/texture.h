@@ -53,6 +53,8 @@ class PbrtTextures {
   Named value(const PbrtParameters& parameters, const char* name, float fallback, PictureChannels kind);
   Named make(const std::string& texture_class, const PbrtParameters& parameters, PictureChannels channels);
   Named read_picture(const PbrtParameters& parameters, PictureChannels channels);
+  /// White without the texture.
+  Named inverted(const Named& from);
   Named instead(const Rgb& mean, const PbrtParameters& parameters, const char* why);
   /// By a picture's "encoding".
   PictureRole role_of(const PbrtParameters& parameters);

@@ -165,6 +165,9 @@ TEST_CASE("a camera that is scaled along one side stretches what it sees") {
     CHECK(camera.tan_half_width == Approx(2 * camera.tan_half_height));
     CHECK(camera.is_stretched);
     CHECK_FALSE(camera_of(film + " Scale 2 2 1", fmt::format("Camera \"{}\"", kind)).is_stretched);
+    const std::string wide = fmt::format("Camera \"{}\" \"float frameaspectratio\" 3", kind);
+    CHECK(camera_of(film, wide).is_stretched);
+    CHECK_FALSE(camera_of("", wide).is_stretched);  // The picture's shape follows the frame.
   }
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/pbrt/texture.h"
 
+#include <cmath>
+
+#include "core/angle.h"
 #include "core/light_set.h"
 #include "core/textured_material.h"
 #include "io/picture/image_file.h"
@@ -63,6 +66,21 @@ TEST_CASE("a mesh without texture coordinates has those that pbrt gives each tri
   CHECK(load_pbrt_world(test::pbrt_triangle).scene.geometry->mesh(0)->uvs.empty());
 }
 
+TEST_CASE("a bilinear patch without texture coordinates has its parameters, flat or not") {
+  // The corners (0, 0), (1, 0), (0, 1) and (1, 1) of each patch are where their coordinates are, times two.
+  const std::string points = "\"point3 P\" [ 0 0 0  2 0 0  0 2 0  2 2 0  0 4 0  2 4 3 ] ";
+  const LoadedScene loaded =
+      load_pbrt_world("Shape \"bilinearmesh\" " + points + "\"integer indices\" [ 0 1 2 3  2 3 4 5 ]");
+  const Mesh& mesh = *loaded.scene.geometry->mesh(0);
+  REQUIRE(mesh.triangles.size() == 2 + 512);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vec2 uv = mesh.uvs.at(mesh.uv_indices[i][corner]);
+      const Vec3 p = mesh.positions[mesh.triangles[i][corner]];
+      CHECK(Vec2{p.x, p.y} == Vec2{2 * uv.x, 2 * uv.y + (i < 2 ? 0.0f : 2.0f)});
+    }
+}
+
 TEST_CASE("a picture is a texture, with its scale and wrap") {
   const Folder folder;
   const LoadedScene loaded = folder.load(
@@ -73,6 +91,22 @@ TEST_CASE("a picture is a texture, with its scale and wrap") {
   const TextureUse use = loaded.scene.materials[1].textures.at(0);
   CHECK(evaluate(loaded.scene.textures, use.texture, {{-3, 0.5f}}) == Rgb{0.5f, 0, 0});
   CHECK(evaluate(loaded.scene.textures, use.texture, {{3, 0.5f}}) == Rgb{0, 0, 0});
+}
+
+TEST_CASE("an inverted picture is white without it, and so is its mean") {
+  const Folder folder;
+  const LoadedScene loaded = folder.load(
+      "Texture \"red\" \"spectrum\" \"imagemap\" \"string filename\" \"red.exr\" \"float scale\" .25 "
+      "\"bool invert\" true \"string filter\" \"point\"\n"
+      "Material \"diffuse\" \"texture reflectance\" \"red\"\n");
+  CHECK(loaded.warnings.empty());
+  const Material& material = loaded.scene.materials[1];
+  const auto at = [&](Vec2 uv) {
+    return evaluate(loaded.scene.textures, material.textures.at(0).texture, {uv});
+  };
+  CHECK(at({0.25f, 0.5f}) == Rgb{0.75f, 1, 1});
+  CHECK(at({0.75f, 0.5f}) == Rgb{1, 1, 1});
+  CHECK(std::get<Lambert>(material.model).reflectance == Rgb{0.875f, 1, 1});
 }
 
 TEST_CASE(
@@ -225,6 +259,18 @@ TEST_CASE("a number's texture and a color's may have one name") {
   CHECK(std::get<Conductor>(loaded.scene.materials[2].model).roughness.x == 0.125f);
 }
 
+TEST_CASE("where only a texture of the other type has the name, it is that one") {
+  const LoadedScene loaded = load_pbrt_world(
+      "Texture \"number\" \"float\" \"constant\" \"float value\" 0.125\n"
+      "Texture \"color\" \"spectrum\" \"constant\" \"rgb value\" [ 0.25 0.75 0.5 ]\n"
+      "Material \"diffuse\" \"texture reflectance\" \"number\"\n" +
+      test::pbrt_triangle +
+      "Material \"conductor\" \"texture roughness\" \"color\" \"bool remaproughness\" false\n" +
+      test::pbrt_triangle);
+  CHECK(std::get<Lambert>(loaded.scene.materials[1].model).reflectance == Rgb{0.125f, 0.125f, 0.125f});
+  CHECK(std::get<Conductor>(loaded.scene.materials[2].model).roughness.x == 0.25f);
+}
+
 TEST_CASE("a picture is encoded as the scene says, and in no other way") {
   const Folder folder;
   write_png(folder.folder.file("grey.png"), ByteImage{1, 1, {128, 128, 128}});
@@ -254,6 +300,16 @@ TEST_CASE("a sheet's scale holds for its textures") {
   CHECK(evaluate(loaded.scene.textures, use.texture, {{0.1f, 0.1f}}) == Rgb{0.25f, 0, 0});
 }
 
+TEST_CASE("a texture's scale holds for each channel") {
+  const LoadedScene loaded = load_pbrt_world(
+      "Texture \"grey\" \"spectrum\" \"constant\" \"rgb value\" [ 0.5 0.5 0.5 ]\n"
+      "Texture \"checks\" \"spectrum\" \"checkerboard\" \"texture tex1\" \"grey\"\n"
+      "Material \"diffusetransmission\" \"texture reflectance\" \"checks\" \"float scale\" 0.5\n" +
+      test::pbrt_triangle);
+  const TextureUse use = loaded.scene.materials[1].textures.at(0);
+  CHECK(evaluate(loaded.scene.textures, use.texture, {{0.1f, 0.1f}}) == Rgb{0.25f, 0.25f, 0.25f});
+}
+
 TEST_CASE("a spot light has pbrt's cone and soft edge") {
   const LoadedScene loaded =
       load_pbrt_world("LightSource \"spot\" \"float coneangle\" 40 \"float conedeltaangle\" 10");
@@ -271,6 +327,20 @@ TEST_CASE("a spot's soft edge that is wider than its cone leaves the inner part 
   CHECK(penumbra_of("\"float coneangle\" 80 \"float conedeltaangle\" 100") == 60);
   CHECK(penumbra_of("\"float coneangle\" 20 \"float conedeltaangle\" 20") == 20);
   CHECK(penumbra_of("\"float coneangle\" 20 \"float conedeltaangle\" 50") == 0);
+}
+
+TEST_CASE("a spot's power is that of its cone, with the mean of its soft edge, however wide that is") {
+  const auto intensity_of = [](const std::string& angles) {
+    const LoadedScene loaded = load_pbrt_world("LightSource \"spot\" \"float power\" 100 " + angles);
+    return std::get<SpotLight>(loaded.scene.lights.at(0).source).intensity.g;
+  };
+  // The whole cone and the even part in solid angles: the mean of both is what the power is spread over.
+  const auto expected = [](double even_cosine, double cosine) {
+    return Approx(100 / (2 * pi_double * (1 - (even_cosine + cosine) / 2)));
+  };
+  CHECK(intensity_of("\"float coneangle\" 60 \"float conedeltaangle\" 0") == expected(0.5, 0.5));
+  CHECK(intensity_of("\"float coneangle\" 90 \"float conedeltaangle\" 30") == expected(0.5, 0));
+  CHECK(intensity_of("\"float coneangle\" 60 \"float conedeltaangle\" 90") == expected(std::sqrt(0.75), 0.5));
 }
 
 }  // namespace twinray
