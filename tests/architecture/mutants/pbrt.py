@@ -82,7 +82,7 @@ MUTANTS = [
            "test_io", "a bilinear patch without texture coordinates has its parameters, flat or not"),
     Mutant("the whole mesh has the power of one triangle", "io/pbrt/light.cpp",
            "area / double(pieces) * mean", "area * mean", "test_io",
-           "an area light of a power has it, over the area and both sides, for each triangle of a mesh"),
+           "an area light's power is that of each triangle and of each patch, as in pbrt"),
     Mutant("a spot's wide edge counts as if the middle were a point", "io/pbrt/light.cpp",
            "const double start = cos_radians(double(inner)",
            "const double start = cos_radians(double(std::max(0.0f, angle - delta))", "test_io",

@@ -38,13 +38,17 @@ TEST_CASE("an area light emits from the outside of its shape, or from both sides
   CHECK(light_of<SphereLight>("AreaLightSource \"diffuse\" Shape \"sphere\"").radiance == Rgb{1, 1, 1});
 }
 
-TEST_CASE("an area light of a power has it, over the area and both sides, for each triangle of a mesh") {
+TEST_CASE("an area light of a power has it, over the area and both sides") {
   const std::string light = "AreaLightSource \"diffuse\" \"float power\" 100 ";
   CHECK(light_of<MeshLight>(light + pbrt_triangle).radiance.g == Approx(100 / (pi * 0.5)));
   CHECK(light_of<MeshLight>(light + "\"bool twosided\" true " + pbrt_triangle).radiance.g ==
         Approx(100 / pi));
   CHECK(light_of<SphereLight>(light + "Shape \"sphere\" \"float radius\" 2").radiance.g ==
         Approx(100 / (pi * 16 * pi)));
+}
+
+TEST_CASE("an area light's power is that of each triangle and of each patch, as in pbrt") {
+  const std::string light = "AreaLightSource \"diffuse\" \"float power\" 100 ";
   const std::string quad = " \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ] ";
   CHECK(light_of<MeshLight>(light + "Shape \"trianglemesh\"" + quad + "\"integer indices\" [ 0 1 3 0 3 2 ]")
             .radiance.g == Approx(100 / (pi * 0.5)));
