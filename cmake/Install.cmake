@@ -120,8 +120,10 @@ set(private_headers
   io/gltf/writer_texture.h
   io/gltf/writer_view.h
   io/obj/material.h
+  io/obj/material_text.h
   io/obj/reader.h
   io/obj/scene.h
+  io/obj/text.h
   io/picture/exr_attributes.h
   io/picture/exr_failures.h
   io/picture/exr_streams.h

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/geometry.h"
@@ -40,9 +42,11 @@ tinyobj::material_t material_of(const aiMaterial& from, std::size_t& embedded) {
   tinyobj::material_t to{};
   aiString name;
   if (from.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS) to.name = name.C_Str();
+  to.diffuse_texname = picture_of(from, aiTextureType_DIFFUSE, embedded);
   aiColor3D color;
+  const float usual = to.diffuse_texname.empty() ? 0.5f : 1;
   set(to.diffuse,
-      from.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS ? color : aiColor3D(0.5f, 0.5f, 0.5f));
+      from.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS ? color : aiColor3D(usual, usual, usual));
   if (from.Get(AI_MATKEY_BASE_COLOR, color) == aiReturn_SUCCESS) set(to.diffuse, color);
   if (from.Get(AI_MATKEY_COLOR_SPECULAR, color) == aiReturn_SUCCESS) set(to.specular, color);
   if (from.Get(AI_MATKEY_COLOR_EMISSIVE, color) == aiReturn_SUCCESS) set(to.emission, color);
@@ -55,8 +59,7 @@ tinyobj::material_t material_of(const aiMaterial& from, std::size_t& embedded) {
   to.illum = to.shininess > 0 ? 2 : 1;
   for (tinyobj::texture_option_t* const how :
        {&to.diffuse_texopt, &to.alpha_texopt, &to.emissive_texopt, &to.normal_texopt})
-    how->scale[0] = how->scale[1] = 1;
-  to.diffuse_texname = picture_of(from, aiTextureType_DIFFUSE, embedded);
+    how->scale[0] = how->scale[1] = how->contrast = 1;
   to.alpha_texname = picture_of(from, aiTextureType_OPACITY, embedded);
   to.emissive_texname = picture_of(from, aiTextureType_EMISSIVE, embedded);
   to.normal_texname = picture_of(from, aiTextureType_NORMALS, embedded);
@@ -141,19 +144,29 @@ void add_note(ObjModel& model, std::size_t count, const char* what) {
   if (count > 0) model.notes.push_back(fmt::format("{} of the file, left out: {}", what, count));
 }
 
+/// Assimp calls a file in memory by a name of its own.
+std::string said(std::string text) {
+  constexpr std::string_view own = "$$$___magic___$$$.";
+  if (const std::size_t at = text.find(own); at != text.npos) text.replace(at, own.size(), "*");
+  return text;
+}
+
 ObjModel import_model(const ImportedFile& file) {
   const std::filesystem::path path(file.path);
   if (file.bytes.empty()) throw Error("the file is empty");
   Assimp::Importer importer;
   const aiScene* const scene =
       importer.ReadFileFromMemory(file.bytes.data(), file.bytes.size(), 0, path.extension().string().c_str());
-  if (!scene || !scene->mRootNode) throw Error(importer.GetErrorString());
+  if (!scene || !scene->mRootNode) throw Error(said(importer.GetErrorString()));
   ObjModel model;
   model.name = path.stem().string();
-  model.material_file = file.path;
   std::size_t embedded = 0;
   for (unsigned i = 0; i < scene->mNumMaterials; ++i)
     model.materials.push_back(material_of(*scene->mMaterials[i], embedded));
+  if (path.extension() == ".fbx")  // There a picture takes the color's place.
+    for (tinyobj::material_t& material : model.materials)
+      if (!material.diffuse_texname.empty()) set(material.diffuse, aiColor3D(1, 1, 1));
+  model.material_files.assign(model.materials.size(), file.path);
   Walk(*scene, model).add(*scene->mRootNode, aiMatrix4x4(), 0);
   if (model.faces.empty()) throw Error("the file has no faces");
   add_note(model, scene->mNumCameras, "cameras");

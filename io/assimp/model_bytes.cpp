@@ -20,6 +20,10 @@ void for_each_part_of_material(Material& m, const Visit& visit) {
   visit(m.illum);
   for (auto* name : {&m.diffuse_texname, &m.alpha_texname, &m.emissive_texname, &m.normal_texname})
     visit(*name);
+  for (auto* how : {&m.diffuse_texopt, &m.alpha_texopt, &m.emissive_texopt, &m.normal_texopt}) {
+    visit(how->scale);
+    visit(how->contrast);
+  }
 }
 
 template <typename Faces, typename Visit>
@@ -41,7 +45,7 @@ void for_each_part(Model& m, const Visit& visit) {
   visit(m.uvs);
   visit(m.faces);
   visit(m.materials);
-  visit(m.material_file);
+  visit(m.material_files);
   visit(m.small_faces);
   visit(m.notes);
 }
@@ -143,6 +147,8 @@ ObjModel model_of_bytes(std::string_view bytes) {
   Reader read(bytes);
   for_each_part(model, [&](auto& part) { read(part); });
   if (!read.is_at_end()) throw Error("the model is too long");
+  if (model.material_files.size() != model.materials.size())
+    throw Error("materials of the model are damaged");
   for (const ObjFaces& faces : model.faces)
     if (!is_sound(faces, model)) throw Error("faces of the model are damaged");
   return model;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/picture/texture_file.h"
 #include "io/picture_path.h"
 #include "io/uri.h"
 
@@ -82,6 +81,27 @@ bool shows_normals(const MipMap& map) {
   return mean.b > mean.r + 0.2f && mean.b > mean.g + 0.2f;
 }
 
+/// A picture where its options place it.
+ImageTexture placed(std::shared_ptr<const MipMap> image, const tinyobj::texture_option_t& how) {
+  ImageTexture made{.image = std::move(image)};
+  made.uv = {{{how.scale[0], 0, how.origin_offset[0]}, {0, how.scale[1], how.origin_offset[1]}}};
+  if (how.clamp) made.wrap = WrapMode::clamp;
+  return made;
+}
+
+/// What `-mm` makes of a pixel.
+Rgb levelled(const Rgb& pixel, const tinyobj::texture_option_t& how) {
+  return white * how.brightness + pixel * how.contrast;
+}
+
+/// Whether a texture is the same where the coordinates are moved by whole numbers.
+bool may_move(const Texture& texture) {
+  const auto* picture = std::get_if<ImageTexture>(&texture.model);
+  const auto is_whole = [](float x) { return std::floor(x) == x; };
+  return !picture || (picture->wrap == WrapMode::repeat && is_whole(picture->uv.m[0][0]) &&
+                      is_whole(picture->uv.m[1][1]));
+}
+
 constexpr PictureMeaning for_colors{PictureRole::color, PictureChannels::color},
     for_numbers{PictureRole::data, PictureChannels::number},
     for_vectors{PictureRole::data, PictureChannels::color};
@@ -89,14 +109,15 @@ constexpr PictureMeaning for_colors{PictureRole::color, PictureChannels::color},
 }  // namespace
 
 void ObjMaterials::warn(const std::string& message) {
-  warnings_.add([&] { return Place{model_.material_file, 0, 0, "", 0}; }, message);
+  warnings_.add([&] { return Place{file_, 0, 0, "", 0}; }, message);
 }
 
 std::string ObjMaterials::path_of(const std::string& name) const {
-  return found_picture(path_of_name(with_slashes(name), model_.material_file), model_.material_file);
+  return found_picture(path_of_name(with_slashes(name), file_), file_);
 }
 
 ObjSurface ObjMaterials::surface(int number) {
+  if (number >= 0) file_ = model_.material_files[std::size_t(number)];
   const auto made = made_.find(number);
   if (made != made_.end()) return made->second;
   ObjSurface surface;
@@ -124,20 +145,34 @@ bool ObjMaterials::is_textured(const ObjSurface& surface) const {
   const Material& material = materials[surface.material];
   const bool has_alpha =
       surface.alpha != no_texture && !std::holds_alternative<ConstantTexture>(textures[surface.alpha].model);
-  return has_alpha || surface.picture || !material.textures.empty() || material.normal_map != no_texture ||
-         material.bump_map != no_texture;
+  return has_alpha || surface.glow.picture || !material.textures.empty() ||
+         material.normal_map != no_texture || material.bump_map != no_texture;
 }
 
 ObjSurface ObjMaterials::make(const tinyobj::material_t& from) {
   Material material{.name = from.name, .model = model_of(from)};
+  const auto first = std::ptrdiff_t(textures.size());
+  add_color(from, material);
   add_textures(from, material);
   add_relief(from, material);
   ObjSurface surface;
   surface.alpha = alpha_of(from, material);
-  add_emission(from, surface);
+  surface.glow = glow_of(from);
+  surface.glow.may_move_uvs &= std::all_of(textures.begin() + first, textures.end(), may_move);
   surface.material = std::uint32_t(materials.size());
   materials.push_back(std::move(material));
   return surface;
+}
+
+/// The picture times the colour. A black one says nothing: whoever has a picture may leave it out.
+void ObjMaterials::add_color(const tinyobj::material_t& from, Material& to) {
+  const bool has_color =
+      std::holds_alternative<Principled>(to.model) || std::holds_alternative<Lambert>(to.model);
+  if (!has_color || from.diffuse_texname.empty()) return;
+  const std::uint32_t texture = picture(from.diffuse_texname, from.diffuse_texopt, for_colors);
+  const Rgb color = unit_color(from.diffuse);
+  const bool is_whole = is_black(color) || color == white;
+  to.textures.push_back({MaterialInput::reflectance, is_whole ? texture : scaled(texture, color)});
 }
 
 void ObjMaterials::add_textures(const tinyobj::material_t& from, Material& to) {
@@ -145,10 +180,7 @@ void ObjMaterials::add_textures(const tinyobj::material_t& from, Material& to) {
                        const PictureMeaning& meaning, MaterialInput input) {
     if (!name.empty()) to.textures.push_back({input, picture(name, how, meaning)});
   };
-  const bool is_principled = std::holds_alternative<Principled>(to.model);
-  if (is_principled || std::holds_alternative<Lambert>(to.model))
-    add(from.diffuse_texname, from.diffuse_texopt, for_colors, MaterialInput::reflectance);
-  if (is_principled) {
+  if (std::holds_alternative<Principled>(to.model)) {
     add(from.roughness_texname, from.roughness_texopt, for_numbers, MaterialInput::roughness);
     add(from.metallic_texname, from.metallic_texopt, for_numbers, MaterialInput::base_metalness);
     add(from.sheen_texname, from.sheen_texopt, for_numbers, MaterialInput::fuzz_weight);
@@ -161,58 +193,76 @@ void ObjMaterials::add_textures(const tinyobj::material_t& from, Material& to) {
 }
 
 void ObjMaterials::add_relief(const tinyobj::material_t& from, Material& to) {
-  const auto add_normals = [&](const std::string& name) {
+  const auto add_normals = [&](const std::string& name, const tinyobj::texture_option_t& how) {
     LoadedTexture loaded = load_normal_map(path_of(name), options_);
     if (!loaded.warning.empty()) warn(loaded.warning);
-    ImageTexture map{.image = loaded.image};
+    ImageTexture map = placed(loaded.image, how);
     map.filter = TextureFilter::bilinear;
     textures.push_back({name, map});
     to.normal_map = std::uint32_t(textures.size() - 1);
   };
-  if (!from.normal_texname.empty()) return add_normals(from.normal_texname);
+  if (!from.normal_texname.empty()) return add_normals(from.normal_texname, from.normal_texopt);
   if (from.bump_texname.empty()) return;
   if (shows_normals(*load_texture(path_of(from.bump_texname), for_vectors, options_).image))
-    return add_normals(from.bump_texname);
-  const std::uint32_t height = picture(from.bump_texname, from.bump_texopt, for_numbers);
-  textures.push_back({"", ScaleTexture{height, number(from.bump_texopt.bump_multiplier)}});
-  to.bump_map = std::uint32_t(textures.size() - 1);
+    return add_normals(from.bump_texname, from.bump_texopt);
+  const float height = from.bump_texopt.bump_multiplier;
+  to.bump_map = scaled(picture(from.bump_texname, from.bump_texopt, for_numbers), {height, height, height});
 }
 
 /// What refracts is whole: light goes through it as it is.
 std::uint32_t ObjMaterials::alpha_of(const tinyobj::material_t& from, const Material& made) {
   if (std::holds_alternative<Dielectric>(made.model)) return no_texture;
   const float dissolve = unit(from.dissolve);
-  if (from.alpha_texname.empty()) return dissolve < 1 ? number(dissolve) : no_texture;
+  const Rgb share{dissolve, dissolve, dissolve};
+  if (from.alpha_texname.empty()) return dissolve < 1 ? constant(share) : no_texture;
   const std::uint32_t alpha = picture(from.alpha_texname, from.alpha_texopt, for_numbers);
-  if (dissolve == 1) return alpha;
-  textures.push_back({"", ScaleTexture{alpha, number(dissolve)}});
-  return std::uint32_t(textures.size() - 1);
+  return dissolve == 1 ? alpha : scaled(alpha, share);
 }
 
-void ObjMaterials::add_emission(const tinyobj::material_t& from, ObjSurface& to) {
-  if (options_.surfaces_only) return;
+Glow ObjMaterials::glow_of(const tinyobj::material_t& from) {
+  if (options_.surfaces_only) return {};
   const Rgb given = color_of(from.emission);
-  to.radiance = {std::max(given.r, 0.0f), std::max(given.g, 0.0f), std::max(given.b, 0.0f)};
-  if (from.emissive_texname.empty()) return;
-  const LoadedTexture loaded = load_texture(path_of(from.emissive_texname), for_colors, options_);
-  if (!loaded.warning.empty()) return warn(loaded.warning);
-  if (is_black(to.radiance)) to.radiance = {1, 1, 1};
-  to.picture = std::make_shared<const Image>(loaded.image->image(0));
+  Glow glow{{std::max(given.r, 0.0f), std::max(given.g, 0.0f), std::max(given.b, 0.0f)}};
+  if (from.emissive_texname.empty()) return glow;
+  const LoadedTexture loaded = load(from.emissive_texname, for_colors);
+  if (!loaded.warning.empty()) return glow;
+  const tinyobj::texture_option_t& how = from.emissive_texopt;
+  const ImageTexture map = placed(loaded.image, how);
+  if (is_black(glow.radiance)) glow.radiance = white;
+  Image picture = loaded.image->image(0);
+  for (Rgb& pixel : picture.pixels) pixel = levelled(pixel, how);
+  glow.picture = std::make_shared<const Image>(std::move(picture));
+  glow.uv = map.uv;
+  glow.repeats = map.wrap == WrapMode::repeat;
+  glow.may_move_uvs = may_move({"", map});
+  return glow;
 }
 
+LoadedTexture ObjMaterials::load(const std::string& name, const PictureMeaning& meaning) {
+  LoadedTexture loaded = load_texture(path_of(name), meaning, options_);
+  if (!loaded.warning.empty()) warn(loaded.warning);
+  return loaded;
+}
+
+/// With `-mm`, base + gain t is the half of 2 base and 2 gain t: the steps by two round nothing.
 std::uint32_t ObjMaterials::picture(const std::string& name, const tinyobj::texture_option_t& how,
                                     const PictureMeaning& meaning) {
-  const LoadedTexture loaded = load_texture(path_of(name), meaning, options_);
-  if (!loaded.warning.empty()) warn(loaded.warning);
-  ImageTexture made{.image = loaded.image};
-  made.uv = {{{how.scale[0], 0, how.origin_offset[0]}, {0, how.scale[1], how.origin_offset[1]}}};
-  if (how.clamp) made.wrap = WrapMode::clamp;
-  textures.push_back({name, made});
+  textures.push_back({name, placed(load(name, meaning).image, how)});
+  const auto texture = std::uint32_t(textures.size() - 1);
+  if (how.brightness == 0 && how.contrast == 1) return texture;
+  const std::uint32_t base = constant(white * (2 * how.brightness)),
+                      gain = scaled(texture, white * (2 * how.contrast));
+  textures.push_back({"", MixTexture{base, gain, constant(white * 0.5f)}});
   return std::uint32_t(textures.size() - 1);
 }
 
-std::uint32_t ObjMaterials::number(float value) {
-  textures.push_back({"", ConstantTexture{{value, value, value}}});
+std::uint32_t ObjMaterials::constant(const Rgb& value) {
+  textures.push_back({"", ConstantTexture{value}});
+  return std::uint32_t(textures.size() - 1);
+}
+
+std::uint32_t ObjMaterials::scaled(std::uint32_t texture, const Rgb& scale) {
+  textures.push_back({"", ScaleTexture{texture, constant(scale)}});
   return std::uint32_t(textures.size() - 1);
 }
 

@@ -15,7 +15,8 @@
 #include <tuple>
 
 #include "core/geometry.h"
-#include "io/decimal.h"
+#include "io/obj/material_text.h"
+#include "io/obj/text.h"
 #include "io/picture/srgb.h"
 #include "io/polygon.h"
 #include "io/uri.h"
@@ -42,25 +43,24 @@ std::string trimmed(const std::string& text) {
 /// A text that is being read line by line.
 class Lines {
  public:
-  Lines(const std::string& path, std::string_view text)
-      : path_(path), text_(text), buffer_(text), stream(&buffer_) {}
+  /// `text` is the file's with its continued lines joined.
+  Lines(const std::string& path, std::string_view file, std::string_view text)
+      : path_(path), file_(file), text_(text), buffer_(text), stream(&buffer_) {}
   /// Of the line that was read last.
-  Place place() const { return place_of(path_, text_, begin()); }
+  Place place() const { return place_of(path_, file_, std::size_t(line().data() - text_.data())); }
   std::string_view line() const {
-    const std::string_view rest = text_.substr(begin());
-    return rest.substr(0, rest.find_first_of("\r\n"));
+    std::size_t end = buffer_.position();
+    while (end > 0 && is_line_end(text_[end - 1])) --end;
+    std::size_t begin = end;
+    while (begin > 0 && !is_line_end(text_[begin - 1])) --begin;
+    return text_.substr(begin, end - begin);
   }
 
  private:
-  std::size_t begin() const {
-    const std::string_view read = text_.substr(0, buffer_.position());
-    const std::size_t end = read.find_last_not_of("\r\n");
-    const std::size_t before = end == read.npos ? read.npos : read.find_last_of("\r\n", end);
-    return before == read.npos ? 0 : before + 1;
-  }
+  static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
   const std::string& path_;
-  std::string_view text_;
+  std::string_view file_, text_;
   TextBuffer buffer_;
 
  public:
@@ -69,20 +69,10 @@ class Lines {
 
 /// The color of "v x y z r g b", linear: it is encoded as sRGB has it. Nothing where a line has no such
 /// numbers.
-std::optional<Rgb> vertex_color(std::string_view line) {
-  std::array<float, 3> numbers{};
-  std::size_t words = 0;
-  for (std::size_t at = 0; (at = line.find_first_not_of(" \t", at)) != line.npos; ++words) {
-    const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
-    if (words >= 4 && words <= 6) {
-      const Decimal<float> number = read_decimal<float>(line.substr(at, end - at));
-      if (number.fault != DecimalFault::none) return std::nullopt;
-      numbers[words - 4] = number.value > 0 ? decode_srgb(std::min(number.value, 1.0f)) : 0;
-    }
-    at = end;
-  }
-  if (words != 7) return std::nullopt;
-  return Rgb{numbers[0], numbers[1], numbers[2]};
+std::optional<Rgb> vertex_color(const ObjNumbers& numbers) {
+  if (numbers.count != 6 || !numbers.end.empty()) return std::nullopt;
+  const auto linear = [&](std::size_t i) { return decode_srgb(std::clamp(numbers.values[i], 0.0f, 1.0f)); };
+  return Rgb{linear(3), linear(4), linear(5)};
 }
 
 /// Material files, from the folder of the file that names them.
@@ -91,47 +81,65 @@ class MaterialFiles : public tinyobj::MaterialReader {
   MaterialFiles(const std::string& path, const ReadFile& read, const Lines& lines, WarningList& warnings)
       : path_(path), read_(read), lines_(lines), warnings_(warnings) {}
 
-  /// What the library calls. A file that cannot be read is a warning.
-  bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
+  /// What the library calls with the first name of a line, and with each of them until one can be read. All
+  /// are read the first time.
+  bool operator()(const std::string&, std::vector<tinyobj::material_t>* materials,
                   std::map<std::string, int>* numbers, std::string*, std::string*) override {
-    const std::string file = path_of(name);
+    if (lines_.line().data() != line_) {
+      line_ = lines_.line().data();
+      for (const std::string& file : paths()) add(file, *materials, *numbers);
+    }
+    return !materials->empty();
+  }
+  /// The file of each material.
+  std::vector<std::string> files;
+
+ private:
+  /// A file that cannot be read is a warning.
+  void add(const std::string& file, std::vector<tinyobj::material_t>& materials,
+           std::map<std::string, int>& numbers) {
     try {
-      const std::string text = read_(file);
+      const std::string text = material_text(file, read_(file), warnings_);
       TextBuffer buffer(text);
       std::istream stream(&buffer);
       std::string warning, error;
-      tinyobj::LoadMtl(numbers, materials, &stream, &warning, &error);
-      last_ = file;
-      return true;
+      tinyobj::LoadMtl(&numbers, &materials, &stream, &warning, &error);
+      files.resize(materials.size(), file);
+    } catch (const PlacedError&) {
+      throw;
     } catch (const Error& error) {
       warnings_.add([&] { return lines_.place(); }, fmt::format("its materials are grey: {}", error.what()));
-      return false;
     }
   }
-  const std::string& last() const { return last_; }
-
- private:
-  /// The library takes a name with spaces for several; most files have one, as it stands.
-  std::string path_of(const std::string& name) const {
+  /// The library takes a name with spaces for several; most lines have one, as it stands.
+  std::vector<std::string> paths() const {
     std::string_view line = lines_.line();
-    line.remove_prefix(std::min(line.size(), line.find("mtllib") + 7));
+    take_word(line);
     const std::string whole = path_of_name(trimmed(std::string(line)), path_);
     std::error_code error;
-    return std::filesystem::is_regular_file(whole, error) ? whole : path_of_name(name, path_);
+    if (std::filesystem::is_regular_file(whole, error)) return {whole};
+    std::vector<std::string> names;
+    for (std::string_view name; !(name = take_word(line)).empty();)
+      names.push_back(path_of_name(std::string(name), path_));
+    return names;
   }
 
   const std::string& path_;
   const ReadFile& read_;
   const Lines& lines_;
   WarningList& warnings_;
-  std::string last_;
+  const char* line_ = nullptr;  ///< The one that was read last.
 };
 
 /// Takes what the library reads, line by line.
 class Reader {
  public:
-  Reader(const std::string& path, const std::string& text, const ReadFile& read, WarningList& warnings)
-      : path_(path), warnings_(warnings), lines_(path, text), material_files_(path, read, lines_, warnings) {}
+  Reader(const std::string& path, std::string_view file, std::string_view text, const ReadFile& read,
+         WarningList& warnings)
+      : path_(path),
+        warnings_(warnings),
+        lines_(path, file, text),
+        material_files_(path, read, lines_, warnings) {}
 
   ObjModel read() {
     model_.name = std::filesystem::path(path_).stem().string();
@@ -139,7 +147,7 @@ class Reader {
     tinyobj::LoadObjWithCallback(lines_.stream, callbacks(), this, &material_files_, &warning, &error);
     if (model_.faces.empty()) throw Error(path_ + ": the file has no faces (\"f\")");
     check_indices();
-    model_.material_file = material_files_.last();
+    model_.material_files = std::move(material_files_.files);
     return std::move(model_);
   }
 
@@ -148,16 +156,10 @@ class Reader {
 
   static tinyobj::callback_t callbacks() {
     tinyobj::callback_t calls;
-    calls.vertex_cb = [](void* reader, float x, float y, float z, float w) {
-      self(reader).add_position({x, y, z});
-      self(reader).add_values(w);
-    };
-    calls.normal_cb = [](void* reader, float x, float y, float z) {
-      self(reader).model_.normals.push_back({x, y, z});
-    };
-    calls.texcoord_cb = [](void* reader, float u, float v, float) {
-      self(reader).model_.uvs.push_back({u, v});
-    };
+    // What the library takes for numbers may be none.
+    calls.vertex_cb = [](void* reader, float, float, float, float) { self(reader).add_vertex(); };
+    calls.normal_cb = [](void* reader, float, float, float) { self(reader).add_normal(); };
+    calls.texcoord_cb = [](void* reader, float, float, float) { self(reader).add_uv(); };
     calls.index_cb = [](void* reader, tinyobj::index_t* corners, int count) {
       self(reader).add_face({corners, std::size_t(count)});
     };
@@ -175,6 +177,9 @@ class Reader {
     return calls;
   }
 
+  void warn(const std::string& message) {
+    warnings_.add([&] { return lines_.place(); }, message);
+  }
   [[noreturn]] void fail(const std::string& message) const { throw error_at(lines_.place(), message); }
 
   void take_materials(std::span<const tinyobj::material_t> materials) {
@@ -186,23 +191,43 @@ class Reader {
     const auto found = material_numbers_.find(trimmed(name));
     material_ = found == material_numbers_.end() ? -1 : found->second;
     if (material_ < 0 && !trimmed(name).empty())
-      warnings_.add([&] { return lines_.place(); },
-                    fmt::format("there is no material \"{}\"; it is grey", trimmed(name)));
+      warn(fmt::format("there is no material \"{}\"; it is grey", trimmed(name)));
   }
 
-  void add_position(const Vec3& position) {
-    if (!is_finite(position) || max_abs(position) > max_coordinate)
+  void add_vertex() {
+    const ObjNumbers numbers = read_numbers(lines_.line());
+    if (numbers.count < 3 && !numbers.end.empty())
+      fail(fmt::format("a coordinate that is no number: \"{}\"", numbers.end));
+    if (numbers.count < 3) fail(fmt::format("a vertex of {} coordinates; valid are 3", numbers.count));
+    const Vec3 position{numbers.values[0], numbers.values[1], numbers.values[2]};
+    if (!(max_abs(position) <= max_coordinate))
       fail(fmt::format("a coordinate lies beyond +-{:g}", max_coordinate));
     model_.positions.push_back(position);
+    add_color(numbers);
   }
 
-  /// What stands behind the coordinates: a weight or, which the library does not read, a color of three.
-  void add_values(float weight) {
-    const std::optional<Rgb> color = vertex_color(lines_.line());
-    if (!color && weight != 1) model_.has_weights = true;
+  /// What stands behind the coordinates: a weight or a color.
+  void add_color(const ObjNumbers& numbers) {
+    const std::optional<Rgb> color = vertex_color(numbers);
+    if (!color && numbers.count > 3 && numbers.values[3] != 1) model_.has_weights = true;
     if (!color && model_.colors.empty()) return;
     model_.colors.resize(model_.positions.size(), {1, 1, 1});
     if (color) model_.colors.back() = *color;
+  }
+
+  void add_normal() {
+    const ObjNumbers numbers = read_numbers(lines_.line());
+    const bool is_normal = numbers.count >= 3;
+    if (!is_normal) warn("a normal that is not three numbers: those of its triangles stand for it");
+    model_.normals.push_back(is_normal ? Vec3{numbers.values[0], numbers.values[1], numbers.values[2]}
+                                       : Vec3{});
+  }
+
+  void add_uv() {
+    const ObjNumbers numbers = read_numbers(lines_.line());
+    if (numbers.count == 0 || (numbers.count == 1 && !numbers.end.empty()))
+      warn("texture coordinates that are no numbers: 0 stands for each");
+    model_.uvs.push_back({numbers.values[0], numbers.values[1]});
   }
 
   void add_face(std::span<const tinyobj::index_t> corners) {
@@ -273,7 +298,8 @@ ObjModel read_obj(const std::string& path, const ReadFile& read, WarningList& wa
   const std::string text = read(path);
   if (text.starts_with("\xfe\xff") || text.starts_with("\xff\xfe"))
     throw Error(path + ": the file is UTF-16; OBJ files are ASCII or UTF-8");
-  return Reader(path, text, read, warnings).read();
+  if (!has_continued_lines(text)) return Reader(path, text, text, read, warnings).read();
+  return Reader(path, text, joined_lines(text), read, warnings).read();
 }
 
 }  // namespace twinray

@@ -41,18 +41,18 @@ struct ObjModel {
   std::vector<Vec2> uvs;
   std::vector<ObjFaces> faces;
   std::vector<tinyobj::material_t> materials;
-  std::string material_file;       ///< The last one.
-  std::size_t small_faces = 0;     ///< Faces of less than three corners: left out.
-  bool has_weights = false;        ///< Behind the coordinates of vertices: left out.
-  std::vector<std::string> notes;  ///< Of what else is left out.
+  std::vector<std::string> material_files;  ///< Of each material.
+  std::size_t small_faces = 0;              ///< Faces of less than three corners: left out.
+  bool has_weights = false;                 ///< Behind the coordinates of vertices: left out.
+  std::vector<std::string> notes;           ///< Of what else is left out.
 };
 
 /// The bytes of the file of a name, or an Error.
 using ReadFile = std::function<std::string(const std::string& path)>;
 
 /// Reads a file, and the material files that it names. Throws Error, with the place, where a face has an
-/// index out of range or too many corners, and for a file without faces. What is wrong with materials is a
-/// warning.
+/// index out of range or too many corners, or a vertex not three numbers, and for a file without faces. What
+/// is wrong with materials is a warning.
 ObjModel read_obj(const std::string& path, const ReadFile& read, WarningList& warnings);
 
 }  // namespace twinray

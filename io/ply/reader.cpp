@@ -146,9 +146,13 @@ class Reader {
         read_faces(element);
       else
         for (std::uint64_t i = 0; i < element.count; ++i) skip(element);
+      has_strips_ |= element.name == "tristrips";
     }
     if (!has_vertices_) throw Error(name_ + ": the PLY file has no element \"vertex\"");
-    if (!has_faces_) throw Error(name_ + ": the PLY file has no element \"face\", so it holds points alone");
+    if (!has_faces_)
+      throw Error(name_ + ": the PLY file has no element \"face\"" +
+                  (has_strips_ ? "; strips of triangles (\"tristrips\") are not read"
+                               : ", so it holds points alone"));
     finish();
     return std::move(ply_);
   }
@@ -277,7 +281,7 @@ class Reader {
   const bool reads_colors_;
   PlyMesh ply_;
   std::vector<std::uint32_t> corners_;
-  bool has_vertices_ = false, has_faces_ = false;
+  bool has_vertices_ = false, has_faces_ = false, has_strips_ = false;
 };
 
 }  // namespace

@@ -46,6 +46,8 @@ ObjModel small_model() {
   model.materials[0].name = "red";
   model.materials[0].diffuse[0] = 1;
   model.materials[0].emissive_texname = "lamp.png";
+  model.materials[0].diffuse_texopt.scale[0] = 2;
+  model.material_files = {"a.fbx"};
   model.notes = {"one"};
   return model;
 }
@@ -80,7 +82,11 @@ TEST_CASE("nodes, materials and pictures of an imported scene are where the file
   CHECK(cross(b - a, c - a).z > 0);
   const Material& red = scene.materials[scene.bindings[0].material];
   CHECK(std::get<Lambert>(red.model).reflectance == Rgb{1, 0, 0});
-  CHECK(red.textures.size() == 1);
+  REQUIRE(red.textures.size() == 1);
+  const auto& product = std::get<ScaleTexture>(scene.textures[red.textures[0].texture].model);
+  const auto& picture = std::get<ImageTexture>(scene.textures[product.first].model);
+  CHECK(picture.uv({0.25f, 0.75f}) == Vec2{0.25f, 0.75f});
+  CHECK(std::get<ConstantTexture>(scene.textures[product.second].model).value == Rgb{1, 0, 0});
 }
 
 TEST_CASE("a file that Assimp does not understand is an error with its name") {
@@ -94,6 +100,7 @@ TEST_CASE("a file that Assimp does not understand is an error with its name") {
   };
   refuses("a.stl", "", "the file is empty");
   refuses("b.fbx", "nothing of the kind", "");
+  refuses("b.stl", std::string(200, 'x'), "for *.stl");
   refuses("c.ac", "AC3Db\nOBJECT world\nkids 0\n", "");
   refuses("d.off", "OFF\n353535235358 6 0\n0 0 0\n", "");
   refuses("e.ac",
@@ -130,6 +137,8 @@ TEST_CASE("a model comes back from its bytes, and from no others") {
   CHECK(model_bytes(back) == bytes);
   CHECK(back.faces[0].group == "group");
   CHECK(back.materials[0].emissive_texname == "lamp.png");
+  CHECK(back.materials[0].diffuse_texopt.scale[0] == 2);
+  CHECK(back.material_files == model.material_files);
   for (std::size_t size = 0; size < bytes.size(); ++size)
     CHECK_THROWS_AS(model_of_bytes(bytes.substr(0, size)), Error);
   CHECK_THROWS_AS(model_of_bytes(bytes + "x"), Error);
@@ -137,7 +146,7 @@ TEST_CASE("a model comes back from its bytes, and from no others") {
        {+[](ObjModel& m) { m.faces[0].corners[1].position = 3; },
         +[](ObjModel& m) { m.faces[0].corners[2].uv = 1; },
         +[](ObjModel& m) { m.faces[0].has_normals = true; }, +[](ObjModel& m) { m.faces[0].sizes[0] = 4; },
-        +[](ObjModel& m) { m.faces[0].material = 1; }}) {
+        +[](ObjModel& m) { m.faces[0].material = 1; }, +[](ObjModel& m) { m.material_files.clear(); }}) {
     ObjModel damaged = small_model();
     damage(damaged);
     CHECK_THROWS_AS(model_of_bytes(model_bytes(damaged)), Error);

@@ -209,6 +209,163 @@ TEST_CASE("pictures of MTL files are textures, placed as their options say") {
   CHECK(rest.loaded.warnings.size() == 3);
 }
 
+TEST_CASE("a picture of what a material reflects is times its colour, unless that is black or absent") {
+  const auto of_picture = [](const std::string& lines) {
+    const Made made = made_of(lines);
+    const std::uint32_t index = made.material().textures.at(0).texture;
+    const auto* scale = std::get_if<ScaleTexture>(&made.texture(index).model);
+    if (!scale) return white;
+    CHECK(std::holds_alternative<ImageTexture>(made.texture(scale->first).model));
+    return std::get<ConstantTexture>(made.texture(scale->second).model).value;
+  };
+  CHECK(of_picture("Kd 0.5 0.25 0.75\nmap_Kd a.png\n") == Rgb{0.5f, 0.25f, 0.75f});
+  CHECK(of_picture("map_Kd a.png\nKd 0.5 0.25 2\nPr 0.5\n") == Rgb{0.5f, 0.25f, 1});
+  for (const char* said_by_picture : {"", "Kd 0 0 0\n", "Kd 1 1 1\n"})
+    CHECK(of_picture(std::string(said_by_picture) + "map_Kd a.png\n") == white);
+}
+
+TEST_CASE("what MTL lets a file leave out of a color or an option is filled in") {
+  CHECK(made_of("Kd 0.25\n").model<Lambert>().reflectance == Rgb{0.25f, 0.25f, 0.25f});
+  const auto picture_of = [](const std::string& line) {
+    const Made made = made_of(line);
+    CHECK(made.loaded.warnings.empty());
+    return made.texture(made.material().textures.at(0).texture);
+  };
+  const auto placed = [&](const std::string& options) {
+    const Texture texture = picture_of("map_Kd " + options + " my a.png\n");
+    CHECK(texture.name == "my a.png");
+    return std::get<ImageTexture>(texture.model).uv({1, 1});
+  };
+  CHECK(placed("-s 2") == Vec2{2, 1});
+  CHECK(placed("-cc on -o 0.5 0.25 -blendu off -s 2 3") == Vec2{2.5f, 3.25f});
+  CHECK(placed("-mm 0 1 -texres 64") == Vec2{1, 1});
+  CHECK(made_of("d -halo 0.5\n").binding().alpha != no_texture);
+  const Made half = made_of("d -halo 0.5\n");
+  CHECK(std::get<ConstantTexture>(half.texture(half.binding().alpha).model).value.r == 0.5f);
+}
+
+TEST_CASE("a number of MTL that is missing or none is 0, with a warning at its line") {
+  for (const char* line : {"Kd 0,9 1 1\n", "Kd 1 1\n", "Kd spectral a.rfl\n", "Kd nan 1 1\n", "d\n"}) {
+    CAPTURE(line);
+    const Made made = made_of(line);
+    REQUIRE(made.loaded.warnings.size() == 1);
+    CHECK(made.loaded.warnings[0].text().starts_with("a.mtl:2:1: a number of \"" +
+                                                     std::string(line).substr(0, line[0] == 'd' ? 1 : 2) +
+                                                     "\" is missing or none: 0 stands for it\n  "));
+  }
+  CHECK(made_of("Kd 0,9 1 1\n").model<Lambert>().reflectance == Rgb{0, 1, 1});
+  CHECK(made_of("Kd 1 1 1 # as paper\n").loaded.warnings.empty());
+}
+
+TEST_CASE("a picture is brightened as its option says") {
+  const TemporaryFolder folder;
+  Image grey(1, 1, {0.5f, 0.25f, 0});
+  write_exr(folder.file("grey.exr"), grey);
+  write_text(folder.file("a.obj"), "mtllib a.mtl\nvt 0 0\n" + square + "usemtl m\nf 1/1 2/1 3/1\n");
+  write_text(folder.file("a.mtl"), "newmtl m\nmap_Kd -mm 0.25 0.5 grey.exr\nmap_Ke -mm 1 2 grey.exr\n");
+  const LoadedScene loaded = load_scene(folder.file("a.obj"));
+  CHECK(loaded.warnings.empty());
+  const Scene& scene = loaded.scene;
+  CHECK(evaluate(scene.textures, scene.materials[0].textures.at(0).texture, {{0.5f, 0.5f}}) ==
+        Rgb{0.5f, 0.375f, 0.25f});
+  CHECK(std::get<MeshLight>(scene.lights.at(0).source).picture->pixels[0] == Rgb{2, 1.5f, 1});
+}
+
+TEST_CASE("a picture of what surfaces emit is placed as its options say") {
+  const TemporaryFolder folder;
+  Image halves(2, 1);
+  halves.pixels = {{1, 1, 1}, {0, 0, 0}};
+  write_exr(folder.file("halves.exr"), halves);
+  const auto lamp = [&](const std::string& options, const std::string& more, const std::string& uvs) {
+    write_text(folder.file("a.mtl"), "newmtl m\nmap_Ke " + options + " halves.exr\n" + more);
+    write_text(folder.file("a.obj"),
+               "mtllib a.mtl\n" + uvs + "\n" + square + "usemtl m\nf 1/1 2/2 3/3 4/4\n");
+    return load_scene(folder.file("a.obj"));
+  };
+  const auto light_of = [](const LoadedScene& loaded) {
+    return std::get<MeshLight>(loaded.scene.lights.at(0).source);
+  };
+  const std::string once = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1", beside = "vt 3 0\nvt 4 0\nvt 4 1\nvt 3 1";
+  CHECK(light_of(lamp("", "", once)).picture->pixels[0] == white);
+  CHECK(light_of(lamp("-o 0.5", "", once)).picture->pixels[0] == Rgb{});
+  CHECK(light_of(lamp("-s 2 1", "", once)).picture->width == 4);
+  CHECK(light_of(lamp("", "", beside)).picture->pixels[0] == white);
+  for (const LoadedScene& loaded :
+       {lamp("-clamp on", "", beside), lamp("", "map_Kd -clamp on halves.exr\n", beside),
+        lamp("", "map_Kd -s 1.5 1 halves.exr\n", beside)}) {
+    CHECK_FALSE(light_of(loaded).picture);
+    CHECK(light_of(loaded).radiance == Rgb{0.5f, 0.5f, 0.5f});
+    REQUIRE(loaded.warnings.size() == 1);
+    CHECK(loaded.warnings[0].message.find("emits the picture's mean") != std::string::npos);
+  }
+}
+
+TEST_CASE("a normal map is placed as its options say") {
+  for (const char* line : {"norm -s 2 3 n.png\n", "norm -clamp on -s 2 3 n.png\n"}) {
+    const Made made = made_of(line);
+    const auto& map = std::get<ImageTexture>(made.texture(made.material().normal_map).model);
+    CHECK(map.uv({1, 1}) == Vec2{2, 3});
+    CHECK((map.wrap == WrapMode::clamp) == (std::string(line).find("clamp") != std::string::npos));
+  }
+}
+
+TEST_CASE("a line of several material files has all of them, each with pictures beside it") {
+  const TemporaryFolder folder;
+  for (const std::string part : {"one", "two"}) {
+    std::filesystem::create_directory(folder.file(part));
+    write_png(folder.file(part + "/" + part + ".png"), {1, 1, {128, 128, 128}});
+    write_text(folder.file(part + "/m.mtl"), "newmtl " + part + "\nmap_Kd " + part + ".png\n");
+  }
+  const std::string faces = square + "vt 0 0\nusemtl one\nf 1/1 2/1 3/1\nusemtl two\nf 1/1 3/1 4/1\n";
+  for (const std::string lines : {"mtllib one/m.mtl two/m.mtl\n", "mtllib one/m.mtl\nmtllib two/m.mtl\n"}) {
+    write_text(folder.file("a.obj"), lines + faces);
+    const LoadedScene loaded = load_scene(folder.file("a.obj"));
+    CHECK(loaded.warnings.empty());
+    REQUIRE(loaded.scene.materials.size() == 2);
+    CHECK(loaded.scene.materials[1].name == "two");
+  }
+  write_text(folder.file("a.obj"), "mtllib none.mtl two/m.mtl\n" + faces);
+  const LoadedScene partly = load_scene(folder.file("a.obj"));
+  REQUIRE(partly.warnings.size() == 2);
+  CHECK(partly.warnings[0].message.find("none.mtl: ") != std::string::npos);
+  CHECK(partly.warnings[1].message == "there is no material \"one\"; it is grey");
+}
+
+TEST_CASE("a backslash continues a line, in comments it does not, and places stay right") {
+  const std::string lines = "v 0 \\\r\n0 0\n# from C:\\parts\\\nv 1 \\\n 0 \\\n 0\nv 1 1 0\n";
+  const LoadedScene loaded = load_obj_text(lines + "f 1 \\\n2 3");
+  CHECK(mesh_of(loaded).positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
+  CHECK(error_of(lines + "f 1 \\\n2 -9\n").starts_with("scene.obj:8:1: there is no element -9"));
+  const LoadedScene colored = load_obj_text("mtllib a.mtl\n" + square + "usemtl m\nf 1 2 3\n",
+                                            {{"a.mtl", "newmtl m\nKd 1 \\\n0 0\n"}});
+  CHECK(std::get<Lambert>(colored.scene.materials[0].model).reflectance == Rgb{1, 0, 0});
+}
+
+TEST_CASE(
+    "a coordinate that is no number is an error at its line, normals and texture coordinates are warnings") {
+  for (const std::string word : {"0,9", "nan", "inf", "x", "1.0;"})
+    CHECK(error_of(square + "v 0 " + word + " 0\nf 1 2 3\n")
+              .starts_with("scene.obj:5:1: a coordinate that is no number: \"" + word + "\"\n"));
+  CHECK(error_of("v 0 1\n").starts_with("scene.obj:1:1: a vertex of 2 coordinates; valid are 3\n"));
+  CHECK(error_of("v 0 1 # 2\n").starts_with("scene.obj:1:1: a vertex of 2 coordinates; valid are 3\n"));
+  CHECK(error_of("v 1e99 0 0\n").starts_with("scene.obj:1:1: a coordinate lies beyond"));
+  const LoadedScene loaded =
+      load_obj_text(square + "vn 0 0 -1.#IND\nvn 0 0 1\nvt 0.5 nan\nvt 0.25\nf 1/1/1 2/2/2 3/2/2\n");
+  REQUIRE(loaded.warnings.size() == 2);
+  CHECK(loaded.warnings[0].text().starts_with(
+      "scene.obj:5:1: a normal that is not three numbers: those of its triangles stand for it\n"));
+  CHECK(loaded.warnings[1].text().starts_with(
+      "scene.obj:7:1: texture coordinates that are no numbers: 0 stands for each\n"));
+  CHECK(mesh_of(loaded).normals[mesh_of(loaded).normal_indices[0][0]] == Vec3{0, 0, 1});
+  CHECK(mesh_of(loaded).uvs == std::vector<Vec2>{{0.5f, 0}, {0.25f, 0}});
+}
+
+TEST_CASE("a coordinate is the float that is nearest to what the file says") {
+  const LoadedScene loaded = load_obj_text("v 0.1 1e-3 16777217.0000001\nv +.5 -5. 1E+2\nv 0 0 0\nf 1 2 3\n");
+  CHECK(mesh_of(loaded).positions[0] == Vec3{0.1f, 1e-3f, 16777218.0f});
+  CHECK(mesh_of(loaded).positions[1] == Vec3{0.5f, -5, 100});
+}
+
 TEST_CASE("a bump map that shows directions is a normal map, and one that is absent is told") {
   const TemporaryFolder folder;
   write_png(folder.file("blue.png"), {1, 1, {128, 128, 255}});

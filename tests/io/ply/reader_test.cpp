@@ -116,6 +116,8 @@ TEST_CASE("what is wrong with a PLY file is named, with its place") {
         "a.ply: the vertices need the properties x, y and z");
   CHECK(error_of(replaced(square, "element face 1", "element fase 1")) ==
         "a.ply: the PLY file has no element \"face\", so it holds points alone");
+  CHECK(error_of(replaced(square, "element face 1", "element tristrips 1")) ==
+        "a.ply: the PLY file has no element \"face\"; strips of triangles (\"tristrips\") are not read");
   CHECK(error_of(binary(false).substr(0, binary(false).size() - 1)) ==
         "a.ply: the file ends too early, after 210 bytes");
 }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Private: MTL files, as tinyobjloader can read them.
+#pragma once
+#include <string>
+
+#include "io/diagnostic.h"
+
+namespace twinray {
+
+/// A material file in the words that the library knows, and no others:
+/// - continued lines are one;
+/// - a colour of one number has it three times, `-s`, `-o` and `-t` have three numbers, or the library takes
+///   the picture's name for one;
+/// - `-cc` goes, which it takes for a picture's name, and `-halo`, which it takes for a number;
+/// - a material without `Kd` has a black one: the library's is grey.
+/// A number that is missing or none is 0, with a warning.
+std::string material_text(const std::string& path, const std::string& text, WarningList& warnings);
+
+}  // namespace twinray
