@@ -361,7 +361,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a coordinate is the float that is nearest to what the file says") {
-  const LoadedScene loaded = load_obj_text("v 0.1 1e-3 16777217.0000001\nv +.5 -5. 1E+2\nv 0 0 0\nf 1 2 3\n");
+  const LoadedScene loaded = load_obj_text("v 0.1 1e-3 16777217.0000001\r\nv +.5 -5. 1E+2\nv 0 0 0\nf 1 2 3\n");
   CHECK(mesh_of(loaded).positions[0] == Vec3{0.1f, 1e-3f, 16777218.0f});
   CHECK(mesh_of(loaded).positions[1] == Vec3{0.5f, -5, 100});
 }
