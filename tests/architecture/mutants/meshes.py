@@ -21,8 +21,7 @@ TIMES = "a picture of what a material reflects is times its colour, unless that 
 FILLED = "what MTL lets a file leave out of a color or an option is filled in"
 GLOW = "a picture of what surfaces emit is placed as its options say"
 FILES = "a line of several material files has all of them, each with pictures beside it"
-NUMBERS = ("a coordinate that is no number is an error at its line, "
-           "normals and texture coordinates are warnings")
+NUMBERS = "a coordinate that is no number is an error at its line, of other numbers a warning"
 
 MUTANTS = [
     Mutant("elements from the back are one off", "io/obj/reader.cpp",

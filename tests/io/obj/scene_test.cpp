@@ -342,7 +342,7 @@ TEST_CASE("a backslash continues a line, in comments it does not, and places sta
 }
 
 TEST_CASE(
-    "a coordinate that is no number is an error at its line, normals and texture coordinates are warnings") {
+    "a coordinate that is no number is an error at its line, of other numbers a warning") {
   for (const std::string word : {"0,9", "nan", "inf", "x", "1.0;"})
     CHECK(error_of(square + "v 0 " + word + " 0\nf 1 2 3\n")
               .starts_with("scene.obj:5:1: a coordinate that is no number: \"" + word + "\"\n"));
