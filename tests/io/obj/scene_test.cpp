@@ -341,8 +341,7 @@ TEST_CASE("a backslash continues a line, in comments it does not, and places sta
   CHECK(std::get<Lambert>(colored.scene.materials[0].model).reflectance == Rgb{1, 0, 0});
 }
 
-TEST_CASE(
-    "a coordinate that is no number is an error at its line, of other numbers a warning") {
+TEST_CASE("a coordinate that is no number is an error at its line, of other numbers a warning") {
   for (const std::string word : {"0,9", "nan", "inf", "x", "1.0;"})
     CHECK(error_of(square + "v 0 " + word + " 0\nf 1 2 3\n")
               .starts_with("scene.obj:5:1: a coordinate that is no number: \"" + word + "\"\n"));
@@ -361,7 +360,8 @@ TEST_CASE(
 }
 
 TEST_CASE("a coordinate is the float that is nearest to what the file says") {
-  const LoadedScene loaded = load_obj_text("v 0.1 1e-3 16777217.0000001\r\nv +.5 -5. 1E+2\nv 0 0 0\nf 1 2 3\n");
+  const LoadedScene loaded =
+      load_obj_text("v 0.1 1e-3 16777217.0000001\r\nv +.5 -5. 1E+2\nv 0 0 0\nf 1 2 3\n");
   CHECK(mesh_of(loaded).positions[0] == Vec3{0.1f, 1e-3f, 16777218.0f});
   CHECK(mesh_of(loaded).positions[1] == Vec3{0.5f, -5, 100});
 }
