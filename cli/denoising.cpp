@@ -71,24 +71,28 @@ std::string Denoising::name() const {
   return library_ ? "Open Image Denoise " + library_->version() : version_name() + ", own filter";
 }
 
-DenoisedPicture Denoising::denoise(const HalfFilms& halves) const {
+std::optional<DenoisedPicture> Denoising::denoise(const HalfFilms& halves,
+                                                  const std::function<bool()>& is_stopped) const {
   const auto start = std::chrono::steady_clock::now();
   HalfPictures pictures = half_pictures(halves);
-  const SurfaceFeatures clean = library_ ? library_->denoised(features_of(pictures)) : SurfaceFeatures{};
+  const SurfaceFeatures clean =
+      library_ ? library_->denoised(features_of(pictures), is_stopped) : SurfaceFeatures{};
   const auto denoised = [&] {
     const auto& [a, b] = pictures.halves;
-    return library_ ? library_->denoised(mean_of(a.color, b.color, pictures), clean)
-                    : picture_of(denoised_halves(pictures), pictures.second_weight);
+    return library_ ? library_->denoised(mean_of(a.color, b.color, pictures), clean, is_stopped)
+                    : picture_of(denoised_halves(pictures, is_stopped), pictures.second_weight);
   };
   DenoisedPicture made;
   with_threads(threads_, [&] {
     const std::size_t groups = halves.first.contents().parts[std::size_t(Division::groups)];
-    for (std::size_t group = 0; group < groups; ++group) {
+    for (std::size_t group = 0; group < groups && !(is_stopped && is_stopped()); ++group) {
       take_light_group(halves, group, pictures);
       made.light_groups.push_back(denoised());
     }
+    if (is_stopped && is_stopped()) return;
     made.image = groups > 0 ? exact_sum(made.light_groups) : denoised();
   });
+  if (is_stopped && is_stopped()) return std::nullopt;
   made.denoiser = name();
   made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return made;

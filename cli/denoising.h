@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What --denoise does once a picture is rendered.
 #pragma once
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +31,10 @@ class Denoising {
   Denoising(DenoiserKind kind, int threads);
 
   std::string name() const;
-  /// Of the halves of a render, which have albedo and normal.
-  DenoisedPicture denoise(const HalfFilms& halves) const;
+  /// Of the halves of a render, which have albedo and normal; nothing once `is_stopped` says true, which is
+  /// asked many times a second, from any thread.
+  std::optional<DenoisedPicture> denoise(const HalfFilms& halves,
+                                         const std::function<bool()>& is_stopped = {}) const;
   /// The root of the relative mean squared error (check/picture_error.h) that the denoised picture has, as
   /// far as the halves tell; light groups are not looked at.
   double estimated_error(const HalfFilms& halves) const;

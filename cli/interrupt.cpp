@@ -17,6 +17,8 @@ namespace {
 std::atomic<const std::vector<std::string>*> unfinished_paths = nullptr;
 static_assert(std::atomic<const std::vector<std::string>*>::is_always_lock_free);
 
+/// Of a program that ends before it can be stopped; 0: that of the signal.
+std::atomic<int> exit_code_before = 0;
 std::atomic<bool> is_stoppable = false;
 /// The first signal since the work can be stopped; 0 where there was none.
 std::atomic<int> stop_signal = 0;
@@ -37,7 +39,7 @@ void say(std::string_view text) {
   }
 }
 
-[[noreturn]] void end_at_once(int signal_number) {
+[[noreturn]] void end_at_once(int signal_number, int exit_code) {
   if (const std::vector<std::string>* paths = unfinished_paths)
     for (const std::string& path : *paths) unlink(path.c_str());
   if (isatty(STDERR_FILENO)) say("\n");
@@ -46,20 +48,23 @@ void say(std::string_view text) {
       : signal_number == SIGALRM ? ": its time is over"
                                  : ": ended by a signal");
   say("; unfinished outputs are removed, old files are as they were\n");
-  _exit(exit_code_of(signal_number));
+  _exit(exit_code);
 }
 
 void take_signal(int signal_number) {
+  const int code = exit_code_of(signal_number), code_before = exit_code_before;
+  if (!is_stoppable) end_at_once(signal_number, code_before != 0 ? code_before : code);
   int none = 0;
-  if (!is_stoppable || !stop_signal.compare_exchange_strong(none, signal_number)) end_at_once(signal_number);
+  if (!stop_signal.compare_exchange_strong(none, signal_number)) end_at_once(signal_number, code);
 }
 
 }  // namespace
 
-InterruptGuard::InterruptGuard(const std::vector<std::string>& outputs) {
+InterruptGuard::InterruptGuard(const std::vector<std::string>& outputs, int early_code) {
   for (const std::string& output : outputs)
     if (std::string path = temporary_path(output); !path.empty()) paths_.push_back(std::move(path));
   unfinished_paths = &paths_;
+  exit_code_before = early_code;
   struct sigaction action {};
   action.sa_handler = take_signal;
   action.sa_flags = SA_RESTART;  // Who is asked to stop still writes what it writes.
@@ -73,6 +78,7 @@ InterruptGuard::InterruptGuard(const std::vector<std::string>& outputs) {
 InterruptGuard::~InterruptGuard() {
   for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
   unfinished_paths = nullptr;
+  exit_code_before = 0;
 }
 
 StopRequest::StopRequest() {

@@ -16,8 +16,9 @@ namespace twinray {
 /// started to ignore is ignored. One at a time.
 class InterruptGuard {
  public:
-  /// Throws Error for a name that cannot be written.
-  explicit InterruptGuard(const std::vector<std::string>& outputs);
+  /// `early_code`, if not 0, is the exit code of a program that ends before a StopRequest begins. Throws
+  /// Error for a name that cannot be written.
+  explicit InterruptGuard(const std::vector<std::string>& outputs, int early_code = 0);
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;

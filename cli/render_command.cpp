@@ -69,7 +69,7 @@ class RenderRun {
         talk_(talk),
         outputs_(render_outputs(arguments)),
         partial_(partial_outputs(outputs_)),
-        guard_(all_names({outputs_, partial_})) {
+        guard_(all_names({outputs_, partial_}), arguments.checkpoint.empty() ? 0 : try_again_code) {
     prepare_outputs(outputs_.names(), {arguments.scene, arguments.environment, arguments.camera_file});
     if (arguments.denoiser) use_denoiser(*arguments.denoiser);
     arguments_.load.files = std::make_shared<std::vector<std::string>>();
@@ -93,9 +93,9 @@ class RenderRun {
     const auto accelerator = build_accelerator(arguments_.backend, loaded.scene.geometry, arguments_.build);
     talk_.built(accelerator->stats());
     if (arguments_.check_with) check_.emplace(arguments_, loaded.scene, *accelerator);
-    const Rendered rendered = render({loaded.scene, *accelerator, *integrator}, keeping, live);
-    const int code = rendered.stop_code != 0 ? keeping.interrupted(rendered.result, rendered.stop_code)
-                                             : finish(rendered.result, *accelerator, keeping);
+    const RenderResult rendered = render({loaded.scene, *accelerator, *integrator}, keeping, live);
+    const int code = rendered.is_complete ? finish(rendered, *accelerator, keeping)
+                                          : stopped_in_samples(rendered, keeping);
     live.finish();
     return code;
   }
@@ -105,10 +105,6 @@ class RenderRun {
     const Scene& scene;
     const Accelerator& accelerator;
     const Integrator& integrator;
-  };
-  struct Rendered {
-    RenderResult result;
-    int stop_code = 0;  ///< Where it was stopped: the program's exit code.
   };
 
   bool makes_picture() const { return outputs_.film.empty(); }
@@ -129,18 +125,19 @@ class RenderRun {
     return loaded;
   }
 
-  /// Where something is kept the first interruption ends the render, not the program.
-  Rendered render(const Job& job, RenderKeeping& keeping, LivePicture& live) {
+  /// Where something is kept the first interruption ends the work, and not the program.
+  void heed_stops(const LivePicture& live) {
+    stop_.emplace();
+    arguments_.render.is_stopped = [this, &live] {
+      if (live.asks_to_stop()) stop_->make();
+      return stop_->is_made();
+    };
+  }
+
+  RenderResult render(const Job& job, RenderKeeping& keeping, LivePicture& live) {
     heed_the_clock(arguments_);
+    if (keeping.keeps_something()) heed_stops(live);
     RenderOptions options = keeping.resting(check_ ? check_->observed(arguments_.render) : arguments_.render);
-    std::optional<StopRequest> stop;
-    if (keeping.keeps_something()) {
-      stop.emplace();
-      options.is_stopped = [&] {
-        if (live.asks_to_stop()) stop->make();
-        return stop->is_made();
-      };
-    }
     const std::vector<LiveLayer> more = check_ ? std::vector{check_->layer()} : std::vector<LiveLayer>{};
     options = live.watching(std::move(options), job.scene, more);
     talk_.rendering();
@@ -150,18 +147,30 @@ class RenderRun {
                                             live.progress(progress);
                                           });
     live.show_last(result);
-    const int stop_code = result.is_complete ? 0 : stop->exit_code();
-    if (stop_code == 0)
-      talk_.rendered(result);
-    else
-      talk_.stopped();
-    return {std::move(result), stop_code};
+    if (result.is_complete) talk_.rendered(result);
+    return result;
   }
 
-  void denoise(const RenderResult& result) {
-    denoised_ = denoising_->denoise(*result.halves);
+  /// False where it is stopped.
+  bool denoise(const RenderResult& result) {
+    denoised_ = denoising_->denoise(*result.halves, arguments_.render.is_stopped);
+    if (!denoised_) return false;
     talk_.denoised(*denoised_);
     set_value(notes_.metadata, "twinray:denoiser", denoised_->denoiser);
+    return true;
+  }
+
+  /// The exit code.
+  int stopped_in_samples(const RenderResult& result, RenderKeeping& keeping) {
+    talk_.stopped();
+    keeping.save_last(result);
+    return keeping.interrupted(result, stop_->exit_code(), "");
+  }
+
+  /// All samples are there, and saved; the exit code.
+  int stopped_in_denoising(const RenderResult& result, RenderKeeping& keeping) {
+    talk_.stopped();
+    return keeping.interrupted(result, stop_->exit_code(), " while it was denoised");
   }
 
   void write(const RenderResult& result, RenderKeeping& keeping) {
@@ -183,7 +192,7 @@ class RenderRun {
       arguments_.render.samples = result.samples;
       set_value(notes_.metadata, "twinray:samples", fmt::format("{}", result.samples));
     }
-    if (denoising_ && makes_picture()) denoise(result);
+    if (denoising_ && makes_picture() && !denoise(result)) return stopped_in_denoising(result, keeping);
     if (const std::string rejected = rejection_text(result.film, arguments_); !rejected.empty())
       console::warn(rejected);
     if (const std::string unread = unread_tiles_text(arguments_); !unread.empty()) console::warn(unread);
@@ -195,6 +204,9 @@ class RenderRun {
                  statistics_json(arguments_, accelerator.stats(), result,
                                  {found ? check_->json(*found) : "", denoised_ ? &*denoised_ : nullptr}));
     talk_.finished(arguments_, accelerator.stats(), result);
+    if (stop_ && stop_->is_made())
+      console::print_error("{}: interrupted once all samples were there: all outputs are written\n",
+                           console::speaker());
     return check_ ? check_->report(*found, outputs_.differences) : 0;
   }
 
@@ -203,6 +215,7 @@ class RenderRun {
   RenderTalk& talk_;
   const RenderOutputs outputs_, partial_;
   const InterruptGuard guard_;
+  std::optional<StopRequest> stop_;
   PictureRequest request_;
   std::jthread codec_loader_;
   std::optional<Denoising> denoising_;

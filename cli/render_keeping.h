@@ -32,9 +32,10 @@ class RenderKeeping {
   RenderOptions resting(RenderOptions options);
   /// Writes the last checkpoint of a render, if one is asked for.
   void save_last(const RenderResult& result);
-  /// Keeps what there is, and says where. The exit code: that of an interrupted program or, where it can go
+  /// Once the last checkpoint is written: keeps what there is, and says where. `when` it was interrupted ("
+  /// while it was denoised") may be empty. The exit code: that of an interrupted program or, where it can go
   /// on, try_again_code.
-  int interrupted(const RenderResult& result, int stop_code);
+  int interrupted(const RenderResult& result, int stop_code, const char* when);
 
  private:
   void rest(const RenderState& state);

@@ -32,7 +32,7 @@ class RenderTalk {
   /// While it renders, and once it has ended.
   virtual void checkpointed() {}
   virtual void rendered(const RenderResult&) {}
-  /// In place of rendered(), and the last: it was interrupted.
+  /// In place of rendered() or denoised(), and the last but for checkpointed(): it was interrupted.
   virtual void stopped() {}
   virtual void denoised(const DenoisedPicture&) {}
   virtual void saving() {}

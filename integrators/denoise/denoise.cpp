@@ -38,7 +38,7 @@ Plane ones(int width, int height) {
 
 }  // namespace
 
-FilteredHalves denoised_halves(const HalfPictures& noisy) {
+FilteredHalves denoised_halves(const HalfPictures& noisy, const std::function<bool()>& is_stopped) {
   const auto& [a, b] = noisy.halves;
   if (a.features.size() != feature_count || b.features.size() != feature_count)
     throw Error(fmt::format("{} features: a picture is denoised by {}", a.features.size(), feature_count));
@@ -53,7 +53,7 @@ FilteredHalves denoised_halves(const HalfPictures& noisy) {
     // The weights are those of the other half: noise must not choose neighbours that are like it.
     input.color = padded(noisy.halves[half].color);
     input.guide.color = padded(noisy.halves[1 - half].color);
-    const auto found = regressions(input, noisy.width, noisy.height);
+    const auto found = regressions(input, noisy.width, noisy.height, is_stopped);
     for (std::size_t k = 0; k < bandwidths.size(); ++k) filtered[k][half] = found[k];
   }
   return best_blend(noisy, filtered);

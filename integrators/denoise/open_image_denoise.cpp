@@ -29,6 +29,9 @@ using Device = void*;
 using Filter = void*;
 constexpr int processor_device = 1;  ///< OIDN_DEVICE_TYPE_CPU
 constexpr int three_floats = 3;      ///< OIDN_FORMAT_FLOAT3
+constexpr int cancelled = 6;         ///< OIDN_ERROR_CANCELLED
+/// Whether to go on; `done` is from 0 to 1.
+using ProgressMonitor = bool (*)(void* user, double done);
 
 struct Functions {
   Device (*new_device)(int type);
@@ -43,6 +46,7 @@ struct Functions {
                            std::size_t height, std::size_t byte_offset, std::size_t pixel_stride,
                            std::size_t row_stride);
   void (*set_bool)(Filter, const char* name, bool value);
+  void (*set_progress_monitor)(Filter, ProgressMonitor, void* user);
   void (*commit_filter)(Filter);
   void (*execute_filter)(Filter);
 };
@@ -68,10 +72,13 @@ Functions find_functions(void* library, const std::string& path) {
   find("oidnReleaseFilter", found.release_filter);
   find("oidnSetSharedFilterImage", found.set_shared_image);
   find("oidnSetFilterBool", found.set_bool);
+  find("oidnSetFilterProgressMonitorFunction", found.set_progress_monitor);
   find("oidnCommitFilter", found.commit_filter);
   find("oidnExecuteFilter", found.execute_filter);
   return found;
 }
+
+bool goes_on(void* is_stopped, double) { return !(*static_cast<const std::function<bool()>*>(is_stopped))(); }
 
 /// The library within a folder: of several the first by name; empty where there is none.
 std::string library_within(const fs::path& folder) {
@@ -129,7 +136,8 @@ class OpenImageDenoise::Library {
     const Image* image;
   };
   /// Runs the filter for ray traced pictures. With `flags` set.
-  Image filtered(std::span<const Binding> inputs, std::span<const char* const> flags) const {
+  Image filtered(std::span<const Binding> inputs, std::span<const char* const> flags,
+                 std::function<bool()> is_stopped) const {
     const std::unique_ptr<void, void (*)(Filter)> filter(functions_.new_filter(device_.get(), "RT"),
                                                          functions_.release_filter);
     check("Open Image Denoise");
@@ -138,6 +146,7 @@ class OpenImageDenoise::Library {
     for (const Binding& input : inputs) bind(filter.get(), input.name, *input.image);
     bind(filter.get(), "output", output);
     for (const char* const flag : flags) functions_.set_bool(filter.get(), flag, true);
+    if (is_stopped) functions_.set_progress_monitor(filter.get(), goes_on, &is_stopped);
     functions_.commit_filter(filter.get());
     functions_.execute_filter(filter.get());
     check("Open Image Denoise");
@@ -149,10 +158,11 @@ class OpenImageDenoise::Library {
     functions_.set_shared_image(filter, name, const_cast<Rgb*>(image.pixels.data()), three_floats,
                                 std::size_t(image.width), std::size_t(image.height), 0, sizeof(Rgb), 0);
   }
-  /// Throws what the library complains of.
+  /// Throws what the library complains of, but for an end that it was asked for.
   void check(const char* who) const {
     const char* message = nullptr;
-    if (functions_.get_device_error(device_.get(), &message) != 0)
+    const int code = functions_.get_device_error(device_.get(), &message);
+    if (code != 0 && code != cancelled)
       throw Error(fmt::format("{}: {}", who, message ? message : "an error without a message"));
   }
 
@@ -179,19 +189,21 @@ std::unique_ptr<const OpenImageDenoise> OpenImageDenoise::find(int threads) {
 
 std::string OpenImageDenoise::version() const { return library_->version(); }
 
-SurfaceFeatures OpenImageDenoise::denoised(const SurfaceFeatures& noisy) const {
+SurfaceFeatures OpenImageDenoise::denoised(const SurfaceFeatures& noisy,
+                                           const std::function<bool()>& is_stopped) const {
   const auto alone = [&](const char* name, const Image& image) {
     const std::array inputs{Library::Binding{name, &image}};
-    return library_->filtered(inputs, {});
+    return library_->filtered(inputs, {}, is_stopped);
   };
   return {alone("albedo", noisy.albedo), alone("normal", noisy.normal)};
 }
 
-Image OpenImageDenoise::denoised(const Image& color, const SurfaceFeatures& clean) const {
+Image OpenImageDenoise::denoised(const Image& color, const SurfaceFeatures& clean,
+                                 const std::function<bool()>& is_stopped) const {
   const std::array inputs{Library::Binding{"color", &color}, Library::Binding{"albedo", &clean.albedo},
                           Library::Binding{"normal", &clean.normal}};
   constexpr std::array flags{"hdr", "cleanAux"};
-  Image denoised = library_->filtered(inputs, flags);
+  Image denoised = library_->filtered(inputs, flags, is_stopped);
   for (Rgb& pixel : denoised.pixels)
     pixel = {std::max(0.0f, pixel.r), std::max(0.0f, pixel.g), std::max(0.0f, pixel.b)};
   return denoised;

@@ -2,6 +2,7 @@
 // Intel's Open Image Denoise, a neural network, where its library is found when the program runs. Nothing of
 // it is needed to build.
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -28,12 +29,14 @@ class OpenImageDenoise {
 
   /// "2.5.1"
   std::string version() const;
-  /// Albedo and normal without noise, as a picture needs them. Throws Error with the library's words where it
-  /// fails.
-  SurfaceFeatures denoised(const SurfaceFeatures& noisy) const;
-  /// The picture without noise, of the size of its features, which have none. Never negative. Throws Error
-  /// likewise.
-  Image denoised(const Image& color, const SurfaceFeatures& clean) const;
+  /// Albedo and normal without noise, as a picture needs them. `is_stopped`, if set, is asked now and then,
+  /// from any thread: once it says true, what is returned is of no use. Throws Error with the library's words
+  /// where it fails.
+  SurfaceFeatures denoised(const SurfaceFeatures& noisy, const std::function<bool()>& is_stopped = {}) const;
+  /// The picture without noise, of the size of its features, which have none. Never negative. `is_stopped`
+  /// and errors as above.
+  Image denoised(const Image& color, const SurfaceFeatures& clean,
+                 const std::function<bool()>& is_stopped = {}) const;
 
  private:
   class Library;

@@ -131,12 +131,14 @@ void solve(const RegressionInput& input, int x0, int y0, const Equations& equati
 
 }  // namespace
 
-std::array<Color, bandwidths.size()> regressions(const RegressionInput& input, int width, int height) {
+std::array<Color, bandwidths.size()> regressions(const RegressionInput& input, int width, int height,
+                                                 const std::function<bool()>& is_stopped) {
   const Plane empty(width, height);
   std::array<Color, bandwidths.size()> found;
   found.fill({empty, empty, empty});
   const int columns = (width + tile_width - 1) / tile_width, rows = (height + tile_height - 1) / tile_height;
   parallel_for(std::size_t(columns) * std::size_t(rows), 1, 0, [&](std::size_t tile, std::size_t) {
+    if (is_stopped && is_stopped()) return;
     const int x0 = int(tile) % columns * tile_width, y0 = int(tile) / columns * tile_height;
     const auto work = std::make_unique<Workspace>();
     for (int dy = -window_radius; dy <= window_radius; ++dy)

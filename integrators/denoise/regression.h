@@ -8,6 +8,7 @@
 // features show stays sharp, and so does a texture; what is noise has no feature and goes.
 #pragma once
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -31,7 +32,9 @@ struct RegressionInput {
   Guide guide;         ///< Independent of the colours' noise.
 };
 
-/// The colours by each of the bandwidths.
-std::array<Color, bandwidths.size()> regressions(const RegressionInput& input, int width, int height);
+/// The colours by each of the bandwidths. Pixels that it has not come to when `is_stopped` says true stay
+/// black.
+std::array<Color, bandwidths.size()> regressions(const RegressionInput& input, int width, int height,
+                                                 const std::function<bool()>& is_stopped);
 
 }  // namespace twinray

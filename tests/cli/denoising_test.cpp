@@ -243,6 +243,30 @@ TEST_CASE("Open Image Denoise denoises each light group with the same clean feat
   }
 }
 
+TEST_CASE("an interruption while it is denoised keeps the picture as it is, and a checkpoint to denoise") {
+  const TemporaryFolder folder;
+  const std::string render = small_render + "--denoise=oidn -o " + folder.file("a.exr");
+  const auto interrupted = [&](const std::string& more, const char* mode) {
+    return run_program(render + more, fake + " FAKE_DENOISER=" + mode);
+  };
+  const std::string kept = folder.file("a_partial.exr") + " holds what there is: 6 of 6 samples a pixel\n";
+  const ProcessResult alone = interrupted("", "interrupt");
+  CHECK(alone.exit_code == 130);
+  CHECK(alone.err == "twinray: interrupted while it was denoised; " + kept);
+  CHECK(folder.file_count() == 1);
+  REQUIRE(run_program(small_render + "-o " + folder.file("plain.exr")).exit_code == 0);
+  CHECK(read_image(folder.file("a_partial.exr")).pixels == read_image(folder.file("plain.exr")).pixels);
+  const std::string checkpoint = folder.file("a.ck");
+  const ProcessResult saved = interrupted(" --checkpoint=" + checkpoint, "interrupt");
+  CHECK(saved.exit_code == 75);
+  CHECK(contains(saved.err, kept + "twinray: `twinray resume " + checkpoint + "` goes on with it\n"));
+  CHECK(interrupted(" --checkpoint=" + checkpoint, "interrupt-twice").exit_code == 130);
+  CHECK_FALSE(std::filesystem::exists(folder.file("a.exr")));
+  REQUIRE(run_program("resume " + checkpoint + " -q", fake).exit_code == 0);
+  REQUIRE(run_program(small_render + "--denoise=oidn -o " + folder.file("whole.exr"), fake).exit_code == 0);
+  CHECK(read_layers(folder.file("a.exr")).values == read_layers(folder.file("whole.exr")).values);
+}
+
 TEST_CASE("light groups are denoised where they are kept, and something denoises") {
   const Words both{"--layers=light-groups", "-o", "a.exr", "--denoise-light-groups", "--denoise=own"};
   CHECK(parse(both).render.half_light_groups);

@@ -3,6 +3,7 @@
 #include "cli/interrupt.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <utility>
@@ -107,6 +108,38 @@ TEST_CASE("a second Ctrl-C ends at once") {
   CHECK(program.shown().find("twinray: interrupted; unfinished outputs are removed, old files are as they "
                              "were") != std::string::npos);
   CHECK(folder.file_count() == 0);
+}
+
+TEST_CASE("an interruption while the picture is written lets it be written") {
+  const TemporaryFolder folder;
+  for (const std::string moment : {"AT_WRITE", "AT_SYNC"}) {
+    CAPTURE(moment);
+    const std::string path = folder.file("a.png");
+    write_text(path, "old");
+    const ProcessResult result =
+        run_program(fmt::format("{} -r 48 36 -s 2 -q -o {}", quoted(box_scene), quoted(path)),
+                    "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD='" TWINRAY_AT_SYNC "' " + moment +
+                        "=interrupt-once");
+    CHECK(result.exit_code == 0);
+    CHECK(result.err == "twinray: interrupted once all samples were there: all outputs are written\n");
+    CHECK(is_rendered(path));
+    CHECK(folder.file_count() == 1);
+  }
+}
+
+TEST_CASE("with a checkpoint an interruption before the first sample says to try again: nothing is lost") {
+  for (const auto& [checkpoint, code] : {std::pair{"--checkpoint=", 75}, {"--stats=", 143}}) {
+    CAPTURE(checkpoint);
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("scene.dae");
+    REQUIRE(mkfifo(scene.c_str(), 0600) == 0);  // Nobody writes into it: loading waits.
+    TerminalProgram program(
+        {scene, "--progress=json", checkpoint + folder.file("a.ck"), "-o", folder.file("a.png")});
+    REQUIRE(program.wait_for("\"loading\""));
+    program.send(SIGTERM);
+    CHECK(program.exit_code() == code);
+    CHECK(folder.file_count() == 1);
+  }
 }
 
 TEST_CASE("under its other name the program ends by a signal under that name, too") {

@@ -197,4 +197,13 @@ TEST_CASE("a picture is denoised by albedo and normal, no other features") {
   CHECK_THROWS_WITH(denoised(noisy), "5 features: a picture is denoised by 6");
 }
 
+TEST_CASE("a filter that is to stop leaves out what it has not begun") {
+  const HalfPictures noisy = with_noise(wall, 0.1f);
+  const auto image_stopped_by = [&](bool is_stopped) {
+    return picture_of(denoised_halves(noisy, [&] { return is_stopped; }), noisy.second_weight);
+  };
+  CHECK(image_stopped_by(false).pixels == denoised(noisy).pixels);
+  CHECK(image_stopped_by(true).pixels != denoised(noisy).pixels);
+}
+
 }  // namespace twinray::test

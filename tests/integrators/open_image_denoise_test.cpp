@@ -82,4 +82,15 @@ TEST_CASE("the words of Open Image Denoise's errors are ours") {
   CHECK_THROWS_WITH(denoiser->denoised(noisy, features), "Open Image Denoise: out of memory");
 }
 
+TEST_CASE("Open Image Denoise ends early where it is to stop, which is no error") {
+  const Environment environment(fake);
+  const auto denoiser = OpenImageDenoise::find();
+  REQUIRE(denoiser);
+  const auto red = [&](bool is_stopped) {
+    return denoiser->denoised(noisy, features, [&] { return is_stopped; }).pixels.front().r;
+  };
+  CHECK(red(false) == Approx(1 + 10 * 0.1));
+  CHECK(red(true) == 0);
+}
+
 }  // namespace twinray::test

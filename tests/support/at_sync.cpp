@@ -2,7 +2,7 @@
 // Loaded before the C library: what happens while the program writes a file. The environment's AT_WRITE says
 // what does when half of it is written, AT_SYNC what does when it is flushed, that is, when all of it is
 // written and nothing has been renamed: "fail", as a broken disk does, "interrupt", as Ctrl-C at that very
-// moment, "terminate" (SIGTERM) or "kill" (SIGKILL).
+// moment, "interrupt-once" at the first such moment alone, "terminate" (SIGTERM) or "kill" (SIGKILL).
 #include <errno.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -18,6 +18,8 @@ bool fails(const char* variable) {
   const char* chosen = getenv(variable);
   if (!chosen) return false;
   if (strcmp(chosen, "interrupt") == 0) raise(SIGINT);
+  static bool is_interrupted = false;
+  if (strcmp(chosen, "interrupt-once") == 0 && !is_interrupted) is_interrupted = raise(SIGINT) == 0;
   if (strcmp(chosen, "terminate") == 0) raise(SIGTERM);
   if (strcmp(chosen, "kill") == 0) raise(SIGKILL);
   errno = EIO;

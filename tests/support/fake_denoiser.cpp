@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // A library with Open Image Denoise's interface and arithmetic that a test can follow. FAKE_DENOISER=old says
-// that it is of version 1, =broken that it fails.
+// that it is of version 1, =broken that it fails, =interrupt that Ctrl-C is pressed while it works,
+// =interrupt-twice that it is pressed once more.
+#include <signal.h>
+
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -14,6 +18,8 @@ struct FilterData {
   std::map<std::string, float*> images;
   std::set<std::string> flags;
   std::size_t floats = 0;
+  bool (*goes_on)(void* user, double done) = nullptr;
+  void* user = nullptr;
 };
 
 bool is_mode(const char* mode) {
@@ -21,7 +27,7 @@ bool is_mode(const char* mode) {
   return set && std::strcmp(set, mode) == 0;
 }
 
-bool has_failed = false;
+bool has_failed = false, is_cancelled = false, is_used = false;
 
 }  // namespace
 
@@ -36,6 +42,11 @@ int oidnGetDeviceInt(void*, const char* name) {
 }
 void oidnCommitDevice(void*) {}
 int oidnGetDeviceError(void*, const char** message) {
+  if (is_cancelled) {
+    is_cancelled = false;
+    *message = "execution was cancelled";
+    return 6;
+  }
   if (!has_failed) return 0;
   has_failed = false;
   *message = "out of memory";
@@ -54,13 +65,22 @@ void oidnSetSharedFilterImage(void* filter, const char* name, void* pixels, int,
 void oidnSetFilterBool(void* filter, const char* name, bool value) {
   if (value) static_cast<FilterData*>(filter)->flags.insert(name);
 }
+void oidnSetFilterProgressMonitorFunction(void* filter, bool (*function)(void*, double), void* user) {
+  static_cast<FilterData*>(filter)->goes_on = function;
+  static_cast<FilterData*>(filter)->user = user;
+}
 void oidnCommitFilter(void*) {}
 
 /// Albedo or normal alone are doubled; a picture becomes color + 10 albedo + 100 normal, if both are said to
 /// be clean and the picture to be radiance.
 void oidnExecuteFilter(void* filter) {
   has_failed = is_mode("broken");
-  auto& [images, flags, floats] = *static_cast<FilterData*>(filter);
+  const bool is_first = !std::exchange(is_used, true);
+  if (is_first && (is_mode("interrupt") || is_mode("interrupt-twice"))) raise(SIGINT);
+  if (is_first && is_mode("interrupt-twice")) raise(SIGINT);
+  auto& [images, flags, floats, goes_on, user] = *static_cast<FilterData*>(filter);
+  is_cancelled = goes_on && !goes_on(user, 0);
+  if (is_cancelled) return;
   float* const output = images.at("output");
   const bool is_picture =
       images.count("color") == 1 && flags.count("hdr") == 1 && flags.count("cleanAux") == 1;

@@ -99,4 +99,13 @@ MUTANTS = [
     Mutant("any version of Open Image Denoise will do", "integrators/denoise/open_image_denoise.cpp",
            'functions_.get_device_int(device_.get(), "versionMajor") != known_version', "false",
            "test_integrators", "what is no Open Image Denoise of version 2 is refused by name"),
+    Mutant("our own filter does not stop", "integrators/denoise/regression.cpp",
+           "if (is_stopped && is_stopped()) return;", "", "test_integrators",
+           "a filter that is to stop leaves out what it has not begun"),
+    Mutant("Open Image Denoise does not stop", "integrators/denoise/open_image_denoise.cpp",
+           "if (is_stopped) functions_.set_progress_monitor(filter.get(), goes_on, &is_stopped);", "",
+           "test_integrators", "Open Image Denoise ends early where it is to stop, which is no error"),
+    Mutant("an interruption while it is denoised is not heard", "cli/render_command.cpp",
+           "denoise(*result.halves, arguments_.render.is_stopped)", "denoise(*result.halves)", "test_cli",
+           "an interruption while it is denoised keeps the picture as it is, and a checkpoint to denoise"),
 ]

@@ -10,7 +10,7 @@ MUTANTS = [
            'set_value(notes.metadata, "twinray:samples", samples);', "", "test_cli",
            "Ctrl-C keeps what was rendered, with the samples that it has"),
     Mutant("an unfinished partial picture stays", "cli/render_command.cpp",
-           "guard_(all_names({outputs_, partial_}))", "guard_(outputs_.names())", "test_cli",
+           "guard_(all_names({outputs_, partial_}),", "guard_(outputs_.names(),", "test_cli",
            "a second Ctrl-C ends at once"),
     Mutant("a stopped render counts as complete", "integrators/render.cpp",
            "const bool is_done = !is_stopped();", "const bool is_done = true;",
