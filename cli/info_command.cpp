@@ -6,6 +6,7 @@
 
 #include "cli/console.h"
 #include "cli/info_report.h"
+#include "cli/json_names.h"
 #include "cli/render_command_line.h"
 #include "cli/resources.h"
 
@@ -49,11 +50,13 @@ std::function<InfoArguments()> add_info_options(CLI::App& app) {
 }
 
 int info_command(const InfoArguments& arguments) {
+  if (arguments.json) check_json_names({arguments.scene}, "--json");
   LoadOptions options = arguments.load;
   options.files = std::make_shared<std::vector<std::string>>();
   const LoadedScene loaded = load_with_warnings(arguments.scene, options);
   SceneInfo info = scene_info(arguments.scene, loaded);
   info.files = once(*options.files);
+  if (arguments.json) check_json_names(info.files, "--json");
   info.needs = needs_of(arguments, loaded.scene);
   console::write(arguments.json ? info_json(info) : info_text(info));
   return 0;

@@ -137,6 +137,8 @@ std::string info_text(const SceneInfo& info) {
   return text;
 }
 
-std::string info_json(const SceneInfo& info) { return json_of(info).dump(2) + "\n"; }
+std::string info_json(const SceneInfo& info) {
+  return json_of(info).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 }  // namespace twinray

@@ -8,6 +8,7 @@
 
 #include "cli/console.h"
 #include "cli/film/render_identity.h"
+#include "cli/json_names.h"
 #include "core/error.h"
 
 namespace twinray {
@@ -17,6 +18,12 @@ namespace {
 constexpr std::chrono::duration<double> usual_interval{60};
 /// Then they take at most one part in so many of the time.
 constexpr int rarity = 100;
+
+/// Of the command line, and of the scene's files.
+void check_names(const FilmNotes& notes) {
+  check_json_names(notes.words, "a film");
+  for (const auto& [name, hash] : notes.identity.files) check_json_names({name}, "a film");
+}
 
 }  // namespace
 
@@ -38,6 +45,7 @@ FilmKeeper::FilmKeeper(const RenderArguments& arguments, const LoadedScene& load
             .words = words,
             .folder = std::filesystem::current_path(error).string(),
             .picture = picture};
+  check_names(notes_);
   if (!arguments.resumed.empty()) {
     auto [film, fault] = open_film_to_resume(arguments.resumed, arguments.render.threads);
     if (!fault.empty()) console::warn(fault);

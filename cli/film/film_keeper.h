@@ -21,7 +21,7 @@ bool uses_films(const RenderArguments& arguments);
 class FilmKeeper {
  public:
   /// Opens the film that the render is to go on with, and warns where it is the one before. Throws Error
-  /// unless it is of the same scene and options.
+  /// unless it is of the same scene and options, and for names that no film can keep.
   FilmKeeper(const RenderArguments& arguments, const LoadedScene& loaded, const PictureNotes& picture,
              const Words& words, const InputFiles& inputs);
 

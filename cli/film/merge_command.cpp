@@ -7,6 +7,7 @@
 #include "cli/denoising.h"
 #include "cli/film/film_parts.h"
 #include "cli/interrupt.h"
+#include "cli/json_names.h"
 #include "cli/options/common.h"
 #include "cli/outputs.h"
 #include "cli/render_command_line.h"
@@ -120,6 +121,7 @@ int merge_command(const MergeArguments& asked) {
   RenderArguments arguments = arguments_of(words, first);
   arguments.render.threads = asked.threads;
   const RenderOutputs outputs = render_outputs(arguments);
+  check_json_names(given_names({outputs.film}), "a film");
   const InterruptGuard guard(outputs.names());
   prepare_outputs(outputs.names(), {});
   const RenderState state = merged(parts, asked.threads);

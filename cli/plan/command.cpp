@@ -8,6 +8,7 @@
 
 #include "cli/console.h"
 #include "cli/film/saved_film.h"
+#include "cli/json_names.h"
 #include "cli/render_command_line.h"
 #include "cli/render_scene.h"
 #include "cli/shell_text.h"
@@ -88,6 +89,13 @@ std::string program_path() {
   return fs::read_symlink("/proc/self/exe", error).string();
 }
 
+/// Those that the job, and the films of its parts, are to keep.
+void check_names(const FarmPlan& plan, const std::vector<std::string>& files) {
+  check_json_names({plan.folder}, "a job's template");
+  check_json_names(plan.words, "a film");
+  check_json_names(files, "a film");
+}
+
 /// What is written into the plan's folder: scripts with the mode of such.
 struct PlanFile {
   std::string name, text;
@@ -154,6 +162,7 @@ int plan_command(const PlanArguments& arguments, const Words& words) {
   RenderArguments render = arguments.render;
   if (plan.frames) render = parse_render_arguments(words_of_frame(plan.words, plan.frames->first));
   render.quiet = true;
+  render.load.files = std::make_shared<std::vector<std::string>>();
   RenderTalk nobody;
   const LoadedScene loaded = load_for_render(render, nobody);
   choose_engine(*loaded.scene.geometry, render);
@@ -165,6 +174,7 @@ int plan_command(const PlanArguments& arguments, const Words& words) {
   plan.samples = render.render.samples;
   plan.is_by_tiles = arguments.by_tiles || render.render.adaptive.has_value();
   plan.units = plan.is_by_tiles ? tile_grid(window_of(render.render), tile_size).count() : plan.samples;
+  check_names(plan, *render.load.files);
   std::optional<double> seconds;
   if (arguments.part_minutes) seconds = pilot(render, loaded);
   const double wanted = seconds ? std::ceil(*seconds / (60 * *arguments.part_minutes)) : *arguments.jobs;

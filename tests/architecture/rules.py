@@ -45,7 +45,8 @@ DOORS = {
     "Assimp": (r"assimp/", r"io/assimp/assimp_importer\.cpp"),
     "CLI11": (r"CLI/", r"cli/|bench/options\.cpp"),
     "nlohmann/json": (r"nlohmann/", r"(cli|bench)/(\w+/)?\w*report\.cpp|"
-                                    r"cli/(study/record|live/web_state|film/notes_json|plan/open_job)\.cpp|"
+                                    r"cli/(study/record|live/web_state|film/notes_json)\.cpp|"
+                                    r"cli/(json_names|plan/open_job)\.cpp|"
                                     r"cli/status/(json_lines|metrics_file)\.cpp|"
                                     r"io/(film/film_header|gltf/schema|picture/cryptomatte)\.cpp|"
                                     r"io/exchange/json\.h|"

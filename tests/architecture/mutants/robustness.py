@@ -57,4 +57,10 @@ MUTANTS = [
     Mutant("statistics of a scene whose name is no UTF-8 are lost", "cli/statistics_report.cpp",
            "ordered_json::error_handler_t::replace", "ordered_json::error_handler_t::strict", "test_cli",
            "names of files may hold spaces, any letters and any bytes, whichever option they go with"),
+    Mutant("a film keeps names that are not UTF-8", "cli/film/film_keeper.cpp",
+           "  check_names(notes_);\n", "", "test_cli",
+           "what keeps names in JSON refuses those that are not UTF-8 before it writes anything"),
+    Mutant("a plan does not look at the names of a scene's files", "cli/plan/command.cpp",
+           "  check_json_names(files, \"a film\");\n", "", "test_cli",
+           "a scene reads files whose names are not UTF-8, but a film cannot name them"),
 ]
