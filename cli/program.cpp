@@ -98,7 +98,7 @@ const std::vector<Subcommand> subcommands{
     {"plan", add_plan,
      "Divides a picture, or the frames of a shot, among many machines: writes the jobs for Slurm, Open Job\n"
      "Description, or a list of commands, which render parts and merge them (docs/farm.md).",
-     "Run"},
+     "Run", "", words_of_first_frame},
     {"stats", add_stats,
      "Builds every engine and split method over a scene and shoots the rays of its paths, recorded once,\n"
      "through each: build time, tree, and what camera, shadow and bounce rays take."},

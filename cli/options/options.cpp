@@ -220,20 +220,48 @@ std::map<std::string, Words> given_words(const CLI::App& app) {
   return given;
 }
 
-Words without_options(const Words& words, const std::vector<std::string>& names) {
+namespace {
+
+/// A word of a command line, or an option with its word.
+struct Item {
+  std::string option;  ///< Empty: it is none of those that are looked for.
+  std::string word;
+};
+
+/// The words, with these options taken apart.
+std::vector<Item> items_of(const Words& words, const std::vector<std::string>& names) {
   const auto is_named = [&](const std::string& word) {
     return std::find(names.begin(), names.end(), word) != names.end();
   };
-  Words left;
+  std::vector<Item> items;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     const bool is_short = word.size() > 2 && word[0] == '-' && word[1] != '-';
-    if (is_named(word))
-      ++i;
-    else if (!is_named(is_short ? word.substr(0, 2) : word.substr(0, word.find('='))))
-      left.push_back(word);
+    const std::string option = is_short ? word.substr(0, 2) : word.substr(0, word.find('='));
+    if (!is_named(option))
+      items.push_back({"", word});
+    else if (option != word)
+      items.push_back({option, word.substr(option.size() + (is_short ? 0 : 1))});
+    else if (++i < words.size())
+      items.push_back({option, words[i]});
   }
+  return items;
+}
+
+}  // namespace
+
+Words without_options(const Words& words, const std::vector<std::string>& names) {
+  Words left;
+  for (Item& item : items_of(words, names))
+    if (item.option.empty()) left.push_back(std::move(item.word));
   return left;
+}
+
+std::string word_of_option(const Words& words, const std::vector<std::string>& names) {
+  std::string last;
+  for (Item& item : items_of(words, names))
+    if (!item.option.empty()) last = std::move(item.word);
+  return last;
 }
 
 void read_alone(const Words& words, const std::function<std::function<void()>(CLI::App&)>& use) {
@@ -249,6 +277,7 @@ int run_subcommand(const std::vector<Subcommand>& subcommands, const Words& word
   prepare(app);
   app.require_subcommand(1);
   Action chosen;
+  Words read = words;
   for (const Subcommand& subcommand : subcommands) {
     CLI::App* options = app.add_subcommand(subcommand.name, subcommand.description);
     options->footer(subcommand.footer);
@@ -256,10 +285,12 @@ int run_subcommand(const std::vector<Subcommand>& subcommands, const Words& word
     options->set_version_flag("--version", version_text(), "Print versions, engines, instruction sets")
         ->group(subcommand.last_group);
     options->set_help_flag("-h,--help", "Print this help")->group(subcommand.last_group);
-    if (subcommand.name == words.front()) chosen = std::move(action);
+    if (subcommand.name != words.front()) continue;
+    chosen = std::move(action);
+    if (subcommand.read_as) read = subcommand.read_as(words);
   }
   try {
-    parse(app, words);
+    parse(app, read);
   } catch (const CLI::CallForHelp&) {
     console::write(app.help());
     return 0;

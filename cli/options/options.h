@@ -190,6 +190,8 @@ std::map<std::string, Words> given_words(const CLI::App& app);
 /// The words but for these options, of one word each, in any of their forms: "--of=8", "--of 8", "-o a",
 /// "-oa".
 Words without_options(const Words& words, const std::vector<std::string>& names);
+/// The word of the last of these options, in any of their forms; empty where there is none.
+std::string word_of_option(const Words& words, const std::vector<std::string>& names);
 
 /// Adds a command's options, and returns how their arguments are had once they are read.
 template <typename Arguments>
@@ -217,6 +219,8 @@ struct Subcommand {
   const char* description;
   const char* last_group = "Options";  ///< Of its help; has --help and --version, too.
   const char* footer = "";             ///< The help's last line.
+  /// Not null: what is read in place of the words; the action is given them as they are.
+  Words (*read_as)(const Words&) = nullptr;
 };
 
 /// Reads the words, the first of which is the name of one of the subcommands, and runs it; or prints its help

@@ -51,13 +51,12 @@ void check(const PlanArguments& arguments) {
   if (arguments.folder.empty()) throw UsageError("--folder=DIR is missing");
   if (arguments.jobs.has_value() == arguments.part_minutes.has_value())
     throw UsageError("--jobs or --part-minutes is needed, and not both");
-  if (arguments.frames && !has_frame_number(render.output))
-    throw UsageError(
-        fmt::format("--frames: the picture's name needs a place for the number, as in \"%04d\"; {} "
-                    "has none",
-                    render.output));
   if (is_film_name(render.output) || render.replay || render.check_with || !render.checkpoint.empty())
     throw UsageError("a plan is for pictures: it makes films, checkpoints and their names itself");
+  for (const char* option : {"--stats", "--metrics-file"})
+    if (is_given(option, render))
+      throw UsageError(fmt::format(
+          "{}: all parts would write the same file; their films have samples, rays and seconds", option));
   if (render.render.allocation == Allocation::error)
     throw UsageError("--allocation=error looks at the whole picture, which no part of a plan has");
   if (is_open_ended(render.render))
@@ -66,10 +65,16 @@ void check(const PlanArguments& arguments) {
         "go with a plan");
 }
 
-/// The words of a frame's render.
-Words words_of_frame(Words words, int frame) {
-  for (std::string& word : words) word = with_frame_number(word, frame);
-  return words;
+/// The picture's name, with a place for the frame's number where there are frames.
+std::string output_of(const PlanArguments& arguments, const Words& words) {
+  const std::string given = word_of_option(words, output_options);
+  const std::string output = given.empty() ? arguments.render.output : given;
+  if (arguments.frames && !has_frame_number(output))
+    throw UsageError(
+        fmt::format("--frames: the picture's name needs a place for the number, as in \"%04d\"; {} "
+                    "has none",
+                    output));
+  return output;
 }
 
 /// Seconds of the whole picture on this machine, by a few samples of it.
@@ -142,6 +147,15 @@ std::string job_name(const std::string& scene) {
 
 }  // namespace
 
+Words words_of_first_frame(const Words& words) {
+  const std::string frames = word_of_option(words, {"--frames"});
+  if (frames.empty()) return words;
+  const int first = parse_frames(frames).first;
+  Words read = words;
+  for (std::string& word : read) word = with_frame_number(word, first);
+  return read;
+}
+
 std::function<PlanArguments()> add_plan_options(CLI::App& app) {
   const auto arguments = std::make_shared<PlanArguments>();
   add_options(app, *arguments);
@@ -153,14 +167,15 @@ std::function<PlanArguments()> add_plan_options(CLI::App& app) {
 }
 
 int plan_command(const PlanArguments& arguments, const Words& words) {
-  if (fs::exists(arguments.folder))
-    throw Error(fmt::format("{}: it is there already; a plan needs a folder of its own", arguments.folder));
+  const std::string folder = word_of_option(words, {"--folder"});
+  if (fs::exists(folder))
+    throw Error(fmt::format("{}: it is there already; a plan needs a folder of its own", folder));
   FarmPlan plan;
+  plan.output = output_of(arguments, words);
   plan.words = without_options(without_options(words, plan_options), output_options);
   std::erase(plan.words, "--by-tiles");
   plan.frames = arguments.frames;
   RenderArguments render = arguments.render;
-  if (plan.frames) render = parse_render_arguments(words_of_frame(plan.words, plan.frames->first));
   render.quiet = true;
   render.load.files = std::make_shared<std::vector<std::string>>();
   RenderTalk nobody;
@@ -169,8 +184,7 @@ int plan_command(const PlanArguments& arguments, const Words& words) {
   plan.name = job_name(render.scene);
   plan.program = program_path();
   plan.called_in = fs::current_path().string();
-  plan.folder = fs::absolute(arguments.folder).lexically_normal().string();
-  plan.output = arguments.render.output;
+  plan.folder = fs::absolute(folder).lexically_normal().string();
   plan.samples = render.render.samples;
   plan.is_by_tiles = arguments.by_tiles || render.render.adaptive.has_value();
   plan.units = plan.is_by_tiles ? tile_grid(window_of(render.render), tile_size).count() : plan.samples;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "cli/plan/farm_plan.h"
+#include "io/picture/layered_image.h"
 #include "tests/support/catch.h"
 #include "tests/support/json.h"
 #include "tests/support/own_scenes.h"
@@ -114,6 +115,24 @@ TEST_CASE("frames have their numbers in scenes and pictures") {
     CHECK(read_text(folder.file(name)) == read_text(folder.file("b.pfm")));
 }
 
+TEST_CASE("options of numbers may have the frame's number, and options of a frame are those of its picture") {
+  const TemporaryFolder folder;
+  const ProcessResult planned =
+      plan_in(folder, quoted(box_scene) +
+                          " -r 24 18 -s 4 --frames=3:4 --folder=p%d --jobs=2 -o f%d.exr --seed=%d "
+                          "--layers=albedo --exr-compression=zip --strict");
+  INFO(planned.err);
+  REQUIRE(planned.exit_code == 0);
+  render_by(folder, "p%d");
+  for (const int frame : {3, 4}) {
+    CHECK(shell_in(folder, fmt::format("{} {} -r 24 18 -s 4 -q --layers=albedo --seed={} -o b.exr",
+                                       quoted(TWINRAY_PROGRAM), quoted(box_scene), frame))
+              .exit_code == 0);
+    CHECK(read_layers(folder.file(fmt::format("f{}.exr", frame))).values ==
+          read_layers(folder.file("b.exr")).values);
+  }
+}
+
 TEST_CASE("a part's minutes say how many parts there are") {
   const TemporaryFolder folder;
   const ProcessResult planned =
@@ -183,6 +202,13 @@ TEST_CASE("what a plan cannot be is said before anything is written") {
   CHECK(error_of("--folder=p --jobs=3 --seconds=3") ==
         "twinray: a part has as many samples as the picture's others; --seconds and --noise-target do not go "
         "with a plan");
+  CHECK(error_of("--folder=p --jobs=3 --frames=1:2 -o f%d.png --seed=%dx") ==
+        "twinray: --seed: \"1x\" is not a whole number from 0 to 18446744073709551615");
+  CHECK(error_of("--folder=p --jobs=3 --stats=s.json") ==
+        "twinray: --stats: all parts would write the same file; their films have samples, rays and seconds");
+  CHECK(error_of("--folder=p --jobs=3 --frames=1:2 -o f%d.png --metrics-file=m%d") ==
+        "twinray: --metrics-file: all parts would write the same file; their films have samples, rays and "
+        "seconds");
   CHECK(error_of("--folder=. --jobs=3") ==
         "twinray: .: it is there already; a plan needs a folder of its own");
 }

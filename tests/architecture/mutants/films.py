@@ -109,4 +109,10 @@ MUTANTS = [
     Mutant("parts of a plan leave the last sample out", "cli/plan/scripts.cpp",
            "end=$(({0} * (part + 1) / {1}))", "end=$((({0} - 1) * (part + 1) / {1}))", "test_cli",
            "the parts of a plan merge to the picture of one render, in whatever order they are made"),
+    Mutant("a plan reads its words without a frame's number", "cli/program.cpp",
+           "words_of_first_frame", "nullptr", "test_cli",
+           "options of numbers may have the frame's number, and options of a frame are those of its picture"),
+    Mutant("parts of a plan write one file of statistics", "cli/plan/command.cpp",
+           "if (is_given(option, render))", "if (option == nullptr)", "test_cli",
+           "what a plan cannot be is said before anything is written"),
 ]
