@@ -116,6 +116,7 @@ struct RenderArguments {
   bool quiet = false;
   std::vector<std::string> given;  ///< The long names of the options that were given.
   std::map<std::string, std::vector<std::string>> given_words;  ///< Their words, by the same names.
+  std::vector<std::string> given_defaults;  ///< The names of those whose word is their default.
   std::vector<std::string> without_effect;  ///< Those that change nothing, each with the reason.
 };
 

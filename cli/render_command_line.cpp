@@ -24,6 +24,16 @@ void add_options(CLI::App& app, RenderRequest& request) {
   add_run_options(app, request);
 }
 
+std::function<RenderWords()> add_render_words(CLI::App& app) {
+  const auto request = std::make_shared<RenderRequest>();
+  add_options(app, *request);
+  return [request, &app] {
+    RenderWords words = given_words(app);
+    for (const std::string& name : given_defaults(app)) words.erase(name);
+    return words;
+  };
+}
+
 }  // namespace
 
 RenderArguments resolved_render(const RenderRequest& request, const Words& given) {
@@ -60,12 +70,17 @@ std::function<RenderArguments()> add_render_options(CLI::App& app) {
   return [request, &app] {
     RenderArguments arguments = resolved_render(*request, given_options(app));
     arguments.given_words = given_words(app);
+    arguments.given_defaults = given_defaults(app);
     return arguments;
   };
 }
 
 void refuse_if_strict(const std::vector<std::string>& without_effect, const RenderArguments& arguments) {
   if (arguments.load.strict && !without_effect.empty()) throw UsageError(without_effect.front());
+}
+
+RenderWords parse_render_words(const Words& words) {
+  return parse_alone<RenderWords>(add_render_words, words);
 }
 
 RenderArguments parse_render_arguments(const std::vector<std::string>& words) {

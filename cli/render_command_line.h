@@ -2,6 +2,7 @@
 // From the words of a command line to what they ask for.
 #pragma once
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,12 @@ std::function<RenderArguments()> add_render_options(CLI::App& app);
 
 /// Throws UsageError with the first of the options without effect where these are errors.
 void refuse_if_strict(const std::vector<std::string>& without_effect, const RenderArguments& arguments);
+
+/// The long names of options, and their words.
+using RenderWords = std::map<std::string, Words>;
+/// Those of the words after "render" that are not their options' defaults, whatever they mean together.
+/// Throws UsageError.
+RenderWords parse_render_words(const Words& words);
 
 /// Reads the words after "render". Throws UsageError.
 RenderArguments parse_render_arguments(const std::vector<std::string>& words);

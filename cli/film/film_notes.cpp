@@ -9,7 +9,14 @@ namespace {
 
 std::string value_text(const Words& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
-/// Of the first option that is not the same.
+std::string window_text(const RenderIdentity& identity) {
+  const auto& [x0, y0, x1, y1] = identity.window;
+  return fmt::format("x {} to {}, y {} to {} of {} x {} pixels", x0, x1, y0, y1, identity.width,
+                     identity.height);
+}
+
+}  // namespace
+
 std::string option_difference(const std::map<std::string, Words>& film,
                               const std::map<std::string, Words>& others, const char* other) {
   for (const auto& [name, words] : film) {
@@ -23,14 +30,6 @@ std::string option_difference(const std::map<std::string, Words>& film,
     if (!film.contains(name)) return fmt::format("it was made without {} {}", name, value_text(words));
   return "";
 }
-
-std::string window_text(const RenderIdentity& identity) {
-  const auto& [x0, y0, x1, y1] = identity.window;
-  return fmt::format("x {} to {}, y {} to {} of {} x {} pixels", x0, x1, y0, y1, identity.width,
-                     identity.height);
-}
-
-}  // namespace
 
 std::string difference(const RenderIdentity& film, const RenderIdentity& other_render, const char* other) {
   if (film.program != other_render.program)

@@ -52,6 +52,11 @@ std::string film_notes_json(const FilmNotes& notes);
 /// Throws Error where this is no such text.
 FilmNotes parse_film_notes(const std::string& json);
 
+/// Of the first option that is not the same: "its --seed is 3, and 4 here"; empty: all are. `other` is what
+/// the others are called ("here", "there").
+std::string option_difference(const std::map<std::string, Words>& film,
+                              const std::map<std::string, Words>& others, const char* other);
+
 /// What keeps the film of a render out of another one, which is called `other` ("here", "there"): "its --seed
 /// is 3, and 4 here"; empty: nothing.
 std::string difference(const RenderIdentity& film, const RenderIdentity& other_render, const char* other);

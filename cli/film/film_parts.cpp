@@ -14,7 +14,7 @@ namespace {
 
 FilmPart part_of(const SavedFilm& film) {
   const FilmNotes& notes = film.notes;
-  FilmPart part{film.file.path(), 0, notes.samples, notes.progress, film.file.content()};
+  FilmPart part{film.file.path(), 0, notes.samples, notes.progress, film.file.content(), notes.words};
   if (notes.range) std::tie(part.begin, part.end) = std::pair(notes.range->begin, notes.range->end);
   if (notes.tiles) std::tie(part.begin, part.end) = std::pair(notes.tiles->begin, notes.tiles->end);
   return part;

@@ -16,6 +16,7 @@ struct FilmPart {
   std::uint32_t begin = 0, end = 0;  ///< Of its samples, or tiles.
   FilmProgress progress;
   std::uint64_t content = 0;  ///< Equal where the sums are.
+  Words words;                ///< Of its command line.
 };
 
 /// Films whose samples are those of one render, none twice.

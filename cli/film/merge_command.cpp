@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/film/merge_command.h"
 
+#include <algorithm>
 #include <memory>
+#include <set>
 
 #include "cli/console.h"
 #include "cli/denoising.h"
@@ -37,6 +39,30 @@ Words words_of_whole(const Words& of_part) {
   Words words = without_options(of_part, part_options);
   std::erase(words, "--resume");
   return words;
+}
+
+/// Options that say what is made of the samples. The parts may have different ones.
+const std::vector<std::string> picture_options{
+    "--exposure", "--white-balance",        "--tone",           "--ocio-view", "--ocio-display",
+    "--denoise",  "--denoise-light-groups", "--exr-compression"};
+
+RenderWords picture_words(const Words& words) {
+  RenderWords found;
+  for (auto& [name, values] : parse_render_words(words))
+    if (std::find(picture_options.begin(), picture_options.end(), name) != picture_options.end())
+      found.emplace(name, values);
+  return found;
+}
+
+/// The first film's options make the picture: where others are different, which.
+void warn_of_differences(const std::string& first, const FilmParts& parts) {
+  std::set<Words> seen{words_of_whole(parts.notes.words)};
+  const RenderWords taken = picture_words(parts.notes.words);
+  for (const FilmPart& part : parts.parts)
+    if (seen.insert(words_of_whole(part.words)).second)
+      if (const std::string text = option_difference(picture_words(part.words), taken, "there");
+          !text.empty())
+        console::warn(fmt::format("{}: {}; the options of {} make the picture", part.path, text, first));
 }
 
 /// What the whole picture's command line would ask for.
@@ -115,6 +141,7 @@ std::function<MergeArguments()> add_merge_options(CLI::App& app) {
 int merge_command(const MergeArguments& asked) {
   const FilmParts parts = read_film_parts(asked.films, asked.allow_gaps ? Gaps::allowed : Gaps::refused);
   check_film_output(asked, parts);
+  warn_of_differences(asked.films.front(), parts);
   const FilmNotes& first = parts.notes;
   Words words = words_of_whole(first.words);
   words.insert(words.end(), {"--samples", fmt::format("{}", first.samples), "--output", asked.output});

@@ -30,6 +30,14 @@ bool is_among(const std::string_view (&options)[count], const std::string& name)
   return std::find(std::begin(options), std::end(options), name) != std::end(options);
 }
 
+/// Whether the option's word says what holds without it, too. A scene file may have another number of
+/// bounces.
+bool is_default(const RenderArguments& arguments, const std::string& name) {
+  if (name == "--max-depth" && has_defaults(arguments.scene)) return false;
+  return std::find(arguments.given_defaults.begin(), arguments.given_defaults.end(), name) !=
+         arguments.given_defaults.end();
+}
+
 bool depends_on_engine(const RenderArguments& arguments) {
   return arguments.integrator == IntegratorKind::cost || arguments.backend == Backend::embree_native;
 }
@@ -44,7 +52,8 @@ RenderIdentity render_identity(const RenderArguments& arguments, const InputFile
                           .height = arguments.render.height,
                           .window = window_of(arguments.render)};
   for (const auto& [name, words] : arguments.given_words)
-    if (!is_among(free_options, name) && (!is_among(engine_options, name) || depends_on_engine(arguments)))
+    if (is_among(engine_options, name) ? depends_on_engine(arguments)
+                                       : !is_among(free_options, name) && !is_default(arguments, name))
       identity.options.emplace(name, words);
   return identity;
 }

@@ -114,6 +114,10 @@ void restore(SavedFilm& film, RenderState& state, int threads) {
   if (saved.size() > films.size())
     throw Error(fmt::format("{}: it has halves of the samples, as a render with --denoise or --noise-target",
                             film.file.path()));
+  if (films.size() > 1 && films[1]->contents() != saved[1])
+    throw Error(fmt::format(
+        "{}: its halves have other layers; --denoise and --denoise-light-groups go with a render's beginning",
+        film.file.path()));
   film.file.merge_into(films, threads);
   const FilmProgress& progress = film.notes.progress;
   state.rays = progress.rays;

@@ -148,11 +148,13 @@ void OptionGroup::add_words(const OptionText& text, std::size_t count,
       ->expected(int(count))
       ->allow_extra_args(false)
       ->type_name(text.value)
+      ->default_str(text.by_default)
       ->group(name_);
 }
 
 void OptionGroup::add_word(const OptionText& text, std::string& target) {
-  add_words(text, 1, [&target](const Words& words) { target = words.front(); });
+  add_words({text.names, text.value, text.description, target}, 1,
+            [&target](const Words& words) { target = words.front(); });
 }
 
 void OptionGroup::add_optional_word(const OptionText& text, const std::string& without, std::string& target) {
@@ -218,6 +220,15 @@ std::map<std::string, Words> given_words(const CLI::App& app) {
     if (option->count() > 0 && !option->get_lnames().empty())
       given.emplace("--" + option->get_lnames().front(), option->reduced_results());
   return given;
+}
+
+Words given_defaults(const CLI::App& app) {
+  Words names;
+  for (const CLI::Option* option : app.get_options())
+    if (option->count() > 0 && !option->get_lnames().empty() &&
+        option->reduced_results() == Words{option->get_default_str()})
+      names.push_back("--" + option->get_lnames().front());
+  return names;
 }
 
 namespace {

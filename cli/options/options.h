@@ -76,6 +76,7 @@ std::string words_of(const Choices<T>& choices, const char* separator) {
 /// How an option is called and explained: its names, what stands for its value in the help, what it does.
 struct OptionText {
   std::string names, value, description;
+  std::string by_default = {};  ///< The word that changes nothing; empty: none, or several words.
 };
 
 /// Groups of the help that options of several files are in.
@@ -106,7 +107,8 @@ class OptionGroup {
   template <typename T>
   void add_number(const OptionText& text, T& target, const Range<T>& range) {
     const std::string option = long_name(text.names);
-    add_words({text.names, text.value, fmt::format("{} ({})", text.description, target)}, 1,
+    const std::string by_default = fmt::format("{}", target);
+    add_words({text.names, text.value, fmt::format("{} ({})", text.description, by_default), by_default}, 1,
               [&target, option, range](const Words& words) {
                 target = parse_number(option, words.front(), range);
               });
@@ -146,11 +148,13 @@ class OptionGroup {
   template <typename T>
   void add_choice(const std::string& names, T& target, const Choices<T>& choices, std::string description,
                   const char* value = "") {
+    std::string by_default;
     for (const auto& [word, meaning] : choices)
-      if (meaning == target) description += fmt::format(" ({})", word);
+      if (meaning == target) by_default = word;
+    if (!by_default.empty()) description += fmt::format(" ({})", by_default);
     const std::string option = long_name(names);
     const std::string shown = *value ? value : words_of(choices, "|");
-    add_words({names, shown, description}, 1, [&target, option, choices](const Words& words) {
+    add_words({names, shown, description, by_default}, 1, [&target, option, choices](const Words& words) {
       for (const auto& [word, meaning] : choices)
         if (word == words.front()) {
           target = meaning;
@@ -186,6 +190,8 @@ void leave_other_words(CLI::App& app);
 Words given_options(const CLI::App& app);
 /// Their words, by these names; those that count, where one was given again.
 std::map<std::string, Words> given_words(const CLI::App& app);
+/// The long names of those whose word is their default.
+Words given_defaults(const CLI::App& app);
 
 /// The words but for these options, of one word each, in any of their forms: "--of=8", "--of 8", "-o a",
 /// "-oa".

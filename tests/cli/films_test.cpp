@@ -252,6 +252,64 @@ TEST_CASE("films that are no parts of one render are refused by name") {
        "x.film: samples 4 to 6 of 8 are missing amid it; a film is of a range without gaps");
 }
 
+TEST_CASE("the options of the first film make the picture, and a warning says what is different in others") {
+  const TemporaryFolder folder;
+  const auto film = [&](const std::string& name) { return quoted(folder.file(name)); };
+  run(words("--sample-range=0:4 --of=8 --exposure=2 --tone=srgb -o " + film("a.film")));
+  run(words("--sample-range=4:6 --of=8 --exposure=0 --tone=agx -o " + film("b.film")));
+  run(words("--sample-range=6:8 --of=8 --exposure=2 -o " + film("c.film")));
+  const auto merge = [&](const std::string& names) {
+    std::string all = "merge -q";
+    for (const char name : names) all += " " + film(std::string(1, name) + ".film");
+    const ProcessResult result = run_program(all + " -o " + film("m.png"));
+    CHECK(result.exit_code == 0);
+    return result.err;
+  };
+  const std::string a = folder.file("a.film"), b = folder.file("b.film"), c = folder.file("c.film");
+  CHECK(merge("abc") ==
+        fmt::format("warning: {}: it was made with --tone agx; the options of {} make the picture\n", b, a));
+  run(words("-s 8 --exposure=2 -o " + film("whole.png")));
+  CHECK(read_image(folder.file("m.png")).pixels == read_image(folder.file("whole.png")).pixels);
+  const auto warning = [&](const std::string& name) {
+    return fmt::format("warning: {}: it was made with --exposure 2; the options of {} make the picture\n",
+                       name, b);
+  };
+  CHECK(merge("bac") == warning(a) + warning(c));
+}
+
+TEST_CASE("an option whose value is its default changes no samples: films go with it and without it") {
+  const TemporaryFolder folder;
+  const auto film = [&](const std::string& name) { return quoted(folder.file(name)); };
+  run(words("--sample-range=0:4 --of=8 --seed=0 --roulette=throughput -o " + film("a.film")));
+  run(words("--sample-range=4:8 --of=8 --sampler=sobol -o " + film("b.film")));
+  run("merge -q " + film("a.film") + " " + film("b.film") + " -o " + film("m.pfm"));
+  run(words("-s 8 --checkpoint=" + film("a.ck") + " -o " + film("w.pfm")));
+  CHECK(read_text(folder.file("m.pfm")) == read_text(folder.file("w.pfm")));
+  run("resume " + film("a.ck") + " -q --seed=0 -s 9");
+  says(error_of("resume " + film("a.ck") + " -q --seed=1"), "it was made without --seed 1");
+}
+
+TEST_CASE("where a scene file says how deep paths are, the default of --max-depth is an option like others") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("a.pbrt"), film = quoted(folder.file("a.ck"));
+  write_text(scene,
+             "Integrator \"path\" \"integer maxdepth\" 3\nFilm \"rgb\" \"integer xresolution\" 8\n"
+             "WorldBegin\nLightSource \"infinite\"\nShape \"sphere\"\n");
+  run(quoted(scene) + " -q -s 2 --checkpoint=" + film + " -o " + quoted(folder.file("a.pfm")));
+  const std::string depth = std::to_string(PathOptions{}.max_depth);
+  says(error_of("resume " + film + " -q --max-depth=" + depth), "it was made without --max-depth " + depth);
+}
+
+TEST_CASE("a render that was begun without --denoise does not take it up") {
+  const TemporaryFolder folder;
+  const std::string film = quoted(folder.file("a.ck"));
+  run(words("-s 16 --noise-target=1e-5 --checkpoint=" + film + " -o " + quoted(folder.file("a.png"))));
+  says(error_of("resume " + film + " -q -s 20 --denoise=own"),
+       "its halves have other layers; --denoise and --denoise-light-groups go with a render's beginning");
+  run(words("-s 16 --denoise=own --checkpoint=" + film + " -o " + quoted(folder.file("a.png"))));
+  run("resume " + film + " -q -s 20 --noise-target=1e-5");
+}
+
 TEST_CASE("a checkpoint of another scene, option or file does not go on") {
   const TemporaryFolder folder;
   const std::string scene = folder.file("scene.dae"), film = quoted(folder.file("a.ck"));

@@ -115,4 +115,13 @@ MUTANTS = [
     Mutant("parts of a plan write one file of statistics", "cli/plan/command.cpp",
            "if (is_given(option, render))", "if (option == nullptr)", "test_cli",
            "what a plan cannot be is said before anything is written"),
+    Mutant("the first film's options are taken without a word", "cli/film/merge_command.cpp",
+           "  warn_of_differences(asked.films.front(), parts);\n", "", "test_cli",
+           "the options of the first film make the picture, and a warning says what is different in others"),
+    Mutant("an option at its default makes another render", "cli/film/render_identity.cpp",
+           "!is_default(arguments, name)", "true", "test_cli",
+           "an option whose value is its default changes no samples: films go with it and without it"),
+    Mutant("the default depth is that of the scene's file", "cli/film/render_identity.cpp",
+           'if (name == "--max-depth" && has_defaults(arguments.scene)) return false;', "", "test_cli",
+           "where a scene file says how deep paths are, the default of --max-depth is an option like others"),
 ]
