@@ -147,10 +147,10 @@ std::function<StudyArguments()> add_study_options(CLI::App& app) {
 int study_command(const StudyArguments& arguments) {
   const study::Notes notes = arguments.notes.empty() ? study::Notes{} : study::read_notes(arguments.notes);
   for (const std::string& warning : notes.warnings) console::warn(warning);
+  const study::SceneFolder folder = study::read_scene_folder(arguments.scenes);
   make_folder(arguments.output);
   make_folder(arguments.output + "/pictures");
   check_outputs({arguments.output + "/index.html"});
-  const study::SceneFolder folder = study::read_scene_folder(arguments.scenes);
   const std::vector<study::Part> parts = study::plan_study({folder, arguments.scale});
   name_scenes(folder, parts);
   const study::PictureFolder pictures(arguments.output + "/pictures", arguments.scale, arguments.threads);

@@ -85,12 +85,10 @@ std::string PictureFolder::file(const Picture& picture, const std::string& endin
 }
 
 Words PictureFolder::words(const Picture& picture) const {
-  Words all{picture.scene,
-            "--view=whole",
-            "--filter=box",
-            "-r",
-            fmt::format("{}", scale_.width),
-            fmt::format("{}", scale_.height)};
+  Words all{picture.scene, "--view=whole"};
+  // The one sample of a pixel lies in its middle, whatever the filter.
+  if (picture.samples > 1) all.push_back("--filter=box");
+  append({"-r", fmt::format("{}", scale_.width), fmt::format("{}", scale_.height)}, all);
   if (threads_ > 0) append({"-t", fmt::format("{}", threads_)}, all);
   append({"-s", fmt::format("{}", picture.samples)}, all);
   append(picture.options, all);

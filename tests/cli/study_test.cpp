@@ -80,6 +80,17 @@ std::string error_of(const Scenes& scenes, const std::string& picture, const std
 
 }  // namespace
 
+TEST_CASE("a study without scenes makes no folder") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.file("empty"));
+  for (const std::string scenes : {"nowhere", "empty"}) {
+    const ProcessResult result =
+        run_program(fmt::format("study {} -o {}", quoted(folder.file(scenes)), quoted(folder.file("study"))));
+    CHECK(result.exit_code == 1);
+    CHECK_FALSE(fs::exists(folder.file("study")));
+  }
+}
+
 TEST_CASE("a study is one page with all parts that needs nothing else") {
   const Scenes scenes;
   write_text(scenes.file("notes.md"), "Hello.\n\n# Part 4: light\nIt *bounces*.\n");
@@ -90,6 +101,7 @@ TEST_CASE("a study is one page with all parts that needs nothing else") {
   CHECK(result.err.find(fmt::format("warning: part 5: not in {}: wall-e.dae\n", scenes.file("scenes"))) !=
         std::string::npos);
   CHECK(count(result.err, "adds nothing to the picture; --direct=lights would show it\n") == 1);
+  CHECK(count(result.err, "no effect") == 0);
   const std::string page = scenes.page();
   CHECK(html_fault(page) == "");
   CHECK(html_load(page) == "");

@@ -51,4 +51,13 @@ MUTANTS = [
            "test_core",
            "an error is the root mean square over the converged picture's mean, and has a sign in "
            "brightness"),
+    Mutant("a folder is made for a study of nothing", "cli/study/command.cpp",
+           "  const study::SceneFolder folder = study::read_scene_folder(arguments.scenes);\n"
+           "  make_folder(arguments.output);\n",
+           "  make_folder(arguments.output);\n"
+           "  const study::SceneFolder folder = study::read_scene_folder(arguments.scenes);\n",
+           "test_cli", "a study without scenes makes no folder"),
+    Mutant("a study warns of a filter that it chose itself", "cli/study/picture_folder.cpp",
+           "if (picture.samples > 1) all", "all",
+           "test_cli", "a study is one page with all parts that needs nothing else"),
 ]
