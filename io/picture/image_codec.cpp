@@ -16,7 +16,7 @@ namespace {
 constexpr const char* library = TWINRAY_IMAGE_CODEC;
 
 [[noreturn]] void fail(const char* reason) {
-  throw Error(fmt::format("JPEG, TIFF and HDR pictures cannot be read or written: {}", reason));
+  throw Error(fmt::format("JPEG, TIFF and HDR pictures cannot be written, nor HDR ones read: {}", reason));
 }
 
 const ImageCodec& load_codec() {
@@ -35,10 +35,7 @@ std::mutex& library_loading() {
   return mutex;
 }
 
-bool codec_reads(const std::string& path) {
-  const auto format = known_picture_format(path);
-  return format == PictureFormat::hdr || format == PictureFormat::jpeg;
-}
+bool codec_reads(const std::string& path) { return known_picture_format(path) == PictureFormat::hdr; }
 
 bool codec_writes(const std::string& path) {
   const OutputFormat format = output_format(path);

@@ -19,9 +19,9 @@ class ImageCodec {
  public:
   virtual ~ImageCodec() = default;
 
-  /// The colours, or the grey, of a JPEG or HDR picture; those of a JPEG as [0, 1]. `check` sees the header.
-  virtual Image read(PictureFormat format, const PictureBytes& picture, const HeaderCheck& check) const = 0;
-  /// The texts beside its pixels.
+  /// The colours of a Radiance picture (HDR). `check` sees the header.
+  virtual Image read_hdr(const PictureBytes& picture, const HeaderCheck& check) const = 0;
+  /// The texts beside the pixels of a JPEG or HDR picture.
   virtual ImageMetadata read_metadata(PictureFormat format, const PictureBytes& picture,
                                       const HeaderCheck& check) const = 0;
   /// The bytes of a TIFF file of 32-bit floats, or of a Radiance file (HDR).

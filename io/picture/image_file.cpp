@@ -15,6 +15,7 @@
 #include "io/picture/exr_reader.h"
 #include "io/picture/exr_writer.h"
 #include "io/picture/image_codec.h"
+#include "io/picture/jpeg_reader.h"
 #include "io/picture/picture_header.h"
 #include "io/picture/plain_picture.h"
 #include "io/picture/png.h"
@@ -91,12 +92,14 @@ Image decode_colors(PictureFormat format, const PictureBytes& picture, const Hea
       return decode_exr(picture, check);
     case PictureFormat::png:
       return decode_png(picture, check);
+    case PictureFormat::jpeg:
+      return decode_jpeg(picture, check);
     case PictureFormat::pfm:
       return decode_pfm(picture);
     case PictureFormat::tga:
       return decode_tga(picture);
     default:
-      return image_codec().read(format, picture, check);
+      return image_codec().read_hdr(picture, check);
   }
 }
 

@@ -29,18 +29,12 @@ class OpenPicture {
     check({spec_.width, spec_.height, spec_.nchannels});
   }
   const OIIO::ImageSpec& spec() const { return spec_; }
-  /// Row by row: OpenImageIO takes 64 MB for any rows that it reads at once, however short.
+  /// The colours. Row by row: OpenImageIO takes 64 MB for any rows that it reads at once, however short.
   Image read() {
+    if (spec_.nchannels != 3) fail_picture(picture_, "it has not three channels");
     Image image(spec_.width, spec_.height);
-    const auto channels = std::size_t(spec_.nchannels);
-    const std::size_t green = channels < 3 ? 0 : 1, blue = channels < 3 ? 0 : 2;
-    std::vector<float> row(std::size_t(spec_.width) * channels);
-    for (int y = 0; y < spec_.height; ++y) {
-      if (!input_->read_scanline(y, 0, OIIO::TypeDesc::FLOAT, row.data())) fail();
-      const float* values = row.data();
-      for (int x = 0; x < spec_.width; ++x, values += channels)
-        image.at(x, y) = {values[0], values[green], values[blue]};
-    }
+    for (int y = 0; y < spec_.height; ++y)
+      if (!input_->read_scanline(y, 0, OIIO::TypeDesc::FLOAT, &image.at(0, y))) fail();
     return image;
   }
 
@@ -86,8 +80,8 @@ std::vector<unsigned char> encoded(const char* format, const std::string& path, 
 
 class OpenImageIOCodec final : public ImageCodec {
  public:
-  Image read(PictureFormat format, const PictureBytes& picture, const HeaderCheck& check) const override {
-    return OpenPicture(format, picture, check).read();
+  Image read_hdr(const PictureBytes& picture, const HeaderCheck& check) const override {
+    return OpenPicture(PictureFormat::hdr, picture, check).read();
   }
 
   ImageMetadata read_metadata(PictureFormat format, const PictureBytes& picture,

@@ -33,6 +33,8 @@ DOORS = {
     "OpenEXR": (r"Imf\w+\.h|Iex\.h|half\.h|OpenEXR/|Imath/", r"io/picture/exr_\w+\.(h|cpp)"),
     "OpenImageIO": (r"OpenImageIO/", r"io/picture/openimageio_(codec|view)\.cpp"),
     "libpng": (r"png\.h", r"io/picture/png(_reader)?\.cpp|tests/io/picture/png_reader_test\.cpp"),
+    "libjpeg": (r"jpeglib\.h|jerror\.h",
+                r"io/picture/jpeg_reader\.cpp|tests/io/picture/jpeg_reader_test\.cpp"),
     "zlib": (r"zlib\.h", r"io/gzip\.cpp"),
     "Zstandard": (r"zstd\.h", r"io/film/zstd\.cpp"),
     "xxHash": (r"xxhash\.h", r"io/film/content_hash\.cpp"),

@@ -94,10 +94,10 @@ TEST_CASE("an HDR holds a picture as well as shared exponents do") {
   }
 }
 
-TEST_CASE("OpenImageIO reads JPEG and HDR pictures, and writes TIFFs, too") {
-  for (const std::string name : {"a.jpg", "a.JPEG", "a.hdr"})
-    CHECK((codec_reads(name) && codec_writes(name)));
-  for (const std::string name : {"a.tif", "a.TIFF"}) CHECK((!codec_reads(name) && codec_writes(name)));
+TEST_CASE("OpenImageIO reads HDR pictures, and writes JPEGs and TIFFs, too") {
+  CHECK((codec_reads("a.hdr") && codec_writes("a.hdr")));
+  for (const std::string name : {"a.jpg", "a.JPEG", "a.tif", "a.TIFF"})
+    CHECK((!codec_reads(name) && codec_writes(name)));
   for (const std::string name : {"a.png", "a.exr", "a.pfm", "a.tga", "a.dae", "a", "", "-"})
     CHECK((!codec_reads(name) && !codec_writes(name)));
 }
