@@ -61,6 +61,14 @@ void check_rule(const LightGroupRule& rule, const Scene& scene) {
                               scene.lights.empty() ? "has none" : "has " + list_lights(scene)));
 }
 
+/// The lights of a group may all belong to groups before it.
+void check_groups(const std::vector<std::string>& groups, std::span<const LightGroupRule> rules) {
+  for (const LightGroupRule& rule : rules)
+    if (std::find(groups.begin(), groups.end(), rule.name) == groups.end())
+      throw Error(
+          fmt::format("--light-group: all lights of \"{}\" belong to the groups before it", rule.name));
+}
+
 }  // namespace
 
 std::string layer_word(const std::string& name) {
@@ -103,6 +111,7 @@ void group_lights(Scene& scene, std::span<const LightGroupRule> rules) {
                       "--light-group=NAME=LIGHT,... makes one of several, * stands for any text",
                       scene.lights.size(), most_light_groups));
   }
+  check_groups(groups, rules);
 }
 
 }  // namespace twinray

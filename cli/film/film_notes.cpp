@@ -46,10 +46,10 @@ std::string difference(const RenderIdentity& film, const RenderIdentity& other_r
 
 std::string part_text(const FilmNotes& notes) {
   if (notes.tiles)
-    return fmt::format("tiles {} to {} of {}", notes.tiles->begin, notes.tiles->end,
+    return fmt::format("tiles {}:{} of {}", notes.tiles->begin, notes.tiles->end,
                        tile_grid(notes.identity.window, tile_size).count());
   const SampleRange range = notes.range.value_or(SampleRange{0, notes.samples});
-  return fmt::format("samples {} to {} of {}", range.begin, range.end, notes.samples);
+  return fmt::format("samples {}:{} of {}", range.begin, range.end, notes.samples);
 }
 
 }  // namespace twinray

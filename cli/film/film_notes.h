@@ -61,7 +61,7 @@ std::string option_difference(const std::map<std::string, Words>& film,
 /// is 3, and 4 here"; empty: nothing.
 std::string difference(const RenderIdentity& film, const RenderIdentity& other_render, const char* other);
 
-/// "samples 0 to 16 of 64"
+/// "samples 0:16 of 64"
 std::string part_text(const FilmNotes& notes);
 
 }  // namespace twinray

@@ -21,7 +21,7 @@ FilmPart part_of(const SavedFilm& film) {
 }
 
 std::string text_of(std::uint32_t begin, std::uint32_t end, const FilmParts& parts) {
-  return fmt::format("{} {} to {} of {}", parts.are_tiles() ? "tiles" : "samples", begin, end, parts.whole());
+  return fmt::format("{} {}:{} of {}", parts.are_tiles() ? "tiles" : "samples", begin, end, parts.whole());
 }
 
 std::string text_of(const FilmPart& part, const FilmParts& parts) {

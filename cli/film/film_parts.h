@@ -26,7 +26,7 @@ struct FilmParts {
   std::vector<FilmPart> parts;         ///< In the order of their ranges; one at least.
   std::set<std::string> engines;       ///< That made them.
   std::vector<std::string> repeated;   ///< Files with the samples of another one.
-  std::vector<std::string> missing;    ///< "samples 16 to 32 of 64": what no film has.
+  std::vector<std::string> missing;    ///< "samples 16:32 of 64": what no film has.
 
   bool are_tiles() const { return notes.tiles.has_value(); }
   /// How many samples or tiles the whole picture has.

@@ -150,7 +150,7 @@ int merge_command(const MergeArguments& asked) {
   const RenderOutputs outputs = render_outputs(arguments);
   check_json_names(given_names({outputs.film}), "a film");
   const InterruptGuard guard(outputs.names());
-  prepare_outputs(outputs.names(), {});
+  prepare_outputs(outputs.names(), asked.films);
   const RenderState state = merged(parts, asked.threads);
   if (outputs.film.empty())
     write_merged_picture(outputs, arguments, state, notes_of(parts, words));

@@ -95,7 +95,7 @@ std::function<RelightArguments()> add_relight_options(CLI::App& app) {
 int relight_command(const RelightArguments& arguments, const Words& words) {
   const std::vector<std::string> outputs = given_names({arguments.output});
   const InterruptGuard guard(outputs);
-  prepare_outputs(outputs, {});
+  prepare_outputs(outputs, {arguments.picture});
   StoredLayers picture = read_layers(arguments.picture);
   relight(picture, arguments.changes, arguments.picture);
   const std::vector<std::string> groups = light_groups_of(picture);

@@ -242,7 +242,7 @@ void ColladaMaterials::read_transparency(const ColladaEffect& effect, ColladaMat
 
 void ColladaMaterials::add_holes(const ColladaEffect& effect, const XmlElement& slot, const std::string& mode,
                                  float amount, ColladaMaterial& made) {
-  const PictureChannels channels = mode[0] == 'A' ? PictureChannels::alpha : PictureChannels::number;
+  const PictureChannels channels = mode[0] == 'A' ? PictureChannels::alpha : PictureChannels::brightness;
   const std::uint32_t texture =
       texture_in(effect, slot, {PictureRole::data, channels}, "this surface is opaque", made);
   if (texture == no_texture || textures_.is_faulty(texture)) return;

@@ -283,6 +283,7 @@ class Reader {
     if (entry.has("frame_center")) visit("frame_center", camera.frame_center);
     if (entry.has("aperture")) read_aperture(entry.entry("aperture"), camera);
     if (entry.has("clip_far")) visit("clip_far", camera.clip_far, Valid::positive);
+    if (camera.clip_far <= camera.clip_near) entry.fail("\"clip_far\" must lie beyond \"clip_near\"");
     camera.clips_by_distance = entry.named<bool>("clip_along", {{"forward", false}, {"ray", true}}) &&
                                !is_panorama(camera.projection);
     if (!options_.clip_as_file) camera = without_clip(camera);

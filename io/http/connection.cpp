@@ -22,9 +22,13 @@ std::string_view part_from(std::string_view bytes, std::size_t begin) {
   return bytes.substr(begin, most_at_once);
 }
 
-Response answer(const std::string& request, const Handler& handler) {
+/// `is_head` becomes true where the response is to go without its body: what GET would answer counts.
+Response answer(const std::string& text, const Handler& handler, bool& is_head) {
   try {
-    return handler(parse_request(request));
+    Request request = parse_request(text);
+    is_head = request.method == "HEAD";
+    if (is_head) request.method = "GET";
+    return handler(request);
   } catch (const Refusal& refusal) {
     return text_response(refusal.status(), refusal.what());
   } catch (const std::exception& error) {
@@ -58,7 +62,9 @@ void Connection::read(const Handler& handler) {
     const bool is_long_address = request_.find("\r\n") > most_request_bytes;
     respond(text_response(is_long_address ? 414 : 431, "A request has 8192 bytes at most."));
   } else if (end < request_.size()) {
-    respond(answer(request_.substr(0, end), handler));
+    bool is_head = false;
+    respond(answer(request_.substr(0, end), handler, is_head));
+    if (is_head) body_ = nullptr;
   }
 }
 

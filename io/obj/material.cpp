@@ -103,8 +103,26 @@ bool may_move(const Texture& texture) {
 }
 
 constexpr PictureMeaning for_colors{PictureRole::color, PictureChannels::color},
-    for_numbers{PictureRole::data, PictureChannels::number},
     for_vectors{PictureRole::data, PictureChannels::color};
+
+/// What `-imfchan` takes of a picture whose numbers are wanted; without it, `usual`.
+PictureMeaning for_numbers(const tinyobj::texture_option_t& how, PictureChannels usual) {
+  const auto channels = [&] {
+    switch (how.imfchan) {
+      case 'r':
+        return PictureChannels::red;
+      case 'g':
+        return PictureChannels::green;
+      case 'b':
+        return PictureChannels::blue;
+      case 'l':
+        return PictureChannels::brightness;
+      default:  // 'm', the alpha, is the library's word where the file has none.
+        return usual;
+    }
+  };
+  return {PictureRole::data, channels()};
+}
 
 }  // namespace
 
@@ -181,9 +199,13 @@ void ObjMaterials::add_textures(const tinyobj::material_t& from, Material& to) {
     if (!name.empty()) to.textures.push_back({input, picture(name, how, meaning)});
   };
   if (std::holds_alternative<Principled>(to.model)) {
-    add(from.roughness_texname, from.roughness_texopt, for_numbers, MaterialInput::roughness);
-    add(from.metallic_texname, from.metallic_texopt, for_numbers, MaterialInput::base_metalness);
-    add(from.sheen_texname, from.sheen_texopt, for_numbers, MaterialInput::fuzz_weight);
+    const auto add_number = [&](const std::string& name, const tinyobj::texture_option_t& how,
+                                MaterialInput input) {
+      add(name, how, for_numbers(how, PictureChannels::brightness), input);
+    };
+    add_number(from.roughness_texname, from.roughness_texopt, MaterialInput::roughness);
+    add_number(from.metallic_texname, from.metallic_texopt, MaterialInput::base_metalness);
+    add_number(from.sheen_texname, from.sheen_texopt, MaterialInput::fuzz_weight);
     if (!is_physical(from))
       add(from.specular_texname, from.specular_texopt, for_colors, MaterialInput::specular_color);
   }
@@ -205,8 +227,9 @@ void ObjMaterials::add_relief(const tinyobj::material_t& from, Material& to) {
   if (from.bump_texname.empty()) return;
   if (shows_normals(*load_texture(path_of(from.bump_texname), for_vectors, options_).image))
     return add_normals(from.bump_texname, from.bump_texopt);
-  const float height = from.bump_texopt.bump_multiplier;
-  to.bump_map = scaled(picture(from.bump_texname, from.bump_texopt, for_numbers), {height, height, height});
+  const tinyobj::texture_option_t& how = from.bump_texopt;
+  const std::uint32_t height = picture(from.bump_texname, how, for_numbers(how, PictureChannels::brightness));
+  to.bump_map = scaled(height, white * how.bump_multiplier);
 }
 
 /// What refracts is whole: light goes through it as it is.
@@ -215,7 +238,8 @@ std::uint32_t ObjMaterials::alpha_of(const tinyobj::material_t& from, const Mate
   const float dissolve = unit(from.dissolve);
   const Rgb share{dissolve, dissolve, dissolve};
   if (from.alpha_texname.empty()) return dissolve < 1 ? constant(share) : no_texture;
-  const std::uint32_t alpha = picture(from.alpha_texname, from.alpha_texopt, for_numbers);
+  const std::uint32_t alpha =
+      picture(from.alpha_texname, from.alpha_texopt, for_numbers(from.alpha_texopt, PictureChannels::number));
   return dissolve == 1 ? alpha : scaled(alpha, share);
 }
 

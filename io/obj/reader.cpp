@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <filesystem>
 #include <istream>
 #include <map>
@@ -99,7 +100,7 @@ class MaterialFiles : public tinyobj::MaterialReader {
   void add(const std::string& file, std::vector<tinyobj::material_t>& materials,
            std::map<std::string, int>& numbers) {
     try {
-      const std::string text = material_text(file, read_(file), warnings_);
+      const std::string text = material_text(file, without_mark(read_(file)), warnings_);
       TextBuffer buffer(text);
       std::istream stream(&buffer);
       std::string warning, error;
@@ -152,6 +153,8 @@ class Reader {
   }
 
  private:
+  using Corner = std::array<int, 3>;  ///< Vertex, texture coordinates, normal.
+
   static Reader& self(void* reader) { return *static_cast<Reader*>(reader); }
 
   static tinyobj::callback_t callbacks() {
@@ -160,9 +163,7 @@ class Reader {
     calls.vertex_cb = [](void* reader, float, float, float, float) { self(reader).add_vertex(); };
     calls.normal_cb = [](void* reader, float, float, float) { self(reader).add_normal(); };
     calls.texcoord_cb = [](void* reader, float, float, float) { self(reader).add_uv(); };
-    calls.index_cb = [](void* reader, tinyobj::index_t* corners, int count) {
-      self(reader).add_face({corners, std::size_t(count)});
-    };
+    calls.index_cb = [](void* reader, tinyobj::index_t*, int) { self(reader).add_face(); };
     calls.usemtl_cb = [](void* reader, const char* name, int) { self(reader).use_material(name); };
     calls.mtllib_cb = [](void* reader, const tinyobj::material_t* materials, int count) {
       self(reader).take_materials({materials, std::size_t(count)});
@@ -230,25 +231,50 @@ class Reader {
     model_.uvs.push_back({numbers.values[0], numbers.values[1]});
   }
 
-  void add_face(std::span<const tinyobj::index_t> corners) {
-    if (corners.size() < 3) {
+  /// "3", "3/1", "3//2" or "3/1/2": of the vertex, its texture coordinates and its normal; 0 stands for one
+  /// that is left out.
+  Corner corner_of(std::string_view word) const {
+    Corner corner{};
+    const char *at = word.data(), *const end = at + word.size();
+    for (std::size_t part = 0; part < corner.size(); ++part) {
+      const bool is_left_out = part > 0 && at != end && *at == '/';
+      if (!is_left_out) {
+        const auto [stop, error] = std::from_chars(at, end, corner[part]);
+        if (error != std::errc{} || corner[part] == 0) break;
+        at = stop;
+      }
+      if (at == end) return corner;
+      if (*at++ != '/') break;
+    }
+    fail(
+        fmt::format("\"{}\" is no corner of a face; valid are V, V/T, V//N and V/T/N, whole numbers from 1 "
+                    "or, from the last one back, -1",
+                    word));
+  }
+
+  void add_face() {
+    corners_.clear();
+    std::string_view line = lines_.line();
+    take_word(line);
+    for (std::string_view word; !(word = take_word(line)).empty();) corners_.push_back(corner_of(word));
+    if (corners_.size() < 3) {
       ++model_.small_faces;
       return;
     }
-    if (corners.size() > max_polygon_corners)
-      fail(fmt::format("a face of {} corners; {} are the most", corners.size(), max_polygon_corners));
-    const auto all = [&](int tinyobj::index_t::*index) {
-      return std::all_of(corners.begin(), corners.end(),
-                         [&](const auto& corner) { return corner.*index != 0; });
+    if (corners_.size() > max_polygon_corners)
+      fail(fmt::format("a face of {} corners; {} are the most", corners_.size(), max_polygon_corners));
+    const auto all = [&](std::size_t part) {
+      return std::all_of(corners_.begin(), corners_.end(),
+                         [&](const Corner& corner) { return corner[part] != 0; });
     };
-    ObjFaces& faces = faces_of(all(&tinyobj::index_t::normal_index), all(&tinyobj::index_t::texcoord_index));
-    for (const tinyobj::index_t& corner : corners) {
-      ObjCorner read{element(corner.vertex_index, model_.positions.size(), "vertices")};
-      if (faces.has_normals) read.normal = element(corner.normal_index, model_.normals.size(), "normals");
-      if (faces.has_uvs) read.uv = element(corner.texcoord_index, model_.uvs.size(), "texture coordinates");
+    ObjFaces& faces = faces_of(all(2), all(1));
+    for (const auto& [vertex, uv, normal] : corners_) {
+      ObjCorner read{element(vertex, model_.positions.size(), "vertices")};
+      if (faces.has_normals) read.normal = element(normal, model_.normals.size(), "normals");
+      if (faces.has_uvs) read.uv = element(uv, model_.uvs.size(), "texture coordinates");
       faces.corners.push_back(read);
     }
-    faces.sizes.push_back(std::uint32_t(corners.size()));
+    faces.sizes.push_back(std::uint32_t(corners_.size()));
   }
 
   ObjFaces& faces_of(bool has_normals, bool has_uvs) {
@@ -261,7 +287,7 @@ class Reader {
   /// Indices count from 1; from -1 downwards, from the last element back.
   std::uint32_t element(int index, std::size_t count, const char* what) const {
     if (index > 0) return std::uint32_t(index) - 1;
-    if (index == 0 || std::size_t(-std::int64_t(index)) > count)
+    if (std::size_t(-std::int64_t(index)) > count)
       fail(fmt::format("there is no element {} among the {} {} so far", index, count, what));
     return std::uint32_t(std::int64_t(count) + index);
   }
@@ -286,6 +312,7 @@ class Reader {
   Lines lines_;
   MaterialFiles material_files_;
   ObjModel model_;
+  std::vector<Corner> corners_;  ///< Of the last face.
   std::string object_, group_;
   std::map<std::string, int> material_numbers_;  ///< By names without spaces around.
   int material_ = -1;
@@ -295,7 +322,7 @@ class Reader {
 }  // namespace
 
 ObjModel read_obj(const std::string& path, const ReadFile& read, WarningList& warnings) {
-  const std::string text = read(path);
+  const std::string text = without_mark(read(path));
   if (text.starts_with("\xfe\xff") || text.starts_with("\xff\xfe"))
     throw Error(path + ": the file is UTF-16; OBJ files are ASCII or UTF-8");
   if (!has_continued_lines(text)) return Reader(path, text, text, read, warnings).read();

@@ -31,6 +31,11 @@ float value_of(const Decimal<float>& number) {
 
 }  // namespace
 
+std::string without_mark(std::string text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+  return text;
+}
+
 bool has_continued_lines(std::string_view text) { return find_continuation(text, 0) != text.npos; }
 
 std::string joined_lines(std::string text) {

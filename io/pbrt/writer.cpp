@@ -109,8 +109,8 @@ class Shapes {
     const auto write = [geometry = scene_.geometry, shape](const std::string& path) {
       write_file(path, ply_bytes(with_outward_normals(*geometry->mesh(shape))));
     };
-    text_ += "Shape \"plymesh\"" + pbrt_word("filename", output_.add(fmt::format("-{}.ply", shape), write)) +
-             alpha + "\n";
+    text_ += "Shape \"plymesh\"" +
+             pbrt_word("filename", output_.add(fmt::format("-pbrt-{}.ply", shape), write)) + alpha + "\n";
   }
 
   const Scene& scene_;

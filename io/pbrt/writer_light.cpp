@@ -43,7 +43,7 @@ ScaledPicture scaled(std::shared_ptr<const Image> image, const Rgb& factor) {
 /// The picture of a light, in a file of its own.
 std::string picture_parameters(const ScaledPicture& picture, std::size_t light, SceneOutput& output) {
   const auto write = [image = picture.image](const std::string& path) { write_exr(path, *image); };
-  return pbrt_word("filename", output.add(fmt::format("-light-{}.exr", light), write)) +
+  return pbrt_word("filename", output.add(fmt::format("-pbrt-light-{}.exr", light), write)) +
          pbrt_real("scale", picture.scale);
 }
 

@@ -79,7 +79,7 @@ std::string PbrtTextureWriter::part(const char* name, std::uint32_t texture, Pbr
 
 std::string PbrtTextureWriter::add_file(Image image) {
   const auto kept = std::make_shared<const Image>(std::move(image));
-  return output_.add(fmt::format("-texture-{}.exr", files_++),
+  return output_.add(fmt::format("-pbrt-texture-{}.exr", files_++),
                      [kept](const std::string& path) { write_exr(path, *kept); });
 }
 

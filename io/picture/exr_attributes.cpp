@@ -28,7 +28,7 @@ std::pair<std::string_view, std::string_view> parts_of(std::string_view name) {
 
 /// Where a channel stands in its layer.
 std::size_t rank(std::string_view name) {
-  constexpr std::string_view first[] = {"R", "G", "B", "Y", "A", "Z"};
+  constexpr std::string_view first[] = {"R", "G", "B", "r", "g", "b", "X", "Y", "A", "Z"};
   return std::size_t(std::find(std::begin(first), std::end(first), name) - std::begin(first));
 }
 

@@ -7,6 +7,7 @@
 #include <ImfRgbaFile.h>
 
 #include <span>
+#include <string_view>
 
 #include "io/picture/exr_attributes.h"
 #include "io/picture/exr_failures.h"
@@ -79,6 +80,34 @@ Image image_of_luminance_chroma(const PictureBytes& picture, int width, int heig
   return image;
 }
 
+/// The name of a channel without its layer's.
+std::string_view last_word(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  return std::string_view(name).substr(dot == name.npos ? 0 : dot + 1);
+}
+
+bool is_one_of(const PictureChannel& channel, std::string_view upper, std::string_view lower) {
+  const std::string_view word = last_word(channel.name);
+  return word == upper || word == lower;
+}
+
+/// Where red, green and blue stand: the file's own, else those of the first layer that has them, else any
+/// three numbers. The size of the list: the file is grey, of few channels or with a luminance.
+std::size_t first_color(std::span<const PictureChannel> channels) {
+  const std::size_t none = channels.size();
+  if (none < 3 || channels[0].name == "Y") return none;
+  for (std::size_t i = 0; i + 2 < none; ++i)
+    if (is_one_of(channels[i], "R", "r") && is_one_of(channels[i + 1], "G", "g") &&
+        is_one_of(channels[i + 2], "B", "b"))
+      return i;
+  return channels[0].name == "A" ? none : 0;
+}
+
+/// Of a file without colours: the channel that is shown as grey, not its alpha if there is another one.
+std::size_t first_number(std::span<const PictureChannel> channels) {
+  return channels.size() > 1 && channels[0].name == "A" ? 1 : 0;
+}
+
 }  // namespace
 
 Image decode_exr(const PictureBytes& picture, const HeaderCheck& check) {
@@ -86,10 +115,10 @@ Image decode_exr(const PictureBytes& picture, const HeaderCheck& check) {
     OpenExr file(picture, check);
     if (file.is_luminance_chroma()) return image_of_luminance_chroma(picture, file.width(), file.height());
     const std::span channels(file.channels());
-    const bool is_grey = channels.size() < 3 || channels[0].name == "Y";
-    if (is_grey) return grey_image(file, channels.first(1));
+    const std::size_t first = first_color(channels);
+    if (first == channels.size()) return grey_image(file, channels.subspan(first_number(channels), 1));
     Image image(file.width(), file.height());
-    file.read(channels.first(3), &image.pixels[0].r, 3);
+    file.read(channels.subspan(first, 3), &image.pixels[0].r, 3);
     return image;
   });
 }

@@ -14,6 +14,7 @@
 #include "io/output_file.h"
 #include "io/picture/exr_reader.h"
 #include "io/picture/exr_writer.h"
+#include "io/picture/hdr_reader.h"
 #include "io/picture/image_codec.h"
 #include "io/picture/jpeg_reader.h"
 #include "io/picture/picture_header.h"
@@ -99,7 +100,7 @@ Image decode_colors(PictureFormat format, const PictureBytes& picture, const Hea
     case PictureFormat::tga:
       return decode_tga(picture);
     default:
-      return image_codec().read_hdr(picture, check);
+      return decode_hdr(picture, check);
   }
 }
 

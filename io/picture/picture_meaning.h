@@ -10,12 +10,14 @@ namespace twinray {
 enum class PictureRole { color, data };
 
 /// What of its channels a pixel is made of: its colour; or one number, as grey: its alpha, where that is not
-/// 1 all over, else the mean of its colour; or that of one channel (1 where there is no alpha).
-enum class PictureChannels { color, number, red, green, blue, alpha };
+/// 1 all over, else the mean of its colour; or that of one channel (1 where there is no alpha); or the mean
+/// of its colour whatever its alpha is.
+enum class PictureChannels { color, number, red, green, blue, alpha, brightness };
+inline constexpr PictureChannels last_channels = PictureChannels::brightness;
 
 /// "color", "number", "red", ...
 constexpr const char* channels_word(PictureChannels channels) {
-  constexpr const char* words[] = {"color", "number", "red", "green", "blue", "alpha"};
+  constexpr const char* words[] = {"color", "number", "red", "green", "blue", "alpha", "brightness"};
   return words[int(channels)];
 }
 

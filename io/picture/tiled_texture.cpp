@@ -82,7 +82,7 @@ PictureMeaning meaning_of(const TiledExr& file, const std::string& path) {
   if (text(file, levels_name) != levels_value) refuse(path, "its levels are not those of this program");
   const std::string role = text(file, role_name), channels = text(file, channels_name);
   for (const PictureRole r : {PictureRole::color, PictureRole::data})
-    for (int c = 0; c <= int(PictureChannels::alpha); ++c)
+    for (int c = 0; c <= int(last_channels); ++c)
       if (role == word(r) && channels == channels_word(PictureChannels(c))) return {r, PictureChannels(c)};
   refuse(path, "it does not say what its numbers mean");
 }

@@ -246,19 +246,32 @@ TEST_CASE("convert writes what moves where it stands at a time") {
 
 TEST_CASE("convert writes over no file that the scene is made of") {
   const TemporaryFolder folder;
-  const std::string scene = folder.file("box.pbrt");
-  REQUIRE(run_program("convert -q " + box_scene + " " + quoted(scene)).exit_code == 0);
-  const std::string text = read_text(scene);
-  const std::size_t files = folder.file_count();
-  for (const auto& [name, found] : {std::pair{"box.pbrt", "box-0.ply"}, {"box.json", "box-0.ply"}}) {
-    const ProcessResult result = run_program("convert " + quoted(scene) + " " + quoted(folder.file(name)));
+  for (const auto& [name, found] : {std::pair{"box.pbrt", "box-pbrt-0.ply"}, {"box.json", "box-0.ply"}}) {
+    const std::string scene = folder.file(name);
+    REQUIRE(run_program("convert -q " + box_scene + " " + quoted(scene)).exit_code == 0);
+    const std::string text = read_text(scene);
+    const std::size_t files = folder.file_count();
+    const ProcessResult result = run_program("convert " + quoted(scene) + " " + quoted(scene));
     CHECK(result.exit_code == 1);
     CHECK(result.err ==
           fmt::format("twinray: {}: this file is read; choose another name\n", folder.file(found)));
+    CHECK(read_text(scene) == text);
+    CHECK(folder.file_count() == files);
+    CHECK(run_program("convert -q " + quoted(scene) + " " + quoted(folder.file("box.glb"))).exit_code == 0);
   }
-  CHECK(read_text(scene) == text);
-  CHECK(folder.file_count() == files);
-  CHECK(run_program("convert -q " + quoted(scene) + " " + quoted(folder.file("box.glb"))).exit_code == 0);
+}
+
+TEST_CASE("a scene may be written in every format into one folder") {
+  const TemporaryFolder folder;
+  const std::string scene = quoted(TWINRAY_SOURCE_DIR "/scenes/table.gltf");
+  std::map<std::string, std::string> files;
+  for (const std::string name : {"a.json", "a.pbrt", "a.gltf"}) {
+    REQUIRE(run_program("convert -q " + scene + " " + quoted(folder.file(name))).exit_code == 0);
+    for (const auto& [file, text] : files) CHECK(read_text(folder.file(file)) == text);
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+      files.emplace(entry.path().filename().string(), read_text(entry.path().string()));
+  }
+  CHECK(files.size() > 6);
 }
 
 }  // namespace twinray::test

@@ -227,10 +227,10 @@ TEST_CASE("films that are no parts of one render are refused by name") {
   const std::string a = folder.file("a.film") + ": ", go = ": it does not go with " + a;
   says(merge("ac"), folder.file("c.film") + go + "it was made with --seed 1");
   says(merge("ad b"), folder.file("a.film") + " and " + folder.file("d.film") +
-                          " overlap: samples 0 to 4 of 8, and samples 2 to 6 of 8");
+                          " overlap: samples 0:4 of 8, and samples 2:6 of 8");
   says(merge("ae"), folder.file("e.film") + go + "it is of 9 samples a pixel, and of 8 there");
-  says(merge("a"), "samples 4 to 8 of 8 are missing; --allow-gaps merges what there is");
-  says(merge("af"), "samples 4 to 6 of 8 are missing");
+  says(merge("a"), "samples 4:8 of 8 are missing; --allow-gaps merges what there is");
+  says(merge("af"), "samples 4:6 of 8 are missing");
   says(merge("ag"), folder.file("g.film") + go + "one is a range of tiles, the other one of samples");
   says(merge("ah"), folder.file("h.film") + go + "one has halves of the samples, or other layers");
   says(merge("ai"), folder.file("i.film") + go + "its scene reads spheres.dae, which is not read there");
@@ -246,10 +246,10 @@ TEST_CASE("films that are no parts of one render are refused by name") {
   const ProcessResult gap =
       run_program("merge -q --allow-gaps " + film("a.film") + " " + film("f.film") + " -o " + film("x.png"));
   CHECK(gap.exit_code == 0);
-  says(gap.err, "samples 4 to 6 of 8 are missing");
+  says(gap.err, "samples 4:6 of 8 are missing");
   says(read_text(folder.file("x.png")), "twinray:missing");
   says(error_of("merge --allow-gaps " + film("a.film") + " " + film("f.film") + " -o " + film("x.film")),
-       "x.film: samples 4 to 6 of 8 are missing amid it; a film is of a range without gaps");
+       "x.film: samples 4:6 of 8 are missing amid it; a film is of a range without gaps");
 }
 
 TEST_CASE("the options of the first film make the picture, and a warning says what is different in others") {
@@ -321,7 +321,7 @@ TEST_CASE("a checkpoint of another scene, option or file does not go on") {
   says(resume("--max-depth=4"), go + "its --max-depth is 3, and 4 here");
   says(resume("--filter=box"), go + "it was made without --filter box");
   says(resume("--sample-range=0:2 -o x.film"),
-       go + "it has samples 0 to 4 of 4, and samples 0 to 2 of 4 are wanted here");
+       go + "it has samples 0:4 of 4, and samples 0:2 of 4 are wanted here");
   says(resume("-s 1"),
        go + "it is of 4 samples a pixel, and of 1 here: the one sample of a pixel lies in its middle");
   says(resume("-s 2"), "4 samples of a pixel are there already, and 2 are wanted");

@@ -89,6 +89,8 @@ TEST_CASE("a group without lights, and more groups than layers, are refused") {
   CHECK_THROWS_WITH(groups_of({"sun", "sky"}, {"x=lamp*"}),
                     "--light-group: no light is called \"lamp*\"; the scene has \"sun\", \"sky\"");
   CHECK_THROWS_WITH(groups_of({}, {"x=*"}), "--light-group: no light is called \"*\"; the scene has none");
+  CHECK_THROWS_WITH(groups_of({"sun", "sky"}, {"all=*", "day=sun"}),
+                    "--light-group: all lights of \"day\" belong to the groups before it");
   std::vector<std::string> many;
   for (std::size_t i = 0; i < most_light_groups; ++i) many.push_back(fmt::format("lamp{}", i));
   CHECK(groups_of(many, {}).size() == most_light_groups);
@@ -152,6 +154,8 @@ TEST_CASE("relight writes a picture, lists its groups, and says what it cannot d
             .ends_with("it has no light group \"rim\"; there are fill, key\n"));
   CHECK(
       complaint(two + " --light=key=2").starts_with("twinray: --light: where to? --output=FILE is missing"));
+  CHECK(complaint(two + " --light=key=0 -o " + two)
+            .ends_with("two.exr: this file is read; choose another name\n"));
   write_exr(folder.file("plain.exr"), Image(2, 2));
   CHECK(complaint(quoted(folder.file("plain.exr")))
             .ends_with("it has no light groups; a render with --layers=light-groups writes them\n"));

@@ -82,6 +82,16 @@ TEST_CASE("a request is answered with its body, what that is, and what may be ma
   CHECK(large.field("Version") == "3");
 }
 
+TEST_CASE("HEAD is answered as GET is, without the body") {
+  const TestServer server;
+  const HttpAnswer head = ask(server.port(), "HEAD", "/?who=me");
+  CHECK(head.status == 200);
+  CHECK(head.body.empty());
+  CHECK(head.field("Content-Length") == "10");
+  CHECK(ask(server.port(), "HEAD", "/none").status == 404);
+  CHECK(ask(server.port(), "HEAD", "/none").body.empty());
+}
+
 TEST_CASE("what is refused, and what breaks, is answered with the reason") {
   const TestServer server;
   const HttpAnswer missing = get(server.port(), "/../etc/passwd");

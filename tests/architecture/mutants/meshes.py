@@ -136,4 +136,12 @@ MUTANTS = [
            NUMBERS),
     Mutant("pictures of Assimp's models are one texel", "io/assimp/model_bytes.cpp", "visit(how->scale);", "",
            "test_io", "nodes, materials and pictures of an imported scene are where the file has them"),
+    Mutant("a face's corner is read as far as it goes", "io/obj/reader.cpp",
+           "if (*at++ != '/') break;", "return corner;", "test_io", WRONG),
+    Mutant("heights are a picture's alpha", "io/obj/material.cpp",
+           "picture(from.bump_texname, how, for_numbers(how, PictureChannels::brightness));",
+           "picture(from.bump_texname, how, for_numbers(how, PictureChannels::number));", "test_io",
+           "numbers of a picture are its brightness, or the channel that the file says"),
+    Mutant("the mark of UTF-8 is a word", "io/obj/reader.cpp", "without_mark(read(path));", "read(path);",
+           "test_io", "the mark of UTF-8 is no part of an OBJ file's first line, nor of a material file's"),
 ]

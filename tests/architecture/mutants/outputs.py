@@ -74,4 +74,13 @@ MUTANTS = [
            "    if (result.is_complete) talk_.rendered(result);\n",
            "    if (result.is_complete) talk_.rendered(result), stop_.reset();\n",
            "test_cli", "an interruption while the picture is written lets it be written"),
+    Mutant("relight writes over what it reads", "cli/relight/command.cpp",
+           "prepare_outputs(outputs, {arguments.picture});", "prepare_outputs(outputs, {});", "test_cli",
+           "relight writes a picture, lists its groups, and says what it cannot do"),
+    Mutant("a group without lights is none", "cli/light_groups.cpp", "check_groups(groups, rules);", "",
+           "test_cli", "a group without lights, and more groups than layers, are refused"),
+    Mutant("meshes of all formats have one name", "io/pbrt/writer.cpp", '"-pbrt-{}.ply"', '"-{}.ply"',
+           "test_cli", "a scene may be written in every format into one folder"),
+    Mutant("HEAD has a body", "io/http/connection.cpp", "if (is_head) body_ = nullptr;", "", "test_io",
+           "HEAD is answered as GET is, without the body"),
 ]

@@ -49,4 +49,13 @@ MUTANTS = [
     Mutant("a JPEG's header is not checked", "io/picture/jpeg_reader.cpp",
            "check({int(jpeg_.image_width), int(jpeg_.image_height), jpeg_.num_components});",
            "check({1, 1, 1});", "test_io", "a JPEG has the colours, or the grey, that it was made of"),
+    Mutant("a Radiance picture is brighter by its exposure", "io/picture/hdr_reader.cpp",
+           "pixel = pixel * (1 / exposure);", "pixel = pixel * exposure;", "test_io",
+           "a Radiance picture has its rows and columns as its header says, and its light without exposure"),
+    Mutant("a Radiance picture begins at the top, whatever it says", "io/picture/hdr_reader.cpp",
+           "if (size[y - 1] == '+')", "if (false)", "test_io",
+           "a Radiance picture has its rows and columns as its header says, and its light without exposure"),
+    Mutant("an EXR's first three channels are its colours", "io/picture/exr_reader.cpp",
+           'return channels[0].name == "A" ? none : 0;', "return 0;", "test_io",
+           "an EXR's colours are its own, else those of a layer, in large letters or small"),
 ]

@@ -213,6 +213,20 @@ TEST_CASE("a texture of the transparency cuts holes, in each opaque mode") {
   CHECK(alpha("RGB_ZERO", "0.5", bright) == 0.5f);
 }
 
+TEST_CASE("the brightness of a transparency is that of its colours, its alpha that alone") {
+  const auto channels_of = [](const std::string& mode) {
+    LoadOptions options;
+    options.pictures = std::make_shared<std::vector<PictureUse>>();
+    read_collada(
+        *XmlDocument::parse(document("", "<transparent opaque=\"" + mode + "\">" + colors + "</transparent>"),
+                            "a.dae"),
+        options);
+    return options.pictures->at(0).meaning.channels;
+  };
+  for (const char* mode : {"RGB_ONE", "RGB_ZERO"}) CHECK(channels_of(mode) == PictureChannels::brightness);
+  for (const char* mode : {"A_ONE", "A_ZERO"}) CHECK(channels_of(mode) == PictureChannels::alpha);
+}
+
 TEST_CASE("holes of a picture that cannot be read are none") {
   const PictureFolder folder;
   write_text(folder.folder.file("colors.png"), "no picture");

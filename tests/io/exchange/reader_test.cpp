@@ -370,6 +370,11 @@ TEST_CASE("what is wrong in an exchange form is said with its entry and what wou
         "a.json: camera: \"right\", \"up\" and \"forward\" must be at right angles");
   CHECK(wrong("/camera/tan_half_width", 0) ==
         "a.json: camera: \"tan_half_width\" is 0; it must be a float above 0");
+  for (const double far : {0.5, 1.0}) {
+    nlohmann::json json = small();
+    json["camera"].update({{"clip_near", 1}, {"clip_far", far}});
+    CHECK(error_of(json) == "a.json: camera: \"clip_far\" must lie beyond \"clip_near\"");
+  }
   CHECK(wrong("/camera/clip_along", "x") ==
         "a.json: camera: \"clip_along\" is \"x\"; valid are forward, ray");
   CHECK(wrong("/camera/aperture", {{"blades", 2}, {"turns", 0}}) ==

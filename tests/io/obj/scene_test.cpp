@@ -104,7 +104,10 @@ TEST_CASE("a group ends where another object begins") {
 TEST_CASE("what is wrong with a face of an OBJ file is an error with its line") {
   CHECK(error_of(square + "f 1 2 -9\n") ==
         "scene.obj:5:1: there is no element -9 among the 4 vertices so far\n  f 1 2 -9\n  ^");
-  CHECK(error_of(square + "f 1 0 2\n").starts_with("scene.obj:5:1: there is no element 0"));
+  for (const std::string word : {"0", "1.5", "3x", "1/", "1//", "1/2/", "1/2/3/4", "4294967297", "a", "+1"})
+    CHECK(error_of(square + "f 1 " + word + " 2\n")
+              .starts_with("scene.obj:5:1: \"" + word +
+                           "\" is no corner of a face; valid are V, V/T, V//N and"));
   CHECK(error_of(square + "\r\nf 1/-1 2/-1 3/-1\r\n")
             .starts_with("scene.obj:6:1: there is no element -1 among the 0"));
   CHECK(error_of(square + "f 1 2 5\n") == "scene.obj: a face has element 5 of the 4 vertices");
@@ -333,7 +336,7 @@ TEST_CASE("a line of several material files has all of them, each with pictures 
 
 TEST_CASE("a backslash continues a line, in comments it does not, and places stay right") {
   const std::string lines = "v 0 \\\r\n0 0\n# from C:\\parts\\\nv 1 \\\n 0 \\\n 0\nv 1 1 0\n";
-  const LoadedScene loaded = load_obj_text(lines + "f 1 \\\n2 3");
+  const LoadedScene loaded = load_obj_text(lines + "f 1 \\\n2 3 # a comment");
   CHECK(mesh_of(loaded).positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
   CHECK(error_of(lines + "f 1 \\\n2 -9\n").starts_with("scene.obj:8:1: there is no element -9"));
   const LoadedScene colored = load_obj_text("mtllib a.mtl\n" + square + "usemtl m\nf 1 2 3\n",
@@ -357,6 +360,34 @@ TEST_CASE("a coordinate that is no number is an error at its line, of other numb
       "scene.obj:7:1: texture coordinates that are no numbers: 0 stands for each\n"));
   CHECK(mesh_of(loaded).normals[mesh_of(loaded).normal_indices[0][0]] == Vec3{0, 0, 1});
   CHECK(mesh_of(loaded).uvs == std::vector<Vec2>{{0.5f, 0}, {0.25f, 0}});
+}
+
+TEST_CASE("numbers of a picture are its brightness, or the channel that the file says") {
+  const auto meaning_of = [](const std::string& line) {
+    LoadOptions options;
+    options.pictures = std::make_shared<std::vector<PictureUse>>();
+    const TemporaryFolder folder;
+    write_text(folder.file("a.mtl"), "newmtl m\nPr 0.5\n" + line);
+    write_text(folder.file("a.obj"), "mtllib a.mtl\nvt 0 0\n" + square + "usemtl m\nf 1/1 2/1 3/1\n");
+    load_scene(folder.file("a.obj"), options);
+    return options.pictures->back().meaning.channels;
+  };
+  CHECK(meaning_of("bump a.png\n") == PictureChannels::brightness);
+  CHECK(meaning_of("bump -imfchan g a.png\n") == PictureChannels::green);
+  CHECK(meaning_of("map_Pr a.png\n") == PictureChannels::brightness);
+  CHECK(meaning_of("map_Pr -imfchan r a.png\n") == PictureChannels::red);
+  CHECK(meaning_of("map_Pm -imfchan b a.png\n") == PictureChannels::blue);
+  CHECK(meaning_of("map_d a.png\n") == PictureChannels::number);
+  CHECK(meaning_of("map_d -imfchan l a.png\n") == PictureChannels::brightness);
+}
+
+TEST_CASE("the mark of UTF-8 is no part of an OBJ file's first line, nor of a material file's") {
+  const std::string mark = "\xef\xbb\xbf";
+  const LoadedScene loaded = load_obj_text(mark + square + "mtllib a.mtl\nusemtl m\nf 1 2 3\n",
+                                           {{"a.mtl", mark + "newmtl m\nKd 1 0 0\n"}});
+  CHECK(loaded.warnings.empty());
+  CHECK(mesh_of(loaded).positions[0] == Vec3{0, 0, 0});
+  CHECK(std::get<Lambert>(loaded.scene.materials[0].model).reflectance == Rgb{1, 0, 0});
 }
 
 TEST_CASE("a coordinate is the float that is nearest to what the file says") {

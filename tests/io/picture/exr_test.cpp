@@ -79,6 +79,20 @@ TEST_CASE("an EXR of one channel is grey, and its alpha is 1 where it has none")
   CHECK(decode_exr({with_depth, exr_name}, accept).pixels == std::vector<Rgb>{{3, 3, 3}});
 }
 
+TEST_CASE("an EXR's colours are its own, else those of a layer, in large letters or small") {
+  const auto first_of = [](const Channels& channels) {
+    return decode_exr({layered_exr(1, 1, channels), exr_name}, accept).pixels[0];
+  };
+  const Channels layer{{"A", {9}}, {"diffuse.B", {3}}, {"diffuse.G", {2}}, {"diffuse.R", {1}}};
+  CHECK(first_of(layer) == Rgb{1, 2, 3});
+  Channels both = layer;
+  both.insert({{"R", {4}}, {"G", {5}}, {"B", {6}}});
+  CHECK(first_of(both) == Rgb{4, 5, 6});
+  CHECK(first_of({{"a", {9}}, {"b", {3}}, {"g", {2}}, {"r", {1}}}) == Rgb{1, 2, 3});
+  CHECK(first_of({{"N.X", {1}}, {"N.Y", {2}}, {"N.Z", {3}}}) == Rgb{1, 2, 3});  // Any three numbers.
+  CHECK(first_of({{"A", {9}}, {"depth.Z", {3}}, {"id", {2}}}) == Rgb{2, 2, 2});
+}
+
 TEST_CASE("texts of an EXR are read as they were written, and no others") {
   const ImageMetadata written{
       {"DateTime", "2023:11:14 22:13:20"}, {"Software", "ours"}, {"twinray:seed", "7"}};
