@@ -22,6 +22,13 @@ float ior_of(const SurfaceModel& model) {
       model);
 }
 
+/// Whether a material is this one or, if that is a mix, a part of it.
+bool is_part(std::uint32_t index, std::uint32_t of, std::span<const Material> materials) {
+  const Mix* const mix = std::get_if<Mix>(&materials[of].model);
+  return index == of ||
+         (mix && (is_part(index, mix->first, materials) || is_part(index, mix->second, materials)));
+}
+
 struct Immersed {
   float ior;
 
@@ -44,6 +51,13 @@ void Interiors::leave(std::uint32_t material) {
     bits_ = (bits_ & later) | (bits_ >> 16 & ~later);
     return;
   }
+}
+
+std::uint32_t Interiors::entered(std::uint32_t material, std::span<const Material> materials) const {
+  for (int i = 0; i < slots && slot(bits_, i) != 0; ++i)
+    if (const auto index = std::uint32_t(slot(bits_, i) - 1); is_part(index, material, materials))
+      return index;
+  return none;
 }
 
 std::uint32_t Interiors::prevailing(std::span<const Material> materials) const {

@@ -25,6 +25,8 @@ class Interiors {
   void enter(std::uint32_t material) { bits_ = bits_ << 16 | (material + 1); }
   /// Leaves it once; nothing happens where it was not entered.
   void leave(std::uint32_t material);
+  /// Of a material, or of the parts of a mix, the one entered last; `none` where none was.
+  std::uint32_t entered(std::uint32_t material, std::span<const Material> materials) const;
   /// The index of the one that is there, of several: that of the highest priority, of equals the one entered
   /// last. `none` outside of all.
   std::uint32_t prevailing(std::span<const Material> materials) const;

@@ -12,6 +12,19 @@ Side side_of(const SurfacePoint& point, const Vec3& wo) {
   return is_before == points_outside ? Side::outside : Side::inside;
 }
 
+/// What a path is in at a surface. A body of a mix has at each point the surface of one of its parts: seen
+/// from inside, that part stands for the one by which the path went in, so that it is left.
+Interiors here(const Scene& scene, const SurfacePoint& point, std::uint32_t material, Side side,
+               Interiors interiors) {
+  const std::uint32_t body = scene.bindings[point.shape].material;
+  if (side == Side::outside || body == material) return interiors;
+  const std::uint32_t entered = interiors.entered(body, scene.materials);
+  if (entered == material || entered == Interiors::none) return interiors;
+  interiors.leave(entered);
+  if (has_interior(scene.materials[material])) interiors.enter(material);
+  return interiors;
+}
+
 /// What is behind a surface to a viewer who sees its outside or inside.
 Interiors behind(const Material& material, std::uint32_t index, Side side, Interiors before) {
   if (!has_interior(material)) return before;
@@ -40,8 +53,11 @@ Interaction::Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, cons
       facing_normal_(facing(point.geometric_normal, wo)),
       shading_(shading_frame(bsdfs.scene(), bsdfs.scene().materials[material_], point, wo)),
       wo_local_(shading_.frame.to_local(wo)),
-      bsdf_(bsdfs.at(material_, point, side_of(point, wo), viewing)),
+      bsdf_(bsdfs.at(
+          material_, point, side_of(point, wo),
+          {viewing.materials, here(bsdfs.scene(), point, material_, side_of(point, wo), viewing.interiors)})),
       before_(viewing.interiors),
-      behind_(behind(bsdfs.scene().materials[material_], material_, side_of(point, wo), before_)) {}
+      behind_(behind(bsdfs.scene().materials[material_], material_, side_of(point, wo),
+                     here(bsdfs.scene(), point, material_, side_of(point, wo), viewing.interiors))) {}
 
 }  // namespace twinray

@@ -36,7 +36,7 @@ void PathWave::add_direct_paths() {
     const bool is_other = other != wave_.others.end() && other->index == i;
     if (depth_ > 0)
       add_scattered_light(first_scattering_of(sample), term, depth_ + 1, paths_of(sample));
-    else if (is_other)
+    else if (is_other && !other->at.is_lambert())
       twinray::add_direct_light(throughput, other->scattered, term, paths_of(sample));
     else
       add_scattered_light({}, term, 1, paths_of(sample));

@@ -45,6 +45,13 @@ void add_default_uvs(Mesh& mesh) {
   mesh.uv_indices.assign(mesh.triangles.size(), {0, 1, 2});
 }
 
+/// Whether light may get through a surface that has no inside of its own. Within others no medium is seen.
+bool is_no_body(const SurfaceModel& model) {
+  const auto* const sheet = std::get_if<Dielectric>(&model);
+  return std::holds_alternative<Mix>(model) || std::holds_alternative<DiffuseTransmission>(model) ||
+         (sheet && sheet->is_thin);
+}
+
 /// Within what film and lights can hold.
 Rgb bounded(const Rgb& radiance, const PbrtPlace& place, WarningList& warnings) {
   if (max_component(radiance) <= max_radiance) return radiance;
@@ -99,7 +106,7 @@ void PbrtBuilder::place(const Part& part, const Transform& to_world, Placed& pla
   ShapeBinding binding{part.material, no_light, part.alpha, part.asset};
   if (emits) add_emission(part, binding);
   if (materials_.is_interface(part.material) && emits) binding.material = materials_.black();
-  if (is_filled) placed.absorptions[placed.bindings.size()] = part.absorption;
+  if (is_filled) placed.fillings.emplace(placed.bindings.size(), Filling{part.absorption, part.place});
   placed.bindings.push_back(binding);
 }
 
@@ -152,8 +159,12 @@ std::uint32_t PbrtBuilder::add_shape_light(const std::string& name, const MeshLi
 void PbrtBuilder::fill_interiors() {
   std::vector<Material>& materials = materials_.materials;
   std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> filled;
-  for (const auto& [shape, absorption] : placed_.absorptions) {
+  for (const auto& [shape, filling] : placed_.fillings) {
+    const auto& [absorption, place] = filling;
     std::uint32_t& material = placed_.bindings[shape].material;
+    if (is_no_body(materials[material].model))
+      place.warn(context_.warnings,
+                 "a medium is rendered within a dielectric or an interface alone, not here");
     if (!lets_light_in(materials[material].model)) continue;
     const auto key = std::tuple(material, absorption.r, absorption.g, absorption.b);
     const auto [entry, is_new] = filled.try_emplace(key, std::uint32_t(materials.size()));
@@ -213,7 +224,7 @@ Instancing PbrtBuilder::place_objects() {
   for (ShapeRange& prototype : instancing.prototypes) prototype.first += std::uint32_t(direct);
   for (Shape& shape : shared.shapes) placed_.shapes.push_back(std::move(shape));
   for (const ShapeBinding& binding : shared.bindings) placed_.bindings.push_back(binding);
-  for (const auto& [shape, absorption] : shared.absorptions) placed_.absorptions[direct + shape] = absorption;
+  for (const auto& [shape, filling] : shared.fillings) placed_.fillings.emplace(direct + shape, filling);
   return instancing;
 }
 

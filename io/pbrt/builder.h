@@ -59,11 +59,16 @@ class PbrtBuilder {
     std::vector<Part> parts;
     std::vector<ShownAt> shown;
   };
+  /// What a shape is filled with.
+  struct Filling {
+    Rgb absorption;
+    PbrtPlace place;  ///< Of the shape.
+  };
   /// Shapes in their places, what they wear, and what is within them.
   struct Placed {
     std::vector<Shape> shapes;
     std::vector<ShapeBinding> bindings;
-    std::map<std::size_t, Rgb> absorptions;  ///< Within those shapes that have any.
+    std::map<std::size_t, Filling> fillings;  ///< Of those shapes that have any.
   };
 
   void place(const Part& part, const Transform& to_world, Placed& placed);

@@ -45,6 +45,17 @@ TEST_CASE("interiors are left in whatever order, and where they were not entered
   CHECK(interiors.bits() == within({65534, 9, 8}).bits());
 }
 
+TEST_CASE("of a mix that part was entered which was entered last") {
+  const std::vector<Material> materials{
+      glass(1.5f, 1), glass(1.5f, 1), {"mix", Mix{0, 1, 0.5f}}, glass(1.5f, 1), {"mix", Mix{3, 2, 0.5f}}};
+  CHECK(within({}).entered(2, materials) == Interiors::none);
+  CHECK(within({3}).entered(2, materials) == Interiors::none);
+  CHECK(within({0, 1, 3}).entered(2, materials) == 1);
+  CHECK(within({1, 0}).entered(4, materials) == 0);
+  CHECK(within({0, 3}).entered(4, materials) == 3);
+  CHECK(within({0, 3}).entered(0, materials) == 0);
+}
+
 TEST_CASE("of several interiors that of the highest priority is there, of equals the last") {
   const std::vector<Material> materials{glass(1.5f, 1), glass(1.3f, 3), glass(1.4f, 1), glass(1.2f, 0)};
   CHECK(within({}).prevailing(materials) == Interiors::none);

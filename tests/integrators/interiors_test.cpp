@@ -125,6 +125,26 @@ TEST_CASE("rough surfaces see lights through interiors alike by every method") {
   check_same_mean(found(DirectMethod::hemisphere), expected, 0.1);
 }
 
+TEST_CASE("a body of a mix is left by whatever part it was entered") {
+  const Interior tea{{0.5f, 1, 2}, 0};
+  const Dielectric water{1.33f};
+  const auto mean = [](const std::vector<Material>& materials) {
+    Scene scene = nested_balls({1}, materials);
+    add_white_sky(scene);
+    scene.camera.tan_half_width = scene.camera.tan_half_height = 0.2f;
+    return estimate(scene, {.max_depth = 30}, small_picture(64)).mean;
+  };
+  const std::vector<Material> pure{body(water, tea)};
+  const std::vector<Material> mixed{{"mix", Mix{1, 2, 0.5f}}, body(water, tea), body(water, tea)};
+  const std::vector<Material> twice{{"mix", Mix{1, 2, 0.5f}},
+                                    body(water, tea),
+                                    {"mix", Mix{3, 4, 0.5f}},
+                                    body(water, tea),
+                                    body(water, tea)};
+  CHECK(mean(mixed) == mean(pure));
+  CHECK(mean(twice) == mean(pure));
+}
+
 TEST_CASE("bodies one within the other are the boundaries that their priorities say") {
   // Water in glass, by indices to the vacuum and priorities, and by the index of water to glass.
   Scene nested = nested_balls(

@@ -88,6 +88,27 @@ TEST_CASE("the colours of a picture do not depend on whether their parts are ask
     for (int x = 0; x < 4; ++x) CHECK(with.pixel(x, y) == without.pixel(x, y));
 }
 
+TEST_CASE("the parts of light that a mix of diffuse surfaces reflects are those of the reference") {
+  Scene scene = scene_of(floor_square(2, 0), {0.6f, 0.5f, 0.4f}, {0, 3, 2}, {0, -1, -0.6f});
+  for (const float x : {-2.0f, 2.0f})
+    add_lamp(scene, SphereSet{"lamp", {{{x, 2, 1}, 0.5f}}}, {7 + x, 8, 9}, EmissionSide::front);
+  add_light(scene, EnvironmentLight{std::make_shared<const Image>(constant_sky({0.3f, 0.2f, 0.4f}))});
+  const auto black = std::uint32_t(scene.materials.size());  // So that the mix is what it is mixed of.
+  scene.materials.push_back({"black", Lambert{}});
+  scene.materials.push_back({"mix", Mix{0, black, 0.25f}});
+  for (ShapeBinding& binding : scene.bindings)
+    if (binding.material == 0) binding.material = black + 1;
+  for (const PathOptions& path :
+       {PathOptions{.max_depth = 2, .samples_per_light = 3},
+        PathOptions{.max_depth = 1, .direct = DirectMethod::hemisphere, .samples_per_light = 2}}) {
+    const Film waves = render_with(scene, PathIntegrator(scene, path), with_paths(8)).film;
+    const Film reference = render_with(scene, PathReference(scene, path), with_paths(8)).film;
+    for (int y = 0; y < 4; ++y)
+      for (int x = 0; x < 4; ++x)
+        CHECK(parts_at(waves, Division::paths, x, y) == parts_at(reference, Division::paths, x, y));
+  }
+}
+
 TEST_CASE("what a sample's parts lack of its radiance is rounding") {
   constexpr std::uint32_t count = 300;
   Records records = traced_records(small_room(), {.max_depth = 5}, {{}, {light_path_count, 0}}, count);

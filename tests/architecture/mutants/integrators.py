@@ -344,4 +344,10 @@ MUTANTS = [
            "options_.allocation == Allocation::error && range_.end > SampleAllocation::pilot",
            "options_.allocation == Allocation::error", "test_integrators",
            "a render that has no more than the pilot is even, and goes on"),
+    Mutant("a body of a mix is left by the part that is there alone", "integrators/interaction.cpp",
+           "interiors.leave(entered);", "", "test_integrators",
+           "a body of a mix is left by whatever part it was entered"),
+    Mutant("waves divide the light of all that is shaded alone", "integrators/wave/light_division.cpp",
+           "else if (is_other && !other->at.is_lambert())", "else if (is_other)", "test_integrators",
+           "the parts of light that a mix of diffuse surfaces reflects are those of the reference"),
 ]

@@ -87,4 +87,7 @@ MUTANTS = [
            "const double start = cos_radians(double(inner)",
            "const double start = cos_radians(double(std::max(0.0f, angle - delta))", "test_io",
            "a spot's power is that of its cone, with the mean of its soft edge, however wide that is"),
+    Mutant("a medium within a sheet is left out without a word", "io/pbrt/builder.cpp",
+           "(sheet && sheet->is_thin);", "false;", "test_io",
+           "a medium within a surface that has no inside is named"),
 ]

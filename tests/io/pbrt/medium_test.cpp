@@ -66,6 +66,22 @@ TEST_CASE("nested bodies have priorities") {
   CHECK(pbrt_error("Material \"dielectric\" \"integer priority\" -1").find("priority") != std::string::npos);
 }
 
+TEST_CASE("a medium within a surface that has no inside is named") {
+  const std::string glass = "\"string type\" \"dielectric\" ";
+  const std::string mix = "MakeNamedMaterial \"a\" " + glass + "MakeNamedMaterial \"b\" " + glass +
+                          "Material \"mix\" \"string materials\" [ \"a\" \"b\" ] ";
+  for (const std::string& material :
+       {mix, std::string("Material \"thindielectric\" "), std::string("Material \"diffusetransmission\" ")}) {
+    const LoadedScene loaded =
+        load_pbrt_world(tea + "MediumInterface \"tea\" \"\" " + material + ball + ball);
+    REQUIRE(loaded.warnings.size() == 1);
+    CHECK(loaded.warnings[0].message ==
+          "a medium is rendered within a dielectric or an interface alone, not here");
+    CHECK(loaded.warnings[0].count == 2);
+  }
+  CHECK(load_pbrt_world(tea + "MediumInterface \"tea\" \"\" Material \"diffuse\" " + ball).warnings.empty());
+}
+
 TEST_CASE("what of media is not rendered is said, and what is none is an error") {
   const std::string begin = "MakeNamedMedium \"m\" \"string type\" ";
   CHECK(warnings_of(begin + "\"homogeneous\"") ==
