@@ -24,6 +24,28 @@ void check_sizes(const Comparison& pair) {
                             pair.picture_name, a.width, a.height, pair.reference_name, b.width, b.height));
 }
 
+std::string part_text(const ImageFrame& part, const Image& image) {
+  return fmt::format("x {} to {}, y {} to {} of {} x {} pixels", part.x, part.x + image.width, part.y,
+                     part.y + image.height, part.width, part.height);
+}
+
+/// The part of a frame that a picture shows; nothing where it is the whole, or does not say.
+std::optional<ImageFrame> part_of(const std::string& path, const Image& image) {
+  const auto frame = read_frame(path);
+  const bool is_whole = !frame || (frame->x == 0 && frame->y == 0 && frame->width == image.width &&
+                                   frame->height == image.height);
+  return is_whole ? std::nullopt : frame;
+}
+
+void check_parts(const Comparison& pair) {
+  const auto a = part_of(pair.picture_name, pair.picture), b = part_of(pair.reference_name, pair.reference);
+  if (!a || !b) return;
+  if (a->x != b->x || a->y != b->y || a->width != b->width || a->height != b->height)
+    throw Error(fmt::format("{} shows {}, {} {}: only pictures of one part of a frame are compared",
+                            pair.picture_name, part_text(*a, pair.picture), pair.reference_name,
+                            part_text(*b, pair.reference)));
+}
+
 /// What FLIP keeps of both pictures, and the map.
 void check_room(const Image& image) {
   constexpr std::uint64_t bytes_a_pixel = 120;
@@ -58,6 +80,7 @@ Comparison compare(const std::string& picture, const std::string& reference) {
   result.reference = read_finite_image(reference);
   result.is_radiance = holds_radiance(picture) && holds_radiance(reference);
   check_sizes(result);
+  check_parts(result);
   check_room(result.reference);
   if (!result.is_radiance) {
     clip(result.picture);

@@ -156,6 +156,10 @@ std::vector<float> decode_exr_channel(const PictureBytes& picture, const std::st
   });
 }
 
+ImageFrame decode_exr_frame(const PictureBytes& picture, const HeaderCheck& check) {
+  return read_or_fail(picture.path, [&] { return frame_of(OpenExr(picture, check).header()); });
+}
+
 ImageMetadata decode_exr_metadata(const PictureBytes& picture, const HeaderCheck& check) {
   return read_or_fail(picture.path, [&] { return texts_of(OpenExr(picture, check).header()); });
 }

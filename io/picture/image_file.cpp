@@ -238,6 +238,15 @@ ImageMetadata read_metadata(const std::string& path) {
   return image_codec().read_metadata(format, picture, check);
 }
 
+std::optional<ImageFrame> read_frame(const std::string& path) {
+  if (picture_format(path) != PictureFormat::exr) return std::nullopt;
+  const std::string bytes = read_bytes(path);
+  const PictureBytes picture{bytes, path};
+  check_picture_header(PictureFormat::exr, picture);
+  return decode_exr_frame(
+      picture, [&](const PictureHeader& header) { check_kind(header, PictureFormat::exr, picture); });
+}
+
 std::vector<float> read_channel(const std::string& path, const std::string& name) {
   if (picture_format(path) != PictureFormat::exr) return {};
   const std::string bytes = read_bytes(path);

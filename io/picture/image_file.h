@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures on disk. PNG and EXR have their own libraries here; OpenImageIO, which takes long to load, reads
-// and writes JPEG, HDR and TIFF.
+// Pictures on disk. PNG, EXR and JPEG have their own libraries here; OpenImageIO, which takes long to load,
+// reads and writes HDR, and writes JPEG and TIFF.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,6 +58,10 @@ StoredLayers read_layers(const std::string& path);
 
 /// The texts beside the pixels of an EXR, HDR, PNG or JPEG picture; none of other formats. Throws Error.
 ImageMetadata read_metadata(const std::string& path);
+
+/// Where the pixels of an EXR picture lie in their frame; nothing for other formats, whose pictures are whole
+/// frames. Throws Error.
+std::optional<ImageFrame> read_frame(const std::string& path);
 
 /// The channel of that name of an EXR picture ("variance.Y"), row by row; empty where the picture has none,
 /// or is no EXR. Throws Error.

@@ -156,6 +156,22 @@ TEST_CASE("pictures that cannot be compared are errors that say why, and no page
   }
 }
 
+TEST_CASE("parts of a frame are compared with the same part, and with whole pictures of their size") {
+  const TemporaryFolder folder;
+  const auto written = [&](const std::string& name, const ImageFrame& frame) {
+    write_exr(folder.file(name), Image(4, 3, white), {}, frame);
+    return quoted(folder.file(name));
+  };
+  const std::string part = written("a.exr", {2, 1, 20, 10}), same = written("b.exr", {2, 1, 20, 10}),
+                    other = written("c.exr", {5, 1, 20, 10}), whole = written("d.exr", {});
+  CHECK(run_program("compare " + part + " " + same).exit_code == 0);
+  CHECK(run_program("compare " + part + " " + whole).exit_code == 0);
+  const ProcessResult refused = run_program("compare " + part + " " + other);
+  CHECK(refused.exit_code == 1);
+  CHECK(contains(refused.err, "a.exr shows x 2 to 6, y 1 to 4 of 20 x 10 pixels, "));
+  CHECK(contains(refused.err, "c.exr x 5 to 9, y 1 to 4 of 20 x 10 pixels: only pictures of one part of a"));
+}
+
 TEST_CASE("the page of a comparison is whole: a slider, two maps, the numbers of the table") {
   const Pair pair(".exr");
   REQUIRE(pair.compare("-q --html=" + quoted(pair.folder.file("page.html"))).exit_code == 0);
