@@ -45,19 +45,27 @@ Rgb Interaction::diffuse_share(const Vec3& wi) const {
   return {share(diffuse.r, all.r), share(diffuse.g, all.g), share(diffuse.b, all.b)};
 }
 
+Interaction::Meeting Interaction::meet(const Scene& scene, const SurfacePoint& point, const Vec3& wo,
+                                       const Interiors& interiors) {
+  const std::uint32_t material = material_at(scene, point);
+  const Side side = side_of(point, wo);
+  return {material, side, here(scene, point, material, side, interiors)};
+}
+
 Interaction::Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo,
                          const Viewing& viewing)
+    : Interaction(bsdfs, point, wo, viewing, meet(bsdfs.scene(), point, wo, viewing.interiors)) {}
+
+Interaction::Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo,
+                         const Viewing& viewing, const Meeting& meeting)
     : point_(point),
-      material_(material_at(bsdfs.scene(), point)),
+      material_(meeting.material),
       wo_(wo),
       facing_normal_(facing(point.geometric_normal, wo)),
       shading_(shading_frame(bsdfs.scene(), bsdfs.scene().materials[material_], point, wo)),
       wo_local_(shading_.frame.to_local(wo)),
-      bsdf_(bsdfs.at(
-          material_, point, side_of(point, wo),
-          {viewing.materials, here(bsdfs.scene(), point, material_, side_of(point, wo), viewing.interiors)})),
+      bsdf_(bsdfs.at(material_, point, meeting.side, {viewing.materials, meeting.within})),
       before_(viewing.interiors),
-      behind_(behind(bsdfs.scene().materials[material_], material_, side_of(point, wo),
-                     here(bsdfs.scene(), point, material_, side_of(point, wo), viewing.interiors))) {}
+      behind_(behind(bsdfs.scene().materials[material_], material_, meeting.side, meeting.within)) {}
 
 }  // namespace twinray

@@ -62,6 +62,17 @@ class Interaction {
   const Interiors& interiors(const Vec3& wi) const { return dot(facing_normal_, wi) > 0 ? before_ : behind_; }
 
  private:
+  /// How a path meets a surface.
+  struct Meeting {
+    std::uint32_t material;
+    Side side;
+    Interiors within;  ///< What it is in, as the surface has it (interaction.cpp).
+  };
+  static Meeting meet(const Scene& scene, const SurfacePoint& point, const Vec3& wo,
+                      const Interiors& interiors);
+  Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo, const Viewing& viewing,
+              const Meeting& meeting);
+
   SurfacePoint point_;
   std::uint32_t material_;
   Vec3 wo_;

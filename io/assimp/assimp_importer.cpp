@@ -3,6 +3,7 @@
 #include <assimp/material.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
+#include <strings.h>
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 
@@ -163,7 +164,7 @@ ObjModel import_model(const ImportedFile& file) {
   std::size_t embedded = 0;
   for (unsigned i = 0; i < scene->mNumMaterials; ++i)
     model.materials.push_back(material_of(*scene->mMaterials[i], embedded));
-  if (path.extension() == ".fbx")  // There a picture takes the color's place.
+  if (strcasecmp(path.extension().c_str(), ".fbx") == 0)  // There a picture takes the color's place.
     for (tinyobj::material_t& material : model.materials)
       if (!material.diffuse_texname.empty()) set(material.diffuse, aiColor3D(1, 1, 1));
   model.material_files.assign(model.materials.size(), file.path);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include "io/affine_texture.h"
 #include "io/gltf/document.h"
 #include "io/gltf/uri.h"
 #include "io/picture/mirrored_picture.h"
@@ -139,10 +140,9 @@ std::uint32_t GltfTextures::normal_map(const GltfSlot& slot, bool is_mirrored) {
   if (auto* image = std::get_if<ImageTexture>(&textures_[map].model))
     if (image->filter == TextureFilter::stochastic) image->filter = TextureFilter::bilinear;
   if (slot.scale == 1 && !is_mirrored) return map;
-  // 1/2 + (c - 1/2) s for x and y, as half of one texture and half of another.
+  // 1/2 + (c - 1/2) s for x and y.
   const float x = slot.scale, y = is_mirrored ? -slot.scale : slot.scale;
-  const std::uint32_t slopes = scaled(map, {2 * x, 2 * y, 2}), offset = constant({1 - x, 1 - y, 0});
-  return add("", MixTexture{slopes, offset, constant({0.5f, 0.5f, 0.5f})});
+  return add_affine(textures_, map, {x, y, 1}, Rgb{1 - x, 1 - y, 0} * 0.5f);
 }
 
 std::uint32_t GltfTextures::at_least(std::uint32_t texture, float factor, float limit) {

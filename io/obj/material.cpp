@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/affine_texture.h"
 #include "io/picture_path.h"
 #include "io/uri.h"
 
@@ -268,16 +269,12 @@ LoadedTexture ObjMaterials::load(const std::string& name, const PictureMeaning& 
   return loaded;
 }
 
-/// With `-mm`, base + gain t is the half of 2 base and 2 gain t: the steps by two round nothing.
 std::uint32_t ObjMaterials::picture(const std::string& name, const tinyobj::texture_option_t& how,
                                     const PictureMeaning& meaning) {
   textures.push_back({name, placed(load(name, meaning).image, how)});
   const auto texture = std::uint32_t(textures.size() - 1);
   if (how.brightness == 0 && how.contrast == 1) return texture;
-  const std::uint32_t base = constant(white * (2 * how.brightness)),
-                      gain = scaled(texture, white * (2 * how.contrast));
-  textures.push_back({"", MixTexture{base, gain, constant(white * 0.5f)}});
-  return std::uint32_t(textures.size() - 1);
+  return add_affine(textures, texture, white * how.contrast, white * how.brightness);
 }
 
 std::uint32_t ObjMaterials::constant(const Rgb& value) {

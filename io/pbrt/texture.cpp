@@ -7,6 +7,7 @@
 #include <array>
 #include <string_view>
 
+#include "io/affine_texture.h"
 #include "io/decimal.h"
 #include "io/pbrt/spectrum.h"
 #include "io/picture/texture_file.h"
@@ -209,10 +210,8 @@ PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters,
   return parameters.flag("invert", false) ? inverted(result) : result;
 }
 
-/// 1 - t is the half of 2 and -2 t: no step rounds.
 PbrtTextures::Named PbrtTextures::inverted(const Named& from) {
-  const std::uint32_t twice = constant(white * 2).index, negative = scaled(from.index, -2);
-  return add(MixTexture{twice, negative, constant(white * 0.5f).index}, white - from.mean);
+  return {add_affine(textures, from.index, white * -1, white), white - from.mean};
 }
 
 const PbrtTextures::Named& PbrtTextures::named(const PbrtParameters& parameters,

@@ -37,6 +37,11 @@ struct Folder {
   test::TemporaryFolder folder;
 };
 
+/// Of the first material's first texture.
+Rgb reflectance_at(const LoadedScene& loaded, Vec2 uv) {
+  return evaluate(loaded.scene.textures, loaded.scene.materials[1].textures.at(0).texture, {uv});
+}
+
 }  // namespace
 
 TEST_CASE("a texture of a reflectance belongs to its material, and scaled ones name others before them") {
@@ -88,9 +93,8 @@ TEST_CASE("a picture is a texture, with its scale and wrap") {
       "\"float "
       "scale\" .5\nMaterial \"diffuse\" \"texture reflectance\" \"red\"\n");
   CHECK(loaded.warnings.empty());
-  const TextureUse use = loaded.scene.materials[1].textures.at(0);
-  CHECK(evaluate(loaded.scene.textures, use.texture, {{-3, 0.5f}}) == Rgb{0.5f, 0, 0});
-  CHECK(evaluate(loaded.scene.textures, use.texture, {{3, 0.5f}}) == Rgb{0, 0, 0});
+  CHECK(reflectance_at(loaded, {-3, 0.5f}) == Rgb{0.5f, 0, 0});
+  CHECK(reflectance_at(loaded, {3, 0.5f}) == Rgb{0, 0, 0});
 }
 
 TEST_CASE("an inverted picture is white without it, and so is its mean") {
@@ -100,13 +104,9 @@ TEST_CASE("an inverted picture is white without it, and so is its mean") {
       "\"bool invert\" true \"string filter\" \"point\"\n"
       "Material \"diffuse\" \"texture reflectance\" \"red\"\n");
   CHECK(loaded.warnings.empty());
-  const Material& material = loaded.scene.materials[1];
-  const auto at = [&](Vec2 uv) {
-    return evaluate(loaded.scene.textures, material.textures.at(0).texture, {uv});
-  };
-  CHECK(at({0.25f, 0.5f}) == Rgb{0.75f, 1, 1});
-  CHECK(at({0.75f, 0.5f}) == Rgb{1, 1, 1});
-  CHECK(std::get<Lambert>(material.model).reflectance == Rgb{0.875f, 1, 1});
+  CHECK(reflectance_at(loaded, {0.25f, 0.5f}) == Rgb{0.75f, 1, 1});
+  CHECK(reflectance_at(loaded, {0.75f, 0.5f}) == Rgb{1, 1, 1});
+  CHECK(std::get<Lambert>(loaded.scene.materials[1].model).reflectance == Rgb{0.875f, 1, 1});
 }
 
 TEST_CASE(
@@ -296,8 +296,7 @@ TEST_CASE("a sheet's scale holds for its textures") {
   const LoadedScene loaded = load_pbrt_world(
       checks + "Material \"diffusetransmission\" \"texture reflectance\" \"checks\" \"float scale\" 0.25\n" +
       test::pbrt_triangle);
-  const TextureUse use = loaded.scene.materials[1].textures.at(0);
-  CHECK(evaluate(loaded.scene.textures, use.texture, {{0.1f, 0.1f}}) == Rgb{0.25f, 0, 0});
+  CHECK(reflectance_at(loaded, {0.1f, 0.1f}) == Rgb{0.25f, 0, 0});
 }
 
 TEST_CASE("a texture's scale holds for each channel") {
@@ -306,8 +305,7 @@ TEST_CASE("a texture's scale holds for each channel") {
       "Texture \"checks\" \"spectrum\" \"checkerboard\" \"texture tex1\" \"grey\"\n"
       "Material \"diffusetransmission\" \"texture reflectance\" \"checks\" \"float scale\" 0.5\n" +
       test::pbrt_triangle);
-  const TextureUse use = loaded.scene.materials[1].textures.at(0);
-  CHECK(evaluate(loaded.scene.textures, use.texture, {{0.1f, 0.1f}}) == Rgb{0.25f, 0.25f, 0.25f});
+  CHECK(reflectance_at(loaded, {0.1f, 0.1f}) == Rgb{0.25f, 0.25f, 0.25f});
 }
 
 TEST_CASE("a spot light has pbrt's cone and soft edge") {
