@@ -144,4 +144,7 @@ MUTANTS = [
            "numbers of a picture are its brightness, or the channel that the file says"),
     Mutant("the mark of UTF-8 is a word", "io/obj/reader.cpp", "without_mark(read(path));", "read(path);",
            "test_io", "the mark of UTF-8 is no part of an OBJ file's first line, nor of a material file's"),
+    Mutant("FBX is written in small letters", "io/assimp/assimp_importer.cpp",
+           'strcasecmp(path.extension().c_str(), ".fbx") == 0', 'path.extension() == ".fbx"', "test_io",
+           "a picture takes the color's place in FBX, whatever the letters of the file's name"),
 ]

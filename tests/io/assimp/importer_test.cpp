@@ -26,6 +26,55 @@ const std::string squares =
     "OBJECT poly\nname \"right\"\nrot -1 0 0  0 1 0  0 0 1\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\n"
     "numsurf 1\nSURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 0 0\n2 0 0\nkids 0\n";
 
+/// A triangle of a red material whose color is a picture's.
+const std::string painted = R"(FBXHeaderExtension: {
+ FBXVersion: 7300
+}
+Objects: {
+ Geometry: 1, "Geometry::quad", "Mesh" {
+  Vertices: *9 { a: 0,0,0,1,0,0,0,1,0 }
+  PolygonVertexIndex: *3 { a: 0,1,-3 }
+  LayerElementUV: 0 {
+   MappingInformationType: "ByPolygonVertex"
+   ReferenceInformationType: "Direct"
+   UV: *6 { a: 0,0,1,0,0,1 }
+  }
+  LayerElementMaterial: 0 {
+   MappingInformationType: "AllSame"
+   ReferenceInformationType: "IndexToDirect"
+   Materials: *1 { a: 0 }
+  }
+  Layer: 0 {
+   LayerElement: {
+    Type: "LayerElementMaterial"
+    TypedIndex: 0
+   }
+   LayerElement: {
+    Type: "LayerElementUV"
+    TypedIndex: 0
+   }
+  }
+ }
+ Model: 2, "Model::quad", "Mesh" {
+ }
+ Material: 3, "Material::m", "" {
+  ShadingModel: "lambert"
+  Properties70: {
+   P: "DiffuseColor", "Color", "", "A",1,0,0
+  }
+ }
+ Texture: 4, "Texture::t", "" {
+  RelativeFilename: "wood.png"
+ }
+}
+Connections: {
+ C: "OO",2,0
+ C: "OO",1,2
+ C: "OO",3,2
+ C: "OP",4,3, "DiffuseColor"
+}
+)";
+
 std::string error_of(const std::string& path) {
   try {
     load_scene(path);
@@ -87,6 +136,18 @@ TEST_CASE("nodes, materials and pictures of an imported scene are where the file
   const auto& picture = std::get<ImageTexture>(scene.textures[product.first].model);
   CHECK(picture.uv({0.25f, 0.75f}) == Vec2{0.25f, 0.75f});
   CHECK(std::get<ConstantTexture>(scene.textures[product.second].model).value == Rgb{1, 0, 0});
+}
+
+TEST_CASE("a picture takes the color's place in FBX, whatever the letters of the file's name") {
+  const TemporaryFolder folder;
+  write_png(folder.file("wood.png"), {1, 1, {255, 255, 255}});
+  for (const std::string name : {"a.fbx", "a.FBX"}) {
+    write_text(folder.file(name), painted);
+    const LoadedScene loaded = load_scene(folder.file(name));
+    const Material& material = loaded.scene.materials[loaded.scene.bindings[0].material];
+    REQUIRE(material.textures.size() == 1);
+    CHECK(evaluate(loaded.scene.textures, material.textures[0].texture, {{0.5f, 0.5f}}) == white);
+  }
 }
 
 TEST_CASE("a file that Assimp does not understand is an error with its name") {
