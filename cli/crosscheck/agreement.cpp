@@ -54,10 +54,10 @@ PixelRect affordable_window(const Scene& scene, const AgreementOptions& options)
   return {x, y, x + width, y + height};
 }
 
-class Comparison {
+class SceneComparison {
  public:
-  Comparison(const Scene& scene, const AgreementOptions& options,
-             const std::function<void(std::size_t, std::size_t)>& progress)
+  SceneComparison(const Scene& scene, const AgreementOptions& options,
+                  const std::function<void(std::size_t, std::size_t)>& progress)
       : scene_(scene), options_(options), progress_(progress), crop_(affordable_window(scene, options)) {
     result_.brute_force_pixels = crop_.width() * crop_.height();
     for (const AgreementEngine& engine : options.engines)
@@ -175,7 +175,7 @@ AgreementEngine differing_engine() { return {named_engine("bvh-moller-trumbore")
 
 SceneAgreement compare_engines(const Scene& scene, const AgreementOptions& options,
                                const std::function<void(std::size_t, std::size_t)>& progress) {
-  return Comparison(scene, options, progress).run();
+  return SceneComparison(scene, options, progress).run();
 }
 
 }  // namespace twinray

@@ -13,6 +13,7 @@
 #include "cli/render_scene.h"
 #include "cli/shell_text.h"
 #include "io/output_file.h"
+#include "io/picture/output_format.h"
 
 namespace twinray {
 namespace {
@@ -74,6 +75,7 @@ std::string output_of(const PlanArguments& arguments, const Words& words) {
         fmt::format("--frames: the picture's name needs a place for the number, as in \"%04d\"; {} "
                     "has none",
                     output));
+  check_image_name(output);  // The last job alone would find out.
   return output;
 }
 

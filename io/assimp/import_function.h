@@ -15,8 +15,7 @@ struct ImportedFile {
   std::string_view bytes;
 };
 
-/// The name of the function, and its type. It throws Error, without the path.
-inline constexpr const char* import_symbol = "twinray_import_model";
+/// It throws Error, without the path. Its name has a digest of the headers of these types.
 using ImportFunction = ObjModel (*)(const ImportedFile& file);
 
 }  // namespace twinray

@@ -21,7 +21,7 @@ constexpr const char* library = TWINRAY_SCENE_IMPORTER;
 /// Memory for a file: a model's lists are some times as large as the file, one that is packed many times.
 constexpr std::uint64_t usual_bytes = std::uint64_t(1) << 30, most_growth = 64;
 
-[[noreturn]] void fail(const char* reason) {
+[[noreturn]] void fail(const std::string& reason) {
   throw Error(fmt::format("scenes of this format cannot be read: {}", reason));
 }
 
@@ -29,8 +29,8 @@ constexpr std::uint64_t usual_bytes = std::uint64_t(1) << 30, most_growth = 64;
 ImportFunction load_importer() {
   void* const loaded = dlopen(library, RTLD_NOW | RTLD_LOCAL);
   if (!loaded) fail(dlerror());
-  const auto import = reinterpret_cast<ImportFunction>(dlsym(loaded, import_symbol));
-  if (!import) fail(dlerror());
+  const auto import = reinterpret_cast<ImportFunction>(dlsym(loaded, TWINRAY_IMPORT_FUNCTION));
+  if (!import) fail(fmt::format("{} is of another version of twinray", library));
   return import;
 }
 

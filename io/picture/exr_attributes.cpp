@@ -32,7 +32,7 @@ std::size_t rank(std::string_view name) {
   return std::size_t(std::find(std::begin(first), std::end(first), name) - std::begin(first));
 }
 
-bool precedes(const PictureChannel& a, const PictureChannel& b) {
+bool is_shown_before(const PictureChannel& a, const PictureChannel& b) {
   const auto [layer_a, name_a] = parts_of(a.name);
   const auto [layer_b, name_b] = parts_of(b.name);
   return std::tuple(layer_a, rank(name_a), name_a) < std::tuple(layer_b, rank(name_b), name_b);
@@ -61,7 +61,7 @@ std::vector<PictureChannel> channels_of(const Imf::Header& header) {
   std::vector<PictureChannel> channels;
   for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
     channels.push_back({it.name(), it.channel().type == Imf::HALF});
-  std::sort(channels.begin(), channels.end(), precedes);
+  std::sort(channels.begin(), channels.end(), is_shown_before);
   return channels;
 }
 

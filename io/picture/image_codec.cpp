@@ -15,7 +15,7 @@ namespace {
 /// Found beside the program as it was built or installed (its RPATH), or in LD_LIBRARY_PATH.
 constexpr const char* library = TWINRAY_IMAGE_CODEC;
 
-[[noreturn]] void fail(const char* reason) {
+[[noreturn]] void fail(const std::string& reason) {
   throw Error(fmt::format("JPEG, TIFF and HDR pictures cannot be written, nor HDR ones read: {}", reason));
 }
 
@@ -23,8 +23,8 @@ const ImageCodec& load_codec() {
   const std::lock_guard lock(library_loading());
   void* const loaded = dlopen(library, RTLD_LAZY | RTLD_LOCAL);
   if (!loaded) fail(dlerror());
-  const auto codec = reinterpret_cast<ImageCodecFunction>(dlsym(loaded, image_codec_symbol));
-  if (!codec) fail(dlerror());
+  const auto codec = reinterpret_cast<ImageCodecFunction>(dlsym(loaded, TWINRAY_CODEC_FUNCTION));
+  if (!codec) fail(fmt::format("{} is of another version of twinray", library));
   return *codec();
 }
 

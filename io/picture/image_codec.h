@@ -51,8 +51,7 @@ std::mutex& library_loading();
 /// if one can be made, must end before the process's exit does away with what it loads.
 [[nodiscard]] std::jthread load_image_codec_early();
 
-/// The name of the function that the loaded library gives its codec by, and its type.
-inline constexpr const char* image_codec_symbol = "twinray_image_codec";
+/// The function that the loaded library gives its codec by. Its name has a digest of these headers.
 using ImageCodecFunction = const ImageCodec* (*)();
 
 }  // namespace twinray

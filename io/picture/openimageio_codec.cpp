@@ -116,7 +116,7 @@ class OpenImageIOCodec final : public ImageCodec {
 }  // namespace
 }  // namespace twinray
 
-extern "C" const twinray::ImageCodec* twinray_image_codec() {
+extern "C" const twinray::ImageCodec* TWINRAY_CODEC_FUNCTION() {
   static const twinray::OpenImageIOCodec codec;
   return &codec;
 }

@@ -199,6 +199,8 @@ TEST_CASE("what a plan cannot be is said before anything is written") {
         "none");
   CHECK(error_of("--folder=p --jobs=3 -o a.film") ==
         "twinray: a plan is for pictures: it makes films, checkpoints and their names itself");
+  CHECK(
+      error_of("--folder=p --jobs=3 -o a.xyz").starts_with("twinray: a.xyz: a picture's name must end in "));
   CHECK(error_of("--folder=p --jobs=3 --seconds=3") ==
         "twinray: a part has as many samples as the picture's others; --seconds and --noise-target do not go "
         "with a plan");

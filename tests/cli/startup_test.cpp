@@ -3,6 +3,8 @@
 // pictures that no smaller library reads or writes.
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
@@ -59,6 +61,17 @@ TEST_CASE("where OpenImageIO cannot be loaded PNGs and EXRs are written, and a J
     CHECK(render(name).exit_code == 0);
     CHECK(read_image(folder.file(name)).width == 8);
   }
+}
+
+TEST_CASE("a library of another version of twinray is refused, not called") {
+  const TemporaryFolder folder;
+  // What cannot be told from an older version: a library that has no function of that name.
+  std::filesystem::copy_file(TWINRAY_FEW_THREADS, folder.file("libtwinray_image_codec.so"));
+  const ProcessResult result = run_program(fmt::format("{} -o '{}'", tiny_box, folder.file("a.jpg")),
+                                           fmt::format("LD_LIBRARY_PATH='{}'", folder.path().string()));
+  CHECK(result.exit_code == 1);
+  CHECK(result.err.ends_with("libtwinray_image_codec.so is of another version of twinray\n"));
+  CHECK_FALSE(std::filesystem::exists(folder.file("a.jpg")));
 }
 
 #endif

@@ -12,7 +12,7 @@
 namespace twinray {
 namespace {
 
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace
 
@@ -59,7 +59,7 @@ TEST_CASE("samples that are added together give what they give one by one, howev
     std::vector<Rgb> colors;
     for (int i = 0; i < 64; ++i)
       colors.push_back({random.uniform(-largest, largest), random.uniform(0, largest), -largest});
-    colors[7].r = not_a_number;
+    colors[7].r = nan;
     for (const std::size_t stride : {1u, 3u}) {
       CAPTURE(largest, stride);
       ExactSums together(3), one_by_one(3);
@@ -86,14 +86,14 @@ TEST_CASE("the sums of two films of a layer are those of all samples") {
 
 TEST_CASE("what is no number counts as 0 in a layer, and what is too large as the largest") {
   MeanPixels pixels(1, 3);
-  const Rgb value{not_a_number, 1e30f, -1e30f};
+  const Rgb value{nan, 1e30f, -1e30f};
   pixels.add(0, {&value, 1});
   CHECK(pixels.mean(0, 1) == Rgb{0, max_radiance, -max_radiance});
 }
 
 TEST_CASE("of points the sample with the least index that has a value counts, in any order") {
   FirstPixels forward(3, 2), backward(3, 2);
-  const Rgb none{not_a_number, 0, 0};
+  const Rgb none{nan, 0, 0};
   const Rgb values[] = {none, {1, 2, 0}, {3, 4, 0}};
   for (std::uint32_t i = 0; i < 3; ++i) forward.add(1, i, values[i]);
   for (std::uint32_t i = 3; i-- > 0;) backward.add(1, i, values[i]);

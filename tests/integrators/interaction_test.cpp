@@ -13,8 +13,7 @@
 namespace twinray::test {
 namespace {
 
-constexpr float reflectance = 0.6f;
-/// Of a few products of floats.
+constexpr float floor_reflectance = 0.6f;
 
 SurfacePoint point_with(const Vec3& geometric, const Vec3& shading) {
   SurfacePoint point;
@@ -134,12 +133,12 @@ TEST_CASE("bounces leave on the viewer's side of both normals") {
 }
 
 TEST_CASE("a surface whose shading normal looks away from the viewer is as bright as without it") {
-  Scene scene = scene_of(leaning_floor(50, 0.8660254f, 0.5f), {reflectance, reflectance, reflectance},
-                         {-3, 1, 0}, {0, 0, 0});
+  Scene scene = scene_of(leaning_floor(50, 0.8660254f, 0.5f),
+                         {floor_reflectance, floor_reflectance, floor_reflectance}, {-3, 1, 0}, {0, 0, 0});
   scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-4f;
   add_light(scene, DirectionalLight{normalize(Vec3{-1, -2, 2}), {3, 3, 3}});
   CHECK(estimate(scene, {.max_depth = 1}, options(16)).mean ==
-        Approx(reflectance / M_PI * 3 * (2.0 / 3)).epsilon(render_rounding));
+        Approx(floor_reflectance / M_PI * 3 * (2.0 / 3)).epsilon(render_rounding));
 }
 
 }  // namespace twinray::test

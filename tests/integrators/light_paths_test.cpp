@@ -40,22 +40,6 @@ std::vector<LightPath> lit_parts(const Scene& scene, const PathOptions& path) {
   return lit;
 }
 
-Image constant_sky(const Rgb& radiance) {
-  Image map(1, 1);
-  map.pixels[0] = radiance;
-  return map;
-}
-
-/// A ball that fills the picture, of a model, under a white sky.
-Scene ball_under_sky(const SurfaceModel& model) {
-  Scene scene = scene_of({}, {}, {0, 0, 3}, {0, 0, 0});
-  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{SphereSet{"ball", {{{0, 0, 0}, 1}}}});
-  scene.materials = {{"ball", model}};
-  scene.camera.tan_half_width = scene.camera.tan_half_height = 0.1f;
-  add_light(scene, EnvironmentLight{std::make_shared<const Image>(constant_sky({1, 1, 1}))});
-  return scene;
-}
-
 }  // namespace
 
 TEST_CASE("the parts of a picture's light give its colours, added up as floats, in any order") {
@@ -92,7 +76,7 @@ TEST_CASE("the parts of light that a mix of diffuse surfaces reflects are those 
   Scene scene = scene_of(floor_square(2, 0), {0.6f, 0.5f, 0.4f}, {0, 3, 2}, {0, -1, -0.6f});
   for (const float x : {-2.0f, 2.0f})
     add_lamp(scene, SphereSet{"lamp", {{{x, 2, 1}, 0.5f}}}, {7 + x, 8, 9}, EmissionSide::front);
-  add_light(scene, EnvironmentLight{std::make_shared<const Image>(constant_sky({0.3f, 0.2f, 0.4f}))});
+  add_light(scene, constant_sky({0.3f, 0.2f, 0.4f}));
   const auto black = std::uint32_t(scene.materials.size());  // So that the mix is what it is mixed of.
   scene.materials.push_back({"black", Lambert{}});
   scene.materials.push_back({"mix", Mix{0, black, 0.25f}});

@@ -14,20 +14,9 @@ namespace {
 
 constexpr float sky_radiance = 2;
 
-EnvironmentLight colored_sky(const Rgb& radiance) {
-  Image map(1, 1);
-  map.pixels[0] = radiance;
-  return {std::make_shared<const Image>(std::move(map))};
-}
-
-/// A ball of a material that fills the picture, under a constant sky.
-Scene ball_under_sky(const SurfaceModel& model) {
-  Scene scene = scene_of({}, {}, {0, 0, 3}, {0, 0, 0});
-  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{SphereSet{"ball", {{{0, 0, 0}, 1}}}});
-  scene.materials = {{"ball", model}};
-  scene.camera.tan_half_width = scene.camera.tan_half_height = 0.1f;
-  add_light(scene, colored_sky({sky_radiance, sky_radiance, sky_radiance}));
-  return scene;
+/// A ball that fills the picture under a grey sky.
+Scene ball_of(const SurfaceModel& model) {
+  return ball_under_sky(model, {sky_radiance, sky_radiance, sky_radiance});
 }
 
 /// A square that is seen at 45 degrees, and a lamp where a mirror there shows it, which nothing else does.
@@ -75,8 +64,8 @@ TEST_CASE("a ball that loses no light is as bright as the sky around it, sample 
   for (const SurfaceModel& model : models)
     for (const DirectMethod method : all_methods) {
       CAPTURE(model.index(), int(method));
-      const auto found = estimate(ball_under_sky(model),
-                                  {.max_depth = 100, .direct = method, .roulette = {1}}, small_picture(64));
+      const auto found =
+          estimate(ball_of(model), {.max_depth = 100, .direct = method, .roulette = {1}}, small_picture(64));
       CHECK(found.mean == Approx(sky_radiance).epsilon(render_rounding));
       CHECK(found.standard_error < render_rounding);
     }
@@ -84,7 +73,7 @@ TEST_CASE("a ball that loses no light is as bright as the sky around it, sample 
 
 TEST_CASE("roulette does not see the change of radiance at boundaries") {
   // Within glass of an index of 3, throughput is a ninth: by that alone two of three paths would be given up.
-  const Scene scene = ball_under_sky(Glass{.ior = 3});
+  const Scene scene = ball_of(Glass{.ior = 3});
   const auto found = estimate(scene, {.max_depth = 100}, small_picture(64));
   CHECK(found.mean == Approx(sky_radiance).epsilon(render_rounding));
   CHECK(found.standard_error < render_rounding);
@@ -92,13 +81,13 @@ TEST_CASE("roulette does not see the change of radiance at boundaries") {
 
 TEST_CASE(
     "a surface that only refracts shows what lies behind it, and nothing where all would be reflected") {
-  const Scene outside = ball_under_sky(Refraction{});
+  const Scene outside = ball_of(Refraction{});
   CHECK(estimate(outside, {.max_depth = 2}, small_picture(16)).mean ==
         Approx(sky_radiance).epsilon(render_rounding));
   CHECK(estimate(outside, {.max_depth = 1}, small_picture(16)).mean == 0);  // Still within the ball.
   // From within glass, the sky is seen brighter by the square of the index, and only up to the critical
   // angle.
-  Scene inside = ball_under_sky(Refraction{});
+  Scene inside = ball_of(Refraction{});
   inside.camera = camera_at({0, 0, 0.9f}, {0, 1, 0.9f});
   inside.camera.tan_half_width = inside.camera.tan_half_height = 1e-3f;
   CHECK(estimate(inside, {.max_depth = 1}, small_picture(16)).mean == 0);
@@ -118,7 +107,7 @@ TEST_CASE("rough surfaces are equally bright by every way of finding direct ligh
   for (const SurfaceModel& model : models) {
     CAPTURE(model.index());
     // Lit by a lamp above, a part of the sky, and a lamp below, whose light some of them let through.
-    Scene scene = ball_under_sky(model);
+    Scene scene = ball_of(model);
     scene.lights[0].source = AmbientLight{{0, 0.6f, 0.8f}, {1, 1, 1}};
     add_lamp(scene, floor_square(0.8f, 1.5f), {4, 4, 4}, EmissionSide::both);
     add_lamp(scene, floor_square(0.8f, -1.5f), {4, 4, 4}, EmissionSide::both);
@@ -133,7 +122,7 @@ TEST_CASE("rough surfaces are equally bright by every way of finding direct ligh
 }
 
 TEST_CASE("a point light is as bright on a rough surface by mis as by light samples") {
-  Scene scene = ball_under_sky(Conductor{.roughness = {0.3f, 0.3f}});
+  Scene scene = ball_of(Conductor{.roughness = {0.3f, 0.3f}});
   scene.lights.clear();
   add_light(scene, PointLight{{0.5f, 0.5f, 4}, {10, 10, 10}, {}});
   const Estimate by_lights =
@@ -143,7 +132,7 @@ TEST_CASE("a point light is as bright on a rough surface by mis as by light samp
 }
 
 TEST_CASE("an ambient light is seen in a mirror, not by the camera") {
-  Scene scene = ball_under_sky(Mirror{{0.5f, 0.5f, 0.5f}});
+  Scene scene = ball_of(Mirror{{0.5f, 0.5f, 0.5f}});
   scene.lights.clear();
   add_light(scene, AmbientLight{{0, 0, 1}, {1, 1, 1}});
   CHECK(estimate(scene, {.max_depth = 1}, small_picture(4)).mean == Approx(0.5).epsilon(render_rounding));
@@ -154,8 +143,8 @@ TEST_CASE("a clamp bounds light of two bounces and more, and keeps its color") {
   const Scene once = mirror_scene(Mirror{}, EmissionSide::front);
   CHECK(estimate(once, {.max_depth = 5, .clamp = 0.5f}, small_picture(4)).mean ==
         Approx(luminance(Rgb{3, 2, 1})).epsilon(render_rounding));
-  Scene twice = ball_under_sky(Glass{});
-  twice.lights[0].source = colored_sky({4, 2, 1});
+  Scene twice = ball_of(Glass{});
+  twice.lights[0].source = constant_sky({4, 2, 1});
   const PathOptions clamped{.max_depth = 100, .clamp = 2};
   const RenderResult result = render_with(twice, PathIntegrator(twice, clamped), small_picture(64));
   // All light has gone through the ball: two bounces at least, but for what it reflects, one.
@@ -193,7 +182,7 @@ TEST_CASE("regularized, a mirror behind a diffuse surface lets lights be found")
 }
 
 TEST_CASE("a mixture is its second material at the stated part of its points") {
-  Scene scene = ball_under_sky(Lambert{});
+  Scene scene = ball_of(Lambert{});
   scene.materials = {{"black", Lambert{{0, 0, 0}}}, {"silver", Mirror{}}, {"both", Mix{0, 1, 0.3f}}};
   scene.bindings[0].material = 2;
   constexpr int points = 20000;

@@ -8,12 +8,7 @@
 #include "tests/support/catch.h"
 
 namespace twinray::test {
-namespace {
-
-/// Relative, of an estimate in floats whose samples are all alike.
-constexpr double rounding = 1e-5;
-
-}  // namespace
+namespace {}  // namespace
 
 RenderOptions small_picture(std::uint32_t samples) {
   return {.width = 4,
@@ -48,11 +43,11 @@ Estimate estimate(const Scene& scene, const PathOptions& path, const RenderOptio
 }
 
 void check_mean(const Estimate& found, double expected, double sees) {
-  const double seen = rounding * expected + seen_error(found.standard_error, mean_level);
+  const double seen = render_rounding * expected + seen_error(found.standard_error, mean_level);
   INFO("mean " << found.mean << " +- " << found.standard_error << ", expected " << expected
                << "; sees a relative error of " << seen / expected);
   CHECK(std::fabs(found.mean - expected) <=
-        std::max(rounding * expected, z_limit(mean_level) * found.standard_error));
+        std::max(render_rounding * expected, z_limit(mean_level) * found.standard_error));
   CHECK(seen <= sees * expected);
 }
 

@@ -84,6 +84,21 @@ Mesh icosphere(int subdivisions) {
   return mesh;
 }
 
+EnvironmentLight constant_sky(const Rgb& radiance) {
+  Image map(1, 1);
+  map.pixels[0] = radiance;
+  return {std::make_shared<const Image>(std::move(map))};
+}
+
+Scene ball_under_sky(const SurfaceModel& model, const Rgb& radiance) {
+  Scene scene = scene_of({}, {}, {0, 0, 3}, {0, 0, 0});
+  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{SphereSet{"ball", {{{0, 0, 0}, 1}}}});
+  scene.materials = {{"ball", model}};
+  scene.camera.tan_half_width = scene.camera.tan_half_height = 0.1f;
+  add_light(scene, constant_sky(radiance));
+  return scene;
+}
+
 Camera camera_at(const Vec3& eye, const Vec3& target) {
   Camera camera;
   camera.position = eye;

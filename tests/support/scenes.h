@@ -19,6 +19,11 @@ std::uint32_t add_lamp(Scene& scene, Shape shape, const Rgb& radiance, EmissionS
 /// Adds a light without a shape.
 void add_light(Scene& scene, LightSource source);
 
+/// A sky of one colour all around.
+EnvironmentLight constant_sky(const Rgb& radiance);
+/// A ball of a model that fills the picture, under such a sky.
+Scene ball_under_sky(const SurfaceModel& model, const Rgb& radiance = {1, 1, 1});
+
 /// A camera of 40 degrees at `eye` that looks at `target`; up is +y, or +z where it looks along y.
 Camera camera_at(const Vec3& eye, const Vec3& target);
 

@@ -83,4 +83,7 @@ MUTANTS = [
            "test_cli", "a scene may be written in every format into one folder"),
     Mutant("HEAD has a body", "io/http/connection.cpp", "if (is_head) body_ = nullptr;", "", "test_io",
            "HEAD is answered as GET is, without the body"),
+    Mutant("a library of another version is called", "io/picture/image_codec.cpp",
+           'if (!codec) fail(fmt::format("{} is of another version of twinray", library));', "", "test_cli",
+           "a library of another version of twinray is refused, not called"),
 ]

@@ -37,15 +37,16 @@ std::string pyramid(bool is_closed) {
                                 : polylist("3 3 3 3", "0 1 4 1 2 4 2 3 4 3 0 4", 4));
 }
 
-std::string camera(const std::string& id, const std::string& lens) {
+std::string perspective(const std::string& id, const std::string& lens) {
   return "<camera id=\"" + id + "\"><optics><technique_common><perspective>" + lens +
          "</perspective></technique_common></optics></camera>";
 }
 
 const std::string cameras =
-    "<library_cameras>" + camera("near", "<xfov>60</xfov><aspect_ratio>1.5</aspect_ratio>") +
-    camera("far", "<yfov>20</yfov>") +
-    camera("cut", "<xfov>50</xfov><yfov>40</yfov><znear>5.5</znear><zfar>6.4</zfar>") + "</library_cameras>";
+    "<library_cameras>" + perspective("near", "<xfov>60</xfov><aspect_ratio>1.5</aspect_ratio>") +
+    perspective("far", "<yfov>20</yfov>") +
+    perspective("cut", "<xfov>50</xfov><yfov>40</yfov><znear>5.5</znear><zfar>6.4</zfar>") +
+    "</library_cameras>";
 
 std::string look(const std::string& id, const std::string& where = "3 1 2") {
   return "<node><translate>" + where + "</translate><instance_camera url=\"#" + id + "\"/></node>";

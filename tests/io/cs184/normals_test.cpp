@@ -19,14 +19,14 @@ void check_normal(const Vec3& a, const Vec3& b) {
   CHECK(length(a - b) <= normal_tolerance);
 }
 
-const std::vector<DoublePoint> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+const std::vector<DoublePoint> square_points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 const std::vector<DoublePoint> pyramid_points{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 3}};
 
 }  // namespace
 
 TEST_CASE("the normals of an open flat patch are the opposite of its winding's") {
   for (const FaceList& list : {faces({{0, 1, 2, 3}}), faces({{0, 1, 2}, {0, 2, 3}})}) {
-    const VertexNormals result = cs184_normals(list, square);
+    const VertexNormals result = cs184_normals(list, square_points);
     CHECK(result.fault == "");
     for (const Vec3& normal : result.normals) CHECK(normal == Vec3{0, 0, -1});
   }

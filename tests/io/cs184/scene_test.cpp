@@ -17,7 +17,8 @@ std::string instance(const std::string& transform) {
   return "<node>" + transform + "<instance_light url=\"#light\"/></node>";
 }
 
-LoadedScene load_light(const std::string& kind, const std::string& transform, const std::string& extra = "") {
+LoadedScene load_cs184_light(const std::string& kind, const std::string& transform,
+                             const std::string& extra = "") {
   return load_collada(
       collada_text(collada_triangle() + light(kind, extra), collada_shape_node() + instance(transform)),
       cs184);
@@ -29,8 +30,8 @@ const std::string triangles = "<input semantic=\"VERTEX\" source=\"#vertices\" o
 
 TEST_CASE("by CS184's rules a point light does not fall off") {
   const LoadedScene loaded =
-      load_light("<point><color>1 2 3</color><quadratic_attenuation>4</quadratic_attenuation></point>",
-                 "<translate>1 2 3</translate>");
+      load_cs184_light("<point><color>1 2 3</color><quadratic_attenuation>4</quadratic_attenuation></point>",
+                       "<translate>1 2 3</translate>");
   const auto& point = std::get<PointLight>(loaded.scene.lights.at(0).source);
   CHECK(point.position == Vec3{1, 2, 3});
   CHECK(point.intensity == Rgb{1, 2, 3});
@@ -41,10 +42,10 @@ TEST_CASE("by CS184's rules a point light does not fall off") {
 
 TEST_CASE("by CS184's rules a directional light comes from the point in front of its node") {
   const LoadedScene loaded =
-      load_light("<directional><color>1 1 1</color></directional>", "<translate>3 0 5</translate>");
+      load_cs184_light("<directional><color>1 1 1</color></directional>", "<translate>3 0 5</translate>");
   const auto& sun = std::get<DirectionalLight>(loaded.scene.lights.at(0).source);
   CHECK(length(sun.direction - Vec3{-0.6f, 0, -0.8f}) < 1e-6f);
-  CHECK(load_light("<directional><color>1 1 1</color></directional>", "").scene.lights.size() == 1);
+  CHECK(load_cs184_light("<directional><color>1 1 1</color></directional>", "").scene.lights.size() == 1);
   const std::string text =
       collada_text(collada_triangle() + light("<directional><color>1 1 1</color></directional>"),
                    collada_shape_node() + instance("<translate>0 0 1</translate>"));
@@ -54,7 +55,7 @@ TEST_CASE("by CS184's rules a directional light comes from the point in front of
 }
 
 TEST_CASE("by CS184's rules a spot light is left out") {
-  const LoadedScene loaded = load_light("<spot><color>1 1 1</color></spot>", "");
+  const LoadedScene loaded = load_cs184_light("<spot><color>1 1 1</color></spot>", "");
   CHECK(loaded.scene.lights.empty());
   CHECK(messages(loaded) ==
         std::vector<std::string>{"a spot light gives no light in CS184's program; it is left out"});

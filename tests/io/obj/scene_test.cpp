@@ -16,7 +16,7 @@ const Mesh& mesh_of(const LoadedScene& loaded, std::uint32_t shape = 0) {
   return *loaded.scene.geometry->mesh(shape);
 }
 
-std::string error_of(const std::string& text) {
+std::string obj_error(const std::string& text) {
   try {
     load_obj_text(text);
   } catch (const Error& error) {
@@ -102,24 +102,24 @@ TEST_CASE("a group ends where another object begins") {
 }
 
 TEST_CASE("what is wrong with a face of an OBJ file is an error with its line") {
-  CHECK(error_of(square + "f 1 2 -9\n") ==
+  CHECK(obj_error(square + "f 1 2 -9\n") ==
         "scene.obj:5:1: there is no element -9 among the 4 vertices so far\n  f 1 2 -9\n  ^");
   for (const std::string word : {"0", "1.5", "3x", "1/", "1//", "1/2/", "1/2/3/4", "4294967297", "a", "+1"})
-    CHECK(error_of(square + "f 1 " + word + " 2\n")
+    CHECK(obj_error(square + "f 1 " + word + " 2\n")
               .starts_with("scene.obj:5:1: \"" + word +
                            "\" is no corner of a face; valid are V, V/T, V//N and"));
-  CHECK(error_of(square + "\r\nf 1/-1 2/-1 3/-1\r\n")
+  CHECK(obj_error(square + "\r\nf 1/-1 2/-1 3/-1\r\n")
             .starts_with("scene.obj:6:1: there is no element -1 among the 0"));
-  CHECK(error_of(square + "f 1 2 5\n") == "scene.obj: a face has element 5 of the 4 vertices");
-  CHECK(error_of(square + "f 1//7 2//7 3//7\n") == "scene.obj: a face has element 7 of the 0 normals");
-  CHECK(error_of(square + "f 1/2 2/2 3/2\n") ==
+  CHECK(obj_error(square + "f 1 2 5\n") == "scene.obj: a face has element 5 of the 4 vertices");
+  CHECK(obj_error(square + "f 1//7 2//7 3//7\n") == "scene.obj: a face has element 7 of the 0 normals");
+  CHECK(obj_error(square + "f 1/2 2/2 3/2\n") ==
         "scene.obj: a face has element 2 of the 0 texture coordinates");
-  CHECK(error_of(square + "l 1 2\n") == "scene.obj: the file has no faces (\"f\")");
-  CHECK(error_of("\xff\xfe f").find("UTF-16") != std::string::npos);
+  CHECK(obj_error(square + "l 1 2\n") == "scene.obj: the file has no faces (\"f\")");
+  CHECK(obj_error("\xff\xfe f").find("UTF-16") != std::string::npos);
   std::string face = "f";
   for (int i = 0; i < 10001; ++i) face += " 1";
-  CHECK(error_of(square + face).find("a face of 10001 corners; 10000 are the most") != std::string::npos);
-  CHECK(error_of("v 1e30 0 0\n") == "scene.obj:1:1: a coordinate lies beyond +-1e+12\n  v 1e30 0 0\n  ^");
+  CHECK(obj_error(square + face).find("a face of 10001 corners; 10000 are the most") != std::string::npos);
+  CHECK(obj_error("v 1e30 0 0\n") == "scene.obj:1:1: a coordinate lies beyond +-1e+12\n  v 1e30 0 0\n  ^");
 }
 
 TEST_CASE("what an OBJ file has beside faces is told") {
@@ -338,7 +338,7 @@ TEST_CASE("a backslash continues a line, in comments it does not, and places sta
   const std::string lines = "v 0 \\\r\n0 0\n# from C:\\parts\\\nv 1 \\\n 0 \\\n 0\nv 1 1 0\n";
   const LoadedScene loaded = load_obj_text(lines + "f 1 \\\n2 3 # a comment");
   CHECK(mesh_of(loaded).positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
-  CHECK(error_of(lines + "f 1 \\\n2 -9\n").starts_with("scene.obj:8:1: there is no element -9"));
+  CHECK(obj_error(lines + "f 1 \\\n2 -9\n").starts_with("scene.obj:8:1: there is no element -9"));
   const LoadedScene colored = load_obj_text("mtllib a.mtl\n" + square + "usemtl m\nf 1 2 3\n",
                                             {{"a.mtl", "newmtl m\nKd 1 \\\n0 0\n"}});
   CHECK(std::get<Lambert>(colored.scene.materials[0].model).reflectance == Rgb{1, 0, 0});
@@ -346,11 +346,11 @@ TEST_CASE("a backslash continues a line, in comments it does not, and places sta
 
 TEST_CASE("a coordinate that is no number is an error at its line, of other numbers a warning") {
   for (const std::string word : {"0,9", "nan", "inf", "x", "1.0;"})
-    CHECK(error_of(square + "v 0 " + word + " 0\nf 1 2 3\n")
+    CHECK(obj_error(square + "v 0 " + word + " 0\nf 1 2 3\n")
               .starts_with("scene.obj:5:1: a coordinate that is no number: \"" + word + "\"\n"));
-  CHECK(error_of("v 0 1\n").starts_with("scene.obj:1:1: a vertex of 2 coordinates; valid are 3\n"));
-  CHECK(error_of("v 0 1 # 2\n").starts_with("scene.obj:1:1: a vertex of 2 coordinates; valid are 3\n"));
-  CHECK(error_of("v 1e99 0 0\n").starts_with("scene.obj:1:1: a coordinate lies beyond"));
+  CHECK(obj_error("v 0 1\n").starts_with("scene.obj:1:1: a vertex of 2 coordinates; valid are 3\n"));
+  CHECK(obj_error("v 0 1 # 2\n").starts_with("scene.obj:1:1: a vertex of 2 coordinates; valid are 3\n"));
+  CHECK(obj_error("v 1e99 0 0\n").starts_with("scene.obj:1:1: a coordinate lies beyond"));
   const LoadedScene loaded =
       load_obj_text(square + "vn 0 0 -1.#IND\nvn 0 0 1\nvt 0.5 nan\nvt 0.25\nf 1/1/1 2/2/2 3/2/2\n");
   REQUIRE(loaded.warnings.size() == 2);
