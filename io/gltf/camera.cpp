@@ -77,8 +77,9 @@ Camera place_camera(const GltfDocument& document, const GltfCamera& placed) {
     if (lens.xmag == 0 || lens.ymag == 0)
       context.fail(pointer + "/orthographic", "xmag and ymag are half the frame; they must not be 0");
     camera.projection = Projection::orthographic;
-    camera.tan_half_width = float(std::fabs(lens.xmag) * frame_scale(placed.to_world, 0));
-    camera.tan_half_height = float(std::fabs(lens.ymag) * frame_scale(placed.to_world, 1));
+    // In scene units: the scale of a camera's node is ignored, as the format has it.
+    camera.tan_half_width = float(std::fabs(lens.xmag));
+    camera.tan_half_height = float(std::fabs(lens.ymag));
     read_clip(context, {lens.znear, lens.zfar}, pointer + "/orthographic", camera);
   } else {
     const auto& lens = source.perspective;

@@ -49,6 +49,11 @@ MUTANTS = [
     Mutant("instances stand in the world, not in their node", "io/gltf/instancing.cpp",
            "to_world * transform_of(pose)", "transform_of(pose)",
            GLTF, "gltf: what EXT_mesh_gpu_instancing shows lies within its node, copied or not"),
+    Mutant("a camera's frame grows with its node", "io/gltf/camera.cpp",
+           "camera.tan_half_width = float(std::fabs(lens.xmag));",
+           "camera.tan_half_width = float(std::fabs(lens.xmag) * frame_scale(placed.to_world, 0));",
+           GLTF, "gltf: an orthographic camera has half its frame in scene units, "
+           "whatever the scale of its node"),
     Mutant("roughness is a picture's blue", "io/gltf/material.cpp",
            "PictureChannels::green,", "PictureChannels::blue,",
            GLTF, COLORS),

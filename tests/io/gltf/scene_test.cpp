@@ -84,14 +84,14 @@ TEST_CASE("gltf: a camera keeps its height whatever the picture's shape") {
   CHECK(file.load({.clip_as_file = true}).scene.camera.clip_near == 0.1f);
 }
 
-TEST_CASE("gltf: an orthographic camera has half its frame in the node's units") {
+TEST_CASE("gltf: an orthographic camera has half its frame in scene units, whatever the scale of its node") {
   GltfFile file = with_camera(
       {{"type", "orthographic"}, {"orthographic", {{"xmag", 2}, {"ymag", 1}, {"zfar", 9}, {"znear", 0}}}});
   file.json["nodes"][1]["scale"] = {3, 3, 3};
   const Camera camera = file.load().scene.camera;
   CHECK(camera.projection == Projection::orthographic);
-  CHECK(camera.tan_half_width == 6);
-  CHECK(camera.tan_half_height == 3);
+  CHECK(camera.tan_half_width == 2);
+  CHECK(camera.tan_half_height == 1);
   CHECK(file.load().summary.camera == "stand");
 }
 
