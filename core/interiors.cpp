@@ -70,6 +70,18 @@ std::uint32_t Interiors::prevailing(std::span<const Material> materials) const {
   return found;
 }
 
+Interiors Interiors::shared_with(Interiors other) const {
+  Interiors shared;
+  for (int i = slots - 1; i >= 0; --i) {
+    if (slot(bits_, i) == 0) continue;
+    const auto material = std::uint32_t(slot(bits_, i) - 1);
+    const std::uint64_t before = other.bits();
+    other.leave(material);
+    if (other.bits() != before) shared.enter(material);
+  }
+  return shared;
+}
+
 Rgb transmittance(std::span<const Material> materials, const Interiors& interiors, float length) {
   if (interiors.empty()) return {1, 1, 1};
   const Rgb& absorption = materials[interiors.prevailing(materials)].interior.absorption;

@@ -30,6 +30,8 @@ class Interiors {
   /// The index of the one that is there, of several: that of the highest priority, of equals the one entered
   /// last. `none` outside of all.
   std::uint32_t prevailing(std::span<const Material> materials) const;
+  /// Those that are in `other`, too, each as often as in both; in the order in which these were entered.
+  Interiors shared_with(Interiors other) const;
 
  private:
   std::uint64_t bits_ = 0;  ///< Four indices plus one, the last one entered lowest; 0 for none.

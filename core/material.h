@@ -192,7 +192,7 @@ struct TextureUse {
   InputMeaning meaning = InputMeaning::value;
 };
 
-/// What lies within a closed surface that lets light in. Rays from the camera start outside of all.
+/// What lies within a closed surface that lets light in.
 struct Interior {
   Rgb absorption;  ///< Per unit of length, >= 0: light that goes a way d is times e^(-absorption d).
   /// Where interiors overlap, the one of the highest priority is there; those of 0 do not hide others, nor

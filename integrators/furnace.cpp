@@ -8,10 +8,11 @@ namespace twinray {
 
 Rgb FurnaceIntegrator::radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer) const {
   const PathKey path_key(sample.key);
-  Rgb throughput{1, 1, 1};
-  Viewing viewing;
+  Viewing viewing{.interiors = sample.interiors};
   Ray ray = sample.ray;
   Hit hit = tracer.camera_hit(ray);
+  Rgb throughput =
+      transmittance(bsdfs_.scene().materials, viewing.interiors, (hit.t - ray.t_min) * length(ray.direction));
   for (int depth = 0; !hit.is_miss(); ++depth) {
     if (depth == max_depth_) return {};
     tracer.arrive();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/interiors.h"
 #include "core/ray.h"
 #include "core/ray_cone.h"
 #include "core/record.h"
@@ -25,6 +26,7 @@ struct CameraSample {
   RayCone cone;  ///< Around the ray; without one, textures are seen at points.
   /// How much it counts in the means of its pixel, as the pixel's filter has it; 0: no light comes this way.
   float weight = 1;
+  Interiors interiors = {};  ///< That the ray starts in.
 };
 
 /// Estimates the radiance that arrives along camera rays. Immutable: any number of threads may ask.

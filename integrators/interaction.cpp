@@ -39,6 +39,13 @@ float share(float part, float whole) { return part < whole ? part / whole : whol
 
 }  // namespace
 
+Interiors interiors_behind(const Scene& scene, const SurfacePoint& point, const Vec3& wo,
+                           const Interiors& before) {
+  const std::uint32_t material = material_at(scene, point);
+  const Side side = side_of(point, wo);
+  return behind(scene.materials[material], material, side, here(scene, point, material, side, before));
+}
+
 Rgb Interaction::diffuse_share(const Vec3& wi) const {
   const Vec3 local = to_local(wi);
   const Rgb all = bsdf_.evaluate(wo_local_, local).value, diffuse = bsdf_.diffuse(wo_local_, local);

@@ -10,6 +10,11 @@
 
 namespace twinray {
 
+/// What a path is in that goes straight on through a surface, and was in `before` where it came from; `wo` is
+/// a vector to there.
+Interiors interiors_behind(const Scene& scene, const SurfacePoint& point, const Vec3& wo,
+                           const Interiors& before);
+
 /// A surface point together with the direction it is seen from: what scattering needs.
 ///
 /// Both normals are turned to the viewer's side. Where interpolated normals contradict the geometry (the

@@ -31,6 +31,7 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
   LightDivision division(scene_, record);
   Rgb radiance;
   State path{.ray = sample.ray, .cone = sample.cone};
+  path.viewing.interiors = sample.interiors;
   Hit hit = tracer.camera_hit(path.ray);
   if (record.has(Layer::alpha)) record[Layer::alpha][0] = alpha_record(hit, has_environment_);
   for (int depth = 0;; ++depth) {  // Scattering events before the current ray.

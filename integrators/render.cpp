@@ -16,6 +16,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/visible_pixels.h"
+#include "integrators/camera_interiors.h"
 #include "integrators/denoise/half_pictures.h"
 #include "integrators/wave/camera_stage.h"
 
@@ -63,6 +64,7 @@ class Renderer {
         camera_(fit_frame(scene.camera, options.width, options.height)),
         camera_stage_(camera_, {options.width, options.height, options.samples, options.sampler, options.seed,
                                 options.filter}),
+        camera_interiors_(scene, accelerator, camera_),
         visible_pixels_(pixels_with_light(scene, camera_, accelerator.bounds(), options)),
         range_(samples_of(options)),
         state_(empty_state(options, scene)),
@@ -331,6 +333,7 @@ class Renderer {
         std::span(batch.camera_samples).first(batch.samples.size());
     const RecordSpans records = batch.records.spans(batch.samples.size());
     camera_stage_.make(batch.samples, camera_samples);
+    camera_interiors_.find(camera_samples);
     sample_lights(camera_samples, tracer, records);
     for (std::size_t i = 0; i < batch.samples.size(); ++i) {
       if (const float weight = camera_samples[i].weight; weight != 1) records.weigh(i, weight);
@@ -358,6 +361,7 @@ class Renderer {
   const std::function<void(const RenderProgress&)>& report_;
   Camera camera_;
   CameraStage camera_stage_;
+  CameraInteriors camera_interiors_;
   PixelRect visible_pixels_;  ///< All others are black for certain.
   const SampleRange range_;
   RenderState state_;

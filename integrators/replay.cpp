@@ -5,18 +5,20 @@
 #include <cmath>
 
 #include "core/denormals.h"
+#include "integrators/camera_interiors.h"
 #include "integrators/path_reference.h"
 #include "integrators/wave/camera_stage.h"
 
 namespace twinray {
 namespace {
 
-CameraSample camera_sample(const Scene& scene, const RenderOptions& render, const PixelSample& sample) {
-  const Camera camera = fit_frame(scene.camera, render.width, render.height);
+CameraSample camera_sample(const ReplayScene& of, const RenderOptions& render, const PixelSample& sample) {
+  const Camera camera = fit_frame(of.scene.camera, render.width, render.height);
   const CameraSampling sampling{render.width,   render.height, render.samples,
                                 render.sampler, render.seed,   render.filter};
   CameraSample made;
   CameraStage(camera, sampling).make({&sample, 1}, {&made, 1});
+  CameraInteriors(of.scene, of.accelerator, camera).find({&made, 1});
   return made;
 }
 
@@ -30,7 +32,7 @@ bool same_bits(float a, float b) {
 Replay replay(const ReplayScene& of, const PathOptions& path, const RenderOptions& render,
               const PixelSample& sample) {
   const KeepDenormals keep;
-  Replay made{.sample = camera_sample(of.scene, render, sample)};
+  Replay made{.sample = camera_sample(of, render, sample)};
   Tracer rendering(of.accelerator, false);
   made.radiance = of.integrator.radiance(made.sample, render.sampler, rendering);
   Tracer watched(of.accelerator, false);

@@ -68,7 +68,7 @@ void PathWave::start() {
     paths_.index[i] = samples_[i].key.index;
     paths_.throughput.set(i, Rgb{1, 1, 1});
     paths_.materials[i] = std::uint32_t(Materials::exact);
-    paths_.interiors.set(i, 0);
+    paths_.interiors.set(i, samples_[i].interiors.bits());
     paths_.bounces[i] = 0;
     paths_.eta_squared[i] = 1;
     paths_.direction.set(i, samples_[i].ray.direction);

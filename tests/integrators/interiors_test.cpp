@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "core/fresnel.h"
+#include "integrators/furnace.h"
+#include "integrators/path_reference.h"
 #include "tests/support/catch.h"
 #include "tests/support/estimate.h"
 #include "tests/support/random.h"
@@ -57,6 +59,18 @@ void add_colored_sky(Scene& scene) {
 
 void look_closely(Scene& scene) { scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-4f; }
 
+/// Fog of radius 1 around the origin, before a white sky.
+Scene ball_of_fog() {
+  Scene scene = nested_balls({1}, {body(Interface{}, {absorption})});
+  look_closely(scene);
+  add_white_sky(scene);
+  return scene;
+}
+
+double seen(const Scene& scene, std::uint32_t samples = 4) {
+  return estimate(scene, {.max_depth = 20, .roulette = {1}}, small_picture(samples)).mean;
+}
+
 }  // namespace
 
 TEST_CASE("what is seen through an interior without a surface is darker by its absorption") {
@@ -64,9 +78,85 @@ TEST_CASE("what is seen through an interior without a surface is darker by its a
   look_closely(scene);
   add_white_sky(scene);
   CHECK(estimate(scene, {}, small_picture(4)).mean == Approx(left_of(2)).epsilon(render_rounding));
-  // From within, the way out is not known to be one.
+}
+
+TEST_CASE("a camera within a body sees through what that absorbs, however its rays start") {
+  Scene scene = ball_of_fog();
+  scene.camera.position = {0, 0, 0.5f};
+  CHECK(seen(scene) == Approx(left_of(1.5)).epsilon(render_rounding));
+  scene.camera.lens_radius = 1e-4f;
+  CHECK(seen(scene) == Approx(left_of(1.5)).epsilon(1e-4));
+  scene.camera.lens_radius = 0;
+  CHECK(estimate_of(render_with(scene, FurnaceIntegrator(scene, 4), small_picture(4)).film).mean ==
+        Approx(left_of(1.5)).epsilon(1e-4));
+  // All around.
+  Scene around = ball_of_fog();
+  around.camera = with_panorama(around.camera, Projection::latitude_longitude, 0);
+  around.camera.position = {0, 0, 0};
+  CHECK(seen(around) == Approx(left_of(1)).epsilon(render_rounding));
+  // Clip planes cut off half of the fog.
+  Scene cut = ball_of_fog();
+  cut.camera.clip_near = 3;
+  CHECK(seen(cut) == Approx(left_of(1)).epsilon(render_rounding));
+  // Of parallel rays that start on a plane through its middle, some start in the fog.
+  Scene parallel = ball_of_fog();
+  parallel.camera.position = {0, 0, 0};
+  parallel.camera.projection = Projection::orthographic;
+  CHECK(seen(parallel) == Approx(left_of(1)).epsilon(render_rounding));
+  parallel.camera.frame_center = {1.5f, 0};
+  CHECK(seen(parallel) == Approx(1).epsilon(render_rounding));
+}
+
+TEST_CASE("a camera within a body of the shape of instances, or of a mix, sees what that absorbs") {
+  Scene scene = ball_of_fog();
+  scene.camera.position = {5, 0, 0};
+  Scene shown = scene;
+  shown.geometry = std::make_shared<const Geometry>(
+      scene.geometry->shapes(), nullptr,
+      Instancing{{{0, 1}}, {{0, Transform::translation(5, 0, 0)}, {0, Transform::translation(-5, 0, 0)}}});
+  CHECK(seen(scene) == 1);
+  CHECK(seen(shown) == Approx(left_of(1)).epsilon(render_rounding));
+  Scene mixed = ball_of_fog();
+  mixed.camera.position = {0, 0, 0};
+  mixed.materials = {{"mix", Mix{1, 1, 0.5f}}, mixed.materials[0]};
+  CHECK(seen(mixed) == Approx(left_of(1)).epsilon(render_rounding));
+}
+
+TEST_CASE("a camera is in no body that is not closed") {
+  Mesh box = inward_box(1);
+  for (Triangle& triangle : box.triangles) std::swap(triangle[1], triangle[2]);  // fronts outward
+  Scene scene = ball_of_fog();
   scene.camera.position = {0, 0, 0};
-  CHECK(estimate(scene, {}, small_picture(4)).mean == Approx(1).epsilon(render_rounding));
+  const auto within = [&](const Mesh& mesh) {
+    scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{mesh});
+    return seen(scene);
+  };
+  CHECK(within(box) == Approx(left_of(1)).epsilon(render_rounding));
+  constexpr int bottom = 4, top = 6;
+  for (const int side : {bottom, top}) {
+    Mesh open = box;
+    open.triangles.erase(open.triangles.begin() + side, open.triangles.begin() + side + 2);
+    CHECK(within(open) == 1);
+  }
+}
+
+TEST_CASE("a camera within nested bodies sees them as their priorities say, by waves and by single paths") {
+  const Material glass = body(Refraction{.ior = 1.5f}, {{}, 1});
+  const Material water = body(Refraction{.ior = 1.33f}, {absorption, 2});
+  Scene nested = nested_balls({1, 0.7f}, {glass, water});
+  Scene described = nested_balls(
+      {1, 0.7f}, {{"glass", Refraction{.ior = 1.5f}}, body(Refraction{.ior = 1.33f / 1.5f}, {absorption})});
+  for (Scene* const scene : {&nested, &described}) {
+    scene->camera.tan_half_width = scene->camera.tan_half_height = 0.5f;
+    add_colored_sky(*scene);
+  }
+  for (const float z : {0.85f, 0.3f}) {
+    nested.camera.position.z = described.camera.position.z = z;
+    CHECK(seen(nested, 64) == Approx(seen(described, 64)).epsilon(1e-4));
+    const PathOptions path{.max_depth = 8};
+    CHECK(same_bits(render_with(nested, PathIntegrator(nested, path), small_picture(16)).film,
+                    render_with(nested, PathReference(nested, path), small_picture(16)).film));
+  }
 }
 
 TEST_CASE("a plate of absorbing glass reflects and lets through what the sum of its reflections says") {

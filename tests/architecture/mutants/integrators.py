@@ -6,6 +6,7 @@ PATH_LOG = "what is written of a path adds up to the bits of its sample, as wave
 WAVE_BITS = "waves of paths have the bits and the rays of paths one after the other"
 OTHER_COLOR = "the samples of a pixel do not depend on the pilot of any pixel of its colour"
 SPREAD_RESUMED = "spread samples have the bits of an undisturbed render, wherever that goes on"
+CAMERA_WITHIN = "a camera within a body sees through what that absorbs, however its rays start"
 
 MUTANTS = [
     Mutant("waves take all surfaces for opaque", "integrators/wave/other_surfaces.cpp",
@@ -292,6 +293,22 @@ MUTANTS = [
     Mutant("a compacted path is in another's interiors", "integrators/wave/path_ends.cpp",
            "for (Words* const column : {&paths_.interiors.low, &paths_.interiors.high}) "
            "compact_column(*column);", "{}", "test_integrators", WAVE_BITS),
+    Mutant("a camera is in no body", "integrators/wave/path_wave.cpp",
+           "paths_.interiors.set(i, samples_[i].interiors.bits());", "paths_.interiors.set(i, 0);",
+           "test_integrators", CAMERA_WITHIN),
+    Mutant("all camera rays start where the camera stands", "integrators/camera_interiors.cpp",
+           "at(ray.origin + ray.direction * ray.t_min)", "at(ray.origin)",
+           "test_integrators", CAMERA_WITHIN),
+    Mutant("light fades before a clip plane", "integrators/direct_light.h",
+           "(t - ray.t_min) * length(ray.direction)", "t * length(ray.direction)",
+           "test_integrators", CAMERA_WITHIN),
+    Mutant("a camera is in bodies that are not closed", "integrators/camera_interiors.cpp",
+           "along(aslant, point).shared_with(along(-aslant, point))", "along(aslant, point)",
+           "test_integrators", "a camera is in no body that is not closed"),
+    Mutant("instances are around no camera", "integrators/camera_interiors.cpp",
+           "box.extend(geometry.placed()[i].box)", "(void)i",
+           "test_integrators",
+           "a camera within a body of the shape of instances, or of a mix, sees what that absorbs"),
     Mutant("a body is left where it is entered", "integrators/interaction.cpp",
            "if (side == Side::outside)", "if (side == Side::inside)", "test_integrators",
            "bodies one within the other are the boundaries that their priorities say"),
