@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/angle.h"
 #include "core/elementary.h"
 #include "core/error.h"
@@ -12,13 +14,26 @@ namespace {
 
 constexpr float usual_fisheye_degrees = 180;
 
+/// The frame's middle, which stays as many parts of the frame aside: tangents and scene units are no measure
+/// of each other.
+Vec2 center_in_other_units(const Camera& from, const Camera& to, double aspect) {
+  const auto shown = [&](float side, double of_other) {
+    return from.is_stretched ? side : std::max(side, float(of_other));
+  };
+  const float width = shown(from.tan_half_width, from.tan_half_height * aspect);
+  const float height = shown(from.tan_half_height, from.tan_half_width / aspect);
+  return {from.frame_center.x / width * to.tan_half_width, from.frame_center.y / height * to.tan_half_height};
+}
+
 /// Half of the frame's height, and as much of its width as the picture's shape has.
-Camera with_half_height(Camera camera, Projection projection, float half, double aspect) {
-  camera.projection = projection;
-  camera.is_stretched = false;
-  camera.tan_half_height = half;
-  camera.tan_half_width = float(half * aspect);
-  return camera;
+Camera with_half_height(const Camera& camera, Projection projection, float half, double aspect) {
+  Camera made = camera;
+  made.projection = projection;
+  made.is_stretched = false;
+  made.tan_half_height = half;
+  made.tan_half_width = float(half * aspect);
+  if (projection != camera.projection) made.frame_center = center_in_other_units(camera, made, aspect);
+  return made;
 }
 
 Camera with_parallel_rays(const Camera& camera, const AskedProjection& asked, const Aabb& box,

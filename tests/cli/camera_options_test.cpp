@@ -113,6 +113,20 @@ TEST_CASE("a camera gets another projection where it stands") {
   CHECK_THROWS_AS(with_projection(ahead, {Projection::orthographic, {}}, {{0, 0, 1}, {1, 1, 2}}, 1), Error);
 }
 
+TEST_CASE("a frame that lies aside stays as many of its parts aside, in scene units, too") {
+  Camera aside = ahead;  // Of a frame as wide as 1 and as high as 0.5 at the distance 1.
+  aside.frame_center = {0.5f, -0.125f};
+  const Camera flat = with_projection(aside, {Projection::orthographic, 8}, box_ahead, 2);
+  CHECK(flat.frame_center == Vec2{8, -2});
+  CHECK(with_projection(flat, {Projection::perspective, 90}, box_ahead, 2).frame_center.x == Approx(2));
+  // In the same units it stays where it is.
+  CHECK(with_projection(flat, {Projection::orthographic, 16}, box_ahead, 2).frame_center == Vec2{8, -2});
+  CHECK(with_projection(aside, {Projection::perspective, 90}, box_ahead, 2).frame_center ==
+        aside.frame_center);
+  // A frame of which the picture's shape shows more is that much wider.
+  CHECK(with_projection(aside, {Projection::orthographic, 8}, box_ahead, 4).frame_center == Vec2{8, -2});
+}
+
 TEST_CASE("a lens, its blades and its shift are those of the words") {
   const CameraChanges changes =
       parse({"--lens=0.25,7", "--aperture-blades=6:-90", "--lens-shift=0.5,-0.25"}).changes;

@@ -52,6 +52,9 @@ MUTANTS = [
            "x = x < 0 ? -x : 2 - x, y = 1 - y;", "x = x < 0 ? -x : 2 - x;",
            "test_core", "an equal-area picture gives each pixel the same solid angle, "
            "and goes on over its edges"),
+    Mutant("a frame's middle is the same number in scene units", "cli/camera_changes.cpp",
+           "if (projection != camera.projection)", "if (false)", "test_cli",
+           "a frame that lies aside stays as many of its parts aside, in scene units, too"),
     Mutant("a shifted frame is culled as if it were not", "core/visible_pixels.cpp",
            "/ scale - camera.frame_center.x", "/ scale", "test_core",
            "samples beside their pixel see more, and shifted frames other things"),
