@@ -3,12 +3,14 @@
 #include "cli/no_effect.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/default_light.h"
 #include "cli/film/saved_film.h"
 #include "cli/render_outputs.h"
 #include "core/light_set.h"
 #include "io/picture/output_format.h"
+#include "io/scene_file.h"
 
 namespace twinray {
 namespace {
@@ -59,10 +61,15 @@ std::string needs_environment(const Asked& asked) {
   return asked.arguments.environment.empty() ? "for there is no --environment" : needs_light(asked);
 }
 
+std::string needs_collada(const Asked& asked) {
+  return is_collada(asked.arguments.scene) ? "" : "for the scene is no COLLADA file";
+}
+
 std::string needs_fall_off(const Asked& asked) {
-  return asked.arguments.load.interpretation == Interpretation::cs184
-             ? "for point lights do not fall off in CS184's program"
-             : needs_light(asked);
+  if (asked.arguments.load.interpretation == Interpretation::cs184)
+    return "for point lights do not fall off in CS184's program";
+  const std::string reason = needs_collada(asked);
+  return reason.empty() ? needs_light(asked) : reason;
 }
 
 std::string needs_light_layers(const Asked& asked) {
@@ -250,6 +257,7 @@ constexpr Rule rules[]{
     {"--environment-scale", needs_environment},
     {"--attenuation", needs_fall_off},
     {"--default-light", needs_light},
+    {"--keep-both-lamps", needs_collada},
     {"--texture-filter", needs_materials},
     {"--clip", needs_clipped_view},
     {"--output", needs_picture},
@@ -327,8 +335,14 @@ std::vector<std::string> options_without_effect(const Scene& scene, const Render
   if (is_given("--light-samples", arguments) && arguments.path.direct != DirectMethod::hemisphere &&
       !has_area_light(scene))
     found.push_back("--light-samples: no effect, for no light of the scene has an area");
-  if (is_given("--aperture-blades", arguments) && scene.camera.lens_radius == 0)
-    found.push_back("--aperture-blades: no effect, for the camera has no lens; --lens gives it one");
+  const Camera& camera = scene.camera;
+  if (is_given("--aperture-blades", arguments) && camera.lens_radius == 0)
+    found.push_back(is_panorama(camera.projection)
+                        ? "--aperture-blades: no effect, for panoramas have no lens"
+                        : "--aperture-blades: no effect, for the camera has no lens; --lens gives it one");
+  if (arguments.load.clip_as_file && is_given("--clip", arguments) && arguments.view == View::file &&
+      camera.clip_near == 0 && std::isinf(camera.clip_far))
+    found.push_back("--clip: no effect, for the file's camera has no clip distances");
   if (is_given("--filter", arguments) && arguments.render.samples == 1)
     found.push_back("--filter: no effect, for the one sample of a pixel lies in its middle");
   for (const char* option : {"--texture-filter", "--texture-memory"})

@@ -44,13 +44,14 @@ struct Format {
   std::string_view extension;
   const char* name;
   LoadedScene (*load)(const std::string& path, const LoadOptions& options);
+  bool chooses_camera = false;  ///< Whether files have several, of which LoadOptions::camera_name is one.
 };
-constexpr std::array formats{Format{".dae", "COLLADA", load_dae},
-                             Format{".zae", "COLLADA", read_zae},
+constexpr std::array formats{Format{".dae", "COLLADA", load_dae, true},
+                             Format{".zae", "COLLADA", read_zae, true},
                              Format{".pbrt", "pbrt-v4", load_pbrt},
                              Format{".pbrt.gz", "pbrt-v4", load_pbrt},
-                             Format{".gltf", "glTF 2.0", load_gltf},
-                             Format{".glb", "glTF 2.0", load_gltf},
+                             Format{".gltf", "glTF 2.0", load_gltf, true},
+                             Format{".glb", "glTF 2.0", load_gltf, true},
                              Format{".json", "twinray's exchange form", load_exchange},
                              Format{".obj", "Wavefront", load_obj},
                              Format{".ply", "a mesh", load_ply},
@@ -90,20 +91,38 @@ const Format* find_format(const std::string& extension) {
 LoadedScene load_generated(const std::string& name) {
   LoadedScene loaded{.scene = generated::make_generated(name)};
   loaded.summary.camera = name;
+  loaded.summary.cameras = {name};
   count_scene(loaded.scene, loaded.summary);
   return loaded;
+}
+
+/// Of a file whose camera is the only one.
+LoadedScene with_camera_named(const std::string& name, LoadedScene loaded, const std::string& path) {
+  const std::vector<std::string>& cameras = loaded.summary.cameras;
+  if (name.empty() || std::find(cameras.begin(), cameras.end(), name) != cameras.end()) return loaded;
+  throw Error(fmt::format(
+      "{}: no camera has the name \"{}\"; {}", path, name,
+      cameras.empty() ? "the scene has no camera" : fmt::format("the scene has \"{}\"", cameras[0])));
 }
 
 }  // namespace
 
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
-  if (generated::is_generated(path)) return load_generated(path);
+  if (generated::is_generated(path))
+    return with_camera_named(options.camera_name, load_generated(path), path);
   const std::string extension = scene_extension(path);
   const Format* const format = find_format(extension);
   std::error_code error;
   const bool is_file = std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error);
   if (is_file && !format) refuse(path, extension);
-  return (format ? format->load : load_dae)(path, options);
+  if (!format || format->chooses_camera) return (format ? format->load : load_dae)(path, options);
+  return with_camera_named(options.camera_name, format->load(path, options), path);
+}
+
+bool is_collada(const std::string& path) {
+  if (generated::is_generated(path)) return false;
+  const Format* const format = find_format(scene_extension(path));
+  return !format || format->name == std::string_view("COLLADA");
 }
 
 bool has_defaults(const std::string& path) {

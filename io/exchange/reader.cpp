@@ -318,6 +318,7 @@ class Reader {
     SceneSummary& summary = loaded_.summary;
     summary.unit_name.clear();
     summary.camera = "camera";
+    summary.cameras = {"camera"};
     for (const PendingMesh& mesh : meshes_) summary.dropped_triangles += mesh.repairs.dropped_triangles;
     count_scene(loaded_.scene, summary);
   }

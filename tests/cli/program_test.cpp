@@ -333,6 +333,47 @@ TEST_CASE("one of several cameras is chosen by its name, and all are listed on r
             ": no camera, and no node of one, has the name \"left\"; the scene has \"front\", \"top\"\n");
 }
 
+TEST_CASE("a camera that a file of one camera, or of none, does not have is an error") {
+  const TemporaryFolder folder;
+  const std::string scenes = std::string(TWINRAY_SOURCE_DIR) + "/scenes/";
+  const std::string picture = " -q -o " + quoted(folder.file("a.png")) + " -r 8 6 -s 1";
+  const auto error = [&](const std::string& scene, const std::string& name) {
+    return run_program("render " + quoted(scene) + " --camera-name=" + name + picture).err;
+  };
+  CHECK(error(scenes + "materials.pbrt", "left") ==
+        "twinray: " + scenes +
+            "materials.pbrt: no camera has the name \"left\"; the scene has \"perspective\"\n");
+  CHECK(error(scenes + "materials.pbrt", "perspective").empty());
+  CHECK(error(scenes + "blocks.obj", "left") ==
+        "twinray: " + scenes + "blocks.obj: no camera has the name \"left\"; the scene has no camera\n");
+  CHECK(error("generated:ball", "left") ==
+        "twinray: generated:ball: no camera has the name \"left\"; the scene has \"generated:ball\"\n");
+  const std::string exchange = folder.file("box.json");
+  CHECK(run_program("convert -q " + box_scene + " " + quoted(exchange)).exit_code == 0);
+  CHECK(run_program("render " + quoted(exchange) + " --camera-name=?").out == "camera (makes the picture)\n");
+}
+
+TEST_CASE("what only some files and cameras have is an option without effect for others") {
+  const TemporaryFolder folder;
+  const std::string scenes = std::string(TWINRAY_SOURCE_DIR) + "/scenes/";
+  const auto warnings = [&](const std::string& scene, const std::string& options) {
+    return run_program("render " + quoted(scenes + scene) + " -q -r 8 6 -s 2 -o " +
+                       quoted(folder.file("a.png")) + " " + options)
+        .err;
+  };
+  CHECK(warnings("materials.pbrt", "--clip=file") ==
+        "warning: --clip: no effect, for the file's camera has no clip distances\n");
+  CHECK(warnings("box.dae", "--clip=file").empty());
+  CHECK(warnings("materials.pbrt", "--clip=1,20").empty());
+  CHECK(warnings("materials.pbrt", "--keep-both-lamps") ==
+        "warning: --keep-both-lamps: no effect, for the scene is no COLLADA file\n");
+  CHECK(warnings("blocks.obj", "--attenuation=file") ==
+        "warning: --attenuation: no effect, for the scene is no COLLADA file\n");
+  CHECK(warnings("box.dae", "--keep-both-lamps").empty());
+  CHECK(warnings("materials.pbrt", "--projection=fisheye --aperture-blades=5") ==
+        "warning: --aperture-blades: no effect, for panoramas have no lens\n");
+}
+
 TEST_CASE("a glTF file is shown at a time, and a scene in which nothing moves warns") {
   const TemporaryFolder folder;
   const std::string rest = " -o " + quoted(folder.file("a.png")) + " -r 8 6 -s 1";
