@@ -116,7 +116,8 @@ class Reader {
     switch (statement.directive) {
       case camera:
         if (!is_black(states_.now().absorption_outside))
-          statement.place.warn(context_.warnings, "the camera is taken to be in no medium");
+          statement.place.warn(context_.warnings,
+                               "the camera is within the media of the shapes around it alone");
         camera_ = read_camera(statement.words[0], parameters, states_.now().transform, context_);
         states_.name_camera();
         return true;

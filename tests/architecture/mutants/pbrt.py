@@ -3,6 +3,9 @@
 from mutant import Mutant
 
 MUTANTS = [
+    Mutant("the medium that a camera is said to be in is left out in silence", "io/pbrt/scene.cpp",
+           "if (!is_black(states_.now().absorption_outside))", "if (false)",
+           "test_io", "a medium that is named around the camera is a warning"),
     Mutant("a mirroring transform turns a mesh inside out", "io/pbrt/shape.cpp",
            "if ((to_world.determinant() < 0) != is_reversed) {", "if (is_reversed) {",
            "test_io", "the front of a triangle is pbrt's outside, through every turn and mirror"),

@@ -56,6 +56,18 @@ TEST_CASE("a medium that says nothing has pbrt's numbers, and attributes end") {
   CHECK_FALSE(has_interior(material_of(loaded, 1)));
 }
 
+TEST_CASE("a medium that is named around the camera is a warning") {
+  const auto warnings = [](const std::string& inside_outside) {
+    return test::load_pbrt_text(tea + "MediumInterface " + inside_outside +
+                                " Camera \"perspective\" WorldBegin " + ball)
+        .warnings;
+  };
+  CHECK(warnings("\"tea\" \"\"").empty());
+  REQUIRE(warnings("\"\" \"tea\"").size() == 1);
+  CHECK(warnings("\"\" \"tea\"")[0].message ==
+        "the camera is within the media of the shapes around it alone");
+}
+
 TEST_CASE("nested bodies have priorities") {
   const LoadedScene loaded =
       load_pbrt_world(tea + "MediumInterface \"tea\" \"\" Material \"dielectric\" \"integer priority\" 3 " +
