@@ -137,6 +137,12 @@ std::vector<Transform> joint_transforms(GltfDocument& document, int index,
   return joints;
 }
 
+bool are_mirrored(const std::vector<Transform>& joints) {
+  const auto mirrored = std::count_if(joints.begin(), joints.end(),
+                                      [](const Transform& joint) { return joint.determinant() < 0; });
+  return 2 * std::size_t(mirrored) > joints.size();
+}
+
 GltfPrimitive deformed(GltfDocument& document, const GltfPrimitive& rest,
                        const GltfDeformation& deformation) {
   const tinygltf::Primitive& source =

@@ -21,6 +21,9 @@ struct GltfDeformation {
 std::vector<Transform> joint_transforms(GltfDocument& document, int skin,
                                         const std::vector<Transform>& world);
 
+/// Whether joints mirror what they move, or most of them do.
+bool are_mirrored(const std::vector<Transform>& joints);
+
 /// The primitive with its vertices moved, first by the targets, then by the joints; with these it is in the
 /// world. Throws Error, with the place, where a target has other counts or a vertex names a joint that is not
 /// there.

@@ -50,12 +50,19 @@ class Builder {
     world_ = world_transforms(document_, poses_);
   }
 
-  /// A mesh with a skin is where its joints are, wherever its own node is.
+  /// A mesh with a skin is where its joints are, wherever its own node is. Where these mirror it, its place
+  /// does that for them: there the front stays the front.
   void add_mesh(int index, const tinygltf::Node& node) {
     GltfDeformation deformation{poses_[std::size_t(index)].weights, {}};
     if (node.skin >= 0) deformation.joints = joint_transforms(document_, node.skin, world_);
     const Transform to_world = deformation.joints.empty() ? world_[std::size_t(index)] : Transform{};
-    shapes_.add(index, instance_transforms(document_, index, to_world), deformation);
+    std::vector<Transform> places = instance_transforms(document_, index, to_world);
+    if (are_mirrored(deformation.joints)) {
+      const Transform mirror = Transform::scaling(-1, 1, 1);
+      for (Transform& joint : deformation.joints) joint = mirror * joint;
+      for (Transform& place : places) place = place * mirror;
+    }
+    shapes_.add(index, places, deformation);
   }
 
   void add_node(int index) {

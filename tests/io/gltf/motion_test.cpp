@@ -89,6 +89,19 @@ TEST_CASE("gltf: vertices follow their joints by weight, and normals with them")
   CHECK(length(mesh.normals[1] - Vec3{1, 0, 0}) < rounding);
 }
 
+TEST_CASE("gltf: where the joints of a skin mirror it, the front stays the front") {
+  GltfFile file = skinned();
+  file.json["nodes"][1]["scale"] = {1, 1, -1};
+  file.json["nodes"][1]["translation"] = {0, 0, 2};
+  const LoadedScene loaded = file.load();
+  const Mesh& mesh = only_mesh(loaded);
+  const auto corner = [&](std::size_t i) { return mesh.positions[mesh.triangles[0][i]]; };
+  CHECK(corner(0) == Vec3{0, 0, 2});
+  CHECK(corner(1) == Vec3{0, 1, 2});  // clockwise from above: the front is below
+  CHECK(corner(2) == Vec3{1, 0, 2});
+  CHECK(mesh.normals[mesh.normal_indices[0][0]] == Vec3{0, 0, -1});
+}
+
 TEST_CASE("gltf: joints and matrices that are not there are errors") {
   GltfFile file = skinned();
   file.json["skins"][0]["joints"] = {1};
