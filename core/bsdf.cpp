@@ -38,7 +38,8 @@ struct LobesOf {
   }
   Bsdf::Lobes operator()(const Microfacet& m) const { return Cs184MicrofacetLobe(m.alpha, m.eta, m.k); }
   Bsdf::Lobes operator()(const DiffuseTransmission& m) const {
-    return DiffuseTransmissionLobe{m.reflectance, m.transmittance};
+    const float most = std::max(max_component(m.reflectance + m.transmittance), 1.0f);
+    return DiffuseTransmissionLobe{m.reflectance / most, m.transmittance / most};
   }
   Bsdf::Lobes operator()(const RoughDiffuse& m) const { return RoughDiffuseLobe(m.reflectance, m.roughness); }
   Bsdf::Lobes operator()(const CoatedDiffuse& m) const {

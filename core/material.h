@@ -73,7 +73,8 @@ struct Conductor {
   Rgb reflectance{1, 1, 1};
 };
 
-/// Scatters evenly, to the side that the light comes from and to the other; their sum in [0, 1].
+/// Scatters evenly, to the side that the light comes from and to the other: each in [0, 1]. Where they sum up
+/// to more than 1, all light is scattered, in their proportion.
 struct DiffuseTransmission {
   Rgb reflectance{0.25f, 0.25f, 0.25f};
   Rgb transmittance{0.25f, 0.25f, 0.25f};

@@ -36,6 +36,10 @@ std::optional<MaterialInput> input_named(std::string_view name) {
   return std::nullopt;
 }
 
+Rgb within_unit(const Rgb& color) {
+  return {std::clamp(color.r, 0.0f, 1.0f), std::clamp(color.g, 0.0f, 1.0f), std::clamp(color.b, 0.0f, 1.0f)};
+}
+
 /// Reads the inputs of a material, each a value or a texture.
 struct Inputs {
   const PbrtParameters& parameters;
@@ -50,8 +54,7 @@ struct Inputs {
     if (!found) return fallback;
     if (found->type != PbrtType::texture) return color_of(parameters, *found, role, context.files);
     const Rgb mean = use(*found, PictureChannels::color, input_named(name)).mean;
-    if (role != ColorRole::reflectance) return mean;
-    return {std::clamp(mean.r, 0.0f, 1.0f), std::clamp(mean.g, 0.0f, 1.0f), std::clamp(mean.b, 0.0f, 1.0f)};
+    return role == ColorRole::reflectance ? within_unit(mean) : mean;
   }
 
   float number(const char* name, float fallback) const {
@@ -178,20 +181,17 @@ SurfaceModel read_coated_conductor(const Inputs& in) {
   return coated;
 }
 
-/// Where reflectance and transmittance sum up to more than 1, both are made smaller.
 SurfaceModel read_transmission(const Inputs& in) {
   const float scale = in.parameters.real("scale", 1, {0, 1e6});
-  DiffuseTransmission sheet{in.color("reflectance", quarter) * scale,
-                            in.color("transmittance", quarter) * scale};
+  const DiffuseTransmission sheet{within_unit(in.color("reflectance", quarter) * scale),
+                                  within_unit(in.color("transmittance", quarter) * scale)};
   if (scale != 1)
     for (TextureUse& use : in.uses) use.texture = in.textures.scaled(use.texture, scale);
   const float most = max_component(sheet.reflectance + sheet.transmittance);
-  if (most > 1) {
+  if (most > 1)
     in.parameters.place().warn(
         in.context.warnings,
         fmt::format("this surface would scatter {:g} of the light; it scatters all of it", most));
-    sheet.reflectance = sheet.reflectance / most, sheet.transmittance = sheet.transmittance / most;
-  }
   return sheet;
 }
 

@@ -96,6 +96,19 @@ TEST_CASE("facets narrower than a thousandth are smooth, and wider ones near tha
   CHECK(is_delta(Dielectric{.ior = 1, .roughness = {0.5f, 0.5f}}));
 }
 
+TEST_CASE("a sheet that would scatter more light than there is scatters all of it, in proportion") {
+  const Vec3 wo{0, 0, 1};
+  const auto scattered = [&](const DiffuseTransmission& sheet, float side) {
+    return Bsdf(sheet).evaluate(wo, {0, 0, side}).value * pi;
+  };
+  const DiffuseTransmission bright{{0.9f, 0.5f, 0}, {0.6f, 1, 0.75f}};
+  CHECK(scattered(bright, 1).r == Approx(0.6));
+  CHECK(scattered(bright, -1).r == Approx(0.4));
+  CHECK(scattered(bright, 1).g == Approx(0.5 / 1.5));
+  CHECK(scattered(bright, -1).b == Approx(0.75 / 1.5));
+  CHECK(scattered({{0.5f, 0.5f, 0.5f}, {0.25f, 0.25f, 0.25f}}, 1).r == Approx(0.5));
+}
+
 TEST_CASE("a rough boundary is seen from the side that the viewer is on") {
   const Dielectric glass{.ior = 1.5f, .roughness = {0.2f, 0.2f}};
   // With the draw 1 facets refract: into the denser medium, or out of it.

@@ -45,6 +45,18 @@ TEST_CASE("each material becomes its model, with pbrt's values where the file ha
   CHECK(leaf.transmittance == Rgb{0.125f, 0.125f, 0.125f});
 }
 
+TEST_CASE("a sheet keeps its proportions, with pictures and without, where it would scatter too much") {
+  const std::string leaf = "Material \"diffusetransmission\" \"rgb transmittance\" [ .5 .25 .1 ] ",
+                    reflects = leaf + "\"rgb reflectance\" [ .75 .8 .9 ]";
+  CHECK(warning_of(reflects) == "this surface would scatter 1.25 of the light; it scatters all of it");
+  const auto sheet = [](const std::string& statement) {
+    return std::get<DiffuseTransmission>(load_pbrt_world(statement).scene.materials[1].model);
+  };
+  CHECK(sheet(reflects).reflectance == Rgb{0.75f, 0.8f, 0.9f});
+  CHECK(sheet(reflects).transmittance == Rgb{0.5f, 0.25f, 0.1f});
+  CHECK(sheet(reflects + " \"float scale\" 2").reflectance == Rgb{1, 1, 1});
+}
+
 TEST_CASE("a surface of OpenPBR has its parameters by name, and its defaults") {
   const auto plain = model_of<Principled>("\"openpbr\"");
   CHECK(plain.base_color == Rgb{0.8f, 0.8f, 0.8f});
