@@ -8,17 +8,11 @@
 
 #include "io/glow.h"
 #include "io/gltf/document.h"
-
+#include "io/gltf/uv_area.h"
 #include "io/placed_mesh.h"
 
 namespace twinray {
 namespace {
-
-/// Twice the area of a triangle in texture coordinates: negative where they run the other way round.
-float uv_area(const std::vector<Vec2>& uvs, const Triangle& t) {
-  const Vec2 p = uvs[t[1]] - uvs[t[0]], q = uvs[t[2]] - uvs[t[0]];
-  return p.x * q.y - p.y * q.x;
-}
 
 /// Whether the file's bitangent is n x t, or against it: as its tangents say or, without these, its texture
 /// coordinates. In a mirrored world it is the other way round.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/gltf/uv_area.h"
 #include "io/gltf/writer_material.h"
 #include "io/gltf/writer_view.h"
 #include "io/joined_mesh.h"
@@ -34,15 +35,12 @@ class Shapes {
   void add() {
     const Geometry& geometry = *scene_.geometry;
     for (std::uint32_t shape = 0; shape < geometry.direct_shapes().end(); ++shape) add_shape(shape);
-    std::vector<std::optional<std::size_t>> prototypes;
-    for (const ShapeRange& range : geometry.prototypes()) prototypes.push_back(prototype(range));
-    for (const auto& [number, to_world] : geometry.instances())
-      if (prototypes[number]) {
-        const ShapeRange& range = geometry.prototypes()[number];
-        file_.add_node({{"name", asset_name(range.first)},
-                        {"mesh", *prototypes[number]},
-                        {"matrix", gltf_matrix(to_world)}});
-      }
+    for (const auto& [number, to_world] : geometry.instances()) {
+      const ShapeRange& range = geometry.prototypes()[number];
+      if (const auto mesh = prototype(range, to_world.determinant() < 0 && has_normal_map(range)))
+        file_.add_node(
+            {{"name", asset_name(range.first)}, {"mesh", *mesh}, {"matrix", gltf_matrix(to_world)}});
+    }
   }
 
  private:
@@ -73,22 +71,41 @@ class Shapes {
     return mesh && mesh->side == EmissionSide::back;
   }
 
-  GltfJson primitive(const Mesh& mesh, std::uint32_t shape) {
+  bool has_normal_map(const ShapeRange& range) const {
+    for (std::uint32_t shape = range.first; shape < range.end(); ++shape)
+      if (materials_.has_normal_map(scene_.bindings[shape])) return true;
+    return false;
+  }
+
+  /// Adds the mesh as one primitive. Where a normal map lies mirrored the format turns it around, and a map
+  /// that is turned already belongs there: such triangles are a primitive of their own. `is_mirrored`: by the
+  /// node.
+  void add_primitives(const Mesh& mesh, std::uint32_t shape, GltfJson& primitives, bool is_mirrored = false) {
     JoinedMesh joined = join_corners(mesh);
     const std::vector<std::array<float, 4>> colors =
         materials_.vertex_colors(scene_.bindings[shape], joined.uvs);
     if (!colors.empty()) joined.uvs.clear();
-    flip(joined.uvs);
     if (is_turned(shape)) turn(joined.triangles);
+    const bool has_map = !joined.uvs.empty() && materials_.has_normal_map(scene_.bindings[shape]);
+    std::vector<Triangle> sides[2];
+    for (const Triangle& triangle : joined.triangles)
+      sides[has_map && (uv_area(joined.uvs, triangle) < 0) != is_mirrored].push_back(triangle);
+    flip(joined.uvs);
     GltfJson attributes{{"POSITION", file_.vectors(joined.positions, true)}};
     if (!joined.normals.empty()) attributes["NORMAL"] = file_.vectors(joined.normals, false);
     if (!joined.uvs.empty()) attributes["TEXCOORD_0"] = file_.pairs(joined.uvs);
     if (!colors.empty()) attributes["COLOR_0"] = file_.colors(colors);
-    const std::span<const std::uint32_t> corners(
-        joined.triangles.empty() ? nullptr : joined.triangles[0].data(), 3 * joined.triangles.size());
-    return {{"attributes", attributes},
-            {"indices", file_.indices(corners)},
-            {"material", materials_.material(scene_.bindings[shape])}};
+    for (const bool is_other_side : {false, true})
+      if (const std::vector<Triangle>& triangles = sides[is_other_side]; !triangles.empty())
+        primitives.push_back({{"attributes", attributes},
+                              {"indices", file_.indices({triangles[0].data(), 3 * triangles.size()})},
+                              {"material", materials_.material(scene_.bindings[shape], is_other_side)}});
+  }
+
+  GltfJson primitives(const Mesh& mesh, std::uint32_t shape) {
+    GltfJson list = GltfJson::array();
+    add_primitives(mesh, shape, list);
+    return list;
   }
 
   std::size_t add_mesh(const std::string& name, const GltfJson& primitives) {
@@ -100,7 +117,7 @@ class Shapes {
     if (const SphereSet* set = scene_.geometry->sphere_set(shape)) return add_spheres(*set, shape);
     const Mesh& mesh = *scene_.geometry->mesh(shape);
     if (mesh.triangles.empty()) return;
-    const std::size_t index = add_mesh(mesh.name, GltfJson::array({primitive(mesh, shape)}));
+    const std::size_t index = add_mesh(mesh.name, primitives(mesh, shape));
     file_.add_node({{"name", asset_name(shape)}, {"mesh", index}});
   }
 
@@ -113,7 +130,7 @@ class Shapes {
   void add_spheres(const SphereSet& set, std::uint32_t shape) {
     const std::size_t material = materials_.material(scene_.bindings[shape]);
     const auto [entry, is_new] = spheres_.try_emplace(material);
-    if (is_new) entry->second = add_mesh(set.name, GltfJson::array({primitive(sphere_mesh({}), shape)}));
+    if (is_new) entry->second = add_mesh(set.name, primitives(sphere_mesh({}), shape));
     for (const Sphere& sphere : set.spheres) {
       name_sphere();
       const double r = shortest_decimal(sphere.radius);
@@ -132,18 +149,24 @@ class Shapes {
     return mesh;
   }
 
-  /// One mesh of all shapes; none where nothing of it is seen.
-  std::optional<std::size_t> prototype(const ShapeRange& range) {
+  /// One mesh of all shapes, made once; none where nothing of it is seen. `is_mirrored`: for instances that
+  /// mirror it.
+  std::optional<std::size_t> prototype(const ShapeRange& range, bool is_mirrored) {
+    const auto [entry, is_new] = prototypes_.try_emplace({range.first, is_mirrored});
+    if (is_new) entry->second = make_prototype(range, is_mirrored);
+    return entry->second;
+  }
+  std::optional<std::size_t> make_prototype(const ShapeRange& range, bool is_mirrored) {
     GltfJson primitives = GltfJson::array();
     for (std::uint32_t shape = range.first; shape < range.end(); ++shape) {
       if (is_left_out(shape)) continue;
       if (const SphereSet* set = scene_.geometry->sphere_set(shape))
         for (const Sphere& sphere : set->spheres) {
           name_sphere();
-          primitives.push_back(primitive(placed(sphere), shape));
+          add_primitives(placed(sphere), shape, primitives, is_mirrored);
         }
       else if (const Mesh& mesh = *scene_.geometry->mesh(shape); !mesh.triangles.empty())
-        primitives.push_back(primitive(mesh, shape));
+        add_primitives(mesh, shape, primitives, is_mirrored);
     }
     if (primitives.empty()) return std::nullopt;
     return add_mesh(shape_name(range.first), primitives);
@@ -153,6 +176,8 @@ class Shapes {
   GltfFile& file_;
   GltfMaterialWriter materials_;
   std::map<std::size_t, std::size_t> spheres_;  ///< The mesh of a material's spheres.
+  /// By their first shape, and whether instances mirror them.
+  std::map<std::pair<std::uint32_t, bool>, std::optional<std::size_t>> prototypes_;
 };
 
 }  // namespace

@@ -56,13 +56,13 @@ class Properties {
     if (!made.material.name.empty()) json_["name"] = made.material.name;
   }
 
-  GltfJson make(const Scene& scene, std::uint32_t alpha) {
+  GltfJson make(const Scene& scene, std::uint32_t alpha, bool is_mirrored) {
     add_base(scene, alpha);
     add_index();
     add_transmission();
     add_coat();
     add_sheen();
-    add_maps();
+    add_maps(is_mirrored);
     for (const TextureUse& use : uses_) {
       const std::string name = input_name(use.input);
       file_.output.losses.add(fmt::format("a texture of a material's {} is left out", name),
@@ -210,10 +210,11 @@ class Properties {
                {fuzz_roughness, model_.fuzz_roughness});
   }
 
-  void add_maps() {
+  void add_maps(bool is_mirrored) {
     const Material& material = made_.material;
     if (material.normal_map != no_texture)
-      put(json_, "normalTexture", {.color = material.normal_map, .is_data = true});
+      put(json_, "normalTexture",
+          {.color = material.normal_map, .is_data = true, .turns_green = is_mirrored});
     if (material.bump_map != no_texture)
       file_.output.losses.add("a bump map is left out", "{} bump maps are left out");
   }
@@ -241,10 +242,16 @@ std::shared_ptr<const Image> divided(const Image& picture, float by) {
 
 }  // namespace
 
-std::size_t GltfMaterialWriter::material(const ShapeBinding& binding) {
-  const auto [entry, is_new] = made_.try_emplace({binding.material, binding.light, binding.alpha});
-  if (is_new) entry->second = file_.add("materials", make(binding));
+std::size_t GltfMaterialWriter::material(const ShapeBinding& binding, bool is_mirrored) {
+  const auto [entry, is_new] =
+      made_.try_emplace({binding.material, binding.light, binding.alpha, is_mirrored});
+  if (is_new) entry->second = file_.add("materials", make(binding, is_mirrored));
   return entry->second;
+}
+
+bool GltfMaterialWriter::has_normal_map(const ShapeBinding& binding) const {
+  Losses named_before;
+  return gltf_stand_in(scene_, binding.material, named_before).material.normal_map != no_texture;
 }
 
 std::vector<std::array<float, 4>> GltfMaterialWriter::vertex_colors(const ShapeBinding& binding,
@@ -262,9 +269,9 @@ std::vector<std::array<float, 4>> GltfMaterialWriter::vertex_colors(const ShapeB
   return colors;
 }
 
-GltfJson GltfMaterialWriter::make(const ShapeBinding& binding) {
+GltfJson GltfMaterialWriter::make(const ShapeBinding& binding, bool is_mirrored) {
   const GltfStandIn made = gltf_stand_in(scene_, binding.material, file_.output.losses);
-  GltfJson json = Properties(made, file_, textures_).make(scene_, binding.alpha);
+  GltfJson json = Properties(made, file_, textures_).make(scene_, binding.alpha, is_mirrored);
   json["doubleSided"] = true;
   if (binding.light != no_light) add_emission(binding.light, json);
   return json;

@@ -75,7 +75,7 @@ GltfJson GltfTextureWriter::make(const GltfChannels& channels) {
         byte = byte_of(k == alpha_channel ? value : powered(value, channels.power));
       } else if (color > 0 && k != alpha_channel) {
         const Rgb& c = baked.pictures[color - 1].pixels[pixel];
-        const float value = k == 0 ? c.r : k == 1 ? c.g : c.b;
+        const float green = channels.turns_green ? 1 - c.g : c.g, value = k == 0 ? c.r : k == 1 ? green : c.b;
         byte = channels.is_data ? byte_of(value) : encode_srgb(value);
       }
     }

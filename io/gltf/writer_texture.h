@@ -23,10 +23,13 @@ struct GltfChannels {
   std::uint32_t color = no_texture;
   /// Textures of numbers in red, green, blue and alpha: their red. no_texture: 1.
   std::array<std::uint32_t, 4> number{no_texture, no_texture, no_texture, no_texture};
-  bool is_data = false;  ///< The colour is no colour but a direction: it is not encoded as sRGB.
-  float power = 1;       ///< To which numbers are taken, but for alpha.
+  bool is_data = false;      ///< The colour is no colour but a direction: it is not encoded as sRGB.
+  float power = 1;           ///< To which numbers are taken, but for alpha.
+  bool turns_green = false;  ///< Of data: green is 1 less what it was.
 
-  bool is_empty() const { return *this == GltfChannels{.is_data = is_data, .power = power}; }
+  bool is_empty() const {
+    return *this == GltfChannels{.is_data = is_data, .power = power, .turns_green = turns_green};
+  }
   auto operator<=>(const GltfChannels&) const = default;
 };
 

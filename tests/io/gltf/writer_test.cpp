@@ -321,6 +321,30 @@ TEST_CASE("written gltf: spheres of one material share a mesh, and so do instanc
   CHECK(difference(scene, trip.scene).positions == 0);
 }
 
+TEST_CASE("written gltf: a normal map has the slopes that it had, also where it lies mirrored") {
+  Mesh both = triangle();
+  both.positions.push_back({1, 1, 0});
+  both.uvs.push_back({0.5f, 0.125f});  // The second triangle's coordinates run the other way round.
+  both.triangles.push_back({1, 3, 2});
+  both.uv_indices = both.triangles;
+  Scene scene = scene_of(both, Principled{});
+  scene.textures = {{"", ImageTexture{picture(), WrapMode::repeat, TextureFilter::nearest, {}}}};
+  scene.materials[0].normal_map = 0;
+  const auto check = [&](std::size_t shapes) {
+    const RoundTrip trip = round_trip(scene, "a.gltf");
+    CHECK(trip.warnings.empty());
+    REQUIRE(trip.scene.bindings.size() == shapes);
+    for (const ShapeBinding& binding : trip.scene.bindings)
+      CHECK(apart(scene, 0, trip.scene, trip.scene.materials[binding.material].normal_map) <=
+            0.5f / 255 + rounding);
+  };
+  check(2);
+  scene.geometry = std::make_shared<const Geometry>(
+      std::vector<Shape>{both}, nullptr,
+      Instancing{{{0, 1}}, {{0, {}}, {0, Transform::translation(0, 0, 3) * Transform::scaling(-1, 1, 1)}}});
+  check(4);
+}
+
 TEST_CASE("written gltf: files of any name find each other, and an orthographic camera comes back") {
   Scene scene = scene_of(triangle(), Principled{});
   scene.textures = {{"", ImageTexture{picture(), WrapMode::repeat, TextureFilter::nearest, {}}}};
