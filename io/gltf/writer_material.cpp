@@ -33,6 +33,13 @@ std::optional<Mask> mask_of(const Scene& scene, std::uint32_t alpha) {
   return Mask{mix->amount, (1 - at_0->value.r) / (at_1->value.r - at_0->value.r)};
 }
 
+/// The texture that makes holes, before a limit cuts it off.
+std::uint32_t uncut(const Scene& scene, std::uint32_t alpha) {
+  if (alpha == no_texture) return no_texture;
+  const auto mask = mask_of(scene, alpha);
+  return mask ? mask->texture : alpha;
+}
+
 bool is_drawn(const Scene& scene, std::uint32_t texture) {
   return texture != no_texture && is_drawn_of_vertices(scene.textures, texture);
 }
@@ -122,16 +129,14 @@ class Properties {
 
   /// Sets the mode; a constant alpha is returned, all else is a channel of the base color's picture.
   float add_alpha(const Scene& scene, std::uint32_t alpha, GltfChannels& color) {
-    json_["alphaMode"] = "BLEND";
-    if (is_drawn(scene, alpha)) return 1;  // Its vertices have it.
-    if (const auto* constant = std::get_if<ConstantTexture>(&scene.textures[alpha].model))
+    const auto mask = mask_of(scene, alpha);
+    json_["alphaMode"] = mask ? "MASK" : "BLEND";
+    if (mask) json_["alphaCutoff"] = shortest_decimal(std::max(mask->limit, 0.0f));
+    const std::uint32_t texture = uncut(scene, alpha);
+    if (is_drawn(scene, texture)) return 1;  // Its vertices have it.
+    if (const auto* constant = std::get_if<ConstantTexture>(&scene.textures[texture].model))
       return std::clamp(constant->value.r, 0.0f, 1.0f);
-    color.number[alpha_channel] = alpha;
-    if (const auto mask = mask_of(scene, alpha)) {
-      json_["alphaMode"] = "MASK";
-      json_["alphaCutoff"] = shortest_decimal(std::max(mask->limit, 0.0f));
-      color.number[alpha_channel] = mask->texture;
-    }
+    color.number[alpha_channel] = texture;
     return 1;
   }
 
@@ -257,13 +262,14 @@ bool GltfMaterialWriter::has_normal_map(const ShapeBinding& binding) const {
 std::vector<std::array<float, 4>> GltfMaterialWriter::vertex_colors(const ShapeBinding& binding,
                                                                     std::span<const Vec2> uvs) {
   const std::uint32_t color = color_of(scene_.materials[binding.material]);
-  const bool has_color = is_drawn(scene_, color), has_alpha = is_drawn(scene_, binding.alpha);
+  const std::uint32_t holes = uncut(scene_, binding.alpha);
+  const bool has_color = is_drawn(scene_, color), has_alpha = is_drawn(scene_, holes);
   std::vector<std::array<float, 4>> colors;
   if (!has_color && !has_alpha) return colors;
   for (const Vec2 uv : uvs) {
     const TexturePoint at{.uv = uv, .is_smooth = true};
     const Rgb c = has_color ? evaluate(scene_.textures, color, at) : white;
-    const float alpha = has_alpha ? evaluate(scene_.textures, binding.alpha, at).r : 1;
+    const float alpha = has_alpha ? evaluate(scene_.textures, holes, at).r : 1;
     colors.push_back({c.r, c.g, c.b, alpha});
   }
   return colors;

@@ -412,4 +412,32 @@ TEST_CASE("glTF: colors and alphas of vertices are those of vertices again") {
     }
 }
 
+TEST_CASE("written gltf: a limit of the alphas of vertices comes back as one") {
+  Mesh mesh = triangle();
+  const ImageTexture alphas = draw_vertices(mesh, [](std::uint32_t i) { return white * (0.5f * float(i)); });
+  set_drawn_uvs(mesh);
+  Scene scene = scene_of(mesh, Lambert{});
+  constexpr float limit = 0.35f, steep = 4096;
+  scene.textures = {{"", alphas},
+                    {"", ConstantTexture{{1 - steep * limit, 0, 0}}},
+                    {"", ConstantTexture{{1 - steep * limit + steep, 0, 0}}},
+                    {"", MixTexture{1, 2, 0}}};
+  scene.bindings[0].alpha = 3;
+  scene.geometry = std::make_shared<const Geometry>(
+      cut_out(std::vector<Shape>(scene.geometry->shapes()), scene.bindings, scene.textures));
+  const RoundTrip trip = round_trip(scene, "a.gltf");
+  CHECK(trip.warnings.empty());
+  CHECK(trip.text.find("images") == std::string::npos);
+  for (const Vec2 part : {Vec2{0.2f, 0.1f}, {0.5f, 0.05f}, {0.6f, 0.2f}, {0.1f, 0.8f}}) {
+    const auto alpha = [&](const Scene& of) {
+      const Mesh& with = *of.geometry->mesh(0);
+      const auto& [a, b, c] = with.uv_indices[0];
+      const Vec2 uv = with.uvs[a] * (1 - part.x - part.y) + with.uvs[b] * part.x + with.uvs[c] * part.y;
+      return alpha_at(of.textures, of.bindings[0].alpha, uv);
+    };
+    CHECK(alpha(scene) == (0.5f * part.x + part.y > limit ? 1 : 0));
+    CHECK(alpha(trip.scene) == alpha(scene));
+  }
+}
+
 }  // namespace twinray::test
