@@ -2,6 +2,7 @@
 #include "io/scene_part.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "core/alpha_test.h"
@@ -14,22 +15,22 @@ LightSource shape_light(const ScenePart& part, std::uint32_t shape) {
   return MeshLight{shape, part.radiance, part.side, part.picture};
 }
 
-/// Those of the scene, and then those of one prototype after the other.
+/// Those of the scene, and then those of one prototype after the other. Prototypes without shapes, such as
+/// those of which all emits, are left out.
 Instancing sort_by_prototype(std::vector<ScenePart>& parts, std::vector<Instance> instances) {
   const auto order_of = [](const ScenePart& part) { return part.prototype ? *part.prototype + 1 : 0; };
   std::stable_sort(parts.begin(), parts.end(),
                    [&](const ScenePart& a, const ScenePart& b) { return order_of(a) < order_of(b); });
-  std::size_t count = 0;
-  for (const ScenePart& part : parts) count = std::max<std::size_t>(count, order_of(part));
-  for (const Instance& instance : instances) count = std::max<std::size_t>(count, instance.prototype + 1);
-  std::vector<ShapeRange> prototypes(count);
-  std::uint32_t shape = 0;
-  while (shape < parts.size() && !parts[shape].prototype) ++shape;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    prototypes[i].first = shape;
-    while (shape < parts.size() && parts[shape].prototype == i) ++shape;
-    prototypes[i].count = shape - prototypes[i].first;
+  std::vector<ShapeRange> prototypes;
+  std::map<std::uint32_t, std::uint32_t> numbers;  // By those that the parts have.
+  for (std::uint32_t shape = 0; shape < parts.size(); ++shape) {
+    if (!parts[shape].prototype) continue;
+    if (numbers.try_emplace(*parts[shape].prototype, std::uint32_t(prototypes.size())).second)
+      prototypes.push_back({shape, 0});
+    ++prototypes.back().count;
   }
+  std::erase_if(instances, [&](const Instance& instance) { return numbers.count(instance.prototype) == 0; });
+  for (Instance& instance : instances) instance.prototype = numbers.at(instance.prototype);
   return {std::move(prototypes), std::move(instances)};
 }
 

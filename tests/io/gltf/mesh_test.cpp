@@ -159,6 +159,21 @@ TEST_CASE("gltf: the file's scene is shown or, where it says none, the first") {
   CHECK(file.warning() == "test.gltf: /: the file has no scene; all its nodes are shown");
 }
 
+TEST_CASE("gltf: instances are of meshes that do not emit alone, and these have numbers without gaps") {
+  GltfFile file = gltf_triangle();
+  file.primitive()["material"] = file.add("materials", {{"emissiveFactor", {1, 1, 1}}});
+  file.add_node({{"mesh", 0}});
+  const auto dark = file.primitive()["attributes"];
+  file.show({{"attributes", dark}});
+  file.add_node({{"mesh", 1}, {"translation", {0, 0, 1}}});
+  const Scene scene = file.load({.instances = InstanceUse::keep}).scene;
+  CHECK(scene.lights.size() == 2);
+  REQUIRE(scene.geometry->prototypes().size() == 1);
+  CHECK(scene.geometry->prototypes()[0].count == 1);
+  REQUIRE(scene.geometry->instances().size() == 2);
+  CHECK(scene.geometry->instances()[1].prototype == 0);
+}
+
 TEST_CASE("gltf: what EXT_mesh_gpu_instancing shows lies within its node, copied or not") {
   GltfFile file = gltf_triangle();
   const int places = file.accessor<float>({0, 0, 1, 0, 0, 2}, "VEC3");
