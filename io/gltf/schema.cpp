@@ -131,8 +131,16 @@ class Checker {
     }
     if (object.contains("name") && !object["name"].is_string())
       fail_of(object["name"], pointer + "/name", "text");
+    if (kind == "light") complete_spot(object, pointer);
     if (object.contains("extensions")) check_extensions_of(object["extensions"], kind, pointer);
     if (has_rule) warn_of_unknown(object, known, pointer);
+  }
+
+  /// Drafts of the extension let a spot light be without its angles.
+  void complete_spot(Json& light, const std::string& pointer) {
+    if (light["type"] != "spot" || light.contains("spot")) return;
+    context_.warn(pointer, "a spot light needs \"spot\"; without one its angles are 0 and 45 degrees");
+    light["spot"] = Json::object();
   }
 
   void warn_of_unknown(const Json& object, const std::vector<std::string_view>& known,

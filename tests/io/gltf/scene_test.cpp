@@ -126,6 +126,16 @@ TEST_CASE("gltf: candela are intensity and lux irradiance, whatever the node's s
   CHECK(spot.penumbra_degrees == Approx(14.323945));
 }
 
+TEST_CASE("gltf: a spot light that says no angles has those of the extension, and is named") {
+  const GltfFile file = with_light({{"type", "spot"}});
+  CHECK(file.warning() ==
+        "test.gltf: /extensions/KHR_lights_punctual/lights/0: a spot light needs \"spot\"; without one its "
+        "angles are 0 and 45 degrees");
+  const auto spot = light_of<SpotLight>(file);
+  CHECK(spot.falloff_angle_degrees == Approx(90));
+  CHECK(spot.penumbra_degrees == Approx(45));
+}
+
 TEST_CASE("gltf: lights that are no lights are errors with their place") {
   CHECK(with_light({{"type", "spot"}, {"spot", {{"innerConeAngle", 1}, {"outerConeAngle", 0.5}}}})
             .error()
