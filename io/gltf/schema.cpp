@@ -131,9 +131,17 @@ class Checker {
     }
     if (object.contains("name") && !object["name"].is_string())
       fail_of(object["name"], pointer + "/name", "text");
+    if (kind == "camera") check_lens(object, pointer);
     if (kind == "light") complete_spot(object, pointer);
     if (object.contains("extensions")) check_extensions_of(object["extensions"], kind, pointer);
     if (has_rule) warn_of_unknown(object, known, pointer);
+  }
+
+  /// A camera has an object of the name that its type is.
+  void check_lens(const Json& camera, const std::string& pointer) const {
+    const std::string type = camera["type"];
+    if (!camera.contains(type))
+      context_.fail(pointer, fmt::format("\"{}\" is missing, and required of such a camera", type));
   }
 
   /// Drafts of the extension let a spot light be without its angles.

@@ -126,6 +126,13 @@ TEST_CASE("gltf: candela are intensity and lux irradiance, whatever the node's s
   CHECK(spot.penumbra_degrees == Approx(14.323945));
 }
 
+TEST_CASE("gltf: a camera without what its type asks for is an error with its place") {
+  CHECK(with_camera({{"type", "perspective"}}).error() ==
+        "test.gltf: /cameras/0: \"perspective\" is missing, and required of such a camera");
+  CHECK(with_camera({{"type", "orthographic"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}}).error() ==
+        "test.gltf: /cameras/0: \"orthographic\" is missing, and required of such a camera");
+}
+
 TEST_CASE("gltf: a spot light that says no angles has those of the extension, and is named") {
   const GltfFile file = with_light({{"type", "spot"}});
   CHECK(file.warning() ==
