@@ -56,6 +56,17 @@ const GltfColors::Drawn& GltfColors::drawn(const GltfPrimitive& primitive, const
   return entry->second;
 }
 
+void GltfColors::put_darkest_first(const GltfPrimitive& primitive, Mesh& mesh) {
+  const VertexColors& colors = primitive.colors;
+  if (colors.count == 0) return;
+  const auto is_darker = [&](std::uint32_t a, std::uint32_t b) {
+    return luminance(color_of(colors, a)) < luminance(color_of(colors, b));
+  };
+  for (Triangle& t : mesh.triangles)
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end(), is_darker), t.end());
+  if (!mesh.normal_indices.empty()) mesh.normal_indices = mesh.triangles;
+}
+
 void GltfColors::add(const GltfPrimitive& primitive, Mesh& mesh, GltfUse& use) {
   const VertexColors& colors = primitive.colors;
   if (colors.count == 0) return;

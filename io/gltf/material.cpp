@@ -200,6 +200,10 @@ bool GltfMaterials::has_normal_map(int material) const {
   return material_at(document_, material).normalTexture.index >= 0;
 }
 
+bool GltfMaterials::is_unlit(int material) const {
+  return bool(GltfExtension(material_at(document_, material).extensions, "KHR_materials_unlit", ""));
+}
+
 const GltfSurface& GltfMaterials::surface(int index, const GltfUse& use) {
   const auto [entry, is_new] = known_.try_emplace({index, use});
   if (!is_new) return entry->second;

@@ -42,6 +42,7 @@ class GltfMaterials {
   std::optional<int> uv_set(int material) const;
   /// Whether it has a normal map, which is not the same for both ways round of texture coordinates.
   bool has_normal_map(int material) const;
+  bool is_unlit(int material) const;
   /// The same material for each of the same uses. -1: the format's default material.
   const GltfSurface& surface(int material, const GltfUse& use);
 

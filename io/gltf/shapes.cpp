@@ -140,6 +140,7 @@ void GltfShapes::place(const GltfPrimitive& primitive, const std::string& name, 
   Mesh mesh = vertices_of(primitive, name);
   if (use.has_uvs) mesh.uvs = uvs->second;
   set_triangles(mesh, primitive.triangles);
+  if (!use.has_uvs && materials_.is_unlit(primitive.material)) GltfColors::put_darkest_first(primitive, mesh);
   colors_.add(primitive, mesh, use);
   if (!use.has_uvs || !materials_.has_normal_map(primitive.material))
     return place_part(primitive, std::move(mesh), use, place);

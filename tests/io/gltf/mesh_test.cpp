@@ -246,8 +246,31 @@ TEST_CASE("gltf: colors of vertices are a picture that mixes them as their trian
   const LoadedScene unlit = file.load();
   const auto light = std::get<MeshLight>(unlit.scene.lights.at(0).source);
   REQUIRE(light.picture);
-  const auto& [a, b, c] = mesh.uv_indices[0];
-  CHECK(bilinear(*light.picture, WrapMode::clamp, mesh.uvs[b]) == Rgb{0, 1, 0});
+  const Mesh& own = only_mesh(unlit);
+  CHECK(own.positions[own.triangles[0][2]] == Vec3{1, 0, 0});  // The darkest corner, the blue one, is first.
+  CHECK(bilinear(*light.picture, WrapMode::clamp, own.uvs[own.uv_indices[0][2]]) == Rgb{0, 1, 0});
+}
+
+TEST_CASE("gltf: an unlit triangle emits, whichever corner alone is bright") {
+  for (std::size_t bright = 0; bright < 3; ++bright) {
+    GltfFile file = gltf_triangle();
+    std::vector<float> colors(9, 0.0f);
+    std::fill_n(colors.begin() + std::ptrdiff_t(3 * bright), 3, 1.0f);
+    file.primitive()["attributes"]["COLOR_0"] = file.accessor<float>(colors, "VEC3");
+    file.primitive()["material"] =
+        file.add("materials", {{"extensions", {{"KHR_materials_unlit", nlohmann::json::object()}}}});
+    const LoadedScene loaded = file.load();
+    REQUIRE(loaded.scene.lights.size() == 1);
+    const auto& light = std::get<MeshLight>(loaded.scene.lights[0].source);
+    REQUIRE(light.picture);
+    const Mesh& mesh = only_mesh(loaded);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 at = mesh.positions[mesh.triangles[0][i]];
+      const std::size_t corner = at.x == 1 ? 1 : at.y == 1 ? 2 : 0;
+      CHECK(bilinear(*light.picture, WrapMode::clamp, mesh.uvs[mesh.uv_indices[0][i]]).g ==
+            (corner == bright ? 1 : 0));
+    }
+  }
 }
 
 TEST_CASE("gltf: one color of all vertices goes with any texture") {
