@@ -31,6 +31,8 @@ void name_camera_losses(const Camera& camera, const RenderDefaults::Resolution& 
         fmt::format("the {} camera is a perspective one of 90 degrees", projection_name(camera.projection)));
   if (camera.lens_radius > 0) losses.add("the camera's lens is a pinhole");
   if (camera.frame_center != Vec2{0, 0}) losses.add("the shift of the camera's frame is left out");
+  if (dot(cross(camera.right, camera.up), camera.forward) > 0)
+    losses.add("the camera shows the scene mirrored, which readers may not follow");
   const float picture = float(size.width) / float(size.height);
   constexpr float tolerance = 1e-3f;
   if (!is_panorama(camera.projection) &&

@@ -173,4 +173,7 @@ MUTANTS = [
     Mutant("holes of vertices are lost in glTF", "io/gltf/writer_material.cpp",
            "colors.push_back({c.r, c.g, c.b, alpha});", "colors.push_back({c.r, c.g, c.b, 1});",
            "test_io", "glTF: colors and alphas of vertices are those of vertices again"),
+    Mutant("every camera mirrors the scene in glTF", "io/gltf/writer_view.cpp",
+           "camera.up), camera.forward) > 0)", "camera.up), camera.forward) < 0)",
+           "test_io", "written gltf: lights and cameras that the format has not are named"),
 ]

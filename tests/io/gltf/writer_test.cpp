@@ -225,12 +225,15 @@ TEST_CASE("written gltf: lights and cameras that the format has not are named") 
                   {"", SunLight{{0, -1, 0}, {4, 5, 6}}}};
   scene.camera.lens_radius = 0.5f;
   scene.camera.frame_center = {0.25f, 0};
+  scene.camera.right = -scene.camera.right;
   const RoundTrip trip = round_trip(scene, "a.gltf");
   CHECK(trip.warnings == std::vector<std::string>{
                              "the camera's lens is a pinhole", "the shift of the camera's frame is left out",
+                             "the camera shows the scene mirrored, which readers may not follow",
                              "a sphere light is a mesh that emits", "2 environment lights: each is left out",
                              "an ambient light is left out", "a sun light is a direction, without a disc",
                              "a sphere is a mesh of 256 edges around"});
+  CHECK(trip.scene.camera.right.x == Approx(scene.camera.right.x));
   REQUIRE(trip.scene.lights.size() == 2);
   const auto& box = trip.scene.geometry->bounds();
   CHECK(box.lower.x == Approx(0.5));
