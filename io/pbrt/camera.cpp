@@ -258,6 +258,12 @@ void set_lens(const PbrtCamera& camera, const RenderDefaults& film, const Transf
   placed.focal_distance = camera.focal_distance * float(depth);
 }
 
+/// Whether the transform makes width and height equally large.
+bool is_evenly_wide(const Transform& to_world) {
+  const double width = axis_length(to_world, 0), height = axis_length(to_world, 1);
+  return std::fabs(width - height) <= 1e-5 * width;
+}
+
 }  // namespace
 
 Camera place_camera(const PbrtCamera& camera, const RenderDefaults& film, PbrtContext& context) {
@@ -270,6 +276,8 @@ Camera place_camera(const PbrtCamera& camera, const RenderDefaults& film, PbrtCo
     placed = placed_panorama(placed, camera.projection);
   else
     set_lens(camera, film, *to_world, placed);
+  if (placed.lens_radius > 0 && !is_evenly_wide(*to_world))
+    camera.place.warn(context.warnings, "the camera's lens stays round, which its transform stretches");
   placed.position = to_world->point({0, 0, 0});
   if (!is_finite(placed.position) || max_abs(placed.position) > max_coordinate)
     camera.place.fail("the transform of this camera puts it too far away");

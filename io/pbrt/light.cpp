@@ -63,6 +63,8 @@ std::optional<LightSource> read_spot(const PbrtParameters& parameters, const Tra
                  with_strength(intensity, "power", unit, parameters)};
   spot.falloff_angle_degrees = std::max(2 * angle, 1e-3f);
   spot.penumbra_degrees = std::min(angle - inner, spot.falloff_angle_degrees / 2);
+  if (similarity_scale(to_world) == 0)
+    parameters.place().warn(context.warnings, "this light's cone stays round, which its transform stretches");
   return spot;
 }
 

@@ -97,4 +97,10 @@ MUTANTS = [
     Mutant("a medium within a sheet is left out without a word", "io/pbrt/builder.cpp",
            "(sheet && sheet->is_thin);", "false;", "test_io",
            "a medium within a surface that has no inside is named"),
+    Mutant("a lens that is stretched is round without a word", "io/pbrt/camera.cpp",
+           "!is_evenly_wide(*to_world)", "false", "test_io",
+           "lens, screen window and frame's shape are read"),
+    Mutant("every spot light is said to be stretched", "io/pbrt/light.cpp",
+           "if (similarity_scale(to_world) == 0)", "if (similarity_scale(to_world) != 1)", "test_io",
+           "a spot light has pbrt's cone and soft edge"),
 ]

@@ -149,6 +149,12 @@ TEST_CASE("lens, screen window and frame's shape are read") {
                                 "Camera \"perspective\" \"float lensradius\" 4 \"float focaldistance\" 6");
   CHECK(lens.lens_radius == Approx(2));
   CHECK(lens.focal_distance == Approx(3));
+  const auto warnings_under = [&](const std::string& transform) {
+    const std::string camera = " Camera \"perspective\" \"float lensradius\" 4 WorldBegin ";
+    return load_pbrt_text(film + transform + camera + pbrt_triangle).warnings.size();
+  };
+  CHECK(warnings_under(" Scale -2 2 1") == 0);
+  CHECK(warnings_under(" Scale 1 2 1") == 1);
   const Camera window = camera_of(film, "Camera \"orthographic\" \"float screenwindow\" [ -3 3 -2 2 ]");
   CHECK(window.projection == Projection::orthographic);
   CHECK(window.tan_half_width == Approx(3));

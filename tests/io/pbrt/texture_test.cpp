@@ -315,6 +315,11 @@ TEST_CASE("a spot light has pbrt's cone and soft edge") {
   const auto light = std::get<SpotLight>(loaded.scene.lights.at(0).source);
   CHECK(light.falloff_angle_degrees == 80);
   CHECK(light.penumbra_degrees == 10);
+  const auto warnings_under = [](const std::string& transform) {
+    return load_pbrt_world(transform + " LightSource \"spot\"").warnings.size();
+  };
+  CHECK(warnings_under("Rotate 30 1 2 3 Scale -2 2 2") == 0);
+  CHECK(warnings_under("Scale 1 2 1") == 1);
 }
 
 TEST_CASE("a spot's soft edge that is wider than its cone leaves the inner part that pbrt's cosine gives") {
