@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/angle.h"
 #include "core/elementary.h"
 #include "core/error.h"
@@ -17,12 +15,9 @@ constexpr float usual_fisheye_degrees = 180;
 /// The frame's middle, which stays as many parts of the frame aside: tangents and scene units are no measure
 /// of each other.
 Vec2 center_in_other_units(const Camera& from, const Camera& to, double aspect) {
-  const auto shown = [&](float side, double of_other) {
-    return from.is_stretched ? side : std::max(side, float(of_other));
-  };
-  const float width = shown(from.tan_half_width, from.tan_half_height * aspect);
-  const float height = shown(from.tan_half_height, from.tan_half_width / aspect);
-  return {from.frame_center.x / width * to.tan_half_width, from.frame_center.y / height * to.tan_half_height};
+  const Camera shown = fit_frame(from, float(aspect));
+  return {from.frame_center.x / shown.tan_half_width * to.tan_half_width,
+          from.frame_center.y / shown.tan_half_height * to.tan_half_height};
 }
 
 /// Half of the frame's height, and as much of its width as the picture's shape has.

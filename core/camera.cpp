@@ -122,9 +122,12 @@ Camera with_panorama(const Camera& camera, Projection panorama, float half_field
 }
 
 Camera fit_frame(const Camera& camera, int width, int height) {
+  return fit_frame(camera, float(width) / float(height));
+}
+
+Camera fit_frame(const Camera& camera, float aspect) {
   if (camera.is_stretched) return camera;
   Camera fitted = camera;
-  const float aspect = float(width) / float(height);
   if (camera.tan_half_width < camera.tan_half_height * aspect)
     fitted.tan_half_width = camera.tan_half_height * aspect;
   else

@@ -49,6 +49,8 @@ inline bool is_panorama(Projection projection) {
 /// The camera widened on one axis, so that an image of this size has square pixels and shows the whole frame;
 /// one that is stretched, as it is.
 Camera fit_frame(const Camera& camera, int width, int height);
+/// The same for any image of this width over height.
+Camera fit_frame(const Camera& camera, float aspect);
 
 /// The camera without clip distances.
 Camera without_clip(const Camera& camera);

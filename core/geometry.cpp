@@ -109,13 +109,13 @@ Geometry::Geometry(std::vector<Shape> shapes, std::shared_ptr<const Acceptance> 
     : shapes_(std::move(shapes)),
       acceptance_(std::move(acceptance)),
       direct_(direct_of(instancing.prototypes, shapes_.size())),
-      prototypes_(std::move(instancing.prototypes)) {
-  std::vector<Aabb> boxes(shapes_.size());
+      prototypes_(std::move(instancing.prototypes)),
+      shape_bounds_(shapes_.size()) {
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     std::visit(
         [&](const auto& shape) {
           const std::string label = shape_label(shape.name, i);
-          boxes[i] = check(shape, label);
+          shape_bounds_[i] = check(shape, label);
           if (!shape.is_opaque && !acceptance_)
             throw Error(fmt::format("{}: it is not opaque, but nothing says which of its hits count", label));
         },
@@ -125,7 +125,7 @@ Geometry::Geometry(std::vector<Shape> shapes, std::shared_ptr<const Acceptance> 
   }
   const auto bounds_of = [&](ShapeRange range) {
     Aabb bounds;
-    for (std::uint32_t i = range.first; i < range.end(); ++i) bounds.extend(boxes[i]);
+    for (std::uint32_t i = range.first; i < range.end(); ++i) bounds.extend(shape_bounds_[i]);
     return bounds;
   };
   bounds_ = bounds_of(direct_);

@@ -94,6 +94,8 @@ class Geometry {
   }
   /// The box of everything that stands in the scene; empty where nothing does.
   const Aabb& bounds() const { return bounds_; }
+  /// The box of a shape, in its own space.
+  const Aabb& bounds(std::uint32_t shape) const { return shape_bounds_[shape]; }
   std::size_t triangle_count() const { return triangle_count_; }
   std::size_t sphere_count() const { return sphere_count_; }
   /// All that are stored, those of prototypes once.
@@ -112,6 +114,7 @@ class Geometry {
   ShapeRange direct_;
   std::vector<ShapeRange> prototypes_;
   PlacedInstances placed_;
+  std::vector<Aabb> shape_bounds_;
   Aabb bounds_;
   std::size_t triangle_count_ = 0, sphere_count_ = 0;
 };

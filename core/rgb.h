@@ -23,6 +23,10 @@ constexpr Rgb& operator+=(Rgb& a, const Rgb& b) { return a = a + b; }
 
 constexpr bool is_black(const Rgb& c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 constexpr bool is_grey(const Rgb& c) { return c.r == c.g && c.r == c.b; }
+/// Each component, or what is next to it in [0, 1].
+constexpr Rgb within_unit(const Rgb& c) {
+  return {std::clamp(c.r, 0.0f, 1.0f), std::clamp(c.g, 0.0f, 1.0f), std::clamp(c.b, 0.0f, 1.0f)};
+}
 constexpr float max_component(const Rgb& c) { return std::max(c.r, std::max(c.g, c.b)); }
 inline bool is_finite(const Rgb& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
 

@@ -20,21 +20,13 @@ bool may_have_interior(const Scene& scene, std::uint32_t shape) {
   return has_interior(material) || std::holds_alternative<Mix>(material.model);
 }
 
-void extend(Aabb& box, const Shape& shape) {
-  if (const Mesh* const mesh = std::get_if<Mesh>(&shape)) {
-    for (const Vec3& position : mesh->positions) box.extend(position);
-    return;
-  }
-  for (const Sphere& sphere : std::get<SphereSet>(shape).spheres) box.extend(sphere_bounds(sphere));
-}
-
 Aabb bounds_of_bodies(const Scene& scene) {
   const Geometry& geometry = *scene.geometry;
   Aabb box;
   if (std::none_of(scene.materials.begin(), scene.materials.end(), has_interior)) return box;
   const ShapeRange direct = geometry.direct_shapes();
   for (std::uint32_t shape = direct.first; shape < direct.end(); ++shape)
-    if (may_have_interior(scene, shape)) extend(box, geometry.shapes()[shape]);
+    if (may_have_interior(scene, shape)) box.extend(geometry.bounds(shape));
   for (std::uint32_t i = 0; i < geometry.instances().size(); ++i) {
     const ShapeRange shown = geometry.prototypes()[geometry.instances()[i].prototype];
     for (std::uint32_t shape = shown.first; shape < shown.end(); ++shape)
@@ -76,7 +68,7 @@ Interiors CameraInteriors::along(const Vec3& direction, const Vec3& point) const
     const Hit hit = accelerator_.closest_hit(ray);
     if (hit.is_miss()) return found;
     const SurfacePoint surface = surface_at(*scene_.geometry, hit);
-    found = interiors_behind(scene_, surface, -way, found);
+    found = Interaction::interiors_behind(scene_, surface, -way, found);
     ray = connect(surface, point);
   }
   return {};

@@ -39,13 +39,6 @@ float share(float part, float whole) { return part < whole ? part / whole : whol
 
 }  // namespace
 
-Interiors interiors_behind(const Scene& scene, const SurfacePoint& point, const Vec3& wo,
-                           const Interiors& before) {
-  const std::uint32_t material = material_at(scene, point);
-  const Side side = side_of(point, wo);
-  return behind(scene.materials[material], material, side, here(scene, point, material, side, before));
-}
-
 Rgb Interaction::diffuse_share(const Vec3& wi) const {
   const Vec3 local = to_local(wi);
   const Rgb all = bsdf_.evaluate(wo_local_, local).value, diffuse = bsdf_.diffuse(wo_local_, local);
@@ -57,6 +50,12 @@ Interaction::Meeting Interaction::meet(const Scene& scene, const SurfacePoint& p
   const std::uint32_t material = material_at(scene, point);
   const Side side = side_of(point, wo);
   return {material, side, here(scene, point, material, side, interiors)};
+}
+
+Interiors Interaction::interiors_behind(const Scene& scene, const SurfacePoint& point, const Vec3& wo,
+                                        const Interiors& before) {
+  const Meeting met = meet(scene, point, wo, before);
+  return behind(scene.materials[met.material], met.material, met.side, met.within);
 }
 
 Interaction::Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo,

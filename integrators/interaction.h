@@ -10,11 +10,6 @@
 
 namespace twinray {
 
-/// What a path is in that goes straight on through a surface, and was in `before` where it came from; `wo` is
-/// a vector to there.
-Interiors interiors_behind(const Scene& scene, const SurfacePoint& point, const Vec3& wo,
-                           const Interiors& before);
-
 /// A surface point together with the direction it is seen from: what scattering needs.
 ///
 /// Both normals are turned to the viewer's side. Where interpolated normals contradict the geometry (the
@@ -65,6 +60,11 @@ class Interaction {
 
   /// Where a direction leads: before the surface, where the viewer is, or behind it.
   const Interiors& interiors(const Vec3& wi) const { return dot(facing_normal_, wi) > 0 ? before_ : behind_; }
+
+  /// What a path is in that goes straight on through a surface, and was in `before` where it came from; `wo`
+  /// is a vector to there.
+  static Interiors interiors_behind(const Scene& scene, const SurfacePoint& point, const Vec3& wo,
+                                    const Interiors& before);
 
  private:
   /// How a path meets a surface.

@@ -55,8 +55,7 @@ void check_room(const Image& image) {
 
 /// What is left of radiance on a display.
 void clip(Image& image) {
-  const auto clipped = [](float x) { return std::clamp(x, 0.0f, 1.0f); };
-  for (Rgb& pixel : image.pixels) pixel = {clipped(pixel.r), clipped(pixel.g), clipped(pixel.b)};
+  for (Rgb& pixel : image.pixels) pixel = within_unit(pixel);
 }
 
 /// Without variances of both there is no test.

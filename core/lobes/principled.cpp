@@ -60,8 +60,7 @@ TintedFresnel::TintedFresnel(const Rgb& normal, const Rgb& rim) : normal_(normal
 
 Rgb TintedFresnel::operator()(float cosine) const {
   const float x = 1 - cosine, x5 = x * x * x * x * x;
-  const Rgb value = normal_ + (white - normal_) * x5 - dip_ * (cosine * x5 * x);
-  return {std::clamp(value.r, 0.0f, 1.0f), std::clamp(value.g, 0.0f, 1.0f), std::clamp(value.b, 0.0f, 1.0f)};
+  return within_unit(normal_ + (white - normal_) * x5 - dip_ * (cosine * x5 * x));
 }
 
 Rgb TintedFresnel::average() const {

@@ -35,9 +35,11 @@ class Shapes {
   void add() {
     const Geometry& geometry = *scene_.geometry;
     for (std::uint32_t shape = 0; shape < geometry.direct_shapes().end(); ++shape) add_shape(shape);
+    std::vector<bool> have_maps;
+    for (const ShapeRange& range : geometry.prototypes()) have_maps.push_back(has_normal_map(range));
     for (const auto& [number, to_world] : geometry.instances()) {
       const ShapeRange& range = geometry.prototypes()[number];
-      if (const auto mesh = prototype(range, to_world.determinant() < 0 && has_normal_map(range)))
+      if (const auto mesh = prototype(range, have_maps[number] && to_world.determinant() < 0))
         file_.add_node(
             {{"name", asset_name(range.first)}, {"mesh", *mesh}, {"matrix", gltf_matrix(to_world)}});
     }

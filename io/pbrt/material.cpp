@@ -36,10 +36,6 @@ std::optional<MaterialInput> input_named(std::string_view name) {
   return std::nullopt;
 }
 
-Rgb within_unit(const Rgb& color) {
-  return {std::clamp(color.r, 0.0f, 1.0f), std::clamp(color.g, 0.0f, 1.0f), std::clamp(color.b, 0.0f, 1.0f)};
-}
-
 /// Reads the inputs of a material, each a value or a texture.
 struct Inputs {
   const PbrtParameters& parameters;
