@@ -10,18 +10,19 @@ namespace twinray {
 
 void PathWave::add_emission() {
   const LightSet& lights = context_.transport.lights;
+  const Geometry& geometry = *context_.transport.scene.geometry;
   for (std::size_t i = 0; i < paths_.size; ++i) {
     const Hit& hit = wave_.hits[i];
     if (!hit.is_miss() && !context_.shapes[hit.mesh].emits) continue;
     const Vec3 direction = normalize(paths_.direction.at(i));
-    const Rgb radiance =
-        hit.is_miss() ? lights.background(direction)
-                      : lights.emitted(surface_at(*context_.transport.scene.geometry, hit), -direction);
-    radiance_[i] += radiance;
-    if (has_light_paths_) add_seen_light(hit.is_miss(), radiance, paths_of(std::uint32_t(i)));
+    const Rgb throughput = paths_.throughput.at<Rgb>(i);
+    const Rgb light = throughput * (hit.is_miss() ? lights.background(direction)
+                                                  : lights.emitted(surface_at(geometry, hit), -direction));
+    radiance_[i] += light;
+    if (has_light_paths_) add_seen_light(hit.is_miss(), light, paths_of(std::uint32_t(i)));
     if (!has_light_groups_) continue;
     add_seen_groups(context_.transport, {hit, direction}, groups_of(i));
-    groups_of(i).move_to(records_[Division::groups][i], paths_.throughput.at<Rgb>(i));
+    groups_of(i).move_to(records_[Division::groups][i], throughput);
   }
 }
 

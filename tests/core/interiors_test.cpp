@@ -45,6 +45,13 @@ TEST_CASE("interiors are left in whatever order, and where they were not entered
   CHECK(interiors.bits() == within({65534, 9, 8}).bits());
 }
 
+TEST_CASE("what is shared with other interiors keeps the order in which it was entered") {
+  CHECK(within({1, 2, 3}).shared_with(within({3, 4, 1})).bits() == within({1, 3}).bits());
+  CHECK(within({3, 4, 1}).shared_with(within({1, 2, 3})).bits() == within({3, 1}).bits());
+  CHECK(within({5, 1, 5}).shared_with(within({5, 5, 2})).bits() == within({5, 5}).bits());
+  CHECK(within({5, 1, 5}).shared_with(within({2, 5})).bits() == within({5}).bits());
+}
+
 TEST_CASE("of a mix that part was entered which was entered last") {
   const std::vector<Material> materials{
       glass(1.5f, 1), glass(1.5f, 1), {"mix", Mix{0, 1, 0.5f}}, glass(1.5f, 1), {"mix", Mix{3, 2, 0.5f}}};

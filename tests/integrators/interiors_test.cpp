@@ -7,6 +7,8 @@
 #include "integrators/path_reference.h"
 #include "tests/support/catch.h"
 #include "tests/support/estimate.h"
+#include "tests/support/film.h"
+#include "tests/support/film_bytes.h"
 #include "tests/support/random.h"
 #include "tests/support/scenes.h"
 
@@ -105,6 +107,24 @@ TEST_CASE("a camera within a body sees through what that absorbs, however its ra
   CHECK(seen(parallel) == Approx(left_of(1)).epsilon(render_rounding));
   parallel.camera.frame_center = {1.5f, 0};
   CHECK(seen(parallel) == Approx(1).epsilon(render_rounding));
+}
+
+TEST_CASE("a lamp that a camera sees within a body is absorbed, in each part of the light") {
+  Scene scene = ball_of_fog();
+  scene.camera.position = {0, 0, 0.75f};
+  scene.lights.clear();
+  add_lamp(scene, SphereSet{"lamp", {{{0, 0, 0}, 0.25f}}}, {1, 1, 1}, EmissionSide::front);
+  scene.light_groups = {"lamps", "others"};
+  RenderOptions options = small_picture(4);
+  options.light_paths = options.light_groups = true;
+  const Film waves = render_with(scene, PathIntegrator(scene, {}), options).film;
+  CHECK(bytes_of(waves) == bytes_of(render_with(scene, PathReference(scene, {}), options).film));
+  const Approx expected = Approx(left_of(0.5)).epsilon(render_rounding);
+  CHECK(estimate_of(waves).mean == expected);
+  CHECK(luminance(parts_at(waves, Division::paths, 1, 1)[std::size_t(LightPath::emission)]) == expected);
+  const std::vector<Rgb> groups = parts_at(waves, Division::groups, 1, 1);
+  CHECK(luminance(groups[0]) == expected);
+  CHECK(is_black(groups[1]));
 }
 
 TEST_CASE("a camera within a body of the shape of instances, or of a mix, sees what that absorbs") {

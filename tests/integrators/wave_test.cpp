@@ -199,6 +199,7 @@ Scene textured(Scene scene, TextureFilter filter) {
   return scene;
 }
 
+/// Of the whole frame. Every third starts in the interior of the last material, if that has one.
 std::vector<CameraSample> samples_of(const Scene& scene, std::uint32_t count) {
   const Camera camera = fit_frame(scene.camera, 4, 3);
   std::vector<CameraSample> samples;
@@ -206,6 +207,8 @@ std::vector<CameraSample> samples_of(const Scene& scene, std::uint32_t count) {
     const Vec2 frame{(float(i % 50) + 0.5f) / 50, (float(i / 50 % 40) + 0.5f) / 40};
     samples.push_back(
         {camera_ray(camera, frame, {}), {7, i % 50, i / 50, i * 2654435761u}, {0.001f, 0.004f}});
+    if (i % 3 == 0 && has_interior(scene.materials.back()))
+      samples.back().interiors.enter(std::uint32_t(scene.materials.size() - 1));
   }
   return samples;
 }

@@ -176,4 +176,8 @@ MUTANTS = [
     Mutant("every camera mirrors the scene in glTF", "io/gltf/writer_view.cpp",
            "camera.up), camera.forward) > 0)", "camera.up), camera.forward) < 0)",
            "test_io", "written gltf: lights and cameras that the format has not are named"),
+    Mutant("only the first shape of a prototype is asked for its normal map", "io/gltf/writer.cpp",
+           "if (materials_.has_normal_map(scene_.bindings[shape])) return true;",
+           "return materials_.has_normal_map(scene_.bindings[shape]);", IO,
+           "written gltf: a normal map has the slopes that it had, also where it lies mirrored"),
 ]

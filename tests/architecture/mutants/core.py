@@ -387,4 +387,7 @@ MUTANTS = [
     Mutant("lanes take the horizon's -0 for the upper half", "core/map_points.cpp",
            "hn::Lt(hn::CopySign(one, z), splat(0))", "hn::Lt(z, splat(0))", "test_core",
            "the points of directions have in lanes the bits that each has alone"),
+    Mutant("shared interiors stand in the opposite order", "core/interiors.cpp",
+           "for (int i = slots - 1; i >= 0; --i) {", "for (int i = 0; i < slots; ++i) {", "test_core",
+           "what is shared with other interiors keeps the order in which it was entered"),
 ]

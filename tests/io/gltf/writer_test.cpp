@@ -346,6 +346,22 @@ TEST_CASE("written gltf: a normal map has the slopes that it had, also where it 
       std::vector<Shape>{both}, nullptr,
       Instancing{{{0, 1}}, {{0, {}}, {0, Transform::translation(0, 0, 3) * Transform::scaling(-1, 1, 1)}}});
   check(4);
+  // Of a prototype of two shapes, the first one has no map.
+  scene.materials.push_back(scene.materials[0]);
+  scene.materials[0].normal_map = no_texture;
+  scene.geometry = std::make_shared<const Geometry>(
+      std::vector<Shape>{triangle(), both}, nullptr,
+      Instancing{{{0, 2}}, {{0, {}}, {0, Transform::translation(0, 0, 3) * Transform::scaling(-1, 1, 1)}}});
+  scene.bindings = {{0}, {1}};
+  const RoundTrip trip = round_trip(scene, "a.gltf");
+  std::size_t mapped = 0;
+  for (const ShapeBinding& binding : trip.scene.bindings) {
+    const std::uint32_t map = trip.scene.materials[binding.material].normal_map;
+    if (map == no_texture) continue;
+    CHECK(apart(scene, 0, trip.scene, map) <= 0.5f / 255 + rounding);
+    ++mapped;
+  }
+  CHECK(mapped == 4);  // Two of each: `both` is written in halves.
 }
 
 TEST_CASE("written gltf: files of any name find each other, and an orthographic camera comes back") {
