@@ -6,6 +6,7 @@ PATH_LOG = "what is written of a path adds up to the bits of its sample, as wave
 WAVE_BITS = "waves of paths have the bits and the rays of paths one after the other"
 OTHER_COLOR = "the samples of a pixel do not depend on the pilot of any pixel of its colour"
 SPREAD_RESUMED = "spread samples have the bits of an undisturbed render, wherever that goes on"
+LAMP_WITHIN = "a lamp that a camera sees within a body is absorbed, in each part of the light"
 CAMERA_WITHIN = "a camera within a body sees through what that absorbs, however its rays start"
 
 MUTANTS = [
@@ -301,11 +302,11 @@ MUTANTS = [
            "test_integrators", CAMERA_WITHIN),
     Mutant("a lamp seen from within a body is not absorbed", "integrators/wave/found_light.cpp",
            "const Rgb light = throughput * (hit.is_miss()", "const Rgb light = Rgb{1, 1, 1} * (hit.is_miss()",
-           "test_integrators", "a lamp that a camera sees within a body is absorbed, in each part of the light"),
+           "test_integrators", LAMP_WITHIN),
     Mutant("a lamp's group seen from within a body is not absorbed", "integrators/wave/found_light.cpp",
            "groups_of(i).move_to(records_[Division::groups][i], throughput);",
            "groups_of(i).move_to(records_[Division::groups][i], {1, 1, 1});",
-           "test_integrators", "a lamp that a camera sees within a body is absorbed, in each part of the light"),
+           "test_integrators", LAMP_WITHIN),
     Mutant("light fades before a clip plane", "integrators/direct_light.h",
            "(t - ray.t_min) * length(ray.direction)", "t * length(ray.direction)",
            "test_integrators", CAMERA_WITHIN),
