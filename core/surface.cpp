@@ -25,14 +25,17 @@ Vec3 interpolate(const Vec3& corner_a, const Vec3& corner_b, const Vec3& corner_
   return {inside[0], inside[1], inside[2]};
 }
 
-Vec3 mixed_normal(const Mesh& mesh, std::uint32_t triangle, float u, float v) {
-  const auto& [a, b, c] = mesh.normal_indices[triangle];
-  return mesh.normals[a] * (1 - u - v) + mesh.normals[b] * u + mesh.normals[c] * v;
+/// Of the normals of a triangle's corners, each of which an instance takes along by itself.
+Vec3 mixed_normal(const Mesh& mesh, const Hit& hit, const Transform* to_world) {
+  const auto normal = [&](std::uint32_t index) {
+    return to_world ? to_world->front(mesh.normals[index]) : mesh.normals[index];
+  };
+  const auto& [a, b, c] = mesh.normal_indices[hit.primitive];
+  return normal(a) * (1 - hit.u - hit.v) + normal(b) * hit.u + normal(c) * hit.v;
 }
 
-Vec3 shading_normal(const Mesh& mesh, std::uint32_t triangle, float u, float v, const Vec3& geometric) {
-  if (mesh.normals.empty()) return geometric;
-  const Vec3 n = mixed_normal(mesh, triangle, u, v);
+Vec3 shading_normal(const Mesh& mesh, const Hit& hit, const Transform* to_world, const Vec3& geometric) {
+  const Vec3 n = mixed_normal(mesh, hit, to_world);
   const float squared = length_squared(n);
   if (!(squared > 1e-12f) || !std::isfinite(squared)) return geometric;
   return n / std::sqrt(squared);
@@ -78,7 +81,6 @@ namespace {
 
 SurfacePoint mesh_point(const Geometry& geometry, const Mesh& mesh, const Hit& hit) {
   SurfacePoint point = triangle_point(geometry, hit.mesh, hit.primitive, hit.u, hit.v);
-  point.shading_normal = shading_normal(mesh, hit.primitive, hit.u, hit.v, point.geometric_normal);
   point.uv = texture_coordinates(mesh, hit.primitive, hit.u, hit.v);
   return point;
 }
@@ -90,7 +92,7 @@ SurfacePoint sphere_hit_point(const Sphere& sphere, const Hit& hit) {
   return point;
 }
 
-/// In the space of the hit's shape.
+/// In the space of the hit's shape, without the normals of a mesh's corners.
 SurfacePoint own_point(const Geometry& geometry, const Hit& hit) {
   if (const Mesh* mesh = geometry.mesh(hit.mesh)) return mesh_point(geometry, *mesh, hit);
   return sphere_hit_point(geometry.sphere_set(hit.mesh)->spheres[hit.primitive], hit);
@@ -101,8 +103,7 @@ SurfacePoint own_point(const Geometry& geometry, const Hit& hit) {
 /// position and the shifted origin are rounded once more, by 2 u of their size each along the normal.
 void move_to_world(const Transform& to_world, SurfacePoint& point) {
   point.position = to_world.point(point.position);
-  point.geometric_normal = to_world.front(point.geometric_normal);
-  point.shading_normal = to_world.front(point.shading_normal);
+  point.geometric_normal = point.shading_normal = to_world.front(point.geometric_normal);
   const float stretch = length(to_world.transposed_vector(point.geometric_normal));
   point.offset = stretch * point.offset + 0.5f * ten_roundings * max_abs(point.position);
 }
@@ -110,11 +111,14 @@ void move_to_world(const Transform& to_world, SurfacePoint& point) {
 }  // namespace
 
 SurfacePoint surface_at(const Geometry& geometry, const Hit& hit) {
-  const Transform* const to_world = geometry.to_world(hit.instance);
-  if (!to_world) return own_point(geometry, hit);
   SurfacePoint point = own_point(geometry, hit);
-  point.instance = hit.instance;
-  move_to_world(*to_world, point);
+  const Transform* const to_world = geometry.to_world(hit.instance);
+  if (to_world) {
+    point.instance = hit.instance;
+    move_to_world(*to_world, point);
+  }
+  if (const Mesh* mesh = geometry.mesh(hit.mesh); mesh && !mesh->normals.empty())
+    point.shading_normal = shading_normal(*mesh, hit, to_world, point.geometric_normal);
   return point;
 }
 
@@ -123,21 +127,12 @@ Vec2 texture_coordinates(const Geometry& geometry, const Hit& hit) {
   return mesh ? texture_coordinates(*mesh, hit.primitive, hit.u, hit.v) : Vec2{hit.u, hit.v};
 }
 
-namespace {
-
-Vec3 own_mixed_normal(const Geometry& geometry, const Hit& hit) {
-  const Mesh* mesh = geometry.mesh(hit.mesh);
-  if (!mesh) return octahedral_decode(hit.u, hit.v);
-  if (mesh->normals.empty()) return geometry.facet(hit.mesh, hit.primitive).normal;
-  return mixed_normal(*mesh, hit.primitive, hit.u, hit.v);
-}
-
-}  // namespace
-
 Vec3 mixed_normal(const Geometry& geometry, const Hit& hit) {
-  const Vec3 normal = own_mixed_normal(geometry, hit);
+  const Mesh* mesh = geometry.mesh(hit.mesh);
   const Transform* const to_world = geometry.to_world(hit.instance);
-  return to_world ? to_world->front(normal) * length(normal) : normal;
+  if (mesh && !mesh->normals.empty()) return mixed_normal(*mesh, hit, to_world);
+  const Vec3 normal = mesh ? geometry.facet(hit.mesh, hit.primitive).normal : octahedral_decode(hit.u, hit.v);
+  return to_world ? to_world->front(normal) : normal;
 }
 
 }  // namespace twinray

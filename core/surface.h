@@ -33,7 +33,8 @@ SurfacePoint surface_at(const Geometry& geometry, const Hit& hit);
 Vec2 texture_coordinates(const Geometry& geometry, const Hit& hit);
 
 /// The normals of the triangle's corners mixed by the hit's weights, of whatever length; without such normals
-/// the geometric one. Of a sphere its unit normal. Of an instance turned into the scene, of the same length.
+/// the geometric one. Of a sphere its unit normal. Of an instance that of a copy: each corner's normal, as a
+/// unit vector, is taken into the scene before they are mixed.
 Vec3 mixed_normal(const Geometry& geometry, const Hit& hit);
 
 /// A point of a triangle by the weights of its second and third vertex, without the mesh's normals and

@@ -120,4 +120,10 @@ MUTANTS = [
     Mutant("pbrt's instances may reach anywhere", "io/pbrt/builder.cpp",
            "    check_reach(box, shown.to_world", "    if (false) check_reach(box, shown.to_world",
            IO, "an instance that reaches too far is an error where it stands"),
+    Mutant("normals of an instance are mixed before they are taken along", "core/surface.cpp",
+           "return to_world ? to_world->front(mesh.normals[index]) : mesh.normals[index];",
+           "return to_world ? to_world->front(mesh.normals[index]) * "
+           "length(to_world->inverse().transposed_vector(mesh.normals[index])) : mesh.normals[index];",
+           "test_core",
+           "a point of an instance is that of a copy: normals, tangents, texture coordinates and footprint"),
 ]
