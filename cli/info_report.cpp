@@ -63,31 +63,31 @@ Json list(const Items& items) {
 
 Json json_of(const SceneInfo& info) {
   const SceneSummary& summary = info.summary;
-  Json json;
-  json["scene"] = info.scene;
-  json["files"] = info.files;
-  json["unit"] =
+  Json report;
+  report["scene"] = info.scene;
+  report["files"] = info.files;
+  report["unit"] =
       summary.unit_name.empty() ? Json() : Json{{"name", summary.unit_name}, {"meters", summary.unit_meters}};
-  json["camera"] = summary.camera.empty() ? Json() : Json(summary.camera);
-  json["cameras"] = summary.cameras;
-  json["bounds"] = summary.triangles + summary.spheres == 0
-                       ? Json()
-                       : Json{{"min", json_of(info.bounds.lower)}, {"max", json_of(info.bounds.upper)}};
-  json["meshes"] = summary.meshes;
-  json["triangles"] = summary.triangles;
-  json["cut_out_triangles"] = info.cut_out_triangles;
-  json["degenerate_triangles"] = summary.dropped_triangles;
-  json["spheres"] = summary.spheres;
-  json["prototypes"] = summary.prototypes;
-  json["instances"] = summary.instances;
-  json["seen_primitives"] = summary.seen_primitives;
-  json["materials"] = list(info.materials);
-  json["lights"] = list(summary.lights);
-  json["pictures"] = list(info.pictures);
-  json["memory_bytes"] = memory_json(info);
-  json["notes"] = summary.notes;
-  json["warnings"] = info.warnings;
-  return json;
+  report["camera"] = summary.camera.empty() ? Json() : Json(summary.camera);
+  report["cameras"] = summary.cameras;
+  report["bounds"] = summary.triangles + summary.spheres == 0
+                         ? Json()
+                         : Json{{"min", json_of(info.bounds.lower)}, {"max", json_of(info.bounds.upper)}};
+  report["meshes"] = summary.meshes;
+  report["triangles"] = summary.triangles;
+  report["cut_out_triangles"] = info.cut_out_triangles;
+  report["degenerate_triangles"] = summary.dropped_triangles;
+  report["spheres"] = summary.spheres;
+  report["prototypes"] = summary.prototypes;
+  report["instances"] = summary.instances;
+  report["seen_primitives"] = summary.seen_primitives;
+  report["materials"] = list(info.materials);
+  report["lights"] = list(summary.lights);
+  report["pictures"] = list(info.pictures);
+  report["memory_bytes"] = memory_json(info);
+  report["notes"] = summary.notes;
+  report["warnings"] = info.warnings;
+  return report;
 }
 
 template <typename Item, typename Size, typename Line>

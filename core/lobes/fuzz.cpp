@@ -11,12 +11,12 @@ namespace twinray {
 namespace {
 
 constexpr float least_roughness = 0.25f;
-constexpr int rows = 12, columns = 16;
+constexpr int table_rows = 12, table_columns = 16;
 
-/// Reflectance by 1200^2 directions: rows roughness = 0.25 + 0.75 i / (rows - 1), columns sqrt(cosine) =
-/// j / (columns - 1); tests/core/fuzz_test.cpp integrates it again.
+/// Reflectance by 1200^2 directions: row i has roughness 0.25 + 0.75 i / (table_rows - 1), column j has
+/// sqrt(cosine) = j / (table_columns - 1); tests/core/fuzz_test.cpp integrates it again.
 // clang-format off
-constexpr float table[rows][columns] = {
+constexpr float table[table_rows][table_columns] = {
 {0.9363f, 0.9058f, 0.8457f, 0.7739f, 0.6972f, 0.6193f, 0.5423f, 0.4676f,
   0.3961f, 0.3285f, 0.2654f, 0.2073f, 0.1545f, 0.1073f, 0.0661f, 0.0313f},
  {0.861f, 0.835f, 0.7835f, 0.7221f, 0.6564f, 0.5895f, 0.523f, 0.458f,
@@ -41,7 +41,7 @@ constexpr float table[rows][columns] = {
   0.3776f, 0.3418f, 0.3068f, 0.2723f, 0.2382f, 0.2043f, 0.1703f, 0.1359f},
  {0.636f, 0.6212f, 0.5922f, 0.5579f, 0.5215f, 0.4845f, 0.4478f, 0.4117f,
   0.3763f, 0.3416f, 0.3076f, 0.2742f, 0.2411f, 0.2082f, 0.175f, 0.1414f}};
-constexpr float averages[rows] = {0.1708f, 0.185f, 0.1962f, 0.2052f, 0.2126f, 0.2188f,
+constexpr float averages[table_rows] = {0.1708f, 0.185f, 0.1962f, 0.2052f, 0.2126f, 0.2188f,
     0.224f, 0.2286f, 0.2326f, 0.236f, 0.2391f, 0.2419f};
 // clang-format on
 
@@ -50,8 +50,8 @@ constexpr float averages[rows] = {0.1708f, 0.185f, 0.1962f, 0.2052f, 0.2126f, 0.
 Fuzz::Fuzz(float roughness) {
   const float bounded = std::clamp(roughness, least_roughness, 1.0f);
   exponent_ = 1 / bounded;
-  row_ = (bounded - least_roughness) / (1 - least_roughness) * float(rows - 1);
-  const int first = std::min(int(row_), rows - 2);
+  row_ = (bounded - least_roughness) / (1 - least_roughness) * float(table_rows - 1);
+  const int first = std::min(int(row_), table_rows - 2);
   average_ = averages[first] + (averages[first + 1] - averages[first]) * (row_ - float(first));
 }
 
@@ -64,8 +64,8 @@ float Fuzz::evaluate(const Vec3& wo, const Vec3& wi) const {
 }
 
 float Fuzz::reflectance(float cosine) const {
-  const float column = std::sqrt(std::clamp(cosine, 0.0f, 1.0f)) * float(columns - 1);
-  const int i = std::min(int(row_), rows - 2), j = std::min(int(column), columns - 2);
+  const float column = std::sqrt(std::clamp(cosine, 0.0f, 1.0f)) * float(table_columns - 1);
+  const int i = std::min(int(row_), table_rows - 2), j = std::min(int(column), table_columns - 2);
   const float y = row_ - float(i), x = column - float(j);
   const float low = table[i][j] + (table[i][j + 1] - table[i][j]) * x;
   const float high = table[i + 1][j] + (table[i + 1][j + 1] - table[i + 1][j]) * x;

@@ -37,8 +37,8 @@ TEST_CASE("a picture's u runs to the right and its v upwards, and pixels' centre
     CHECK(value(image, {0.875f, 0.25f}) == Rgb{3, 0, 1});
     CHECK(value(image, {0.375f, 0.75f}) == Rgb{1, 1, 1});
   }
-  const ImageTexture smooth{ramp(4, 2), WrapMode::clamp, TextureFilter::bilinear, {}};
-  CHECK(value(smooth, {0.5f, 0.5f}) == Rgb{1.5f, 0.5f, 1});
+  const ImageTexture mixed{ramp(4, 2), WrapMode::clamp, TextureFilter::bilinear, {}};
+  CHECK(value(mixed, {0.5f, 0.5f}) == Rgb{1.5f, 0.5f, 1});
   const ImageTexture sharp{ramp(4, 2), WrapMode::clamp, TextureFilter::nearest, {}};
   CHECK(value(sharp, {0.49f, 0.51f}) == Rgb{1, 1, 1});
 }
