@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/elementary.h"
@@ -13,21 +14,23 @@
 namespace twinray {
 namespace {
 
-/// The pixel at a position, which is a whole number of pixels of any size: coordinates may be large.
-Rgb wrapped(const MipLevel& image, WrapMode wrap, double x, double y) {
-  const double w = image.width, h = image.height;
-  if (wrap == WrapMode::repeat) {
-    x -= w * std::floor(x / w);
-    y -= h * std::floor(y / h);
-  } else if (wrap == WrapMode::black && !(x >= 0 && x < w && y >= 0 && y < h)) {
-    return {};
-  }
-  return image.at(int(std::clamp(x, 0.0, w - 1)), int(std::clamp(y, 0.0, h - 1)));
+/// The column or row, of so many, that stands where there may be none: a whole number of any size, for
+/// coordinates may be large. None where nothing stands there.
+std::optional<int> wrapped(double place, int count, WrapMode wrap) {
+  if (wrap == WrapMode::repeat) place -= count * std::floor(place / count);
+  if (wrap == WrapMode::black && !(place >= 0 && place < count)) return {};
+  return int(std::clamp(place, 0.0, double(count - 1)));
+}
+
+/// The pixel at a position.
+Rgb wrapped(const MipLevel& image, Wrap wrap, double x, double y) {
+  const auto column = wrapped(x, image.width, wrap.u), row = wrapped(y, image.height, wrap.v);
+  return column && row ? image.at(*column, *row) : Rgb{};
 }
 
 }  // namespace
 
-Rgb bilinear(const MipLevel& image, WrapMode wrap, Vec2 uv) {
+Rgb bilinear(const MipLevel& image, Wrap wrap, Vec2 uv) {
   if (!(std::isfinite(uv.x) && std::isfinite(uv.y))) return {};
   const double column = double(uv.x) * image.width - 0.5, row = (1 - double(uv.y)) * image.height - 0.5;
   const double left = std::floor(column), above = std::floor(row);
@@ -51,7 +54,7 @@ ChoiceOfTwo choose(float probability, float draw) {
 }
 
 /// One of the pixels that bilinear would mix, each with the probability that is its part there.
-Rgb stochastic(const MipLevel& image, WrapMode wrap, Vec2 uv, Vec2 draw) {
+Rgb stochastic(const MipLevel& image, Wrap wrap, Vec2 uv, Vec2 draw) {
   const double column = double(uv.x) * image.width - 0.5, row = (1 - double(uv.y)) * image.height - 0.5;
   const double left = std::floor(column), above = std::floor(row);
   const bool is_right = draw.x < float(column - left), is_below = draw.y < float(row - above);

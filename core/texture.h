@@ -17,6 +17,16 @@ namespace twinray {
 /// What lies beside a picture: the picture again, its outermost pixels, nothing.
 enum class WrapMode { repeat, clamp, black };
 
+/// To the sides of a picture along u, and above and below it along v.
+struct Wrap {
+  WrapMode u = WrapMode::repeat, v = WrapMode::repeat;
+
+  constexpr Wrap() = default;
+  constexpr Wrap(WrapMode both) : u(both), v(both) {}
+  constexpr Wrap(WrapMode in_u, WrapMode in_v) : u(in_u), v(in_v) {}
+  friend bool operator==(const Wrap&, const Wrap&) = default;
+};
+
 /// How a value between pixels is made. Of the picture itself: the nearest one; bilinear of the four around.
 /// Of the two levels of the mip-map whose pixels are about as large as the footprint: trilinear of the eight
 /// around; or one of these at random, whose mean is trilinear's (Fajardo et al., "Stochastic Texture
@@ -40,7 +50,7 @@ struct ConstantTexture {
 /// A picture: u runs to the right, v upwards, (0, 0) is its lower left corner, (1, 1) its upper right one.
 struct ImageTexture {
   std::shared_ptr<const MipMap> image;  ///< Never null. Linear values.
-  WrapMode wrap = WrapMode::repeat;
+  Wrap wrap;
   TextureFilter filter = TextureFilter::stochastic;
   UvTransform uv;
 };
@@ -90,7 +100,7 @@ void keep_in_memory(std::span<Texture> textures, std::uint32_t index);
 
 /// The value of a picture at a point: bilinear of the four pixels around. Black where the point is not
 /// finite.
-Rgb bilinear(const MipLevel& image, WrapMode wrap, Vec2 uv);
+Rgb bilinear(const MipLevel& image, Wrap wrap, Vec2 uv);
 
 /// The value of a texture of a scene. The same bits on every machine.
 Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at);

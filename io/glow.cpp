@@ -29,7 +29,7 @@ int repeated(int size, float times) {
 }
 
 /// The picture as it lies over the unit square, in its own resolution.
-Image resampled(const Image& picture, const UvTransform& uv, WrapMode wrap) {
+Image resampled(const Image& picture, const UvTransform& uv, Wrap wrap) {
   Image image(repeated(picture.width, std::max(std::fabs(uv.m[0][0]), std::fabs(uv.m[0][1]))),
               repeated(picture.height, std::max(std::fabs(uv.m[1][0]), std::fabs(uv.m[1][1]))));
   for (int y = 0; y < image.height; ++y)
@@ -60,8 +60,7 @@ void move_into_square(Mesh& mesh) {
 std::shared_ptr<const Image> picture_over(const Glow& glow, std::span<const Vec2> uvs) {
   if (!are_within(uvs)) return nullptr;
   if (is_identity(glow.uv)) return glow.picture;
-  const WrapMode wrap = glow.repeats ? WrapMode::repeat : WrapMode::clamp;
-  return std::make_shared<const Image>(resampled(*glow.picture, glow.uv, wrap));
+  return std::make_shared<const Image>(resampled(*glow.picture, glow.uv, glow.wrap));
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ struct Glow {
   EmissionSide side = EmissionSide::both;
   std::shared_ptr<const Image> picture = nullptr;  ///< Times which the radiance is; null: even.
   UvTransform uv;                                  ///< Of the picture's coordinates.
-  bool repeats = false;                            ///< Beside the picture.
-  bool may_move_uvs = false;                       ///< By whole numbers: all pictures of the surface repeat.
+  Wrap wrap = WrapMode::clamp;
+  bool may_move_uvs = false;  ///< By whole numbers: all pictures of the surface repeat.
 };
 
 bool emits(const Glow& glow);

@@ -28,7 +28,7 @@ def texture(ours, scene):
     kind = ours["type"]
     if kind == "constant":
         return rgb(ours["value"])
-    if kind == "image" and ours["wrap"] != "black":  # Mitsuba's v runs downwards in a picture
+    if kind == "image" and ours["wrap"] in ("repeat", "clamp"):  # Mitsuba's v runs downwards in a picture
         (a, b, c), (d, e, f) = ours["uv"]
         return {"type": "bitmap", "filename": ours["file"], "raw": True, "wrap_mode": ours["wrap"],
                 "filter_type": "nearest" if ours["filter"] == "nearest" else "bilinear",

@@ -213,7 +213,7 @@ void ColladaMaterials::read_emission(const ColladaEffect& effect, ColladaMateria
   made.glow.radiance = {1, 1, 1};
   made.glow.picture = std::make_shared<const Image>(picture.image->image(0));
   made.glow.uv = picture.uv;
-  made.glow.repeats = picture.wrap == WrapMode::repeat;
+  made.glow.wrap = picture.wrap;
 }
 
 /// A texture cuts holes. An even transparency is meant in as many ways as there are programs that write it:

@@ -36,20 +36,19 @@ UvTransform read_placement(const XmlElement& texture) {
   return uv;
 }
 
-bool is_clamped(const std::string& wrap) { return wrap == "CLAMP"; }
-bool is_border(const std::string& wrap) { return wrap == "BORDER" || wrap == "NONE"; }
+WrapMode wrap_of(const std::string& word) {
+  if (word == "CLAMP") return WrapMode::clamp;
+  return word == "BORDER" || word == "NONE" ? WrapMode::black : WrapMode::repeat;
+}
 
 }  // namespace
 
 ColladaTextures::Sampling ColladaTextures::sampling_of(const ColladaTextureUse& use) {
   Sampling sampling;
   const std::string s = word_of(use.sampler, "wrap_s", "WRAP"), t = word_of(use.sampler, "wrap_t", "WRAP");
-  const bool ends_in_s = is_clamped(s) || is_border(s), ends_in_t = is_clamped(t) || is_border(t);
-  if (ends_in_s && ends_in_t)
-    sampling.wrap = is_border(s) && is_border(t) ? WrapMode::black : WrapMode::clamp;
+  sampling.wrap = {wrap_of(s), wrap_of(t)};
   sampling.mirrors_u = s == "MIRROR";
   sampling.mirrors_v = t == "MIRROR";
-  if (ends_in_s != ends_in_t) document_.warn(*use.sampler, ends_in_one_direction);
   if (word_of(use.sampler, "magfilter", "") == "NEAREST") sampling.filter = TextureFilter::nearest;
   try {
     sampling.uv = read_placement(use.element);

@@ -45,7 +45,7 @@ class ColladaTextures {
  private:
   /// How a picture goes on beside itself, and where it lies.
   struct Sampling {
-    WrapMode wrap = WrapMode::repeat;
+    Wrap wrap;
     bool mirrors_u = false, mirrors_v = false;
     TextureFilter filter = TextureFilter::stochastic;
     UvTransform uv;

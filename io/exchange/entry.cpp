@@ -109,9 +109,9 @@ std::uint32_t Entry::index(const char* key) const {
   return whole(key, at(key), 0, std::numeric_limits<std::int32_t>::max());
 }
 
-std::string Entry::word(const char* key) const {
-  if (!at(key).is_string()) fail(key, "must be a string");
-  return at(key).get<std::string>();
+std::string Entry::word(const char* key, const Json& json) const {
+  if (!json.is_string()) fail(key, "must be a string");
+  return json.get<std::string>();
 }
 
 bool Entry::flag(const char* key) const {
@@ -151,6 +151,15 @@ void MemberReader::operator()(const char* key, UvTransform& member) const {
     for (std::size_t column = 0; column < 3; ++column)
       member.m[row][column] = entry_.number(key, rows[row][column]);
   }
+}
+
+void MemberReader::operator()(const char* key, Wrap& member) const {
+  if (!entry_.at(key).is_array()) {
+    member = entry_.named(key, words<WrapMode>());
+    return;
+  }
+  const Json& both = entry_.list(key, 2);
+  member = {entry_.named(key, both[0], words<WrapMode>()), entry_.named(key, both[1], words<WrapMode>())};
 }
 
 void MemberReader::operator()(const char* key, Transform& rotation) const {

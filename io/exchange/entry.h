@@ -53,14 +53,20 @@ class Entry {
   std::uint32_t whole(const char* key, const Json& json, std::uint32_t least, std::uint32_t most) const;
   /// One that counts entries.
   std::uint32_t index(const char* key) const;
-  std::string word(const char* key) const;
+  std::string word(const char* key) const { return word(key, at(key)); }
+  std::string word(const char* key, const Json& json) const;
   bool flag(const char* key) const;
   /// The path of the file that it names: one in the folder of the file that it stands in.
   std::string file_beside(const std::string& path) const;
   /// The value whose name stands there.
   template <typename Value>
   Value named(const char* key, const Words<Value>& values) const {
-    const std::string found = word(key);
+    return named(key, at(key), values);
+  }
+  /// Of a list's element.
+  template <typename Value>
+  Value named(const char* key, const Json& json, const Words<Value>& values) const {
+    const std::string found = word(key, json);
     std::string valid;
     for (const auto& [name, value] : values) {
       if (found == name) return value;
@@ -93,6 +99,7 @@ class MemberReader {
   template <typename Word>
   requires std::is_enum_v<Word>
   void operator()(const char* key, Word& member) const { member = entry_.named(key, words<Word>()); }
+  void operator()(const char* key, Wrap& member) const;
   void operator()(const char* key, Transform& rotation) const;
   void operator()(const char* key, Attenuation& member) const;
   /// A unit vector.

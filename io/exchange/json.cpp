@@ -41,6 +41,11 @@ Json json_of(const Attenuation& attenuation) {
   return object;
 }
 
+Json json_of(const Wrap& wrap) {
+  if (wrap.u == wrap.v) return json_of(wrap.u);
+  return Json::array({json_of(wrap.u), json_of(wrap.v)});
+}
+
 Json json_of(const UvTransform& uv) {
   Json rows = Json::array();
   for (const auto& row : uv.m) rows.push_back({json_of(row[0]), json_of(row[1]), json_of(row[2])});

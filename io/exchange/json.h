@@ -33,6 +33,8 @@ requires std::is_enum_v<Word> Json json_of(Word word) {
 /// The columns of a rotation, with all their digits: where the axes of the picture's space point to.
 Json json_of(const Transform& rotation);
 Json json_of(const Attenuation& attenuation);
+/// One word, or a list of that of u and that of v.
+Json json_of(const Wrap& wrap);
 /// Its two rows.
 Json json_of(const UvTransform& uv);
 inline Json json_of(std::uint32_t index) { return index; }

@@ -175,7 +175,7 @@ class MaterialReader {
     if (!picture) return;
     surface_.glow.picture = std::make_shared<const Image>(picture->image->image(0));
     surface_.glow.uv = picture->uv;
-    surface_.glow.repeats = picture->wrap == WrapMode::repeat;
+    surface_.glow.wrap = picture->wrap;
   }
 
   const tinygltf::Material& source_;

@@ -38,11 +38,12 @@ bool GltfTextures::repeats(const GltfSlot& slot) const {
   return is_moved_alone && s == TINYGLTF_TEXTURE_WRAP_REPEAT && t == TINYGLTF_TEXTURE_WRAP_REPEAT;
 }
 
-WrapMode GltfTextures::wrap(const GltfSlot& slot) const {
+Wrap GltfTextures::wrap(const GltfSlot& slot) const {
+  const auto mode = [](int word) {
+    return word == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE ? WrapMode::clamp : WrapMode::repeat;
+  };
   const auto [s, t] = wraps(slot);
-  constexpr int clamp = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
-  if ((s == clamp) != (t == clamp)) document_.context().warn(slot.pointer, ends_in_one_direction);
-  return s == clamp && t == clamp ? WrapMode::clamp : WrapMode::repeat;
+  return {mode(s), mode(t)};
 }
 
 std::uint32_t GltfTextures::add(const std::string& name, const TextureModel& model) {
@@ -78,9 +79,9 @@ std::uint32_t GltfTextures::picture(const GltfSlot& slot, const PictureMeaning& 
 ImageTexture GltfTextures::image_texture(const GltfSlot& slot, const PictureMeaning& meaning) {
   const auto& model = document_.model();
   const tinygltf::Texture& source = model.textures[std::size_t(slot.texture)];
-  ImageTexture texture{.image = image(slot, meaning), .wrap = wrap(slot), .uv = slot.uv};
+  ImageTexture texture{.image = image(slot, meaning), .wrap = wrap(slot)};
   const auto [s, t] = wraps(slot);
-  if (texture.wrap == WrapMode::repeat) texture.uv = halved(slot.uv, is_mirror(s), is_mirror(t));
+  texture.uv = halved(slot.uv, is_mirror(s), is_mirror(t));
   if (source.sampler >= 0 &&
       model.samplers[std::size_t(source.sampler)].magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST)
     texture.filter = TextureFilter::nearest;

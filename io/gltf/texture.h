@@ -43,7 +43,7 @@ class GltfTextures {
   /// Whether a slot's picture is the same one unit further in both directions.
   bool repeats(const GltfSlot& slot) const;
   /// How it goes on beside the picture.
-  WrapMode wrap(const GltfSlot& slot) const;
+  Wrap wrap(const GltfSlot& slot) const;
 
   std::vector<Texture> take() { return std::move(textures_); }
   const std::vector<Texture>& textures() const { return textures_; }

@@ -111,17 +111,18 @@ GltfJson GltfTextureWriter::add(const std::string& name, std::string png, const 
 }
 
 std::size_t GltfTextureWriter::sampler(const BakedTexture& frame) {
-  if (frame.wrap == WrapMode::black)
+  if (frame.wrap.u == WrapMode::black || frame.wrap.v == WrapMode::black)
     file_.output.losses.add("a picture that is black beside itself goes on as at its edge",
                             "{} pictures that are black beside themselves go on as at their edges");
   const bool is_nearest = frame.filter == TextureFilter::nearest;
-  const int wrap = frame.wrap == WrapMode::repeat ? repeat : clamp_to_edge;
-  const auto [entry, is_new] = samplers_.try_emplace({int(is_nearest), wrap});
+  const auto word = [](WrapMode wrap) { return wrap == WrapMode::repeat ? repeat : clamp_to_edge; };
+  const int s = word(frame.wrap.u), t = word(frame.wrap.v);
+  const auto [entry, is_new] = samplers_.try_emplace({int(is_nearest), s, t});
   if (is_new)
     entry->second = file_.add("samplers", {{"magFilter", is_nearest ? nearest : linear},
                                            {"minFilter", is_nearest ? nearest : trilinear},
-                                           {"wrapS", wrap},
-                                           {"wrapT", wrap}});
+                                           {"wrapS", s},
+                                           {"wrapT", t}});
   return entry->second;
 }
 

@@ -53,7 +53,7 @@ class GltfTextureWriter {
   GltfFile& file_;
   std::map<GltfChannels, GltfJson> made_;
   std::map<std::shared_ptr<const Image>, GltfJson> pictures_;
-  std::map<std::array<int, 2>, std::size_t> samplers_;
+  std::map<std::array<int, 3>, std::size_t> samplers_;
 };
 
 }  // namespace twinray

@@ -258,7 +258,7 @@ Glow ObjMaterials::glow_of(const tinyobj::material_t& from) {
   for (Rgb& pixel : picture.pixels) pixel = levelled(pixel, how);
   glow.picture = std::make_shared<const Image>(std::move(picture));
   glow.uv = map.uv;
-  glow.repeats = map.wrap == WrapMode::repeat;
+  glow.wrap = map.wrap;
   glow.may_move_uvs = may_move({"", map});
   return glow;
 }

@@ -22,11 +22,6 @@ const char* filter_name(TextureFilter filter) {
   return filter == TextureFilter::bilinear ? "bilinear" : "trilinear";
 }
 
-const char* wrap_name(WrapMode wrap) {
-  constexpr const char* names[] = {"repeat", "clamp", "black"};
-  return names[int(wrap)];
-}
-
 /// Red in all channels: pbrt takes a number of a picture as the mean of these.
 Image red_of(Image image) {
   for (Rgb& pixel : image.pixels) pixel = {pixel.r, pixel.r, pixel.r};
@@ -89,6 +84,14 @@ std::string PbrtTextureWriter::picture(const MipMap& image, PbrtTextureKind kind
   return entry->second = add_file(kind == PbrtTextureKind::color ? image.image(0) : red_of(image.image(0)));
 }
 
+std::string PbrtTextureWriter::wrap(const Wrap& wrap) {
+  if (wrap.u != wrap.v)
+    output_.losses.add("a picture that goes on otherwise along v than along u does so along both as along u",
+                       "{} pictures that go on otherwise along v than along u do so along both as along u");
+  constexpr const char* names[] = {"repeat", "clamp", "black"};
+  return pbrt_word("wrap", names[int(wrap.u)]);
+}
+
 std::string PbrtTextureWriter::mapping(const UvTransform& uv) {
   const auto& [u, v] = uv.m;
   if (u[1] != 0 || v[0] != 0)
@@ -108,8 +111,7 @@ std::string PbrtTextureWriter::image_rest(const ImageTexture& texture, PbrtTextu
     output_.losses.add("the colors of vertices are a picture, which is filtered across triangles",
                        "{} pictures are the colors of vertices, and are filtered across triangles");
   return "\"imagemap\"" + pbrt_word("filename", picture(*texture.image, kind)) +
-         pbrt_word("filter", filter_name(texture.filter)) + pbrt_word("wrap", wrap_name(texture.wrap)) +
-         mapping(texture.uv);
+         pbrt_word("filter", filter_name(texture.filter)) + wrap(texture.wrap) + mapping(texture.uv);
 }
 
 std::string PbrtTextureWriter::baked_rest(std::uint32_t texture, PbrtTextureKind kind) {
@@ -119,8 +121,7 @@ std::string PbrtTextureWriter::baked_rest(std::uint32_t texture, PbrtTextureKind
                        "{} products of textures that lie differently are pictures over the unit square");
   if (kind == PbrtTextureKind::number) baked.picture = red_of(std::move(baked.picture));
   return "\"imagemap\"" + pbrt_word("filename", add_file(std::move(baked.picture))) +
-         pbrt_word("filter", filter_name(baked.filter)) + pbrt_word("wrap", wrap_name(baked.wrap)) +
-         mapping(baked.uv);
+         pbrt_word("filter", filter_name(baked.filter)) + wrap(baked.wrap) + mapping(baked.uv);
 }
 
 /// A colour there is times a number alone: of two textures with colours a picture is made.

@@ -33,6 +33,7 @@ class PbrtTextureWriter {
   /// A parameter that is a texture or, of a constant one, its value.
   std::string part(const char* name, std::uint32_t texture, PbrtTextureKind kind);
   std::string picture(const MipMap& image, PbrtTextureKind kind);
+  std::string wrap(const Wrap& wrap);
   std::string mapping(const UvTransform& uv);
   std::string image_rest(const ImageTexture& texture, PbrtTextureKind kind);
   std::string baked_rest(std::uint32_t texture, PbrtTextureKind kind);

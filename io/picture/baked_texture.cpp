@@ -14,7 +14,7 @@ struct Part {
   UvTransform uv;
   int period = 1;  ///< In the transformed coordinates: so often a board or picture repeats.
   int width = 1, height = 1;
-  WrapMode wrap = WrapMode::repeat;
+  Wrap wrap;
   TextureFilter filter = TextureFilter::nearest;
 };
 

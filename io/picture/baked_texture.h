@@ -16,7 +16,7 @@ namespace twinray {
 struct BakedTexture {
   Image picture;
   UvTransform uv;  ///< From the surface's coordinates to the picture's.
-  WrapMode wrap = WrapMode::repeat;
+  Wrap wrap;
   TextureFilter filter = TextureFilter::bilinear;
   /// Whether it shows what the texture does, but for how it is filtered; else it may differ, above all beside
   /// the unit square.

@@ -6,10 +6,6 @@
 
 namespace twinray {
 
-/// The warning where a picture should end in one direction and repeat in the other.
-inline constexpr const char* ends_in_one_direction =
-    "a picture that ends in one direction and repeats in the other is not rendered: it repeats in both";
-
 /// The picture, and beside and below it its mirror images, where they are wanted.
 Image mirrored(const Image& image, bool to_right, bool below);
 

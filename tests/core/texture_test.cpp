@@ -44,7 +44,7 @@ TEST_CASE("a picture's u runs to the right and its v upwards, and pixels' centre
 }
 
 TEST_CASE("beside a picture lie the picture again, its edge, or nothing") {
-  const auto at = [](WrapMode wrap, Vec2 uv) {
+  const auto at = [](Wrap wrap, Vec2 uv) {
     return value(ImageTexture{ramp(4, 2), wrap, TextureFilter::bilinear, {}}, uv);
   };
   CHECK(at(WrapMode::repeat, {2.375f, -0.25f}) == Rgb{1, 1, 1});
@@ -53,6 +53,12 @@ TEST_CASE("beside a picture lie the picture again, its edge, or nothing") {
   CHECK(at(WrapMode::clamp, {7, -3}) == Rgb{3, 0, 1});
   CHECK(at(WrapMode::black, {1.2f, 0.5f}) == Rgb{});
   CHECK(at(WrapMode::black, {1, 0.25f}) == Rgb{1.5f, 0, 0.5f});
+  // In one direction so, in the other otherwise.
+  constexpr Wrap ends_in_v{WrapMode::repeat, WrapMode::clamp}, ends_in_u{WrapMode::clamp, WrapMode::black};
+  CHECK(at(ends_in_v, {2.375f, -0.25f}) == Rgb{1, 0, 1});
+  CHECK(at(ends_in_v, {-0.625f, 1.5f}) == Rgb{1, 1, 1});
+  CHECK(at(ends_in_u, {7, 0.25f}) == Rgb{3, 0, 1});
+  CHECK(at(ends_in_u, {0.5f, 1.5f}) == Rgb{});
   // Far away, where a float has no fractions left, and beyond all numbers.
   CHECK(at(WrapMode::repeat, {3e30f, 0.25f}).b == 1);
   CHECK(at(WrapMode::clamp, {-3e30f, 0.25f}) == Rgb{0, 0, 1});

@@ -20,7 +20,7 @@ MUTANTS = [
            "halved(sampling.uv, sampling.mirrors_u, sampling.mirrors_v)", "sampling.uv",
            IO, SAMPLER),
     Mutant("a border repeats", "io/collada/texture.cpp",
-           'return wrap == "BORDER" || wrap == "NONE";', "return false;",
+           'return word == "BORDER" || word == "NONE" ?', "return false ?",
            IO, SAMPLER),
     Mutant("a picture is sought where its path says alone", "io/picture_path.cpp",
            "std::filesystem::exists(beside, error) ? beside : path", "false ? beside : path",

@@ -180,4 +180,9 @@ MUTANTS = [
            "if (materials_.has_normal_map(scene_.bindings[shape])) return true;",
            "return materials_.has_normal_map(scene_.bindings[shape]);", IO,
            "written gltf: a normal map has the slopes that it had, also where it lies mirrored"),
+    Mutant("wrapT is wrapS", "io/gltf/writer_texture.cpp", '{"wrapT", t}', '{"wrapT", s}', IO,
+           "written gltf: textures come back as they lie, each in its channel"),
+    Mutant("an exchange form says how a picture goes on along u alone", "io/exchange/json.cpp",
+           "if (wrap.u == wrap.v) return json_of(wrap.u);", "return json_of(wrap.u);", IO,
+           "textures in exchange form are of its third version, and each picture is a file"),
 ]

@@ -390,4 +390,7 @@ MUTANTS = [
     Mutant("shared interiors stand in the opposite order", "core/interiors.cpp",
            "for (int i = slots - 1; i >= 0; --i) {", "for (int i = 0; i < slots; ++i) {", "test_core",
            "what is shared with other interiors keeps the order in which it was entered"),
+    Mutant("a picture goes on above as it does beside", "core/texture.cpp",
+           "wrapped(y, image.height, wrap.v)", "wrapped(y, image.height, wrap.u)", "test_core",
+           "beside a picture lie the picture again, its edge, or nothing"),
 ]

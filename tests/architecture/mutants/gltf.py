@@ -126,4 +126,10 @@ MUTANTS = [
     Mutant("a metal with a picture of metalness has no specular weight", "io/gltf/layers.cpp",
            "return use.input == base_metalness;", "return use.input == base_metalness && false;",
            GLTF, "gltf: indices of refraction and specular reflection"),
+    Mutant("wrapS is for both directions", "io/gltf/texture.cpp", "return {mode(s), mode(t)};",
+           "return mode(t);", GLTF, "gltf: pictures repeat, end or are mirrored beside themselves"),
+    Mutant("only a picture that repeats is mirrored", "io/gltf/texture.cpp",
+           "texture.uv = halved(slot.uv, is_mirror(s), is_mirror(t));",
+           "texture.uv = halved(slot.uv, is_mirror(s) && is_mirror(t), is_mirror(t));", GLTF,
+           "gltf: pictures repeat, end or are mirrored beside themselves"),
 ]

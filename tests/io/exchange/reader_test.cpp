@@ -302,6 +302,20 @@ TEST_CASE("what is wrong with the textures of an exchange form is said with its 
   CHECK(wrong("/textures/0/type", "marble") ==
         "a.json: textures[0]: \"type\" is \"marble\"; valid are constant, image, scale, mix, checkerboard");
   CHECK(wrong("/textures/0/value", "red") == "a.json: textures[0]: \"value\" must be a list");
+  const nlohmann::json image = {
+      {"name", ""},           {"type", "image"},       {"wrap", "repeat"},
+      {"filter", "bilinear"}, {"file", "no-such.exr"}, {"uv", {{1, 0, 0}, {0, 1, 0}}}};
+  const auto wrapped = [&](const nlohmann::json& wrap) {
+    nlohmann::json changed = image;
+    changed["wrap"] = wrap;
+    return wrong("/textures/0", changed);
+  };
+  CHECK(wrapped("repeat") == "");
+  CHECK(wrapped({"clamp", "black"}) == "");
+  CHECK(wrapped({"clamp", "mirror"}) ==
+        "a.json: textures[0]: \"wrap\" is \"mirror\"; valid are repeat, clamp, black");
+  CHECK(wrapped({"clamp", 1}) == "a.json: textures[0]: \"wrap\" must be a string");
+  CHECK(wrapped({"clamp"}).starts_with("a.json: textures[0]: \"wrap\" "));
   CHECK(wrong("/textures/1/first", 1).starts_with("a.json: texture 1 "));
   CHECK(
       wrong("/materials/0/textures/0/input", "shine")

@@ -340,14 +340,14 @@ TEST_CASE("textures in exchange form are of its third version, and each picture 
   const auto picture = std::make_shared<const MipMap>(map);
   scene.textures = {{"even", ConstantTexture{{0.25f, 0.5f, 1}}},
                     {"wood", ImageTexture{picture, WrapMode::clamp, TextureFilter::nearest, {}}},
-                    {"same", ImageTexture{picture, WrapMode::repeat, TextureFilter::stochastic, {}}},
+                    {"same", ImageTexture{picture, {WrapMode::repeat, WrapMode::black}}},
                     {"drawn", ImageTexture{std::make_shared<const MipMap>(std::vector{map})}}};
   CHECK(list_text(scene, "textures") == R"(  "textures": [
     {"name":"even","type":"constant","value":[0.25,0.5,1.0]},
     {"name":"wood","type":"image","wrap":"clamp","filter":"nearest","uv":[[1.0,0.0,0.0],[0.0,1.0,0.0]],)"
                                         R"("file":"a-texture-1.exr"},
-    {"name":"same","type":"image","wrap":"repeat","filter":"stochastic","uv":[[1.0,0.0,0.0],[0.0,1.0,0.0]],)"
-                                        R"("file":"a-texture-1.exr"},
+    {"name":"same","type":"image","wrap":["repeat","black"],"filter":"stochastic",)"
+                                        R"("uv":[[1.0,0.0,0.0],[0.0,1.0,0.0]],"file":"a-texture-1.exr"},
     {"name":"drawn","type":"image","wrap":"repeat","filter":"stochastic","uv":[[1.0,0.0,0.0],[0.0,1.0,0.0]],)"
                                         R"("file":"a-texture-3.exr","mip_map":false})");
   CHECK(nlohmann::json::parse(exchange_json(scene, "a.json", {}))["version"] == 3);

@@ -117,23 +117,24 @@ TEST_CASE("gltf: a picture that cannot be read is magenta, and a warning says so
 }
 
 TEST_CASE("gltf: pictures repeat, end or are mirrored beside themselves") {
-  const auto beside = [](int wrap) {
+  const auto at = [](const json& sampler, Vec2 uv) {
     GltfFile file = gltf_surface(json::object());
-    const int picture = add_picture(file, {{"wrapS", wrap}, {"wrapT", wrap}});
+    const int picture = add_picture(file, sampler);
     file.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = picture;
     const LoadedScene loaded = file.load();
     CHECK(loaded.warnings.empty());
-    return input_at(loaded, MaterialInput::reflectance, {1.25f, 0.5f}).b;
+    return input_at(loaded, MaterialInput::reflectance, uv).b;
   };
-  CHECK(beside(10497) == 0);  // the left pixel again
-  CHECK(beside(33071) == 1);
-  CHECK(beside(33648) == 1);
-  GltfFile file = gltf_surface(json::object());
-  const int picture = add_picture(file, {{"wrapS", 33071}});
-  file.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = picture;
-  CHECK(file.warning() ==
-        "test.gltf: /materials/0/pbrMetallicRoughness/baseColorTexture: a picture that ends in one direction "
-        "and repeats in the other is not rendered: it repeats in both");
+  constexpr int repeat = 10497, clamp = 33071, mirror = 33648;
+  for (const int above : {repeat, clamp, mirror}) {
+    const auto beside = [&](int wrap, Vec2 uv) { return at({{"wrapS", wrap}, {"wrapT", above}}, uv); };
+    CHECK(beside(repeat, {1.25f, 0.5f}) == 0);  // the left pixel again
+    CHECK(beside(clamp, {1.25f, 0.5f}) == 1);
+    CHECK(beside(clamp, {2.25f, 0.5f}) == 1);
+    CHECK(beside(mirror, {1.25f, 0.5f}) == 1);
+    CHECK(beside(mirror, {2.25f, 0.5f}) == 0);
+  }
+  CHECK(at({{"wrapS", clamp}}, {1.25f, 7.5f}) == 1);
 }
 
 TEST_CASE("gltf: KHR_texture_transform scales, then turns counter-clockwise, then moves") {

@@ -301,6 +301,13 @@ TEST_CASE("written pbrt: holes, bumps and normal maps come back, and turned text
   scene.materials[0].textures = {{MaterialInput::reflectance, 2}};
   CHECK(round_trip(scene, "a.pbrt").warnings ==
         std::vector<std::string>{"a texture that is turned lies as if it were not"});
+  scene.textures[2].model = ImageTexture{picture(), {WrapMode::clamp, WrapMode::repeat}};
+  const RoundTrip trip = round_trip(scene, "a.pbrt");
+  CHECK(trip.warnings ==
+        std::vector<std::string>{"a picture that goes on otherwise along v than along u does "
+                                 "so along both as along u"});
+  const std::uint32_t color = only_material(trip).textures.at(0).texture;
+  CHECK(std::get<ImageTexture>(trip.scene.textures[color].model).wrap == WrapMode::clamp);
 }
 
 TEST_CASE("written pbrt: each light that pbrt has comes back") {
