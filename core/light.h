@@ -23,7 +23,8 @@ struct MeshLight {
   Rgb radiance;             ///< Times the picture, if there is one.
   EmissionSide side = EmissionSide::both;
   /// Over the texture coordinates, as an ImageTexture's: bilinear, and beyond [0, 1] as at its edge. Null:
-  /// even; else at least one pixel, all >= 0.
+  /// even; else at least one pixel, all finite. What a surface shows is made no less than 0: a channel of a
+  /// pixel that completes a triangle's plane, beyond the triangle, may be negative, its luminance is not.
   std::shared_ptr<const Image> picture = nullptr;
 };
 

@@ -48,7 +48,8 @@ Rgb radiance_of_side(const MeshLight& light, Vec2 uv, float cos_front) {
   const bool emits =
       light.side == EmissionSide::both || (light.side == EmissionSide::front) == (cos_front > 0);
   if (!emits || cos_front == 0) return {};
-  return light.picture ? light.radiance * bilinear(*light.picture, WrapMode::clamp, uv) : light.radiance;
+  if (!light.picture) return light.radiance;
+  return light.radiance * at_least_zero(bilinear(*light.picture, WrapMode::clamp, uv));
 }
 
 struct Towards {

@@ -27,6 +27,10 @@ constexpr bool is_grey(const Rgb& c) { return c.r == c.g && c.r == c.b; }
 constexpr Rgb within_unit(const Rgb& c) {
   return {std::clamp(c.r, 0.0f, 1.0f), std::clamp(c.g, 0.0f, 1.0f), std::clamp(c.b, 0.0f, 1.0f)};
 }
+/// Each component, or 0 where it is less.
+constexpr Rgb at_least_zero(const Rgb& c) {
+  return {std::max(c.r, 0.0f), std::max(c.g, 0.0f), std::max(c.b, 0.0f)};
+}
 constexpr float max_component(const Rgb& c) { return std::max(c.r, std::max(c.g, c.b)); }
 inline bool is_finite(const Rgb& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
 

@@ -46,6 +46,10 @@ auto at_place(const std::string& place, const Read& read) {
   }
 }
 
+bool is_not_negative(const Rgb& pixel) { return at_least_zero(pixel) == pixel; }
+/// Of what a mesh emits single channels may be negative.
+bool has_luminance(const Rgb& pixel) { return luminance(pixel) >= 0; }
+
 /// Reads one file.
 class Reader {
  public:
@@ -102,12 +106,13 @@ class Reader {
     });
   }
 
-  std::shared_ptr<const Image> read_picture(const Entry& entry) const {
+  template <typename IsRadiance>
+  std::shared_ptr<const Image> read_picture(const Entry& entry, const IsRadiance& is_radiance) const {
     const std::string path = entry.file_beside(path_);
     options_.add_file(path);
     const Image image = at_place(entry.place(), [&] { return decode_image(read_(path), path); });
     for (const Rgb& pixel : image.pixels)
-      if (!is_finite(pixel) || pixel.r < 0 || pixel.g < 0 || pixel.b < 0)
+      if (!is_finite(pixel) || !is_radiance(pixel))
         entry.fail("file", fmt::format("{} has a pixel that is no radiance", path));
     return std::make_shared<const Image>(image);
   }
@@ -116,13 +121,13 @@ class Reader {
     file.for_each("lights", [&](const Entry& entry) {
       Light light{entry.word("name"), read_source(entry)};
       if (auto* mesh = std::get_if<MeshLight>(&light.source); mesh && entry.has("file"))
-        mesh->picture = read_picture(entry);
+        mesh->picture = read_picture(entry, has_luminance);
       else if (auto* environment = std::get_if<EnvironmentLight>(&light.source))
-        environment->map = read_picture(entry);
+        environment->map = read_picture(entry, is_not_negative);
       else if (auto* goniometric = std::get_if<GoniometricLight>(&light.source))
-        goniometric->map = read_picture(entry);
+        goniometric->map = read_picture(entry, is_not_negative);
       else if (auto* projection = std::get_if<ProjectionLight>(&light.source))
-        projection->picture = read_picture(entry);
+        projection->picture = read_picture(entry, is_not_negative);
       loaded_.scene.lights.push_back(std::move(light));
     });
   }

@@ -247,7 +247,7 @@ std::uint32_t ObjMaterials::alpha_of(const tinyobj::material_t& from, const Mate
 Glow ObjMaterials::glow_of(const tinyobj::material_t& from) {
   if (options_.surfaces_only) return {};
   const Rgb given = color_of(from.emission);
-  Glow glow{{std::max(given.r, 0.0f), std::max(given.g, 0.0f), std::max(given.b, 0.0f)}};
+  Glow glow{at_least_zero(given)};
   if (from.emissive_texname.empty()) return glow;
   const LoadedTexture loaded = load(from.emissive_texname, for_colors);
   if (!loaded.warning.empty()) return glow;

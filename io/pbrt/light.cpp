@@ -119,8 +119,7 @@ std::shared_ptr<const Image> emission_of(const PbrtParameters& parameters, PbrtC
   const LoadedTexture loaded = load_texture(path, {});
   if (!loaded.warning.empty()) place.warn(context.warnings, loaded.warning);
   auto picture = std::make_shared<Image>(loaded.image->image(0));
-  for (Rgb& pixel : picture->pixels)
-    pixel = {std::max(pixel.r, 0.0f), std::max(pixel.g, 0.0f), std::max(pixel.b, 0.0f)};
+  for (Rgb& pixel : picture->pixels) pixel = at_least_zero(pixel);
   return picture;
 }
 

@@ -132,4 +132,8 @@ MUTANTS = [
            "texture.uv = halved(slot.uv, is_mirror(s), is_mirror(t));",
            "texture.uv = halved(slot.uv, is_mirror(s) && is_mirror(t), is_mirror(t));", GLTF,
            "gltf: pictures repeat, end or are mirrored beside themselves"),
+    Mutant("what emits a picture may emit less than nothing", "core/light_set.cpp",
+           "at_least_zero(bilinear(*light.picture, WrapMode::clamp, uv))",
+           "bilinear(*light.picture, WrapMode::clamp, uv)", GLTF,
+           "gltf: an unlit triangle of red, green and blue corners emits no less than nothing"),
 ]

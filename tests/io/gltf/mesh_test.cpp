@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/primitive.h"
 
+#include "core/light_set.h"
 #include "tests/io/gltf/file.h"
 #include "tests/support/catch.h"
 
@@ -270,6 +271,25 @@ TEST_CASE("gltf: an unlit triangle emits, whichever corner alone is bright") {
       CHECK(bilinear(*light.picture, WrapMode::clamp, mesh.uvs[mesh.uv_indices[0][i]]).g ==
             (corner == bright ? 1 : 0));
     }
+  }
+}
+
+TEST_CASE("gltf: an unlit triangle of red, green and blue corners emits no less than nothing") {
+  GltfFile file = gltf_triangle();
+  const std::vector<float> corners{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  file.primitive()["attributes"]["COLOR_0"] = file.accessor<float>(corners, "VEC3");
+  file.primitive()["material"] =
+      file.add("materials", {{"extensions", {{"KHR_materials_unlit", nlohmann::json::object()}}}});
+  const LoadedScene loaded = file.load();
+  const LightSet lights(loaded.scene);
+  const Geometry& geometry = *loaded.scene.geometry;
+  for (const auto& [u, v, is_within] :
+       {std::tuple{0.0f, 0.0f, true}, {0.25f, 0.25f, true}, {0.5f, 0.5f, true}, {1.0f, 1.0f, false}}) {
+    SurfacePoint point = triangle_point(geometry, 0, 0, u, v);
+    point.uv = texture_coordinates(geometry, {.t = 1, .u = u, .v = v});
+    const Rgb light = lights.emitted(point, point.geometric_normal);
+    CHECK(at_least_zero(light) == light);
+    if (is_within) CHECK(light.r + light.g + light.b == Approx(1).epsilon(1e-6));
   }
 }
 
