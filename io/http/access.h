@@ -18,7 +18,7 @@ bool are_equal_secrets(const std::string& a, const std::string& b);
 /// The rules. Whoever can reach the server through this machine alone needs no secret, but must name a host
 /// of this machine: else any page of the net could ask through a name of its own that leads here (DNS
 /// rebinding). From elsewhere each request needs a token. What changes something must come from a page of the
-/// server itself.
+/// server itself: it is asked for by POST. No page answers to other methods than that and GET.
 class Access {
  public:
   /// `token` is empty where none is needed.

@@ -345,6 +345,11 @@ TEST_CASE("what a page cannot have is refused with what would be valid") {
   CHECK(method.field("Allow") == "GET");
   CHECK(method.body == "/state takes GET alone.\n");
   CHECK(page.get("/stop").field("Allow") == "POST");
+  HttpClient stranger(page.port());
+  stranger.send("PUT /stop HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  const HttpAnswer put = stranger.answer();
+  CHECK(put.status == 405);
+  CHECK(put.field("Allow") == "POST");
   CHECK_FALSE(page.server.asks_to_stop());
 }
 

@@ -231,6 +231,10 @@ TEST_CASE("what changes something is asked for by a page of the server itself") 
     request.fields["origin"] = "http://localhost:8184";
     CHECK(refusal_of(access, request).empty());
   }
+  // No page answers to these: that is what they are to be told.
+  const Access access({"127.0.0.1", 8184}, "");
+  for (const std::string method : {"PUT", "OPTIONS", "DELETE"})
+    CHECK(refusal_of(access, {method, "/stop", {}, {{"host", "localhost:8184"}}}).empty());
 }
 
 }  // namespace twinray::test
