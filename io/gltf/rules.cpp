@@ -126,7 +126,7 @@ constexpr GltfRule rules[] = {
     {"scene", "nodes", indices, "nodes"},
     index_rule("skin", "inverseBindMatrices", "accessors"),
     index_rule("skin", "skeleton", "nodes"),
-    needed({"skin", "joints", indices, "nodes"}),
+    needed({"skin", "joints", indices, "nodes", 0, 0, 1}),
 
     needed({"camera", "type", word, "perspective orthographic"}),
     object_rule("camera", "perspective", "perspective"),

@@ -108,6 +108,8 @@ TEST_CASE("gltf: joints and matrices that are not there are errors") {
   CHECK(file.error() == "test.gltf: /meshes/0/primitives/0: vertex 1 names the joint 1; the skin has 1");
   file.json["skins"][0]["joints"] = {1, 2, 0};
   CHECK(file.error() == "test.gltf: /skins/0/inverseBindMatrices: 2 matrices for 3 joints");
+  file.json["skins"][0]["joints"] = json::array();
+  CHECK(file.error() == "test.gltf: /skins/0/joints: 0 elements; valid are 1 and more");
 }
 
 TEST_CASE("gltf: at rest unless a time is given, and still before the first key and behind the last") {
