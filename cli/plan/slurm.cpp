@@ -19,6 +19,13 @@ std::string head(const FarmPlan& plan, const char* step) {
       plan.name, step);
 }
 
+/// A folder's name as sbatch takes it for logs: what %% means there is %.
+std::string pattern_of(const std::string& folder) {
+  std::string pattern;
+  for (const char c : folder) pattern += c == '%' ? std::string("%%") : std::string(1, c);
+  return pattern;
+}
+
 }  // namespace
 
 std::string slurm_render_job(const FarmPlan& plan) {
@@ -53,11 +60,11 @@ std::string slurm_submit_script(const FarmPlan& plan) {
       "# Submits all parts, and what merges them. Its words are options of sbatch for the parts, such as\n"
       "# --time=30 --cpus-per-task=8 --partition=NAME.\n"
       "set -eu\n"
-      "render=$(sbatch --parsable --output={0}/logs/render-%a.log \"$@\" {0}/slurm/render.sbatch)\n"
-      "merge=$(sbatch --parsable --output={0}/logs/merge-%a.log --dependency=afterok:\"$render\" \\\n"
+      "render=$(sbatch --parsable --output={1}/logs/render-%a.log \"$@\" {0}/slurm/render.sbatch)\n"
+      "merge=$(sbatch --parsable --output={1}/logs/merge-%a.log --dependency=afterok:\"$render\" \\\n"
       "  {0}/slurm/merge.sbatch)\n"
       "echo \"parts: job $render; merging: job $merge; logs: \"{0}/logs\n",
-      folder);
+      folder, shell_text({pattern_of(plan.folder)}));
 }
 
 }  // namespace twinray

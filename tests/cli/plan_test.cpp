@@ -11,6 +11,7 @@
 #include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace twinray::test {
 namespace {
@@ -185,6 +186,21 @@ TEST_CASE("a task of Slurm queues itself again once its time is over, and not wh
   CHECK_FALSE(fs::exists(folder.file("calls")));
   CHECK(code_after("kill -USR2 $job") == 75);
   CHECK(read_text(folder.file("calls")) == "requeue 77\n");
+}
+
+TEST_CASE("a folder of any name is that of Slurm's logs") {
+  const TemporaryFolder folder;
+  REQUIRE(plan_in(folder, quoted(box_scene) + " -q --folder='50%j it'\\''s' --jobs=2 -o a.pfm").exit_code ==
+          0);
+  write_text(folder.file("sbatch"), "#!/bin/bash\nfor word; do echo \"$word\"; done >>calls\necho 77\n");
+  const ProcessResult submitted =
+      shell_in(folder, "chmod +x sbatch && PATH=\"$PWD:$PATH\" '50%j it'\\''s/slurm/submit' --time=5");
+  CHECK(submitted.out.starts_with("parts: job 77; merging: job 77; logs: "));
+  const std::string calls = read_text(folder.file("calls"));
+  // What %% means there is %.
+  CHECK(contains(calls, "/50%%j it's/logs/render-%a.log\n--time=5\n"));
+  CHECK(contains(calls, "/50%%j it's/logs/merge-%a.log\n--dependency=afterok:77\n"));
+  CHECK(contains(calls, "/50%j it's/slurm/merge.sbatch\n"));
 }
 
 TEST_CASE("what a plan cannot be is said before anything is written") {
