@@ -9,6 +9,7 @@
 #include "cli/console.h"
 #include "cli/film/saved_film.h"
 #include "cli/json_names.h"
+#include "cli/outputs.h"
 #include "cli/render_command_line.h"
 #include "cli/render_scene.h"
 #include "cli/shell_text.h"
@@ -21,6 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr Range<std::uint32_t> job_counts{1, 100000};
+/// In all: each is a line of the plan's list.
+constexpr std::uint64_t most_parts = 1000000;
 constexpr Range<double> minutes{0.01, 1e5};
 constexpr Range<int> frame_numbers{0, 999999};
 /// So long the machine is tried.
@@ -77,6 +80,20 @@ std::string output_of(const PlanArguments& arguments, const Words& words) {
                     output));
   check_image_name(output);  // The last job alone would find out.
   return output;
+}
+
+/// Throws Error where the picture could not be written. The last job alone would find out.
+void check_picture(const FarmPlan& plan, const std::vector<std::string>& files) {
+  const std::vector<std::string> first{plan.frames ? with_frame_number(plan.output, plan.frames->first)
+                                                   : plan.output};
+  check_outputs(first);
+  check_not_read(first, files);
+}
+
+void check_size(const FarmPlan& plan) {
+  if (std::uint64_t(plan.parts) * plan.frame_count() > most_parts)
+    throw Error(fmt::format("{} frames in {} parts each are more than the {} parts that a plan may have",
+                            plan.frame_count(), plan.parts, most_parts));
 }
 
 /// Seconds of the whole picture on this machine, by a few samples of it.
@@ -191,10 +208,12 @@ int plan_command(const PlanArguments& arguments, const Words& words) {
   plan.is_by_tiles = arguments.by_tiles || render.render.adaptive.has_value();
   plan.units = plan.is_by_tiles ? tile_grid(window_of(render.render), tile_size).count() : plan.samples;
   check_names(plan, *render.load.files);
+  check_picture(plan, *render.load.files);
   std::optional<double> seconds;
   if (arguments.part_minutes) seconds = pilot(render, loaded);
   const double wanted = seconds ? std::ceil(*seconds / (60 * *arguments.part_minutes)) : *arguments.jobs;
   plan.parts = std::uint32_t(std::clamp(wanted, 1.0, double(plan.units)));
+  check_size(plan);
   write(plan);
   if (!arguments.render.quiet) say(plan, seconds);
   return 0;

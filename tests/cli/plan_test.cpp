@@ -227,6 +227,9 @@ TEST_CASE("what a plan cannot be is said before anything is written") {
   CHECK(error_of("--folder=p --jobs=3 --frames=1:2 -o f%d.png --metrics-file=m%d") ==
         "twinray: --metrics-file: all parts would write the same file; their films have samples, rays and "
         "seconds");
+  CHECK(error_of("--folder=p -s 5000 --jobs=5000 --frames=0:999999 -o f%d.png") ==
+        "twinray: 1000000 frames in 5000 parts each are more than the 1000000 parts that a plan may have");
+  CHECK(error_of("--folder=p --jobs=3 -o none/a.png") == "twinray: none/a.png: there is no folder none");
   CHECK(error_of("--folder=. --jobs=3") ==
         "twinray: .: it is there already; a plan needs a folder of its own");
 }
