@@ -31,13 +31,15 @@ std::vector<fs::path> scene_files(const std::string& folder) {
   return files;
 }
 
-/// "sky/CBbunny.dae" of a folder -> "CBbunny", or "sky_CBbunny" where that is taken.
+/// "sky/CBbunny.dae" of a folder -> "CBbunny", or "sky_CBbunny" where that is taken, or "sky_CBbunny_2", ...
 std::string scene_name(const fs::path& file, const SceneFolder& folder) {
   const std::string name = file.stem().string();
   if (!folder.find(name)) return name;
   std::string whole = file.lexically_relative(folder.path).replace_extension().string();
   std::replace(whole.begin(), whole.end(), '/', '_');
-  return whole;
+  std::string free = whole;
+  for (int number = 2; folder.find(free); ++number) free = fmt::format("{}_{}", whole, number);
+  return free;
 }
 
 bool has_only_point_lights(const Scene& scene) {

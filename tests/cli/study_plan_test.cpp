@@ -4,14 +4,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "cli/study/plan.h"
 #include "cli/study/record.h"
 #include "tests/support/catch.h"
+#include "tests/support/own_scenes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace twinray::study {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// A folder of these scenes, none of which has a file; those called "point" have only point lights.
 SceneFolder folder_of(const std::vector<std::string>& names) {
@@ -46,6 +51,21 @@ std::vector<std::string> missing(const Part& part, const std::vector<std::string
 const std::vector<std::string> none;
 
 }  // namespace
+
+TEST_CASE("scenes of one name in several folders have names of their own, and pictures by these") {
+  const test::TemporaryFolder files;
+  const std::vector<std::string> paths{"a/b/cow.dae", "a/cow.dae", "a_b/cow.dae", "cow.dae"};
+  for (const std::string& path : paths) {
+    fs::create_directories(fs::path(files.file(path)).parent_path());
+    fs::copy_file(test::box_scene, files.file(path));
+  }
+  std::vector<std::string> names;
+  for (const FoundScene& scene : read_scene_folder(files.path().string()).scenes) names.push_back(scene.name);
+  CHECK(names == std::vector<std::string>{"cow", "a_cow", "a_b_cow", "cow_2"});
+  fs::create_directories(files.file("d"));
+  fs::copy_file(test::box_scene, files.file("d/COW_2.dae"));
+  CHECK(pictures_of(plan_rays({read_scene_folder(files.path().string()), full})).size() == paths.size() + 1);
+}
 
 TEST_CASE("part 1 shades the normals of every scene") {
   const Part part = plan_rays({whole, full});
