@@ -53,7 +53,8 @@ MUTANTS = [
            "brightness"),
     Mutant("two scenes of a study have one name", "cli/study/scene_folder.cpp",
            "folder.find(free); ++number", "false; ++number",
-           "test_cli", "scenes of one name in several folders have names of their own, and pictures by these"),
+           "test_cli",
+           "scenes of one name in several folders have names of their own, and pictures by these"),
     Mutant("a folder is made for a study of nothing", "cli/study/command.cpp",
            "  const study::SceneFolder folder = study::read_scene_folder(arguments.scenes);\n"
            "  make_folder(arguments.output);\n",
