@@ -39,7 +39,43 @@ float smooth_edge(const SpotLight& light, double cosine, double cone) {
   return float(t * t * (3 - 2 * t));
 }
 
+/// What intensities are divided by; 0 where light does not fall off as 1/d^2.
+double physical_part(const Attenuation& a) {
+  return a.constant == 0 && a.linear == 0 && a.quadratic > 0 ? 1 / double(a.quadratic) : 0;
+}
+
+/// The integral of cosine^exponent from one cosine to 1, without those below 0 if there is an exponent.
+double integral_from(double cosine, double exponent) {
+  if (!(exponent > 0)) return 1 - cosine;
+  return (1 - pow_of(std::max(cosine, 0.0), exponent + 1)) / (exponent + 1);
+}
+
+/// The same of the whole strength, along the cone's edge.
+double edge_integral(const SpotLight& light, double cone, double inner) {
+  constexpr int steps = 256;
+  const double step = (inner - cone) / steps;
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double begin = cone + step * i;
+    const double here =
+        integral_from(begin, light.falloff_exponent) - integral_from(begin + step, light.falloff_exponent);
+    sum += here * double(smooth_edge(light, begin + step / 2, cone));
+  }
+  return sum;
+}
+
 }  // namespace
+
+Rgb power_of(const PointLight& light) {
+  return light.intensity * float(4 * pi_double * physical_part(light.attenuation));
+}
+
+Rgb power_of(const SpotLight& light) {
+  const double half = 0.5 * light.falloff_angle_degrees;
+  const double cone = cos_degrees(half), inner = cos_degrees(half - light.penumbra_degrees);
+  const double solid = integral_from(inner, light.falloff_exponent) + edge_integral(light, cone, inner);
+  return light.intensity * float(2 * pi_double * solid * physical_part(light.attenuation));
+}
 
 Rgb intensity_along(const PointLight& light, const Vec3&) { return light.intensity; }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/mesh_area.h"
+#include "core/point_light.h"
 #include "core/warp.h"
 
 namespace twinray {
@@ -32,10 +33,10 @@ struct Summarize {
     return {"", "sphere", "radiance", light.radiance, light.radiance * (4 * pi * pi * radius * radius)};
   }
   LightSummary operator()(const PointLight& light) const {
-    return {"", "point", "intensity", light.intensity, {}};
+    return {"", "point", "intensity", light.intensity, power_of(light)};
   }
   LightSummary operator()(const SpotLight& light) const {
-    return {"", "spot", "intensity", light.intensity, {}};
+    return {"", "spot", "intensity", light.intensity, power_of(light)};
   }
   LightSummary operator()(const GoniometricLight& light) const {
     return {"", "goniometric", "intensity, times the picture,", light.intensity, {}};

@@ -16,7 +16,9 @@ struct LightSummary {
   std::string kind;      ///< "mesh, one side", "sphere", "point", ...
   std::string quantity;  ///< What `amount` is: "radiance", "intensity", "irradiance".
   Rgb amount;
-  Rgb power;  ///< Of mesh and sphere lights, in radiance x scene units squared; 0 for the others.
+  /// Of mesh and sphere lights, in radiance x scene units squared, and of points and spots whose light falls
+  /// off as 1/d^2; 0 for the others.
+  Rgb power;
 };
 
 /// From the first moment that a file's animations say something of to the last, in seconds.

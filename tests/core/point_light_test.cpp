@@ -44,6 +44,35 @@ TEST_CASE("a spot's penumbra falls smoothly from full strength to none along the
   CHECK(intensity_along(spot, tilted(29.9)).r == 2);
 }
 
+TEST_CASE("a point's power is 4 pi of its intensity, a spot's its cone's, where light falls as 1/d^2") {
+  const PointLight point{{}, {1, 2, 3}, {0, 0, 2}};  // Half of the light: 1 / (2 d^2).
+  CHECK(power_of(point).b == Approx(6 * M_PI));
+  CHECK(is_black(power_of(PointLight{{}, {1, 2, 3}, {1, 0, 0}})));
+  CHECK(is_black(power_of(PointLight{{}, {1, 2, 3}, {0, 1, 1}})));
+  CHECK(is_black(power_of(PointLight{{}, {1, 2, 3}, {0, 0, 0}})));
+  SpotLight spot;
+  spot.intensity = {1, 2, 3};
+  spot.falloff_angle_degrees = 120;
+  CHECK(power_of(spot).r == Approx(2 * M_PI * 0.5));
+  spot.penumbra_degrees = 60;  // The mean of its soft edge is a half.
+  CHECK(power_of(spot).g == Approx(2 * M_PI * 0.5));
+  for (const float angle : {4.0f, 40.0f, 180.0f, 360.0f})
+    for (const float exponent : {0.0f, 3.0f, 2000.0f})
+      for (const float penumbra : {0.0f, 0.2f, 0.5f}) {
+        CAPTURE(angle, exponent, penumbra);
+        spot.falloff_angle_degrees = angle, spot.falloff_exponent = exponent;
+        spot.penumbra_degrees = penumbra * angle;
+        constexpr int steps = 200000;
+        double sum = 0;
+        for (int i = 0; i < steps; ++i) {
+          const double a = angle / 360 * M_PI * (i + 0.5) / steps;
+          const Vec3 direction{float(std::sin(a)), 0, -float(std::cos(a))};
+          sum += double(intensity_along(spot, direction).r) * std::sin(a);
+        }
+        CHECK(power_of(spot).r == Approx(2 * M_PI * sum * angle / 360 * M_PI / steps).epsilon(1e-3));
+      }
+}
+
 TEST_CASE("a goniometric light of an even picture is a point light, and its picture turns with it") {
   const auto grey = std::make_shared<Image>(Image(4, 4, {0.5f, 0.5f, 0.5f}));
   const GoniometricLight even{{1, 2, 3}, {3, 2, 1}, grey};

@@ -110,8 +110,9 @@ TEST_CASE("the scene of lights has one of each kind") {
                      "light \"sign\": mesh, both sides, radiance 2 0.5 2, power 2.513 0.6283 2.513",
                      "light \"ember\": sphere, radiance 6 3 1, power 5.33 2.665 0.8883",
                      "light \"panel\": mesh, one side, radiance 3 3 3, power 4.524 4.524 4.524",
-                     "light \"point\": point, intensity 0.6 0.2 0.1",
-                     "light \"faded\": point, intensity 0.1 0.2 0.6", "light \"spot\": spot, intensity 4 4 3",
+                     "light \"point\": point, intensity 0.6 0.2 0.1, power 7.54 2.513 1.257",
+                     "light \"faded\": point, intensity 0.1 0.2 0.6",
+                     "light \"spot\": spot, intensity 4 4 3, power 2.141 2.141 1.606",
                      "light \"sun\": directional, irradiance 0.4 0.4 0.35",
                      "light \"sky\": ambient, the hemisphere around up, radiance 0.08 0.1 0.14",
                      "note: the file says nothing of how light falls off with the distance d for \"point\", "

@@ -12,6 +12,10 @@ TWO_HALVES = "a lamp with a picture of two halves is two lamps, by every way of 
 LOOP_LIMIT = "a vertex has the same limit and normal at every level, inside and at the end of a surface"
 
 MUTANTS = [
+    Mutant("a spot's power is that of its whole cone", "core/point_light.cpp",
+           "here * double(smooth_edge(light, begin + step / 2, cone))", "here",
+           "test_core",
+           "a point's power is 4 pi of its intensity, a spot's its cone's, where light falls as 1/d^2"),
     Mutant("a radian's turns lack their last digits", "core/elementary.h",
            "turns_per_radian = 0.15915494309189534", "turns_per_radian = 0.15915494309189",
            "test_core", "the angle of a point is within 2e-16 turns, in every quadrant"),
