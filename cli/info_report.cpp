@@ -45,7 +45,8 @@ Json memory_json(const SceneInfo& info) {
   std::uint64_t pictures = 0, sum = info.geometry_bytes;
   for (const PictureInfo& picture : info.pictures) pictures += picture.bytes;
   needs["pictures of surfaces"] = pictures;
-  sum += pictures;
+  needs["pictures of lights"] = info.light_picture_bytes;
+  sum += pictures + info.light_picture_bytes;
   for (const MemoryNeed& need : info.needs) {
     needs[need.name] = need.bytes;
     sum += need.bytes;

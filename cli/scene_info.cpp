@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/scene_info.h"
 
+#include <set>
+
 #include "io/exchange/writer.h"
 
 namespace twinray {
@@ -51,6 +53,28 @@ std::vector<PictureInfo> pictures_of(const Scene& scene) {
   return pictures;
 }
 
+/// The picture that a light shines by; null where it has none.
+struct PictureOf {
+  const Image* operator()(const MeshLight& light) const { return light.picture.get(); }
+  const Image* operator()(const EnvironmentLight& light) const { return light.map.get(); }
+  const Image* operator()(const GoniometricLight& light) const { return light.map.get(); }
+  const Image* operator()(const ProjectionLight& light) const { return light.picture.get(); }
+  template <typename Other>
+  const Image* operator()(const Other&) const {
+    return nullptr;
+  }
+};
+
+/// Lights that share a picture keep it once.
+std::uint64_t light_picture_bytes(const Scene& scene) {
+  std::set<const Image*> pictures;
+  for (const Light& light : scene.lights)
+    if (const Image* const picture = std::visit(PictureOf{}, light.source)) pictures.insert(picture);
+  std::uint64_t sum = 0;
+  for (const Image* const picture : pictures) sum += bytes_of(picture->pixels);
+  return sum;
+}
+
 }  // namespace
 
 SceneInfo scene_info(const std::string& name, const LoadedScene& loaded) {
@@ -65,6 +89,7 @@ SceneInfo scene_info(const std::string& name, const LoadedScene& loaded) {
       info.cut_out_triangles += triangles_of(shape);
   }
   info.geometry_bytes += scene.geometry->instances().size() * (sizeof(Instance) + sizeof(PlacedInstance));
+  info.light_picture_bytes = light_picture_bytes(scene);
   info.materials = materials_of(scene);
   info.pictures = pictures_of(scene);
   for (const Diagnostic& warning : loaded.warnings) info.warnings.push_back(warning.text());

@@ -31,6 +31,7 @@ struct SceneInfo {
   Aabb bounds;  ///< Of all shapes.
   std::size_t cut_out_triangles = 0;
   std::uint64_t geometry_bytes = 0;
+  std::uint64_t light_picture_bytes = 0;  ///< Of pictures that lights shine by.
   std::vector<MaterialInfo> materials;
   std::vector<PictureInfo> pictures;
   std::vector<std::string> files;  ///< That it was read from, each once.

@@ -87,6 +87,25 @@ TEST_CASE("info adds up the memory of a render") {
   CHECK(info_of(leaf.scene())["memory_bytes"]["geometry"] == bytes_of_leaf + wall + lamp);
 }
 
+TEST_CASE("info counts the pictures of lights, one of several once") {
+  const TemporaryFolder folder;
+  write_png(folder.file("a.png"), {8, 8, std::vector<std::uint8_t>(192, 200)});
+  const std::string light = "LightSource \"infinite\" \"string filename\" \"a.png\"\n",
+                    projection = "LightSource \"projection\" \"string filename\" \"a.png\"\n",
+                    lamps =
+                        "AreaLightSource \"diffuse\" \"string filename\" \"a.png\"\nShape \"bilinearmesh\" "
+                        "\"point3 P\" [0 0 0 1 0 0 0 1 0 1 1 0]\n";
+  const auto bytes = [&](const std::string& lights) {
+    write_text(folder.file("a.pbrt"), "Camera \"perspective\"\nWorldBegin\n" + lights);
+    return info_of(folder.file("a.pbrt"))["memory_bytes"]["pictures of lights"];
+  };
+  constexpr int picture = 8 * 8 * 12;
+  CHECK(bytes("LightSource \"point\"\n") == 0);
+  CHECK(bytes(light) == picture);
+  CHECK(bytes(light + projection) == 2 * picture);
+  CHECK(bytes(lamps) == picture);
+}
+
 TEST_CASE("info tells what is stored, and what instances show") {
   const std::string pawns = scenes + "pawns.pbrt";
   const nlohmann::json kept = info_of(pawns, "--instances=keep"), copied = info_of(pawns);

@@ -3,6 +3,10 @@
 from mutant import Mutant
 
 MUTANTS = [
+    Mutant("the pictures of lamps take no memory", "cli/scene_info.cpp",
+           "operator()(const MeshLight& light) const { return light.picture.get(); }",
+           "operator()(const MeshLight&) const { return nullptr; }",
+           "test_cli", "info counts the pictures of lights, one of several once"),
     Mutant("the time that is left is taken for the time that has passed", "cli/progress.cpp",
            "(progress.seconds_before + elapsed_seconds) * (1 - done) / done",
            "(progress.seconds_before + elapsed_seconds) * done / (1 - done)",
