@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "cli/plan/farm_plan.h"
+#include "io/picture/image_file.h"
 #include "io/picture/layered_image.h"
 #include "tests/support/catch.h"
 #include "tests/support/json.h"
@@ -203,6 +204,18 @@ TEST_CASE("a folder of any name is that of Slurm's logs") {
   CHECK(contains(calls, "/50%j it's/slurm/merge.sbatch\n"));
 }
 
+TEST_CASE("a plan's picture is none that its scene reads") {
+  const TemporaryFolder folder;
+  write_png(folder.file("a.png"), {4, 2, std::vector<std::uint8_t>(24, 200)});
+  write_text(folder.file("a.mtl"), "newmtl a\nmap_Kd a.png\n");
+  write_text(folder.file("a.obj"),
+             "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n");
+  const ProcessResult result = plan_in(folder, "a.obj --folder=p --jobs=2 -o a.png");
+  CHECK(result.exit_code == 1);
+  CHECK(result.err.starts_with("twinray: a.png: "));
+  CHECK_FALSE(fs::exists(folder.file("p")));
+}
+
 TEST_CASE("what a plan cannot be is said before anything is written") {
   CHECK(error_of("--jobs=3") == "twinray: --folder=DIR is missing");
   CHECK(error_of("--folder=p") == "twinray: --jobs or --part-minutes is needed, and not both");
@@ -227,8 +240,8 @@ TEST_CASE("what a plan cannot be is said before anything is written") {
   CHECK(error_of("--folder=p --jobs=3 --frames=1:2 -o f%d.png --metrics-file=m%d") ==
         "twinray: --metrics-file: all parts would write the same file; their films have samples, rays and "
         "seconds");
-  CHECK(error_of("--folder=p -s 5000 --jobs=5000 --frames=0:999999 -o f%d.png") ==
-        "twinray: 1000000 frames in 5000 parts each are more than the 1000000 parts that a plan may have");
+  CHECK(error_of("--folder=p -s 100 --jobs=100 --frames=0:10000 -o f%d.png") ==
+        "twinray: 10001 frames in 100 parts each are more than the 1000000 parts that a plan may have");
   CHECK(error_of("--folder=p --jobs=3 -o none/a.png") == "twinray: none/a.png: there is no folder none");
   CHECK(error_of("--folder=. --jobs=3") ==
         "twinray: .: it is there already; a plan needs a folder of its own");
