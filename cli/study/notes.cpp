@@ -11,8 +11,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <system_error>
 
 #include "core/error.h"
 #include "io/html/picture_address.h"
@@ -51,14 +54,15 @@ std::string text_of(cmark_node* node) {
   return text;
 }
 
-/// 3 of "Part 3: direct light"; 0 of any other text.
-int part_number(std::string text) {
+/// 3 of "Part 3: direct light"; nothing of any other text.
+std::optional<int> part_number(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
-  if (!text.starts_with("part ")) return 0;
+  if (!text.starts_with("part ")) return std::nullopt;
   int number = 0;
-  std::from_chars(text.data() + 5, text.data() + text.size(), number);
-  return number;
+  const std::errc error = std::from_chars(text.data() + 5, text.data() + text.size(), number).ec;
+  if (error == std::errc::invalid_argument) return std::nullopt;
+  return error == std::errc() ? number : std::numeric_limits<int>::max();
 }
 
 /// "my%20picture.png" -> "my picture.png".
@@ -145,16 +149,17 @@ class Sections {
   /// Whether the node is the heading of a part; what follows then goes there.
   bool opens_section(cmark_node* node) {
     if (cmark_node_get_type(node) != CMARK_NODE_HEADING) return false;
-    const int level = cmark_node_get_heading_level(node), number = part_number(text_of(node));
-    if (number == 0) {
+    const int level = cmark_node_get_heading_level(node);
+    const std::optional<int> number = part_number(text_of(node));
+    if (!number) {
       if (part_level_ > 0 && level <= part_level_) current_ = end_.get();
       return false;
     }
-    if (number < 1 || number > int(parts_.size()))
+    if (*number < 1 || *number > int(parts_.size()))
       throw Error(
-          fmt::format("{}: there is no part {}; valid are 1 to {}", place_of(node), number, parts_.size()));
+          fmt::format("{}: there is no part {}; valid are 1 to {}", place_of(node), *number, parts_.size()));
     part_level_ = level;
-    current_ = parts_[std::size_t(number - 1)].get();
+    current_ = parts_[std::size_t(*number - 1)].get();
     return true;
   }
   void place(cmark_node* node) {

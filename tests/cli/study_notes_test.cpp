@@ -71,6 +71,10 @@ TEST_CASE("what notes cannot have is said with its line") {
   const test::TemporaryFolder folder;
   const std::string file = folder.file("notes.md");
   CHECK(error_of(folder, "text\n\n# Part 6\n") == file + ":3: there is no part 6; valid are 1 to 5");
+  CHECK(error_of(folder, "# Part 0\n") == file + ":1: there is no part 0; valid are 1 to 5");
+  CHECK(error_of(folder, "# Part 99999999999\n") ==
+        file + ":1: there is no part 2147483647; valid are 1 to 5");
+  CHECK(error_of(folder, "# Part of the work\n").empty());
   CHECK(error_of(folder, "a\n\n![b](https://example.org/b.png)\n") ==
         file +
             ":3: the page must be whole by itself, so it shows no picture of another place: "

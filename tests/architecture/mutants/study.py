@@ -51,6 +51,9 @@ MUTANTS = [
            "test_core",
            "an error is the root mean square over the converged picture's mean, and has a sign in "
            "brightness"),
+    Mutant("a part of no such number is any heading", "cli/study/notes.cpp",
+           "if (!number) {", "if (number.value_or(0) == 0) {",
+           "test_cli", "what notes cannot have is said with its line"),
     Mutant("two scenes of a study have one name", "cli/study/scene_folder.cpp",
            "folder.find(free); ++number", "false; ++number",
            "test_cli",
