@@ -116,6 +116,12 @@ std::string program_path() {
 /// Those that the job, and the films of its parts, are to keep.
 void check_names(const FarmPlan& plan, const std::vector<std::string>& files) {
   check_json_names({plan.folder}, "a job's template");
+  for (const char* part : {"\n", "{{"})
+    if (plan.folder.find(part) != plan.folder.npos)
+      throw Error(
+          fmt::format("--folder: a line's end ends a command of a list, and {{{{ begins a word of a "
+                      "job's template; {} has one of them",
+                      shell_text({plan.folder})));
   check_json_names(plan.words, "a film");
   check_json_names(files, "a film");
 }
