@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "cli/console.h"
 #include "cli/film/saved_film.h"
@@ -30,6 +31,16 @@ constexpr Range<int> frame_numbers{0, 999999};
 constexpr double pilot_seconds = 3;
 const std::vector<std::string> plan_options{"--folder", "--jobs", "--part-minutes", "--frames"};
 const std::vector<std::string> output_options{"--output", "-o", "-f"};
+
+constexpr const char* writes_one_file =
+    "all parts would write the same file; their films have samples, rays and seconds";
+constexpr const char* shows_one_picture =
+    "the parts of a plan are rendered many at a time; there is no growing picture to show";
+/// Options of a render that its parts cannot have, and why.
+constexpr std::pair<const char*, const char*> of_one_process[] = {{"--stats", writes_one_file},
+                                                                  {"--metrics-file", writes_one_file},
+                                                                  {"--serve", shows_one_picture},
+                                                                  {"--tev", shows_one_picture}};
 
 FrameRange parse_frames(const std::string& word) {
   const auto [first, last] = parse_range("--frames", word, frame_numbers, "1:100");
@@ -57,10 +68,8 @@ void check(const PlanArguments& arguments) {
     throw UsageError("--jobs or --part-minutes is needed, and not both");
   if (is_film_name(render.output) || render.replay || render.check_with || !render.checkpoint.empty())
     throw UsageError("a plan is for pictures: it makes films, checkpoints and their names itself");
-  for (const char* option : {"--stats", "--metrics-file"})
-    if (is_given(option, render))
-      throw UsageError(fmt::format(
-          "{}: all parts would write the same file; their films have samples, rays and seconds", option));
+  for (const auto& [option, why] : of_one_process)
+    if (is_given(option, render)) throw UsageError(fmt::format("{}: {}", option, why));
   if (render.render.allocation == Allocation::error)
     throw UsageError("--allocation=error looks at the whole picture, which no part of a plan has");
   if (is_open_ended(render.render))
@@ -134,7 +143,10 @@ struct PlanFile {
 
 void write(const FarmPlan& plan) {
   const fs::path folder = plan.folder;
-  for (const char* inner : {"parts", "logs", "slurm", "openjd"}) fs::create_directories(folder / inner);
+  std::error_code error;
+  for (const char* inner : {"parts", "logs", "slurm", "openjd"})
+    if (fs::create_directories(folder / inner, error); error)
+      throw Error(fmt::format("{}: this folder cannot be made: {}", plan.folder, error.message()));
   const PlanFile files[] = {{"render-part", render_script(plan), true},
                             {"merge-parts", merge_script(plan), true},
                             {"commands.txt", command_list(plan)},

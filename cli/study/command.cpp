@@ -64,7 +64,7 @@ void make_folder(const std::string& path) {
   fs::create_directory(path, error);
   if (!fs::is_directory(path, no_status))
     throw Error(fmt::format("{}: this folder cannot be made: {}", path,
-                            error ? error.message() : "there is a file of that name"));
+                            fs::exists(path, no_status) ? "there is a file of that name" : error.message()));
 }
 
 /// What the user must know of the scenes, once.

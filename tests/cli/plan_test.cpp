@@ -242,6 +242,12 @@ TEST_CASE("what a plan cannot be is said before anything is written") {
         "seconds");
   CHECK(error_of("--folder=p -s 100 --jobs=100 --frames=0:10000 -o f%d.png") ==
         "twinray: 10001 frames in 100 parts each are more than the 1000000 parts that a plan may have");
+  for (const char* option : {"--serve", "--tev"})
+    CHECK(error_of(fmt::format("--folder=p --jobs=3 {}", option)) ==
+          fmt::format("twinray: {}: the parts of a plan are rendered many at a time; there is no growing "
+                      "picture to show",
+                      option));
+  CHECK(error_of("--folder=/proc/p --jobs=3").starts_with("twinray: /proc/p: this folder cannot be made: "));
   CHECK(error_of("--folder=p --jobs=3 -o none/a.png") == "twinray: none/a.png: there is no folder none");
   CHECK(error_of("--folder='p{{x}}' --jobs=3").starts_with("twinray: --folder: a line's end ends a command"));
   CHECK(error_of("--folder='p\nx' --jobs=3").starts_with("twinray: --folder: a line's end ends a command"));

@@ -232,7 +232,8 @@ TEST_CASE("what a study cannot begin with is said before anything is rendered") 
                    folder.file("a/b")));
   write_text(folder.file("taken"), "");
   says(fmt::format("{} --output {}", scenes, quoted("taken")), 1,
-       fmt::format("twinray: {}: this folder cannot be made: ", folder.file("taken")));
+       fmt::format("twinray: {}: this folder cannot be made: there is a file of that name\n",
+                   folder.file("taken")));
   says(scenes + " --notes none.md" + output, 1, "twinray: none.md: there is no such file\n");
 }
 
