@@ -104,6 +104,7 @@ TEST_CASE("info counts the pictures of lights, one of several once") {
   CHECK(bytes(light) == picture);
   CHECK(bytes(light + projection) == 2 * picture);
   CHECK(bytes(lamps) == picture);
+  CHECK(bytes(lamps + "Shape \"bilinearmesh\" \"point3 P\" [0 0 1 1 0 1 0 1 1 1 1 1]\n") == picture);
 }
 
 TEST_CASE("info tells what is stored, and what instances show") {

@@ -109,4 +109,7 @@ MUTANTS = [
            "if (is_black(taken.scattered)) continue;",
            "if (is_black(taken.visibility)) continue;",
            "test_cli", "a replay draws the path as lines from the camera to its vertices"),
+    Mutant("a picture that several lamps shine by takes memory for each", "cli/scene_info.cpp",
+           "std::set<const Image*> pictures;", "std::multiset<const Image*> pictures;",
+           "test_cli", "info counts the pictures of lights, one of several once"),
 ]
