@@ -39,7 +39,7 @@ float smooth_edge(const SpotLight& light, double cosine, double cone) {
   return float(t * t * (3 - 2 * t));
 }
 
-/// What intensities are divided by; 0 where light does not fall off as 1/d^2.
+/// The factor of intensities where light falls off as factor / d^2; 0 where it falls off otherwise.
 double physical_part(const Attenuation& a) {
   return a.constant == 0 && a.linear == 0 && a.quadratic > 0 ? 1 / double(a.quadratic) : 0;
 }

@@ -91,6 +91,10 @@ TEST_CASE(
   CHECK_FALSE(apart.is_exact);
   CHECK(apart.uv.m[0][0] == 1);
   CHECK(bake(textures, 0).picture.pixels == small.pixels);
+  // As one, but for how they go on along v.
+  textures[1] = texture(large, uv);
+  std::get<ImageTexture>(textures[1].model).wrap = {WrapMode::repeat, WrapMode::clamp};
+  CHECK_FALSE(bake(textures, 2).is_exact);
 }
 
 TEST_CASE("a sky of latitude and longitude that is drawn anew has the same colors in the same directions") {

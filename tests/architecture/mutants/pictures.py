@@ -58,4 +58,14 @@ MUTANTS = [
     Mutant("an EXR's first three channels are its colours", "io/picture/exr_reader.cpp",
            'return channels[0].name == "A" ? none : 0;', "return 0;", "test_io",
            "an EXR's colours are its own, else those of a layer, in large letters or small"),
+    Mutant("what emits a picture goes on along v as along u", "io/glow.cpp",
+           "glow.uv, glow.wrap)", "glow.uv, glow.wrap.u)", "test_io",
+           "an emission texture is the picture of a light"),
+    Mutant("a picture that an OBJ file's surface emits ends", "io/obj/material.cpp",
+           "glow.wrap = map.wrap;", "", "test_io",
+           "a picture of what surfaces emit is placed as its options say"),
+    Mutant("pictures lie alike that go on otherwise along v", "io/picture/baked_texture.cpp",
+           "a.wrap == b.wrap", "a.wrap.u == b.wrap.u", "test_io",
+           "a baked product of pictures that lie alike is exact at their pixels, and others are drawn over "
+           "the square"),
 ]

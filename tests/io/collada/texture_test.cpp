@@ -174,6 +174,24 @@ TEST_CASE("an emission texture is the picture of a light") {
   CHECK(light.radiance == Rgb{1, 1, 1});
   REQUIRE(light.picture);
   CHECK(light.picture->at(0, 0) == Rgb{1, 0, 0});
+  // Twice in each direction: it ends along u, and repeats along v.
+  const std::string twice =
+      "<texture texture=\"sampler\" texcoord=\"UV\"><extra><technique profile=\"MAYA\">"
+      "<repeatU>2</repeatU><repeatV>2</repeatV></technique></extra></texture>";
+  const LoadedScene placed =
+      folder.load(document(sampler("<wrap_s>CLAMP</wrap_s>"), "<emission>" + twice + "</emission>"));
+  const auto lamp = std::get<MeshLight>(placed.scene.lights.at(0).source);
+  REQUIRE(lamp.picture);
+  REQUIRE(lamp.picture->width == 4);
+  REQUIRE(lamp.picture->height == 4);
+  for (int y = 0; y < 4; ++y) {
+    CHECK(lamp.picture->at(3, y) == lamp.picture->at(1, y));
+    CHECK(lamp.picture->at(2, y) == lamp.picture->at(1, y));
+  }
+  CHECK(lamp.picture->at(0, 2) == lamp.picture->at(0, 0));
+  CHECK(lamp.picture->at(0, 3) == lamp.picture->at(0, 1));
+  CHECK(lamp.picture->at(0, 1) != lamp.picture->at(0, 0));
+  CHECK(lamp.picture->at(1, 0) != lamp.picture->at(0, 0));
   const std::string far = "<bind_vertex_input semantic=\"UV\" input_semantic=\"TEXCOORD\" input_set=\"3\"/>";
   const LoadedScene mean = folder.load(document("", "<emission>" + colors + "</emission>", far));
   CHECK_FALSE(std::get<MeshLight>(mean.scene.lights.at(0).source).picture);

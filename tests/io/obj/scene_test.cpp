@@ -291,7 +291,8 @@ TEST_CASE("a picture of what surfaces emit is placed as its options say") {
   const std::string once = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1", beside = "vt 3 0\nvt 4 0\nvt 4 1\nvt 3 1";
   CHECK(light_of(lamp("", "", once)).picture->pixels[0] == white);
   CHECK(light_of(lamp("-o 0.5", "", once)).picture->pixels[0] == Rgb{});
-  CHECK(light_of(lamp("-s 2 1", "", once)).picture->width == 4);
+  CHECK(light_of(lamp("-s 2 1", "", once)).picture->pixels == std::vector<Rgb>{white, {}, white, {}});
+  CHECK(light_of(lamp("-s 2 1 -clamp on", "", once)).picture->pixels == std::vector<Rgb>{white, {}, {}, {}});
   CHECK(light_of(lamp("", "", beside)).picture->pixels[0] == white);
   for (const LoadedScene& loaded :
        {lamp("-clamp on", "", beside), lamp("", "map_Kd -clamp on halves.exr\n", beside),
