@@ -181,8 +181,9 @@ enum class MaterialInput {
 inline constexpr int material_inputs = int(MaterialInput::fuzz_roughness) + 1;
 
 /// What is made of a texture's value: itself; the roughness whose square it is, as pbrt has it; the k of a
-/// metal of eta 1 that reflects so much of the light that falls straight on it.
-enum class InputMeaning { value, squared_roughness, metal_reflectance };
+/// metal of eta 1 that reflects so much of the light that falls straight on it; of Principled's anisotropy,
+/// how much wider facets of its roughness are along the tangent, as glTF has it (widen()).
+enum class InputMeaning { value, squared_roughness, metal_reflectance, widening };
 
 /// The index of "no texture".
 inline constexpr std::uint32_t no_texture = 0xffffffff;
@@ -210,6 +211,10 @@ struct Material {
   Interior interior = {};
   std::uint32_t normal_map = no_texture;  ///< Textures that bend the shading normal (core/shading_map.h), if
   std::uint32_t bump_map = no_texture;    ///< any: by its own direction, or by a height in scene units.
+  /// Of facets of unequal widths: where the tangent is, counter-clockwise from dp/du around the shading
+  /// normal, in [-360, 360]; and a texture, if any, whose direction in that plane is turned so instead.
+  float tangent_degrees = 0;
+  std::uint32_t tangent_map = no_texture;
 };
 
 /// Whether paths must know that they are within a surface of this material.

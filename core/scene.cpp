@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/check_light.h"
 #include "core/error.h"
@@ -58,7 +59,7 @@ void check_material(const Scene& scene, std::size_t index) {
   if (mix && (mix->first >= index || mix->second >= index))
     throw Error(fmt::format("material {} mixes materials {} and {}; valid are those before it", index,
                             mix->first, mix->second));
-  for (const std::uint32_t map : {material.normal_map, material.bump_map})
+  for (const std::uint32_t map : {material.normal_map, material.bump_map, material.tangent_map})
     if (map != no_texture && map >= scene.textures.size())
       throw Error(
           fmt::format("material {} names texture {}; there are {}", index, map, scene.textures.size()));
@@ -69,7 +70,15 @@ void check_material(const Scene& scene, std::size_t index) {
     if (!has_input(material.model, use.input))
       throw Error(fmt::format("material {} has a texture for its {}, and its model has none", index,
                               input_name(use.input)));
+    if (use.meaning == InputMeaning::widening && use.input != MaterialInput::specular_roughness_anisotropy)
+      throw Error(
+          fmt::format("material {} has a texture whose meaning is \"widening\" for its {}; valid is "
+                      "specular_roughness_anisotropy",
+                      index, input_name(use.input)));
   }
+  if (!(std::fabs(material.tangent_degrees) <= 360))
+    throw Error(fmt::format("material {} has a tangent turned by {:g} degrees; valid are -360 to 360", index,
+                            material.tangent_degrees));
 }
 
 void check_interior(const Scene& scene, std::size_t index) {

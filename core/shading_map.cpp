@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/elementary.h"
 #include "core/frame.h"
 #include "core/tangents.h"
 #include "core/textured_material.h"
@@ -75,6 +76,19 @@ bool is_anisotropic(const Material& material) {
   };
   return is_anisotropic(material.model) ||
          std::any_of(material.textures.begin(), material.textures.end(), is_one);
+}
+
+Vec3 facet_tangent(const Scene& scene, const Material& material, const SurfacePoint& point, const Vec3& du) {
+  float x = 1, y = 0;
+  if (material.tangent_map != no_texture) {
+    const Rgb color = evaluate(scene.textures, material.tangent_map, texture_point(point));
+    x = 2 * color.r - 1, y = 2 * color.g - 1;
+    if (x == 0 && y == 0) x = 1;
+  }
+  const float turns = material.tangent_degrees / 360;
+  const auto [sine, cosine] = sincos_turns(turns < 0 ? turns + 1 : turns);
+  if (x > 0 && y == 0 && sine == 0) return du;
+  return Frame(point.shading_normal, du).to_world({cosine * x - sine * y, sine * x + cosine * y, 0});
 }
 
 Vec3 mapped_normal(const Scene& scene, const Material& material, const SurfacePoint& point) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -163,14 +164,27 @@ Rgb metal_k(const Rgb& reflectance) {
 
 float alpha_of_roughness(float roughness) { return std::sqrt(unit(roughness)); }
 
+void widen(Principled& model, float strength) {
+  const float across = model.specular_roughness * model.specular_roughness;
+  const float along = across + (1 - across) * strength * strength, ratio = along > 0 ? across / along : 1;
+  model.specular_roughness_anisotropy = 1 - ratio;
+  model.specular_roughness = std::min(1.0f, std::sqrt(along * std::sqrt((1 + ratio * ratio) / 2)));
+}
+
 SurfaceModel textured_model(const Material& material, std::span<const Texture> textures,
                             const TexturePoint& at) {
   SurfaceModel model = material.model;
+  std::optional<float> widening;
   for (const TextureUse& use : material.textures) {
     const Value value{evaluate(textures, use.texture, at), use.meaning};
+    if (use.meaning == InputMeaning::widening) {
+      widening = value.number();
+      continue;
+    }
     std::visit([&](auto& m) { with_input(m, use.input, [&](auto&& member) { assign(member, value); }); },
                model);
   }
+  if (widening) widen(std::get<Principled>(model), *widening);
   return model;
 }
 

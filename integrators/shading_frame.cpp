@@ -23,7 +23,7 @@ ShadingFrame shading_frame(const Scene& scene, const Material& material, const S
   const Vec3 shading = usable(normal, wo, facing_normal);
   if (is_anisotropic(material))
     if (const auto tangents = tangents_at(*scene.geometry, point))
-      return {Frame(shading, tangents->du), is_mapped};
+      return {Frame(shading, facet_tangent(scene, material, point, tangents->du)), is_mapped};
   return {Frame(shading), is_mapped};
 }
 

@@ -102,6 +102,8 @@ class Reader {
         });
       if (entry.has("normal_map")) material.normal_map = entry.index("normal_map");
       if (entry.has("bump_map")) material.bump_map = entry.index("bump_map");
+      if (entry.has("tangent_degrees")) material.tangent_degrees = entry.number("tangent_degrees");
+      if (entry.has("tangent_map")) material.tangent_map = entry.index("tangent_map");
       loaded_.scene.materials.push_back(std::move(material));
     });
   }

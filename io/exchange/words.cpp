@@ -40,7 +40,8 @@ template <>
 Words<InputMeaning> words() {
   return {{"value", InputMeaning::value},
           {"squared_roughness", InputMeaning::squared_roughness},
-          {"metal_reflectance", InputMeaning::metal_reflectance}};
+          {"metal_reflectance", InputMeaning::metal_reflectance},
+          {"widening", InputMeaning::widening}};
 }
 
 template <>

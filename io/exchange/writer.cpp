@@ -102,6 +102,8 @@ Json material_json(const Material& material) {
   }
   if (material.normal_map != no_texture) json["normal_map"] = material.normal_map;
   if (material.bump_map != no_texture) json["bump_map"] = material.bump_map;
+  if (material.tangent_degrees != 0) json["tangent_degrees"] = json_of(material.tangent_degrees);
+  if (material.tangent_map != no_texture) json["tangent_map"] = material.tangent_map;
   if (Interior interior = material.interior; has_interior(material))
     members(MemberWriter(json["interior"]), interior);
   return json;

@@ -14,7 +14,8 @@ struct GltfContext;
 struct GltfInputs {
   GltfTextures& textures;
   GltfContext& context;
-  int uv_set = -1;  ///< The only set of texture coordinates that is there; -1: none.
+  int uv_set = -1;           ///< The only set of texture coordinates that is there; -1: none.
+  bool is_mirrored = false;  ///< They run the other way round.
   Material material = {};
   Principled model = {};
 

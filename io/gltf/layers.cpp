@@ -7,7 +7,10 @@
 #include <cmath>
 #include <vector>
 
+#include "core/angle.h"
 #include "core/elementary.h"
+#include "core/textured_material.h"
+#include "io/facet_direction.h"
 #include "io/gltf/context.h"
 
 namespace twinray {
@@ -40,12 +43,11 @@ class Layers {
     model_.specular_ior = ior == 0 ? most : std::max(ior, 1.0f);
   }
 
-  bool is_all_metal() const {
+  bool has_texture(MaterialInput input) const {
     const std::vector<TextureUse>& uses = inputs_.material.textures;
-    return model_.base_metalness == 1 && std::none_of(uses.begin(), uses.end(), [](const TextureUse& use) {
-             return use.input == base_metalness;
-           });
+    return std::any_of(uses.begin(), uses.end(), [&](const TextureUse& use) { return use.input == input; });
   }
+  bool is_all_metal() const { return model_.base_metalness == 1 && !has_texture(base_metalness); }
 
   /// The extension changes dielectrics alone; OpenPBR's numbers metals, too.
   void read_specular() {
@@ -62,24 +64,27 @@ class Layers {
     inputs_.color(specular_color, specular.slot("specularColorTexture"), model_.specular_color);
   }
 
-  /// The extension widens the facets along the tangent, and keeps them across: alpha_t = alpha + (1 - alpha)
-  /// s^2. OpenPBR has alpha_t = r^2 sqrt(2 / (1 + (1 - a)^2)) and alpha_b = (1 - a) alpha_t.
+  /// A texture's red and green are the tangent, its blue is a factor of the strength.
   void read_anisotropy() {
     const GltfExtension anisotropy = extension("KHR_materials_anisotropy");
     const float strength = anisotropy.number("anisotropyStrength", 0);
     if (strength == 0) return;
-    const float across = model_.specular_roughness * model_.specular_roughness;
-    const float along = across + (1 - across) * strength * strength, ratio = across / along;
-    model_.specular_roughness_anisotropy = 1 - ratio;
-    model_.specular_roughness = std::min(1.0f, std::sqrt(along * std::sqrt((1 + ratio * ratio) / 2)));
-    if (anisotropy.number("anisotropyRotation", 0) != 0 || anisotropy.slot("anisotropyTexture"))
-      inputs_.context.warn(anisotropy.pointer(),
-                           "the direction of anisotropy is that of the texture coordinates; its rotation and "
-                           "its texture are not rendered");
-    if (std::any_of(inputs_.material.textures.begin(), inputs_.material.textures.end(),
-                    [](const TextureUse& use) { return use.input == roughness; }))
-      inputs_.context.warn(anisotropy.pointer(),
-                           "a surface that has a roughness texture is not widened along its tangent");
+    if (inputs_.uv_set < 0) inputs_.context.warn(anisotropy.pointer(), no_facet_direction);
+    const GltfSlot picture = anisotropy.slot("anisotropyTexture");
+    const bool has_picture = inputs_.can_use(picture);
+    const double degrees = double(anisotropy.number("anisotropyRotation", 0)) / radians_per_degree;
+    const auto turned = float(std::remainder(degrees, degrees_per_turn));
+    Material& material = inputs_.material;
+    material.tangent_degrees = inputs_.is_mirrored ? -turned : turned;
+    if (has_picture) material.tangent_map = inputs_.textures.tangent_map(picture, inputs_.is_mirrored);
+    if (has_picture)
+      inputs_.number(specular_roughness_anisotropy, picture, PictureChannels::blue, strength);
+    else if (has_texture(roughness))
+      material.textures.push_back(
+          {specular_roughness_anisotropy, inputs_.textures.constant({strength, strength, strength})});
+    else
+      return widen(model_, strength);
+    material.textures.back().meaning = InputMeaning::widening;
   }
 
   /// Without a thickness the surface is a sheet; with one the boundary of a body, within which light is

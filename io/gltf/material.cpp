@@ -31,7 +31,7 @@ Rgb color_of(const std::vector<double>& numbers) {
 std::vector<GltfSlot> rendered_slots(const tinygltf::Material& source, const std::string& pointer) {
   const GltfSlots slots = slots_of(source, pointer);
   std::vector<GltfSlot> list{slots.base_color, slots.metallic_roughness, slots.normal, slots.emissive};
-  constexpr std::array<std::pair<const char*, const char*>, 8> further{
+  constexpr std::array<std::pair<const char*, const char*>, 9> further{
       {{glossiness_extension, "diffuseTexture"},
        {"KHR_materials_transmission", "transmissionTexture"},
        {"KHR_materials_clearcoat", "clearcoatTexture"},
@@ -39,10 +39,16 @@ std::vector<GltfSlot> rendered_slots(const tinygltf::Material& source, const std
        {"KHR_materials_sheen", "sheenColorTexture"},
        {"KHR_materials_sheen", "sheenRoughnessTexture"},
        {"KHR_materials_specular", "specularTexture"},
-       {"KHR_materials_specular", "specularColorTexture"}}};
+       {"KHR_materials_specular", "specularColorTexture"},
+       {"KHR_materials_anisotropy", "anisotropyTexture"}}};
   for (const auto& [extension, property] : further)
     list.push_back(GltfExtension(source.extensions, extension, pointer).slot(property));
   return list;
+}
+
+/// Whether a material's facets have a direction.
+bool is_brushed(const tinygltf::Material& source) {
+  return GltfExtension(source.extensions, "KHR_materials_anisotropy", "").number("anisotropyStrength", 0) > 0;
 }
 
 class MaterialReader {
@@ -64,7 +70,7 @@ class MaterialReader {
     }
     read_layers(source_, pointer_, inputs_);
     if (inputs_.can_use(slots_.normal))
-      inputs_.material.normal_map = inputs_.textures.normal_map(slots_.normal, use.is_mirrored);
+      inputs_.material.normal_map = inputs_.textures.normal_map(slots_.normal, inputs_.is_mirrored);
     inputs_.material.model = inputs_.model;
     read_emission();
     return surface_;
@@ -191,13 +197,18 @@ class MaterialReader {
 std::string material_pointer(int material) { return fmt::format("/materials/{}", material); }
 
 std::optional<int> GltfMaterials::uv_set(int material) const {
-  for (const GltfSlot& slot : rendered_slots(material_at(document_, material), material_pointer(material)))
+  const tinygltf::Material& source = material_at(document_, material);
+  for (const GltfSlot& slot : rendered_slots(source, material_pointer(material)))
     if (slot) return slot.uv_set;
+  if (is_brushed(source)) return 0;
   return std::nullopt;
 }
 
-bool GltfMaterials::has_normal_map(int material) const {
-  return material_at(document_, material).normalTexture.index >= 0;
+bool GltfMaterials::needs_handedness(int material) const {
+  const tinygltf::Material& source = material_at(document_, material);
+  const GltfExtension anisotropy(source.extensions, "KHR_materials_anisotropy", "");
+  return source.normalTexture.index >= 0 || anisotropy.slot("anisotropyTexture") ||
+         anisotropy.number("anisotropyRotation", 0) != 0;
 }
 
 bool GltfMaterials::is_unlit(int material) const {
@@ -209,7 +220,8 @@ const GltfSurface& GltfMaterials::surface(int index, const GltfUse& use) {
   if (!is_new) return entry->second;
   const tinygltf::Material& source = material_at(document_, index);
   const std::string pointer = material_pointer(index);
-  GltfInputs inputs{textures, document_.context(), use.has_uvs ? uv_set(index).value_or(-1) : -1};
+  GltfInputs inputs{textures, document_.context(), use.has_uvs ? uv_set(index).value_or(-1) : -1,
+                    use.is_mirrored};
   GltfSurface surface = MaterialReader(source, pointer, inputs).read(use);
   inputs.material.name = index < 0             ? "default"
                          : source.name.empty() ? fmt::format("material {}", index)

@@ -38,10 +38,12 @@ class GltfMaterials {
   explicit GltfMaterials(GltfDocument& document) : textures(document), document_(document) {}
 
   /// The number of the set of texture coordinates that a material's textures go by: that of its base color,
-  /// if it has a picture, else of the first one that has. None where it has no picture.
+  /// if it has a picture, else of the first one that has; the first set where it has none, but facets of a
+  /// direction; else none.
   std::optional<int> uv_set(int material) const;
-  /// Whether it has a normal map, which is not the same for both ways round of texture coordinates.
-  bool has_normal_map(int material) const;
+  /// Whether it has a normal map or a tangent, which are not the same for both ways round of texture
+  /// coordinates.
+  bool needs_handedness(int material) const;
   bool is_unlit(int material) const;
   /// The same material for each of the same uses. -1: the format's default material.
   const GltfSurface& surface(int material, const GltfUse& use);

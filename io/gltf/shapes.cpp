@@ -142,7 +142,7 @@ void GltfShapes::place(const GltfPrimitive& primitive, const std::string& name, 
   set_triangles(mesh, primitive.triangles);
   if (!use.has_uvs && materials_.is_unlit(primitive.material)) GltfColors::put_darkest_first(primitive, mesh);
   colors_.add(primitive, mesh, use);
-  if (!use.has_uvs || !materials_.has_normal_map(primitive.material))
+  if (!use.has_uvs || !materials_.needs_handedness(primitive.material))
     return place_part(primitive, std::move(mesh), use, place);
   std::vector<Triangle> sides[2];
   for (const Triangle& triangle : primitive.triangles)

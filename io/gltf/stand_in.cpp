@@ -19,15 +19,6 @@ Rgb reflected(const Rgb& eta, const Rgb& k) {
   return {channel(eta.r, k.r), channel(eta.g, k.g), channel(eta.b, k.b)};
 }
 
-/// Sets OpenPBR's roughness and anisotropy: alpha_t = r^2 sqrt(2 / (1 + (1 - a)^2)), alpha_b = (1 - a)
-/// alpha_t.
-void set_alpha(const Roughness& alpha, Principled& model) {
-  const float along = std::max(alpha.x, alpha.y), across = std::min(alpha.x, alpha.y);
-  const float ratio = along > 0 ? across / along : 1;
-  model.specular_roughness_anisotropy = 1 - ratio;
-  model.specular_roughness = std::sqrt(along * std::sqrt((1 + ratio * ratio) / 2));
-}
-
 class StandIn {
  public:
   StandIn(const Material& material, Losses& losses) : material_(material), losses_(losses) {}
@@ -63,7 +54,7 @@ class StandIn {
   void make_metal(const Rgb& color, const Roughness& alpha) {
     model_.base_metalness = 1;
     model_.base_color = color;
-    set_alpha(alpha, model_);
+    set_alpha(alpha);
     made_.roughness_power = 0.5f;
     for (TextureUse& use : made_.material.textures)
       if (use.meaning == InputMeaning::metal_reflectance) use.input = MaterialInput::reflectance;
@@ -73,12 +64,19 @@ class StandIn {
     model_.base_color = model_.transmission_color = tint;
     model_.specular_ior = ior;
     model_.geometry_thin_walled = is_thin;
-    set_alpha(alpha, model_);
+    set_alpha(alpha);
     made_.roughness_power = 0.5f;
   }
 
-  void check_direction(const Roughness& alpha) {
-    if (alpha.x < alpha.y) lose("the direction of facets that are wider across than along");
+  /// Sets OpenPBR's roughness and anisotropy: alpha_t = r^2 sqrt(2 / (1 + (1 - a)^2)), alpha_b = (1 - a)
+  /// alpha_t. Its facets are wider along the tangent, which is turned where they are wider across.
+  void set_alpha(const Roughness& alpha) {
+    const float along = std::max(alpha.x, alpha.y), across = std::min(alpha.x, alpha.y);
+    const float ratio = along > 0 ? across / along : 1;
+    model_.specular_roughness_anisotropy = 1 - ratio;
+    model_.specular_roughness = std::sqrt(along * std::sqrt((1 + ratio * ratio) / 2));
+    float& degrees = made_.material.tangent_degrees;
+    if (alpha.x < alpha.y) degrees += degrees > 0 ? -90 : 90;
   }
 
   void take(const Lambert& model) { make_diffuse(model.reflectance); }
@@ -100,7 +98,6 @@ class StandIn {
   }
   void take(const Conductor& model) {
     name("metal of its color", "metals of their colors");
-    check_direction(model.roughness);
     make_metal(reflected(model.eta, model.k) * model.reflectance, model.roughness);
   }
   void take(const CoatedConductor& model) {
@@ -111,10 +108,9 @@ class StandIn {
   }
   void take(const CoatedDiffuse& model) {
     name("glossy surface", "glossy surfaces");
-    check_direction(model.roughness);
     model_.base_color = model.reflectance;
     model_.specular_ior = model.ior;
-    set_alpha(model.roughness, model_);
+    set_alpha(model.roughness);
     made_.roughness_power = 0.5f;
   }
   void take(const Dielectric& model) {

@@ -137,12 +137,18 @@ std::uint32_t GltfTextures::product(std::uint32_t first, std::uint32_t second) {
 }
 
 std::uint32_t GltfTextures::normal_map(const GltfSlot& slot, bool is_mirrored) {
+  return directions(slot, slot.scale, is_mirrored ? -slot.scale : slot.scale);
+}
+
+std::uint32_t GltfTextures::tangent_map(const GltfSlot& slot, bool is_mirrored) {
+  return directions(slot, 1, is_mirrored ? -1 : 1);
+}
+
+std::uint32_t GltfTextures::directions(const GltfSlot& slot, float x, float y) {
   std::uint32_t map = picture(slot, {PictureRole::data, PictureChannels::color});
   if (auto* image = std::get_if<ImageTexture>(&textures_[map].model))
     if (image->filter == TextureFilter::stochastic) image->filter = TextureFilter::bilinear;
-  if (slot.scale == 1 && !is_mirrored) return map;
-  // 1/2 + (c - 1/2) s for x and y.
-  const float x = slot.scale, y = is_mirrored ? -slot.scale : slot.scale;
+  if (x == 1 && y == 1) return map;
   return add_affine(textures_, map, {x, y, 1}, Rgb{1 - x, 1 - y, 0} * 0.5f);
 }
 

@@ -35,6 +35,8 @@ class GltfTextures {
   std::uint32_t product(std::uint32_t first, std::uint32_t second);
   /// A normal map whose x and y are times the slot's scale; `is_mirrored`: y the other way round.
   std::uint32_t normal_map(const GltfSlot& slot, bool is_mirrored);
+  /// Likewise of the direction in the plane of the surface that its x and y are.
+  std::uint32_t tangent_map(const GltfSlot& slot, bool is_mirrored);
   /// 1 where a number is at least a limit, else 0: a steep ramp, whose ends the alpha test cuts off.
   std::uint32_t at_least(std::uint32_t texture, float factor, float limit);
 
@@ -51,6 +53,9 @@ class GltfTextures {
   std::uint32_t add(const std::string& name, const TextureModel& model);
 
  private:
+  /// A picture of directions from -1 (0) to 1: 1/2 + (c - 1/2) s for the factors x of red and y of green.
+  std::uint32_t directions(const GltfSlot& slot, float x, float y);
+
   struct Wraps {
     int s, t;
     bool is_mirrored() const;

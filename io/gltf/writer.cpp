@@ -35,11 +35,11 @@ class Shapes {
   void add() {
     const Geometry& geometry = *scene_.geometry;
     for (std::uint32_t shape = 0; shape < geometry.direct_shapes().end(); ++shape) add_shape(shape);
-    std::vector<bool> have_maps;
-    for (const ShapeRange& range : geometry.prototypes()) have_maps.push_back(has_normal_map(range));
+    std::vector<bool> are_handed;
+    for (const ShapeRange& range : geometry.prototypes()) are_handed.push_back(needs_handedness(range));
     for (const auto& [number, to_world] : geometry.instances()) {
       const ShapeRange& range = geometry.prototypes()[number];
-      if (const auto mesh = prototype(range, have_maps[number] && to_world.determinant() < 0))
+      if (const auto mesh = prototype(range, are_handed[number] && to_world.determinant() < 0))
         file_.add_node(
             {{"name", asset_name(range.first)}, {"mesh", *mesh}, {"matrix", gltf_matrix(to_world)}});
     }
@@ -73,25 +73,25 @@ class Shapes {
     return mesh && mesh->side == EmissionSide::back;
   }
 
-  bool has_normal_map(const ShapeRange& range) const {
+  bool needs_handedness(const ShapeRange& range) const {
     for (std::uint32_t shape = range.first; shape < range.end(); ++shape)
-      if (materials_.has_normal_map(scene_.bindings[shape])) return true;
+      if (materials_.needs_handedness(scene_.bindings[shape])) return true;
     return false;
   }
 
-  /// Adds the mesh as one primitive. Where a normal map lies mirrored the format turns it around, and a map
-  /// that is turned already belongs there: such triangles are a primitive of their own. `is_mirrored`: by the
-  /// node.
+  /// Adds the mesh as one primitive. Where a normal map or a tangent lies mirrored the format turns it
+  /// around, and one that is turned already belongs there: such triangles are a primitive of their own.
+  /// `is_mirrored`: by the node.
   void add_primitives(const Mesh& mesh, std::uint32_t shape, GltfJson& primitives, bool is_mirrored = false) {
     JoinedMesh joined = join_corners(mesh);
     const std::vector<std::array<float, 4>> colors =
         materials_.vertex_colors(scene_.bindings[shape], joined.uvs);
     if (!colors.empty()) joined.uvs.clear();
     if (is_turned(shape)) turn(joined.triangles);
-    const bool has_map = !joined.uvs.empty() && materials_.has_normal_map(scene_.bindings[shape]);
+    const bool is_handed = !joined.uvs.empty() && materials_.needs_handedness(scene_.bindings[shape]);
     std::vector<Triangle> sides[2];
     for (const Triangle& triangle : joined.triangles)
-      sides[has_map && (uv_area(joined.uvs, triangle) < 0) != is_mirrored].push_back(triangle);
+      sides[is_handed && (uv_area(joined.uvs, triangle) < 0) != is_mirrored].push_back(triangle);
     flip(joined.uvs);
     GltfJson attributes{{"POSITION", file_.vectors(joined.positions, true)}};
     if (!joined.normals.empty()) attributes["NORMAL"] = file_.vectors(joined.normals, false);

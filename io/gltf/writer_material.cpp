@@ -7,7 +7,9 @@
 #include <cmath>
 #include <optional>
 
+#include "core/angle.h"
 #include "core/elementary.h"
+#include "core/shading_map.h"
 #include "core/textured_material.h"
 #include "io/vertex_colors.h"
 
@@ -51,6 +53,12 @@ std::uint32_t color_of(const Material& material) {
   return no_texture;
 }
 
+/// Whether a texture says how much wider a material's facets are along the tangent.
+bool is_widened(const Material& material) {
+  return std::any_of(material.textures.begin(), material.textures.end(),
+                     [](const TextureUse& use) { return use.meaning == InputMeaning::widening; });
+}
+
 /// The JSON of one material, but for what it emits.
 class Properties {
  public:
@@ -64,7 +72,7 @@ class Properties {
   }
 
   GltfJson make(const Scene& scene, std::uint32_t alpha, bool is_mirrored) {
-    add_base(scene, alpha);
+    add_base(scene, alpha, is_mirrored);
     add_index();
     add_transmission();
     add_coat();
@@ -79,6 +87,12 @@ class Properties {
   }
 
  private:
+  /// Roughness across, and the strength by which they are wider along.
+  struct Facets {
+    float roughness, strength;
+    bool is_widened = false;  ///< By a texture, which has the strength.
+  };
+
   /// The texture of an input, which counts as written; no_texture if there is none.
   std::uint32_t take(MaterialInput input) {
     const auto found =
@@ -105,7 +119,7 @@ class Properties {
     put(object, texture, channels);
   }
 
-  void add_base(const Scene& scene, std::uint32_t alpha) {
+  void add_base(const Scene& scene, std::uint32_t alpha, bool is_mirrored) {
     GltfJson base;
     GltfChannels color{.color = take(reflectance)};
     float opacity = 1;
@@ -123,8 +137,26 @@ class Properties {
     base["roughnessFactor"] = is_rough ? 1.0 : shortest_decimal(facets.roughness);
     put(base, "metallicRoughnessTexture", rough);
     json_["pbrMetallicRoughness"] = base;
-    if (facets.anisotropy > 0)
-      extension("KHR_materials_anisotropy")["anisotropyStrength"] = shortest_decimal(facets.anisotropy);
+    if (facets.is_widened || facets.strength > 0) add_anisotropy(scene, facets, is_mirrored);
+  }
+
+  void add_anisotropy(const Scene& scene, const Facets& facets, bool is_mirrored) {
+    const Material& material = made_.material;
+    GltfJson& json = extension("KHR_materials_anisotropy");
+    const float degrees = is_mirrored ? -material.tangent_degrees : material.tangent_degrees;
+    if (degrees != 0)
+      json["anisotropyRotation"] = shortest_decimal(float(double(degrees) * radians_per_degree));
+    GltfChannels channels{
+        .color = material.tangent_map, .kind = GltfColorKind::tangent, .turns_green = is_mirrored};
+    json["anisotropyStrength"] = shortest_decimal(facets.strength);
+    if (facets.is_widened) {
+      const std::uint32_t texture = take(specular_roughness_anisotropy);
+      const auto* constant = std::get_if<ConstantTexture>(&scene.textures[texture].model);
+      if (!constant) channels.number[blue] = texture;
+      json["anisotropyStrength"] =
+          constant ? shortest_decimal(std::clamp(constant->value.r, 0.0f, 1.0f)) : 1.0;
+    }
+    put(json, "anisotropyTexture", channels);
   }
 
   /// Sets the mode; a constant alpha is returned, all else is a channel of the base color's picture.
@@ -141,11 +173,9 @@ class Properties {
   }
 
   /// The extension keeps the width across, and widens along: the inverse of io/gltf/layers.cpp.
-  struct Facets {
-    float roughness, anisotropy;
-  };
   Facets read_facets() const {
     const float rough = model_.specular_roughness, ratio = 1 - model_.specular_roughness_anisotropy;
+    if (is_widened(made_.material)) return {rough, 0, true};
     if (ratio == 1) return {rough, 0};
     const float along = rough * rough / std::sqrt((1 + ratio * ratio) / 2), across = ratio * along;
     const float strength = across < 1 ? std::sqrt(std::max(0.0f, (along - across) / (1 - across))) : 0;
@@ -219,7 +249,7 @@ class Properties {
     const Material& material = made_.material;
     if (material.normal_map != no_texture)
       put(json_, "normalTexture",
-          {.color = material.normal_map, .is_data = true, .turns_green = is_mirrored});
+          {.color = material.normal_map, .kind = GltfColorKind::normal, .turns_green = is_mirrored});
     if (material.bump_map != no_texture)
       file_.output.losses.add("a bump map is left out", "{} bump maps are left out");
   }
@@ -254,9 +284,10 @@ std::size_t GltfMaterialWriter::material(const ShapeBinding& binding, bool is_mi
   return entry->second;
 }
 
-bool GltfMaterialWriter::has_normal_map(const ShapeBinding& binding) const {
+bool GltfMaterialWriter::needs_handedness(const ShapeBinding& binding) const {
   Losses named_before;
-  return gltf_stand_in(scene_, binding.material, named_before).material.normal_map != no_texture;
+  const Material material = gltf_stand_in(scene_, binding.material, named_before).material;
+  return material.normal_map != no_texture || has_tangent(material);
 }
 
 std::vector<std::array<float, 4>> GltfMaterialWriter::vertex_colors(const ShapeBinding& binding,

@@ -17,10 +17,11 @@ class GltfMaterialWriter {
   GltfMaterialWriter(const Scene& scene, GltfFile& file)
       : scene_(scene), file_(file), textures_(scene, file) {}
 
-  /// The index of what a shape of this binding is made of. `is_mirrored`: where its normal map lies mirrored;
-  /// else of no effect.
+  /// The index of what a shape of this binding is made of. `is_mirrored`: where its maps of directions lie
+  /// mirrored; else of no effect.
   std::size_t material(const ShapeBinding& binding, bool is_mirrored = false);
-  bool has_normal_map(const ShapeBinding& binding) const;
+  /// Whether it has a normal map or a tangent, which the format turns around where it lies mirrored.
+  bool needs_handedness(const ShapeBinding& binding) const;
   /// The colours and alphas of vertices with these texture coordinates, where the shape's base colour or its
   /// holes were drawn of such (io/vertex_colors.h); else nothing.
   std::vector<std::array<float, 4>> vertex_colors(const ShapeBinding& binding, std::span<const Vec2> uvs);

@@ -23,6 +23,14 @@ float powered(float number, float power) {
   return power == 1 || !(number > 0) ? number : float(pow_of(double(number), double(power)));
 }
 
+/// Of a picture's red, green or blue where its colour is this.
+std::uint8_t color_byte(const Rgb& c, std::size_t channel, const GltfChannels& channels) {
+  const float green = channels.turns_green ? 1 - c.g : c.g;
+  const float value = channel == 0 ? c.r : channel == 1 ? green : c.b;
+  if (channels.kind == GltfColorKind::color) return encode_srgb(value);
+  return channels.kind == GltfColorKind::tangent && channel == 2 ? byte_of(1) : byte_of(value);
+}
+
 template <typename Picture>
 std::string png_bytes(const Picture& picture) {
   std::vector<unsigned char> bytes;
@@ -74,9 +82,9 @@ GltfJson GltfTextureWriter::make(const GltfChannels& channels) {
         const float value = baked.pictures[numbers[k] - 1].pixels[pixel].r;
         byte = byte_of(k == alpha_channel ? value : powered(value, channels.power));
       } else if (color > 0 && k != alpha_channel) {
-        const Rgb& c = baked.pictures[color - 1].pixels[pixel];
-        const float green = channels.turns_green ? 1 - c.g : c.g, value = k == 0 ? c.r : k == 1 ? green : c.b;
-        byte = channels.is_data ? byte_of(value) : encode_srgb(value);
+        byte = color_byte(baked.pictures[color - 1].pixels[pixel], k, channels);
+      } else if (channels.kind == GltfColorKind::tangent && k == 1) {
+        byte = byte_of(0.5f);
       }
     }
   const bool has_alpha = numbers[alpha_channel] > 0;

@@ -17,18 +17,23 @@ namespace twinray {
 /// Of a picture with four channels, the last.
 inline constexpr std::size_t alpha_channel = 3;
 
+/// What a picture's red, green and blue are together: a colour, encoded as sRGB; a normal, or a tangent of
+/// two parts, whose blue is free for a number. The tangent of a picture without one is that of the
+/// coordinates.
+enum class GltfColorKind { color, normal, tangent };
+
 /// What the channels of one picture are.
 struct GltfChannels {
   /// Of the colour; a texture in `number` stands in for a channel of it. no_texture: white.
   std::uint32_t color = no_texture;
   /// Textures of numbers in red, green, blue and alpha: their red. no_texture: 1.
   std::array<std::uint32_t, 4> number{no_texture, no_texture, no_texture, no_texture};
-  bool is_data = false;      ///< The colour is no colour but a direction: it is not encoded as sRGB.
+  GltfColorKind kind = GltfColorKind::color;
   float power = 1;           ///< To which numbers are taken, but for alpha.
-  bool turns_green = false;  ///< Of data: green is 1 less what it was.
+  bool turns_green = false;  ///< Of directions: green is 1 less what it was.
 
   bool is_empty() const {
-    return *this == GltfChannels{.is_data = is_data, .power = power, .turns_green = turns_green};
+    return *this == GltfChannels{.kind = kind, .power = power, .turns_green = turns_green};
   }
   auto operator<=>(const GltfChannels&) const = default;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.h"
 #include "io/affine_texture.h"
 #include "io/picture_path.h"
 #include "io/uri.h"
@@ -170,6 +171,7 @@ bool ObjMaterials::is_textured(const ObjSurface& surface) const {
 
 ObjSurface ObjMaterials::make(const tinyobj::material_t& from) {
   Material material{.name = from.name, .model = model_of(from)};
+  material.tangent_degrees = float(degrees_per_turn) * unit(from.anisotropy_rotation);
   const auto first = std::ptrdiff_t(textures.size());
   add_color(from, material);
   add_textures(from, material);

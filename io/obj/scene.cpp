@@ -5,6 +5,8 @@
 
 #include <map>
 
+#include "core/shading_map.h"
+#include "io/facet_direction.h"
 #include "io/input_file.h"
 #include "io/mesh_scene.h"
 #include "io/obj/material.h"
@@ -102,6 +104,8 @@ ScenePart part_of(const ObjModel& model, const ObjFaces& faces, ObjMaterials& ma
     set_drawn_uvs(mesh);
   }
   repair_mesh(mesh, repairs);
+  if (mesh.uvs.empty() && is_anisotropic(materials.materials[surface.material]))
+    materials.warn(no_facet_direction);
   if (mesh.uvs.empty() && materials.is_textured(surface)) {
     mesh.uvs = {{0, 0}};
     mesh.uv_indices.assign(mesh.triangles.size(), {0, 0, 0});

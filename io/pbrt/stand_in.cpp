@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/shading_map.h"
 #include "core/textured_material.h"
 #include "io/exchange/writer.h"
 
@@ -28,6 +29,7 @@ class StandIn {
   PbrtStandIn make() {
     made_.material = material_;
     std::visit([&](const auto& model) { made_.material.model = of(model); }, material_.model);
+    if (has_tangent(made_.material)) lose("the direction of the facets");
     return std::move(made_);
   }
 

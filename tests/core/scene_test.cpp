@@ -60,6 +60,27 @@ TEST_CASE("an alpha, or a map, that names no texture, or a shape that is not cut
   scene = valid_scene();
   scene.materials[2].bump_map = 4;
   CHECK(message_of(scene) == "material 2 names texture 4; there are 0");
+  scene = valid_scene();
+  scene.materials[1].tangent_map = 0;
+  CHECK(message_of(scene) == "material 1 names texture 0; there are 0");
+}
+
+TEST_CASE("a tangent that is turned too far, and what widens something else, are named") {
+  Scene scene = valid_scene();
+  scene.materials[0].tangent_degrees = -360;
+  CHECK(message_of(scene) == "valid");
+  scene.materials[0].tangent_degrees = 361;
+  CHECK(message_of(scene) == "material 0 has a tangent turned by 361 degrees; valid are -360 to 360");
+  scene.materials[0].tangent_degrees = NAN;
+  CHECK(message_of(scene) == "material 0 has a tangent turned by nan degrees; valid are -360 to 360");
+  scene = valid_scene();
+  scene.textures = {{"half", ConstantTexture{{0.5f, 0, 0}}}};
+  scene.materials[1] = {"", Principled{}, {{MaterialInput::roughness, 0, InputMeaning::widening}}};
+  CHECK(message_of(scene) ==
+        "material 1 has a texture whose meaning is \"widening\" for its roughness; valid is "
+        "specular_roughness_anisotropy");
+  scene.materials[1].textures[0].input = MaterialInput::specular_roughness_anisotropy;
+  CHECK(message_of(scene) == "valid");
 }
 
 TEST_CASE("a light whose shape is not of its kind is named") {

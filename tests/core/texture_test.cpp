@@ -225,6 +225,31 @@ TEST_CASE("a metal takes eta, k or its reflectance from textures, and a roughnes
   CHECK(k * k / (4 + k * k) == Approx(0.25));
 }
 
+TEST_CASE("what widens facets widens those of the roughness, wherever it stands among the textures") {
+  const std::vector<Texture> textures{{"", ConstantTexture{{0.5f, 0, 0}}},
+                                      {"", ConstantTexture{{0.8f, 0, 0}}}};
+  const TextureUse rough{MaterialInput::roughness, 1};
+  const TextureUse wide{MaterialInput::specular_roughness_anisotropy, 0, InputMeaning::widening};
+  const auto alphas = [&](const std::vector<TextureUse>& uses) {
+    const auto model = std::get<Principled>(
+        textured_model({"", Principled{.specular_roughness = 0.6f}, uses}, textures, {}));
+    const float r = model.specular_roughness, ratio = 1 - model.specular_roughness_anisotropy;
+    const float along = r * r * std::sqrt(2 / (1 + ratio * ratio));
+    return std::pair{along, along * ratio};
+  };
+  for (const auto& uses : {std::vector{rough, wide}, std::vector{wide, rough}}) {
+    CHECK(alphas(uses).first == Approx(0.64 + 0.36 * 0.25));
+    CHECK(alphas(uses).second == Approx(0.64));
+  }
+  CHECK(alphas({wide}).first == Approx(0.36 + 0.64 * 0.25));
+  CHECK(alphas({wide}).second == Approx(0.36));
+  Principled polished{.specular_roughness = 0};
+  widen(polished, 0);
+  CHECK(polished.specular_roughness == 0);
+  CHECK(polished.specular_roughness_anisotropy == 0);
+  CHECK(is_anisotropic(Material{"", Principled{}, {wide}}));
+}
+
 TEST_CASE("each input of OpenPBR's surface may be a texture's, and is the member of its name") {
   const std::vector<Texture> textures{{"", ConstantTexture{{0.125f, 0.5f, 0.75f}}}};
   const auto with = [&](MaterialInput input) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "core/shading_map.h"
 #include "integrators/interaction.h"
 #include "integrators/path_reference.h"
 #include "tests/support/catch.h"
@@ -105,6 +106,7 @@ Scene scene_of_maps() {
   Random random(4);
   for (const SurfaceModel& model : models) {
     Material material{"", model};
+    if (is_anisotropic(model)) material.tangent_map = 0, material.tangent_degrees = -50;
     const bool is_even = scene.materials.size() % 2 == 0;
     if (is_even)
       material.normal_map = 0;
@@ -298,6 +300,61 @@ TEST_CASE("facets of unequal widths have their directions from the texture coord
   // Facets are wide along v, which is z: light from there is scattered to the viewer.
   CHECK(middle_of(along, first, {0, 1, 0}).scattered(normalize({0, 1, 0.8f})).value.r >
         5 * middle_of(along, first, {0, 1, 0}).scattered(normalize({0.8f, 1, 0})).value.r);
+}
+
+TEST_CASE("the tangent of facets is turned from dp/du towards n x dp/du, and so is that of a map") {
+  Scene scene = lit(mapped_square(), {0, 1, 0});
+  scene.textures = {constant({0.5f, 1, 0}), constant({0.5f, 0.5f, 1}), constant({0, 0.5f, 0})};
+  Material& metal = scene.materials[0];
+  metal.model = Conductor{.roughness = {0.1f, 0.5f}};
+  const SurfacePoint point = surface_at(*scene.geometry, {.t = 1, .u = 0.3f, .v = 0.3f});
+  const auto tangent = [&](float degrees, std::uint32_t map) {
+    metal.tangent_degrees = degrees, metal.tangent_map = map;
+    check_scene(scene);
+    return normalize(facet_tangent(scene, metal, point, {2, 0, 0}));
+  };
+  const Vec3 x{1, 0, 0}, v{0, 0, -1};  // dp/du, and n x dp/du.
+  const float c = std::cos(pi / 6), s = std::sin(pi / 6);
+  const auto check = [](const Vec3& found, const Vec3& expected) { CHECK(length(found - expected) < 1e-6f); };
+  check(tangent(0, no_texture), x);
+  check(tangent(30, no_texture), x * c + v * s);
+  check(tangent(-30, no_texture), x * c - v * s);
+  check(tangent(-360, no_texture), x);
+  check(tangent(360, no_texture), x);
+  check(tangent(0, 0), v);
+  check(tangent(30, 0), v * c - x * s);
+  check(tangent(30, 1), x * c + v * s);
+  check(tangent(0, 2), -x);
+}
+
+TEST_CASE("facets whose tangent is turned are those of texture coordinates that are turned the other way") {
+  const auto scene_of_uvs = [](float turned_by) {
+    Mesh mesh = mapped_square();
+    const float c = std::cos(turned_by * pi / 180), s = std::sin(turned_by * pi / 180);
+    for (Vec2& uv : mesh.uvs) uv = {c * uv.x - s * uv.y, s * uv.x + c * uv.y};
+    Scene scene = lit(std::move(mesh), {0, 1, 0});
+    scene.materials[0].model =
+        Principled{.base_metalness = 1, .specular_roughness = 0.5f, .specular_roughness_anisotropy = 0.8f};
+    return scene;
+  };
+  const Scene turned_uvs = scene_of_uvs(-35), plain = scene_of_uvs(0);
+  Scene turned = plain, mapped = plain;
+  turned.materials[0].tangent_degrees = 35;
+  mapped.textures = {constant(encoded(normalize({std::cos(55 * pi / 180), std::sin(55 * pi / 180), 0})))};
+  mapped.materials[0].tangent_map = 0, mapped.materials[0].tangent_degrees = -20;
+  const BsdfTable first(turned_uvs), second(turned), third(mapped), fourth(plain);
+  double largest = 0;
+  // From below, too: the turn is that of the surface, not of its side.
+  for (const Vec3& wo : {normalize({0.1f, 1, 0.2f}), normalize({0.3f, -1, 0.1f})})
+    for (const Vec3& towards : {Vec3{0.4f, 1, 0}, {0, 1, 0.4f}, {-0.5f, 1, 0.3f}}) {
+      const Vec3 wi = normalize(wo.y > 0 ? towards : -towards);
+      const double value = double(middle_of(turned_uvs, first, wo).scattered(wi).value.r);
+      CHECK(value == Approx(double(middle_of(turned, second, wo).scattered(wi).value.r)).epsilon(1e-4));
+      CHECK(value == Approx(double(middle_of(mapped, third, wo).scattered(wi).value.r)).epsilon(1e-4));
+      largest = std::max(largest,
+                         std::fabs(value / double(middle_of(plain, fourth, wo).scattered(wi).value.r) - 1));
+    }
+  CHECK(largest > 0.5);
 }
 
 TEST_CASE("waves have the reference's bits where surfaces have maps, on every engine") {

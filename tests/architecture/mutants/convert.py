@@ -18,6 +18,8 @@ GLTF_SURFACES = "written gltf: each property of a surface that the format has co
 GLTF_EMITTERS = "written gltf: emitters and lights come back with every bit of their strength"
 GLTF_TEXTURES = "written gltf: textures come back as they lie, each in its channel"
 GLTF_HOLES = "written gltf: holes come back, those below a limit and those of a chance"
+GLTF_FACETS = ("written gltf: facets of a direction come back, turned, by pictures, and where they lie "
+               "mirrored")
 LOSSES = "losses are counted, a line for each kind in the order of their first ones"
 BAKED = ("a baked product of pictures that lie alike is exact at their pixels, and others are drawn over the "
          "square")
@@ -188,4 +190,27 @@ MUTANTS = [
     Mutant("a picture that emits may be dark below nothing", "io/exchange/reader.cpp",
            "{ return luminance(pixel) >= 0; }", "{ return luminance(pixel) >= -1; }", IO,
            "a picture that a mesh emits may be below 0 in a channel, no other, and not in its luminance"),
+    Mutant("a tangent map's blue is written as a strength", "io/gltf/writer_texture.cpp",
+           "channels.kind == GltfColorKind::tangent && channel == 2 ? byte_of(1) : byte_of(value)",
+           "byte_of(value)", IO, GLTF_FACETS),
+    Mutant("a picture of a strength has the direction of both axes", "io/gltf/writer_texture.cpp",
+           "        byte = byte_of(0.5f);\n", "        byte = 255;\n", IO, GLTF_FACETS),
+    Mutant("facets that lie mirrored are written as others", "io/gltf/writer_material.cpp",
+           "is_mirrored ? -material.tangent_degrees : material.tangent_degrees", "material.tangent_degrees",
+           IO, GLTF_FACETS),
+    Mutant("a tangent map that lies mirrored is written as others", "io/gltf/writer_material.cpp",
+           ".kind = GltfColorKind::tangent, .turns_green = is_mirrored", ".kind = GltfColorKind::tangent", IO,
+           GLTF_FACETS),
+    Mutant("a strength that is the same all over is a picture", "io/gltf/writer_material.cpp",
+           "if (!constant) channels.number[blue] = texture;", "channels.number[blue] = texture;", IO,
+           GLTF_FACETS),
+    Mutant("facets that are wider across lie along", "io/gltf/stand_in.cpp",
+           "    if (alpha.x < alpha.y) degrees += degrees > 0 ? -90 : 90;\n", "", IO,
+           "written gltf: facets that are wider across than along are turned"),
+    Mutant("pbrt turns facets", "io/pbrt/stand_in.cpp",
+           "    if (has_tangent(made_.material)) lose(\"the direction of the facets\");\n", "", IO,
+           "written pbrt: the direction of facets is named where it is not that of the texture coordinates"),
+    Mutant("an exchange form has no tangents", "io/exchange/reader.cpp",
+           "material.tangent_degrees = entry.number(\"tangent_degrees\");", "entry.number(\"tangent_degrees\");",
+           IO, "*exchange*"),
 ]

@@ -7,6 +7,9 @@ FAULTS = "gltf: each fault of the text is an error with its pointer and what is 
 COLORS = "gltf: colors are encoded as sRGB has it, roughness is green and metal blue as they stand"
 MORPH = "gltf: morph targets move vertices by the weights of the mesh or, if it has some, the node"
 NORMAL_MAP = "gltf: a normal map is scaled, and turned where texture coordinates are mirrored"
+BRUSHED = "gltf: the direction of anisotropy is that of the texture coordinates, turned, and as mirrored"
+BRUSHED_PICTURE = ("gltf: a picture of anisotropy has its direction in red and green, and a factor of it in "
+                   "blue")
 
 MUTANTS = [
     Mutant("every triangle of a strip has the first one's winding", "io/gltf/primitive.cpp",
@@ -140,4 +143,20 @@ MUTANTS = [
            "at_least_zero(bilinear(*light.picture, WrapMode::clamp, uv))",
            "bilinear(*light.picture, WrapMode::clamp, uv)", GLTF,
            "gltf: an unlit triangle of red, green and blue corners emits no less than nothing"),
+    Mutant("brushed surfaces without pictures have no direction", "io/gltf/material.cpp",
+           "  if (is_brushed(source)) return 0;\n", "", GLTF, BRUSHED),
+    Mutant("facets that lie mirrored are turned as others", "io/gltf/layers.cpp",
+           "inputs_.is_mirrored ? -turned : turned", "turned", GLTF, BRUSHED),
+    Mutant("a turn of facets needs no handedness", "io/gltf/material.cpp",
+           "anisotropy.number(\"anisotropyRotation\", 0) != 0", "false", GLTF, BRUSHED),
+    Mutant("a picture of anisotropy lies mirrored where coordinates do", "io/gltf/texture.cpp",
+           "directions(slot, 1, is_mirrored ? -1 : 1)", "directions(slot, 1, 1)", GLTF, BRUSHED_PICTURE),
+    Mutant("a picture of anisotropy needs no handedness", "io/gltf/material.cpp",
+           "anisotropy.slot(\"anisotropyTexture\") ||", "", GLTF, BRUSHED_PICTURE),
+    Mutant("the strength of anisotropy is left out where a picture has it", "io/gltf/layers.cpp",
+           "picture, PictureChannels::blue, strength", "picture, PictureChannels::blue, 1", GLTF,
+           BRUSHED_PICTURE),
+    Mutant("facets of a picture's roughness are not widened", "io/gltf/layers.cpp",
+           "else if (has_texture(roughness))", "else if (has_texture(amount))", GLTF,
+           "gltf: anisotropy widens facets of a roughness that a picture says"),
 ]

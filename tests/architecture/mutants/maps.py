@@ -7,6 +7,8 @@ RAMP = "a bump map that rises evenly shades as a plane that rises so"
 SOFT = "at the end of what the geometry sees light falls to nothing, instead of breaking off"
 WAVES = "waves have the reference's bits where surfaces have maps, on every engine"
 UNEQUAL = "facets of unequal widths have their directions from the texture coordinates"
+TURNED = "the tangent of facets is turned from dp/du towards n x dp/du, and so is that of a map"
+WIDENED = "what widens facets widens those of the roughness, wherever it stands among the textures"
 TRIANGLE = "a triangle's tangents lead from corner to corner as its texture coordinates do"
 BALL = "a sphere's tangents are the derivatives of its octahedral coordinates"
 
@@ -31,7 +33,8 @@ MUTANTS = [
     Mutant("waves sample light for the normal without its map", "integrators/wave/other_surfaces.cpp",
            "    surfaces_.shading.set(other.index, other.at.normal());\n", "", "test_integrators", WAVES),
     Mutant("unequal widths lie along any axis", "integrators/shading_frame.cpp",
-           "return {Frame(shading, tangents->du), is_mapped};", "return {Frame(shading), is_mapped};",
+           "return {Frame(shading, facet_tangent(scene, material, point, tangents->du)), is_mapped};",
+           "return {Frame(shading), is_mapped};",
            "test_integrators", UNEQUAL),
     Mutant("dp/dv has the sign of dp/du", "core/tangents.cpp",
            "solve(-qu, pu)", "solve(qu, pu)", "test_core", TRIANGLE),
@@ -47,4 +50,22 @@ MUTANTS = [
     Mutant("the furnace takes one pixel of each texture for all samples", "integrators/furnace.cpp",
            "    point.texture_draw = sampler.draw_2d(Purpose::texture);\n", "", "test_integrators",
            "in a furnace the mean of stochastic textures is that of the pixels around"),
+    Mutant("facets are turned with the clock", "core/shading_map.cpp",
+           "{cosine * x - sine * y, sine * x + cosine * y, 0}",
+           "{cosine * x + sine * y, cosine * y - sine * x, 0}", "test_integrators", TURNED),
+    Mutant("a tangent map is not turned", "core/shading_map.cpp",
+           "to_world({cosine * x - sine * y, sine * x + cosine * y, 0})", "to_world({x, y, 0})",
+           "test_integrators", TURNED),
+    Mutant("a tangent that points back is dp/du", "core/shading_map.cpp",
+           "if (x > 0 && y == 0", "if (y == 0", "test_integrators", TURNED),
+    Mutant("the turn of facets is that of the viewer's side", "integrators/shading_frame.cpp",
+           "facet_tangent(scene, material, point, tangents->du)",
+           "facet_tangent(scene, material, [&] { SurfacePoint p = point; p.shading_normal = shading; return p; }(), "
+           "tangents->du)", "test_integrators",
+           "facets whose tangent is turned are those of texture coordinates that are turned the other way"),
+    Mutant("facets are widened before their roughness is known", "core/textured_material.cpp",
+           "      widening = value.number();\n", "      widen(std::get<Principled>(model), value.number());\n",
+           "test_core", WIDENED),
+    Mutant("facets are widened by the root of what the format has", "core/textured_material.cpp",
+           "(1 - across) * strength * strength", "(1 - across) * strength", "test_core", WIDENED),
 ]

@@ -147,4 +147,10 @@ MUTANTS = [
     Mutant("FBX is written in small letters", "io/assimp/assimp_importer.cpp",
            'strcasecmp(path.extension().c_str(), ".fbx") == 0', 'path.extension() == ".fbx"', "test_io",
            "a picture takes the color's place in FBX, whatever the letters of the file's name"),
+    Mutant("MTL turns facets by degrees", "io/obj/material.cpp",
+           "float(degrees_per_turn) * unit(from.anisotropy_rotation)", "from.anisotropy_rotation", "test_io",
+           "facets of an OBJ file are turned as MTL says, and have a direction where there are coordinates"),
+    Mutant("facets without a direction are not named", "io/obj/scene.cpp",
+           "    materials.warn(no_facet_direction);\n", "    ;\n", "test_io",
+           "facets of an OBJ file are turned as MTL says, and have a direction where there are coordinates"),
 ]

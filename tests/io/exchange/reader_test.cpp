@@ -53,6 +53,8 @@ void add_textures(Scene& scene) {
   scene.materials[7].textures = {{MaterialInput::k, 4, InputMeaning::metal_reflectance}};
   scene.materials[1].normal_map = 2;
   scene.materials[2].bump_map = 3;
+  scene.materials[3].tangent_map = 5;
+  scene.materials[4].tangent_degrees = -third;
 }
 
 /// Of each texture, material and light there is, with numbers of many digits.

@@ -280,6 +280,17 @@ TEST_CASE("written pbrt: textures of roughnesses and of metals keep what they me
   }
 }
 
+TEST_CASE("written pbrt: the direction of facets is named where it is not that of the texture coordinates") {
+  Scene scene = scene_of(triangle_with_uvs(), Conductor{.roughness = {0.125f, 0.5f}});
+  CHECK(round_trip(scene, "a.pbrt").warnings.empty());
+  scene.materials[0].tangent_degrees = 30;
+  CHECK(round_trip(scene, "a.pbrt").warnings ==
+        std::vector<std::string>{
+            "the direction of the facets of a material of the type conductor is left out"});
+  scene.materials[0].model = Conductor{.roughness = {0.5f, 0.5f}};
+  CHECK(round_trip(scene, "a.pbrt").warnings.empty());
+}
+
 TEST_CASE("written pbrt: holes, bumps and normal maps come back, and turned textures are named") {
   Scene scene = scene_of(triangle_with_uvs(), Lambert{});
   scene.textures = {
