@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/angle.h"
 #include "core/elementary.h"
 #include "core/frame.h"
 #include "core/tangents.h"
@@ -25,13 +26,15 @@ Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
   return squared > 0 && std::isfinite(squared) ? v / std::sqrt(squared) : otherwise;
 }
 
+/// The direction that a colour stands for, in the axes of the map.
+Vec3 decoded(const Rgb& color) { return {2 * color.r - 1, 2 * color.g - 1, 2 * color.b - 1}; }
+
 Vec3 by_normal_map(const Scene& scene, std::uint32_t map, const SurfacePoint& point,
                    const Tangents& tangents) {
   const Vec3& n = point.shading_normal;
-  const Rgb color = evaluate(scene.textures, map, texture_point(point));
-  const float x = 2 * color.r - 1, y = 2 * color.g - 1, z = 2 * color.b - 1;
-  if (x == 0 && y == 0) return n;
-  return unit_or(Frame(n, tangents.du).to_world({x, y, z}), n);
+  const Vec3 normal = decoded(evaluate(scene.textures, map, texture_point(point)));
+  if (normal.x == 0 && normal.y == 0) return n;
+  return unit_or(Frame(n, tangents.du).to_world(normal), n);
 }
 
 Vec3 by_bump_map(const Scene& scene, std::uint32_t map, const SurfacePoint& point, const Tangents& tangents) {
@@ -79,16 +82,15 @@ bool is_anisotropic(const Material& material) {
 }
 
 Vec3 facet_tangent(const Scene& scene, const Material& material, const SurfacePoint& point, const Vec3& du) {
-  float x = 1, y = 0;
-  if (material.tangent_map != no_texture) {
-    const Rgb color = evaluate(scene.textures, material.tangent_map, texture_point(point));
-    x = 2 * color.r - 1, y = 2 * color.g - 1;
-    if (x == 0 && y == 0) x = 1;
-  }
-  const float turns = material.tangent_degrees / 360;
+  Vec3 own{1, 0, 0};
+  if (material.tangent_map != no_texture)
+    own = decoded(evaluate(scene.textures, material.tangent_map, texture_point(point)));
+  if (own.x == 0 && own.y == 0) own.x = 1;
+  const float turns = material.tangent_degrees / float(degrees_per_turn);
   const auto [sine, cosine] = sincos_turns(turns < 0 ? turns + 1 : turns);
-  if (x > 0 && y == 0 && sine == 0) return du;
-  return Frame(point.shading_normal, du).to_world({cosine * x - sine * y, sine * x + cosine * y, 0});
+  if (own.x > 0 && own.y == 0 && sine == 0) return du;
+  return Frame(point.shading_normal, du)
+      .to_world({cosine * own.x - sine * own.y, sine * own.x + cosine * own.y, 0});
 }
 
 Vec3 mapped_normal(const Scene& scene, const Material& material, const SurfacePoint& point) {

@@ -14,7 +14,7 @@ BALL = "a sphere's tangents are the derivatives of its octahedral coordinates"
 
 MUTANTS = [
     Mutant("green of a normal map points down", "core/shading_map.cpp",
-           "y = 2 * color.g - 1", "y = 1 - 2 * color.g", "test_integrators", CHANNELS),
+           "2 * color.g - 1,", "1 - 2 * color.g,", "test_integrators", CHANNELS),
     Mutant("bumps are dents", "core/shading_map.cpp",
            "cross(du + n * rise_u, dv + n * rise_v)", "cross(du - n * rise_u, dv - n * rise_v)",
            "test_integrators", RAMP),
@@ -51,21 +51,21 @@ MUTANTS = [
            "    point.texture_draw = sampler.draw_2d(Purpose::texture);\n", "", "test_integrators",
            "in a furnace the mean of stochastic textures is that of the pixels around"),
     Mutant("facets are turned with the clock", "core/shading_map.cpp",
-           "{cosine * x - sine * y, sine * x + cosine * y, 0}",
-           "{cosine * x + sine * y, cosine * y - sine * x, 0}", "test_integrators", TURNED),
+           "{cosine * own.x - sine * own.y, sine * own.x + cosine * own.y, 0}",
+           "{cosine * own.x + sine * own.y, cosine * own.y - sine * own.x, 0}", "test_integrators", TURNED),
     Mutant("a tangent map is not turned", "core/shading_map.cpp",
-           "to_world({cosine * x - sine * y, sine * x + cosine * y, 0})", "to_world({x, y, 0})",
-           "test_integrators", TURNED),
+           ".to_world({cosine * own.x - sine * own.y, sine * own.x + cosine * own.y, 0})",
+           ".to_world({own.x, own.y, 0})", "test_integrators", TURNED),
     Mutant("a tangent that points back is dp/du", "core/shading_map.cpp",
-           "if (x > 0 && y == 0", "if (y == 0", "test_integrators", TURNED),
+           "if (own.x > 0 && own.y == 0", "if (own.y == 0", "test_integrators", TURNED),
     Mutant("the turn of facets is that of the viewer's side", "integrators/shading_frame.cpp",
            "facet_tangent(scene, material, point, tangents->du)",
-           "facet_tangent(scene, material, [&] { SurfacePoint p = point; p.shading_normal = shading; return p; }(), "
+           "facet_tangent(scene, material, [&] { auto p = point; p.shading_normal = shading; return p; }(), "
            "tangents->du)", "test_integrators",
            "facets whose tangent is turned are those of texture coordinates that are turned the other way"),
     Mutant("facets are widened before their roughness is known", "core/textured_material.cpp",
-           "      widening = value.number();\n", "      widen(std::get<Principled>(model), value.number());\n",
-           "test_core", WIDENED),
+           "      widening = value.number();\n",
+           "      widen(std::get<Principled>(model), value.number());\n", "test_core", WIDENED),
     Mutant("facets are widened by the root of what the format has", "core/textured_material.cpp",
            "(1 - across) * strength * strength", "(1 - across) * strength", "test_core", WIDENED),
 ]
