@@ -14,13 +14,21 @@ namespace {
 constexpr Range<float> rotations{-360, 360};
 constexpr Range<float> scales{0, 1e9f};
 
+/// From the axes of core/light.h to the world. The equal-area square lies around +z: its up becomes +y. What
+/// is mirrored keeps the middle of the picture, at +x.
+Transform axes_of(EnvironmentLayout layout) {
+  if (layout == EnvironmentLayout::equal_area) return Transform::rotation({1, 0, 0}, -90);
+  return layout == EnvironmentLayout::panorama ? Transform::scaling(1, 1, -1) : Transform();
+}
+
 }  // namespace
 
 void add_environment_placement(OptionGroup& group, EnvironmentPlacement& placement) {
-  group.add_choice<MapLayout>(
-      "--environment-layout", placement.layout,
-      {{"latitude-longitude", MapLayout::latitude_longitude}, {"equal-area", MapLayout::equal_area}},
-      "Of its picture; pbrt-v4's: equal-area", "LAYOUT");
+  group.add_choice<EnvironmentLayout>("--environment-layout", placement.layout,
+                                      {{"latitude-longitude", EnvironmentLayout::latitude_longitude},
+                                       {"panorama", EnvironmentLayout::panorama},
+                                       {"equal-area", EnvironmentLayout::equal_area}},
+                                      "Seen from within: panorama; pbrt-v4's: equal-area", "LAYOUT");
   group.add_number({"--environment-rotation", "DEGREES", "Turns it about +y"}, placement.rotation_degrees,
                    rotations);
   group.add_number({"--environment-scale", "X", "Times its radiance"}, placement.scale, scales);
@@ -28,15 +36,14 @@ void add_environment_placement(OptionGroup& group, EnvironmentPlacement& placeme
 
 EnvironmentLight placed_environment(Image map, const EnvironmentPlacement& placement,
                                     const std::string& file) {
-  if (placement.layout == MapLayout::equal_area && map.width != map.height)
+  const bool is_square = placement.layout == EnvironmentLayout::equal_area;
+  if (is_square && map.width != map.height)
     throw Error(fmt::format("{}: {} x {} pixels; an equal-area environment is a square", file, map.width,
                             map.height));
   const float scale = placement.scale;
-  Transform upright;  // The equal-area square lies around +z: its up becomes +y.
-  if (placement.layout == MapLayout::equal_area) upright = Transform::rotation({1, 0, 0}, -90);
   return {std::make_shared<const Image>(std::move(map)),
-          placement.layout,
-          Transform::rotation({0, 1, 0}, double(placement.rotation_degrees)) * upright,
+          is_square ? MapLayout::equal_area : MapLayout::latitude_longitude,
+          Transform::rotation({0, 1, 0}, double(placement.rotation_degrees)) * axes_of(placement.layout),
           {scale, scale, scale}};
 }
 

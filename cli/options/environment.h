@@ -6,8 +6,12 @@
 
 namespace twinray {
 
+/// A latitude-longitude picture mirrored, as CS184's program shows it, or as a viewer within sees it, whose
+/// right is the picture's, as most programs have it; pbrt-v4's square.
+enum class EnvironmentLayout { latitude_longitude, panorama, equal_area };
+
 struct EnvironmentPlacement {
-  MapLayout layout = MapLayout::latitude_longitude;
+  EnvironmentLayout layout = EnvironmentLayout::latitude_longitude;
   float rotation_degrees = 0;  ///< About +y, counter-clockwise as seen from above.
   float scale = 1;             ///< Times the picture's radiance.
 };

@@ -28,7 +28,8 @@ class Builder {
   LoadedScene build() {
     LoadedScene loaded;
     set_poses(loaded.summary);
-    for (const int node : shown_nodes(document_)) add_node(node);
+    const std::vector<bool> are_visible = visible_nodes(document_);
+    for (const int node : shown_nodes(document_)) add_node(node, are_visible[std::size_t(node)]);
     shapes_.place_all();
     if (shapes_.parts.empty()) document_.context().warn("/", "the scene has no shapes");
     loaded.scene = assembled();
@@ -65,11 +66,12 @@ class Builder {
     shapes_.add(index, places, deformation);
   }
 
-  void add_node(int index) {
+  void add_node(int index, bool is_visible) {
     const tinygltf::Node& node = document_.model().nodes[std::size_t(index)];
     const Transform& to_world = world_[std::size_t(index)];
-    if (node.mesh >= 0) add_mesh(index, node);
     if (node.camera >= 0) cameras_.push_back({node.camera, index, to_world});
+    if (!is_visible) return;
+    if (node.mesh >= 0) add_mesh(index, node);
     const GltfExtension light(node.extensions, "KHR_lights_punctual", "");
     if (light && !document_.context().options.surfaces_only)
       lights_.push_back(read_gltf_light(document_, int(light.number("light", 0)), index, to_world));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "io/gltf/document.h"
+#include "io/gltf/slot.h"
 
 namespace twinray {
 namespace {
@@ -143,6 +144,18 @@ std::vector<int> shown_nodes(GltfDocument& document) {
         fmt::format("the file has {} scenes; this is number {}{}", model.scenes.size(), scene,
                     model.defaultScene < 0 ? ", since the file does not say which one is shown" : ""));
   return with_descendants(document, roots);
+}
+
+std::vector<bool> visible_nodes(GltfDocument& document) {
+  const std::vector<int> parents = parents_of(document);
+  std::vector<bool> are_visible(parents.size());
+  for (const int node : with_descendants(document, roots_of(parents))) {
+    const auto at = std::size_t(node);
+    const GltfExtension own(document.model().nodes[at].extensions, "KHR_node_visibility", "");
+    are_visible[at] =
+        own.flag("visible", true) && (parents[at] == no_node || are_visible[std::size_t(parents[at])]);
+  }
+  return are_visible;
 }
 
 }  // namespace twinray

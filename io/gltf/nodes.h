@@ -34,4 +34,8 @@ std::vector<Transform> world_transforms(GltfDocument& document, const std::vecto
 /// have no parent, with what is below them, which a warning says.
 std::vector<int> shown_nodes(GltfDocument& document);
 
+/// Of each node whether its mesh and its light are there: neither its own KHR_node_visibility nor that of a
+/// node above hides it. Cameras are never hidden.
+std::vector<bool> visible_nodes(GltfDocument& document);
+
 }  // namespace twinray

@@ -122,6 +122,7 @@ constexpr GltfRule rules[] = {
     index_rule("node", "skin", "skins"),
     {"node", "translation", numbers, "", -1e30, 1e30, 3, 3},
     {"node", "weights", numbers, "", -3e38, 3e38, 0, 65536},
+    {"KHR_node_visibility", "visible", flag},
     needed({"EXT_mesh_gpu_instancing", "attributes", accessors}),
     {"scene", "nodes", indices, "nodes"},
     index_rule("skin", "inverseBindMatrices", "accessors"),
@@ -224,7 +225,7 @@ constexpr GltfRule rules[] = {
 };
 
 /// Extensions without properties that are read, too.
-constexpr std::array<std::string_view, 16> read_extensions{"EXT_mesh_gpu_instancing",
+constexpr std::array<std::string_view, 17> read_extensions{"EXT_mesh_gpu_instancing",
                                                            "EXT_meshopt_compression",
                                                            "KHR_draco_mesh_compression",
                                                            "KHR_lights_punctual",
@@ -239,6 +240,7 @@ constexpr std::array<std::string_view, 16> read_extensions{"EXT_mesh_gpu_instanc
                                                            "KHR_materials_unlit",
                                                            "KHR_materials_volume",
                                                            "KHR_mesh_quantization",
+                                                           "KHR_node_visibility",
                                                            "KHR_texture_transform"};
 
 constexpr std::array<std::string_view, 5> silent_extensions{"KHR_xmp", "KHR_xmp_json_ld", "MSFT_lod",

@@ -63,6 +63,10 @@ GltfExtension::GltfExtension(const std::map<std::string, tinygltf::Value>& exten
 
 bool GltfExtension::has(const char* property) const { return value_ && value_->Has(property); }
 
+bool GltfExtension::flag(const char* property, bool otherwise) const {
+  return has(property) ? value_->Get(property).Get<bool>() : otherwise;
+}
+
 float GltfExtension::number(const char* property, float otherwise) const {
   return has(property) ? float(value_->Get(property).GetNumberAsDouble()) : otherwise;
 }

@@ -41,6 +41,7 @@ class GltfExtension {
   /// Whether the object has it.
   explicit operator bool() const { return value_ != nullptr; }
   bool has(const char* property) const;
+  bool flag(const char* property, bool otherwise) const;
   float number(const char* property, float otherwise) const;
   float component(const char* property, int index, float otherwise) const;
   Rgb color(const char* property, const Rgb& otherwise) const;

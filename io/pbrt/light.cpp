@@ -139,6 +139,13 @@ MapLayout layout_of(const Image& map) {
   return map.width == map.height ? MapLayout::equal_area : MapLayout::latitude_longitude;
 }
 
+/// From a picture's axes as core/light.h has them to the light's. Latitude and longitude are pbrt-v3's,
+/// around +z: a column is the angle from +x towards +y, in turns.
+Transform axes_of(MapLayout layout) {
+  if (layout == MapLayout::equal_area) return {};
+  return {{{-1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}}};
+}
+
 std::optional<LightSource> read_infinite(const PbrtParameters& parameters, const Transform& to_world,
                                          PbrtContext& context) {
   if (const PbrtParameter* portal = parameters.find("portal"))
@@ -146,7 +153,8 @@ std::optional<LightSource> read_infinite(const PbrtParameters& parameters, const
   const Rgb radiance = scaled_color(parameters, "L", context);
   if (const auto map = picture_of(parameters, context)) {
     warn_of_strength("illuminance", parameters, context);
-    return EnvironmentLight{map, layout_of(*map), rotation_of(to_world, parameters, context), radiance};
+    return EnvironmentLight{map, layout_of(*map),
+                            rotation_of(to_world, parameters, context) * axes_of(layout_of(*map)), radiance};
   }
   return EnvironmentLight{one_pixel(with_strength(radiance, "illuminance", pi_double, parameters))};
 }
@@ -164,7 +172,8 @@ std::optional<LightSource> read_goniometric(const PbrtParameters& parameters, co
   }
   const Transform swap{{{1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}}};
   return GoniometricLight{to_world.point({0, 0, 0}), scaled_color(parameters, "I", context), grey,
-                          layout_of(*grey), rotation_of(to_world, parameters, context) * swap};
+                          layout_of(*grey),
+                          rotation_of(to_world, parameters, context) * swap * axes_of(layout_of(*grey))};
 }
 
 std::optional<LightSource> read_projection(const PbrtParameters& parameters, const Transform& to_world,

@@ -87,6 +87,31 @@ TEST_CASE("an environment is turned counter-clockwise as seen from above, and ma
   CHECK(brightest > 9);  // The sky is seen.
 }
 
+TEST_CASE("a panorama is seen as it is, where a latitude-longitude picture is mirrored") {
+  const TemporaryFolder folder;
+  Image sky(8, 4), mirrored(8, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 8; ++x) sky.at(x, y) = mirrored.at(7 - x, y) = {float(x), float(y), 1};
+  const auto seen = [&](const Image& picture, const std::string& options) {
+    REQUIRE(render_under(folder, picture, "--projection=latitude-longitude -m 0 " + options).exit_code == 0);
+    return read_image(folder.file("a.exr"));
+  };
+  const Image expected = seen(mirrored, ""), found = seen(sky, "--environment-layout=panorama");
+  REQUIRE(found.pixels.size() == expected.pixels.size());
+  for (std::size_t i = 0; i < found.pixels.size(); ++i) {
+    CHECK(max_component(found.pixels[i] - expected.pixels[i]) < 1e-3f);
+    CHECK(max_component(expected.pixels[i] - found.pixels[i]) < 1e-3f);
+  }
+  // Red grows to the right of a view all around, but where the picture begins anew.
+  const int row = found.height / 4;
+  int rising = 0, falling = 0;
+  for (int x = 1; x < found.width; ++x) {
+    rising += found.at(x, row).r > found.at(x - 1, row).r;
+    falling += found.at(x, row).r < found.at(x - 1, row).r;
+  }
+  CHECK(rising > falling);
+}
+
 TEST_CASE("an equal-area environment is a square, and its options need an environment") {
   const TemporaryFolder folder;
   const ProcessResult oblong = render_under(folder, grey_sky(), "--environment-layout=equal-area");

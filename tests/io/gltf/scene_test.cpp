@@ -158,6 +158,34 @@ TEST_CASE("gltf: lights that are no lights are errors with their place") {
       "lights");
 }
 
+TEST_CASE("gltf: a node that is not visible hides its mesh, its light and what is below it, but no camera") {
+  GltfFile file = with_light({{"type", "point"}});
+  file.json["extensionsUsed"] = {"KHR_node_visibility"};
+  const int camera = file.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}}}});
+  file.json["nodes"][1]["mesh"] = 0;
+  file.json["nodes"][1]["children"] = {file.add("nodes", {{"mesh", 0}, {"camera", camera}})};
+  const auto shown = [&] {
+    const LoadedScene loaded = file.load();
+    CHECK(loaded.warnings.empty());
+    CHECK(loaded.summary.cameras.size() == 1);
+    return std::pair{loaded.scene.geometry->shapes().size(), loaded.scene.lights.size()};
+  };
+  json& visibility = file.json["nodes"][1]["extensions"]["KHR_node_visibility"];
+  visibility = json::object();
+  CHECK(shown() == std::pair<std::size_t, std::size_t>(3, 1));
+  visibility["visible"] = false;
+  CHECK(shown() == std::pair<std::size_t, std::size_t>(1, 0));
+  file.json["nodes"][2]["extensions"]["KHR_node_visibility"]["visible"] = true;
+  CHECK(shown() == std::pair<std::size_t, std::size_t>(1, 0));
+  visibility["visible"] = true;
+  file.json["nodes"][2]["extensions"]["KHR_node_visibility"]["visible"] = false;
+  CHECK(shown() == std::pair<std::size_t, std::size_t>(2, 1));
+  visibility["visible"] = 1;
+  CHECK(file.error() ==
+        "test.gltf: /nodes/1/extensions/KHR_node_visibility/visible: is 1; valid are true or "
+        "false");
+}
+
 TEST_CASE("gltf: a binary file holds the same scene") {
   const LoadedScene loaded = read_gltf(binary(gltf_triangle()), "test.glb");
   CHECK(loaded.summary.triangles == 1);

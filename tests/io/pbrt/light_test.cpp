@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/pbrt/light.h"
 
+#include <cmath>
 #include <fstream>
 
+#include "core/direction_map.h"
 #include "io/picture/image_file.h"
 #include "io/scene_file.h"
 #include "tests/support/catch.h"
@@ -120,6 +122,31 @@ TEST_CASE("the exposure of film and shutter multiplies all light") {
   CHECK(std::get<MeshLight>(loaded.scene.lights[0].source).radiance == Rgb{2, 2, 2});
   CHECK(std::get<PointLight>(loaded.scene.lights[1].source).intensity == Rgb{2, 2, 2});
   CHECK(loaded.summary.notes.back() == "all light is times 2, the film's exposure (shutter x iso / 100)");
+}
+
+TEST_CASE("a picture of latitude and longitude lies as in pbrt-v3, +z above, from +x towards +y") {
+  const test::TemporaryFolder folder;
+  write_exr(folder.file("sky.exr"), Image(4, 2, {1, 1, 1}));
+  const auto point_of = [&](const std::string& type, const Vec3& direction) {
+    std::ofstream(folder.file("a.pbrt"))
+        << "WorldBegin LightSource \"" + type + "\" \"string filename\" \"sky.exr\"\n" + pbrt_triangle;
+    const LoadedScene loaded = load_scene(folder.file("a.pbrt"), {});
+    REQUIRE(loaded.warnings.empty());
+    const LightSource& light = loaded.scene.lights.at(0).source;
+    const auto* environment = std::get_if<EnvironmentLight>(&light);
+    const Transform rotation =
+        environment ? environment->rotation : std::get<GoniometricLight>(light).rotation;
+    CHECK(rotation.determinant() == Approx(environment ? 1 : -1));
+    return map_point(MapLayout::latitude_longitude, rotation.inverse().vector(direction));
+  };
+  for (const auto& [x, y, z] : {Vec3{0.5f, 0.25f, 1}, {-1, 0.5f, 0.3f}, {-0.2f, -0.7f, -1}, {3, -1, 0}}) {
+    const double turns = std::atan2(y, x) / (2 * pi), length = std::sqrt(x * x + y * y + z * z);
+    const MapPoint sky = point_of("infinite", {x, y, z}), lamp = point_of("goniometric", {x, z, y});
+    CHECK(sky.x == Approx(turns < 0 ? turns + 1 : turns));
+    CHECK(sky.y == Approx(std::acos(double(z) / length) / pi));
+    CHECK(lamp.x == Approx(sky.x));
+    CHECK(lamp.y == Approx(sky.y));
+  }
 }
 
 }  // namespace twinray
