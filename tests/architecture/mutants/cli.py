@@ -112,4 +112,10 @@ MUTANTS = [
     Mutant("a picture that several lamps shine by takes memory for each", "cli/scene_info.cpp",
            "std::set<const Image*> pictures;", "std::multiset<const Image*> pictures;",
            "test_cli", "info counts the pictures of lights, one of several once"),
+    Mutant("a panorama is mirrored as a latitude-longitude picture is", "cli/options/environment.cpp",
+           "Transform::scaling(1, 1, -1)", "Transform()", "test_cli",
+           "a panorama is seen as it is, where a latitude-longitude picture is mirrored"),
+    Mutant("a panorama has its middle at -x", "cli/options/environment.cpp",
+           "Transform::scaling(1, 1, -1)", "Transform::scaling(-1, 1, 1)", "test_cli",
+           "a panorama is seen as it is, where a latitude-longitude picture is mirrored"),
 ]

@@ -10,6 +10,8 @@ NORMAL_MAP = "gltf: a normal map is scaled, and turned where texture coordinates
 BRUSHED = "gltf: the direction of anisotropy is that of the texture coordinates, turned, and as mirrored"
 BRUSHED_PICTURE = ("gltf: a picture of anisotropy has its direction in red and green, and a factor of it in "
                    "blue")
+HIDDEN = ("gltf: a node that is not visible hides its mesh, its light and what is below it, but no "
+          "camera")
 
 MUTANTS = [
     Mutant("every triangle of a strip has the first one's winding", "io/gltf/primitive.cpp",
@@ -159,4 +161,12 @@ MUTANTS = [
     Mutant("facets of a picture's roughness are not widened", "io/gltf/layers.cpp",
            "else if (has_texture(roughness))", "else if (has_texture(amount))", GLTF,
            "gltf: anisotropy widens facets of a roughness that a picture says"),
+    Mutant("what is below a hidden node is shown", "io/gltf/nodes.cpp",
+           "(parents[at] == no_node || are_visible[std::size_t(parents[at])])", "true", GLTF, HIDDEN),
+    Mutant("a hidden node hides its camera", "io/gltf/gltf.cpp",
+           "    if (node.camera >= 0) cameras_", "    if (is_visible && node.camera >= 0) cameras_", GLTF,
+           HIDDEN),
+    Mutant("a hidden node hides its mesh alone", "io/gltf/gltf.cpp",
+           "    if (!is_visible) return;\n    if (node.mesh >= 0)",
+           "    if (is_visible && node.mesh >= 0)", GLTF, HIDDEN),
 ]

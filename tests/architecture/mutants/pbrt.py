@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Defects in the readers of pbrt scenes, PLY meshes and words that are numbers."""
 from mutant import Mutant
+LONGITUDES = "a picture of latitude and longitude lies as in pbrt-v3, +z above, from +x towards +y"
 
 MUTANTS = [
     Mutant("the medium that a camera is said to be in is left out in silence", "io/pbrt/scene.cpp",
@@ -103,4 +104,11 @@ MUTANTS = [
     Mutant("every spot light is said to be stretched", "io/pbrt/light.cpp",
            "if (similarity_scale(to_world) == 0)", "if (similarity_scale(to_world) != 1)", "test_io",
            "a spot light has pbrt's cone and soft edge"),
+    Mutant("latitude and longitude are CS184's in pbrt, too", "io/pbrt/light.cpp",
+           "rotation_of(to_world, parameters, context) * axes_of(layout_of(*map))",
+           "rotation_of(to_world, parameters, context)", "test_io", LONGITUDES),
+    Mutant("longitude runs from +x towards -y", "io/pbrt/light.cpp",
+           "{0, 0, 1, 0}, {0, 1, 0, 0}}};\n}", "{0, 0, -1, 0}, {0, 1, 0, 0}}};\n}", "test_io", LONGITUDES),
+    Mutant("a lamp's picture of latitude and longitude is CS184's", "io/pbrt/light.cpp",
+           " * swap * axes_of(layout_of(*grey))", " * swap", "test_io", LONGITUDES),
 ]

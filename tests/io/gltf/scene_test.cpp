@@ -161,7 +161,8 @@ TEST_CASE("gltf: lights that are no lights are errors with their place") {
 TEST_CASE("gltf: a node that is not visible hides its mesh, its light and what is below it, but no camera") {
   GltfFile file = with_light({{"type", "point"}});
   file.json["extensionsUsed"] = {"KHR_node_visibility"};
-  const int camera = file.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}}}});
+  const int camera =
+      file.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}});
   file.json["nodes"][1]["mesh"] = 0;
   file.json["nodes"][1]["children"] = {file.add("nodes", {{"mesh", 0}, {"camera", camera}})};
   const auto shown = [&] {
@@ -182,7 +183,7 @@ TEST_CASE("gltf: a node that is not visible hides its mesh, its light and what i
   CHECK(shown() == std::pair<std::size_t, std::size_t>(2, 1));
   visibility["visible"] = 1;
   CHECK(file.error() ==
-        "test.gltf: /nodes/1/extensions/KHR_node_visibility/visible: is 1; valid are true or "
+        "test.gltf: /nodes/1/extensions/KHR_node_visibility/visible: this is 1; valid is true or "
         "false");
 }
 
