@@ -272,7 +272,10 @@ TEST_CASE("a closed process starts none, signals none and has no network, and it
 }
 
 TEST_CASE("a render that needs more memory than it may have says so before it begins, or ends in an error") {
-  if (has_sanitizer) return WARN("not run: the memory of a sanitizer has no bound");
+  if (has_sanitizer) {
+    WARN("not run: the memory of a sanitizer has no bound");
+    return;
+  }
   const TemporaryFolder folder;
   const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae", picture = quoted(folder.file("a.png"));
   const ProcessResult film =
