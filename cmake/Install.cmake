@@ -147,5 +147,5 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/twinrayConfig.cmake.in t
                               INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(twinrayConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/twinrayConfig.cmake ${PROJECT_BINARY_DIR}/twinrayConfigVersion.cmake
-              ${CMAKE_CURRENT_LIST_DIR}/FindLibZip.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/FindLibZip.cmake ${CMAKE_CURRENT_LIST_DIR}/Findwebp.cmake
         DESTINATION ${package_folder})

@@ -14,7 +14,7 @@
 namespace twinray {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_half_edge = std::numeric_limits<std::uint32_t>::max();
 
 /// The neighbours of a vertex, counter-clockwise; of one at the surface's end, from one end to the other.
 struct Ring {
@@ -31,9 +31,9 @@ class Surface {
  public:
   Surface(std::span<const Triangle> triangles, std::size_t vertices)
       : triangles_(triangles),
-        twins_(3 * triangles.size(), none),
+        twins_(3 * triangles.size(), no_half_edge),
         edges_(3 * triangles.size()),
-        leaving_(vertices, none) {
+        leaving_(vertices, no_half_edge) {
     is_surface_ = pair_half_edges();
     if (is_surface_) find_leaving();
   }
@@ -68,12 +68,12 @@ class Surface {
     ring.vertices.clear();
     ring.is_open = false;
     const std::uint32_t first = leaving_[vertex];
-    for (std::uint32_t spoke = first; spoke != none;) {
+    for (std::uint32_t spoke = first; spoke != no_half_edge;) {
       ring.vertices.push_back(to(spoke));
       const std::size_t arriving = before(spoke);
       spoke = twins_[arriving];
       if (spoke == first) return;
-      if (spoke == none) {
+      if (spoke == no_half_edge) {
         ring.vertices.push_back(from(arriving));
         ring.is_open = true;
       }
@@ -116,7 +116,7 @@ class Surface {
   void find_leaving() {
     for (std::size_t half = 0; half < edges_.size(); ++half) {
       std::uint32_t& leaving = leaving_[from(half)];
-      if (leaving == none || twins_[half] == none) leaving = std::uint32_t(half);
+      if (leaving == no_half_edge || twins_[half] == no_half_edge) leaving = std::uint32_t(half);
     }
   }
 
@@ -158,7 +158,7 @@ Vec3 limit_place(const std::vector<Vec3>& positions, std::uint32_t vertex, const
 Vec3 middle(const std::vector<Vec3>& positions, const Surface& surface, std::size_t half_edge) {
   const Vec3 ends = positions[surface.from(half_edge)] + positions[surface.to(half_edge)];
   const std::uint32_t twin = surface.twin(half_edge);
-  if (twin == none) return ends * 0.5f;
+  if (twin == no_half_edge) return ends * 0.5f;
   const Vec3 beside = positions[surface.opposite(half_edge)] + positions[surface.opposite(twin)];
   return ends * 0.375f + beside * 0.125f;
 }
@@ -179,7 +179,7 @@ void divide(std::vector<Vec3>& positions, std::vector<Triangle>& triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t half = 3 * t + k;
       middles[k] = old + surface.edge(half);
-      if (const std::uint32_t twin = surface.twin(half); twin == none || half < twin)
+      if (const std::uint32_t twin = surface.twin(half); twin == no_half_edge || half < twin)
         places[middles[k]] = middle(positions, surface, half);
     }
     const auto& [a, b, c] = triangles[t];

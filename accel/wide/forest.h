@@ -77,13 +77,14 @@ void add_prototypes(const Geometry& geometry, const TreeMaker<Tree>& make, std::
 template <typename Tree>
 Tree make_forest(const Geometry& geometry, const BuildOptions& options, const TreeMaker<Tree>& make,
                  std::vector<BuildPhase>& phases) {
-  auto [all, direct_box] = make(geometry.direct_shapes(), phases);
+  BoxedBvh<Tree> direct = make(geometry.direct_shapes(), phases);
+  Tree& all = direct.bvh;
   if (!geometry.has_instances()) return std::move(all);
   BoxedBvh<WideBvh> instances;
   timed("instances", phases, [&] { instances = make_instance_tree(geometry, options); });
   timed("prototypes", phases, [&] { add_prototypes(geometry, make, instances.bvh.nodes.size() + 1, all); });
   const WideRef root = append(Tree(std::move(instances.bvh)), all);
-  all.root = join(all.root, direct_box, root, instances.box, all);
+  all.root = join(all.root, direct.box, root, instances.box, all);
   return std::move(all);
 }
 

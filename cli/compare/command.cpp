@@ -43,7 +43,7 @@ struct CompareRequest {
 
 void add_options(CLI::App& app, CompareRequest& request) {
   CompareArguments& arguments = request.arguments;
-  add_file(app, "PICTURE", arguments.picture, "The picture: .exr, .hdr, .png, .jpg, .pfm or .tga");
+  add_file(app, "PICTURE", arguments.picture, "The picture: .exr, .hdr, .png, .jpg, .pfm, .tga or .webp");
   add_file(app, "REFERENCE", arguments.reference, "What it is compared with, of the same size");
   OptionGroup group(app, "Options");
   group.add_word({"--html", "FILE", "Write a page with a slider, maps and tables"}, arguments.html_file);

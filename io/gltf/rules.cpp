@@ -170,6 +170,7 @@ constexpr GltfRule rules[] = {
     {"sampler", "wrapT", code, "33071 33648 10497"},
     index_rule("texture", "sampler", "samplers"),
     index_rule("texture", "source", "images"),
+    index_rule("EXT_texture_webp", "source", "images"),
     needed(index_rule("textureInfo", "index", "textures")),
     {"textureInfo", "texCoord", integer, "", 0, 255},
     {"textureInfo", "scale", number},
@@ -225,23 +226,16 @@ constexpr GltfRule rules[] = {
 };
 
 /// Extensions without properties that are read, too.
-constexpr std::array<std::string_view, 17> read_extensions{"EXT_mesh_gpu_instancing",
-                                                           "EXT_meshopt_compression",
-                                                           "KHR_draco_mesh_compression",
-                                                           "KHR_lights_punctual",
-                                                           "KHR_materials_anisotropy",
-                                                           "KHR_materials_clearcoat",
-                                                           "KHR_materials_emissive_strength",
-                                                           "KHR_materials_ior",
-                                                           "KHR_materials_pbrSpecularGlossiness",
-                                                           "KHR_materials_sheen",
-                                                           "KHR_materials_specular",
-                                                           "KHR_materials_transmission",
-                                                           "KHR_materials_unlit",
-                                                           "KHR_materials_volume",
-                                                           "KHR_mesh_quantization",
-                                                           "KHR_node_visibility",
-                                                           "KHR_texture_transform"};
+constexpr std::array<std::string_view, 18> read_extensions{
+    "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression",
+    "EXT_texture_webp",           "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",        "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",          "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",        "KHR_materials_specular",
+    "KHR_materials_transmission", "KHR_materials_unlit",
+    "KHR_materials_volume",       "KHR_mesh_quantization",
+    "KHR_node_visibility",        "KHR_texture_transform"};
 
 constexpr std::array<std::string_view, 5> silent_extensions{"KHR_xmp", "KHR_xmp_json_ld", "MSFT_lod",
                                                             "EXT_mesh_manifold", "KHR_materials_variants"};

@@ -17,7 +17,9 @@ constexpr bool is_mirror(int wrap) { return wrap == TINYGLTF_TEXTURE_WRAP_MIRROR
 
 /// What a picture's first bytes say of its format, as the ending of a file's name.
 const char* ending_of(std::string_view bytes) {
-  return bytes.substr(0, 4) == "\x89PNG" ? "png" : bytes.substr(0, 2) == "\xff\xd8" ? "jpg" : "";
+  if (bytes.substr(0, 4) == "\x89PNG") return "png";
+  if (bytes.substr(0, 4) == "RIFF") return "webp";
+  return bytes.substr(0, 2) == "\xff\xd8" ? "jpg" : "";
 }
 
 }  // namespace
@@ -57,8 +59,14 @@ std::uint32_t GltfTextures::constant(const Rgb& value) {
   return entry->second;
 }
 
+int GltfTextures::source_of(const GltfSlot& slot) const {
+  const tinygltf::Texture& texture = document_.model().textures[std::size_t(slot.texture)];
+  const GltfExtension webp(texture.extensions, "EXT_texture_webp", "");
+  return webp.has("source") ? int(webp.number("source", 0)) : texture.source;
+}
+
 std::string GltfTextures::name_of(const GltfSlot& slot) const {
-  const int source = document_.model().textures[std::size_t(slot.texture)].source;
+  const int source = source_of(slot);
   const CheckedGltf::Source& image = document_.images()[std::size_t(source)];
   if (!image.name.empty()) return image.name;
   return image.uri.empty() || is_data_uri(image.uri) ? fmt::format("image {}", source) : image.uri;
@@ -68,7 +76,7 @@ std::uint32_t GltfTextures::picture(const GltfSlot& slot, const PictureMeaning& 
   std::vector<float> transform(&slot.uv.m[0][0], &slot.uv.m[0][0] + 6);
   const PictureKey key{slot.texture, int(meaning.role), int(meaning.channels), std::move(transform)};
   if (const auto found = pictures_.find(key); found != pictures_.end()) return found->second;
-  if (document_.model().textures[std::size_t(slot.texture)].source < 0) {
+  if (source_of(slot) < 0) {
     document_.context().warn(slot.pointer, "the texture has no picture that is read here; it is white");
     return pictures_[key] = constant({1, 1, 1});
   }
@@ -89,7 +97,7 @@ ImageTexture GltfTextures::image_texture(const GltfSlot& slot, const PictureMean
 }
 
 std::shared_ptr<const MipMap> GltfTextures::image(const GltfSlot& slot, const PictureMeaning& meaning) {
-  const int source = document_.model().textures[std::size_t(slot.texture)].source;
+  const int source = source_of(slot);
   const auto [s, t] = wraps(slot);
   const bool to_right = is_mirror(s), below = is_mirror(t);
   auto& image = images_[{source, int(meaning.role), int(meaning.channels), to_right + 2 * below}];

@@ -65,6 +65,8 @@ class GltfTextures {
   ImageTexture image_texture(const GltfSlot& slot, const PictureMeaning& meaning);
   LoadedTexture load(int image, const PictureMeaning& meaning);
   LoadedTexture load_embedded(int image, const PictureMeaning& meaning);
+  /// The image of a slot's texture; one in WebP before another. -1: none that is known here.
+  int source_of(const GltfSlot& slot) const;
   std::string name_of(const GltfSlot& slot) const;
 
   GltfDocument& document_;

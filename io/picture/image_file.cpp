@@ -22,6 +22,7 @@
 #include "io/picture/png.h"
 #include "io/picture/png_reader.h"
 #include "io/picture/srgb.h"
+#include "io/picture/webp_reader.h"
 
 namespace twinray {
 namespace {
@@ -61,13 +62,16 @@ void check_kind(const PictureHeader& header, PictureFormat format, const Picture
   check_pixel_room(size, picture, pixel_bytes);
 }
 
-/// PNG, JPEG and TGA are sRGB whatever their depth; the others hold linear numbers.
+/// PNG, JPEG, TGA and WebP are sRGB whatever their depth; the others hold linear numbers.
 bool is_encoded(PictureFormat format) {
-  return format == PictureFormat::png || format == PictureFormat::jpeg || format == PictureFormat::tga;
+  return format == PictureFormat::png || format == PictureFormat::jpeg || format == PictureFormat::tga ||
+         format == PictureFormat::webp;
 }
 
 /// Whether its size is all that must be checked.
-bool is_plain(PictureFormat format) { return format == PictureFormat::pfm || format == PictureFormat::tga; }
+bool is_plain(PictureFormat format) {
+  return format == PictureFormat::pfm || format == PictureFormat::tga || format == PictureFormat::webp;
+}
 
 /// Throws Error where a picture has more pixels than its reader wants.
 void check_pixels(const PictureSize& size, const ReadOptions& options, const std::string& path) {
@@ -77,12 +81,14 @@ void check_pixels(const PictureSize& size, const ReadOptions& options, const std
 }
 
 bool has_alpha(PictureFormat format) {
-  return format == PictureFormat::png || format == PictureFormat::exr || format == PictureFormat::tga;
+  return format == PictureFormat::png || format == PictureFormat::exr || format == PictureFormat::tga ||
+         format == PictureFormat::webp;
 }
 
 /// The alpha as grey, of a format that may have one.
 Image decode_alpha(PictureFormat format, const PictureBytes& picture, const HeaderCheck& check) {
   if (format == PictureFormat::tga) return decode_tga_alpha(picture);
+  if (format == PictureFormat::webp) return decode_webp_alpha(picture);
   return (format == PictureFormat::exr ? decode_exr_alpha : decode_png_alpha)(picture, check);
 }
 
@@ -99,6 +105,8 @@ Image decode_colors(PictureFormat format, const PictureBytes& picture, const Hea
       return decode_pfm(picture);
     case PictureFormat::tga:
       return decode_tga(picture);
+    case PictureFormat::webp:
+      return decode_webp(picture);
     default:
       return decode_hdr(picture, check);
   }
@@ -228,7 +236,7 @@ StoredLayers read_layers(const std::string& path) {
 
 ImageMetadata read_metadata(const std::string& path) {
   const PictureFormat format = picture_format(path);
-  if (format == PictureFormat::pfm || format == PictureFormat::tga) return {};
+  if (is_plain(format)) return {};
   const std::string bytes = read_bytes(path);
   const PictureBytes picture{bytes, path};
   check_picture_header(format, picture);

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "io/picture/plain_picture.h"
+#include "io/picture/webp_reader.h"
 
 namespace twinray {
 namespace {
@@ -25,6 +26,8 @@ long long most_pixels_a_byte(PictureFormat format) {
       return 1 << 14;
     case PictureFormat::jpeg:
       return 1 << 10;
+    case PictureFormat::webp:  // An even colour takes none.
+      return 1 << 20;
     case PictureFormat::tga:  // runs of 128
       return 1 << 7;
     case PictureFormat::pfm:
@@ -119,6 +122,8 @@ PictureSize stated_size(PictureFormat format, const PictureBytes& picture) {
       return pfm_size(picture);
     case PictureFormat::tga:
       return tga_size(picture);
+    case PictureFormat::webp:
+      return webp_size(picture);
     default:
       return check_exr_header(picture);
   }
@@ -141,13 +146,15 @@ std::optional<PictureFormat> known_picture_format(const std::string& path) {
   if (ending == ".jpg" || ending == ".jpeg") return PictureFormat::jpeg;
   if (ending == ".pfm") return PictureFormat::pfm;
   if (ending == ".tga") return PictureFormat::tga;
+  if (ending == ".webp") return PictureFormat::webp;
   return std::nullopt;
 }
 
 PictureFormat picture_format(const std::string& path) {
   if (const auto format = known_picture_format(path)) return *format;
   throw Error(fmt::format(
-      "{}: not a picture that can be read; valid endings are .exr, .hdr, .png, .jpg, .pfm, .tga", path));
+      "{}: not a picture that can be read; valid endings are .exr, .hdr, .png, .jpg, .pfm, .tga, .webp",
+      path));
 }
 
 PictureSize check_picture_header(PictureFormat format, const PictureBytes& picture) {

@@ -9,7 +9,7 @@
 
 namespace twinray {
 
-enum class PictureFormat { exr, hdr, png, jpeg, pfm, tga };
+enum class PictureFormat { exr, hdr, png, jpeg, pfm, tga, webp };
 
 /// The ending of a name with its dot, in small letters: ".png".
 std::string picture_ending(const std::string& path);

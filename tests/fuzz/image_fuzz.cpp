@@ -24,6 +24,8 @@ std::string ending(std::uint8_t letter) {
       return ".jpg";
     case 't':
       return ".tga";
+    case 'w':
+      return ".webp";
     default:
       return ".png";
   }

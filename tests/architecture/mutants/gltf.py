@@ -12,6 +12,7 @@ BRUSHED_PICTURE = ("gltf: a picture of anisotropy has its direction in red and g
                    "blue")
 HIDDEN = ("gltf: a node that is not visible hides its mesh, its light and what is below it, but no "
           "camera")
+IN_WEBP = "gltf: a picture in WebP is shown in place of the one for readers without it"
 
 MUTANTS = [
     Mutant("every triangle of a strip has the first one's winding", "io/gltf/primitive.cpp",
@@ -169,4 +170,9 @@ MUTANTS = [
     Mutant("a hidden node hides its mesh alone", "io/gltf/gltf.cpp",
            "    if (!is_visible) return;\n    if (node.mesh >= 0)",
            "    if (is_visible && node.mesh >= 0)", GLTF, HIDDEN),
+    Mutant("a picture in WebP is shown where there is no other", "io/gltf/texture.cpp",
+           'webp.has("source") ? int(webp.number("source", 0)) : texture.source',
+           'texture.source >= 0 ? texture.source : int(webp.number("source", 0))', GLTF, IN_WEBP),
+    Mutant("a picture in WebP is one of any image", "io/gltf/rules.cpp",
+           '    index_rule("EXT_texture_webp", "source", "images"),\n', "", GLTF, IN_WEBP),
 ]

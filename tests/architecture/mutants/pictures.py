@@ -7,6 +7,9 @@ CHROMA = "luminance with chroma of a lower resolution gives the colours that it 
 TEXTS = "texts that would say how an EXR is stored are neither read nor written"
 KINDS = "PNGs of all bits and channels, in one pass or several, give the numbers that they store"
 
+WEBP = "a WebP picture has the colours and the alpha that it was made of"
+WEBP_FAULTS = "a WebP picture that is cut off, damaged or none is an error, and so is one that moves"
+
 MUTANTS = [
     Mutant("an EXR's alpha is not read", "io/picture/exr_reader.cpp",
            "if (file.has(alpha.name)) return grey_image", "if (false) return grey_image",
@@ -68,4 +71,18 @@ MUTANTS = [
            "a.wrap == b.wrap", "a.wrap.u == b.wrap.u", "test_io",
            "a baked product of pictures that lie alike is exact at their pixels, and others are drawn over "
            "the square"),
+    Mutant("a WebP's alpha is its blue", "io/picture/webp_reader.cpp",
+           "Rgb{unit(p[3]), unit(p[3]), unit(p[3])}", "Rgb{unit(p[2]), unit(p[2]), unit(p[2])}", "test_io",
+           WEBP),
+    Mutant("a WebP has no alpha", "io/picture/image_file.cpp",
+           "format == PictureFormat::tga ||\n         format == PictureFormat::webp;\n}\n\n/// The alpha",
+           "format == PictureFormat::tga;\n}\n\n/// The alpha", "test_io",
+           "a WebP picture is sRGB, data where these are asked for, and a number by its alpha"),
+    Mutant("the first picture of a WebP that moves is shown", "io/picture/webp_reader.cpp",
+           'if (features.has_animation) fail_picture(picture, "it moves; valid is a still picture");', "",
+           "test_io", WEBP_FAULTS),
+    Mutant("a WebP that ends early is black below", "io/picture/webp_reader.cpp",
+           '    fail_picture(picture, "its data are cut off or damaged");', "    ;", "test_io", WEBP_FAULTS),
+    Mutant("a WebP may be of any size", "io/picture/picture_header.cpp",
+           "      return 1 << 20;", "      return 1ll << 40;", "test_io", WEBP_FAULTS),
 ]

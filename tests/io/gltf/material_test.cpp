@@ -1,64 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/material.h"
 
-#include "core/angle.h"
 #include "core/elementary.h"
-#include "core/textured_material.h"
-#include "io/picture/png.h"
-#include "tests/io/gltf/file.h"
-#include "tests/support/catch.h"
+#include "tests/io/gltf/surface.h"
 #include "tests/support/temporary_folder.h"
 
-namespace twinray {
-namespace {
+namespace twinray::test {
 
 using nlohmann::json;
-using test::gltf_surface;
-using test::GltfFile;
-
-Principled model_of(const GltfFile& file) {
-  const LoadedScene loaded = file.load();
-  CHECK(loaded.warnings.empty());
-  return std::get<Principled>(loaded.scene.materials.at(0).model);
-}
-
-/// A surface whose material has one extension.
-GltfFile extended(const char* name, const json& properties) {
-  GltfFile file = gltf_surface({{"extensions", {{name, properties}}}});
-  file.json["extensionsUsed"] = {name};
-  return file;
-}
-
-/// A picture of one row: 188 51 0, and 0 102 255.
-std::string picture_bytes() {
-  const auto bytes = encode_png(ByteImage{2, 1, {188, 51, 0, 0, 102, 255}}, {});
-  return {bytes.begin(), bytes.end()};
-}
-
-int add_picture(GltfFile& file, const json& sampler = json::object()) {
-  const int image =
-      file.add("images", {{"bufferView", file.view(picture_bytes())}, {"mimeType", "image/png"}});
-  return file.add("textures", {{"source", image}, {"sampler", file.add("samplers", sampler)}});
-}
-
-/// What an input of the first material is at texture coordinates.
-Rgb input_at(const LoadedScene& loaded, MaterialInput input, Vec2 uv) {
-  for (const TextureUse& use : loaded.scene.materials[0].textures)
-    if (use.input == input) return evaluate(loaded.scene.textures, use.texture, {.uv = uv});
-  return {-1, -1, -1};
-}
-
-constexpr Vec2 left{0.25f, 0.5f}, right{0.75f, 0.5f};
-
-}  // namespace
 
 TEST_CASE("gltf: a material without properties is a rough white metal, as is what has none") {
-  const Principled plain = model_of(gltf_surface(json::object())), none = model_of(test::gltf_triangle());
+  const Principled plain = model_of(gltf_surface(json::object())), none = model_of(gltf_triangle());
   CHECK(plain.base_color == Rgb{1, 1, 1});
   CHECK(plain.base_metalness == 1);
   CHECK(plain.specular_roughness == 1);
   CHECK(none.base_metalness == 1);
-  CHECK(test::gltf_triangle().load().scene.materials[0].name == "default");
+  CHECK(gltf_triangle().load().scene.materials[0].name == "default");
 }
 
 TEST_CASE("gltf: factors of metal, roughness and color are OpenPBR's") {
@@ -90,7 +47,7 @@ TEST_CASE("gltf: colors are encoded as sRGB has it, roughness is green and metal
 }
 
 TEST_CASE("gltf: pictures stand in buffers, in the text, or in files beside it") {
-  const test::TemporaryFolder folder;
+  const TemporaryFolder folder;
   test::write_text(folder.file("a b.png"), picture_bytes());
   for (const char* uri : {"", "data:image/png;base64,", "a%20b.png"}) {
     INFO(uri);
@@ -162,7 +119,7 @@ TEST_CASE("gltf: textures go by one set of coordinates, that of the base color")
       {"baseColorTexture", {{"index", picture}, {"texCoord", 1}}},
       {"metallicRoughnessTexture", {{"index", picture}}}};
   const LoadedScene loaded = file.load();
-  CHECK(test::only_mesh(loaded).uvs[2] == Vec2{0, 1});
+  CHECK(only_mesh(loaded).uvs[2] == Vec2{0, 1});
   REQUIRE(loaded.warnings.size() == 1);
   CHECK(
       loaded.warnings[0].text() ==
@@ -198,7 +155,7 @@ TEST_CASE("gltf: where a picture's alpha times the factor is below the limit the
                                {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.5}}}}};
   // Without the file's own picture: the alpha of the vertices runs from 0 to 1 along the first edge.
   const LoadedScene loaded = file.load();
-  const Mesh& mesh = test::only_mesh(loaded);
+  const Mesh& mesh = only_mesh(loaded);
   const auto& [a, b, c] = mesh.uv_indices[0];
   const auto there_is = [&](float u) {
     const Vec2 uv = mesh.uvs[a] * (1 - u) + mesh.uvs[b] * u;
@@ -250,7 +207,7 @@ TEST_CASE("gltf: what emits a picture that repeats has its coordinates moved int
   file.primitive()["attributes"]["TEXCOORD_0"] = file.accessor<float>({3, 2, 3.5f, 2, 3, 1}, "VEC2");
   const LoadedScene loaded = file.load();
   CHECK(loaded.warnings.empty());
-  const Mesh& mesh = test::only_mesh(loaded);
+  const Mesh& mesh = only_mesh(loaded);
   CHECK(mesh.uvs[mesh.uv_indices[0][1]] == Vec2{0.5f, 0});
   CHECK(mesh.uvs[mesh.uv_indices[0][2]] == Vec2{0, 1});
   CHECK(std::get<MeshLight>(loaded.scene.lights.at(0).source).picture);
@@ -315,73 +272,6 @@ TEST_CASE("gltf: sheen is fuzz whose weight is its brightest channel") {
   CHECK(cloth.fuzz_roughness == 0.75f);
 }
 
-TEST_CASE("gltf: anisotropy widens facets along the tangent, and keeps them across") {
-  GltfFile file = extended("KHR_materials_anisotropy", {{"anisotropyStrength", 0.5}});
-  file.json["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] = 0.5;
-  const Principled model = model_of(file);
-  const float a = model.specular_roughness_anisotropy,
-              r2 = model.specular_roughness * model.specular_roughness;
-  const float along = r2 * std::sqrt(2 / (1 + (1 - a) * (1 - a)));
-  CHECK(along == Approx(0.25 + 0.75 * 0.25));
-  CHECK((1 - a) * along == Approx(0.25));
-}
-
-TEST_CASE("gltf: the direction of anisotropy is that of the texture coordinates, turned, and as mirrored") {
-  GltfFile file =
-      extended("KHR_materials_anisotropy", {{"anisotropyStrength", 0.5}, {"anisotropyRotation", 0.5}});
-  const auto degrees = [&] {
-    const LoadedScene loaded = file.load();
-    CHECK(loaded.warnings.empty());
-    CHECK_FALSE(test::only_mesh(loaded).uvs.empty());
-    CHECK(loaded.scene.materials[0].tangent_map == no_texture);
-    return loaded.scene.materials[0].tangent_degrees;
-  };
-  json& anisotropy = file.json["materials"][0]["extensions"]["KHR_materials_anisotropy"];
-  CHECK(degrees() == Approx(0.5 * 180 / pi_double));
-  anisotropy["anisotropyRotation"] = -20;  // Three turns, and -1.15 radians.
-  CHECK(degrees() == Approx((6 * pi_double - 20) * 180 / pi_double));
-  file.json["nodes"][0]["scale"] = {-1, 1, 1};
-  CHECK(degrees() == Approx(-(6 * pi_double - 20) * 180 / pi_double));
-  file.primitive()["attributes"].erase("TEXCOORD_0");
-  CHECK(file.warning() ==
-        "test.gltf: /materials/0/extensions/KHR_materials_anisotropy: the mesh has no texture coordinates, "
-        "which the direction of its facets goes by; it is any direction");
-}
-
-TEST_CASE("gltf: a picture of anisotropy has its direction in red and green, and a factor of it in blue") {
-  GltfFile file = gltf_surface(json::object());
-  const int picture = add_picture(file);
-  json& anisotropy = file.json["materials"][0]["extensions"]["KHR_materials_anisotropy"];
-  anisotropy = {{"anisotropyStrength", 0.5}, {"anisotropyTexture", {{"index", picture}}}};
-  const auto direction = [&] {
-    const LoadedScene loaded = file.load();
-    CHECK(loaded.warnings.empty());
-    CHECK(loaded.scene.materials[0].textures.back().meaning == InputMeaning::widening);
-    CHECK(input_at(loaded, MaterialInput::specular_roughness_anisotropy, left).r == 0);
-    CHECK(input_at(loaded, MaterialInput::specular_roughness_anisotropy, right).r == 0.5f);
-    return evaluate(loaded.scene.textures, loaded.scene.materials[0].tangent_map, {.uv = left});
-  };
-  CHECK(direction().r == Approx(188.0 / 255));
-  CHECK(direction().g == Approx(51.0 / 255));
-  file.json["nodes"][0]["scale"] = {1, 1, -1};
-  CHECK(direction().r == Approx(188.0 / 255));
-  CHECK(direction().g == Approx(1 - 51.0 / 255));
-}
-
-TEST_CASE("gltf: anisotropy widens facets of a roughness that a picture says") {
-  GltfFile file = gltf_surface(json::object());
-  const int picture = add_picture(file);
-  json& material = file.json["materials"][0];
-  material["extensions"]["KHR_materials_anisotropy"] = {{"anisotropyStrength", 0.5}};
-  material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", picture}};
-  const LoadedScene loaded = file.load();
-  CHECK(loaded.warnings.empty());
-  const Material& read = loaded.scene.materials[0];
-  const auto model = std::get<Principled>(textured_model(read, loaded.scene.textures, {.uv = left}));
-  const double r = 0.2, across = r * r, along = across + (1 - across) * 0.25;
-  CHECK(1 - double(model.specular_roughness_anisotropy) == Approx(across / along));
-}
-
 TEST_CASE("gltf: a normal map is scaled, and turned where texture coordinates are mirrored") {
   GltfFile file = gltf_surface(json::object());
   file.json["materials"][0]["normalTexture"] = {{"index", add_picture(file)}, {"scale", 0.5}};
@@ -415,6 +305,35 @@ TEST_CASE("gltf: specular and glossiness are a dielectric of such a reflection")
   CHECK(model.specular_color == Rgb{1, 0.5f, 0});
 }
 
+TEST_CASE("gltf: a picture in WebP is shown in place of the one for readers without it") {
+  // As libwebp writes it without loss: 255 51 0, and 0 102 255 with an alpha of 128.
+  const std::string bytes{
+      "\x52\x49\x46\x46\x20\x00\x00\x00\x57\x45\x42\x50\x56\x50\x38\x4c\x14\x00\x00\x00"
+      "\x2f\x01\x00\x00\x10\x0f\xd0\x99\xfd\x9f\xff\x07\xfe\x47\x85\x0a\x44\xf4\x3f\x00",
+      40};
+  GltfFile file = gltf_surface({{"alphaMode", "BLEND"}});
+  const int webp = file.add("images", {{"bufferView", file.view(bytes)}, {"mimeType", "image/webp"}});
+  const int texture = add_picture(file);
+  file.json["extensionsUsed"] = {"EXT_texture_webp"};
+  json& source = file.json["textures"][std::size_t(texture)];
+  source["extensions"]["EXT_texture_webp"]["source"] = webp;
+  file.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", texture}};
+  const auto check_shown = [&] {
+    const LoadedScene loaded = file.load();
+    CHECK(loaded.warnings.empty());
+    CHECK(input_at(loaded, MaterialInput::reflectance, left).r == 1);
+    CHECK(input_at(loaded, MaterialInput::reflectance, left).g == Approx(0.0331).epsilon(1e-3));
+    CHECK(input_at(loaded, MaterialInput::reflectance, right).b == 1);
+    const std::uint32_t alpha = loaded.scene.bindings[0].alpha;
+    CHECK(evaluate(loaded.scene.textures, alpha, {.uv = right}).r == Approx(128.0 / 255));
+  };
+  check_shown();
+  source.erase("source");
+  check_shown();
+  source["extensions"]["EXT_texture_webp"]["source"] = 7;
+  CHECK(file.error().starts_with("test.gltf: /textures/0/extensions/EXT_texture_webp/source: "));
+}
+
 TEST_CASE("gltf: what is not rendered is named") {
   GltfFile file = gltf_surface({{"occlusionTexture", {{"index", 0}}}, {"name", "wall"}});
   file.json["textures"] = {json::object()};
@@ -429,4 +348,4 @@ TEST_CASE("gltf: what is not rendered is named") {
         "and the file cannot be shown without it");
 }
 
-}  // namespace twinray
+}  // namespace twinray::test

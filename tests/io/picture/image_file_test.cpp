@@ -208,8 +208,9 @@ TEST_CASE("a file that is no picture, or another kind of one, is refused") {
                     fmt::format("{}: there is no such file", folder.file("none.exr")));
   CHECK_THROWS_WITH(
       read_image(folder.file("a.bmp")),
-      fmt::format("{}: not a picture that can be read; valid endings are .exr, .hdr, .png, .jpg, .pfm, .tga",
-                  folder.file("a.bmp")));
+      fmt::format(
+          "{}: not a picture that can be read; valid endings are .exr, .hdr, .png, .jpg, .pfm, .tga, .webp",
+          folder.file("a.bmp")));
 }
 
 TEST_CASE("PFM pictures are read from the bottom up, in both byte orders") {
