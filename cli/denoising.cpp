@@ -29,8 +29,8 @@ Image mean_of(std::span<const Plane> a, std::span<const Plane> b, const HalfPict
 }
 
 SurfaceFeatures features_of(const HalfPictures& pictures) {
-  const auto& [a, b] = pictures.halves;
   const auto feature = [&](std::size_t first) {
+    const auto& [a, b] = pictures.halves;
     return mean_of(std::span(a.features).subspan(first, 3), std::span(b.features).subspan(first, 3),
                    pictures);
   };

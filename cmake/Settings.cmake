@@ -61,8 +61,12 @@ endfunction()
 
 # Warnings and sanitizers: linked PRIVATE by every target of ours, never installed.
 add_library(twinray_developer INTERFACE)
-target_compile_options(twinray_developer INTERFACE -Wall -Wextra -Wshadow -Wno-missing-field-initializers
+target_compile_options(twinray_developer INTERFACE -Wall -Wextra -Wno-missing-field-initializers
                        $<$<BOOL:${TWINRAY_WERROR}>:-Werror>)
+# Clang also finds names hidden that another file has, where files are compiled together.
+if(NOT (TWINRAY_UNITY AND CMAKE_CXX_COMPILER_ID MATCHES "Clang"))
+  target_compile_options(twinray_developer INTERFACE -Wshadow)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # The compiler need not look so often for what it can forget: a sixth of its time, for a fifth more memory.
   target_compile_options(twinray_developer INTERFACE "SHELL:--param ggc-min-heapsize=524288")

@@ -39,8 +39,10 @@ Overscan parse_overscan(const std::string& word) {
 
 /// The frame and what lies around it.
 PixelRect window_of(const Overscan& overscan, int width, int height) {
-  const auto [amount, is_percent] = overscan;
-  const auto pixels = [&](int side) { return int(std::ceil(is_percent ? side * amount / 100 : amount)); };
+  const auto pixels = [&overscan](int side) {
+    const auto [amount, is_percent] = overscan;
+    return int(std::ceil(is_percent ? side * amount / 100 : amount));
+  };
   const int x = pixels(width), y = pixels(height);
   return {-x, -y, width + x, height + y};
 }

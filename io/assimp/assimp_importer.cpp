@@ -180,6 +180,6 @@ ObjModel import_model(const ImportedFile& file) {
 }  // namespace
 }  // namespace twinray
 
-extern "C" twinray::ObjModel TWINRAY_IMPORT_FUNCTION(const twinray::ImportedFile& file) {
-  return twinray::import_model(file);
+extern "C" void TWINRAY_IMPORT_FUNCTION(const twinray::ImportedFile& file, twinray::ObjModel& model) {
+  model = twinray::import_model(file);
 }

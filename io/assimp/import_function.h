@@ -15,7 +15,7 @@ struct ImportedFile {
   std::string_view bytes;
 };
 
-/// It throws Error, without the path. Its name has a digest of the headers of these types.
-using ImportFunction = ObjModel (*)(const ImportedFile& file);
+/// Sets the model, or throws Error, without the path. Its name has a digest of the headers of these types.
+using ImportFunction = void (*)(const ImportedFile& file, ObjModel& model);
 
 }  // namespace twinray

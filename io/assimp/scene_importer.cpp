@@ -51,7 +51,9 @@ LoadedScene import_scene(const std::string& path, const LoadOptions& options) {
   {
     const std::lock_guard lock(library_loading());
     result = run_apart(usual_bytes + most_growth * bytes.size(), [&] {
-      return model_bytes(import({path, bytes}));
+      ObjModel model;
+      import({path, bytes}, model);
+      return model_bytes(model);
     });
   }
   if (!result.fault.empty()) throw Error(fmt::format("{}: {}", path, result.fault));

@@ -156,8 +156,8 @@ TEST_CASE("gltf: where a picture's alpha times the factor is below the limit the
   // Without the file's own picture: the alpha of the vertices runs from 0 to 1 along the first edge.
   const LoadedScene loaded = file.load();
   const Mesh& mesh = only_mesh(loaded);
-  const auto& [a, b, c] = mesh.uv_indices[0];
   const auto there_is = [&](float u) {
+    const auto& [a, b, c] = mesh.uv_indices[0];
     const Vec2 uv = mesh.uvs[a] * (1 - u) + mesh.uvs[b] * u;
     return evaluate(loaded.scene.textures, loaded.scene.bindings[0].alpha, {.uv = uv}).r;
   };
