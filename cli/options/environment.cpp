@@ -28,7 +28,7 @@ void add_environment_placement(OptionGroup& group, EnvironmentPlacement& placeme
                                       {{"latitude-longitude", EnvironmentLayout::latitude_longitude},
                                        {"panorama", EnvironmentLayout::panorama},
                                        {"equal-area", EnvironmentLayout::equal_area}},
-                                      "Seen from within: panorama; pbrt-v4's: equal-area", "LAYOUT");
+                                      "Also panorama, or pbrt-v4's equal-area", "LAYOUT");
   group.add_number({"--environment-rotation", "DEGREES", "Turns it about +y"}, placement.rotation_degrees,
                    rotations);
   group.add_number({"--environment-scale", "X", "Times its radiance"}, placement.scale, scales);

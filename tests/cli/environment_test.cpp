@@ -110,6 +110,16 @@ TEST_CASE("a panorama is seen as it is, where a latitude-longitude picture is mi
     falling += found.at(x, row).r < found.at(x - 1, row).r;
   }
   CHECK(rising > falling);
+  // Turned counter-clockwise as seen from above: to the left.
+  Image turned(8, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 8; ++x) turned.at((x + 6) % 8, y) = sky.at(x, y);
+  const std::string as_it_is = "--environment-layout=panorama ";
+  const Image before = seen(turned, as_it_is), after = seen(sky, as_it_is + "--environment-rotation=90");
+  for (std::size_t i = 0; i < after.pixels.size(); ++i) {
+    CHECK(max_component(after.pixels[i] - before.pixels[i]) < 1e-3f);
+    CHECK(max_component(before.pixels[i] - after.pixels[i]) < 1e-3f);
+  }
 }
 
 TEST_CASE("an equal-area environment is a square, and its options need an environment") {

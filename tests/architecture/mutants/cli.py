@@ -118,4 +118,8 @@ MUTANTS = [
     Mutant("a panorama has its middle at -x", "cli/options/environment.cpp",
            "Transform::scaling(1, 1, -1)", "Transform::scaling(-1, 1, 1)", "test_cli",
            "a panorama is seen as it is, where a latitude-longitude picture is mirrored"),
+    Mutant("a panorama turns with the clock", "cli/options/environment.cpp",
+           "Transform::rotation({0, 1, 0}, double(placement.rotation_degrees)) * axes_of(placement.layout)",
+           "axes_of(placement.layout) * Transform::rotation({0, 1, 0}, double(placement.rotation_degrees))",
+           "test_cli", "a panorama is seen as it is, where a latitude-longitude picture is mirrored"),
 ]

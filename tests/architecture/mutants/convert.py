@@ -213,4 +213,10 @@ MUTANTS = [
     Mutant("an exchange form has no tangents", "io/exchange/reader.cpp",
            "material.tangent_degrees = entry.number(\"tangent_degrees\");", ";", IO,
            "a scene in exchange form is read with all its bits, whatever is in it"),
+    Mutant("an exchange form is written without tangent maps", "io/exchange/writer.cpp",
+           'json["tangent_map"] = material.tangent_map;', ";", IO,
+           "a scene in exchange form is read with all its bits, whatever is in it"),
+    Mutant("an exchange form is written without bump maps", "io/exchange/writer.cpp",
+           'json["bump_map"] = material.bump_map;', ";", IO,
+           "a scene in exchange form is read with all its bits, whatever is in it"),
 ]

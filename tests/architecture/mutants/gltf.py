@@ -175,4 +175,8 @@ MUTANTS = [
            'texture.source >= 0 ? texture.source : int(webp.number("source", 0))', GLTF, IN_WEBP),
     Mutant("a picture in WebP is one of any image", "io/gltf/rules.cpp",
            '    index_rule("EXT_texture_webp", "source", "images"),\n', "", GLTF, IN_WEBP),
+    Mutant("a picture of anisotropy does not say which coordinates count", "io/gltf/material.cpp",
+           '{"KHR_materials_anisotropy", "anisotropyTexture"}}};',
+           '{"KHR_materials_anisotropy", "otherTexture"}}};', GLTF,
+           "gltf: a picture of anisotropy alone says which texture coordinates count"),
 ]

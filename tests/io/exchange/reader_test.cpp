@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/exchange/reader.h"
 
+#include <algorithm>
+#include <tuple>
+
 #include "core/alpha_test.h"
 #include "core/error.h"
 #include "io/exchange/writer.h"
@@ -147,23 +150,24 @@ TEST_CASE("a scene in exchange form is read with all its bits, whatever is in it
   CHECK(exchange_json(trip.scene, "a.json", frame) == trip.text);
   const GeometryDifference apart = difference(scene, trip.scene);
   CHECK(apart.fault == "");
-  CHECK(apart.positions == 0);
-  CHECK(apart.normals == 0);
+  CHECK(apart.positions + apart.normals == 0);
   REQUIRE(trip.scene.geometry->instances().size() == 2);
-  for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t column = 0; column < 4; ++column)
-      CHECK(trip.scene.geometry->instances()[0].to_world.m[row][column] ==
-            scene.geometry->instances()[0].to_world.m[row][column]);
+  const Transform &place = scene.geometry->instances()[0].to_world,
+                  &read_place = trip.scene.geometry->instances()[0].to_world;
+  CHECK(std::equal(&place.m[0][0], &place.m[0][0] + 12, &read_place.m[0][0]));
   for (const std::size_t light : {6u, 7u, 8u})
     CHECK(scene.lights[light].name == trip.scene.lights[light].name);
   CHECK(std::get<MeshLight>(trip.scene.lights[0].source).picture->pixels == picture(3, 1)->pixels);
   CHECK(trip.scene.assets == scene.assets);
+  const auto maps = [](const Material& m) {
+    return std::tuple(m.normal_map, m.bump_map, m.tangent_map, m.tangent_degrees);
+  };
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    CHECK(maps(trip.scene.materials[i]) == maps(scene.materials[i]));
   const auto& sky = std::get<EnvironmentLight>(scene.lights[6].source);
   const auto& read_sky = std::get<EnvironmentLight>(trip.scene.lights[6].source);
-  CHECK(sky.map->pixels == read_sky.map->pixels);
-  for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t column = 0; column < 3; ++column)
-      CHECK(sky.rotation.m[row][column] == read_sky.rotation.m[row][column]);
+  CHECK(read_sky.map->pixels == sky.map->pixels);
+  CHECK(std::equal(&sky.rotation.m[0][0], &sky.rotation.m[0][0] + 12, &read_sky.rotation.m[0][0]));
 }
 
 TEST_CASE("our own scenes come back from exchange form, with the camera's bits at their resolution") {
@@ -185,23 +189,6 @@ TEST_CASE("our own scenes come back from exchange form, with the camera's bits a
     const Camera square = fit_frame(trip.scene.camera, 100, 100);
     CHECK(square.tan_half_width == Approx(square.tan_half_height));
   }
-}
-
-TEST_CASE("a camera in exchange form has the bits of its frame, whatever the shape of the picture") {
-  Scene scene;
-  scene.materials = {{"grey", Lambert{}}};
-  for (const ExchangeFrame size : {ExchangeFrame{500, 333}, ExchangeFrame{333, 500}})
-    for (int i = 1; i <= 200; ++i) {
-      CAPTURE(size.width, i);
-      scene.camera.tan_half_width = i % 2 == 0 ? 0.01f * float(i) : 0.001f;
-      scene.camera.tan_half_height = i % 2 == 0 ? 0.001f : 0.01f * float(i);
-      const Camera written = fit_frame(scene.camera, size.width, size.height);
-      const LoadedScene loaded = read_exchange(exchange_json(scene, "a.json", size), "a.json", {}, {});
-      const Camera read = fit_frame(loaded.scene.camera, size.width, size.height);
-      CHECK_FALSE(read.is_stretched);
-      CHECK(read.tan_half_width == written.tan_half_width);
-      CHECK(read.tan_half_height == written.tan_half_height);
-    }
 }
 
 TEST_CASE("a camera of oblong pixels keeps its frame") {

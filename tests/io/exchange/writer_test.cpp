@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/error.h"
+#include "io/exchange/reader.h"
 #include "io/picture/image_file.h"
 #include "io/ply/ply.h"
 #include "io/scene_writer.h"
@@ -382,6 +383,23 @@ TEST_CASE("instances in exchange form are of its second version") {
   Scene plain = scene;
   plain.geometry = std::make_shared<const Geometry>(scene.geometry->shapes());
   CHECK(nlohmann::json::parse(exchange_json(plain, "a.json", {}))["version"] == 1);
+}
+
+TEST_CASE("a camera in exchange form has the bits of its frame, whatever the shape of the picture") {
+  Scene scene;
+  scene.materials = {{"grey", Lambert{}}};
+  for (const ExchangeFrame size : {ExchangeFrame{500, 333}, ExchangeFrame{333, 500}})
+    for (int i = 1; i <= 200; ++i) {
+      CAPTURE(size.width, i);
+      scene.camera.tan_half_width = i % 2 == 0 ? 0.01f * float(i) : 0.001f;
+      scene.camera.tan_half_height = i % 2 == 0 ? 0.001f : 0.01f * float(i);
+      const Camera written = fit_frame(scene.camera, size.width, size.height);
+      const LoadedScene loaded = read_exchange(exchange_json(scene, "a.json", size), "a.json", {}, {});
+      const Camera read = fit_frame(loaded.scene.camera, size.width, size.height);
+      CHECK_FALSE(read.is_stretched);
+      CHECK(read.tan_half_width == written.tan_half_width);
+      CHECK(read.tan_half_height == written.tan_half_height);
+    }
 }
 
 }  // namespace twinray::test

@@ -61,6 +61,18 @@ TEST_CASE("gltf: a picture of anisotropy has its direction in red and green, and
   CHECK(direction().g == Approx(1 - 51.0 / 255));
 }
 
+TEST_CASE("gltf: a picture of anisotropy alone says which texture coordinates count") {
+  GltfFile file = gltf_surface(json::object());
+  file.primitive()["attributes"]["TEXCOORD_1"] = file.accessor<float>({0, 1, 0, 0, 1, 1}, "VEC2");
+  const int picture = add_picture(file);
+  file.json["materials"][0]["extensions"]["KHR_materials_anisotropy"] = {
+      {"anisotropyStrength", 0.5}, {"anisotropyTexture", {{"index", picture}, {"texCoord", 1}}}};
+  const LoadedScene loaded = file.load();
+  CHECK(loaded.warnings.empty());
+  CHECK(loaded.scene.materials[0].tangent_map != no_texture);
+  CHECK(only_mesh(loaded).uvs[1].y == 1);
+}
+
 TEST_CASE("gltf: anisotropy widens facets of a roughness that a picture says") {
   GltfFile file = gltf_surface(json::object());
   const int picture = add_picture(file);
