@@ -164,11 +164,15 @@ Rgb metal_k(const Rgb& reflectance) {
 
 float alpha_of_roughness(float roughness) { return std::sqrt(unit(roughness)); }
 
-void widen(Principled& model, float strength) {
-  const float across = model.specular_roughness * model.specular_roughness;
-  const float along = across + (1 - across) * strength * strength, ratio = along > 0 ? across / along : 1;
+void set_facets(Principled& model, float along, float across) {
+  const float ratio = along > 0 ? across / along : 1;
   model.specular_roughness_anisotropy = 1 - ratio;
   model.specular_roughness = std::min(1.0f, std::sqrt(along * std::sqrt((1 + ratio * ratio) / 2)));
+}
+
+void widen(Principled& model, float strength) {
+  const float across = model.specular_roughness * model.specular_roughness;
+  set_facets(model, across + (1 - across) * strength * strength, across);
 }
 
 SurfaceModel textured_model(const Material& material, std::span<const Texture> textures,

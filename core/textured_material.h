@@ -23,9 +23,11 @@ inline TexturePoint texture_point(const SurfacePoint& point) {
 Rgb metal_k(const Rgb& reflectance);
 /// Alpha of pbrt's roughness, in [0, 1]: its root.
 float alpha_of_roughness(float roughness);
+/// Sets the roughness and the anisotropy whose facets have these widths: alpha_t = r^2 sqrt(2 / (1 + (1 -
+/// a)^2)) along the tangent, and alpha_b = (1 - a) alpha_t <= alpha_t across, as OpenPBR has it.
+void set_facets(Principled& model, float along, float across);
 /// Makes facets of equal widths wider along the tangent, and keeps them across, as glTF has it: alpha_t =
-/// alpha + (1 - alpha) strength^2, strength in [0, 1]. OpenPBR has alpha_t = r^2 sqrt(2 / (1 + (1 - a)^2))
-/// and alpha_b = (1 - a) alpha_t.
+/// alpha + (1 - alpha) strength^2, strength in [0, 1].
 void widen(Principled& model, float strength);
 
 /// The material's model with what its textures have at the point, each within its range: eta and k from 0 to

@@ -76,14 +76,15 @@ class Layers {
     const auto turned = float(std::remainder(degrees, degrees_per_turn));
     Material& material = inputs_.material;
     material.tangent_degrees = inputs_.is_mirrored ? -turned : turned;
-    if (has_picture) material.tangent_map = inputs_.textures.tangent_map(picture, inputs_.is_mirrored);
-    if (has_picture)
+    if (has_picture) {
+      material.tangent_map = inputs_.textures.tangent_map(picture, inputs_.is_mirrored);
       inputs_.number(specular_roughness_anisotropy, picture, PictureChannels::blue, strength);
-    else if (has_texture(roughness))
+    } else if (has_texture(roughness)) {
       material.textures.push_back(
           {specular_roughness_anisotropy, inputs_.textures.constant({strength, strength, strength})});
-    else
+    } else {
       return widen(model_, strength);
+    }
     material.textures.back().meaning = InputMeaning::widening;
   }
 

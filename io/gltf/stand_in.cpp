@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/textured_material.h"
 #include "io/exchange/writer.h"
 
 namespace twinray {
@@ -68,13 +69,9 @@ class StandIn {
     made_.roughness_power = 0.5f;
   }
 
-  /// Sets OpenPBR's roughness and anisotropy: alpha_t = r^2 sqrt(2 / (1 + (1 - a)^2)), alpha_b = (1 - a)
-  /// alpha_t. Its facets are wider along the tangent, which is turned where they are wider across.
+  /// OpenPBR's facets are wider along the tangent, which is turned where they are wider across.
   void set_alpha(const Roughness& alpha) {
-    const float along = std::max(alpha.x, alpha.y), across = std::min(alpha.x, alpha.y);
-    const float ratio = along > 0 ? across / along : 1;
-    model_.specular_roughness_anisotropy = 1 - ratio;
-    model_.specular_roughness = std::sqrt(along * std::sqrt((1 + ratio * ratio) / 2));
+    set_facets(model_, std::max(alpha.x, alpha.y), std::min(alpha.x, alpha.y));
     float& degrees = made_.material.tangent_degrees;
     if (alpha.x < alpha.y) degrees += degrees > 0 ? -90 : 90;
   }

@@ -172,7 +172,8 @@ class Properties {
     return 1;
   }
 
-  /// The extension keeps the width across, and widens along: the inverse of io/gltf/layers.cpp.
+  /// The extension keeps the width across, and widens along: the inverse of widen()
+  /// (core/textured_material.h).
   Facets read_facets() const {
     const float rough = model_.specular_roughness, ratio = 1 - model_.specular_roughness_anisotropy;
     if (is_widened(made_.material)) return {rough, 0, true};

@@ -160,7 +160,7 @@ MUTANTS = [
            "picture, PictureChannels::blue, strength", "picture, PictureChannels::blue, 1", GLTF,
            BRUSHED_PICTURE),
     Mutant("facets of a picture's roughness are not widened", "io/gltf/layers.cpp",
-           "else if (has_texture(roughness))", "else if (has_texture(amount))", GLTF,
+           "} else if (has_texture(roughness)) {", "} else if (has_texture(amount)) {", GLTF,
            "gltf: anisotropy widens facets of a roughness that a picture says"),
     Mutant("what is below a hidden node is shown", "io/gltf/nodes.cpp",
            "(parents[at] == no_node || are_visible[std::size_t(parents[at])])", "true", GLTF, HIDDEN),
