@@ -88,10 +88,12 @@ set(private_headers
   integrators/denoise/patch_distance.h
   integrators/denoise/regression.h
   integrators/denoise/tile.h
+  integrators/wave/camera-inl.h
   integrators/wave/camera_stage.h
   integrators/wave/coats-inl.h
   integrators/wave/columns.h
   integrators/wave/draws-inl.h
+  integrators/wave/double_lanes-inl.h
   integrators/wave/facets-inl.h
   integrators/wave/lanes-inl.h
   integrators/wave/light-inl.h

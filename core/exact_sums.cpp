@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/exact_sums.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <span>
 
@@ -10,31 +8,6 @@
 #include "core/error.h"
 
 namespace twinray {
-namespace {
-
-float clamped(float x) { return std::isnan(x) ? 0 : std::clamp(x, -max_radiance, max_radiance); }
-
-/// What lies beyond the range counts as its end.
-Int128 units_of(float x) { return fixed_units(clamped(x)); }
-
-/// The sum of one channel of colors. Nearly always one word is enough: where the sum of their absolute values
-/// is below 2^19, its rounding included, that of their units, which are 2^43 times as large, is below 2^63.
-Int128 sum_of(std::span<const Rgb> colors, std::size_t stride, float Rgb::*channel) {
-  float size = 0;
-  std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < colors.size(); i += stride) {
-    const float x = colors[i].*channel;
-    size += std::fabs(x);
-    sum += std::uint64_t(std::llrint(x * 0x1p43));
-  }
-  if (size < 0x1p19f) return std::int64_t(sum);
-  Int128 wide = 0;
-  for (std::size_t i = 0; i < colors.size(); i += stride) wide += units_of(colors[i].*channel);
-  return wide;
-}
-
-}  // namespace
-
 void Carries::add(std::size_t place, std::int64_t carry) {
   const std::lock_guard lock(mutex_);
   if ((carries_[place] += carry) == 0) carries_.erase(place);
@@ -69,7 +42,8 @@ void ExactSums::add(std::size_t place, std::size_t channels, std::span<const Rgb
                     std::size_t stride) {
   constexpr float Rgb::*of[] = {&Rgb::r, &Rgb::g, &Rgb::b};
   for (std::size_t channel = 0; channel < channels; ++channel)
-    if (const Int128 sum = sum_of(colors, stride, of[channel]); sum != 0) add_units(place + channel, sum);
+    if (const Int128 sum = fixed_units(colors, of[channel], stride); sum != 0)
+      add_units(place + channel, sum);
 }
 
 void ExactSums::add_units(std::size_t place, Int128 units) {

@@ -22,19 +22,17 @@ double wide_luminance(double r, double g, double b) { return 0.2126 * r + 0.7152
 
 bool in_range(float x) { return std::fabs(x) <= Film::max_value; }  // A NaN is not.
 
-/// False, and only counted, where it is not accepted.
-bool add_color(PixelSums& sums, std::uint32_t sample_index, const Rgb& color) {
-  assert(sums.count + sums.rejected < Film::max_samples);
-  if (!in_range(color.r) || !in_range(color.g) || !in_range(color.b)) {
-    sums.reject(sample_index);
-    return false;
-  }
-  sums.r.add(color.r);
-  sums.g.add(color.g);
-  sums.b.add(color.b);
-  sums.luminance_squared.add_square_of(wide_luminance(color.r, color.g, color.b));
-  ++sums.count;
-  return true;
+bool in_range(const Rgb& color) { return in_range(color.r) && in_range(color.g) && in_range(color.b); }
+
+/// Adds colours that are all in range.
+void add_colors(PixelSums& sums, std::span<const Rgb> colors) {
+  sums.r.add_units(fixed_units(colors, &Rgb::r));
+  sums.g.add_units(fixed_units(colors, &Rgb::g));
+  sums.b.add_units(fixed_units(colors, &Rgb::b));
+  FixedSquareSum squared;
+  for (const Rgb& color : colors) squared.add_square_of(wide_luminance(color.r, color.g, color.b));
+  sums.luminance_squared += squared;
+  sums.count += std::uint32_t(colors.size());
 }
 
 }  // namespace
@@ -113,27 +111,32 @@ std::size_t Film::offset(int x, int y) const {
 }
 
 bool Film::add(int x, int y, std::uint32_t sample_index, const RecordSpans& records, std::size_t record) {
-  const std::size_t at = offset(x, y);
-  const bool is_accepted = add_color(pixels_[at], sample_index, records.color()[record]);
-  if (is_accepted) add_layers(at, sample_index, records, record, 1);
-  return is_accepted;
+  add(x, y, sample_index, records, record, 1);
+  return in_range(records.color()[record]);
 }
 
 void Film::add(int x, int y, std::uint32_t first_index, const RecordSpans& records, std::size_t record,
                std::size_t count) {
-  const std::size_t at = offset(x, y);
-  std::size_t first = 0;  // of those accepted one after the other that are not in the layers yet
-  for (std::size_t i = 0; i < count; ++i) {
-    if (add_color(pixels_[at], first_index + std::uint32_t(i), records.color()[record + i])) continue;
-    add_layers(at, first_index + std::uint32_t(first), records, record + first, i - first);
-    first = i + 1;
+  const std::size_t pixel = offset(x, y);
+  PixelSums& sums = pixels_[pixel];
+  assert(sums.count + sums.rejected + count <= max_samples);
+  const std::span<const Rgb> colors = records.color().subspan(record, count);
+  for (std::size_t begin = 0, end; begin < count; begin = end) {
+    end = begin;
+    while (end < count && in_range(colors[end])) ++end;
+    const std::uint32_t first = first_index + std::uint32_t(begin);
+    if (end > begin) {
+      add_colors(sums, colors.subspan(begin, end - begin));
+      add_layers(pixel, first, records, record + begin, end - begin);
+    } else {
+      sums.reject(first);
+      ++end;
+    }
   }
-  add_layers(at, first_index + std::uint32_t(first), records, record + first, count - first);
 }
 
 void Film::add_layers(std::size_t pixel, std::uint32_t first_index, const RecordSpans& records,
                       std::size_t record, std::size_t count) {
-  if (count == 0) return;
   for (std::size_t layer = 0; layer < layer_pixels_.size(); ++layer) {
     const auto column = records[layers()[layer]];
     if (column.empty()) continue;

@@ -14,17 +14,6 @@ namespace twinray {
 /// the mean of weight times light is that filtered by f.
 class FilterSampler {
  public:
-  /// Throws Error for a radius or a parameter out of range.
-  explicit FilterSampler(const PixelFilter& filter);
-
-  struct Place {
-    Vec2 in_pixel;  ///< (0, 0) is the pixel's top left, (1, 1) its bottom right; it may lie beside it.
-    float weight;   ///< +- the integral of |f| over that of f.
-  };
-  /// Of a point of [0, 1)^2; each coordinate of the place grows with its own.
-  Place place(Vec2 u) const;
-
- private:
   static constexpr std::size_t steps = 512;
   /// A stretch of one half of the axis along which the filter keeps its sign. Number i of `quantiles` is
   /// where a part of 1 - (1 - i / steps)^2 of the lobe's integral lies further in: they are close where
@@ -46,6 +35,20 @@ class FilterSampler {
     float total = 1;  ///< The integral of |f| over that of f.
     Lobe inner{1}, outer{0};
   };
+
+  /// Throws Error for a radius or a parameter out of range.
+  explicit FilterSampler(const PixelFilter& filter);
+
+  struct Place {
+    Vec2 in_pixel;  ///< (0, 0) is the pixel's top left, (1, 1) its bottom right; it may lie beside it.
+    float weight;   ///< +- the integral of |f| over that of f.
+  };
+  /// Of a point of [0, 1)^2; each coordinate of the place grows with its own.
+  Place place(Vec2 u) const;
+  const Axis& x() const { return x_; }
+  const Axis& y() const { return y_; }
+
+ private:
   Axis x_, y_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/fixed_sum.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -17,6 +18,8 @@ Words words_of(Int128 units) {
   return {std::uint32_t(units), std::uint32_t(units >> 32), std::uint32_t(units >> 64)};
 }
 
+float clamped(float x) { return std::isnan(x) ? 0 : std::clamp(x, -max_radiance, max_radiance); }
+
 }  // namespace
 
 Int128 fixed_units(double x) {
@@ -29,7 +32,23 @@ Int128 fixed_units(double x) {
   return (Int128(std::int64_t(upper)) << 32) + std::llrint((scaled - upper) * 0x1p32);
 }
 
-void FixedSum::add(double x) { words_ = words_of(units_of(words_) + fixed_units(x)); }
+/// Nearly always one word is enough: where the sum of their absolute values is below 2^19, its rounding
+/// included, that of their units, which are 2^43 times as large, is below 2^63.
+Int128 fixed_units(std::span<const Rgb> colors, float Rgb::*channel, std::size_t stride) {
+  float size = 0;
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < colors.size(); i += stride) {
+    const float x = colors[i].*channel;
+    size += std::fabs(x);
+    sum += std::uint64_t(std::llrint(x * 0x1p43));
+  }
+  if (size < 0x1p19f) return std::int64_t(sum);
+  Int128 wide = 0;
+  for (std::size_t i = 0; i < colors.size(); i += stride) wide += fixed_units(clamped(colors[i].*channel));
+  return wide;
+}
+
+void FixedSum::add_units(Int128 units) { words_ = words_of(units_of(words_) + units); }
 
 FixedSum& FixedSum::operator+=(const FixedSum& other) {
   words_ = words_of(units_of(words_) + units_of(other.words_));
@@ -40,16 +59,8 @@ Int128 FixedSum::units() const { return units_of(words_); }
 
 double FixedSum::value() const { return double(units()) * fixed_unit; }
 
-void FixedSquareSum::add_square_of(double x) {
-  const double square = x * x;
+void FixedSquareSum::add_wide(double square) {
   assert(square < 0x1.0001p60);
-  constexpr double one_word = 0x1p16;
-  if (square < one_word) {
-    const double scaled = square * 0x1p46;
-    const auto whole = std::int64_t(scaled);
-    units_ += std::uint64_t(whole + (double(whole) < scaled));
-    return;
-  }
   const double upper = std::trunc(square);
   const auto lower = std::uint64_t(std::ceil((square - upper) * 0x1p46));
   units_ += (Unsigned128(std::uint64_t(upper)) << 46) + lower;

@@ -37,7 +37,8 @@ class PathIntegrator::Waves {
         lights_(scene, {compensation_for(options.direct, options.samples_per_light), options.many_lights}),
         bsdfs_(scene),
         shapes_(shape_table(scene)),
-        patches_(patch_tables(scene, lights_)) {}
+        patches_(patch_tables(scene, lights_)),
+        exceeds_cache_(exceeds_cache(*scene.geometry)) {}
 
   WaveContext context() const {
     return {*stages,
@@ -47,7 +48,8 @@ class PathIntegrator::Waves {
             shapes_,
             patches_,
             std::any_of(scene_.materials.begin(), scene_.materials.end(), has_interior),
-            has_environment(scene_)};
+            has_environment(scene_),
+            exceeds_cache_};
   }
 
   const PathReference reference;
@@ -60,6 +62,7 @@ class PathIntegrator::Waves {
   const BsdfTable bsdfs_;
   const std::vector<ShapeEntry> shapes_;
   const std::vector<PatchTable> patches_;
+  const bool exceeds_cache_;
 };
 
 PathIntegrator::PathIntegrator(const Scene& scene, const PathOptions& options, const std::string& simd)

@@ -231,29 +231,42 @@ class Renderer {
     state_.seconds = before;
   }
 
+  /// What the samples of a batch are made in.
+  struct Batch {
+    Batch(const FilmContents& recorded, std::size_t size) : camera_samples(size), records(recorded, size) {
+      samples.reserve(size);
+    }
+    /// How many samples are made together, at most.
+    std::size_t size() const { return camera_samples.size(); }
+
+    std::vector<PixelSample> samples;
+    std::vector<CameraSample> camera_samples;
+    Records records;
+  };
+
   /// Until all are done, or it is stopped or to pause.
   void render_tiles(std::uint32_t begin, std::uint32_t end, std::atomic<std::size_t>& next,
                     std::atomic<std::size_t>& done) {
     const int threads = options_.threads > 0 ? options_.threads : available_threads();
     std::atomic<bool> is_resting = false;
     parallel_for(std::size_t(threads), 1, threads, [&](std::size_t, std::size_t) {
+      Batch batch(recorded(options_, film_.contents()), options_.observe ? 1 : samples_together);
       while (!is_stopped() && !is_resting) {
         if (is_pause_due()) is_resting = true;
         if (is_resting) return;
         const std::size_t tile = next++;
         if (tile >= tiles_.size()) return;
-        done += render_tile(tiles_[tile], begin, end);
+        done += render_tile(tiles_[tile], begin, end, batch);
       }
     });
   }
 
   /// False where it is stopped before all samples of the pass are done.
-  bool render_tile(const PixelRect& tile, std::uint32_t begin, std::uint32_t end) {
+  bool render_tile(const PixelRect& tile, std::uint32_t begin, std::uint32_t end, Batch& batch) {
     std::vector<RecordedRay> rays;
     Tracer tracer(accelerator_, options_.counting, options_.observe ? &rays : nullptr);
-    const std::size_t together = options_.observe ? 1 : samples_together;
-    Batch batch(recorded(options_, film_.contents()), together);
     std::vector<PixelSample>& samples = batch.samples;
+    samples.clear();
     const auto finish = [&] {
       add(batch, tracer);
       if (options_.observe) options_.observe(samples.front(), rays);
@@ -262,7 +275,7 @@ class Renderer {
     };
     for_each_sample(tile, begin, end, [&](const PixelSample& sample) {
       samples.push_back(sample);
-      if (samples.size() == together) finish();
+      if (samples.size() == batch.size()) finish();
     });
     const bool is_done = !is_stopped();
     if (is_done && !samples.empty()) finish();
@@ -305,16 +318,6 @@ class Renderer {
     return index % options_.adaptive->batch == 0 &&
            (!contains(visible_pixels_, x, y) || has_enough_samples(film_.pixel(x, y), *options_.adaptive));
   }
-
-  /// What the samples of a batch are made in.
-  struct Batch {
-    Batch(const FilmContents& recorded, std::size_t size) : camera_samples(size), records(recorded, size) {
-      samples.reserve(size);
-    }
-    std::vector<PixelSample> samples;
-    std::vector<CameraSample> camera_samples;
-    Records records;
-  };
 
   /// Fills the records. Where all lights are of one group, that has all of the radiance: nothing is divided.
   void sample_lights(std::span<const CameraSample> camera_samples, Tracer& tracer,

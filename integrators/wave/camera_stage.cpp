@@ -11,7 +11,9 @@ namespace twinray {
 struct CameraStage::Draws {
   Keys pixel;
   Words index;
-  Floats pixel_x, pixel_y, lens_x, lens_y;
+  Floats x, y, weight;  ///< Draws of a place in the pixel, and then that place.
+  Floats lens_x, lens_y;
+  Columns3 directions;
 };
 
 CameraStage::Draws& CameraStage::draws_of_this_thread() {
@@ -33,12 +35,6 @@ void CameraStage::make(std::span<const PixelSample> samples, std::span<CameraSam
   }
 }
 
-CameraSample CameraStage::sample_at(const PixelSample& sample, const FilterSampler::Place& place,
-                                    Vec2 lens) const {
-  const Ray ray = camera_ray(camera_, frame_point(sample, place.in_pixel), lens);
-  return {ray, key_of(sample), cone_, ray.t_max < ray.t_min ? 0 : place.weight};
-}
-
 CameraSample CameraStage::make_alone(const PixelSample& sample) const {
   const VertexSampler sampler(sampling_.kind, PathKey(key_of(sample)), 0);
   const FilterSampler::Place place = sampling_.samples == 1 ? FilterSampler::Place{{0.5f, 0.5f}, 1}
@@ -56,7 +52,7 @@ void CameraStage::draw(std::span<const PixelSample> samples, Draws& draws) const
   const auto draw_2d = [&](Purpose purpose, Floats& x, Floats& y) {
     stages_->draw(draws.pixel, draws.index, samples.size(), {sampling_.kind, place_of(purpose, 0), {}}, x, y);
   };
-  draw_2d(Purpose::pixel, draws.pixel_x, draws.pixel_y);
+  draw_2d(Purpose::pixel, draws.x, draws.y);
   if (camera_.lens_radius != 0) draw_2d(Purpose::lens, draws.lens_x, draws.lens_y);
 }
 
@@ -67,10 +63,29 @@ void CameraStage::make_together(std::span<const PixelSample> samples, std::span<
   }
   Draws& draws = draws_of_this_thread();
   draw(samples, draws);
+  stages_->place_in_pixels(filter_, samples.size(), draws.x, draws.y, draws.weight);
+  if (is_pinhole()) return make_of_pinhole(samples, draws, made);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Vec2 lens =
         camera_.lens_radius == 0 ? Vec2{} : lens_point(camera_, {draws.lens_x[i], draws.lens_y[i]});
-    made[i] = sample_at(samples[i], filter_.place({draws.pixel_x[i], draws.pixel_y[i]}), lens);
+    made[i] = sample_at(samples[i], {{draws.x[i], draws.y[i]}, draws.weight[i]}, lens);
+  }
+}
+
+void CameraStage::make_of_pinhole(std::span<const PixelSample> samples, Draws& draws,
+                                  std::span<CameraSample> made) const {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    draws.x[i] = float(samples[i].x) + draws.x[i];
+    draws.y[i] = float(samples[i].y) + draws.y[i];
+  }
+  stages_->aim_pinhole({camera_, sampling_.width, sampling_.height}, draws.x, draws.y, samples.size(),
+                       draws.directions);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Ray ray{.origin = camera_.position,
+                  .direction = draws.directions.at(i),
+                  .t_min = camera_.clip_near,
+                  .t_max = camera_.clip_far};
+    made[i] = sample_of(ray, samples[i], draws.weight[i]);
   }
 }
 

@@ -41,12 +41,24 @@ class CameraStage {
     return {(float(sample.x) + in_pixel.x) / float(sampling_.width),
             (float(sample.y) + in_pixel.y) / float(sampling_.height)};
   }
+  CameraSample sample_of(const Ray& ray, const PixelSample& sample, float weight) const {
+    return {ray, key_of(sample), cone_, ray.t_max < ray.t_min ? 0 : weight};
+  }
   /// From a point of the frame and of the lens.
-  CameraSample sample_at(const PixelSample& sample, const FilterSampler::Place& place, Vec2 lens) const;
+  CameraSample sample_at(const PixelSample& sample, const FilterSampler::Place& place, Vec2 lens) const {
+    return sample_of(camera_ray(camera_, frame_point(sample, place.in_pixel), lens), sample, place.weight);
+  }
   CameraSample make_alone(const PixelSample& sample) const;
   /// The draws of up to wave_size samples.
   void draw(std::span<const PixelSample> samples, Draws& draws) const;
   void make_together(std::span<const PixelSample> samples, std::span<CameraSample> made) const;
+  /// Whether lanes know the directions of all rays.
+  bool is_pinhole() const {
+    return camera_.projection == Projection::perspective && camera_.lens_radius == 0 &&
+           !camera_.clips_by_distance;
+  }
+  void make_of_pinhole(std::span<const PixelSample> samples, Draws& draws,
+                       std::span<CameraSample> made) const;
 
   const Camera camera_;
   const CameraSampling sampling_;

@@ -49,10 +49,11 @@ struct Columns3 {
     y[i] = b;
     z[i] = c;
   }
-  /// Makes the first `size` of them zero.
-  void clear(std::size_t size) {
-    for (Floats* const column : {&x, &y, &z}) std::fill_n(column->values, size, 0.0f);
+  /// Gives the first `size` of them one value in all components.
+  void fill(std::size_t size, float value) {
+    for (Floats* const column : {&x, &y, &z}) std::fill_n(column->values, size, value);
   }
+  void clear(std::size_t size) { fill(size, 0); }
   template <typename Triple = Vec3>
   Triple at(std::size_t i) const {
     return {x[i], y[i], z[i]};

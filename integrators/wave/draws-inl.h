@@ -48,18 +48,22 @@ HWY_ATTR HWY_INLINE WordLanes scrambled(WordLanes x, WordLanes seed) {
   return hn::Xor(x, hn::Mul(x, words(scramble_factors[2])));
 }
 
-/// Exchanges neighbouring groups of `bits` bits.
-template <int bits>
-HWY_ATTR HWY_INLINE WordLanes exchanged(WordLanes x, std::uint32_t lower_groups) {
-  const WordLanes mask = words(lower_groups);
-  return hn::Or(hn::And(hn::ShiftRight<bits>(x), mask), hn::ShiftLeft<bits>(hn::And(x, mask)));
-}
+/// The bits of each word, the last first: those of half bytes by tables, then the bytes.
 HWY_ATTR HWY_INLINE WordLanes reversed(WordLanes x) {
-  x = hn::Or(hn::ShiftRight<16>(x), hn::ShiftLeft<16>(x));
-  x = exchanged<8>(x, 0x00ff00ffu);
-  x = exchanged<4>(x, 0x0f0f0f0fu);
-  x = exchanged<2>(x, 0x33333333u);
-  return exchanged<1>(x, 0x55555555u);
+  using Bytes = hn::Repartition<std::uint8_t, WordTag>;
+  const Bytes bytes;
+  alignas(16) static constexpr std::uint8_t half_byte[16] = {0, 8, 4, 12, 2, 10, 6, 14,
+                                                             1, 9, 5, 13, 3, 11, 7, 15};
+  alignas(16) static constexpr std::uint8_t last_first[16] = {3,  2,  1, 0, 7,  6,  5,  4,
+                                                              11, 10, 9, 8, 15, 14, 13, 12};
+  const WordLanes mask = words(0x0f0f0f0fu);
+  const auto table = hn::LoadDup128(bytes, half_byte);
+  const auto low = hn::TableLookupBytes(table, hn::BitCast(bytes, hn::And(x, mask)));
+  const auto high = hn::TableLookupBytes(table, hn::BitCast(bytes, hn::And(hn::ShiftRight<4>(x), mask)));
+  const WordLanes turned =
+      hn::Or(hn::ShiftLeft<4>(hn::BitCast(WordTag(), low)), hn::BitCast(WordTag(), high));
+  return hn::BitCast(WordTag(),
+                     hn::TableLookupBytes(hn::BitCast(bytes, turned), hn::LoadDup128(bytes, last_first)));
 }
 
 /// Each digit of two bits (t, b), an element t + b w of the field {0, 1, w, w^2}, times w^power: w^2 = w + 1.

@@ -8,7 +8,6 @@
 #define TWINRAY_WAVE_LIGHT_INL_H
 #endif
 
-#include "core/offset.h"
 #include "integrators/wave/requests.h"
 #include "integrators/wave/surfaces-inl.h"
 #include "integrators/wave/warp-inl.h"
@@ -49,8 +48,7 @@ struct PointLanes {
 };
 
 HWY_ATTR HWY_INLINE Lanes end_offset(const Lanes3& between) {
-  const Lanes most = hn::Max(hn::Abs(between.x), hn::Max(hn::Abs(between.y), hn::Abs(between.z)));
-  return hn::Mul(splat(twelve_roundings), most);
+  return hn::Mul(splat(twelve_roundings), max_abs(between));
 }
 
 /// The shadow rays from the surfaces to them: connect.

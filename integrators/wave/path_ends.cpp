@@ -51,25 +51,21 @@ std::size_t PathWave::play_roulette(std::size_t kept) {
 
 void PathWave::compact(std::size_t kept) {
   if (kept != paths_.size) {
-    const auto compact_column = [&](auto& column) {
-      for (std::size_t k = 0; k < kept; ++k) column[k] = column[wave_.kept[k]];
-    };
+    const auto move_words = [&](Words& column) { stages_.move_up_words(wave_.kept, kept, column); };
+    const auto move_floats = [&](Floats& column) { stages_.move_up_floats(wave_.kept, kept, column); };
     for (Words* const column :
          {&paths_.sample, &paths_.pixel.low, &paths_.pixel.high, &paths_.index, &paths_.materials})
-      compact_column(*column);
+      move_words(*column);
     if (context_.has_interiors)
-      for (Words* const column : {&paths_.interiors.low, &paths_.interiors.high}) compact_column(*column);
-    if (context_.options.limits.are_any()) compact_column(paths_.bounces);
-    compact_column(paths_.eta_squared);
+      for (Words* const column : {&paths_.interiors.low, &paths_.interiors.high}) move_words(*column);
+    if (context_.options.limits.are_any()) move_words(paths_.bounces);
+    move_floats(paths_.eta_squared);
     if (has_textures()) {
-      compact_column(paths_.cone_width);
-      compact_column(paths_.cone_spread);
+      move_floats(paths_.cone_width);
+      move_floats(paths_.cone_spread);
     }
-    for (Columns3* const columns : {&paths_.throughput, &paths_.direction}) {
-      compact_column(columns->x);
-      compact_column(columns->y);
-      compact_column(columns->z);
-    }
+    for (Columns3* const columns : {&paths_.throughput, &paths_.direction})
+      for (Floats* const column : {&columns->x, &columns->y, &columns->z}) move_floats(*column);
   }
   paths_.size = kept;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "core/octahedron.h"
 #include "core/offset.h"
@@ -61,16 +62,16 @@ void PathWave::trace() {
 void PathWave::start() {
   paths_.size = samples_.size();
   records_.clear();
+  std::iota(paths_.sample.values, paths_.sample.values + paths_.size, 0u);
+  paths_.throughput.fill(paths_.size, 1);
+  std::fill_n(paths_.materials.values, paths_.size, std::uint32_t(Materials::exact));
+  std::fill_n(paths_.bounces.values, paths_.size, 0u);
+  std::fill_n(paths_.eta_squared.values, paths_.size, 1.0f);
   PixelKeys pixel_key;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    paths_.sample[i] = std::uint32_t(i);
     paths_.pixel.set(i, pixel_key(samples_[i].key));
     paths_.index[i] = samples_[i].key.index;
-    paths_.throughput.set(i, Rgb{1, 1, 1});
-    paths_.materials[i] = std::uint32_t(Materials::exact);
     paths_.interiors.set(i, samples_[i].interiors.bits());
-    paths_.bounces[i] = 0;
-    paths_.eta_squared[i] = 1;
     paths_.direction.set(i, samples_[i].ray.direction);
     paths_.cone_width[i] = samples_[i].cone.width;
     paths_.cone_spread[i] = samples_[i].cone.spread;
@@ -104,6 +105,7 @@ bool PathWave::may_find_light() const {
 void PathWave::arrive() {
   if (has_textures()) prepare_textures();
   expand_hits();
+  stages_.find_facets(surfaces_.triangle, surfaces_.point, paths_.size);
   stages_.find_points(surfaces_, paths_.size);
   place_others();
   find_others();
@@ -132,33 +134,40 @@ void prefetch_corners(const ShapeEntry& shape, std::uint32_t triangle) {
       __builtin_prefetch(shape.normals + corner);
 }
 
-/// The corners of a triangle, for position `i` of the columns, and what all of its points have in common.
-void gather_triangle(const ShapeEntry& shape, std::uint32_t triangle, TrianglePoints& corners, Points& points,
+/// The corners of a triangle, for position `i` of the columns.
+void gather_triangle(const ShapeEntry& shape, std::uint32_t triangle, TrianglePoints& corners,
                      std::size_t i) {
-  const auto& [ia, ib, ic] = shape.triangles[triangle];
-  const Vec3 &a = shape.positions[ia], &b = shape.positions[ib], &c = shape.positions[ic];
-  corners.a.set(i, a);
-  corners.b.set(i, b);
-  corners.c.set(i, c);
-  const Facet facet(a, b, c);
-  points.normal.set(i, facet.normal);
-  points.offset[i] = facet.offset;
+  const auto& [a, b, c] = shape.triangles[triangle];
+  corners.a.set(i, shape.positions[a]);
+  corners.b.set(i, shape.positions[b]);
+  corners.c.set(i, shape.positions[c]);
 }
 
 }  // namespace
 
+void PathWave::prefetch_surfaces(std::size_t i) const {
+  const auto ahead = [&](std::size_t k) -> const Hit& { return wave_.hits[std::min(k, paths_.size - 1)]; };
+  const Hit &later = ahead(i + triangle_ahead), &next = ahead(i + corners_ahead);
+  prefetch_triangle(context_.shapes[later.mesh], later.primitive);
+  prefetch_corners(context_.shapes[next.mesh], next.primitive);
+}
+
 void PathWave::expand_hits() {
-  const auto ahead = [&](std::size_t i) -> const Hit& { return wave_.hits[std::min(i, paths_.size - 1)]; };
+  wave_.placed_alone.clear();
   for (std::size_t i = 0; i < paths_.size; ++i) {
-    const Hit &hit = wave_.hits[i], &later = ahead(i + triangle_ahead), &next = ahead(i + corners_ahead);
-    prefetch_triangle(context_.shapes[later.mesh], later.primitive);
-    prefetch_corners(context_.shapes[next.mesh], next.primitive);
+    if (context_.prefetches) prefetch_surfaces(i);
+    const Hit& hit = wave_.hits[i];
     const ShapeEntry& shape = context_.shapes[hit.mesh];
     surfaces_.reflectance.set(i, shape.textured ? textured_reflectance(shape, i) : shape.reflectance);
+    if (is_placed_alone(hit)) {
+      wave_.placed_alone.push_back(std::uint32_t(i));
+      // Lanes work out a point that no one reads: far from the edges of whatever triangle was there before.
+      surfaces_.triangle.u[i] = surfaces_.triangle.v[i] = 1.0f / 3;
+      continue;
+    }
     surfaces_.triangle.u[i] = hit.u;
     surfaces_.triangle.v[i] = hit.v;
-    if (is_placed_alone(hit)) continue;
-    gather_triangle(shape, hit.primitive, surfaces_.triangle, surfaces_.point, i);
+    gather_triangle(shape, hit.primitive, surfaces_.triangle, i);
     if (shape.normals) {
       const auto& [a, b, c] = shape.normal_indices[hit.primitive];
       surfaces_.normal_a.set(i, shape.normals[a]);
@@ -171,16 +180,10 @@ void PathWave::expand_hits() {
   }
 }
 
-bool PathWave::is_placed_alone(const Hit& hit) const {
-  return !context_.shapes[hit.mesh].positions || hit.instance != no_instance;
-}
-
 void PathWave::place_others() {
   const Geometry& geometry = *context_.transport.scene.geometry;
-  for (std::size_t i = 0; i < paths_.size; ++i) {
-    const Hit& hit = wave_.hits[i];
-    if (!is_placed_alone(hit)) continue;
-    const SurfacePoint point = surface_at(geometry, hit);
+  for (const std::uint32_t i : wave_.placed_alone) {
+    const SurfacePoint point = surface_at(geometry, wave_.hits[i]);
     surfaces_.point.position.set(i, point.position);
     surfaces_.point.normal.set(i, point.geometric_normal);
     surfaces_.point.offset[i] = point.offset;
@@ -281,8 +284,9 @@ void PathWave::choose_of_many(const Distribution& triangles, const ShapeEntry& s
     light_.triangle.u[i] = weights.x;
     light_.triangle.v[i] = weights.y;
     light_.density[i] = 1;
-    gather_triangle(shape, choice.index, light_.triangle, light_.point, i);
+    gather_triangle(shape, choice.index, light_.triangle, i);
   }
+  stages_.find_facets(light_.triangle, light_.point, paths_.size);
 }
 
 void PathWave::sample_sphere_light(const SphereLight& light) {

@@ -25,6 +25,7 @@ struct WaveContext {
   std::span<const PatchTable> patches;  ///< Of each light.
   bool has_interiors = false;           ///< Of the scene: paths must know where they are.
   bool has_environment = false;         ///< Of the scene: it is seen where nothing is hit.
+  bool prefetches = true;               ///< Its surfaces do not stay in a cache.
 };
 
 /// The paths of up to wave_size samples, grown together vertex by vertex: all of them to their next surfaces,
@@ -89,6 +90,8 @@ class PathWave {
   }
   PathParts paths_of(std::uint32_t sample) const { return PathParts(records_[Division::paths][sample]); }
   void expand_hits();
+  /// Asks for the memory of what hits behind number i have met.
+  void prefetch_surfaces(std::size_t i) const;
   /// Of a scene with textures: where the paths' cones have come to, and the draws of pixels.
   void prepare_textures();
   bool has_textures() const { return !context_.transport.scene.textures.empty(); }
@@ -100,7 +103,9 @@ class PathWave {
   SurfacePoint with_footprint(SurfacePoint point, std::size_t i) const;
   Rgb textured_reflectance(const ShapeEntry& shape, std::size_t i) const;
   /// Whether lanes do not find the point of a hit: of a sphere, or of an instance.
-  bool is_placed_alone(const Hit& hit) const;
+  bool is_placed_alone(const Hit& hit) const {
+    return !context_.shapes[hit.mesh].positions || hit.instance != no_instance;
+  }
   void place_others();
   /// Surfaces that are not Lambert's (integrators/wave/other_surfaces.cpp), in lanes where these know their
   /// lobes, else alone: finds them before their normals are turned to the viewer,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/camera.h"
 #include "core/light.h"
 #include "core/light_patch.h"
 #include "core/light_set.h"
@@ -17,6 +18,12 @@ struct DrawRequest {
   SamplerKind kind = SamplerKind::sobol;
   DrawPlace place;
   SubSample sub;
+};
+
+/// A camera without a lens whose rays start at one point, and its frame in pixels.
+struct PinholeRequest {
+  const Camera& camera;
+  int width = 0, height = 0;
 };
 
 /// A mesh light, as far as the arithmetic of its samples needs it.

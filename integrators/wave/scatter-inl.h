@@ -40,6 +40,23 @@ HWY_ATTR std::size_t keep_paths(Wave& wave) {
   return kept;
 }
 
+/// Numbers are read before any is written behind them, since `kept` grows.
+template <class Tag, class T>
+HWY_ATTR HWY_INLINE void move_up(Tag tag, const Words& kept, std::size_t size, Column<T>& column) {
+  const hn::RebindToSigned<WordTag> integers;
+  for (std::size_t k = 0; k < size; k += lane_count) {
+    const auto from =
+        hn::BitCast(integers, hn::IfThenElseZero(hn::FirstN(WordTag(), size - k), load(kept, k)));
+    hn::Store(hn::GatherIndex(tag, column.values, from), tag, column.values + k);
+  }
+}
+HWY_ATTR void move_up_words(const Words& kept, std::size_t size, Words& column) {
+  move_up(WordTag(), kept, size, column);
+}
+HWY_ATTR void move_up_floats(const Words& kept, std::size_t size, Floats& column) {
+  move_up(FloatTag(), kept, size, column);
+}
+
 }  // namespace twinray::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -39,6 +39,14 @@ std::vector<ShapeEntry> shape_table(const Scene& scene) {
   return table;
 }
 
+bool exceeds_cache(const Geometry& geometry) {
+  constexpr std::size_t few = 4096;  // of some fifty bytes each, beside the wave's own
+  std::size_t triangles = 0;
+  for (std::uint32_t shape = 0; shape < geometry.shapes().size(); ++shape)
+    if (const Mesh* mesh = geometry.mesh(shape)) triangles += mesh->triangles.size();
+  return triangles > few;
+}
+
 std::vector<PatchTable> patch_tables(const Scene& scene, const LightSet& lights) {
   std::vector<PatchTable> tables(lights.size());
   for (std::uint32_t light = 0; light < lights.size(); ++light) {

@@ -26,6 +26,9 @@ struct ShapeEntry {
 /// One entry for each shape of the scene, which must outlive them.
 std::vector<ShapeEntry> shape_table(const Scene& scene);
 
+/// Whether there are too many triangles for all that is known of them to stay in the second cache.
+bool exceeds_cache(const Geometry& geometry);
+
 /// One entry for each light; scene and lights must outlive them.
 std::vector<PatchTable> patch_tables(const Scene& scene, const LightSet& lights);
 

@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#include "integrators/wave/camera-inl.h"
 #include "integrators/wave/coats-inl.h"
 #include "integrators/wave/draws-inl.h"
 #include "integrators/wave/light-inl.h"
@@ -30,6 +31,9 @@ LobeStages<Lobes> lobe_stages() {
 WaveStages stages() {
   return {simd_name(hwy::TargetName(HWY_TARGET)),
           draw,
+          place_in_pixels,
+          aim_pinhole,
+          find_facets,
           find_points,
           find_interactions,
           weigh_patches,
@@ -42,6 +46,8 @@ WaveStages stages() {
           add_connections,
           scatter_paths,
           keep_paths,
+          move_up_words,
+          move_up_floats,
           lobe_stages<CoatedDiffuseLanes, CoatedDiffuseSurfaces>(),
           lobe_stages<RoughConductorLanes, RoughConductorSurfaces>()};
 }

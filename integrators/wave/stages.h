@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/filter_sampler.h"
 #include "integrators/wave/requests.h"
 #include "integrators/wave/wave.h"
 
@@ -29,6 +30,13 @@ struct WaveStages {
   /// Keys of pixels, indices of samples -> draws in the unit square.
   void (*draw)(const Keys& pixels, const Words& index, std::size_t size, const DrawRequest&, Floats& x,
                Floats& y);
+  /// Draws -> places in pixels, and their weights: FilterSampler::place.
+  void (*place_in_pixels)(const FilterSampler&, std::size_t size, Floats& x, Floats& y, Floats& weights);
+  /// Places in the frame, in pixels -> directions: camera_ray.
+  void (*aim_pinhole)(const PinholeRequest&, const Floats& x, const Floats& y, std::size_t size,
+                      Columns3& directions);
+  /// Corners -> Points::normal, offset: Facet.
+  void (*find_facets)(const TrianglePoints&, Points&, std::size_t size);
   /// Surfaces::triangle, normal_a, b, c -> point.position, shading: triangle_point and the shading normal.
   void (*find_points)(Surfaces&, std::size_t size);
   /// Surfaces -> shading, facing, wo_z: Interaction.
@@ -57,6 +65,9 @@ struct WaveStages {
   void (*scatter_paths)(const Surfaces&, Wave&);
   /// Throughput -> kept: the paths that go on. Returns how many.
   std::size_t (*keep_paths)(Wave&);
+  /// Moves numbers kept[0] < kept[1] < ... of a column to its front.
+  void (*move_up_words)(const Words& kept, std::size_t size, Words& column);
+  void (*move_up_floats)(const Words& kept, std::size_t size, Floats& column);
   LobeStages<CoatedDiffuseSurfaces> coated_diffuse;
   LobeStages<RoughConductorSurfaces> rough_conductor;
 };

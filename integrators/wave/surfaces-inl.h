@@ -10,13 +10,40 @@
 
 #include <bit>
 
+#include "core/offset.h"
 #include "core/triangle_weights.h"
 #include "core/warp.h"
-#include "integrators/wave/lanes-inl.h"
+#include "integrators/wave/double_lanes-inl.h"
 #include "integrators/wave/wave.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
+
+/// AreaVector::normal.
+HWY_ATTR HWY_INLINE HalfLanes3 triangle_normal(const HalfLanes3& a, const HalfLanes3& b,
+                                               const HalfLanes3& c) {
+  const DoubleLanes3 from = promote(a), u = promote(b) - from, v = promote(c) - from;
+  const DoubleLanes3 area{hn::Sub(hn::Mul(u.y, v.z), hn::Mul(u.z, v.y)),
+                          hn::Sub(hn::Mul(u.z, v.x), hn::Mul(u.x, v.z)),
+                          hn::Sub(hn::Mul(u.x, v.y), hn::Mul(u.y, v.x))};
+  return demote(area * hn::Div(hn::Set(DoubleTag(), 1), hn::Sqrt(dot(area, area))));
+}
+
+HWY_ATTR HWY_INLINE Lanes max_abs(const Lanes3& a) {
+  return hn::Max(hn::Abs(a.x), hn::Max(hn::Abs(a.y), hn::Abs(a.z)));
+}
+
+HWY_ATTR void find_facets(const TrianglePoints& triangles, Points& points, std::size_t size) {
+  for (std::size_t i = 0; i < size; i += lane_count) {
+    const Lanes3 a = load(triangles.a, i), b = load(triangles.b, i), c = load(triangles.c, i);
+    store(combine(triangle_normal(upper_half(a), upper_half(b), upper_half(c)),
+                  triangle_normal(lower_half(a), lower_half(b), lower_half(c))),
+          points.normal, i);
+    const Lanes coordinate = hn::Max(max_abs(a), hn::Max(max_abs(b), max_abs(c)));
+    const Lanes edge = hn::Max(max_abs(b - a), hn::Max(max_abs(c - a), max_abs(c - b)));
+    store(hn::Mul(splat(ten_roundings), hn::Add(coordinate, edge)), points.offset, i);
+  }
+}
 
 struct WeightLanes {
   Lanes a, b, c;

@@ -133,9 +133,10 @@ struct Wave {
   PatchCorners corners;
   LightSamples light;
   Connections connections;
-  std::vector<OtherSurface> others;      ///< In the order of the surfaces.
-  std::vector<std::uint32_t> alone;      ///< Which of these no lanes know.
-  CoatedDiffuseSurfaces coated_diffuse;  ///< Those that lanes know, by their lobes.
+  std::vector<OtherSurface> others;         ///< In the order of the surfaces.
+  std::vector<std::uint32_t> alone;         ///< Which of these no lanes know.
+  std::vector<std::uint32_t> placed_alone;  ///< The surfaces whose points no lanes find.
+  CoatedDiffuseSurfaces coated_diffuse;     ///< Those that lanes know, by their lobes.
   RoughConductorSurfaces rough_conductor;
   Columns3 scattered_at_lobes;  ///< Of a light's sample, at a list's surfaces.
   LobePaths lobe_paths;

@@ -26,7 +26,7 @@ RenderOptions halved(std::uint32_t samples) {
           .seed = 3};
 }
 
-const PathOptions path_options{.max_depth = 3};
+const PathOptions three_bounces{.max_depth = 3};
 
 /// The relative mean squared error that a picture of a room has against one of other samples.
 double relative_error(const Image& picture, const Image& converged) {
@@ -79,7 +79,7 @@ TEST_CASE("a half has aligned blocks of samples, which grow with their number") 
 
 TEST_CASE("both halves together are the film") {
   const Scene scene = small_room();
-  const PathIntegrator path(scene, path_options);
+  const PathIntegrator path(scene, three_bounces);
   const RenderResult result = render_with(scene, path, halved(6));
   REQUIRE(result.halves);
   for (int y = 0; y < 30; ++y)
@@ -93,7 +93,7 @@ TEST_CASE("both halves together are the film") {
 
 TEST_CASE("halves know the layers that they are asked for, whichever the film has") {
   const Scene scene = small_room();
-  const PathIntegrator path(scene, path_options);
+  const PathIntegrator path(scene, three_bounces);
   RenderOptions layered = halved(4);
   layered.layers = {Layer::depth, Layer::normal};
   const RenderResult halves = render_with(scene, path, layered);
@@ -144,7 +144,7 @@ TEST_CASE("the halves of independent noise tell its size, in whatever shares the
 
 TEST_CASE("the error that halves tell of a room is the one that it has") {
   const Scene scene = small_room();
-  const PathIntegrator path(scene, path_options);
+  const PathIntegrator path(scene, three_bounces);
   const Image reference = converged_picture(scene, path);
   for (const std::uint32_t samples : {16u, 64u}) {
     const RenderResult result = render_with(scene, path, halved(samples));
@@ -177,7 +177,7 @@ TEST_CASE("halves with independent noise tell how far a filter without noise is 
 
 TEST_CASE("the error that halves tell of a denoised room is about the one that it has") {
   const Scene scene = small_room();
-  const PathIntegrator path(scene, path_options);
+  const PathIntegrator path(scene, three_bounces);
   const Image reference = converged_picture(scene, path);
   for (const std::uint32_t samples : {16u, 64u, 256u}) {
     const HalfPictures noisy = half_pictures(*render_with(scene, path, halved(samples)).halves);
@@ -192,7 +192,7 @@ TEST_CASE("the error that halves tell of a denoised room is about the one that i
 
 TEST_CASE("halves by light groups have each group's light, with the features of all") {
   const Scene scene = room_of_two_groups();
-  const PathIntegrator path(scene, path_options);
+  const PathIntegrator path(scene, three_bounces);
   RenderOptions grouped = halved(8);
   grouped.light_groups = grouped.half_light_groups = true;
   const RenderResult result = render_with(scene, path, grouped);
@@ -219,7 +219,7 @@ TEST_CASE("halves by light groups have each group's light, with the features of 
 
 TEST_CASE("an error that takes long to estimate is asked for after a quarter more samples each time") {
   const Scene scene = small_room();
-  const PathIntegrator path(scene, path_options);
+  const PathIntegrator path(scene, three_bounces);
   RenderOptions targeted = halved(4096);
   targeted.noise_target = 1;
   std::vector<std::uint32_t> asked;
@@ -235,7 +235,7 @@ TEST_CASE("an error that takes long to estimate is asked for after a quarter mor
 
 TEST_CASE("a render with a noise target ends after the first pass that reaches it") {
   const Scene scene = small_room();
-  const PathIntegrator path(scene, path_options);
+  const PathIntegrator path(scene, three_bounces);
   const auto error_of = [&](std::uint32_t samples) {
     return estimated_relative_error(half_pictures(*render_with(scene, path, halved(samples)).halves));
   };
@@ -255,7 +255,7 @@ TEST_CASE("a render with a noise target ends after the first pass that reaches i
 
 TEST_CASE("noise targets out of range are refused") {
   const Scene scene = small_room();
-  const PathIntegrator path(scene, path_options);
+  const PathIntegrator path(scene, three_bounces);
   RenderOptions targeted = halved(4);
   targeted.noise_target = 0;
   CHECK_THROWS_WITH(render_with(scene, path, targeted),

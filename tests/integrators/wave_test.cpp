@@ -12,7 +12,6 @@
 #include "integrators/path_log.h"
 #include "integrators/path_reference.h"
 #include "integrators/replay.h"
-#include "integrators/wave/camera_stage.h"
 #include "tests/support/catch.h"
 #include "tests/support/instances.h"
 #include "tests/support/random.h"
@@ -345,12 +344,6 @@ void check_logs(const Scene& scene, const PathOptions& options, std::uint32_t co
 }
 
 /// Samples of a few pixels, some of them in one order and some in another.
-std::vector<PixelSample> pixel_samples() {
-  std::vector<PixelSample> samples;
-  for (int i = 0; i < 1500; ++i) samples.push_back({i / 7 % 64, i / 300, std::uint32_t(i % 7)});
-  return samples;
-}
-
 }  // namespace
 
 TEST_CASE("waves of paths have the bits and the rays of paths one after the other") {
@@ -394,31 +387,6 @@ TEST_CASE("what is written of a path adds up to the bits of its sample, as waves
     for (const Scene* scene : {&everything, &models, &many, &textures, &room, &skies})
       check_logs(*scene, options, 60);
   }
-}
-
-TEST_CASE("camera rays made together have the bits of each alone") {
-  Camera camera = fit_frame(small_room().camera, 64, 48);
-  const std::vector<PixelSample> pixels = pixel_samples();
-  for (const float lens_radius : {0.0f, 0.2f})
-    for (const SamplerKind kind : {SamplerKind::sobol, SamplerKind::independent}) {
-      camera.lens_radius = lens_radius;
-      camera.aperture_blades = kind == SamplerKind::sobol ? 5 : 0;
-      CameraSampling sampling{64, 48, 7, kind, 3, {}};
-      if (kind == SamplerKind::sobol) sampling.filter = usual_filter(FilterKind::mitchell);
-      std::vector<CameraSample> expected(pixels.size()), found(pixels.size());
-      CameraStage(camera, sampling, "scalar").make(pixels, expected);
-      for (const std::string& simd : available_instruction_sets()) {
-        CameraStage(camera, sampling, simd).make(pixels, found);
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-          CAPTURE(simd, i);
-          REQUIRE(found[i].ray.origin == expected[i].ray.origin);
-          REQUIRE(found[i].ray.direction == expected[i].ray.direction);
-          REQUIRE(found[i].key.x == expected[i].key.x);
-          REQUIRE(found[i].key.index == expected[i].key.index);
-          REQUIRE(found[i].weight == expected[i].weight);
-        }
-      }
-    }
 }
 
 TEST_CASE("a wave of one path records its rays in the order of a path alone") {

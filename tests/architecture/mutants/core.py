@@ -307,7 +307,7 @@ MUTANTS = [
            "test_integrators",
            BEHIND_A_WIDE_LOBE),
     Mutant("the cones of a wave are not compacted with its paths", "integrators/wave/path_ends.cpp",
-           "      compact_column(paths_.cone_width);\n", "", "test_integrators",
+           "      move_floats(paths_.cone_width);\n", "", "test_integrators",
            "waves of paths have the bits and the rays of paths one after the other"),
     Mutant("a wave's textures have the draws of another purpose", "integrators/wave/textured_surfaces.cpp",
            "draw(Purpose::texture, {}, wave_.texture_x, wave_.texture_y);",
