@@ -128,7 +128,10 @@ struct Principled {
   float fuzz_weight = 0;
   Rgb fuzz_color{1, 1, 1};
   float fuzz_roughness = 0.5f;
-  float emission_luminance = 0;  ///< Of its radiance, >= 0: io makes a light of it.
+  float thin_film_weight = 0;  ///< Of a film on metal, gloss and sheets, below the coat (core/thin_film.h).
+  float thin_film_thickness = 0.5f;  ///< In micrometers, >= 0.
+  float thin_film_ior = 1.4f;        ///< >= 1.
+  float emission_luminance = 0;      ///< Of its radiance, >= 0: io makes a light of it.
   Rgb emission_color{1, 1, 1};
   bool geometry_thin_walled = false;
 };
@@ -175,10 +178,12 @@ enum class MaterialInput {
   coat_darkening,
   fuzz_weight,
   fuzz_color,
-  fuzz_roughness
+  fuzz_roughness,
+  thin_film_weight,
+  thin_film_thickness
 };
 /// The number of them.
-inline constexpr int material_inputs = int(MaterialInput::fuzz_roughness) + 1;
+inline constexpr int material_inputs = int(MaterialInput::thin_film_thickness) + 1;
 
 /// What is made of a texture's value: itself; the roughness whose square it is, as pbrt has it; the k of a
 /// metal of eta 1 that reflects so much of the light that falls straight on it; of Principled's anisotropy,

@@ -12,6 +12,7 @@ namespace twinray {
 namespace {
 
 constexpr float most_eta = 1000;
+constexpr float most_thickness = 1000;
 
 float unit(float x) { return x > 0 ? std::min(x, 1.0f) : 0; }
 
@@ -31,6 +32,8 @@ struct Value {
     const auto positive = [](float x) { return x > 0 ? std::min(x, most_eta) : 0; };
     return {positive(color.r), positive(color.g), positive(color.b)};
   }
+  /// Of a film, in micrometers.
+  float thickness() const { return color.r > 0 ? std::min(color.r, most_thickness) : 0; }
 };
 
 void assign(Rgb& target, const Value& value) { target = value.unit_color(); }
@@ -45,6 +48,12 @@ struct MetalColor {
   Rgb& color;
 };
 void assign(MetalColor target, const Value& value) { target.color = value.metal_color(); }
+
+/// In micrometers.
+struct Thickness {
+  float& micrometers;
+};
+void assign(Thickness target, const Value& value) { target.micrometers = value.thickness(); }
 
 /// The members that Principled alone has.
 template <typename Use>
@@ -61,7 +70,8 @@ bool with_principled_input(Principled& model, MaterialInput input, const Use& us
       {MaterialInput::coat_roughness, &Principled::coat_roughness},
       {MaterialInput::coat_darkening, &Principled::coat_darkening},
       {MaterialInput::fuzz_weight, &Principled::fuzz_weight},
-      {MaterialInput::fuzz_roughness, &Principled::fuzz_roughness}};
+      {MaterialInput::fuzz_roughness, &Principled::fuzz_roughness},
+      {MaterialInput::thin_film_weight, &Principled::thin_film_weight}};
   constexpr std::pair<MaterialInput, Rgb Principled::*> colors[] = {
       {MaterialInput::reflectance, &Principled::base_color},
       {MaterialInput::specular_color, &Principled::specular_color},
@@ -72,6 +82,7 @@ bool with_principled_input(Principled& model, MaterialInput input, const Use& us
     if (name == input) return use(model.*member), true;
   for (const auto& [name, member] : colors)
     if (name == input) return use(model.*member), true;
+  if (input == MaterialInput::thin_film_thickness) return use(Thickness{model.thin_film_thickness}), true;
   return false;
 }
 
@@ -144,7 +155,9 @@ const char* input_name(MaterialInput input) {
                                    "coat_darkening",
                                    "fuzz_weight",
                                    "fuzz_color",
-                                   "fuzz_roughness"};
+                                   "fuzz_roughness",
+                                   "thin_film_weight",
+                                   "thin_film_thickness"};
   static_assert(std::size(names) == material_inputs);
   return names[std::size_t(input)];
 }

@@ -41,11 +41,29 @@ float gloss_ior(const Principled& m, bool is_inside) {
   return ior < 1 ? 1 / ior : ior;
 }
 
+/// On the side of a surface that is seen; below the coat.
+std::optional<PartialFilm> film_of(const Principled& m, float above) {
+  if (m.thin_film_weight == 0) return std::nullopt;
+  constexpr float nanometers = 1000;
+  return PartialFilm{ThinFilm(m.thin_film_thickness * nanometers, m.thin_film_ior, above),
+                     m.thin_film_weight};
+}
+
+/// Of light from all directions: the integral of 2 cos f(cos).
+template <typename F>
+Rgb average_over_directions(const F& f) {
+  constexpr int parts = 16;
+  Rgb sum;
+  for (int i = 0; i < parts; ++i) sum += f(std::sqrt((float(i) + 0.5f) / parts));
+  return sum / parts;
+}
+
 std::variant<RoughDielectricLobe, ThinDielectricLobe> boundary_of(const Principled& m, const Ggx& facets,
                                                                   bool is_inside) {
   const Rgb tint = m.transmission_depth > 0 ? white : m.transmission_color;
   const float ior = weighted_ior(m, 1);
-  if (m.geometry_thin_walled || ior == 1) return ThinDielectricLobe(ior, m.specular_color, tint);
+  if (m.geometry_thin_walled || ior == 1)
+    return ThinDielectricLobe(ior, m.specular_color, tint, film_of(m, 1));
   return RoughDielectricLobe(facets, is_inside ? 1 / ior : ior, m.specular_color, tint);
 }
 
@@ -82,9 +100,10 @@ PrincipledLobe::PrincipledLobe(const Principled& m, bool is_inside)
           facets_of(is_inside ? m.specular_roughness : coated_roughness(m), m.specular_roughness_anisotropy)),
       multiple_(facets_),
       metal_fresnel_(m.base_color * m.base_weight, m.specular_color),
-      metal_multiple_(multiple_.absorption(metal_fresnel_.average())),
+      metal_average_(metal_fresnel_.average()),
       gloss_(gloss_ior(m, is_inside), facets_),
       coat_(m.coat_ior, facets_of(m.coat_roughness, 0)),
+      gloss_average_(white * gloss_.average_reflectance()),
       diffuse_(gloss_.diffuse_below(m.base_color * m.base_weight)),
       rough_(white, m.base_diffuse_roughness),
       boundary_(boundary_of(m, facets_, is_inside)),
@@ -92,6 +111,8 @@ PrincipledLobe::PrincipledLobe(const Principled& m, bool is_inside)
       through_coat_(1 - coat_weight_ * coat_.average_reflectance()),
       through_fuzz_(1 - fuzz_weight_ * fuzz_.average_reflectance()),
       below_coat_(white) {
+  if (!is_inside) set_film(m);
+  metal_multiple_ = multiple_.absorption(metal_average_);
   // What the coat reflects back down is absorbed in part, once more and again.
   const float back = coat_.average_reflectance_below();
   const auto darkened = [&](float albedo) {
@@ -102,10 +123,56 @@ PrincipledLobe::PrincipledLobe(const Principled& m, bool is_inside)
   below_coat_ = mix(white, m.coat_color * darkening, coat_weight_);
 }
 
+void PrincipledLobe::set_film(const Principled& m) {
+  film_ = film_of(m, mix(1, m.coat_ior, m.coat_weight));
+  if (!film_) return;
+  metal_ior_ = index_of_reflectance(m.base_color * m.base_weight);
+  metal_average_ = average_over_directions([&](float cosine) { return metal_reflectance(cosine); });
+  gloss_average_ = average_over_directions([&](float cosine) { return white - through_gloss(cosine); });
+  // As Coat::diffuse_below, of a boundary that lets so much through in each channel, both ways.
+  const float squared_ior = gloss_.ior() * gloss_.ior();
+  const Rgb color = m.base_color * m.base_weight;
+  const auto channel = [&](float r, float reflected) {
+    const float through = (1 - reflected) / squared_ior;
+    return r / ((1 - r * (1 - through)) * squared_ior);
+  };
+  diffuse_ = {channel(color.r, gloss_average_.r), channel(color.g, gloss_average_.g),
+              channel(color.b, gloss_average_.b)};
+}
+
+Rgb PrincipledLobe::metal_reflectance(float cosine) const {
+  const Rgb bare = metal_fresnel_(cosine);
+  if (!film_) return bare;
+  // The film takes away from what is absorbed, or adds to it, what it does where the metal's index is one of
+  // a dielectric: so a film of no thickness changes nothing.
+  const Rgb filmed = film_->film.reflectance(cosine, metal_ior_);
+  const auto channel = [&](float r, float with_film, float index) {
+    const float without = fresnel_dielectric(cosine, index);
+    return without < 1 ? 1 - (1 - r) * (1 - with_film) / (1 - without) : r;
+  };
+  const Rgb changed =
+      within_unit(Rgb{channel(bare.r, filmed.r, metal_ior_.r), channel(bare.g, filmed.g, metal_ior_.g),
+                      channel(bare.b, filmed.b, metal_ior_.b)});
+  return mix(bare, changed, film_->weight);
+}
+
+Rgb PrincipledLobe::gloss_reflectance(float cosine) const {
+  const Rgb bare = white * fresnel_dielectric(cosine, gloss_.ior());
+  return film_ ? mix(bare, film_->film.reflectance(cosine, white * gloss_.ior()), film_->weight) : bare;
+}
+
+Rgb PrincipledLobe::through_gloss(float cosine) const {
+  const Rgb bare = white * gloss_.transmittance(cosine);
+  if (!film_) return bare;
+  // Of what meets facets as it meets the surface, all but what they lose to each other.
+  const Rgb change = gloss_reflectance(cosine) - white * fresnel_dielectric(cosine, gloss_.ior());
+  return within_unit(bare - change * (1 - multiple_.loss(cosine)));
+}
+
 Rgb PrincipledLobe::base_albedo() const {
-  const float reflected = gloss_.average_reflectance(), through = 1 - reflected;
+  const Rgb reflected = gloss_average_, through = white - reflected;
   const float loss = multiple_.average_loss();
-  const Rgb metal = metal_fresnel_.average() * (1 - loss) + metal_multiple_ * loss;
+  const Rgb metal = metal_average_ * (1 - loss) + metal_multiple_ * loss;
   const Rgb clear = std::visit([](const auto& lobe) { return lobe.albedo(); }, boundary_);
   return metal * (metal_ * specular_weight_) + clear * clear_ +
          (specular_color_ * reflected + diffuse_ * (through * through)) * opaque_;
@@ -118,10 +185,10 @@ Rgb PrincipledLobe::albedo() const {
 
 BsdfValue PrincipledLobe::evaluate_opaque(const Choice& p, const Vec3& wo, const Vec3& wi) const {
   const FacetReflection facets = facets_.reflection(wo, wi);
-  const float through = gloss_.transmittance(wo.z) * gloss_.transmittance(wi.z);
+  const Rgb through = through_gloss(wo.z) * through_gloss(wi.z);
   const Rgb metal =
-      metal_fresnel_(facets.cosine) * facets.value + metal_multiple_ * multiple_.evaluate(wo.z, wi.z);
-  const Rgb gloss = specular_color_ * (fresnel_dielectric(facets.cosine, gloss_.ior()) * facets.value);
+      metal_reflectance(facets.cosine) * facets.value + metal_multiple_ * multiple_.evaluate(wo.z, wi.z);
+  const Rgb gloss = specular_color_ * (gloss_reflectance(facets.cosine) * facets.value);
   const BsdfValue diffuse = rough_.evaluate(wo, wi);
   return {metal * (metal_ * specular_weight_) + (gloss + diffuse_ * diffuse.value * through) * opaque_,
           p.facets * facets.pdf + p.diffuse * diffuse.pdf};
@@ -161,19 +228,19 @@ BsdfValue PrincipledLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
 
 Rgb PrincipledLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
-  const float below = gloss_.transmittance(wi.z) * gloss_.transmittance(wo.z);
-  const float through = below * through_fuzz(wo, wi);
-  const Rgb base = diffuse_ * rough_.evaluate(wo, wi).value * (opaque_ * through) * through_coat(wo, wi);
+  const Rgb through = through_gloss(wi.z) * through_gloss(wo.z) * through_fuzz(wo, wi);
+  const Rgb base = diffuse_ * rough_.evaluate(wo, wi).value * (through * opaque_) * through_coat(wo, wi);
   return fuzz_weight_ > 0 ? base + fuzz_color_ * (fuzz_weight_ * fuzz_.evaluate(wo, wi)) : base;
 }
 
 PrincipledLobe::Choice PrincipledLobe::choice(const Vec3& wo) const {
-  const float reflected = gloss_.reflectance(wo.z), loss = multiple_.loss(wo.z);
-  const float metal = metal_ * specular_weight_;
-  const float facets = metal * max_component(metal_fresnel_(wo.z)) * (1 - loss) +
+  const Rgb through = through_gloss(wo.z);
+  const float reflected = film_ ? max_component(white - through) : gloss_.reflectance(wo.z);
+  const float loss = multiple_.loss(wo.z), metal = metal_ * specular_weight_;
+  const float facets = metal * max_component(metal_reflectance(wo.z)) * (1 - loss) +
                        opaque_ * max_component(specular_color_) * reflected;
-  const float diffuse =
-      metal * max_component(metal_multiple_) * loss + opaque_ * max_component(diffuse_) * (1 - reflected);
+  const float diffuse = metal * max_component(metal_multiple_) * loss +
+                        opaque_ * max_component(diffuse_) * max_component(through);
   const float sum = facets + diffuse + clear_;
   const float fuzz = fuzz_weight_ * max_component(fuzz_color_) * fuzz_.reflectance(wo.z);
   const float coat = (1 - fuzz) * coat_weight_ * coat_.reflectance(wo.z), rest = 1 - fuzz - coat;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <optional>
 #include <variant>
 
 #include "core/lobes/coat.h"
@@ -51,6 +52,13 @@ class PrincipledLobe {
   float through_fuzz(const Vec3& wo, const Vec3& wi) const;
   /// What metal and glossy diffuse surface reflect, below coat and fuzz; wi.z > 0.
   BsdfValue evaluate_opaque(const Choice& p, const Vec3& wo, const Vec3& wi) const;
+  /// What facets of metal and of gloss reflect; the latter without its colour.
+  Rgb metal_reflectance(float cosine) const;
+  Rgb gloss_reflectance(float cosine) const;
+  /// What the gloss lets through along a direction.
+  Rgb through_gloss(float cosine) const;
+  /// Works out what the film changes of light from all directions.
+  void set_film(const Principled& model);
   Rgb base_albedo() const;
   BsdfSample sample_clear(const Vec3& wo, float lobe, Vec2 u) const;
 
@@ -60,8 +68,12 @@ class PrincipledLobe {
   Ggx facets_;  ///< Of metal and gloss.
   MultipleScattering multiple_;
   TintedFresnel metal_fresnel_;
-  Rgb metal_multiple_;  ///< A factor of what meets several facets.
+  std::optional<PartialFilm> film_;  ///< On metal and gloss.
+  Rgb metal_ior_;                    ///< Below the film.
+  Rgb metal_average_;                ///< What metal facets reflect of light from all directions.
+  Rgb metal_multiple_;               ///< A factor of what meets several facets.
   Coat gloss_, coat_;
+  Rgb gloss_average_;       ///< What the gloss reflects of light from all directions.
   Rgb diffuse_;             ///< Radiosity below the gloss, Coat::diffuse_below.
   RoughDiffuseLobe rough_;  ///< The shape of what is scattered there, white.
   std::variant<RoughDielectricLobe, ThinDielectricLobe> boundary_;

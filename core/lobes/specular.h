@@ -2,7 +2,10 @@
 // Lobes of smooth surfaces: all light goes along one direction, or two, so there is nothing to evaluate for
 // others.
 #pragma once
+#include <optional>
+
 #include "core/bsdf_sample.h"
+#include "core/thin_film.h"
 
 namespace twinray {
 
@@ -58,14 +61,22 @@ struct PassageLobe : DeltaLobe {
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 };
 
+/// A film that covers a part of a surface.
+struct PartialFilm {
+  ThinFilm film;
+  float weight;  ///< The part, in [0, 1].
+};
+
 /// A smooth sheet: both boundaries of a dielectric in one surface, with all reflections between them. Light
 /// goes straight on.
 struct ThinDielectricLobe : DeltaLobe {
-  float eta;                       ///< Index of refraction within the sheet, to that outside.
-  Rgb reflectance, transmittance;  ///< Factors.
+  float eta;                        ///< Index of refraction within the sheet, to that outside.
+  Rgb reflectance, transmittance;   ///< Factors.
+  std::optional<PartialFilm> film;  ///< On both sides.
 
-  ThinDielectricLobe(float ratio, const Rgb& reflected, const Rgb& transmitted)
-      : eta(ratio), reflectance(reflected), transmittance(transmitted) {}
+  ThinDielectricLobe(float ratio, const Rgb& reflected, const Rgb& transmitted,
+                     const std::optional<PartialFilm>& on_both_sides = {})
+      : eta(ratio), reflectance(reflected), transmittance(transmitted), film(on_both_sides) {}
   Rgb albedo() const { return transmittance; }
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 };

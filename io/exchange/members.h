@@ -170,6 +170,9 @@ void members(const Visit& visit, Principled& m) {
   visit("fuzz_weight", m.fuzz_weight, Valid::part);
   visit("fuzz_color", m.fuzz_color, Valid::part);
   visit("fuzz_roughness", m.fuzz_roughness, Valid::part);
+  visit("thin_film_weight", m.thin_film_weight, Valid::part);
+  visit("thin_film_thickness", m.thin_film_thickness, Valid::not_negative);
+  visit("thin_film_ior", m.thin_film_ior, Valid::at_least_one);
   visit("emission_luminance", m.emission_luminance, Valid::not_negative);
   visit("emission_color", m.emission_color, Valid::not_negative);
   visit("geometry_thin_walled", m.geometry_thin_walled);

@@ -30,4 +30,12 @@ void GltfInputs::number(MaterialInput input, const GltfSlot& slot, PictureChanne
   material.textures.push_back({input, textures.scaled(picture, {factor, factor, factor})});
 }
 
+void GltfInputs::between(MaterialInput input, const GltfSlot& slot, PictureChannels channel, float at_0,
+                         float at_1) {
+  if (!can_use(slot)) return;
+  const std::uint32_t picture = textures.picture(slot, {PictureRole::data, channel});
+  const std::uint32_t first = textures.constant(white * at_0), second = textures.constant(white * at_1);
+  material.textures.push_back({input, textures.add("", MixTexture{first, second, picture})});
+}
+
 }  // namespace twinray

@@ -25,6 +25,8 @@ struct GltfInputs {
   void color(MaterialInput input, const GltfSlot& slot, const Rgb& factor);
   /// One channel as it stands, times a factor.
   void number(MaterialInput input, const GltfSlot& slot, PictureChannels channel, float factor);
+  /// A number that goes from `at_0` to `at_1` as one channel does.
+  void between(MaterialInput input, const GltfSlot& slot, PictureChannels channel, float at_0, float at_1);
 };
 
 }  // namespace twinray

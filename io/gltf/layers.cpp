@@ -28,6 +28,7 @@ class Layers {
     read_specular();
     read_anisotropy();
     read_transmission();
+    read_film();
     read_coat();
     read_sheen();
   }
@@ -116,6 +117,26 @@ class Layers {
     };
     const Rgb color = volume.color("attenuationColor", {1, 1, 1});
     return {channel(color.r), channel(color.g), channel(color.b)};
+  }
+
+  /// Thicknesses are in nanometers there.
+  void read_film() {
+    const GltfExtension film = extension("KHR_materials_iridescence");
+    model_.thin_film_weight = film.number("iridescenceFactor", 0);
+    if (model_.thin_film_weight == 0) return;
+    constexpr float nanometer = 1e-3f;
+    const float at_0 = film.number("iridescenceThicknessMinimum", 100) * nanometer;
+    const float at_1 = film.number("iridescenceThicknessMaximum", 400) * nanometer;
+    model_.thin_film_ior = film.number("iridescenceIor", 1.3f);
+    model_.thin_film_thickness = at_1;
+    inputs_.number(thin_film_weight, film.slot("iridescenceTexture"), PictureChannels::red,
+                   model_.thin_film_weight);
+    inputs_.between(thin_film_thickness, film.slot("iridescenceThicknessTexture"), PictureChannels::green,
+                    at_0, at_1);
+    if (lets_light_in(model_))
+      inputs_.context.warn(film.pointer(),
+                           "a film on the boundary of a body that light goes into is not rendered there, but "
+                           "on what of the surface reflects light otherwise");
   }
 
   /// Of an index of 1.5, which takes from what is below it no more than it reflects.

@@ -31,7 +31,7 @@ Rgb color_of(const std::vector<double>& numbers) {
 std::vector<GltfSlot> rendered_slots(const tinygltf::Material& source, const std::string& pointer) {
   const GltfSlots slots = slots_of(source, pointer);
   std::vector<GltfSlot> list{slots.base_color, slots.metallic_roughness, slots.normal, slots.emissive};
-  constexpr std::array<std::pair<const char*, const char*>, 9> further{
+  constexpr std::array<std::pair<const char*, const char*>, 11> further{
       {{glossiness_extension, "diffuseTexture"},
        {"KHR_materials_transmission", "transmissionTexture"},
        {"KHR_materials_clearcoat", "clearcoatTexture"},
@@ -40,7 +40,9 @@ std::vector<GltfSlot> rendered_slots(const tinygltf::Material& source, const std
        {"KHR_materials_sheen", "sheenRoughnessTexture"},
        {"KHR_materials_specular", "specularTexture"},
        {"KHR_materials_specular", "specularColorTexture"},
-       {"KHR_materials_anisotropy", "anisotropyTexture"}}};
+       {"KHR_materials_anisotropy", "anisotropyTexture"},
+       {"KHR_materials_iridescence", "iridescenceTexture"},
+       {"KHR_materials_iridescence", "iridescenceThicknessTexture"}}};
   for (const auto& [extension, property] : further)
     list.push_back(GltfExtension(source.extensions, extension, pointer).slot(property));
   return list;

@@ -223,19 +223,34 @@ constexpr GltfRule rules[] = {
     unit("KHR_materials_anisotropy", "anisotropyStrength"),
     {"KHR_materials_anisotropy", "anisotropyRotation", number, "", -1e4, 1e4},
     texture("KHR_materials_anisotropy", "anisotropyTexture"),
+    unit("KHR_materials_iridescence", "iridescenceFactor"),
+    texture("KHR_materials_iridescence", "iridescenceTexture"),
+    {"KHR_materials_iridescence", "iridescenceIor", number, "", 1, 1000},
+    {"KHR_materials_iridescence", "iridescenceThicknessMinimum", number, "", 0, 1e6},
+    {"KHR_materials_iridescence", "iridescenceThicknessMaximum", number, "", 0, 1e6},
+    texture("KHR_materials_iridescence", "iridescenceThicknessTexture"),
 };
 
 /// Extensions without properties that are read, too.
-constexpr std::array<std::string_view, 18> read_extensions{
-    "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression",
-    "EXT_texture_webp",           "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",        "KHR_materials_anisotropy",
-    "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",          "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_sheen",        "KHR_materials_specular",
-    "KHR_materials_transmission", "KHR_materials_unlit",
-    "KHR_materials_volume",       "KHR_mesh_quantization",
-    "KHR_node_visibility",        "KHR_texture_transform"};
+constexpr std::array<std::string_view, 19> read_extensions{"EXT_mesh_gpu_instancing",
+                                                           "EXT_meshopt_compression",
+                                                           "EXT_texture_webp",
+                                                           "KHR_draco_mesh_compression",
+                                                           "KHR_lights_punctual",
+                                                           "KHR_materials_anisotropy",
+                                                           "KHR_materials_clearcoat",
+                                                           "KHR_materials_emissive_strength",
+                                                           "KHR_materials_iridescence",
+                                                           "KHR_materials_ior",
+                                                           "KHR_materials_pbrSpecularGlossiness",
+                                                           "KHR_materials_sheen",
+                                                           "KHR_materials_specular",
+                                                           "KHR_materials_transmission",
+                                                           "KHR_materials_unlit",
+                                                           "KHR_materials_volume",
+                                                           "KHR_mesh_quantization",
+                                                           "KHR_node_visibility",
+                                                           "KHR_texture_transform"};
 
 constexpr std::array<std::string_view, 5> silent_extensions{"KHR_xmp", "KHR_xmp_json_ld", "MSFT_lod",
                                                             "EXT_mesh_manifold", "KHR_materials_variants"};

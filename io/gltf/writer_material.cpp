@@ -75,6 +75,7 @@ class Properties {
     add_base(scene, alpha, is_mirrored);
     add_index();
     add_transmission();
+    add_film();
     add_coat();
     add_sheen();
     add_maps(is_mirrored);
@@ -222,6 +223,21 @@ class Properties {
     volume["attenuationDistance"] = shortest_decimal(1 / most);
     volume["attenuationColor"] =
         gltf_color({channel(absorption.r), channel(absorption.g), channel(absorption.b)});
+  }
+
+  void add_film() {
+    if (model_.thin_film_weight == 0) return;
+    constexpr float nanometers = 1000;
+    GltfJson& film = extension("KHR_materials_iridescence");
+    put_number(film, "iridescenceFactor", "iridescenceTexture", red,
+               {thin_film_weight, model_.thin_film_weight});
+    film["iridescenceIor"] = shortest_decimal(model_.thin_film_ior);
+    GltfChannels thickness;  // Of a picture: micrometers, up to 1.
+    thickness.number[green] = take(thin_film_thickness);
+    const float most = thickness.is_empty() ? model_.thin_film_thickness : 1;
+    film["iridescenceThicknessMinimum"] = thickness.is_empty() ? shortest_decimal(most * nanometers) : 0.0;
+    film["iridescenceThicknessMaximum"] = shortest_decimal(most * nanometers);
+    put(film, "iridescenceThicknessTexture", thickness);
   }
 
   void add_coat() {

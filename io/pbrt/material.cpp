@@ -210,6 +210,8 @@ constexpr PrincipledWeight principled_weights[] = {
     {"coat_darkening", &Principled::coat_darkening},
     {"fuzz_weight", &Principled::fuzz_weight},
     {"fuzz_roughness", &Principled::fuzz_roughness},
+    {"thin_film_weight", &Principled::thin_film_weight},
+    {"thin_film_thickness", &Principled::thin_film_thickness, 1000},
     // Blue light of this luminance is as bright as a picture can hold.
     {"emission_luminance", &Principled::emission_luminance, 0.0722f * max_radiance}};
 
@@ -236,6 +238,7 @@ SurfaceModel read_principled(const Inputs& in) {
   for (const auto& [name, member] : principled_colors) model.*member = in.color(name, model.*member);
   if (in.has("specular_ior")) model.specular_ior = in.ior("specular_ior");
   if (in.has("coat_ior")) model.coat_ior = std::max(1.0f, in.ior("coat_ior"));
+  if (in.has("thin_film_ior")) model.thin_film_ior = std::max(1.0f, in.ior("thin_film_ior"));
   model.geometry_thin_walled = in.parameters.flag("geometry_thin_walled", false);
   return model;
 }

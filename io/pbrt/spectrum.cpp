@@ -8,38 +8,20 @@
 #include <cmath>
 
 #include "core/elementary.h"
+#include "core/observer.h"
 
 namespace twinray {
 namespace {
-
-struct Observed {
-  double wavelength, x, y, z, daylight;
-};
-
-constexpr Observed observer[]{
-#include "io/pbrt/observer.inc"
-};
-
-struct Xyz {
-  double x = 0, y = 0, z = 0;
-};
 
 /// The sum over wavelengths of the observer's curves times value(wavelength, daylight).
 template <typename Value>
 Xyz integrate(const Value& value) {
   Xyz sum;
-  for (const Observed& o : observer) {
+  for (const Observed& o : observer()) {
     const double v = value(o);
     sum.x += o.x * v, sum.y += o.y * v, sum.z += o.z * v;
   }
   return sum;
-}
-
-/// By the primaries of sRGB (IEC 61966-2-1), not clipped.
-std::array<double, 3> to_rgb(const Xyz& c) {
-  return {3.2404542 * c.x - 1.5371385 * c.y - 0.4985314 * c.z,
-          -0.9692660 * c.x + 1.8760108 * c.y + 0.0415560 * c.z,
-          0.0556434 * c.x - 0.2040259 * c.y + 1.0572252 * c.z};
 }
 
 Rgb clipped(const std::array<double, 3>& c) {

@@ -54,6 +54,37 @@ Principled sheet() {
   return m;
 }
 
+/// A film on gloss.
+Principled oiled() {
+  Principled m;
+  m.base_color = {0.4f, 0.3f, 0.5f};
+  m.specular_roughness = 0.5f;
+  m.thin_film_weight = 1;
+  m.thin_film_thickness = 0.35f;
+  m.thin_film_ior = 1.8f;
+  return m;
+}
+
+/// A film on a metal, below a coat.
+Principled anodised() {
+  Principled m = oiled();
+  m.base_color = {0.8f, 0.7f, 0.6f};
+  m.base_metalness = 1;
+  m.thin_film_weight = 0.8f;
+  m.coat_weight = 0.5f;
+  m.coat_roughness = 0.5f;
+  return m;
+}
+
+Principled bubble() {
+  Principled m = oiled();
+  m.specular_ior = 1;
+  m.thin_film_ior = 1.33f;
+  m.transmission_weight = 1;
+  m.geometry_thin_walled = true;
+  return m;
+}
+
 /// Nothing of it absorbs.
 Principled whitened(Principled m) {
   m.base_color = m.specular_color = m.transmission_color = m.coat_color = m.fuzz_color = white;
@@ -63,7 +94,7 @@ Principled whitened(Principled m) {
 }  // namespace
 
 TEST_CASE("a principled surface is sampled with its density") {
-  for (const Principled& m : {Principled{}, varnished(), brushed(), clear(), sheet()})
+  for (const Principled& m : {Principled{}, varnished(), brushed(), clear(), sheet(), oiled(), anodised()})
     for (const bool is_inside : {false, true})
       for (const float cosine : cosines) {
         CAPTURE(m.coat_weight, m.transmission_weight, is_inside, cosine);
@@ -73,7 +104,7 @@ TEST_CASE("a principled surface is sampled with its density") {
 
 TEST_CASE("what a principled surface reflects is reciprocal") {
   test::Random random(3);
-  for (const Principled& m : {Principled{}, varnished(), brushed(), clear()}) {
+  for (const Principled& m : {Principled{}, varnished(), brushed(), clear(), oiled(), anodised()}) {
     const PrincipledLobe lobe(m, false);
     for (int i = 0; i < 200; ++i) {
       Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
@@ -92,19 +123,22 @@ TEST_CASE("a white principled surface passes the furnace within what its layers'
     Principled model;
     double error;
   };
-  const Case cases[] = {{whitened(Principled{}), 0.01}, {whitened(brushed()), 0.06},
-                        {whitened(varnished()), 0.05},  {whitened(clear()), 0.05},
-                        {whitened(sheet()), 0.03},      {coated_metal, 0.08}};
+  const Case cases[] = {
+      {whitened(Principled{}), 0.01}, {whitened(brushed()), 0.06},  {whitened(varnished()), 0.05},
+      {whitened(clear()), 0.05},      {whitened(sheet()), 0.03},    {coated_metal, 0.08},
+      {whitened(oiled()), 0.02},      {whitened(anodised()), 0.08}, {whitened(bubble()), 0.01}};
   for (const Case& each : cases)
     for (const float cosine : cosines) {
       CAPTURE(each.error, cosine);
       const Rgb albedo = test::sampled_albedo(PrincipledLobe(each.model, false), direction_at(cosine));
+      CHECK(std::fabs(albedo.r - 1) <= each.error);
       CHECK(std::fabs(albedo.g - 1) <= each.error);
+      CHECK(std::fabs(albedo.b - 1) <= each.error);
     }
 }
 
 TEST_CASE("no principled surface scatters more than arrives, nor stays black where it is not") {
-  for (const Principled& m : {Principled{}, varnished(), brushed(), clear(), sheet()})
+  for (const Principled& m : {Principled{}, varnished(), brushed(), clear(), sheet(), oiled(), anodised()})
     for (const bool is_inside : {false, true})
       for (const float cosine : cosines) {
         CAPTURE(m.coat_weight, m.transmission_weight, is_inside, cosine);
@@ -194,6 +228,54 @@ TEST_CASE("weights of a principled surface do what they say") {
   dusty.fuzz_weight = 1;
   dusty.fuzz_color = {0, 1, 0};
   CHECK(albedo(dusty).g > albedo(dusty).r + 0.1f);
+}
+
+TEST_CASE("a film of no thickness changes nothing") {
+  for (Principled filmed : {oiled(), anodised(), bubble()}) {
+    filmed.thin_film_thickness = 0;
+    Principled bare = filmed;
+    bare.thin_film_weight = 0;
+    const PrincipledLobe with(filmed, false), without(bare, false);
+    for (const float cosine : {1.0f, 0.7f, 0.3f, 0.1f}) {
+      const Vec3 wo = direction_at(cosine), mirrored{-wo.x, -wo.y, wo.z};
+      const Rgb a = with.evaluate(wo, mirrored).value, b = without.evaluate(wo, mirrored).value;
+      CAPTURE(cosine);
+      CHECK(a.r == Approx(b.r).epsilon(0.01).margin(1e-3));
+      CHECK(a.b == Approx(b.b).epsilon(0.01).margin(1e-3));
+      CHECK(with.albedo().g == Approx(without.albedo().g).epsilon(0.02));
+    }
+  }
+}
+
+TEST_CASE("a film gives gloss, metals and sheets colours that change with the angle") {
+  for (const Principled& model : {oiled(), anodised()}) {
+    Principled bare = model;
+    bare.thin_film_weight = 0;
+    Principled half = model;
+    half.thin_film_weight = model.thin_film_weight / 2;
+    const Vec3 normal{0, 0, 1};
+    const Rgb filmed = PrincipledLobe(model, false).evaluate(normal, normal).value;
+    const Rgb plain = PrincipledLobe(bare, false).evaluate(normal, normal).value;
+    CHECK(max_component(filmed - plain) > 0.02f * max_component(plain));
+    const Rgb mean = (filmed + plain) / 2, mixed = PrincipledLobe(half, false).evaluate(normal, normal).value;
+    CHECK(mixed.g == Approx(mean.g).epsilon(0.02));
+    // From within there is no film.
+    const Vec3 wo = direction_at(0.7f);
+    CHECK(PrincipledLobe(model, true).evaluate(wo, wo).value ==
+          PrincipledLobe(bare, true).evaluate(wo, wo).value);
+  }
+  // Air within and without: all that a bubble reflects its film does.
+  const auto reflected = [](float cosine) {
+    const BsdfSample sample = PrincipledLobe(bubble(), false).sample(direction_at(cosine), 0, {0.5f, 0.5f});
+    REQUIRE(sample.wi.z > 0);
+    return sample.value * sample.wi.z;
+  };
+  const auto sheet_of = [](float once) { return 2 * once / (1 + once); };
+  for (const float cosine : {1.0f, 0.5f}) {
+    const Rgb film = ThinFilm(350, 1.33f).reflectance(cosine, white), found = reflected(cosine);
+    CHECK(found.r == Approx(sheet_of(film.r)).epsilon(1e-4));
+    CHECK(found.b == Approx(sheet_of(film.b)).epsilon(1e-4));
+  }
 }
 
 TEST_CASE("the facets of a brushed principled surface have a direction") {

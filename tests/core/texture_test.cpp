@@ -257,7 +257,7 @@ TEST_CASE("each input of OpenPBR's surface may be a texture's, and is the member
   };
   int inputs = 0;
   for (int i = 0; i < material_inputs; ++i) inputs += has_input(Principled{}, MaterialInput(i));
-  CHECK(inputs == 17);
+  CHECK(inputs == 19);
   CHECK(with(MaterialInput::base_metalness).base_metalness == 0.125f);
   CHECK(with(MaterialInput::roughness).specular_roughness == 0.125f);
   CHECK(with(MaterialInput::coat_roughness).coat_roughness == 0.125f);
@@ -265,6 +265,16 @@ TEST_CASE("each input of OpenPBR's surface may be a texture's, and is the member
   CHECK(with(MaterialInput::specular_color).specular_color == Rgb{0.125f, 0.5f, 0.75f});
   CHECK(with(MaterialInput::specular_color).base_color == Principled{}.base_color);
   CHECK(with(MaterialInput::transmission_weight).transmission_weight == 0.125f);
+  CHECK(with(MaterialInput::thin_film_weight).thin_film_weight == 0.125f);
+  CHECK(with(MaterialInput::thin_film_thickness).thin_film_thickness == 0.125f);
+  // Micrometers may be more than 1, and are not less than 0.
+  const auto thick = [&](float value) {
+    const std::vector<Texture> constant{{"", ConstantTexture{{value, 0, 0}}}};
+    const Material film{"", Principled{}, {{MaterialInput::thin_film_thickness, 0}}};
+    return std::get<Principled>(textured_model(film, constant, {})).thin_film_thickness;
+  };
+  CHECK(thick(1.5f) == 1.5f);
+  CHECK(thick(-1) == 0);
 }
 
 }  // namespace twinray::test

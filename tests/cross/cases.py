@@ -4,15 +4,15 @@ import json
 
 from comparison import case, difference_of_films, passes, same_file
 
-SCENES = ("box.dae", "cornell-bunny.dae", "furnace.dae", "lights.dae", "spheres.dae", "layers.pbrt",
-          "materials.pbrt", "still-life.pbrt")
+SCENES = ("box.dae", "cornell-bunny.dae", "furnace.dae", "lights.dae", "spheres.dae", "films.pbrt",
+          "layers.pbrt", "materials.pbrt", "still-life.pbrt")
 SIZE = ("-r", "64", "48", "-q")
 SMALL = ("-r", "32", "24", "-q")  # for many cases, each of which takes seconds to start
 TABLES = ("baseline", "unoptimised", "optimised", "sve")
 # Test programs, and the files of tests that are run, or with ~ those that are not: statistics of many samples
 # and millions of rays take hours, and the same bits have the same statistics.
 TESTS = {"core": ("~rough_dielectric", "~coated_conductor", "~coated_diffuse", "~ggx_albedo", "~principled",
-                  "~offset", "~lobes_edges", "~environment", "~rough_conductor", "~light_tree",
+                  "~thin_film", "~offset", "~lobes_edges", "~environment", "~rough_conductor", "~light_tree",
                   "~microfacet", "~cs184_microfacet"),
          "accel": ("~watertight", "~triangle"),
          "integrators": ("wave", "render", "tiles", "record", "tracer", "interaction"),

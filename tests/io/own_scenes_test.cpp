@@ -175,4 +175,22 @@ TEST_CASE("layers.pbrt shows seven surfaces of OpenPBR, and smoke, tea and amber
   CHECK(nested == 4);
 }
 
+TEST_CASE("films.pbrt shows films of six thicknesses on steel, on enamel, and alone") {
+  const LoadedScene loaded = load("films.pbrt");
+  CHECK(loaded.warnings.empty());
+  int metals = 0, glossy = 0, bubbles = 0;
+  std::set<float> thicknesses;
+  for (const ShapeBinding& binding : loaded.scene.bindings) {
+    const auto* model = std::get_if<Principled>(&loaded.scene.materials[binding.material].model);
+    if (!model) continue;
+    CHECK(model->thin_film_weight == 1);
+    thicknesses.insert(model->thin_film_thickness);
+    ++(model->base_metalness == 1 ? metals : model->geometry_thin_walled ? bubbles : glossy);
+  }
+  CHECK(metals == 6);
+  CHECK(glossy == 6);
+  CHECK(bubbles == 6);
+  CHECK(thicknesses.size() == 6);
+}
+
 }  // namespace twinray

@@ -176,7 +176,10 @@ MUTANTS = [
     Mutant("a picture in WebP is one of any image", "io/gltf/rules.cpp",
            '    index_rule("EXT_texture_webp", "source", "images"),\n', "", GLTF, IN_WEBP),
     Mutant("a picture of anisotropy does not say which coordinates count", "io/gltf/material.cpp",
-           '{"KHR_materials_anisotropy", "anisotropyTexture"}}};',
-           '{"KHR_materials_anisotropy", "otherTexture"}}};', GLTF,
+           '{"KHR_materials_anisotropy", "anisotropyTexture"},',
+           '{"KHR_materials_anisotropy", "otherTexture"},', GLTF,
            "gltf: a picture of anisotropy alone says which texture coordinates count"),
+    Mutant("pictures of films do not say which coordinates count", "io/gltf/material.cpp",
+           '"iridescenceTexture"', '"otherTexture"', GLTF,
+           "gltf: pictures of a film have its weight in red, and its thickness between two in green"),
 ]

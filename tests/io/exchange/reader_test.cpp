@@ -71,6 +71,8 @@ Scene everything() {
   principled.specular_ior = 1 + third;
   principled.coat_ior = 1 + seventh;
   principled.fuzz_color = color;
+  principled.thin_film_weight = third, principled.thin_film_thickness = 1 + third;
+  principled.thin_film_ior = 1 + seventh;
   principled.geometry_thin_walled = true;
   const SurfaceModel models[] = {Lambert{color},
                                  Mirror{color},
@@ -172,7 +174,7 @@ TEST_CASE("a scene in exchange form is read with all its bits, whatever is in it
 
 TEST_CASE("our own scenes come back from exchange form, with the camera's bits at their resolution") {
   for (const char* name : {"box.dae", "cornell-bunny.dae", "spheres.dae", "lights.dae", "still-life.pbrt",
-                           "pawns.pbrt", "layers.pbrt", "table.gltf", "blocks.obj"}) {
+                           "pawns.pbrt", "layers.pbrt", "films.pbrt", "table.gltf", "blocks.obj"}) {
     INFO(name);
     const Scene scene = load_scene(sources + "/scenes/" + name).scene;
     const RoundTrip trip = round_trip(scene, "a.json");

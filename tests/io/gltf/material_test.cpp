@@ -339,9 +339,9 @@ TEST_CASE("gltf: what is not rendered is named") {
   file.json["textures"] = {json::object()};
   CHECK(file.load().summary.notes ==
         std::vector<std::string>{"occlusion textures are left out, for light is traced: that of \"wall\""});
-  file.json["extensionsUsed"] = {"KHR_materials_iridescence"};
+  file.json["extensionsUsed"] = {"KHR_materials_dispersion"};
   CHECK(file.warning() ==
-        "test.gltf: /extensionsUsed/0: the extension KHR_materials_iridescence is not rendered");
+        "test.gltf: /extensionsUsed/0: the extension KHR_materials_dispersion is not rendered");
   file.json["extensionsRequired"] = {"KHR_texture_basisu"};
   CHECK(file.error() ==
         "test.gltf: /extensionsRequired/0: the extension KHR_texture_basisu is not rendered, "

@@ -91,11 +91,13 @@ TEST_CASE("written gltf: each property of a surface that the format has comes ba
   Principled layered = plain;
   layered.coat_weight = 0.8f, layered.coat_roughness = 0.3f, layered.coat_darkening = 0;
   layered.fuzz_weight = 0.5f, layered.fuzz_color = {1, 0.25f, 0.5f}, layered.fuzz_roughness = 0.7f;
+  Principled filmed = plain;
+  filmed.thin_film_weight = 0.8f, filmed.thin_film_thickness = 1.25f, filmed.thin_film_ior = 1.7f;
   Principled clear = plain;
   clear.base_metalness = 0, clear.transmission_weight = 0.9f, clear.transmission_color = clear.base_color;
   Principled sheet = clear;
   sheet.geometry_thin_walled = true;
-  for (const Principled& model : {plain, dull, brushed, layered, clear, sheet}) {
+  for (const Principled& model : {plain, dull, brushed, layered, filmed, clear, sheet}) {
     Scene scene = scene_of(triangle(), model);
     if (lets_light_in(model)) scene.materials[0].interior.absorption = {0.5f, 2, 0};
     const RoundTrip trip = round_trip(scene, "a.gltf");
@@ -105,6 +107,8 @@ TEST_CASE("written gltf: each property of a surface that the format has comes ba
       if (model.coat_weight == 0)
         (*list)[0]["material"]["coat_darkening"] = 0, (*list)[0]["material"]["coat_ior"] = 0;
       if (model.fuzz_weight == 0) (*list)[0]["material"]["fuzz_roughness"] = 0;
+      if (model.thin_film_weight == 0)
+        (*list)[0]["material"]["thin_film_thickness"] = 0, (*list)[0]["material"]["thin_film_ior"] = 0;
       if (model.transmission_weight == 0) (*list)[0]["material"]["geometry_thin_walled"] = false;
     }
     CHECK(first_difference(wanted, read, 1e-5) == "");

@@ -65,7 +65,8 @@ TEST_CASE("a surface of OpenPBR has its parameters by name, and its defaults") {
   const auto m = model_of<Principled>(
       "\"openpbr\" \"rgb base_color\" [ .1 .2 .3 ] \"float base_metalness\" 0.25 \"float specular_ior\" 1.4 "
       "\"float coat_weight\" 0.5 \"rgb fuzz_color\" [ .3 .2 .1 ] \"bool geometry_thin_walled\" true "
-      "\"float specular_roughness_anisotropy\" 0.125");
+      "\"float specular_roughness_anisotropy\" 0.125 \"float thin_film_weight\" 0.5 "
+      "\"float thin_film_thickness\" 1.5 \"float thin_film_ior\" 1.25");
   CHECK(m.base_color == Rgb{0.1f, 0.2f, 0.3f});
   CHECK(m.base_metalness == 0.25f);
   CHECK(m.specular_ior == Approx(1.4));
@@ -73,6 +74,11 @@ TEST_CASE("a surface of OpenPBR has its parameters by name, and its defaults") {
   CHECK(m.fuzz_color == Rgb{0.3f, 0.2f, 0.1f});
   CHECK(m.specular_roughness_anisotropy == 0.125f);
   CHECK(m.geometry_thin_walled);
+  CHECK(m.thin_film_weight == 0.5f);
+  CHECK(m.thin_film_thickness == 1.5f);
+  CHECK(m.thin_film_ior == 1.25f);
+  CHECK(pbrt_error("Material \"openpbr\" \"float thin_film_thickness\" -1").find("thin_film_thickness") !=
+        std::string::npos);
   CHECK(pbrt_error("Material \"openpbr\" \"float coat_weight\" 1.5")
             .find("\"coat_weight\" is 1.5; it lies in [0, 1]") != std::string::npos);
   CHECK(pbrt_error("Material \"openpbr\" \"float emission_luminance\" 1e9").find("emission_luminance") !=

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/observer.h"
+
+namespace twinray {
+
+std::span<const Observed> observer() {
+  static constexpr Observed curves[]{
+#include "core/observer.inc"
+  };
+  return curves;
+}
+
+std::array<double, 3> to_rgb(const Xyz& c) {
+  return {3.2404542 * c.x - 1.5371385 * c.y - 0.4985314 * c.z,
+          -0.9692660 * c.x + 1.8760108 * c.y + 0.0415560 * c.z,
+          0.0556434 * c.x - 0.2040259 * c.y + 1.0572252 * c.z};
+}
+
+}  // namespace twinray

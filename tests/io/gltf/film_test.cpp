@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// KHR_materials_iridescence.
+#include "tests/io/gltf/surface.h"
+#include "tests/support/catch.h"
+
+namespace twinray::test {
+namespace {
+
+GltfFile filmed(const json& film) {
+  return gltf_surface({{"extensions", {{"KHR_materials_iridescence", film}}}});
+}
+}  // namespace
+
+TEST_CASE("gltf: iridescence is a film, as thick as its maximum without a picture") {
+  const Principled usual = model_of(filmed({{"iridescenceFactor", 0.5}}));
+  CHECK(usual.thin_film_weight == 0.5f);
+  CHECK(usual.thin_film_ior == 1.3f);
+  CHECK(usual.thin_film_thickness == Approx(0.4));
+  const Principled own = model_of(filmed({{"iridescenceFactor", 1},
+                                          {"iridescenceIor", 1.75},
+                                          {"iridescenceThicknessMinimum", 300},
+                                          {"iridescenceThicknessMaximum", 1250}}));
+  CHECK(own.thin_film_ior == 1.75f);
+  CHECK(own.thin_film_thickness == Approx(1.25));
+  CHECK(model_of(filmed({{"iridescenceIor", 1.75}})).thin_film_weight == 0);
+  CHECK(model_of(filmed(json::object())).thin_film_weight == 0);
+}
+
+TEST_CASE("gltf: pictures of a film have its weight in red, and its thickness between two in green") {
+  GltfFile file = filmed(json::object());
+  const int picture = add_picture(file);
+  file.json["materials"][0]["extensions"]["KHR_materials_iridescence"] = {
+      {"iridescenceFactor", 0.5},
+      {"iridescenceTexture", {{"index", picture}}},
+      {"iridescenceThicknessMinimum", 500},
+      {"iridescenceThicknessMaximum", 300},
+      {"iridescenceThicknessTexture", {{"index", picture}}}};
+  const LoadedScene loaded = file.load();
+  CHECK(loaded.warnings.empty());
+  CHECK(input_at(loaded, MaterialInput::thin_film_weight, left).r == Approx(0.5 * 188 / 255));
+  CHECK(input_at(loaded, MaterialInput::thin_film_thickness, left).r == Approx(0.5 - 0.2 * 51 / 255));
+  CHECK(input_at(loaded, MaterialInput::thin_film_thickness, right).r == Approx(0.5 - 0.2 * 102 / 255));
+}
+
+TEST_CASE("gltf: films out of range are refused, and those within glass are named") {
+  CHECK(filmed({{"iridescenceFactor", 2}})
+            .error()
+            .starts_with("test.gltf: /materials/0/extensions/KHR_materials_iridescence/iridescenceFactor: "));
+  CHECK(filmed({{"iridescenceIor", 0.5}}).error().find("/iridescenceIor: ") != std::string::npos);
+  CHECK(filmed({{"iridescenceThicknessMaximum", -1}}).error().find("/iridescenceThicknessMaximum: ") !=
+        std::string::npos);
+  GltfFile glass = filmed({{"iridescenceFactor", 1}});
+  glass.json["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = 0;
+  json& extensions = glass.json["materials"][0]["extensions"];
+  extensions["KHR_materials_transmission"]["transmissionFactor"] = 1;
+  CHECK(glass.load().warnings.empty());  // A sheet.
+  extensions["KHR_materials_volume"]["thicknessFactor"] = 1;
+  CHECK(
+      glass.warning().starts_with("test.gltf: /materials/0/extensions/KHR_materials_iridescence: a film on "
+                                  "the boundary of a body"));
+}
+
+}  // namespace twinray::test
