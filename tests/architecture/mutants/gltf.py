@@ -179,7 +179,4 @@ MUTANTS = [
            '{"KHR_materials_anisotropy", "anisotropyTexture"},',
            '{"KHR_materials_anisotropy", "otherTexture"},', GLTF,
            "gltf: a picture of anisotropy alone says which texture coordinates count"),
-    Mutant("pictures of films do not say which coordinates count", "io/gltf/material.cpp",
-           '"iridescenceTexture"', '"otherTexture"', GLTF,
-           "gltf: pictures of a film have its weight in red, and its thickness between two in green"),
 ]

@@ -42,6 +42,21 @@ TEST_CASE("gltf: pictures of a film have its weight in red, and its thickness be
   CHECK(input_at(loaded, MaterialInput::thin_film_thickness, right).r == Approx(0.5 - 0.2 * 102 / 255));
 }
 
+TEST_CASE("gltf: a picture of a film alone says which texture coordinates count") {
+  for (const char* slot : {"iridescenceTexture", "iridescenceThicknessTexture"}) {
+    INFO(slot);
+    GltfFile file = filmed(json::object());
+    json& attributes = file.primitive()["attributes"];
+    attributes["TEXCOORD_1"] = attributes["TEXCOORD_0"];
+    attributes.erase("TEXCOORD_0");
+    file.json["materials"][0]["extensions"]["KHR_materials_iridescence"] = {
+        {"iridescenceFactor", 1}, {slot, {{"index", add_picture(file)}, {"texCoord", 1}}}};
+    const LoadedScene loaded = file.load();
+    CHECK(loaded.warnings.empty());
+    CHECK(loaded.scene.materials[0].textures.size() == 1);
+  }
+}
+
 TEST_CASE("gltf: films out of range are refused, and those within glass are named") {
   CHECK(filmed({{"iridescenceFactor", 2}})
             .error()
