@@ -8,6 +8,7 @@
 #include "core/error.h"
 
 namespace twinray {
+
 void Carries::add(std::size_t place, std::int64_t carry) {
   const std::lock_guard lock(mutex_);
   if ((carries_[place] += carry) == 0) carries_.erase(place);

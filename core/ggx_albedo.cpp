@@ -2,6 +2,7 @@
 // The numbers are in core/ggx_albedo_tables.h; here they are interpolated.
 #include "core/ggx_albedo.h"
 
+#include "core/fresnel.h"
 #include "core/ggx_albedo_tables.h"
 #include "core/ggx_boundary_tables.h"
 
@@ -48,6 +49,25 @@ struct BoundaryPlace {
       : is_inside(eta < 1), layer(place_of_ior(eta < 1 ? 1 / eta : eta, tables::boundary_ior_count)) {}
 };
 
+constexpr float last_ior = 3;  // of the tables
+
+/// What facets reflect of light along a direction, and away from all others: by the midpoints of equal parts
+/// of the normals that it sees.
+float reflected_part(const Ggx& facets, float ior, float cosine) {
+  constexpr int parts = 12;
+  const Vec3 wo{std::sqrt(1 - cosine * cosine), 0, cosine};
+  float sum = 0;
+  for (int i = 0; i < parts * parts; ++i) {
+    const Vec3 m =
+        facets.sample_visible(wo, {(float(i % parts) + 0.5f) / parts, (float(i / parts) + 0.5f) / parts});
+    const Vec3 wi = reflected(wo, m);
+    if (wi.z > 0)
+      sum += fresnel_dielectric(std::min(1.0f, dot(wo, m)), ior) * facets.shadowing_masking(wo, wi) /
+             facets.masking(wo);
+  }
+  return sum / (parts * parts);
+}
+
 }  // namespace
 
 float ggx_loss(float cosine, float alpha) {
@@ -67,6 +87,18 @@ GgxDielectricReflectance::GgxDielectricReflectance(float alpha, float ior) {
   for (int x = 0; x < tables::cosine_count; ++x)
     row_[std::size_t(x)] = mix(entry(layer.first, x), entry(layer.first + 1, x), layer.part);
   average_ = at(tables::average_dielectric, layer, y);
+  if (ior > last_ior) integrate(alpha, ior);
+}
+
+void GgxDielectricReflectance::integrate(float alpha, float ior) {
+  const Ggx facets(std::max(alpha, least_alpha));
+  for (int x = 0; x < tables::cosine_count; ++x) {
+    const float root = float(x) / (tables::cosine_count - 1);
+    row_[std::size_t(x)] = reflected_part(facets, ior, std::max(root * root, 1e-3f));
+  }
+  constexpr int parts = 32;
+  average_ = 0;
+  for (int i = 0; i < parts; ++i) average_ += (*this)(std::sqrt((float(i) + 0.5f) / parts)) / parts;
 }
 
 float GgxDielectricReflectance::operator()(float cosine) const {

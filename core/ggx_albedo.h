@@ -16,18 +16,21 @@ float ggx_loss(float cosine, float alpha);
 float average_ggx_loss(float alpha);
 
 /// The part of light along a direction that facets of a dielectric reflect at once: the integral of
-/// F D G / (4 wo.z). alpha in [0, 1], ior (to the side of the light) is taken as within [1, 3]. Within 5e-3,
-/// 2e-2 within 0.1 of the horizon.
+/// F D G / (4 wo.z). alpha in [0, 1], ior (to the side of the light) of at least 1. Within 5e-3, 2e-2
+/// within 0.1 of the horizon; for an ior above 3, which no table has, within 0.015 and 0.05.
 class GgxDielectricReflectance {
  public:
   GgxDielectricReflectance(float alpha, float ior);
   float operator()(float cosine) const;
-  /// The same for light that is the same from all directions. Within 3e-3.
+  /// The same for light that is the same from all directions. Within 3e-3; above 3 within 0.015.
   float average() const { return average_; }
   /// The reflectances at cosines whose roots are equally spaced over [0, 1]; between them it is linear.
   const std::array<float, 16>& row() const { return row_; }
 
  private:
+  /// For an index beyond the tables: slower.
+  void integrate(float alpha, float ior);
+
   std::array<float, 16> row_;
   float average_;
 };

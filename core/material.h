@@ -128,7 +128,7 @@ struct Principled {
   float fuzz_weight = 0;
   Rgb fuzz_color{1, 1, 1};
   float fuzz_roughness = 0.5f;
-  float thin_film_weight = 0;  ///< Of a film on metal, gloss and sheets, below the coat (core/thin_film.h).
+  float thin_film_weight = 0;        ///< Of a film on all of the base, below the coat (core/thin_film.h).
   float thin_film_thickness = 0.5f;  ///< In micrometers, >= 0.
   float thin_film_ior = 1.4f;        ///< >= 1.
   float emission_luminance = 0;      ///< Of its radiance, >= 0: io makes a light of it.

@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "core/elementary.h"
-#include "core/fresnel.h"
 #include "core/observer.h"
 
 namespace twinray {
@@ -16,7 +15,7 @@ namespace {
 
 constexpr float step = 5;  // of the table, in nm
 constexpr std::size_t steps = std::size_t(film_coherence / step);
-using Interference = std::array<Rgb, steps + 2>;
+using Interference = std::array<Rgb, steps + 1>;
 
 Rgb interference_at(double detour) {
   Xyz waves, all;
@@ -47,14 +46,14 @@ Amplitudes amplitudes(float cos_i, float cos_t, float eta) {
   return {(cos_i - eta * cos_t) / (cos_i + eta * cos_t), (eta * cos_i - cos_t) / (eta * cos_i + cos_t)};
 }
 
-/// What a channel lets through of one polarisation: the head's series without its cosines, and their factor.
+/// What a channel lets through of one polarisation: the factor of the header's series, and -q.
 struct Series {
   float whole, ratio;
 
   Series(float first, float second) {
     const float q = first * second, rest = 1 - q * q;
     whole = rest > 0 ? (1 - first * first) * (1 - second * second) / rest : 0;
-    ratio = -q;
+    ratio = rest > 0 ? -q : 0;
   }
 };
 
@@ -95,6 +94,18 @@ Rgb ThinFilm::reflectance(float cosine, const Rgb& base_ior) const {
     through = through + whole * sum * 0.5f;
   }
   return within_unit(Rgb{1, 1, 1} - through);
+}
+
+Rgb PartialFilm::reflectance(float cosine, float eta) const {
+  const Rgb bare = white * fresnel_dielectric(cosine, eta);
+  const float above = is_below ? refracted_cosine(cosine, eta) : cosine;
+  if (is_below && above == 0) return bare;  // Totally, whatever lies beyond.
+  if (coat_ior == 1)
+    return bare + (film.reflectance(above, white * (is_below ? 1 / eta : eta)) - bare) * weight;
+  // The boundary without a film is seen as if the coat did not refract; the film adds its change to that.
+  const float bent = below_coat(above);
+  return within_unit(bare +
+                     (film.reflectance(bent, white * eta) - white * fresnel_dielectric(bent, eta)) * weight);
 }
 
 Rgb index_of_reflectance(const Rgb& reflectance) {

@@ -10,6 +10,7 @@
 // cos(2 pi m d / w), and of a channel's mean over all wavelengths nothing is left but the mean of each
 // cosine: a function of m d alone, which is tabulated (Belcour and Barla 2017 have fits of it).
 #pragma once
+#include "core/fresnel.h"
 #include "core/rgb.h"
 
 namespace twinray {
@@ -31,6 +32,20 @@ class ThinFilm {
  private:
   float detour_;  ///< Along the normal.
   float eta_;     ///< Of the film, to what is above.
+};
+
+/// A film that covers a part of the boundary between two media.
+struct PartialFilm {
+  ThinFilm film;
+  float weight;           ///< The part, in [0, 1].
+  bool is_below = false;  ///< It lies behind the boundary: the viewer is within the base.
+  float coat_ior = 1;     ///< Of what light from air goes through before it meets the film, at least 1.
+
+  /// What the boundary reflects: its cosine and index as fresnel_dielectric() has them. None of it absorbs
+  /// light, so what goes in reflects as much as what comes out along the same way.
+  Rgb reflectance(float cosine, float eta) const;
+  /// The cosine with which light meets the film, of its own in air.
+  float below_coat(float cosine) const { return coat_ior == 1 ? cosine : refracted_cosine(cosine, coat_ior); }
 };
 
 /// The index of refraction, above 1, of which so much light is reflected along the normal; in [0, 1).

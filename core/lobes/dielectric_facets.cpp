@@ -18,9 +18,13 @@ Vec3 DielectricFacets::refracting_normal(const Vec3& wo, const Vec3& wi) const {
   return m.z < 0 ? -m : m;
 }
 
-float DielectricFacets::reflection_probability(float fresnel) const {
-  const float reflected = fresnel * max_component(reflectance_);
-  const float transmitted = (1 - fresnel) * max_component(transmittance_);
+Rgb DielectricFacets::fresnel(float cosine) const {
+  return film_ ? film_->reflectance(cosine, eta_) : white * fresnel_dielectric(cosine, eta_);
+}
+
+float DielectricFacets::reflection_probability(const Rgb& fresnel) const {
+  const float reflected = max_component(fresnel * reflectance_);
+  const float transmitted = max_component((white - fresnel) * transmittance_);
   return reflected > 0 ? reflected / (reflected + transmitted) : 0;
 }
 
@@ -31,8 +35,8 @@ BsdfValue DielectricFacets::evaluate(const Vec3& wo, const Vec3& wi) const {
 
 BsdfValue DielectricFacets::evaluate_reflection(const Vec3& wo, const Vec3& wi) const {
   const FacetReflection facets = facets_.reflection(wo, wi);
-  const float fresnel = fresnel_dielectric(facets.cosine, eta_);
-  return {reflectance_ * (fresnel * facets.value), reflection_probability(fresnel) * facets.pdf};
+  const Rgb reflected = fresnel(facets.cosine);
+  return {reflectance_ * (reflected * facets.value), reflection_probability(reflected) * facets.pdf};
 }
 
 BsdfValue DielectricFacets::evaluate_transmission(const Vec3& wo, const Vec3& wi) const {
@@ -42,11 +46,11 @@ BsdfValue DielectricFacets::evaluate_transmission(const Vec3& wo, const Vec3& wi
   const float across = cos_o + eta_ * cos_i;
   const float facets = facets_.density(m) * facets_.shadowing_masking(wo, wi);
   const float geometry = cos_o * cos_i / (wo.z * wi.z * across * across);
-  const float fresnel = fresnel_dielectric(std::min(1.0f, cos_o), eta_);
+  const Rgb reflected = fresnel(std::min(1.0f, cos_o));
   // Turning m turns wi: dm = eta^2 |wi.m| / (wo.m + eta wi.m)^2 dwi.
   const float turned = eta_ * eta_ * -cos_i / (across * across);
-  return {transmittance_ * ((1 - fresnel) * facets * geometry),
-          (1 - reflection_probability(fresnel)) * facets_.visible_density(wo, m) * turned};
+  return {transmittance_ * ((white - reflected) * facets * geometry),
+          (1 - reflection_probability(reflected)) * facets_.visible_density(wo, m) * turned};
 }
 
 BsdfSample DielectricFacets::sample(const Vec3& wo, float lobe, Vec2 u) const {
@@ -54,7 +58,7 @@ BsdfSample DielectricFacets::sample(const Vec3& wo, float lobe, Vec2 u) const {
   const Vec3 m = facets_.sample_visible(wo, u);
   const float cos_o = std::min(1.0f, dot(wo, m));
   if (!(cos_o > 0)) return {};
-  const bool reflects = lobe < reflection_probability(fresnel_dielectric(cos_o, eta_));
+  const bool reflects = lobe < reflection_probability(fresnel(cos_o));
   const Vec3 wi = reflects ? reflected(wo, m) : refracted(wo, m, cos_o, eta_);
   if (reflects ? !(wi.z > 0) : !(wi.z < 0)) return {};
   const auto [value, pdf] = evaluate(wo, wi);

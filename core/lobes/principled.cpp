@@ -45,8 +45,9 @@ float gloss_ior(const Principled& m, bool is_inside) {
 std::optional<PartialFilm> film_of(const Principled& m, float above) {
   if (m.thin_film_weight == 0) return std::nullopt;
   constexpr float nanometers = 1000;
-  return PartialFilm{ThinFilm(m.thin_film_thickness * nanometers, m.thin_film_ior, above),
-                     m.thin_film_weight};
+  return PartialFilm{.film = ThinFilm(m.thin_film_thickness * nanometers, m.thin_film_ior, above),
+                     .weight = m.thin_film_weight,
+                     .coat_ior = above};
 }
 
 /// Of light from all directions: the integral of 2 cos f(cos).
@@ -62,9 +63,13 @@ std::variant<RoughDielectricLobe, ThinDielectricLobe> boundary_of(const Principl
                                                                   bool is_inside) {
   const Rgb tint = m.transmission_depth > 0 ? white : m.transmission_color;
   const float ior = weighted_ior(m, 1);
+  // Both sides of a sheet have a film; where nothing else is there, the film is the sheet.
   if (m.geometry_thin_walled || ior == 1)
-    return ThinDielectricLobe(ior, m.specular_color, tint, film_of(m, 1));
-  return RoughDielectricLobe(facets, is_inside ? 1 / ior : ior, m.specular_color, tint);
+    return ThinDielectricLobe(ior, m.specular_color, tint, film_of(m, 1),
+                              !m.geometry_thin_walled || ior == 1);
+  std::optional<PartialFilm> film = film_of(m, 1);
+  if (film) film->is_below = is_inside;
+  return RoughDielectricLobe(facets, is_inside ? 1 / ior : ior, m.specular_color, tint, film);
 }
 
 }  // namespace
@@ -145,9 +150,10 @@ Rgb PrincipledLobe::metal_reflectance(float cosine) const {
   if (!film_) return bare;
   // The film takes away from what is absorbed, or adds to it, what it does where the metal's index is one of
   // a dielectric: so a film of no thickness changes nothing.
-  const Rgb filmed = film_->film.reflectance(cosine, metal_ior_);
+  const float bent = film_->below_coat(cosine);
+  const Rgb filmed = film_->film.reflectance(bent, metal_ior_);
   const auto channel = [&](float r, float with_film, float index) {
-    const float without = fresnel_dielectric(cosine, index);
+    const float without = fresnel_dielectric(bent, index);
     return without < 1 ? 1 - (1 - r) * (1 - with_film) / (1 - without) : r;
   };
   const Rgb changed =
@@ -157,8 +163,7 @@ Rgb PrincipledLobe::metal_reflectance(float cosine) const {
 }
 
 Rgb PrincipledLobe::gloss_reflectance(float cosine) const {
-  const Rgb bare = white * fresnel_dielectric(cosine, gloss_.ior());
-  return film_ ? mix(bare, film_->film.reflectance(cosine, white * gloss_.ior()), film_->weight) : bare;
+  return film_ ? film_->reflectance(cosine, gloss_.ior()) : white * fresnel_dielectric(cosine, gloss_.ior());
 }
 
 Rgb PrincipledLobe::through_gloss(float cosine) const {

@@ -68,7 +68,7 @@ class PrincipledLobe {
   Ggx facets_;  ///< Of metal and gloss.
   MultipleScattering multiple_;
   TintedFresnel metal_fresnel_;
-  std::optional<PartialFilm> film_;  ///< On metal and gloss.
+  std::optional<PartialFilm> film_;  ///< On metal and gloss, where they are seen from above.
   Rgb metal_ior_;                    ///< Below the film.
   Rgb metal_average_;                ///< What metal facets reflect of light from all directions.
   Rgb metal_multiple_;               ///< A factor of what meets several facets.

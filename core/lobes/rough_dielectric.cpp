@@ -4,8 +4,8 @@
 namespace twinray {
 
 RoughDielectricLobe::RoughDielectricLobe(const Ggx& facets, float eta, const Rgb& reflectance,
-                                         const Rgb& transmittance)
-    : facets_(facets, eta, reflectance, transmittance),
+                                         const Rgb& transmittance, const std::optional<PartialFilm>& film)
+    : facets_(facets, eta, reflectance, transmittance, film),
       multiple_(facets, eta),
       eta_(eta),
       reflectance_(reflectance),

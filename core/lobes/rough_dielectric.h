@@ -10,7 +10,9 @@ namespace twinray {
 class RoughDielectricLobe {
  public:
   /// eta: index of refraction on the other side, to that on the viewer's, > 0 and not 1. Factors in [0, 1].
-  RoughDielectricLobe(const Ggx& facets, float eta, const Rgb& reflectance, const Rgb& transmittance);
+  /// A film is on the facets; what light does that meets several of them it does not change.
+  RoughDielectricLobe(const Ggx& facets, float eta, const Rgb& reflectance, const Rgb& transmittance,
+                      const std::optional<PartialFilm>& film = {});
 
   Rgb albedo() const { return transmittance_; }
   BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;

@@ -60,13 +60,12 @@ BsdfSample PassageLobe::sample(const Vec3& wo, float /*lobe*/, Vec2 /*u*/) const
 
 BsdfSample ThinDielectricLobe::sample(const Vec3& wo, float lobe, Vec2 /*u*/) const {
   if (wo.z == 0) return {};
-  const float cosine = std::fabs(wo.z), bare = fresnel_dielectric(cosine, eta);
-  Rgb once{bare, bare, bare};
-  if (film) once = once + (film->film.reflectance(cosine, {eta, eta, eta}) - once) * film->weight;
+  const float cosine = std::fabs(wo.z);
+  const Rgb once = film ? film->reflectance(cosine, eta) : white * fresnel_dielectric(cosine, eta);
   // R + T R T + T R R R T + ...: the light that is reflected within the sheet once, three times, ...
   const auto in_all = [](float r) { return 2 * r / (1 + r); };
-  const Rgb fresnel{in_all(once.r), in_all(once.g), in_all(once.b)};
-  const Rgb reflected = reflectance * fresnel, transmitted = transmittance * (Rgb{1, 1, 1} - fresnel);
+  const Rgb fresnel = is_single ? once : Rgb{in_all(once.r), in_all(once.g), in_all(once.b)};
+  const Rgb reflected = reflectance * fresnel, transmitted = transmittance * (white - fresnel);
   const float probability = share(reflected, transmitted);
   if (lobe < probability) return delta_sample(mirrored(wo), reflected, probability);
   if (is_black(transmitted)) return {};

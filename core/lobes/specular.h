@@ -61,22 +61,21 @@ struct PassageLobe : DeltaLobe {
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 };
 
-/// A film that covers a part of a surface.
-struct PartialFilm {
-  ThinFilm film;
-  float weight;  ///< The part, in [0, 1].
-};
-
 /// A smooth sheet: both boundaries of a dielectric in one surface, with all reflections between them. Light
 /// goes straight on.
 struct ThinDielectricLobe : DeltaLobe {
   float eta;                        ///< Index of refraction within the sheet, to that outside.
   Rgb reflectance, transmittance;   ///< Factors.
-  std::optional<PartialFilm> film;  ///< On both sides.
+  std::optional<PartialFilm> film;  ///< On each boundary.
+  bool is_single = false;           ///< There is one boundary: a film between media that are alike.
 
   ThinDielectricLobe(float ratio, const Rgb& reflected, const Rgb& transmitted,
-                     const std::optional<PartialFilm>& on_both_sides = {})
-      : eta(ratio), reflectance(reflected), transmittance(transmitted), film(on_both_sides) {}
+                     const std::optional<PartialFilm>& on_each = {}, bool has_one_boundary = false)
+      : eta(ratio),
+        reflectance(reflected),
+        transmittance(transmitted),
+        film(on_each),
+        is_single(has_one_boundary) {}
   Rgb albedo() const { return transmittance; }
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 };

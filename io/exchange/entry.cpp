@@ -29,6 +29,10 @@ Bounds bounds_of(Valid valid) {
       return {1, huge, "a float of 1 or more"};
     case Valid::part:
       return {0, 1, "from 0 to 1"};
+    case Valid::film_thickness:
+      return {0, 1000, "from 0 to 1000 micrometers"};
+    case Valid::film_ior:
+      return {1, 100, "from 1 to 100"};
     case Valid::any:
       break;
   }

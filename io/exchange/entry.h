@@ -104,6 +104,10 @@ class MemberReader {
   void operator()(const char* key, Attenuation& member) const;
   /// A unit vector.
   void direction(const char* key, Vec3& member) const;
+  /// A member that files of earlier times do not have, and which then keeps its value.
+  void later(const char* key, float& member, Valid valid) const {
+    if (entry_.has(key)) (*this)(key, member, valid);
+  }
   void constant(const char* key, const char* word) const;
 
  private:

@@ -10,7 +10,7 @@
 namespace twinray {
 
 /// The numbers that a member may have; those of colours, each of the three. All are finite.
-enum class Valid { any, not_negative, positive, at_least_one, part };
+enum class Valid { any, not_negative, positive, at_least_one, part, film_thickness, film_ior };
 
 // The types of textures,
 inline const char* type_name(const ConstantTexture&) { return "constant"; }
@@ -170,9 +170,9 @@ void members(const Visit& visit, Principled& m) {
   visit("fuzz_weight", m.fuzz_weight, Valid::part);
   visit("fuzz_color", m.fuzz_color, Valid::part);
   visit("fuzz_roughness", m.fuzz_roughness, Valid::part);
-  visit("thin_film_weight", m.thin_film_weight, Valid::part);
-  visit("thin_film_thickness", m.thin_film_thickness, Valid::not_negative);
-  visit("thin_film_ior", m.thin_film_ior, Valid::at_least_one);
+  visit.later("thin_film_weight", m.thin_film_weight, Valid::part);
+  visit.later("thin_film_thickness", m.thin_film_thickness, Valid::film_thickness);
+  visit.later("thin_film_ior", m.thin_film_ior, Valid::film_ior);
   visit("emission_luminance", m.emission_luminance, Valid::not_negative);
   visit("emission_color", m.emission_color, Valid::not_negative);
   visit("geometry_thin_walled", m.geometry_thin_walled);

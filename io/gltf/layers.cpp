@@ -133,10 +133,6 @@ class Layers {
                    model_.thin_film_weight);
     inputs_.between(thin_film_thickness, film.slot("iridescenceThicknessTexture"), PictureChannels::green,
                     at_0, at_1);
-    if (lets_light_in(model_))
-      inputs_.context.warn(film.pointer(),
-                           "a film on the boundary of a body that light goes into is not rendered there, but "
-                           "on what of the surface reflects light otherwise");
   }
 
   /// Of an index of 1.5, which takes from what is below it no more than it reflects.

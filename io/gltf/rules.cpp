@@ -225,7 +225,7 @@ constexpr GltfRule rules[] = {
     texture("KHR_materials_anisotropy", "anisotropyTexture"),
     unit("KHR_materials_iridescence", "iridescenceFactor"),
     texture("KHR_materials_iridescence", "iridescenceTexture"),
-    {"KHR_materials_iridescence", "iridescenceIor", number, "", 1, 1000},
+    {"KHR_materials_iridescence", "iridescenceIor", number, "", 1, 100},
     {"KHR_materials_iridescence", "iridescenceThicknessMinimum", number, "", 0, 1e6},
     {"KHR_materials_iridescence", "iridescenceThicknessMaximum", number, "", 0, 1e6},
     texture("KHR_materials_iridescence", "iridescenceThicknessTexture"),

@@ -20,6 +20,19 @@ using enum MaterialInput;
 
 constexpr std::size_t red = 0, green = 1, blue = 2;
 
+/// The ends of a mix of two numbers; none of another texture.
+std::optional<std::pair<float, float>> ends_of(const Scene& scene, std::uint32_t texture) {
+  const auto* mix = std::get_if<MixTexture>(&scene.textures[texture].model);
+  if (!mix) return std::nullopt;
+  const auto* at_0 = std::get_if<ConstantTexture>(&scene.textures[mix->first].model);
+  const auto* at_1 = std::get_if<ConstantTexture>(&scene.textures[mix->second].model);
+  if (!at_0 || !at_1) return std::nullopt;
+  return std::pair{at_0->value.r, at_1->value.r};
+}
+std::uint32_t amount_of(const Scene& scene, std::uint32_t mix) {
+  return std::get<MixTexture>(scene.textures[mix].model).amount;
+}
+
 /// A hole where a texture is below a limit, as the reader of glTF makes it: a mix of two numbers far apart.
 struct Mask {
   std::uint32_t texture;
@@ -27,12 +40,9 @@ struct Mask {
 };
 std::optional<Mask> mask_of(const Scene& scene, std::uint32_t alpha) {
   constexpr float least_step = 256;
-  const auto* mix = std::get_if<MixTexture>(&scene.textures[alpha].model);
-  if (!mix) return std::nullopt;
-  const auto* at_0 = std::get_if<ConstantTexture>(&scene.textures[mix->first].model);
-  const auto* at_1 = std::get_if<ConstantTexture>(&scene.textures[mix->second].model);
-  if (!at_0 || !at_1 || !(at_1->value.r - at_0->value.r >= least_step)) return std::nullopt;
-  return Mask{mix->amount, (1 - at_0->value.r) / (at_1->value.r - at_0->value.r)};
+  const auto ends = ends_of(scene, alpha);
+  if (!ends || !(ends->second - ends->first >= least_step)) return std::nullopt;
+  return Mask{amount_of(scene, alpha), (1 - ends->first) / (ends->second - ends->first)};
 }
 
 /// The texture that makes holes, before a limit cuts it off.
@@ -75,7 +85,7 @@ class Properties {
     add_base(scene, alpha, is_mirrored);
     add_index();
     add_transmission();
-    add_film();
+    add_film(scene);
     add_coat();
     add_sheen();
     add_maps(is_mirrored);
@@ -225,18 +235,25 @@ class Properties {
         gltf_color({channel(absorption.r), channel(absorption.g), channel(absorption.b)});
   }
 
-  void add_film() {
+  void add_film(const Scene& scene) {
     if (model_.thin_film_weight == 0) return;
     constexpr float nanometers = 1000;
     GltfJson& film = extension("KHR_materials_iridescence");
     put_number(film, "iridescenceFactor", "iridescenceTexture", red,
                {thin_film_weight, model_.thin_film_weight});
     film["iridescenceIor"] = shortest_decimal(model_.thin_film_ior);
-    GltfChannels thickness;  // Of a picture: micrometers, up to 1.
-    thickness.number[green] = take(thin_film_thickness);
-    const float most = thickness.is_empty() ? model_.thin_film_thickness : 1;
-    film["iridescenceThicknessMinimum"] = thickness.is_empty() ? shortest_decimal(most * nanometers) : 0.0;
-    film["iridescenceThicknessMaximum"] = shortest_decimal(most * nanometers);
+    std::pair ends{model_.thin_film_thickness, model_.thin_film_thickness};
+    GltfChannels thickness;
+    if (const std::uint32_t texture = take(thin_film_thickness); texture != no_texture) {
+      const auto own = ends_of(scene, texture);
+      ends = own.value_or(std::pair{0.0f, 1.0f});
+      thickness.number[green] = own ? amount_of(scene, texture) : texture;
+      if (!own && !std::holds_alternative<ImageTexture>(scene.textures[texture].model))
+        file_.output.losses.add("what is above 1 micrometer of a thin film's thickness is written as 1",
+                                "what is above 1 micrometer of {} thin films' thicknesses is written as 1");
+    }
+    film["iridescenceThicknessMinimum"] = shortest_decimal(ends.first * nanometers);
+    film["iridescenceThicknessMaximum"] = shortest_decimal(ends.second * nanometers);
     put(film, "iridescenceThicknessTexture", thickness);
   }
 

@@ -85,6 +85,23 @@ Principled bubble() {
   return m;
 }
 
+/// Denser than the tables of reflectances reach.
+Principled dense() {
+  Principled m;
+  m.specular_ior = 10;
+  m.specular_roughness = 0.7f;
+  return m;
+}
+
+/// A film on the boundary of a clear body.
+Principled iridescent() {
+  Principled m = clear();
+  m.thin_film_weight = 0.9f;
+  m.thin_film_thickness = 0.35f;
+  m.thin_film_ior = 2;
+  return m;
+}
+
 /// Nothing of it absorbs.
 Principled whitened(Principled m) {
   m.base_color = m.specular_color = m.transmission_color = m.coat_color = m.fuzz_color = white;
@@ -94,7 +111,8 @@ Principled whitened(Principled m) {
 }  // namespace
 
 TEST_CASE("a principled surface is sampled with its density") {
-  for (const Principled& m : {Principled{}, varnished(), brushed(), clear(), sheet(), oiled(), anodised()})
+  for (const Principled& m :
+       {Principled{}, varnished(), brushed(), clear(), sheet(), oiled(), anodised(), iridescent()})
     for (const bool is_inside : {false, true})
       for (const float cosine : cosines) {
         CAPTURE(m.coat_weight, m.transmission_weight, is_inside, cosine);
@@ -104,7 +122,8 @@ TEST_CASE("a principled surface is sampled with its density") {
 
 TEST_CASE("what a principled surface reflects is reciprocal") {
   test::Random random(3);
-  for (const Principled& m : {Principled{}, varnished(), brushed(), clear(), oiled(), anodised()}) {
+  for (const Principled& m :
+       {Principled{}, varnished(), brushed(), clear(), oiled(), anodised(), iridescent()}) {
     const PrincipledLobe lobe(m, false);
     for (int i = 0; i < 200; ++i) {
       Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
@@ -126,7 +145,8 @@ TEST_CASE("a white principled surface passes the furnace within what its layers'
   const Case cases[] = {
       {whitened(Principled{}), 0.01}, {whitened(brushed()), 0.06},  {whitened(varnished()), 0.05},
       {whitened(clear()), 0.05},      {whitened(sheet()), 0.03},    {coated_metal, 0.08},
-      {whitened(oiled()), 0.02},      {whitened(anodised()), 0.08}, {whitened(bubble()), 0.01}};
+      {whitened(oiled()), 0.02},      {whitened(anodised()), 0.08}, {whitened(bubble()), 0.01},
+      {whitened(iridescent()), 0.05}, {whitened(dense()), 0.03}};
   for (const Case& each : cases)
     for (const float cosine : cosines) {
       CAPTURE(each.error, cosine);
@@ -138,7 +158,8 @@ TEST_CASE("a white principled surface passes the furnace within what its layers'
 }
 
 TEST_CASE("no principled surface scatters more than arrives, nor stays black where it is not") {
-  for (const Principled& m : {Principled{}, varnished(), brushed(), clear(), sheet(), oiled(), anodised()})
+  for (const Principled& m :
+       {Principled{}, varnished(), brushed(), clear(), sheet(), oiled(), anodised(), iridescent()})
     for (const bool is_inside : {false, true})
       for (const float cosine : cosines) {
         CAPTURE(m.coat_weight, m.transmission_weight, is_inside, cosine);
@@ -231,20 +252,37 @@ TEST_CASE("weights of a principled surface do what they say") {
 }
 
 TEST_CASE("a film of no thickness changes nothing") {
-  for (Principled filmed : {oiled(), anodised(), bubble()}) {
+  Principled varnished_oil = oiled();  // A coat that is denser than the film.
+  varnished_oil.coat_weight = 1;
+  varnished_oil.thin_film_ior = 1.4f;
+  for (Principled filmed : {oiled(), anodised(), varnished_oil, iridescent()}) {
     filmed.thin_film_thickness = 0;
     Principled bare = filmed;
     bare.thin_film_weight = 0;
     const PrincipledLobe with(filmed, false), without(bare, false);
+    CHECK(with.albedo().g == Approx(without.albedo().g).epsilon(0.02));
     for (const float cosine : {1.0f, 0.7f, 0.3f, 0.1f}) {
       const Vec3 wo = direction_at(cosine), mirrored{-wo.x, -wo.y, wo.z};
       const Rgb a = with.evaluate(wo, mirrored).value, b = without.evaluate(wo, mirrored).value;
-      CAPTURE(cosine);
+      CAPTURE(filmed.thin_film_ior, cosine);
       CHECK(a.r == Approx(b.r).epsilon(0.01).margin(1e-3));
       CHECK(a.b == Approx(b.b).epsilon(0.01).margin(1e-3));
-      CHECK(with.albedo().g == Approx(without.albedo().g).epsilon(0.02));
     }
   }
+}
+
+TEST_CASE("no film reflects all light from air, however dense the coat above it") {
+  Principled dark = oiled();
+  dark.base_color = {};
+  dark.thin_film_ior = 1.4f;
+  dark.coat_weight = 1;
+  dark.coat_ior = 2;
+  Principled bare = dark;
+  bare.thin_film_weight = 0;
+  const auto albedo = [](const Principled& m) {
+    return test::sampled_albedo(PrincipledLobe(m, false), direction_at(0.3f), 20000).g;
+  };
+  CHECK(albedo(dark) < albedo(bare) + 0.2f);
 }
 
 TEST_CASE("a film gives gloss, metals and sheets colours that change with the angle") {
@@ -264,18 +302,35 @@ TEST_CASE("a film gives gloss, metals and sheets colours that change with the an
     CHECK(PrincipledLobe(model, true).evaluate(wo, wo).value ==
           PrincipledLobe(bare, true).evaluate(wo, wo).value);
   }
-  // Air within and without: all that a bubble reflects its film does.
-  const auto reflected = [](float cosine) {
-    const BsdfSample sample = PrincipledLobe(bubble(), false).sample(direction_at(cosine), 0, {0.5f, 0.5f});
+  // On a boundary that light goes through there is one, and from within it is the same.
+  Principled glass = iridescent(), plain_glass = glass;
+  plain_glass.thin_film_weight = 0;
+  const Vec3 down{0, 0, -1}, up{0, 0, 1};
+  for (const bool is_inside : {false, true}) {
+    const Rgb filmed = PrincipledLobe(glass, is_inside).evaluate(up, down).value;
+    const Rgb plain = PrincipledLobe(plain_glass, is_inside).evaluate(up, down).value;
+    CHECK(filmed.g < 0.97f * plain.g);
+    CHECK(filmed.b / filmed.g != Approx(plain.b / plain.g).epsilon(0.01));
+  }
+  // Air within and without: all that a bubble reflects its film does. Glass has two sides.
+  const auto reflected = [](const Principled& model, float cosine) {
+    const BsdfSample sample = PrincipledLobe(model, false).sample(direction_at(cosine), 0, {0.5f, 0.5f});
     REQUIRE(sample.wi.z > 0);
     return sample.value * sample.wi.z;
   };
-  const auto sheet_of = [](float once) { return 2 * once / (1 + once); };
+  Principled pane = bubble();
+  pane.specular_ior = 1.5f;
+  const auto pane_of = [](float once) { return 2 * once / (1 + once); };
   for (const float cosine : {1.0f, 0.5f}) {
-    const Rgb film = ThinFilm(350, 1.33f).reflectance(cosine, white), found = reflected(cosine);
-    CHECK(found.r == Approx(sheet_of(film.r)).epsilon(1e-4));
-    CHECK(found.b == Approx(sheet_of(film.b)).epsilon(1e-4));
+    const Rgb film = ThinFilm(350, 1.33f).reflectance(cosine, white), found = reflected(bubble(), cosine);
+    CHECK(found.r == Approx(film.r).epsilon(1e-4));
+    CHECK(found.b == Approx(film.b).epsilon(1e-4));
+    const Rgb side = ThinFilm(350, 1.33f).reflectance(cosine, white * 1.5f);
+    CHECK(reflected(pane, cosine).g == Approx(pane_of(side.g)).epsilon(1e-3));
   }
+  Principled body = bubble();
+  body.geometry_thin_walled = false;
+  CHECK(reflected(body, 0.5f) == reflected(bubble(), 0.5f));
 }
 
 TEST_CASE("the facets of a brushed principled surface have a direction") {

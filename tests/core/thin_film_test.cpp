@@ -85,6 +85,21 @@ TEST_CASE("a film without a thickness is not there, and a thick one has no colou
   CHECK(ThinFilm(300, 1.2f, 1.6f).reflectance(0.3f, white).g == 1);
 }
 
+TEST_CASE("what goes in reflects as much as what comes out along the same way") {
+  const PartialFilm above{ThinFilm(400, 1.4f), 0.75f}, below{ThinFilm(400, 1.4f), 0.75f, true};
+  for (const float cosine : {1.0f, 0.8f, 0.5f, 0.2f}) {
+    CAPTURE(cosine);
+    const Rgb in = above.reflectance(cosine, 1.5f);
+    const Rgb out = below.reflectance(refracted_cosine(cosine, 1.5f), 1 / 1.5f);
+    CHECK(in.r == Approx(out.r).margin(1e-5));
+    CHECK(in.b == Approx(out.b).margin(1e-5));
+    const float bare = fresnel_dielectric(cosine, 1.5f);
+    const Rgb whole = above.film.reflectance(cosine, white * 1.5f);
+    CHECK(in.g == Approx(bare + (whole.g - bare) * 0.75f).margin(1e-6));
+  }
+  CHECK(below.reflectance(0.3f, 1 / 1.5f) == white);
+}
+
 TEST_CASE("waves that go the same way keep in step, and lose it by and by") {
   CHECK(mean_interference(0) == white);
   CHECK(mean_interference(275).g < -0.7f);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Thin films in exchange form, whose files did not always know them.
+#include "core/error.h"
+#include "core/geometry.h"
+#include "io/exchange/writer.h"
+#include "io/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/json.h"
+#include "tests/support/temporary_folder.h"
+
+namespace twinray::test {
+namespace {
+
+/// A scene of nothing but a surface with a film.
+nlohmann::json film_json() {
+  Scene scene;
+  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{});
+  scene.materials = {{"oil", Principled{.thin_film_weight = 0.5f, .thin_film_thickness = 2}}};
+  return nlohmann::json::parse(exchange_json(scene, "a.json", {48, 36}));
+}
+
+Principled film_of(const nlohmann::json& json) {
+  const TemporaryFolder folder;
+  write_text(folder.file("a.json"), json.dump());
+  return std::get<Principled>(load_scene(folder.file("a.json")).scene.materials.at(0).model);
+}
+
+std::string film_error(const nlohmann::json& json) {
+  try {
+    film_of(json);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("exchange: surfaces of files that know no films have none") {
+  nlohmann::json json = film_json();
+  CHECK(film_of(json).thin_film_weight == 0.5f);
+  CHECK(film_of(json).thin_film_thickness == 2);
+  for (const char* key : {"thin_film_weight", "thin_film_thickness", "thin_film_ior"})
+    REQUIRE(json["materials"][0].erase(key) == 1);
+  const Principled old = film_of(json);
+  CHECK(old.thin_film_weight == 0);
+  CHECK(old.thin_film_ior == 1.4f);
+}
+
+TEST_CASE("exchange: films have thicknesses and indices that all formats can say") {
+  const auto with = [](const char* key, float value) {
+    nlohmann::json json = film_json();
+    json["materials"][0][key] = value;
+    return film_error(json);
+  };
+  CHECK(with("thin_film_thickness", 1000) == "");
+  CHECK(with("thin_film_thickness", 1001).ends_with("it must be from 0 to 1000 micrometers"));
+  CHECK(with("thin_film_thickness", -1).ends_with("it must be from 0 to 1000 micrometers"));
+  CHECK(with("thin_film_ior", 0.5f).ends_with("it must be from 1 to 100"));
+  CHECK(with("thin_film_ior", 101).ends_with("it must be from 1 to 100"));
+  CHECK(with("thin_film_weight", 2).ends_with("it must be from 0 to 1"));
+}
+
+}  // namespace twinray::test
