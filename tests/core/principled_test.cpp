@@ -282,7 +282,7 @@ TEST_CASE("no film reflects all light from air, however dense the coat above it"
   const auto albedo = [](const Principled& m) {
     return test::sampled_albedo(PrincipledLobe(m, false), direction_at(0.3f), 20000).g;
   };
-  CHECK(albedo(dark) < albedo(bare) + 0.2f);
+  CHECK(albedo(dark) < albedo(bare) + 0.08f);  // It would be 0.17 above.
 }
 
 TEST_CASE("a film gives gloss, metals and sheets colours that change with the angle") {
