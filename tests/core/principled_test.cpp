@@ -271,6 +271,32 @@ TEST_CASE("a film of no thickness changes nothing") {
   }
 }
 
+TEST_CASE("a film is on all facets that light meets, and in the albedo") {
+  Principled rough_metal =
+      oiled();  // Its film lets nearly all green light in, and much meets several facets.
+  rough_metal.base_color = {0.5f, 0.5f, 0.5f};
+  rough_metal.base_metalness = 1;
+  rough_metal.specular_roughness = 1;
+  rough_metal.thin_film_ior = 2.2f;
+  rough_metal.thin_film_thickness = 0.06f;
+  Principled bare = rough_metal;
+  bare.thin_film_weight = 0;
+  Principled black = oiled();
+  black.base_color = {};
+  const auto scattered = [](const Principled& m) {
+    constexpr int parts = 16;
+    float sum = 0;
+    for (int i = 0; i < parts; ++i) {
+      const float cosine = std::sqrt((float(i) + 0.5f) / parts);
+      sum += test::sampled_albedo(PrincipledLobe(m, false), direction_at(cosine), 20000).g / parts;
+    }
+    return sum;
+  };
+  // With light that meets several facets as if these had none it would be 0.38 of it.
+  CHECK(scattered(rough_metal) < 0.15f * scattered(bare));
+  CHECK(PrincipledLobe(black, false).albedo().g == Approx(scattered(black)).epsilon(0.05));
+}
+
 TEST_CASE("no film reflects all light from air, however dense the coat above it") {
   Principled dark = oiled();
   dark.base_color = {};

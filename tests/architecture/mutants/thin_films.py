@@ -4,6 +4,7 @@ from mutant import Mutant
 
 WAVES = "a film reflects what waves in it do, at every thickness and angle"
 COLOURS = "a film gives gloss, metals and sheets colours that change with the angle"
+ALBEDO = "a film is on all facets that light meets, and in the albedo"
 
 MUTANTS = [
     Mutant("a film's detour does not shorten with the angle", "core/thin_film.cpp",
@@ -40,6 +41,16 @@ MUTANTS = [
     Mutant("sheets have no film", "core/lobes/principled.cpp",
            "m.specular_color, tint, film_of(m, 1),", "m.specular_color, tint, std::nullopt,", "test_core",
            COLOURS),
+    Mutant("what meets several facets of a metal meets no film", "core/lobes/principled.cpp",
+           "metal_multiple_ = multiple_.absorption(metal_average_);",
+           "metal_multiple_ = multiple_.absorption(metal_fresnel_.average());", "test_core", ALBEDO),
+    Mutant("the albedo of gloss knows no film", "core/lobes/principled.cpp",
+           "const Rgb reflected = gloss_average_,",
+           "const Rgb reflected = white * gloss_.average_reflectance(),",
+           "test_core", ALBEDO),
+    Mutant("a film's picture begins at no thickness", "io/gltf/layers.cpp",
+           '"iridescenceThicknessMinimum", 100', '"iridescenceThicknessMinimum", 0', "test_io_gltf",
+           "gltf: iridescence is a film, as thick as its maximum without a picture"),
     Mutant("a bubble has two films", "core/lobes/principled.cpp",
            "!m.geometry_thin_walled || ior == 1);", "!m.geometry_thin_walled);", "test_core", COLOURS),
     Mutant("glass has no film from within", "core/lobes/principled.cpp",

@@ -22,6 +22,11 @@ TEST_CASE("gltf: iridescence is a film, as thick as its maximum without a pictur
                                           {"iridescenceThicknessMaximum", 1250}}));
   CHECK(own.thin_film_ior == 1.75f);
   CHECK(own.thin_film_thickness == Approx(1.25));
+  GltfFile pictured = filmed(json::object());
+  pictured.json["materials"][0]["extensions"]["KHR_materials_iridescence"] = {
+      {"iridescenceFactor", 1}, {"iridescenceThicknessTexture", {{"index", add_picture(pictured)}}}};
+  CHECK(input_at(pictured.load(), MaterialInput::thin_film_thickness, left).r ==
+        Approx(0.1 + 0.3 * 51 / 255));
   CHECK(model_of(filmed({{"iridescenceIor", 1.75}})).thin_film_weight == 0);
   CHECK(model_of(filmed(json::object())).thin_film_weight == 0);
 }
