@@ -100,12 +100,10 @@ Rgb PartialFilm::reflectance(float cosine, float eta) const {
   const Rgb bare = white * fresnel_dielectric(cosine, eta);
   const float above = is_below ? refracted_cosine(cosine, eta) : cosine;
   if (is_below && above == 0) return bare;  // Totally, whatever lies beyond.
-  if (coat_ior == 1)
-    return bare + (film.reflectance(above, white * (is_below ? 1 / eta : eta)) - bare) * weight;
   // The boundary without a film is seen as if the coat did not refract; the film adds its change to that.
-  const float bent = below_coat(above);
-  return within_unit(bare +
-                     (film.reflectance(bent, white * eta) - white * fresnel_dielectric(bent, eta)) * weight);
+  const float bent = below_coat(above), base = is_below ? 1 / eta : eta;
+  const Rgb change = film.reflectance(bent, white * base) - white * fresnel_dielectric(bent, base);
+  return within_unit(bare + change * weight);
 }
 
 Rgb index_of_reflectance(const Rgb& reflectance) {

@@ -147,7 +147,7 @@ void PrincipledLobe::set_film(const Principled& m) {
 
 Rgb PrincipledLobe::metal_reflectance(float cosine) const {
   const Rgb bare = metal_fresnel_(cosine);
-  if (!film_) return bare;
+  if (!film_ || metal_ == 0) return bare;
   // The film takes away from what is absorbed, or adds to it, what it does where the metal's index is one of
   // a dielectric: so a film of no thickness changes nothing.
   const float bent = film_->below_coat(cosine);

@@ -11,7 +11,7 @@ namespace twinray {
 struct CameraStage::Draws {
   Keys pixel;
   Words index;
-  Floats x, y, weight;  ///< Draws of a place in the pixel, and then that place.
+  Floats x, y, weight;  ///< Draws of a place in the pixel, then that place, then that in the frame.
   Floats lens_x, lens_y;
   Columns3 directions;
 };

@@ -238,7 +238,10 @@ SurfaceModel read_principled(const Inputs& in) {
   for (const auto& [name, member] : principled_colors) model.*member = in.color(name, model.*member);
   if (in.has("specular_ior")) model.specular_ior = in.ior("specular_ior");
   if (in.has("coat_ior")) model.coat_ior = std::max(1.0f, in.ior("coat_ior"));
-  if (in.has("thin_film_ior")) model.thin_film_ior = std::max(1.0f, in.ior("thin_film_ior"));
+  if (in.has("thin_film_ior")) model.thin_film_ior = in.ior("thin_film_ior");
+  if (model.thin_film_ior < 1)
+    in.parameters.find("thin_film_ior")
+        ->place.fail(fmt::format("\"thin_film_ior\" is {:g}; it lies in [1, 100]", model.thin_film_ior));
   model.geometry_thin_walled = in.parameters.flag("geometry_thin_walled", false);
   return model;
 }

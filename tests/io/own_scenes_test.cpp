@@ -11,7 +11,7 @@ namespace twinray {
 namespace {
 
 LoadedScene load(const std::string& name) {
-  return load_scene(std::string(TWINRAY_SOURCE_DIR) + "/scenes/" + name, {.strict = true});
+  return load_scene(TWINRAY_SOURCE_DIR "/scenes/" + name, {.strict = true});
 }
 
 const Mesh& mesh_named(const Scene& scene, const std::string& name) {

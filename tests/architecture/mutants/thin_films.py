@@ -59,7 +59,7 @@ MUTANTS = [
            "is_below ? refracted_cosine(cosine, eta) : cosine", "cosine", "test_core",
            "what goes in reflects as much as what comes out along the same way"),
     Mutant("a film below a coat is seen as if the coat did not bend light", "core/thin_film.cpp",
-           "const float bent = below_coat(above);", "const float bent = above;", "test_core",
+           "bent = below_coat(above), base", "bent = above, base", "test_core",
            "no film reflects all light from air, however dense the coat above it"),
     Mutant("what facets refract has no film", "core/lobes/dielectric_facets.cpp",
            "transmittance_ * ((white - reflected) * facets * geometry)",

@@ -79,6 +79,8 @@ TEST_CASE("a surface of OpenPBR has its parameters by name, and its defaults") {
   CHECK(m.thin_film_ior == 1.25f);
   CHECK(pbrt_error("Material \"openpbr\" \"float thin_film_thickness\" -1").find("thin_film_thickness") !=
         std::string::npos);
+  CHECK(pbrt_error("Material \"openpbr\" \"float thin_film_ior\" 0.5")
+            .find("\"thin_film_ior\" is 0.5; it lies in [1, 100]") != std::string::npos);
   CHECK(pbrt_error("Material \"openpbr\" \"float coat_weight\" 1.5")
             .find("\"coat_weight\" is 1.5; it lies in [0, 1]") != std::string::npos);
   CHECK(pbrt_error("Material \"openpbr\" \"float emission_luminance\" 1e9").find("emission_luminance") !=
