@@ -297,6 +297,16 @@ TEST_CASE("a film is on all facets that light meets, and in the albedo") {
   CHECK(PrincipledLobe(black, false).albedo().g == Approx(scattered(black)).epsilon(0.05));
 }
 
+TEST_CASE("a film on what is half a metal is half of that on metal and half of that on gloss") {
+  const Vec3 normal{0, 0, 1};
+  const auto value = [&](float metalness) {
+    Principled m = oiled();
+    m.base_metalness = metalness;
+    return PrincipledLobe(m, false).evaluate(normal, normal).value.g;
+  };
+  CHECK(value(0.5f) == Approx((value(0) + value(1)) / 2).epsilon(1e-5));
+}
+
 TEST_CASE("no film reflects all light from air, however dense the coat above it") {
   Principled dark = oiled();
   dark.base_color = {};

@@ -64,6 +64,13 @@ TEST_CASE("a film reflects what waves in it do, at every thickness and angle") {
       }
 }
 
+TEST_CASE("daylight is white to the observer") {
+  Xyz daylight;
+  for (const Observed& o : observer())
+    daylight.x += o.x * o.daylight, daylight.y += o.y * o.daylight, daylight.z += o.z * o.daylight;
+  for (const double channel : to_rgb(daylight)) CHECK(channel / daylight.y == Approx(1).margin(1e-3));
+}
+
 TEST_CASE("each channel has the index of its own base") {
   const ThinFilm film(300, 1.4f);
   const Rgb bases{1.2f, 1.7f, 4}, all = film.reflectance(0.6f, bases);
