@@ -72,6 +72,8 @@ Interaction::Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, cons
       wo_local_(shading_.frame.to_local(wo)),
       bsdf_(bsdfs.at(material_, point, meeting.side, {viewing.materials, meeting.within})),
       before_(viewing.interiors),
-      behind_(behind(bsdfs.scene().materials[material_], material_, meeting.side, meeting.within)) {}
+      behind_(behind(bsdfs.scene().materials[material_], material_, meeting.side, meeting.within)) {
+  bsdf_.look_from(wo_local_);
+}
 
 }  // namespace twinray

@@ -107,19 +107,23 @@ PrincipledLobe::PrincipledLobe(const Principled& m, bool is_inside)
       metal_fresnel_(m.base_color * m.base_weight, m.specular_color),
       metal_average_(metal_fresnel_.average()),
       gloss_(gloss_ior(m, is_inside), facets_),
-      coat_(m.coat_ior, facets_of(m.coat_roughness, 0)),
       gloss_average_(white * gloss_.average_reflectance()),
       diffuse_(gloss_.diffuse_below(m.base_color * m.base_weight)),
-      rough_(white, m.base_diffuse_roughness),
-      boundary_(boundary_of(m, facets_, is_inside)),
-      fuzz_(m.fuzz_roughness),
-      through_coat_(1 - coat_weight_ * coat_.average_reflectance()),
-      through_fuzz_(1 - fuzz_weight_ * fuzz_.average_reflectance()),
-      below_coat_(white) {
+      rough_(white, m.base_diffuse_roughness) {
+  if (clear_ > 0) boundary_ = boundary_of(m, facets_, is_inside);
   if (!is_inside) set_film(m);
   metal_multiple_ = multiple_.absorption(metal_average_);
+  if (coat_weight_ > 0) set_coat(m);
+  if (fuzz_weight_ == 0) return;
+  fuzz_.emplace(m.fuzz_roughness);
+  through_fuzz_ = 1 - fuzz_weight_ * fuzz_->average_reflectance();
+}
+
+void PrincipledLobe::set_coat(const Principled& m) {
+  coat_.emplace(m.coat_ior, facets_of(m.coat_roughness, 0));
+  through_coat_ = 1 - coat_weight_ * coat_->average_reflectance();
   // What the coat reflects back down is absorbed in part, once more and again.
-  const float back = coat_.average_reflectance_below();
+  const float back = coat_->average_reflectance_below();
   const auto darkened = [&](float albedo) {
     return mix(1, albedo < 1 ? (1 - back) / (1 - albedo * back) : 1, m.coat_darkening);
   };
@@ -178,7 +182,8 @@ Rgb PrincipledLobe::base_albedo() const {
   const Rgb reflected = gloss_average_, through = white - reflected;
   const float loss = multiple_.average_loss();
   const Rgb metal = metal_average_ * (1 - loss) + metal_multiple_ * loss;
-  const Rgb clear = std::visit([](const auto& lobe) { return lobe.albedo(); }, boundary_);
+  const Rgb clear =
+      boundary_ ? std::visit([](const auto& lobe) { return lobe.albedo(); }, *boundary_) : Rgb{};
   return metal * (metal_ * specular_weight_) + clear * clear_ +
          (specular_color_ * reflected + diffuse_ * (through * through)) * opaque_;
 }
@@ -188,94 +193,132 @@ Rgb PrincipledLobe::albedo() const {
   return fuzz + (coat + below_coat_ * base_albedo() * through_coat_) * through_fuzz_;
 }
 
-BsdfValue PrincipledLobe::evaluate_opaque(const Choice& p, const Vec3& wo, const Vec3& wi) const {
+BsdfValue PrincipledLobe::evaluate_opaque(const Seen& from, const Vec3& wi) const {
+  const Vec3& wo = from.wo;
   const FacetReflection facets = facets_.reflection(wo, wi);
-  const Rgb through = through_gloss(wo.z) * through_gloss(wi.z);
-  const Rgb metal =
-      metal_reflectance(facets.cosine) * facets.value + metal_multiple_ * multiple_.evaluate(wo.z, wi.z);
-  const Rgb gloss = specular_color_ * (gloss_reflectance(facets.cosine) * facets.value);
-  const BsdfValue diffuse = rough_.evaluate(wo, wi);
-  return {metal * (metal_ * specular_weight_) + (gloss + diffuse_ * diffuse.value * through) * opaque_,
-          p.facets * facets.pdf + p.diffuse * diffuse.pdf};
+  BsdfValue all{{}, from.choice.facets * facets.pdf + from.choice.diffuse * cosine_hemisphere_pdf(wi.z)};
+  if (metal_ > 0) {
+    const Rgb once = metal_reflectance(facets.cosine) * facets.value;
+    all.value += (once + metal_multiple_ * multiple_.evaluate(wo.z, wi.z)) * (metal_ * specular_weight_);
+  }
+  if (opaque_ > 0) {
+    const Rgb gloss = specular_color_ * (gloss_reflectance(facets.cosine) * facets.value);
+    const Rgb through = from.through_gloss * through_gloss(wi.z);
+    all.value += (gloss + diffuse_ * rough_.evaluate(wo, wi).value * through) * opaque_;
+  }
+  return all;
 }
 
-Rgb PrincipledLobe::through_coat(const Vec3& wo, const Vec3& wi) const {
-  if (coat_weight_ == 0) return white;
-  const auto along = [&](float z) { return z > 0 ? 1 - coat_weight_ * coat_.reflectance(z) : through_coat_; };
-  return below_coat_ * (along(wo.z) * along(wi.z) / through_coat_);
+float PrincipledLobe::below_coat(float cosine) const {
+  return cosine > 0 ? 1 - coat_weight_ * coat_->reflectance(cosine) : through_coat_;
 }
 
-float PrincipledLobe::through_fuzz(const Vec3& wo, const Vec3& wi) const {
-  if (fuzz_weight_ == 0) return 1;
-  const auto along = [&](float z) { return z > 0 ? 1 - fuzz_weight_ * fuzz_.reflectance(z) : through_fuzz_; };
-  return along(wo.z) * along(wi.z) / through_fuzz_;
+float PrincipledLobe::below_fuzz(float cosine) const {
+  return cosine > 0 ? 1 - fuzz_weight_ * fuzz_->reflectance(cosine) : through_fuzz_;
+}
+
+Rgb PrincipledLobe::through_coat(const Seen& from, const Vec3& wi) const {
+  return !coat_ ? white : below_coat_ * (from.below_coat * below_coat(wi.z) / through_coat_);
+}
+
+float PrincipledLobe::through_fuzz(const Seen& from, const Vec3& wi) const {
+  return !fuzz_ ? 1 : from.below_fuzz * below_fuzz(wi.z) / through_fuzz_;
 }
 
 BsdfValue PrincipledLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0) || wi.z == 0) return {};
-  const Choice p = choice(wo);
-  BsdfValue all = wi.z > 0 ? evaluate_opaque(p, wo, wi) : BsdfValue{};
+  return from(wo, [&](const Seen& seen) { return evaluate(seen, wi); });
+}
+
+BsdfValue PrincipledLobe::evaluate(const Seen& from, const Vec3& wi) const {
+  const Vec3& wo = from.wo;
+  const Choice& p = from.choice;
+  BsdfValue all = wi.z > 0 ? evaluate_opaque(from, wi) : BsdfValue{};
   const auto add = [&](const Rgb& value, float pdf) { all = {all.value + value, all.pdf + pdf}; };
-  if (clear_ > 0) {
-    const BsdfValue clear = std::visit([&](const auto& lobe) { return lobe.evaluate(wo, wi); }, boundary_);
+  if (boundary_) {
+    const BsdfValue clear = std::visit([&](const auto& lobe) { return lobe.evaluate(wo, wi); }, *boundary_);
     add(clear.value * clear_, p.clear * clear.pdf);
   }
-  all.value = all.value * through_coat(wo, wi);
-  if (coat_weight_ > 0 && wi.z > 0) {
-    const FacetReflection coat = coat_.reflection(wo, wi);
+  all.value = all.value * through_coat(from, wi);
+  if (coat_ && wi.z > 0) {
+    const FacetReflection coat = coat_->reflection(wo, wi);
     add(white * (coat_weight_ * coat.value), p.coat * coat.pdf);
   }
-  all.value = all.value * through_fuzz(wo, wi);
-  if (fuzz_weight_ > 0 && wi.z > 0)
-    add(fuzz_color_ * (fuzz_weight_ * fuzz_.evaluate(wo, wi)), p.fuzz * cosine_hemisphere_pdf(wi.z));
+  all.value = all.value * through_fuzz(from, wi);
+  if (fuzz_ && wi.z > 0)
+    add(fuzz_color_ * (fuzz_weight_ * fuzz_->evaluate(wo, wi)), p.fuzz * cosine_hemisphere_pdf(wi.z));
   return all;
 }
 
 Rgb PrincipledLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
-  const Rgb through = through_gloss(wi.z) * through_gloss(wo.z) * through_fuzz(wo, wi);
-  const Rgb base = diffuse_ * rough_.evaluate(wo, wi).value * (through * opaque_) * through_coat(wo, wi);
-  return fuzz_weight_ > 0 ? base + fuzz_color_ * (fuzz_weight_ * fuzz_.evaluate(wo, wi)) : base;
+  return from(wo, [&](const Seen& seen) {
+    const Rgb through = through_gloss(wi.z) * seen.through_gloss * through_fuzz(seen, wi);
+    const Rgb base = diffuse_ * rough_.evaluate(wo, wi).value * (through * opaque_) * through_coat(seen, wi);
+    return fuzz_ ? base + fuzz_color_ * (fuzz_weight_ * fuzz_->evaluate(wo, wi)) : base;
+  });
 }
 
-PrincipledLobe::Choice PrincipledLobe::choice(const Vec3& wo) const {
-  const Rgb through = through_gloss(wo.z);
-  const float reflected = film_ ? max_component(white - through) : gloss_.reflectance(wo.z);
-  const float loss = multiple_.loss(wo.z), metal = metal_ * specular_weight_;
-  const float facets = metal * max_component(metal_reflectance(wo.z)) * (1 - loss) +
-                       opaque_ * max_component(specular_color_) * reflected;
-  const float diffuse = metal * max_component(metal_multiple_) * loss +
-                        opaque_ * max_component(diffuse_) * max_component(through);
+PrincipledLobe::Seen PrincipledLobe::seen(const Vec3& wo) const {
+  if (!(wo.z > 0)) return {};
+  Seen seen{.wo = wo, .through_gloss = opaque_ > 0 ? through_gloss(wo.z) : white};
+  if (coat_) seen.below_coat = below_coat(wo.z);
+  if (fuzz_) seen.below_fuzz = below_fuzz(wo.z);
+  seen.choice = choice(seen);
+  return seen;
+}
+
+PrincipledLobe::Choice PrincipledLobe::choice(const Seen& from) const {
+  const float cosine = from.wo.z;
+  float facets = 0, diffuse = 0;
+  if (opaque_ > 0) {
+    const Rgb& through = from.through_gloss;
+    const float reflected = film_ ? max_component(white - through) : gloss_.reflectance(cosine);
+    facets = opaque_ * max_component(specular_color_) * reflected;
+    diffuse = opaque_ * max_component(diffuse_) * max_component(through);
+  }
+  if (const float metal = metal_ * specular_weight_; metal > 0) {
+    const float loss = multiple_.loss(cosine);
+    facets += metal * max_component(metal_reflectance(cosine)) * (1 - loss);
+    diffuse += metal * max_component(metal_multiple_) * loss;
+  }
   const float sum = facets + diffuse + clear_;
-  const float fuzz = fuzz_weight_ * max_component(fuzz_color_) * fuzz_.reflectance(wo.z);
-  const float coat = (1 - fuzz) * coat_weight_ * coat_.reflectance(wo.z), rest = 1 - fuzz - coat;
+  const float fuzz =
+      fuzz_weight_ > 0 ? fuzz_weight_ * max_component(fuzz_color_) * fuzz_->reflectance(cosine) : 0;
+  const float coat = coat_weight_ > 0 ? (1 - fuzz) * coat_weight_ * coat_->reflectance(cosine) : 0;
+  const float rest = 1 - fuzz - coat;
   if (!(sum > 0)) return {fuzz, coat, 0, rest, 0};
   return {fuzz, coat, rest * facets / sum, rest * diffuse / sum, rest * clear_ / sum};
 }
 
 BsdfSample PrincipledLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
   if (!(wo.z > 0)) return {};
-  const Choice p = choice(wo);
+  return from(wo, [&](const Seen& seen) { return sample(seen, lobe, u); });
+}
+
+BsdfSample PrincipledLobe::sample(const Seen& from, float lobe, Vec2 u) const {
+  const Vec3& wo = from.wo;
+  const Choice& p = from.choice;
   const float diffuse = p.fuzz + p.diffuse, coat = diffuse + p.coat, facets = coat + p.facets;
   if (lobe >= facets && p.clear > 0)
-    return sample_clear(wo, std::min((lobe - facets) / p.clear, 0x1.fffffep-1f), u);
+    return sample_clear(from, std::min((lobe - facets) / p.clear, 0x1.fffffep-1f), u);
   const Vec3 wi = lobe < diffuse ? square_to_cosine_hemisphere(u)
-                  : lobe < coat  ? coat_.sample(wo, u)
+                  : lobe < coat  ? coat_->sample(wo, u)
                                  : reflected(wo, facets_.sample_visible(wo, u));
   if (!(wi.z > 0)) return {};
-  const auto [value, pdf] = evaluate(wo, wi);
+  const auto [value, pdf] = evaluate(from, wi);
   return {.wi = wi, .value = value, .pdf = pdf, .is_diffuse = lobe < diffuse};
 }
 
-BsdfSample PrincipledLobe::sample_clear(const Vec3& wo, float lobe, Vec2 u) const {
-  BsdfSample sample = std::visit([&](const auto& l) { return l.sample(wo, lobe, u); }, boundary_);
+BsdfSample PrincipledLobe::sample_clear(const Seen& from, float lobe, Vec2 u) const {
+  BsdfSample sample = std::visit([&](const auto& l) { return l.sample(from.wo, lobe, u); }, *boundary_);
   if (sample.pdf == 0 || sample.wi.z == 0) return {};
   if (sample.is_delta) {
-    sample.value = sample.value * clear_ * through_coat(wo, sample.wi) * through_fuzz(wo, sample.wi);
-    sample.pdf *= choice(wo).clear;
+    sample.value = sample.value * clear_ * through_coat(from, sample.wi) * through_fuzz(from, sample.wi);
+    sample.pdf *= from.choice.clear;
     return sample;
   }
-  const auto [value, pdf] = evaluate(wo, sample.wi);
+  const auto [value, pdf] = evaluate(from, sample.wi);
   sample.value = value;
   sample.pdf = pdf;
   return sample;

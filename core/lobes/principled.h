@@ -33,6 +33,9 @@ class PrincipledLobe {
  public:
   PrincipledLobe(const Principled& model, bool is_inside);
 
+  /// Works out beforehand what depends on wo alone, for the calls with this wo that follow; changes no bit.
+  void look_from(const Vec3& wo) { seen_ = seen(wo); }
+
   Rgb albedo() const;
   bool lets_light_through() const { return clear_ > 0; }
   BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;
@@ -45,13 +48,25 @@ class PrincipledLobe {
   struct Choice {
     float fuzz, coat, facets, diffuse, clear;
   };
-  Choice choice(const Vec3& wo) const;
+  /// What depends on the viewer's direction alone.
+  struct Seen {
+    Vec3 wo = {};  ///< In no direction: nothing is known.
+    Choice choice = {};
+    Rgb through_gloss = {};
+    float below_coat = 1, below_fuzz = 1;  ///< What these layers let through.
+  };
+  Seen seen(const Vec3& wo) const;
+  Choice choice(const Seen& from) const;
+  BsdfValue evaluate(const Seen& from, const Vec3& wi) const;
+  /// What a layer lets through along a direction.
+  float below_coat(float cosine) const;
+  float below_fuzz(float cosine) const;
   /// What a layer leaves of what is scattered below it: reciprocal, and in the mean all of the light that
   /// passes along wo. Light that goes through the surface passes the layer once.
-  Rgb through_coat(const Vec3& wo, const Vec3& wi) const;
-  float through_fuzz(const Vec3& wo, const Vec3& wi) const;
+  Rgb through_coat(const Seen& from, const Vec3& wi) const;
+  float through_fuzz(const Seen& from, const Vec3& wi) const;
   /// What metal and glossy diffuse surface reflect, below coat and fuzz; wi.z > 0.
-  BsdfValue evaluate_opaque(const Choice& p, const Vec3& wo, const Vec3& wi) const;
+  BsdfValue evaluate_opaque(const Seen& from, const Vec3& wi) const;
   /// What facets of metal and of gloss reflect; the latter without its colour.
   Rgb metal_reflectance(float cosine) const;
   Rgb gloss_reflectance(float cosine) const;
@@ -59,8 +74,15 @@ class PrincipledLobe {
   Rgb through_gloss(float cosine) const;
   /// Works out what the film changes of light from all directions.
   void set_film(const Principled& model);
+  void set_coat(const Principled& model);
   Rgb base_albedo() const;
-  BsdfSample sample_clear(const Vec3& wo, float lobe, Vec2 u) const;
+  BsdfSample sample(const Seen& from, float lobe, Vec2 u) const;
+  BsdfSample sample_clear(const Seen& from, float lobe, Vec2 u) const;
+  /// f(seen along wo): by what is known of that direction, or worked out now.
+  template <typename F>
+  auto from(const Vec3& wo, const F& f) const {
+    return wo == seen_.wo ? f(seen_) : f(seen(wo));
+  }
 
   float metal_, opaque_, clear_;  ///< Weights of the base's three; their sum is 1.
   float specular_weight_, coat_weight_, fuzz_weight_;
@@ -72,14 +94,17 @@ class PrincipledLobe {
   Rgb metal_ior_;                    ///< Below the film.
   Rgb metal_average_;                ///< What metal facets reflect of light from all directions.
   Rgb metal_multiple_;               ///< A factor of what meets several facets.
-  Coat gloss_, coat_;
+  Coat gloss_;
   Rgb gloss_average_;       ///< What the gloss reflects of light from all directions.
   Rgb diffuse_;             ///< Radiosity below the gloss, Coat::diffuse_below.
   RoughDiffuseLobe rough_;  ///< The shape of what is scattered there, white.
-  std::variant<RoughDielectricLobe, ThinDielectricLobe> boundary_;
-  Fuzz fuzz_;
-  float through_coat_, through_fuzz_;  ///< The parts of light from all directions that pass.
-  Rgb below_coat_;  ///< A factor of what is below the coat: its colour, and reflections back.
+  // Where their weights are not 0:
+  std::optional<std::variant<RoughDielectricLobe, ThinDielectricLobe>> boundary_;
+  std::optional<Coat> coat_;
+  std::optional<Fuzz> fuzz_;
+  float through_coat_ = 1, through_fuzz_ = 1;  ///< The parts of light from all directions that pass.
+  Rgb below_coat_ = white;  ///< A factor of what is below the coat: its colour, and reflections back.
+  Seen seen_;
 };
 
 }  // namespace twinray

@@ -171,6 +171,35 @@ TEST_CASE("no principled surface scatters more than arrives, nor stays black whe
       }
 }
 
+TEST_CASE("what a principled surface works out for one direction changes no bit, there or elsewhere") {
+  test::Random random(11);
+  for (const Principled& m :
+       {Principled{}, varnished(), brushed(), clear(), sheet(), oiled(), anodised(), iridescent()})
+    for (const bool is_inside : {false, true}) {
+      const PrincipledLobe fresh(m, is_inside);
+      PrincipledLobe looked = fresh;
+      for (int i = 0; i < 50; ++i) {
+        Vec3 wo = normalize(random.in_ball());
+        if (i > 0) wo.z = std::fabs(wo.z);  // The first looks from behind.
+        looked.look_from(wo);
+        const Vec3 wi = normalize(random.in_ball());
+        const Vec3 elsewhere{-wo.x, wo.y, std::fabs(wo.z)};
+        const float lobe = random.unit();
+        const Vec2 u{random.unit(), random.unit()};
+        for (const Vec3& from : {wo, elsewhere}) {
+          CAPTURE(i, is_inside, from.z);
+          CHECK(looked.evaluate(from, wi).value == fresh.evaluate(from, wi).value);
+          CHECK(looked.evaluate(from, wi).pdf == fresh.evaluate(from, wi).pdf);
+          CHECK(looked.diffuse(from, wi) == fresh.diffuse(from, wi));
+          const BsdfSample sample = fresh.sample(from, lobe, u), again = looked.sample(from, lobe, u);
+          CHECK(again.wi == sample.wi);
+          CHECK(again.value == sample.value);
+          CHECK(again.pdf == sample.pdf);
+        }
+      }
+    }
+}
+
 TEST_CASE("at the ends of its weights a principled surface is one of the simple models") {
   test::Random random(5);
   for (int i = 0; i < 100; ++i) {
