@@ -59,13 +59,6 @@ struct LobesOf {
 
 }  // namespace
 
-void Bsdf::look_from(const Vec3& wo) {
-  const auto look = [&](auto& lobe) {
-    if constexpr (requires { lobe.look_from(wo); }) lobe.look_from(wo);
-  };
-  std::visit(look, lobes_);
-}
-
 Rgb Bsdf::diffuse(const Vec3& wo, const Vec3& wi) const {
   const auto of = [&](const auto& lobe) -> Rgb {
     using Lobe = std::decay_t<decltype(lobe)>;

@@ -45,7 +45,9 @@ class Bsdf {
     return std::get_if<Lobe>(&lobes_);
   }
   /// Works out beforehand what the next calls with this wo have in common; changes no bit.
-  void look_from(const Vec3& wo);
+  void look_from(const Vec3& wo) {
+    if (auto* const lobe = std::get_if<PrincipledLobe>(&lobes_)) lobe->look_from(wo);
+  }
   BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const {
     return std::visit([&](const auto& lobe) { return lobe.evaluate(wo, wi); }, lobes_);
   }
