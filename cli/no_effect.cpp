@@ -358,6 +358,9 @@ std::vector<std::string> options_without_effect(const SceneSummary& summary,
     found.push_back("--time: no effect, for nothing in the scene moves");
   if (arguments.load.instances == InstanceUse::keep && summary.instances == 0)
     found.push_back("--instances: no effect, for the scene's file shows nothing by instances");
+  if (arguments.load.instances == InstanceUse::copy && summary.instances > 0)
+    found.push_back(
+        "--instances: no effect, for generated scenes and the exchange form keep their instances");
   return found;
 }
 

@@ -71,7 +71,9 @@ struct Inputs {
   float ior(const char* name) const {
     const PbrtParameter* found = parameters.find(name);
     if (!found) return 1.5f;
-    const float value = luminance(color_of(parameters, *found, ColorRole::unbounded, context.files));
+    const Rgb color = color_of(parameters, *found, ColorRole::unbounded, context.files);
+    // The weights of a grey color's channels would round it.
+    const float value = color.r == color.g && color.g == color.b ? color.r : luminance(color);
     if (!(value > 0 && value <= 100))
       found->place.fail(fmt::format("\"{}\" is {:g}; an index of refraction lies in (0, 100]", name, value));
     return value;
@@ -237,11 +239,14 @@ SurfaceModel read_principled(const Inputs& in) {
   }
   for (const auto& [name, member] : principled_colors) model.*member = in.color(name, model.*member);
   if (in.has("specular_ior")) model.specular_ior = in.ior("specular_ior");
-  if (in.has("coat_ior")) model.coat_ior = std::max(1.0f, in.ior("coat_ior"));
-  if (in.has("thin_film_ior")) model.thin_film_ior = in.ior("thin_film_ior");
-  if (model.thin_film_ior < 1)
-    in.parameters.find("thin_film_ior")
-        ->place.fail(fmt::format("\"thin_film_ior\" is {:g}; it lies in [1, 100]", model.thin_film_ior));
+  for (const auto& [name, member] : {std::pair("coat_ior", &Principled::coat_ior),
+                                     std::pair("thin_film_ior", &Principled::thin_film_ior)}) {
+    if (!in.has(name)) continue;
+    model.*member = in.ior(name);
+    if (model.*member < 1)
+      in.parameters.find(name)->place.fail(
+          fmt::format("\"{}\" is {:g}; it lies in [1, 100]", name, model.*member));
+  }
   model.geometry_thin_walled = in.parameters.flag("geometry_thin_walled", false);
   return model;
 }

@@ -66,6 +66,10 @@ TEST_CASE("what --instances may be, and where it has no effect") {
   CHECK(useless.err.find("--instances: no effect, for the scene's file shows nothing by instances") !=
         std::string::npos);
   CHECK(run_program(quoted(box_scene) + " --strict" + rest).exit_code == 2);
+  const std::string copied = " -r 8 8 -s 1 --instances=copy -o " + quoted(folder.file("c.png"));
+  CHECK(run_program("generated:woods:10" + copied).err.find("--instances: no effect, for generated scenes") !=
+        std::string::npos);
+  CHECK(run_program(quoted(pawns) + copied).err.find("no effect") == std::string::npos);
 }
 
 TEST_CASE("statistics count the instances that rays enter") {
