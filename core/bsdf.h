@@ -44,6 +44,8 @@ class Bsdf {
   const Lobe* as() const {
     return std::get_if<Lobe>(&lobes_);
   }
+  /// Whether look_from() does anything.
+  bool looks_ahead() const { return as<PrincipledLobe>(); }
   /// Works out beforehand what the next calls with this wo have in common; changes no bit.
   void look_from(const Vec3& wo) {
     if (auto* const lobe = std::get_if<PrincipledLobe>(&lobes_)) lobe->look_from(wo);

@@ -12,6 +12,14 @@ Bsdf bsdf_of(const SurfaceModel& model, Side side, Materials materials) {
 
 }  // namespace
 
+void BsdfAt::look_from(const Vec3& wo) {
+  if (!own_) {
+    if (!of_table_->looks_ahead()) return;
+    own_ = *of_table_;
+  }
+  own_->look_from(wo);
+}
+
 BsdfTable::BsdfTable(const Scene& scene) : scene_(scene) {
   made_.reserve(4 * scene.materials.size());
   for (const Material& material : scene.materials)
@@ -20,18 +28,18 @@ BsdfTable::BsdfTable(const Scene& scene) : scene_(scene) {
         made_.push_back(bsdf_of(material.model, side, materials));
 }
 
-Bsdf BsdfTable::at(std::uint32_t material, const SurfacePoint& point, Side side,
-                   const Viewing& viewing) const {
+BsdfAt BsdfTable::at(std::uint32_t material, const SurfacePoint& point, Side side,
+                     const Viewing& viewing) const {
   const Surroundings around =
       viewing.interiors.empty()
           ? Surroundings{}
           : surroundings_of(scene_.materials, material, side == Side::inside, viewing.interiors);
-  if (around.is_hidden) return Bsdf(Interface{}, side);
+  if (around.is_hidden) return BsdfAt(Bsdf(Interface{}, side));
   const Material& made_of = scene_.materials[material];
   if (made_of.textures.empty() && around.ior == 1)
-    return made_[4 * material + 2 * std::size_t(viewing.materials) + std::size_t(side)];
+    return BsdfAt(&made_[4 * material + 2 * std::size_t(viewing.materials) + std::size_t(side)]);
   const SurfaceModel model = textured_model(made_of, scene_.textures, texture_point(point));
-  return bsdf_of(around.ior == 1 ? model : immersed(model, around.ior), side, viewing.materials);
+  return BsdfAt(bsdf_of(around.ior == 1 ? model : immersed(model, around.ior), side, viewing.materials));
 }
 
 }  // namespace twinray

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/bsdf.h"
@@ -16,6 +19,22 @@ struct Viewing {
   Interiors interiors = {};  ///< That it is in.
 };
 
+/// The scattering function of a material at a point: one of a BsdfTable, which must outlive it, or its own.
+class BsdfAt {
+ public:
+  explicit BsdfAt(const Bsdf* of_table) : of_table_(of_table) {}
+  explicit BsdfAt(Bsdf&& own) : own_(std::move(own)) {}
+
+  const Bsdf& operator*() const { return own_ ? *own_ : *of_table_; }
+  const Bsdf* operator->() const { return &**this; }
+  /// Bsdf::look_from.
+  void look_from(const Vec3& wo);
+
+ private:
+  const Bsdf* of_table_ = nullptr;
+  std::optional<Bsdf> own_;
+};
+
 /// The scattering functions of a scene's materials, made once: some take longer to make than to evaluate.
 class BsdfTable {
  public:
@@ -25,7 +44,7 @@ class BsdfTable {
   const Scene& scene() const { return scene_; }
   /// That of a material, not a Mix, at a point, for a viewer on one side; made anew where textures have a
   /// part in it, or what is around.
-  Bsdf at(std::uint32_t material, const SurfacePoint& point, Side side, const Viewing& viewing = {}) const;
+  BsdfAt at(std::uint32_t material, const SurfacePoint& point, Side side, const Viewing& viewing = {}) const;
 
  private:
   const Scene& scene_;

@@ -41,7 +41,7 @@ float share(float part, float whole) { return part < whole ? part / whole : whol
 
 Rgb Interaction::diffuse_share(const Vec3& wi) const {
   const Vec3 local = to_local(wi);
-  const Rgb all = bsdf_.evaluate(wo_local_, local).value, diffuse = bsdf_.diffuse(wo_local_, local);
+  const Rgb all = bsdf_->evaluate(wo_local_, local).value, diffuse = bsdf_->diffuse(wo_local_, local);
   return {share(diffuse.r, all.r), share(diffuse.g, all.g), share(diffuse.b, all.b)};
 }
 

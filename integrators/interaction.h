@@ -23,13 +23,13 @@ class Interaction {
   const SurfacePoint& point() const { return point_; }
   /// Index into the scene's materials.
   std::uint32_t material() const { return material_; }
-  const Bsdf& bsdf() const { return bsdf_; }
+  const Bsdf& bsdf() const { return *bsdf_; }
   /// Whether light is scattered evenly, so that light samples bring nearly all of it well.
-  bool is_lambert() const { return bsdf_.is_lambert(); }
+  bool is_lambert() const { return bsdf_->is_lambert(); }
   const Vec3& wo() const { return wo_; }              ///< World space.
   const Vec3& wo_local() const { return wo_local_; }  ///< z > 0.
   const Vec3& normal() const { return shading_.frame.normal; }
-  Receiver receiver() const { return {point_.position, normal(), bsdf_.lets_light_through()}; }
+  Receiver receiver() const { return {point_.position, normal(), bsdf_->lets_light_through()}; }
 
   const Frame& frame() const { return shading_.frame; }
   /// Whether a map bends the normal: then kept() is not always 1.
@@ -42,7 +42,7 @@ class Interaction {
   /// shading normal, so that no light leaks through.
   BsdfValue scattered(const Vec3& wi) const {
     const Vec3 local = to_local(wi);
-    const auto [value, pdf] = bsdf_.evaluate(wo_local_, local);
+    const auto [value, pdf] = bsdf_->evaluate(wo_local_, local);
     return {is_consistent(wi) ? value * (std::fabs(local.z) * kept(wi)) : Rgb{}, pdf};
   }
   /// The part of scattered(wi) that the matte part of the surface scatters, channel by channel, in [0, 1].
@@ -84,7 +84,7 @@ class Interaction {
   Vec3 facing_normal_;  ///< The geometric normal on the viewer's side.
   ShadingFrame shading_;
   Vec3 wo_local_;
-  Bsdf bsdf_;
+  BsdfAt bsdf_;
   Interiors before_, behind_;
 };
 

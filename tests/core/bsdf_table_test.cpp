@@ -50,8 +50,24 @@ TEST_CASE("a table has the scattering function of each material, side and kind")
         const Bsdf expected(materials == Materials::exact ? model : regularized(model), side);
         CAPTURE(material, int(side), int(materials));
         for (int i = 0; i < 20; ++i)
-          CHECK(are_alike(table.at(material, {}, side, {materials}), expected, random));
+          CHECK(are_alike(*table.at(material, {}, side, {materials}), expected, random));
       }
+}
+
+TEST_CASE("a function that looks from a direction scatters as before, and so does what it was copied to") {
+  const Scene scene = scene_of({{"gold", Conductor{}}, {"paint", Principled{.coat_weight = 0.5f}}});
+  const BsdfTable table(scene);
+  Random random(2);
+  for (std::uint32_t material = 0; material < scene.materials.size(); ++material) {
+    const Bsdf expected(scene.materials[material].model);
+    BsdfAt looking = table.at(material, {}, Side::outside);
+    for (int i = 0; i < 20; ++i) {
+      looking.look_from(normalize(Vec3{random.unit(), random.unit(), 0.1f}));
+      const BsdfAt copy = looking;
+      CHECK(are_alike(*looking, expected, random));
+      CHECK(are_alike(*copy, expected, random));
+    }
+  }
 }
 
 TEST_CASE("where a texture has a part in a material, its function is that of the point") {
@@ -66,7 +82,7 @@ TEST_CASE("where a texture has a part in a material, its function is that of the
       for (const auto& [u, color] : {std::pair{0.5f, red}, {1.5f, blue}}) {
         const SurfaceModel model = CoatedDiffuse{.reflectance = color};
         const Bsdf expected(materials == Materials::exact ? model : regularized(model), side);
-        CHECK(are_alike(table.at(0, point_of({u, 0.5f}), side, {materials}), expected, random));
+        CHECK(are_alike(*table.at(0, point_of({u, 0.5f}), side, {materials}), expected, random));
       }
 }
 
@@ -79,8 +95,9 @@ TEST_CASE("within something else, the function is that of a boundary to it, or o
   Viewing viewing;
   viewing.interiors.enter(1);
   for (int i = 0; i < 20; ++i) {
-    CHECK(are_alike(table.at(0, {}, Side::outside, viewing), Bsdf(Interface{}), random));
-    CHECK(are_alike(table.at(1, {}, Side::inside, viewing), Bsdf(Glass{.ior = 1.25f}, Side::inside), random));
+    CHECK(are_alike(*table.at(0, {}, Side::outside, viewing), Bsdf(Interface{}), random));
+    CHECK(
+        are_alike(*table.at(1, {}, Side::inside, viewing), Bsdf(Glass{.ior = 1.25f}, Side::inside), random));
   }
   viewing.interiors = {};
   viewing.interiors.enter(0);
@@ -88,7 +105,7 @@ TEST_CASE("within something else, the function is that of a boundary to it, or o
     viewing.materials = materials;
     const SurfaceModel model = Glass{.ior = 1.25f / 1.5f};
     const Bsdf expected(materials == Materials::exact ? model : regularized(model), Side::outside);
-    for (int i = 0; i < 20; ++i) CHECK(are_alike(table.at(1, {}, Side::outside, viewing), expected, random));
+    for (int i = 0; i < 20; ++i) CHECK(are_alike(*table.at(1, {}, Side::outside, viewing), expected, random));
   }
 }
 

@@ -13,7 +13,7 @@ MUTANTS = [
     Mutant("waves take all surfaces for opaque", "integrators/wave/other_surfaces.cpp",
            "lets_light_through ? 1 : 0;", "lets_light_through ? 0 : 0;", "test_integrators", WAVE_BITS),
     Mutant("surfaces are lit from before alone", "integrators/interaction.h",
-           "normal(), bsdf_.lets_light_through()}", "normal(), false}", "test_integrators",
+           "normal(), bsdf_->lets_light_through()}", "normal(), false}", "test_integrators",
            "one of many lights has the mean of all of them behind a surface that lets light through, too"),
     Mutant("light that rays find counts in full beside that of light samples", "integrators/direct_light.cpp",
            "power_heuristic(departure.pdf, count * pdf)};", "1.0f};", "test_stored",
