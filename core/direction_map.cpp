@@ -110,28 +110,32 @@ const Rgb& wrapped_pixel(MapLayout layout, const Image& map, int x, int y) {
 
 namespace {
 
-/// Bilinear between the centres of the pixels; pixel(x, y) also gives those up to one beside the picture.
+/// Bilinear between the centres of the pixels; beside(x, y) gives those up to one beside the picture.
 template <typename Pixel>
-Rgb bilinear(double column, double row, const Pixel& pixel) {
+Rgb bilinear(const Image& picture, MapPoint point, const Pixel& beside) {
+  const double column = point.x * picture.width - 0.5, row = point.y * picture.height - 0.5;
   const double left = std::floor(column), above = std::floor(row);
   const auto s = float(column - left), t = float(row - above);
   const int x = int(left), y = int(above);
-  const Rgb upper = pixel(x, y) * (1 - s) + pixel(x + 1, y) * s;
-  const Rgb lower = pixel(x, y + 1) * (1 - s) + pixel(x + 1, y + 1) * s;
-  return upper * (1 - t) + lower * t;
+  const auto between = [&](const auto& pixel) {
+    const Rgb upper = pixel(x, y) * (1 - s) + pixel(x + 1, y) * s;
+    const Rgb lower = pixel(x, y + 1) * (1 - s) + pixel(x + 1, y + 1) * s;
+    return upper * (1 - t) + lower * t;
+  };
+  const bool is_within = x >= 0 && y >= 0 && x + 1 < picture.width && y + 1 < picture.height;
+  return is_within ? between([&](int i, int j) -> const Rgb& { return picture.at(i, j); }) : between(beside);
 }
 
 }  // namespace
 
 Rgb clamped_value(const Image& picture, MapPoint point) {
-  return bilinear(point.x * picture.width - 0.5, point.y * picture.height - 0.5, [&](int x, int y) {
+  return bilinear(picture, point, [&](int x, int y) -> const Rgb& {
     return picture.at(std::clamp(x, 0, picture.width - 1), std::clamp(y, 0, picture.height - 1));
   });
 }
 
 Rgb map_value(MapLayout layout, const Image& map, MapPoint point) {
-  return bilinear(point.x * map.width - 0.5, point.y * map.height - 0.5,
-                  [&](int x, int y) { return wrapped_pixel(layout, map, x, y); });
+  return bilinear(map, point, [&](int x, int y) -> const Rgb& { return wrapped_pixel(layout, map, x, y); });
 }
 
 }  // namespace twinray

@@ -114,6 +114,15 @@ void Environment::sample(std::span<const Vec2> u, std::span<Sample> samples) con
   }
 }
 
+void Environment::radiance(std::span<const Vec3> directions, std::span<Rgb> radiances) const {
+  MapPoint points[together];
+  for (std::size_t first = 0; first < directions.size(); first += together) {
+    const std::size_t count = std::min(together, directions.size() - first);
+    find_points(directions.subspan(first, count), points);
+    for (std::size_t i = 0; i < count; ++i) radiances[first + i] = radiance_at(points[i]);
+  }
+}
+
 void Environment::view(std::span<const Vec3> directions, std::span<View> views) const {
   MapPoint points[together];
   for (std::size_t first = 0; first < directions.size(); first += together) {

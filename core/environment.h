@@ -47,7 +47,9 @@ class Environment {
   float pdf(const Vec3& direction) const { return pdf_at(point_of(direction)); }
   /// Both of a unit direction.
   View view(const Vec3& direction) const { return view_at(point_of(direction)); }
-  /// views[i] = view(directions[i]), several at a time, as by sample().
+  /// radiances[i] = radiance(directions[i]), several at a time, as by sample().
+  void radiance(std::span<const Vec3> directions, std::span<Rgb> radiances) const;
+  /// views[i] = view(directions[i]), likewise.
   void view(std::span<const Vec3> directions, std::span<View> views) const;
 
  private:

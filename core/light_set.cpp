@@ -404,4 +404,21 @@ Rgb LightSet::background(const Vec3& direction) const {
   return sum;
 }
 
+void LightSet::background(std::span<const Vec3> directions, std::span<Rgb> radiances) const {
+  constexpr std::size_t together = Environment::together;
+  Rgb of_light[together];
+  std::fill_n(radiances.begin(), directions.size(), Rgb{});
+  for (const std::uint32_t light : distant_) {
+    if (!is_background(lights_[light].source)) continue;
+    for (std::size_t first = 0; first < directions.size(); first += together) {
+      const auto some = directions.subspan(first, std::min(together, directions.size() - first));
+      if (const Environment* const map = environment(light))
+        map->radiance(some, of_light);
+      else
+        for (std::size_t i = 0; i < some.size(); ++i) of_light[i] = radiance(light, some[i]);
+      for (std::size_t i = 0; i < some.size(); ++i) radiances[first + i] += of_light[i];
+    }
+  }
+}
+
 }  // namespace twinray

@@ -120,6 +120,8 @@ class LightSet {
   Rgb escaped(const Vec3& direction) const;
   /// Radiance that a camera ray brings then: of environments; an ambient light is not seen.
   Rgb background(const Vec3& direction) const;
+  /// radiances[i] = background(directions[i]), many at a time.
+  void background(std::span<const Vec3> directions, std::span<Rgb> radiances) const;
 
  private:
   /// Lights that are chosen from.

@@ -8,43 +8,79 @@
 
 namespace twinray {
 
+namespace {
+
+/// Paths that have left the scene, of which f gets several at a time.
+template <typename F>
+class Escaped {
+ public:
+  explicit Escaped(const F& f) : f_(f) {}
+  void add(std::size_t path) {
+    paths_[count_++] = std::uint32_t(path);
+    if (count_ == Environment::together) finish();
+  }
+  /// Those that are left.
+  void finish() {
+    f_(std::span<const std::uint32_t>(paths_).first(count_));
+    count_ = 0;
+  }
+
+ private:
+  F f_;
+  std::uint32_t paths_[Environment::together];
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
 void PathWave::add_emission() {
   const LightSet& lights = context_.transport.lights;
   const Geometry& geometry = *context_.transport.scene.geometry;
+  Escaped escaped([&](std::span<const std::uint32_t> paths) { add_background(paths); });
   for (std::size_t i = 0; i < paths_.size; ++i) {
     const Hit& hit = wave_.hits[i];
-    if (!hit.is_miss() && !context_.shapes[hit.mesh].emits) continue;
-    const Vec3 direction = normalize(paths_.direction.at(i));
-    const Rgb throughput = paths_.throughput.at<Rgb>(i);
-    const Rgb light = throughput * (hit.is_miss() ? lights.background(direction)
-                                                  : lights.emitted(surface_at(geometry, hit), -direction));
-    radiance_[i] += light;
-    if (has_light_paths_) add_seen_light(hit.is_miss(), light, paths_of(std::uint32_t(i)));
-    if (!has_light_groups_) continue;
-    add_seen_groups(context_.transport, {hit, direction}, groups_of(i));
-    groups_of(i).move_to(records_[Division::groups][i], throughput);
+    if (hit.is_miss()) {
+      escaped.add(i);
+    } else if (context_.shapes[hit.mesh].emits) {
+      const Vec3 direction = normalize(paths_.direction.at(i));
+      add_seen(i, direction, lights.emitted(surface_at(geometry, hit), -direction));
+    }
   }
+  escaped.finish();
+}
+
+void PathWave::add_background(std::span<const std::uint32_t> escaped) {
+  Vec3 directions[views_together];
+  Rgb radiances[views_together];
+  for (std::size_t k = 0; k < escaped.size(); ++k) directions[k] = normalize(paths_.direction.at(escaped[k]));
+  context_.transport.lights.background(std::span(directions).first(escaped.size()), radiances);
+  for (std::size_t k = 0; k < escaped.size(); ++k) add_seen(escaped[k], directions[k], radiances[k]);
+}
+
+void PathWave::add_seen(std::size_t i, const Vec3& direction, const Rgb& radiance) {
+  const Hit& hit = wave_.hits[i];
+  const Rgb throughput = paths_.throughput.at<Rgb>(i), light = throughput * radiance;
+  radiance_[i] += light;
+  if (has_light_paths_) add_seen_light(hit.is_miss(), light, paths_of(std::uint32_t(i)));
+  if (!has_light_groups_) return;
+  add_seen_groups(context_.transport, {hit, direction}, groups_of(i));
+  groups_of(i).move_to(records_[Division::groups][i], throughput);
 }
 
 void PathWave::add_found_light() {
   if (context_.transport.method != DirectMethod::mis && wave_.others.empty()) return;
-  std::uint32_t escaped[views_together];
-  std::size_t count = 0;
+  Escaped escaped([&](std::span<const std::uint32_t> paths) { add_found_beyond(paths); });
   for (std::size_t k = 0; k < paths_.size; ++k) {
     const Hit& hit = wave_.hits[k];
     if (!hit.is_miss() && !context_.shapes[hit.mesh].emits) continue;
     const bool is_looking = context_.transport.method == DirectMethod::mis ||
                             Seeking(wave_.seeking[wave_.kept[k]]) == Seeking::alone;
-    if (!hit.is_miss() || !is_looking) {
+    if (hit.is_miss() && is_looking)
+      escaped.add(k);
+    else
       add_found(k, {hit, normalize(paths_.direction.at(k))});
-      continue;
-    }
-    escaped[count++] = std::uint32_t(k);
-    if (count < views_together) continue;
-    add_found_beyond(escaped);
-    count = 0;
   }
-  add_found_beyond(std::span(escaped).first(count));
+  escaped.finish();
 }
 
 void PathWave::add_found_beyond(std::span<const std::uint32_t> escaped) {

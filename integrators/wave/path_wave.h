@@ -43,9 +43,12 @@ class PathWave {
   static constexpr std::size_t views_together = Environment::together;
 
   void start();
-  // Light that rays find (integrators/wave/found_light.cpp): what the hits of camera rays emit, and what
-  // those that miss see,
+  // Light that rays find (integrators/wave/found_light.cpp): what the hits of camera rays emit,
   void add_emission();
+  /// what those see that miss,
+  void add_background(std::span<const std::uint32_t> escaped);
+  /// and one of them;
+  void add_seen(std::size_t i, const Vec3& direction, const Rgb& radiance);
   /// what bounce rays have found of the lights,
   void add_found_light();
   /// those that have left the scene,

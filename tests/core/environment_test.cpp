@@ -304,8 +304,12 @@ TEST_CASE("many views of an environment have the radiance and the density of eac
     for (Vec3& direction : directions) direction = any_direction(random);
     std::vector<Environment::View> views(count, {{4, 5, 6}, 7});
     environment.view(directions, views);
+    std::vector<Rgb> radiances(count + 1, {8, 9, 10});
+    environment.radiance(directions, radiances);
+    CHECK(radiances[count] == Rgb{8, 9, 10});
     for (std::size_t i = 0; i < count; ++i) {
       CHECK(views[i].radiance == environment.radiance(directions[i]));
+      CHECK(radiances[i] == views[i].radiance);
       CHECK(views[i].pdf == environment.pdf(directions[i]));
       CHECK(environment.view(directions[i]).radiance == views[i].radiance);
       CHECK(environment.view(directions[i]).pdf == views[i].pdf);

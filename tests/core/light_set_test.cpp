@@ -205,13 +205,17 @@ TEST_CASE("views of distant lights have their radiance and density, direction by
     for (Vec3& direction : directions) direction = normalize(random.in_ball());
     std::vector<Environment::View> views(3 * count);
     lights.view(directions, views);
-    for (std::size_t i = 0; i < count; ++i)
+    std::vector<Rgb> radiances(count, {8, 9, 10});
+    lights.background(directions, radiances);
+    for (std::size_t i = 0; i < count; ++i) {
+      CHECK(radiances[i] == lights.background(directions[i]));
       for (std::size_t place = 0; place < 3; ++place) {
         const std::uint32_t light = lights.distant()[place];
         CHECK(views[3 * i + place].radiance == lights.radiance(light, directions[i]));
         CHECK(views[3 * i + place].pdf == lights.pdf(light, directions[i]));
         CHECK(lights.view(light, directions[i]).radiance == lights.radiance(light, directions[i]));
       }
+    }
   }
 }
 
