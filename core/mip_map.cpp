@@ -47,9 +47,17 @@ Image halved(const Image& large) {
   return small;
 }
 
+bool is_within_unit(const Image& picture) {
+  return std::all_of(picture.pixels.begin(), picture.pixels.end(),
+                     [](const Rgb& pixel) { return within_unit(pixel) == pixel; });
+}
+
 }  // namespace
 
-MipMap::MipMap(Image picture) {
+MipMap::MipMap(std::vector<Image> levels)
+    : levels_(std::move(levels)), is_within_unit_(twinray::is_within_unit(levels_.front())) {}
+
+MipMap::MipMap(Image picture) : is_within_unit_(twinray::is_within_unit(picture)) {
   assert(!picture.pixels.empty());
   levels_.push_back(std::move(picture));
   while (levels_.back().pixels.size() > 1) {

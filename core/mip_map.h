@@ -37,9 +37,10 @@ class MipMap {
   /// At least one pixel.
   explicit MipMap(Image picture);
   /// The levels are those that the first one would be given.
-  explicit MipMap(std::vector<Image> levels) : levels_(std::move(levels)) {}
+  explicit MipMap(std::vector<Image> levels);
   /// Not null; the levels are those of such a picture.
-  explicit MipMap(std::unique_ptr<const TiledPicture> tiles) : tiles_(std::move(tiles)) {}
+  MipMap(std::unique_ptr<const TiledPicture> tiles, bool is_within_unit)
+      : tiles_(std::move(tiles)), is_within_unit_(is_within_unit) {}
 
   int levels() const { return tiles_ ? tiles_->layout().levels() : int(levels_.size()); }
   /// 0: the picture itself. The mip-map must outlive it.
@@ -49,10 +50,13 @@ class MipMap {
   /// A copy of a level.
   Image image(int index) const;
   bool is_in_memory() const { return !tiles_; }
+  /// Whether all channels of all texels lie in [0, 1].
+  bool is_within_unit() const { return is_within_unit_; }
 
  private:
   std::vector<Image> levels_;
   std::unique_ptr<const TiledPicture> tiles_;  ///< Null: all levels are in memory.
+  bool is_within_unit_;
 };
 
 /// The same texels, all of them in memory: looking them up neither locks nor allocates.

@@ -155,19 +155,39 @@ struct Check {
   }
 };
 
+/// Of each texture, whether it is a part of one whose values may lie outside of [0, 1], where materials cut
+/// them off: what is left of the mean is more than the mean of what is left of single pixels.
+std::vector<bool> cut_off(std::span<const Texture> textures) {
+  std::vector<bool> is_cut(textures.size());
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    if (const auto* constant = std::get_if<ConstantTexture>(&textures[i].model))
+      is_cut[i] = within_unit(constant->value) != constant->value;
+    if (const auto* image = std::get_if<ImageTexture>(&textures[i].model))
+      is_cut[i] = !image->image->is_within_unit();
+    const auto of = [&](std::uint32_t part) { is_cut[i] = is_cut[i] || is_cut[part]; };
+    std::visit(ForEachNamed<decltype(of)>{of}, textures[i].model);
+  }
+  for (std::size_t i = textures.size(); i-- > 0;) {
+    const auto of = [&](std::uint32_t part) { is_cut[part] = is_cut[part] || is_cut[i]; };
+    std::visit(ForEachNamed<decltype(of)>{of}, textures[i].model);
+  }
+  return is_cut;
+}
+
 }  // namespace
 
 void set_filter(std::span<Texture> textures, TextureFilter filter) {
   // Whoever asks for pixels wants to see them; and a picture that vertices were drawn into
   // is exact as it is: pixels by chance would add noise to it.
+  const std::vector<bool> is_cut = cut_off(textures);
   const auto is_meant = [](const ImageTexture& image) {
     const MipLevel picture = image.image->level(0);
     const bool has_levels = image.image->levels() > 1 || picture.width * picture.height == 1;
     return image.filter == TextureFilter::nearest || (image.filter == TextureFilter::bilinear && !has_levels);
   };
-  for (Texture& texture : textures)
-    if (auto* image = std::get_if<ImageTexture>(&texture.model); image && !is_meant(*image))
-      image->filter = filter;
+  for (std::size_t i = 0; i < textures.size(); ++i)
+    if (auto* image = std::get_if<ImageTexture>(&textures[i].model); image && !is_meant(*image))
+      image->filter = filter == TextureFilter::stochastic && is_cut[i] ? TextureFilter::trilinear : filter;
 }
 
 void keep_in_memory(std::span<Texture> textures, std::uint32_t index) {

@@ -71,22 +71,23 @@ std::shared_ptr<const MipMap> TextureStore::keep(MipMap map) {
   if (is_small(layout)) return std::make_shared<const MipMap>(std::move(map));
   if (!file_) file_ = std::make_shared<ScratchFile>();
   const std::uint64_t begin = write_tiles(map, layout, *file_);
-  return keep(layout, std::make_unique<const ScratchTiles>(file_, begin));
+  return keep(layout, std::make_unique<const ScratchTiles>(file_, begin), map.is_within_unit());
 }
 
 std::shared_ptr<const MipMap> TextureStore::keep(TiledTexture texture) {
   if (is_small(texture.layout)) return std::make_shared<const MipMap>(read_whole(texture));
-  return keep(texture.layout, std::move(texture.tiles));
+  return keep(texture.layout, std::move(texture.tiles), texture.is_within_unit);
 }
 
 std::shared_ptr<const MipMap> TextureStore::keep(const TileLayout& layout,
-                                                 std::unique_ptr<const TileSource> tiles) {
+                                                 std::unique_ptr<const TileSource> tiles,
+                                                 bool is_within_unit) {
   ++kept_.pictures;
   for (int i = 0; i < layout.levels(); ++i)
     kept_.picture_bytes +=
         std::uint64_t(layout.level(i).width) * std::uint64_t(layout.level(i).height) * sizeof(Rgb);
   return std::make_shared<const MipMap>(
-      std::make_unique<const TiledPicture>(layout, cache_, std::move(tiles)));
+      std::make_unique<const TiledPicture>(layout, cache_, std::move(tiles)), is_within_unit);
 }
 
 TextureStatistics TextureStore::statistics() const {

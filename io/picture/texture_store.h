@@ -37,7 +37,8 @@ class TextureStore {
   TextureStatistics statistics() const;
 
  private:
-  std::shared_ptr<const MipMap> keep(const TileLayout& layout, std::unique_ptr<const TileSource> tiles);
+  std::shared_ptr<const MipMap> keep(const TileLayout& layout, std::unique_ptr<const TileSource> tiles,
+                                     bool is_within_unit);
 
   std::shared_ptr<TileCache> cache_;
   std::shared_ptr<ScratchFile> file_;  ///< Null as long as nothing is in it.

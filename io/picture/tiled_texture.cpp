@@ -26,6 +26,9 @@ constexpr const char* levels_name = "twinray:levels";
 constexpr const char* levels_value = "box, version 1";
 constexpr const char* role_name = "twinray:role";
 constexpr const char* channels_name = "twinray:channels";
+constexpr const char* range_name = "twinray:range";
+
+const char* range_word(bool is_within_unit) { return is_within_unit ? "within [0, 1]" : "beyond [0, 1]"; }
 
 const char* word(PictureRole role) { return role == PictureRole::data ? "data" : "color"; }
 
@@ -87,6 +90,13 @@ PictureMeaning meaning_of(const TiledExr& file, const std::string& path) {
   refuse(path, "it does not say what its numbers mean");
 }
 
+bool is_within_unit(const TiledExr& file, const std::string& path) {
+  const std::string range = text(file, range_name);
+  for (const bool is_within : {false, true})
+    if (range == range_word(is_within)) return is_within;
+  refuse(path, "it does not say whether its texels lie in [0, 1]");
+}
+
 void check_header(const TiledExr& file, const std::string& path) {
   const auto [width, height, levels, tile_width, tile_height] = file.size();
   if (tile_width != tile_side || tile_height != tile_side)
@@ -141,7 +151,8 @@ TiledTexture open_tiled(const std::string& path) {
   const PictureMeaning meaning = meaning_of(*file, path);
   const TileLayout layout(file->size().width, file->size().height);
   check_end(*file, layout);
-  return {layout, meaning, std::make_unique<const ExrTiles>(layout, std::move(file))};
+  const bool is_within = is_within_unit(*file, path);
+  return {layout, meaning, is_within, std::make_unique<const ExrTiles>(layout, std::move(file))};
 }
 
 MipMap read_whole(const TiledTexture& texture) {
@@ -170,6 +181,7 @@ void write_tiled(const std::string& path, const MipMap& map, const PictureMeanin
                        {{levels_name, levels_value},
                         {role_name, word(meaning.role)},
                         {channels_name, channels_word(meaning.channels)},
+                        {range_name, range_word(map.is_within_unit())},
                         {"twinray:color_space", meaning.role == PictureRole::data ? "none" : "linear sRGB"}});
   write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }

@@ -16,6 +16,7 @@ namespace twinray {
 struct TiledTexture {
   TileLayout layout;
   PictureMeaning meaning;  ///< Of the picture that it was made of.
+  bool is_within_unit;     ///< MipMap::is_within_unit.
   std::unique_ptr<const TileSource> tiles;
 };
 

@@ -136,6 +136,33 @@ TEST_CASE("a filter is set for all pictures but those whose pixels are to be see
   CHECK(std::get<ImageTexture>(textures[3].model).filter == TextureFilter::bilinear);
 }
 
+TEST_CASE("pictures whose values are cut off somewhere are not filtered by chance") {
+  const auto image = [](const Rgb& pixel) {
+    return ImageTexture{std::make_shared<const MipMap>(Image(2, 2, pixel))};
+  };
+  const auto filters = [](std::vector<Texture> textures) {
+    set_filter(textures, TextureFilter::stochastic);
+    std::vector<TextureFilter> found;
+    for (const Texture& texture : textures)
+      if (const auto* picture = std::get_if<ImageTexture>(&texture.model)) found.push_back(picture->filter);
+    return found;
+  };
+  constexpr auto stochastic = TextureFilter::stochastic, trilinear = TextureFilter::trilinear;
+  using Filters = std::vector<TextureFilter>;
+  const Texture plain{"", image({0, 0.5f, 1})};
+  CHECK(filters({plain, {"", image({0, 1.25f, 1})}, {"", image({-0.25f, 0, 0})}}) ==
+        Filters{stochastic, trilinear, trilinear});
+  // A factor of 2 counts for what it scales alone, and for what else that is mixed with.
+  const Texture twice{"", ConstantTexture{{2, 2, 2}}}, once{"", ConstantTexture{{1, 0, 1}}};
+  CHECK(filters({plain, plain, twice, {"", ScaleTexture{1, 2}}}) == Filters{stochastic, trilinear});
+  CHECK(filters({plain, plain, once, {"", ScaleTexture{1, 2}}}) == Filters{stochastic, stochastic});
+  CHECK(filters({plain, plain, plain, twice, {"", ScaleTexture{0, 3}}, {"", MixTexture{1, 4, 2}}}) ==
+        Filters{trilinear, trilinear, trilinear});
+  std::vector<Texture> others{{"", image({2, 2, 2})}};
+  set_filter(others, TextureFilter::bilinear);
+  CHECK(std::get<ImageTexture>(others[0].model).filter == TextureFilter::bilinear);
+}
+
 TEST_CASE("coordinates are transformed before a picture is looked up") {
   const UvTransform turned{{{0, 1, 0.25f}, {-1, 0, 1}}};
   const ImageTexture plain{ramp(4, 4), WrapMode::repeat, TextureFilter::bilinear, {}};

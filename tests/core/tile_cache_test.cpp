@@ -153,8 +153,9 @@ TEST_CASE("the pictures that an alpha is made of are brought into memory, and no
   std::atomic<int> reads = 0;
   const auto cache = std::make_shared<TileCache>(tile_bytes);
   const auto tiled = [&] {
-    return std::make_shared<const MipMap>(std::make_unique<const TiledPicture>(
-        TileLayout(100, 70), cache, std::make_unique<NamedTiles>(reads)));
+    return std::make_shared<const MipMap>(
+        std::make_unique<const TiledPicture>(TileLayout(100, 70), cache, std::make_unique<NamedTiles>(reads)),
+        false);
   };
   std::vector<Texture> textures{{"a", ImageTexture{.image = tiled()}},
                                 {"b", ImageTexture{.image = tiled()}},

@@ -68,4 +68,10 @@ MUTANTS = [
            "      widen(std::get<Principled>(model), value.number());\n", "test_core", WIDENED),
     Mutant("facets are widened by the root of what the format has", "core/textured_material.cpp",
            "(1 - across) * strength * strength", "(1 - across) * strength", "test_core", WIDENED),
+    Mutant("pictures that are scaled beyond 1 are filtered by chance", "core/texture.cpp",
+           "is_cut[part] = is_cut[part] || is_cut[i];", "(void)part;", "test_core",
+           "pictures whose values are cut off somewhere are not filtered by chance"),
+    Mutant("pictures in tiles are taken to lie in [0, 1]", "io/picture/texture_store.cpp",
+           "std::move(texture.tiles), texture.is_within_unit)", "std::move(texture.tiles), true)", "test_io",
+           "a converted picture says whether its texels lie from 0 to 1"),
 ]

@@ -54,6 +54,15 @@ TEST_CASE("a picture no larger than a tile stays in memory") {
   CHECK(store.statistics().picture_bytes == 12 * (65 * 64 + 32 * 32 + 16 * 16 + 64 + 16 + 4 + 1));
 }
 
+TEST_CASE("a picture in a store is known to lie from 0 to 1, or beyond, as one in memory") {
+  TextureStore store(0);
+  for (const Rgb& pixel : {Rgb{0, 0.5f, 1}, Rgb{0, 0, 1.01f}, Rgb{0, -0.01f, 0}}) {
+    const bool is_within = pixel == Rgb{0, 0.5f, 1};
+    CHECK(MipMap(Image(100, 100, pixel)).is_within_unit() == is_within);
+    CHECK(store.keep(MipMap(Image(100, 100, pixel)))->is_within_unit() == is_within);
+  }
+}
+
 TEST_CASE("a texture in a store has the bits of one in memory, and its warning") {
   const TemporaryFolder folder;
   ByteImage bytes{200, 90, {}};

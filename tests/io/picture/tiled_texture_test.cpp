@@ -65,6 +65,24 @@ TEST_CASE("a converted picture has all texels of all levels, for every meaning, 
   CHECK(folder.file_count() == 4);
 }
 
+TEST_CASE("a converted picture says whether its texels lie from 0 to 1") {
+  const TemporaryFolder folder;
+  for (const float most : {1.0f, 1.5f}) {
+    Image image(200, 100, {0, 0.5f, 0.25f});
+    image.at(150, 50).g = most;
+    const std::string picture = folder.file("a.exr");
+    write_exr(picture, image);
+    const std::string tiled = convert_texture({picture, color}).path;
+    CHECK(open_tiled(tiled).is_within_unit == (most == 1));
+    const LoadOptions bounded{.textures = std::make_shared<TextureStore>(0)};
+    const auto in_tiles = load_texture(tiled, color, bounded).image;
+    CHECK_FALSE(in_tiles->is_in_memory());
+    CHECK(in_tiles->is_within_unit() == (most == 1));
+    CHECK(load_texture(tiled, color).image->is_within_unit() == (most == 1));
+    fs::remove(tiled);
+  }
+}
+
 TEST_CASE("a conversion is done once, and again when the picture is newer") {
   const TemporaryFolder folder;
   const std::string picture = folder.file("a.png");
@@ -114,6 +132,10 @@ TEST_CASE("tiles that are cut off, foreign or broken are refused, and the pictur
   std::string foreign = good;
   foreign.replace(foreign.find("box, version 1"), 14, "box, version 9");
   check_refused(foreign);
+  // Without a word on its range.
+  std::string silent = good;
+  silent.replace(silent.find("within [0, 1]"), 13, "wherever they");
+  check_refused(silent);
   // Not in tiles.
   write_exr(folder.file("b.exr"), Image(300, 200));
   check_refused(read_text(folder.file("b.exr")));
