@@ -48,12 +48,7 @@ GltfPose rest_pose(GltfDocument& document, int index) {
   assign(pose.translation, node.translation);
   assign(pose.rotation, node.rotation);
   assign(pose.scale, node.scale);
-  if (!node.matrix.empty()) {
-    if (!node.translation.empty() || !node.rotation.empty() || !node.scale.empty())
-      document.context().fail(node_pointer(index),
-                              "a node has a matrix, or a translation, rotation and scale; not both");
-    pose.matrix = matrix_of(node.matrix, index, document.context());
-  }
+  if (!node.matrix.empty()) pose.matrix = matrix_of(node.matrix, index, document.context());
   pose.weights = node.weights;
   if (pose.weights.empty() && node.mesh >= 0)
     pose.weights = document.model().meshes[std::size_t(node.mesh)].weights;

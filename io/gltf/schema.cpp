@@ -97,6 +97,10 @@ class Checker {
     const std::string version = root_["asset"]["version"];
     if (version.substr(0, 2) != "2.")
       context_.fail("/asset/version", fmt::format("the version is \"{}\"; valid is 2.0", version));
+    const std::string least = root_["asset"].value("minVersion", "2.0");
+    if (least != "2.0")
+      context_.fail("/asset/minVersion",
+                    fmt::format("the file asks for version \"{}\"; what is read is 2.0", least));
   }
 
   void check_extensions() {
@@ -132,9 +136,16 @@ class Checker {
     if (object.contains("name") && !object["name"].is_string())
       fail_of(object["name"], pointer + "/name", "text");
     if (kind == "camera") check_lens(object, pointer);
+    if (kind == "node") check_one_transform(object, pointer);
     if (kind == "light") complete_spot(object, pointer);
     if (object.contains("extensions")) check_extensions_of(object["extensions"], kind, pointer);
     if (has_rule) warn_of_unknown(object, known, pointer);
+  }
+
+  void check_one_transform(const Json& node, const std::string& pointer) const {
+    for (const char* part : {"translation", "rotation", "scale"})
+      if (node.contains("matrix") && node.contains(part))
+        context_.fail(pointer, "a node has a matrix, or a translation, rotation and scale; not both");
   }
 
   /// A camera has an object of the name that its type is.

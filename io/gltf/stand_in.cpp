@@ -152,7 +152,8 @@ class StandIn {
   void check_coat(const Principled& model) {
     if (model.coat_weight == 0) return;
     if (model.coat_color != white) lose("the color of the coat");
-    if (model.coat_ior != 1.5f || model.coat_darkening != 0) lose("the coat's index, which is 1.5 there,");
+    if (model.coat_ior != 1.5f) lose("the coat's index, which is 1.5 there,");
+    if (model.coat_darkening != 0) lose("what the coat reflects back to the base, which darkens it,");
   }
 
   const Material& material_;

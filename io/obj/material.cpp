@@ -169,7 +169,22 @@ bool ObjMaterials::is_textured(const ObjSurface& surface) const {
          material.normal_map != no_texture || material.bump_map != no_texture;
 }
 
+void ObjMaterials::warn_of_ranges(const tinyobj::material_t& from) {
+  const std::pair<const char*, float> parts[] = {{"Pr", from.roughness},
+                                                 {"Pm", from.metallic},
+                                                 {"Ps", from.sheen},
+                                                 {"Pc", from.clearcoat_thickness},
+                                                 {"Pcr", from.clearcoat_roughness},
+                                                 {"aniso", from.anisotropy},
+                                                 {"d", from.dissolve}};
+  for (const auto& [name, value] : parts)
+    if (!(value >= 0 && value <= 1))
+      warn(fmt::format("{} of the material \"{}\" is {:g}; the nearest number in [0, 1] is taken", name,
+                       from.name, value));
+}
+
 ObjSurface ObjMaterials::make(const tinyobj::material_t& from) {
+  warn_of_ranges(from);
   Material material{.name = from.name, .model = model_of(from)};
   material.tangent_degrees = float(degrees_per_turn) * unit(from.anisotropy_rotation);
   const auto first = std::ptrdiff_t(textures.size());

@@ -43,6 +43,7 @@ class ObjMaterials {
   std::vector<Texture> textures;
 
  private:
+  void warn_of_ranges(const tinyobj::material_t& from);
   ObjSurface make(const tinyobj::material_t& from);
   void add_color(const tinyobj::material_t& from, Material& to);
   void add_textures(const tinyobj::material_t& from, Material& to);

@@ -21,8 +21,12 @@ void read_window(const PbrtParameters& parameters, PbrtCamera& camera) {
   const std::span<const float> window = parameters.reals("screenwindow");
   if (window.empty()) return;
   const PbrtPlace& place = parameters.find("screenwindow")->place;
-  if (window.size() != 4 || !(window[0] < window[1]) || !(window[2] < window[3]))
-    place.fail("\"screenwindow\" needs four numbers: x from and to, y from and to");
+  if (window.size() != 4) place.fail("\"screenwindow\" needs four numbers: x from and to, y from and to");
+  if (!(window[0] < window[1]) || !(window[2] < window[3]))
+    place.fail(
+        fmt::format("\"screenwindow\" goes from {:g} to {:g} in x and from {:g} to {:g} in y; valid is "
+                    "from the smaller to the larger number",
+                    window[0], window[1], window[2], window[3]));
   std::copy(window.begin(), window.end(), camera.window.begin());
   camera.has_window = true;
 }

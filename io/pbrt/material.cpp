@@ -74,8 +74,9 @@ struct Inputs {
     const Rgb color = color_of(parameters, *found, ColorRole::unbounded, context.files);
     // The weights of a grey color's channels would round it.
     const float value = color.r == color.g && color.g == color.b ? color.r : luminance(color);
-    if (!(value > 0 && value <= 100))
-      found->place.fail(fmt::format("\"{}\" is {:g}; an index of refraction lies in (0, 100]", name, value));
+    // 1000 is how glTF says that all is reflected.
+    if (!(value > 0 && value <= 1000))
+      found->place.fail(fmt::format("\"{}\" is {:g}; an index of refraction lies in (0, 1000]", name, value));
     return value;
   }
 
@@ -243,7 +244,7 @@ SurfaceModel read_principled(const Inputs& in) {
                                      std::pair("thin_film_ior", &Principled::thin_film_ior)}) {
     if (!in.has(name)) continue;
     model.*member = in.ior(name);
-    if (model.*member < 1)
+    if (!(model.*member >= 1 && model.*member <= 100))
       in.parameters.find(name)->place.fail(
           fmt::format("\"{}\" is {:g}; it lies in [1, 100]", name, model.*member));
   }

@@ -57,6 +57,8 @@ class Reader {
   void check_block(const PbrtStatement& statement) const {
     if (is_world_ && is_among(statement.directive, before_world))
       statement.place.fail(fmt::format("{} belongs before WorldBegin", statement.name));
+    if (is_world_ && statement.directive == world_begin)
+      statement.place.fail("WorldBegin stands there a second time: a file describes one scene");
     if (!is_world_ && is_among(statement.directive, within_world))
       statement.place.fail(fmt::format("{} belongs behind WorldBegin", statement.name));
   }

@@ -238,6 +238,10 @@ TEST_CASE("gltf: each fault of the text is an error with its pointer and what is
   const Fault faults[] = {
       {"/asset/version", "\"1.0\"", "/asset/version: the version is \"1.0\"; valid is 2.0"},
       {"/asset", "3", "/asset: this is 3; valid is an object"},
+      {"/asset/minVersion", "\"2.1\"",
+       "/asset/minVersion: the file asks for version \"2.1\"; what is read is 2.0"},
+      {"/nodes/0", R"({"mesh": 0, "matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], "scale": [1,2,1]})",
+       "/nodes/0: a node has a matrix, or a translation, rotation and scale; not both"},
       {"/accessors/0/count", "-1",
        "/accessors/0/count: this is -1; valid is a whole number from 1 to 4294967295"},
       {"/accessors/0/count", "4000000000",

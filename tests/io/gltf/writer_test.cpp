@@ -137,6 +137,11 @@ TEST_CASE("written gltf: other materials are surfaces that reflect alike, and ar
   CHECK(metal.base_color.r == Approx(0.5));  // k^2 / (4 + k^2)
   CHECK(metal.base_color.g == 0);
   CHECK(metal.specular_roughness == 0.5f);
+  Principled coated{.coat_weight = 1, .coat_ior = 1.5f, .coat_darkening = 1};
+  comes_back(coated,
+             {"what the coat reflects back to the base, which darkens it, of a material is left out"});
+  coated.coat_darkening = 0, coated.coat_ior = 1.25f;
+  comes_back(coated, {"the coat's index, which is 1.5 there, of a material is left out"});
   comes_back(CoatedDiffuse{}, {"a material of the type coated_diffuse is written as a glossy surface"});
   comes_back(DiffuseTransmission{},
              {"a material of the type diffuse_transmission is written as a diffuse surface, through which no "

@@ -42,6 +42,7 @@ TEST_CASE("each material becomes its model, with pbrt's values where the file ha
   CHECK(model_of<Conductor>("\"conductor\" \"rgb k\" [ 3 2 1 ]").k == Rgb{3, 2, 1});
   CHECK(model_of<CoatedDiffuse>("\"coateddiffuse\" \"float eta\" 1.4").ior == 1.4f);
   CHECK(model_of<Dielectric>("\"dielectric\" \"float eta\" 1.33").ior == 1.33f);
+  CHECK(model_of<Dielectric>("\"dielectric\" \"float eta\" 1000").ior == 1000);
   const auto leaf = model_of<DiffuseTransmission>("\"diffusetransmission\" \"float scale\" 0.5");
   CHECK(leaf.transmittance == Rgb{0.125f, 0.125f, 0.125f});
 }
@@ -84,6 +85,10 @@ TEST_CASE("a surface of OpenPBR has its parameters by name, and its defaults") {
             .find("\"thin_film_ior\" is 0.5; it lies in [1, 100]") != std::string::npos);
   CHECK(pbrt_error("Material \"openpbr\" \"float coat_ior\" 0.9")
             .find("\"coat_ior\" is 0.9; it lies in [1, 100]") != std::string::npos);
+  CHECK(pbrt_error("Material \"openpbr\" \"float thin_film_ior\" 101")
+            .find("\"thin_film_ior\" is 101; it lies in [1, 100]") != std::string::npos);
+  CHECK(pbrt_error("Material \"openpbr\" \"float specular_ior\" 1001").find("lies in (0, 1000]") !=
+        std::string::npos);
   CHECK(pbrt_error("Material \"openpbr\" \"float coat_weight\" 1.5")
             .find("\"coat_weight\" is 1.5; it lies in [0, 1]") != std::string::npos);
   CHECK(pbrt_error("Material \"openpbr\" \"float emission_luminance\" 1e9").find("emission_luminance") !=

@@ -119,6 +119,8 @@ TEST_CASE("what is no statement of pbrt's format is an error that shows the plac
 TEST_CASE("a statement in the wrong block, or an end without a beginning, is an error") {
   CHECK(error_of(pbrt_triangle).starts_with("scene.pbrt:1:1: Shape belongs behind WorldBegin"));
   CHECK(error_of("WorldBegin Film \"rgb\"").starts_with("scene.pbrt:1:12: Film belongs before WorldBegin"));
+  CHECK(error_of("WorldBegin\nWorldBegin")
+            .starts_with("scene.pbrt:2:1: WorldBegin stands there a second time"));
   CHECK(error_of("WorldBegin AttributeEnd")
             .starts_with("scene.pbrt:1:12: AttributeEnd ends what nothing began"));
   CHECK(error_of("WorldBegin\nAttributeBegin").starts_with("scene.pbrt:2:1: this AttributeBegin has no end"));

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/error.h"
 #include "core/mesh_area.h"
 #include "core/surface.h"
 #include "tests/support/catch.h"
@@ -155,6 +156,18 @@ TEST_CASE("lens, screen window and frame's shape are read") {
   };
   CHECK(warnings_under(" Scale -2 2 1") == 0);
   CHECK(warnings_under(" Scale 1 2 1") == 1);
+  const auto error_of_window = [&](const std::string& numbers) {
+    try {
+      camera_of(film, "Camera \"orthographic\" \"float screenwindow\" [ " + numbers + " ]");
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(error_of_window("1 -1 -1 1")
+            .find("goes from 1 to -1 in x and from -1 to 1 in y; valid is from the smaller") !=
+        std::string::npos);
+  CHECK(error_of_window("1 2 3").find("\"screenwindow\" needs four numbers") != std::string::npos);
   const Camera window = camera_of(film, "Camera \"orthographic\" \"float screenwindow\" [ -3 3 -2 2 ]");
   CHECK(window.projection == Projection::orthographic);
   CHECK(window.tan_half_width == Approx(3));
