@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/render_command.h"
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "cli/console.h"
 #include "cli/denoising.h"
@@ -27,6 +30,7 @@
 #include "cli/texture_command.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "io/destination.h"
 #include "io/output_file.h"
 #include "io/picture/image_codec.h"
 #include "io/picture/image_file.h"
@@ -59,6 +63,18 @@ void protect_the_machine(const RenderArguments& arguments, RenderTalk& talk) {
     talk.note("sandbox: " + enter_sandbox(needs_of_render(arguments, written_files(arguments))));
 }
 
+/// Throws Error where what else a render writes, or leaves when it is stopped, would replace its checkpoint,
+/// or what that is while it is written.
+void check_checkpoint_stays(RenderOutputs outputs, const RenderOutputs& partial) {
+  const std::string checkpoint = std::exchange(outputs.checkpoint, "");
+  if (checkpoint.empty()) return;
+  for (const std::string& place : {checkpoint, checkpoint + ".before"})
+    for (const std::string& name : all_names({outputs, partial}))
+      if (is_same_place(destination_of(place), destination_of(name)))
+        throw Error(fmt::format("--checkpoint={}: {} would be written there, too; choose another name",
+                                checkpoint, name));
+}
+
 /// One render, step by step.
 class RenderRun {
  public:
@@ -71,6 +87,7 @@ class RenderRun {
         partial_(partial_outputs(outputs_)),
         guard_(all_names({outputs_, partial_}), arguments.checkpoint.empty() ? 0 : try_again_code) {
     prepare_outputs(outputs_.names(), {arguments.scene, arguments.environment, arguments.camera_file});
+    check_checkpoint_stays(outputs_, partial_);
     if (arguments.denoiser) use_denoiser(*arguments.denoiser);
     arguments_.load.files = std::make_shared<std::vector<std::string>>();
     if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())

@@ -13,10 +13,8 @@ Bsdf bsdf_of(const SurfaceModel& model, Side side, Materials materials) {
 }  // namespace
 
 void BsdfAt::look_from(const Vec3& wo) {
-  if (!own_) {
-    if (!of_table_->looks_ahead()) return;
-    own_ = *of_table_;
-  }
+  if (!(**this).looks_ahead()) return;
+  keep();
   own_->look_from(wo);
 }
 

@@ -19,7 +19,7 @@ struct Viewing {
   Interiors interiors = {};  ///< That it is in.
 };
 
-/// The scattering function of a material at a point: one of a BsdfTable, which must outlive it, or its own.
+/// The scattering function of a material at a point: its own, or one of a BsdfTable, which must outlive it.
 class BsdfAt {
  public:
   explicit BsdfAt(const Bsdf* of_table) : of_table_(of_table) {}
@@ -29,6 +29,10 @@ class BsdfAt {
   const Bsdf* operator->() const { return &**this; }
   /// Bsdf::look_from.
   void look_from(const Vec3& wo);
+  /// Makes it its own, for who outlives the table.
+  void keep() {
+    if (!own_) own_ = *of_table_;
+  }
 
  private:
   const Bsdf* of_table_ = nullptr;

@@ -14,7 +14,7 @@ namespace twinray {
 ///
 /// Both normals are turned to the viewer's side. Where interpolated normals contradict the geometry (the
 /// viewer lies behind the shading normal), the geometric one shades. Outside is where the shape's shading
-/// normals point, if it has any, else its fronts.
+/// normals point, if it has any, else its fronts. The table of scattering functions must outlive it.
 class Interaction {
  public:
   /// `wo` is a unit vector to the viewer.
@@ -24,6 +24,8 @@ class Interaction {
   /// Index into the scene's materials.
   std::uint32_t material() const { return material_; }
   const Bsdf& bsdf() const { return *bsdf_; }
+  /// From now on the table need not outlive it.
+  void keep_bsdf() { bsdf_.keep(); }
   /// Whether light is scattered evenly, so that light samples bring nearly all of it well.
   bool is_lambert() const { return bsdf_->is_lambert(); }
   const Vec3& wo() const { return wo_; }              ///< World space.

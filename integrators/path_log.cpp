@@ -5,6 +5,7 @@ namespace twinray {
 
 void PathLog::stands_at(const Interaction& at, Materials materials) {
   last().surface = at;
+  last().surface->keep_bsdf();  // A log is read when its integrator is gone.
   last().materials = materials;
 }
 

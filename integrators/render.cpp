@@ -189,6 +189,7 @@ class Renderer {
     const double error = options_.estimated_error ? options_.estimated_error(*state_.halves)
                                                   : estimated_relative_error(half_pictures(*state_.halves));
     progress_.error = state_.error = error;
+    if (report_) report_(progress_);
     return is_good(error);
   }
 

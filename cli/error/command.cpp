@@ -39,17 +39,16 @@ OutputNames partial_names(const OutputNames& names) {
   return {partial(names.csv), partial(names.html)};
 }
 
-error::FrameSize frame_size(const RenderOptions& options) {
-  const PixelRect window = window_of(options);
-  return {window.width(), window.height()};
+error::FramePart frame_part(const RenderOptions& options) {
+  return {window_of(options), options.width, options.height};
 }
 
 /// Beside one picture at a time: what is kept of each pixel.
 std::vector<MemoryNeed> memory_needs(const ErrorArguments& arguments) {
   std::vector<MemoryNeed> needs = memory_needs(arguments.common.arguments.render);
-  const error::FrameSize size = frame_size(arguments.common.arguments.render);
+  const PixelRect window = window_of(arguments.common.arguments.render);
   const std::uint64_t points = arguments.sets.size() * arguments.rounds.samples.size();
-  const std::uint64_t pixels = std::uint64_t(size.width) * std::uint64_t(size.height);
+  const std::uint64_t pixels = std::uint64_t(window.width()) * std::uint64_t(window.height());
   needs.push_back({fmt::format("means and variances for {} points of curves", points), 16 * points * pixels});
   return needs;
 }
@@ -75,7 +74,7 @@ class ErrorRun {
       codec_loader_ = load_image_codec_early();
     if (!arguments_.converges)
       measurement_.converged =
-          error::read_reference(arguments_.reference, frame_size(arguments_.common.arguments.render));
+          error::read_reference(arguments_.reference, frame_part(arguments_.common.arguments.render));
     for (const error::OptionSet& set : arguments_.sets) subjects_.emplace_back(set);
     return measure();
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "cli/finite_picture.h"
 #include "cli/outputs.h"
@@ -13,13 +14,32 @@
 namespace twinray::error {
 namespace {
 
-Image read(const std::string& path, const FrameSize& size) {
+std::string part_text(const PixelRect& window, int width, int height) {
+  return fmt::format("x {} to {}, y {} to {} of {} x {} pixels", window.x0, window.x1, window.y0, window.y1,
+                     width, height);
+}
+
+/// A picture that does not say that it is a part may have been cut out by others.
+void check_part(const std::string& path, const Image& image, const FramePart& part) {
+  const std::optional<ImageFrame> frame = read_frame(path);
+  if (!frame) return;
+  const PixelRect shown{frame->x, frame->y, frame->x + image.width, frame->y + image.height};
+  if (shown == PixelRect{0, 0, frame->width, frame->height}) return;
+  if (shown != part.window || frame->width != part.width || frame->height != part.height)
+    throw Error(fmt::format("{}: it shows {}, but the pictures to compare show {}", path,
+                            part_text(shown, frame->width, frame->height),
+                            part_text(part.window, part.width, part.height)));
+}
+
+Image read(const std::string& path, const FramePart& part) {
   Image image = read_finite_image(path);
-  if (image.width != size.width || image.height != size.height)
+  const PixelRect& window = part.window;
+  if (image.width != window.width() || image.height != window.height())
     throw Error(
         fmt::format("{}: it has {} x {} pixels, but the pictures to compare have {} x {}; -r sets their "
                     "size",
-                    path, image.width, image.height, size.width, size.height));
+                    path, image.width, image.height, window.width(), window.height()));
+  check_part(path, image, part);
   return image;
 }
 
@@ -33,11 +53,11 @@ void check_reference_name(const std::string& path) {
         fmt::format("{}: a reference is a picture of linear floats; its name must end in .exr", path));
 }
 
-ConvergedPicture read_reference(const std::string& path, const FrameSize& size) {
+ConvergedPicture read_reference(const std::string& path, const FramePart& part) {
   check_reference_name(path);
-  ConvergedPicture converged{read(path, size), {}};
+  ConvergedPicture converged{read(path, part), {}};
   if (const std::string noise = noise_name(path); std::filesystem::exists(noise))
-    converged.noise = read(noise, size);
+    converged.noise = read(noise, part);
   return converged;
 }
 

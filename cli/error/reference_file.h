@@ -4,13 +4,15 @@
 #include <string>
 
 #include "check/picture_error.h"
+#include "core/film.h"
 #include "io/picture/image_metadata.h"
 
 namespace twinray::error {
 
-/// The size that a reference must have.
-struct FrameSize {
-  int width = 0, height = 0;
+/// What a reference must show: these pixels of a frame.
+struct FramePart {
+  PixelRect window;
+  int width = 0, height = 0;  ///< Of the frame.
 };
 
 /// "a/b.exr" -> "a/b_noise.exr": where the noise of a reference is.
@@ -20,8 +22,8 @@ std::string noise_name(const std::string& reference);
 void check_reference_name(const std::string& path);
 
 /// Reads the picture, and its noise where that file is there. Throws Error where it cannot be read, has
-/// another size, or a pixel that is not finite.
-ConvergedPicture read_reference(const std::string& path, const FrameSize& size);
+/// another size, says that it shows another part of a frame, or has a pixel that is not finite.
+ConvergedPicture read_reference(const std::string& path, const FramePart& part);
 
 /// Writes both files.
 void write_reference(const std::string& path, const ConvergedPicture& converged,

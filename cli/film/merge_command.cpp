@@ -79,6 +79,8 @@ PictureNotes notes_of(const FilmParts& parts, const Words& words) {
   PictureNotes notes = parts.notes.picture;
   set_value(notes.metadata, "twinray:options", shell_text(words));
   set_value(notes.metadata, "twinray:engine", fmt::format("{}", fmt::join(parts.engines, ", ")));
+  // What the films have that are merged now was perhaps missing before.
+  std::erase_if(notes.metadata, [](const auto& entry) { return entry.first == "twinray:missing"; });
   if (!parts.missing.empty())
     set_value(notes.metadata, "twinray:missing", fmt::format("{}", fmt::join(parts.missing, ", ")));
   return notes;

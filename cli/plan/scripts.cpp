@@ -81,8 +81,26 @@ std::string render_script(const FarmPlan& plan) {
                   plan.task_count() - 1, plan.frames ? fmt::format("{} frames of ", plan.frame_count()) : "",
                   part_text(plan)));
   text +=
-      "if [[ $1 == *-* ]]; then\n  for number in $(seq \"${1%-*}\" \"${1#*-}\"); do \"$0\" \"$number\"; "
-      "done\n  exit\nfi\n";
+      R"(if [[ $1 == *-* ]]; then
+  if ! [[ $1 =~ ^([0-9]+)-([0-9]+)$ ]] || ((10#${BASH_REMATCH[1]} > 10#${BASH_REMATCH[2]})); then
+    printf '%s: "%s" is neither a part nor a range such as 3-7\n' "$0" "$1" >&2
+    exit 2
+  fi
+  last=$((10#${BASH_REMATCH[2]}))
+  for ((number = 10#${BASH_REMATCH[1]}; number <= last; ++number)); do
+    "$0" "$number" &
+    part=$! status=0
+    trap 'kill -TERM "$part" || true' TERM INT
+    wait "$part" || status=$?
+    if ((status > 128)); then # A signal ends the wait, and the part by its own ways.
+      status=0
+      wait "$part" || status=$?
+    fi
+    ((status == 0)) || exit "$status"
+  done
+  exit
+fi
+)";
   text += begin_text(plan);
   text += plan.frames
               ? fmt::format("frame=$(({0} + $1 / {1})) part=$(($1 % {1}))\n", plan.frames->first, plan.parts)

@@ -159,6 +159,14 @@ TEST_CASE("a reference must be linear and of the frame's size") {
   CHECK(contains(result.err,
                  "small.exr: it has 20 x 30 pixels, but the pictures to compare have 40 x 30; -r "
                  "sets their size"));
+  const std::string crop = folder.file("crop.exr");
+  write_exr(crop, Image(20, 15), {}, ImageFrame{5, 0, 40, 30});
+  CHECK(run_program(error_command("--reference '" + crop + "' -p 5 0 20 15 -s 1")).exit_code == 0);
+  const ProcessResult other = run_program(error_command("--reference '" + crop + "' -p 0 5 20 15 -s 1"));
+  CHECK(other.exit_code == 1);
+  CHECK(contains(other.err,
+                 "crop.exr: it shows x 5 to 25, y 0 to 15 of 40 x 30 pixels, but the pictures to "
+                 "compare show x 0 to 20, y 5 to 20 of 40 x 30 pixels"));
   Image hole(40, 30);
   hole.at(7, 5).g = std::nanf("");
   write_exr(small, hole);

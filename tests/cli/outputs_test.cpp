@@ -272,6 +272,17 @@ TEST_CASE("two outputs with one place are an error before rendering") {
                     quoted(folder.file("a_rate.png")))
             .exit_code == 1);
   CHECK(run_program(statistics + "--csv - --json -").exit_code == 1);
+  // What a render leaves that is stopped would replace what it goes on with.
+  for (const auto& [checkpoint, written] :
+       {std::pair("a_partial.exr", "a_partial.exr"), std::pair("b", "b.before")}) {
+    const ProcessResult result =
+        run_program(endless + "-o " + quoted(picture) + " --stats " + quoted(folder.file("b.before")) +
+                    " --checkpoint " + quoted(folder.file(checkpoint)));
+    CHECK(result.exit_code == 1);
+    CHECK(result.err ==
+          fmt::format("twinray: --checkpoint={}: {} would be written there, too; choose another name\n",
+                      folder.file(checkpoint), folder.file(written)));
+  }
   CHECK(folder.file_count() == 1);
 }
 

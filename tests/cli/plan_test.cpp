@@ -66,6 +66,30 @@ TEST_CASE("a task of Open Job Description renders several parts that follow on e
   CHECK(fs::exists(folder.file("p/parts/00011.film")));
   CHECK_FALSE(fs::exists(folder.file("p/parts/00012.film")));
   CHECK_FALSE(fs::exists(folder.file("p/parts/00008.film")));
+  CHECK(shell_in(folder, "p/render-part 08-08").exit_code == 0);
+  CHECK(fs::exists(folder.file("p/parts/00008.film")));
+  for (const char* wrong : {"-1", "5-3", "3-", "a-b", "1-2-3"}) {
+    CAPTURE(wrong);
+    const ProcessResult result = shell_in(folder, std::string("p/render-part ") + wrong);
+    CHECK(result.exit_code == 2);
+    CHECK(result.err ==
+          fmt::format("p/render-part: \"{}\" is neither a part nor a range such as 3-7\n", wrong));
+  }
+}
+
+TEST_CASE("a range of a plan's parts that is stopped stops its part, which goes on later") {
+  const TemporaryFolder folder;
+  REQUIRE(
+      plan_in(folder, quoted(box_scene) + " -r 16 12 -s 4000000 --folder=p --jobs=2 -o a.pfm").exit_code ==
+      0);
+  const ProcessResult stopped =
+      shell_in(folder,
+               "p/render-part 0-1 & run=$!; children=/proc/$run/task/$run/children; "
+               "until part=$(cat $children) && [ -n \"$part\" ]; do sleep 0.05; done; "
+               "sleep 1; kill -TERM $run; wait $run; code=$?; ! kill -0 $part 2>/dev/null && exit $code");
+  CHECK(stopped.exit_code == 75);
+  CHECK(fs::exists(folder.file("p/parts/00000.checkpoint")));
+  CHECK_FALSE(fs::exists(folder.file("p/parts/00001.checkpoint")));
 }
 
 TEST_CASE("the parts of a plan merge to the picture of one render, in whatever order they are made") {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/bsdf_table.h"
 
+#include <memory>
+
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
 
@@ -68,6 +70,18 @@ TEST_CASE("a function that looks from a direction scatters as before, and so doe
       CHECK(are_alike(*copy, expected, random));
     }
   }
+}
+
+TEST_CASE("a function of a table is kept where the table goes") {
+  const Scene scene = scene_of({{"gold", Conductor{}}});
+  auto table = std::make_unique<BsdfTable>(scene);
+  BsdfAt kept = table->at(0, {}, Side::outside);
+  CHECK(&*kept == &*table->at(0, {}, Side::outside));
+  kept.keep();
+  CHECK(&*kept != &*table->at(0, {}, Side::outside));
+  table.reset();
+  Random random(3);
+  for (int i = 0; i < 20; ++i) CHECK(are_alike(*kept, Bsdf(Conductor{}), random));
 }
 
 TEST_CASE("where a texture has a part in a material, its function is that of the point") {

@@ -246,6 +246,10 @@ TEST_CASE("a render with a noise target ends after the first pass that reaches i
   CHECK(result.samples == 64);
   CHECK(result.is_complete);
   CHECK(result.error == error_of(64));
+  std::optional<double> told;
+  const auto accelerator = build_accelerator(default_backend(), scene.geometry);
+  render(scene, *accelerator, path, targeted, [&](const RenderProgress& progress) { told = progress.error; });
+  CHECK(told == result.error);
   CHECK(same_bits(result.film, render_with(scene, path, halved(64)).film));
   targeted.noise_target = 1e6;  // Chance is given no credit.
   CHECK(render_with(scene, path, targeted).samples == 16);
