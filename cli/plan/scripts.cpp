@@ -86,17 +86,18 @@ std::string render_script(const FarmPlan& plan) {
     printf '%s: "%s" is neither a part nor a range such as 3-7\n' "$0" "$1" >&2
     exit 2
   fi
-  last=$((10#${BASH_REMATCH[2]}))
+  last=$((10#${BASH_REMATCH[2]})) part= stopped=0
+  trap 'stopped=75; kill -TERM "$part" 2>/dev/null || true' TERM INT
   for ((number = 10#${BASH_REMATCH[1]}; number <= last; ++number)); do
     "$0" "$number" &
     part=$! status=0
-    trap 'kill -TERM "$part" || true' TERM INT
     wait "$part" || status=$?
     if ((status > 128)); then # A signal ends the wait, and the part by its own ways.
       status=0
       wait "$part" || status=$?
     fi
     ((status == 0)) || exit "$status"
+    ((stopped == 0)) || exit "$stopped"
   done
   exit
 fi

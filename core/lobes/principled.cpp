@@ -209,20 +209,20 @@ BsdfValue PrincipledLobe::evaluate_opaque(const Seen& from, const Vec3& wi) cons
   return all;
 }
 
-float PrincipledLobe::below_coat(float cosine) const {
+float PrincipledLobe::past_coat(float cosine) const {
   return cosine > 0 ? 1 - coat_weight_ * coat_->reflectance(cosine) : through_coat_;
 }
 
-float PrincipledLobe::below_fuzz(float cosine) const {
+float PrincipledLobe::past_fuzz(float cosine) const {
   return cosine > 0 ? 1 - fuzz_weight_ * fuzz_->reflectance(cosine) : through_fuzz_;
 }
 
 Rgb PrincipledLobe::through_coat(const Seen& from, const Vec3& wi) const {
-  return !coat_ ? white : below_coat_ * (from.below_coat * below_coat(wi.z) / through_coat_);
+  return !coat_ ? white : below_coat_ * (from.past_coat * past_coat(wi.z) / through_coat_);
 }
 
 float PrincipledLobe::through_fuzz(const Seen& from, const Vec3& wi) const {
-  return !fuzz_ ? 1 : from.below_fuzz * below_fuzz(wi.z) / through_fuzz_;
+  return !fuzz_ ? 1 : from.past_fuzz * past_fuzz(wi.z) / through_fuzz_;
 }
 
 BsdfValue PrincipledLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
@@ -262,8 +262,8 @@ Rgb PrincipledLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
 PrincipledLobe::Seen PrincipledLobe::seen(const Vec3& wo) const {
   if (!(wo.z > 0)) return {};
   Seen seen{.wo = wo, .through_gloss = opaque_ > 0 ? through_gloss(wo.z) : white};
-  if (coat_) seen.below_coat = below_coat(wo.z);
-  if (fuzz_) seen.below_fuzz = below_fuzz(wo.z);
+  if (coat_) seen.past_coat = past_coat(wo.z);
+  if (fuzz_) seen.past_fuzz = past_fuzz(wo.z);
   seen.choice = choice(seen);
   return seen;
 }

@@ -53,14 +53,14 @@ class PrincipledLobe {
     Vec3 wo = {};  ///< In no direction: nothing is known.
     Choice choice = {};
     Rgb through_gloss = {};
-    float below_coat = 1, below_fuzz = 1;  ///< What these layers let through.
+    float past_coat = 1, past_fuzz = 1;  ///< What these layers let through.
   };
   Seen seen(const Vec3& wo) const;
   Choice choice(const Seen& from) const;
   BsdfValue evaluate(const Seen& from, const Vec3& wi) const;
   /// What a layer lets through along a direction.
-  float below_coat(float cosine) const;
-  float below_fuzz(float cosine) const;
+  float past_coat(float cosine) const;
+  float past_fuzz(float cosine) const;
   /// What a layer leaves of what is scattered below it: reciprocal, and in the mean all of the light that
   /// passes along wo. Light that goes through the surface passes the layer once.
   Rgb through_coat(const Seen& from, const Vec3& wi) const;

@@ -204,7 +204,7 @@ TEST_CASE("errors are those of the pictures that render makes with the same opti
 TEST_CASE("an honest picture has no bias, and a reference that is 1 % too bright shows one") {
   const TemporaryFolder folder;
   const std::string bright = folder.file("bright.exr");
-  ConvergedPicture planted = error::read_reference(reference(), {40, 30});
+  ConvergedPicture planted = error::read_reference(reference(), {{0, 0, 40, 30}, 40, 30});
   REQUIRE(planted.noise.has_value());
   for (Rgb& pixel : planted.mean.pixels) pixel = pixel * 1.01f;
   error::write_reference(bright, planted, {}, {});

@@ -179,4 +179,10 @@ MUTANTS = [
            '{"KHR_materials_anisotropy", "anisotropyTexture"},',
            '{"KHR_materials_anisotropy", "otherTexture"},', GLTF,
            "gltf: a picture of anisotropy alone says which texture coordinates count"),
+    Mutant("a node's matrix may stand beside a scale", "io/gltf/schema.cpp",
+           'if (kind == "node") check_one_transform(object, pointer);', "", "test_io_gltf",
+           "gltf: each fault of the text is an error with its pointer and what is valid"),
+    Mutant("a file may ask for a later version", "io/gltf/schema.cpp",
+           'if (least != "2.0")', "if (false)", "test_io_gltf",
+           "gltf: each fault of the text is an error with its pointer and what is valid"),
 ]
