@@ -89,6 +89,7 @@ TEST_CASE("a range of a plan's parts that is stopped stops its part, which goes 
                "sleep 1; kill -TERM $run; wait $run; code=$?; ! kill -0 $part 2>/dev/null && exit $code");
   CHECK(stopped.exit_code == 75);
   CHECK(fs::exists(folder.file("p/parts/00000.checkpoint")));
+  CHECK_FALSE(fs::exists(folder.file("p/parts/00000.film")));
   CHECK_FALSE(fs::exists(folder.file("p/parts/00001.checkpoint")));
 }
 
