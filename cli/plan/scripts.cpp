@@ -87,7 +87,7 @@ std::string render_script(const FarmPlan& plan) {
     exit 2
   fi
   last=$((10#${BASH_REMATCH[2]})) part= stopped=0
-  trap 'stopped=75; true' TERM INT
+  trap 'stopped=75; kill -TERM "$part" 2>/dev/null || true' TERM INT
   for ((number = 10#${BASH_REMATCH[1]}; number <= last; ++number)); do
     "$0" "$number" &
     part=$! status=0
