@@ -177,9 +177,9 @@ std::vector<bool> cut_off(std::span<const Texture> textures) {
 }  // namespace
 
 void set_filter(std::span<Texture> textures, TextureFilter filter) {
+  const std::vector<bool> is_cut = cut_off(textures);
   // Whoever asks for pixels wants to see them; and a picture that vertices were drawn into
   // is exact as it is: pixels by chance would add noise to it.
-  const std::vector<bool> is_cut = cut_off(textures);
   const auto is_meant = [](const ImageTexture& image) {
     const MipLevel picture = image.image->level(0);
     const bool has_levels = image.image->levels() > 1 || picture.width * picture.height == 1;

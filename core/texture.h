@@ -90,8 +90,7 @@ struct TexturePoint {
 };
 
 /// Gives all pictures this filter but those of `nearest` pixels, and `bilinear` ones that have no mip-map.
-/// Instead of `stochastic`, those get `trilinear` that have a part in a texture with values outside of [0,
-/// 1].
+/// In the place of `stochastic`, what has a part in a texture with values outside of [0, 1] gets `trilinear`.
 void set_filter(std::span<Texture> textures, TextureFilter filter);
 
 /// Whether any of them is a picture.

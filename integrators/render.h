@@ -49,7 +49,7 @@ struct RenderResult : RenderState {
 /// Renders the scene as its camera sees it. The film depends on scene, integrator and options alone: not on
 /// threads, nor on the accelerator (but for embree_native). One sample goes through the pixel's centre,
 /// several through random points of it. `progress`, if set, is called from one thread at a time, after each
-/// tile. Throws Error for options out of range.
+/// tile and each look at the error. Throws Error for options out of range.
 RenderResult render(const Scene& scene, const Accelerator& accelerator, const Integrator& integrator,
                     const RenderOptions& options,
                     const std::function<void(const RenderProgress&)>& progress = {});

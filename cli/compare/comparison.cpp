@@ -8,6 +8,7 @@
 
 #include "cli/compare/pixel_noise.h"
 #include "cli/finite_picture.h"
+#include "cli/frame_part.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "io/picture/image_file.h"
@@ -24,26 +25,13 @@ void check_sizes(const Comparison& pair) {
                             pair.picture_name, a.width, a.height, pair.reference_name, b.width, b.height));
 }
 
-std::string part_text(const ImageFrame& part, const Image& image) {
-  return fmt::format("x {} to {}, y {} to {} of {} x {} pixels", part.x, part.x + image.width, part.y,
-                     part.y + image.height, part.width, part.height);
-}
-
-/// The part of a frame that a picture shows; nothing where it is the whole, or does not say.
-std::optional<ImageFrame> part_of(const std::string& path, const Image& image) {
-  const auto frame = read_frame(path);
-  const bool is_whole = !frame || (frame->x == 0 && frame->y == 0 && frame->width == image.width &&
-                                   frame->height == image.height);
-  return is_whole ? std::nullopt : frame;
-}
-
 void check_parts(const Comparison& pair) {
-  const auto a = part_of(pair.picture_name, pair.picture), b = part_of(pair.reference_name, pair.reference);
-  if (!a || !b) return;
-  if (a->x != b->x || a->y != b->y || a->width != b->width || a->height != b->height)
+  const auto a = part_shown(pair.picture_name, pair.picture),
+             b = part_shown(pair.reference_name, pair.reference);
+  if (a && b && *a != *b)
     throw Error(fmt::format("{} shows {}, {} {}: only pictures of one part of a frame are compared",
-                            pair.picture_name, part_text(*a, pair.picture), pair.reference_name,
-                            part_text(*b, pair.reference)));
+                            pair.picture_name, frame_part_text(*a), pair.reference_name,
+                            frame_part_text(*b)));
 }
 
 /// What FLIP keeps of both pictures, and the map.

@@ -39,7 +39,7 @@ OutputNames partial_names(const OutputNames& names) {
   return {partial(names.csv), partial(names.html)};
 }
 
-error::FramePart frame_part(const RenderOptions& options) {
+FramePart frame_part(const RenderOptions& options) {
   return {window_of(options), options.width, options.height};
 }
 

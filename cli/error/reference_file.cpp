@@ -14,23 +14,6 @@
 namespace twinray::error {
 namespace {
 
-std::string part_text(const PixelRect& window, int width, int height) {
-  return fmt::format("x {} to {}, y {} to {} of {} x {} pixels", window.x0, window.x1, window.y0, window.y1,
-                     width, height);
-}
-
-/// A picture that does not say that it is a part may have been cut out by others.
-void check_part(const std::string& path, const Image& image, const FramePart& part) {
-  const std::optional<ImageFrame> frame = read_frame(path);
-  if (!frame) return;
-  const PixelRect shown{frame->x, frame->y, frame->x + image.width, frame->y + image.height};
-  if (shown == PixelRect{0, 0, frame->width, frame->height}) return;
-  if (shown != part.window || frame->width != part.width || frame->height != part.height)
-    throw Error(fmt::format("{}: it shows {}, but the pictures to compare show {}", path,
-                            part_text(shown, frame->width, frame->height),
-                            part_text(part.window, part.width, part.height)));
-}
-
 Image read(const std::string& path, const FramePart& part) {
   Image image = read_finite_image(path);
   const PixelRect& window = part.window;
@@ -39,7 +22,9 @@ Image read(const std::string& path, const FramePart& part) {
         fmt::format("{}: it has {} x {} pixels, but the pictures to compare have {} x {}; -r sets their "
                     "size",
                     path, image.width, image.height, window.width(), window.height()));
-  check_part(path, image, part);
+  if (const auto shown = part_shown(path, image); shown && *shown != part)
+    throw Error(fmt::format("{}: it shows {}, but the pictures to compare show {}", path,
+                            frame_part_text(*shown), frame_part_text(part)));
   return image;
 }
 

@@ -4,16 +4,10 @@
 #include <string>
 
 #include "check/picture_error.h"
-#include "core/film.h"
+#include "cli/frame_part.h"
 #include "io/picture/image_metadata.h"
 
 namespace twinray::error {
-
-/// What a reference must show: these pixels of a frame.
-struct FramePart {
-  PixelRect window;
-  int width = 0, height = 0;  ///< Of the frame.
-};
 
 /// "a/b.exr" -> "a/b_noise.exr": where the noise of a reference is.
 std::string noise_name(const std::string& reference);

@@ -283,9 +283,8 @@ PrincipledLobe::Choice PrincipledLobe::choice(const Seen& from) const {
     diffuse += metal * max_component(metal_multiple_) * loss;
   }
   const float sum = facets + diffuse + clear_;
-  const float fuzz =
-      fuzz_weight_ > 0 ? fuzz_weight_ * max_component(fuzz_color_) * fuzz_->reflectance(cosine) : 0;
-  const float coat = coat_weight_ > 0 ? (1 - fuzz) * coat_weight_ * coat_->reflectance(cosine) : 0;
+  const float fuzz = fuzz_ ? fuzz_weight_ * max_component(fuzz_color_) * fuzz_->reflectance(cosine) : 0;
+  const float coat = coat_ ? (1 - fuzz) * coat_weight_ * coat_->reflectance(cosine) : 0;
   const float rest = 1 - fuzz - coat;
   if (!(sum > 0)) return {fuzz, coat, 0, rest, 0};
   return {fuzz, coat, rest * facets / sum, rest * diffuse / sum, rest * clear_ / sum};
