@@ -31,6 +31,11 @@ void ask_for_picture(int) { is_picture_asked_for = true; }
 
 constexpr int exit_code_of(int signal_number) { return 128 + signal_number; }
 
+/// Of work that a signal has stopped.
+constexpr const char* stop_text(int signal_number) {
+  return signal_number == SIGALRM ? "the time of --time-limit is over" : "interrupted";
+}
+
 void say(std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
@@ -44,10 +49,10 @@ void say(std::string_view text) {
     for (const std::string& path : *paths) unlink(path.c_str());
   if (isatty(STDERR_FILENO)) say("\n");
   say(console::speaker());
-  say(signal_number == SIGINT    ? ": interrupted"
-      : signal_number == SIGALRM ? ": its time is over"
-                                 : ": ended by a signal");
-  say("; unfinished outputs are removed, old files are as they were\n");
+  say(": ");
+  say(signal_number == SIGINT || signal_number == SIGALRM ? stop_text(signal_number) : "ended by a signal");
+  if (unfinished_paths) say("; unfinished outputs are removed, old files are as they were");
+  say("\n");
   _exit(exit_code);
 }
 
@@ -63,7 +68,7 @@ void take_signal(int signal_number) {
 InterruptGuard::InterruptGuard(const std::vector<std::string>& outputs, int early_code) {
   for (const std::string& output : outputs)
     if (std::string path = temporary_path(output); !path.empty()) paths_.push_back(std::move(path));
-  unfinished_paths = &paths_;
+  if (!paths_.empty()) unfinished_paths = &paths_;
   exit_code_before = early_code;
   struct sigaction action {};
   action.sa_handler = take_signal;
@@ -96,6 +101,8 @@ void StopRequest::make() const {
 bool StopRequest::is_made() const { return stop_signal != 0; }
 
 int StopRequest::exit_code() const { return exit_code_of(stop_signal); }
+
+const char* StopRequest::text() const { return stop_text(stop_signal); }
 
 PictureRequest::PictureRequest() {
   is_picture_asked_for = false;

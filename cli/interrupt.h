@@ -11,9 +11,8 @@ namespace twinray {
 
 /// While it lives, Ctrl-C (SIGINT), SIGTERM, the end of the terminal (SIGHUP) and of the CPU time that is
 /// allowed (SIGXCPU) or of all time (SIGALRM) end the program at once, with a message and exit code 130, 143,
-/// 129, 152 or 142, after
-/// removing the unfinished file; whatever stood at the output's place stays. A signal that the program was
-/// started to ignore is ignored. One at a time.
+/// 129, 152 or 142, after removing the unfinished files; whatever stood at the outputs' places stays. A
+/// signal that the program was started to ignore is ignored. One at a time.
 class InterruptGuard {
  public:
   /// `early_code`, if not 0, is the exit code of a program that ends before a StopRequest begins. Throws
@@ -44,6 +43,8 @@ class StopRequest {
   bool is_made() const;
   /// The exit code of a program that was asked to stop: 130, 143, 129, 152 or 142.
   int exit_code() const;
+  /// Why it stops, for a message: "interrupted", or that its time is over.
+  const char* text() const;
 };
 
 /// While it lives, SIGUSR1 asks for the picture as it is so far. One at a time.

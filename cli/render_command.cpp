@@ -181,13 +181,13 @@ class RenderRun {
   int stopped_in_samples(const RenderResult& result, RenderKeeping& keeping) {
     talk_.stopped();
     keeping.save_last(result);
-    return keeping.interrupted(result, stop_->exit_code(), "");
+    return keeping.interrupted(result, *stop_, "");
   }
 
   /// All samples are there, and saved; the exit code.
   int stopped_in_denoising(const RenderResult& result, RenderKeeping& keeping) {
     talk_.stopped();
-    return keeping.interrupted(result, stop_->exit_code(), " while it was denoised");
+    return keeping.interrupted(result, *stop_, " while it was denoised");
   }
 
   void write(const RenderResult& result, RenderKeeping& keeping) {
@@ -222,8 +222,8 @@ class RenderRun {
                                  {found ? check_->json(*found) : "", denoised_ ? &*denoised_ : nullptr}));
     talk_.finished(arguments_, accelerator.stats(), result);
     if (stop_ && stop_->is_made())
-      console::print_error("{}: interrupted once all samples were there: all outputs are written\n",
-                           console::speaker());
+      console::print_error("{}: {} once all samples were there: all outputs are written\n",
+                           console::speaker(), stop_->text());
     return check_ ? check_->report(*found, outputs_.differences) : 0;
   }
 

@@ -30,7 +30,7 @@ void RenderKeeping::save_last(const RenderResult& result) {
   if (keeper_ && keeper_->save_last(result)) talk_.checkpointed();
 }
 
-int RenderKeeping::interrupted(const RenderResult& result, int stop_code, const char* when) {
+int RenderKeeping::interrupted(const RenderResult& result, const StopRequest& stop, const char* when) {
   const bool is_kept = keeper_ && keeper_->has_checkpoint();
   // A film beside a checkpoint would be the same once more.
   const bool is_told = !partial_.names().empty() && !(is_kept && !partial_.film.empty());
@@ -41,8 +41,8 @@ int RenderKeeping::interrupted(const RenderResult& result, int stop_code, const 
     if (!is_kept) throw;
     console::warn(error.what());
   }
-  console::print_error("{}: interrupted{}{}\n", console::speaker(), when, so_far);
-  if (!is_kept) return stop_code;
+  console::print_error("{}: {}{}{}\n", console::speaker(), stop.text(), when, so_far);
+  if (!is_kept) return stop.exit_code();
   console::print_error("{}: `twinray resume {}` goes on with it\n", console::speaker(),
                        shell_text({arguments_.checkpoint}));
   return try_again_code;

@@ -35,7 +35,7 @@ class RenderKeeping {
   /// Once the last checkpoint is written: keeps what there is, and says where. `when` it was interrupted ("
   /// while it was denoised") may be empty. The exit code: that of an interrupted program or, where it can go
   /// on, try_again_code.
-  int interrupted(const RenderResult& result, int stop_code, const char* when);
+  int interrupted(const RenderResult& result, const StopRequest& stop, const char* when);
 
  private:
   void rest(const RenderState& state);

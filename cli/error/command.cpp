@@ -151,11 +151,11 @@ class ErrorRun {
     line_.finish();
     if (measurement_.curves.empty() || measurement_.curves.front().points.front().errors.empty()) {
       console::write_error(
-          fmt::format("{}: interrupted before the first picture; nothing is written\n", console::speaker()));
+          fmt::format("{}: {} before the first picture; nothing is written\n", console::speaker(), stop.text()));
       return stop.exit_code();
     }
     write(partial_);
-    console::write_error(fmt::format("{}: interrupted{}\n", console::speaker(), holders()));
+    console::write_error(fmt::format("{}: {}{}\n", console::speaker(), stop.text(), holders()));
     return stop.exit_code();
   }
   /// "; the table, a_partial.csv hold what there is"

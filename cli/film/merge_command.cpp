@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <set>
+#include <sstream>
 
 #include "cli/console.h"
 #include "cli/denoising.h"
@@ -16,18 +17,36 @@
 #include "cli/render_outputs.h"
 #include "cli/shell_text.h"
 #include "core/memory.h"
+#include "io/input_file.h"
 
 namespace twinray {
 namespace {
 
 void add_options(CLI::App& app, MergeArguments& arguments) {
-  add_files(app, "FILM", arguments.films, "The films of all parts, in any order");
+  add_files(app, "FILM", arguments.films, "The films of all parts, in any order; @LIST: those that the file LIST names, one a line");
   OptionGroup group(app, "Options");
   group.add_word({"-o,--output", "FILE", "The picture, or a .film of all samples"}, arguments.output);
   group.add_flag("--allow-gaps", arguments.allow_gaps,
                  "Merge what there is; the picture's metadata says what is missing");
   add_threads(group, arguments.threads);
   group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
+}
+
+/// A command line has room for some 40,000 names: @LIST stands for those in a file.
+Words film_names(const Words& words) {
+  Words names;
+  for (const std::string& word : words) {
+    if (!word.starts_with('@')) {
+      names.push_back(word);
+      continue;
+    }
+    std::istringstream lines(read_input_file(word.substr(1), "list of films"));
+    const std::size_t before = names.size();
+    for (std::string line; std::getline(lines, line);)
+      if (!line.empty()) names.push_back(line);
+    if (names.size() == before) throw Error(fmt::format("{}: this list names no film", word.substr(1)));
+  }
+  return names;
 }
 
 /// Options that say which part a film is, and where it and its checkpoint go.
@@ -140,7 +159,9 @@ std::function<MergeArguments()> add_merge_options(CLI::App& app) {
   };
 }
 
-int merge_command(const MergeArguments& asked) {
+int merge_command(const MergeArguments& given) {
+  MergeArguments asked = given;
+  asked.films = film_names(given.films);
   const FilmParts parts = read_film_parts(asked.films, asked.allow_gaps ? Gaps::allowed : Gaps::refused);
   check_film_output(asked, parts);
   warn_of_differences(asked.films.front(), parts);

@@ -126,9 +126,9 @@ std::string merge_script(const FarmPlan& plan) {
           : "Merges all parts.");
   text += begin_text(plan);
   const std::string merge =
-      fmt::format("name={}\n\"$TWINRAY\" merge \"$name\"*.film --quiet --output={}\n", name_text(plan),
+      fmt::format("name={}\n\"$TWINRAY\" merge @<(printf '%s\\n' \"$name\"*.film) --quiet --output={}\n", name_text(plan),
                   plan.frames ? frame_word(plan.output) : shell_text({plan.output})) +
-      "rm -f \"$name\"*.checkpoint \"$name\"*.checkpoint.before\n";
+      "printf '%s\\0' \"$name\"*.checkpoint{,.before} | xargs -0 rm -f\n";
   if (!plan.frames) return text + merge;
   return text + fmt::format("(($# > 0)) || set -- $(seq 0 {})\n", plan.frame_count() - 1) +
          fmt::format("for number; do\nframe=$(({} + number))\n{}done\n", plan.frames->first, merge);

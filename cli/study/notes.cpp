@@ -9,8 +9,6 @@
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -19,6 +17,7 @@
 
 #include "core/error.h"
 #include "io/html/picture_address.h"
+#include "io/input_file.h"
 
 namespace twinray::study {
 namespace {
@@ -102,10 +101,7 @@ class Sections {
 
  private:
   static Node parse(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file || !std::filesystem::is_regular_file(path))
-      throw Error(fmt::format("{}: there is no such file", path));
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = read_input_file(path, "Markdown file");
     return Node(cmark_parse_document(text.data(), text.size(), markdown_options));
   }
   static Node empty_document() { return Node(cmark_node_new(CMARK_NODE_DOCUMENT)); }

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "cli/console.h"
+#include "cli/interrupt.h"
 #include "cli/options/common.h"
 #include "cli/render_scene.h"
 #include "cli/resources.h"
@@ -144,6 +145,7 @@ int verify_command(const VerifyArguments& asked) {
   const ScratchFolder folder;
   if (asked.sandbox || asked.limits.seconds)  // Whoever waits removes the folder.
     if (const std::optional<int> code = go_on_in_child()) return *code;
+  const InterruptGuard guard({});  // Whatever ends it says so.
   protect_the_machine(asked, folder);
   const StoredLayers picture = read_picture(asked.picture);
   const PictureClaim claim = read_claim(asked.picture, picture.metadata);

@@ -14,6 +14,7 @@
 #include "core/parallel.h"
 #include "io/film/content_hash.h"
 #include "io/film/zstd.h"
+#include "io/input_file.h"
 #include "io/output_file.h"
 
 namespace twinray {
@@ -135,8 +136,8 @@ struct FilmFile::Band {
 };
 
 FilmFile::FilmFile(const std::string& path) : path_(path), file_(path, std::ios::binary) {
+  check_regular_file(path, "film");
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) throw Error(path + ": there is no such file");
   bytes_ = std::filesystem::file_size(path, error);
   if (error || !file_) throw Error(path + ": the file cannot be opened; may it be read?");
   if (bytes_ < first_line.size() || read_text(first_line.size()) != first_line)

@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/memory.h"
+#include "io/input_file.h"
 #include "io/output_file.h"
 #include "io/picture/exr_reader.h"
 #include "io/picture/exr_writer.h"
@@ -153,7 +154,7 @@ Image decode(PictureFormat format, const PictureBytes& picture, const ReadOption
 }
 
 std::string read_bytes(const std::string& path) {
-  if (!fs::is_regular_file(path)) throw Error(fmt::format("{}: there is no such file", path));
+  check_regular_file(path, "picture");
   std::error_code error;
   const std::uint64_t size = fs::file_size(path, error);
   if (!error) check_room(path, size);

@@ -13,6 +13,7 @@
 
 #include "core/error.h"
 #include "core/memory.h"
+#include "io/input_file.h"
 #include "io/output_file.h"
 #include "io/picture/exr_tiled_file.h"
 #include "io/picture/exr_writer.h"
@@ -118,7 +119,7 @@ void check_header(const TiledExr& file, const std::string& path) {
 
 /// As much of a file as its header may have.
 std::string beginning_of(const std::string& path) {
-  if (!std::filesystem::is_regular_file(path)) throw Error(fmt::format("{}: there is no such file", path));
+  check_regular_file(path, "picture");
   std::string bytes(std::size_t(1) << 20, '\0');
   std::ifstream file(path, std::ios::binary);
   if (!file) throw Error(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));

@@ -207,6 +207,26 @@ TEST_CASE("films merge in steps, and a merged film takes more samples") {
   CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
 }
 
+TEST_CASE("a list names more films than a command line has room for") {
+  const TemporaryFolder folder;
+  const auto film = [&](const std::string& name) { return quoted(folder.file(name)); };
+  run(words("--sample-range=0:1 --of=3 -o " + film("a.film")));
+  run(words("--sample-range=1:2 --of=3 -o " + film("b.film")));
+  run(words("--sample-range=2:3 --of=3 -o " + film("c.film")));
+  run(words("-s 3 -o " + film("x.pfm")));
+  write_text(folder.file("list"), folder.file("b.film") + "\n\n" + folder.file("c.film"));
+  run(fmt::format("merge -q {} @{} -o {}", film("a.film"), film("list"), film("y.pfm")));
+  CHECK(read_text(folder.file("y.pfm")) == read_text(folder.file("x.pfm")));
+  write_text(folder.file("list"), "\n");
+  const auto error = [&](const std::string& list) {
+    return error_of(fmt::format("merge @{} -o {}", film(list), film("z.pfm")));
+  };
+  says(error("list"), folder.file("list") + ": this list names no film");
+  says(error("none"), folder.file("none") + ": there is no such file");
+  write_text(folder.file("list"), "none.film");
+  says(error("list"), "none.film: there is no such file");
+}
+
 TEST_CASE("films that are no parts of one render are refused by name") {
   const TemporaryFolder folder;
   const auto film = [&](const std::string& name) { return quoted(folder.file(name)); };

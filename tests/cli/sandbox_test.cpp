@@ -201,7 +201,10 @@ TEST_CASE("a picture is verified in a sandbox, with a scene of the places that a
                   quoted(TWINRAY_PROGRAM), quoted(stranger.picture()), quoted(stranger.path("scene"))));
   CHECK(clean.exit_code == 0);
   CHECK(fs::is_empty(stranger.path("temporary")));
-  CHECK(verify("--time-limit=0.001") == 142);
+  const ProcessResult late =
+      run_program(fmt::format("verify {} --time-limit=0.001", quoted(stranger.picture())));
+  CHECK(late.exit_code == 142);
+  CHECK(late.err == "twinray: the time of --time-limit is over\n");
 }
 
 TEST_CASE("a scene that Assimp reads is read in a sandbox, where no process can be begun") {
@@ -296,7 +299,7 @@ TEST_CASE("a time limit ends a render like a signal, also while it loads") {
   const ProcessResult late = run_program(
       fmt::format("render {} -r 48 36 -s 4000000 -q --time-limit=1 -o {}", quoted(box), quoted(picture)));
   CHECK(late.exit_code == 142);
-  CHECK(fs::exists(folder.file("a_partial.png")));
+  CHECK(late.err.starts_with("twinray: the time of --time-limit is over; " + folder.file("a_partial.png")));
   const ProcessResult kept =
       run_program(fmt::format("render {} -r 48 36 -s 4000000 -q --time-limit=1 --checkpoint={} -o {}",
                               quoted(box), quoted(folder.file("a.ck")), quoted(picture)));
@@ -304,7 +307,7 @@ TEST_CASE("a time limit ends a render like a signal, also while it loads") {
   const ProcessResult loading = run_program(
       fmt::format("render generated:ball:30000000 -s 1 -q --time-limit=0.2 -o {}", quoted(picture)));
   CHECK(loading.exit_code == 142);
-  CHECK(loading.err.find("its time is over") != std::string::npos);
+  CHECK(loading.err.find("the time of --time-limit is over; unfinished outputs are removed") != std::string::npos);
 }
 
 }  // namespace twinray::test
