@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <ctime>
 #include <optional>
@@ -63,7 +64,13 @@ std::tm local_fields(WallTime time) {
   return fields;
 }
 
-WallTime local_time(std::tm fields) { return std::chrono::system_clock::from_time_t(std::mktime(&fields)); }
+/// The last second that a WallTime can say comes long after any render.
+WallTime wall_time(std::time_t seconds) {
+  constexpr auto last = std::chrono::floor<std::chrono::seconds>(WallTime::max().time_since_epoch());
+  return std::chrono::system_clock::from_time_t(std::min(seconds, std::time_t(last.count())));
+}
+
+WallTime local_time(std::tm fields) { return wall_time(std::mktime(&fields)); }
 
 WallTime next_time(const TimeOfDay& time, WallTime now) {
   const std::tm today = local_fields(now);
@@ -93,7 +100,7 @@ std::optional<WallTime> dated_time(std::string_view text) {
   const auto [year, month, day] = *date;
   if (!is_date(year, month, day)) return {};
   std::tm fields = calendar(year, month, day, *time);
-  return is_utc ? std::chrono::system_clock::from_time_t(timegm(&fields)) : local_time(fields);
+  return is_utc ? wall_time(timegm(&fields)) : local_time(fields);
 }
 
 }  // namespace

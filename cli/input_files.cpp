@@ -40,6 +40,23 @@ std::string hash_of(const std::string& path) {
 
 constexpr std::string_view between = "  ";
 
+/// A name may have line breaks; its line has none.
+std::string in_a_line(const std::string& name) {
+  std::string text;
+  for (const char c : name) text += c == '\n' ? "\\n" : c == '\\' ? "\\\\" : std::string(1, c);
+  return text;
+}
+
+std::string from_a_line(std::string_view text) {
+  std::string name;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_escape = text[i] == '\\' && i + 1 < text.size();
+    const char c = text[is_escape ? ++i : i];
+    name += is_escape && c == 'n' ? '\n' : c;
+  }
+  return name;
+}
+
 }  // namespace
 
 InputFiles input_files(const RenderArguments& arguments) {
@@ -54,7 +71,7 @@ InputFiles input_files(const RenderArguments& arguments) {
 
 std::string input_text(const InputFiles& files) {
   std::string text;
-  for (const auto& [name, hash] : files) text += fmt::format("{}{}{}\n", hash, between, name);
+  for (const auto& [name, hash] : files) text += fmt::format("{}{}{}\n", hash, between, in_a_line(name));
   return text;
 }
 
@@ -63,7 +80,7 @@ InputFiles parse_input_text(const std::string& text) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);)
     if (const std::size_t place = line.find(between); place != line.npos)
-      files[line.substr(place + between.size())] = line.substr(0, place);
+      files[from_a_line(std::string_view(line).substr(place + between.size()))] = line.substr(0, place);
   return files;
 }
 

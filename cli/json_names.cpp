@@ -3,24 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "core/error.h"
+#include "io/utf8.h"
 
 namespace twinray {
-namespace {
-
-bool is_utf8(const std::string& text) {
-  try {
-    nlohmann::json(text).dump();
-    return true;
-  } catch (const nlohmann::json::type_error&) {
-    return false;
-  }
-}
-
-}  // namespace
-
 void check_json_names(const std::vector<std::string>& names, const char* holder) {
   for (const std::string& name : names)
     if (!is_utf8(name))

@@ -9,6 +9,7 @@
 #include "cli/film/saved_film.h"
 #include "cli/render_outputs.h"
 #include "core/light_set.h"
+#include "integrators/layer_records.h"
 #include "io/picture/output_format.h"
 #include "io/scene_file.h"
 
@@ -314,6 +315,19 @@ bool has_area_light(const Scene& scene) {
                      [](const Light& light) { return !is_delta(light.source); });
 }
 
+bool has_point_light(const Scene& scene) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
+    return std::holds_alternative<PointLight>(light.source) ||
+           std::holds_alternative<SpotLight>(light.source);
+  });
+}
+
+bool is_diffuse(const Scene& scene) {
+  return std::all_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
+    return std::holds_alternative<Lambert>(material.model);
+  });
+}
+
 }  // namespace
 
 std::vector<std::string> options_without_effect(const RenderRequest& request,
@@ -335,6 +349,13 @@ std::vector<std::string> options_without_effect(const Scene& scene, const Render
   if (is_given("--light-samples", arguments) && arguments.path.direct != DirectMethod::hemisphere &&
       !has_area_light(scene))
     found.push_back("--light-samples: no effect, for no light of the scene has an area");
+  if (arguments.lenient_environment && !has_environment(scene))
+    found.push_back("--lenient-environment: no effect, for the scene has no environment");
+  if (is_given("--attenuation", arguments) && is_collada(arguments.scene) && !has_point_light(scene))
+    found.push_back("--attenuation: no effect, for the scene has no point light");
+  for (const char* option : {"--glossy-bounces", "--transmission-bounces", "--regularize"})
+    if (is_given(option, arguments) && is_diffuse(scene))
+      found.push_back(fmt::format("{}: no effect, for all surfaces of the scene are diffuse", option));
   const Camera& camera = scene.camera;
   if (is_given("--aperture-blades", arguments) && camera.lens_radius == 0)
     found.push_back(is_panorama(camera.projection)

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/render_keeping.h"
 
+#include <fmt/format.h>
+
+#include <new>
+
 #include "cli/console.h"
 #include "cli/partial_picture.h"
 #include "cli/shell_text.h"
@@ -16,8 +20,18 @@ RenderOptions RenderKeeping::resting(RenderOptions options) {
 }
 
 void RenderKeeping::rest(const RenderState& state) {
-  if (keeper_ && keeper_->is_due() && keeper_->save(state)) talk_.checkpointed();
-  if (request_.take() && !partial_.names().empty()) talk_.note(write_so_far(state));
+  const bool is_asked = request_.take();
+  // A film beside a checkpoint would be the same once more.
+  const bool asks_for_checkpoint = is_asked && !partial_.film.empty() && !arguments_.checkpoint.empty();
+  if (keeper_ && (keeper_->is_due() || asks_for_checkpoint) && keeper_->save(state)) talk_.checkpointed();
+  if (!is_asked || asks_for_checkpoint || partial_.names().empty()) return;
+  try {
+    talk_.note(write_so_far(state));
+  } catch (const Error& error) {
+    console::warn(fmt::format("{}; the render goes on", error.what()));
+  } catch (const std::bad_alloc&) {
+    console::warn("there is not enough memory for a picture of what there is; the render goes on");
+  }
 }
 
 std::string RenderKeeping::write_so_far(const RenderState& state) {

@@ -21,8 +21,8 @@ class RenderKeeping {
 
   /// To be called where uses_films(): opens the film to go on with, if there is one. Throws Error where it
   /// is of another render.
-  void use_films(const LoadedScene& loaded, const Words& words, const InputFiles& inputs) {
-    keeper_.emplace(arguments_, loaded, notes_, words, inputs);
+  void use_films(const Words& words, const InputFiles& inputs) {
+    keeper_.emplace(arguments_, notes_, words, inputs);
   }
   FilmKeeper* films() { return keeper_ ? &*keeper_ : nullptr; }
   /// Whether anything stays of a render that is interrupted.

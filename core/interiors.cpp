@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/interiors.h"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "core/elementary.h"
@@ -80,6 +81,14 @@ Interiors Interiors::shared_with(Interiors other) const {
     if (other.bits() != before) shared.enter(material);
   }
   return shared;
+}
+
+void forget_clear_interiors(std::span<Material> materials) {
+  const auto matters = [](const Material& material) {
+    return !is_black(material.interior.absorption) || material.interior.priority != 0;
+  };
+  if (std::any_of(materials.begin(), materials.end(), matters)) return;
+  for (Material& material : materials) material.interior.is_clear = false;
 }
 
 Rgb transmittance(std::span<const Material> materials, const Interiors& interiors, float length) {

@@ -37,6 +37,10 @@ class Interiors {
   std::uint64_t bits_ = 0;  ///< Four indices plus one, the last one entered lowest; 0 for none.
 };
 
+/// Where nothing absorbs light and nothing has a priority, it is the same whether a path knows that it is in
+/// something clear: it need not.
+void forget_clear_interiors(std::span<Material> materials);
+
 /// The part of light that is left behind a way through interiors; `length` may be infinite.
 Rgb transmittance(std::span<const Material> materials, const Interiors& interiors, float length);
 

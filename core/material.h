@@ -205,6 +205,7 @@ struct Interior {
   /// Where interiors overlap, the one of the highest priority is there; those of 0 do not hide others, nor
   /// are hidden. >= 0.
   std::int32_t priority = 0;
+  bool is_clear = false;  ///< It absorbs nothing, and what lies around it ends here: ice in tea.
 
   bool operator==(const Interior&) const = default;
 };

@@ -49,10 +49,10 @@ RayCone RayCone::scattered(float pdf) const {
   return {width, spread + std::min(part_of_lobe / std::sqrt(pdf), widest)};
 }
 
-RayCone camera_cone(const Camera& camera, int width, int height, std::uint32_t samples) {
+RayCone pixel_cone(const Camera& camera, int width, int height) {
   const float across = 2 * camera.tan_half_width / float(width),
               up = 2 * camera.tan_half_height / float(height);
-  const float pixel = std::sqrt(across * up) * (1 / std::sqrt(float(std::min(samples, sharpest_samples))));
+  const float pixel = std::sqrt(across * up);
   return camera.projection == Projection::orthographic ? RayCone{pixel, 0} : RayCone{0, pixel};
 }
 

@@ -20,17 +20,22 @@ struct RayCone {
 
   /// The same cone as it arrives at a distance from where the ray starts.
   RayCone at(float distance) const { return {width + spread * distance, spread}; }
+  /// The same cone, so much narrower.
+  RayCone part(float of_it) const { return {width * of_it, spread * of_it}; }
   /// The cone behind a surface that scatters into a direction with this density per solid angle, > 0.
   RayCone scattered(float pdf) const;
 };
 
-/// With more samples a pixel pictures on surfaces get no sharper.
-inline constexpr std::uint32_t sharpest_samples = 64;
+/// The cone of a camera ray that sees a whole pixel. The camera's frame is that of the picture. In a
+/// latitude-longitude picture all are as wide as on the horizon.
+RayCone pixel_cone(const Camera& camera, int width, int height);
 
-/// The cone of all camera rays of a picture: as wide as a pixel or, where a pixel has n samples, as a part of
-/// it: 1 / sqrt(n) of up to sharpest_samples, so that what many samples resolve is not blurred twice. The
-/// camera's frame is that of the picture. In a latitude-longitude picture all are as wide as on the horizon.
-RayCone camera_cone(const Camera& camera, int width, int height, std::uint32_t samples);
+/// How much of the pixel's cone its sample of this number sees, from 0 on: many samples resolve what one
+/// cannot, and must not blur it twice. It is the number that counts, and not how many samples there will be,
+/// so that a picture of few samples is the beginning of the picture of more.
+inline float part_of_pixel(std::uint32_t sample) {
+  return sample < 1 ? 1.0f : sample < 4 ? 1.0f / 2 : sample < 16 ? 1.0f / 4 : 1.0f / 8;
+}
 
 /// How wide, in texture coordinates, a cone's section with a surface is, on the average over its directions:
 /// the cone is `width` wide where it arrives along a direction of any length.

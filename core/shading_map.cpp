@@ -9,7 +9,6 @@
 #include "core/elementary.h"
 #include "core/frame.h"
 #include "core/tangents.h"
-#include "core/textured_material.h"
 
 namespace twinray {
 namespace {
@@ -26,13 +25,17 @@ Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
   return squared > 0 && std::isfinite(squared) ? v / std::sqrt(squared) : otherwise;
 }
 
-/// The direction that a colour stands for, in the axes of the map.
-Vec3 decoded(const Rgb& color) { return {2 * color.r - 1, 2 * color.g - 1, 2 * color.b - 1}; }
+/// The direction that a map says at a point, in the map's axes. Between pixels it turns from one to the next:
+/// of stochastic filters, surfaces would look as if they were made of facets as large as pixels.
+Vec3 direction_of(const Scene& scene, std::uint32_t map, const SurfacePoint& point) {
+  const Rgb color = evaluate(scene.textures, map, {point.uv, point.footprint, point.texture_draw, true});
+  return {2 * color.r - 1, 2 * color.g - 1, 2 * color.b - 1};
+}
 
 Vec3 by_normal_map(const Scene& scene, std::uint32_t map, const SurfacePoint& point,
                    const Tangents& tangents) {
   const Vec3& n = point.shading_normal;
-  const Vec3 normal = decoded(evaluate(scene.textures, map, texture_point(point)));
+  const Vec3 normal = direction_of(scene, map, point);
   if (normal.x == 0 && normal.y == 0) return n;
   return unit_or(Frame(n, tangents.du).to_world(normal), n);
 }
@@ -83,8 +86,7 @@ bool is_anisotropic(const Material& material) {
 
 Vec3 facet_tangent(const Scene& scene, const Material& material, const SurfacePoint& point, const Vec3& du) {
   Vec3 own{1, 0, 0};
-  if (material.tangent_map != no_texture)
-    own = decoded(evaluate(scene.textures, material.tangent_map, texture_point(point)));
+  if (material.tangent_map != no_texture) own = direction_of(scene, material.tangent_map, point);
   if (own.x == 0 && own.y == 0) own.x = 1;
   const float turns = material.tangent_degrees / float(degrees_per_turn);
   const auto [sine, cosine] = sincos_turns(turns < 0 ? turns + 1 : turns);

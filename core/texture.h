@@ -86,7 +86,7 @@ struct TexturePoint {
   /// In [0, 1)^2: chooses the pixels of stochastic filters, the same for all textures of a surface. So one
   /// point of the surface is shaded, and the mean over the draws is that of shaded points.
   Vec2 draw{0.5f, 0.5f};
-  bool is_smooth = false;  ///< Stochastic filters are trilinear here: for what nobody takes the mean of.
+  bool is_smooth = false;  ///< Stochastic filters are trilinear here: for normals, heights and holes.
 };
 
 /// Gives all pictures this filter but those of `nearest` pixels, and `bilinear` ones that have no mip-map.

@@ -83,6 +83,7 @@ class Renderer {
   RenderResult run() {
     const std::uint32_t first = state_.samples;
     bool is_over = first == range_.end || (state_.error && is_good(*state_.error));
+    if (is_over) report_that_all_is_there();
     while (!is_over && !is_stopped()) {
       const std::uint64_t rays = state_.rays.total();
       const std::uint32_t begin = state_.samples, end = end_in_time(begin, end_of_pass(begin));
@@ -110,6 +111,13 @@ class Renderer {
         for (int x = tile.x0; x < tile.x1; ++x)
           if (const std::uint32_t end = end_index(x, y, range_.end), next = next_index(x, y); next > end)
             throw_wanted(next, end);
+  }
+
+  /// For who has restored the samples of a render that is over.
+  void report_that_all_is_there() {
+    if (!report_) return;
+    progress_.samples_done = pixel_count() * (state_.samples - range_.begin);
+    report_(progress_);
   }
 
   [[noreturn]] void throw_wanted(std::uint32_t there, std::uint32_t wanted) const {

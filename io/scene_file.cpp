@@ -10,6 +10,7 @@
 #include <map>
 #include <string_view>
 
+#include "core/interiors.h"
 #include "io/assimp/scene_importer.h"
 #include "io/collada/archive.h"
 #include "io/collada/collada.h"
@@ -107,7 +108,9 @@ LoadedScene with_camera_named(const std::string& name, LoadedScene loaded, const
 
 }  // namespace
 
-LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
+namespace {
+
+LoadedScene load_by_name(const std::string& path, const LoadOptions& options) {
   if (generated::is_generated(path))
     return with_camera_named(options.camera_name, load_generated(path), path);
   const std::string extension = scene_extension(path);
@@ -117,6 +120,14 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
   if (is_file && !format) refuse(path, extension);
   if (!format || format->chooses_camera) return (format ? format->load : load_dae)(path, options);
   return with_camera_named(options.camera_name, format->load(path, options), path);
+}
+
+}  // namespace
+
+LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
+  LoadedScene loaded = load_by_name(path, options);
+  forget_clear_interiors(loaded.scene.materials);
+  return loaded;
 }
 
 bool is_collada(const std::string& path) {

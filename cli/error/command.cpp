@@ -150,8 +150,8 @@ class ErrorRun {
   int stopped(const StopRequest& stop) {
     line_.finish();
     if (measurement_.curves.empty() || measurement_.curves.front().points.front().errors.empty()) {
-      console::write_error(
-          fmt::format("{}: {} before the first picture; nothing is written\n", console::speaker(), stop.text()));
+      console::write_error(fmt::format("{}: {} before the first picture; nothing is written\n",
+                                       console::speaker(), stop.text()));
       return stop.exit_code();
     }
     write(partial_);

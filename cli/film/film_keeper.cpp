@@ -31,12 +31,11 @@ bool uses_films(const RenderArguments& arguments) {
   return !arguments.checkpoint.empty() || !arguments.resumed.empty() || is_film_name(arguments.output);
 }
 
-FilmKeeper::FilmKeeper(const RenderArguments& arguments, const LoadedScene& loaded,
-                       const PictureNotes& picture, const Words& words, const InputFiles& inputs)
+FilmKeeper::FilmKeeper(const RenderArguments& arguments, const PictureNotes& picture, const Words& words,
+                       const InputFiles& inputs)
     : arguments_(arguments) {
   std::error_code error;
   notes_ = {.identity = render_identity(arguments, inputs),
-            .has_pictures = has_picture(loaded.scene.textures),
             .samples = arguments.render.samples,
             .range = arguments.render.range,
             .tiles = arguments.render.tiles,
@@ -71,14 +70,15 @@ void FilmKeeper::write(const std::string& path, const RenderState& state, bool i
 }
 
 bool FilmKeeper::write_checkpoint(const RenderState& state, bool is_complete) {
+  const char* const rest = has_film(arguments_.checkpoint) ? "the one before is as it was" : "there is none";
   try {
     write(arguments_.checkpoint, state, is_complete);
     return is_saved_ = true;
   } catch (const Error& error) {
-    console::warn(fmt::format("no checkpoint: {}; the one before is as it was", error.what()));
+    console::warn(fmt::format("no checkpoint: {}; {}", error.what(), rest));
   } catch (const std::bad_alloc&) {
-    console::warn(fmt::format("no checkpoint: {}: there is not enough memory; the one before is as it was",
-                              arguments_.checkpoint));
+    console::warn(
+        fmt::format("no checkpoint: {}: there is not enough memory; {}", arguments_.checkpoint, rest));
   }
   return false;
 }

@@ -22,8 +22,8 @@ class FilmKeeper {
  public:
   /// Opens the film that the render is to go on with, and warns where it is the one before. Throws Error
   /// unless it is of the same scene and options, and for names that no film can keep.
-  FilmKeeper(const RenderArguments& arguments, const LoadedScene& loaded, const PictureNotes& picture,
-             const Words& words, const InputFiles& inputs);
+  FilmKeeper(const RenderArguments& arguments, const PictureNotes& picture, const Words& words,
+             const InputFiles& inputs);
 
   /// Whether a checkpoint is to be written; from any thread.
   bool is_due() const { return next_.load() <= Clock::now(); }

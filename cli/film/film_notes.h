@@ -37,7 +37,6 @@ struct FilmProgress {
 
 struct FilmNotes {
   RenderIdentity identity;
-  bool has_pictures = false;         ///< On the scene's surfaces: their sharpness depends on the next number.
   std::uint32_t samples = 1;         ///< Of the whole picture.
   std::optional<SampleRange> range;  ///< Those of them that are in the film, once it is complete,
   std::optional<TileRange> tiles;    ///< or its tiles; else all.

@@ -23,7 +23,8 @@ namespace twinray {
 namespace {
 
 void add_options(CLI::App& app, MergeArguments& arguments) {
-  add_files(app, "FILM", arguments.films, "The films of all parts, in any order; @LIST: those that the file LIST names, one a line");
+  add_files(app, "FILM", arguments.films,
+            "The films of all parts, in any order; @LIST: those that this file names, one a line");
   OptionGroup group(app, "Options");
   group.add_word({"-o,--output", "FILE", "The picture, or a .film of all samples"}, arguments.output);
   group.add_flag("--allow-gaps", arguments.allow_gaps,

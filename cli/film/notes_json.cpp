@@ -105,7 +105,6 @@ PictureNotes parse_picture(const json& from, const RenderIdentity& identity) {
 FilmNotes parse(const json& from) {
   FilmNotes notes;
   notes.identity = parse_identity(from.at("identity"));
-  notes.has_pictures = from.at("has_pictures");
   notes.samples = from.at("samples");
   notes.range = parse_range<SampleRange>(from.at("sample_range"));
   notes.tiles = parse_range<TileRange>(from.at("tile_range"));
@@ -121,7 +120,6 @@ FilmNotes parse(const json& from) {
 
 std::string film_notes_json(const FilmNotes& notes) {
   return json{{"identity", identity_json(notes.identity)},
-              {"has_pictures", notes.has_pictures},
               {"samples", notes.samples},
               {"sample_range", range_json(notes.range)},
               {"tile_range", range_json(notes.tiles)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/film/resume_command.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -8,6 +9,8 @@
 #include "cli/film/saved_film.h"
 #include "cli/render_command.h"
 #include "cli/render_command_line.h"
+#include "io/destination.h"
+#include "io/film/film_file.h"
 #include "io/generated/generated.h"
 
 namespace twinray {
@@ -18,6 +21,31 @@ void check_scene(const RenderArguments& arguments, const FilmNotes& notes) {
   if (generated::is_generated(arguments.scene) || std::filesystem::exists(arguments.scene, error)) return;
   throw Error(
       fmt::format("{}: there is no such file; the render was begun in {}", arguments.scene, notes.folder));
+}
+
+bool ends_with(const Words& words, const Words& last) {
+  return words.size() >= last.size() && std::equal(last.rbegin(), last.rend(), words.rbegin());
+}
+
+/// Whether a checkpoint of this name is kept in `file`, or would be its newer one.
+bool is_kept_in(const std::string& checkpoint, const std::string& file) {
+  const Destination place = destination_of(file);
+  return is_same_place(destination_of(checkpoint), place) ||
+         is_same_place(destination_of(earlier_film_name(checkpoint)), place);
+}
+
+/// The words of a film, and those behind its name, which count more. A job that calls itself again and again
+/// says the same each time: once is enough.
+Words words_to_resume(const Words& of_film, const std::string& file, const Words& further) {
+  Words words = of_film;
+  // A film that was moved, or copied, goes on where it is now.
+  const std::string checkpoint = word_of_option(words, {"--checkpoint"});
+  if (!checkpoint.empty() && !is_kept_in(checkpoint, file)) {
+    words = without_options(words, {"--checkpoint"});
+    words.insert(words.end(), {"--checkpoint", file});
+  }
+  if (!ends_with(words, further)) words.insert(words.end(), further.begin(), further.end());
+  return words;
 }
 
 }  // namespace
@@ -33,8 +61,7 @@ std::function<std::string()> add_resume_options(CLI::App& app) {
 int resume_command(const std::string& file, const Words& words) {
   if (words.front() != file) throw UsageError("FILE stands before all options");
   const FilmNotes notes = notes_to_resume(file);
-  Words all = notes.words;
-  all.insert(all.end(), words.begin() + 1, words.end());
+  const Words all = words_to_resume(notes.words, file, Words(words.begin() + 1, words.end()));
   RenderArguments arguments = parse_render_arguments(all);
   check_scene(arguments, notes);
   arguments.resumed = file;

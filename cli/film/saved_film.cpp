@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/ray_cone.h"
 
 namespace twinray {
 namespace {
@@ -22,12 +21,6 @@ std::string sample_difference(const FilmNotes& film, const FilmNotes& here) {
     return fmt::format(
         "it is of {} samples a pixel, and of {} here: the one sample of a pixel lies in its middle",
         film.samples, here.samples);
-  const auto sharpness = [](const FilmNotes& notes) { return std::min(notes.samples, sharpest_samples); };
-  if (film.has_pictures && sharpness(film) != sharpness(here))
-    return fmt::format(
-        "it is of {} samples a pixel, and of {} here: up to {} the sharpness of pictures on surfaces depends "
-        "on their number",
-        film.samples, here.samples, sharpest_samples);
   return "";
 }
 

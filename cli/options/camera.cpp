@@ -92,8 +92,9 @@ void add_camera_options(CLI::App& app, RenderRequest& request) {
   OptionGroup group(app, option_groups::picture);
   RenderArguments& arguments = request.arguments;
   CameraChanges& changes = arguments.changes;
-  group.add_words({"--clip", "none|file|NEAR,FAR", "Clip planes: of the scene's file, or depths (none)"}, 1,
-                  [&arguments](const Words& words) { parse_clip(words[0], arguments); });
+  group.add_words(
+      {"--clip", "none|file|NEAR,FAR", "Clip planes: of the scene's file, or depths (none)", "none"}, 1,
+      [&arguments](const Words& words) { parse_clip(words[0], arguments); });
   group.add_word({"-c,--camera", "FILE", "Camera settings file of CS184's program"}, arguments.camera_file);
   group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id; ? lists them"},
                  arguments.load.camera_name);

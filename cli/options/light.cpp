@@ -17,7 +17,7 @@ const Choices<IntegratorKind> integrators{
     {"direct", IntegratorKind::direct},   {"ambient-occlusion", IntegratorKind::ambient_occlusion},
     {"furnace", IntegratorKind::furnace}, {"normals", IntegratorKind::normals},
     {"cost", IntegratorKind::cost}};
-constexpr Range<double> distances{1e-12, 1e12};
+constexpr Range<double> distances{1e-12, std::numeric_limits<double>::infinity()};
 
 /// What has a letter, too.
 void add_light_letters(OptionGroup& group, RenderRequest& request) {

@@ -63,9 +63,10 @@ PixelFilter parse_filter(const std::string& word) {
 /// What neither a file nor an option chooses is Blackman and Harris's; CS184's program has no such option.
 void add_filter(OptionGroup& group, PixelFilter& filter) {
   filter = usual_filter(FilterKind::blackman_harris);
-  group.add_words({"--filter", "NAME[:RADIUS]",
-                   fmt::format("{} ({})", filter_names(" ", filter.kind), filter_text(filter))},
-                  1, [&filter](const Words& words) { filter = parse_filter(words[0]); });
+  group.add_words(
+      {"--filter", "NAME[:RADIUS]",
+       fmt::format("{} ({})", filter_names(" ", filter.kind), filter_text(filter)), filter_text(filter)},
+      1, [&filter](const Words& words) { filter = parse_filter(words[0]); });
 }
 
 }  // namespace

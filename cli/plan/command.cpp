@@ -66,7 +66,8 @@ void check(const PlanArguments& arguments) {
   if (arguments.folder.empty()) throw UsageError("--folder=DIR is missing");
   if (arguments.jobs.has_value() == arguments.part_minutes.has_value())
     throw UsageError("--jobs or --part-minutes is needed, and not both");
-  if (is_film_name(render.output) || render.replay || render.check_with || !render.checkpoint.empty())
+  if (is_film_name(render.output) || render.replay || render.check_with || render.convert_textures ||
+      !render.checkpoint.empty())
     throw UsageError("a plan is for pictures: it makes films, checkpoints and their names itself");
   for (const auto& [option, why] : of_one_process)
     if (is_given(option, render)) throw UsageError(fmt::format("{}: {}", option, why));
@@ -91,12 +92,14 @@ std::string output_of(const PlanArguments& arguments, const Words& words) {
   return output;
 }
 
-/// Throws Error where the picture could not be written. The last job alone would find out.
-void check_picture(const FarmPlan& plan, const std::vector<std::string>& files) {
-  const std::vector<std::string> first{plan.frames ? with_frame_number(plan.output, plan.frames->first)
-                                                   : plan.output};
-  check_outputs(first);
-  check_not_read(first, files);
+/// Throws Error where a picture could not be written. The last job alone would find out.
+void check_pictures(const FarmPlan& plan, const std::vector<std::string>& files) {
+  for (std::uint32_t i = 0; i < plan.frame_count(); ++i) {
+    const std::string picture =
+        plan.frames ? with_frame_number(plan.output, plan.frames->first + int(i)) : plan.output;
+    check_outputs({picture});
+    check_not_read({picture}, files);
+  }
 }
 
 void check_size(const FarmPlan& plan) {
@@ -226,7 +229,7 @@ int plan_command(const PlanArguments& arguments, const Words& words) {
   plan.is_by_tiles = arguments.by_tiles || render.render.adaptive.has_value();
   plan.units = plan.is_by_tiles ? tile_grid(window_of(render.render), tile_size).count() : plan.samples;
   check_names(plan, *render.load.files);
-  check_picture(plan, *render.load.files);
+  check_pictures(plan, *render.load.files);
   std::optional<double> seconds;
   if (arguments.part_minutes) seconds = pilot(render, loaded);
   const double wanted = seconds ? std::ceil(*seconds / (60 * *arguments.part_minutes)) : *arguments.jobs;

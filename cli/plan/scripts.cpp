@@ -80,15 +80,20 @@ std::string render_script(const FarmPlan& plan) {
       fmt::format("Renders part $1, from 0 to {}, or parts as 3-7: {}{}. Goes on where it was stopped.",
                   plan.task_count() - 1, plan.frames ? fmt::format("{} frames of ", plan.frame_count()) : "",
                   part_text(plan)));
+  text += fmt::format(fmt::runtime(R"(fail() {{
+  printf '%s: "%s" is neither a part from 0 to {0} nor a range of such as 3-7\n' "$0" "$*" >&2
+  exit 2
+}}
+(($# == 1)) && [[ $1 =~ ^([0-9]{{1,9}})(-([0-9]{{1,9}}))?$ ]] || fail "$@"
+first=$((10#${{BASH_REMATCH[1]}})) last=$((10#${{BASH_REMATCH[3]:-${{BASH_REMATCH[1]}}}}))
+((first <= last && last <= {0})) || fail "$@"
+)"),
+                      plan.task_count() - 1);
   text +=
       R"(if [[ $1 == *-* ]]; then
-  if ! [[ $1 =~ ^([0-9]+)-([0-9]+)$ ]] || ((10#${BASH_REMATCH[1]} > 10#${BASH_REMATCH[2]})); then
-    printf '%s: "%s" is neither a part nor a range such as 3-7\n' "$0" "$1" >&2
-    exit 2
-  fi
-  last=$((10#${BASH_REMATCH[2]})) part= stopped=0
+  part= stopped=0
   trap 'stopped=75; kill -TERM "$part" 2>/dev/null || true' TERM INT
-  for ((number = 10#${BASH_REMATCH[1]}; number <= last; ++number)); do
+  for ((number = first; number <= last; ++number)); do
     "$0" "$number" &
     part=$! status=0
     wait "$part" || status=$?
@@ -103,9 +108,9 @@ std::string render_script(const FarmPlan& plan) {
 fi
 )";
   text += begin_text(plan);
-  text += plan.frames
-              ? fmt::format("frame=$(({0} + $1 / {1})) part=$(($1 % {1}))\n", plan.frames->first, plan.parts)
-              : "part=$1\n";
+  text += plan.frames ? fmt::format("frame=$(({0} + first / {1})) part=$((first % {1}))\n",
+                                    plan.frames->first, plan.parts)
+                      : "part=$first\n";
   text +=
       fmt::format("begin=$(({0} * part / {1})) end=$(({0} * (part + 1) / {1}))\n", plan.units, plan.parts);
   text += fmt::format("name={}$(printf '%05d' \"$part\")\n", name_text(plan));
@@ -125,13 +130,26 @@ std::string merge_script(const FarmPlan& plan) {
                         plan.frame_count() - 1)
           : "Merges all parts.");
   text += begin_text(plan);
+  // What SIGUSR1 has left of a part is no part.
+  const std::string name = fmt::format("name={}\n", name_text(plan));
   const std::string merge =
-      fmt::format("name={}\n\"$TWINRAY\" merge @<(printf '%s\\n' \"$name\"*.film) --quiet --output={}\n", name_text(plan),
-                  plan.frames ? frame_word(plan.output) : shell_text({plan.output})) +
-      "printf '%s\\0' \"$name\"*.checkpoint{,.before} | xargs -0 rm -f\n";
-  if (!plan.frames) return text + merge;
-  return text + fmt::format("(($# > 0)) || set -- $(seq 0 {})\n", plan.frame_count() - 1) +
-         fmt::format("for number; do\nframe=$(({} + number))\n{}done\n", plan.frames->first, merge);
+      fmt::format("\"$TWINRAY\" merge @<(printf '%s\\n' \"$name\"*[0-9].film) --quiet --output={}",
+                  plan.frames ? frame_word(plan.output) : shell_text({plan.output}));
+  const std::string clean = "printf '%s\\0' \"$name\"*.checkpoint{,.before} | xargs -0 rm -f\n";
+  if (!plan.frames) return text + name + merge + "\n" + clean;
+  text += fmt::format(fmt::runtime(R"((($# > 0)) || set -- $(seq 0 {0})
+for number; do
+  [[ $number =~ ^[0-9]{{1,9}}$ ]] && ((10#$number <= {0})) && continue
+  printf '%s: "%s" is no number of a frame from 0 to {0}\n' "$0" "$number" >&2
+  exit 2
+done
+status=0
+for number; do
+frame=$(({1} + 10#$number))
+)"),
+                      plan.frame_count() - 1, plan.frames->first);
+  return text + name + "if " + merge + "; then\n" + clean +
+         "else\nstatus=$?\n((status < 128)) || break\nfi\ndone\nexit \"$status\"\n";
 }
 
 std::string command_list(const FarmPlan& plan) {

@@ -49,7 +49,14 @@ RenderArguments arguments_of(const PictureClaim& claim) {
   std::erase(words, "--resume");
   RenderArguments arguments = claim.is_cs184 ? parse_cs184_arguments(words) : parse_render_arguments(words);
   RenderOptions& render = arguments.render;
-  render.samples = claim.samples;
+  if (claim.samples == 1 && is_open_ended(render)) {
+    // A pixel's only sample lies in its middle. This one was the first of several.
+    render.range = {0, 1};
+    render.adaptive.reset();
+    render.allocation = Allocation::even;
+  } else {
+    render.samples = claim.samples;
+  }
   render.seconds.reset();
   render.noise_target.reset();
   render.half_layers.reset();

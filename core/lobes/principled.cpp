@@ -31,7 +31,7 @@ float coated_roughness(const Principled& m) {
 /// normal.
 float weighted_ior(const Principled& m, float above) {
   const float ior = m.specular_ior / above;
-  const float scaled = std::min(std::sqrt(m.specular_weight) * (ior - 1) / (ior + 1), 0.98f);
+  const float scaled = std::min(std::sqrt(m.specular_weight) * (ior - 1) / (ior + 1), 0.99999f);
   return (1 + scaled) / (1 - scaled);
 }
 

@@ -25,7 +25,7 @@ CameraStage::CameraStage(const Camera& camera, const CameraSampling& sampling, c
     : camera_(camera),
       sampling_(sampling),
       filter_(sampling.filter),
-      cone_(camera_cone(camera, sampling.width, sampling.height, sampling.samples)),
+      pixel_cone_(pixel_cone(camera, sampling.width, sampling.height)),
       stages_(wave_stages_of(simd)) {}
 
 void CameraStage::make(std::span<const PixelSample> samples, std::span<CameraSample> made) const {

@@ -42,7 +42,8 @@ class CameraStage {
             (float(sample.y) + in_pixel.y) / float(sampling_.height)};
   }
   CameraSample sample_of(const Ray& ray, const PixelSample& sample, float weight) const {
-    return {ray, key_of(sample), cone_, ray.t_max < ray.t_min ? 0 : weight};
+    return {ray, key_of(sample), pixel_cone_.part(part_of_pixel(sample.index)),
+            ray.t_max < ray.t_min ? 0 : weight};
   }
   /// From a point of the frame and of the lens.
   CameraSample sample_at(const PixelSample& sample, const FilterSampler::Place& place, Vec2 lens) const {
@@ -63,7 +64,7 @@ class CameraStage {
   const Camera camera_;
   const CameraSampling sampling_;
   const FilterSampler filter_;
-  const RayCone cone_;  ///< Of all rays.
+  const RayCone pixel_cone_;
   const std::optional<WaveStages> stages_;
 };
 

@@ -190,6 +190,7 @@ template <typename Visit>
 void members(const Visit& visit, Interior& interior) {
   visit("absorption", interior.absorption, Valid::not_negative);
   visit("priority", interior.priority);
+  visit("is_clear", interior.is_clear);
 }
 
 /// The three coefficients of the fall-off with distance.

@@ -104,7 +104,9 @@ class Layers {
       inputs_.material.textures.push_back({transmission_color, tint->texture});
     const GltfExtension volume = extension("KHR_materials_volume");
     model_.geometry_thin_walled = !(volume.number("thicknessFactor", 0) > 0);
-    if (lets_light_in(model_)) inputs_.material.interior.absorption = absorption(volume);
+    Interior& interior = inputs_.material.interior;
+    if (lets_light_in(model_)) interior.absorption = absorption(volume);
+    interior.is_clear = lets_light_in(model_) && is_black(interior.absorption);
   }
 
   /// The color is reached after the distance: e^(-a d) = c.

@@ -42,11 +42,17 @@ Principled physical(const tinyobj::material_t& m) {
   return model;
 }
 
+/// A black one beside a picture says nothing: whoever has a picture may leave it out.
+Rgb specular_of(const tinyobj::material_t& m) {
+  const Rgb color = unit_color(m.specular);
+  return is_black(color) && !m.specular_texname.empty() ? white : color;
+}
+
 /// A specular colour of 0.5 is that of usual plastic, as Blender writes it.
 Principled glossy(const tinyobj::material_t& m) {
   Principled model;
   model.base_color = unit_color(m.diffuse);
-  const Rgb specular = unit_color(m.specular);
+  const Rgb specular = specular_of(m);
   model.specular_weight = unit(2 * max_component(specular));
   model.specular_color = specular * (1 / max_component(specular));
   model.specular_roughness = roughness_of(m.shininess);
@@ -73,7 +79,7 @@ SurfaceModel model_of(const tinyobj::material_t& m) {
   }
   if (is_physical(m)) return physical(m);
   if (mirrors(m)) return Mirror{unit_color(m.specular)};
-  const bool shines = m.illum >= 2 && !is_black(unit_color(m.specular));
+  const bool shines = m.illum >= 2 && !is_black(specular_of(m));
   return shines ? SurfaceModel(glossy(m)) : SurfaceModel(Lambert{unit_color(m.diffuse)});
 }
 
@@ -224,12 +230,22 @@ void ObjMaterials::add_textures(const tinyobj::material_t& from, Material& to) {
     add_number(from.roughness_texname, from.roughness_texopt, MaterialInput::roughness);
     add_number(from.metallic_texname, from.metallic_texopt, MaterialInput::base_metalness);
     add_number(from.sheen_texname, from.sheen_texopt, MaterialInput::fuzz_weight);
-    if (!is_physical(from))
-      add(from.specular_texname, from.specular_texopt, for_colors, MaterialInput::specular_color);
   }
+  add_specular(from, to);
   if (!from.specular_highlight_texname.empty()) warn("pictures of the exponent (map_Ns) are left out");
   if (!from.displacement_texname.empty()) warn("displacement (disp) is left out");
   if (!from.reflection_texname.empty()) warn("pictures of reflections (refl) are left out");
+}
+
+/// The picture times the colour, for the kinds of surfaces that go by it.
+void ObjMaterials::add_specular(const tinyobj::material_t& from, Material& to) {
+  if (from.specular_texname.empty() || is_physical(from)) return;
+  if (std::holds_alternative<Mirror>(to.model)) return warn("pictures of what mirrors (map_Ks) are left out");
+  const auto* model = std::get_if<Principled>(&to.model);
+  if (!model) return;
+  const std::uint32_t texture = picture(from.specular_texname, from.specular_texopt, for_colors);
+  const Rgb color = model->specular_color;
+  to.textures.push_back({MaterialInput::specular_color, color == white ? texture : scaled(texture, color)});
 }
 
 void ObjMaterials::add_relief(const tinyobj::material_t& from, Material& to) {

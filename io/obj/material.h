@@ -46,6 +46,7 @@ class ObjMaterials {
   void warn_of_ranges(const tinyobj::material_t& from);
   ObjSurface make(const tinyobj::material_t& from);
   void add_color(const tinyobj::material_t& from, Material& to);
+  void add_specular(const tinyobj::material_t& from, Material& to);
   void add_textures(const tinyobj::material_t& from, Material& to);
   void add_relief(const tinyobj::material_t& from, Material& to);
   std::uint32_t alpha_of(const tinyobj::material_t& from, const Material& made);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/display/color_matrix.h"
 #include "io/obj/text.h"
 
 namespace twinray {
@@ -17,6 +18,11 @@ constexpr std::array<std::string_view, 6> color_values{"Ka", "Kd", "Ks", "Ke", "
 constexpr std::array<std::string_view, 11> number_values{"Ni", "Ns", "d",   "Tr",    "Pr",    "Pm",
                                                          "Ps", "Pc", "Pcr", "aniso", "anisor"};
 constexpr std::array<std::string_view, 5> picture_values{"bump", "norm", "disp", "refl", "decal"};
+/// Pictures, of those whose names begin with map_.
+constexpr std::array<std::string_view, 11> maps{"map_Ka",   "map_Kd",   "map_Ks", "map_Ke", "map_Ns", "map_d",
+                                                "map_bump", "map_Bump", "map_Pr", "map_Pm", "map_Ps"};
+/// That have another form, or say nothing to a path tracer.
+constexpr std::array<std::string_view, 4> other_words{"newmtl", "illum", "sharpness", "map_aat"};
 
 /// An option of a picture, and how many values it has.
 struct Option {
@@ -42,6 +48,12 @@ constexpr std::array<Option, 14> options{{{"-blendu", 1},
 template <typename List>
 bool contains(const List& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+bool is_known(std::string_view keyword) {
+  return keyword.empty() || contains(maps, keyword) || contains(picture_values, keyword) ||
+         contains(color_values, keyword) || contains(number_values, keyword) ||
+         contains(other_words, keyword);
 }
 
 bool is_picture(std::string_view keyword) {
@@ -89,6 +101,22 @@ std::string number_words(std::string_view line, std::size_t count, bool& is_wron
   return made;
 }
 
+/// A colour by CIE's XYZ, which stand behind this word, as one by its channels; Y and Z may be left out where
+/// they are as X.
+std::string words_of_xyz(std::string_view line) {
+  const ObjNumbers numbers = read_numbers(line);
+  const auto& [x, y, z] = std::array<double, 3>{numbers.values[0], numbers.values[numbers.count > 1 ? 1 : 0],
+                                                numbers.values[numbers.count > 2 ? 2 : 0]};
+  const auto [r, g, b] = transformed(inverse(to_xyz(srgb_primaries)), std::array<double, 3>{x, y, z});
+  return fmt::format(" {:.9g} {:.9g} {:.9g}", r, g, b);
+}
+
+/// The words of a colour behind its keyword.
+std::string color_words(std::string_view line, bool& is_wrong) {
+  std::string_view rest = line;
+  return take_word(rest) == "xyz" ? words_of_xyz(line) : number_words(line, 3, is_wrong);
+}
+
 }  // namespace
 
 std::string material_text(const std::string& path, const std::string& text, WarningList& warnings) {
@@ -102,15 +130,18 @@ std::string material_text(const std::string& path, const std::string& text, Warn
     made += keyword;
     if (is_picture(keyword))
       made += picture_words(rest);
-    else if (contains(color_values, keyword) || contains(number_values, keyword))
-      made += number_words(rest, contains(color_values, keyword) ? 3 : 1, is_wrong);
+    else if (contains(color_values, keyword))
+      made += color_words(rest, is_wrong);
+    else if (contains(number_values, keyword))
+      made += number_words(rest, 1, is_wrong);
     else
       made += rest;
     if (keyword == "newmtl") made += "\nKd 0 0 0";
     made += '\n';
+    const auto place = [&] { return place_of(path, text, std::size_t(line.data() - joined.data())); };
     if (is_wrong)
-      warnings.add([&] { return place_of(path, text, std::size_t(line.data() - joined.data())); },
-                   fmt::format("a number of \"{}\" is missing or none: 0 stands for it", keyword));
+      warnings.add(place, fmt::format("a number of \"{}\" is missing or none: 0 stands for it", keyword));
+    if (!is_known(keyword)) warnings.add(place, fmt::format("\"{}\" is not known; it is left out", keyword));
     left.remove_prefix(std::min(line.size() + 1, left.size()));
   }
   return made;

@@ -69,12 +69,17 @@ void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& param
   const std::uint32_t alpha = materials_.textures.alpha(parameters);
   if (!shape) return;
   if (shape->mesh.name.empty()) shape->mesh.name = fmt::format("{}, line {}", type, parameters.place().line);
+  // A surface that is not there has two sides that are alike: turned around, it has the media turned.
+  const bool is_turned = state.is_reversed && materials_.is_interface(state.material);
+  const auto& [within, without] = is_turned ? std::pair(state.absorption_outside, state.absorption_inside)
+                                            : std::pair(state.absorption_inside, state.absorption_outside);
+  const bool is_filled = !is_black(within) || !is_black(without);
   const std::uint32_t asset = object_ ? std::uint32_t(assets_.size()) - 1 : no_asset;
   const Part part{std::make_shared<const PbrtShape>(std::move(*shape)),
                   state.transform,
-                  state.is_reversed,
+                  state.is_reversed && !is_turned,
                   state.material,
-                  state.absorption_inside,
+                  is_filled ? std::optional(within) : std::nullopt,
                   state.area_light,
                   alpha,
                   parameters.place(),
@@ -94,9 +99,8 @@ void PbrtBuilder::check_room(const Part& part) {
 
 void PbrtBuilder::place(const Part& part, const Transform& to_world, Placed& placed) {
   const bool emits = part.light && !context_.options.surfaces_only;
-  const bool is_filled = !is_black(part.absorption);
   const bool is_nothing = part.alpha != no_texture && materials_.textures.is_at_most(part.alpha, 0);
-  if (!emits && (is_nothing || (materials_.is_interface(part.material) && !is_filled))) return;
+  if (!emits && (is_nothing || (materials_.is_interface(part.material) && !part.absorption))) return;
   check_room(part);
   // A sphere of our own has no poles, by which pbrt's coordinates go.
   const bool as_mesh = (emits && part.light->is_two_sided) || needs_uvs(part);
@@ -106,7 +110,7 @@ void PbrtBuilder::place(const Part& part, const Transform& to_world, Placed& pla
   ShapeBinding binding{part.material, no_light, part.alpha, part.asset};
   if (emits) add_emission(part, binding);
   if (materials_.is_interface(part.material) && emits) binding.material = materials_.black();
-  if (is_filled) placed.fillings.emplace(placed.bindings.size(), Filling{part.absorption, part.place});
+  if (part.absorption) placed.fillings.emplace(placed.bindings.size(), Filling{*part.absorption, part.place});
   placed.bindings.push_back(binding);
 }
 
@@ -162,7 +166,7 @@ void PbrtBuilder::fill_interiors() {
   for (const auto& [shape, filling] : placed_.fillings) {
     const auto& [absorption, place] = filling;
     std::uint32_t& material = placed_.bindings[shape].material;
-    if (is_no_body(materials[material].model))
+    if (is_no_body(materials[material].model) && !is_black(absorption))
       place.warn(context_.warnings,
                  "a medium is rendered within a dielectric or an interface alone, not here");
     if (!lets_light_in(materials[material].model)) continue;
@@ -171,6 +175,7 @@ void PbrtBuilder::fill_interiors() {
     if (is_new) {
       materials.push_back(materials[material]);
       materials.back().interior.absorption = absorption;
+      materials.back().interior.is_clear = is_black(absorption);
     }
     material = entry->second;
   }

@@ -3,6 +3,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,7 @@ class PbrtBuilder {
     Transform to_world;
     bool is_reversed;
     std::uint32_t material;
-    Rgb absorption;  ///< Within.
+    std::optional<Rgb> absorption;  ///< Within, where it is not that of what lies around.
     std::shared_ptr<const PbrtAreaLight> light;
     std::uint32_t alpha;
     PbrtPlace place;

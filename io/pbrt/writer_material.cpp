@@ -164,16 +164,29 @@ class Parameters {
   std::string text_;
 };
 
+std::string medium_name(const std::string& material) { return "within " + material; }
+
 /// What absorbs within a material's shapes.
 void add_interior(const Material& material, std::size_t index, PbrtMaterialTexts& made, Losses& losses) {
   if (material.interior.priority != 0)
     losses.add("the priority of a body that overlaps others is left out",
                "the priorities of {} materials of bodies that overlap are left out");
   if (is_black(material.interior.absorption) || !lets_light_in(material.model)) return;
-  const std::string name = "within " + made.names[index];
+  const std::string name = medium_name(made.names[index]);
   made.text += fmt::format("MakeNamedMedium {}{}{}{}\n", pbrt_string(name), pbrt_word("type", "homogeneous"),
                            pbrt_rgb("sigma_a", material.interior.absorption), pbrt_rgb("sigma_s", {}));
   made.interior[index] = fmt::format("MediumInterface {} \"\"\n", pbrt_string(name));
+}
+
+/// What is clear within something that absorbs is parted from it: pbrt asks what a ray comes out into.
+void add_clear_interiors(const Scene& scene, PbrtMaterialTexts& made) {
+  const auto around = std::find_if(made.interior.begin(), made.interior.end(),
+                                   [](const std::string& text) { return !text.empty(); });
+  if (around == made.interior.end()) return;
+  const std::string outside = made.names[std::size_t(around - made.interior.begin())];
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    if (scene.materials[i].interior.is_clear && !made.names[i].empty())
+      made.interior[i] = fmt::format("MediumInterface \"\" {}\n", pbrt_string(medium_name(outside)));
 }
 
 /// Those of shapes, and those that mixtures of them are made of.
@@ -202,6 +215,7 @@ PbrtMaterialTexts pbrt_materials(const Scene& scene, PbrtTextureWriter& textures
                              Parameters(stand_in, textures, output, made.names).text());
     add_interior(stand_in.material, i, made, output.losses);
   }
+  add_clear_interiors(scene, made);
   return made;
 }
 

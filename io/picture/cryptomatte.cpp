@@ -7,6 +7,8 @@
 #include <bit>
 #include <nlohmann/json.hpp>
 
+#include "io/utf8.h"
+
 namespace twinray {
 namespace {
 
@@ -36,8 +38,8 @@ std::uint32_t murmur_hash(std::string_view name) {
   return hash ^ hash >> 16;
 }
 
-std::uint32_t cryptomatte_id(std::string_view name) {
-  const std::uint32_t hash = murmur_hash(name);
+std::uint32_t cryptomatte_id(const std::string& name) {
+  const std::uint32_t hash = murmur_hash(as_utf8(name));
   const std::uint32_t exponent = hash >> 23 & 255;
   // Zeros, denormals, infinities and what is not a number would not survive every program.
   return exponent == 0 || exponent == 255 ? hash ^ 1u << 23 : hash;
@@ -45,14 +47,13 @@ std::uint32_t cryptomatte_id(std::string_view name) {
 
 ImageMetadata cryptomatte_metadata(const std::string& kind, std::span<const std::string> names) {
   nlohmann::json manifest = nlohmann::json::object();
-  for (const std::string& name : names) manifest[name] = fmt::format("{:08x}", cryptomatte_id(name));
+  for (const std::string& name : names) manifest[as_utf8(name)] = fmt::format("{:08x}", cryptomatte_id(name));
   const std::string prefix =
       fmt::format("cryptomatte/{}/", fmt::format("{:08x}", murmur_hash(kind)).substr(0, 7));
-  using nlohmann::json;
   return {{prefix + "name", kind},
           {prefix + "hash", "MurmurHash3_32"},
           {prefix + "conversion", "uint32_to_float32"},
-          {prefix + "manifest", manifest.dump(-1, ' ', false, json::error_handler_t::replace)}};
+          {prefix + "manifest", manifest.dump()}};
 }
 
 void write_ranks(std::span<MatteCoverage> coverages, std::span<float> ranks) {

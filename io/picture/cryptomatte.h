@@ -17,7 +17,7 @@ namespace twinray {
 std::uint32_t murmur_hash(std::string_view name);
 
 /// The id of a thing: the bits of a finite, normal float.
-std::uint32_t cryptomatte_id(std::string_view name);
+std::uint32_t cryptomatte_id(const std::string& name);
 
 /// What a file says of one kind of mattes, "CryptoObject" and the like: how ids are made, and the id of each
 /// name.

@@ -48,7 +48,7 @@ DOORS = {
     "CLI11": (r"CLI/", r"cli/|bench/options\.cpp"),
     "nlohmann/json": (r"nlohmann/", r"(cli|bench)/(\w+/)?\w*report\.cpp|"
                                     r"cli/(study/record|live/web_state|film/notes_json)\.cpp|"
-                                    r"cli/(json_names|plan/open_job)\.cpp|"
+                                    r"cli/plan/open_job\.cpp|io/utf8\.cpp|"
                                     r"cli/status/(json_lines|metrics_file)\.cpp|"
                                     r"io/(film/film_header|gltf/schema|picture/cryptomatte)\.cpp|"
                                     r"io/exchange/json\.h|"

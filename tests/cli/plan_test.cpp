@@ -73,7 +73,8 @@ TEST_CASE("a task of Open Job Description renders several parts that follow on e
     const ProcessResult result = shell_in(folder, std::string("p/render-part ") + wrong);
     CHECK(result.exit_code == 2);
     CHECK(result.err ==
-          fmt::format("p/render-part: \"{}\" is neither a part nor a range such as 3-7\n", wrong));
+          fmt::format("p/render-part: \"{}\" is neither a part from 0 to 2499 nor a range of such as 3-7\n",
+                      wrong));
   }
 }
 
@@ -140,6 +141,46 @@ TEST_CASE("frames have their numbers in scenes and pictures") {
         0);
   for (const char* name : {"f0008.pfm", "f0009.pfm", "f0010.pfm"})
     CHECK(read_text(folder.file(name)) == read_text(folder.file("b.pfm")));
+}
+
+TEST_CASE("what is no part or frame of a plan is refused, and the others are merged where one is missing") {
+  const TemporaryFolder folder;
+  fs::copy(box_scene, folder.file("s.dae"));
+  CHECK(plan_in(folder, "s.dae -r 24 18 -s 2 --frames=8:10 --folder=p --jobs=2 --seed=%d -o f%04d.pfm")
+            .exit_code == 0);
+  const auto code = [&](const std::string& command) { return shell_in(folder, command).exit_code; };
+  for (const char* wrong : {"", "6", "-1", "4-6", "3-2", "1 2", "x", "1-2-3", "99999999999"})
+    CHECK(shell_in(folder, fmt::format("p/render-part {}", wrong)).err ==
+          fmt::format("p/render-part: \"{}\" is neither a part from 0 to 5 nor a range of such as 3-7\n",
+                      wrong));
+  CHECK(code("p/render-part 6") == 2);
+  CHECK_FALSE(fs::exists(folder.file("p/parts/0011-00000.film")));
+  CHECK(code("p/render-part 00-01 && p/render-part 05 && p/render-part 4 && p/render-part 2") == 0);
+  // What SIGUSR1 leaves of a part.
+  write_text(folder.file("p/parts/0008-00000_partial.film"), "no film that is done");
+  const ProcessResult merged = shell_in(folder, "p/merge-parts");
+  CHECK(merged.exit_code == 1);
+  CHECK(merged.err.find("samples 1:2 of 2 are missing") != std::string::npos);
+  CHECK(fs::exists(folder.file("f0008.pfm")));
+  CHECK_FALSE(fs::exists(folder.file("f0009.pfm")));
+  CHECK(fs::exists(folder.file("f0010.pfm")));
+  CHECK(code("p/render-part 3 && p/merge-parts 1") == 0);
+  CHECK(fs::exists(folder.file("f0009.pfm")));
+  for (const char* wrong : {"3", "x", "-1"})
+    CHECK(shell_in(folder, fmt::format("p/merge-parts {}", wrong)).err ==
+          fmt::format("p/merge-parts: \"{}\" is no number of a frame from 0 to 2\n", wrong));
+  CHECK_FALSE(fs::exists(folder.file("f0011.pfm")));
+}
+
+TEST_CASE("each frame of a plan has a place for its picture") {
+  const TemporaryFolder folder;
+  fs::copy(box_scene, folder.file("s.dae"));
+  fs::create_directory(folder.file("0005"));
+  const ProcessResult planned =
+      plan_in(folder, "s.dae -r 24 18 -s 2 --frames=5:6 --folder=p --jobs=1 -o %04d/x.png");
+  CHECK(planned.exit_code == 1);
+  CHECK(planned.err == "twinray: 0006/x.png: there is no folder 0006\n");
+  CHECK(plan_in(folder, "s.dae --folder=p --jobs=1 --convert-textures -o x.png").exit_code == 2);
 }
 
 TEST_CASE("options of numbers may have the frame's number, and options of a frame are those of its picture") {

@@ -307,7 +307,7 @@ TEST_CASE("a time limit ends a render like a signal, also while it loads") {
   const ProcessResult loading = run_program(
       fmt::format("render generated:ball:30000000 -s 1 -q --time-limit=0.2 -o {}", quoted(picture)));
   CHECK(loading.exit_code == 142);
-  CHECK(loading.err.find("the time of --time-limit is over; unfinished outputs are removed") != std::string::npos);
+  CHECK(loading.err.starts_with("twinray: the time of --time-limit is over; unfinished outputs are removed"));
 }
 
 }  // namespace twinray::test

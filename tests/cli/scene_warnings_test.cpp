@@ -77,6 +77,31 @@ TEST_CASE("hemisphere sampling names the delta lights that it cannot find") {
                  "\"bulb\", \"torch\" add nothing to the picture; --direct=lights would show them"});
 }
 
+TEST_CASE("options of lights and surfaces that a scene has not are without effect") {
+  Scene scene;
+  scene.materials.push_back({"wall", Lambert{}});
+  scene.lights.push_back({"sun", DirectionalLight{}});
+  const auto found = [&](const std::string& option) {
+    return options_without_effect(scene, parse_render_arguments({"scene.dae", option}));
+  };
+  for (const std::string name : {"--glossy-bounces", "--transmission-bounces", "--regularize"}) {
+    scene.materials[0].model = Lambert{};
+    const std::string option = name + (name == "--regularize" ? "" : "=1");
+    CHECK(found(option) == Warnings{name + ": no effect, for all surfaces of the scene are diffuse"});
+    scene.materials[0].model = Mirror{};
+    CHECK(found(option).empty());
+  }
+  CHECK(found("--lenient-environment") ==
+        Warnings{"--lenient-environment: no effect, for the scene has no environment"});
+  CHECK(found("--attenuation=file") ==
+        Warnings{"--attenuation: no effect, for the scene has no point light"});
+  scene.lights = {{"bulb", PointLight{}}, {"sky", EnvironmentLight{}}};
+  CHECK(found("--lenient-environment").empty());
+  CHECK(found("--attenuation=file").empty());
+  scene.lights = {{"torch", SpotLight{}}};
+  CHECK(found("--attenuation=file").empty());
+}
+
 TEST_CASE("light samples have no effect where every light is a point or a direction") {
   Scene scene;
   scene.lights.push_back({"sun", DirectionalLight{}});

@@ -110,6 +110,9 @@ TEST_CASE("a time to end by is one that a render has at most, beside its seconds
   heed_the_clock(soon);
   CHECK(*soon.render.seconds <= 1800);
   CHECK(until(-5).render.seconds == 1e-3);
+  // Clocks of 64 bits end in 2262.
+  for (const char* far : {"2262-04-12T12:00", "2300-01-01T00:00Z", "9999-12-31T23:59"})
+    CHECK(*parse_render_arguments({box_scene, "--until", far}).render.seconds > 1e8);
   CHECK(until(3600, {"-s", "7"}).render.samples == 7);
 }
 
@@ -145,6 +148,21 @@ TEST_CASE("progress in JSON is a line for each step, and all numbers are those o
   CHECK(last["left_seconds"].is_null());
   CHECK(last["error_ratio"].is_null());
   CHECK(last["peak_memory_bytes"] > 1000000);
+}
+
+TEST_CASE("a render that goes on with all of its samples tells machines that they are there") {
+  const TemporaryFolder folder;
+  const std::string film = quoted(folder.file("a.ck"));
+  REQUIRE(run_program(fmt::format("render {} -r 16 12 -s 4 -q --checkpoint={} -o {}", box_scene, film,
+                                  quoted(folder.file("a.png"))))
+              .exit_code == 0);
+  const ProcessResult result = run_program(fmt::format("resume {} --progress=json", film));
+  REQUIRE(result.exit_code == 0);
+  const json last = objects_of(result.err).back();
+  CHECK(last["step"] == "done");
+  CHECK(last["progress_ratio"] == 1);
+  CHECK(last["samples_done"] == 16 * 12 * 4);
+  CHECK(last["samples_wanted"] == 16 * 12 * 4);
 }
 
 TEST_CASE("a line for machines says that a render is done which ended before its time") {

@@ -59,6 +59,24 @@ TEST_CASE("pictures are what their metadata say, in every format that keeps bits
   }
 }
 
+TEST_CASE("what time or noise has ended is the beginning of a picture of more samples") {
+  const TemporaryFolder folder;
+  const auto check = [&](const std::string& scene, const std::string& words, const std::string& said) {
+    const std::string picture = file_in(folder, "a.exr");
+    const ProcessResult rendered =
+        run_program(fmt::format("render {} -r 48 36 -q {} -o {}", quoted(scenes + scene), words, picture));
+    REQUIRE(rendered.exit_code == 0);
+    const ProcessResult result = verify(picture + " --seed=1");
+    INFO(words << "\n" << result.out << result.err);
+    CHECK(result.exit_code == 0);
+    CHECK(contains(result.out, said));
+    CHECK(contains(result.out, "Same bits      9 of 9 tiles"));
+  };
+  check("box.dae", "--until=2020-01-01T00:00", " 1 samples a pixel");
+  check("box.dae", "--until=2020-01-01T00:00 -a 4 0.1", " 1 samples a pixel");
+  check("still-life.pbrt", "--noise-target=0.9", " 16 samples a pixel");
+}
+
 TEST_CASE("the picture of CS184's program is made again by its options") {
   const TemporaryFolder folder;
   const ProcessResult made = run_program(fmt::format("--cs184 -r 48 36 -s 4 -l 2 -m 2 -f {} {}",
@@ -181,7 +199,7 @@ TEST_CASE("files are others where one has changed, is gone, or is new") {
 TEST_CASE("words and files come back from a picture's metadata, whatever their signs") {
   const Words words{"a b.dae", "it's", "", "-o", "x\\y", "*", "plain"};
   CHECK(words_of(shell_text(words)) == words);
-  const InputFiles files{{"a  b.dae", "0123"}, {"c.ply", "none"}};
+  const InputFiles files{{"a  b.dae", "0123"}, {"c.ply", "none"}, {"d\ne\\n\\\\.png", "45"}};
   CHECK(parse_input_text(input_text(files)) == files);
 }
 

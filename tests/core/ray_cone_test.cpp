@@ -41,19 +41,25 @@ float footprint(const Geometry& geometry, float width, const Vec3& direction) {
 
 TEST_CASE("a camera's cone is as wide as a pixel, or as one's part that a sample stands for") {
   // 160 x 80 pixels: 0.01 wide at a distance of 1.
-  const RayCone one = camera_cone(wide_camera(), 160, 80, 1);
+  const RayCone one = pixel_cone(wide_camera(), 160, 80);
   CHECK(one.width == 0);
   CHECK(one.at(5).width == Approx(0.05).epsilon(rounding));
-  CHECK(camera_cone(wide_camera(), 160, 80, 16).spread == Approx(0.0025).epsilon(rounding));
-  CHECK(camera_cone(wide_camera(), 160, 80, 64).spread == Approx(0.00125).epsilon(rounding));
-  CHECK(camera_cone(wide_camera(), 160, 80, 100000).spread == Approx(0.00125).epsilon(rounding));
+  // Of n samples each sees 1 / sqrt(n), of up to 64.
+  const std::tuple<std::uint32_t, std::uint32_t, float> parts[]{
+      {0, 0, 1}, {1, 3, 0.5f}, {4, 15, 0.25f}, {16, 63, 0.125f}, {64, 0xffffffff, 0.125f}};
+  for (const auto& [first, last, part] : parts) {
+    CHECK(part_of_pixel(first) == part);
+    CHECK(part_of_pixel(last) == part);
+  }
+  CHECK(one.part(0.25f).spread == Approx(0.0025).epsilon(rounding));
   // Oblong pixels, as wide as a square of their area.
-  CHECK(camera_cone(wide_camera(), 160, 20, 1).spread == Approx(0.02).epsilon(rounding));
+  CHECK(pixel_cone(wide_camera(), 160, 20).spread == Approx(0.02).epsilon(rounding));
   Camera parallel = wide_camera();
   parallel.projection = Projection::orthographic;
-  const RayCone box = camera_cone(parallel, 160, 80, 1);
+  const RayCone box = pixel_cone(parallel, 160, 80);
   CHECK(box.at(0).width == Approx(0.01).epsilon(rounding));
   CHECK(box.at(1000).width == box.width);
+  CHECK(box.part(0.5f).width == 0.5f * box.width);
 }
 
 TEST_CASE("a surface widens a cone by a quarter of the root of the solid angle that a direction stands for") {

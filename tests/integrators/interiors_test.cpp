@@ -179,6 +179,21 @@ TEST_CASE("a camera within nested bodies sees them as their priorities say, by w
   }
 }
 
+TEST_CASE("what is clear within something that absorbs light ends it there") {
+  const Interior clear{.is_clear = true};
+  for (const SurfaceModel& model : std::vector<SurfaceModel>{Interface{}, Dielectric{.ior = 1.0001f}}) {
+    Scene scene = nested_balls({1, 0.5f}, {body(Interface{}, {absorption, 0}), body(model, clear)});
+    add_white_sky(scene);
+    scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-3f;
+    CHECK(seen(scene, 4) == Approx(left_of(1)).epsilon(1e-3));
+    scene.camera.position = {0, 0, 0};
+    CHECK(seen(scene, 4) == Approx(left_of(0.5)).epsilon(1e-3));
+    scene.materials[1].interior.is_clear = false;
+    scene.camera.position = {0, 0, 3};
+    CHECK(seen(scene, 4) == Approx(left_of(2)).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("a plate of absorbing glass reflects and lets through what the sum of its reflections says") {
   Scene scene = scene_of(inward_box(0.25f), {}, {0, 0, 3}, {0, 0, 0});
   Mesh plate = inward_box(0.25f);

@@ -302,6 +302,23 @@ TEST_CASE("facets of unequal widths have their directions from the texture coord
         5 * middle_of(along, first, {0, 1, 0}).scattered(normalize({0.8f, 1, 0})).value.r);
 }
 
+TEST_CASE("between two pixels a map's direction lies between theirs, whatever the filter") {
+  Scene scene = lit(mapped_square(), {0, 1, 0});
+  Image image(2, 1);
+  image.at(0, 0) = encoded(normalize({1, 0, 1}));
+  image.at(1, 0) = encoded(normalize({-1, 0, 1}));
+  scene.materials[0].model = Conductor{.roughness = {0.1f, 0.5f}};
+  set_normal_map(scene, picture_of(std::move(image), TextureFilter::stochastic));
+  SurfacePoint point = surface_at(*scene.geometry, {.t = 1, .u = 0.3f, .v = 0.3f});
+  point.uv = {0.5f, 0.5f};
+  scene.materials[0].tangent_map = scene.materials[0].normal_map;
+  for (const float draw : {0.01f, 0.3f, 0.7f, 0.99f}) {
+    point.texture_draw = {draw, draw};
+    CHECK(length(mapped_normal(scene, scene.materials[0], point) - point.shading_normal) < 1e-6f);
+    CHECK(length(facet_tangent(scene, scene.materials[0], point, {1, 0, 0}) - Vec3{1, 0, 0}) < 1e-6f);
+  }
+}
+
 TEST_CASE("the tangent of facets is turned from dp/du towards n x dp/du, and so is that of a map") {
   Scene scene = lit(mapped_square(), {0, 1, 0});
   scene.textures = {constant({0.5f, 1, 0}), constant({0.5f, 0.5f, 1}), constant({0, 0.5f, 0})};

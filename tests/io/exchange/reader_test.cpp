@@ -90,7 +90,7 @@ Scene everything() {
                                  Interface{},
                                  Mix{1, 3, third}};
   for (const SurfaceModel& model : models) scene.materials.push_back({"m", model, {}});
-  scene.materials[5].interior = {{third, seventh, 0}, 2};
+  scene.materials[5].interior = {{third, seventh, 0}, 2, true};
   add_textures(scene);
   const Vec3 slanted = normalize({1, 2, 3});
   const Transform turned = Transform::rotation({0, 1, 0}, 33);

@@ -139,7 +139,9 @@ TEST_CASE("what is no film file is an error that says so") {
   CHECK(error_of(path) == path + ": there is no such file");
   write_text(path, "P6 1 1 255 a picture of one pixel");
   CHECK(error_of(path) == path + ": this is no film file of this version of the program");
-  CHECK(error_of(folder.path().string()) == folder.path().string() + ": this is a directory; a film is needed");
+  const std::string directory = folder.path().string();
+  CHECK(error_of(directory) == directory + ": this is a directory; a film is needed");
+  CHECK(error_of(std::string("/dev/null")) == "/dev/null: this is no regular file; a film is needed");
 }
 
 TEST_CASE("a header that no film can have is an error before memory is taken") {

@@ -253,6 +253,9 @@ TEST_CASE("gltf: transmission is that of a sheet or, with a thickness, of a body
   CHECK(absorption.r == 0);
   CHECK(exp_of(-absorption.g * 2) == Approx(0.5));
   CHECK(exp_of(-absorption.b * 2) == Approx(0.25));
+  CHECK_FALSE(file.load().scene.materials[0].interior.is_clear);
+  file.json["materials"][0]["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", 1}};
+  CHECK(file.load().scene.materials[0].interior.is_clear);
 }
 
 TEST_CASE("gltf: a coat has an index of 1.5 and its own roughness") {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/pbrt/medium.h"
 
+#include "io/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/pbrt_text.h"
+#include "tests/support/round_trip.h"
+#include "tests/support/temporary_folder.h"
 
 namespace twinray {
 namespace {
@@ -66,6 +69,46 @@ TEST_CASE("a medium that is named around the camera is a warning") {
   REQUIRE(warnings("\"\" \"tea\"").size() == 1);
   CHECK(warnings("\"\" \"tea\"")[0].message ==
         "the camera is within the media of the shapes around it alone");
+}
+
+TEST_CASE("what has a medium outside alone is clear within, and what is turned around has it within") {
+  const LoadedScene loaded = load_pbrt_world(
+      tea + "Material \"dielectric\" MediumInterface \"tea\" \"\" " + ball + "MediumInterface \"\" \"tea\" " +
+      ball + "Material \"interface\" " + ball + "ReverseOrientation " + ball +
+      "MediumInterface \"tea\" \"\" " + ball + "MediumInterface \"\" \"\" " + ball);
+  CHECK(loaded.warnings.empty());
+  REQUIRE(loaded.scene.bindings.size() == 5);
+  const Interior filled{{1, 2, 4}}, clear{.is_clear = true};
+  const Interior expected[] = {filled, clear, clear, filled, clear};
+  for (std::size_t i = 0; i < 5; ++i) CHECK(material_of(loaded, i).interior == expected[i]);
+}
+
+TEST_CASE("where no medium absorbs light, nothing is said to be clear") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("a.pbrt"), camera = "Camera \"perspective\" WorldBegin ";
+  const auto interior = [&](const std::string& world) {
+    test::write_text(path, camera + world);
+    return material_of(load_scene(path, {}), 1).interior;
+  };
+  const std::string inner = ball + "MediumInterface \"\" \"tea\" " + ball;
+  CHECK(interior(tea + "Material \"dielectric\" MediumInterface \"tea\" \"\" " + inner).is_clear);
+  CHECK_FALSE(interior(tea + "Material \"dielectric\" " + inner).is_clear);
+}
+
+TEST_CASE("written pbrt: what is clear within something that absorbs is parted from it") {
+  Scene scene = test::scene_of(SphereSet{"ball", {{{0, 0, 0}, 1}}}, Dielectric{});
+  scene.materials.push_back({"ice", Dielectric{}});
+  scene.materials[0].interior.absorption = {0.5f, 0.25f, 0};
+  scene.materials[1].interior.is_clear = true;
+  scene.geometry = std::make_shared<const Geometry>(
+      std::vector<Shape>{SphereSet{"ball", {{{0, 0, 0}, 1}}}, SphereSet{"ball", {{{0, 0, 0}, 1}}}});
+  scene.bindings.push_back({1});
+  const test::RoundTrip trip = test::round_trip(scene, "a.pbrt");
+  const auto interior = [&](std::size_t shape) {
+    return trip.scene.materials[trip.scene.bindings[shape].material].interior;
+  };
+  CHECK(interior(0) == scene.materials[0].interior);
+  CHECK(interior(1) == scene.materials[1].interior);
 }
 
 TEST_CASE("nested bodies have priorities") {

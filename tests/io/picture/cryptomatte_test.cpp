@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/picture/cryptomatte.h"
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cmath>
 #include <map>
@@ -27,6 +29,16 @@ TEST_CASE("an id is the hash, made a number that every program keeps") {
   CHECK(cryptomatte_id("thing479") == 0xff321574);
   for (int i = 0; i < 3000; ++i)
     CHECK(std::isnormal(std::bit_cast<float>(cryptomatte_id("thing" + std::to_string(i)))));
+}
+
+TEST_CASE("a name that is not UTF-8 has the id of its letters in Latin-1") {
+  const std::string latin = "T\xfcr", utf8 = "T\xc3\xbcr";
+  CHECK(cryptomatte_id(latin) == cryptomatte_id(utf8));
+  CHECK(cryptomatte_id(latin) == 0xe445a089);
+  const ImageMetadata metadata =
+      cryptomatte_metadata("CryptoObject", std::vector<std::string>{latin, "T\xf6r"});
+  CHECK(metadata.back().second == fmt::format("{{\"T\xc3\xb6r\":\"{:08x}\",\"T\xc3\xbcr\":\"{:08x}\"}}",
+                                              cryptomatte_id("T\xc3\xb6r"), cryptomatte_id(utf8)));
 }
 
 TEST_CASE("a file says how ids are made, and of which names") {

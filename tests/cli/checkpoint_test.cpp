@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// Renders that are stopped, and go on, as a user sees them.
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "io/picture/image_file.h"
+#include "tests/support/film_commands.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/terminal.h"
+
+namespace twinray::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A render that is stopped once it has its first checkpoint; the exit code.
+int interrupted(const TemporaryFolder& folder, std::vector<std::string> more, int signal_number) {
+  std::vector<std::string> all{box_scene,
+                               "-r",
+                               "48",
+                               "36",
+                               "-s",
+                               "4000000",
+                               "-o",
+                               folder.file("a.pfm"),
+                               "--checkpoint=" + folder.file("a.ck"),
+                               "--checkpoint-seconds=0.01"};
+  all.insert(all.end(), more.begin(), more.end());
+  TerminalProgram program(all);
+  REQUIRE(program.wait_for(" samples |"));
+  while (!fs::exists(folder.file("a.ck"))) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  program.send(signal_number);
+  const int code = program.exit_code();
+  if (signal_number != SIGKILL)
+    check_says(program.shown(), "twinray: `twinray resume " + folder.file("a.ck") + "` goes on with it");
+  return code;
+}
+
+}  // namespace
+
+TEST_CASE("an interrupted render with a checkpoint says to try again, and goes on to the same bits") {
+  for (const int signal_number : {SIGTERM, SIGINT, SIGXCPU}) {
+    CAPTURE(signal_number);
+    const TemporaryFolder folder;
+    CHECK(interrupted(folder, {}, signal_number) == 75);
+    CHECK(fs::exists(folder.file("a_partial.pfm")));
+    CHECK_FALSE(fs::exists(folder.file("a.pfm")));
+    const std::uint32_t samples = samples_in(folder.file("a.ck")) + 40;
+    run_well(
+        fmt::format("resume {} -s {} -t 3 --accel=brute-force -q", quoted(folder.file("a.ck")), samples));
+    run_well(box_words(fmt::format("-s {} -o {}", samples, quoted(folder.file("b.pfm")))));
+    CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
+    CHECK(samples_in(folder.file("a.ck")) == samples);
+  }
+}
+
+TEST_CASE("a render that was killed goes on from its last checkpoint, or the one before") {
+  const TemporaryFolder folder;
+  interrupted(folder, {"--layers=albedo,ids", "-o", folder.file("a.exr")}, SIGKILL);
+  const std::string film = folder.file("a.ck");
+  const std::uint32_t samples = samples_in(film) + 20;
+  const std::string resume = fmt::format("resume {} -q -s {}", quoted(film), samples);
+  run_well(box_words(fmt::format("-s {} --layers=albedo,ids -o {}", samples, quoted(folder.file("b.exr")))));
+  const auto check_bits = [&] {
+    CHECK(read_layers(folder.file("a.exr")).values == read_layers(folder.file("b.exr")).values);
+  };
+  fs::copy(film, folder.file("copy.ck"));
+  run_well(resume);
+  check_bits();
+  // Its last checkpoint is damaged: the one before counts.
+  fs::copy(folder.file("copy.ck"), earlier_film_name(film), fs::copy_options::overwrite_existing);
+  std::string bytes = read_text(film);
+  bytes[bytes.size() / 2] = char(~bytes[bytes.size() / 2]);
+  write_text(film, bytes);
+  fs::remove(folder.file("a.exr"));
+  const ProcessResult result = run_program(resume);
+  CHECK(result.exit_code == 0);
+  check_says(result.err, film + ": a band of it is damaged; " + film + ".before is taken in its place");
+  check_bits();
+  fs::remove(film);
+  fs::remove(earlier_film_name(film));
+  check_says(told_error(resume), film + ": there is no such file");
+}
+
+TEST_CASE("a render without a checkpoint ends as it did, and its film can go on") {
+  const TemporaryFolder folder;
+  TerminalProgram program({box_scene, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.film")});
+  REQUIRE(program.wait_for(" samples |"));
+  program.send(SIGTERM);
+  CHECK(program.exit_code() == 143);
+  const std::string partial = folder.file("a_partial.film");
+  REQUIRE(fs::exists(partial));
+  const std::uint32_t samples = samples_in(partial) + 17;
+  check_says(told_error("merge " + quoted(partial) + " -o " + quoted(folder.file("a.pfm"))),
+             partial + ": this film is not done; `twinray resume` goes on with it");
+  run_well(fmt::format("resume {} -q -s {}", quoted(partial), samples));
+  run_well(box_words(fmt::format("-s {} -o {}", samples, quoted(folder.file("b.pfm")))));
+  run_well(fmt::format("merge {} -q -o {}", quoted(folder.file("a.film")), quoted(folder.file("a.pfm"))));
+  CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
+}
+
+TEST_CASE("a film that is interrupted beside its checkpoint is not written twice") {
+  const TemporaryFolder folder;
+  CHECK(interrupted(folder, {"-o", folder.file("a.film")}, SIGTERM) == 75);
+  CHECK(fs::exists(folder.file("a.ck")));
+  CHECK_FALSE(fs::exists(folder.file("a_partial.film")));
+}
+
+TEST_CASE("a checkpoint of before counts where none can be written any more") {
+  const TemporaryFolder folder;
+  interrupted(folder, {}, SIGTERM);
+  const std::string film = read_text(folder.file("a.ck"));
+  TerminalProgram program(
+      {"resume", folder.file("a.ck"), "-s", "4000000", "--checkpoint-seconds=1000"},
+      {"ASAN_OPTIONS=verify_asan_link_order=0", "LD_PRELOAD=" TWINRAY_AT_SYNC, "AT_SYNC=fail"});
+  REQUIRE(program.wait_for(" samples |"));
+  program.send(SIGTERM);
+  CHECK(program.exit_code() == 75);
+  CHECK(read_text(folder.file("a.ck")) == film);
+  check_says(program.shown(), "a_partial.pfm: cannot be written");
+  check_says(program.shown(), "goes on with it");
+}
+
+TEST_CASE("SIGUSR1 writes a picture of what there is, and the render goes on") {
+  const TemporaryFolder folder;
+  TerminalProgram program({box_scene, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.png")});
+  REQUIRE(program.wait_for(" samples |"));
+  program.send(SIGUSR1);
+  REQUIRE(program.wait_for("note: " + folder.file("a_partial.png") + " holds what there is"));
+  CHECK(read_image(folder.file("a_partial.png")).width == 48);
+  REQUIRE(program.wait_for(" samples |"));
+  program.send(SIGTERM);
+  CHECK(program.exit_code() == 143);
+}
+
+TEST_CASE("where SIGUSR1's picture cannot be written, or is a film of a checkpoint, the render goes on") {
+  const TemporaryFolder folder;
+  const auto asked = [&](const std::string& output, const std::vector<std::string>& more) {
+    std::vector<std::string> all{box_scene, "-r", "48", "36", "-s", "4000000", "-o", folder.file(output)};
+    all.insert(all.end(), more.begin(), more.end());
+    auto program = std::make_unique<TerminalProgram>(all);
+    REQUIRE(program->wait_for(" samples |"));
+    fs::create_directories(folder.file("a_partial.png/full"));
+    program->send(SIGUSR1);
+    return program;
+  };
+  const auto blocked = asked("a.png", {});
+  REQUIRE(blocked->wait_for("; the render goes on"));
+  REQUIRE(blocked->wait_for(" samples |"));
+  blocked->send(SIGTERM);
+  CHECK(blocked->exit_code() != 0);
+  const auto film = asked("b.film", {"--checkpoint=" + folder.file("b.ck")});
+  while (!fs::exists(folder.file("b.ck"))) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  film->send(SIGTERM);
+  CHECK(film->exit_code() == 75);
+  CHECK_FALSE(fs::exists(folder.file("b_partial.film")));
+}
+
+TEST_CASE("a copy of a checkpoint goes on where it is, and by the words that were last said") {
+  const TemporaryFolder folder;
+  const auto film = [&](const std::string& name) { return quoted(folder.file(name)); };
+  run_well(box_words("-s 4 --checkpoint=" + film("a.ck") + " -o " + film("a.pfm")));
+  fs::copy(folder.file("a.ck"), folder.file("b.ck"));
+  run_well("resume " + film("a.ck") + " -s 9");
+  for (int time = 0; time < 3; ++time) run_well("resume " + film("b.ck") + " -s 6 --tone=agx");
+  CHECK(samples_in(folder.file("a.ck")) == 9);
+  CHECK(samples_in(folder.file("b.ck")) == 6);
+  const Words& said = open_film(folder.file("b.ck")).notes.words;
+  CHECK(std::count(said.begin(), said.end(), "--tone=agx") == 1);
+  run_well("resume " + film("b.ck") + " -s 7");
+  CHECK(samples_in(folder.file("b.ck")) == 7);
+  // The one before is no other one.
+  run_well("resume " + film("b.ck.before") + " -s 8");
+  CHECK(samples_in(folder.file("b.ck")) == 8);
+  CHECK_FALSE(fs::exists(folder.file("b.ck.before.before")));
+}
+
+TEST_CASE("defaults of several words count as none, too") {
+  const TemporaryFolder folder;
+  const std::string film = quoted(folder.file("a.ck"));
+  run_well(box_words("-s 2 --checkpoint=" + film + " -o " + quoted(folder.file("a.pfm"))));
+  run_well("resume " + film + " -s 3 --filter=blackman-harris:1.5 --clip=none");
+  check_says(told_error("resume " + film + " -s 4 --filter=box"), "it was made without --filter box");
+}
+
+}  // namespace twinray::test
