@@ -105,8 +105,9 @@ class MemberReader {
   /// A unit vector.
   void direction(const char* key, Vec3& member) const;
   /// A member that files of earlier times do not have, and which then keeps its value.
-  void later(const char* key, float& member, Valid valid) const {
-    if (entry_.has(key)) (*this)(key, member, valid);
+  template <typename Member, typename... Validity>
+  void later(const char* key, Member& member, Validity... valid) const {
+    if (entry_.has(key)) (*this)(key, member, valid...);
   }
   void constant(const char* key, const char* word) const;
 

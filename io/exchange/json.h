@@ -51,7 +51,10 @@ class MemberWriter {
     object_[key] = json_of(member);
   }
   void direction(const char* key, const Vec3& member) const { object_[key] = json_of(member); }
-  void later(const char* key, float member, Valid) const { object_[key] = json_of(member); }
+  template <typename Member>
+  void later(const char* key, const Member& member, Valid = Valid::any) const {
+    object_[key] = json_of(member);
+  }
   void constant(const char* key, const char* word) const { object_[key] = word; }
 
  private:

@@ -5,6 +5,7 @@
 #pragma once
 #include "core/light.h"
 #include "core/material.h"
+#include "core/pixel_filter.h"
 #include "core/texture.h"
 
 namespace twinray {
@@ -190,7 +191,16 @@ template <typename Visit>
 void members(const Visit& visit, Interior& interior) {
   visit("absorption", interior.absorption, Valid::not_negative);
   visit("priority", interior.priority);
-  visit("is_clear", interior.is_clear);
+  visit.later("is_clear", interior.is_clear);
+}
+
+template <typename Visit>
+void members(const Visit& visit, PixelFilter& filter) {
+  visit("type", filter.kind);
+  visit("radius", filter.radius);
+  visit("sigma", filter.sigma, Valid::positive);
+  visit("b", filter.b, Valid::part);
+  visit("c", filter.c, Valid::part);
 }
 
 /// The three coefficients of the fall-off with distance.

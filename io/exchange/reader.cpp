@@ -12,6 +12,7 @@
 
 #include "core/alpha_test.h"
 #include "core/error.h"
+#include "core/film.h"
 #include "core/parallel.h"
 #include "io/exchange/entry.h"
 #include "io/exchange/texture.h"
@@ -68,6 +69,7 @@ class Reader {
     read_shapes(file);
     assemble({prototypes_, read_instances(file)});
     read_camera(file);
+    if (file.has("render")) read_render(file.entry("render"));
     finish();
     return std::move(loaded_);
   }
@@ -296,6 +298,21 @@ class Reader {
     if (!options_.clip_as_file) camera = without_clip(camera);
     set_frame(file, camera);
     loaded_.scene.camera = camera;
+  }
+
+  /// What the file says of the picture besides its size.
+  void read_render(const Entry& entry) {
+    RenderDefaults& defaults = loaded_.defaults;
+    constexpr std::uint32_t most_events = 100;
+    if (entry.has("samples"))
+      defaults.samples = entry.whole("samples", entry.at("samples"), 1, Film::max_samples);
+    if (entry.has("max_depth"))
+      defaults.max_depth = int(entry.whole("max_depth", entry.at("max_depth"), 0, most_events));
+    if (!entry.has("filter")) return;
+    PixelFilter filter;
+    members(MemberReader(entry.entry("filter")), filter);
+    at_place(entry.place() + ".filter", [&] { check(filter); });
+    defaults.filter = filter;
   }
 
   static void read_aperture(const Entry& entry, Camera& camera) {

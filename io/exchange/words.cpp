@@ -49,4 +49,13 @@ Words<PictureRole> words() {
   return {{"color", PictureRole::color}, {"data", PictureRole::data}};
 }
 
+template <>
+Words<FilterKind> words() {
+  Words<FilterKind> kinds;
+  for (const FilterKind kind : {FilterKind::box, FilterKind::triangle, FilterKind::gaussian,
+                                FilterKind::blackman_harris, FilterKind::mitchell})
+    kinds.emplace_back(filter_name(kind), kind);
+  return kinds;
+}
+
 }  // namespace twinray

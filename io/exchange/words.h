@@ -7,6 +7,7 @@
 
 #include "core/light.h"
 #include "core/material.h"
+#include "core/pixel_filter.h"
 #include "core/texture.h"
 #include "io/picture/picture_meaning.h"
 
@@ -32,5 +33,7 @@ template <>
 Words<InputMeaning> words();
 template <>
 Words<PictureRole> words();
+template <>
+Words<FilterKind> words();
 
 }  // namespace twinray

@@ -176,8 +176,17 @@ std::string type_of(const LightSource& source) {
   return std::visit([](const auto& s) { return type_name(s); }, source);
 }
 
-std::string exchange_json(const Scene& scene, const std::string& path, const ExchangeFrame& frame) {
-  const Camera camera = fit_frame(scene.camera, frame.width, frame.height);
+/// What else than its size the file says of the picture; nothing if it says nothing.
+std::string render_text(const ExchangePicture& picture) {
+  Json json = Json::object();
+  if (picture.samples) json["samples"] = *picture.samples;
+  if (picture.max_depth) json["max_depth"] = *picture.max_depth;
+  if (std::optional<PixelFilter> filter = picture.filter) members(MemberWriter(json["filter"]), *filter);
+  return json.empty() ? "" : fmt::format("  \"render\": {},\n", line(json));
+}
+
+std::string exchange_json(const Scene& scene, const std::string& path, const ExchangePicture& picture) {
+  const Camera camera = fit_frame(scene.camera, picture.width, picture.height);
   const bool has_instances = scene.geometry->has_instances(), has_textures = !scene.textures.empty();
   const auto list = [](const char* key, const Json& json) {
     return fmt::format(",\n  \"{}\": {}", key, lines(json));
@@ -186,8 +195,8 @@ std::string exchange_json(const Scene& scene, const std::string& path, const Exc
                      has_textures    ? 3
                      : has_instances ? 2
                                      : 1,
-                     frame.width, frame.height) +
-         "  \"camera\": " + line(camera_json(camera)) +
+                     picture.width, picture.height) +
+         render_text(picture) + "  \"camera\": " + line(camera_json(camera)) +
          (has_textures ? list("textures", textures_json(scene, path)) : "") +
          list("materials", materials_json(scene)) + list("lights", lights_json(scene, path)) +
          list("shapes", shapes_json(scene, path)) +
@@ -210,9 +219,11 @@ WrittenScene written_exchange(const SceneToWrite& input, const std::string& path
     if (const MipMap* picture = picture_of(scene.textures[i]); picture && first[i] == i)
       written.files.push_back({exchange_texture_file(path, i),
                                [picture](const std::string& file) { write_exr(file, picture->image(0)); }});
-  const ExchangeFrame frame{input.picture.resolution->width, input.picture.resolution->height};
-  written.files.push_back({path, [&scene, path, frame](const std::string& file) {
-                             write_file(file, exchange_json(scene, path, frame));
+  const RenderDefaults& asked = input.picture;
+  const ExchangePicture picture{asked.resolution->width, asked.resolution->height, asked.samples,
+                                asked.max_depth, asked.filter};
+  written.files.push_back({path, [&scene, path, picture](const std::string& file) {
+                             write_file(file, exchange_json(scene, path, picture));
                            }});
   return written;
 }

@@ -56,16 +56,25 @@ double theta_of(double z, double radius) {
   return atan2_turns(std::sqrt(1 - cosine * cosine), cosine) * 360 * radians_per_degree;
 }
 
-bool is_flat(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  constexpr float tolerance = 1e-4f;  // of the patch's size; bends below it are lost in its facets
-  const Vec3 normal = cross(b - a, c - a);
-  const float size = std::max(length(d - a), std::max(length(b - a), length(c - a)));
-  return std::fabs(dot(normal, d - a)) <= tolerance * length(normal) * size;
+using Corners = std::array<std::uint32_t, 4>;
+
+float size_of(const Vec3& v) { return length(v); }
+float size_of(const Vec2& v) { return std::sqrt(v.x * v.x + v.y * v.y); }
+
+/// Whether values go evenly over a patch, as they do over its two triangles then. Differences below a part of
+/// their size, or of the one that is given, are lost in facets.
+template <typename Value>
+bool is_even(const std::vector<Value>& values, const Corners& corners, float size = 0) {
+  constexpr float part = 1e-4f;
+  if (values.empty()) return true;
+  const Value &a = values[corners[0]], &b = values[corners[1]], &c = values[corners[2]],
+              &d = values[corners[3]];
+  for (const Value& side : {d - a, b - a, c - a}) size = std::max(size, size_of(side));
+  return size_of((d - c) - (b - a)) <= part * size;
 }
 
 template <typename Value>
-Value bilinear(const std::vector<Value>& values, const std::array<std::uint32_t, 4>& corners, float u,
-               float v) {
+Value bilinear(const std::vector<Value>& values, const Corners& corners, float u, float v) {
   return values[corners[0]] * ((1 - u) * (1 - v)) + values[corners[1]] * (u * (1 - v)) +
          values[corners[2]] * ((1 - u) * v) + values[corners[3]] * (u * v);
 }
@@ -110,7 +119,7 @@ void add_bilinear_patch(const std::array<std::uint32_t, 4>& corners, Mesh& mesh)
     mesh.triangles.push_back({a, b, d});
     mesh.triangles.push_back({a, d, c});
   };
-  if (is_flat(p[corners[0]], p[corners[1]], p[corners[2]], p[corners[3]]))
+  if (is_even(p, corners) && is_even(mesh.normals, corners, 1) && is_even(mesh.uvs, corners))
     return add_cell(corners[0], corners[1], corners[2], corners[3]);
   const std::uint32_t first = std::uint32_t(p.size());
   for (std::uint32_t j = 0; j <= cells; ++j)

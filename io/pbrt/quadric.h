@@ -27,7 +27,8 @@ Mesh disk_mesh(const Disk& disk);
 Mesh cylinder_mesh(const Cylinder& cylinder);
 
 /// Adds a bilinear patch to a mesh, whose normals and uvs are those of its positions: indices of the corners
-/// (0, 0), (1, 0), (0, 1), (1, 1). A flat one becomes two triangles, a curved one is cut finely.
+/// (0, 0), (1, 0), (0, 1), (1, 1). A parallelogram becomes two triangles if its normals and uvs go evenly
+/// over it, all else is cut finely.
 void add_bilinear_patch(const std::array<std::uint32_t, 4>& corners, Mesh& mesh);
 
 }  // namespace twinray

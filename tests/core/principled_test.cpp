@@ -261,6 +261,15 @@ TEST_CASE("a principled metal has its colour along the normal and its tint near 
   CHECK(TintedFresnel({}, {}).average() == Rgb{});
 }
 
+TEST_CASE("gloss reflects by Fresnel's equations along the normal, however dense it is") {
+  for (const float ior : {1.5f, 10.0f, 100.0f, 1000.0f}) {
+    const Principled m{.base_color = {}, .specular_roughness = 0, .specular_ior = ior};
+    const float root = (ior - 1) / (ior + 1);
+    CHECK(test::sampled_albedo(PrincipledLobe(m, false), direction_at(0)).g ==
+          Approx(root * root).epsilon(2e-3));
+  }
+}
+
 TEST_CASE("weights of a principled surface do what they say") {
   const Vec3 wo = direction_at(0.7f);
   const auto albedo = [&](const Principled& m) { return test::sampled_albedo(PrincipledLobe(m, false), wo); };

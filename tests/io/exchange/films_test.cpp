@@ -47,6 +47,43 @@ TEST_CASE("exchange: surfaces of files that know no films have none") {
   CHECK(old.thin_film_ior == 1.4f);
 }
 
+TEST_CASE("exchange: what a file says of its picture comes back") {
+  Scene scene;
+  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{});
+  const PixelFilter filter{.kind = FilterKind::mitchell, .radius = {2, 1.75f}, .sigma = 0.3f, .b = 0.1f};
+  const TemporaryFolder folder;
+  const auto defaults_of = [&](const nlohmann::json& json) {
+    write_text(folder.file("a.json"), json.dump());
+    return load_scene(folder.file("a.json")).defaults;
+  };
+  nlohmann::json json = nlohmann::json::parse(exchange_json(scene, "a.json", {48, 36, 17, 3, filter}));
+  const RenderDefaults all = defaults_of(json);
+  CHECK(all.samples == 17u);
+  CHECK(all.max_depth == 3);
+  CHECK(all.filter == filter);
+  const auto error = [&](const char* key, const nlohmann::json& value) {
+    nlohmann::json wrong = json;
+    wrong["render"][key] = value;
+    try {
+      defaults_of(wrong);
+    } catch (const Error& fault) {
+      return std::string(fault.what());
+    }
+    return std::string();
+  };
+  CHECK(error("samples", 0).find("render: \"samples\" is 0") != std::string::npos);
+  CHECK(error("max_depth", 101).find("render: \"max_depth\" is 101") != std::string::npos);
+  nlohmann::json wide = json["render"]["filter"];
+  wide["radius"] = {20, 1};
+  CHECK(error("filter", wide).find("render.filter: ") != std::string::npos);
+  wide["type"] = "sinc";
+  CHECK(error("filter", wide).find("valid are box, triangle, gaussian") != std::string::npos);
+  const RenderDefaults none = defaults_of(nlohmann::json::parse(exchange_json(scene, "a.json", {48, 36})));
+  CHECK_FALSE(none.samples);
+  CHECK_FALSE(none.max_depth);
+  CHECK_FALSE(none.filter);
+}
+
 TEST_CASE("exchange: films have thicknesses and indices that all formats can say") {
   const auto with = [](const char* key, float value) {
     nlohmann::json json = film_json();

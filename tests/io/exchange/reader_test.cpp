@@ -19,7 +19,7 @@ namespace twinray::test {
 namespace {
 
 const std::string sources = TWINRAY_SOURCE_DIR;
-constexpr ExchangeFrame frame{480, 360};
+constexpr ExchangePicture frame{480, 360};
 
 std::shared_ptr<const Image> picture(int width, int height) {
   auto image = std::make_shared<Image>();

@@ -322,13 +322,18 @@ TEST_CASE("cut shapes have the area of what they stand for, and pbrt's side outs
   }
 }
 
-TEST_CASE("a bilinear patch is two triangles where it is flat, and cut finely where it is not") {
-  const auto triangles = [](const std::string& z) {
-    return load_pbrt_world("Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 " + z + " ]")
+TEST_CASE("a bilinear patch is two triangles where all goes evenly over it, and cut finely where not") {
+  const auto triangles = [](const std::string& last, const std::string& more = "") {
+    return load_pbrt_world("Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  " + last + " ]" + more)
         .scene.geometry->triangle_count();
   };
-  CHECK(triangles("0") == 2);
-  CHECK(triangles("1") == 512);
+  CHECK(triangles("1 1 0") == 2);
+  CHECK(triangles("1 1 1") == 512);
+  CHECK(triangles("0.5 1 0") == 512);
+  CHECK(triangles("1 1 0", " \"point2 uv\" [ 0 0  2 0  0 1  2 1 ]") == 2);
+  CHECK(triangles("1 1 0", " \"point2 uv\" [ 0 0  2 0  0 1  1 1 ]") == 512);
+  CHECK(triangles("1 1 0", " \"normal N\" [ 0 0 1  1 0 1  0 0 1  1 0 1 ]") == 2);
+  CHECK(triangles("1 1 0", " \"normal N\" [ 0 0 1  1 0 1  0 0 1  0 1 1 ]") == 512);
   CHECK(near(front(load_pbrt_world("Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ]")),
              {0, 0, 1}));
 }
