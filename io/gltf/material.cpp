@@ -213,6 +213,10 @@ bool GltfMaterials::needs_handedness(int material) const {
          anisotropy.number("anisotropyRotation", 0) != 0;
 }
 
+bool GltfMaterials::goes_by_tangents(int material) const {
+  return needs_handedness(material) || is_brushed(material_at(document_, material));
+}
+
 bool GltfMaterials::is_unlit(int material) const {
   return bool(GltfExtension(material_at(document_, material).extensions, "KHR_materials_unlit", ""));
 }

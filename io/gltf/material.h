@@ -44,6 +44,8 @@ class GltfMaterials {
   /// Whether it has a normal map or a tangent, which are not the same for both ways round of texture
   /// coordinates.
   bool needs_handedness(int material) const;
+  /// Whether it looks otherwise where tangents point elsewhere.
+  bool goes_by_tangents(int material) const;
   bool is_unlit(int material) const;
   /// The same material for each of the same uses. -1: the format's default material.
   const GltfSurface& surface(int material, const GltfUse& use);

@@ -95,7 +95,7 @@ class Builder {
                                            corners.size(), corners.size() % 3));
     made_.triangles = triangles_of(corners, source_.mode);
     if (attributes_.has("NORMAL")) made_.normals = vectors("NORMAL", "VEC3");
-    if (attributes_.has("TANGENT")) read_handedness();
+    if (attributes_.has("TANGENT")) read_tangents();
     if (attributes_.has("COLOR_0")) made_.colors = numbers("COLOR_0", "VEC3 VEC4");
     for (const auto& [name, accessor] : source_.attributes) read_uvs(name);
     return std::move(made_);
@@ -119,10 +119,12 @@ class Builder {
     return vectors;
   }
 
-  void read_handedness() {
+  void read_tangents() {
     const GltfNumbers tangents = numbers("TANGENT", "VEC4");
-    for (std::size_t i = 0; i < tangents.count; ++i)
+    for (std::size_t i = 0; i < tangents.count; ++i) {
+      made_.tangents.emplace_back(tangents.at(i, 0), tangents.at(i, 1), tangents.at(i, 2));
       made_.handedness.push_back(tangents.at(i, 3) < 0 ? -1.0f : 1.0f);
+    }
   }
 
   /// Sets of texture coordinates have one digit. The format's v runs downwards, ours upwards.

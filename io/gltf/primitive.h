@@ -19,7 +19,8 @@ struct GltfPrimitive {
   std::vector<Triangle> triangles;
   std::vector<Vec3> normals;             ///< One for each position, or none.
   std::map<int, std::vector<Vec2>> uvs;  ///< By the number of their set: one for each position.
-  std::vector<float> handedness;         ///< Of tangents, +-1: one for each position, or none.
+  std::vector<Vec3> tangents;            ///< Where they point: one for each position, or none;
+  std::vector<float> handedness;         ///< and their sign, +-1.
   GltfNumbers colors;                    ///< COLOR_0: three or four a position, or none.
 };
 

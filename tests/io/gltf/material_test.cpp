@@ -297,6 +297,27 @@ TEST_CASE("gltf: a normal map is scaled, and turned where texture coordinates ar
   CHECK(slope().g == Approx(0.5 - 0.5 * (51.0 / 255 - 0.5)));
 }
 
+TEST_CASE("gltf: tangents that are not those of the texture coordinates are named where that matters") {
+  GltfFile file = gltf_surface(json::object());
+  file.json["materials"][0]["normalTexture"] = {{"index", add_picture(file)}};
+  const auto warnings = [&](const std::vector<float>& tangents) {
+    file.primitive()["attributes"]["TANGENT"] = file.accessor<float>(tangents, "VEC4");
+    return file.load().warnings;
+  };
+  const float c = 0.8f, s = 0.6f;  // 37 degrees.
+  CHECK(warnings({1, 0, 0, 1, 0.9f, 0.43f, 0, 1, 1, 0, 0, 1}).empty());
+  for (const auto& turned : {std::pair(c, s), std::pair(-1.0f, 0.0f), std::pair(0.0f, 0.0f)}) {
+    const auto [x, y] = turned;
+    const auto found = warnings({x, y, 0, 1, x, y, 0, 1, x, y, 0, 1});
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].text() ==
+          "test.gltf: /meshes/0/primitives/0/attributes/TANGENT: these tangents are not those of "
+          "the texture coordinates, by which normal maps and brushed facets go");
+  }
+  file.json["materials"][0].erase("normalTexture");
+  CHECK(warnings({0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}).empty());
+}
+
 TEST_CASE("gltf: specular and glossiness are a dielectric of such a reflection") {
   const Principled model = model_of(extended(
       "KHR_materials_pbrSpecularGlossiness",
