@@ -46,6 +46,16 @@ void require_same(const CameraSample& found, const CameraSample& expected) {
 
 }  // namespace
 
+TEST_CASE("a sample sees less of its pixel the more there were before it") {
+  const Camera camera;
+  const CameraStage stage(camera, {64, 48, 100, SamplerKind::sobol, 3, {}});
+  const std::vector<PixelSample> pixels{{1, 2, 0}, {1, 2, 3}, {1, 2, 4}, {5, 6, 99}};
+  std::vector<CameraSample> made(pixels.size());
+  stage.make(pixels, made);
+  const float whole = pixel_cone(camera, 64, 48).spread, parts[] = {1, 0.5f, 0.25f, 0.125f};
+  for (std::size_t i = 0; i < 4; ++i) CHECK(made[i].cone.spread == whole * parts[i]);
+}
+
 TEST_CASE("camera rays made together have the bits of each alone") {
   const std::vector<PixelSample> pixels = pixel_samples();
   const PixelFilter filters[] = {{}, usual_filter(FilterKind::mitchell), usual_filter(FilterKind::gaussian)};

@@ -219,4 +219,7 @@ MUTANTS = [
     Mutant("an exchange form is written without bump maps", "io/exchange/writer.cpp",
            'json["bump_map"] = material.bump_map;', ";", IO,
            "a scene in exchange form is read with all its bits, whatever is in it"),
+    Mutant("what a file says of its picture is lost", "io/exchange/writer.cpp",
+           "         render_text(picture) + ", "         ", "test_io",
+           "exchange: what a file says of its picture comes back"),
 ]

@@ -185,4 +185,10 @@ MUTANTS = [
     Mutant("a file may ask for a later version", "io/gltf/schema.cpp",
            'if (least != "2.0")', "if (false)", "test_io_gltf",
            "gltf: each fault of the text is an error with its pointer and what is valid"),
+    Mutant("a volume that absorbs nothing is none", "io/gltf/layers.cpp",
+           "lets_light_in(model_) && is_black(interior.absorption)", "false", GLTF,
+           "gltf: transmission is that of a sheet or, with a thickness, of a body that absorbs"),
+    Mutant("tangents of no length point anywhere", "io/gltf/shapes.cpp",
+           "!(cosine > 0 && cosine", "!(cosine", GLTF,
+           "gltf: tangents that are not those of the texture coordinates are named where that matters"),
 ]

@@ -12,7 +12,7 @@ MUTANTS = [
            "0",
            "test_io", "a PLY file has each corner of each triangle with all bits, and no vertex twice"),
     Mutant("an exchanged camera keeps the file's frame", "io/exchange/writer.cpp",
-           "const Camera camera = fit_frame(scene.camera, frame.width, frame.height);",
+           "const Camera camera = fit_frame(scene.camera, picture.width, picture.height);",
            "const Camera camera = scene.camera;",
            "test_io", "each kind of camera in exchange form, its frame as wide as the picture"),
     Mutant("numbers of the exchange form have six digits", "io/decimal.h",

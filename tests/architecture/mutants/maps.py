@@ -74,4 +74,13 @@ MUTANTS = [
     Mutant("pictures in tiles are taken to lie in [0, 1]", "io/picture/texture_store.cpp",
            "std::move(texture.tiles), texture.is_within_unit)", "std::move(texture.tiles), true)", "test_io",
            "a converted picture says whether its texels lie from 0 to 1"),
+    Mutant("normals are looked up by chance", "core/shading_map.cpp",
+           "point.texture_draw, true}", "point.texture_draw, false}", "test_integrators",
+           "between two pixels a map's direction lies between theirs, whatever the filter"),
+    Mutant("a sample sees as much as the one before", "core/ray_cone.h",
+           "sample < 4 ? 1.0f / 2", "sample < 5 ? 1.0f / 2", "test_core",
+           "a camera's cone is as wide as a pixel, or as one's part that a sample stands for"),
+    Mutant("all samples see a whole pixel", "integrators/wave/camera_stage.h",
+           "pixel_cone_.part(part_of_pixel(sample.index))", "pixel_cone_", "test_integrators",
+           "a sample sees less of its pixel the more there were before it"),
 ]

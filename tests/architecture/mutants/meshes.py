@@ -153,4 +153,10 @@ MUTANTS = [
     Mutant("facets without a direction are not named", "io/obj/scene.cpp",
            "    materials.warn(no_facet_direction);\n", "    ;\n", "test_io",
            "facets of an OBJ file are turned as MTL says, and have a direction where there are coordinates"),
+    Mutant("CIE's X, Y and Z are red, green and blue", "io/obj/material_text.cpp",
+           "transformed(inverse(to_xyz(srgb_primaries)), std::array<double, 3>{x, y, z})",
+           "std::array<double, 3>{x, y, z}", "test_io", "colors of MTL may be CIE's"),
+    Mutant("a picture of gloss stands for its color", "io/obj/material.cpp",
+           "color == white ? texture : scaled(texture, color)", "texture", "test_io",
+           "a picture of gloss is multiplied by its color, which may be left out"),
 ]

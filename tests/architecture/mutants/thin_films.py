@@ -74,7 +74,7 @@ MUTANTS = [
            "if (ior > last_ior) integrate(alpha, ior);", "", "test_core",
            "a white principled surface passes the furnace within what its layers' fits lose"),
     Mutant("older files without films are refused", "io/exchange/entry.h",
-           "if (entry_.has(key)) (*this)(key, member, valid);", "(*this)(key, member, valid);", "test_io",
+           "if (entry_.has(key)) (*this)(key, member, valid...);", "(*this)(key, member, valid...);", "test_io",
            "exchange: surfaces of files that know no films have none"),
     Mutant("the ends of a film's thickness are not written", "io/gltf/writer_material.cpp",
            "ends = own.value_or(std::pair{0.0f, 1.0f});", "ends = {0.0f, 1.0f};", "test_io",
