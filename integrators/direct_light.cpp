@@ -18,8 +18,10 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
     const Rgb scattered = at.scattered(look.direction).value;
     if (is_black(scattered)) continue;
     const Ray ray = spawn_ray(at.point(), look.direction);
-    const Hit hit = tracer.bounce_hit(ray);
-    const Rgb passed = transmittance(transport, at.interiors(look.direction), ray, hit.t);
+    Passages::Way way{ray, tracer.bounce_hit(ray), at.interiors(look.direction)};
+    if (transport.passages) transport.passages->follow(tracer, way);
+    const Hit& hit = way.hit;
+    const Rgb passed = way.left * transmittance(transport, way.interiors, way.ray, hit.t);
     const Rgb found = lamp_radiance(transport, hit, look.direction) * passed;
     const Rgb light = scattered * found / look.density;
     sum += light;
@@ -34,6 +36,13 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
   return count == 0 ? Rgb{} : sum / divisor;
 }
 
+/// What comes along a shadow ray; where there are no passages it is all, or nothing.
+Rgb visibility(const LightTransport& transport, const Interaction& at, const LightSample& sample,
+               Tracer& tracer) {
+  if (!transport.passages) return tracer.visibility(sample.shadow_ray);
+  return transport.passages->visibility(tracer, sample.shadow_ray, at.interiors(sample.direction));
+}
+
 /// The light of one source, by the mean of its samples.
 Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Interaction& at,
                  const VertexSampler& sampler, Tracer& tracer, const LightShares& shares) {
@@ -43,14 +52,14 @@ Rgb sample_light(const LightTransport& transport, std::uint32_t light, const Int
     const Vec2 u = sampler.draw_2d(Purpose::light_point, {part, count, light});
     const LightSample sample = transport.lights.sample(light, at.point(), at.receiver(), u);
     const Rgb scattered = scattered_sample(transport, light, at, sample);
-    const Rgb visibility = is_black(scattered) ? Rgb{} : tracer.visibility(sample.shadow_ray);
+    const Rgb visible = is_black(scattered) ? Rgb{} : visibility(transport, at, sample, tracer);
     if (!is_black(scattered)) {
-      const Rgb light_there = scattered * visibility / sample.pdf;
+      const Rgb light_there = scattered * visible / sample.pdf;
       sum += light_there;
       if (shares.scattered) shares.scattered->add(at, sample.direction, light_there / float(count));
       shares.groups.add(transport.lights.source(light, sample.light), light_there / float(count));
     }
-    tracer.observer().sampled_light(transport, at, {light, sample, scattered, visibility});
+    tracer.observer().sampled_light(transport, at, {light, sample, scattered, visible});
   }
   return sum / float(count);
 }
@@ -96,8 +105,9 @@ Rgb scattered_sample(const LightTransport& transport, std::uint32_t light, const
                      const LightSample& sample) {
   if (is_black(sample.radiance)) return {};
   const BsdfValue scattered = at.scattered(sample.direction);
-  const Rgb arriving =
-      transmittance(transport, at.interiors(sample.direction), sample.shadow_ray, sample.shadow_ray.t_max);
+  const Rgb arriving = transport.passages ? Rgb{1, 1, 1}
+                                          : transmittance(transport, at.interiors(sample.direction),
+                                                          sample.shadow_ray, sample.shadow_ray.t_max);
   return scattered.value * sample.radiance *
          light_sample_weight(transport, light, at, sample, scattered.pdf) * arriving;
 }

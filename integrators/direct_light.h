@@ -7,6 +7,7 @@
 #include "core/sampler.h"
 #include "integrators/interaction.h"
 #include "integrators/light_groups.h"
+#include "integrators/passages.h"
 #include "integrators/tracer.h"
 
 namespace twinray {
@@ -24,6 +25,7 @@ struct LightTransport {
   const LightSet& lights;
   DirectMethod method = DirectMethod::mis;
   std::uint32_t samples_per_light = 1;  ///< For each light that is not a delta light; >= 1.
+  const Passages* passages = nullptr;   ///< Of the scene, if it has any.
 
   /// How many samples a light gets.
   std::uint32_t samples_of(std::uint32_t light) const {
@@ -77,7 +79,8 @@ float light_sample_weight(const LightTransport& transport, std::uint32_t light, 
                           const LightSample& sample, float scattered_pdf);
 
 /// What a surface scatters of a light's sample before its visibility and density, but for the part that
-/// scattered rays find.
+/// scattered rays find. What interiors absorb on the way counts here, but where there are passages: then it
+/// belongs to the visibility.
 Rgb scattered_sample(const LightTransport& transport, std::uint32_t light, const Interaction& at,
                      const LightSample& sample);
 

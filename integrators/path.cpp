@@ -36,6 +36,7 @@ class PathIntegrator::Waves {
         scene_(scene),
         lights_(scene, {compensation_for(options.direct, options.samples_per_light), options.many_lights}),
         bsdfs_(scene),
+        passages_(scene),
         shapes_(shape_table(scene)),
         patches_(patch_tables(scene, lights_)),
         exceeds_cache_(exceeds_cache(*scene.geometry)) {}
@@ -43,7 +44,8 @@ class PathIntegrator::Waves {
   WaveContext context() const {
     return {*stages,
             options_,
-            {scene_, lights_, options_.direct, options_.samples_per_light},
+            {scene_, lights_, options_.direct, options_.samples_per_light,
+             passages_.empty() ? nullptr : &passages_},
             bsdfs_,
             shapes_,
             patches_,
@@ -60,6 +62,7 @@ class PathIntegrator::Waves {
   const Scene& scene_;
   const LightSet lights_;
   const BsdfTable bsdfs_;
+  const Passages passages_;
   const std::vector<ShapeEntry> shapes_;
   const std::vector<PatchTable> patches_;
   const bool exceeds_cache_;

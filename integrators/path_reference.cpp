@@ -12,6 +12,7 @@ PathReference::PathReference(const Scene& scene, const PathOptions& options)
       options_(options),
       lights_(scene, {compensation_for(options.direct, options.samples_per_light), options.many_lights}),
       bsdfs_(scene),
+      passages_(scene),
       has_environment_(has_environment(scene)) {
   check(options);
 }
@@ -25,7 +26,8 @@ void PathReference::sample(std::span<const CameraSample> samples, SamplerKind ki
 
 Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer,
                                const RecordSpans& record) const {
-  const LightTransport transport{scene_, lights_, options_.direct, options_.samples_per_light};
+  const LightTransport transport{scene_, lights_, options_.direct, options_.samples_per_light,
+                                 passages_.empty() ? nullptr : &passages_};
   const PathKey path_key(sample.key);
   PathObserver& observer = tracer.observer();
   LightDivision division(scene_, record);
@@ -33,6 +35,7 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
   State path{.ray = sample.ray, .cone = sample.cone};
   path.viewing.interiors = sample.interiors;
   Hit hit = tracer.camera_hit(path.ray);
+  pass_on(tracer, path, hit);
   if (record.has(Layer::alpha)) record[Layer::alpha][0] = alpha_record(hit, has_environment_);
   for (int depth = 0;; ++depth) {  // Scattering events before the current ray.
     tracer.arrive();
@@ -69,7 +72,17 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     const bool is_last = options_.ends(depth + 1, path.bounces);
     if (is_last && !may_find_light(transport, path.departure)) return radiance;
     hit = tracer.bounce_hit(path.ray);
+    pass_on(tracer, path, hit);
   }
+}
+
+void PathReference::pass_on(Tracer& tracer, State& path, Hit& hit) const {
+  if (!passages_.is_one(hit)) return;
+  Passages::Way way{path.ray, hit, path.viewing.interiors, path.cone};
+  passages_.follow(tracer, way);
+  path.ray = way.ray, hit = way.hit, path.cone = way.cone;
+  path.viewing.interiors = way.interiors;
+  path.throughput = path.throughput * way.left;
 }
 
 void PathReference::record_surface(const Interaction& at, const Hit& hit, int depth, const State& path,

@@ -44,6 +44,8 @@ class PathReference final : public Integrator {
                  const LightGroups& groups) const;
   /// The term of the radiance that light is which was scattered `depth` times.
   LightTerm term(const Rgb& throughput, const Rgb& light, int depth, PathObserver& observer) const;
+  /// Follows the path's ray on through what is not there.
+  void pass_on(Tracer& tracer, State& path, Hit& hit) const;
   /// Writes what is asked for of the surface that a path has come to after `depth` scattering events.
   void record_surface(const Interaction& at, const Hit& hit, int depth, const State& path,
                       const RecordSpans& record) const;
@@ -58,6 +60,7 @@ class PathReference final : public Integrator {
   PathOptions options_;
   LightSet lights_;
   BsdfTable bsdfs_;
+  Passages passages_;
   bool has_environment_;
 };
 

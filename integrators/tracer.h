@@ -58,6 +58,12 @@ class Tracer {
     return closest(ray);
   }
 
+  /// Of a ray that goes on where another one of this kind has been.
+  Hit hit(const Ray& ray, RayKind kind) {
+    note({&ray, 1}, kind, kind == RayKind::shadow ? counts_.shadow : counts_.bounce);
+    return closest(ray);
+  }
+
   /// The same for several paths that grow vertex by vertex together: hits[i] is that of rays[i].
   void camera_hits(std::span<const Ray> rays, std::span<Hit> hits) {
     vertex_ = 0;

@@ -58,7 +58,7 @@ void PathWave::gather_groups_around(float divisor) {
     const Ray& ray = connections_.rays[k];
     const Hit& hit = connections_.hits[k];
     const Rgb scattered = connections_.scattered.at<Rgb>(i);
-    const Rgb passed = transmittance(context_.transport, interiors_of(k), ray, hit.t);
+    const Rgb passed = connections_.passed[k];
     const LightGroups groups = groups_of(i);
     for_each_lamp(context_.transport, {hit, ray.direction}, [&](std::uint32_t lamp, const Rgb& radiance) {
       groups.add(lamp, scattered * (radiance * passed) / light_.pdf[i] / divisor);

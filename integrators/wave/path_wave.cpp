@@ -39,6 +39,7 @@ void PathWave::trace() {
   const std::span<const Ray> rays(wave_.rays);
   const std::span<Hit> hits(wave_.hits);
   tracer_.camera_hits(rays.first(paths_.size), hits.first(paths_.size));
+  if (context_.transport.passages) pass_on();
   record_coverage();
   for (;; ++depth_) {
     tracer_.arrive();
@@ -56,6 +57,7 @@ void PathWave::trace() {
     const bool is_last = depth_ + 1 >= context_.options.depth_limit();
     if ((is_last && !may_find_light()) || !scatter(is_last)) return;
     tracer_.bounce_hits(rays.first(paths_.size), hits.first(paths_.size));
+    if (context_.transport.passages) pass_on();
   }
 }
 
@@ -76,6 +78,20 @@ void PathWave::start() {
     paths_.cone_width[i] = samples_[i].cone.width;
     paths_.cone_spread[i] = samples_[i].cone.spread;
     wave_.rays[i] = samples_[i].ray;
+  }
+}
+
+void PathWave::pass_on() {
+  const Passages& passages = *context_.transport.passages;
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    if (!passages.is_one(wave_.hits[i])) continue;
+    Passages::Way way{
+        wave_.rays[i], wave_.hits[i], paths_.interiors_at(i), {paths_.cone_width[i], paths_.cone_spread[i]}};
+    passages.follow(tracer_, way);
+    wave_.rays[i] = way.ray, wave_.hits[i] = way.hit;
+    paths_.interiors.set(i, way.interiors.bits());
+    paths_.cone_width[i] = way.cone.width;
+    paths_.throughput.set(i, paths_.throughput.at<Rgb>(i) * way.left);
   }
 }
 
@@ -257,7 +273,7 @@ void PathWave::sample_light(std::uint32_t light) {
       sample_other_light(light);
     stages_.scatter_light(surfaces_, light_, paths_.size, mis, connections_);
     scatter_light_at_lobes(mis);
-    if (context_.has_interiors) absorb_light();
+    if (context_.has_interiors && !context_.transport.passages) absorb_light();
     scatter_light_at_others(light);
     stages_.make_shadow_rays(light_, paths_.size, connections_);
     connect();
@@ -337,6 +353,12 @@ void PathWave::sample_other_light(std::uint32_t light) {
 }
 
 void PathWave::connect() {
+  if (const Passages* const passages = context_.transport.passages) {
+    for (std::size_t k = 0; k < connections_.size; ++k)
+      connections_.arriving.set(connections_.surface[k],
+                                passages->visibility(tracer_, connections_.rays[k], interiors_of(k)));
+    return;
+  }
   const std::span<const Rgb> visible =
       tracer_.visibilities(std::span(connections_.rays).first(connections_.size));
   for (std::size_t k = 0; k < connections_.size; ++k)
@@ -356,6 +378,7 @@ void PathWave::add_hemisphere() {
   if (count == 0) return;
   const float divisor = float(count) * uniform_hemisphere_pdf();
   connections_.of_light.clear(paths_.size);
+  connections_.passed.resize(wave_size);
   for (std::uint32_t part = 0; part < count; ++part) {
     draw(Purpose::light_point, {part, count, 0}, light_.ux, light_.uy);
     stages_.sample_hemisphere(surfaces_, light_, paths_.size);
@@ -374,12 +397,12 @@ void PathWave::add_hemisphere() {
     connections_.sum.set(i, connections_.of_light.at<Rgb>(i) / divisor);
 }
 
-Rgb PathWave::found_around(std::size_t connection) const {
-  const Ray& ray = connections_.rays[connection];
-  const Hit& hit = connections_.hits[connection];
-  const Rgb radiance = lamp_radiance(context_.transport, hit, ray.direction);
-  if (!context_.has_interiors) return radiance;
-  return radiance * transmittance(context_.transport, interiors_of(connection), ray, hit.t);
+Rgb PathWave::found_around(std::size_t k) {
+  Passages::Way way{connections_.rays[k], connections_.hits[k], interiors_of(k)};
+  if (context_.transport.passages) context_.transport.passages->follow(tracer_, way);
+  connections_.hits[k] = way.hit;
+  connections_.passed[k] = way.left * transmittance(context_.transport, way.interiors, way.ray, way.hit.t);
+  return lamp_radiance(context_.transport, way.hit, way.ray.direction) * connections_.passed[k];
 }
 
 bool PathWave::scatter(bool is_last) {

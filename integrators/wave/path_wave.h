@@ -55,6 +55,8 @@ class PathWave {
   void add_found_beyond(std::span<const std::uint32_t> escaped);
   /// and one of them.
   void add_found(std::size_t k, const Arrival& arrival);
+  /// Follows rays on through what is not there.
+  void pass_on();
   /// Takes from the paths what interiors absorb on the way to the hits.
   void absorb();
   /// Takes from a light's samples what interiors absorb on the way from Lambert surfaces.
@@ -145,8 +147,8 @@ class PathWave {
   void sample_environment(const Environment& environment);
   void sample_other_light(std::uint32_t light);
   void connect();
-  /// What the ray of a hemisphere sample's connection brings.
-  Rgb found_around(std::size_t connection) const;
+  /// What the ray of a hemisphere sample's connection brings, once it has been followed.
+  Rgb found_around(std::size_t connection);
   Interiors interiors_of(std::size_t connection) const;
   /// Whether any path may go on from its last surface.
   bool may_find_light() const;

@@ -117,13 +117,14 @@ struct PatchCorners {
 
 /// What of it is scattered to the viewer.
 struct Connections {
-  Columns3 scattered;      ///< f L |cos|; zero where nothing is.
-  std::size_t size = 0;    ///< How many are not black:
-  Words surface;           ///< the surface of each of those, in order,
-  std::vector<Ray> rays;   ///< and its ray towards the light.
-  std::vector<Hit> hits;   ///< What these hit, by hemisphere sampling.
-  Columns3 arriving;       ///< Visibility, or the radiance that was found; for each surface.
-  Columns3 of_light, sum;  ///< Added up so far, for each surface.
+  Columns3 scattered;       ///< f L |cos|; zero where nothing is.
+  std::size_t size = 0;     ///< How many are not black:
+  Words surface;            ///< the surface of each of those, in order,
+  std::vector<Ray> rays;    ///< and its ray towards the light.
+  std::vector<Hit> hits;    ///< What these hit, by hemisphere sampling,
+  std::vector<Rgb> passed;  ///< and what interiors leave on the way there.
+  Columns3 arriving;        ///< Visibility, or the radiance that was found; for each surface.
+  Columns3 of_light, sum;   ///< Added up so far, for each surface.
 };
 
 /// All of it, for one thread.

@@ -194,6 +194,44 @@ TEST_CASE("what is clear within something that absorbs light ends it there") {
   }
 }
 
+TEST_CASE("an interface hides no light, and is no vertex of a path") {
+  Scene scene =
+      nested_balls({1, 0.5f}, {body(Interface{}, {absorption}), body(Interface{}, {.is_clear = true})});
+  const Mesh wall{
+      .name = "wall", .positions = {{-9, -9, -2}, {9, -9, -2}, {0, 9, -2}}, .triangles = {{0, 1, 2}}};
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  shapes.push_back(wall);
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  scene.bindings.push_back({2});
+  scene.materials.push_back({"wall", Lambert{{0.5f, 0.5f, 0.5f}}});
+  look_closely(scene);
+  const LightSource lamps[] = {DirectionalLight{{0, 0, -1}, {1, 1, 1}},
+                               PointLight{{0, 0, 1.5f}, {3.5f * 3.5f, 3.5f * 3.5f, 3.5f * 3.5f}, {}}};
+  for (const LightSource& lamp : lamps) {
+    scene.lights = {{"lamp", lamp}};
+    // Fog of a length of 1, for the light and for the viewer.
+    const PathOptions once{.max_depth = 1};
+    CHECK(estimate(scene, once, small_picture(4)).mean == Approx(0.5 / pi * left_of(2)).epsilon(1e-4));
+    scene.materials[1].interior = {};
+    CHECK(estimate(scene, once, small_picture(4)).mean == Approx(0.5 / pi * left_of(4)).epsilon(1e-4));
+    scene.materials[1].interior.is_clear = true;
+    for (const DirectMethod method : {DirectMethod::mis, DirectMethod::lights})
+      CHECK(same_bits(render_with(scene, PathIntegrator(scene, {.direct = method}), small_picture(4)).film,
+                      render_with(scene, PathReference(scene, {.direct = method}), small_picture(4)).film));
+  }
+  // Light that scattered rays find comes through as well.
+  scene.lights.clear();
+  add_white_sky(scene);
+  const double by_lights =
+      estimate(scene, {.max_depth = 1, .direct = DirectMethod::lights}, small_picture(256)).mean;
+  for (const DirectMethod method : {DirectMethod::mis, DirectMethod::hemisphere}) {
+    CHECK(estimate(scene, {.max_depth = 1, .direct = method}, small_picture(256)).mean ==
+          Approx(by_lights).epsilon(0.01));
+    CHECK(same_bits(render_with(scene, PathIntegrator(scene, {.direct = method}), small_picture(4)).film,
+                    render_with(scene, PathReference(scene, {.direct = method}), small_picture(4)).film));
+  }
+}
+
 TEST_CASE("a plate of absorbing glass reflects and lets through what the sum of its reflections says") {
   Scene scene = scene_of(inward_box(0.25f), {}, {0, 0, 3}, {0, 0, 0});
   Mesh plate = inward_box(0.25f);

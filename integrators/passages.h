@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces that are not there: light goes straight through an Interface, from one interior into another. Rays
+// pass them on their way; they are no vertices of paths, and hide no light.
+#pragma once
+#include <vector>
+
+#include "core/interiors.h"
+#include "core/ray_cone.h"
+#include "core/scene.h"
+#include "integrators/tracer.h"
+
+namespace twinray {
+
+class Passages {
+ public:
+  /// The scene must outlive it.
+  explicit Passages(const Scene& scene);
+
+  /// Whether the scene has none.
+  bool empty() const { return is_passage_.empty(); }
+  bool is_one(const Hit& hit) const { return !empty() && !hit.is_miss() && is_passage_[hit.mesh]; }
+
+  /// How far light has been followed along a ray: up to its hit, which the interiors before it do not count.
+  struct Way {
+    Ray ray;
+    Hit hit;
+    Interiors interiors;  ///< That the ray starts in.
+    RayCone cone = {};
+    Rgb left{1, 1, 1};  ///< What absorption has left of the light before the ray starts.
+  };
+  /// Follows a ray of a path through all passages, to the first surface that is there or to none.
+  void follow(Tracer& tracer, Way& way) const;
+  /// What comes along a shadow ray that starts in these interiors.
+  Rgb visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors& interiors) const;
+
+ private:
+  /// Up to its hit; `behind` makes the ray that goes on there.
+  template <typename Behind>
+  void pass(Tracer& tracer, Way& way, RayKind kind, const Behind& behind) const;
+
+  const Scene& scene_;
+  std::vector<bool> is_passage_;  ///< By shape; empty where none is.
+};
+
+}  // namespace twinray
