@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/default_light.h"
+#include "core/light_set.h"
 
 namespace twinray {
 namespace {
@@ -14,10 +15,12 @@ namespace {
 std::string unmet_lights(const Scene& scene) {
   std::vector<std::string> names;
   for (const Light& light : scene.lights)
-    if (is_delta(light.source)) names.push_back(fmt::format("\"{}\"", light.name));
+    if (is_delta(light.source) || is_invisible(scene, light.source))
+      names.push_back(fmt::format("\"{}\"", light.name));
   if (names.empty()) return {};
   return fmt::format(
-      "hemisphere sampling finds no light from a point or a single direction: {} {} nothing to the "
+      "hemisphere sampling finds no light from a point, a single direction or an invisible shape: {} {} "
+      "nothing to the "
       "picture; --direct=lights would show {}",
       fmt::join(names, ", "), names.size() == 1 ? "adds" : "add", names.size() == 1 ? "it" : "them");
 }

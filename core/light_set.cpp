@@ -181,7 +181,7 @@ const std::uint32_t* shape_of(const LightSource& source) {
 }
 
 /// As in pbrt-v4, a shape whose alpha is 0 everywhere emits all its light, and is not seen.
-bool is_invisible(std::span<const Texture> textures, std::uint32_t alpha) {
+bool leaves_nothing(std::span<const Texture> textures, std::uint32_t alpha) {
   const auto* constant = alpha == no_texture ? nullptr : std::get_if<ConstantTexture>(&textures[alpha].model);
   return constant && !(constant->value.r > 0);
 }
@@ -192,6 +192,11 @@ Rgb ambient_radiance(const AmbientLight& light, const Vec3& direction) {
 }
 
 }  // namespace
+
+bool is_invisible(const Scene& scene, const LightSource& source) {
+  const std::uint32_t* const shape = shape_of(source);
+  return shape && leaves_nothing(scene.textures, scene.bindings[*shape].alpha);
+}
 
 LightSet::LightSet(const Scene& scene, const LightSetOptions& options)
     : lights_(scene.lights),
@@ -212,7 +217,7 @@ LightSet::LightSet(const Scene& scene, const LightSetOptions& options)
 
 void LightSet::prepare(std::uint32_t i, double compensation) {
   if (const std::uint32_t* shape = shape_of(lights_[i].source)) alphas_[i] = bindings_[*shape].alpha;
-  is_invisible_[i] = is_invisible(textures_, alphas_[i]);
+  is_invisible_[i] = leaves_nothing(textures_, alphas_[i]);
   if (const MeshLight* light = mesh(i)) {
     const Mesh& emitter = *geometry_.mesh(light->shape);
     triangles_[i] = triangles_by_area(emitter);

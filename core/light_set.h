@@ -33,6 +33,9 @@ struct Zone {
   }
 };
 
+/// Whether a light has a shape of which alpha leaves nothing: it shines, and no ray hits it.
+bool is_invisible(const Scene& scene, const LightSource& source);
+
 /// How a scene's lights are sampled where it has more than a few.
 enum class ManyLights {
   tree,   ///< One is chosen, by what it may bring to the surface (core/light_tree.h).

@@ -20,6 +20,9 @@ Ggx facets_of(float roughness, float anisotropy) {
   return {std::clamp(along, least_alpha, 1.0f), std::clamp(along * narrow, least_alpha, 1.0f)};
 }
 
+/// How widely facets scatter, from 0 of a mirror to 1.
+float width_of(const Ggx& facets) { return std::sqrt(std::sqrt(facets.alpha_x() * facets.alpha_y())); }
+
 /// A rough coat spreads what is below it as well.
 float coated_roughness(const Principled& m) {
   const auto fourth = [](float x) { return x * x * x * x; };
@@ -103,6 +106,7 @@ PrincipledLobe::PrincipledLobe(const Principled& m, bool is_inside)
       fuzz_color_(m.fuzz_color),
       facets_(
           facets_of(is_inside ? m.specular_roughness : coated_roughness(m), m.specular_roughness_anisotropy)),
+      width_(width_of(facets_)),
       multiple_(facets_),
       metal_fresnel_(m.base_color * m.base_weight, m.specular_color),
       metal_average_(metal_fresnel_.average()),
@@ -120,7 +124,9 @@ PrincipledLobe::PrincipledLobe(const Principled& m, bool is_inside)
 }
 
 void PrincipledLobe::set_coat(const Principled& m) {
-  coat_.emplace(m.coat_ior, facets_of(m.coat_roughness, 0));
+  const Ggx facets = facets_of(m.coat_roughness, 0);
+  coat_.emplace(m.coat_ior, facets);
+  coat_width_ = width_of(facets);
   through_coat_ = 1 - coat_weight_ * coat_->average_reflectance();
   // What the coat reflects back down is absorbed in part, once more and again.
   const float back = coat_->average_reflectance_below();
@@ -193,18 +199,21 @@ Rgb PrincipledLobe::albedo() const {
   return fuzz + (coat + below_coat_ * base_albedo() * through_coat_) * through_fuzz_;
 }
 
-BsdfValue PrincipledLobe::evaluate_opaque(const Seen& from, const Vec3& wi) const {
+BsdfValue PrincipledLobe::evaluate_opaque(const Seen& from, const Vec3& wi, const Rgb& of_facets) const {
   const Vec3& wo = from.wo;
+  const Rgb of_diffuse = through_layers(from, wi, 1);
   const FacetReflection facets = facets_.reflection(wo, wi);
   BsdfValue all{{}, from.choice.facets * facets.pdf + from.choice.diffuse * cosine_hemisphere_pdf(wi.z)};
   if (metal_ > 0) {
     const Rgb once = metal_reflectance(facets.cosine) * facets.value;
-    all.value += (once + metal_multiple_ * multiple_.evaluate(wo.z, wi.z)) * (metal_ * specular_weight_);
+    const Rgb several = metal_multiple_ * multiple_.evaluate(wo.z, wi.z);
+    all.value += (once * of_facets + several * of_diffuse) * (metal_ * specular_weight_);
   }
   if (opaque_ > 0) {
     const Rgb gloss = specular_color_ * (gloss_reflectance(facets.cosine) * facets.value);
     const Rgb through = from.through_gloss * through_gloss(wi.z);
-    all.value += (gloss + diffuse_ * rough_.evaluate(wo, wi).value * through) * opaque_;
+    const Rgb matte = diffuse_ * rough_.evaluate(wo, wi).value * through;
+    all.value += (gloss * of_facets + matte * of_diffuse) * opaque_;
   }
   return all;
 }
@@ -217,12 +226,31 @@ float PrincipledLobe::past_fuzz(float cosine) const {
   return cosine > 0 ? 1 - fuzz_weight_ * fuzz_->reflectance(cosine) : through_fuzz_;
 }
 
-Rgb PrincipledLobe::through_coat(const Seen& from, const Vec3& wi) const {
-  return !coat_ ? white : below_coat_ * (from.past_coat * past_coat(wi.z) / through_coat_);
+namespace {
+
+/// Of light that passes a layer in and out, by what that lets through along both ways and in the mean. What
+/// is scattered widely comes out in the mean; what is mirrored meets the layer along the same angle again and
+/// again, until it has passed.
+float past_both(float in, float out, float mean, float width) {
+  const float both = in * out;
+  return both > 0 ? both / mix(std::sqrt(both), mean, width) : 0;
 }
 
-float PrincipledLobe::through_fuzz(const Seen& from, const Vec3& wi) const {
-  return !fuzz_ ? 1 : from.past_fuzz * past_fuzz(wi.z) / through_fuzz_;
+}  // namespace
+
+Rgb PrincipledLobe::through_coat(const Seen& from, const Vec3& wi, float width) const {
+  if (!coat_) return white;
+  return below_coat_ *
+         (wi.z > 0 ? past_both(from.past_coat, past_coat(wi.z), through_coat_, width) : from.past_coat);
+}
+
+float PrincipledLobe::through_fuzz(const Seen& from, const Vec3& wi, float width) const {
+  if (!fuzz_) return 1;
+  return wi.z > 0 ? past_both(from.past_fuzz, past_fuzz(wi.z), through_fuzz_, width) : from.past_fuzz;
+}
+
+Rgb PrincipledLobe::through_layers(const Seen& from, const Vec3& wi, float width) const {
+  return through_coat(from, wi, width) * through_fuzz(from, wi, width);
 }
 
 BsdfValue PrincipledLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
@@ -233,18 +261,17 @@ BsdfValue PrincipledLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
 BsdfValue PrincipledLobe::evaluate(const Seen& from, const Vec3& wi) const {
   const Vec3& wo = from.wo;
   const Choice& p = from.choice;
-  BsdfValue all = wi.z > 0 ? evaluate_opaque(from, wi) : BsdfValue{};
+  const Rgb of_facets = through_layers(from, wi, width_);
+  BsdfValue all = wi.z > 0 ? evaluate_opaque(from, wi, of_facets) : BsdfValue{};
   const auto add = [&](const Rgb& value, float pdf) { all = {all.value + value, all.pdf + pdf}; };
   if (boundary_) {
     const BsdfValue clear = std::visit([&](const auto& lobe) { return lobe.evaluate(wo, wi); }, *boundary_);
-    add(clear.value * clear_, p.clear * clear.pdf);
+    add(clear.value * of_facets * clear_, p.clear * clear.pdf);
   }
-  all.value = all.value * through_coat(from, wi);
   if (coat_ && wi.z > 0) {
     const FacetReflection coat = coat_->reflection(wo, wi);
-    add(white * (coat_weight_ * coat.value), p.coat * coat.pdf);
+    add(white * (coat_weight_ * coat.value * through_fuzz(from, wi, coat_width_)), p.coat * coat.pdf);
   }
-  all.value = all.value * through_fuzz(from, wi);
   if (fuzz_ && wi.z > 0)
     add(fuzz_color_ * (fuzz_weight_ * fuzz_->evaluate(wo, wi)), p.fuzz * cosine_hemisphere_pdf(wi.z));
   return all;
@@ -253,8 +280,8 @@ BsdfValue PrincipledLobe::evaluate(const Seen& from, const Vec3& wi) const {
 Rgb PrincipledLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
   return from(wo, [&](const Seen& seen) {
-    const Rgb through = through_gloss(wi.z) * seen.through_gloss * through_fuzz(seen, wi);
-    const Rgb base = diffuse_ * rough_.evaluate(wo, wi).value * (through * opaque_) * through_coat(seen, wi);
+    const Rgb through = through_gloss(wi.z) * seen.through_gloss * through_layers(seen, wi, 1);
+    const Rgb base = diffuse_ * rough_.evaluate(wo, wi).value * (through * opaque_);
     return fuzz_ ? base + fuzz_color_ * (fuzz_weight_ * fuzz_->evaluate(wo, wi)) : base;
   });
 }
@@ -313,7 +340,7 @@ BsdfSample PrincipledLobe::sample_clear(const Seen& from, float lobe, Vec2 u) co
   BsdfSample sample = std::visit([&](const auto& l) { return l.sample(from.wo, lobe, u); }, *boundary_);
   if (sample.pdf == 0 || sample.wi.z == 0) return {};
   if (sample.is_delta) {
-    sample.value = sample.value * clear_ * through_coat(from, sample.wi) * through_fuzz(from, sample.wi);
+    sample.value = sample.value * clear_ * through_layers(from, sample.wi, 0);
     sample.pdf *= from.choice.clear;
     return sample;
   }

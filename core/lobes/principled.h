@@ -61,12 +61,14 @@ class PrincipledLobe {
   /// What a layer lets through along a direction.
   float past_coat(float cosine) const;
   float past_fuzz(float cosine) const;
-  /// What a layer leaves of what is scattered below it: reciprocal, and in the mean all of the light that
-  /// passes along wo. Light that goes through the surface passes the layer once.
-  Rgb through_coat(const Seen& from, const Vec3& wi) const;
-  float through_fuzz(const Seen& from, const Vec3& wi) const;
-  /// What metal and glossy diffuse surface reflect, below coat and fuzz; wi.z > 0.
-  BsdfValue evaluate_opaque(const Seen& from, const Vec3& wi) const;
+  /// What the layers leave of what is scattered below them, by facets of a width from 0 (a mirror) to 1, or
+  /// by what is diffuse: 1. Reciprocal, and in the mean about all of the light that passes along wo. Light
+  /// that goes through the surface passes each layer once.
+  Rgb through_coat(const Seen& from, const Vec3& wi, float width) const;
+  float through_fuzz(const Seen& from, const Vec3& wi, float width) const;
+  Rgb through_layers(const Seen& from, const Vec3& wi, float width) const;
+  /// What metal and glossy diffuse surface reflect, through coat and fuzz; wi.z > 0.
+  BsdfValue evaluate_opaque(const Seen& from, const Vec3& wi, const Rgb& of_facets) const;
   /// What facets of metal and of gloss reflect; the latter without its colour.
   Rgb metal_reflectance(float cosine) const;
   Rgb gloss_reflectance(float cosine) const;
@@ -87,7 +89,8 @@ class PrincipledLobe {
   float metal_, opaque_, clear_;  ///< Weights of the base's three; their sum is 1.
   float specular_weight_, coat_weight_, fuzz_weight_;
   Rgb specular_color_, fuzz_color_;
-  Ggx facets_;  ///< Of metal and gloss.
+  Ggx facets_;   ///< Of metal and gloss,
+  float width_;  ///< and how widely they scatter, as through_coat has it.
   MultipleScattering multiple_;
   TintedFresnel metal_fresnel_;
   std::optional<PartialFilm> film_;  ///< On metal and gloss, where they are seen from above.
@@ -101,6 +104,7 @@ class PrincipledLobe {
   // Where their weights are not 0:
   std::optional<std::variant<RoughDielectricLobe, ThinDielectricLobe>> boundary_;
   std::optional<Coat> coat_;
+  float coat_width_ = 1;
   std::optional<Fuzz> fuzz_;
   float through_coat_ = 1, through_fuzz_ = 1;  ///< The parts of light from all directions that pass.
   Rgb below_coat_ = white;  ///< A factor of what is below the coat: its colour, and reflections back.

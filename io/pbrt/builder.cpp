@@ -52,6 +52,13 @@ bool is_no_body(const SurfaceModel& model) {
          (sheet && sheet->is_thin);
 }
 
+/// What a surface of OpenPBR emits along its normal: a coat tints it, and keeps what it reflects.
+Rgb along_normal(const Principled& m) {
+  const float root = (m.coat_ior - 1) / (m.coat_ior + 1);
+  const Rgb through = m.coat_color * (1 - root * root);
+  return m.emission_color * m.emission_luminance * (white * (1 - m.coat_weight) + through * m.coat_weight);
+}
+
 /// Within what film and lights can hold.
 Rgb bounded(const Rgb& radiance, const PbrtPlace& place, WarningList& warnings) {
   if (max_component(radiance) <= max_radiance) return radiance;
@@ -114,9 +121,15 @@ void PbrtBuilder::place(const Part& part, const Transform& to_world, Placed& pla
   placed.bindings.push_back(binding);
 }
 
-bool PbrtBuilder::emits(const Part& part) const {
-  const auto* model = std::get_if<Principled>(&materials_.materials[part.material].model);
-  return part.light || (model && model->emission_luminance > 0);
+bool PbrtBuilder::emits(const Part& part) const { return part.light || !is_black(glow_of(part.material)); }
+
+/// Of a mix, the mean of its parts.
+Rgb PbrtBuilder::glow_of(std::uint32_t material) const {
+  const SurfaceModel& model = materials_.materials[material].model;
+  if (const auto* surface = std::get_if<Principled>(&model)) return along_normal(*surface);
+  const auto* parts = std::get_if<Mix>(&model);
+  if (!parts) return {};
+  return glow_of(parts->first) * (1 - parts->amount) + glow_of(parts->second) * parts->amount;
 }
 
 bool PbrtBuilder::is_textured(std::uint32_t material) const {
@@ -185,12 +198,9 @@ void PbrtBuilder::add_glow() {
   for (std::uint32_t shape = 0; shape < placed_.bindings.size(); ++shape) {
     ShapeBinding& binding = placed_.bindings[shape];
     const Material& material = materials_.materials[binding.material];
-    const auto* model = std::get_if<Principled>(&material.model);
-    if (!model || binding.light != no_light || context_.options.surfaces_only) continue;
-    const float brightness = luminance(model->emission_color);
-    if (model->emission_luminance == 0 || brightness == 0) continue;
-    const Rgb radiance = model->emission_color * (model->emission_luminance / brightness);
-    binding.light = add_shape_light(material.name, {shape, radiance, EmissionSide::both});
+    const Rgb glow = glow_of(binding.material);
+    if (is_black(glow) || binding.light != no_light || context_.options.surfaces_only) continue;
+    binding.light = add_shape_light(material.name, {shape, glow, EmissionSide::both});
   }
 }
 

@@ -80,6 +80,7 @@ class PbrtBuilder {
   bool is_shared(const Object& object) const;
 
   bool emits(const Part& part) const;
+  Rgb glow_of(std::uint32_t material) const;
   bool is_textured(std::uint32_t material) const;
   /// Whether the shape's texture coordinates matter.
   bool needs_uvs(const Part& part) const;

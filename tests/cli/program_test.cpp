@@ -137,7 +137,8 @@ TEST_CASE("what hemisphere sampling leaves out is a warning on stderr, in quiet 
   CHECK(result.exit_code == 0);
   CHECK(result.out.empty());
   CHECK(result.err ==
-        "warning: hemisphere sampling finds no light from a point or a single direction: \"point\", "
+        "warning: hemisphere sampling finds no light from a point, a single direction or an invisible shape: "
+        "\"point\", "
         "\"faded\", \"spot\", \"sun\" add nothing to the picture; --direct=lights would show them\n");
   CHECK(run_program(lights + "-o " + quoted(folder.file("b.png"))).err.empty());
 }

@@ -65,15 +65,26 @@ TEST_CASE("hemisphere sampling names the delta lights that it cannot find") {
   scene.lights.push_back({"sun", DirectionalLight{}});
   CHECK(warnings_of(scene).empty());
   const Warnings one{
-      "hemisphere sampling finds no light from a point or a single direction: \"sun\" adds nothing to the "
+      "hemisphere sampling finds no light from a point, a single direction or an invisible shape: \"sun\" "
+      "adds nothing to the "
       "picture; --direct=lights would show it"};
   CHECK(warnings_of(scene, {"-H"}) == one);
+  Scene hidden = lit_scene();
+  hidden.geometry = std::make_shared<const Geometry>(std::vector<Shape>{SphereSet{"bulb", {{{0, 0, 0}, 1}}}});
+  hidden.bindings = {{0, 1}};
+  hidden.materials = {{"glass", Lambert{}}};
+  hidden.lights.push_back({"bulb", SphereLight{0, {1, 1, 1}}});
+  CHECK(warnings_of(hidden, {"-H"}).empty());
+  hidden.textures = {{"hole", ConstantTexture{{0, 0, 0}}}};
+  hidden.bindings[0].alpha = 0;
+  CHECK(warnings_of(hidden, {"-H"}).size() == 1);
   CHECK(warnings_of(scene, {"--direct=hemisphere"}) == one);
   CHECK(warnings_of(scene, {"-H", "--integrator=normals"}).empty());
   scene.lights.push_back({"bulb", PointLight{}});
   scene.lights.push_back({"torch", SpotLight{}});
   CHECK(warnings_of(scene, {"-H"}) ==
-        Warnings{"hemisphere sampling finds no light from a point or a single direction: \"sun\", "
+        Warnings{"hemisphere sampling finds no light from a point, a single direction or an invisible shape: "
+                 "\"sun\", "
                  "\"bulb\", \"torch\" add nothing to the picture; --direct=lights would show them"});
 }
 

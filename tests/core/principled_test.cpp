@@ -157,6 +157,26 @@ TEST_CASE("a white principled surface passes the furnace within what its layers'
     }
 }
 
+TEST_CASE("white mirrors, gloss and sheets pass the furnace below smooth layers") {
+  Principled base;
+  base.base_color = base.fuzz_color = white;
+  base.specular_roughness = base.coat_roughness = 0;
+  Principled metal = base, clear_sheet = base;
+  metal.base_metalness = 1;
+  clear_sheet.transmission_weight = 1;
+  clear_sheet.geometry_thin_walled = true;
+  for (Principled model : {base, metal, clear_sheet}) {
+    Principled coated = model, dusty = model;
+    coated.coat_weight = 1;
+    coated.coat_ior = 1.3f;
+    dusty.fuzz_weight = 0.7f;
+    for (const Principled& layered : {coated, dusty})
+      for (const float cosine : {1.0f, 0.6f, 0.3f, 0.1f})
+        CHECK(test::sampled_albedo(PrincipledLobe(layered, false), direction_at(cosine)).g ==
+              Approx(1).margin(0.015));
+  }
+}
+
 TEST_CASE("no principled surface scatters more than arrives, nor stays black where it is not") {
   for (const Principled& m :
        {Principled{}, varnished(), brushed(), clear(), sheet(), oiled(), anodised(), iridescent()})

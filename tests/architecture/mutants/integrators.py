@@ -3,6 +3,7 @@
 from mutant import Mutant
 
 PATH_LOG = "what is written of a path adds up to the bits of its sample, as waves make it"
+PASSAGES = "an interface hides no light, and is no vertex of a path"
 WAVE_BITS = "waves of paths have the bits and the rays of paths one after the other"
 OTHER_COLOR = "the samples of a pixel do not depend on the pilot of any pixel of its colour"
 SPREAD_RESUMED = "spread samples have the bits of an undisturbed render, wherever that goes on"
@@ -301,7 +302,17 @@ MUTANTS = [
            "sample, scattered.pdf);", "test_integrators",
            "rough surfaces see lights through interiors alike by every method"),
     Mutant("light samples of a wave do not fade in interiors", "integrators/wave/path_wave.cpp",
-           "if (context_.has_interiors) absorb_light();", "", "test_integrators", WAVE_BITS),
+           "if (context_.has_interiors && !context_.transport.passages) absorb_light();", "", "test_integrators",
+           WAVE_BITS),
+    Mutant("rays of a wave stop where nothing is", "integrators/wave/path_wave.cpp",
+           "    if (context_.transport.passages) pass_on();\n", "", "test_integrators", PASSAGES),
+    Mutant("what is absorbed before a passage is forgotten", "integrators/passages.cpp",
+           "way.left = way.left * transmittance(", "way.left = transmittance(", "test_integrators", PASSAGES),
+    Mutant("shadow rays stop where nothing is", "integrators/passages.cpp",
+           "pass(tracer, way, RayKind::shadow, rest_of_shadow);", "", "test_integrators", PASSAGES),
+    Mutant("a passage leads nowhere else", "integrators/passages.cpp",
+           "way.interiors = Interaction::interiors_behind(", "(void)Interaction::interiors_behind(",
+           "test_integrators", PASSAGES),
     Mutant("a compacted path is in another's interiors", "integrators/wave/path_ends.cpp",
            "for (Words* const column : {&paths_.interiors.low, &paths_.interiors.high}) "
            "move_words(*column);", "{}", "test_integrators", WAVE_BITS),

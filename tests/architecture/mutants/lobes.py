@@ -54,9 +54,9 @@ MUTANTS = [
            "is_not_black(radiance)", "test_integrators", WAVES),
     Mutant("what is in glass scatters in lanes as if nothing were absorbed", "integrators/wave/path_wave.cpp",
            """    scatter_light_at_lobes(mis);
-    if (context_.has_interiors) absorb_light();
+    if (context_.has_interiors && !context_.transport.passages) absorb_light();
 """,
-           """    if (context_.has_interiors) absorb_light();
+           """    if (context_.has_interiors && !context_.transport.passages) absorb_light();
     scatter_light_at_lobes(mis);
 """, "test_integrators", WAVES),
 ]

@@ -113,8 +113,23 @@ TEST_CASE("a clear surface of OpenPBR absorbs within, and one that emits is a li
   REQUIRE(scene.lights.size() == 1);
   CHECK(scene.bindings[1].light == 0);
   const Rgb radiance = std::get<MeshLight>(scene.lights[0].source).radiance;
-  CHECK(luminance(radiance) == Approx(3));
-  CHECK(radiance.g == Approx(radiance.r / 2));
+  CHECK(radiance == Rgb{3, 1.5f, 0});
+}
+
+TEST_CASE("what OpenPBR's surface emits is tinted by its coat, and in a mix there is less of it") {
+  const std::string emitting = "\"float emission_luminance\" 2 ";
+  const auto radiance = [&](const std::string& statements) {
+    const Scene scene = load_pbrt_world(statements + test::pbrt_triangle).scene;
+    return scene.lights.empty() ? Rgb{} : std::get<MeshLight>(scene.lights[0].source).radiance;
+  };
+  CHECK(radiance("Material \"openpbr\" " + emitting +
+                 "\"float coat_weight\" 0.5 \"float coat_ior\" 3 "
+                 "\"rgb coat_color\" [ 1 0.5 0 ] ") == Rgb{1.75f, 1.375f, 1});
+  const std::string parts = "MakeNamedMaterial \"a\" \"string type\" \"openpbr\" " + emitting +
+                            "MakeNamedMaterial \"b\" \"string type\" \"diffuse\" ";
+  CHECK(radiance(parts + "Material \"mix\" \"string materials\" [ \"a\" \"b\" ] \"float amount\" 0.25 ") ==
+        Rgb{1.5f, 1.5f, 1.5f});
+  CHECK(radiance(parts + "NamedMaterial \"b\" ") == Rgb{});
 }
 
 TEST_CASE("a roughness is the square of alpha, unless it is not remapped") {
