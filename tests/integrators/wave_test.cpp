@@ -161,6 +161,14 @@ Scene scene_of_interiors() {
   return scene;
 }
 
+/// The same without surfaces that are not there.
+Scene scene_without_passages() {
+  Scene scene = scene_of_interiors();
+  for (Material& material : scene.materials)
+    if (std::holds_alternative<Interface>(material.model)) material.model = Dielectric{1.2f};
+  return scene;
+}
+
 /// Lamps, balls and points of light, more of each than are sampled alone, some of them behind surfaces that
 /// let light through.
 Scene scene_of_many_lights() {
@@ -353,10 +361,11 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
   const Scene textures = textured(scene_of_every_model(), TextureFilter::stochastic),
               many = scene_of_many_lights(),
               lamps = textured(scene_of_everything(), TextureFilter::trilinear),
-              interiors = scene_of_interiors();
+              interiors = scene_of_interiors(), bodies = scene_without_passages();
   const Scene instances = instanced(everything), textured_instances = instanced(textures);
   const Scene* const scenes[] = {&instances, &textured_instances, &everything, &models, &room,
-                                 &skies,     &textures,           &lamps,      &many,   &interiors};
+                                 &skies,     &textures,           &lamps,      &many,   &interiors,
+                                 &bodies};
   for (std::size_t i = 0; i < std::size(cases); ++i)
     for (std::size_t j = 0; j < std::size(scenes); ++j) {
       std::uint32_t count = cases[i].samples_per_light > 100 ? 20 : 2100;
