@@ -122,10 +122,13 @@ std::optional<Engine> find_engine(const std::string& name) {
 
 Engine named_engine(const std::string& name, const BuildOptions& build) {
   std::optional<Engine> found = find_engine(name);
-  if (!found)
-    throw Error(fmt::format("there is no engine \"{}\" in this build; valid are {}", name,
-                            fmt::join(engine_names(), ", ")));
   const std::vector<std::string> names = engine_names();
+  if (!found) {
+    std::vector<std::string> all = names;
+    for (const Engine& variant : engine_variants()) all.push_back(variant.name);
+    throw Error(
+        fmt::format("there is no engine \"{}\" in this build; valid are {}", name, fmt::join(all, ", ")));
+  }
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     found->build.threads = build.threads;
   } else {

@@ -33,6 +33,8 @@ struct Asked {
                              : "the engine is " + backend_name(arguments.backend);
   }
   bool is_wide() const { return has(Backend::bvh) && arguments.build.bvh_width == 8; }
+  /// That of Möller and Trumbore's test is binary.
+  bool is_of_its_own() const { return arguments.build.triangle_test == TriangleTest::moller_trumbore; }
   const BuildOptions& build() const { return arguments.build; }
 };
 
@@ -168,6 +170,11 @@ std::string needs_wide(const Asked& asked) {
   return asked.is_wide() ? "" : "for the bvh is binary; --bvh-width=8 takes it";
 }
 
+std::string needs_choice_of_width(const Asked& asked) {
+  if (const std::string reason = needs_bvh(asked); !reason.empty()) return reason;
+  return asked.is_of_its_own() ? "for the tree of --triangle-test=moller-trumbore is binary" : "";
+}
+
 std::string needs_own_builder(const Asked& asked) {
   if (!asked.has(Backend::bvh)) return needs_bvh(asked);
   return asked.build().bvh_builder == BvhBuilder::own
@@ -294,7 +301,7 @@ constexpr Rule rules[]{
     {"--checkpoint-seconds", needs_checkpoint},
     {"--check-with", needs_check},
     {"--plant-difference", needs_check},
-    {"--bvh-width", needs_bvh},
+    {"--bvh-width", needs_choice_of_width},
     {"--simd", needs_lanes},
     {"--bvh-quality", needs_wide},
     {"--memory-mode", needs_wide},

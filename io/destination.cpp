@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -104,12 +105,20 @@ Destination destination_of(const std::string& name) {
 
 bool is_standard_output(const std::string& name) { return destination_of(name).descriptor == STDOUT_FILENO; }
 
+std::vector<std::string> keys_of(const Destination& destination) {
+  std::vector<std::string> keys;
+  if (destination.descriptor >= 0) keys.push_back(fmt::format("descriptor {}", destination.descriptor));
+  const std::optional<struct stat> there = present(destination);
+  if (!there && destination.descriptor < 0)
+    keys.push_back("new " + place_of_new(destination).string());
+  else if (there && !S_ISCHR(there->st_mode))
+    keys.push_back(fmt::format("file {} {}", there->st_dev, there->st_ino));
+  return keys;
+}
+
 bool is_same_place(const Destination& a, const Destination& b) {
-  if (a.descriptor >= 0 && a.descriptor == b.descriptor) return true;
-  const std::optional<struct stat> at_a = present(a), at_b = present(b);
-  if (at_a && at_b)
-    return at_a->st_dev == at_b->st_dev && at_a->st_ino == at_b->st_ino && !S_ISCHR(at_a->st_mode);
-  return !at_a && !at_b && place_of_new(a) == place_of_new(b);
+  const std::vector<std::string> of_a = keys_of(a), of_b = keys_of(b);
+  return std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()) != of_a.end();
 }
 
 }  // namespace twinray

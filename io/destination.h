@@ -2,6 +2,7 @@
 // Where the bytes of an output go: links followed, devices and pipes told from files.
 #pragma once
 #include <string>
+#include <vector>
 
 namespace twinray {
 
@@ -24,6 +25,9 @@ Destination destination_of(const std::string& name);
 
 /// Whether it is standard output.
 bool is_standard_output(const std::string& name);
+
+/// Words for where it is: two destinations that have one in common are the same place.
+std::vector<std::string> keys_of(const Destination& destination);
 
 /// Whether what is written to one would overwrite the other, or be mixed with it: the same file under two
 /// names, the same pipe. A device such as /dev/null takes any number of outputs.

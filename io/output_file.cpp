@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <unordered_map>
 #include <utility>
 
 #include "core/error.h"
@@ -131,14 +132,13 @@ void OutputFile::fail(int error) const {
 std::string temporary_path(const std::string& name) { return temporary_path_of(destination_of(name)); }
 
 void check_outputs(const std::vector<std::string>& names) {
-  std::vector<Destination> places;
+  std::unordered_map<std::string, std::string> places;  // With the name of what goes there.
   for (const std::string& name : names) {
-    Destination place = destination_of(name);
-    for (const Destination& other : places)
-      if (is_same_place(place, other))
-        throw Error(fmt::format("{}: the same place as {}; every output needs its own", name, other.name));
+    const Destination place = destination_of(name);
+    for (const std::string& key : keys_of(place))
+      if (const auto [other, is_new] = places.try_emplace(key, name); !is_new)
+        throw Error(fmt::format("{}: the same place as {}; every output needs its own", name, other->second));
     check_output(place);
-    places.push_back(std::move(place));
   }
 }
 

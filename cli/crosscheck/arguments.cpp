@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "cli/console.h"
 #include "cli/crosscheck/ray_text.h"
 #include "cli/options/options.h"
 #include "core/error.h"
@@ -75,12 +76,27 @@ CrosscheckArguments resolved(const CrosscheckRequest& request) {
   return arguments;
 }
 
+/// Of one ray all is said; of many, nothing is placed.
+void warn_of_no_effect(const Words& given, bool is_one_ray) {
+  for (const std::string& option : given) {
+    if (is_one_ray && (option == "--json" || option == "--rays" || option == "--seed" ||
+                       option == "--findings" || option == "--ceilings"))
+      console::warn(option + ": no effect, for --ray shoots one ray");
+    if (!is_one_ray && option == "--placement")
+      console::warn("--placement: no effect, for it goes with --ray");
+  }
+}
+
 }  // namespace
 
 std::function<CrosscheckArguments()> add_crosscheck_options(CLI::App& app) {
   const auto request = std::make_shared<CrosscheckRequest>();
   add_options(app, *request);
-  return [request] { return resolved(*request); };
+  return [request, &app] {
+    CrosscheckArguments arguments = resolved(*request);
+    warn_of_no_effect(given_options(app), arguments.ray.has_value());
+    return arguments;
+  };
 }
 
 }  // namespace twinray

@@ -168,8 +168,9 @@ std::string cs184_usage(const std::string& path) {
       "  -c  <PATH>       Path to camera settings file\n"
       "  -H               Sample direct light by directions of the hemisphere\n"
       "  -h               Print this help message\n"
-      "  --accel=NAME, --integrator=normals and all other long options of twinray but --view, --clip, "
-      "--count\n"
+      "  --accel=NAME, --integrator=normals and other long options of twinray, for light, engines, "
+      "--sampler,\n"
+      "  --seed, --adaptive-rule, --replay and --stats\n"
       "\n",
       path);
 }

@@ -135,6 +135,7 @@ void choose_width(const std::optional<int>& chosen, RenderArguments& arguments) 
   BuildOptions& build = arguments.build;
   if (arguments.render.counting) build.bvh_width = 2;
   build.bvh_width = chosen.value_or(build.bvh_width);
+  if (build.triangle_test == TriangleTest::moller_trumbore) build.bvh_width = 2;  // It has no other tree.
   if (!arguments.is_auto && arguments.backend == Backend::bvh && build.bvh_width == 8 &&
       build.max_leaf_size > 4)
     throw UsageError("--max-leaf-size: a BVH of width 8 has leaves of up to 4; --bvh-width=2 takes more");

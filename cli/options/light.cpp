@@ -156,6 +156,8 @@ void add_light_words(CLI::App& app, RenderRequest& request) {
 void resolve_light(const RenderRequest& request, RenderArguments& arguments) {
   arguments.default_light = parse_default_light(request.default_light);
   PathOptions& path = arguments.path;
+  if (request.hemisphere && is_given("--direct", arguments) && path.direct != DirectMethod::hemisphere)
+    throw UsageError("-H is --direct=hemisphere, and --direct says another thing");
   if (request.hemisphere) path.direct = DirectMethod::hemisphere;
   if (arguments.integrator == IntegratorKind::direct) path.max_depth = std::min(path.max_depth, 1);
   path.roulette = parse_roulette(request.roulette);

@@ -50,6 +50,7 @@ TEST_CASE("a named engine takes the other options, but keeps what its name says"
   CHECK(!find_engine("bvh-16"));
   std::string valid;
   for (const std::string& name : engine_names()) valid += (valid.empty() ? "" : ", ") + name;
+  for (const Engine& variant : engine_variants()) valid += ", " + variant.name;
   CHECK_THROWS_WITH(named_engine("bvh-16"),
                     "there is no engine \"bvh-16\" in this build; valid are " + valid);
 }

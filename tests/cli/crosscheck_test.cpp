@@ -129,6 +129,13 @@ TEST_CASE("one ray is shot again by its text") {
   CHECK(result.out.find("bvh ") == 0);
   CHECK(result.out.find("brute-force    t 0x1.") != std::string::npos);
   CHECK(result.out.find("exact          t ") != std::string::npos);
+  CHECK(result.err == "");
+  const ProcessResult vain = run_program(
+      "crosscheck " + box_scene + " -q --engines=bvh,brute-force --json --rays=9 --ray=0,1,2,0,0,-1,0,inf");
+  CHECK(vain.err.find("warning: --json: no effect, for --ray shoots one ray\n") != std::string::npos);
+  CHECK(vain.err.find("warning: --rays: no effect, for --ray shoots one ray\n") != std::string::npos);
+  CHECK(run_program("crosscheck " + box_scene + " -q --engines=bvh,brute-force --rays=9 --placement=moved")
+            .err == "warning: --placement: no effect, for it goes with --ray\n");
 }
 
 TEST_CASE("a wrong crosscheck command line ends with 2 and its own usage") {

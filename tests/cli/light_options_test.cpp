@@ -50,6 +50,9 @@ TEST_CASE("the furnace takes a depth and no light, ambient occlusion a distance"
         "--texture-filter: no effect, for --integrator=normals does not ask for the scene's materials");
   CHECK(no_effect({"--ao-distance=2"}) ==
         "--ao-distance: no effect, for --integrator=ambient-occlusion alone looks around");
+  CHECK_THROWS_WITH(parse_light({"-H", "--direct=lights"}),
+                    "-H is --direct=hemisphere, and --direct says another thing");
+  CHECK(parse_light({"--direct=hemisphere", "-H"}).path.direct == DirectMethod::hemisphere);
   CHECK(parse_light({"--integrator=ambient-occlusion", "--ao-distance=2"}).occlusion_distance == 2);
   CHECK_THROWS_WITH(parse_light({"--integrator=ambient-occlusion", "--ao-distance=0"}),
                     "--ao-distance: \"0\" is not a number from 1e-12 to inf");
