@@ -51,20 +51,6 @@ TEST_CASE("Embree's builders go with the bvh engine, and exclude the options of 
 #ifdef TWINRAY_WITH_EMBREE
   CHECK(parse({"--accel=bvh", "--bvh-builder=embree-low", "--bvh-width=2", "--max-leaf-size=8"})
             .build.bvh_builder == BvhBuilder::embree_low);
-  const Words of_its_own{"--accel=bvh", "--triangle-test=moller-trumbore"};
-  const auto also = [&](const std::string& word) {
-    Words words = of_its_own;
-    words.push_back(word);
-    return no_effect(words);
-  };
-  CHECK(no_effect(of_its_own) == "");
-  CHECK(parse_render_arguments(
-            {"a.dae", "--accel=bvh", "--triangle-test=moller-trumbore", "--max-leaf-size=16"})
-            .build.bvh_width == 2);
-  CHECK(also("--bvh-width=8") ==
-        "--bvh-width: no effect, for the tree of --triangle-test=moller-trumbore is binary");
-  CHECK(also("--memory-mode=compact") ==
-        "--memory-mode: no effect, for the bvh is binary; --bvh-width=8 takes it");
   CHECK(no_effect({"--accel=embree", "--bvh-builder=embree-low"}) ==
         "--bvh-builder: no effect, for the engine is embree; --accel=bvh takes it");
   CHECK(no_effect({"--accel=bvh", "--bvh-builder=embree-medium", "--bvh-split=mean"}) ==
