@@ -20,7 +20,10 @@ std::vector<std::string> parse_engines(const std::string& text) {
   std::vector<std::string> engines;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    engines.push_back(named_engine(text.substr(begin, end - begin)).name);
+    const std::string name = named_engine(text.substr(begin, end - begin)).name;
+    if (std::find(engines.begin(), engines.end(), name) != engines.end())
+      throw Error(fmt::format("{} stands there twice; an engine says nothing about itself", name));
+    engines.push_back(name);
     begin = end + 1;
   }
   return engines;

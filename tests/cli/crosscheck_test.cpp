@@ -142,6 +142,8 @@ TEST_CASE("a wrong crosscheck command line ends with 2 and its own usage") {
   const ProcessResult result = run_program("crosscheck " + box_scene + " --engines=bvh,octree");
   CHECK(result.exit_code == 2);
   CHECK(result.err.find("there is no engine \"octree\"") != std::string::npos);
+  CHECK(run_program("crosscheck " + box_scene + " --engines=bvh,bvh").err.find("bvh stands there twice") !=
+        std::string::npos);
   CHECK(result.err.find("usage: twinray crosscheck SCENE.dae") != std::string::npos);
   CHECK(run_program("crosscheck").exit_code == 2);
   CHECK(run_program("crosscheck " + box_scene + " --ray=1,2").exit_code == 2);
