@@ -18,12 +18,12 @@ void BsdfAt::look_from(const Vec3& wo) {
   own_->look_from(wo);
 }
 
-BsdfTable::BsdfTable(const Scene& scene) : scene_(scene) {
-  made_.reserve(4 * scene.materials.size());
+BsdfTable::BsdfTable(const Scene& scene, Materials materials)
+    : scene_(scene), kinds_(materials == Materials::exact ? 2 : 4) {
+  made_.reserve(kinds_ * scene.materials.size());
   for (const Material& material : scene.materials)
-    for (const Materials materials : {Materials::exact, Materials::regularized})
-      for (const Side side : {Side::outside, Side::inside})
-        made_.push_back(bsdf_of(material.model, side, materials));
+    for (std::size_t kind = 0; kind < kinds_; ++kind)
+      made_.push_back(bsdf_of(material.model, Side(kind % 2), Materials(kind / 2)));
 }
 
 BsdfAt BsdfTable::at(std::uint32_t material, const SurfacePoint& point, Side side,
@@ -35,7 +35,7 @@ BsdfAt BsdfTable::at(std::uint32_t material, const SurfacePoint& point, Side sid
   if (around.is_hidden) return BsdfAt(Bsdf(Interface{}, side));
   const Material& made_of = scene_.materials[material];
   if (made_of.textures.empty() && around.ior == 1)
-    return BsdfAt(&made_[4 * material + 2 * std::size_t(viewing.materials) + std::size_t(side)]);
+    return BsdfAt(&made_[kinds_ * material + 2 * std::size_t(viewing.materials) + std::size_t(side)]);
   const SurfaceModel model = textured_model(made_of, scene_.textures, texture_point(point));
   return BsdfAt(bsdf_of(around.ior == 1 ? model : immersed(model, around.ior), side, viewing.materials));
 }

@@ -42,8 +42,8 @@ class BsdfAt {
 /// The scattering functions of a scene's materials, made once: some take longer to make than to evaluate.
 class BsdfTable {
  public:
-  /// The scene must outlive it.
-  explicit BsdfTable(const Scene& scene);
+  /// The scene must outlive it. `materials` says how they may be asked for: of `exact`, in no other way.
+  explicit BsdfTable(const Scene& scene, Materials materials = Materials::regularized);
 
   const Scene& scene() const { return scene_; }
   /// That of a material, not a Mix, at a point, for a viewer on one side; made anew where textures have a
@@ -52,7 +52,8 @@ class BsdfTable {
 
  private:
   const Scene& scene_;
-  std::vector<Bsdf> made_;  ///< Of each material: exact outside and inside, regularized outside and inside.
+  const std::size_t kinds_;  ///< Of each material: 2 or 4,
+  std::vector<Bsdf> made_;   ///< exact outside and inside, and regularized outside and inside.
 };
 
 }  // namespace twinray

@@ -33,25 +33,15 @@ class PathIntegrator::Waves {
       : reference(scene, options),
         stages(wave_stages_of(simd)),
         options_(options),
-        scene_(scene),
-        lights_(scene, {compensation_for(options.direct, options.samples_per_light), options.many_lights}),
-        bsdfs_(scene),
-        passages_(scene),
         shapes_(shape_table(scene)),
-        patches_(patch_tables(scene, lights_)),
+        patches_(patch_tables(scene, reference.transport().lights)),
+        has_interiors_(std::any_of(scene.materials.begin(), scene.materials.end(), has_interior)),
+        has_environment_(has_environment(scene)),
         exceeds_cache_(exceeds_cache(*scene.geometry)) {}
 
   WaveContext context() const {
-    return {*stages,
-            options_,
-            {scene_, lights_, options_.direct, options_.samples_per_light,
-             passages_.empty() ? nullptr : &passages_},
-            bsdfs_,
-            shapes_,
-            patches_,
-            std::any_of(scene_.materials.begin(), scene_.materials.end(), has_interior),
-            has_environment(scene_),
-            exceeds_cache_};
+    return {*stages,  options_,       reference.transport(), reference.bsdfs(), shapes_,
+            patches_, has_interiors_, has_environment_,      exceeds_cache_};
   }
 
   const PathReference reference;
@@ -59,13 +49,9 @@ class PathIntegrator::Waves {
 
  private:
   const PathOptions options_;
-  const Scene& scene_;
-  const LightSet lights_;
-  const BsdfTable bsdfs_;
-  const Passages passages_;
   const std::vector<ShapeEntry> shapes_;
   const std::vector<PatchTable> patches_;
-  const bool exceeds_cache_;
+  const bool has_interiors_, has_environment_, exceeds_cache_;
 };
 
 PathIntegrator::PathIntegrator(const Scene& scene, const PathOptions& options, const std::string& simd)

@@ -2,7 +2,6 @@
 #include "integrators/path_reference.h"
 
 #include "core/spawn_ray.h"
-#include "integrators/direct_light.h"
 #include "integrators/layer_records.h"
 #include "integrators/scattering.h"
 
@@ -11,7 +10,7 @@ PathReference::PathReference(const Scene& scene, const PathOptions& options)
     : scene_(scene),
       options_(options),
       lights_(scene, {compensation_for(options.direct, options.samples_per_light), options.many_lights}),
-      bsdfs_(scene),
+      bsdfs_(scene, options.regularize ? Materials::regularized : Materials::exact),
       passages_(scene),
       has_environment_(has_environment(scene)) {
   check(options);
@@ -26,8 +25,7 @@ void PathReference::sample(std::span<const CameraSample> samples, SamplerKind ki
 
 Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer,
                                const RecordSpans& record) const {
-  const LightTransport transport{scene_, lights_, options_.direct, options_.samples_per_light,
-                                 passages_.empty() ? nullptr : &passages_};
+  const LightTransport transport = this->transport();
   const PathKey path_key(sample.key);
   PathObserver& observer = tracer.observer();
   LightDivision division(scene_, record);

@@ -2,6 +2,7 @@
 #pragma once
 #include "core/light_set.h"
 #include "core/scene.h"
+#include "integrators/direct_light.h"
 #include "integrators/integrator.h"
 #include "integrators/light_division.h"
 #include "integrators/light_paths.h"
@@ -21,6 +22,13 @@ class PathReference final : public Integrator {
   PathReference(const Scene& scene, const PathOptions& options);
   void sample(std::span<const CameraSample> samples, SamplerKind kind, Tracer& tracer,
               const RecordSpans& records) const override;
+
+  // What waves of the same scene and options share with it.
+  LightTransport transport() const {
+    return {scene_, lights_, options_.direct, options_.samples_per_light,
+            passages_.empty() ? nullptr : &passages_};
+  }
+  const BsdfTable& bsdfs() const { return bsdfs_; }
 
  private:
   /// A path on its way.
