@@ -9,6 +9,7 @@
 #include "core/check_light.h"
 #include "core/error.h"
 #include "core/interiors.h"
+#include "core/nested_mixes.h"
 #include "core/textured_material.h"
 
 namespace twinray {
@@ -98,6 +99,19 @@ void check_interior(const Scene& scene, std::size_t index) {
         fmt::format("material {} has the priority {}; it must be >= 0", index, material.interior.priority));
 }
 
+/// Once each mix is known to be of materials before it.
+void check_mixes(std::span<const Material> materials) {
+  std::vector<int> nested(materials.size());
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const auto* mix = std::get_if<Mix>(&materials[i].model);
+    if (!mix) continue;
+    nested[i] = 1 + std::max(nested[mix->first], nested[mix->second]);
+    if (nested[i] > most_nested_mixes)
+      throw Error(fmt::format("material {} is a mix in which mixes are {} deep; valid are up to {}", i,
+                              nested[i], most_nested_mixes));
+  }
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene) {
@@ -109,6 +123,7 @@ void check_scene(const Scene& scene) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i) check_light(scene, i);
   check_textures(scene.textures);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) check_material(scene, i);
+  check_mixes(scene.materials);
 }
 
 }  // namespace twinray

@@ -187,8 +187,9 @@ void PbrtBuilder::fill_interiors() {
     const auto [entry, is_new] = filled.try_emplace(key, std::uint32_t(materials.size()));
     if (is_new) {
       materials.push_back(materials[material]);
-      materials.back().interior.absorption = absorption;
-      materials.back().interior.is_clear = is_black(absorption);
+      Interior& interior = materials.back().interior;
+      if (!is_black(absorption)) interior.absorption = absorption;
+      interior.is_clear = is_black(interior.absorption);
     }
     material = entry->second;
   }

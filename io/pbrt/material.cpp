@@ -11,6 +11,7 @@
 
 #include "core/elementary.h"
 #include "core/microfacet.h"
+#include "core/nested_mixes.h"
 #include "core/radiance.h"
 #include "core/textured_material.h"
 #include "io/pbrt/spectrum.h"
@@ -404,6 +405,11 @@ Mix PbrtMaterials::read_mix(std::uint32_t index, float amount, const PbrtParamet
       parameters.find("materials")
           ->place.fail(fmt::format("\"{}\" is an interface, which cannot be mixed", names[i]));
     indices[i] = known->second;
+    int& mixes = entries_[index].mixes;
+    mixes = std::max(mixes, 1 + entries_[known->second].mixes);
+    if (mixes > most_nested_mixes)
+      parameters.find("materials")
+          ->place.fail(fmt::format("mixes may be in each other up to {} deep", most_nested_mixes));
   }
   return {indices[0], indices[1], std::clamp(amount, 0.0f, 1.0f)};
 }

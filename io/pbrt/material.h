@@ -38,6 +38,7 @@ class PbrtMaterials {
   struct Entry {
     bool is_made = true, is_interface = false;
     PbrtPlace first_use;
+    int mixes = 0;  ///< So many are in each other.
   };
   void make(std::uint32_t index, const std::string& type, const PbrtParameters& parameters);
   Mix read_mix(std::uint32_t index, float amount, const PbrtParameters& parameters);

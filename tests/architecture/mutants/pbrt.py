@@ -126,4 +126,10 @@ MUTANTS = [
     Mutant("a patch of two triangles may have any coordinates", "io/pbrt/quadric.cpp",
            " && is_even(mesh.uvs, corners)", "", "test_io",
            "a bilinear patch is two triangles where all goes evenly over it, and cut finely where not"),
+    Mutant("mixes nest without end", "io/pbrt/material.cpp",
+           "if (mixes > most_nested_mixes)", "if (mixes < 0)", "test_io",
+           "mixes are in each other up to ten deep"),
+    Mutant("a medium around a body empties it", "io/pbrt/builder.cpp",
+           "if (!is_black(absorption)) interior.absorption", "interior.absorption", "test_io",
+           "a clear body's own absorption stays where a medium is around it alone"),
 ]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/pbrt/material.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "io/pbrt/spectrum.h"
@@ -130,6 +132,32 @@ TEST_CASE("what OpenPBR's surface emits is tinted by its coat, and in a mix ther
   CHECK(radiance(parts + "Material \"mix\" \"string materials\" [ \"a\" \"b\" ] \"float amount\" 0.25 ") ==
         Rgb{1.5f, 1.5f, 1.5f});
   CHECK(radiance(parts + "NamedMaterial \"b\" ") == Rgb{});
+}
+
+TEST_CASE("mixes are in each other up to ten deep") {
+  std::string statements = "MakeNamedMaterial \"0\" \"string type\" \"diffuse\" ";
+  const auto nest = [&](int i) {
+    statements += fmt::format(
+        "MakeNamedMaterial \"{0}\" \"string type\" \"mix\" \"string materials\" "
+        "[ \"{1}\" \"{1}\" ] ",
+        i, i - 1);
+  };
+  for (int i = 1; i <= 10; ++i) nest(i);
+  CHECK(load_pbrt_world(statements).scene.materials.size() >= 11);
+  nest(11);
+  CHECK(pbrt_error(statements).find("mixes may be in each other up to 10 deep") != std::string::npos);
+}
+
+TEST_CASE("a clear body's own absorption stays where a medium is around it alone") {
+  const Scene scene = load_pbrt_world(
+                          "MakeNamedMedium \"tea\" \"string type\" \"homogeneous\" \"rgb sigma_s\" [ 0 0 0 ] "
+                          "MediumInterface \"\" \"tea\" Material \"openpbr\" \"float transmission_weight\" 1 "
+                          "\"rgb transmission_color\" [ 1 0.5 0.5 ] \"float transmission_depth\" 1 " +
+                          test::pbrt_triangle)
+                          .scene;
+  const Interior& interior = scene.materials[scene.bindings[0].material].interior;
+  CHECK(interior.absorption.g == Approx(std::log(2.0)));
+  CHECK_FALSE(interior.is_clear);
 }
 
 TEST_CASE("a roughness is the square of alpha, unless it is not remapped") {
