@@ -155,7 +155,8 @@ TEST_CASE("where SIGUSR1's picture cannot be written, or is a film of a checkpoi
   blocked->send(SIGTERM);
   CHECK(blocked->exit_code() != 0);
   const auto film = asked("b.film", {"--checkpoint=" + folder.file("b.ck")});
-  while (!fs::exists(folder.file("b.ck"))) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  for (int lines = 0; lines < 100 && !fs::exists(folder.file("b.ck")); ++lines)
+    REQUIRE(film->wait_for(" samples |"));
   film->send(SIGTERM);
   CHECK(film->exit_code() == 75);
   CHECK_FALSE(fs::exists(folder.file("b_partial.film")));
