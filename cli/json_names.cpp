@@ -7,6 +7,7 @@
 #include "io/utf8.h"
 
 namespace twinray {
+
 void check_json_names(const std::vector<std::string>& names, const char* holder) {
   for (const std::string& name : names)
     if (!is_utf8(name))

@@ -16,7 +16,7 @@ class AmbientOcclusionIntegrator final : public PlainIntegrator {
   /// The scene must outlive the integrator. Distance in scene units, > 0.
   explicit AmbientOcclusionIntegrator(const Scene& scene,
                                       float distance = std::numeric_limits<float>::infinity())
-      : bsdfs_(scene), distance_(distance) {}
+      : bsdfs_(scene, Materials::exact), distance_(distance) {}
 
  private:
   Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer) const override;

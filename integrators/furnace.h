@@ -16,7 +16,8 @@ namespace twinray {
 class FurnaceIntegrator final : public PlainIntegrator {
  public:
   /// The scene must outlive the integrator.
-  FurnaceIntegrator(const Scene& scene, int max_depth) : bsdfs_(scene), max_depth_(max_depth) {}
+  FurnaceIntegrator(const Scene& scene, int max_depth)
+      : bsdfs_(scene, Materials::exact), max_depth_(max_depth) {}
 
  private:
   Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer) const override;

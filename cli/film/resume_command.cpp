@@ -9,7 +9,6 @@
 #include "cli/film/saved_film.h"
 #include "cli/render_command.h"
 #include "cli/render_command_line.h"
-#include "io/destination.h"
 #include "io/film/film_file.h"
 #include "io/generated/generated.h"
 
@@ -29,9 +28,11 @@ bool ends_with(const Words& words, const Words& last) {
 
 /// Whether a checkpoint of this name is kept in `file`, or would be its newer one.
 bool is_kept_in(const std::string& checkpoint, const std::string& file) {
-  const Destination place = destination_of(file);
-  return is_same_place(destination_of(checkpoint), place) ||
-         is_same_place(destination_of(earlier_film_name(checkpoint)), place);
+  const auto place = [](const std::string& name) {
+    std::error_code error;  // Where the folder is gone, or cannot be looked into, the name alone counts.
+    return std::filesystem::weakly_canonical(name, error);
+  };
+  return place(checkpoint) == place(file) || place(earlier_film_name(checkpoint)) == place(file);
 }
 
 /// The words of a film, and those behind its name, which count more. A job that calls itself again and again

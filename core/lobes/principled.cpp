@@ -53,6 +53,14 @@ std::optional<PartialFilm> film_of(const Principled& m, float above) {
                      .coat_ior = above};
 }
 
+/// Of light that passes a layer in and out, by what that lets through along both ways and in the mean. What
+/// is scattered widely comes out in the mean; what is mirrored meets the layer along the same angle again and
+/// again, until it has passed.
+float past_both(float in, float out, float mean, float width) {
+  const float both = in * out;
+  return both > 0 ? both / mix(std::sqrt(both), mean, width) : 0;
+}
+
 /// Of light from all directions: the integral of 2 cos f(cos).
 template <typename F>
 Rgb average_over_directions(const F& f) {
@@ -120,14 +128,14 @@ PrincipledLobe::PrincipledLobe(const Principled& m, bool is_inside)
   if (coat_weight_ > 0) set_coat(m);
   if (fuzz_weight_ == 0) return;
   fuzz_.emplace(m.fuzz_roughness);
-  through_fuzz_ = 1 - fuzz_weight_ * fuzz_->average_reflectance();
+  through_.fuzz = 1 - fuzz_weight_ * fuzz_->average_reflectance();
 }
 
 void PrincipledLobe::set_coat(const Principled& m) {
   const Ggx facets = facets_of(m.coat_roughness, 0);
   coat_.emplace(m.coat_ior, facets);
   coat_width_ = width_of(facets);
-  through_coat_ = 1 - coat_weight_ * coat_->average_reflectance();
+  through_.coat = 1 - coat_weight_ * coat_->average_reflectance();
   // What the coat reflects back down is absorbed in part, once more and again.
   const float back = coat_->average_reflectance_below();
   const auto darkened = [&](float albedo) {
@@ -195,13 +203,14 @@ Rgb PrincipledLobe::base_albedo() const {
 }
 
 Rgb PrincipledLobe::albedo() const {
-  const Rgb coat = white * (1 - through_coat_), fuzz = fuzz_color_ * (1 - through_fuzz_);
-  return fuzz + (coat + below_coat_ * base_albedo() * through_coat_) * through_fuzz_;
+  const Rgb coat = white * (1 - through_.coat), fuzz = fuzz_color_ * (1 - through_.fuzz);
+  return fuzz + (coat + below_coat_ * base_albedo() * through_.coat) * through_.fuzz;
 }
 
-BsdfValue PrincipledLobe::evaluate_opaque(const Seen& from, const Vec3& wi, const Rgb& of_facets) const {
+BsdfValue PrincipledLobe::evaluate_opaque(const Seen& from, const Vec3& wi, const Layers& out,
+                                          const Rgb& of_facets) const {
   const Vec3& wo = from.wo;
-  const Rgb of_diffuse = through_layers(from, wi, 1);
+  const Rgb of_diffuse = through_layers(from.past, out, 1);
   const FacetReflection facets = facets_.reflection(wo, wi);
   BsdfValue all{{}, from.choice.facets * facets.pdf + from.choice.diffuse * cosine_hemisphere_pdf(wi.z)};
   if (metal_ > 0) {
@@ -218,39 +227,15 @@ BsdfValue PrincipledLobe::evaluate_opaque(const Seen& from, const Vec3& wi, cons
   return all;
 }
 
-float PrincipledLobe::past_coat(float cosine) const {
-  return cosine > 0 ? 1 - coat_weight_ * coat_->reflectance(cosine) : through_coat_;
+PrincipledLobe::Layers PrincipledLobe::past(float cosine) const {
+  if (!(cosine > 0)) return through_;
+  return {coat_ ? 1 - coat_weight_ * coat_->reflectance(cosine) : 1,
+          fuzz_ ? 1 - fuzz_weight_ * fuzz_->reflectance(cosine) : 1};
 }
 
-float PrincipledLobe::past_fuzz(float cosine) const {
-  return cosine > 0 ? 1 - fuzz_weight_ * fuzz_->reflectance(cosine) : through_fuzz_;
-}
-
-namespace {
-
-/// Of light that passes a layer in and out, by what that lets through along both ways and in the mean. What
-/// is scattered widely comes out in the mean; what is mirrored meets the layer along the same angle again and
-/// again, until it has passed.
-float past_both(float in, float out, float mean, float width) {
-  const float both = in * out;
-  return both > 0 ? both / mix(std::sqrt(both), mean, width) : 0;
-}
-
-}  // namespace
-
-Rgb PrincipledLobe::through_coat(const Seen& from, const Vec3& wi, float width) const {
-  if (!coat_) return white;
-  return below_coat_ *
-         (wi.z > 0 ? past_both(from.past_coat, past_coat(wi.z), through_coat_, width) : from.past_coat);
-}
-
-float PrincipledLobe::through_fuzz(const Seen& from, const Vec3& wi, float width) const {
-  if (!fuzz_) return 1;
-  return wi.z > 0 ? past_both(from.past_fuzz, past_fuzz(wi.z), through_fuzz_, width) : from.past_fuzz;
-}
-
-Rgb PrincipledLobe::through_layers(const Seen& from, const Vec3& wi, float width) const {
-  return through_coat(from, wi, width) * through_fuzz(from, wi, width);
+Rgb PrincipledLobe::through_layers(const Layers& in, const Layers& out, float width) const {
+  return below_coat_ * past_both(in.coat, out.coat, through_.coat, width) *
+         past_both(in.fuzz, out.fuzz, through_.fuzz, width);
 }
 
 BsdfValue PrincipledLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
@@ -261,8 +246,9 @@ BsdfValue PrincipledLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
 BsdfValue PrincipledLobe::evaluate(const Seen& from, const Vec3& wi) const {
   const Vec3& wo = from.wo;
   const Choice& p = from.choice;
-  const Rgb of_facets = through_layers(from, wi, width_);
-  BsdfValue all = wi.z > 0 ? evaluate_opaque(from, wi, of_facets) : BsdfValue{};
+  const Layers out = past(wi.z);
+  const Rgb of_facets = through_layers(from.past, out, wi.z > 0 ? width_ : 1);
+  BsdfValue all = wi.z > 0 ? evaluate_opaque(from, wi, out, of_facets) : BsdfValue{};
   const auto add = [&](const Rgb& value, float pdf) { all = {all.value + value, all.pdf + pdf}; };
   if (boundary_) {
     const BsdfValue clear = std::visit([&](const auto& lobe) { return lobe.evaluate(wo, wi); }, *boundary_);
@@ -270,7 +256,8 @@ BsdfValue PrincipledLobe::evaluate(const Seen& from, const Vec3& wi) const {
   }
   if (coat_ && wi.z > 0) {
     const FacetReflection coat = coat_->reflection(wo, wi);
-    add(white * (coat_weight_ * coat.value * through_fuzz(from, wi, coat_width_)), p.coat * coat.pdf);
+    const float of_coat = past_both(from.past.fuzz, out.fuzz, through_.fuzz, coat_width_);
+    add(white * (coat_weight_ * coat.value * of_coat), p.coat * coat.pdf);
   }
   if (fuzz_ && wi.z > 0)
     add(fuzz_color_ * (fuzz_weight_ * fuzz_->evaluate(wo, wi)), p.fuzz * cosine_hemisphere_pdf(wi.z));
@@ -280,7 +267,7 @@ BsdfValue PrincipledLobe::evaluate(const Seen& from, const Vec3& wi) const {
 Rgb PrincipledLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
   return from(wo, [&](const Seen& seen) {
-    const Rgb through = through_gloss(wi.z) * seen.through_gloss * through_layers(seen, wi, 1);
+    const Rgb through = through_gloss(wi.z) * seen.through_gloss * through_layers(seen.past, past(wi.z), 1);
     const Rgb base = diffuse_ * rough_.evaluate(wo, wi).value * (through * opaque_);
     return fuzz_ ? base + fuzz_color_ * (fuzz_weight_ * fuzz_->evaluate(wo, wi)) : base;
   });
@@ -288,9 +275,7 @@ Rgb PrincipledLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
 
 PrincipledLobe::Seen PrincipledLobe::seen(const Vec3& wo) const {
   if (!(wo.z > 0)) return {};
-  Seen seen{.wo = wo, .through_gloss = opaque_ > 0 ? through_gloss(wo.z) : white};
-  if (coat_) seen.past_coat = past_coat(wo.z);
-  if (fuzz_) seen.past_fuzz = past_fuzz(wo.z);
+  Seen seen{.wo = wo, .through_gloss = opaque_ > 0 ? through_gloss(wo.z) : white, .past = past(wo.z)};
   seen.choice = choice(seen);
   return seen;
 }
@@ -310,8 +295,8 @@ PrincipledLobe::Choice PrincipledLobe::choice(const Seen& from) const {
     diffuse += metal * max_component(metal_multiple_) * loss;
   }
   const float sum = facets + diffuse + clear_;
-  const float fuzz = fuzz_ ? fuzz_weight_ * max_component(fuzz_color_) * fuzz_->reflectance(cosine) : 0;
-  const float coat = coat_ ? (1 - fuzz) * coat_weight_ * coat_->reflectance(cosine) : 0;
+  const float fuzz = max_component(fuzz_color_) * (1 - from.past.fuzz);
+  const float coat = (1 - fuzz) * (1 - from.past.coat);
   const float rest = 1 - fuzz - coat;
   if (!(sum > 0)) return {fuzz, coat, 0, rest, 0};
   return {fuzz, coat, rest * facets / sum, rest * diffuse / sum, rest * clear_ / sum};
@@ -340,7 +325,8 @@ BsdfSample PrincipledLobe::sample_clear(const Seen& from, float lobe, Vec2 u) co
   BsdfSample sample = std::visit([&](const auto& l) { return l.sample(from.wo, lobe, u); }, *boundary_);
   if (sample.pdf == 0 || sample.wi.z == 0) return {};
   if (sample.is_delta) {
-    sample.value = sample.value * clear_ * through_layers(from, sample.wi, 0);
+    const float width = sample.wi.z > 0 ? 0 : 1;
+    sample.value = sample.value * clear_ * through_layers(from.past, past(sample.wi.z), width);
     sample.pdf *= from.choice.clear;
     return sample;
   }

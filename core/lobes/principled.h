@@ -44,6 +44,10 @@ class PrincipledLobe {
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
 
  private:
+  /// What coat and fuzz let through; all of the light where they are not there.
+  struct Layers {
+    float coat = 1, fuzz = 1;
+  };
   /// Probabilities of the ways of scattering; their sum is 1.
   struct Choice {
     float fuzz, coat, facets, diffuse, clear;
@@ -53,22 +57,20 @@ class PrincipledLobe {
     Vec3 wo = {};  ///< In no direction: nothing is known.
     Choice choice = {};
     Rgb through_gloss = {};
-    float past_coat = 1, past_fuzz = 1;  ///< What these layers let through.
+    Layers past = {};
   };
   Seen seen(const Vec3& wo) const;
   Choice choice(const Seen& from) const;
   BsdfValue evaluate(const Seen& from, const Vec3& wi) const;
-  /// What a layer lets through along a direction.
-  float past_coat(float cosine) const;
-  float past_fuzz(float cosine) const;
-  /// What the layers leave of what is scattered below them, by facets of a width from 0 (a mirror) to 1, or
-  /// by what is diffuse: 1. Reciprocal, and in the mean about all of the light that passes along wo. Light
-  /// that goes through the surface passes each layer once.
-  Rgb through_coat(const Seen& from, const Vec3& wi, float width) const;
-  float through_fuzz(const Seen& from, const Vec3& wi, float width) const;
-  Rgb through_layers(const Seen& from, const Vec3& wi, float width) const;
+  /// What passes the layers along a direction; from below, in the mean about all directions.
+  Layers past(float cosine) const;
+  /// What the layers leave of light that passes them in and out, scattered between by facets of a width from
+  /// 0 (a mirror) to 1, or by what is diffuse: 1. Reciprocal, and in the mean about all of the light that
+  /// passes along one of both. For light that goes through the surface, and so passes each layer once, the
+  /// width is 1.
+  Rgb through_layers(const Layers& in, const Layers& out, float width) const;
   /// What metal and glossy diffuse surface reflect, through coat and fuzz; wi.z > 0.
-  BsdfValue evaluate_opaque(const Seen& from, const Vec3& wi, const Rgb& of_facets) const;
+  BsdfValue evaluate_opaque(const Seen& from, const Vec3& wi, const Layers& out, const Rgb& of_facets) const;
   /// What facets of metal and of gloss reflect; the latter without its colour.
   Rgb metal_reflectance(float cosine) const;
   Rgb gloss_reflectance(float cosine) const;
@@ -90,7 +92,7 @@ class PrincipledLobe {
   float specular_weight_, coat_weight_, fuzz_weight_;
   Rgb specular_color_, fuzz_color_;
   Ggx facets_;   ///< Of metal and gloss,
-  float width_;  ///< and how widely they scatter, as through_coat has it.
+  float width_;  ///< and how widely they scatter, as through_layers has it.
   MultipleScattering multiple_;
   TintedFresnel metal_fresnel_;
   std::optional<PartialFilm> film_;  ///< On metal and gloss, where they are seen from above.
@@ -106,7 +108,7 @@ class PrincipledLobe {
   std::optional<Coat> coat_;
   float coat_width_ = 1;
   std::optional<Fuzz> fuzz_;
-  float through_coat_ = 1, through_fuzz_ = 1;  ///< The parts of light from all directions that pass.
+  Layers through_;          ///< Of light from all directions.
   Rgb below_coat_ = white;  ///< A factor of what is below the coat: its colour, and reflections back.
   Seen seen_;
 };

@@ -378,7 +378,7 @@ void PathWave::add_hemisphere() {
   if (count == 0) return;
   const float divisor = float(count) * uniform_hemisphere_pdf();
   connections_.of_light.clear(paths_.size);
-  connections_.passed.resize(wave_size);
+  connections_.passed.assign(wave_size, Rgb{1, 1, 1});
   for (std::uint32_t part = 0; part < count; ++part) {
     draw(Purpose::light_point, {part, count, 0}, light_.ux, light_.uy);
     stages_.sample_hemisphere(surfaces_, light_, paths_.size);
@@ -398,6 +398,8 @@ void PathWave::add_hemisphere() {
 }
 
 Rgb PathWave::found_around(std::size_t k) {
+  if (!context_.has_interiors && !context_.transport.passages)
+    return lamp_radiance(context_.transport, connections_.hits[k], connections_.rays[k].direction);
   Passages::Way way{connections_.rays[k], connections_.hits[k], interiors_of(k)};
   if (context_.transport.passages) context_.transport.passages->follow(tracer_, way);
   connections_.hits[k] = way.hit;

@@ -8,6 +8,7 @@
 
 #include "io/gltf/document.h"
 #include "io/gltf/draco.h"
+#include "io/gltf/uv_area.h"
 
 namespace twinray {
 namespace {
@@ -95,9 +96,9 @@ class Builder {
                                            corners.size(), corners.size() % 3));
     made_.triangles = triangles_of(corners, source_.mode);
     if (attributes_.has("NORMAL")) made_.normals = vectors("NORMAL", "VEC3");
-    if (attributes_.has("TANGENT")) read_tangents();
     if (attributes_.has("COLOR_0")) made_.colors = numbers("COLOR_0", "VEC3 VEC4");
     for (const auto& [name, accessor] : source_.attributes) read_uvs(name);
+    if (attributes_.has("TANGENT")) read_tangents();
     return std::move(made_);
   }
 
@@ -119,12 +120,34 @@ class Builder {
     return vectors;
   }
 
+  /// Where tangents point is the texture coordinates' matter; a file that has it otherwise is told so.
   void read_tangents() {
-    const GltfNumbers tangents = numbers("TANGENT", "VEC4");
-    for (std::size_t i = 0; i < tangents.count; ++i) {
-      made_.tangents.emplace_back(tangents.at(i, 0), tangents.at(i, 1), tangents.at(i, 2));
-      made_.handedness.push_back(tangents.at(i, 3) < 0 ? -1.0f : 1.0f);
+    const GltfNumbers list = numbers("TANGENT", "VEC4");
+    std::vector<Vec3> tangents;
+    for (std::size_t i = 0; i < list.count; ++i) {
+      tangents.push_back(list.vec3(i));
+      made_.handedness.push_back(list.at(i, 3) < 0 ? -1.0f : 1.0f);
     }
+    for (const auto& [set, uvs] : made_.uvs)
+      if (are_turned(tangents, uvs)) made_.turned_uvs.insert(set);
+  }
+
+  /// Whether tangents point elsewhere than where u grows, by more than 30 degrees in a twentieth of the
+  /// triangles: programs that make them of texture coordinates smooth them.
+  bool are_turned(const std::vector<Vec3>& tangents, const std::vector<Vec2>& uvs) const {
+    constexpr float most = 0.75f;  // The square of 30 degrees' cosine.
+    std::size_t turned = 0;
+    for (const Triangle& triangle : made_.triangles) {
+      const auto& [a, b, c] = triangle;
+      const Vec3 p = made_.positions[b] - made_.positions[a], q = made_.positions[c] - made_.positions[a];
+      const float pv = uvs[b].y - uvs[a].y, qv = uvs[c].y - uvs[a].y;
+      const Vec3 along = (p * qv - q * pv) * (uv_area(uvs, triangle) < 0 ? -1.0f : 1.0f);
+      const float cosine = dot(along, tangents[a]);
+      if (length_squared(along) == 0) continue;
+      turned +=
+          !(cosine > 0 && cosine * cosine >= most * length_squared(along) * length_squared(tangents[a]));
+    }
+    return turned > made_.triangles.size() / 20;
   }
 
   /// Sets of texture coordinates have one digit. The format's v runs downwards, ours upwards.

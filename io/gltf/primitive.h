@@ -3,6 +3,7 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ struct GltfPrimitive {
   std::vector<Triangle> triangles;
   std::vector<Vec3> normals;             ///< One for each position, or none.
   std::map<int, std::vector<Vec2>> uvs;  ///< By the number of their set: one for each position.
-  std::vector<Vec3> tangents;            ///< Where they point: one for each position, or none;
-  std::vector<float> handedness;         ///< and their sign, +-1.
+  std::vector<float> handedness;         ///< The sign of the tangents, +-1: one for each position, or none.
+  std::set<int> turned_uvs;              ///< The sets of which the tangents are not those.
   GltfNumbers colors;                    ///< COLOR_0: three or four a position, or none.
 };
 

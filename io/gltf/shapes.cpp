@@ -21,26 +21,6 @@ bool is_mirrored(const GltfPrimitive& primitive, const std::vector<Vec2>& uvs, c
   return uv_area(uvs, triangle) < 0;
 }
 
-/// Whether the file's tangents point elsewhere than where u grows, by more than 30 degrees in a twentieth of
-/// the triangles: programs that make them of texture coordinates smooth them.
-bool are_turned(const GltfPrimitive& primitive, const std::vector<Vec2>& uvs) {
-  if (primitive.tangents.empty()) return false;
-  constexpr float most = 0.75f;  // The square of 30 degrees' cosine.
-  std::size_t turned = 0;
-  for (const Triangle& triangle : primitive.triangles) {
-    const auto& [a, b, c] = triangle;
-    const Vec3 p = primitive.positions[b] - primitive.positions[a],
-               q = primitive.positions[c] - primitive.positions[a];
-    const float pv = uvs[b].y - uvs[a].y, qv = uvs[c].y - uvs[a].y;
-    const Vec3 along = (p * qv - q * pv) * (uv_area(uvs, triangle) < 0 ? -1.0f : 1.0f);
-    const Vec3& tangent = primitive.tangents[a];
-    const float cosine = dot(along, tangent);
-    if (length_squared(along) == 0) continue;
-    turned += !(cosine > 0 && cosine * cosine >= most * length_squared(along) * length_squared(tangent));
-  }
-  return turned > primitive.triangles.size() / 20;
-}
-
 std::string mesh_name(const tinygltf::Mesh& mesh, int index, std::size_t primitive) {
   const std::string name = mesh.name.empty() ? fmt::format("mesh {}", index) : mesh.name;
   return mesh.primitives.size() < 2 ? name : fmt::format("{}, primitive {}", name, primitive);
@@ -162,7 +142,7 @@ void GltfShapes::place(const GltfPrimitive& primitive, const std::string& name, 
   set_triangles(mesh, primitive.triangles);
   if (!use.has_uvs && materials_.is_unlit(primitive.material)) GltfColors::put_darkest_first(primitive, mesh);
   colors_.add(primitive, mesh, use);
-  if (use.has_uvs && materials_.goes_by_tangents(primitive.material) && are_turned(primitive, uvs->second))
+  if (use.has_uvs && materials_.goes_by_tangents(primitive.material) && primitive.turned_uvs.contains(*set))
     document_.context().warn(primitive.pointer + "/attributes/TANGENT",
                              "these tangents are not those of the texture coordinates, by which normal maps "
                              "and brushed facets go");

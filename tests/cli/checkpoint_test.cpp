@@ -179,6 +179,13 @@ TEST_CASE("a copy of a checkpoint goes on where it is, and by the words that wer
   run_well("resume " + film("b.ck.before") + " -s 8");
   CHECK(samples_in(folder.file("b.ck")) == 8);
   CHECK_FALSE(fs::exists(folder.file("b.ck.before.before")));
+  // Also where the folder that it was begun in is gone.
+  fs::create_directory(folder.file("run"));
+  run_well(box_words("-s 4 --checkpoint=" + film("run/c.ck") + " -o " + film("c.pfm")));
+  fs::rename(folder.file("run/c.ck"), folder.file("c.ck"));
+  fs::remove_all(folder.file("run"));
+  run_well("resume " + film("c.ck") + " -s 5");
+  CHECK(samples_in(folder.file("c.ck")) == 5);
 }
 
 TEST_CASE("defaults of several words count as none, too") {

@@ -125,6 +125,20 @@ TEST_CASE("within something denser, indices of refraction are smaller") {
   CHECK(std::get<Lambert>(immersed(Lambert{}, 2)).reflectance == Lambert{}.reflectance);
 }
 
+TEST_CASE("what is clear is remembered where anything absorbs light or has a priority, and else not") {
+  Material clear = glass(1.5f, 0);
+  clear.interior.is_clear = true;
+  const auto is_remembered = [&](const Material& other) {
+    std::vector<Material> materials{clear, other};
+    forget_clear_interiors(materials);
+    return materials[0].interior.is_clear;
+  };
+  CHECK(is_remembered(glass(1.5f, 0, {0, 0.1f, 0})));
+  CHECK(is_remembered(glass(1.5f, 1)));
+  CHECK_FALSE(is_remembered(clear));
+  CHECK_FALSE(is_remembered({"chalk"}));
+}
+
 TEST_CASE("interiors that cannot be are refused") {
   const auto error_of = [](const Material& material) {
     Scene scene;

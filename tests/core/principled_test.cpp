@@ -7,106 +7,12 @@
 #include "core/lobes/coated_diffuse.h"
 #include "core/shading_map.h"
 #include "tests/support/lobe_checks.h"
+#include "tests/support/principled_models.h"
 
-namespace twinray {
+namespace twinray::test {
 namespace {
 
-using test::direction_at;
-
 const float cosines[] = {1.0f, 0.6f, 0.2f};
-
-Principled varnished() {
-  Principled m;
-  m.base_color = {0.7f, 0.3f, 0.1f};
-  m.base_diffuse_roughness = 0.4f;
-  m.base_metalness = 0.3f;
-  m.specular_roughness = 0.6f;
-  m.specular_color = {0.9f, 0.8f, 1};
-  m.coat_weight = 0.7f;
-  m.coat_color = {1, 0.9f, 0.6f};
-  m.coat_roughness = 0.5f;
-  m.fuzz_weight = 0.5f;
-  m.fuzz_color = {0.8f, 0.2f, 0.9f};
-  return m;
-}
-
-Principled brushed() {
-  Principled m;
-  m.base_metalness = 1;
-  m.specular_roughness = 0.6f;
-  m.specular_roughness_anisotropy = 0.7f;
-  return m;
-}
-
-Principled clear() {
-  Principled m;
-  m.transmission_weight = 0.8f;
-  m.transmission_color = {0.5f, 0.9f, 0.7f};
-  m.specular_roughness = 0.7f;
-  m.coat_weight = 0.5f;
-  m.coat_roughness = 0.6f;
-  return m;
-}
-
-Principled sheet() {
-  Principled m = clear();
-  m.geometry_thin_walled = true;
-  return m;
-}
-
-/// A film on gloss.
-Principled oiled() {
-  Principled m;
-  m.base_color = {0.4f, 0.3f, 0.5f};
-  m.specular_roughness = 0.5f;
-  m.thin_film_weight = 1;
-  m.thin_film_thickness = 0.35f;
-  m.thin_film_ior = 1.8f;
-  return m;
-}
-
-/// A film on a metal, below a coat.
-Principled anodised() {
-  Principled m = oiled();
-  m.base_color = {0.8f, 0.7f, 0.6f};
-  m.base_metalness = 1;
-  m.thin_film_weight = 0.8f;
-  m.coat_weight = 0.5f;
-  m.coat_roughness = 0.5f;
-  return m;
-}
-
-Principled bubble() {
-  Principled m = oiled();
-  m.specular_ior = 1;
-  m.thin_film_ior = 1.33f;
-  m.transmission_weight = 1;
-  m.geometry_thin_walled = true;
-  return m;
-}
-
-/// Denser than the tables of reflectances reach.
-Principled dense() {
-  Principled m;
-  m.specular_ior = 10;
-  m.specular_roughness = 0.7f;
-  return m;
-}
-
-/// A film on the boundary of a clear body.
-Principled iridescent() {
-  Principled m = clear();
-  m.thin_film_weight = 0.9f;
-  m.thin_film_thickness = 0.35f;
-  m.thin_film_ior = 2;
-  return m;
-}
-
-/// Nothing of it absorbs.
-Principled whitened(Principled m) {
-  m.base_color = m.specular_color = m.transmission_color = m.coat_color = m.fuzz_color = white;
-  return m;
-}
 
 }  // namespace
 
@@ -116,12 +22,12 @@ TEST_CASE("a principled surface is sampled with its density") {
     for (const bool is_inside : {false, true})
       for (const float cosine : cosines) {
         CAPTURE(m.coat_weight, m.transmission_weight, is_inside, cosine);
-        test::check_sampling(PrincipledLobe(m, is_inside), direction_at(cosine), 30, 24);
+        check_sampling(PrincipledLobe(m, is_inside), direction_at(cosine), 30, 24);
       }
 }
 
 TEST_CASE("what a principled surface reflects is reciprocal") {
-  test::Random random(3);
+  Random random(3);
   for (const Principled& m :
        {Principled{}, varnished(), brushed(), clear(), oiled(), anodised(), iridescent()}) {
     const PrincipledLobe lobe(m, false);
@@ -150,7 +56,7 @@ TEST_CASE("a white principled surface passes the furnace within what its layers'
   for (const Case& each : cases)
     for (const float cosine : cosines) {
       CAPTURE(each.error, cosine);
-      const Rgb albedo = test::sampled_albedo(PrincipledLobe(each.model, false), direction_at(cosine));
+      const Rgb albedo = sampled_albedo(PrincipledLobe(each.model, false), direction_at(cosine));
       CHECK(std::fabs(albedo.r - 1) <= each.error);
       CHECK(std::fabs(albedo.g - 1) <= each.error);
       CHECK(std::fabs(albedo.b - 1) <= each.error);
@@ -172,7 +78,7 @@ TEST_CASE("white mirrors, gloss and sheets pass the furnace below smooth layers"
     dusty.fuzz_weight = 0.7f;
     for (const Principled& layered : {coated, dusty})
       for (const float cosine : {1.0f, 0.6f, 0.3f, 0.1f})
-        CHECK(test::sampled_albedo(PrincipledLobe(layered, false), direction_at(cosine)).g ==
+        CHECK(sampled_albedo(PrincipledLobe(layered, false), direction_at(cosine)).g ==
               Approx(1).margin(0.015));
   }
 }
@@ -184,7 +90,7 @@ TEST_CASE("no principled surface scatters more than arrives, nor stays black whe
       for (const float cosine : cosines) {
         CAPTURE(m.coat_weight, m.transmission_weight, is_inside, cosine);
         const PrincipledLobe lobe(m, is_inside);
-        const Rgb albedo = test::sampled_albedo(lobe, direction_at(cosine), 40000);
+        const Rgb albedo = sampled_albedo(lobe, direction_at(cosine), 40000);
         CHECK(max_component(albedo) < 1.03f);
         CHECK(max_component(albedo) > 0.2f);
         if (!is_inside && cosine == 0.6f) CHECK(lobe.albedo().g == Approx(albedo.g).epsilon(0.25));
@@ -192,7 +98,7 @@ TEST_CASE("no principled surface scatters more than arrives, nor stays black whe
 }
 
 TEST_CASE("what a principled surface works out for one direction changes no bit, there or elsewhere") {
-  test::Random random(11);
+  Random random(11);
   for (const Principled& m :
        {Principled{}, varnished(), brushed(), clear(), sheet(), oiled(), anodised(), iridescent()})
     for (const bool is_inside : {false, true}) {
@@ -220,8 +126,26 @@ TEST_CASE("what a principled surface works out for one direction changes no bit,
     }
 }
 
+TEST_CASE("light that goes through a coated body passes the coat once") {
+  Principled bare;
+  bare.transmission_weight = 1;
+  Principled coated = bare;
+  coated.specular_roughness = coated.coat_roughness = 0.3f;
+  coated.coat_weight = 1, coated.coat_ior = 1.5f, coated.coat_darkening = 0;
+  // As rough as the coat makes it.
+  bare.specular_roughness = std::pow(std::pow(0.3f, 4.0f) * 3, 0.25f);
+  const Coat coat(1.5f, Ggx(0.3f * 0.3f));
+  for (const float cosine : cosines) {
+    const Vec3 wo = direction_at(cosine), wi = flipped(direction_at(0.8f));
+    const Rgb through = PrincipledLobe(coated, false).evaluate(wo, wi).value;
+    const Rgb expected = PrincipledLobe(bare, false).evaluate(wo, wi).value * coat.transmittance(cosine);
+    CHECK(through.g > 0);
+    CHECK(through.g == Approx(expected.g).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("at the ends of its weights a principled surface is one of the simple models") {
-  test::Random random(5);
+  Random random(5);
   for (int i = 0; i < 100; ++i) {
     Vec3 wo = normalize(random.in_ball()), wi = normalize(random.in_ball());
     wo.z = std::fabs(wo.z), wi.z = std::fabs(wi.z);
@@ -256,7 +180,7 @@ TEST_CASE("at the ends of its weights a principled surface is one of the simple 
     glass.transmission_color = {0.5f, 0.6f, 0.7f};
     const RoughDielectricLobe outside(facets, 1.5f, white, glass.transmission_color);
     const RoughDielectricLobe inside(facets, 1 / 1.5f, white, glass.transmission_color);
-    for (const Vec3& w : {wi, test::flipped(wi)}) {
+    for (const Vec3& w : {wi, flipped(wi)}) {
       same(PrincipledLobe(glass, false).evaluate(wo, w).value, outside.evaluate(wo, w).value);
       same(PrincipledLobe(glass, true).evaluate(wo, w).value, inside.evaluate(wo, w).value);
     }
@@ -285,14 +209,13 @@ TEST_CASE("gloss reflects by Fresnel's equations along the normal, however dense
   for (const float ior : {1.5f, 10.0f, 100.0f, 1000.0f}) {
     const Principled m{.base_color = {}, .specular_roughness = 0, .specular_ior = ior};
     const float root = (ior - 1) / (ior + 1);
-    CHECK(test::sampled_albedo(PrincipledLobe(m, false), direction_at(1)).g ==
-          Approx(root * root).epsilon(2e-3));
+    CHECK(sampled_albedo(PrincipledLobe(m, false), direction_at(1)).g == Approx(root * root).epsilon(2e-3));
   }
 }
 
 TEST_CASE("weights of a principled surface do what they say") {
   const Vec3 wo = direction_at(0.7f);
-  const auto albedo = [&](const Principled& m) { return test::sampled_albedo(PrincipledLobe(m, false), wo); };
+  const auto albedo = [&](const Principled& m) { return sampled_albedo(PrincipledLobe(m, false), wo); };
   Principled m;
   m.base_color = {0.4f, 0.4f, 0.4f};
   Principled darker = m, lacquered = m, dusty = m;
@@ -307,124 +230,6 @@ TEST_CASE("weights of a principled surface do what they say") {
   dusty.fuzz_weight = 1;
   dusty.fuzz_color = {0, 1, 0};
   CHECK(albedo(dusty).g > albedo(dusty).r + 0.1f);
-}
-
-TEST_CASE("a film of no thickness changes nothing") {
-  Principled varnished_oil = oiled();  // A coat that is denser than the film.
-  varnished_oil.coat_weight = 1;
-  varnished_oil.thin_film_ior = 1.4f;
-  for (Principled filmed : {oiled(), anodised(), varnished_oil, iridescent()}) {
-    filmed.thin_film_thickness = 0;
-    Principled bare = filmed;
-    bare.thin_film_weight = 0;
-    const PrincipledLobe with(filmed, false), without(bare, false);
-    CHECK(with.albedo().g == Approx(without.albedo().g).epsilon(0.02));
-    for (const float cosine : {1.0f, 0.7f, 0.3f, 0.1f}) {
-      const Vec3 wo = direction_at(cosine), mirrored{-wo.x, -wo.y, wo.z};
-      const Rgb a = with.evaluate(wo, mirrored).value, b = without.evaluate(wo, mirrored).value;
-      CAPTURE(filmed.thin_film_ior, cosine);
-      CHECK(a.r == Approx(b.r).epsilon(0.01).margin(1e-3));
-      CHECK(a.b == Approx(b.b).epsilon(0.01).margin(1e-3));
-    }
-  }
-}
-
-TEST_CASE("a film is on all facets that light meets, and in the albedo") {
-  Principled rough_metal =
-      oiled();  // Its film lets nearly all green light in, and much meets several facets.
-  rough_metal.base_color = {0.5f, 0.5f, 0.5f};
-  rough_metal.base_metalness = 1;
-  rough_metal.specular_roughness = 1;
-  rough_metal.thin_film_ior = 2.2f;
-  rough_metal.thin_film_thickness = 0.06f;
-  Principled bare = rough_metal;
-  bare.thin_film_weight = 0;
-  Principled black = oiled();
-  black.base_color = {};
-  const auto scattered = [](const Principled& m) {
-    constexpr int parts = 16;
-    float sum = 0;
-    for (int i = 0; i < parts; ++i) {
-      const float cosine = std::sqrt((float(i) + 0.5f) / parts);
-      sum += test::sampled_albedo(PrincipledLobe(m, false), direction_at(cosine), 20000).g / parts;
-    }
-    return sum;
-  };
-  // With light that meets several facets as if these had none it would be 0.38 of it.
-  CHECK(scattered(rough_metal) < 0.15f * scattered(bare));
-  CHECK(PrincipledLobe(black, false).albedo().g == Approx(scattered(black)).epsilon(0.05));
-}
-
-TEST_CASE("a film on what is half a metal is half of that on metal and half of that on gloss") {
-  const Vec3 normal{0, 0, 1};
-  const auto value = [&](float metalness) {
-    Principled m = oiled();
-    m.base_metalness = metalness;
-    return PrincipledLobe(m, false).evaluate(normal, normal).value.g;
-  };
-  CHECK(value(0.5f) == Approx((value(0) + value(1)) / 2).epsilon(1e-5));
-}
-
-TEST_CASE("no film reflects all light from air, however dense the coat above it") {
-  Principled dark = oiled();
-  dark.base_color = {};
-  dark.thin_film_ior = 1.4f;
-  dark.coat_weight = 1;
-  dark.coat_ior = 2;
-  Principled bare = dark;
-  bare.thin_film_weight = 0;
-  const auto albedo = [](const Principled& m) {
-    return test::sampled_albedo(PrincipledLobe(m, false), direction_at(0.3f), 20000).g;
-  };
-  CHECK(albedo(dark) < albedo(bare) + 0.08f);  // It would be 0.17 above.
-}
-
-TEST_CASE("a film gives gloss, metals and sheets colours that change with the angle") {
-  for (const Principled& model : {oiled(), anodised()}) {
-    Principled bare = model;
-    bare.thin_film_weight = 0;
-    Principled half = model;
-    half.thin_film_weight = model.thin_film_weight / 2;
-    const Vec3 normal{0, 0, 1};
-    const Rgb filmed = PrincipledLobe(model, false).evaluate(normal, normal).value;
-    const Rgb plain = PrincipledLobe(bare, false).evaluate(normal, normal).value;
-    CHECK(max_component(filmed - plain) > 0.02f * max_component(plain));
-    const Rgb mean = (filmed + plain) / 2, mixed = PrincipledLobe(half, false).evaluate(normal, normal).value;
-    CHECK(mixed.g == Approx(mean.g).epsilon(0.02));
-    // From within there is no film.
-    const Vec3 wo = direction_at(0.7f);
-    CHECK(PrincipledLobe(model, true).evaluate(wo, wo).value ==
-          PrincipledLobe(bare, true).evaluate(wo, wo).value);
-  }
-  // On a boundary that light goes through there is one, and from within it is the same.
-  Principled glass = iridescent(), plain_glass = glass;
-  plain_glass.thin_film_weight = 0;
-  const Vec3 down{0, 0, -1}, up{0, 0, 1};
-  for (const bool is_inside : {false, true}) {
-    const Rgb filmed = PrincipledLobe(glass, is_inside).evaluate(up, down).value;
-    const Rgb plain = PrincipledLobe(plain_glass, is_inside).evaluate(up, down).value;
-    CHECK(filmed.g < 0.97f * plain.g);
-    CHECK(filmed.b / filmed.g != Approx(plain.b / plain.g).epsilon(0.01));
-  }
-  // Air within and without: all that a bubble reflects its film does. Glass has two sides.
-  const auto reflected = [](const Principled& model, float cosine) {
-    const BsdfSample sample = PrincipledLobe(model, false).sample(direction_at(cosine), 0, {0.5f, 0.5f});
-    REQUIRE(sample.wi.z > 0);
-    return sample.value * sample.wi.z;
-  };
-  Principled pane = bubble();
-  pane.specular_ior = 1.5f;
-  const auto pane_of = [](float once) { return 2 * once / (1 + once); };
-  for (const float cosine : {1.0f, 0.5f}) {
-    const Rgb film = ThinFilm(350, 1.33f).reflectance(cosine, white), found = reflected(bubble(), cosine);
-    CHECK(found.r == Approx(film.r).epsilon(1e-4));
-    CHECK(found.b == Approx(film.b).epsilon(1e-4));
-    const Rgb side = ThinFilm(350, 1.33f).reflectance(cosine, white * 1.5f);
-    CHECK(reflected(pane, cosine).g == Approx(pane_of(side.g)).epsilon(1e-3));
-  }
-  Principled body = bubble();
-  body.geometry_thin_walled = false;
-  CHECK(reflected(body, 0.5f) == reflected(bubble(), 0.5f));
 }
 
 TEST_CASE("the facets of a brushed principled surface have a direction") {
@@ -444,4 +249,4 @@ TEST_CASE("a principled surface lets light in where it transmits, is no metal an
   CHECK_FALSE(lets_light_in(m));
 }
 
-}  // namespace twinray
+}  // namespace twinray::test

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/scene.h"
 
+#include <fmt/format.h>
+
 #include "core/alpha_test.h"
+#include "core/nested_mixes.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
 
@@ -29,6 +32,18 @@ std::string message_of(const Scene& scene) {
 
 TEST_CASE("a scene whose indices all point somewhere is valid") {
   CHECK(message_of(valid_scene()) == "valid");
+}
+
+TEST_CASE("mixes in each other are valid up to a depth") {
+  Scene scene = valid_scene();
+  const auto deepest = [&] { return std::uint32_t(scene.materials.size() - 1); };
+  for (int depth = 1; depth <= most_nested_mixes; ++depth)
+    scene.materials.push_back({"mix", Mix{0, deepest(), 0.5f}});
+  CHECK(message_of(scene) == "valid");
+  scene.materials.push_back({"mix", Mix{deepest(), 0, 0.5f}});
+  CHECK(message_of(scene) ==
+        fmt::format("material {} is a mix in which mixes are {} deep; valid are up to {}", deepest(),
+                    most_nested_mixes + 1, most_nested_mixes));
 }
 
 TEST_CASE("a shape without its own binding, or with an index just out of range, is named") {

@@ -44,10 +44,13 @@ def restarts(cluster, job, number):
     return int(cluster.tasks(job).get(number, {}).get("Restarts", "0"))
 
 
-def disturb(cluster, job):
+def disturb(cluster, job, folder):
     """Each kind of disturbance, and the numbers of the tasks that it met."""
+    cluster.run("scontrol", "hold", f"{job}_{PARTS - 1}")
     cluster.wait(lambda: len(running(cluster.tasks(job))) == 4, "four parts are rendered at once")
-    time.sleep(2)
+    cluster.wait(lambda: len(list((folder / "slurm/parts").glob("*.checkpoint"))) == 4,
+                 "each has written a checkpoint")
+    cluster.freeze("node2", "twinray")
     tasks = cluster.tasks(job)
     first, second = [number for number in running(tasks) if tasks[number]["NodeList"] == "node1"]
     lost = [number for number in running(tasks) if tasks[number]["NodeList"] == "node2"]
@@ -59,7 +62,10 @@ def disturb(cluster, job):
     cluster.wait(lambda: all(restarts(cluster, job, number) > 0 for number in lost),
                  "lost tasks are queued again")
     cluster.run("slurmd", "-N", "node2")
-    cluster.wait(lambda: running(cluster.tasks(job)), "parts are rendered again")
+    # However fast the machine is, the last part is still there to make room.
+    cluster.run("scontrol", "release", f"{job}_{PARTS - 1}")
+    cluster.wait(lambda: any(cluster.freeze(node, "twinray") for node in slurm_cluster.NODES),
+                 "parts are rendered again")
     before = {number: restarts(cluster, job, number) for number in range(PARTS)}
     cluster.run("sbatch", "--partition=urgent", "--nodes=2", "--exclusive", "--wrap=sleep 1",
                 "--output=/dev/null")
@@ -85,7 +91,7 @@ def render_on_slurm(folder):
     with tempfile.TemporaryDirectory() as place, slurm_cluster.Cluster(place) as cluster:
         said = cluster.run(str(folder / "slurm/slurm/submit"), "--time=30", "--cpus-per-task=1")
         job, merging = (word.strip(";") for word in said.split() if word.strip(";").isdigit())
-        disturbed = disturb(cluster, job)
+        disturbed = disturb(cluster, job, folder)
         cluster.wait((folder / "slurm.pfm").exists, "the parts are merged", 300)
         cluster.wait(lambda: "RUNNING" not in cluster.run("scontrol", "show", "job", merging, check=False),
                      "the merge has ended")

@@ -115,6 +115,18 @@ class Cluster:
         for number in (*steps, *(process.name for process in jobs)):
             os.kill(int(number), signal.SIGKILL)
 
+    def freeze(self, node, program):
+        """Stops a node's processes of this name where they are: what they do lasts until they are killed."""
+        frozen = 0
+        for process in Path("/proc").iterdir():
+            try:
+                if self.is_of_job(process, node) and (process / "comm").read_text().strip() == program:
+                    os.kill(int(process.name), signal.SIGSTOP)
+                    frozen += 1
+            except OSError:
+                pass  # It has ended.
+        return frozen
+
     def end_time_of(self, job):
         """What a node's daemon does a minute before a job's time is over: its script, alone, gets SIGUSR2."""
         script = f"/job{int(job):05d}/slurm_script".encode()

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light within closed surfaces: what is absorbed on its way, and boundaries of bodies that overlap.
 #include <cmath>
+#include <limits>
 
+#include "accel/accelerator.h"
 #include "core/fresnel.h"
 #include "integrators/furnace.h"
+#include "integrators/passages.h"
 #include "integrators/path_reference.h"
 #include "tests/support/catch.h"
 #include "tests/support/estimate.h"
@@ -230,6 +233,34 @@ TEST_CASE("an interface hides no light, and is no vertex of a path") {
     CHECK(same_bits(render_with(scene, PathIntegrator(scene, {.direct = method}), small_picture(4)).film,
                     render_with(scene, PathReference(scene, {.direct = method}), small_picture(4)).film));
   }
+}
+
+TEST_CASE("a ray that passes interfaces keeps its end, and its cone widens on") {
+  Scene scene =
+      nested_balls({1, 0.5f}, {body(Interface{}, {absorption}), body(Interface{}, {.is_clear = true})});
+  const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
+  Tracer tracer(*engine, false);
+  const Passages passages(scene);
+  const auto followed = [&](float t_max) {
+    Ray ray{.origin = {0, 0, 3}, .direction = {0, 0, -1}, .t_max = t_max};
+    Passages::Way way{ray, tracer.hit(ray, RayKind::bounce), {}, {0.5f, 0.25f}};
+    passages.follow(tracer, way);
+    CHECK(way.hit.is_miss());
+    return way;
+  };
+  // It ends within the inner ball, or before any.
+  const Passages::Way within = followed(3);
+  CHECK(within.ray.t_max == Approx(0.5));
+  CHECK(within.interiors.prevailing(scene.materials) == 1);
+  CHECK(within.cone.width == Approx(0.5 + 0.25 * 2.5));
+  CHECK(luminance(within.left) == Approx(left_of(0.5)));
+  const Passages::Way before = followed(1.5f);
+  CHECK(before.ray.t_max == 1.5f);
+  CHECK(before.cone.width == 0.5f);
+  const Passages::Way all = followed(std::numeric_limits<float>::infinity());
+  CHECK(all.interiors.empty());
+  CHECK(all.cone.width == Approx(0.5 + 0.25 * 4));
+  CHECK(luminance(all.left) == Approx(left_of(1)));
 }
 
 TEST_CASE("a plate of absorbing glass reflects and lets through what the sum of its reflections says") {

@@ -188,7 +188,7 @@ MUTANTS = [
     Mutant("a volume that absorbs nothing is none", "io/gltf/layers.cpp",
            "lets_light_in(model_) && is_black(interior.absorption)", "false", GLTF,
            "gltf: transmission is that of a sheet or, with a thickness, of a body that absorbs"),
-    Mutant("tangents of no length point anywhere", "io/gltf/shapes.cpp",
+    Mutant("tangents of no length point anywhere", "io/gltf/primitive.cpp",
            "!(cosine > 0 && cosine", "!(cosine", GLTF,
            "gltf: tangents that are not those of the texture coordinates are named where that matters"),
 ]
