@@ -53,10 +53,14 @@ function(twinray_compile_together target)
   endforeach()
 endfunction()
 
-# twinray_compile_soon(TARGET): with those optimisations alone that the compiler makes quickly. For code whose speed
-# nobody notices: rays, trees and light are in other libraries.
+# twinray_compile_soon(TARGET [LEVEL]): with those optimisations alone that the compiler makes quickly, -O1 or what is said.
+# For code whose speed nobody notices: rays, trees and light are in other libraries.
 function(twinray_compile_soon target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  set(level ${ARGN})
+  if(NOT level)
+    set(level -O1)
+  endif()
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
 endfunction()
 
 # Warnings and sanitizers: linked PRIVATE by every target of ours, never installed.

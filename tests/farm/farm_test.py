@@ -19,7 +19,9 @@ from pathlib import Path
 import slurm_cluster
 
 PARTS = 8
-OPTIONS = ["-r", "320", "240", "-s", "1000", "--checkpoint-seconds=0.5"]
+PROGRAM = "twinray"
+# A part takes some seconds, or as long as it is held where it is.
+SIZE, SAMPLES = ["-r", "320", "240"], 500
 
 
 def run(*words, cwd, environment=None):
@@ -30,9 +32,9 @@ def run(*words, cwd, environment=None):
     return done.stdout
 
 
-def make_plan(program, scene, folder, name):
-    run(program, "plan", scene, *OPTIONS, f"--folder={name}", f"--jobs={PARTS}", f"--output={name}.pfm",
-        cwd=folder)
+def make_plan(program, scene, folder, name, samples=SAMPLES):
+    run(program, "plan", scene, *SIZE, "-s", str(samples), "--checkpoint-seconds=0.5", f"--folder={name}",
+        f"--jobs={PARTS}", f"--output={name}.pfm", cwd=folder)
 
 
 def running(tasks):
@@ -44,32 +46,36 @@ def restarts(cluster, job, number):
     return int(cluster.tasks(job).get(number, {}).get("Restarts", "0"))
 
 
+def freeze_begun(cluster, job, folder):
+    """Holds each task that has a checkpoint where it is, however fast the machine is; how many there are."""
+    begun = [number for number in running(cluster.tasks(job))
+             if list((folder / "slurm/parts").glob(f"*{number:05}.checkpoint"))]
+    return sum(cluster.freeze(number, PROGRAM) for number in begun)
+
+
 def disturb(cluster, job, folder):
     """Each kind of disturbance, and the numbers of the tasks that it met."""
-    cluster.run("scontrol", "hold", f"{job}_{PARTS - 1}")
-    cluster.wait(lambda: len(running(cluster.tasks(job))) == 4, "four parts are rendered at once")
-    cluster.wait(lambda: len(list((folder / "slurm/parts").glob("*.checkpoint"))) == 4,
-                 "each has written a checkpoint")
-    cluster.freeze("node2", "twinray")
+    last = PARTS - 1
+    cluster.run("scontrol", "hold", f"{job}_{last}")
+    cluster.wait(lambda: freeze_begun(cluster, job, folder) == 4, "four parts are rendered at once")
     tasks = cluster.tasks(job)
     first, second = [number for number in running(tasks) if tasks[number]["NodeList"] == "node1"]
     lost = [number for number in running(tasks) if tasks[number]["NodeList"] == "node2"]
     cluster.run("scontrol", "requeue", f"{job}_{first}")
     cluster.end_time_of(tasks[second]["JobId"])
+    cluster.thaw(second, PROGRAM)
     for number in (first, second):
         cluster.wait(lambda: restarts(cluster, job, number) > 0, f"task {number} is queued again")
     cluster.kill_node("node2")
     cluster.wait(lambda: all(restarts(cluster, job, number) > 0 for number in lost),
                  "lost tasks are queued again")
     cluster.run("slurmd", "-N", "node2")
-    # However fast the machine is, the last part is still there to make room.
-    cluster.run("scontrol", "release", f"{job}_{PARTS - 1}")
-    cluster.wait(lambda: any(cluster.freeze(node, "twinray") for node in slurm_cluster.NODES),
-                 "parts are rendered again")
+    cluster.run("scontrol", "release", f"{job}_{last}")
+    cluster.wait(lambda: cluster.freeze(last, PROGRAM), "the last part is begun")
     before = {number: restarts(cluster, job, number) for number in range(PARTS)}
     cluster.run("sbatch", "--partition=urgent", "--nodes=2", "--exclusive", "--wrap=sleep 1",
                 "--output=/dev/null")
-    cluster.wait(lambda: any(restarts(cluster, job, n) > before[n] for n in range(PARTS)), "a task made room")
+    cluster.wait(lambda: restarts(cluster, job, last) > before[last], "a task made room")
     moved = [n for n in range(PARTS) if restarts(cluster, job, n) > before[n]]
     return {"queued again": [first], "out of time": [second], "lost": lost, "made room": moved}
 
@@ -109,13 +115,13 @@ def main(arguments):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         folder.chmod(0o755)
-        run(program, "render", scene, *OPTIONS[:-1], "-q", "-o", "alone.pfm", cwd=folder)
+        run(program, "render", scene, *SIZE, "-s", str(SAMPLES), "-q", "-o", "alone.pfm", cwd=folder)
         expected = (folder / "alone.pfm").read_bytes()
         if reason := slurm_cluster.missing():
             print(f"Slurm: not tried: {reason}")
         else:
             make_plan(program, scene, folder, "slurm")
-            make_plan(program, scene, folder, "cancelled")
+            make_plan(program, scene, folder, "cancelled", 10 * SAMPLES)  # No part ends in time.
             render_on_slurm(folder)
             done.append("slurm")
         if len(arguments) < 3:

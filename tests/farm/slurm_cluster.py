@@ -109,23 +109,31 @@ class Cluster:
     def kill_node(self, node):
         """As a machine that loses its power: its daemon, and all that runs on it, the daemons first."""
         self.kill(f"{node}.pid", signal.SIGKILL)
-        jobs = [process for process in Path("/proc").iterdir() if self.is_of_job(process, node)]
+        jobs = self.processes(SLURMD_NODENAME=node)
         daemons = {(process / "stat").read_text().rsplit(")", 1)[1].split()[1] for process in jobs}
         steps = [number for number in daemons if Path(f"/proc/{number}/comm").read_text() == "slurmstepd\n"]
         for number in (*steps, *(process.name for process in jobs)):
             os.kill(int(number), signal.SIGKILL)
 
-    def freeze(self, node, program):
-        """Stops a node's processes of this name where they are: what they do lasts until they are killed."""
-        frozen = 0
-        for process in Path("/proc").iterdir():
+    def freeze(self, task, program):
+        """Holds a task's processes of this name where they are: they last until they are told to end. Whether
+        there is one."""
+        return self.tell(task, program, signal.SIGSTOP)
+
+    def thaw(self, task, program):
+        """Lets them go on."""
+        return self.tell(task, program, signal.SIGCONT)
+
+    def tell(self, task, program, signal_number):
+        told = False
+        for process in self.processes(SLURM_ARRAY_TASK_ID=task):
             try:
-                if self.is_of_job(process, node) and (process / "comm").read_text().strip() == program:
-                    os.kill(int(process.name), signal.SIGSTOP)
-                    frozen += 1
+                if (process / "comm").read_text().strip() == program:
+                    os.kill(int(process.name), signal_number)
+                    told = True
             except OSError:
                 pass  # It has ended.
-        return frozen
+        return told
 
     def end_time_of(self, job):
         """What a node's daemon does a minute before a job's time is over: its script, alone, gets SIGUSR2."""
@@ -138,13 +146,18 @@ class Cluster:
             if script in words and str(self.folder).encode() in words:
                 os.kill(int(process.name), signal.SIGUSR2)
 
-    def is_of_job(self, process, node):
-        try:
-            variables = (process / "environ").read_bytes().split(b"\0")
-        except OSError:
-            return False
-        return (f"SLURMD_NODENAME={node}".encode() in variables
-                and f"SLURM_CONF={self.environment['SLURM_CONF']}".encode() in variables)
+    def processes(self, **variables):
+        """Those of this cluster's jobs whose environment says so, as folders of /proc."""
+        wanted = {f"{name}={value}".encode() for name, value in variables.items()}
+        wanted.add(f"SLURM_CONF={self.environment['SLURM_CONF']}".encode())
+        found = []
+        for process in Path("/proc").iterdir():
+            try:
+                if wanted <= set((process / "environ").read_bytes().split(b"\0")):
+                    found.append(process)
+            except OSError:
+                pass  # It is none, or has ended.
+        return found
 
     @staticmethod
     def wait(is_so, what, seconds=180):

@@ -266,7 +266,7 @@ void check_bits(const Scene& of, const PathOptions& options, std::uint32_t count
   PathReference(scene, options).sample(samples, kind, alone, expected.spans(count));
   // A scene whose paths end at once would show nothing.
   if (options.depth_limit() >= 5 && options.roulette.continuation == 0 && !options.limits.are_any())
-    REQUIRE(alone.counts().bounce > count);
+    REQUIRE(alone.counts().bounce > count / 2);
   for (const std::string& simd : available_instruction_sets()) {
     CAPTURE(simd, sampler_name(kind), options.max_depth, options.samples_per_light);
     Records found(everything(scene), count);
@@ -368,7 +368,8 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
                                  &bodies};
   for (std::size_t i = 0; i < std::size(cases); ++i)
     for (std::size_t j = 0; j < std::size(scenes); ++j) {
-      std::uint32_t count = cases[i].samples_per_light > 100 ? 20 : 2100;
+      // Waves, whole ones and a part of one.
+      std::uint32_t count = cases[i].samples_per_light > 100 ? 20 : i == 0 ? 2100 : 900;
       if (scenes[j] == &textured_instances) count = std::min(count, 500u);
       // Who draws the numbers does not depend on who uses them: by turns, but for the usual options.
       for (int k = 0; k < 2; ++k)
