@@ -369,7 +369,7 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
   for (std::size_t i = 0; i < std::size(cases); ++i)
     for (std::size_t j = 0; j < std::size(scenes); ++j) {
       // Waves, whole ones and a part of one.
-      std::uint32_t count = cases[i].samples_per_light > 100 ? 20 : i == 0 ? 2100 : 900;
+      std::uint32_t count = cases[i].samples_per_light > 100 ? 8 : 1100;
       if (scenes[j] == &textured_instances) count = std::min(count, 500u);
       // Who draws the numbers does not depend on who uses them: by turns, but for the usual options.
       for (int k = 0; k < 2; ++k)
