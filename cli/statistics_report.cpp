@@ -109,7 +109,7 @@ struct Known {
 void add_counts(ordered_json& json, const QueryCounts& counts, std::uint64_t rays, const Known& known) {
   const auto add = [&](const char* name, bool is_known, std::uint64_t count) {
     json["counts"][name] = known_json(is_known, count);
-    json["per_ray"][name] = known_json(is_known, mean(count, rays));
+    json["per_ray"][name] = known_json(is_known && rays > 0, mean(count, rays));
   };
   add("nodes", known.nodes, counts.nodes);
   add("boxes", known.nodes, counts.boxes);
@@ -131,11 +131,14 @@ std::string row_text(const EngineStatistics& engine, std::size_t widest) {
       "{:{}}  {:>9.4f}  {:>9}  {:>5}  {:>7}  {:>8.2f}", engine.name, widest, build.build_seconds(),
       known(engine.has_tree, "{}", tree.nodes, "-"), known(engine.has_tree, "{}", tree.depth, "-"),
       known(engine.has_tree, "{:.2f}", tree.sah_cost, "-"), 1e-6 * double(build.bytes));
-  for (const RayStatistics& rays : engine.rays)
-    text += fmt::format(" | {:>6}  {:>6}  {:>6.3f}",
-                        known(engine.has_tree, "{:.2f}", per_ray(rays.counts.nodes, rays), "-"),
-                        known(engine.has_primitives, "{:.2f}", per_ray(rays.counts.primitives, rays), "-"),
-                        1e-6 * rays.rays_per_second);
+  for (const RayStatistics& rays : engine.rays) {
+    const bool are_any = rays.rays > 0;
+    text += fmt::format(
+        " | {:>6}  {:>6}  {:>6}",
+        known(are_any && engine.has_tree, "{:.2f}", per_ray(rays.counts.nodes, rays), "-"),
+        known(are_any && engine.has_primitives, "{:.2f}", per_ray(rays.counts.primitives, rays), "-"),
+        known(are_any, "{:.3f}", 1e-6 * rays.rays_per_second, "-"));
+  }
   return text + "\n";
 }
 
@@ -155,7 +158,7 @@ ordered_json engine_json(const EngineStatistics& engine) {
   for (std::size_t kind = 0; kind < ray_kinds.size(); ++kind) {
     const RayStatistics& rays = engine.rays[kind];
     ordered_json& of_kind = json[ray_kind_name(ray_kinds[kind])];
-    of_kind = {{"rays", rays.rays}, {"rays_per_second", rays.rays_per_second}};
+    of_kind = {{"rays", rays.rays}, {"rays_per_second", known_json(rays.rays > 0, rays.rays_per_second)}};
     add_counts(of_kind, rays.counts, rays.rays, {engine.has_tree, engine.has_primitives});
   }
   return json;
@@ -289,16 +292,18 @@ std::string stats_csv(const SceneStatistics& statistics) {
       const AccelStats& build = engine.build;
       const TreeStats tree = build.tree.value_or(TreeStats{});
       const RayStatistics& rays = engine.rays[kind];
-      const bool has_tree = engine.has_tree, primitives = engine.has_primitives;
-      text += fmt::format(
-          "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", engine.name, build.primitives,
-          build.build_seconds(), known(has_tree, "{}", tree.nodes, ""),
-          known(has_tree, "{}", tree.leaves, ""), known(has_tree, "{}", tree.depth, ""),
-          known(has_tree, "{}", tree.sah_cost, ""), build.bytes, ray_kind_name(ray_kinds[kind]), rays.rays,
-          known(has_tree, "{}", per_ray(rays.counts.nodes, rays), ""),
-          known(has_tree, "{}", per_ray(rays.counts.boxes, rays), ""),
-          known(primitives, "{}", per_ray(rays.counts.leaves, rays), ""),
-          known(primitives, "{}", per_ray(rays.counts.primitives, rays), ""), rays.rays_per_second);
+      const bool has_tree = engine.has_tree, are_any = rays.rays > 0;
+      const bool nodes = are_any && has_tree, primitives = are_any && engine.has_primitives;
+      text +=
+          fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", engine.name, build.primitives,
+                      build.build_seconds(), known(has_tree, "{}", tree.nodes, ""),
+                      known(has_tree, "{}", tree.leaves, ""), known(has_tree, "{}", tree.depth, ""),
+                      known(has_tree, "{}", tree.sah_cost, ""), build.bytes, ray_kind_name(ray_kinds[kind]),
+                      rays.rays, known(nodes, "{}", per_ray(rays.counts.nodes, rays), ""),
+                      known(nodes, "{}", per_ray(rays.counts.boxes, rays), ""),
+                      known(primitives, "{}", per_ray(rays.counts.leaves, rays), ""),
+                      known(primitives, "{}", per_ray(rays.counts.primitives, rays), ""),
+                      known(are_any, "{}", rays.rays_per_second, ""));
     }
   return text;
 }

@@ -100,19 +100,32 @@ TEST_CASE("all engines get the same rays, and their counts do not depend on thre
 }
 
 TEST_CASE("what an engine does not tell is a dash, an empty field, and null") {
-  const SceneStatistics statistics{{{.name = "some", .has_primitives = true}, {.name = "none"}}};
+  SceneStatistics statistics{{{.name = "some", .has_primitives = true}, {.name = "none"}}};
+  for (EngineStatistics& each : statistics.engines)
+    for (RayStatistics& rays : each.rays) rays.rays = 1;
   const std::string text = stats_text({}, statistics);
   const std::string some = text.substr(text.find("\nsome") + 1, text.find("\nnone") - text.find("\nsome"));
   CHECK(count_of(some, " -") == 3 + 3);
   CHECK(count_of(text, " -") == 3 + 3 + 3 + 6);
   const std::string csv = stats_csv(statistics);
-  CHECK(csv.find("\nsome,0,0,,,,,0,camera,0,,,0,0,0\n") != std::string::npos);
-  CHECK(csv.find("\nnone,0,0,,,,,0,bounce,0,,,,,0\n") != std::string::npos);
+  CHECK(csv.find("\nsome,0,0,,,,,0,camera,1,,,0,0,0\n") != std::string::npos);
+  CHECK(csv.find("\nnone,0,0,,,,,0,bounce,1,,,,,0\n") != std::string::npos);
   const auto json = nlohmann::json::parse(stats_json({}, statistics));
   CHECK(json["engines"][0]["build"]["sah_cost"].is_null());
   CHECK(json["engines"][0]["camera"]["counts"]["nodes"].is_null());
   CHECK(json["engines"][0]["camera"]["counts"]["primitives"] == 0);
   CHECK(json["engines"][1]["camera"]["per_ray"]["primitives"].is_null());
+}
+
+TEST_CASE("of rays that there are none of nothing is told but that") {
+  const SceneStatistics statistics{{{.name = "bvh", .has_tree = true, .has_primitives = true}}};
+  CHECK(count_of(stats_text({}, statistics), " -") == 3 * 3);
+  CHECK(stats_csv(statistics).find(",shadow,0,,,,,\n") != std::string::npos);
+  const auto shadow = nlohmann::json::parse(stats_json({}, statistics))["engines"][0]["shadow"];
+  CHECK(shadow["rays"] == 0);
+  CHECK(shadow["rays_per_second"].is_null());
+  CHECK(shadow["per_ray"]["primitives"].is_null());
+  CHECK(shadow["counts"]["primitives"] == 0);
 }
 
 TEST_CASE("brute force is left out where it would take too long") {
