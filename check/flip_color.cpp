@@ -79,7 +79,9 @@ Rgb clipped(const Rgb& linear) {
 }
 
 Rgb tone_mapped(const Rgb& radiance) {
-  return {tone_curve(radiance.r), tone_curve(radiance.g), tone_curve(radiance.b)};
+  constexpr float most = 1e9f;  // Its square is a number, and its tone that of anything brighter.
+  const auto tone = [&](float x) { return tone_curve(std::min(x, most)); };
+  return {tone(radiance.r), tone(radiance.g), tone(radiance.b)};
 }
 
 double radiance_of_bright_tone() {

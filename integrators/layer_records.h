@@ -34,6 +34,8 @@ void record_first_surface(const Scene& scene, Record&& record) {
   record(depth, [](Surface surface) { return Rgb{surface.hit.t, 0, 0}; });
   record(position, [](Surface surface) { return vector_record(surface.position); });
   record(uv, [&](Surface surface) {
+    const Mesh* const mesh = scene.geometry->mesh(surface.hit.mesh);
+    if (!mesh || mesh->uvs.empty()) return Rgb{};
     const Vec2 uv = texture_coordinates(*scene.geometry, surface.hit);
     return Rgb{uv.x, uv.y, 0};
   });

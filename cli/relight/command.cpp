@@ -37,6 +37,17 @@ void add_options(CLI::App& app, RelightRequest& request) {
   group.add_flag("-q,--quiet", request.arguments.quiet, "Do not say what was changed");
 }
 
+/// Only an EXR tells a frame from what is rendered around it (docs/camera.md, Overscan).
+void check_frame(const StoredLayers& picture, const std::string& output) {
+  const ImageFrame& frame = picture.frame;
+  const bool is_around =
+      frame.width > 0 && (frame.x < 0 || frame.y < 0 || frame.x + picture.width > frame.width ||
+                          frame.y + picture.height > frame.height);
+  if (is_around && !output.empty() && output_format(output) != OutputFormat::exr)
+    throw Error(
+        fmt::format("{}: it cannot tell the picture's frame from what is around it; an .exr can", output));
+}
+
 /// What a file says of its pixels, but for what it says of itself.
 ImageMetadata carried(const ImageMetadata& stored, const Words& words) {
   ImageMetadata metadata;
@@ -97,6 +108,7 @@ int relight_command(const RelightArguments& arguments, const Words& words) {
   const InterruptGuard guard(outputs);
   prepare_outputs(outputs, {arguments.picture});
   StoredLayers picture = read_layers(arguments.picture);
+  check_frame(picture, arguments.output);
   relight(picture, arguments.changes, arguments.picture);
   const std::vector<std::string> groups = light_groups_of(picture);
   if (arguments.output.empty()) {

@@ -308,11 +308,23 @@ class Reader {
       defaults.samples = entry.whole("samples", entry.at("samples"), 1, Film::max_samples);
     if (entry.has("max_depth"))
       defaults.max_depth = int(entry.whole("max_depth", entry.at("max_depth"), 0, most_events));
+    if (entry.has("crop")) read_crop(entry);
     if (!entry.has("filter")) return;
     PixelFilter filter;
     members(MemberReader(entry.entry("filter")), filter);
     at_place(entry.place() + ".filter", [&] { check(filter); });
     defaults.filter = filter;
+  }
+
+  /// A part of the resolution, which is known.
+  void read_crop(const Entry& entry) {
+    const auto [width, height] = *loaded_.defaults.resolution;
+    const Json& list = entry.list("crop", 4);
+    std::array<int, 4> crop;
+    for (std::size_t i = 0; i < 4; ++i) crop[i] = int(entry.whole("crop", list[i], i < 2 ? 0 : 1, 65536));
+    if (crop[0] + crop[2] > width || crop[1] + crop[3] > height)
+      entry.fail(fmt::format("\"crop\" is not a part of {} x {} pixels", width, height));
+    loaded_.defaults.crop = crop;
   }
 
   static void read_aperture(const Entry& entry, Camera& camera) {

@@ -182,6 +182,7 @@ std::string render_text(const ExchangePicture& picture) {
   if (picture.samples) json["samples"] = *picture.samples;
   if (picture.max_depth) json["max_depth"] = *picture.max_depth;
   if (std::optional<PixelFilter> filter = picture.filter) members(MemberWriter(json["filter"]), *filter);
+  if (picture.crop) json["crop"] = *picture.crop;
   return json.empty() ? "" : fmt::format("  \"render\": {},\n", line(json));
 }
 
@@ -220,8 +221,12 @@ WrittenScene written_exchange(const SceneToWrite& input, const std::string& path
       written.files.push_back({exchange_texture_file(path, i),
                                [picture](const std::string& file) { write_exr(file, picture->image(0)); }});
   const RenderDefaults& asked = input.picture;
-  const ExchangePicture picture{asked.resolution->width, asked.resolution->height, asked.samples,
-                                asked.max_depth, asked.filter};
+  const ExchangePicture picture{asked.resolution->width,
+                                asked.resolution->height,
+                                asked.samples,
+                                asked.max_depth,
+                                asked.filter,
+                                asked.crop};
   written.files.push_back({path, [&scene, path, picture](const std::string& file) {
                              write_file(file, exchange_json(scene, path, picture));
                            }});

@@ -2,6 +2,7 @@
 // A scene in a form that small scripts read: one JSON file, and beside it a PLY file for each mesh and an EXR
 // file for each picture of a texture or light. docs/exchange.md describes it.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@ struct ExchangePicture {
   std::optional<std::uint32_t> samples = {};
   std::optional<int> max_depth = {};
   std::optional<PixelFilter> filter = {};
+  std::optional<std::array<int, 4>> crop = {};  ///< As RenderDefaults has it.
 };
 
 /// The words for them in that file: "lambert", "thin_dielectric", ..., and "mesh", "point", ...

@@ -136,6 +136,11 @@ class Properties {
     float opacity = 1;
     if (alpha != no_texture) opacity = add_alpha(scene, alpha, color);
     GltfJson factor = gltf_color(color.color == no_texture ? model_.base_color : white);
+    if (color.color != no_texture)
+      if (const auto* even = std::get_if<ConstantTexture>(&scene.textures[color.color].model)) {
+        factor = gltf_color(within_unit(even->value));  // What has no texture coordinates shows no picture.
+        color.color = no_texture;
+      }
     if (is_drawn(scene, color.color)) color.color = no_texture;  // Its vertices have the color.
     factor.push_back(shortest_decimal(opacity));
     base["baseColorFactor"] = factor;

@@ -150,6 +150,8 @@ std::optional<LightSource> read_infinite(const PbrtParameters& parameters, const
                                          PbrtContext& context) {
   if (const PbrtParameter* portal = parameters.find("portal"))
     portal->place.warn(context.warnings, "\"portal\" is left out: light comes from all around");
+  if (const PbrtParameter* color = parameters.find("L"); color && !parameters.text("filename", "").empty())
+    color->place.fail("an infinite light has a color \"L\" or a picture \"filename\", not both");
   const Rgb radiance = scaled_color(parameters, "L", context);
   if (const auto map = picture_of(parameters, context)) {
     warn_of_strength("illuminance", parameters, context);

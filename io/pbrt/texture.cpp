@@ -193,6 +193,9 @@ PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters,
   picture.uv = read_mapping(parameters);
   picture.filter = word_of(parameters, "filter", filters);
   picture.wrap = word_of(parameters, "wrap", wraps);
+  if (parameters.text("wrap", "") == "octahedralsphere")
+    parameters.find("wrap")->place.warn(context_.warnings,
+                                        "\"octahedralsphere\" is not rendered; it is clamp");
   parameters.find("maxanisotropy");
   const std::string name = parameters.text("filename", "");
   if (name.empty()) parameters.place().fail("an imagemap needs its picture, \"string filename\"");
