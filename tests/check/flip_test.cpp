@@ -96,6 +96,14 @@ TEST_CASE("FLIP of equal pictures is 0, however bright or dark") {
   }
 }
 
+TEST_CASE("what is brighter than any display differs as what is white, also near the end of all numbers") {
+  const Image reference = filled({0.5f, 0.25f, 1});
+  const double white = mean_of(hdr_flip(filled({1e12f, 1e12f, 1e12f}), reference));
+  CHECK(white > 0.3);
+  for (const float bright : {1e20f, 1e38f, 3e38f})
+    CHECK(mean_of(hdr_flip(filled({bright, bright, bright}), reference)) == Approx(white));
+}
+
 TEST_CASE("FLIP of radiance takes negative channels for black") {
   CHECK(hdr_flip(filled({0.5f, -3, 0.5f}), filled({0.5f, 0.5f, 0.5f})).values ==
         hdr_flip(filled({0.5f, 0, 0.5f}), filled({0.5f, 0.5f, 0.5f})).values);

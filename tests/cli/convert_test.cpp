@@ -209,6 +209,12 @@ TEST_CASE("convert takes a file's own size of the picture, unless another one is
   CHECK(run_program("convert -q " + quoted(scene) + " " + quoted(path)).exit_code == 0);
   CHECK(read_text(path).find("\"integer xresolution\" [ 64 ]") != std::string::npos);
   CHECK(read_text(path).find("\"integer pixelbounds\" [ 0 32 0 48 ]") != std::string::npos);
+  const auto other = [&](const std::string& name) {
+    return run_program("convert " + quoted(scene) + " " + quoted(folder.file(name))).err;
+  };
+  CHECK(other("a.json").empty());
+  CHECK(load_scene(folder.file("a.json")).defaults.crop == std::array{0, 0, 32, 48});
+  CHECK(other("a.glb").find("a.glb: the picture's crop is left out\n") != std::string::npos);
   CHECK(run_program("convert -q -r 20 10 " + quoted(scene) + " " + quoted(path)).exit_code == 0);
   CHECK(read_text(path).find("\"integer xresolution\" [ 20 ]") != std::string::npos);
   CHECK(read_text(path).find("pixelbounds") == std::string::npos);

@@ -10,6 +10,7 @@
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/layered_exr.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -156,6 +157,14 @@ TEST_CASE("relight writes a picture, lists its groups, and says what it cannot d
       complaint(two + " --light=key=2").starts_with("twinray: --light: where to? --output=FILE is missing"));
   CHECK(complaint(two + " --light=key=0 -o " + two)
             .ends_with("two.exr: this file is read; choose another name\n"));
+  const std::string around = folder.file("around.exr");
+  REQUIRE(run_program("render " + quoted(box_scene) +
+                      " -r 8 6 -s 1 -q --overscan=1 --layers=light-groups -o " + quoted(around))
+              .exit_code == 0);
+  CHECK(
+      complaint(quoted(around) + " -o " + quoted(folder.file("around.png")))
+          .ends_with("around.png: it cannot tell the picture's frame from what is around it; an .exr can\n"));
+  CHECK(run_program("relight " + quoted(around) + " -o " + quoted(folder.file("again.exr"))).exit_code == 0);
   write_exr(folder.file("plain.exr"), Image(2, 2));
   CHECK(complaint(quoted(folder.file("plain.exr")))
             .ends_with("it has no light groups; a render with --layers=light-groups writes them\n"));

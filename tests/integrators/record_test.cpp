@@ -104,6 +104,25 @@ TEST_CASE("layers have the same bits by any engine, path tracer, number of threa
     CHECK(rest.value(layer, 5, 5) == film.value(layer, 5, 5));
 }
 
+TEST_CASE("texture coordinates are 0 where a shape has none") {
+  const CameraSample sample[] = {{{.origin = {0.1f, 0.2f, 4}, .direction = {0, 0, -1}}, {}}};
+  const auto recorded = [&](const Shape& shape) {
+    Scene scene = ball();
+    scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{shape});
+    std::vector<Records> records = records_of(scene, {}, sample);
+    const Rgb uv = records[0].spans(1)[Layer::uv][0];
+    CHECK(records[1].spans(1)[Layer::uv][0] == uv);
+    return uv;
+  };
+  Mesh mesh{.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}};
+  CHECK(recorded(mesh) == Rgb{});
+  CHECK(recorded(SphereSet{"ball", {{{0, 0, 0}, 1}}}) == Rgb{});
+  mesh.uvs = {{3, 5}, {3, 5}, {3, 5}};
+  mesh.uv_indices = mesh.triangles;
+  CHECK(recorded(mesh).r == Approx(3));
+  CHECK(recorded(mesh).g == Approx(5));
+}
+
 TEST_CASE("albedo and normal are those of the surface that is hit first, on the viewer's side") {
   const CameraSample samples[] = {{{.origin = {0, 0, 4}, .direction = {0.1f, 0.2f, -4}}, {}},
                                   {{.origin = {0, 0, 4}, .direction = {0, 0, 1}}, {}},

@@ -56,11 +56,13 @@ TEST_CASE("exchange: what a file says of its picture comes back") {
     write_text(folder.file("a.json"), json.dump());
     return load_scene(folder.file("a.json")).defaults;
   };
-  nlohmann::json json = nlohmann::json::parse(exchange_json(scene, "a.json", {48, 36, 17, 3, filter}));
+  nlohmann::json json =
+      nlohmann::json::parse(exchange_json(scene, "a.json", {48, 36, 17, 3, filter, {{4, 5, 44, 31}}}));
   const RenderDefaults all = defaults_of(json);
   CHECK(all.samples == 17u);
   CHECK(all.max_depth == 3);
   CHECK(all.filter == filter);
+  CHECK(all.crop == std::array{4, 5, 44, 31});
   const auto error = [&](const char* key, const nlohmann::json& value) {
     nlohmann::json wrong = json;
     wrong["render"][key] = value;
@@ -73,6 +75,10 @@ TEST_CASE("exchange: what a file says of its picture comes back") {
   };
   CHECK(error("samples", 0).find("render: \"samples\" is 0") != std::string::npos);
   CHECK(error("max_depth", 101).find("render: \"max_depth\" is 101") != std::string::npos);
+  for (const std::array<int, 4>& outside : {std::array{5, 5, 44, 31}, {4, 6, 44, 31}})
+    CHECK(error("crop", outside).find("render: \"crop\" is not a part of 48 x 36 pixels") !=
+          std::string::npos);
+  CHECK(error("crop", {0, 0, 0, 1}).find("render: \"crop\"") != std::string::npos);
   nlohmann::json wide = json["render"]["filter"];
   wide["radius"] = {20, 1};
   CHECK(error("filter", wide).find("render.filter: ") != std::string::npos);
@@ -82,6 +88,7 @@ TEST_CASE("exchange: what a file says of its picture comes back") {
   CHECK_FALSE(none.samples);
   CHECK_FALSE(none.max_depth);
   CHECK_FALSE(none.filter);
+  CHECK_FALSE(none.crop);
 }
 
 TEST_CASE("exchange: films have thicknesses and indices that all formats can say") {

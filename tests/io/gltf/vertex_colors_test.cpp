@@ -45,6 +45,17 @@ Vec2 uv_at(const Scene& scene, std::size_t triangle, const Vec2& part) {
 
 }  // namespace
 
+TEST_CASE("written gltf: one color for all vertices is the material's, which needs no coordinates") {
+  const Rgb color{0.5f, 0.25f, 0.125f};
+  Scene scene = scene_of(bare_triangle(), Lambert{white});
+  scene.textures = {{"", ConstantTexture{color}}};
+  scene.materials[0].textures.push_back({MaterialInput::reflectance, 0});
+  const RoundTrip trip = written(scene);
+  CHECK(trip.scene.geometry->mesh(0)->uvs.empty());
+  CHECK(trip.scene.materials[0].textures.empty());
+  CHECK(std::get<Principled>(trip.scene.materials[0].model).base_color == color);
+}
+
 TEST_CASE("written gltf: colors and alphas of vertices are those of vertices again") {
   Mesh mesh = bare_triangle();
   mesh.positions.push_back({1, 1, 1});

@@ -87,6 +87,12 @@ TEST_CASE("an area light's picture is times its scale, and has its power over th
                     Catch::Contains("an area light has a color \"L\" or a picture \"filename\", not both"));
 }
 
+TEST_CASE("an infinite light has a color or a picture") {
+  CHECK_THROWS_WITH(
+      load_pbrt_world("LightSource \"infinite\" \"rgb L\" [ 7 7 7 ] \"string filename\" \"a.exr\"\n"),
+      Catch::Contains("an infinite light has a color \"L\" or a picture \"filename\", not both"));
+}
+
 TEST_CASE("an area light ends with the state that it stands in") {
   const LoadedScene loaded =
       load_pbrt_world("AttributeBegin AreaLightSource \"diffuse\" AttributeEnd " + pbrt_triangle);

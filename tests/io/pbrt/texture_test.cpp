@@ -292,6 +292,20 @@ TEST_CASE("a picture is encoded as the scene says, and in no other way") {
                       Catch::Contains("there is no encoding \"" + wrong + "\"; valid are sRGB"));
 }
 
+TEST_CASE("a way to go on beyond a picture's border that is another one here is named") {
+  const Folder folder;
+  write_png(folder.folder.file("grey.png"), ByteImage{1, 1, {128, 128, 128}});
+  const auto warnings = [&](const std::string& wrap) {
+    return folder
+        .load("Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"grey.png\" \"string wrap\" \"" +
+              wrap + "\"\n")
+        .warnings;
+  };
+  for (const char* known : {"repeat", "clamp", "black"}) CHECK(warnings(known).empty());
+  REQUIRE(warnings("octahedralsphere").size() == 1);
+  CHECK(warnings("octahedralsphere")[0].message == "\"octahedralsphere\" is not rendered; it is clamp");
+}
+
 TEST_CASE("a sheet's scale holds for its textures") {
   const LoadedScene loaded = load_pbrt_world(
       checks + "Material \"diffusetransmission\" \"texture reflectance\" \"checks\" \"float scale\" 0.25\n" +
