@@ -175,8 +175,8 @@ TEST_CASE("a copy of a checkpoint goes on where it is, and by the words that wer
   CHECK(std::count(said.begin(), said.end(), "--tone=agx") == 1);
   run_well("resume " + film("b.ck") + " -s 7");
   CHECK(samples_in(folder.file("b.ck")) == 7);
-  // The one before is no other one.
-  run_well("resume " + film("b.ck.before") + " -s 8");
+  // The one before is no other one, however it is called.
+  run_well("resume " + film("./b.ck.before") + " -s 8");
   CHECK(samples_in(folder.file("b.ck")) == 8);
   CHECK_FALSE(fs::exists(folder.file("b.ck.before.before")));
   // Also where the folder that it was begun in is gone.
