@@ -126,6 +126,22 @@ TEST_CASE("what a principled surface works out for one direction changes no bit,
     }
 }
 
+TEST_CASE("what a smooth coat mirrors passes the fuzz above it once, along its angle") {
+  Principled dark;
+  dark.base_weight = dark.specular_weight = 0;
+  dark.coat_weight = dark.fuzz_weight = 1;
+  dark.coat_roughness = 0;
+  const Coat coat(dark.coat_ior, Ggx(least_alpha));
+  const Fuzz fuzz(dark.fuzz_roughness);
+  for (const float cosine : cosines) {
+    const float scattered = fuzz.reflectance(cosine);
+    const float expected = scattered + (1 - scattered) * coat.reflectance(cosine);
+    CAPTURE(cosine, scattered);
+    CHECK(sampled_albedo(PrincipledLobe(dark, false), direction_at(cosine)).g ==
+          Approx(expected).margin(0.01));
+  }
+}
+
 TEST_CASE("light that goes through a coated body passes the coat once") {
   Principled bare;
   bare.transmission_weight = 1;

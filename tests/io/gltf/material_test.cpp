@@ -314,6 +314,13 @@ TEST_CASE("gltf: tangents that are not those of the texture coordinates are name
           "test.gltf: /meshes/0/primitives/0/attributes/TANGENT: these tangents are not those of "
           "the texture coordinates, by which normal maps and brushed facets go");
   }
+  // Other coordinates may grow elsewhere; mirrored ones against x.
+  nlohmann::json& attributes = file.primitive()["attributes"];
+  attributes["TEXCOORD_1"] = file.accessor<float>({0, 0, 0, 1, 1, 0}, "VEC2");
+  CHECK(warnings({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}).empty());
+  attributes["TEXCOORD_0"] = file.accessor<float>({1, 1, 0, 1, 1, 0}, "VEC2");
+  CHECK(warnings({-1, 0, 0, -1, -1, 0, 0, -1, -1, 0, 0, -1}).empty());
+  CHECK(warnings({1, 0, 0, -1, 1, 0, 0, -1, 1, 0, 0, -1}).size() == 1);
   file.json["materials"][0].erase("normalTexture");
   CHECK(warnings({0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}).empty());
 }
