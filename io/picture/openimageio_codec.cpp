@@ -4,6 +4,8 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "core/error.h"
@@ -65,6 +67,18 @@ void add_description(OIIO::ImageSpec& spec, const ImageMetadata& metadata) {
     spec.attribute("ImageDescription", text);  // OpenImageIO ends the program over an empty one.
 }
 
+/// Radiance's format has eight bits for each channel, one exponent for the three of them, and nothing below
+/// 0. OpenImageIO cuts off what is beyond these bits: this is what the format has nearest to a color, a
+/// quarter of its step above, which that cut takes away again.
+Rgb nearest_rgbe(const Rgb& color) {
+  int exponent;
+  std::frexp(max_component(color), &exponent);
+  float step = std::ldexp(1.0f, std::max(exponent, -100) - 8);  // Below is what it takes for 0.
+  if (std::round(max_component(color) / step) == 256) step *= 2;
+  const auto nearest = [step](float x) { return (std::round(std::max(x, 0.0f) / step) + 0.25f) * step; };
+  return {nearest(color.r), nearest(color.g), nearest(color.b)};
+}
+
 /// A picture of three channels, put together in memory.
 std::vector<unsigned char> encoded(const char* format, const std::string& path, const OIIO::ImageSpec& spec,
                                    const void* pixels) {
@@ -95,7 +109,10 @@ class OpenImageIOCodec final : public ImageCodec {
     add_description(spec, metadata);
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("compression", "none");
-    return encoded(format == OutputFormat::tiff ? "tiff" : "hdr", path, spec, image.pixels.data());
+    if (format == OutputFormat::tiff) return encoded("tiff", path, spec, image.pixels.data());
+    std::vector<Rgb> pixels;
+    for (const Rgb& pixel : image.pixels) pixels.push_back(nearest_rgbe(pixel));
+    return encoded("hdr", path, spec, pixels.data());
   }
 
   std::vector<unsigned char> encode_jpeg(const std::string& path, const ByteImage& image,

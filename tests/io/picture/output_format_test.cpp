@@ -80,18 +80,28 @@ TEST_CASE("a PFM holds the floats of a picture") {
   CHECK(std::equal(read.pixels.begin(), read.pixels.end(), image.pixels.begin()));
 }
 
-TEST_CASE("an HDR holds a picture as well as shared exponents do") {
+TEST_CASE("an HDR holds what shared exponents have nearest to a picture") {
   const TemporaryFolder folder;
-  const Image image = noise(40, 30);
+  Image image = noise(40, 30);
+  image.at(0, 0) = {0.9999f, 0.5f, 0.001f};  // Its nearest one has the next exponent.
+  image.at(1, 0) = {3, -0.5f, 0};
+  image.at(2, 0) = {-1, -2, -3};
+  image.at(3, 0) = {1e-45f, 0, 1e-40f};
+  image.at(4, 0) = {1e9f, 1e3f, 3e8f};
   write_image(folder.file("a.hdr"), image);
   const Image read = read_image(folder.file("a.hdr"));
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const Rgb &wrote = image.pixels[i], &found = read.pixels[i];
-    const float step = std::max({wrote.r, wrote.g, wrote.b}) / 128;
-    REQUIRE(std::fabs(found.r - wrote.r) <= step);
-    REQUIRE(std::fabs(found.g - wrote.g) <= step);
-    REQUIRE(std::fabs(found.b - wrote.b) <= step);
+    int exponent;  // Of the nearest one.
+    std::frexp(max_component(wrote) * (512.0f / 511), &exponent);
+    const float half_step = std::ldexp(1.0f, exponent - 9) + 1e-32f;
+    const auto is_nearest = [half_step](float given, float read_back) {
+      return std::fabs(read_back - std::max(given, 0.0f)) <= half_step;
+    };
+    REQUIRE((is_nearest(wrote.r, found.r) && is_nearest(wrote.g, found.g) && is_nearest(wrote.b, found.b)));
   }
+  CHECK(read.at(0, 0) == Rgb{1, 0.5f, 0});
+  CHECK(read.at(1, 0) == Rgb{3, 0, 0});
 }
 
 TEST_CASE("OpenImageIO reads HDR pictures, and writes JPEGs and TIFFs, too") {
