@@ -388,7 +388,7 @@ TEST_CASE("instances in exchange form are of its second version") {
 TEST_CASE("a camera in exchange form has the bits of its frame, whatever the shape of the picture") {
   Scene scene;
   scene.materials = {{"grey", Lambert{}}};
-  for (const ExchangePicture size : {ExchangePicture{500, 333}, ExchangePicture{333, 500}})
+  for (const ExchangePicture& size : {ExchangePicture{500, 333}, ExchangePicture{333, 500}})
     for (int i = 1; i <= 200; ++i) {
       CAPTURE(size.width, i);
       scene.camera.tan_half_width = i % 2 == 0 ? 0.01f * float(i) : 0.001f;
