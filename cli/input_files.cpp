@@ -30,7 +30,10 @@ InputFiles places_of(const RenderArguments& arguments) {
   return places;
 }
 
+/// A pipe has been read, and would be waited for.
 std::string hash_of(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return "none";
   try {
     return file_hash(path);
   } catch (const Error&) {

@@ -2,9 +2,10 @@
 #include "integrators/camera_interiors.h"
 
 #include <algorithm>
+#include <optional>
 
-#include "core/spawn_ray.h"
 #include "integrators/interaction.h"
+#include "integrators/straight_on.h"
 
 namespace twinray {
 namespace {
@@ -64,12 +65,15 @@ Interiors CameraInteriors::along(const Vec3& direction, const Vec3& point) const
   const Vec3 way = direction * (2 * length(accelerator_.bounds().extent()));
   Interiors found;
   Ray ray{.origin = point - way, .direction = way, .t_max = 1};
+  std::optional<Crossing> before;
   for (int crossings = 0; crossings < most_crossings; ++crossings) {
     const Hit hit = accelerator_.closest_hit(ray);
     if (hit.is_miss()) return found;
-    const SurfacePoint surface = surface_at(*scene_.geometry, hit);
-    found = Interaction::interiors_behind(scene_, surface, -way, found);
-    ray = connect(surface, point);
+    const Crossing crossing{surface_at(*scene_.geometry, hit), hit.t};
+    if (!before || !are_one(*before, crossing, way))
+      found = Interaction::interiors_behind(scene_, crossing.point, -way, found);
+    before = crossing;
+    ray = straight_on(ray, hit.t);
   }
   return {};
 }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/interiors.h"
-#include "core/ray_cone.h"
 #include "core/scene.h"
 #include "integrators/tracer.h"
 
@@ -20,13 +19,12 @@ class Passages {
   bool empty() const { return is_passage_.empty(); }
   bool is_one(const Hit& hit) const { return !empty() && !hit.is_miss() && is_passage_[hit.mesh]; }
 
-  /// How far light has been followed along a ray: up to its hit, which the interiors before it do not count.
+  /// How far light has been followed along a ray: up to t_min, behind which its hit is the first one.
   struct Way {
     Ray ray;
     Hit hit;
-    Interiors interiors;  ///< That the ray starts in.
-    RayCone cone = {};
-    Rgb left{1, 1, 1};  ///< What absorption has left of the light before the ray starts.
+    Interiors interiors;  ///< At t_min.
+    Rgb left{1, 1, 1};    ///< What absorption has left of the light up to t_min.
   };
   /// Follows a ray of a path through all passages, to the first surface that is there or to none.
   void follow(Tracer& tracer, Way& way) const;
@@ -34,9 +32,7 @@ class Passages {
   Rgb visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors& interiors) const;
 
  private:
-  /// Up to its hit; `behind` makes the ray that goes on there.
-  template <typename Behind>
-  void pass(Tracer& tracer, Way& way, RayKind kind, const Behind& behind) const;
+  void pass(Tracer& tracer, Way& way, RayKind kind) const;
 
   const Scene& scene_;
   std::vector<bool> is_passage_;  ///< By shape; empty where none is.

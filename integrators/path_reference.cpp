@@ -76,9 +76,9 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
 
 void PathReference::pass_on(Tracer& tracer, State& path, Hit& hit) const {
   if (!passages_.is_one(hit)) return;
-  Passages::Way way{path.ray, hit, path.viewing.interiors, path.cone};
+  Passages::Way way{path.ray, hit, path.viewing.interiors};
   passages_.follow(tracer, way);
-  path.ray = way.ray, hit = way.hit, path.cone = way.cone;
+  path.ray = way.ray, hit = way.hit;
   path.viewing.interiors = way.interiors;
   path.throughput = path.throughput * way.left;
 }

@@ -85,12 +85,10 @@ void PathWave::pass_on() {
   const Passages& passages = *context_.transport.passages;
   for (std::size_t i = 0; i < paths_.size; ++i) {
     if (!passages.is_one(wave_.hits[i])) continue;
-    Passages::Way way{
-        wave_.rays[i], wave_.hits[i], paths_.interiors_at(i), {paths_.cone_width[i], paths_.cone_spread[i]}};
+    Passages::Way way{wave_.rays[i], wave_.hits[i], paths_.interiors_at(i)};
     passages.follow(tracer_, way);
     wave_.rays[i] = way.ray, wave_.hits[i] = way.hit;
     paths_.interiors.set(i, way.interiors.bits());
-    paths_.cone_width[i] = way.cone.width;
     paths_.throughput.set(i, paths_.throughput.at<Rgb>(i) * way.left);
   }
 }

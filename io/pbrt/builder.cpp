@@ -93,8 +93,20 @@ void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& param
                   asset};
   if (object_)
     object_->parts.push_back(part);
+  else if (is_passed(part))
+    passed_.push_back(part);
   else
     place(part, part.to_world, placed_);
+}
+
+bool PbrtBuilder::is_passed(const Part& part) const {
+  return materials_.is_interface(part.material) && !part.light;
+}
+
+void PbrtBuilder::end_object() {
+  std::stable_partition(object_->parts.begin(), object_->parts.end(),
+                        [&](const Part& part) { return !is_passed(part); });
+  object_ = nullptr;
 }
 
 void PbrtBuilder::check_room(const Part& part) {
@@ -273,6 +285,7 @@ void PbrtBuilder::place_object(const Object& object, Placed& shared, Instancing&
 
 LoadedScene PbrtBuilder::finish(float exposure) {
   materials_.check_all_made();
+  for (const Part& part : passed_) place(part, part.to_world, placed_);
   Instancing instancing = place_objects();
   fill_interiors();
   add_glow();

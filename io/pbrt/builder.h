@@ -28,7 +28,7 @@ class PbrtBuilder {
 
   /// Shapes up to end_object() are parts of an object that instances show; the scene does not.
   void begin_object(const std::string& name, const PbrtPlace& place);
-  void end_object() { object_ = nullptr; }
+  void end_object();
   /// Shows an object's shapes. Throws Error where there is none of this name.
   void add_instance(const std::string& name, const Transform& to_world, const PbrtPlace& place);
 
@@ -88,6 +88,9 @@ class PbrtBuilder {
   std::shared_ptr<const PbrtShape> with_uvs(const Part& part) const;
   void add_emission(const Part& part, ShapeBinding& binding);
   void check_room(const Part& part);
+  /// Whether light passes the shape: such a one stands behind all others, so that where two surfaces lie in
+  /// one place it hides none that is there.
+  bool is_passed(const Part& part) const;
   /// A light of a mesh, or of a sphere in its place, as an index into shape_lights_.
   std::uint32_t add_shape_light(const std::string& name, const MeshLight& light);
   /// Gives shapes with something in them materials of their own.
@@ -98,7 +101,8 @@ class PbrtBuilder {
   PbrtContext& context_;
   PbrtMaterials materials_;
   PbrtMedia media_;
-  Placed placed_;  ///< All that stands in the scene directly and, at the end, what instances show.
+  Placed placed_;             ///< All that stands in the scene directly and, at the end, what instances show.
+  std::vector<Part> passed_;  ///< Those that stand in it last.
   std::vector<Light> shape_lights_, lights_;
   std::map<std::string, Object> objects_;
   Object* object_ = nullptr;         ///< The one that shapes belong to: the last of the assets.

@@ -255,11 +255,19 @@ class Reader {
     }
     if (count < 3)
       ++ply_.flat_faces;
-    else if (count <= 4)
+    else if (count == 3 || (count == 4 && !is_folded()))
       for (std::size_t k = 2; k < count; ++k)
         ply_.mesh.triangles.push_back({corners_[0], corners_[k - 1], corners_[k]});
     else
       cut_polygon();
+  }
+
+  /// Whether the diagonal from the first corner to the third lies outside of a face of four: what it cuts off
+  /// then faces the other way.
+  bool is_folded() const {
+    const auto corner = [this](std::size_t i) { return ply_.mesh.positions[corners_[i]]; };
+    const Vec3 diagonal = corner(2) - corner(0);
+    return dot(cross(corner(1) - corner(0), diagonal), cross(diagonal, corner(3) - corner(0))) < 0;
   }
 
   void cut_polygon() {

@@ -249,6 +249,17 @@ TEST_CASE("a picture goes into a FIFO, which stays one") {
   CHECK(fs::is_fifo(fifo));
 }
 
+TEST_CASE("a scene comes out of a FIFO, which is read once") {
+  const TemporaryFolder folder;
+  const std::string fifo = folder.file("a.dae"), picture = folder.file("a.exr");
+  REQUIRE(mkfifo(fifo.c_str(), 0600) == 0);
+  const ProcessResult result =
+      run_shell("cat " + quoted(box_scene) + " >" + quoted(fifo) + " & timeout 60 '" TWINRAY_PROGRAM "' " +
+                quoted(fifo) + " -r 8 6 -s 1 -q -o " + quoted(picture) + " && wait");
+  CHECK(result.exit_code == 0);
+  CHECK(read_image(picture).width == 8);
+}
+
 TEST_CASE("what would stand beside a picture that is no file is left out, with a warning") {
   const ProcessResult result = run_program(small_output + "-q --integrator=cost -o /dev/null");
   CHECK(result.exit_code == 0);

@@ -8,6 +8,7 @@
 #include "integrators/furnace.h"
 #include "integrators/passages.h"
 #include "integrators/path_reference.h"
+#include "integrators/straight_on.h"
 #include "tests/support/catch.h"
 #include "tests/support/estimate.h"
 #include "tests/support/film.h"
@@ -235,7 +236,7 @@ TEST_CASE("an interface hides no light, and is no vertex of a path") {
   }
 }
 
-TEST_CASE("a ray that passes interfaces keeps its end, and its cone widens on") {
+TEST_CASE("a ray that passes interfaces stays the same ray, and begins behind the last one") {
   Scene scene =
       nested_balls({1, 0.5f}, {body(Interface{}, {absorption}), body(Interface{}, {.is_clear = true})});
   const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
@@ -243,24 +244,63 @@ TEST_CASE("a ray that passes interfaces keeps its end, and its cone widens on") 
   const Passages passages(scene);
   const auto followed = [&](float t_max) {
     Ray ray{.origin = {0, 0, 3}, .direction = {0, 0, -1}, .t_max = t_max};
-    Passages::Way way{ray, tracer.hit(ray, RayKind::bounce), {}, {0.5f, 0.25f}};
+    Passages::Way way{ray, tracer.hit(ray, RayKind::bounce), {}};
     passages.follow(tracer, way);
     CHECK(way.hit.is_miss());
     return way;
   };
   // It ends within the inner ball, or before any.
   const Passages::Way within = followed(3);
-  CHECK(within.ray.t_max == Approx(0.5));
+  CHECK(within.ray.t_max == 3);
+  CHECK(within.ray.t_min == Approx(2.5));
   CHECK(within.interiors.prevailing(scene.materials) == 1);
-  CHECK(within.cone.width == Approx(0.5 + 0.25 * 2.5));
   CHECK(luminance(within.left) == Approx(left_of(0.5)));
   const Passages::Way before = followed(1.5f);
   CHECK(before.ray.t_max == 1.5f);
-  CHECK(before.cone.width == 0.5f);
+  CHECK(before.ray.t_min == 0);
   const Passages::Way all = followed(std::numeric_limits<float>::infinity());
   CHECK(all.interiors.empty());
-  CHECK(all.cone.width == Approx(0.5 + 0.25 * 4));
+  CHECK(all.ray.t_min == Approx(4));
   CHECK(luminance(all.left) == Approx(left_of(1)));
+}
+
+TEST_CASE("an interface hides nothing that lies just behind it") {
+  const auto large = [](const char* name, float z) {
+    return Mesh{
+        .name = name, .positions = {{-900, -900, z}, {900, -900, z}, {0, 900, z}}, .triangles = {{0, 1, 2}}};
+  };
+  Scene scene = nested_balls({}, {body(Interface{}, {absorption}), {"wall", Lambert{}}});
+  scene.geometry =
+      std::make_shared<const Geometry>(std::vector<Shape>{large("fog", 0), large("wall", -1e-5f)});
+  scene.bindings = {{0}, {1}};
+  const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
+  Tracer tracer(*engine, false);
+  const Ray ray{.origin = {0, 0, 1}, .direction = {0, 0, -1}};
+  Passages::Way way{ray, tracer.hit(ray, RayKind::bounce), {}};
+  REQUIRE(way.hit.mesh == 0);
+  Passages(scene).follow(tracer, way);
+  CHECK(way.hit.mesh == 1);
+  CHECK(way.interiors.prevailing(scene.materials) == 0);
+  CHECK(luminance(way.left) == 1);
+}
+
+TEST_CASE("two hits on an edge of a shape are one crossing") {
+  SurfacePoint point;
+  point.geometric_normal = {0, 0, 1};
+  point.offset = 1e-3f;
+  const Crossing first{point, 2};
+  const Vec3 down{0, 0, -2};
+  CHECK(are_one(first, {point, 2.0005f}, down));
+  CHECK_FALSE(are_one(first, {point, 2.0015f}, down));
+  Crossing other{point, 2.0005f};
+  other.point.geometric_normal = {0, 0, -1};
+  CHECK_FALSE(are_one(first, other, down));
+  other = {point, 2.0005f};
+  other.point.shape = 1;
+  CHECK_FALSE(are_one(first, other, down));
+  other = {point, 2.0005f};
+  other.point.instance = 1;
+  CHECK_FALSE(are_one(first, other, down));
 }
 
 TEST_CASE("a plate of absorbing glass reflects and lets through what the sum of its reflections says") {

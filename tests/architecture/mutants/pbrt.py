@@ -4,6 +4,15 @@ from mutant import Mutant
 LONGITUDES = "a picture of latitude and longitude lies as in pbrt-v3, +z above, from +x towards +y"
 
 MUTANTS = [
+    Mutant("an interface stands before what is there", "io/pbrt/builder.cpp",
+           "  else if (is_passed(part))", "  else if (false)", "test_io",
+           "interfaces stand behind all other shapes, so that they hide none in the same place"),
+    Mutant("an object's interfaces stand before what is there", "io/pbrt/builder.cpp",
+           "[&](const Part& part) { return !is_passed(part); }", "[&](const Part&) { return true; }", "test_io",
+           "interfaces stand behind all other shapes, so that they hide none in the same place"),
+    Mutant("a concave face of four corners is cut outside", "io/ply/reader.cpp",
+           "count == 4 && !is_folded()", "count == 4", "test_io",
+           "a concave face of four corners is cut within, whichever corner comes first"),
     Mutant("the medium that a camera is said to be in is left out in silence", "io/pbrt/scene.cpp",
            "if (!is_black(states_.now().absorption_outside))", "if (false)",
            "test_io", "a medium that is named around the camera is a warning"),

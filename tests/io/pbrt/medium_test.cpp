@@ -49,6 +49,21 @@ TEST_CASE("what light is absorbed by within a shape becomes its material's inter
   CHECK(material_of(loaded, 5).interior.absorption == Rgb{0.5f, 1, 2});
 }
 
+TEST_CASE("interfaces stand behind all other shapes, so that they hide none in the same place") {
+  const std::string fog = "Material \"interface\" MediumInterface \"tea\" \"\" " + ball,
+                    wall = "Material \"diffuse\" MediumInterface \"\" \"\" " + ball;
+  const auto is_fog = [](const LoadedScene& loaded, std::size_t shape) {
+    return std::holds_alternative<Interface>(material_of(loaded, shape).model);
+  };
+  const std::string object = "ObjectBegin \"o\" " + fog + wall + "ObjectEnd ";
+  for (const std::string& statements : {fog + wall, object + "ObjectInstance \"o\" "}) {
+    const LoadedScene loaded = load_pbrt_world(tea + statements);
+    REQUIRE(loaded.scene.bindings.size() == 2);
+    CHECK_FALSE(is_fog(loaded, 0));
+    CHECK(is_fog(loaded, 1));
+  }
+}
+
 TEST_CASE("a medium that says nothing has pbrt's numbers, and attributes end") {
   const LoadedScene loaded = load_pbrt_world(
       "Material \"dielectric\" AttributeBegin Attribute \"medium\" \"rgb sigma_s\" [ 0 0 0 ] "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/ply/reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/error.h"
@@ -89,6 +91,27 @@ TEST_CASE("polygons of a PLY file are cut, and faces of two corners are counted"
   const PlyMesh ply = read_ply(text, "a.ply");
   CHECK(ply.mesh.triangles.size() == 3);
   CHECK(ply.flat_faces == 1);
+}
+
+TEST_CASE("a concave face of four corners is cut within, whichever corner comes first") {
+  const Vec3 corners[] = {{-10, 0, 0}, {0, -1, 0}, {-1, 0, 0}, {0, 1, 0}};
+  for (int first = 0; first < 4; ++first) {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    for (int i = 0; i < 4; ++i) {
+      const Vec3& corner = corners[(first + i) % 4];
+      text += fmt::format("{} {} {}\n", corner.x, corner.y, corner.z);
+    }
+    const Mesh mesh = read_ply(text + "4 0 1 2 3\n", "a.ply").mesh;
+    REQUIRE(mesh.triangles.size() == 2);
+    float area = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const Vec3& p = mesh.positions[a];
+      area += cross(mesh.positions[b] - p, mesh.positions[c] - p).z / 2;
+    }
+    CHECK(area == Approx(9));
+  }
 }
 
 TEST_CASE("what is wrong with a PLY file is named, with its place") {
