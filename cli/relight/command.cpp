@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <sstream>
 
 #include "cli/console.h"
 #include "cli/interrupt.h"
+#include "cli/layered_picture.h"
 #include "cli/outputs.h"
 #include "cli/shell_text.h"
 #include "core/error.h"
@@ -46,6 +48,15 @@ void check_frame(const StoredLayers& picture, const std::string& output) {
   if (is_around && !output.empty() && output_format(output) != OutputFormat::exr)
     throw Error(
         fmt::format("{}: it cannot tell the picture's frame from what is around it; an .exr can", output));
+}
+
+/// Whether the picture is denoised, and its groups are not: then their sum is the noisy picture.
+bool is_denoised_alone(const StoredLayers& picture) {
+  const auto has = [&](const std::string& prefix) {
+    return std::any_of(picture.channels.begin(), picture.channels.end(),
+                       [&](const PictureChannel& channel) { return channel.name.starts_with(prefix); });
+  };
+  return has("noisy.") && !has("noisy_" + light_group_layer(""));
 }
 
 /// What a file says of its pixels, but for what it says of itself.
@@ -109,11 +120,19 @@ int relight_command(const RelightArguments& arguments, const Words& words) {
   prepare_outputs(outputs, {arguments.picture});
   StoredLayers picture = read_layers(arguments.picture);
   check_frame(picture, arguments.output);
+  const bool is_noisy_again = is_denoised_alone(picture);
   relight(picture, arguments.changes, arguments.picture);
   const std::vector<std::string> groups = light_groups_of(picture);
   if (arguments.output.empty()) {
     for (const std::string& group : groups) console::print("{}\n", group);
     return 0;
+  }
+  if (is_noisy_again) {
+    std::erase_if(picture.metadata, [](const auto& entry) { return entry.first == "twinray:denoiser"; });
+    console::warn(
+        fmt::format("{}: its light groups are not denoised, and neither is their sum; to denoise them, too, "
+                    "render it with --denoise-light-groups",
+                    arguments.picture));
   }
   write(picture, arguments, words);
   if (!arguments.quiet)

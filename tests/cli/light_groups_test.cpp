@@ -138,6 +138,23 @@ TEST_CASE("lights are mixed anew: the colours are the sum of the groups, each ti
   CHECK(picture.values[std::size_t(depth - picture.channels.begin())] == 7);
 }
 
+TEST_CASE("relight says where a picture is denoised and its groups are not") {
+  const TemporaryFolder folder;
+  const std::string picture = quoted(folder.file("a.exr")), again = folder.file("b.exr");
+  for (const bool are_denoised : {false, true}) {
+    REQUIRE(run_program("render " + quoted(box_scene) +
+                        " -r 16 12 -s 2 -q --layers=light-groups --denoise=own -o " + picture +
+                        (are_denoised ? " --denoise-light-groups" : ""))
+                .exit_code == 0);
+    const ProcessResult result = run_program("relight " + picture + " -o " + quoted(again));
+    CHECK(result.exit_code == 0);
+    CHECK((result.err.find("its light groups are not denoised") == std::string::npos) == are_denoised);
+    const ImageMetadata metadata = read_layers(again).metadata;
+    CHECK(std::any_of(metadata.begin(), metadata.end(),
+                      [](const auto& entry) { return entry.first == "twinray:denoiser"; }) == are_denoised);
+  }
+}
+
 TEST_CASE("relight writes a picture, lists its groups, and says what it cannot do") {
   const TemporaryFolder folder;
   const std::string two = quoted(two_groups(folder));
