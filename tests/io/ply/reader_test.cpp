@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
 #include "io/gzip.h"
@@ -108,7 +109,7 @@ TEST_CASE("a concave face of four corners is cut within, whichever corner comes 
     float area = 0;
     for (const auto& [a, b, c] : mesh.triangles) {
       const Vec3& p = mesh.positions[a];
-      area += cross(mesh.positions[b] - p, mesh.positions[c] - p).z / 2;
+      area += std::fabs(cross(mesh.positions[b] - p, mesh.positions[c] - p).z) / 2;
     }
     CHECK(area == Approx(9));
   }
