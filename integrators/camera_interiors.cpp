@@ -2,9 +2,7 @@
 #include "integrators/camera_interiors.h"
 
 #include <algorithm>
-#include <optional>
 
-#include "integrators/interaction.h"
 #include "integrators/straight_on.h"
 
 namespace twinray {
@@ -63,17 +61,12 @@ Interiors CameraInteriors::at(const Vec3& point) const {
 
 Interiors CameraInteriors::along(const Vec3& direction, const Vec3& point) const {
   const Vec3 way = direction * (2 * length(accelerator_.bounds().extent()));
-  Interiors found;
   Ray ray{.origin = point - way, .direction = way, .t_max = 1};
-  std::optional<Crossing> before;
+  StraightOn through(scene_, {});
   for (int crossings = 0; crossings < most_crossings; ++crossings) {
     const Hit hit = accelerator_.closest_hit(ray);
-    if (hit.is_miss()) return found;
-    const Crossing crossing{surface_at(*scene_.geometry, hit), hit.t};
-    if (!before || !are_one(*before, crossing, way))
-      found = Interaction::interiors_behind(scene_, crossing.point, -way, found);
-    before = crossing;
-    ray = straight_on(ray, hit.t);
+    if (hit.is_miss()) return through.interiors();
+    through.pass(hit, ray);
   }
   return {};
 }

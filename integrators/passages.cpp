@@ -2,10 +2,8 @@
 #include "integrators/passages.h"
 
 #include <algorithm>
-#include <optional>
 #include <variant>
 
-#include "integrators/interaction.h"
 #include "integrators/straight_on.h"
 
 namespace twinray {
@@ -27,15 +25,11 @@ Passages::Passages(const Scene& scene) : scene_(scene) {
 }
 
 void Passages::pass(Tracer& tracer, Way& way, RayKind kind) const {
-  std::optional<Crossing> before;
+  StraightOn through(scene_, way.interiors);
   for (int passed = 0; is_one(way.hit); ++passed) {
-    const Crossing crossing{surface_at(*scene_.geometry, way.hit), way.hit.t};
-    const Vec3& direction = way.ray.direction;
     way.left = way.left * transmittance(scene_.materials, way.interiors, length_to(way.ray, way.hit.t));
-    if (!before || !are_one(*before, crossing, direction))
-      way.interiors = Interaction::interiors_behind(scene_, crossing.point, -direction, way.interiors);
-    before = crossing;
-    way.ray = straight_on(way.ray, way.hit.t);
+    through.pass(way.hit, way.ray);
+    way.interiors = through.interiors();
     way.hit = passed < most_passages ? tracer.hit(way.ray, kind) : Hit{};
   }
 }

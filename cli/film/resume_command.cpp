@@ -29,9 +29,8 @@ bool ends_with(const Words& words, const Words& last) {
 /// Whether a checkpoint of this name is kept in `file`, or would be its newer one.
 bool is_kept_in(const std::string& checkpoint, const std::string& file) {
   const auto place = [](const std::string& name) {
-    std::error_code error;  // Where the folder cannot be looked into, the name alone counts.
-    const auto known = std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
-    return error ? std::filesystem::path(name) : known;
+    std::error_code error;  // Where the folder is gone, or cannot be looked into, the name alone counts.
+    return std::filesystem::weakly_canonical(name, error);
   };
   return place(checkpoint) == place(file) || place(earlier_film_name(checkpoint)) == place(file);
 }

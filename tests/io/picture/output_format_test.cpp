@@ -88,6 +88,7 @@ TEST_CASE("an HDR holds what shared exponents have nearest to a picture") {
   image.at(2, 0) = {-1, -2, -3};
   image.at(3, 0) = {1e-45f, 0, 1e-40f};
   image.at(4, 0) = {1e9f, 1e3f, 3e8f};
+  image.at(5, 0) = {1e-45f, 0, 0};
   write_image(folder.file("a.hdr"), image);
   const Image read = read_image(folder.file("a.hdr"));
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
