@@ -1,31 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light within closed surfaces: what is absorbed on its way, and boundaries of bodies that overlap.
 #include <cmath>
-#include <limits>
 
 #include "accel/accelerator.h"
 #include "core/fresnel.h"
 #include "integrators/furnace.h"
-#include "integrators/passages.h"
 #include "integrators/path_reference.h"
-#include "integrators/straight_on.h"
 #include "tests/support/catch.h"
 #include "tests/support/estimate.h"
 #include "tests/support/film.h"
 #include "tests/support/film_bytes.h"
+#include "tests/support/fog.h"
 #include "tests/support/random.h"
 #include "tests/support/scenes.h"
 
 namespace twinray::test {
 namespace {
-
-constexpr Rgb absorption{0.5f, 1, 2};
-
-/// The luminance of white light that has gone a way.
-double left_of(double length) {
-  const auto channel = [&](float a) { return std::exp(-double(a) * length); };
-  return 0.2126 * channel(absorption.r) + 0.7152 * channel(absorption.g) + 0.0722 * channel(absorption.b);
-}
 
 Material body(const SurfaceModel& model, const Interior& interior) {
   Material material{"body", model};
@@ -234,125 +224,6 @@ TEST_CASE("an interface hides no light, and is no vertex of a path") {
     CHECK(same_bits(render_with(scene, PathIntegrator(scene, {.direct = method}), small_picture(4)).film,
                     render_with(scene, PathReference(scene, {.direct = method}), small_picture(4)).film));
   }
-}
-
-TEST_CASE("a ray that passes interfaces stays the same ray, and begins behind the last one") {
-  Scene scene =
-      nested_balls({1, 0.5f}, {body(Interface{}, {absorption}), body(Interface{}, {.is_clear = true})});
-  const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
-  Tracer tracer(*engine, false);
-  const Passages passages(scene);
-  const auto followed = [&](float t_max) {
-    Ray ray{.origin = {0, 0, 3}, .direction = {0, 0, -1}, .t_max = t_max};
-    Passages::Way way{ray, tracer.hit(ray, RayKind::bounce), {}};
-    passages.follow(tracer, way);
-    CHECK(way.hit.is_miss());
-    return way;
-  };
-  // It ends within the inner ball, or before any.
-  const Passages::Way within = followed(3);
-  CHECK(within.ray.t_max == 3);
-  CHECK(within.ray.t_min == Approx(2.5));
-  CHECK(within.interiors.prevailing(scene.materials) == 1);
-  CHECK(luminance(within.left) == Approx(left_of(0.5)));
-  const Passages::Way before = followed(1.5f);
-  CHECK(before.ray.t_max == 1.5f);
-  CHECK(before.ray.t_min == 0);
-  const Passages::Way all = followed(std::numeric_limits<float>::infinity());
-  CHECK(all.interiors.empty());
-  CHECK(all.ray.t_min == Approx(4));
-  CHECK(luminance(all.left) == Approx(left_of(1)));
-}
-
-TEST_CASE("an interface hides nothing that lies just behind it") {
-  const auto large = [](const char* name, float z) {
-    return Mesh{
-        .name = name, .positions = {{-900, -900, z}, {900, -900, z}, {0, 900, z}}, .triangles = {{0, 1, 2}}};
-  };
-  Scene scene = nested_balls({}, {body(Interface{}, {absorption}), {"wall", Lambert{}}});
-  scene.geometry =
-      std::make_shared<const Geometry>(std::vector<Shape>{large("fog", 0), large("wall", -1e-5f)});
-  scene.bindings = {{0}, {1}};
-  const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
-  Tracer tracer(*engine, false);
-  const Ray ray{.origin = {0, 0, 1}, .direction = {0, 0, -1}};
-  Passages::Way way{ray, tracer.hit(ray, RayKind::bounce), {}};
-  REQUIRE(way.hit.mesh == 0);
-  Passages(scene).follow(tracer, way);
-  CHECK(way.hit.mesh == 1);
-  CHECK(way.interiors.prevailing(scene.materials) == 0);
-  CHECK(luminance(way.left) == 1);
-}
-
-TEST_CASE("a clear interface changes no bit of what is seen through it, nor of layers") {
-  Scene without = scene_of(floor_square(3, 0), {0.5f, 0.5f, 0.5f}, {0, 2, 3}, {0, 0, 0});
-  Image picture(64, 64);
-  Random random(8);
-  for (Rgb& pixel : picture.pixels)
-    pixel = {random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
-  without.textures = {{"", ImageTexture{std::make_shared<const MipMap>(std::move(picture))}}};
-  without.materials[0].textures = {{MaterialInput::reflectance, 0}};
-  add_white_sky(without);
-  add_light(without, PointLight{{0.3f, 2, 0.5f}, {1, 2, 3}, {}});
-  Scene with = without;
-  std::vector<Shape> shapes = with.geometry->shapes();
-  shapes.push_back(SphereSet{"ball", {{{0, 0.5f, 0}, 1}}});
-  with.geometry = std::make_shared<const Geometry>(std::move(shapes));
-  with.bindings.push_back({std::uint32_t(with.materials.size())});
-  with.materials.push_back(body(Interface{}, {.is_clear = true}));
-  RenderOptions options = small_picture(16);
-  options.layers = {Layer::depth, Layer::albedo, Layer::position};
-  for (const DirectMethod method : {DirectMethod::mis, DirectMethod::lights, DirectMethod::hemisphere}) {
-    const Film seen = render_with(without, PathIntegrator(without, {.direct = method}), options).film;
-    CHECK(same_bits(render_with(with, PathIntegrator(with, {.direct = method}), options).film, seen));
-    CHECK(same_bits(render_with(with, PathReference(with, {.direct = method}), options).film, seen));
-  }
-}
-
-TEST_CASE("a ray that goes through an edge of a body goes in and out once") {
-  const Vec3 center{0.3f, 0.7f, 0.1f};
-  Mesh ball = icosphere(2);
-  for (Vec3& p : ball.positions) p = p + center;
-  Scene scene = scene_of(ball, {}, {0, 0, 4}, {0, 0, 0});
-  scene.materials = {body(Interface{}, {absorption})};
-  const auto engine = build_accelerator(Backend::bvh, scene.geometry);
-  Tracer tracer(*engine, false);
-  const Passages passages(scene);
-  Random random(5);
-  int more_hits = 0;  // Than one in and one out: on edges some rays hit both triangles, a rounding apart.
-  for (int i = 0; i < 20000; ++i) {
-    const Triangle& triangle = ball.triangles[std::size_t(i) % ball.triangles.size()];
-    const Vec3 on_edge = (ball.positions[triangle[0]] + ball.positions[triangle[1]]) * 0.5f;
-    const Vec3 origin = on_edge + (on_edge - center) * 2 + random.in_ball() * 0.3f;
-    const Ray ray{.origin = origin, .direction = on_edge - origin};
-    Passages::Way way{ray, tracer.hit(ray, RayKind::bounce), {}};
-    const std::uint64_t before = tracer.counts().bounce;
-    passages.follow(tracer, way);
-    more_hits += tracer.counts().bounce - before > 2;
-    REQUIRE(way.hit.is_miss());
-    REQUIRE(way.interiors.empty());
-  }
-  CHECK(more_hits > 50);
-}
-
-TEST_CASE("two hits on an edge of a shape are one crossing") {
-  SurfacePoint point;
-  point.geometric_normal = {0, 0, 1};
-  point.offset = 1e-3f;
-  using Crossing = StraightOn::Crossing;
-  const Crossing first{point, 2};
-  const Vec3 down{0, 0, -2};
-  CHECK(StraightOn::are_one(first, {point, 2.0005f}, down));
-  CHECK_FALSE(StraightOn::are_one(first, {point, 2.0015f}, down));
-  Crossing other{point, 2.0005f};
-  other.point.geometric_normal = {0, 0, -1};
-  CHECK_FALSE(StraightOn::are_one(first, other, down));
-  other = {point, 2.0005f};
-  other.point.shape = 1;
-  CHECK_FALSE(StraightOn::are_one(first, other, down));
-  other = {point, 2.0005f};
-  other.point.instance = 1;
-  CHECK_FALSE(StraightOn::are_one(first, other, down));
 }
 
 TEST_CASE("a plate of absorbing glass reflects and lets through what the sum of its reflections says") {
