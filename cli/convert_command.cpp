@@ -55,7 +55,7 @@ LoadedScene load(const ConvertArguments& arguments, const LoadOptions& options) 
   if (arguments.load.time && !loaded.summary.animation)
     console::warn("--time: no effect, for nothing in the scene moves");
   RenderDefaults& picture = loaded.defaults;
-  if (arguments.resolution) picture.crop.reset();
+  if (arguments.resolution) picture.crop = picture.crop_of(*arguments.resolution);
   if (arguments.resolution || !picture.resolution)
     picture.resolution = arguments.resolution.value_or(default_resolution);
   Scene& scene = loaded.scene;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "core/pixel_filter.h"
 
@@ -18,6 +20,22 @@ struct RenderDefaults {
   std::optional<std::uint32_t> samples;    ///< Per pixel.
   std::optional<int> max_depth;            ///< Scattering events.
   std::optional<PixelFilter> filter;
+
+  /// The crop of a picture of this size: the same part of it, of a pixel at least.
+  std::optional<std::array<int, 4>> crop_of(const Resolution& size) const {
+    if (!crop || !resolution) return crop;
+    const auto [x0, x1] = scaled((*crop)[0], (*crop)[2], resolution->width, size.width);
+    const auto [y0, y1] = scaled((*crop)[1], (*crop)[3], resolution->height, size.height);
+    return std::array{x0, y0, x1 - x0, y1 - y0};
+  }
+
+ private:
+  /// From and to of a part of `old` pixels, of `anew` ones.
+  static std::pair<int, int> scaled(int first, int count, int old, int anew) {
+    const auto at = [&](int pixel) { return int((std::int64_t{pixel} * anew + old / 2) / old); };
+    const int from = std::min(at(first), anew - 1);
+    return {from, std::max(at(first + count), from + 1)};
+  }
 };
 
 }  // namespace twinray

@@ -116,8 +116,12 @@ void take_frame(const RenderDefaults& defaults, RenderArguments& arguments) {
   if (defaults.resolution && !is_given("--resolution", arguments)) {
     render.width = defaults.resolution->width;
     render.height = defaults.resolution->height;
-    if (arguments.crop.empty() && defaults.crop)
-      arguments.crop.assign(defaults.crop->begin(), defaults.crop->end());
+  }
+  if (const auto crop = defaults.crop_of({render.width, render.height}); crop && arguments.crop.empty()) {
+    if (arguments.overscan)
+      console::warn("--overscan: the whole frame is rendered, not the part that the scene file names");
+    else
+      arguments.crop.assign(crop->begin(), crop->end());
   }
   if (defaults.filter && !is_given("--filter", arguments)) render.filter = *defaults.filter;
   if (!arguments.crop.empty()) render.window = window_of(arguments.crop, render.width, render.height);

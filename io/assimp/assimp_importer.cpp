@@ -81,6 +81,9 @@ class Walk {
     for (unsigned i = 0; i < node.mNumChildren; ++i) add(*node.mChildren[i], to_world, depth + 1);
   }
 
+  /// Meshes whose vertices have colours.
+  std::size_t painted() const { return painted_; }
+
  private:
   void add(const aiMesh& mesh, const aiNode& node, const aiMatrix4x4& to_world) {
     ObjFaces faces{node.mName.C_Str(), mesh.mName.C_Str(), int(mesh.mMaterialIndex)};
@@ -91,6 +94,7 @@ class Walk {
     const std::uint32_t first_normal = std::uint32_t(model_.normals.size());
     const std::uint32_t first_uv = std::uint32_t(model_.uvs.size());
     add_vertices(mesh, to_world);
+    painted_ += mesh.HasVertexColors(0);
     const bool mirrors = to_world.Determinant() < 0;
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
       const aiFace& face = mesh.mFaces[i];
@@ -138,7 +142,7 @@ class Walk {
 
   const aiScene& scene_;
   ObjModel& model_;
-  std::size_t corners_ = 0;
+  std::size_t corners_ = 0, painted_ = 0;
 };
 
 void add_note(ObjModel& model, std::size_t count, const char* what) {
@@ -168,12 +172,14 @@ ObjModel import_model(const ImportedFile& file) {
     for (tinyobj::material_t& material : model.materials)
       if (!material.diffuse_texname.empty()) set(material.diffuse, aiColor3D(1, 1, 1));
   model.material_files.assign(model.materials.size(), file.path);
-  Walk(*scene, model).add(*scene->mRootNode, aiMatrix4x4(), 0);
+  Walk walk(*scene, model);
+  walk.add(*scene->mRootNode, aiMatrix4x4(), 0);
   if (model.faces.empty()) throw Error("the file has no faces");
   add_note(model, scene->mNumCameras, "cameras");
   add_note(model, scene->mNumLights, "lights");
   add_note(model, scene->mNumAnimations, "animations");
   add_note(model, embedded, "pictures within it");
+  add_note(model, walk.painted(), "meshes' colors of vertices");
   return model;
 }
 

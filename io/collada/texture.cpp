@@ -79,8 +79,8 @@ std::shared_ptr<const MipMap> ColladaTextures::image(const std::string& path, co
   if (image) return image;
   LoadedTexture loaded = read_(path, meaning, document_.options());
   image = loaded.image;
-  if (!loaded.warning.empty()) {
-    document_.warn(use.element, loaded.warning);
+  if (!loaded.warning.empty()) document_.warn(use.element, loaded.warning);
+  if (loaded.is_stand_in) {
     faulty_.insert(image);
     return image;
   }

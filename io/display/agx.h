@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "io/display/color_matrix.h"
+#include "core/color_matrix.h"
 
 namespace twinray {
 

@@ -4,14 +4,6 @@
 #include "io/pbrt/spectrum.h"
 
 namespace twinray {
-namespace {
-
-/// From XYZ to what the eye's receptors answer, sharpened.
-constexpr ColorMatrix bradford{
-    {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
-
-}  // namespace
-
 ColorMatrix white_balance(double kelvin) {
   const ColorMatrix to_cones = product(bradford, to_xyz(srgb_primaries));
   const Rgb light = blackbody_color(kelvin);

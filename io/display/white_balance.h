@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "io/display/color_matrix.h"
+#include "core/color_matrix.h"
 
 namespace twinray {
 

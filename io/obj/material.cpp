@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/angle.h"
 #include "io/affine_texture.h"
@@ -18,6 +19,13 @@ float unit(float x) { return x > 0 ? std::min(x, 1.0f) : 0; }  // A NaN is 0.
 
 Rgb color_of(const tinyobj::real_t (&from)[3]) { return {from[0], from[1], from[2]}; }
 Rgb unit_color(const tinyobj::real_t (&from)[3]) { return {unit(from[0]), unit(from[1]), unit(from[2])}; }
+
+/// Whether a colour lies between 0 and `most`, but for what the conversion of CIE's colours rounds.
+bool is_within(const Rgb& color, float most) {
+  constexpr float margin = 1e-3f;
+  return color.r >= -margin && color.g >= -margin && color.b >= -margin &&
+         max_component(color) <= most + margin;
+}
 
 /// Whether one of the values of the extension for physically based rendering stands there.
 bool is_physical(const tinyobj::material_t& m) {
@@ -187,6 +195,15 @@ void ObjMaterials::warn_of_ranges(const tinyobj::material_t& from) {
     if (!(value >= 0 && value <= 1))
       warn(fmt::format("{} of the material \"{}\" is {:g}; the nearest number in [0, 1] is taken", name,
                        from.name, value));
+  const std::pair<const char*, Rgb> colors[] = {
+      {"Kd", color_of(from.diffuse)}, {"Ks", color_of(from.specular)}, {"Tf", color_of(from.transmittance)}};
+  for (const auto& [name, color] : colors)
+    if (!is_within(color, 1))
+      warn(fmt::format("{} of the material \"{}\" is {:g} {:g} {:g}; the nearest color in [0, 1] is taken",
+                       name, from.name, color.r, color.g, color.b));
+  if (const Rgb glow = color_of(from.emission); !is_within(glow, std::numeric_limits<float>::infinity()))
+    warn(fmt::format("Ke of the material \"{}\" is {:g} {:g} {:g}; 0 is taken for what is negative",
+                     from.name, glow.r, glow.g, glow.b));
 }
 
 ObjSurface ObjMaterials::make(const tinyobj::material_t& from) {
@@ -259,7 +276,8 @@ void ObjMaterials::add_relief(const tinyobj::material_t& from, Material& to) {
   };
   if (!from.normal_texname.empty()) return add_normals(from.normal_texname, from.normal_texopt);
   if (from.bump_texname.empty()) return;
-  if (shows_normals(*load_texture(path_of(from.bump_texname), for_vectors, options_).image))
+  const LoadedTexture relief = load_texture(path_of(from.bump_texname), for_vectors, options_);
+  if (relief.is_stand_in || shows_normals(*relief.image))
     return add_normals(from.bump_texname, from.bump_texopt);
   const tinyobj::texture_option_t& how = from.bump_texopt;
   const std::uint32_t height = picture(from.bump_texname, how, for_numbers(how, PictureChannels::brightness));
@@ -283,7 +301,7 @@ Glow ObjMaterials::glow_of(const tinyobj::material_t& from) {
   Glow glow{at_least_zero(given)};
   if (from.emissive_texname.empty()) return glow;
   const LoadedTexture loaded = load(from.emissive_texname, for_colors);
-  if (!loaded.warning.empty()) return glow;
+  if (loaded.is_stand_in) return glow;
   const tinyobj::texture_option_t& how = from.emissive_texopt;
   const ImageTexture map = placed(loaded.image, how);
   if (is_black(glow.radiance)) glow.radiance = white;

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <string_view>
 #include <vector>
 
-#include "io/display/color_matrix.h"
+#include "core/color_matrix.h"
+#include "io/number_list.h"
 #include "io/obj/text.h"
 
 namespace twinray {
@@ -21,20 +23,26 @@ constexpr std::array<std::string_view, 5> picture_values{"bump", "norm", "disp",
 /// Pictures, of those whose names begin with map_.
 constexpr std::array<std::string_view, 11> maps{"map_Ka",   "map_Kd",   "map_Ks", "map_Ke", "map_Ns", "map_d",
                                                 "map_bump", "map_Bump", "map_Pr", "map_Pm", "map_Ps"};
+constexpr std::array<std::string_view, 4> color_pictures{"map_Ka", "map_Kd", "map_Ks", "map_Ke"};
 /// That have another form, or say nothing to a path tracer.
 constexpr std::array<std::string_view, 4> other_words{"newmtl", "illum", "sharpness", "map_aat"};
+
+/// Statements of which one is enough to say what a material looks like.
+constexpr std::array<std::string_view, 8> looks{"Kd", "map_Kd", "Ks", "map_Ks", "Ke", "map_Ke", "Kt", "Tf"};
 
 /// An option of a picture, and how many values it has.
 struct Option {
   std::string_view name;
   std::size_t values;
   std::string_view usual = "";  ///< Stands for the values that a file may leave out, which are numbers.
+  /// Where the option would change the picture and is not read: the value with which it does not.
+  std::string_view plain = "";
 };
 constexpr std::array<Option, 14> options{{{"-blendu", 1},
                                           {"-blendv", 1},
                                           {"-boost", 1},
                                           {"-bm", 1},
-                                          {"-cc", 1},
+                                          {"-cc", 1, "", "off"},
                                           {"-clamp", 1},
                                           {"-colorspace", 1},
                                           {"-imfchan", 1},
@@ -43,7 +51,7 @@ constexpr std::array<Option, 14> options{{{"-blendu", 1},
                                           {"-s", 3, "1"},
                                           {"-t", 3, "0"},
                                           {"-texres", 1},
-                                          {"-type", 1}}};
+                                          {"-type", 1, "", "none"}}};
 
 template <typename List>
 bool contains(const List& list, std::string_view word) {
@@ -73,8 +81,21 @@ std::string take_values(const Option& option, std::string_view& line) {
   return values;
 }
 
+/// What is to be told of a line.
+struct LineFaults {
+  bool has_no_number = false;  ///< One that is missing or none.
+  bool is_spectrum = false;
+  std::string left_out;  ///< An option of a picture that would change it and is not read.
+};
+
+/// Whether a picture without the option, or with another value, would be another.
+bool matters(const Option& option, std::string_view value, std::string_view keyword) {
+  if (option.name == "-imfchan" && contains(color_pictures, keyword)) return true;
+  return !option.plain.empty() && value != option.plain;
+}
+
 /// The options and the name of a picture.
-std::string picture_words(std::string_view line) {
+std::string picture_words(std::string_view keyword, std::string_view line, LineFaults& faults) {
   std::string made;
   for (std::string_view rest = line;; line = rest) {
     const std::string_view word = take_word(rest);
@@ -82,12 +103,13 @@ std::string picture_words(std::string_view line) {
         std::find_if(options.begin(), options.end(), [&](const Option& o) { return o.name == word; });
     if (option == options.end()) return made + std::string(line);  // A name may have spaces.
     const std::string values = take_values(*option, rest);
+    if (matters(*option, std::string_view(values).substr(1), keyword)) faults.left_out = word;
     if (word != "-cc") made += fmt::format(" {}{}", word, values);
   }
 }
 
-/// So many numbers: 0 for each that is missing or none, which makes `is_wrong` true.
-std::string number_words(std::string_view line, std::size_t count, bool& is_wrong) {
+/// So many numbers: 0 for each that is missing or none, which is a fault.
+std::string number_words(std::string_view line, std::size_t count, LineFaults& faults) {
   std::vector<std::string_view> words;
   for (std::string_view word; !(word = take_word(line)).empty();)
     if (word != "-halo") words.push_back(word);
@@ -95,7 +117,7 @@ std::string number_words(std::string_view line, std::size_t count, bool& is_wron
   words.resize(count);
   std::string made;
   for (const std::string_view word : words) {
-    is_wrong |= !is_number(word);
+    faults.has_no_number |= !is_number(word);
     made += fmt::format(" {}", is_number(word) ? word : "0");
   }
   return made;
@@ -112,38 +134,85 @@ std::string words_of_xyz(std::string_view line) {
 }
 
 /// The words of a colour behind its keyword.
-std::string color_words(std::string_view line, bool& is_wrong) {
+std::string color_words(std::string_view line, LineFaults& faults) {
   std::string_view rest = line;
-  return take_word(rest) == "xyz" ? words_of_xyz(line) : number_words(line, 3, is_wrong);
+  const std::string_view form = take_word(rest);
+  faults.is_spectrum = form == "spectral";
+  if (faults.is_spectrum) return " 0.5 0.5 0.5";
+  return form == "xyz" ? words_of_xyz(line) : number_words(line, 3, faults);
 }
+
+/// The words of a line behind its keyword.
+std::string words_of(std::string_view keyword, std::string_view line, LineFaults& faults) {
+  if (is_picture(keyword)) return picture_words(keyword, line, faults);
+  if (contains(color_values, keyword)) return color_words(line, faults);
+  if (contains(number_values, keyword)) return number_words(line, 1, faults);
+  return std::string(line);
+}
+
+/// Tells of what is wrong with a line.
+void warn(std::string_view keyword, const LineFaults& faults, const std::function<Place()>& place,
+          WarningList& warnings) {
+  if (faults.has_no_number)
+    warnings.add(place, fmt::format("a number of \"{}\" is missing or none: 0 stands for it", keyword));
+  if (faults.is_spectrum)
+    warnings.add(place, fmt::format("the spectrum of \"{}\" is not read: 0.5 stands for it", keyword));
+  if (!faults.left_out.empty())
+    warnings.add(place, fmt::format("\"{}\" of \"{}\" is left out", faults.left_out, keyword));
+  if (!is_known(keyword)) warnings.add(place, fmt::format("\"{}\" is not known; it is left out", keyword));
+}
+
+/// Finds materials of which nothing says what they look like.
+class UnseenMaterials {
+ public:
+  explicit UnseenMaterials(WarningList& warnings) : warnings_(warnings) {}
+
+  void read(std::string_view keyword, std::string_view rest, const std::function<Place()>& place) {
+    if (keyword == "newmtl") {
+      end();
+      name_ = trimmed(rest);
+      place_ = place;
+      is_open_ = true;
+    }
+    is_open_ &= !contains(looks, keyword);
+  }
+  /// The material ends.
+  void end() {
+    if (is_open_)
+      warnings_.add(place_,
+                    fmt::format("nothing says what the material \"{}\" reflects (Kd); it is black", name_));
+    is_open_ = false;
+  }
+
+ private:
+  WarningList& warnings_;
+  std::string name_;
+  std::function<Place()> place_;
+  bool is_open_ = false;  ///< A material began, and nothing was said yet.
+};
 
 }  // namespace
 
 std::string material_text(const std::string& path, const std::string& text, WarningList& warnings) {
   const std::string joined = joined_lines(text);
   std::string made;
+  UnseenMaterials unseen(warnings);
   for (std::string_view left = joined; !left.empty();) {
     const std::string_view line = left.substr(0, left.find_first_of("\r\n"));
     std::string_view rest = line;
-    bool is_wrong = false;
     const std::string_view keyword = take_word(rest);
+    const auto offset = std::size_t(line.data() - joined.data());
+    const auto place = [&path, &text, offset] { return place_of(path, text, offset); };
+    LineFaults faults;
     made += keyword;
-    if (is_picture(keyword))
-      made += picture_words(rest);
-    else if (contains(color_values, keyword))
-      made += color_words(rest, is_wrong);
-    else if (contains(number_values, keyword))
-      made += number_words(rest, 1, is_wrong);
-    else
-      made += rest;
+    made += words_of(keyword, rest, faults);
     if (keyword == "newmtl") made += "\nKd 0 0 0";
     made += '\n';
-    const auto place = [&] { return place_of(path, text, std::size_t(line.data() - joined.data())); };
-    if (is_wrong)
-      warnings.add(place, fmt::format("a number of \"{}\" is missing or none: 0 stands for it", keyword));
-    if (!is_known(keyword)) warnings.add(place, fmt::format("\"{}\" is not known; it is left out", keyword));
+    warn(keyword, faults, place, warnings);
+    unseen.read(keyword, rest, place);
     left.remove_prefix(std::min(line.size() + 1, left.size()));
   }
+  unseen.end();
   return made;
 }
 

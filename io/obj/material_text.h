@@ -13,7 +13,8 @@ namespace twinray {
 ///   the picture's name for one;
 /// - `-cc` goes, which it takes for a picture's name, and `-halo`, which it takes for a number;
 /// - a material without `Kd` has a black one: the library's is grey.
-/// A number that is missing or none is 0, with a warning.
+/// A number that is missing or none is 0, and a spectrum 0.5, with a warning; another one tells of options of
+/// pictures that are not read, and of materials of which nothing says what they look like.
 std::string material_text(const std::string& path, const std::string& text, WarningList& warnings);
 
 }  // namespace twinray

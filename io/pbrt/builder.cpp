@@ -82,12 +82,15 @@ void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& param
                                             : std::pair(state.absorption_inside, state.absorption_outside);
   const bool is_filled = !is_black(within) || !is_black(without);
   const std::uint32_t asset = object_ ? std::uint32_t(assets_.size()) - 1 : no_asset;
+  const bool is_dark = state.area_light && materials_.is_interface(state.material);
+  if (is_dark)
+    parameters.place().warn(context_.warnings, "an area light on an interface is left out, as pbrt does");
   const Part part{std::make_shared<const PbrtShape>(std::move(*shape)),
                   state.transform,
                   state.is_reversed && !is_turned,
                   state.material,
                   is_filled ? std::optional(within) : std::nullopt,
-                  state.area_light,
+                  is_dark ? nullptr : state.area_light,
                   alpha,
                   parameters.place(),
                   asset};
@@ -99,9 +102,7 @@ void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& param
     place(part, part.to_world, placed_);
 }
 
-bool PbrtBuilder::is_passed(const Part& part) const {
-  return materials_.is_interface(part.material) && !part.light;
-}
+bool PbrtBuilder::is_passed(const Part& part) const { return materials_.is_interface(part.material); }
 
 void PbrtBuilder::end_object() {
   std::stable_partition(object_->parts.begin(), object_->parts.end(),
@@ -128,7 +129,6 @@ void PbrtBuilder::place(const Part& part, const Transform& to_world, Placed& pla
   placed.shapes.push_back(std::move(shape));
   ShapeBinding binding{part.material, no_light, part.alpha, part.asset};
   if (emits) add_emission(part, binding);
-  if (materials_.is_interface(part.material) && emits) binding.material = materials_.black();
   if (part.absorption) placed.fillings.emplace(placed.bindings.size(), Filling{*part.absorption, part.place});
   placed.bindings.push_back(binding);
 }
@@ -296,8 +296,8 @@ LoadedScene PbrtBuilder::finish(float exposure) {
   for (Light& light : scene.lights)
     if (exposure != 1) scale_light(light.source, exposure);
   if (exposure != 1)
-    context_.notes.push_back(
-        fmt::format("all light is times {:g}, the film's exposure (shutter x iso / 100)", exposure));
+    context_.notes.push_back(fmt::format(
+        "all light of the file is times {:g}, the film's exposure (shutter x iso / 100)", exposure));
   scene.bindings = std::move(placed_.bindings);
   scene.assets = std::move(assets_);
   scene.materials = std::move(materials_.materials);

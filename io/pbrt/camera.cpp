@@ -164,9 +164,12 @@ PbrtFilm read_film(const std::string& type, const PbrtParameters& parameters, Pb
         fmt::format("the sensor \"{}\" is not rendered: colors are those of cie1931", sensor));
   if (parameters.real("whitebalance", 0) != 0)
     parameters.find("whitebalance")->place.warn(context.warnings, "white balance is not rendered");
-  for (const char* unused : {"filename", "savefp16", "diagonal", "maxcomponentvalue", "coordinatesystem",
-                             "nbuckets", "lambdamin", "lambdamax"})
+  for (const char* unused :
+       {"filename", "savefp16", "diagonal", "coordinatesystem", "nbuckets", "lambdamin", "lambdamax"})
     parameters.find(unused);  // about files, sensors of other cameras and pbrt's own estimates
+  if (std::isfinite(parameters.real("maxcomponentvalue", Aabb::infinity)))
+    parameters.find("maxcomponentvalue")
+        ->place.warn(context.warnings, "\"maxcomponentvalue\" is not heeded; --clamp limits indirect light");
   parameters.warn_of_unused(context.warnings);
   return film;
 }
@@ -186,10 +189,13 @@ void read_integrator(const std::string& type, const PbrtParameters& parameters, 
                      PbrtContext& context) {
   defaults.max_depth = std::min(parameters.integer("maxdepth", default_depth, {0, 1e9}), most_depth);
   for (const char* unused :
-       {"lightsampler", "regularize", "samplelights", "samplebsdf", "visualizestrategies", "visualizeweights",
+       {"lightsampler", "samplelights", "samplebsdf", "visualizestrategies", "visualizeweights",
         "photonsperiteration", "radius", "seed", "bootstrapsamples", "chains", "mutationsperpixel",
         "largestepprobability", "sigma", "cossample", "maxdistance"})
     parameters.find(unused);
+  if (parameters.flag("regularize", false))
+    parameters.find("regularize")
+        ->place.warn(context.warnings, "\"regularize\" is an option here: --regularize");
   if (type == "ambientocclusion")
     parameters.place().warn(context.warnings, "ambient occlusion is not rendered; this is a path tracer");
   else if (type != "path" && type != "volpath")

@@ -165,6 +165,8 @@ std::optional<LightSource> read_infinite(const PbrtParameters& parameters, const
 std::optional<LightSource> read_goniometric(const PbrtParameters& parameters, const Transform& to_world,
                                             PbrtContext& context) {
   const auto map = picture_of(parameters, context);
+  if (!parameters.find("filename"))
+    parameters.place().warn(context.warnings, "this goniometric light names no picture; it is even");
   if (!map) return read_point(parameters, to_world, context);
   warn_of_strength("power", parameters, context);
   auto grey = std::make_shared<Image>(*map);
@@ -181,8 +183,10 @@ std::optional<LightSource> read_goniometric(const PbrtParameters& parameters, co
 std::optional<LightSource> read_projection(const PbrtParameters& parameters, const Transform& to_world,
                                            PbrtContext& context) {
   const double fov = double(parameters.real("fov", 90, {1e-3, 179.9}));
-  const auto picture = picture_of(parameters, context);
-  if (!picture) return read_point(parameters, to_world, context);
+  if (parameters.text("filename", "").empty())
+    parameters.place().fail("a projection light needs its picture, \"string filename\"");
+  auto picture = picture_of(parameters, context);
+  if (!picture) picture = one_pixel(white);
   warn_of_strength("power", parameters, context);
   const Transform turn = rotation_of(to_world, parameters, context);
   const double half = tan_radians(fov * radians_per_degree / 2);

@@ -352,14 +352,6 @@ std::uint32_t PbrtMaterials::named(const std::string& name, const PbrtPlace& pla
   return named_[name] = new_entry(name, {false, false, place});
 }
 
-std::uint32_t PbrtMaterials::black() {
-  if (!black_) {
-    black_ = new_entry("emits alone", {});
-    materials[*black_].model = Lambert{{0, 0, 0}};
-  }
-  return *black_;
-}
-
 void PbrtMaterials::check_all_made() const {
   std::vector<std::string_view> made;
   for (const auto& [name, index] : named_)

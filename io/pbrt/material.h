@@ -26,8 +26,6 @@ class PbrtMaterials {
   std::uint32_t named(const std::string& name, const PbrtPlace& place);
   /// Whether a material is pbrt's "interface": no surface at all.
   bool is_interface(std::uint32_t index) const { return entries_[index].is_interface; }
-  /// The index of what reflects nothing, of shapes that emit alone.
-  std::uint32_t black();
   /// Throws Error where a name was used that no statement gave.
   void check_all_made() const;
 
@@ -47,7 +45,6 @@ class PbrtMaterials {
   PbrtContext& context_;
   std::vector<Entry> entries_;
   std::map<std::string, std::uint32_t> named_;
-  std::optional<std::uint32_t> black_;
 };
 
 }  // namespace twinray

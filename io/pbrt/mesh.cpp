@@ -98,8 +98,7 @@ void add_parameters(std::vector<std::uint32_t>& indices, Mesh& mesh) {
 
 Mesh read_bilinear_mesh(const PbrtParameters& parameters, WarningList& warnings) {
   Mesh mesh = read_vertices(parameters, warnings);
-  if (const PbrtParameter* picture = parameters.find("emissionfilename"))
-    picture->place.warn(warnings, "\"emissionfilename\" is not rendered: the patch emits evenly");
+  parameters.find("emissionfilename");  // About sampling: the light's own picture is what it emits.
   std::vector<std::uint32_t> indices = read_indices(parameters, mesh, 4);
   if (mesh.uvs.empty()) add_parameters(indices, mesh);
   for (std::size_t i = 0; i < indices.size(); i += 4)
@@ -124,7 +123,7 @@ Mesh read_loop_mesh(const PbrtParameters& parameters, WarningList& warnings) {
   return control;
 }
 
-Mesh read_ply_file(const PbrtParameters& parameters, PbrtContext& context) {
+PlyMesh read_ply_file(const PbrtParameters& parameters, PbrtContext& context) {
   const std::string name = parameters.text("filename", "");
   if (name.empty()) parameters.place().fail("a plymesh needs its file, \"string filename\"");
   if (const PbrtParameter* displacement = parameters.find("displacement"))
@@ -138,7 +137,7 @@ Mesh read_ply_file(const PbrtParameters& parameters, PbrtContext& context) {
     if (ply.flat_faces > 0)
       place.warn(context.warnings, fmt::format("{}: {} faces have less than three corners, and are left out",
                                                path, ply.flat_faces));
-    return std::move(ply.mesh);
+    return ply;
   } catch (const Error& error) {
     place.fail(error.what());
   }

@@ -4,6 +4,7 @@
 #include "core/geometry.h"
 #include "io/pbrt/context.h"
 #include "io/pbrt/parameters.h"
+#include "io/ply/reader.h"
 
 namespace twinray {
 
@@ -18,6 +19,6 @@ Mesh read_bilinear_mesh(const PbrtParameters& parameters, WarningList& warnings)
 Mesh read_loop_mesh(const PbrtParameters& parameters, WarningList& warnings);
 
 /// The mesh in the file that a plymesh names.
-Mesh read_ply_file(const PbrtParameters& parameters, PbrtContext& context);
+PlyMesh read_ply_file(const PbrtParameters& parameters, PbrtContext& context);
 
 }  // namespace twinray

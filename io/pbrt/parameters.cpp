@@ -217,7 +217,7 @@ float PbrtParameters::real(const char* name, float fallback, const NumberRange& 
   const PbrtParameter* found = single(name, {PbrtType::real});
   if (!found) return fallback;
   const float value = reals(*found)[0];
-  if (!(value >= range.least && value <= range.most))
+  if (!(value >= float(range.least) && value <= float(range.most)))
     found->place.fail(
         fmt::format("\"{}\" is {:g}; it must lie in [{:g}, {:g}]", name, value, range.least, range.most));
   return value;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/mesh_area.h"
 #include "io/pbrt/mesh.h"
 #include "io/pbrt/quadric.h"
 #include "io/pbrt/transform.h"
@@ -50,9 +51,11 @@ std::optional<PbrtShape> read_cylinder(const PbrtParameters& parameters, PbrtCon
   return PbrtShape{cylinder_mesh(cylinder)};
 }
 
+/// What has no area is none of pbrt's shapes that emit.
 PbrtShape of_triangles(Mesh mesh) {
-  const std::size_t pieces = mesh.triangles.size();
-  return {.mesh = std::move(mesh), .pieces = pieces};
+  const auto has_area = [&](const Triangle& triangle) { return area_vector(mesh, triangle).area() > 0; };
+  const auto pieces = std::count_if(mesh.triangles.begin(), mesh.triangles.end(), has_area);
+  return {.mesh = std::move(mesh), .pieces = std::size_t(std::max<std::ptrdiff_t>(pieces, 1))};
 }
 
 PbrtShape mesh_shape(Mesh mesh) {
@@ -72,7 +75,10 @@ std::optional<PbrtShape> read_bilinear(const PbrtParameters& parameters, PbrtCon
 }
 
 std::optional<PbrtShape> read_ply_mesh(const PbrtParameters& parameters, PbrtContext& context) {
-  return of_triangles(read_ply_file(parameters, context));
+  PlyMesh ply = read_ply_file(parameters, context);
+  PbrtShape shape = of_triangles(std::move(ply.mesh));
+  shape.pieces -= ply.quads;
+  return shape;
 }
 
 std::optional<PbrtShape> read_subdivision(const PbrtParameters& parameters, PbrtContext& context) {

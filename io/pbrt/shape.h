@@ -15,7 +15,8 @@ namespace twinray {
 struct PbrtShape {
   Mesh mesh;
   float sphere_radius = 0;  ///< > 0: a whole sphere about the origin, and no mesh.
-  /// Of how many shapes of pbrt's it consists: each triangle and each patch of a mesh is one.
+  /// Of how many shapes of pbrt's it consists: each triangle with an area is one, each
+  /// patch of a mesh, and each face of four corners.
   std::size_t pieces = 1;
 };
 

@@ -65,11 +65,10 @@ bool PbrtStates::take_transform(const PbrtStatement& statement, WarningList& war
             fmt::format("ActiveTransform {} is not known; valid are StartTime, EndTime and "
                         "All",
                         statement.words[0]));
-      statement.place.warn(warnings, motion_note);
       now_.is_start_active = statement.words[0] != "EndTime";
+      now_.is_end_active = statement.words[0] != "StartTime";
       return true;
     case transform_times:
-      statement.place.warn(warnings, motion_note);
       return true;
     case coordinate_system:
       systems_[statement.words[0]] = now_.transform;
@@ -87,6 +86,7 @@ bool PbrtStates::take_transform(const PbrtStatement& statement, WarningList& war
   }
   if (!is_transform(statement.directive)) return false;
   const Transform factor = factor_of(statement);
+  if (!now_.is_start_active || !now_.is_end_active) statement.place.warn(warnings, motion_note);
   if (!now_.is_start_active) return true;
   const bool is_anew = statement.directive == identity || statement.directive == transform;
   now_.transform = is_anew ? factor : now_.transform * factor;
@@ -132,7 +132,7 @@ void PbrtStates::name_camera() {
 
 void PbrtStates::begin_world() {
   now_.transform = {};
-  now_.is_start_active = true;
+  now_.is_start_active = now_.is_end_active = true;
   systems_["world"] = {};
 }
 

@@ -18,7 +18,8 @@ enum class PbrtTarget { shape, light, material, medium, texture };
 
 struct PbrtState {
   Transform transform;  ///< From object to world space (before WorldBegin: from world to camera space).
-  bool is_start_active = true;  ///< Transforms change it; else only what motion would end with.
+  /// Transforms change where all stands at the beginning, and what motion would end with.
+  bool is_start_active = true, is_end_active = true;
   bool is_reversed = false;
   std::uint32_t material = 0;
   Rgb absorption_inside, absorption_outside;  ///< Of closed shapes (MediumInterface).

@@ -85,6 +85,13 @@ ImageFrame frame_of(const Imf::Header& header) {
   return frame;
 }
 
+std::optional<Primaries> primaries_of(const Imf::Header& header) {
+  if (!Imf::hasChromaticities(header)) return std::nullopt;
+  const auto at = [](const Imath::V2f& point) { return Chromaticity{double(point.x), double(point.y)}; };
+  const Imf::Chromaticities& all = Imf::chromaticities(header);
+  return Primaries{at(all.red), at(all.green), at(all.blue), at(all.white)};
+}
+
 Imf::Header header_of(int width, int height, const ImageMetadata& metadata, const ImageFrame& frame) {
   const Imath::Box2i picture({frame.x, frame.y}, {frame.x + width - 1, frame.y + height - 1});
   const Imath::Box2i whole(

@@ -3,8 +3,10 @@
 #pragma once
 #include <ImfHeader.h>
 
+#include <optional>
 #include <vector>
 
+#include "core/color_matrix.h"
 #include "io/picture/image_metadata.h"
 #include "io/picture/layered_image.h"
 
@@ -17,6 +19,9 @@ std::vector<PictureChannel> channels_of(const Imf::Header& header);
 ImageMetadata texts_of(const Imf::Header& header);
 
 ImageFrame frame_of(const Imf::Header& header);
+
+/// What red, green and blue are; nothing where the header does not say it.
+std::optional<Primaries> primaries_of(const Imf::Header& header);
 
 /// The header of a picture of this size and place, without channels.
 Imf::Header header_of(int width, int height, const ImageMetadata& metadata, const ImageFrame& frame);

@@ -123,6 +123,10 @@ Image decode_exr(const PictureBytes& picture, const HeaderCheck& check) {
   });
 }
 
+std::optional<Primaries> decode_exr_primaries(const PictureBytes& picture, const HeaderCheck& check) {
+  return read_or_fail(picture.path, [&] { return primaries_of(OpenExr(picture, check).header()); });
+}
+
 Image decode_exr_alpha(const PictureBytes& picture, const HeaderCheck& check) {
   return read_or_fail(picture.path, [&] {
     OpenExr file(picture, check);

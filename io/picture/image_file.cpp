@@ -22,6 +22,7 @@
 #include "io/picture/plain_picture.h"
 #include "io/picture/png.h"
 #include "io/picture/png_reader.h"
+#include "io/picture/primaries.h"
 #include "io/picture/srgb.h"
 #include "io/picture/webp_reader.h"
 
@@ -145,6 +146,8 @@ Image decode(PictureFormat format, const PictureBytes& picture, const ReadOption
   }
   Image image = decode_colors(format, picture, check);
   if (is_encoded(format) && options.role == PictureRole::color) decode_all(image);
+  if (format == PictureFormat::exr && options.role == PictureRole::color)
+    if (const auto primaries = decode_exr_primaries(picture, check)) take_as_srgb(*primaries, image);
   if (options.channels != PictureChannels::color)
     for (Rgb& pixel : image.pixels) {
       const float number = number_of(pixel, options.channels);

@@ -108,6 +108,10 @@ std::shared_ptr<const MipMap> load_converted(const PictureUse& picture, TextureS
   }
 }
 
+LoadedTexture stood_in(const StandIn& stand_in, const std::string& fault) {
+  return {kept(picture_of(stand_in), nullptr), fmt::format("{}; {}", fault, stand_in.words), true};
+}
+
 LoadedTexture load(const PictureUse& picture, const StandIn& stand_in, const LoadOptions& options) {
   TextureStore* const store = options.textures.get();
   if (options.pictures) {
@@ -124,8 +128,7 @@ LoadedTexture load(const PictureUse& picture, const StandIn& stand_in, const Loa
     image = std::move(source.image);
     if (warning.empty()) warning = std::move(source.warning);
   } catch (const Error& error) {
-    image = picture_of(stand_in);
-    warning = fmt::format("{}; {}", error.what(), stand_in.words);
+    return stood_in(stand_in, error.what());
   }
   return {kept(std::move(image), store), std::move(warning)};
 }
@@ -161,9 +164,7 @@ LoadedTexture decode_texture(std::string_view bytes, const std::string& name, co
   }
 }
 
-LoadedTexture missing_texture(const std::string& fault) {
-  return {kept(picture_of(magenta), nullptr), fmt::format("{}; {}", fault, magenta.words)};
-}
+LoadedTexture missing_texture(const std::string& fault) { return stood_in(magenta, fault); }
 
 ConvertedTexture convert_texture(const PictureUse& picture) {
   ConvertedTexture made{tiled_name(picture.path, picture.meaning)};

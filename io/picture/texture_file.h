@@ -14,6 +14,7 @@ namespace twinray {
 struct LoadedTexture {
   std::shared_ptr<const MipMap> image;  ///< Never null; one magenta pixel where the file cannot be used.
   std::string warning;  ///< What is wrong with the file, and what is shown instead. Empty where nothing is.
+  bool is_stand_in = false;  ///< The file cannot be used at all.
 };
 
 /// Reads a picture of up to 2^26 pixels (with its mip-map, a gigabyte); a larger one is refused before memory

@@ -8,7 +8,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <tuple>
+#include <utility>
 
+#include "core/mesh_area.h"
 #include "io/decimal.h"
 #include "io/diagnostic.h"
 #include "io/picture/srgb.h"
@@ -110,7 +113,11 @@ struct VertexLayout {
   explicit VertexLayout(const PlyElement& vertex) {
     position = {vertex.find("x"), vertex.find("y"), vertex.find("z")};
     normal = {vertex.find("nx"), vertex.find("ny"), vertex.find("nz")};
-    color = {vertex.find("red"), vertex.find("green"), vertex.find("blue")};
+    color = {-1, -1, -1};
+    for (const auto& [r, g, b] : {std::tuple{"red", "green", "blue"},
+                                  {"diffuse_red", "diffuse_green", "diffuse_blue"},
+                                  {"r", "g", "b"}})
+      if (!has(color)) color = {vertex.find(r), vertex.find(g), vertex.find(b)};
     if (has(color)) white = whitest(vertex.properties[std::size_t(color[0])].type);
     uv = {-1, -1};
     for (const auto& [u, v] :
@@ -235,6 +242,7 @@ class Reader {
         face.find("vertex_indices") >= 0 ? face.find("vertex_indices") : face.find("vertex_index");
     if (indices < 0 || !face.properties[std::size_t(indices)].is_list)
       throw Error(name_ + ": the faces need the list \"vertex_indices\"");
+    ply_.has_face_colors |= face.find("red") >= 0 || face.find("diffuse_red") >= 0;
     ply_.mesh.triangles.reserve(ply_.mesh.triangles.size() + face.count);
     for (std::uint64_t i = 0; i < face.count; ++i)
       for (std::size_t k = 0; k < face.properties.size(); ++k)
@@ -260,6 +268,15 @@ class Reader {
         ply_.mesh.triangles.push_back({corners_[0], corners_[k - 1], corners_[k]});
     else
       cut_polygon();
+    if (count == 4) count_quad();
+  }
+
+  /// The latest triangles are what was a face of four corners.
+  void count_quad() {
+    const std::vector<Triangle>& all = ply_.mesh.triangles;
+    ply_.quads += std::all_of(all.end() - 2, all.end(), [this](const Triangle& triangle) {
+      return area_vector(ply_.mesh, triangle).area() > 0;
+    });
   }
 
   /// Whether the diagonal from the first corner to the third lies outside of a face of four: what it cuts off

@@ -20,8 +20,11 @@ struct PlyMesh {
   /// more into as many as it takes, with their winding.
   Mesh mesh;
   std::size_t flat_faces = 0;  ///< Faces of less than three corners: left out.
-  /// Colours of the vertices, if they have red, green and blue and were asked for: linear, in [0, 1].
+  /// Colours of the vertices, if they have red, green and blue (or diffuse_red and the like, or r, g, b) and
+  /// were asked for: linear, in [0, 1].
   std::vector<Rgb> colors = {};
+  std::size_t quads = 0;         ///< Faces of four corners that are two triangles, both with an area.
+  bool has_face_colors = false;  ///< Faces have colours, which are not read.
 };
 
 /// Whether the colours of vertices are read.

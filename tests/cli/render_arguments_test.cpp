@@ -426,7 +426,10 @@ TEST_CASE("what a scene file says about its picture holds where no option says s
   CHECK(plain.path.max_depth == 9);
   const RenderArguments given = with({"-r", "40", "30", "-s", "3", "-m", "2"});
   CHECK(given.render.width == 40);
-  CHECK_FALSE(given.render.window);
+  CHECK(given.render.window == PixelRect{0, 0, 20, 15});  // The same part of it.
+  CHECK(with({"-r", "200", "100"}).render.window == PixelRect{0, 0, 100, 50});
+  CHECK(with({"-r", "1", "1"}).render.window == PixelRect{0, 0, 1, 1});
+  CHECK(with({"--overscan=2", "-o", "a.exr"}).render.window == PixelRect{-2, -2, 202, 102});
   CHECK(given.render.samples == 3);
   CHECK(given.path.max_depth == 2);
   CHECK(with({"-p", "150", "50", "50", "50"}).render.window == PixelRect{150, 50, 200, 100});

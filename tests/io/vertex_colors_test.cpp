@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/vertex_colors.h"
 
+#include <array>
+#include <string>
+#include <vector>
+
 #include "io/picture/srgb.h"
 #include "io/ply/scene.h"
 #include "tests/support/catch.h"
@@ -14,10 +18,11 @@ namespace {
 constexpr float tolerance = 1e-5f;
 
 /// The scene of a PLY file of a square whose vertices have these colors, of this type.
-LoadedScene load_ply_colors(const std::string& type, const std::vector<std::string>& colors) {
+LoadedScene load_ply_colors(const std::string& type, const std::vector<std::string>& colors,
+                            const std::array<const char*, 3>& names = {"red", "green", "blue"}) {
   std::string text = "ply\nformat ascii 1.0\nelement vertex 4\n";
   for (const char* name : {"x", "y", "z"}) text += std::string("property float ") + name + "\n";
-  for (const char* name : {"red", "green", "blue"}) text += "property " + type + " " + name + "\n";
+  for (const char* name : names) text += "property " + type + " " + name + "\n";
   text += "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
   const char* const corners[] = {"0 0 0 ", "1 0 0 ", "1 1 0 ", "0 1 0 "};
   for (std::size_t i = 0; i < 4; ++i) text += corners[i] + colors[i] + "\n";
@@ -63,6 +68,22 @@ TEST_CASE("colors of vertices are bytes, words or numbers up to 1, within which 
   const LoadedScene numbers = load_ply_colors("float", {"1 0 7", "-1 0 0", "0 0 0", "0 0 0"});
   check_near(color_at(numbers, 0, 0, 0), {1, 0, 1});
   check_near(color_at(numbers, 0, 1, 0), {0, 0, 0});
+}
+
+TEST_CASE("colors of vertices go by several names") {
+  using Names = std::array<const char*, 3>;
+  for (const Names& names : {Names{"diffuse_red", "diffuse_green", "diffuse_blue"}, Names{"r", "g", "b"}})
+    check_near(color_at(load_ply_colors("uchar", four, names), 0, 1, 0), {0, 1, 0});
+}
+
+TEST_CASE("colors of faces of a PLY file are told") {
+  const TemporaryFolder folder;
+  write_text(folder.file("tri.ply"),
+             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+             "element face 1\nproperty list uchar int vertex_indices\nproperty uchar red\nend_header\n"
+             "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255\n");
+  CHECK(load_ply(folder.file("tri.ply")).summary.notes ==
+        std::vector<std::string>{"colors of faces are left out"});
 }
 
 TEST_CASE("vertices of one color are a surface of that color") {

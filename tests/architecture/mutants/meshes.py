@@ -159,4 +159,13 @@ MUTANTS = [
     Mutant("a picture of gloss stands for its color", "io/obj/material.cpp",
            "color == white ? texture : scaled(texture, color)", "texture", "test_io",
            "a picture of gloss is multiplied by its color, which may be left out"),
+    Mutant("a material without any color is black in silence", "io/obj/material_text.cpp",
+           "  unseen.end();\n  return made;", "  return made;",
+           "test_io", "a material of which MTL does not say what it looks like is black, with a warning"),
+    Mutant("a spectrum of MTL is black", "io/obj/material_text.cpp",
+           'return " 0.5 0.5 0.5";', 'return " 0 0 0";',
+           "test_io", "a spectrum of MTL is not read, and grey stands for it"),
+    Mutant("a bump map that is absent is a height", "io/obj/material.cpp",
+           "relief.is_stand_in || shows_normals", "shows_normals",
+           "test_io", "a bump map that shows directions is a normal map, and one that is absent is told"),
 ]

@@ -9,7 +9,7 @@ namespace twinray::test {
 
 TEST_CASE("facets of an OBJ file are turned as MTL says, and have a direction where there are coordinates") {
   const TemporaryFolder folder;
-  write_text(folder.file("a.mtl"), "newmtl brushed\nPr 0.5\naniso 0.5\nanisor 0.125\n");
+  write_text(folder.file("a.mtl"), "newmtl brushed\nKd 1 1 1\nPr 0.5\naniso 0.5\nanisor 0.125\n");
   const auto load = [&](const std::string& face) {
     write_text(folder.file("a.obj"),
                "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"

@@ -35,12 +35,70 @@ TEST_CASE("a number of MTL beyond its range is the nearest within, with a warnin
   for (const char* line : {"Pr 2", "Pm -1", "Ps 1.5", "Pc -0.5", "Pcr 3", "aniso 7", "d 2"}) {
     const std::string text(line), name = text.substr(0, text.find(' '));
     CAPTURE(line);
-    const auto warnings = load_with_mtl(folder, text).warnings;
+    const auto warnings = load_with_mtl(folder, text + "\nKd 1 1 1").warnings;
     REQUIRE(!warnings.empty());
     CHECK(warnings[0].text() == folder.file("a.mtl") + ": " + name + " of the material \"m\" is " +
                                     text.substr(name.size() + 1) + "; the nearest number in [0, 1] is taken");
   }
-  CHECK(load_with_mtl(folder, "Pr 1\nPm 0\nd 1").warnings.empty());
+  CHECK(load_with_mtl(folder, "Kd 1 0 1\nPr 1\nPm 0\nd 1").warnings.empty());
+}
+
+TEST_CASE("a color of MTL beyond its range is the nearest within, with a warning") {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a.mtl");
+  for (const char* name : {"Kd", "Ks", "Tf"})
+    for (const char* color : {"2 0.5 0", "0.5 -1 0"}) {
+      const auto warnings = load_with_mtl(folder, fmt::format("{} {}", name, color)).warnings;
+      REQUIRE(warnings.size() == 1);
+      CHECK(warnings[0].text() ==
+            fmt::format("{}: {} of the material \"m\" is {}; the nearest color in [0, 1] "
+                        "is taken",
+                        file, name, color));
+    }
+  const auto warnings = load_with_mtl(folder, "Ke 20 -1 0").warnings;
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].text() ==
+        file + ": Ke of the material \"m\" is 20 -1 0; 0 is taken for what is negative");
+  CHECK(load_with_mtl(folder, "Ke 20 1 0").warnings.empty());
+}
+
+TEST_CASE("a spectrum of MTL is not read, and grey stands for it") {
+  const TemporaryFolder folder;
+  const LoadedScene loaded = load_with_mtl(folder, "Kd spectral paper.rfl 2");
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].message == "the spectrum of \"Kd\" is not read: 0.5 stands for it");
+  CHECK(loaded.warnings[0].place.line == 2);
+  CHECK(std::get<Lambert>(loaded.scene.materials.at(0).model).reflectance == Rgb{0.5f, 0.5f, 0.5f});
+}
+
+TEST_CASE("a material of which MTL does not say what it looks like is black, with a warning") {
+  const TemporaryFolder folder;
+  const LoadedScene loaded =
+      load_with_mtl(folder, "Ns 20\n\nnewmtl lit\nKe 1 1 1\nnewmtl last one \nillum 2");
+  REQUIRE(loaded.warnings.size() == 2);
+  CHECK(loaded.warnings[0].message == "nothing says what the material \"m\" reflects (Kd); it is black");
+  CHECK(loaded.warnings[0].place.line == 1);
+  CHECK(loaded.warnings[1].message ==
+        "nothing says what the material \"last one\" reflects (Kd); it is black");
+  CHECK(loaded.warnings[1].place.line == 6);
+  for (const char* line : {"Kd 0 0 0", "Ks 1 1 1", "Ke 1 1 1", "Tf 1 1 1"})
+    CHECK(load_with_mtl(folder, line).warnings.empty());
+}
+
+TEST_CASE("an option that would change a picture of MTL and is not read is told") {
+  const TemporaryFolder folder;
+  write_exr(folder.file("a.exr"), Image(1, 1, {1, 1, 1}));
+  const auto warnings_of = [&](const std::string& line) { return load_with_mtl(folder, line).warnings; };
+  for (const char* line : {"map_Kd -cc on a.exr", "map_Kd -imfchan g a.exr", "map_Ks -type sphere a.exr"}) {
+    CAPTURE(line);
+    const auto warnings = warnings_of(std::string("Kd 1 1 1\n") + line);
+    REQUIRE(warnings.size() == 1);
+    const std::string text(line), option = text.substr(7, text.find(' ', 7) - 7);
+    CHECK(warnings[0].message == fmt::format("\"{}\" of \"{}\" is left out", option, text.substr(0, 6)));
+    CHECK(warnings[0].place.line == 3);
+  }
+  for (const char* line : {"map_Kd -cc off a.exr", "map_Kd -blendu on a.exr", "map_d -imfchan g a.exr"})
+    CHECK(warnings_of(std::string("Kd 1 1 1\n") + line).empty());
 }
 
 TEST_CASE("colors of MTL may be CIE's") {
@@ -64,7 +122,7 @@ TEST_CASE("what a material file says that is not known is named") {
     CHECK(warnings[0].message == fmt::format("\"{}\" is not known; it is left out", word));
     CHECK(warnings[0].place.line == 3);
   }
-  CHECK(load_with_mtl(folder, "\n  # a comment\nsharpness 60\nillum 1\nKa 1 1 1\n").warnings.empty());
+  CHECK(load_with_mtl(folder, "\n  # a comment\nsharpness 60\nillum 1\nKa 1 1 1\nKd 1 1 1").warnings.empty());
 }
 
 TEST_CASE("a picture of gloss is multiplied by its color, which may be left out") {

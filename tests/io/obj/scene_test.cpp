@@ -206,7 +206,7 @@ TEST_CASE("pictures of MTL files are textures, placed as their options say") {
   CHECK(picture.wrap == WrapMode::clamp);
   CHECK(made_of("norm n.png\n").material().normal_map != no_texture);
   CHECK(made_of("bump -bm 0.5 h.png\n").material().bump_map != no_texture);
-  const Made rest = made_of("map_Ns a.png\ndisp b.png\nrefl c.png\n");
+  const Made rest = made_of("Kd 1 1 1\nmap_Ns a.png\ndisp b.png\nrefl c.png\n");
   CHECK(rest.loaded.warnings.size() == 3);
 }
 
@@ -238,7 +238,7 @@ TEST_CASE("what MTL lets a file leave out of a color or an option is filled in")
     return std::get<ImageTexture>(texture.model).uv({1, 1});
   };
   CHECK(placed("-s 2") == Vec2{2, 1});
-  CHECK(placed("-cc on -o 0.5 0.25 -blendu off -s 2 3") == Vec2{2.5f, 3.25f});
+  CHECK(placed("-cc off -o 0.5 0.25 -blendu off -s 2 3") == Vec2{2.5f, 3.25f});
   CHECK(placed("-mm 0 1 -texres 64") == Vec2{1, 1});
   CHECK(made_of("d -halo 0.5\n").binding().alpha != no_texture);
   const Made half = made_of("d -halo 0.5\n");
@@ -246,12 +246,11 @@ TEST_CASE("what MTL lets a file leave out of a color or an option is filled in")
 }
 
 TEST_CASE("a number of MTL that is missing or none is 0, with a warning at its line") {
-  for (const char* line : {"Kd 0,9 1 1\n", "Kd 1 1\n", "Kd spectral a.rfl\n", "Kd nan 1 1\n", "d\n"}) {
+  for (const char* line : {"Kd 0,9 1 1\n", "Kd 1 1\n", "Kd nan 1 1\n", "Ni\nKd 1 1 1\n"}) {
     CAPTURE(line);
     const Made made = made_of(line);
     REQUIRE(made.loaded.warnings.size() == 1);
-    CHECK(made.loaded.warnings[0].text().starts_with("a.mtl:2:1: a number of \"" +
-                                                     std::string(line).substr(0, line[0] == 'd' ? 1 : 2) +
+    CHECK(made.loaded.warnings[0].text().starts_with("a.mtl:2:1: a number of \"" + std::string(line, 2) +
                                                      "\" is missing or none: 0 stands for it\n  "));
   }
   CHECK(made_of("Kd 0,9 1 1\n").model<Lambert>().reflectance == Rgb{0, 1, 1});
@@ -401,13 +400,17 @@ TEST_CASE("a bump map that shows directions is a normal map, and one that is abs
   write_png(folder.file("blue.png"), {1, 1, {128, 128, 255}});
   write_png(folder.file("grey.png"), {1, 1, {128, 128, 128}});
   for (const std::string picture : {"blue", "grey"}) {
-    write_text(folder.file("a.mtl"), "newmtl m\nbump " + picture + ".png\n");
+    write_text(folder.file("a.mtl"), "newmtl m\nKd 1 1 1\nbump " + picture + ".png\n");
     write_text(folder.file("a.obj"), "mtllib a.mtl\nvt 0 0\n" + square + "usemtl m\nf 1/1 2/1 3/1\n");
     const LoadedScene loaded = load_scene(folder.file("a.obj"));
     CHECK(loaded.warnings.empty());
     CHECK((loaded.scene.materials[0].normal_map != no_texture) == (picture == "blue"));
     CHECK((loaded.scene.materials[0].bump_map != no_texture) == (picture == "grey"));
   }
+  write_text(folder.file("a.mtl"), "newmtl m\nKd 1 1 1\nbump none.png\n");
+  const LoadedScene flat = load_scene(folder.file("a.obj"));
+  REQUIRE(flat.warnings.size() == 1);
+  CHECK(flat.warnings[0].message.ends_with("; the surface stays flat"));
   write_text(folder.file("a.mtl"), "newmtl m\nmap_Kd textures\\none.png\n");
   const LoadedScene absent = load_scene(folder.file("a.obj"));
   REQUIRE(absent.warnings.size() == 1);

@@ -56,6 +56,47 @@ TEST_CASE("an area light's power is that of each triangle and of each patch, as 
             .radiance.g == Approx(100 / (pi * 0.5)));
   CHECK(light_of<MeshLight>(light + "Shape \"bilinearmesh\"" + quad).radiance.g == Approx(100 / pi));
   CHECK(light_of<MeshLight>(light + "Shape \"disk\"").radiance.g == Approx(100 / (pi * pi)).epsilon(1e-3));
+  // What has no area is none of them.
+  CHECK(light_of<MeshLight>(light + "Shape \"trianglemesh\"" + quad +
+                            "\"integer indices\" [ 0 1 3  1 1 1  0 3 2 ]")
+            .radiance.g == Approx(100 / (pi * 0.5)));
+}
+
+TEST_CASE("an area light's power is that of each face of a PLY file, of four corners, too") {
+  const test::TemporaryFolder folder;
+  const auto radiance = [&](const std::string& faces, int count) {
+    test::write_text(
+        folder.file("a.ply"),
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+        "z\nelement face " +
+            std::to_string(count) +
+            "\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n" + faces);
+    test::write_text(folder.file("a.pbrt"),
+                     "WorldBegin AreaLightSource \"diffuse\" \"float power\" 100 Shape \"plymesh\" \"string "
+                     "filename\" \"a.ply\"\n");
+    return std::get<MeshLight>(load_scene(folder.file("a.pbrt"), {}).scene.lights.at(0).source).radiance.g;
+  };
+  CHECK(radiance("4 0 1 2 3\n", 1) == Approx(100 / pi));
+  CHECK(radiance("3 0 1 2\n3 0 2 3\n", 2) == Approx(100 / (pi * 0.5)));
+  CHECK(radiance("4 0 1 2 3\n3 0 1 2\n3 1 1 2\n", 3) == Approx(100 / (pi * 0.75)));
+  CHECK(radiance("4 0 1 2 2\n", 1) == Approx(100 / (pi * 0.5)));
+}
+
+TEST_CASE("a projector needs a picture, and shines ahead alone where its file is missing") {
+  CHECK_THROWS_WITH(load_pbrt_world("LightSource \"projection\""),
+                    Catch::Contains("a projection light needs its picture, \"string filename\""));
+  const test::TemporaryFolder folder;
+  test::write_text(
+      folder.file("a.pbrt"),
+      "WorldBegin LightSource \"projection\" \"string filename\" \"none.png\" \"float scale\" 5\n");
+  const LoadedScene loaded = load_scene(folder.file("a.pbrt"), {});
+  CHECK(loaded.warnings.size() == 1);
+  const auto& projector = std::get<ProjectionLight>(loaded.scene.lights.at(0).source);
+  CHECK(projector.picture->pixels == std::vector<Rgb>{white});
+  CHECK(projector.intensity == Rgb{5, 5, 5});
+  const LoadedScene even = load_pbrt_world("LightSource \"goniometric\"");
+  REQUIRE(even.warnings.size() == 1);
+  CHECK(even.warnings[0].message == "this goniometric light names no picture; it is even");
 }
 
 TEST_CASE("an area light's picture is times its scale, and has its power over the mean") {
@@ -127,7 +168,8 @@ TEST_CASE("the exposure of film and shutter multiplies all light") {
       pbrt_triangle);
   CHECK(std::get<MeshLight>(loaded.scene.lights[0].source).radiance == Rgb{2, 2, 2});
   CHECK(std::get<PointLight>(loaded.scene.lights[1].source).intensity == Rgb{2, 2, 2});
-  CHECK(loaded.summary.notes.back() == "all light is times 2, the film's exposure (shutter x iso / 100)");
+  CHECK(loaded.summary.notes.back() ==
+        "all light of the file is times 2, the film's exposure (shutter x iso / 100)");
 }
 
 TEST_CASE("a picture of latitude and longitude lies as in pbrt-v3, +z above, from +x towards +y") {

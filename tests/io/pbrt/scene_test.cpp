@@ -121,6 +121,42 @@ TEST_CASE("transforms multiply from the right, and Transform takes columns") {
       near(corner("ActiveTransform EndTime Translate 9 9 9 ActiveTransform All Translate 1 0 0"), {2, 0, 0}));
 }
 
+TEST_CASE("motion is told of where something would move, and only there") {
+  const auto warnings = [](const std::string& transforms) {
+    return load_pbrt_text(transforms + " WorldBegin " + pbrt_triangle).warnings.size();
+  };
+  CHECK(warnings("TransformTimes 0 1 ActiveTransform All Translate 1 0 0") == 0);
+  CHECK(warnings("ActiveTransform StartTime ActiveTransform All Translate 1 0 0") == 0);
+  CHECK(warnings("ActiveTransform EndTime Translate 1 0 0") == 1);
+  CHECK(warnings("ActiveTransform StartTime Translate 1 0 0") == 1);
+}
+
+TEST_CASE("a number at the end of its range is within it") {
+  CHECK(load_pbrt_text("PixelFilter \"gaussian\" \"float sigma\" 0.01 WorldBegin").defaults.filter->sigma ==
+        0.01f);
+  CHECK(load_pbrt_text("Film \"rgb\" \"float iso\" 1e-6 WorldBegin LightSource \"point\"")
+            .scene.lights.size() == 1);
+}
+
+TEST_CASE("settings of pbrt that change its picture and are options here are told") {
+  const auto warning = [](const std::string& statements) {
+    const auto warnings = load_pbrt_text(statements + " WorldBegin").warnings;
+    return warnings.empty() ? "" : warnings.at(0).message;
+  };
+  CHECK(warning("Film \"rgb\" \"float maxcomponentvalue\" 10") ==
+        "\"maxcomponentvalue\" is not heeded; --clamp limits indirect light");
+  CHECK(warning("Integrator \"path\" \"bool regularize\" true") ==
+        "\"regularize\" is an option here: --regularize");
+  CHECK(warning("Integrator \"path\" \"bool regularize\" false") == "");
+}
+
+TEST_CASE("the picture that a patch is sampled by is no news") {
+  const std::string patch =
+      "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ] \"string emissionfilename\" "
+      "\"a.png\"";
+  CHECK(load_pbrt_world(patch).warnings.empty());
+}
+
 TEST_CASE("LookAt and a perspective camera give pbrt's picture: left-handed, the shorter side has the fov") {
   const Camera camera = camera_of(
       "LookAt 0 0 5  0 0 0  0 1 0 Film \"rgb\" \"integer xresolution\" 200 "

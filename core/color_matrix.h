@@ -31,4 +31,11 @@ inline constexpr Primaries srgb_primaries{{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.0
 /// From colours by these primaries to CIE's XYZ; (1, 1, 1) is the white, with Y = 1.
 ColorMatrix to_xyz(const Primaries& primaries);
 
+/// From XYZ to what the eye's receptors answer, sharpened: Bradford's (Lam, 1985).
+inline constexpr ColorMatrix bradford{
+    {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
+
+/// From linear colours by these primaries to our own; their white becomes ours, by Bradford's adaptation.
+ColorMatrix to_srgb(const Primaries& primaries);
+
 }  // namespace twinray

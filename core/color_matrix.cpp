@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/display/color_matrix.h"
+#include "core/color_matrix.h"
 
 namespace twinray {
 
@@ -40,6 +40,18 @@ ColorMatrix to_xyz(const Primaries& primaries) {
   for (auto& row : m)
     for (std::size_t j = 0; j < 3; ++j) row[j] *= luminances[j];
   return m;
+}
+
+ColorMatrix to_srgb(const Primaries& primaries) {
+  const ColorMatrix to_cones = product(bradford, to_xyz(primaries)),
+                    from_cones = inverse(product(bradford, to_xyz(srgb_primaries)));
+  using Triple = std::array<double, 3>;
+  const Triple from = transformed(to_cones, Triple{1, 1, 1}),
+               to = transformed(product(bradford, to_xyz(srgb_primaries)), Triple{1, 1, 1});
+  ColorMatrix adapted = to_cones;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (double& entry : adapted[i]) entry *= to[i] / from[i];
+  return product(from_cones, adapted);
 }
 
 }  // namespace twinray
