@@ -2,9 +2,11 @@
 #include "cli/interrupt.h"
 
 #include <signal.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cstdint>
 #include <string_view>
 
 #include "cli/console.h"
@@ -23,6 +25,18 @@ std::atomic<bool> is_stoppable = false;
 /// The first signal since the work can be stopped; 0 where there was none.
 std::atomic<int> stop_signal = 0;
 static_assert(std::atomic<int>::is_always_lock_free);
+/// When it came, in nanoseconds of a clock that never goes back; 0 where there was none.
+std::atomic<std::int64_t> stop_time = 0;
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+/// Whoever stops a group of processes signals each of them, and so may a script among them: what comes again
+/// so soon is the same request. Two Ctrl-C are two.
+constexpr std::int64_t one_request = 1'000'000'000;
+
+std::int64_t now() {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
 
 std::atomic<bool> is_picture_asked_for = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
@@ -57,10 +71,15 @@ void say(std::string_view text) {
 }
 
 void take_signal(int signal_number) {
-  const int code = exit_code_of(signal_number), code_before = exit_code_before;
-  if (!is_stoppable) end_at_once(signal_number, code_before != 0 ? code_before : code);
+  const int code_before = exit_code_before,
+            code = code_before != 0 ? code_before : exit_code_of(signal_number);
+  if (!is_stoppable) end_at_once(signal_number, code);
   int none = 0;
-  if (!stop_signal.compare_exchange_strong(none, signal_number)) end_at_once(signal_number, code);
+  std::int64_t first = 0;
+  const bool is_first_time = stop_time.compare_exchange_strong(first, now());
+  if (stop_signal.compare_exchange_strong(none, signal_number)) return;
+  if (signal_number == SIGINT || is_first_time || now() - first >= one_request)
+    end_at_once(signal_number, code);
 }
 
 }  // namespace
@@ -88,6 +107,7 @@ InterruptGuard::~InterruptGuard() {
 
 StopRequest::StopRequest() {
   stop_signal = 0;
+  stop_time = 0;
   is_stoppable = true;
 }
 

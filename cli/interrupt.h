@@ -15,8 +15,8 @@ namespace twinray {
 /// signal that the program was started to ignore is ignored. One at a time.
 class InterruptGuard {
  public:
-  /// `early_code`, if not 0, is the exit code of a program that ends before a StopRequest begins. Throws
-  /// Error for a name that cannot be written.
+  /// `early_code`, if not 0, is the exit code of a program that ends at once. Throws Error for a name that
+  /// cannot be written.
   explicit InterruptGuard(const std::vector<std::string>& outputs, int early_code = 0);
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard&) = delete;
@@ -29,7 +29,8 @@ class InterruptGuard {
 };
 
 /// While it lives, within the life of an InterruptGuard, the first such signal only asks the work to stop;
-/// the second ends the program. One at a time.
+/// the second ends the program, but for one within a second that is not Ctrl-C's: it is the same request.
+/// One at a time.
 class StopRequest {
  public:
   StopRequest();

@@ -204,7 +204,7 @@ class RenderRun {
 
   /// From the samples to all that is asked for; the exit code.
   int finish(const RenderResult& result, const Accelerator& accelerator, RenderKeeping& keeping) {
-    keeping.save_last(result);
+    const bool is_saved = keeping.save_last(result);
     if (is_open_ended(arguments_.render)) {
       arguments_.render.samples = result.samples;
       set_value(notes_.metadata, "twinray:samples", fmt::format("{}", result.samples));
@@ -224,7 +224,8 @@ class RenderRun {
     if (stop_ && stop_->is_made())
       console::print_error("{}: {} once all samples were there: all outputs are written\n",
                            console::speaker(), stop_->text());
-    return check_ ? check_->report(*found, outputs_.differences) : 0;
+    const int found_code = check_ ? check_->report(*found, outputs_.differences) : 0;
+    return is_saved ? found_code : 1;
   }
 
   RenderArguments arguments_;

@@ -40,8 +40,11 @@ std::string RenderKeeping::write_so_far(const RenderState& state) {
   return partial_.film + " holds what there is";
 }
 
-void RenderKeeping::save_last(const RenderResult& result) {
-  if (keeper_ && keeper_->save_last(result)) talk_.checkpointed();
+bool RenderKeeping::save_last(const RenderResult& result) {
+  if (!keeper_ || !keeper_->writes_checkpoints()) return true;
+  const bool is_saved = keeper_->save_last(result);
+  if (is_saved) talk_.checkpointed();
+  return is_saved;
 }
 
 int RenderKeeping::interrupted(const RenderResult& result, const StopRequest& stop, const char* when) {

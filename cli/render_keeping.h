@@ -30,8 +30,9 @@ class RenderKeeping {
 
   /// The options of a render that comes here to rest.
   RenderOptions resting(RenderOptions options);
-  /// Writes the last checkpoint of a render, if one is asked for.
-  void save_last(const RenderResult& result);
+  /// Writes the last checkpoint of a render, if one is asked for; false where it cannot be written, which a
+  /// warning says.
+  bool save_last(const RenderResult& result);
   /// Once the last checkpoint is written: keeps what there is, and says where. `when` it was interrupted ("
   /// while it was denoised") may be empty. The exit code: that of an interrupted program or, where it can go
   /// on, try_again_code.

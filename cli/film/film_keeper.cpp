@@ -48,10 +48,14 @@ FilmKeeper::FilmKeeper(const RenderArguments& arguments, const PictureNotes& pic
   if (!arguments.resumed.empty()) {
     auto [film, fault] = open_film_to_resume(arguments.resumed, arguments.render.threads);
     if (!fault.empty()) console::warn(fault);
+    if (arguments.resumed == arguments.checkpoint) is_damaged_ = !fault.empty();
     check_can_resume(film, notes_);
     begun_.emplace(std::move(film));
     is_saved_ = !arguments.checkpoint.empty() && has_film(arguments.checkpoint);
   }
+  if (arguments.resumed.empty() && !arguments.checkpoint.empty() && has_film(arguments.checkpoint))
+    console::warn(fmt::format("{}: the film that is there is replaced; --resume goes on with it",
+                              arguments.checkpoint));
   if (!arguments.checkpoint.empty())
     next_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
                                arguments.checkpoint_seconds.value_or(usual_interval.count())));
@@ -69,9 +73,17 @@ void FilmKeeper::write(const std::string& path, const RenderState& state, bool i
   write_film(path, notes, state, arguments_.render.threads);
 }
 
+/// It would take the place of the good one before it.
+void FilmKeeper::drop_damaged() {
+  std::error_code error;
+  if (is_damaged_) std::filesystem::remove(arguments_.checkpoint, error);
+  is_damaged_ = false;
+}
+
 bool FilmKeeper::write_checkpoint(const RenderState& state, bool is_complete) {
   const char* const rest = has_film(arguments_.checkpoint) ? "the one before is as it was" : "there is none";
   try {
+    drop_damaged();
     write(arguments_.checkpoint, state, is_complete);
     return is_saved_ = true;
   } catch (const Error& error) {
@@ -96,7 +108,7 @@ bool FilmKeeper::save(const RenderState& state) {
 }
 
 bool FilmKeeper::save_last(const RenderResult& result) {
-  return !arguments_.checkpoint.empty() && write_checkpoint(result, result.is_complete);
+  return write_checkpoint(result, result.is_complete);
 }
 
 }  // namespace twinray

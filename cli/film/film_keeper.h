@@ -32,7 +32,9 @@ class FilmKeeper {
   /// Writes a checkpoint. Where it cannot be written the last one stays, a warning says why, and another is
   /// due later, and the answer is false.
   bool save(const RenderState& state);
-  /// The last checkpoint, if any is asked for; whether it was written.
+  /// Whether checkpoints are asked for.
+  bool writes_checkpoints() const { return !arguments_.checkpoint.empty(); }
+  /// The last checkpoint; whether it was written.
   bool save_last(const RenderResult& result);
   /// Whether there is a checkpoint to go on with.
   bool has_checkpoint() const { return is_saved_; }
@@ -42,11 +44,13 @@ class FilmKeeper {
  private:
   using Clock = std::chrono::steady_clock;
   bool write_checkpoint(const RenderState& state, bool is_complete);
+  void drop_damaged();
 
   const RenderArguments& arguments_;
   FilmNotes notes_;
   std::optional<SavedFilm> begun_;  ///< What to go on with.
   bool is_saved_ = false;
+  bool is_damaged_ = false;  ///< The file at the checkpoint's place.
   std::atomic<Clock::time_point> next_ = Clock::time_point::max();
 };
 

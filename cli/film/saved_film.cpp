@@ -38,7 +38,11 @@ auto open_or_earlier(const std::string& path, std::string& fault, const Open& op
     const std::string earlier = earlier_film_name(path);
     if (!std::filesystem::exists(earlier)) throw;
     fault = fmt::format("{}; {} is taken in its place", error.what(), earlier);
-    return open(earlier);
+    try {
+      return open(earlier);
+    } catch (const Error& earlier_error) {
+      throw Error(fmt::format("{}; {}", error.what(), earlier_error.what()));
+    }
   }
 }
 

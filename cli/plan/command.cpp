@@ -75,7 +75,7 @@ void check(const PlanArguments& arguments) {
     throw UsageError("--allocation=error looks at the whole picture, which no part of a plan has");
   if (is_open_ended(render.render))
     throw UsageError(
-        "a part has as many samples as the picture's others; --seconds and --noise-target do not "
+        "a part has as many samples as the picture's others; --seconds, --until and --noise-target do not "
         "go with a plan");
 }
 

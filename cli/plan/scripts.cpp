@@ -17,8 +17,8 @@ struct NumberPlace {
   std::size_t begin = std::string::npos, size = 0;
 };
 
-NumberPlace number_place(const std::string& word) {
-  for (std::size_t begin = word.find('%'); begin != word.npos; begin = word.find('%', begin + 1)) {
+NumberPlace number_place(const std::string& word, std::size_t from = 0) {
+  for (std::size_t begin = word.find('%', from); begin != word.npos; begin = word.find('%', begin + 1)) {
     std::size_t end = begin + 1;
     while (end < word.size() && std::isdigit(static_cast<unsigned char>(word[end]))) ++end;
     const bool is_short = end - begin <= 3;  // No number has more than 99 digits.
@@ -27,14 +27,21 @@ NumberPlace number_place(const std::string& word) {
   return {};
 }
 
-/// A word for bash; the frame's number stands in its place.
+/// A word for bash; the frame's number stands in its places.
 std::string frame_word(const std::string& word) {
-  const NumberPlace place = number_place(word);
-  if (place.begin == word.npos) return shell_text({word});
-  const std::string before = word.substr(0, place.begin), after = word.substr(place.begin + place.size);
-  std::string text = before.empty() ? "" : shell_text({before});
-  text += fmt::format("\"$(printf '{}' \"$frame\")\"", word.substr(place.begin, place.size));
-  return after.empty() ? text : text + shell_text({after});
+  if (!has_frame_number(word)) return shell_text({word});
+  std::string text;
+  std::size_t done = 0;
+  const auto add_rest = [&](std::size_t end) {
+    if (end > done) text += shell_text({word.substr(done, end - done)});
+  };
+  for (NumberPlace place = number_place(word); place.begin != word.npos; place = number_place(word, done)) {
+    add_rest(place.begin);
+    text += fmt::format("\"$(printf '{}' \"$frame\")\"", word.substr(place.begin, place.size));
+    done = place.begin + place.size;
+  }
+  add_rest(word.size());
+  return text;
 }
 
 std::string frame_words(const FarmPlan& plan) {
@@ -65,13 +72,17 @@ std::string begin_text(const FarmPlan& plan) {
 bool has_frame_number(const std::string& word) { return number_place(word).begin != word.npos; }
 
 std::string with_frame_number(const std::string& word, int frame) {
-  const NumberPlace place = number_place(word);
-  if (place.begin == word.npos) return word;
-  const std::string digits = word.substr(place.begin + 1, place.size - 2);
-  const int width = digits.empty() ? 0 : std::stoi(digits);
-  const std::string number =
-      digits.starts_with('0') ? fmt::format("{:0{}}", frame, width) : fmt::format("{:{}}", frame, width);
-  return word.substr(0, place.begin) + number + word.substr(place.begin + place.size);
+  std::string text;
+  std::size_t done = 0;
+  for (NumberPlace place = number_place(word); place.begin != word.npos; place = number_place(word, done)) {
+    const std::string digits = word.substr(place.begin + 1, place.size - 2);
+    const int width = digits.empty() ? 0 : std::stoi(digits);
+    text += word.substr(done, place.begin - done);
+    text +=
+        digits.starts_with('0') ? fmt::format("{:0{}}", frame, width) : fmt::format("{:{}}", frame, width);
+    done = place.begin + place.size;
+  }
+  return text + word.substr(done);
 }
 
 std::string render_script(const FarmPlan& plan) {
@@ -135,7 +146,8 @@ std::string merge_script(const FarmPlan& plan) {
   const std::string merge =
       fmt::format("\"$TWINRAY\" merge @<(printf '%s\\n' \"$name\"*[0-9].film) --quiet --output={}",
                   plan.frames ? frame_word(plan.output) : shell_text({plan.output}));
-  const std::string clean = "printf '%s\\0' \"$name\"*.checkpoint{,.before} | xargs -0 rm -f\n";
+  const std::string clean =  // With what parts that were killed had begun to write.
+      "printf '%s\\0' \"$name\"*.checkpoint{,.before} \"${name%/*}/.${name##*/}\"*.part | xargs -0 rm -f\n";
   if (!plan.frames) return text + name + merge + "\n" + clean;
   text += fmt::format(fmt::runtime(R"((($# > 0)) || set -- $(seq 0 {0})
 for number; do

@@ -19,6 +19,31 @@ std::string head(const FarmPlan& plan, const char* step) {
       plan.name, step);
 }
 
+/// A usual Slurm takes arrays of a thousand tasks (MaxArraySize, 1001).
+constexpr std::uint32_t most_tasks = 1000;
+
+/// Numbers from 0 to count - 1 for the tasks of an array: one each or, where they are too many, several.
+struct TaskNumbers {
+  std::uint32_t count;
+  std::uint32_t together = (count + most_tasks - 1) / most_tasks;
+
+  /// The array's option and, of several numbers, what they are: $first to $last.
+  std::string array() const {
+    const std::string option = fmt::format("#SBATCH --array=0-{}\n", (count + together - 1) / together - 1);
+    if (together == 1) return option;
+    return option + fmt::format(
+                        "first=$((SLURM_ARRAY_TASK_ID * {0})) last=$(((SLURM_ARRAY_TASK_ID + 1) * {0} - 1))\n"
+                        "((last < {1})) || last=$(({1} - 1))\n",
+                        together, count);
+  }
+  /// In bash's words, as render-part and as merge-parts take them.
+  std::string range() const { return together == 1 ? one() : "\"$first-$last\""; }
+  std::string list() const { return together == 1 ? one() : "$(seq \"$first\" \"$last\")"; }
+
+ private:
+  static std::string one() { return "\"$SLURM_ARRAY_TASK_ID\""; }
+};
+
 /// A folder's name as sbatch takes it for logs: what %% means there is %.
 std::string pattern_of(const std::string& folder) {
   std::string pattern;
@@ -29,10 +54,10 @@ std::string pattern_of(const std::string& folder) {
 }  // namespace
 
 std::string slurm_render_job(const FarmPlan& plan) {
-  return head(plan, "render") + fmt::format("#SBATCH --array=0-{}\n", plan.task_count() - 1) +
-         "#SBATCH --signal=B:USR2@60\n"
+  const TaskNumbers parts{plan.task_count()};
+  return head(plan, "render") + "#SBATCH --signal=B:USR2@60\n" + parts.array() +
          "export TWINRAY_THREADS=${SLURM_CPUS_PER_TASK:-}\n" +
-         fmt::format("{} \"$SLURM_ARRAY_TASK_ID\" &\n", shell_text({plan.folder + "/render-part"})) +
+         fmt::format("{} {} &\n", shell_text({plan.folder + "/render-part"}), parts.range()) +
          "part=$! is_told=no\n"
          "trap 'is_signalled=yes; is_told=yes; kill -TERM \"$part\"' USR2\n"
          "trap 'is_signalled=yes' TERM  # Slurm sends it to the part as well.\n"
@@ -49,8 +74,9 @@ std::string slurm_render_job(const FarmPlan& plan) {
 }
 
 std::string slurm_merge_job(const FarmPlan& plan) {
-  return head(plan, "merge") + fmt::format("#SBATCH --array=0-{}\n", plan.frame_count() - 1) +
-         fmt::format("exec {} \"$SLURM_ARRAY_TASK_ID\"\n", shell_text({plan.folder + "/merge-parts"}));
+  const TaskNumbers frames{plan.frame_count()};
+  return head(plan, "merge") + frames.array() +
+         fmt::format("exec {} {}\n", shell_text({plan.folder + "/merge-parts"}), frames.list());
 }
 
 std::string slurm_submit_script(const FarmPlan& plan) {

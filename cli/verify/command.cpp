@@ -91,6 +91,10 @@ void check_size(const std::string& path, const StoredLayers& picture, const Pixe
   if (picture.width != window.width() || picture.height != window.height())
     throw Error(fmt::format("{}: it has {} x {} pixels, and its command asks for {} x {}", path,
                             picture.width, picture.height, window.width(), window.height()));
+  const bool has_place = output_format(path) == OutputFormat::exr;
+  if (has_place && (picture.frame.x != window.x0 || picture.frame.y != window.y0))
+    throw Error(fmt::format("{}: it lies at {} {} of its frame, and its command asks for {} {}", path,
+                            picture.frame.x, picture.frame.y, window.x0, window.y0));
 }
 
 /// What the picture names, its scene, is read only where it lies in one of the places.
@@ -172,9 +176,10 @@ int verify_command(const VerifyArguments& asked) {
     console::print(
         "Picture        {}\nMade by        {}, engine {}, {} samples a pixel\nFiles          {}, as they "
         "were\n"
-        "Rendered again {} of {} tiles by engine {}, seed {}\nSame bits      {} of {} tiles\n",
+        "Rendered again {} of {} tiles by engine {}, seed {}\nSame bits      {} of {} tiles{}\n",
         asked.picture, claim.program, claim.engine, claim.samples, claim.inputs.size(), tiles.size(), all,
-        engine_name(arguments), seed, tiles.size() - differences.size(), tiles.size());
+        engine_name(arguments), seed, tiles.size() - differences.size(), tiles.size(),
+        claim.is_denoised ? ", of the noisy channels: those without noise are not compared" : "");
   return differences.empty() ? 0 : 1;
 }
 

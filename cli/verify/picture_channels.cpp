@@ -23,9 +23,9 @@ std::size_t channel_of(const StoredLayers& picture, const std::string& name) {
 /// "R" -> "noisy.R", "light_a.R" -> "noisy_light_a.R"
 std::string noisy_name(const std::string& name) { return (name.size() == 1 ? "noisy." : "noisy_") + name; }
 
-/// A channel of the picture, and that of the part which must have its bits.
+/// A channel of the picture, and that of the part which must have its bits; either may be absent.
 struct Pair {
-  std::size_t there = 0, here = absent;
+  std::size_t there = absent, here = absent;
 };
 
 std::vector<Pair> compared_channels(const StoredLayers& picture, const StoredLayers& part, bool is_denoised) {
@@ -36,6 +36,9 @@ std::vector<Pair> compared_channels(const StoredLayers& picture, const StoredLay
     const bool is_noisy = is_denoised && name.starts_with("noisy") && name.size() > 6;
     pairs.push_back({there, channel_of(part, is_noisy ? name.substr(6) : name)});
   }
+  for (std::size_t here = 0; here < part.channels.size(); ++here)
+    if (std::none_of(pairs.begin(), pairs.end(), [here](const Pair& pair) { return pair.here == here; }))
+      pairs.push_back({absent, here});
   return pairs;
 }
 
@@ -69,7 +72,9 @@ std::optional<PixelDifferences> differences(const StoredLayers& picture, const S
         const float there = value_at(picture, pair.there, x, y);
         const float here = value_at(part, pair.here, x - place.x0, y - place.y0);
         if (is_same(there, here)) continue;
-        if (found.pixels++ == 0) found = {1, x, y, picture.channels[pair.there].name, there, here};
+        const PictureChannel& channel =
+            pair.there == absent ? part.channels[pair.here] : picture.channels[pair.there];
+        if (found.pixels++ == 0) found = {1, x, y, channel.name, there, here};
         break;
       }
   return found.pixels > 0 ? std::optional(found) : std::nullopt;

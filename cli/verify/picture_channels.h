@@ -21,7 +21,7 @@ struct PixelDifferences {
 };
 
 /// Compares the bits of all channels; `place` says which pixels of the picture the part shows. Channels that
-/// the part does not have are 0 in it. Of a denoised picture the noisy channels are compared, in place of
+/// one of them does not have are 0 in it. Of a denoised picture the noisy channels are compared, in place of
 /// those that were made of them.
 std::optional<PixelDifferences> differences(const StoredLayers& picture, const StoredLayers& part,
                                             const PixelRect& place, bool is_denoised);

@@ -82,9 +82,47 @@ TEST_CASE("a render that was killed goes on from its last checkpoint, or the one
   CHECK(result.exit_code == 0);
   check_says(result.err, film + ": a band of it is damaged; " + film + ".before is taken in its place");
   check_bits();
+  CHECK(read_text(earlier_film_name(film)) == read_text(folder.file("copy.ck")));  // The damaged one is gone.
+  write_text(film, "wrong");
+  write_text(earlier_film_name(film), "wrong, too");
+  const std::string both = told_error(resume);
+  check_says(both, film + ": this is no film file");
+  check_says(both, film + ".before: this is no film file");
   fs::remove(film);
   fs::remove(earlier_film_name(film));
   check_says(told_error(resume), film + ": there is no such file");
+}
+
+TEST_CASE("a second signal soon after the first is the same request, but for Ctrl-C") {
+  const TemporaryFolder folder;
+  const std::string command = fmt::format(
+      "cd {}; {} {} -r 48 36 -s 4000000 -o a.pfm --checkpoint=a.ck --checkpoint-seconds=1000 2>errors & "
+      "program=$!; until grep -q samples errors; do sleep 0.05; done; ",
+      quoted(folder.path().string()), quoted(TWINRAY_PROGRAM), quoted(box_scene));
+  const auto code_after = [&](const std::string& signals) {
+    return run_shell(command + signals + "; wait $program").exit_code;
+  };
+  CHECK(code_after("kill -TERM $program; kill -TERM $program; kill -HUP $program") == 75);
+  CHECK(fs::exists(folder.file("a.ck")));
+  CHECK(read_text(folder.file("errors")).find("goes on with it") != std::string::npos);
+}
+
+TEST_CASE(
+    "a checkpoint that is there is not replaced without a word, nor taken for written where it is not") {
+  const TemporaryFolder folder;
+  const std::string words = box_words(
+      fmt::format("-s 2 -o {} --checkpoint={}", quoted(folder.file("a.pfm")), quoted(folder.file("a.ck"))));
+  run_well(words);
+  const ProcessResult again = run_program(words);
+  CHECK(again.exit_code == 0);
+  check_says(again.err, "warning: " + folder.file("a.ck") +
+                            ": the film that is there is replaced; --resume "
+                            "goes on with it");
+  const ProcessResult failed = run_program(
+      box_words(fmt::format("-s 2 -o /dev/null --checkpoint={} --resume", quoted(folder.file("a.ck")))),
+      "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD='" TWINRAY_AT_SYNC "' AT_SYNC=fail");
+  CHECK(failed.exit_code == 1);
+  check_says(failed.err, "warning: no checkpoint: " + folder.file("a.ck") + ": cannot be written");
 }
 
 TEST_CASE("a render without a checkpoint ends as it did, and its film can go on") {

@@ -90,6 +90,14 @@ TEST_CASE("a range of a plan's parts that is stopped stops its part, which goes 
                "sleep 1; kill -TERM $run; wait $run; code=$?; ! kill -0 $part 2>/dev/null && exit $code");
   CHECK(stopped.exit_code == 75);
   CHECK(fs::exists(folder.file("p/parts/00000.checkpoint")));
+  fs::remove(folder.file("p/parts/00000.checkpoint"));
+  // The signal comes to the whole group: to the part from the script, too.
+  CHECK(shell_in(folder,
+                 "setsid p/render-part 0-1 & run=$!; children=/proc/$run/task/$run/children; "
+                 "until part=$(cat $children) && [ -n \"$part\" ]; do sleep 0.05; done; "
+                 "sleep 1; kill -TERM -$run; wait $run")
+            .exit_code == 75);
+  CHECK(fs::exists(folder.file("p/parts/00000.checkpoint")));
   CHECK_FALSE(fs::exists(folder.file("p/parts/00000.film")));
   CHECK_FALSE(fs::exists(folder.file("p/parts/00001.checkpoint")));
 }
@@ -133,13 +141,13 @@ TEST_CASE("frames have their numbers in scenes and pictures") {
   const TemporaryFolder folder;
   for (const char* name : {"s08.dae", "s09.dae", "s10.dae"}) fs::copy(box_scene, folder.file(name));
   const ProcessResult planned =
-      plan_in(folder, "s%02d.dae -r 24 18 -s 4 --frames=8:10 --folder=p --jobs=2 -o f%04d.pfm --seed=3");
+      plan_in(folder, "s%02d.dae -r 24 18 -s 4 --frames=8:10 --folder=p --jobs=2 -o f%02d%02d.pfm --seed=3");
   INFO(planned.err);
   CHECK(planned.out.starts_with("Plan           4 samples in 2 parts, for each of 3 frames\n"));
   render_by(folder, "p");
   CHECK(shell_in(folder, quoted(TWINRAY_PROGRAM) + " s09.dae -r 24 18 -s 4 -q --seed=3 -o b.pfm").exit_code ==
         0);
-  for (const char* name : {"f0008.pfm", "f0009.pfm", "f0010.pfm"})
+  for (const char* name : {"f0808.pfm", "f0909.pfm", "f1010.pfm"})
     CHECK(read_text(folder.file(name)) == read_text(folder.file("b.pfm")));
 }
 
@@ -220,6 +228,7 @@ TEST_CASE("a place for a frame's number is that of printf") {
   CHECK(with_frame_number("a%04d.dae", 37) == "a0037.dae");
   CHECK(with_frame_number("50%_%d.dae", 37) == "50%_37.dae");
   CHECK(with_frame_number("a%3d", 7) == "a  7");
+  CHECK(with_frame_number("%d/a%04d_%d", 7) == "7/a0007_7");
   CHECK(with_frame_number("a.dae", 37) == "a.dae");
 }
 
@@ -253,6 +262,25 @@ TEST_CASE("a task of Slurm queues itself again once its time is over, and not wh
   CHECK_FALSE(fs::exists(folder.file("calls")));
   CHECK(code_after("kill -USR2 $job") == 75);
   CHECK(read_text(folder.file("calls")) == "requeue 77\n");
+}
+
+TEST_CASE("more parts than a usual Slurm has tasks are several to a task, each in one of them") {
+  const TemporaryFolder folder;
+  const auto ranges = [&](std::uint32_t parts, std::uint32_t tasks) {
+    const FarmPlan plan{.name = "job", .folder = folder.path().string(), .parts = parts};
+    const std::string job = slurm_render_job(plan);
+    CHECK(job.find(fmt::format("#SBATCH --array=0-{}\n", tasks - 1)) != std::string::npos);
+    write_text(folder.file("job.sh"), job);
+    write_text(folder.file("render-part"), "#!/bin/bash\necho $1\n");
+    return shell_in(folder,
+                    fmt::format("chmod +x render-part; for task in 0 {}; do SLURM_ARRAY_TASK_ID=$task bash "
+                                "job.sh; done",
+                                tasks - 1))
+        .out;
+  };
+  CHECK(ranges(1000, 1000) == "0\n999\n");
+  CHECK(ranges(1001, 501) == "0-1\n1000-1000\n");
+  CHECK(ranges(3000, 1000) == "0-2\n2997-2999\n");
 }
 
 TEST_CASE("a folder of any name is that of Slurm's logs") {
@@ -296,9 +324,10 @@ TEST_CASE("what a plan cannot be is said before anything is written") {
         "twinray: a plan is for pictures: it makes films, checkpoints and their names itself");
   CHECK(
       error_of("--folder=p --jobs=3 -o a.xyz").starts_with("twinray: a.xyz: a picture's name must end in "));
-  CHECK(error_of("--folder=p --jobs=3 --seconds=3") ==
-        "twinray: a part has as many samples as the picture's others; --seconds and --noise-target do not go "
-        "with a plan");
+  CHECK(
+      error_of("--folder=p --jobs=3 --seconds=3") ==
+      "twinray: a part has as many samples as the picture's others; --seconds, --until and --noise-target do "
+      "not go with a plan");
   CHECK(error_of("--folder=p --jobs=3 --frames=1:2 -o f%d.png --seed=%dx") ==
         "twinray: --seed: \"1x\" is not a whole number from 0 to 18446744073709551615");
   CHECK(error_of("--folder=p --jobs=3 --stats=s.json") ==

@@ -112,6 +112,30 @@ TEST_CASE("one pixel that was changed is found, and where it is") {
   CHECK(contains(result.out, "Same bits      8 of 9 tiles"));
 }
 
+TEST_CASE("a channel that was taken away is found, and a place that is another") {
+  const TemporaryFolder folder;
+  render(scenes + "box.dae", "-s 4 --crop 7 3 30 20 -o " + file_in(folder, "a.exr"));
+  const StoredLayers picture = read_layers(folder.file("a.exr"));
+  const auto write_with = [&](std::size_t channels, const ImageFrame& frame) {
+    const auto fill_row = [&](int y, std::span<float> values) {
+      for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = picture.values[(std::size_t(y) * 30 + i / channels) * 3 + i % channels];
+    };
+    const std::vector<PictureChannel> kept(picture.channels.begin(),
+                                           picture.channels.begin() + std::ptrdiff_t(channels));
+    write_exr(folder.file("b.exr"), LayeredImage{30, 20, kept, fill_row}, picture.metadata, frame);
+  };
+  write_with(3, picture.frame);
+  CHECK(verify(file_in(folder, "b.exr")).exit_code == 0);
+  write_with(2, picture.frame);
+  CHECK(contains(error_of(file_in(folder, "b.exr")), ": B is 0 there, and "));
+  ImageFrame moved = picture.frame;
+  ++moved.x;
+  write_with(3, moved);
+  CHECK(contains(error_of(file_in(folder, "b.exr")),
+                 "it lies at 8 3 of its frame, and its command asks for 7 3"));
+}
+
 TEST_CASE("another version is warned of, and another size is refused") {
   const TemporaryFolder folder;
   render(scenes + "box.dae", "-s 4 -o " + file_in(folder, "a.exr"));
