@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "cli/console.h"
 #include "cli/options/render.h"
 #include "cli/render_outputs.h"
 
