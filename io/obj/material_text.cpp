@@ -28,7 +28,8 @@ constexpr std::array<std::string_view, 4> color_pictures{"map_Ka", "map_Kd", "ma
 constexpr std::array<std::string_view, 4> other_words{"newmtl", "illum", "sharpness", "map_aat"};
 
 /// Statements of which one is enough to say what a material looks like.
-constexpr std::array<std::string_view, 8> looks{"Kd", "map_Kd", "Ks", "map_Ks", "Ke", "map_Ke", "Kt", "Tf"};
+constexpr std::array<std::string_view, 9> looks{"Kd",     "map_Kd", "Ks", "map_Ks", "Ke",
+                                                "map_Ke", "Kt",     "Tf", "Ni"};
 
 /// An option of a picture, and how many values it has.
 struct Option {

@@ -81,7 +81,7 @@ TEST_CASE("a material of which MTL does not say what it looks like is black, wit
   CHECK(loaded.warnings[1].message ==
         "nothing says what the material \"last one\" reflects (Kd); it is black");
   CHECK(loaded.warnings[1].place.line == 6);
-  for (const char* line : {"Kd 0 0 0", "Ks 1 1 1", "Ke 1 1 1", "Tf 1 1 1"})
+  for (const char* line : {"Kd 0 0 0", "Ks 1 1 1", "Ke 1 1 1", "Tf 1 1 1", "illum 4\nNi 1.5\nd 0.1"})
     CHECK(load_with_mtl(folder, line).warnings.empty());
 }
 
