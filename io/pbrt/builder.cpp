@@ -78,9 +78,8 @@ void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& param
   if (shape->mesh.name.empty()) shape->mesh.name = fmt::format("{}, line {}", type, parameters.place().line);
   // A surface that is not there has two sides that are alike: turned around, it has the media turned.
   const bool is_turned = state.is_reversed && materials_.is_interface(state.material);
-  const auto& [within, without] = is_turned ? std::pair(state.absorption_outside, state.absorption_inside)
-                                            : std::pair(state.absorption_inside, state.absorption_outside);
-  const bool is_filled = !is_black(within) || !is_black(without);
+  const auto& [within, without] = is_turned ? std::pair(state.medium_outside, state.medium_inside)
+                                            : std::pair(state.medium_inside, state.medium_outside);
   const std::uint32_t asset = object_ ? std::uint32_t(assets_.size()) - 1 : no_asset;
   const bool is_dark = state.area_light && materials_.is_interface(state.material);
   if (is_dark)
@@ -89,7 +88,8 @@ void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& param
                   state.transform,
                   state.is_reversed && !is_turned,
                   state.material,
-                  is_filled ? std::optional(within) : std::nullopt,
+                  may_absorb(within) || may_absorb(without),
+                  within,
                   is_dark ? nullptr : state.area_light,
                   alpha,
                   parameters.place(),
@@ -120,7 +120,7 @@ void PbrtBuilder::check_room(const Part& part) {
 void PbrtBuilder::place(const Part& part, const Transform& to_world, Placed& placed) {
   const bool emits = part.light && !context_.options.surfaces_only;
   const bool is_nothing = part.alpha != no_texture && materials_.textures.is_at_most(part.alpha, 0);
-  if (!emits && (is_nothing || (materials_.is_interface(part.material) && !part.absorption))) return;
+  if (!emits && (is_nothing || (materials_.is_interface(part.material) && !part.is_filled))) return;
   check_room(part);
   // A sphere of our own has no poles, by which pbrt's coordinates go.
   const bool as_mesh = (emits && part.light->is_two_sided) || needs_uvs(part);
@@ -129,7 +129,7 @@ void PbrtBuilder::place(const Part& part, const Transform& to_world, Placed& pla
   placed.shapes.push_back(std::move(shape));
   ShapeBinding binding{part.material, no_light, part.alpha, part.asset};
   if (emits) add_emission(part, binding);
-  if (part.absorption) placed.fillings.emplace(placed.bindings.size(), Filling{*part.absorption, part.place});
+  if (part.is_filled) placed.fillings.emplace(placed.bindings.size(), Filling{part.within, part.place});
   placed.bindings.push_back(binding);
 }
 
@@ -189,7 +189,8 @@ void PbrtBuilder::fill_interiors() {
   std::vector<Material>& materials = materials_.materials;
   std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> filled;
   for (const auto& [shape, filling] : placed_.fillings) {
-    const auto& [absorption, place] = filling;
+    const auto& [medium, place] = filling;
+    const Rgb absorption = absorption_of(medium);
     std::uint32_t& material = placed_.bindings[shape].material;
     if (is_no_body(materials[material].model) && !is_black(absorption))
       place.warn(context_.warnings,
@@ -285,6 +286,7 @@ void PbrtBuilder::place_object(const Object& object, Placed& shared, Instancing&
 
 LoadedScene PbrtBuilder::finish(float exposure) {
   materials_.check_all_made();
+  media_.check_all_made();
   for (const Part& part : passed_) place(part, part.to_world, placed_);
   Instancing instancing = place_objects();
   fill_interiors();

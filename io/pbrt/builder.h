@@ -45,7 +45,8 @@ class PbrtBuilder {
     Transform to_world;
     bool is_reversed;
     std::uint32_t material;
-    std::optional<Rgb> absorption;  ///< Within, where it is not that of what lies around.
+    bool is_filled;            ///< Its inside or outside is another medium than what lies around.
+    PbrtMediumPointer within;  ///< Of one that is filled.
     std::shared_ptr<const PbrtAreaLight> light;
     std::uint32_t alpha;
     PbrtPlace place;
@@ -62,7 +63,7 @@ class PbrtBuilder {
   };
   /// What a shape is filled with.
   struct Filling {
-    Rgb absorption;
+    PbrtMediumPointer medium;
     PbrtPlace place;  ///< Of the shape.
   };
   /// Shapes in their places, what they wear, and what is within them.

@@ -39,10 +39,12 @@ Rgb read_homogeneous(const PbrtParameters& parameters, PbrtContext& context) {
 void PbrtMedia::define(const std::string& name, const PbrtParameters& parameters) {
   const std::string type = parameters.text("type", "");
   if (type.empty()) parameters.place().fail("MakeNamedMedium needs the kind of medium, \"string type\"");
-  if (absorptions_.count(name) > 0)
+  std::shared_ptr<PbrtMedium>& medium = media_[name];
+  if (!medium) medium = std::make_shared<PbrtMedium>();
+  if (medium->absorption)
     parameters.place().fail(fmt::format("the medium \"{}\" is made a second time", name));
   if (type == "homogeneous") {
-    absorptions_[name] = read_homogeneous(parameters, context_);
+    medium->absorption = read_homogeneous(parameters, context_);
     return parameters.warn_of_unused(context_.warnings);
   }
   constexpr std::string_view uneven[] = {"uniformgrid", "rgbgrid", "cloud", "nanovdb"};
@@ -50,22 +52,31 @@ void PbrtMedia::define(const std::string& name, const PbrtParameters& parameters
     if (type == each) {
       parameters.place().warn(context_.warnings,
                               fmt::format("a medium of the kind \"{}\" is not rendered: it is clear", type));
-      absorptions_[name] = {};
+      medium->absorption = Rgb{};
       return;
     }
   parameters.place().fail(fmt::format(
       "there is no medium \"{}\"; valid are homogeneous, uniformgrid, rgbgrid, cloud and nanovdb", type));
 }
 
-Rgb PbrtMedia::absorption(const std::string& name, const PbrtPlace& place) const {
-  if (name.empty()) return {};
-  const auto known = absorptions_.find(name);
-  if (known != absorptions_.end()) return known->second;
-  std::vector<std::string_view> names;
-  for (const auto& [each, absorption] : absorptions_) names.push_back(each);
-  const std::string nearest = nearest_name(name, names);
-  place.fail(fmt::format("no MakeNamedMedium before this makes \"{}\"{}", name,
-                         nearest.empty() ? "" : fmt::format("; \"{}\" is the nearest one", nearest)));
+PbrtMediumPointer PbrtMedia::named(const std::string& name, const PbrtPlace& place) {
+  if (name.empty()) return nullptr;
+  std::shared_ptr<PbrtMedium>& medium = media_[name];
+  if (!medium) medium = std::make_shared<PbrtMedium>(PbrtMedium{{}, place});
+  return medium;
+}
+
+void PbrtMedia::check_all_made() const {
+  std::vector<std::string_view> made;
+  for (const auto& [name, medium] : media_)
+    if (medium->absorption) made.push_back(name);
+  for (const auto& [name, medium] : media_) {
+    if (medium->absorption) continue;
+    const std::string nearest = nearest_name(name, made);
+    medium->first_use.fail(
+        fmt::format("no MakeNamedMedium makes \"{}\"{}", name,
+                    nearest.empty() ? "" : fmt::format("; \"{}\" is the nearest one", nearest)));
+  }
 }
 
 }  // namespace twinray

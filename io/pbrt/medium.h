@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "core/rgb.h"
@@ -9,20 +11,38 @@
 
 namespace twinray {
 
-/// What fills space between surfaces, of which light is absorbed alone.
+/// What fills space between surfaces, of which light is absorbed alone. A statement may name it before
+/// another one makes it.
+struct PbrtMedium {
+  std::optional<Rgb> absorption;  ///< Per unit of length; nothing until it is made.
+  PbrtPlace first_use;
+};
+/// Null: nothing fills the space.
+using PbrtMediumPointer = std::shared_ptr<const PbrtMedium>;
+
+/// Whether it absorbs, or may do so once it is made.
+inline bool may_absorb(const PbrtMediumPointer& medium) {
+  return medium && !(medium->absorption && is_black(*medium->absorption));
+}
+/// Once all are made.
+inline Rgb absorption_of(const PbrtMediumPointer& medium) {
+  return medium ? medium->absorption.value() : Rgb{};
+}
+
 class PbrtMedia {
  public:
   explicit PbrtMedia(PbrtContext& context) : context_(context) {}
 
   /// MakeNamedMedium. Warns of what is not rendered.
   void define(const std::string& name, const PbrtParameters& parameters);
-  /// The absorption of a medium per unit of length; black of the one without a name. Throws Error where none
-  /// of that name was defined before.
-  Rgb absorption(const std::string& name, const PbrtPlace& place) const;
+  /// The medium of that name, which may be made later; null for the one without a name.
+  PbrtMediumPointer named(const std::string& name, const PbrtPlace& place);
+  /// Throws Error where a name was used that no statement gave.
+  void check_all_made() const;
 
  private:
   PbrtContext& context_;
-  std::map<std::string, Rgb> absorptions_;
+  std::map<std::string, std::shared_ptr<PbrtMedium>> media_;
 };
 
 }  // namespace twinray

@@ -117,7 +117,7 @@ class Reader {
     const PbrtParameters& parameters = statement.parameters;
     switch (statement.directive) {
       case camera:
-        if (!is_black(states_.now().absorption_outside))
+        if (may_absorb(states_.now().medium_outside))
           statement.place.warn(context_.warnings,
                                "the camera is within the media of the shapes around it alone");
         camera_ = read_camera(statement.words[0], parameters, states_.now().transform, context_);
@@ -188,8 +188,8 @@ class Reader {
         builder_.media().define(type, parameters);
         break;
       case medium_interface:
-        state.absorption_inside = builder_.media().absorption(statement.words.front(), statement.place);
-        state.absorption_outside = builder_.media().absorption(statement.words.back(), statement.place);
+        state.medium_inside = builder_.media().named(statement.words.front(), statement.place);
+        state.medium_outside = builder_.media().named(statement.words.back(), statement.place);
         break;
       case object_instance:
         builder_.add_instance(type, state.transform, statement.place);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/pbrt/light.h"
+#include "io/pbrt/medium.h"
 #include "io/pbrt/parser.h"
 #include "io/pbrt/transform.h"
 
@@ -22,7 +23,7 @@ struct PbrtState {
   bool is_start_active = true, is_end_active = true;
   bool is_reversed = false;
   std::uint32_t material = 0;
-  Rgb absorption_inside, absorption_outside;  ///< Of closed shapes (MediumInterface).
+  PbrtMediumPointer medium_inside, medium_outside;  ///< Of closed shapes (MediumInterface).
   std::shared_ptr<const PbrtAreaLight> area_light;
   PbrtColorSpace color_space = PbrtColorSpace::srgb;
   std::array<std::shared_ptr<const PbrtParameters>, 5> defaults;  ///< By PbrtTarget.

@@ -152,6 +152,17 @@ TEST_CASE("a medium within a surface that has no inside is named") {
   CHECK(load_pbrt_world(tea + "MediumInterface \"tea\" \"\" Material \"diffuse\" " + ball).warnings.empty());
 }
 
+TEST_CASE("a medium may be made behind the statement that names it") {
+  const std::string shape = "MediumInterface \"tea\" \"\" Material \"dielectric\" " + ball;
+  const auto absorption = [](const std::string& statements) {
+    const LoadedScene loaded = load_pbrt_world(statements);
+    CHECK(loaded.warnings.empty());
+    return loaded.scene.materials.at(loaded.scene.bindings.at(0).material).interior.absorption;
+  };
+  CHECK(absorption(shape + tea) == absorption(tea + shape));
+  CHECK_FALSE(is_black(absorption(shape + tea)));
+}
+
 TEST_CASE("what of media is not rendered is said, and what is none is an error") {
   const std::string begin = "MakeNamedMedium \"m\" \"string type\" ";
   CHECK(warnings_of(begin + "\"homogeneous\"") ==
