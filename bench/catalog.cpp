@@ -10,6 +10,7 @@
 #include "bench/pattern.h"
 #include "core/error.h"
 #include "io/generated/generated.h"
+#include "io/input_file.h"
 #include "io/scene_file.h"
 
 namespace twinray::bench {
@@ -93,8 +94,10 @@ std::vector<SceneSource> choose_scenes(const SceneChoice& choice) {
   std::vector<SceneSource> chosen;
   for (const SceneSource& source : all)
     if (matches(source.name, patterns)) chosen.push_back(source);
-  for (const std::string& file : choice.files)
+  for (const std::string& file : choice.files) {
+    check_regular_file(file, "scene");  // Its turn comes last, after hours.
     chosen.push_back(from_file(fs::path(file).stem().string(), file));
+  }
   if (chosen.empty()) throw Error("no scene has such a name");
   return chosen;
 }

@@ -118,7 +118,7 @@ std::vector<std::string> summary_lines(const SceneSummary& summary) {
                           plural(summary.dropped_triangles, "degenerate triangle", "degenerate triangles"));
   lines.push_back(shapes + "; " + plural(summary.materials, "material", "materials"));
   if (summary.instances > 0)
-    lines.push_back(fmt::format("instances: {} of {}, by which {:.3g} triangles and spheres are seen",
+    lines.push_back(fmt::format("instances: {} of {}, by which {} triangles and spheres are seen",
                                 summary.instances, plural(summary.prototypes, "prototype", "prototypes"),
                                 double(summary.seen_primitives)));
   if (summary.animation) lines.push_back(animation_line(*summary.animation));

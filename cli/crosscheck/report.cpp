@@ -7,6 +7,7 @@
 
 #include "cli/crosscheck/ray_text.h"
 #include "cli/options/common.h"
+#include "cli/shell_text.h"
 
 namespace twinray {
 namespace {
@@ -108,8 +109,8 @@ bool is_passed(const CrosscheckReport& report, Ceilings ceilings) {
 }
 
 std::string replay_command(const std::string& scene, const LoadOptions& load) {
-  return fmt::format("twinray crosscheck '{}'{}{}", scene, load.keep_both_lamps ? " --keep-both-lamps" : "",
-                     instances_words(load.instances));
+  return fmt::format("twinray crosscheck {}{}{}", shell_text({scene}),
+                     load.keep_both_lamps ? " --keep-both-lamps" : "", instances_words(load.instances));
 }
 
 std::string ray_label(const Finding& finding) {

@@ -119,6 +119,7 @@ RenderArguments resolved(const Cs184Request& asked, const Words& given) {
   const std::string shorter = shorten_paths(request.arguments.path);
   if (!asked.accumulates) request.bounces = RenderRequest::Bounces::last;
   RenderArguments arguments = request.arguments;
+  arguments.given = given;
   resolve_picture(arguments);
   if (!asked.cell.empty())
     arguments.render.window = window_of(asked.cell, arguments.render.width, arguments.render.height);
@@ -130,7 +131,7 @@ RenderArguments resolved(const Cs184Request& asked, const Words& given) {
   if (request.accel == "auto") arguments.render.counting = false;
   resolve_engine(request, arguments);
   resolve_replay(request, arguments);
-  arguments.given = given;
+  resolve_run(request, arguments);
   arguments.without_effect = options_without_effect(request, arguments);
   if (!shorter.empty()) arguments.without_effect.push_back(shorter);
   refuse_if_strict(arguments.without_effect, arguments);

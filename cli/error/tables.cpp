@@ -108,7 +108,7 @@ std::string reference_warning(const Summary& summary) {
   double least = std::numeric_limits<double>::infinity();
   for (const CurveSummary& curve : summary.curves)
     for (const Row& row : curve.rows) least = std::min(least, row.mse);
-  if (least > summary.own_error.mse / noisy_part) return "";
+  if (summary.own_error.mse == 0 || least > summary.own_error.mse / noisy_part) return "";
   return fmt::format(
       "the reference's own mean squared error, {:.3g}, is more than {:.0f} % of the least one measured: what "
       "is left of that is uncertain; --reference-samples takes more",

@@ -54,15 +54,58 @@ class Layers {
   void read_specular() {
     const GltfExtension specular = extension("KHR_materials_specular");
     if (!specular || is_all_metal()) return;
-    model_.specular_weight = specular.number("specularFactor", 1);
-    inputs_.number(specular_weight, specular.slot("specularTexture"), PictureChannels::alpha,
-                   model_.specular_weight);
+    if (!keeps_refraction(specular)) read_specular_weight(specular);
     const Rgb color = specular.color("specularColorFactor", {1, 1, 1});
     model_.specular_color = {std::min(color.r, 1.0f), std::min(color.g, 1.0f), std::min(color.b, 1.0f)};
     if (model_.specular_color != color)
       inputs_.context.warn(specular.pointer() + "/specularColorFactor",
                            "a specular color above 1 is not rendered; it is 1");
     inputs_.color(specular_color, specular.slot("specularColorTexture"), model_.specular_color);
+    spare_metal(specular_weight, white * model_.specular_weight);
+    spare_metal(specular_color, model_.specular_color);
+    if (has_texture(base_metalness)) return;
+    const float metal = model_.base_metalness;
+    model_.specular_weight += (1 - model_.specular_weight) * metal;
+    model_.specular_color = model_.specular_color * (1 - metal) + white * metal;
+  }
+
+  void read_specular_weight(const GltfExtension& specular) {
+    model_.specular_weight = specular.number("specularFactor", 1);
+    inputs_.number(specular_weight, specular.slot("specularTexture"), PictureChannels::alpha,
+                   model_.specular_weight);
+  }
+
+  /// OpenPBR's weight changes the index of refraction, and with it what is seen through a body.
+  bool keeps_refraction(const GltfExtension& specular) {
+    const bool is_body = extension("KHR_materials_transmission").number("transmissionFactor", 0) > 0 &&
+                         extension("KHR_materials_volume").number("thicknessFactor", 0) > 0;
+    if (!is_body || (specular.number("specularFactor", 1) == 1 && !specular.slot("specularTexture")))
+      return false;
+    inputs_.context.warn(
+        specular.pointer(),
+        "the specular factor of a body that light goes through is left out: it reflects by its "
+        "index of refraction");
+    return true;
+  }
+
+  /// What varies over a surface is white where it is metal, as far as that varies or is told.
+  void spare_metal(MaterialInput input, const Rgb& value) {
+    std::vector<TextureUse>& uses = inputs_.material.textures;
+    const auto use_of = [&](MaterialInput wanted) {
+      return std::find_if(uses.begin(), uses.end(),
+                          [=](const TextureUse& use) { return use.input == wanted; });
+    };
+    const auto metal = use_of(base_metalness), use = use_of(input);
+    if (metal == uses.end() && (use == uses.end() || model_.base_metalness == 0)) return;
+    GltfTextures& textures = inputs_.textures;
+    const std::uint32_t amount =
+        metal != uses.end() ? metal->texture : textures.constant(white * model_.base_metalness);
+    const std::uint32_t first = use != uses.end() ? use->texture : textures.constant(value);
+    const std::uint32_t spared = textures.add("", MixTexture{first, textures.constant(white), amount});
+    if (use != uses.end())
+      use->texture = spared;
+    else if (value != white)
+      uses.push_back({input, spared});
   }
 
   /// A texture's red and green are the tangent, its blue is a factor of the strength.

@@ -8,6 +8,8 @@
 
 #include "io/gltf/document.h"
 #include "io/gltf/draco.h"
+#include "io/gltf/schema.h"
+#include "io/gltf/slot.h"
 #include "io/gltf/uv_area.h"
 
 namespace twinray {
@@ -58,8 +60,8 @@ class Attributes {
     std::vector<std::uint32_t> corners;
     if (draco_) {
       corners = draco_->indices;
-    } else if (primitive_.indices >= 0) {
-      corners = read_integers(document_, primitive_.indices, "SCALAR");
+    } else if (const int accessor = indices(); accessor >= 0) {
+      corners = read_integers(document_, accessor, "SCALAR");
     } else {
       corners.resize(positions);
       for (std::size_t i = 0; i < positions; ++i) corners[i] = std::uint32_t(i);
@@ -73,6 +75,12 @@ class Attributes {
   }
 
  private:
+  /// The accessor; -1: none.
+  int indices() const {
+    const GltfExtension moved(primitive_.extensions, moved_indices, pointer_);
+    return moved ? int(moved.number("indices", -1)) : primitive_.indices;
+  }
+
   GltfDocument& document_;
   const tinygltf::Primitive& primitive_;
   std::string pointer_;

@@ -289,16 +289,23 @@ std::vector<CheckedGltf::Source> take_sources(Json& root, const char* list) {
   return sources;
 }
 
-/// tinygltf wants a buffer view for all indices, and those that Draco compressed have none: they go where it
-/// does not look.
-void move_draco_indices(Json& root) {
+/// Whether a list of indices has no bytes of its own: it is zeros, some of which others may replace.
+bool has_no_bytes(const Json& root, const Json& accessor) {
+  return !root["accessors"][accessor.get<std::size_t>()].contains("bufferView");
+}
+
+/// tinygltf wants a buffer view for all indices, and those that Draco compressed, or that are zeros, have
+/// none: they go where it does not look.
+void move_indices(Json& root) {
   if (!root.contains("meshes")) return;
   for (Json& mesh : root["meshes"])
     for (Json& primitive : mesh["primitives"]) {
-      if (!primitive.contains("extensions") || !primitive.contains("indices")) continue;
-      Json& extensions = primitive["extensions"];
-      if (!extensions.contains("KHR_draco_mesh_compression")) continue;
-      extensions["KHR_draco_mesh_compression"]["indices"] = primitive["indices"];
+      if (!primitive.contains("indices")) continue;
+      const bool is_packed =
+          primitive.contains("extensions") && primitive["extensions"].contains("KHR_draco_mesh_compression");
+      if (!is_packed && !has_no_bytes(root, primitive["indices"])) continue;
+      primitive["extensions"][is_packed ? "KHR_draco_mesh_compression" : moved_indices]["indices"] =
+          primitive["indices"];
       primitive.erase("indices");
     }
 }
@@ -311,7 +318,7 @@ CheckedGltf check_gltf(const std::string& json, GltfContext& context) {
   CheckedGltf checked;
   checked.buffers = take_sources(root, "buffers");
   checked.images = take_sources(root, "images");
-  move_draco_indices(root);
+  move_indices(root);
   checked.json = root.dump();
   return checked;
 }

@@ -5,6 +5,9 @@
 
 namespace twinray {
 
+/// Under this name among its extensions a primitive has "indices" that have no bytes of their own.
+inline constexpr const char* moved_indices = "twinray_indices";
+
 struct GltfContext;
 
 /// Checks the JSON text of a glTF file against what the format says of each property: its type and range,

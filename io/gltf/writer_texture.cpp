@@ -106,6 +106,11 @@ void GltfTextureWriter::check_range(const Image& picture) {
                   [](const Rgb& pixel) { return max_component(pixel) > 1 + margin; }))
     file_.output.losses.add("a picture has colors above 1, which end at 1",
                             "{} pictures have colors above 1, which end at 1");
+  if (std::any_of(picture.pixels.begin(), picture.pixels.end(),
+                  [](const Rgb& p) { return p != at_least_zero(p); }))
+    file_.output.losses.add(
+        "a picture has colors below 0, which are 0, as colors of vertices in unlit surfaces",
+        "{} pictures have colors below 0, which are 0, as colors of vertices in unlit surfaces");
 }
 
 GltfJson GltfTextureWriter::add(const std::string& name, std::string png, const BakedTexture& frame) {

@@ -87,7 +87,8 @@ TEST_CASE("an unexplained ray is printed as the command that shoots it again") {
   CHECK(std::string(json["findings"][0]["command"])
             .find("twinray crosscheck 'a b.dae' --keep-both-lamps --placement=moved --ray=0x1p+0,") == 0);
   CHECK(replay_command("a.pbrt", {.instances = InstanceUse::keep}) ==
-        "twinray crosscheck 'a.pbrt' --instances=keep");
+        "twinray crosscheck a.pbrt --instances=keep");
+  CHECK(replay_command("it's.dae", {}) == "twinray crosscheck 'it'\\''s.dae'");
   CHECK(primitive_text(3, 7, no_instance) == "3:7");
   CHECK(primitive_text(3, 7, 0) == "3:7 of instance 0");
 }

@@ -167,6 +167,14 @@ TEST_CASE("options without a letter mean what they mean elsewhere") {
         Words{"--bvh-split: no effect, for the engine is brute-force; --accel=bvh takes it"});
 }
 
+TEST_CASE("options without a letter are checked as they are elsewhere") {
+  CHECK(parse_cs184({"--tev=127.0.0.1:14158"}).viewer.has_value());
+  CHECK(cs184_message_of({"--tev=foo:99999"}).starts_with("--tev: "));
+  CHECK(cs184_message_of({"-H", "--direct=lights"}) ==
+        "-H is --direct=hemisphere, and --direct says another thing");
+  CHECK(cs184_message_of({"-H", "--direct=hemisphere"}) == "accepted");
+}
+
 TEST_CASE("a screenshot has the scene's name and the time in short numbers") {
   std::tm time{};
   time.tm_mon = 3;

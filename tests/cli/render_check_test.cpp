@@ -55,7 +55,7 @@ TEST_CASE("a checked render with a planted difference ends with 1 and names rays
     has_red = has_red || pixel == Rgb{1, 0, 0};
   CHECK(has_red);
 
-  const std::string command = line_of(result.out, "  twinray crosscheck '");
+  const std::string command = line_of(result.out, "  twinray crosscheck ");
   const ProcessResult again = run_program(command.substr(command.find("crosscheck")));
   CHECK(again.exit_code == 0);
   const std::string seen = finding.substr(finding.find("bvh sees ") + 9);

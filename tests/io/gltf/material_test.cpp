@@ -232,10 +232,41 @@ TEST_CASE("gltf: indices of refraction and specular reflection") {
   file.json["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = 0;
   CHECK(model_of(file).specular_weight == 0.5f);
   CHECK(model_of(file).specular_color == Rgb{1, 0.5f, 0.25f});
-  // A picture makes less of a metal of it.
+  // OpenPBR's numbers count for metal, too: the more of it, the nearer are they to 1.
+  file.json["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = 0.5;
+  CHECK(model_of(file).specular_weight == 0.75f);
+  CHECK(model_of(file).specular_color == Rgb{1, 0.75f, 0.625f});
   file.json["materials"][0]["pbrMetallicRoughness"] = {
       {"metallicFactor", 1}, {"metallicRoughnessTexture", {{"index", add_picture(file)}}}};
-  CHECK(model_of(file).specular_weight == 0.5f);
+  const Scene scene = file.load().scene;
+  const auto texture_of = [&](MaterialInput input) {
+    const std::vector<TextureUse>& uses = scene.materials[0].textures;
+    const auto use =
+        std::find_if(uses.begin(), uses.end(), [=](const TextureUse& u) { return u.input == input; });
+    REQUIRE(use != uses.end());
+    return use->texture;
+  };
+  for (const auto& [input, value] : {std::pair{MaterialInput::specular_weight, Rgb{0.5f, 0.5f, 0.5f}},
+                                     {MaterialInput::specular_color, Rgb{1, 0.5f, 0.25f}}}) {
+    const auto& spared = std::get<MixTexture>(scene.textures.at(texture_of(input)).model);
+    CHECK(std::get<ConstantTexture>(scene.textures.at(spared.first).model).value == value);
+    CHECK(std::get<ConstantTexture>(scene.textures.at(spared.second).model).value == white);
+    CHECK(spared.amount == texture_of(MaterialInput::base_metalness));
+  }
+}
+
+TEST_CASE("gltf: the specular factor does not change how a body refracts") {
+  GltfFile file = extended("KHR_materials_specular", {{"specularFactor", 0.5}});
+  file.json["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = 0;
+  auto& extensions = file.json["materials"][0]["extensions"];
+  extensions["KHR_materials_transmission"] = {{"transmissionFactor", 1}};
+  CHECK(model_of(file).specular_weight == 0.5f);  // A sheet refracts nothing.
+  extensions["KHR_materials_volume"] = {{"thicknessFactor", 1}};
+  const LoadedScene loaded = file.load();
+  CHECK(std::get<Principled>(loaded.scene.materials[0].model).specular_weight == 1);
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].message.starts_with(
+      "the specular factor of a body that light goes through is left out"));
 }
 
 TEST_CASE("gltf: transmission is that of a sheet or, with a thickness, of a body that absorbs") {

@@ -124,6 +124,22 @@ TEST_CASE("gltf: sparse accessors replace elements, of zeros where there are no 
   CHECK(file.error() == "test.gltf: /accessors/0/sparse/count: 4 elements of 3 are replaced");
 }
 
+TEST_CASE("gltf: indices may be sparse, and zeros where there are no others") {
+  GltfFile file = gltf_triangle();
+  const int places = file.view(test::bytes_of<std::uint16_t>({1, 2}));
+  const int values = file.view(test::bytes_of<std::uint16_t>({2, 1}));
+  const int accessor = int(file.json["accessors"].size());
+  file.json["accessors"].push_back({{"componentType", 5123},
+                                    {"count", 3},
+                                    {"type", "SCALAR"},
+                                    {"sparse",
+                                     {{"count", 2},
+                                      {"indices", {{"bufferView", places}, {"componentType", 5123}}},
+                                      {"values", {{"bufferView", values}}}}}});
+  file.primitive()["indices"] = accessor;
+  CHECK(only_mesh(file.load()).triangles == std::vector<Triangle>{{0, 2, 1}});
+}
+
 TEST_CASE("gltf: nodes move what is below them, by matrices and by their three parts") {
   GltfFile file = gltf_triangle();
   file.json["nodes"][0]["translation"] = {0, 0, 5};
