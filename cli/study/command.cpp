@@ -36,7 +36,7 @@ void add_options(CLI::App& app, StudyRequest& request) {
   OptionGroup group(app, "Options");
   group.add_word({"-o,--output", "DIR", "Where page and pictures go; what is there already stays"},
                  arguments.output);
-  group.add_flag("--quick", request.is_quick, "A minute on two cores: small pictures, few samples");
+  group.add_flag("--quick", request.is_quick, "Half a minute on two cores: small pictures, few samples");
   group.add_flag("--full", request.is_full, "As in the write-ups: 480 x 360 pixels, up to 2048 samples");
   group.add_numbers({"-r,--resolution", "W H", "Width and height in pixels (by the scale)"}, 2,
                     request.resolution, frame_sides);
