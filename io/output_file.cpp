@@ -40,9 +40,10 @@ void flush_folder_of(const std::string& path) {
   close(descriptor);
 }
 
-/// Gives a file, if there is one, a second name. There is no moment without the first one, unless the file
-/// system knows no second names.
+/// Gives a file, if there is one, a second name; else whatever has that keeps it. There is no moment without
+/// the first one, unless the file system knows no second names.
 void keep_as(const std::string& path, const std::string& second) {
+  if (access(path.c_str(), F_OK) != 0) return;
   unlink(second.c_str());
   if (link(path.c_str(), second.c_str()) != 0 && errno != ENOENT) std::rename(path.c_str(), second.c_str());
 }

@@ -18,6 +18,8 @@ namespace {
 
 using enum MaterialInput;
 
+constexpr float most_ior = 1000;
+
 class Layers {
  public:
   Layers(const tinygltf::Material& source, const std::string& pointer, GltfInputs& inputs)
@@ -39,9 +41,8 @@ class Layers {
   /// 0 stands for a surface that reflects all light, as does an index without end.
   void read_ior() {
     if (extension(glossiness_extension)) return;
-    constexpr float most = 1000;
     const float ior = extension("KHR_materials_ior").number("ior", 1.5f);
-    model_.specular_ior = ior == 0 ? most : std::max(ior, 1.0f);
+    model_.specular_ior = ior == 0 ? most_ior : std::max(ior, 1.0f);
   }
 
   bool has_texture(MaterialInput input) const {
@@ -180,7 +181,8 @@ class Layers {
                     at_0, at_1);
   }
 
-  /// Of an index of 1.5, which takes from what is below it no more than it reflects.
+  /// Of an index of 1.5, which takes from what is below it no more than it reflects. What is below reflects
+  /// as against air; OpenPBR's meets the coat.
   void read_coat() {
     const GltfExtension coat = extension("KHR_materials_clearcoat");
     model_.coat_weight = coat.number("clearcoatFactor", 0);
@@ -191,6 +193,8 @@ class Layers {
     inputs_.number(coat_weight, coat.slot("clearcoatTexture"), PictureChannels::red, model_.coat_weight);
     inputs_.number(coat_roughness, coat.slot("clearcoatRoughnessTexture"), PictureChannels::green,
                    model_.coat_roughness);
+    if (has_even_coat(inputs_.material, model_))
+      model_.specular_ior = std::min(most_ior, model_.specular_ior * above_base(model_));
     if (coat.slot("clearcoatNormalTexture"))
       inputs_.context.warn(
           coat.pointer() + "/clearcoatNormalTexture",

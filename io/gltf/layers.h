@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <string>
 
 #include "io/gltf/inputs.h"
@@ -9,6 +10,15 @@ struct Material;
 }
 
 namespace twinray {
+
+/// Whether a coat changes the index that an opaque surface has to what is above it, everywhere alike.
+inline bool has_even_coat(const Material& material, const Principled& model) {
+  const auto is_varied = [](const TextureUse& use) { return use.input == MaterialInput::coat_weight; };
+  return model.coat_weight > 0 && model.transmission_weight == 0 &&
+         std::none_of(material.textures.begin(), material.textures.end(), is_varied);
+}
+/// The index of refraction above the base, as OpenPBR has it.
+inline float above_base(const Principled& model) { return 1 + (model.coat_ior - 1) * model.coat_weight; }
 
 /// The metallic-roughness model's predecessor, which some files still have in its place.
 inline constexpr const char* glossiness_extension = "KHR_materials_pbrSpecularGlossiness";

@@ -11,6 +11,7 @@
 #include "core/elementary.h"
 #include "core/shading_map.h"
 #include "core/textured_material.h"
+#include "io/gltf/layers.h"
 #include "io/vertex_colors.h"
 
 namespace twinray {
@@ -199,12 +200,31 @@ class Properties {
     return {std::sqrt(across), std::min(strength, 1.0f)};
   }
 
+  /// In glTF a base reflects as against air, below a coat, too (io/gltf/layers.cpp).
+  float ior_to_air() const {
+    if (!has_even_coat(made_.material, model_)) return model_.specular_ior;
+    const float ior = model_.specular_ior / above_base(model_);
+    return ior < 1 ? 1 / ior : ior;
+  }
+
+  /// glTF's specular reflection is that of a dielectric alone: OpenPBR's is read as a part of it that the
+  /// metal lifts towards 1 (io/gltf/layers.cpp).
+  float without_metal(float number) const {
+    const float metal = model_.base_metalness;
+    if (metal == 1 || has_input(base_metalness)) return number;
+    return std::max(0.0f, (number - metal) / (1 - metal));
+  }
+  bool has_input(MaterialInput input) const {
+    return std::any_of(made_.material.textures.begin(), made_.material.textures.end(),
+                       [=](const TextureUse& use) { return use.input == input; });
+  }
+
   void add_index() {
     if (model_.specular_ior < 1)
       file_.output.losses.add("a material's index of refraction below 1 is 1",
                               "{} materials' indices of refraction below 1 are 1");
-    if (model_.specular_ior != 1.5f)
-      extension("KHR_materials_ior")["ior"] = shortest_decimal(std::max(1.0f, model_.specular_ior));
+    const float ior = ior_to_air();
+    if (ior != 1.5f) extension("KHR_materials_ior")["ior"] = shortest_decimal(std::max(1.0f, ior));
     const auto is_specular = [](const TextureUse& use) {
       return use.input == specular_weight || use.input == specular_color;
     };
@@ -212,9 +232,11 @@ class Properties {
     if (model_.specular_weight == 1 && model_.specular_color == white && !has_texture) return;
     GltfJson& json = extension("KHR_materials_specular");
     put_number(json, "specularFactor", "specularTexture", alpha_channel,
-               {specular_weight, model_.specular_weight});
+               {specular_weight, without_metal(model_.specular_weight)});
     const GltfChannels color{.color = take(specular_color)};
-    json["specularColorFactor"] = gltf_color(color.is_empty() ? model_.specular_color : white);
+    const Rgb& given = model_.specular_color;
+    const Rgb spared{without_metal(given.r), without_metal(given.g), without_metal(given.b)};
+    json["specularColorFactor"] = gltf_color(color.is_empty() ? spared : white);
     put(json, "specularColorTexture", color);
   }
 

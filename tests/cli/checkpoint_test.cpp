@@ -78,7 +78,7 @@ TEST_CASE("a render that was killed goes on from its last checkpoint, or the one
   bytes[bytes.size() / 2] = char(~bytes[bytes.size() / 2]);
   write_text(film, bytes);
   fs::remove(folder.file("a.exr"));
-  const ProcessResult result = run_program(resume);
+  const ProcessResult result = run_program(resume + " --checkpoint-seconds=1000");
   CHECK(result.exit_code == 0);
   check_says(result.err, film + ": a band of it is damaged; " + film + ".before is taken in its place");
   check_bits();

@@ -123,8 +123,7 @@ TEST_CASE("info tells what is stored, and what instances show") {
       CHECK(kept["bounds"][end][axis].get<double>() ==
             Approx(copied["bounds"][end][axis].get<double>()).epsilon(1e-6));
   const ProcessResult text = run_program("info --instances=keep " + quoted(pawns));
-  CHECK(
-      contains(text.out, "instances: 33 of 1 prototype, by which 9.54e+03 triangles and spheres are seen\n"));
+  CHECK(contains(text.out, "instances: 33 of 1 prototype, by which 9539 triangles and spheres are seen\n"));
 }
 
 TEST_CASE("info tells the same in words, of many things the largest") {

@@ -296,6 +296,12 @@ TEST_CASE("gltf: a coat has an index of 1.5 and its own roughness") {
   CHECK(coated.coat_roughness == 0.25f);
   CHECK(coated.coat_ior == 1.5f);
   CHECK(coated.coat_darkening == 0);
+  // The base has the reflection against air that it has without a coat; OpenPBR's index is that to the coat.
+  CHECK(coated.specular_ior == 1.5f * 1.25f);
+  GltfFile whole = extended("KHR_materials_clearcoat", {{"clearcoatFactor", 1}});
+  CHECK(model_of(whole).specular_ior == 2.25f);
+  whole.json["materials"][0]["extensions"]["KHR_materials_transmission"] = {{"transmissionFactor", 1}};
+  CHECK(model_of(whole).specular_ior == 1.5f);  // Light goes through by it.
 }
 
 TEST_CASE("gltf: sheen is fuzz whose weight is its brightest channel") {
