@@ -28,10 +28,27 @@ int repeated(int size, float times) {
   return int(std::clamp(std::ceil(float(size) * times), 1.0f, most));
 }
 
-/// The picture as it lies over the unit square, in its own resolution.
+/// The same of a picture whose pixels do not fall on pixels again: small ones are divided, until nobody sees
+/// it.
+int divided(int count) {
+  constexpr int least = 256;
+  while (count < least) count *= 2;
+  return count;
+}
+
+/// Whether a transform of a picture moves it by whole pixels, and repeats it whole times.
+bool keeps_pixels(const UvTransform& uv, int width, int height) {
+  const auto is_whole = [](float x) { return std::fabs(x - std::round(x)) < margin; };
+  return uv.m[0][1] == 0 && uv.m[1][0] == 0 && is_whole(uv.m[0][0]) && is_whole(uv.m[1][1]) &&
+         is_whole(uv.m[0][2] * float(width)) && is_whole(uv.m[1][2] * float(height));
+}
+
+/// The picture as it lies over the unit square, in its own resolution or a finer one.
 Image resampled(const Image& picture, const UvTransform& uv, Wrap wrap) {
-  Image image(repeated(picture.width, std::max(std::fabs(uv.m[0][0]), std::fabs(uv.m[0][1]))),
-              repeated(picture.height, std::max(std::fabs(uv.m[1][0]), std::fabs(uv.m[1][1]))));
+  const int columns = repeated(picture.width, std::max(std::fabs(uv.m[0][0]), std::fabs(uv.m[0][1])));
+  const int rows = repeated(picture.height, std::max(std::fabs(uv.m[1][0]), std::fabs(uv.m[1][1])));
+  const bool is_kept = keeps_pixels(uv, picture.width, picture.height);
+  Image image(is_kept ? columns : divided(columns), is_kept ? rows : divided(rows));
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const Vec2 center{(float(x) + 0.5f) / float(image.width), 1 - (float(y) + 0.5f) / float(image.height)};

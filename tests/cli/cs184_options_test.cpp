@@ -173,6 +173,8 @@ TEST_CASE("options without a letter are checked as they are elsewhere") {
   CHECK(cs184_message_of({"-H", "--direct=lights"}) ==
         "-H is --direct=hemisphere, and --direct says another thing");
   CHECK(cs184_message_of({"-H", "--direct=hemisphere"}) == "accepted");
+  CHECK(cs184_message_of({"-o", "0", "--bounces=all"}) ==
+        "-o 0 is --bounces=last, and --bounces says it, too, or another thing");
 }
 
 TEST_CASE("a screenshot has the scene's name and the time in short numbers") {
