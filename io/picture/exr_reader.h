@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/image.h"
 #include "core/color_matrix.h"
+#include "core/image.h"
 #include "io/picture/layered_image.h"
 #include "io/picture/picture_header.h"
 
