@@ -42,16 +42,19 @@ ColorMatrix to_xyz(const Primaries& primaries) {
   return m;
 }
 
-ColorMatrix to_srgb(const Primaries& primaries) {
-  const ColorMatrix to_cones = product(bradford, to_xyz(primaries)),
-                    from_cones = inverse(product(bradford, to_xyz(srgb_primaries)));
-  using Triple = std::array<double, 3>;
-  const Triple from = transformed(to_cones, Triple{1, 1, 1}),
-               to = transformed(product(bradford, to_xyz(srgb_primaries)), Triple{1, 1, 1});
-  ColorMatrix adapted = to_cones;
+ColorMatrix adapted(const ColorMatrix& to_cones, const std::array<double, 3>& from,
+                    const std::array<double, 3>& to) {
+  ColorMatrix scaled = to_cones;
   for (std::size_t i = 0; i < 3; ++i)
-    for (double& entry : adapted[i]) entry *= to[i] / from[i];
-  return product(from_cones, adapted);
+    for (double& entry : scaled[i]) entry *= to[i] / from[i];
+  return scaled;
+}
+
+ColorMatrix to_srgb(const Primaries& primaries) {
+  constexpr std::array<double, 3> white{1, 1, 1};
+  const ColorMatrix theirs = product(bradford, to_xyz(primaries)),
+                    ours = product(bradford, to_xyz(srgb_primaries));
+  return product(inverse(ours), adapted(theirs, transformed(theirs, white), transformed(ours, white)));
 }
 
 }  // namespace twinray

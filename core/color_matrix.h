@@ -35,6 +35,10 @@ ColorMatrix to_xyz(const Primaries& primaries);
 inline constexpr ColorMatrix bradford{
     {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
 
+/// From colours to receptors by `to_cones`, whose answers to one light, `from`, become those to another,
+/// `to`.
+ColorMatrix adapted(const ColorMatrix& to_cones, const std::array<double, 3>& from,
+                    const std::array<double, 3>& to);
 /// From linear colours by these primaries to our own; their white becomes ours, by Bradford's adaptation.
 ColorMatrix to_srgb(const Primaries& primaries);
 

@@ -120,7 +120,7 @@ std::vector<std::string> summary_lines(const SceneSummary& summary) {
   if (summary.instances > 0)
     lines.push_back(fmt::format("instances: {} of {}, by which {} triangles and spheres are seen",
                                 summary.instances, plural(summary.prototypes, "prototype", "prototypes"),
-                                double(summary.seen_primitives)));
+                                summary.seen_primitives));
   if (summary.animation) lines.push_back(animation_line(*summary.animation));
   if (summary.lights.empty()) lines.push_back("lights: none");
   for (const LightSummary& light : summary.lights) {

@@ -2,7 +2,6 @@
 #include "cli/cs184/options.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <limits>
 #include <memory>
 
@@ -118,13 +117,11 @@ std::string shorten_paths(PathOptions& path) {
 RenderArguments resolved(const Cs184Request& asked, const Words& given) {
   RenderRequest request = asked.render;
   const std::string shorter = shorten_paths(request.arguments.path);
-  if (!asked.accumulates) {
-    if (std::count(given.begin(), given.end(), "--bounces") > 0)
-      throw UsageError("-o 0 is --bounces=last, and --bounces says it, too, or another thing");
-    request.bounces = RenderRequest::Bounces::last;
-  }
   RenderArguments arguments = request.arguments;
   arguments.given = given;
+  if (!asked.accumulates && is_given("--bounces", arguments))
+    throw UsageError("-o 0 is --bounces=last, and --bounces says it, too, or another thing");
+  if (!asked.accumulates) request.bounces = RenderRequest::Bounces::last;
   resolve_picture(arguments);
   if (!asked.cell.empty())
     arguments.render.window = window_of(asked.cell, arguments.render.width, arguments.render.height);

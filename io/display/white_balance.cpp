@@ -4,16 +4,14 @@
 #include "io/pbrt/spectrum.h"
 
 namespace twinray {
+
 ColorMatrix white_balance(double kelvin) {
   const ColorMatrix to_cones = product(bradford, to_xyz(srgb_primaries));
   const Rgb light = blackbody_color(kelvin);
   using Triple = std::array<double, 3>;
   const Triple from = transformed(to_cones, Triple{light.r, light.g, light.b}),
                to = transformed(to_cones, Triple{1, 1, 1});
-  ColorMatrix scaled = to_cones;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (double& entry : scaled[i]) entry *= to[i] / from[i];
-  return product(inverse(to_cones), scaled);
+  return product(inverse(to_cones), adapted(to_cones, from, to));
 }
 
 }  // namespace twinray

@@ -45,10 +45,7 @@ class Layers {
     model_.specular_ior = ior == 0 ? most_ior : std::max(ior, 1.0f);
   }
 
-  bool has_texture(MaterialInput input) const {
-    const std::vector<TextureUse>& uses = inputs_.material.textures;
-    return std::any_of(uses.begin(), uses.end(), [&](const TextureUse& use) { return use.input == input; });
-  }
+  bool has_texture(MaterialInput input) const { return twinray::has_texture(inputs_.material, input); }
   bool is_all_metal() const { return model_.base_metalness == 1 && !has_texture(base_metalness); }
 
   /// The extension changes dielectrics alone; OpenPBR's numbers metals, too.
@@ -89,7 +86,7 @@ class Layers {
     return true;
   }
 
-  /// What varies over a surface is white where it is metal, as far as that varies or is told.
+  /// Where the input, or how much of the surface is metal, is a texture: mixes 1 into it as metal says.
   void spare_metal(MaterialInput input, const Rgb& value) {
     std::vector<TextureUse>& uses = inputs_.material.textures;
     const auto use_of = [&](MaterialInput wanted) {

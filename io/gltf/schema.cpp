@@ -300,9 +300,10 @@ void move_indices(Json& root) {
   if (!root.contains("meshes")) return;
   for (Json& mesh : root["meshes"])
     for (Json& primitive : mesh["primitives"]) {
+      const bool has_extensions = primitive.contains("extensions");
+      if (has_extensions) primitive["extensions"].erase(moved_indices);  // A stranger's was not checked.
       if (!primitive.contains("indices")) continue;
-      const bool is_packed =
-          primitive.contains("extensions") && primitive["extensions"].contains("KHR_draco_mesh_compression");
+      const bool is_packed = has_extensions && primitive["extensions"].contains("KHR_draco_mesh_compression");
       if (!is_packed && !has_no_bytes(root, primitive["indices"])) continue;
       primitive["extensions"][is_packed ? "KHR_draco_mesh_compression" : moved_indices]["indices"] =
           primitive["indices"];

@@ -211,12 +211,8 @@ class Properties {
   /// metal lifts towards 1 (io/gltf/layers.cpp).
   float without_metal(float number) const {
     const float metal = model_.base_metalness;
-    if (metal == 1 || has_input(base_metalness)) return number;
+    if (metal == 1 || has_texture(made_.material, base_metalness)) return number;
     return std::max(0.0f, (number - metal) / (1 - metal));
-  }
-  bool has_input(MaterialInput input) const {
-    return std::any_of(made_.material.textures.begin(), made_.material.textures.end(),
-                       [=](const TextureUse& use) { return use.input == input; });
   }
 
   void add_index() {

@@ -261,6 +261,7 @@ class Reader {
       if (vertices == 0) throw Error(name_ + ": faces, and no vertices that they could name");
       corners_.push_back(std::uint32_t(numbers_.whole(list.type, vertices - 1, "the index")));
     }
+    const std::size_t before = ply_.mesh.triangles.size();
     if (count < 3)
       ++ply_.flat_faces;
     else if (count == 3 || (count == 4 && !is_folded()))
@@ -268,13 +269,13 @@ class Reader {
         ply_.mesh.triangles.push_back({corners_[0], corners_[k - 1], corners_[k]});
     else
       cut_polygon();
-    if (count == 4) count_quad();
+    if (count == 4) ply_.quads += triangles_with_area(before) == 2;
   }
 
-  /// The latest triangles are what was a face of four corners.
-  void count_quad() {
+  /// Of those from a number on.
+  std::ptrdiff_t triangles_with_area(std::size_t first) const {
     const std::vector<Triangle>& all = ply_.mesh.triangles;
-    ply_.quads += std::all_of(all.end() - 2, all.end(), [this](const Triangle& triangle) {
+    return std::count_if(all.begin() + std::ptrdiff_t(first), all.end(), [this](const Triangle& triangle) {
       return area_vector(ply_.mesh, triangle).area() > 0;
     });
   }

@@ -89,8 +89,8 @@ MUTANTS = [
            "channels = transformed(outset_, channels);", "", "test_io",
            "AgX keeps grey grey, shows middle grey at half of a display's code, "
            "and lets bright colours go white"),
-    Mutant("white balance goes the other way", "io/display/white_balance.cpp",
-           "entry *= to[i] / from[i];", "entry *= from[i] / to[i];", "test_io",
+    Mutant("white balance goes the other way", "core/color_matrix.cpp",
+           "entry *= to[i] / from[i]", "entry *= from[i] / to[i]", "test_io",
            "white balance makes the light of a black body white, with its luminance"),
     Mutant("a lens is shifted by parts of the width", "io/collada/camera.cpp",
            "2 * std::max(camera.tan_half_width, camera.tan_half_height)", "2 * camera.tan_half_width",

@@ -138,6 +138,10 @@ TEST_CASE("gltf: indices may be sparse, and zeros where there are no others") {
                                       {"values", {{"bufferView", values}}}}}});
   file.primitive()["indices"] = accessor;
   CHECK(only_mesh(file.load()).triangles == std::vector<Triangle>{{0, 2, 1}});
+  // What the reader calls them on their way is no name for a file.
+  file.primitive().erase("indices");
+  file.primitive()["extensions"]["twinray_indices"] = {{"indices", 1000000}};
+  CHECK(only_mesh(file.load()).triangles == std::vector<Triangle>{{0, 1, 2}});
 }
 
 TEST_CASE("gltf: nodes move what is below them, by matrices and by their three parts") {
