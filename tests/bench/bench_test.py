@@ -242,6 +242,7 @@ class CommandLine(unittest.TestCase):
 
     def test_what_cannot_be_understood_is_said(self):
         self.expect(["--only", "nosuchscene"], "no scene has such a name")
+        self.expect(["--quick", "nosuchfile.dae"], "nosuchfile.dae: there is no such file")
         self.expect(["--only", "("], "is not a regular expression")
         self.expect(["--sizes=1e4;5"], "numbers of triangles such as 1e4,1e5,1000000 are wanted")
         self.expect(["--quick", "--full"], "exclude each other")

@@ -124,6 +124,9 @@ TEST_CASE("a reference is too noisy from a tenth of the least error on") {
   summary.curves.front().rows[1].mse = 9.5;
   CHECK(
       reference_warning(summary).starts_with("the reference's own mean squared error, 1, is more than 10 %"));
+  summary.own_error.mse = 0;
+  summary.curves.front().rows[1].mse = 0;
+  CHECK(reference_warning(summary).empty());
 }
 
 }  // namespace twinray::test

@@ -111,7 +111,10 @@ TEST_CASE("the parts of a plan merge to the picture of one render, in whatever o
   INFO(planned.err);
   REQUIRE(planned.exit_code == 0);
   CHECK(planned.out.starts_with("Plan           11 samples in 4 parts\n"));
+  const std::string unfinished = folder.file("my plan/parts/.00001.film.123.part");
+  write_text(unfinished, "killed while it was written");
   render_by(folder, "'my plan'");
+  CHECK_FALSE(fs::exists(unfinished));
   CHECK(shell_in(folder, quoted(TWINRAY_PROGRAM) + " " + scene + options + "-q -o b.pfm").exit_code == 0);
   CHECK(read_text(folder.file("a b.pfm")) == read_text(folder.file("b.pfm")));
   // What is done is not done again, and no checkpoint stays.

@@ -62,4 +62,15 @@ TEST_CASE("a checked render with a planted difference ends with 1 and names rays
   CHECK(again.out.find(seen.substr(0, seen.find(';'))) != std::string::npos);
 }
 
+TEST_CASE("a ray of a scene that is read by CS184's rules has no command that would read it otherwise") {
+  const TemporaryFolder folder;
+  const ProcessResult result = run_program("--cs184 -r 16 12 -m 2 --accel=check --plant-difference -f " +
+                                           quoted(folder.file("a.png")) + " " + bunny);
+  CHECK(result.exit_code == 1);
+  CHECK(result.out.find(
+            "  # crosscheck reads the scene at rest, and by no rules of CS184: twinray crosscheck ") !=
+        std::string::npos);
+  CHECK(result.out.find("  twinray crosscheck ") == std::string::npos);
+}
+
 }  // namespace twinray::test

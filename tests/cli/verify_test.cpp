@@ -56,6 +56,7 @@ TEST_CASE("pictures are what their metadata say, in every format that keeps bits
     CHECK(result.err == "");
     CHECK(result.exit_code == 0);
     CHECK(contains(result.out, "Same bits      4 of 4 tiles"));
+    CHECK(contains(result.out, "those without noise are not compared") == contains(words, "--denoise=own"));
   }
 }
 

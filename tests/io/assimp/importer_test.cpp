@@ -102,7 +102,17 @@ ObjModel small_model() {
   return model;
 }
 
+/// A triangle in a file of Stanford's triangles whose corners have colors.
+const std::string colored = "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2\n";
+
 }  // namespace
+
+TEST_CASE("colors of vertices that Assimp reads are told") {
+  const TemporaryFolder folder;
+  write_text(folder.file("a.off"), colored);
+  const std::vector<std::string> notes = load_scene(folder.file("a.off")).summary.notes;
+  CHECK(std::count(notes.begin(), notes.end(), "meshes' colors of vertices of the file, left out: 1") == 1);
+}
 
 TEST_CASE("an STL file is a scene, lit by default") {
   const TemporaryFolder folder;

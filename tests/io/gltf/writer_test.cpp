@@ -206,6 +206,17 @@ TEST_CASE("written gltf: a bright picture that emits is divided by what it has a
   }
 }
 
+TEST_CASE("written gltf: a picture that emits has no light below 0, which is told") {
+  Scene scene = scene_of(triangle(), Lambert{{0, 0, 0}});
+  auto picture = std::make_shared<Image>(2, 1);
+  picture->pixels = {{1, 0.5f, 0.25f}, {-0.5f, 1, 0}};
+  scene.lights = {{"panel", MeshLight{0, {1, 1, 1}, EmissionSide::front, picture}}};
+  scene.bindings[0].light = 0;
+  CHECK(round_trip(scene, "a.gltf").warnings ==
+        std::vector<std::string>{
+            "a picture has colors below 0, which are 0, as colors of vertices in unlit surfaces"});
+}
+
 TEST_CASE("written gltf: lights and cameras that the format has not are named") {
   Scene scene = scene_of(SphereSet{"ball", {{{1, 2, 3}, 0.5f}}}, Lambert{});
   const auto sky = std::make_shared<Image>(1, 1);
