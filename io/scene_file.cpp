@@ -77,7 +77,7 @@ const Format* find_format(const std::string& extension) {
   return found == formats.end() ? nullptr : &*found;
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& extension) {
+[[noreturn]] void refuse_format(const std::string& path, const std::string& extension) {
   std::map<std::string_view, std::string> known;
   for (const Format& format : formats)
     known[format.name] += fmt::format("{}{}", known[format.name].empty() ? "" : " ", format.extension);
@@ -117,7 +117,7 @@ LoadedScene load_by_name(const std::string& path, const LoadOptions& options) {
   const Format* const format = find_format(extension);
   std::error_code error;
   const bool is_file = std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error);
-  if (is_file && !format) refuse(path, extension);
+  if (is_file && !format) refuse_format(path, extension);
   if (!format || format->chooses_camera) return (format ? format->load : load_dae)(path, options);
   return with_camera_named(options.camera_name, format->load(path, options), path);
 }
