@@ -43,6 +43,15 @@ struct Check {
 
   void operator()(const MeshLight& light) const {
     if (light.picture) picture("a mesh light", light.picture);
+    const float* const numbers = &light.uv.m[0][0];
+    if (!std::all_of(numbers, numbers + 6, [](float x) { return std::isfinite(x); }))
+      throw Error(fmt::format(
+          "{} is a mesh light whose picture lies at no place; all six numbers must be finite", name));
+    if (light.filter != TextureFilter::nearest && light.filter != TextureFilter::bilinear)
+      throw Error(
+          fmt::format("{} is a mesh light whose picture is filtered by mip-maps; valid are nearest and "
+                      "bilinear",
+                      name));
   }
   void operator()(const EnvironmentLight& light) const {
     map("an environment", light.map, light.layout);

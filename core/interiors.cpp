@@ -103,7 +103,7 @@ Surroundings surroundings_of(std::span<const Material> materials, std::uint32_t 
   const Material& surface = materials[material];
   if (is_inside) interiors.leave(material);
   const std::uint32_t around = interiors.prevailing(materials);
-  const bool is_body = lets_light_in(surface.model);
+  const bool is_body = lets_light_in(surface);
   if (around == Interiors::none || (is_body && surface.interior.priority == 0)) return {};
   const int priority = materials[around].interior.priority;
   if (priority == 0) return {};

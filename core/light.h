@@ -8,6 +8,7 @@
 
 #include "core/image.h"
 #include "core/rgb.h"
+#include "core/texture.h"
 #include "core/transform.h"
 #include "core/vec.h"
 
@@ -22,16 +23,21 @@ struct MeshLight {
   std::uint32_t shape = 0;  ///< Index into Geometry::shapes(); a mesh.
   Rgb radiance;             ///< Times the picture, if there is one.
   EmissionSide side = EmissionSide::both;
-  /// Over the texture coordinates, as an ImageTexture's: bilinear, and beyond [0, 1] as at its edge. Null:
-  /// even; else at least one pixel, all finite. What a surface shows is made no less than 0: a channel of a
-  /// pixel that completes a triangle's plane, beyond the triangle, may be negative, its luminance is not.
+  /// Over the texture coordinates, as an ImageTexture's. Null: even; else at least one pixel, all finite.
+  /// What a surface shows is made no less than 0: a channel of a pixel that completes a triangle's plane,
+  /// beyond the triangle, may be negative, its luminance is not.
   std::shared_ptr<const Image> picture = nullptr;
+  UvTransform uv = {};
+  Wrap wrap = WrapMode::clamp;
+  TextureFilter filter = TextureFilter::bilinear;  ///< Or nearest.
 };
 
 /// The radiance of a mesh light, on the average over its picture.
 inline Rgb mean_radiance(const MeshLight& light) {
   return light.picture ? light.radiance * mean_of(*light.picture) : light.radiance;
 }
+
+inline bool emits(const MeshLight& light) { return !is_black(mean_radiance(light)); }
 
 /// A sphere that emits the same radiance in all directions, outward.
 struct SphereLight {

@@ -49,7 +49,10 @@ Rgb radiance_of_side(const MeshLight& light, Vec2 uv, float cos_front) {
       light.side == EmissionSide::both || (light.side == EmissionSide::front) == (cos_front > 0);
   if (!emits || cos_front == 0) return {};
   if (!light.picture) return light.radiance;
-  return light.radiance * at_least_zero(bilinear(*light.picture, WrapMode::clamp, uv));
+  const Vec2 at = light.uv(uv);
+  const Rgb shown = light.filter == TextureFilter::nearest ? nearest(*light.picture, light.wrap, at)
+                                                           : bilinear(*light.picture, light.wrap, at);
+  return light.radiance * at_least_zero(shown);
 }
 
 struct Towards {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/material.h"
 
+#include <algorithm>
+
 namespace twinray {
 namespace {
 
@@ -21,5 +23,15 @@ struct LetsLightIn {
 }  // namespace
 
 bool lets_light_in(const SurfaceModel& model) { return std::visit(LetsLightIn{}, model); }
+
+bool lets_light_in(const Material& material) {
+  const auto* model = std::get_if<Principled>(&material.model);
+  const auto is_metalness = [](const TextureUse& use) { return use.input == MaterialInput::base_metalness; };
+  if (!model || std::none_of(material.textures.begin(), material.textures.end(), is_metalness))
+    return lets_light_in(material.model);
+  Principled bare = *model;
+  bare.base_metalness = 0;
+  return lets_light_in(SurfaceModel(bare));
+}
 
 }  // namespace twinray

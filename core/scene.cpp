@@ -54,6 +54,22 @@ void check_binding(const Scene& scene, std::uint32_t shape) {
                             has_alpha ? "an" : "no", has_alpha ? "" : " not"));
 }
 
+/// Two meanings are of one input each.
+void check_meaning(const TextureUse& use, std::size_t index) {
+  struct Only {
+    InputMeaning meaning;
+    const char* name;
+    MaterialInput input;
+  };
+  constexpr Only onlys[] = {
+      {InputMeaning::widening, "widening", MaterialInput::specular_roughness_anisotropy},
+      {InputMeaning::weighted_color, "weighted_color", MaterialInput::fuzz_color}};
+  for (const Only& only : onlys)
+    if (use.meaning == only.meaning && use.input != only.input)
+      throw Error(fmt::format("material {} has a texture whose meaning is \"{}\" for its {}; valid is {}",
+                              index, only.name, input_name(use.input), input_name(only.input)));
+}
+
 void check_material(const Scene& scene, std::size_t index) {
   const Material& material = scene.materials[index];
   const auto* mix = std::get_if<Mix>(&material.model);
@@ -71,11 +87,7 @@ void check_material(const Scene& scene, std::size_t index) {
     if (!has_input(material.model, use.input))
       throw Error(fmt::format("material {} has a texture for its {}, and its model has none", index,
                               input_name(use.input)));
-    if (use.meaning == InputMeaning::widening && use.input != MaterialInput::specular_roughness_anisotropy)
-      throw Error(
-          fmt::format("material {} has a texture whose meaning is \"widening\" for its {}; valid is "
-                      "specular_roughness_anisotropy",
-                      index, input_name(use.input)));
+    check_meaning(use, index);
   }
   if (!(std::fabs(material.tangent_degrees) <= 360))
     throw Error(fmt::format("material {} has a tangent turned by {:g} degrees; valid are -360 to 360", index,
@@ -85,7 +97,7 @@ void check_material(const Scene& scene, std::size_t index) {
 void check_interior(const Scene& scene, std::size_t index) {
   const Material& material = scene.materials[index];
   if (!has_interior(material)) return;
-  if (!lets_light_in(material.model))
+  if (!lets_light_in(material))
     throw Error(fmt::format("material {} has an interior, and its surface lets no light in", index));
   if (index >= Interiors::most_materials)
     throw Error(fmt::format("material {} has an interior; only the first {} materials may", index,

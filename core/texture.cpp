@@ -41,6 +41,12 @@ Rgb bilinear(const MipLevel& image, Wrap wrap, Vec2 uv) {
   return upper * (1 - t) + lower * t;
 }
 
+Rgb nearest(const MipLevel& image, Wrap wrap, Vec2 uv) {
+  if (!(std::isfinite(uv.x) && std::isfinite(uv.y))) return {};
+  return wrapped(image, wrap, std::floor(double(uv.x) * image.width),
+                 std::floor((1 - double(uv.y)) * image.height));
+}
+
 namespace {
 
 /// What is left of a draw in [0, 1) once it has chosen one of two: the second with the given probability.
@@ -97,9 +103,7 @@ struct Evaluate {
     const Vec2 uv = texture.uv(at.uv);
     if (!(std::isfinite(uv.x) && std::isfinite(uv.y))) return {};
     const MipLevel picture = texture.image->level(0);
-    if (texture.filter == TextureFilter::nearest)
-      return wrapped(picture, texture.wrap, std::floor(double(uv.x) * picture.width),
-                     std::floor((1 - double(uv.y)) * picture.height));
+    if (texture.filter == TextureFilter::nearest) return nearest(picture, texture.wrap, uv);
     if (texture.filter == TextureFilter::bilinear) return bilinear(picture, texture.wrap, uv);
     const double level = level_of(*texture.image, at.footprint * stretch(texture.uv));
     const int finer = int(level);

@@ -102,6 +102,8 @@ void keep_in_memory(std::span<Texture> textures, std::uint32_t index);
 /// The value of a picture at a point: bilinear of the four pixels around. Black where the point is not
 /// finite.
 Rgb bilinear(const MipLevel& image, Wrap wrap, Vec2 uv);
+/// That of the pixel at a point; likewise.
+Rgb nearest(const MipLevel& image, Wrap wrap, Vec2 uv);
 
 /// The value of a texture of a scene. The same bits on every machine.
 Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at);

@@ -188,6 +188,11 @@ void widen(Principled& model, float strength) {
   set_facets(model, across + (1 - across) * strength * strength, across);
 }
 
+void set_fuzz(Principled& model, const Rgb& weighted_color) {
+  model.fuzz_weight = max_component(weighted_color);
+  model.fuzz_color = model.fuzz_weight > 0 ? weighted_color / model.fuzz_weight : weighted_color;
+}
+
 SurfaceModel textured_model(const Material& material, std::span<const Texture> textures,
                             const TexturePoint& at) {
   SurfaceModel model = material.model;
@@ -196,6 +201,10 @@ SurfaceModel textured_model(const Material& material, std::span<const Texture> t
     const Value value{evaluate(textures, use.texture, at), use.meaning};
     if (use.meaning == InputMeaning::widening) {
       widening = value.number();
+      continue;
+    }
+    if (use.meaning == InputMeaning::weighted_color) {
+      set_fuzz(std::get<Principled>(model), value.unit_color());
       continue;
     }
     std::visit([&](auto& m) { with_input(m, use.input, [&](auto&& member) { assign(member, value); }); },

@@ -29,6 +29,9 @@ void set_facets(Principled& model, float along, float across);
 /// Makes facets of equal widths wider along the tangent, and keeps them across, as glTF has it: alpha_t =
 /// alpha + (1 - alpha) strength^2, strength in [0, 1].
 void widen(Principled& model, float strength);
+/// Sets the fuzz whose colour times its weight is this, each channel in [0, 1]: the weight is the brightest
+/// channel.
+void set_fuzz(Principled& model, const Rgb& weighted_color);
 
 /// The material's model with what its textures have at the point, each within its range: eta and k from 0 to
 /// 1000, all else in [0, 1]. What widens facets does so after all else is known.

@@ -21,6 +21,8 @@ struct PathArrival {
   Ray ray;
   Hit hit;         ///< A miss where it has left the scene.
   Rgb throughput;  ///< Of the path, along the ray.
+  /// What bodies on the way have left of the light; the throughput is after it.
+  Rgb transmittance{1, 1, 1};
 };
 
 /// Light that a ray of the path has found by itself.

@@ -33,12 +33,13 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
   State path{.ray = sample.ray, .cone = sample.cone};
   path.viewing.interiors = sample.interiors;
   Hit hit = tracer.camera_hit(path.ray);
-  pass_on(tracer, path, hit);
+  Rgb passed = pass_on(tracer, path, hit);
   if (record.has(Layer::alpha)) record[Layer::alpha][0] = alpha_record(hit, has_environment_);
   for (int depth = 0;; ++depth) {  // Scattering events before the current ray.
     tracer.arrive();
-    path.throughput = path.throughput * transmittance(transport, path.viewing.interiors, path.ray, hit.t);
-    observer.arrived({path.ray, hit, path.throughput});
+    const Rgb left = transmittance(transport, path.viewing.interiors, path.ray, hit.t);
+    path.throughput = path.throughput * left;
+    observer.arrived({path.ray, hit, path.throughput, passed * left});
     if (options_.counts(depth)) {
       const Arrival arrival{hit, normalize(path.ray.direction)};
       const Rgb light = depth == 0
@@ -70,17 +71,18 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     const bool is_last = options_.ends(depth + 1, path.bounces);
     if (is_last && !may_find_light(transport, path.departure)) return radiance;
     hit = tracer.bounce_hit(path.ray);
-    pass_on(tracer, path, hit);
+    passed = pass_on(tracer, path, hit);
   }
 }
 
-void PathReference::pass_on(Tracer& tracer, State& path, Hit& hit) const {
-  if (!passages_.is_one(hit)) return;
+Rgb PathReference::pass_on(Tracer& tracer, State& path, Hit& hit) const {
+  if (!passages_.is_one(hit)) return {1, 1, 1};
   Passages::Way way{path.ray, hit, path.viewing.interiors};
   passages_.follow(tracer, way);
   path.ray = way.ray, hit = way.hit;
   path.viewing.interiors = way.interiors;
   path.throughput = path.throughput * way.left;
+  return way.left;
 }
 
 void PathReference::record_surface(const Interaction& at, const Hit& hit, int depth, const State& path,

@@ -52,8 +52,8 @@ class PathReference final : public Integrator {
                  const LightGroups& groups) const;
   /// The term of the radiance that light is which was scattered `depth` times.
   LightTerm term(const Rgb& throughput, const Rgb& light, int depth, PathObserver& observer) const;
-  /// Follows the path's ray on through what is not there.
-  void pass_on(Tracer& tracer, State& path, Hit& hit) const;
+  /// Follows the path's ray on through what is not there, and gives what absorption has left on the way.
+  Rgb pass_on(Tracer& tracer, State& path, Hit& hit) const;
   /// Writes what is asked for of the surface that a path has come to after `depth` scattering events.
   void record_surface(const Interaction& at, const Hit& hit, int depth, const State& path,
                       const RecordSpans& record) const;

@@ -11,8 +11,10 @@ namespace twinray {
 namespace {
 
 LightSource shape_light(const ScenePart& part, std::uint32_t shape) {
-  if (std::holds_alternative<SphereSet>(part.shape)) return SphereLight{shape, part.radiance};
-  return MeshLight{shape, part.radiance, part.side, part.picture};
+  if (std::holds_alternative<SphereSet>(part.shape)) return SphereLight{shape, part.glow.radiance};
+  MeshLight light = part.glow;
+  light.shape = shape;
+  return light;
 }
 
 /// Those of the scene, and then those of one prototype after the other. Prototypes without shapes, such as
@@ -44,7 +46,7 @@ Scene assemble(std::vector<ScenePart> parts, Scene rest, std::vector<Instance> i
   std::vector<Shape> shapes;
   for (ScenePart& part : parts) {
     ShapeBinding binding{.material = part.material, .alpha = part.alpha, .asset = part.asset};
-    if (!is_black(part.radiance)) {
+    if (emits(part.glow)) {
       binding.light = std::uint32_t(scene.lights.size());
       scene.lights.push_back({part.light_name, shape_light(part, std::uint32_t(shapes.size()))});
     }

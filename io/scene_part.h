@@ -2,7 +2,6 @@
 // How readers put scenes together: shapes with what they are made of, and the rest.
 #pragma once
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,12 +14,10 @@ namespace twinray {
 struct ScenePart {
   Shape shape;
   std::uint32_t material = 0;
-  Rgb radiance = {};  ///< Black: no light.
-  EmissionSide side = EmissionSide::both;
+  MeshLight glow = {};  ///< A mesh's, but for its shape; a sphere has the radiance. Black: no light.
   std::string light_name = {};
-  std::uint32_t asset = no_asset;                  ///< What it belongs to.
-  std::uint32_t alpha = no_texture;                ///< The texture that cuts holes into it.
-  std::shared_ptr<const Image> picture = nullptr;  ///< Of the radiance, as MeshLight has it.
+  std::uint32_t asset = no_asset;    ///< What it belongs to.
+  std::uint32_t alpha = no_texture;  ///< The texture that cuts holes into it.
   /// Which prototype it is a shape of, if it stands in the scene by instances alone. Such a part emits
   /// nothing.
   std::optional<std::uint32_t> prototype = {};

@@ -124,6 +124,7 @@ Json list_json(const Scene& scene, const List& list) {
 Json json_of(const Scene& scene, const PathVertex& vertex) {
   Json json{{"ray", json_of(vertex.arrival.ray)},
             {"is_miss", vertex.arrival.hit.is_miss()},
+            {"transmittance", json_of(vertex.arrival.transmittance)},
             {"throughput", json_of(vertex.arrival.throughput)},
             {"found_lights", list_json(scene, vertex.found)},
             {"emission", json_of(vertex.emission)}};

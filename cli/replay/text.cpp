@@ -74,7 +74,10 @@ std::string sample_text(const Scene& scene, const LoggedLightSample& logged) {
                                        text_of(sample.radiance), sample.pdf, logged.weight);
   if (is_black(taken.scattered)) return text + "; the surface scatters none of it: no shadow ray";
   if (is_black(taken.visibility)) return text + "; blocked";
-  return text + fmt::format("; visible, scattered {}", text_of(taken.scattered / sample.pdf));
+  const std::string dimmed = taken.visibility == Rgb{1, 1, 1}
+                                 ? ""
+                                 : fmt::format(", {} let through on the way", text_of(taken.visibility));
+  return text + fmt::format("; visible{}, scattered {}", dimmed, text_of(taken.scattered / sample.pdf));
 }
 
 std::string direction_text(const Scene& scene, const TakenDirection& taken) {
@@ -130,6 +133,8 @@ std::string vertex_text(const Scene& scene, const PathVertex& vertex, std::size_
   std::string text = fmt::format("\nVertex {}: ", number);
   text += hit.is_miss() ? "none, the ray leaves the scene\n"
                         : fmt::format("{}, at t = {}\n", shape_text(scene, hit), hit.t);
+  if (vertex.arrival.transmittance != Rgb{1, 1, 1})
+    text += line("let through", text_of(vertex.arrival.transmittance) + " by bodies on the way");
   text += line("throughput", text_of(vertex.arrival.throughput));
   text += emission_text(scene, vertex);
   if (!vertex.surface) return text;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one door to Assimp, in a library of its own (io/assimp/import_function.h).
 #include <assimp/material.h>
+#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 #include <strings.h>
@@ -149,6 +150,15 @@ void add_note(ObjModel& model, std::size_t count, const char* what) {
   if (count > 0) model.notes.push_back(fmt::format("{} of the file, left out: {}", what, count));
 }
 
+/// The normals of STL say again what its triangles say, and may say it wrongly.
+void drop_normals(ObjModel& model) {
+  model.normals.clear();
+  for (ObjFaces& faces : model.faces) {
+    faces.has_normals = false;
+    for (ObjCorner& corner : faces.corners) corner.normal = no_element;
+  }
+}
+
 /// Assimp calls a file in memory by a name of its own.
 std::string said(std::string text) {
   constexpr std::string_view own = "$$$___magic___$$$.";
@@ -160,26 +170,38 @@ ObjModel import_model(const ImportedFile& file) {
   const std::filesystem::path path(file.path);
   if (file.bytes.empty()) throw Error("the file is empty");
   Assimp::Importer importer;
-  const aiScene* const scene =
-      importer.ReadFileFromMemory(file.bytes.data(), file.bytes.size(), 0, path.extension().string().c_str());
+  // Pictures that are projected, or placed, get texture coordinates that say so.
+  constexpr unsigned made = aiProcess_GenUVCoords | aiProcess_TransformUVCoords;
+  const aiScene* const scene = importer.ReadFileFromMemory(file.bytes.data(), file.bytes.size(), made,
+                                                           path.extension().string().c_str());
   if (!scene || !scene->mRootNode) throw Error(said(importer.GetErrorString()));
   ObjModel model;
   model.name = path.stem().string();
   std::size_t embedded = 0;
   for (unsigned i = 0; i < scene->mNumMaterials; ++i)
     model.materials.push_back(material_of(*scene->mMaterials[i], embedded));
-  if (strcasecmp(path.extension().c_str(), ".fbx") == 0)  // There a picture takes the color's place.
+  const auto is_of = [&](const char* extension) {
+    return strcasecmp(path.extension().c_str(), extension) == 0;
+  };
+  if (is_of(".fbx"))  // There a picture takes the color's place.
     for (tinyobj::material_t& material : model.materials)
       if (!material.diffuse_texname.empty()) set(material.diffuse, aiColor3D(1, 1, 1));
   model.material_files.assign(model.materials.size(), file.path);
   Walk walk(*scene, model);
   walk.add(*scene->mRootNode, aiMatrix4x4(), 0);
+  if (is_of(".stl")) drop_normals(model);
   if (model.faces.empty()) throw Error("the file has no faces");
   add_note(model, scene->mNumCameras, "cameras");
   add_note(model, scene->mNumLights, "lights");
   add_note(model, scene->mNumAnimations, "animations");
   add_note(model, embedded, "pictures within it");
   add_note(model, walk.painted(), "meshes' colors of vertices");
+  const auto count = [&](const auto& has) {
+    return std::size_t(std::count_if(scene->mMeshes, scene->mMeshes + scene->mNumMeshes, has));
+  };
+  add_note(model, count([](const aiMesh* mesh) { return mesh->HasBones(); }), "meshes' skins");
+  add_note(model, count([](const aiMesh* mesh) { return mesh->mNumAnimMeshes > 0; }),
+           "meshes' morph targets");
   return model;
 }
 

@@ -18,8 +18,10 @@ namespace {
 /// Area lights become shapes like any other, of a material that reflects nothing.
 void add_rectangles(SceneParts& parts, ColladaMaterials& materials) {
   for (const AreaLight& light : parts.area_lights)
-    parts.shapes.push_back({area_light_mesh(light), materials.black(), light.radiance, EmissionSide::front,
-                            light.name, no_asset});
+    parts.shapes.push_back({.shape = area_light_mesh(light),
+                            .material = materials.black(),
+                            .glow = {.radiance = light.radiance, .side = EmissionSide::front},
+                            .light_name = light.name});
 }
 
 /// "a", "b": the first of them, and how many more there are.

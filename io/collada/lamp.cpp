@@ -68,11 +68,10 @@ bool merge_area_light(const AreaLight& light, SceneParts& parts) {
   const Plane plane = plane_of(light);
   for (ScenePart& part : parts.shapes) {
     const Mesh* mesh = std::get_if<Mesh>(&part.shape);
-    if (!mesh || is_black(part.radiance) || !coincide(light, *mesh, plane)) continue;
+    if (!mesh || !emits(part.glow) || !coincide(light, *mesh, plane)) continue;
     const EmissionSide side = side_towards(*mesh, plane.normal);
     if (side == EmissionSide::both) continue;
-    part.radiance = light.radiance;
-    part.side = side;
+    part.glow = {.radiance = light.radiance, .side = side};
     parts.notes.push_back(
         fmt::format("one lamp: the area light \"{}\" and the emissive mesh \"{}\" coincide; the mesh is the "
                     "lamp, with the area "
@@ -120,7 +119,7 @@ bool merge_point_light(const Light& light, SceneParts& parts) {
   if (!point) return false;
   for (const ScenePart& part : parts.shapes) {
     const Mesh* mesh = std::get_if<Mesh>(&part.shape);
-    if (!mesh || is_black(part.radiance) || !lies_in(point->position, *mesh)) continue;
+    if (!mesh || !emits(part.glow) || !lies_in(point->position, *mesh)) continue;
     parts.notes.push_back(
         fmt::format("one lamp: the point light \"{}\" lies within the emissive mesh \"{}\"; the mesh is the "
                     "lamp, and the point "

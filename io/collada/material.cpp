@@ -170,7 +170,6 @@ std::uint32_t ColladaMaterials::texture_in(const ColladaEffect& effect, const Xm
                    fmt::format("the textures of a surface have one set of texture coordinates here: \"{}\", "
                                "and not \"{}\"",
                                made.texcoord, use->texcoord));
-  made.glow.may_move_uvs = (!made.is_textured || made.glow.may_move_uvs) && textures_.repeats(texture);
   if (!made.is_textured) made.texcoord = use->texcoord;
   made.is_textured = true;
   return texture;

@@ -6,18 +6,18 @@
 #include <string>
 #include <vector>
 
+#include "core/light.h"
 #include "core/material.h"
 #include "core/rgb.h"
 #include "io/collada/effect.h"
 #include "io/collada/texture.h"
-#include "io/glow.h"
 
 namespace twinray {
 
 /// The material of a surface: what it reflects, what it emits, and where there is none of it.
 struct ColladaMaterial {
   std::uint32_t index = 0;           ///< Into ColladaMaterials::materials().
-  Glow glow;                         ///< Black for most.
+  MeshLight glow;                    ///< But for its shape; black for most.
   std::uint32_t alpha = no_texture;  ///< Index into ColladaMaterials::textures(): it cuts holes.
   bool is_textured = false;          ///< Its texture coordinates matter.
   std::string texcoord;              ///< The name by which its textures ask for them.

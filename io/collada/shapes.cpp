@@ -139,8 +139,7 @@ void ColladaShapes::add_part(const Shown& shown, std::size_t index, const Transf
   made.light_name = placed.mesh.name;
   made.asset = shown.asset;
   made.prototype = prototype;
-  if (emits(binding.material.glow) && !set_emission(binding.material.glow, placed.mesh, made))
-    document_.warn(part.element, emits_mean);
+  made.glow = binding.material.glow;
   made.shape = std::move(placed.mesh);
   parts_.shapes.push_back(std::move(made));
 }
@@ -149,15 +148,12 @@ void ColladaShapes::add_sphere(const Shown& shown) {
   const Sphere sphere = place_sphere(*shown.shape->sphere_radius, shown.to_world, shown.instance, document_);
   parts_.bounds.extend(sphere_bounds(sphere));
   const ColladaMaterial material = materials_.bound(shown.instance, "").material;
-  ScenePart made{.shape = SphereSet{shown.name, {sphere}},
-                 .material = material.index,
-                 .radiance = material.glow.radiance,
-                 .side = EmissionSide::front,
-                 .light_name = shown.name,
-                 .asset = shown.asset,
-                 .alpha = material.alpha};
-  if (material.glow.picture) made.radiance = made.radiance * mean_of(*material.glow.picture);
-  parts_.shapes.push_back(std::move(made));
+  parts_.shapes.push_back({.shape = SphereSet{shown.name, {sphere}},
+                           .material = material.index,
+                           .glow = {.radiance = mean_radiance(material.glow)},
+                           .light_name = shown.name,
+                           .asset = shown.asset,
+                           .alpha = material.alpha});
 }
 
 }  // namespace twinray

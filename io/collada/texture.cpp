@@ -107,9 +107,4 @@ bool ColladaTextures::is_faulty(std::uint32_t texture) const {
   return picture && faulty_.count(picture->image) > 0;
 }
 
-bool ColladaTextures::repeats(std::uint32_t texture) const {
-  const auto* picture = std::get_if<ImageTexture>(&textures[texture].model);
-  return picture && picture->wrap == WrapMode::repeat && picture->uv.m[0][0] == 1 && picture->uv.m[1][1] == 1;
-}
-
 }  // namespace twinray

@@ -32,8 +32,6 @@ class ColladaTextures {
   std::uint32_t constant(float value);
   /// Adds one that nobody else needs.
   std::uint32_t add(const TextureModel& model);
-  /// Whether it is a picture that is the same one unit further in both directions.
-  bool repeats(std::uint32_t texture) const;
 
   /// Whether it is a picture that is 1 all over.
   bool is_one(std::uint32_t texture) const;

@@ -217,6 +217,13 @@ void members(const Visit& visit, MeshLight& light) {
   visit("radiance", light.radiance, Valid::not_negative);
   visit("side", light.side);
 }
+/// How the picture of a MeshLight lies.
+template <typename Visit, typename Light>
+void picture_members(const Visit& visit, Light& light) {
+  visit("wrap", light.wrap);
+  visit("filter", light.filter);
+  visit("uv", light.uv);
+}
 template <typename Visit>
 void members(const Visit& visit, SphereLight& light) {
   visit("shape", light.shape);

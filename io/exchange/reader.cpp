@@ -121,11 +121,17 @@ class Reader {
     return std::make_shared<const Image>(image);
   }
 
+  /// Older files do not say how it lies.
+  void read_picture(const Entry& entry, MeshLight& light) const {
+    light.picture = read_picture(entry, has_luminance);
+    if (entry.has("uv")) picture_members(MemberReader(entry), light);
+  }
+
   void read_lights(const Entry& file) {
     file.for_each("lights", [&](const Entry& entry) {
       Light light{entry.word("name"), read_source(entry)};
       if (auto* mesh = std::get_if<MeshLight>(&light.source); mesh && entry.has("file"))
-        mesh->picture = read_picture(entry, has_luminance);
+        read_picture(entry, *mesh);
       else if (auto* environment = std::get_if<EnvironmentLight>(&light.source))
         environment->map = read_picture(entry, is_not_negative);
       else if (auto* goniometric = std::get_if<GoniometricLight>(&light.source))

@@ -41,7 +41,8 @@ Words<InputMeaning> words() {
   return {{"value", InputMeaning::value},
           {"squared_roughness", InputMeaning::squared_roughness},
           {"metal_reflectance", InputMeaning::metal_reflectance},
-          {"widening", InputMeaning::widening}};
+          {"widening", InputMeaning::widening},
+          {"weighted_color", InputMeaning::weighted_color}};
 }
 
 template <>

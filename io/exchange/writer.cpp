@@ -121,6 +121,8 @@ Json lights_json(const Scene& scene, const std::string& path) {
     const Light& light = scene.lights[i];
     list.push_back(named(light.name, json_of_any(light.source)));
     if (picture_of(light)) list.back()["file"] = name_of_file(exchange_light_file(path, i));
+    if (const auto* mesh = std::get_if<MeshLight>(&light.source); mesh && mesh->picture)
+      picture_members(MemberWriter(list.back()), *mesh);
   }
   return list;
 }

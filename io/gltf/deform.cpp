@@ -14,13 +14,17 @@ namespace {
 using Attributes = std::map<std::string, int>;
 
 /// One row for each position.
-GltfNumbers rows_of(GltfDocument& document, int accessor, const char* types, std::size_t positions,
-                    const std::string& pointer) {
-  GltfNumbers rows = read_numbers(document, accessor, types);
+GltfNumbers checked_rows(GltfDocument& document, GltfNumbers rows, std::size_t positions,
+                         const std::string& pointer) {
   if (rows.count != positions)
     document.context().fail(
         pointer, fmt::format("{} values for {} positions; there must be as many", rows.count, positions));
   return rows;
+}
+
+GltfNumbers rows_of(GltfDocument& document, int accessor, const char* types, std::size_t positions,
+                    const std::string& pointer) {
+  return checked_rows(document, read_numbers(document, accessor, types), positions, pointer);
 }
 
 void add_to(std::vector<Vec3>& values, const GltfNumbers& changes, float weight) {
@@ -80,8 +84,12 @@ class Skinning {
   };
 
   GltfNumbers numbers(const char* type, const Attributes::value_type& attribute) {
-    return rows_of(document_, attribute.second, type, primitive_.positions.size(),
-                   fmt::format("{}/attributes/{}", primitive_.pointer, attribute.first));
+    const auto unpacked = primitive_.unpacked.find(attribute.first);
+    return checked_rows(
+        document_,
+        unpacked != primitive_.unpacked.end() ? unpacked->second
+                                              : read_numbers(document_, attribute.second, type),
+        primitive_.positions.size(), fmt::format("{}/attributes/{}", primitive_.pointer, attribute.first));
   }
 
   std::size_t joint(const Set& set, std::size_t vertex, std::size_t k, std::size_t count) const {

@@ -74,8 +74,8 @@ DracoMesh decode_draco(GltfDocument& document, const tinygltf::Primitive& primit
   const std::string pointer = fmt::format("{}/extensions/{}", primitive_pointer, draco_extension);
   const GltfContext& context = document.context();
   const tinygltf::Value& extension = primitive.extensions.find(draco_extension)->second;
-  if (primitive.mode != TINYGLTF_MODE_TRIANGLES)
-    context.fail(pointer, "a compressed primitive must be of triangles (mode 4)");
+  if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != TINYGLTF_MODE_TRIANGLE_STRIP)
+    context.fail(pointer, "a compressed primitive must be of triangles (mode 4) or a strip of them (5)");
   const auto view = std::size_t(extension.Get("bufferView").GetNumberAsInt());
   const auto mesh = decode_mesh(document.buffer_view(view), pointer, context);
   DracoMesh decoded{corners_of(*mesh), {}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/layers.h"
 
+#include <fmt/format.h>
 #include <tiny_gltf.h>
 
 #include <algorithm>
@@ -41,7 +42,13 @@ class Layers {
   /// 0 stands for a surface that reflects all light, as does an index without end.
   void read_ior() {
     if (extension(glossiness_extension)) return;
-    const float ior = extension("KHR_materials_ior").number("ior", 1.5f);
+    const GltfExtension refraction = extension("KHR_materials_ior");
+    const float ior = refraction.number("ior", 1.5f);
+    if (ior > 0 && ior < 1)
+      inputs_.context.warn(refraction.pointer() + "/ior",
+                           fmt::format("an index of refraction of {:g} is rendered as 1; valid are 0, and "
+                                       "those from 1",
+                                       ior));
     model_.specular_ior = ior == 0 ? most_ior : std::max(ior, 1.0f);
   }
 
@@ -146,8 +153,9 @@ class Layers {
     const GltfExtension volume = extension("KHR_materials_volume");
     model_.geometry_thin_walled = !(volume.number("thicknessFactor", 0) > 0);
     Interior& interior = inputs_.material.interior;
-    if (lets_light_in(model_)) interior.absorption = absorption(volume);
-    interior.is_clear = lets_light_in(model_) && is_black(interior.absorption);
+    const bool is_body = lets_light_in({.model = model_, .textures = inputs_.material.textures});
+    if (is_body) interior.absorption = absorption(volume);
+    interior.is_clear = is_body && is_black(interior.absorption);
   }
 
   /// The color is reached after the distance: e^(-a d) = c.
@@ -198,16 +206,16 @@ class Layers {
           "a normal map of the coat alone is not rendered: the coat has the surface's normal");
   }
 
-  /// The largest channel says how much of what is below is hidden.
+  /// The largest channel says how much of what is below is hidden, point by point.
   void read_sheen() {
     const GltfExtension sheen = extension("KHR_materials_sheen");
     const Rgb color = sheen.color("sheenColorFactor", {0, 0, 0});
-    const float weight = max_component(color);
-    if (weight == 0) return;
-    model_.fuzz_weight = weight;
-    model_.fuzz_color = color / weight;
+    if (is_black(color)) return;
+    set_fuzz(model_, color);
     model_.fuzz_roughness = sheen.number("sheenRoughnessFactor", 0);
-    inputs_.color(fuzz_color, sheen.slot("sheenColorTexture"), model_.fuzz_color);
+    const GltfSlot picture = sheen.slot("sheenColorTexture");
+    inputs_.color(fuzz_color, picture, color);
+    if (inputs_.can_use(picture)) inputs_.material.textures.back().meaning = InputMeaning::weighted_color;
     inputs_.number(fuzz_roughness, sheen.slot("sheenRoughnessTexture"), PictureChannels::alpha,
                    model_.fuzz_roughness);
   }

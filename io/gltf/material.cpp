@@ -61,10 +61,6 @@ class MaterialReader {
   GltfSurface read(const GltfUse& use) {
     read_base(use);
     read_alpha(use);
-    const std::vector<GltfSlot> slots = rendered_slots(source_, pointer_);
-    surface_.glow.may_move_uvs = std::all_of(slots.begin(), slots.end(), [&](const GltfSlot& slot) {
-      return !slot || inputs_.textures.repeats(slot);
-    });
     surface_.glow.side = source_.doubleSided ? EmissionSide::both : EmissionSide::front;
     if (GltfExtension(source_.extensions, "KHR_materials_unlit", pointer_)) {
       make_unlit(use);
@@ -97,7 +93,7 @@ class MaterialReader {
 
   /// A dielectric of any index and color: so are metals here, too.
   void read_glossiness(const GltfExtension& glossy) {
-    constexpr float most_ior = 1000;
+    constexpr float highest_ior = 1000;
     Principled& model = inputs_.model;
     const Rgb specular = glossy.color("specularFactor", {1, 1, 1});
     const float reflected = max_component(specular), root = std::sqrt(reflected);
@@ -106,7 +102,7 @@ class MaterialReader {
     model.base_color = glossy.color("diffuseFactor", {1, 1, 1}) * (1 - reflected);
     model.base_metalness = 0;
     model.specular_roughness = 1 - glossy.number("glossinessFactor", 1);
-    model.specular_ior = root < 1 ? std::min((1 + root) / (1 - root), most_ior) : most_ior;
+    model.specular_ior = root < 1 ? std::min((1 + root) / (1 - root), highest_ior) : highest_ior;
     if (reflected > 0) model.specular_color = specular / reflected;
     opacity_ = glossy.component("diffuseFactor", 3, 1);
     if (glossy.slot("specularGlossinessTexture"))
@@ -184,6 +180,7 @@ class MaterialReader {
     surface_.glow.picture = std::make_shared<const Image>(picture->image->image(0));
     surface_.glow.uv = picture->uv;
     surface_.glow.wrap = picture->wrap;
+    if (picture->filter == TextureFilter::nearest) surface_.glow.filter = TextureFilter::nearest;
   }
 
   const tinygltf::Material& source_;

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/light.h"
 #include "core/material.h"
-#include "io/glow.h"
 #include "io/gltf/texture.h"
 
 namespace twinray {
@@ -20,7 +20,7 @@ class GltfDocument;
 struct GltfSurface {
   std::uint32_t material = 0;        ///< Index into GltfMaterials::materials.
   std::uint32_t alpha = no_texture;  ///< Index into the textures: it cuts holes.
-  Glow glow;
+  MeshLight glow;                    ///< But for its shape.
 };
 
 /// What a primitive has that its material's textures go by.

@@ -5,6 +5,7 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "io/gltf/document.h"
 #include "io/gltf/draco.h"
@@ -55,6 +56,20 @@ class Attributes {
     return read_numbers(document_, primitive_.attributes.at(name), types);
   }
 
+  /// Those that only what moves the vertices asks for.
+  std::map<std::string, GltfNumbers> of_joints() const {
+    std::map<std::string, GltfNumbers> found;
+    if (draco_)
+      std::copy_if(draco_->attributes.begin(), draco_->attributes.end(), std::inserter(found, found.end()),
+                   [](const auto& each) {
+                     return each.first.starts_with("JOINTS_") || each.first.starts_with("WEIGHTS_");
+                   });
+    return found;
+  }
+
+  /// Draco has triangles in place of strips.
+  int mode() const { return draco_ ? TINYGLTF_MODE_TRIANGLES : primitive_.mode; }
+
   /// The corners of all triangles, in order.
   std::vector<std::uint32_t> corners(std::size_t positions) {
     std::vector<std::uint32_t> corners;
@@ -98,11 +113,12 @@ class Builder {
   GltfPrimitive build() {
     made_.positions = vectors("POSITION", "VEC3");
     const std::vector<std::uint32_t> corners = attributes_.corners(made_.positions.size());
-    if (source_.mode == TINYGLTF_MODE_TRIANGLES && corners.size() % 3 != 0)
+    if (attributes_.mode() == TINYGLTF_MODE_TRIANGLES && corners.size() % 3 != 0)
       document_.context().warn(made_.pointer,
                                fmt::format("{} corners are not three a triangle; the last {} are left out",
                                            corners.size(), corners.size() % 3));
-    made_.triangles = triangles_of(corners, source_.mode);
+    made_.triangles = triangles_of(corners, attributes_.mode());
+    made_.unpacked = attributes_.of_joints();
     if (attributes_.has("NORMAL")) made_.normals = vectors("NORMAL", "VEC3");
     if (attributes_.has("COLOR_0")) made_.colors = numbers("COLOR_0", "VEC3 VEC4");
     for (const auto& [name, accessor] : source_.attributes) read_uvs(name);

@@ -23,6 +23,8 @@ struct GltfPrimitive {
   std::vector<float> handedness;         ///< The sign of the tangents, +-1: one for each position, or none.
   std::set<int> turned_uvs;              ///< The sets of which the tangents are not those.
   GltfNumbers colors;                    ///< COLOR_0: three or four a position, or none.
+  /// Of a mesh that Draco packs, what is needed later: JOINTS_n and WEIGHTS_n, by their names.
+  std::map<std::string, GltfNumbers> unpacked;
 };
 
 /// Reads a primitive. Nothing where it is of points or lines, or has no positions, which a warning says.

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "io/glow.h"
 #include "io/gltf/document.h"
 #include "io/gltf/uv_area.h"
 #include "io/placed_mesh.h"
@@ -177,9 +176,7 @@ void GltfShapes::place_part(const GltfPrimitive& primitive, Mesh mesh, GltfUse u
   part.asset = place.asset;
   part.prototype = place.prototype;
   part.light_name = placed.mesh.name;
-  if (emits(surface.glow) && !document_.context().options.surfaces_only &&
-      !set_emission(surface.glow, placed.mesh, part))
-    document_.context().warn(primitive.pointer, emits_mean);
+  if (!document_.context().options.surfaces_only) part.glow = surface.glow;
   part.shape = std::move(placed.mesh);
   parts.push_back(std::move(part));
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/textured_material.h"
 #include "io/exchange/writer.h"
@@ -18,6 +19,13 @@ Rgb reflected(const Rgb& eta, const Rgb& k) {
     return ((n - 1) * (n - 1) + a * a) / ((n + 1) * (n + 1) + a * a);
   };
   return {channel(eta.r, k.r), channel(eta.g, k.g), channel(eta.b, k.b)};
+}
+
+/// The texture of an input; null: none.
+TextureUse* use_of(Material& material, MaterialInput input) {
+  const auto found = std::find_if(material.textures.begin(), material.textures.end(),
+                                  [=](const TextureUse& use) { return use.input == input; });
+  return found == material.textures.end() ? nullptr : &*found;
 }
 
 class StandIn {
@@ -131,7 +139,8 @@ class StandIn {
     model_.base_weight = 1;
     model_.emission_luminance = 0;
     if (model.base_diffuse_roughness != 0) lose("the roughness of the diffuse part");
-    if (model.base_metalness == 1 && !(model.specular_weight == 1 && model.specular_color == white))
+    const bool is_metal = model.base_metalness == 1 && !use_of(made_.material, MaterialInput::base_metalness);
+    if (is_metal && !(model.specular_weight == 1 && model.specular_color == white))
       lose("the metal's specular color");
     check_clear(model);
     check_coat(model);
@@ -162,6 +171,36 @@ class StandIn {
   GltfStandIn made_;
 };
 
+/// Whether a texture is how much of a material is metal.
+bool is_metalness(std::span<const Texture> textures, std::uint32_t texture, Material& material) {
+  if (const TextureUse* use = use_of(material, MaterialInput::base_metalness)) return use->texture == texture;
+  const auto* constant = std::get_if<ConstantTexture>(&textures[texture].model);
+  const auto* model = std::get_if<Principled>(&material.model);
+  return constant && model && constant->value == white * model->base_metalness;
+}
+
+/// The material without what io/gltf/layers.cpp mixes into the specular reflection where there is metal,
+/// which the format spares by itself.
+Material without_spared_metal(const Scene& scene, Material material) {
+  for (const MaterialInput input : {MaterialInput::specular_weight, MaterialInput::specular_color}) {
+    TextureUse* const use = use_of(material, input);
+    const auto* mix = use ? std::get_if<MixTexture>(&scene.textures[use->texture].model) : nullptr;
+    if (!mix || !is_metalness(scene.textures, mix->amount, material)) continue;
+    const auto* lifted = std::get_if<ConstantTexture>(&scene.textures[mix->second].model);
+    if (!lifted || lifted->value != white) continue;
+    use->texture = mix->first;
+    const auto* constant = std::get_if<ConstantTexture>(&scene.textures[mix->first].model);
+    if (!constant) continue;
+    auto& model = std::get<Principled>(material.model);
+    if (input == MaterialInput::specular_weight)
+      model.specular_weight = constant->value.r;
+    else
+      model.specular_color = constant->value;
+    material.textures.erase(material.textures.begin() + (use - material.textures.data()));
+  }
+  return material;
+}
+
 /// Of a mixture the part that most of its points show.
 std::uint32_t unmixed(const Scene& scene, std::uint32_t material, Losses& losses) {
   const auto* mix = std::get_if<Mix>(&scene.materials[material].model);
@@ -174,7 +213,8 @@ std::uint32_t unmixed(const Scene& scene, std::uint32_t material, Losses& losses
 }  // namespace
 
 GltfStandIn gltf_stand_in(const Scene& scene, std::uint32_t material, Losses& losses) {
-  return StandIn(scene.materials[unmixed(scene, material, losses)], losses).make();
+  const Material plain = without_spared_metal(scene, scene.materials[unmixed(scene, material, losses)]);
+  return StandIn(plain, losses).make();
 }
 
 }  // namespace twinray

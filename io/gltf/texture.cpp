@@ -33,13 +33,6 @@ GltfTextures::Wraps GltfTextures::wraps(const GltfSlot& slot) const {
   return {sampler.wrapS, sampler.wrapT};
 }
 
-bool GltfTextures::repeats(const GltfSlot& slot) const {
-  const auto [s, t] = wraps(slot);
-  const auto& [u, v] = slot.uv.m;
-  const bool is_moved_alone = u[0] == 1 && u[1] == 0 && v[0] == 0 && v[1] == 1;
-  return is_moved_alone && s == TINYGLTF_TEXTURE_WRAP_REPEAT && t == TINYGLTF_TEXTURE_WRAP_REPEAT;
-}
-
 Wrap GltfTextures::wrap(const GltfSlot& slot) const {
   const auto mode = [](int word) {
     return word == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE ? WrapMode::clamp : WrapMode::repeat;

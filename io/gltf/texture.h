@@ -42,8 +42,6 @@ class GltfTextures {
 
   /// The pixels of a slot's picture.
   std::shared_ptr<const MipMap> image(const GltfSlot& slot, const PictureMeaning& meaning);
-  /// Whether a slot's picture is the same one unit further in both directions.
-  bool repeats(const GltfSlot& slot) const;
   /// How it goes on beside the picture.
   Wrap wrap(const GltfSlot& slot) const;
 

@@ -64,10 +64,10 @@ std::uint32_t color_of(const Material& material) {
   return no_texture;
 }
 
-/// Whether a texture says how much wider a material's facets are along the tangent.
-bool is_widened(const Material& material) {
+/// Whether a texture has this meaning for a material.
+bool has_meaning(const Material& material, InputMeaning meaning) {
   return std::any_of(material.textures.begin(), material.textures.end(),
-                     [](const TextureUse& use) { return use.meaning == InputMeaning::widening; });
+                     [=](const TextureUse& use) { return use.meaning == meaning; });
 }
 
 /// The JSON of one material, but for what it emits.
@@ -193,7 +193,7 @@ class Properties {
   /// (core/textured_material.h).
   Facets read_facets() const {
     const float rough = model_.specular_roughness, ratio = 1 - model_.specular_roughness_anisotropy;
-    if (is_widened(made_.material)) return {rough, 0, true};
+    if (has_meaning(made_.material, InputMeaning::widening)) return {rough, 0, true};
     if (ratio == 1) return {rough, 0};
     const float along = rough * rough / std::sqrt((1 + ratio * ratio) / 2), across = ratio * along;
     const float strength = across < 1 ? std::sqrt(std::max(0.0f, (along - across) / (1 - across))) : 0;
@@ -293,10 +293,12 @@ class Properties {
   void add_sheen() {
     if (model_.fuzz_weight == 0) return;
     GltfJson& sheen = extension("KHR_materials_sheen");
+    const bool is_weighted = has_meaning(made_.material, InputMeaning::weighted_color);
     const GltfChannels color{.color = take(fuzz_color)};
     const float most = max_component(model_.fuzz_color);
     const Rgb full = most > 0 ? model_.fuzz_color / most : Rgb{};
-    sheen["sheenColorFactor"] = gltf_color((color.is_empty() ? full : white) * model_.fuzz_weight);
+    sheen["sheenColorFactor"] =
+        gltf_color(is_weighted ? white : (color.is_empty() ? full : white) * model_.fuzz_weight);
     put(sheen, "sheenColorTexture", color);
     put_number(sheen, "sheenRoughnessFactor", "sheenRoughnessTexture", alpha_channel,
                {fuzz_roughness, model_.fuzz_roughness});
@@ -324,12 +326,6 @@ float brightest(const Image& picture) {
   float most = 1;
   for (const Rgb& pixel : picture.pixels) most = std::max(most, max_component(pixel));
   return most;
-}
-
-std::shared_ptr<const Image> divided(const Image& picture, float by) {
-  auto image = std::make_shared<Image>(picture);
-  for (Rgb& pixel : image->pixels) pixel = pixel / by;
-  return image;
 }
 
 }  // namespace
@@ -378,7 +374,7 @@ void GltfMaterialWriter::add_emission(std::uint32_t light, GltfJson& json) {
   if (mesh && mesh->picture) {
     const float most = brightest(*mesh->picture);
     radiance = radiance * most;
-    json["emissiveTexture"] = textures_.info(most == 1 ? mesh->picture : divided(*mesh->picture, most));
+    json["emissiveTexture"] = textures_.emission_info(*mesh, most);
   }
   const GltfLight emitted = gltf_light(radiance);
   json["emissiveFactor"] = gltf_color(emitted.color);

@@ -12,7 +12,7 @@
 namespace twinray {
 namespace {
 
-constexpr int nearest = 9728, linear = 9729, trilinear = 9987;
+constexpr int gl_nearest = 9728, gl_linear = 9729, gl_trilinear = 9987;
 constexpr int clamp_to_edge = 33071, repeat = 10497;
 
 std::uint8_t byte_of(float number) {
@@ -25,8 +25,8 @@ float powered(float number, float power) {
 
 /// Of a picture's red, green or blue where its colour is this.
 std::uint8_t color_byte(const Rgb& c, std::size_t channel, const GltfChannels& channels) {
-  const float green = channels.turns_green ? 1 - c.g : c.g;
-  const float value = channel == 0 ? c.r : channel == 1 ? green : c.b;
+  const float middle = channels.turns_green ? 1 - c.g : c.g;
+  const float value = channel == 0 ? c.r : channel == 1 ? middle : c.b;
   if (channels.kind == GltfColorKind::color) return encode_srgb(value);
   return channels.kind == GltfColorKind::tangent && channel == 2 ? byte_of(1) : byte_of(value);
 }
@@ -39,6 +39,11 @@ std::string png_bytes(const Picture& picture) {
   else
     bytes = encode_png(picture, {});
   return {bytes.begin(), bytes.end()};
+}
+
+Image divided(Image image, float by) {
+  for (Rgb& pixel : image.pixels) pixel = pixel / by;
+  return image;
 }
 
 ByteImage without_alpha(const AlphaImage& image) {
@@ -88,16 +93,20 @@ GltfJson GltfTextureWriter::make(const GltfChannels& channels) {
       }
     }
   const bool has_alpha = numbers[alpha_channel] > 0;
-  return add(name, has_alpha ? png_bytes(image) : png_bytes(without_alpha(image)), baked.frame);
+  const std::string png = has_alpha ? png_bytes(image) : png_bytes(without_alpha(image));
+  return info_of(file_.add_image(name, png), baked.frame);
 }
 
-GltfJson GltfTextureWriter::info(const std::shared_ptr<const Image>& picture) {
-  const auto [entry, is_new] = pictures_.try_emplace(picture);
-  if (!is_new) return entry->second;
+GltfJson GltfTextureWriter::emission_info(const MeshLight& light, float brightest) {
+  const auto [entry, is_new] = pictures_.try_emplace(light.picture);
+  if (is_new) {
+    const Image picture = divided(*light.picture, brightest);
+    check_range(picture);
+    entry->second = file_.add_image("", png_bytes(encode_srgb(picture)));
+  }
   BakedTexture frame;
-  frame.wrap = WrapMode::clamp;
-  check_range(*picture);
-  return entry->second = add("", png_bytes(encode_srgb(*picture)), frame);
+  frame.uv = light.uv, frame.wrap = light.wrap, frame.filter = light.filter;
+  return info_of(entry->second, frame);
 }
 
 void GltfTextureWriter::check_range(const Image& picture) {
@@ -113,8 +122,7 @@ void GltfTextureWriter::check_range(const Image& picture) {
         "{} pictures have colors below 0, which are 0, as colors of vertices in unlit surfaces");
 }
 
-GltfJson GltfTextureWriter::add(const std::string& name, std::string png, const BakedTexture& frame) {
-  const std::size_t image = file_.add_image(name, std::move(png));
+GltfJson GltfTextureWriter::info_of(std::size_t image, const BakedTexture& frame) {
   GltfJson info{{"index", file_.add("textures", {{"sampler", sampler(frame)}, {"source", image}})}};
   const UvTransform identity;
   if (std::equal(&frame.uv.m[0][0], &frame.uv.m[0][0] + 6, &identity.m[0][0])) return info;
@@ -132,8 +140,8 @@ std::size_t GltfTextureWriter::sampler(const BakedTexture& frame) {
   const int s = word(frame.wrap.u), t = word(frame.wrap.v);
   const auto [entry, is_new] = samplers_.try_emplace({int(is_nearest), s, t});
   if (is_new)
-    entry->second = file_.add("samplers", {{"magFilter", is_nearest ? nearest : linear},
-                                           {"minFilter", is_nearest ? nearest : trilinear},
+    entry->second = file_.add("samplers", {{"magFilter", is_nearest ? gl_nearest : gl_linear},
+                                           {"minFilter", is_nearest ? gl_nearest : gl_trilinear},
                                            {"wrapS", s},
                                            {"wrapT", t}});
   return entry->second;

@@ -44,12 +44,13 @@ class GltfTextureWriter {
 
   /// A textureInfo of a picture with these channels, made once.
   GltfJson info(const GltfChannels& channels);
-  /// A textureInfo of a picture of colours that ends at its edge.
-  GltfJson info(const std::shared_ptr<const Image>& picture);
+  /// A textureInfo of a picture of what a light has, divided by the brightest number in it.
+  GltfJson emission_info(const MeshLight& light, float brightest);
 
  private:
   GltfJson make(const GltfChannels& channels);
-  GltfJson add(const std::string& name, std::string png, const BakedTexture& frame);
+  /// Of an image of the file, by its number.
+  GltfJson info_of(std::size_t image, const BakedTexture& frame);
   std::size_t sampler(const BakedTexture& frame);
   GltfJson transform(const UvTransform& uv);
   void check_range(const Image& picture);
@@ -57,7 +58,7 @@ class GltfTextureWriter {
   const Scene& scene_;
   GltfFile& file_;
   std::map<GltfChannels, GltfJson> made_;
-  std::map<std::shared_ptr<const Image>, GltfJson> pictures_;
+  std::map<std::shared_ptr<const Image>, std::size_t> pictures_;  ///< Their images' numbers.
   std::map<std::array<int, 3>, std::size_t> samplers_;
 };
 

@@ -110,14 +110,6 @@ Rgb levelled(const Rgb& pixel, const tinyobj::texture_option_t& how) {
   return white * how.brightness + pixel * how.contrast;
 }
 
-/// Whether a texture is the same where the coordinates are moved by whole numbers.
-bool may_move(const Texture& texture) {
-  const auto* picture = std::get_if<ImageTexture>(&texture.model);
-  const auto is_whole = [](float x) { return std::floor(x) == x; };
-  return !picture || (picture->wrap == WrapMode::repeat && is_whole(picture->uv.m[0][0]) &&
-                      is_whole(picture->uv.m[1][1]));
-}
-
 constexpr PictureMeaning for_colors{PictureRole::color, PictureChannels::color},
     for_vectors{PictureRole::data, PictureChannels::color};
 
@@ -210,14 +202,12 @@ ObjSurface ObjMaterials::make(const tinyobj::material_t& from) {
   warn_of_ranges(from);
   Material material{.name = from.name, .model = model_of(from)};
   material.tangent_degrees = float(degrees_per_turn) * unit(from.anisotropy_rotation);
-  const auto first = std::ptrdiff_t(textures.size());
   add_color(from, material);
   add_textures(from, material);
   add_relief(from, material);
   ObjSurface surface;
   surface.alpha = alpha_of(from, material);
   surface.glow = glow_of(from);
-  surface.glow.may_move_uvs &= std::all_of(textures.begin() + first, textures.end(), may_move);
   surface.material = std::uint32_t(materials.size());
   materials.push_back(std::move(material));
   return surface;
@@ -295,10 +285,10 @@ std::uint32_t ObjMaterials::alpha_of(const tinyobj::material_t& from, const Mate
   return dissolve == 1 ? alpha : scaled(alpha, share);
 }
 
-Glow ObjMaterials::glow_of(const tinyobj::material_t& from) {
+MeshLight ObjMaterials::glow_of(const tinyobj::material_t& from) {
   if (options_.surfaces_only) return {};
   const Rgb given = color_of(from.emission);
-  Glow glow{at_least_zero(given)};
+  MeshLight glow{.radiance = at_least_zero(given)};
   if (from.emissive_texname.empty()) return glow;
   const LoadedTexture loaded = load(from.emissive_texname, for_colors);
   if (loaded.is_stand_in) return glow;
@@ -310,7 +300,6 @@ Glow ObjMaterials::glow_of(const tinyobj::material_t& from) {
   glow.picture = std::make_shared<const Image>(std::move(picture));
   glow.uv = map.uv;
   glow.wrap = map.wrap;
-  glow.may_move_uvs = may_move({"", map});
   return glow;
 }
 

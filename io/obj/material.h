@@ -8,9 +8,9 @@
 #include <tuple>
 #include <vector>
 
+#include "core/light.h"
 #include "core/material.h"
 #include "core/texture.h"
-#include "io/glow.h"
 #include "io/load_options.h"
 #include "io/obj/reader.h"
 #include "io/picture/texture_file.h"
@@ -21,7 +21,7 @@ namespace twinray {
 struct ObjSurface {
   std::uint32_t material = 0;        ///< Index into ObjMaterials::materials.
   std::uint32_t alpha = no_texture;  ///< Index into ObjMaterials::textures.
-  Glow glow;
+  MeshLight glow;                    ///< But for its shape.
 };
 
 /// The materials of MTL files, as a scene has them. docs/meshes.md says what is made of each value.
@@ -50,7 +50,7 @@ class ObjMaterials {
   void add_textures(const tinyobj::material_t& from, Material& to);
   void add_relief(const tinyobj::material_t& from, Material& to);
   std::uint32_t alpha_of(const tinyobj::material_t& from, const Material& made);
-  Glow glow_of(const tinyobj::material_t& from);
+  MeshLight glow_of(const tinyobj::material_t& from);
   /// A file's pixels. A warning says what is wrong with them.
   LoadedTexture load(const std::string& name, const PictureMeaning& meaning);
   std::uint32_t picture(const std::string& name, const tinyobj::texture_option_t& how,

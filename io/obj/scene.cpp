@@ -111,7 +111,7 @@ ScenePart part_of(const ObjModel& model, const ObjFaces& faces, ObjMaterials& ma
     mesh.uv_indices.assign(mesh.triangles.size(), {0, 0, 0});
   }
   ScenePart part;
-  if (emits(surface.glow) && !set_emission(surface.glow, mesh, part)) materials.warn(emits_mean);
+  part.glow = surface.glow;
   part.light_name = mesh.name;
   part.shape = std::move(mesh);
   part.material = surface.material;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "core/elementary.h"
 #include "core/observer.h"
@@ -13,14 +14,26 @@
 namespace twinray {
 namespace {
 
-/// The sum over wavelengths of the observer's curves times value(wavelength, daylight).
+Observed between(const Observed& a, const Observed& b, double part) {
+  const auto mix = [part](double x, double y) { return x + part * (y - x); };
+  return {mix(a.wavelength, b.wavelength), mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z),
+          mix(a.daylight, b.daylight)};
+}
+
+/// The sum over wavelengths of the observer's curves times value(wavelength, daylight), in steps of 1 nm, as
+/// pbrt takes it: a line of sodium is 2 nm wide.
 template <typename Value>
 Xyz integrate(const Value& value) {
   Xyz sum;
-  for (const Observed& o : observer()) {
+  const auto add = [&](const Observed& o) {
     const double v = value(o);
     sum.x += o.x * v, sum.y += o.y * v, sum.z += o.z * v;
-  }
+  };
+  const std::span<const Observed> rows = observer();
+  const int steps = int(rows[1].wavelength - rows[0].wavelength);
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+    for (int step = 0; step < steps; ++step) add(between(rows[i], rows[i + 1], double(step) / steps));
+  add(rows.back());
   return sum;
 }
 
@@ -100,8 +113,8 @@ Rgb clamped(const Rgb& c, float most) {
 
 float Spectrum::at(float wavelength) const {
   const auto above = std::upper_bound(wavelengths.begin(), wavelengths.end(), wavelength);
-  if (above == wavelengths.begin()) return values.front();
-  if (above == wavelengths.end()) return values.back();
+  if (above == wavelengths.begin()) return 0;
+  if (above == wavelengths.end()) return wavelength == wavelengths.back() ? values.back() : 0;
   const std::size_t i = std::size_t(above - wavelengths.begin());
   const float part = (wavelength - wavelengths[i - 1]) / (wavelengths[i] - wavelengths[i - 1]);
   return values[i - 1] + part * (values[i] - values[i - 1]);
@@ -124,8 +137,11 @@ Rgb matter_color(const Spectrum& spectrum) {
 }
 
 float luminous_mean(const Spectrum& spectrum) {
-  const double seen =
-      integrate([&](const Observed& o) { return o.daylight * double(spectrum.at(float(o.wavelength))); }).y;
+  const auto at = [&](const Observed& o) {
+    return spectrum.at(
+        std::clamp(float(o.wavelength), spectrum.wavelengths.front(), spectrum.wavelengths.back()));
+  };
+  const double seen = integrate([&](const Observed& o) { return o.daylight * double(at(o)); }).y;
   return float(seen / integrate([](const Observed& o) { return o.daylight; }).y);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Spectra as colors. Light and matter are rendered in three channels, so a spectrum becomes what pbrt's RGB
-// film would see of it: integrals with the curves of the CIE's observer of 1931 (2 degrees), in steps of 5 nm
+// film would see of it: integrals with the curves of the CIE's observer of 1931 (2 degrees), in steps of 1 nm
 // from 360 to 830 nm, then by the primaries of sRGB.
 #pragma once
 #include <optional>
@@ -19,6 +19,7 @@ struct Spectrum {
   std::vector<float> wavelengths;  ///< In nanometers.
   std::vector<float> values;       ///< As many.
 
+  /// Linear between wavelengths, and 0 beyond them, as pbrt has it.
   float at(float wavelength) const;
 };
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <string_view>
 
+#include "core/angle.h"
 #include "io/affine_texture.h"
 #include "io/decimal.h"
 #include "io/pbrt/spectrum.h"
@@ -167,10 +168,22 @@ PbrtTextures::Named PbrtTextures::make(const std::string& texture_class, const P
       return instead(mean, parameters, "a checkerboard of cubes is not rendered");
     return add(CheckerboardTexture{first.index, second.index, uv}, mean);
   }
-  for (const char* known : {"inside", "outside", "v00", "v01", "v10", "v11", "octaves", "roughness", "scale",
-                            "variation", "filename", "encoding"})
+  const auto part = [&](const char* name, float usual) {
+    return value(parameters, name, usual, channels).mean;
+  };
+  if (texture_class == "bilerp")
+    return instead((part("v00", 0) + part("v01", 1) + part("v10", 0) + part("v11", 1)) * 0.25f, parameters,
+                   "colors between corners are not rendered");
+  if (texture_class == "dots") {
+    // Every other square has a dot, whose radius is 0.35 of its side.
+    constexpr float inside = 0.5f * pi * 0.35f * 0.35f;
+    return instead(lerp(part("outside", 0), part("inside", 1), white * inside), parameters,
+                   "dots are not rendered");
+  }
+  for (const char* known : {"octaves", "roughness", "scale", "variation", "filename", "encoding"})
     parameters.find(known);
-  return instead({0.5f, 0.5f, 0.5f}, parameters, "this pattern is not rendered");
+  parameters.place().warn(context_.warnings, "this pattern is not rendered: 0.5 stands for it");
+  return constant({0.5f, 0.5f, 0.5f});
 }
 
 PictureRole PbrtTextures::role_of(const PbrtParameters& parameters) {

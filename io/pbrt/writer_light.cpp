@@ -9,6 +9,7 @@
 #include "core/angle.h"
 #include "core/elementary.h"
 #include "core/frame.h"
+#include "io/pbrt/emitted_picture.h"
 #include "io/pbrt/text.h"
 #include "io/picture/equal_area.h"
 #include "io/picture/image_file.h"
@@ -154,8 +155,14 @@ std::string pbrt_area_light(const Scene& scene, std::uint32_t light, SceneOutput
     return begin + pbrt_rgb("L", sphere->radiance) + "\n";
   const auto& mesh = std::get<MeshLight>(source);
   std::string text = begin;
-  text += mesh.picture ? picture_parameters(scaled(mesh.picture, mesh.radiance), light, output)
+  text += mesh.picture ? picture_parameters(scaled(emitted_picture(mesh), mesh.radiance), light, output)
                        : pbrt_rgb("L", mesh.radiance);
+  if (mesh.picture && !is_emitted_whole(mesh, std::get<Mesh>(scene.geometry->shapes()[mesh.shape]).uvs))
+    output.losses.add(
+        "a picture that emits ends with the unit square of the texture coordinates, and goes on as at its "
+        "edge",
+        "{} pictures that emit end with the unit square of the texture coordinates, and go on as at their "
+        "edges");
   if (mesh.side == EmissionSide::both) text += pbrt_flag("twosided", true);
   if (mesh.side == EmissionSide::back) text += "\nReverseOrientation";
   return text + "\n";

@@ -171,7 +171,7 @@ void add_interior(const Material& material, std::size_t index, PbrtMaterialTexts
   if (material.interior.priority != 0)
     losses.add("the priority of a body that overlaps others is left out",
                "the priorities of {} materials of bodies that overlap are left out");
-  if (is_black(material.interior.absorption) || !lets_light_in(material.model)) return;
+  if (is_black(material.interior.absorption) || !lets_light_in(material)) return;
   const std::string name = medium_name(made.names[index]);
   made.text += fmt::format("MakeNamedMedium {}{}{}{}\n", pbrt_string(name), pbrt_word("type", "homogeneous"),
                            pbrt_rgb("sigma_a", material.interior.absorption), pbrt_rgb("sigma_s", {}));

@@ -38,6 +38,22 @@ const std::string glaring =
     "Shape \"trianglemesh\" \"point3 P\" [ -9 0 -9  -9 0 9  9 0 9  9 0 -9 ] \"integer indices\" [ 0 1 2 0 2 "
     "3 ]\n";
 
+/// A cube of ink, two units wide, of any boundary, above a floor; a lamp is where the camera is.
+constexpr const char* inked_cube = R"(
+LookAt 0 0 9  0 0 0  0 1 0
+Camera "perspective" "float fov" 0.001
+Film "rgb" "integer xresolution" 8 "integer yresolution" 6
+WorldBegin
+LightSource "point" "point3 from" [ 0 0 9 ]
+Shape "trianglemesh" "point3 P" [ -9 -9 -2  9 -9 -2  9 9 -2 ]
+MakeNamedMedium "ink" "string type" "homogeneous" "rgb sigma_a" [ 0 0.25 1 ] "rgb sigma_s" [ 0 0 0 ]
+MediumInterface "ink" ""
+Material {}
+Shape "trianglemesh"
+  "point3 P" [ -1 -1 -1  1 -1 -1  1 1 -1  -1 1 -1  -1 -1 1  1 -1 1  1 1 1  -1 1 1 ]
+  "integer indices" [ 0 2 1 0 3 2 4 5 6 4 6 7 0 1 5 0 5 4 3 6 2 3 7 6 0 4 7 0 7 3 1 2 6 1 6 5 ]
+)";
+
 }  // namespace
 
 TEST_CASE("a replayed sample is the pixel of a picture of one sample, by every way of finding light") {
@@ -79,6 +95,32 @@ TEST_CASE("a replay says in words what happens at each vertex, and why the path 
     CHECK(contains(result.out, part));
   const std::string sum = result.out.substr(result.out.find("All that it adds   ") + 19);
   CHECK(contains(sum, "\nRendered sample    " + sum.substr(0, sum.find('\n')) + "\n"));
+}
+
+TEST_CASE("a replay says what bodies on the way let through, with a boundary that refracts and without") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("a.pbrt"), replay = folder.file("a.json");
+  const auto replay_of = [&](const std::string& material, const char* depth) {
+    write_text(scene, fmt::format(inked_cube, material));
+    const ProcessResult result =
+        run_program(quoted(scene) + depth + " -s 1 --replay 2 2 0 --replay-json " + quoted(replay));
+    CHECK(result.exit_code == 0);
+    CHECK(count_of(result.out, "\n  let through      ") == 1);
+    return std::pair(result.out, json::parse(read_text(replay))["vertices"]);
+  };
+  const auto check_left = [](const json& transmittance) {
+    CHECK(transmittance[0] == 1);
+    CHECK(float(transmittance[1]) == Approx(std::exp(-0.5)).epsilon(1e-4));
+    CHECK(float(transmittance[2]) == Approx(std::exp(-2.0)).epsilon(1e-4));
+  };
+  const auto [open, passed] = replay_of("\"interface\"", " -m 1");
+  check_left(passed[0]["transmittance"]);
+  CHECK(passed[0]["throughput"] == passed[0]["transmittance"]);
+  CHECK(contains(open, "; visible, 1 0.6"));
+  CHECK(contains(open, " let through on the way, scattered "));
+  const auto [glass, inside] = replay_of("\"dielectric\" \"float eta\" 1.0001", " -m 2");
+  CHECK(inside[0]["transmittance"] == json({1, 1, 1}));
+  check_left(inside[1]["transmittance"]);
 }
 
 TEST_CASE("a replay draws the path as lines from the camera to its vertices") {

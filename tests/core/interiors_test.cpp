@@ -155,6 +155,12 @@ TEST_CASE("interiors that cannot be are refused") {
   CHECK(error_of(glass(1.5f, 0, {0, -1, 0})) ==
         "material 0 has an absorption of 0 -1 0; each must be finite and >= 0");
   CHECK(error_of(glass(1.5f, 0, {NAN, 0, 0})).find("must be finite") != std::string::npos);
+  // A texture may say that what is metal by its number is none.
+  Material metal{"metal", Principled{.base_metalness = 1, .transmission_weight = 1}};
+  metal.interior.priority = 1;
+  CHECK(error_of(metal) == "material 0 has an interior, and its surface lets no light in");
+  metal.textures = {{MaterialInput::base_metalness, 0}};
+  CHECK(lets_light_in(metal));
   Material chalk{"chalk"};
   chalk.interior.priority = 1;
   CHECK(error_of(chalk) == "material 0 has an interior, and its surface lets no light in");

@@ -96,6 +96,12 @@ TEST_CASE("a tangent that is turned too far, and what widens something else, are
         "specular_roughness_anisotropy");
   scene.materials[1].textures[0].input = MaterialInput::specular_roughness_anisotropy;
   CHECK(message_of(scene) == "valid");
+  scene.materials[1].textures[0].meaning = InputMeaning::weighted_color;
+  CHECK(message_of(scene) ==
+        "material 1 has a texture whose meaning is \"weighted_color\" for its specular_roughness_anisotropy; "
+        "valid is fuzz_color");
+  scene.materials[1].textures[0].input = MaterialInput::fuzz_color;
+  CHECK(message_of(scene) == "valid");
 }
 
 TEST_CASE("a light whose shape is not of its kind is named") {

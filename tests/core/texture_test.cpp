@@ -252,6 +252,22 @@ TEST_CASE("a metal takes eta, k or its reflectance from textures, and a roughnes
   CHECK(k * k / (4 + k * k) == Approx(0.25));
 }
 
+TEST_CASE("a texture of fuzz may be its colour times its weight, point by point") {
+  const std::vector<Texture> textures{{"", ConstantTexture{{0.25f, 0.5f, 0}}},
+                                      {"", ConstantTexture{{0, 0, 0}}}};
+  const auto fuzz = [&](std::uint32_t texture, InputMeaning meaning) {
+    return std::get<Principled>(textured_model(
+        {"", Principled{.fuzz_weight = 0.75f}, {{MaterialInput::fuzz_color, texture, meaning}}}, textures,
+        {}));
+  };
+  CHECK(fuzz(0, InputMeaning::weighted_color).fuzz_weight == 0.5f);
+  CHECK(fuzz(0, InputMeaning::weighted_color).fuzz_color == Rgb{0.5f, 1, 0});
+  CHECK(fuzz(1, InputMeaning::weighted_color).fuzz_weight == 0);
+  CHECK(fuzz(1, InputMeaning::weighted_color).fuzz_color == Rgb{});
+  CHECK(fuzz(0, InputMeaning::value).fuzz_weight == 0.75f);
+  CHECK(fuzz(0, InputMeaning::value).fuzz_color == Rgb{0.25f, 0.5f, 0});
+}
+
 TEST_CASE("what widens facets widens those of the roughness, wherever it stands among the textures") {
   const std::vector<Texture> textures{{"", ConstantTexture{{0.5f, 0, 0}}},
                                       {"", ConstantTexture{{0.8f, 0, 0}}}};

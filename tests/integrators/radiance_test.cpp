@@ -270,7 +270,15 @@ TEST_CASE("the picture of a lamp is seen, from the sides that emit") {
   CHECK(seen(-1, -1) == Approx(5 * 0.3).epsilon(1e-4));
   CHECK(seen(1, -1) == Approx(5 * 0.4).epsilon(1e-4));
   CHECK(seen(1, 1) == Approx(5 * 0.2).epsilon(1e-4));
-  std::get<MeshLight>(scene.lights[0].source).side = EmissionSide::back;
+  // Twice as often along u, and upside down, with an edge between texels at z = 0.
+  auto& light = std::get<MeshLight>(scene.lights[0].source);
+  light.uv = {{{2, 0, 0}, {0, -1, 1}}}, light.wrap = WrapMode::repeat, light.filter = TextureFilter::nearest;
+  CHECK(seen(-1.5f, -0.1f) == Approx(5 * 0.1).epsilon(1e-4));
+  CHECK(seen(-0.5f, -0.1f) == Approx(5 * 0.2).epsilon(1e-4));
+  CHECK(seen(0.5f, 0.1f) == Approx(5 * 0.3).epsilon(1e-4));
+  light.wrap = WrapMode::clamp;
+  CHECK(seen(0.5f, 0.1f) == Approx(5 * 0.4).epsilon(1e-4));
+  light.side = EmissionSide::back;
   CHECK(seen(1, 1) == 0);
 }
 

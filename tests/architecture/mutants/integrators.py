@@ -401,4 +401,10 @@ MUTANTS = [
     Mutant("waves divide the light of all that is shaded alone", "integrators/wave/light_division.cpp",
            "else if (is_other && !other->at.is_lambert())", "else if (is_other)", "test_integrators",
            "the parts of light that a mix of diffuse surfaces reflects are those of the reference"),
+    Mutant("a replay leaves out what boundaries without refraction enclose", "integrators/path_reference.cpp",
+           "passed * left}", "left}", "test_cli",
+           "a replay says what bodies on the way let through, with a boundary that refracts and without"),
+    Mutant("a replay leaves out what the last body on the way leaves", "integrators/path_reference.cpp",
+           "passed * left}", "passed}", "test_cli",
+           "a replay says what bodies on the way let through, with a boundary that refracts and without"),
 ]

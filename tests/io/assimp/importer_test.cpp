@@ -121,6 +121,23 @@ TEST_CASE("an STL file is a scene, lit by default") {
   CHECK(loaded.scene.geometry->triangle_count() == 1);
   CHECK(loaded.scene.geometry->bounds().upper == Vec3{1, 2, 0});
   CHECK(loaded.wants_light);
+  CHECK(loaded.scene.geometry->mesh(0)->normals.empty());  // The file's are those of triangles, or wrong.
+}
+
+TEST_CASE("pictures of an imported scene are placed as it says") {
+  const TemporaryFolder folder;
+  write_png(folder.file("wood.png"), {1, 1, {200, 200, 200}});
+  const auto reach = [&](const std::string& placed) {
+    std::string text = squares;
+    text.insert(text.find("texture \"wood.png\"\n") + 19, placed);
+    write_text(folder.file("a.ac"), text);
+    float most = 0;
+    const LoadedScene loaded = load_scene(folder.file("a.ac"));
+    for (const Shape& shape : loaded.scene.geometry->shapes())
+      for (const Vec2& uv : std::get<Mesh>(shape).uvs) most = std::max({most, uv.x, uv.y});
+    return most;
+  };
+  CHECK(reach("texrep 4 4\n") > reach("") + 0.5f);
 }
 
 TEST_CASE("nodes, materials and pictures of an imported scene are where the file has them") {

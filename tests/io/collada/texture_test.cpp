@@ -182,21 +182,13 @@ TEST_CASE("an emission texture is the picture of a light") {
       folder.load(document(sampler("<wrap_s>CLAMP</wrap_s>"), "<emission>" + twice + "</emission>"));
   const auto lamp = std::get<MeshLight>(placed.scene.lights.at(0).source);
   REQUIRE(lamp.picture);
-  REQUIRE(lamp.picture->width == 4);
-  REQUIRE(lamp.picture->height == 4);
-  for (int y = 0; y < 4; ++y) {
-    CHECK(lamp.picture->at(3, y) == lamp.picture->at(1, y));
-    CHECK(lamp.picture->at(2, y) == lamp.picture->at(1, y));
-  }
-  CHECK(lamp.picture->at(0, 2) == lamp.picture->at(0, 0));
-  CHECK(lamp.picture->at(0, 3) == lamp.picture->at(0, 1));
-  CHECK(lamp.picture->at(0, 1) != lamp.picture->at(0, 0));
-  CHECK(lamp.picture->at(1, 0) != lamp.picture->at(0, 0));
+  CHECK(lamp.uv({1, 1}) == Vec2{2, 2});
+  CHECK(lamp.wrap == Wrap{WrapMode::clamp, WrapMode::repeat});
+  // Coordinates beyond the picture are where it goes on.
   const std::string far = "<bind_vertex_input semantic=\"UV\" input_semantic=\"TEXCOORD\" input_set=\"3\"/>";
-  const LoadedScene mean = folder.load(document("", "<emission>" + colors + "</emission>", far));
-  CHECK_FALSE(std::get<MeshLight>(mean.scene.lights.at(0).source).picture);
-  CHECK(std::get<MeshLight>(mean.scene.lights[0].source).radiance == Rgb{0.5f, 0.5f, 0.5f});
-  REQUIRE(mean.warnings.size() == 1);
+  const LoadedScene beside = folder.load(document("", "<emission>" + colors + "</emission>", far));
+  CHECK(std::get<MeshLight>(beside.scene.lights.at(0).source).picture);
+  CHECK(beside.warnings.empty());
   write_text(folder.folder.file("colors.png"), "no picture");
   CHECK(folder.load(document("", "<emission>" + colors + "</emission>")).scene.lights.empty());
 }

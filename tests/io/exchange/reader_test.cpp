@@ -95,7 +95,13 @@ Scene everything() {
   const Vec3 slanted = normalize({1, 2, 3});
   const Transform turned = Transform::rotation({0, 1, 0}, 33);
   scene.lights = {
-      {"mesh", MeshLight{0, metal, EmissionSide::back, picture(3, 1)}},
+      {"mesh", MeshLight{0,
+                         metal,
+                         EmissionSide::back,
+                         picture(3, 1),
+                         {{{third, 1, 2}, {3, seventh, 5}}},
+                         {WrapMode::repeat, WrapMode::black},
+                         TextureFilter::nearest}},
       {"sphere", SphereLight{1, metal}},
       {"point", PointLight{{third, 1, 2}, metal, {third, seventh, 2}}},
       {"spot", SpotLight{{third, 1, 2}, slanted, metal, {}, 40 + third, seventh, 1 + third}},
@@ -159,7 +165,12 @@ TEST_CASE("a scene in exchange form is read with all its bits, whatever is in it
   CHECK(std::equal(&place.m[0][0], &place.m[0][0] + 12, &read_place.m[0][0]));
   for (const std::size_t light : {6u, 7u, 8u})
     CHECK(scene.lights[light].name == trip.scene.lights[light].name);
-  CHECK(std::get<MeshLight>(trip.scene.lights[0].source).picture->pixels == picture(3, 1)->pixels);
+  const auto& lamp = std::get<MeshLight>(trip.scene.lights[0].source);
+  CHECK(lamp.picture->pixels == picture(3, 1)->pixels);
+  const auto& sent = std::get<MeshLight>(scene.lights[0].source);
+  CHECK(std::equal(&lamp.uv.m[0][0], &lamp.uv.m[0][0] + 6, &sent.uv.m[0][0]));
+  CHECK(lamp.wrap == Wrap{WrapMode::repeat, WrapMode::black});
+  CHECK(lamp.filter == TextureFilter::nearest);
   CHECK(trip.scene.assets == scene.assets);
   const auto maps = [](const Material& m) {
     return std::tuple(m.normal_map, m.bump_map, m.tangent_map, m.tangent_degrees);

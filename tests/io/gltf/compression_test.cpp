@@ -137,6 +137,57 @@ TEST_CASE("gltf: what Draco packed comes out as it was") {
   CHECK(area(loaded) == Approx(256).epsilon(1e-3));
 }
 
+TEST_CASE("gltf: joints of what Draco packed are its own, in its order, and a strip is triangles") {
+  // A row of triangles; of each vertex a joint of its own number, 1 above, is all that moves it.
+  draco::TriangleSoupMeshBuilder builder;
+  builder.Start(3);
+  const int positions = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  const int joints = builder.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_UINT8);
+  const int weights = builder.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_FLOAT32);
+  const float place[5][3] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}};
+  const std::uint8_t joint[5][4] = {{0}, {1}, {2}, {3}, {4}};
+  const float whole[4] = {1, 0, 0, 0};
+  const unsigned corners[3][3] = {{4, 3, 2}, {0, 2, 1}, {1, 2, 3}};
+  for (unsigned i = 0; i < 3; ++i) {
+    const auto& [a, b, c] = corners[i];
+    const draco::FaceIndex face(i);
+    builder.SetAttributeValuesForFace(positions, face, place[a], place[b], place[c]);
+    builder.SetAttributeValuesForFace(joints, face, joint[a], joint[b], joint[c]);
+    builder.SetAttributeValuesForFace(weights, face, whole, whole, whole);
+  }
+  const auto mesh = builder.Finalize();
+  const auto id = [&](int attribute) { return mesh->attribute(attribute)->unique_id(); };
+  draco::Encoder encoder;
+  encoder.SetEncodingMethod(draco::MESH_EDGEBREAKER_ENCODING);
+  draco::EncoderBuffer buffer;
+  REQUIRE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
+  GltfFile file;
+  const auto empty = [&](int component, const char* type) {
+    return file.add("accessors", {{"componentType", component}, {"count", 5}, {"type", type}});
+  };
+  file.show({{"attributes",
+              {{"POSITION", empty(5126, "VEC3")},
+               {"JOINTS_0", empty(5121, "VEC4")},
+               {"WEIGHTS_0", empty(5126, "VEC4")}}},
+             {"mode", 5}});
+  file.primitive()["extensions"]["KHR_draco_mesh_compression"] = {
+      {"bufferView", file.view({buffer.data(), buffer.size()})},
+      {"attributes", {{"POSITION", id(positions)}, {"JOINTS_0", id(joints)}, {"WEIGHTS_0", id(weights)}}}};
+  file.json["nodes"][0]["skin"] = 0;
+  auto& skin = file.json["skins"][0]["joints"];
+  for (int i = 0; i < 5; ++i) {
+    skin.push_back(file.json["nodes"].size());
+    file.add_node({{"translation", {0, 0, i}}});
+  }
+  const LoadedScene loaded = file.load();
+  CHECK(loaded.warnings.empty());
+  const Mesh& moved = only_mesh(loaded);
+  CHECK(moved.triangles.size() == 3);
+  REQUIRE(moved.positions.size() == 5);
+  for (const Vec3& p : moved.positions)
+    CHECK(p.z == Approx(2 * std::round(p.x) + std::round(p.y)).margin(1e-5));
+}
+
 TEST_CASE("gltf: what is wrong with Draco's data has its place") {
   GltfFile file = draco_grid(Grid());
   const std::string place = "test.gltf: /meshes/0/primitives/0/extensions/KHR_draco_mesh_compression";

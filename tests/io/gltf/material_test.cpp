@@ -186,33 +186,19 @@ TEST_CASE("gltf: what emits is a light, on both sides where it has two") {
   CHECK(file.load({.surfaces_only = true}).scene.lights.empty());
 }
 
-TEST_CASE("gltf: a picture of light that is moved is drawn anew where coordinates stay within the square") {
+TEST_CASE("gltf: a picture of light lies, goes on and has texels as its transform and its sampler say") {
   GltfFile file = gltf_surface({{"emissiveFactor", {1, 1, 1}}});
   file.json["materials"][0]["emissiveTexture"] = {
-      {"index", add_picture(file)}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}}}}}};
-  const LoadedScene loaded = file.load();
-  const auto light = std::get<MeshLight>(loaded.scene.lights.at(0).source);
-  REQUIRE(light.picture);
-  CHECK(bilinear(*light.picture, WrapMode::clamp, left).b == 1);
-  CHECK(bilinear(*light.picture, WrapMode::clamp, right).b == 0);
-  file.primitive()["attributes"]["TEXCOORD_0"] = file.accessor<float>({0, 1, 3, 1, 0, 0}, "VEC2");
-  CHECK(file.warning().find("this surface emits the picture's mean") != std::string::npos);
-  CHECK(std::get<MeshLight>(file.load().scene.lights.at(0).source).radiance.b == Approx(0.5));
-}
-
-TEST_CASE("gltf: what emits a picture that repeats has its coordinates moved into it, triangle by triangle") {
-  GltfFile file = gltf_surface({{"emissiveFactor", {1, 1, 1}}});
-  const int picture = add_picture(file);
-  file.json["materials"][0]["emissiveTexture"]["index"] = picture;
-  file.primitive()["attributes"]["TEXCOORD_0"] = file.accessor<float>({3, 2, 3.5f, 2, 3, 1}, "VEC2");
+      {"index", add_picture(file, {{"wrapS", 33071}, {"magFilter", 9728}, {"minFilter", 9728}})},
+      {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}, {"scale", {16, 1}}}}}}};
   const LoadedScene loaded = file.load();
   CHECK(loaded.warnings.empty());
-  const Mesh& mesh = only_mesh(loaded);
-  CHECK(mesh.uvs[mesh.uv_indices[0][1]] == Vec2{0.5f, 0});
-  CHECK(mesh.uvs[mesh.uv_indices[0][2]] == Vec2{0, 1});
-  CHECK(std::get<MeshLight>(loaded.scene.lights.at(0).source).picture);
-  file.json["samplers"][0] = {{"wrapS", 33071}, {"wrapT", 33071}};
-  CHECK(file.warning().find("this surface emits the picture's mean") != std::string::npos);
+  const auto light = std::get<MeshLight>(loaded.scene.lights.at(0).source);
+  CHECK(light.uv({0.25f, 0.5f}) == Vec2{4.5f, 0.5f});
+  CHECK(light.wrap == Wrap{WrapMode::clamp, WrapMode::repeat});
+  CHECK(light.filter == TextureFilter::nearest);
+  REQUIRE(light.picture);
+  CHECK(light.picture->width == 2);
 }
 
 TEST_CASE("gltf: an unlit surface emits its color and reflects nothing") {
@@ -226,6 +212,10 @@ TEST_CASE("gltf: an unlit surface emits its color and reflects nothing") {
 TEST_CASE("gltf: indices of refraction and specular reflection") {
   CHECK(model_of(extended("KHR_materials_ior", {{"ior", 1.25}})).specular_ior == 1.25f);
   CHECK(model_of(extended("KHR_materials_ior", {{"ior", 0}})).specular_ior == 1000);
+  const LoadedScene thin = extended("KHR_materials_ior", {{"ior", 0.5}}).load();
+  REQUIRE(thin.warnings.size() == 1);
+  CHECK(thin.warnings[0].message ==
+        "an index of refraction of 0.5 is rendered as 1; valid are 0, and those from 1");
   GltfFile file =
       extended("KHR_materials_specular", {{"specularFactor", 0.5}, {"specularColorFactor", {1, 0.5, 0.25}}});
   CHECK(model_of(file).specular_weight == 1);  // a metal's stays
@@ -287,6 +277,12 @@ TEST_CASE("gltf: transmission is that of a sheet or, with a thickness, of a body
   CHECK_FALSE(file.load().scene.materials[0].interior.is_clear);
   file.json["materials"][0]["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", 1}};
   CHECK(file.load().scene.materials[0].interior.is_clear);
+  // A texture may say that what is metal by its factor is none.
+  file.json["materials"][0]["extensions"]["KHR_materials_volume"]["attenuationDistance"] = 2;
+  file.json["materials"][0]["extensions"]["KHR_materials_volume"]["attenuationColor"] = {0.5, 1, 1};
+  file.json["materials"][0]["pbrMetallicRoughness"] = {
+      {"metallicRoughnessTexture", {{"index", add_picture(file)}}}};
+  CHECK(exp_of(-file.load().scene.materials[0].interior.absorption.r * 2) == Approx(0.5));
 }
 
 TEST_CASE("gltf: a coat has an index of 1.5 and its own roughness") {
@@ -310,6 +306,22 @@ TEST_CASE("gltf: sheen is fuzz whose weight is its brightest channel") {
   CHECK(cloth.fuzz_weight == 0.5f);
   CHECK(cloth.fuzz_color == Rgb{1, 0.5f, 0});
   CHECK(cloth.fuzz_roughness == 0.75f);
+}
+
+TEST_CASE("gltf: where the texture of sheen is dark, the fuzz hides nothing") {
+  GltfFile file = extended("KHR_materials_sheen", {{"sheenColorFactor", {0.5, 0.25, 0}}});
+  // Red 188 on the left and 0 on the right.
+  file.json["materials"][0]["extensions"]["KHR_materials_sheen"]["sheenColorTexture"] = {
+      {"index", add_picture(file)}};
+  const LoadedScene loaded = file.load();
+  const auto fuzz_at = [&](const Scene& scene, Vec2 uv) {
+    return std::get<Principled>(textured_model(scene.materials[0], scene.textures, {.uv = uv}));
+  };
+  const Principled bright = fuzz_at(loaded.scene, left), dark = fuzz_at(loaded.scene, right);
+  CHECK(bright.fuzz_weight == Approx(0.5 * 0.50288654).margin(1e-5));
+  CHECK(bright.fuzz_color.r == 1);
+  CHECK(dark.fuzz_weight == Approx(max_component(input_at(loaded, MaterialInput::fuzz_color, right))));
+  CHECK(dark.fuzz_weight < bright.fuzz_weight / 2);
 }
 
 TEST_CASE("gltf: a normal map is scaled, and turned where texture coordinates are mirrored") {

@@ -204,6 +204,14 @@ TEST_CASE("written gltf: a bright picture that emits is divided by what it has a
     CHECK(read.r == Approx(wanted.r).margin(24 * byte_rounding));
     CHECK(read.g == Approx(wanted.g).margin(24 * byte_rounding));
   }
+  auto& placed = std::get<MeshLight>(scene.lights[0].source);
+  placed.uv = {{{2, 0, 0.25f}, {0, 0.5f, 0.125f}}}, placed.wrap = {WrapMode::repeat, WrapMode::clamp};
+  placed.filter = TextureFilter::nearest;
+  const auto again = std::get<MeshLight>(round_trip(scene, "a.gltf").scene.lights[0].source);
+  for (int i = 0; i < 6; ++i)
+    CHECK(again.uv.m[i / 3][i % 3] == Approx(placed.uv.m[i / 3][i % 3]).margin(1e-6));
+  CHECK(again.wrap == placed.wrap);
+  CHECK(again.filter == TextureFilter::nearest);
 }
 
 TEST_CASE("written gltf: a picture that emits has no light below 0, which is told") {

@@ -125,19 +125,6 @@ TEST_CASE("what a material file says that is not known is named") {
   CHECK(load_with_mtl(folder, "\n  # a comment\nsharpness 60\nillum 1\nKa 1 1 1\nKd 1 1 1").warnings.empty());
 }
 
-TEST_CASE("a small picture of light that is stretched keeps its slopes") {
-  const TemporaryFolder folder;
-  Image halves(2, 1);
-  halves.pixels = {{1, 1, 1}, {0, 0, 0}};
-  write_exr(folder.file("a.exr"), halves);
-  // A half of it, which goes from white to grey.
-  const LoadedScene loaded = load_with_mtl(folder, "map_Ke -s 0.5 1 -clamp on a.exr");
-  const Image& half = *std::get<MeshLight>(loaded.scene.lights.at(0).source).picture;
-  CHECK(half.at(half.width / 2 - 1, 0).r == 1);
-  CHECK(half.at(half.width * 3 / 4, 0).r == Approx(0.75).margin(0.01));
-  CHECK(half.at(half.width - 1, 0).r == Approx(0.5).margin(0.01));
-}
-
 TEST_CASE("a picture of gloss is multiplied by its color, which may be left out") {
   const TemporaryFolder folder;
   write_exr(folder.file("a.exr"), Image(1, 1, {1, 0.5f, 0.25f}));
