@@ -41,6 +41,7 @@ ApartResult result_of(std::string message) {
   ApartResult result;
   const bool is_good = message.front() == good;
   message.erase(0, 1);
+  if (!is_good && message.empty()) message = "it cannot be read, and the library does not say why";
   (is_good ? result.bytes : result.fault) = std::move(message);
   return result;
 }

@@ -73,8 +73,9 @@ class Builder {
     if (!is_visible) return;
     if (node.mesh >= 0) add_mesh(index, node);
     const GltfExtension light(node.extensions, "KHR_lights_punctual", "");
-    if (light && !document_.context().options.surfaces_only)
-      lights_.push_back(read_gltf_light(document_, int(light.number("light", 0)), index, to_world));
+    if (!light || document_.context().options.surfaces_only) return;
+    if (auto made = read_gltf_light(document_, int(light.number("light", 0)), index, to_world))
+      lights_.push_back(std::move(*made));
   }
 
   Scene assembled() {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include <cmath>
+
 #include "io/gltf/document.h"
 
 namespace twinray {
@@ -31,17 +33,16 @@ SpotLight spot_of(const tinygltf::Light& light, const std::string& pointer, cons
   return spot;
 }
 
-Vec3 axis_of(const Transform& to_world, const std::string& pointer, const GltfContext& context) {
+/// None where the transform shrinks it to nothing.
+std::optional<Vec3> axis_of(const Transform& to_world) {
   const Vec3 axis = to_world.vector({0, 0, -1});
   const float size = length(axis);
-  if (!(size > 0) || !std::isfinite(size))
-    context.fail(pointer, "the transform of this light's node gives it no direction");
-  return axis / size;
+  return size > 0 && std::isfinite(size) ? std::optional(axis / size) : std::nullopt;
 }
 
 }  // namespace
 
-Light read_gltf_light(GltfDocument& document, int index, int node, const Transform& to_world) {
+std::optional<Light> read_gltf_light(GltfDocument& document, int index, int node, const Transform& to_world) {
   const auto& model = document.model();
   GltfContext& context = document.context();
   const std::string node_pointer = fmt::format("/nodes/{}", node);
@@ -58,14 +59,19 @@ Light read_gltf_light(GltfDocument& document, int index, int node, const Transfo
   light.name = source.name.empty() ? model.nodes[std::size_t(node)].name : source.name;
   if (light.name.empty()) light.name = fmt::format("light {}", index);
   const Vec3 position = to_world.point({0, 0, 0});
+  const std::optional<Vec3> axis = axis_of(to_world);
+  if (!axis && source.type != "point") {
+    context.warn(node_pointer, "the transform of this light's node gives it no direction; it is left out");
+    return std::nullopt;
+  }
   if (source.type == "point") {
     light.source = PointLight{position, amount, {}};
   } else if (source.type == "directional") {
-    light.source = DirectionalLight{axis_of(to_world, node_pointer, context), amount};
+    light.source = DirectionalLight{*axis, amount};
   } else {
     SpotLight spot = spot_of(source, pointer, context);
     spot.position = position, spot.intensity = amount;
-    spot.direction = axis_of(to_world, node_pointer, context);
+    spot.direction = *axis;
     light.source = spot;
   }
   return light;

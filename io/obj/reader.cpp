@@ -19,6 +19,7 @@
 #include "io/obj/material_text.h"
 #include "io/obj/text.h"
 #include "io/picture/srgb.h"
+#include "io/picture_path.h"
 #include "io/polygon.h"
 #include "io/uri.h"
 
@@ -116,12 +117,12 @@ class MaterialFiles : public tinyobj::MaterialReader {
   std::vector<std::string> paths() const {
     std::string_view line = lines_.line();
     take_word(line);
-    const std::string whole = path_of_name(trimmed(std::string(line)), path_);
+    const std::string whole = path_of_name(with_slashes(trimmed(std::string(line))), path_);
     std::error_code error;
     if (std::filesystem::is_regular_file(whole, error)) return {whole};
     std::vector<std::string> names;
     for (std::string_view name; !(name = take_word(line)).empty();)
-      names.push_back(path_of_name(std::string(name), path_));
+      names.push_back(path_of_name(with_slashes(std::string(name)), path_));
     return names;
   }
 

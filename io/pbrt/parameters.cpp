@@ -175,6 +175,7 @@ void PbrtParameters::append(const PbrtParameters& others) {
       move_to(integers_, others.integers_);
     else
       move_to(reals_, others.reals_);
+    if (!parameter.color_space) parameter.color_space = others.color_space;
     parameters_.push_back(std::move(parameter));
   }
 }

@@ -39,6 +39,7 @@ struct PbrtParameter {
   PbrtPlace place;           ///< Of "type name".
   bool has_strings = false;  ///< Of a spectrum: it is a name or a file.
   std::size_t first = 0, count = 0;
+  std::optional<PbrtColorSpace> color_space = {};  ///< Of an Attribute: the one where it stands.
 };
 
 struct NumberRange {

@@ -182,7 +182,7 @@ Rgb color_of(const PbrtParameters& parameters, const PbrtParameter& parameter, C
   }
   const Rgb color{values[0], values[1], values[2]};
   check_range(color, parameter, role);
-  return clamped(to_srgb(color, parameters.color_space), most);
+  return clamped(to_srgb(color, parameter.color_space.value_or(parameters.color_space)), most);
 }
 
 Rgb color_of(const PbrtParameters& parameters, const char* name, const Rgb& fallback, ColorRole role,

@@ -152,7 +152,9 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name) {
       read_element(line, header);
     else if (word == "property")
       read_property(line, header);
-    else if (word != "comment" && word != "obj_info" && !word.empty())
+    else if (word == "comment")
+      header.names_picture |= line.word() == "TextureFile";
+    else if (word != "obj_info" && !word.empty())
       line.fail(fmt::format("\"{}\" is not a word of a PLY header", word.substr(0, 32)));
   }
   if (!has_format) first.fail("the header has no \"format\" line");

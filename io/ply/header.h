@@ -31,7 +31,8 @@ struct PlyElement {
 struct PlyHeader {
   PlyFormat format = PlyFormat::ascii;
   std::vector<PlyElement> elements;
-  std::size_t size = 0;  ///< Bytes up to the data.
+  std::size_t size = 0;        ///< Bytes up to the data.
+  bool names_picture = false;  ///< A comment says which one, as MeshLab writes it.
 };
 
 /// Of a binary file.

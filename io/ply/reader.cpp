@@ -155,6 +155,8 @@ class Reader {
         for (std::uint64_t i = 0; i < element.count; ++i) skip(element);
       has_strips_ |= element.name == "tristrips";
     }
+    if (has_strips_) leave_out("strips of triangles (\"tristrips\")");
+    if (header_.names_picture) leave_out("pictures (\"comment TextureFile\")");
     if (!has_vertices_) throw Error(name_ + ": the PLY file has no element \"vertex\"");
     if (!has_faces_)
       throw Error(name_ + ": the PLY file has no element \"face\"" +
@@ -235,6 +237,8 @@ class Reader {
     }
   }
 
+  void leave_out(const char* what) { ply_.left_out.push_back(what); }
+
   void read_faces(const PlyElement& face) {
     if (!has_vertices_) throw Error(name_ + ": faces stand before the vertices that they name");
     has_faces_ = true;
@@ -242,7 +246,8 @@ class Reader {
         face.find("vertex_indices") >= 0 ? face.find("vertex_indices") : face.find("vertex_index");
     if (indices < 0 || !face.properties[std::size_t(indices)].is_list)
       throw Error(name_ + ": the faces need the list \"vertex_indices\"");
-    ply_.has_face_colors |= face.find("red") >= 0 || face.find("diffuse_red") >= 0;
+    if (face.find("red") >= 0 || face.find("diffuse_red") >= 0) leave_out("colors of faces");
+    if (face.find("texcoord") >= 0) leave_out("texture coordinates of faces' corners");
     ply_.mesh.triangles.reserve(ply_.mesh.triangles.size() + face.count);
     for (std::uint64_t i = 0; i < face.count; ++i)
       for (std::size_t k = 0; k < face.properties.size(); ++k)

@@ -23,8 +23,8 @@ struct PlyMesh {
   /// Colours of the vertices, if they have red, green and blue (or diffuse_red and the like, or r, g, b) and
   /// were asked for: linear, in [0, 1].
   std::vector<Rgb> colors = {};
-  std::size_t quads = 0;         ///< Faces of four corners that are two triangles, both with an area.
-  bool has_face_colors = false;  ///< Faces have colours, which are not read.
+  std::size_t quads = 0;  ///< Faces of four corners that are two triangles, both with an area.
+  std::vector<std::string> left_out = {};  ///< What the file has and is not read, in words.
 };
 
 /// Whether the colours of vertices are read.

@@ -49,7 +49,7 @@ LoadedScene load_ply(const std::string& path, const LoadOptions& options) {
   if (read.flat_faces > 0)
     loaded.summary.notes.push_back(
         fmt::format("faces of less than three corners, left out: {}", read.flat_faces));
-  if (read.has_face_colors) loaded.summary.notes.push_back("colors of faces are left out");
+  for (const std::string& what : read.left_out) loaded.summary.notes.push_back(what + " are left out");
   if (!read.colors.empty() && !is_painted)
     loaded.summary.notes.push_back(
         "the mesh has too many triangles for the colors of its vertices: it is grey");

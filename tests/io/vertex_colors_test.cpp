@@ -76,14 +76,26 @@ TEST_CASE("colors of vertices go by several names") {
     check_near(color_at(load_ply_colors("uchar", four, names), 0, 1, 0), {0, 1, 0});
 }
 
-TEST_CASE("colors of faces of a PLY file are told") {
+TEST_CASE("what a PLY file has and is not read is told") {
   const TemporaryFolder folder;
-  write_text(folder.file("tri.ply"),
-             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-             "element face 1\nproperty list uchar int vertex_indices\nproperty uchar red\nend_header\n"
-             "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255\n");
-  CHECK(load_ply(folder.file("tri.ply")).summary.notes ==
-        std::vector<std::string>{"colors of faces are left out"});
+  const auto notes = [&](const std::string& comment, const std::string& property, const std::string& value,
+                         const std::string& element) {
+    write_text(folder.file("tri.ply"),
+               "ply\nformat ascii 1.0\n" + comment +
+                   "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                   "element face 1\nproperty list uchar int vertex_indices\n" +
+                   property + element + "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2" + value + "\n4 0 1 2 0\n");
+    return load_ply(folder.file("tri.ply")).summary.notes;
+  };
+  using Notes = std::vector<std::string>;
+  CHECK(notes("comment made by hand\n", "", "", "").empty());
+  CHECK(notes("", "property uchar red\n", " 255", "") == Notes{"colors of faces are left out"});
+  CHECK(notes("", "property list uchar float texcoord\n", " 6 0 0 1 0 0 1", "") ==
+        Notes{"texture coordinates of faces' corners are left out"});
+  CHECK(notes("comment TextureFile a.png\n", "", "", "") ==
+        Notes{"pictures (\"comment TextureFile\") are left out"});
+  CHECK(notes("", "", "", "element tristrips 1\nproperty list int int vertex_indices\n") ==
+        Notes{"strips of triangles (\"tristrips\") are left out"});
 }
 
 TEST_CASE("vertices of one color are a surface of that color") {

@@ -158,4 +158,7 @@ MUTANTS = [
     Mutant("colors between corners are grey", "io/pbrt/texture.cpp",
            'part("v01", 1)', 'part("v01", 0)', "test_io",
            "of what is not rendered of a pattern, its mean is shown where it is known"),
+    Mutant("the last Attribute's color space is that of all", "io/pbrt/parameters.cpp",
+           "if (!parameter.color_space) parameter.color_space", "parameter.color_space", "test_io",
+           "an Attribute's rgb is of the color space in which it stands, whatever comes later"),
 ]

@@ -203,6 +203,8 @@ TEST_CASE("work that runs apart gives its bytes or its fault, however it ends") 
   const std::string many(3000000, 'x');
   CHECK(run_apart(1 << 30, [&] { return many; }).bytes == many);
   CHECK(run_apart(1 << 30, []() -> std::string { throw Error("no good"); }).fault == "no good");
+  CHECK(run_apart(1 << 30, []() -> std::string { throw Error(""); }).fault ==
+        "it cannot be read, and the library does not say why");
   CHECK(run_apart(1 << 30, []() -> std::string {
           std::raise(SIGSEGV);
           return "";

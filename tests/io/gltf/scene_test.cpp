@@ -143,6 +143,17 @@ TEST_CASE("gltf: a spot light that says no angles has those of the extension, an
   CHECK(spot.penumbra_degrees == Approx(45));
 }
 
+TEST_CASE("gltf: a light whose node is shrunk to nothing is left out, but for one that needs no direction") {
+  for (const char* type : {"point", "directional", "spot"}) {
+    GltfFile file = with_light({{"type", type}, {"spot", {{"outerConeAngle", 0.5}}}});
+    file.json["nodes"][1]["scale"] = {0, 0, 0};
+    const LoadedScene loaded = file.load();
+    const bool is_point = std::string(type) == "point";
+    CHECK(loaded.scene.lights.size() == (is_point ? 1 : 0));
+    CHECK(loaded.warnings.size() == (is_point ? 0 : 1));
+  }
+}
+
 TEST_CASE("gltf: lights that are no lights are errors with their place") {
   CHECK(with_light({{"type", "spot"}, {"spot", {{"innerConeAngle", 1}, {"outerConeAngle", 0.5}}}})
             .error()

@@ -319,7 +319,7 @@ TEST_CASE("a line of several material files has all of them, each with pictures 
     REQUIRE(loaded.scene.materials.size() == 2);
     CHECK(loaded.scene.materials[1].name == "two");
   }
-  write_text(folder.file("a.obj"), "mtllib none.mtl two/m.mtl\n" + faces);
+  write_text(folder.file("a.obj"), "mtllib none.mtl two\\m.mtl\n" + faces);
   const LoadedScene partly = load_scene(folder.file("a.obj"));
   REQUIRE(partly.warnings.size() == 2);
   CHECK(partly.warnings[0].message.find("none.mtl: ") != std::string::npos);

@@ -129,4 +129,17 @@ TEST_CASE("rgb of other color spaces is turned into sRGB, and white stays white"
   CHECK_FALSE(color_space_named("xyz"));
 }
 
+TEST_CASE("an Attribute's rgb is of the color space in which it stands, whatever comes later") {
+  const auto reflectance = [](const std::string& text) {
+    const LoadedScene loaded = test::load_pbrt_world(text + " Material \"diffuse\"");
+    return std::get<Lambert>(loaded.scene.materials.at(1).model).reflectance;
+  };
+  const std::string color = " Attribute \"material\" \"rgb reflectance\" [ .3 .4 .5 ] ",
+                    more = " Attribute \"material\" \"bool remaproughness\" false ",
+                    wide = " ColorSpace \"rec2020\" ", srgb = " ColorSpace \"srgb\" ";
+  CHECK(reflectance(color + wide) == Rgb{0.3f, 0.4f, 0.5f});
+  CHECK(reflectance(color + wide + more) == Rgb{0.3f, 0.4f, 0.5f});
+  CHECK(reflectance(wide + color + srgb) == to_srgb({0.3f, 0.4f, 0.5f}, PbrtColorSpace::rec2020));
+}
+
 }  // namespace twinray
