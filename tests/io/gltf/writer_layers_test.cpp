@@ -43,7 +43,7 @@ TEST_CASE("written gltf: what the reader gives metal of specular reflection is n
   for (const bool has_metal_texture : {false, true})
     for (const bool has_specular_texture : {false, true}) {
       CAPTURE(has_metal_texture, has_specular_texture);
-      material["pbrMetallicRoughness"] = {{"metallicFactor", has_metal_texture ? 1.0 : 0.25}};
+      material["pbrMetallicRoughness"] = {{"metallicFactor", has_metal_texture ? 0.75 : 0.25}};
       if (has_metal_texture)
         material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", added}};
       auto& specular = material["extensions"]["KHR_materials_specular"];

@@ -140,6 +140,7 @@ TEST_CASE("an Attribute's rgb is of the color space in which it stands, whatever
   CHECK(reflectance(color + wide) == Rgb{0.3f, 0.4f, 0.5f});
   CHECK(reflectance(color + wide + more) == Rgb{0.3f, 0.4f, 0.5f});
   CHECK(reflectance(wide + color + srgb) == to_srgb({0.3f, 0.4f, 0.5f}, PbrtColorSpace::rec2020));
+  CHECK(reflectance(wide + color + srgb + more) == to_srgb({0.3f, 0.4f, 0.5f}, PbrtColorSpace::rec2020));
 }
 
 }  // namespace twinray
