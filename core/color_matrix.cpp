@@ -51,10 +51,10 @@ ColorMatrix adapted(const ColorMatrix& to_cones, const std::array<double, 3>& fr
 }
 
 ColorMatrix to_srgb(const Primaries& primaries) {
-  constexpr std::array<double, 3> white{1, 1, 1};
+  constexpr std::array<double, 3> full{1, 1, 1};
   const ColorMatrix theirs = product(bradford, to_xyz(primaries)),
                     ours = product(bradford, to_xyz(srgb_primaries));
-  return product(inverse(ours), adapted(theirs, transformed(theirs, white), transformed(ours, white)));
+  return product(inverse(ours), adapted(theirs, transformed(theirs, full), transformed(ours, full)));
 }
 
 }  // namespace twinray

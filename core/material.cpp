@@ -2,6 +2,7 @@
 #include "core/material.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace twinray {
 namespace {
@@ -24,11 +25,19 @@ struct LetsLightIn {
 
 bool lets_light_in(const SurfaceModel& model) { return std::visit(LetsLightIn{}, model); }
 
+const TextureUse* texture_use(const Material& material, MaterialInput input) {
+  const auto found = std::find_if(material.textures.begin(), material.textures.end(),
+                                  [=](const TextureUse& use) { return use.input == input; });
+  return found == material.textures.end() ? nullptr : &*found;
+}
+
+TextureUse* texture_use(Material& material, MaterialInput input) {
+  return const_cast<TextureUse*>(texture_use(std::as_const(material), input));
+}
+
 bool lets_light_in(const Material& material) {
   const auto* model = std::get_if<Principled>(&material.model);
-  const auto is_metalness = [](const TextureUse& use) { return use.input == MaterialInput::base_metalness; };
-  if (!model || std::none_of(material.textures.begin(), material.textures.end(), is_metalness))
-    return lets_light_in(material.model);
+  if (!model || !texture_use(material, MaterialInput::base_metalness)) return lets_light_in(material.model);
   Principled bare = *model;
   bare.base_metalness = 0;
   return lets_light_in(SurfaceModel(bare));

@@ -224,6 +224,10 @@ struct Material {
   std::uint32_t tangent_map = no_texture;
 };
 
+/// The texture that says an input of a material; null: none does.
+const TextureUse* texture_use(const Material& material, MaterialInput input);
+TextureUse* texture_use(Material& material, MaterialInput input);
+
 /// Whether paths must know that they are within a surface of this material.
 inline bool has_interior(const Material& material) { return material.interior != Interior{}; }
 /// Whether there is something within a closed surface of this model.

@@ -40,6 +40,7 @@ struct UvTransform {
   Vec2 operator()(Vec2 uv) const {
     return {m[0][0] * uv.x + m[0][1] * uv.y + m[0][2], m[1][0] * uv.x + m[1][1] * uv.y + m[1][2]};
   }
+  friend bool operator==(const UvTransform&, const UvTransform&) = default;
 };
 
 /// The same everywhere.

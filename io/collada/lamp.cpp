@@ -71,7 +71,8 @@ bool merge_area_light(const AreaLight& light, SceneParts& parts) {
     if (!mesh || !emits(part.glow) || !coincide(light, *mesh, plane)) continue;
     const EmissionSide side = side_towards(*mesh, plane.normal);
     if (side == EmissionSide::both) continue;
-    part.glow = {.radiance = light.radiance, .side = side};
+    part.glow.radiance = light.radiance;
+    part.glow.side = side;
     parts.notes.push_back(
         fmt::format("one lamp: the area light \"{}\" and the emissive mesh \"{}\" coincide; the mesh is the "
                     "lamp, with the area "

@@ -84,6 +84,7 @@ class Skinning {
   };
 
   GltfNumbers numbers(const char* type, const Attributes::value_type& attribute) {
+    require_type(document_, attribute.second, type);
     const auto unpacked = primitive_.unpacked.find(attribute.first);
     return checked_rows(
         document_,

@@ -52,7 +52,7 @@ class Layers {
     model_.specular_ior = ior == 0 ? most_ior : std::max(ior, 1.0f);
   }
 
-  bool has_texture(MaterialInput input) const { return twinray::has_texture(inputs_.material, input); }
+  bool has_texture(MaterialInput input) const { return texture_use(inputs_.material, input) != nullptr; }
   bool is_all_metal() const { return model_.base_metalness == 1 && !has_texture(base_metalness); }
 
   /// The extension changes dielectrics alone; OpenPBR's numbers metals, too.
@@ -95,22 +95,18 @@ class Layers {
 
   /// Where the input, or how much of the surface is metal, is a texture: mixes 1 into it as metal says.
   void spare_metal(MaterialInput input, const Rgb& value) {
-    std::vector<TextureUse>& uses = inputs_.material.textures;
-    const auto use_of = [&](MaterialInput wanted) {
-      return std::find_if(uses.begin(), uses.end(),
-                          [=](const TextureUse& use) { return use.input == wanted; });
-    };
-    const auto metal = use_of(base_metalness), use = use_of(input);
-    if (metal == uses.end() && (use == uses.end() || model_.base_metalness == 0)) return;
+    Material& material = inputs_.material;
+    const TextureUse* const metal = texture_use(material, base_metalness);
+    TextureUse* const use = texture_use(material, input);
+    if (!metal && (!use || model_.base_metalness == 0)) return;
     GltfTextures& textures = inputs_.textures;
-    const std::uint32_t amount =
-        metal != uses.end() ? metal->texture : textures.constant(white * model_.base_metalness);
-    const std::uint32_t first = use != uses.end() ? use->texture : textures.constant(value);
+    const std::uint32_t amount = metal ? metal->texture : textures.constant(white * model_.base_metalness);
+    const std::uint32_t first = use ? use->texture : textures.constant(value);
     const std::uint32_t spared = textures.add("", MixTexture{first, textures.constant(white), amount});
-    if (use != uses.end())
+    if (use)
       use->texture = spared;
     else if (value != white)
-      uses.push_back({input, spared});
+      material.textures.push_back({input, spared});
   }
 
   /// A texture's red and green are the tangent, its blue is a factor of the strength.
@@ -146,9 +142,7 @@ class Layers {
     inputs_.number(transmission_weight, transmission.slot("transmissionTexture"), PictureChannels::red,
                    model_.transmission_weight);
     model_.transmission_color = model_.base_color;
-    const auto tint = std::find_if(inputs_.material.textures.begin(), inputs_.material.textures.end(),
-                                   [](const TextureUse& use) { return use.input == reflectance; });
-    if (tint != inputs_.material.textures.end())
+    if (const TextureUse* tint = texture_use(inputs_.material, reflectance))
       inputs_.material.textures.push_back({transmission_color, tint->texture});
     const GltfExtension volume = extension("KHR_materials_volume");
     model_.geometry_thin_walled = !(volume.number("thicknessFactor", 0) > 0);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <algorithm>
 #include <string>
 
 #include "io/gltf/inputs.h"
@@ -11,15 +10,10 @@ struct Material;
 
 namespace twinray {
 
-/// Whether a texture says an input of a material.
-inline bool has_texture(const Material& material, MaterialInput input) {
-  return std::any_of(material.textures.begin(), material.textures.end(),
-                     [=](const TextureUse& use) { return use.input == input; });
-}
 /// Whether a coat changes the index that an opaque surface has to what is above it, everywhere alike.
 inline bool has_even_coat(const Material& material, const Principled& model) {
   return model.coat_weight > 0 && model.transmission_weight == 0 &&
-         !has_texture(material, MaterialInput::coat_weight);
+         !texture_use(material, MaterialInput::coat_weight);
 }
 /// The index of refraction above the base, as OpenPBR has it.
 inline float above_base(const Principled& model) { return 1 + (model.coat_ior - 1) * model.coat_weight; }

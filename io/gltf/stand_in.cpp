@@ -21,13 +21,6 @@ Rgb reflected(const Rgb& eta, const Rgb& k) {
   return {channel(eta.r, k.r), channel(eta.g, k.g), channel(eta.b, k.b)};
 }
 
-/// The texture of an input; null: none.
-TextureUse* use_of(Material& material, MaterialInput input) {
-  const auto found = std::find_if(material.textures.begin(), material.textures.end(),
-                                  [=](const TextureUse& use) { return use.input == input; });
-  return found == material.textures.end() ? nullptr : &*found;
-}
-
 class StandIn {
  public:
   StandIn(const Material& material, Losses& losses) : material_(material), losses_(losses) {}
@@ -139,7 +132,8 @@ class StandIn {
     model_.base_weight = 1;
     model_.emission_luminance = 0;
     if (model.base_diffuse_roughness != 0) lose("the roughness of the diffuse part");
-    const bool is_metal = model.base_metalness == 1 && !use_of(made_.material, MaterialInput::base_metalness);
+    const bool is_metal =
+        model.base_metalness == 1 && !texture_use(made_.material, MaterialInput::base_metalness);
     if (is_metal && !(model.specular_weight == 1 && model.specular_color == white))
       lose("the metal's specular color");
     check_clear(model);
@@ -172,8 +166,9 @@ class StandIn {
 };
 
 /// Whether a texture is how much of a material is metal.
-bool is_metalness(std::span<const Texture> textures, std::uint32_t texture, Material& material) {
-  if (const TextureUse* use = use_of(material, MaterialInput::base_metalness)) return use->texture == texture;
+bool is_metalness(std::span<const Texture> textures, std::uint32_t texture, const Material& material) {
+  if (const TextureUse* use = texture_use(material, MaterialInput::base_metalness))
+    return use->texture == texture;
   const auto* constant = std::get_if<ConstantTexture>(&textures[texture].model);
   const auto* model = std::get_if<Principled>(&material.model);
   return constant && model && constant->value == white * model->base_metalness;
@@ -183,7 +178,7 @@ bool is_metalness(std::span<const Texture> textures, std::uint32_t texture, Mate
 /// which the format spares by itself.
 Material without_spared_metal(const Scene& scene, Material material) {
   for (const MaterialInput input : {MaterialInput::specular_weight, MaterialInput::specular_color}) {
-    TextureUse* const use = use_of(material, input);
+    TextureUse* const use = texture_use(material, input);
     const auto* mix = use ? std::get_if<MixTexture>(&scene.textures[use->texture].model) : nullptr;
     if (!mix || !is_metalness(scene.textures, mix->amount, material)) continue;
     const auto* lifted = std::get_if<ConstantTexture>(&scene.textures[mix->second].model);

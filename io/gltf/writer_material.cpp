@@ -59,9 +59,8 @@ bool is_drawn(const Scene& scene, std::uint32_t texture) {
 
 /// The texture of what a material reflects, or no_texture.
 std::uint32_t color_of(const Material& material) {
-  for (const TextureUse& use : material.textures)
-    if (use.input == reflectance) return use.texture;
-  return no_texture;
+  const TextureUse* const use = texture_use(material, reflectance);
+  return use ? use->texture : no_texture;
 }
 
 /// Whether a texture has this meaning for a material.
@@ -211,7 +210,7 @@ class Properties {
   /// metal lifts towards 1 (io/gltf/layers.cpp).
   float without_metal(float number) const {
     const float metal = model_.base_metalness;
-    if (metal == 1 || has_texture(made_.material, base_metalness)) return number;
+    if (metal == 1 || texture_use(made_.material, base_metalness)) return number;
     return std::max(0.0f, (number - metal) / (1 - metal));
   }
 

@@ -124,8 +124,7 @@ void GltfTextureWriter::check_range(const Image& picture) {
 
 GltfJson GltfTextureWriter::info_of(std::size_t image, const BakedTexture& frame) {
   GltfJson info{{"index", file_.add("textures", {{"sampler", sampler(frame)}, {"source", image}})}};
-  const UvTransform identity;
-  if (std::equal(&frame.uv.m[0][0], &frame.uv.m[0][0] + 6, &identity.m[0][0])) return info;
+  if (frame.uv == UvTransform{}) return info;
   file_.use("KHR_texture_transform");
   info["extensions"]["KHR_texture_transform"] = transform(frame.uv);
   return info;

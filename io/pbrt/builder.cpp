@@ -195,7 +195,7 @@ void PbrtBuilder::fill_interiors() {
     if (is_no_body(materials[material].model) && !is_black(absorption))
       place.warn(context_.warnings,
                  "a medium is rendered within a dielectric or an interface alone, not here");
-    if (!lets_light_in(materials[material].model)) continue;
+    if (!lets_light_in(materials[material])) continue;
     const auto key = std::tuple(material, absorption.r, absorption.g, absorption.b);
     const auto [entry, is_new] = filled.try_emplace(key, std::uint32_t(materials.size()));
     if (is_new) {

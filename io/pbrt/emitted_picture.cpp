@@ -11,9 +11,7 @@ namespace {
 constexpr float margin = 1e-3f;
 
 bool lies_as_in_pbrt(const MeshLight& light) {
-  const UvTransform identity;
-  return std::equal(&light.uv.m[0][0], &light.uv.m[0][0] + 6, &identity.m[0][0]) &&
-         light.filter != TextureFilter::nearest;
+  return light.uv == UvTransform{} && light.filter != TextureFilter::nearest;
 }
 
 /// So many pixels of a row or column, as a transform repeats a picture of `size`: no more than 16 times.

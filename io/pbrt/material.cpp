@@ -375,10 +375,11 @@ void PbrtMaterials::make(std::uint32_t index, const std::string& type, const Pbr
   else
     materials[index].model = read_model(type, in);
   materials[index].textures = std::move(uses);
-  if (lets_light_in(materials[index].model))
+  if (lets_light_in(materials[index])) {
     materials[index].interior.priority = parameters.integer("priority", 0, {0, 1e6});
-  if (const auto* model = std::get_if<Principled>(&materials[index].model); model && lets_light_in(*model))
-    materials[index].interior.absorption = absorption_within(*model);
+    if (const auto* model = std::get_if<Principled>(&materials[index].model))
+      materials[index].interior.absorption = absorption_within(*model);
+  }
   materials[index].normal_map = textures.normal_map(parameters);
   materials[index].bump_map = textures.bump_map(parameters);
   parameters.warn_of_unused(context_.warnings);

@@ -37,6 +37,12 @@ Xyz integrate(const Value& value) {
   return sum;
 }
 
+/// What the observer sees of daylight itself.
+const Xyz& daylight() {
+  static const Xyz seen = integrate([](const Observed& o) { return o.daylight; });
+  return seen;
+}
+
 Rgb clipped(const std::array<double, 3>& c) {
   return {float(std::max(0.0, c[0])), float(std::max(0.0, c[1])), float(std::max(0.0, c[2]))};
 }
@@ -132,8 +138,8 @@ Rgb blackbody_color(double kelvin) {
 Rgb matter_color(const Spectrum& spectrum) {
   const auto seen = to_rgb(
       integrate([&](const Observed& o) { return o.daylight * double(spectrum.at(float(o.wavelength))); }));
-  const auto daylight = to_rgb(integrate([](const Observed& o) { return o.daylight; }));
-  return clipped({seen[0] / daylight[0], seen[1] / daylight[1], seen[2] / daylight[2]});
+  const auto light = to_rgb(daylight());
+  return clipped({seen[0] / light[0], seen[1] / light[1], seen[2] / light[2]});
 }
 
 float luminous_mean(const Spectrum& spectrum) {
@@ -142,7 +148,7 @@ float luminous_mean(const Spectrum& spectrum) {
         std::clamp(float(o.wavelength), spectrum.wavelengths.front(), spectrum.wavelengths.back()));
   };
   const double seen = integrate([&](const Observed& o) { return o.daylight * double(at(o)); }).y;
-  return float(seen / integrate([](const Observed& o) { return o.daylight; }).y);
+  return float(seen / daylight().y);
 }
 
 Spectrum parse_spectrum(const PbrtFile& file) {

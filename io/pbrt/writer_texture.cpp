@@ -57,9 +57,7 @@ std::string PbrtTextureWriter::normal_map(std::uint32_t texture) {
   const auto known = normal_maps_.find(texture);
   if (known != normal_maps_.end()) return known->second;
   BakedTexture baked = bake(textures, texture);
-  const UvTransform identity;
-  const bool is_moved = !std::equal(&baked.uv.m[0][0], &baked.uv.m[0][0] + 6, &identity.m[0][0]);
-  if (!baked.is_exact || is_moved || baked.wrap != WrapMode::repeat)
+  if (!baked.is_exact || baked.uv != UvTransform{} || baked.wrap != WrapMode::repeat)
     output_.losses.add("a normal map is written over the texture coordinates as they stand, and repeats",
                        "{} normal maps are written over the texture coordinates as they stand, and repeat");
   return normal_maps_[texture] = add_file(std::move(baked.picture));

@@ -18,9 +18,7 @@ struct Part {
   TextureFilter filter = TextureFilter::nearest;
 };
 
-bool lie_alike(const Part& a, const Part& b) {
-  return a.wrap == b.wrap && std::equal(&a.uv.m[0][0], &a.uv.m[0][0] + 6, &b.uv.m[0][0]);
-}
+bool lie_alike(const Part& a, const Part& b) { return a.wrap == b.wrap && a.uv == b.uv; }
 
 /// Whose coordinates are those of the baked picture.
 UvTransform scaled(const UvTransform& uv, float factor) {

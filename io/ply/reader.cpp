@@ -237,7 +237,11 @@ class Reader {
     }
   }
 
-  void leave_out(const char* what) { ply_.left_out.push_back(what); }
+  /// Told once, of however many elements.
+  void leave_out(const char* what) {
+    std::vector<std::string>& list = ply_.left_out;
+    if (std::find(list.begin(), list.end(), what) == list.end()) list.push_back(what);
+  }
 
   void read_faces(const PlyElement& face) {
     if (!has_vertices_) throw Error(name_ + ": faces stand before the vertices that they name");

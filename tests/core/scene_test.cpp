@@ -104,6 +104,20 @@ TEST_CASE("a tangent that is turned too far, and what widens something else, are
   CHECK(message_of(scene) == "valid");
 }
 
+TEST_CASE("a picture of a mesh light that lies nowhere, or needs smaller copies of itself, is named") {
+  Scene scene = valid_scene();
+  auto& lamp = std::get<MeshLight>(scene.lights[0].source);
+  lamp.picture = std::make_shared<const Image>(1, 1);
+  lamp.uv = {{{2, 0, 1}, {0, -1, 0}}}, lamp.filter = TextureFilter::nearest;
+  CHECK(message_of(scene) == "valid");
+  lamp.uv.m[1][2] = NAN;
+  CHECK(message_of(scene) ==
+        "light 0 is a mesh light whose picture lies at no place; all six numbers must be finite");
+  lamp.uv = {}, lamp.filter = TextureFilter::trilinear;
+  CHECK(message_of(scene) ==
+        "light 0 is a mesh light whose picture is filtered by mip-maps; valid are nearest and bilinear");
+}
+
 TEST_CASE("a light whose shape is not of its kind is named") {
   Scene scene = valid_scene();
   std::get<MeshLight>(scene.lights[0].source).shape = 2;

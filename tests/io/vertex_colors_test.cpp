@@ -90,6 +90,10 @@ TEST_CASE("what a PLY file has and is not read is told") {
   using Notes = std::vector<std::string>;
   CHECK(notes("comment made by hand\n", "", "", "").empty());
   CHECK(notes("", "property uchar red\n", " 255", "") == Notes{"colors of faces are left out"});
+  // Once, of however many lists of faces.
+  CHECK(notes("", "property uchar red\n", " 255",
+              "element face 1\nproperty uchar red\nproperty list uchar int vertex_indices\n") ==
+        Notes{"faces of less than three corners, left out: 1", "colors of faces are left out"});
   CHECK(notes("", "property list uchar float texcoord\n", " 6 0 0 1 0 0 1", "") ==
         Notes{"texture coordinates of faces' corners are left out"});
   CHECK(notes("comment TextureFile a.png\n", "", "", "") ==

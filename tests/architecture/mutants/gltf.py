@@ -224,4 +224,6 @@ MUTANTS = [
            "written gltf: a picture of fuzz that also says how much there is comes back"),
     Mutant("an index of refraction below 1 is raised in silence", "io/gltf/layers.cpp", "ior > 0 && ior < 1",
            "ior > 0 && ior < 0", GLTF, "gltf: indices of refraction and specular reflection"),
+    Mutant("joints of a packed mesh may have any number of parts", "io/gltf/deform.cpp",
+           "require_type(document_, attribute.second, type);", "", GLTF, PACKED),
 ]

@@ -171,4 +171,12 @@ MUTANTS = [
     Mutant("pictures that are projected are one texel", "io/assimp/assimp_importer.cpp",
            "aiProcess_GenUVCoords | aiProcess_TransformUVCoords", "0", "test_io",
            "pictures of an imported scene are placed as it says"),
+    Mutant("skins are left out in silence", "io/assimp/assimp_importer.cpp", "mesh->HasBones();", "false;",
+           "test_io", "skins and morph targets that Assimp reads are told"),
+    Mutant("morph targets are left out in silence", "io/assimp/assimp_importer.cpp",
+           "mesh->mNumAnimMeshes > 0;", "false;", "test_io",
+           "skins and morph targets that Assimp reads are told"),
+    Mutant("what is left out is told for each list of faces", "io/ply/reader.cpp",
+           "if (std::find(list.begin(), list.end(), what) == list.end()) list", "list", "test_io",
+           "what a PLY file has and is not read is told"),
 ]

@@ -101,4 +101,10 @@ MUTANTS = [
     Mutant("another white is not adapted", "core/color_matrix.cpp",
            "entry *= to[i] / from[i]", "entry *= 1",
            "test_io", "colors of an EXR by other primaries are brought to ours, numbers are not"),
+    Mutant("a lamp's picture may lie nowhere", "core/check_light.cpp",
+           "std::all_of(numbers, numbers + 6,", "std::all_of(numbers, numbers + 5,", "test_core",
+           "a picture of a mesh light that lies nowhere, or needs smaller copies of itself, is named"),
+    Mutant("a lamp's picture may need smaller copies", "core/check_light.cpp",
+           "light.filter != TextureFilter::nearest && light.filter", "false && light.filter", "test_core",
+           "a picture of a mesh light that lies nowhere, or needs smaller copies of itself, is named"),
 ]

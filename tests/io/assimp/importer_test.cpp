@@ -76,6 +76,36 @@ Connections: {
 }
 )";
 
+/// A triangle in FBX, with more objects and connections.
+std::string fbx_triangle(const std::string& objects, const std::string& connections) {
+  return R"(FBXHeaderExtension: {
+ FBXVersion: 7300
+}
+Objects: {
+ Geometry: 1, "Geometry::quad", "Mesh" {
+  Vertices: *9 { a: 0,0,0,1,0,0,0,1,0 }
+  PolygonVertexIndex: *3 { a: 0,1,-3 }
+ }
+ Model: 2, "Model::m", "Mesh" {
+ }
+)" + objects +
+         "}\nConnections: {\n C: \"OO\",2,0\n C: \"OO\",1,2\n" + connections + "}\n";
+}
+
+const std::string identity = "*16 { a: 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1 }\n";
+const std::string skinned = fbx_triangle(
+    " Model: 8, \"Model::bone\", \"LimbNode\" {\n }\n Deformer: 6, \"Deformer::s\", \"Skin\" {\n }\n"
+    " Deformer: 7, \"SubDeformer::c\", \"Cluster\" {\n Indexes: *3 { a: 0,1,2 }\n"
+    " Weights: *3 { a: 1,1,1 }\n Transform: " +
+        identity + " TransformLink: " + identity + " }\n",
+    " C: \"OO\",8,0\n C: \"OO\",6,1\n C: \"OO\",7,6\n C: \"OO\",8,7\n");
+const std::string morphed = fbx_triangle(
+    " Geometry: 5, \"Geometry::s\", \"Shape\" {\n Indexes: *1 { a: 0 }\n Vertices: *3 { a: 0,0,1 }\n"
+    " Normals: *3 { a: 0,0,0 }\n }\n Deformer: 6, \"Deformer::b\", \"BlendShape\" {\n }\n"
+    " Deformer: 7, \"SubDeformer::c\", \"BlendShapeChannel\" {\n DeformPercent: 100\n"
+    " FullWeights: *1 { a: 100 }\n }\n",
+    " C: \"OO\",6,1\n C: \"OO\",7,6\n C: \"OO\",5,7\n");
+
 std::string error_of(const std::string& path) {
   try {
     load_scene(path);
@@ -112,6 +142,17 @@ TEST_CASE("colors of vertices that Assimp reads are told") {
   write_text(folder.file("a.off"), colored);
   const std::vector<std::string> notes = load_scene(folder.file("a.off")).summary.notes;
   CHECK(std::count(notes.begin(), notes.end(), "meshes' colors of vertices of the file, left out: 1") == 1);
+}
+
+TEST_CASE("skins and morph targets that Assimp reads are told") {
+  const TemporaryFolder folder;
+  const auto notes = [&](const std::string& text) {
+    write_text(folder.file("a.fbx"), text);
+    return load_scene(folder.file("a.fbx")).summary.notes;
+  };
+  CHECK(notes(fbx_triangle("", "")).empty());
+  CHECK(notes(skinned) == std::vector<std::string>{"meshes' skins of the file, left out: 1"});
+  CHECK(notes(morphed) == std::vector<std::string>{"meshes' morph targets of the file, left out: 1"});
 }
 
 TEST_CASE("an STL file is a scene, lit by default") {

@@ -167,8 +167,7 @@ TEST_CASE("a scene in exchange form is read with all its bits, whatever is in it
     CHECK(scene.lights[light].name == trip.scene.lights[light].name);
   const auto& lamp = std::get<MeshLight>(trip.scene.lights[0].source);
   CHECK(lamp.picture->pixels == picture(3, 1)->pixels);
-  const auto& sent = std::get<MeshLight>(scene.lights[0].source);
-  CHECK(std::equal(&lamp.uv.m[0][0], &lamp.uv.m[0][0] + 6, &sent.uv.m[0][0]));
+  CHECK(lamp.uv == std::get<MeshLight>(scene.lights[0].source).uv);
   CHECK(lamp.wrap == Wrap{WrapMode::repeat, WrapMode::black});
   CHECK(lamp.filter == TextureFilter::nearest);
   CHECK(trip.scene.assets == scene.assets);

@@ -186,6 +186,14 @@ TEST_CASE("gltf: joints of what Draco packed are its own, in its order, and a st
   REQUIRE(moved.positions.size() == 5);
   for (const Vec3& p : moved.positions)
     CHECK(p.z == Approx(2 * std::round(p.x) + std::round(p.y)).margin(1e-5));
+  // Of too few numbers each, none is read beyond them.
+  for (const char* name : {"JOINTS_0", "WEIGHTS_0"}) {
+    GltfFile narrow = file;
+    const std::size_t accessor = narrow.primitive()["attributes"][name];
+    narrow.json["accessors"][accessor]["type"] = "SCALAR";
+    CHECK(narrow.error() == "test.gltf: /accessors/" + std::to_string(accessor) +
+                                ": the type is SCALAR; what names this accessor takes VEC4");
+  }
 }
 
 TEST_CASE("gltf: what is wrong with Draco's data has its place") {

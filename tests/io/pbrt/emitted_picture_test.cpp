@@ -2,6 +2,7 @@
 #include "io/pbrt/emitted_picture.h"
 
 #include "tests/support/catch.h"
+#include "tests/support/round_trip.h"
 
 namespace twinray::test {
 namespace {
@@ -38,6 +39,31 @@ TEST_CASE("one that is moved by whole pixels, or repeated, keeps its pixels over
   lamp.wrap = WrapMode::clamp;
   CHECK(emitted_picture(lamp)->pixels == std::vector<Rgb>{white, {}, {}, {}});
   CHECK_FALSE(is_emitted_whole(lamp, beside));
+}
+
+TEST_CASE("written pbrt: a picture that emits is drawn where it lies, and what ends is told") {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = mesh.uv_indices = {{0, 1, 2}};
+  mesh.uvs = within;
+  const auto written = [&] {
+    Scene scene;
+    scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{mesh});
+    scene.materials = {{"m", Lambert{}}};
+    MeshLight lamp = lamp_of_halves();
+    lamp.wrap = WrapMode::repeat, lamp.uv = {{{2, 0, 0}, {0, 1, 0}}};
+    scene.lights = {{"lamp", lamp}};
+    scene.bindings = {{.material = 0, .light = 0}};
+    return round_trip(scene, "a.pbrt");
+  };
+  const RoundTrip trip = written();
+  CHECK(trip.warnings.empty());
+  CHECK(std::get<MeshLight>(trip.scene.lights[0].source).picture->pixels ==
+        std::vector<Rgb>{white, {}, white, {}});
+  mesh.uvs = beside;
+  CHECK(written().warnings ==
+        std::vector<std::string>{"a picture that emits ends with the unit square of the texture coordinates, "
+                                 "and goes on as at its edge"});
 }
 
 TEST_CASE("one that is turned, or of texels, is drawn as it is looked up") {

@@ -126,6 +126,21 @@ TEST_CASE("written pbrt: what is clear within something that absorbs is parted f
   CHECK(interior(1) == scene.materials[1].interior);
 }
 
+TEST_CASE("a body whose metalness is a texture has an interior") {
+  const LoadedScene loaded = load_pbrt_world(
+      tea +
+      "Texture \"none\" \"float\" \"constant\" \"float value\" 0 Material \"openpbr\" \"float "
+      "transmission_weight\" 1 \"float base_metalness\" 1 \"integer priority\" 3 MediumInterface \"tea\" "
+      "\"\" " +
+      ball +
+      "Material \"openpbr\" \"float transmission_weight\" 1 \"texture base_metalness\" \"none\" "
+      "\"integer priority\" 3 " +
+      ball);
+  CHECK_FALSE(has_interior(material_of(loaded, 0)));
+  CHECK(material_of(loaded, 1).interior.absorption == Rgb{1, 2, 4});
+  CHECK(material_of(loaded, 1).interior.priority == 3);
+}
+
 TEST_CASE("nested bodies have priorities") {
   const LoadedScene loaded =
       load_pbrt_world(tea + "MediumInterface \"tea\" \"\" Material \"dielectric\" \"integer priority\" 3 " +
