@@ -27,7 +27,7 @@ Image grey(float value) {
   return image;
 }
 
-std::array<std::uint8_t, 3> bytes_at(const ByteImage& image, int x, int y) {
+std::array<std::uint8_t, 3> color_at(const ByteImage& image, int x, int y) {
   const std::size_t i = 3 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x));
   return {image.bytes[i], image.bytes[i + 1], image.bytes[i + 2]};
 }
@@ -86,8 +86,8 @@ TEST_CASE("an image on the scale has the colour of each value's share") {
   const ByteImage image = scaled_image(grey(5), 20);
   CHECK(image.width == 2);
   CHECK(image.height == 1);
-  CHECK(bytes_at(image, 0, 0) == encoded(scale_color(0)));
-  CHECK(bytes_at(image, 1, 0) == encoded(scale_color(0.25f)));
+  CHECK(color_at(image, 0, 0) == encoded(scale_color(0)));
+  CHECK(color_at(image, 1, 0) == encoded(scale_color(0.25f)));
 }
 
 TEST_CASE("the legend has the scale from below to above, six ticks and six numbers") {
@@ -95,14 +95,14 @@ TEST_CASE("the legend has the scale from below to above, six ticks and six numbe
   CHECK(legend.width == 116);
   CHECK(legend.height == 221);
   REQUIRE(legend.bytes.size() == 3 * 116 * 221);
-  CHECK(bytes_at(legend, 12, 210) == encoded(scale_color(0)));
-  CHECK(bytes_at(legend, 12, 110) == encoded(scale_color(0.5f)));
-  CHECK(bytes_at(legend, 12, 10) == encoded(scale_color(1)));
-  CHECK(bytes_at(legend, 0, 0) == std::array<std::uint8_t, 3>{255, 255, 255});
+  CHECK(color_at(legend, 12, 210) == encoded(scale_color(0)));
+  CHECK(color_at(legend, 12, 110) == encoded(scale_color(0.5f)));
+  CHECK(color_at(legend, 12, 10) == encoded(scale_color(1)));
+  CHECK(color_at(legend, 0, 0) == std::array<std::uint8_t, 3>{255, 255, 255});
   int black = 0;
   for (int y = 0; y < legend.height; ++y)
     for (int x = 0; x < legend.width; ++x)
-      black += bytes_at(legend, x, y) == std::array<std::uint8_t, 3>{0, 0, 0};
+      black += color_at(legend, x, y) == std::array<std::uint8_t, 3>{0, 0, 0};
   // The digits 0 to 5 have 12 + 8 + 11 + 11 + 9 + 11 dots of 2 x 2 pixels, and a tick has four.
   CHECK(black == 4 * (12 + 8 + 11 + 11 + 9 + 11) + 6 * 4);
   CHECK(legend_image(1000000000).bytes.size() == legend.bytes.size());

@@ -53,7 +53,9 @@ class Xml {
       } else if (text_[at_] == '<') {
         read_element(parent);
       } else {
-        parent.text += text_[at_++];
+        const std::size_t end = std::min(text_.find('<', at_), text_.size());
+        parent.text.append(text_, at_, end - at_);
+        at_ = end;
       }
     }
   }
