@@ -138,6 +138,7 @@ void prefetch_triangle(const ShapeEntry& shape, std::uint32_t triangle) {
   if (!shape.positions) return;
   __builtin_prefetch(shape.triangles + triangle);
   if (shape.normals) __builtin_prefetch(shape.normal_indices + triangle);
+  if (shape.uvs) __builtin_prefetch(shape.uv_indices + triangle);
 }
 
 void prefetch_corners(const ShapeEntry& shape, std::uint32_t triangle) {
@@ -146,6 +147,8 @@ void prefetch_corners(const ShapeEntry& shape, std::uint32_t triangle) {
   if (shape.normals)
     for (const std::uint32_t corner : shape.normal_indices[triangle])
       __builtin_prefetch(shape.normals + corner);
+  if (shape.uvs)
+    for (const std::uint32_t corner : shape.uv_indices[triangle]) __builtin_prefetch(shape.uvs + corner);
 }
 
 /// The corners of a triangle, for position `i` of the columns.

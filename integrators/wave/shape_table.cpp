@@ -33,6 +33,10 @@ std::vector<ShapeEntry> shape_table(const Scene& scene) {
         entry.normals = mesh->normals.data();
         entry.normal_indices = mesh->normal_indices.data();
       }
+      if (!mesh->uvs.empty() && !scene.textures.empty()) {
+        entry.uvs = mesh->uvs.data();
+        entry.uv_indices = mesh->uv_indices.data();
+      }
     }
     table.push_back(entry);
   }

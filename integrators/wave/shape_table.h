@@ -17,6 +17,8 @@ struct ShapeEntry {
   const Triangle* triangles = nullptr;
   const Vec3* normals = nullptr;  ///< Null where a mesh has none.
   const Triangle* normal_indices = nullptr;
+  const Vec2* uvs = nullptr;  ///< Null, too, where the scene has no textures.
+  const Triangle* uv_indices = nullptr;
   Rgb reflectance;                     ///< Of a Lambert surface without textures.
   const Material* textured = nullptr;  ///< A Lambert surface's material that has textures.
   bool is_lambert = true;              ///< Of one material without maps, whose model is Lambert's.

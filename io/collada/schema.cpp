@@ -140,7 +140,7 @@ constexpr Rule rules[] = {
     {"extra", "-asset technique", "type"},
 };
 
-/// Profiles of other programs: known, and without meaning here.
+/// Profiles of other programs: known, and without meaning here but for what changes a surface's look.
 constexpr std::string_view foreign_profiles[] = {
     "3DSMAX",          "AXE",
     "COLLADA_1_4_0",   "COLLADA_1_4_1",
@@ -246,7 +246,7 @@ class NameCheck {
     const std::string profile = technique.attribute("profile").value_or("");
     if (std::find(std::begin(foreign_profiles), std::end(foreign_profiles), profile) !=
         std::end(foreign_profiles))
-      return;
+      return check_foreign(technique);
     if (!is_cgl_profile(profile) || !parent.is("extra")) {
       warnings_.add(
           [&] { return technique.attribute_place("profile"); },
@@ -255,6 +255,11 @@ class NameCheck {
       return;
     }
     check_cgl(technique);
+  }
+
+  void check_foreign(const XmlElement& technique) {
+    if (const auto bump = technique.child("bump"); bump && bump->child("texture"))
+      warn(*bump, "bump maps are not rendered; the surface stays smooth");
   }
 
   void check_cgl(const XmlElement& technique) {

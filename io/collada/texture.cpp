@@ -19,8 +19,10 @@ std::string word_of(const std::optional<XmlElement>& sampler, const char* name, 
 }
 
 /// What Maya's exporters, and those that follow them, say of where a picture lies: it is repeated so many
-/// times, and then moved.
-UvTransform read_placement(const XmlElement& texture) {
+/// times, and then moved. Calls turned(element) for an angle that is not 0, by which it would be turned.
+template <typename Turned>
+UvTransform read_placement(const XmlElement& texture, bool& mirrors_u, bool& mirrors_v,
+                           const Turned& turned) {
   UvTransform uv;
   for (const XmlElement& extra : texture.children("extra"))
     for (const XmlElement& technique : extra.children("technique")) {
@@ -28,10 +30,19 @@ UvTransform read_placement(const XmlElement& texture) {
       const auto set = [&](const char* name, float& number) {
         if (const auto element = technique.child(name)) number = float(number_in(*element, -1e6, 1e6));
       };
+      const auto is_set = [&](const char* name) {
+        float number = 0;
+        set(name, number);
+        return number != 0;
+      };
       set("repeatU", uv.m[0][0]);
       set("repeatV", uv.m[1][1]);
       set("offsetU", uv.m[0][2]);
       set("offsetV", uv.m[1][2]);
+      mirrors_u |= is_set("mirrorU");
+      mirrors_v |= is_set("mirrorV");
+      for (const char* angle : {"rotateFrame", "rotateUV"})
+        if (is_set(angle)) turned(*technique.child(angle));
     }
   return uv;
 }
@@ -51,7 +62,10 @@ ColladaTextures::Sampling ColladaTextures::sampling_of(const ColladaTextureUse& 
   sampling.mirrors_v = t == "MIRROR";
   if (word_of(use.sampler, "magfilter", "") == "NEAREST") sampling.filter = TextureFilter::nearest;
   try {
-    sampling.uv = read_placement(use.element);
+    sampling.uv =
+        read_placement(use.element, sampling.mirrors_u, sampling.mirrors_v, [&](const XmlElement& angle) {
+          document_.warn(angle, fmt::format("the picture is not turned by <{}>", angle.name()));
+        });
   } catch (const Error&) {
     document_.warn(use.element, "where this picture lies makes no sense; it lies as it is");
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/distribution.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -36,6 +37,25 @@ TEST_CASE("indices are chosen with their probabilities, and the remainder is uni
   for (const double weight : weights) expected.push_back(samples * weight / distribution.total());
   test::check_counts(counts, expected, 2, 0.015);
   test::check_uniform(remainders.counts(), 2, 0.025);
+}
+
+TEST_CASE("the index of a draw is the first whose sum is above it, however the weights differ") {
+  test::Random random(7);
+  for (const std::size_t size : {1, 3, 7, 8, 63, 64, 1000, 4097})
+    for (const double power : {0.0, 1.0, 30.0}) {
+      CAPTURE(size, power);
+      std::vector<double> weights(size), sums{0};
+      for (double& weight : weights) weight = random.unit() < 0.5 ? 0 : std::pow(random.unit(), power);
+      weights[size / 2] = 1;
+      for (const double weight : weights) sums.push_back(sums.back() + weight);
+      const Distribution distribution(weights);
+      std::vector<float> draws{0, 0.25f, 0.5f, just_below_one};
+      while (draws.size() < 2000) draws.push_back(random.unit());
+      for (const float u : draws) {
+        const auto above = std::upper_bound(sums.begin(), sums.end(), double(u) * sums.back());
+        REQUIRE(distribution.sample(u).index == std::size_t(above - sums.begin()) - 1);
+      }
+    }
 }
 
 TEST_CASE("indices of many distributions are chosen together as each is alone") {

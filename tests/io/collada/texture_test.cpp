@@ -135,8 +135,25 @@ TEST_CASE("a sampler says how a picture goes on beside itself, and a Maya techni
   };
   const LoadedScene placed = load("", maya("<repeatU>2</repeatU><offsetV>0.5</offsetV>"));
   CHECK(picture_of(placed).uv({1, 1}) == Vec2{2, 1.5f});
+  const LoadedScene maya_mirrored = load("", maya("<mirrorU>1</mirrorU><mirrorV>0</mirrorV>"));
+  CHECK(color_at(maya_mirrored, {1.25f, 0.75f}) == Rgb{0, 1, 0});
+  CHECK(color_at(maya_mirrored, {0.25f, 1.75f}) == color_at(maya_mirrored, {0.25f, 0.75f}));
+  CHECK(messages(load("", maya("<rotateFrame>0</rotateFrame><rotateUV>90</rotateUV>"))) ==
+        std::vector<std::string>{"the picture is not turned by <rotateUV>"});
   CHECK(messages(load("", maya("<repeatU>two</repeatU>"))) ==
         std::vector<std::string>{"where this picture lies makes no sense; it lies as it is"});
+}
+
+TEST_CASE("a bump map of another program is told") {
+  const PictureFolder folder;
+  const auto said = [&](const std::string& bump) {
+    return messages(folder.load(
+        document("", diffuse(colors) + "</lambert><extra><technique profile=\"FCOLLADA\"><bump>" + bump +
+                         "</bump></technique></extra></technique></profile_COMMON></effect>"
+                         "<effect id=\"other\"><profile_COMMON><technique><lambert>")));
+  };
+  CHECK(said(colors) == std::vector<std::string>{"bump maps are not rendered; the surface stays smooth"});
+  CHECK(said("").empty());
 }
 
 TEST_CASE("a picture is found by its URI or, where exporters wrote another system's path, beside the file") {
