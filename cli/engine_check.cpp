@@ -51,8 +51,9 @@ std::string EngineCheck::json(const SceneCrosscheck& found) const {
 
 int EngineCheck::report(const SceneCrosscheck& found, const std::string& differences) const {
   const bool is_good = is_passed(found.report, Ceilings::remark);
-  if (!arguments_.quiet && !differences.empty()) console::print("Differences    {}\n\n", differences);
-  if (!arguments_.quiet || !is_good)
+  const bool is_told = !arguments_.quiet || arguments_.load.interpretation == Interpretation::cs184;
+  if (is_told && !differences.empty()) console::print("Differences    {}\n\n", differences);
+  if (is_told || !is_good)
     console::write(crosscheck_text(found, replay(), Ceilings::remark,
                                    [&](const Finding& finding) { return label(finding); }));
   return is_good ? 0 : 1;

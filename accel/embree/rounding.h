@@ -2,6 +2,8 @@
 // Private: what Embree is given more than there is, because its box test of user geometry allows for no
 // rounding, neither its own nor that of the canonical tests.
 #pragma once
+#include <algorithm>
+
 #include "core/aabb.h"
 
 namespace twinray::embree {
@@ -15,9 +17,9 @@ inline constexpr float reach = 7;
 /// With u = 2^-24, A the scene's size and O <= reach A the origin's largest coordinate: the canonical test
 /// sees the shape moved by up to 6 u (A + O); Embree sees a plane up to 7 u (A + O) beside its place (4 u by
 /// the approximate reciprocal, 1 u each by the difference, the product and the origin's product). The box
-/// grows by 16 u (A + reach A).
+/// grows by 16 u (A + reach A), and by more than what Embree takes as 0, numbers below 2^-126.
 inline Aabb padded_for_embree(const Aabb& box, float scene_size) {
-  const float pad = scene_size * (1 + reach) * 0x1p-20f;
+  const float pad = std::max(scene_size * (1 + reach) * 0x1p-20f, 0x1p-100f);
   return {box.lower - Vec3{pad, pad, pad}, box.upper + Vec3{pad, pad, pad}};
 }
 

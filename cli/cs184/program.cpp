@@ -29,6 +29,7 @@ void name_screenshot(RenderArguments& arguments) {
 }
 
 int render_cs184(RenderArguments arguments, const Words& words) {
+  if (arguments.replay) arguments.quiet = false;  // What is written of a path is all that is made.
   if (arguments.output.empty() && !arguments.replay) name_screenshot(arguments);
   Cs184Talk talk(arguments);
   return render_command(arguments, words, talk);

@@ -104,7 +104,7 @@ void add_camera_options(CLI::App& app, RenderRequest& request) {
                   1, [&changes](const Words& words) { changes.projection = parse_projection(words[0]); });
   group.add_words({"--lens", "RADIUS,DISTANCE", "Depth of field: a lens, and how far away is in focus"}, 1,
                   [&changes](const Words& words) { changes.lens = parse_lens(words[0]); });
-  group.add_words({"--aperture-blades", "N[:DEGREES]", "A lens of N corners, turned, not round"}, 1,
+  group.add_words({"--aperture-blades", "N[:DEGREES]", "The lens is a polygon of N corners, turned"}, 1,
                   [&changes](const Words& words) { changes.aperture = parse_aperture(words[0]); });
   group.add_words({"--lens-shift", "X,Y", "Moves the frame by parts of its width and height"}, 1,
                   [&changes](const Words& words) {

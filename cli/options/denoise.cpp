@@ -19,7 +19,7 @@ void add_denoise_options(CLI::App& app, RenderRequest& request) {
   group.add_optional_word({"--denoise", "[=auto|oidn|own]", "By Open Image Denoise, else by our own filter"},
                           "auto", request.denoise);
   group.add_flag("--denoise-light-groups", request.denoise_light_groups,
-                 "Each of them, and the picture is their sum");
+                 "Each group by itself; the picture is their sum");
 }
 
 void resolve_denoising(const RenderRequest& request, RenderArguments& arguments) {

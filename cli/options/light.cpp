@@ -60,7 +60,7 @@ void add_path_words(OptionGroup& group, RenderRequest& request) {
   group.add_choice<ManyLights>(
       "--many-lights", request.arguments.path.many_lights,
       {{"tree", ManyLights::tree}, {"power", ManyLights::power}, {"all", ManyLights::all}},
-      "By what one is chosen, if more than 8; or all");
+      "Of more than 8, one is chosen so; or all are sampled");
 }
 
 /// A whole word as a number.

@@ -66,9 +66,15 @@ void check(const PlanArguments& arguments) {
   if (arguments.folder.empty()) throw UsageError("--folder=DIR is missing");
   if (arguments.jobs.has_value() == arguments.part_minutes.has_value())
     throw UsageError("--jobs or --part-minutes is needed, and not both");
-  if (is_film_name(render.output) || render.replay || render.check_with || render.convert_textures ||
-      !render.checkpoint.empty())
-    throw UsageError("a plan is for pictures: it makes films, checkpoints and their names itself");
+  const std::pair<const char*, bool> of_no_picture[] = {{"--replay", render.replay.has_value()},
+                                                        {"--accel=check", render.check_with.has_value()},
+                                                        {"--convert-textures", bool(render.convert_textures)},
+                                                        {"--output=FILM", is_film_name(render.output)},
+                                                        {"--checkpoint", !render.checkpoint.empty()}};
+  for (const auto& [option, is_given] : of_no_picture)
+    if (is_given)
+      throw UsageError(fmt::format(
+          "{}: a plan is for pictures alone, and makes films, checkpoints and their names itself", option));
   for (const auto& [option, why] : of_one_process)
     if (is_given(option, render)) throw UsageError(fmt::format("{}: {}", option, why));
   if (render.render.allocation == Allocation::error)

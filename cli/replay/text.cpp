@@ -58,7 +58,7 @@ std::string emission_text(const Scene& scene, const PathVertex& vertex) {
   std::string text;
   for (const FoundLight& found : vertex.found) text += line("light found", found_text(scene, found));
   if (!vertex.emission) return text + line("light found", "not counted at this depth");
-  if (vertex.found.empty()) return line("light found", "none that light samples leave");
+  if (vertex.found.empty()) return line("light found", "none, beyond what light samples count");
   return text + line("adds", term_text(*vertex.emission));
 }
 
@@ -161,7 +161,8 @@ std::string end_text(PathEnd end) {
     case PathEnd::roulette:
       return "roulette";
     case PathEnd::unlit:
-      return "it may not be scattered again, and a ray alone would find no light that light samples leave";
+      return "it may not be scattered again, and a ray alone would find no light beyond what light samples "
+             "count";
   }
   return "unknown";
 }

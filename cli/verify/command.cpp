@@ -72,8 +72,8 @@ void check_format(const std::string& path) {
 }
 
 RenderArguments render_arguments(const VerifyArguments& asked, PictureClaim claim) {
-  const std::string engine = asked.accel.empty() ? engine_for(claim) : asked.accel;
-  if (!claim.is_cs184 && !engine.empty()) claim.words.insert(claim.words.end(), {"--accel", engine});
+  const std::string engine = !asked.accel.empty() ? asked.accel : claim.is_cs184 ? "" : engine_for(claim);
+  if (!engine.empty()) claim.words.insert(claim.words.end(), {"--accel", engine});
   RenderArguments arguments = arguments_of(claim);
   arguments.output = asked.picture;
   arguments.render.threads = asked.threads;

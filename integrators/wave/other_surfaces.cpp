@@ -100,7 +100,9 @@ Interiors PathWave::interiors_of(std::size_t connection) const {
       std::lower_bound(wave_.others.begin(), wave_.others.end(), surface,
                        [](const OtherSurface& a, std::uint32_t index) { return a.index < index; });
   if (other == wave_.others.end() || other->index != surface) return paths_.interiors_at(surface);
-  return other->at.interiors(connections_.rays[connection].direction);
+  // Of the sample's direction: that of the shadow ray, whose ends are moved off the surfaces, may point to
+  // the other side where a light is very close.
+  return other->at.interiors(light_.direction.at(surface));
 }
 
 void PathWave::keep_throughput_at_others() {

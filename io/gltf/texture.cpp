@@ -15,13 +15,6 @@ namespace {
 
 constexpr bool is_mirror(int wrap) { return wrap == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT; }
 
-/// What a picture's first bytes say of its format, as the ending of a file's name.
-const char* ending_of(std::string_view bytes) {
-  if (bytes.substr(0, 4) == "\x89PNG") return "png";
-  if (bytes.substr(0, 4) == "RIFF") return "webp";
-  return bytes.substr(0, 2) == "\xff\xd8" ? "jpg" : "";
-}
-
 }  // namespace
 
 bool GltfTextures::Wraps::is_mirrored() const { return is_mirror(s) || is_mirror(t); }
@@ -124,8 +117,7 @@ LoadedTexture GltfTextures::load_embedded(int image, const PictureMeaning& meani
     bytes = document_.buffer_view(std::size_t(source.buffer_view));
   else
     bytes = data = data_of_uri(source.uri, pointer + "/uri", document_.context());
-  const std::string name = fmt::format("image {}.{}", image, ending_of(bytes));
-  return decode_texture(bytes, name, meaning, document_.context().options);
+  return decode_texture(bytes, fmt::format("image {}", image), meaning, document_.context().options);
 }
 
 std::uint32_t GltfTextures::scaled(std::uint32_t texture, const Rgb& factor) {

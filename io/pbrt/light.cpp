@@ -102,7 +102,7 @@ std::shared_ptr<const Image> picture_of(const PbrtParameters& parameters, PbrtCo
     if (!loaded.fault.empty()) place.warn(context.warnings, loaded.fault + "; such pixels are black");
     return std::make_shared<const Image>(std::move(loaded.map));
   } catch (const Error& error) {
-    place.warn(context.warnings, fmt::format("{}; the light is even", error.what()));
+    place.warn(context.warnings, fmt::format("{}; the light shines alike in all directions", error.what()));
     return nullptr;
   }
 }
@@ -166,7 +166,8 @@ std::optional<LightSource> read_goniometric(const PbrtParameters& parameters, co
                                             PbrtContext& context) {
   const auto map = picture_of(parameters, context);
   if (!parameters.find("filename"))
-    parameters.place().warn(context.warnings, "this goniometric light names no picture; it is even");
+    parameters.place().warn(context.warnings,
+                            "this goniometric light names no picture; it shines alike in all directions");
   if (!map) return read_point(parameters, to_world, context);
   warn_of_strength("power", parameters, context);
   auto grey = std::make_shared<Image>(*map);

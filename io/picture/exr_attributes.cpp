@@ -7,6 +7,7 @@
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <iterator>
 #include <string_view>
@@ -19,22 +20,17 @@ namespace {
 constexpr const char* time_name = "capDate";
 constexpr const char* matrix_names[] = {"worldToCamera", "worldToNDC"};
 
-/// What stands before the last dot, and behind it.
-std::pair<std::string_view, std::string_view> parts_of(std::string_view name) {
-  const std::size_t dot = name.rfind('.');
-  if (dot == name.npos) return {"", name};
-  return {name.substr(0, dot), name.substr(dot + 1)};
-}
-
 /// Where a channel stands in its layer.
 std::size_t rank(std::string_view name) {
-  constexpr std::string_view first[] = {"R", "G", "B", "r", "g", "b", "X", "Y", "A", "Z"};
-  return std::size_t(std::find(std::begin(first), std::end(first), name) - std::begin(first));
+  constexpr std::string_view first[] = {"R", "G", "B", "X", "Y", "A", "Z"};
+  const std::string_view usual = usual_channel(name);
+  const auto place = std::size_t(std::find(std::begin(first), std::end(first), usual) - std::begin(first));
+  return usual == name ? place : std::size(first) + place;
 }
 
 bool is_shown_before(const PictureChannel& a, const PictureChannel& b) {
-  const auto [layer_a, name_a] = parts_of(a.name);
-  const auto [layer_b, name_b] = parts_of(b.name);
+  const auto [layer_a, name_a] = layer_and_name(a.name);
+  const auto [layer_b, name_b] = layer_and_name(b.name);
   return std::tuple(layer_a, rank(name_a), name_a) < std::tuple(layer_b, rank(name_b), name_b);
 }
 
@@ -56,6 +52,23 @@ void add_matrix(Imf::Header& header, const char* name, const StoredMatrix& matri
 }
 
 }  // namespace
+
+std::pair<std::string_view, std::string_view> layer_and_name(std::string_view channel) {
+  const std::size_t dot = channel.rfind('.');
+  if (dot == channel.npos) return {"", channel};
+  return {channel.substr(0, dot), channel.substr(dot + 1)};
+}
+
+std::string_view usual_channel(std::string_view name) {
+  constexpr std::pair<std::string_view, std::string_view> words[] = {
+      {"r", "R"}, {"g", "G"}, {"b", "B"}, {"red", "R"}, {"green", "G"}, {"blue", "B"}, {"alpha", "A"}};
+  std::string small(name);
+  std::transform(small.begin(), small.end(), small.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  for (const auto& [word, usual] : words)
+    if (small == word) return usual;
+  return name;
+}
 
 std::vector<PictureChannel> channels_of(const Imf::Header& header) {
   std::vector<PictureChannel> channels;

@@ -4,6 +4,8 @@
 #include <ImfHeader.h>
 
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/color_matrix.h"
@@ -11,6 +13,12 @@
 #include "io/picture/layered_image.h"
 
 namespace twinray {
+
+/// What stands before the last dot of a channel's name, its layer, and behind it.
+std::pair<std::string_view, std::string_view> layer_and_name(std::string_view channel);
+
+/// R, G, B or A for what programs call so: "r", "Red", "ALPHA"; any other name as it is.
+std::string_view usual_channel(std::string_view name);
 
 /// The channels by their layers' names; within a layer R, G, B, Y, A and Z first, then the others by name.
 std::vector<PictureChannel> channels_of(const Imf::Header& header);

@@ -6,6 +6,7 @@
 #include <ImfInputFile.h>
 #include <ImfRgbaFile.h>
 
+#include <algorithm>
 #include <span>
 #include <string_view>
 
@@ -80,26 +81,37 @@ Image image_of_luminance_chroma(const PictureBytes& picture, int width, int heig
   return image;
 }
 
-/// The name of a channel without its layer's.
-std::string_view last_word(const std::string& name) {
-  const std::size_t dot = name.rfind('.');
-  return std::string_view(name).substr(dot == name.npos ? 0 : dot + 1);
+std::string_view layer_of(const PictureChannel& channel) { return layer_and_name(channel.name).first; }
+
+bool is_usual(const PictureChannel& channel, std::string_view usual) {
+  return usual_channel(layer_and_name(channel.name).second) == usual;
 }
 
-bool is_one_of(const PictureChannel& channel, std::string_view upper, std::string_view lower) {
-  const std::string_view word = last_word(channel.name);
-  return word == upper || word == lower;
+/// Whether red, green and blue of one layer stand there.
+bool is_color(std::span<const PictureChannel> channels, std::size_t i) {
+  return is_usual(channels[i], "R") && is_usual(channels[i + 1], "G") && is_usual(channels[i + 2], "B") &&
+         layer_of(channels[i]) == layer_of(channels[i + 2]);
 }
 
-/// Where red, green and blue stand: the file's own, else those of the first layer that has them, else any
-/// three numbers. The size of the list: the file is grey, of few channels or with a luminance.
+/// Whether programs call so the layer that is the picture itself, among others.
+bool is_picture_itself(std::string_view layer) {
+  const std::string_view word = layer_and_name(layer).second;
+  return word.empty() || word == "Combined" || word == "rgba" || word == "beauty";
+}
+
+/// Where red, green and blue stand: the file's own, else those of the layer that is the picture itself, else
+/// those of the first layer that has them, else any three numbers. The size of the list: the file is grey, of
+/// few channels or with a luminance.
 std::size_t first_color(std::span<const PictureChannel> channels) {
   const std::size_t none = channels.size();
   if (none < 3 || channels[0].name == "Y") return none;
-  for (std::size_t i = 0; i + 2 < none; ++i)
-    if (is_one_of(channels[i], "R", "r") && is_one_of(channels[i + 1], "G", "g") &&
-        is_one_of(channels[i + 2], "B", "b"))
-      return i;
+  std::size_t first = none;
+  for (std::size_t i = 0; i + 2 < none; ++i) {
+    if (!is_color(channels, i)) continue;
+    if (is_picture_itself(layer_of(channels[i]))) return i;
+    first = std::min(first, i);
+  }
+  if (first < none) return first;
   return channels[0].name == "A" ? none : 0;
 }
 
@@ -130,8 +142,12 @@ std::optional<Primaries> decode_exr_primaries(const PictureBytes& picture, const
 Image decode_exr_alpha(const PictureBytes& picture, const HeaderCheck& check) {
   return read_or_fail(picture.path, [&] {
     OpenExr file(picture, check);
-    const PictureChannel alpha{"A"};
-    if (file.has(alpha.name)) return grey_image(file, {&alpha, 1});
+    const std::span channels(file.channels());
+    const std::size_t color = first_color(channels);
+    const PictureChannel& shown = channels[color < channels.size() ? color : first_number(channels)];
+    for (const PictureChannel& channel : channels)
+      if (layer_of(channel) == layer_of(shown) && is_usual(channel, "A"))
+        return grey_image(file, {&channel, 1});
     return Image(file.width(), file.height(), white);
   });
 }

@@ -22,14 +22,33 @@ std::string_view without_blanks(std::string_view word) {
   return word.substr(0, word.find_last_not_of(" \t\r") + 1);
 }
 
-/// What the pixels were multiplied by: the product of all that the header says.
-float exposure_of(std::string_view header) {
-  constexpr std::string_view name = "EXPOSURE=";
-  double exposure = 1;
-  while (!header.empty())
-    if (const std::string_view line = take_line(header); line.starts_with(name))
-      exposure *= read_decimal<double>(without_blanks(line.substr(name.size()))).value;
-  return std::isnormal(float(exposure)) && exposure > 0 ? float(exposure) : 1;
+/// The next word of a line, as a number; 0 where it is none.
+double take_number(std::string_view& line) {
+  line = without_blanks(line);
+  const std::string_view word = line.substr(0, line.find_first_of(" \t"));
+  line.remove_prefix(word.size());
+  return read_decimal<double>(word).value;
+}
+
+float factor_of(double product) { return std::isnormal(float(product)) && product > 0 ? float(product) : 1; }
+
+/// What the pixels were multiplied by: the product of all that the header says, of all colours alike and of
+/// each.
+Rgb exposure_of(std::string_view header) {
+  constexpr std::string_view of_all = "EXPOSURE=", of_each = "COLORCORR=";
+  double product[3] = {1, 1, 1};
+  while (!header.empty()) {
+    std::string_view line = take_line(header);
+    const bool is_of_all = line.starts_with(of_all);
+    if (!is_of_all && !line.starts_with(of_each)) continue;
+    line.remove_prefix(is_of_all ? of_all.size() : of_each.size());
+    const std::string_view numbers = line;
+    for (double& channel : product) {
+      if (is_of_all) line = numbers;
+      channel *= take_number(line);
+    }
+  }
+  return {factor_of(product[0]), factor_of(product[1]), factor_of(product[2])};
 }
 
 }  // namespace
@@ -41,8 +60,8 @@ Image decode_hdr(const PictureBytes& picture, const HeaderCheck& check) {
   const std::size_t x = size.find('X'), y = size.find('Y');
   if (x < y) fail_picture(picture, "its rows run from top to bottom; valid are sizes such as -Y 480 +X 640");
   Image image = image_codec().read_hdr(picture, check);
-  if (const float exposure = exposure_of(picture.bytes.substr(0, end)); exposure != 1)
-    for (Rgb& pixel : image.pixels) pixel = pixel * (1 / exposure);
+  if (const Rgb exposure = exposure_of(picture.bytes.substr(0, end)); exposure != white)
+    for (Rgb& pixel : image.pixels) pixel = pixel * Rgb{1 / exposure.r, 1 / exposure.g, 1 / exposure.b};
   const auto row = [&](int number) { return image.pixels.begin() + std::ptrdiff_t(number) * image.width; };
   if (size[x - 1] == '-')
     for (int number = 0; number < image.height; ++number) std::reverse(row(number), row(number + 1));

@@ -31,8 +31,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// decode_srgb() of a picture's numbers, which are few: each is worked out when it first comes.
+class SrgbTable {
+ public:
+  explicit SrgbTable(std::size_t pixels) : entries_(pixels > wide ? wide : narrow) {}
+
+  float operator()(float encoded) {
+    const float place = encoded * float(entries_.size() - 1) + 0.5f;
+    if (!(place >= 0 && place < float(entries_.size()))) return decode_srgb(encoded);
+    Entry& entry = entries_[std::size_t(place)];
+    if (entry.encoded != encoded) entry = {encoded, decode_srgb(encoded)};
+    return entry.decoded;
+  }
+
+ private:
+  static constexpr std::size_t narrow = 1 << 8, wide = 1 << 16;  ///< What pictures of 8 and 16 bits have.
+  struct Entry {
+    float encoded = 0, decoded = 0;
+  };
+  std::vector<Entry> entries_;
+};
+
 void decode_all(Image& image) {
-  for (Rgb& pixel : image.pixels) pixel = {decode_srgb(pixel.r), decode_srgb(pixel.g), decode_srgb(pixel.b)};
+  SrgbTable decoded(image.pixels.size());
+  for (Rgb& pixel : image.pixels) pixel = {decoded(pixel.r), decoded(pixel.g), decoded(pixel.b)};
+}
+
+/// The format of a file: by its first bytes, else by its ending. Throws Error where it is none that is read.
+PictureFormat format_of_file(const std::string& path) {
+  std::error_code error;
+  std::string first(signature_bytes, '\0');
+  if (fs::is_regular_file(path, error))
+    std::ifstream(path, std::ios::binary).read(first.data(), std::streamsize(first.size()));
+  const auto format = signed_format(first);
+  return format ? *format : picture_format(path);
 }
 
 /// Throws Error where memory cannot hold so many bytes. A few are not worth the question: the answer takes
@@ -222,13 +254,13 @@ void write_image(const std::string& path, const Image& image, const ImageMetadat
 bool holds_radiance(const std::string& path) { return !is_encoded(picture_format(path)); }
 
 Image read_image(const std::string& path, const ReadOptions& options) {
-  const PictureFormat format = picture_format(path);
+  const PictureFormat format = format_of_file(path);
   const std::string bytes = read_bytes(path);
   return decode(format, {bytes, path}, options);
 }
 
 StoredLayers read_layers(const std::string& path) {
-  if (picture_format(path) != PictureFormat::exr)
+  if (format_of_file(path) != PictureFormat::exr)
     throw Error(path + ": it holds no layers; an OpenEXR picture, .exr, may");
   const std::string bytes = read_bytes(path);
   const PictureBytes picture{bytes, path};
@@ -239,7 +271,7 @@ StoredLayers read_layers(const std::string& path) {
 }
 
 ImageMetadata read_metadata(const std::string& path) {
-  const PictureFormat format = picture_format(path);
+  const PictureFormat format = format_of_file(path);
   if (is_plain(format)) return {};
   const std::string bytes = read_bytes(path);
   const PictureBytes picture{bytes, path};
@@ -251,7 +283,7 @@ ImageMetadata read_metadata(const std::string& path) {
 }
 
 std::optional<ImageFrame> read_frame(const std::string& path) {
-  if (picture_format(path) != PictureFormat::exr) return std::nullopt;
+  if (format_of_file(path) != PictureFormat::exr) return std::nullopt;
   const std::string bytes = read_bytes(path);
   const PictureBytes picture{bytes, path};
   check_picture_header(PictureFormat::exr, picture);
@@ -260,7 +292,7 @@ std::optional<ImageFrame> read_frame(const std::string& path) {
 }
 
 std::vector<float> read_channel(const std::string& path, const std::string& name) {
-  if (picture_format(path) != PictureFormat::exr) return {};
+  if (format_of_file(path) != PictureFormat::exr) return {};
   const std::string bytes = read_bytes(path);
   const PictureBytes picture{bytes, path};
   check_picture_header(PictureFormat::exr, picture);
@@ -269,7 +301,12 @@ std::vector<float> read_channel(const std::string& path, const std::string& name
 }
 
 Image decode_image(std::string_view bytes, const std::string& name, const ReadOptions& options) {
-  return decode(picture_format(name), {bytes, name}, options);
+  auto format = signed_format(bytes);
+  if (!format) format = known_picture_format(name);
+  if (!format)
+    throw Error(name +
+                ": its first bytes are of no picture that is read; valid are PNG, JPEG, WebP, OpenEXR");
+  return decode(*format, {bytes, name}, options);
 }
 
 }  // namespace twinray

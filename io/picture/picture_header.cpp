@@ -37,6 +37,9 @@ long long most_pixels_a_byte(PictureFormat format) {
   }
 }
 
+constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n", exr_signature = "\x76\x2f\x31\x01",
+                           jpeg_signature = "\xff\xd8";
+
 /// A number of so many bytes, the most significant first.
 long long big_endian(std::string_view bytes) {
   long long number = 0;
@@ -46,9 +49,8 @@ long long big_endian(std::string_view bytes) {
 
 /// Signature, then the chunk IHDR: its length, its name, width and height ("PNG Specification", W3C, 11.2.2).
 PictureSize png_size(const PictureBytes& picture) {
-  constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
   const std::string_view bytes = picture.bytes;
-  if (!bytes.starts_with(signature)) fail_picture(picture, "it does not begin as a PNG picture does");
+  if (!bytes.starts_with(png_signature)) fail_picture(picture, "it does not begin as a PNG picture does");
   if (bytes.size() < 24) fail_picture(picture, "its header is cut off");
   if (bytes.substr(12, 4) != "IHDR") fail_picture(picture, "its header does not come first");
   return {big_endian(bytes.substr(16, 4)), big_endian(bytes.substr(20, 4))};
@@ -64,7 +66,7 @@ bool stands_alone(unsigned char marker) { return marker == 0x01 || (marker >= 0x
 /// width behind that (ITU-T T.81, annex B). What stands between segments is passed over, as libjpeg does.
 PictureSize jpeg_size(const PictureBytes& picture) {
   const std::string_view bytes = picture.bytes;
-  if (!bytes.starts_with("\xff\xd8")) fail_picture(picture, "it does not begin as a JPEG picture does");
+  if (!bytes.starts_with(jpeg_signature)) fail_picture(picture, "it does not begin as a JPEG picture does");
   for (std::size_t at = 2; (at = bytes.find('\xff', at)) != bytes.npos;) {
     at = bytes.find_first_not_of('\xff', at);
     if (at == bytes.npos) break;
@@ -150,11 +152,20 @@ std::optional<PictureFormat> known_picture_format(const std::string& path) {
   return std::nullopt;
 }
 
+std::optional<PictureFormat> signed_format(std::string_view bytes) {
+  if (bytes.starts_with(png_signature)) return PictureFormat::png;
+  if (bytes.starts_with(jpeg_signature)) return PictureFormat::jpeg;
+  if (bytes.starts_with("RIFF") && bytes.substr(8, 4) == "WEBP") return PictureFormat::webp;
+  if (bytes.starts_with(exr_signature)) return PictureFormat::exr;
+  return std::nullopt;
+}
+
 PictureFormat picture_format(const std::string& path) {
   if (const auto format = known_picture_format(path)) return *format;
-  throw Error(fmt::format(
-      "{}: not a picture that can be read; valid endings are .exr, .hdr, .png, .jpg, .pfm, .tga, .webp",
-      path));
+  throw Error(
+      fmt::format("{}: not a picture that can be read; valid endings are .exr, .hdr, .png, .jpg, .jpeg, "
+                  ".pfm, .tga, .webp",
+                  path));
 }
 
 PictureSize check_picture_header(PictureFormat format, const PictureBytes& picture) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "io/picture/picture_bytes.h"
 
@@ -17,9 +18,13 @@ std::string picture_ending(const std::string& path);
 /// The format of a file by its ending, none where that is of no picture that is read.
 std::optional<PictureFormat> known_picture_format(const std::string& path);
 
-/// The format of a file by its ending: never by its contents, so that only well-tried readers see a
-/// stranger's file. Throws Error where it is none that is read.
+/// The format of a file by its ending. Throws Error where it is none that is read.
 PictureFormat picture_format(const std::string& path);
+
+/// What a file begins with at most that tells its format.
+inline constexpr std::size_t signature_bytes = 12;
+/// The format that a picture's first bytes tell: PNG, JPEG, WebP or OpenEXR; none where they are of another.
+std::optional<PictureFormat> signed_format(std::string_view bytes);
 
 /// The size that the header of a picture states. Throws Error unless the header is there, of this format, and
 /// its sizes are in range and fit the number of bytes.

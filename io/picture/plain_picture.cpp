@@ -7,9 +7,12 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <span>
+
+#include "io/decimal.h"
 
 namespace twinray {
 namespace {
@@ -20,11 +23,12 @@ struct PfmHeader {
   int channels = 3;
   PictureSize size;
   bool is_big_endian = false;
+  float scale = 1;  ///< What the numbers are multiplied by, as pbrt does it.
   std::size_t length = 0;
 };
 
-/// Four words: PF or Pf, width, height, and a number that is negative where floats are little-endian; then
-/// one byte of white space (P. Debevec's description of the format).
+/// Four words: PF or Pf, width, height, and a scale, negative where floats are little-endian; then one byte
+/// of white space (P. Debevec's description of the format), or the two that end a line of Windows.
 PfmHeader pfm_header(const PictureBytes& picture) {
   PfmHeader header;
   std::array<std::string_view, 4> words;
@@ -45,8 +49,12 @@ PfmHeader pfm_header(const PictureBytes& picture) {
   read(words[1], header.size.width);
   read(words[2], header.size.height);
   header.channels = words[0] == "PF" ? 3 : 1;
-  header.is_big_endian = !words[3].starts_with('-');
-  header.length = std::min(at + 1, bytes.size());
+  const auto scale = read_decimal<float>(words[3]);
+  if (scale.fault != DecimalFault::none || scale.value == 0)
+    fail_picture(picture, "its header ends in no scale such as -1.0");
+  header.is_big_endian = scale.value > 0;
+  header.scale = std::fabs(scale.value);
+  header.length = std::min(at + (bytes.substr(at, 2) == "\r\n" ? 2 : 1), bytes.size());
   return header;
 }
 
@@ -144,7 +152,7 @@ Image decode_pfm(const PictureBytes& picture) {
   const char* at = picture.bytes.data() + header.length;
   for (int y = image.height - 1; y >= 0; --y)
     for (int x = 0; x < image.width; ++x, at += 4 * header.channels) {
-      const auto channel = [&](int c) { return float_at(at + 4 * c, header.is_big_endian); };
+      const auto channel = [&](int c) { return header.scale * float_at(at + 4 * c, header.is_big_endian); };
       image.at(x, y) = header.channels == 3 ? Rgb{channel(0), channel(1), channel(2)}
                                             : Rgb{channel(0), channel(0), channel(0)};
     }
@@ -154,7 +162,15 @@ Image decode_pfm(const PictureBytes& picture) {
 /// Of the kinds of the format (Truevision, 1991) true color and grey, 2 and 3, and the same in runs, 10 and
 /// 11.
 Image decode_tga(const PictureBytes& picture) { return decode_tga(picture, false); }
-Image decode_tga_alpha(const PictureBytes& picture) { return decode_tga(picture, true); }
+/// Programs that know no alpha leave its byte 0 everywhere, and say that none of its bits mean anything.
+Image decode_tga_alpha(const PictureBytes& picture) {
+  Image alpha = decode_tga(picture, true);
+  const bool has_bits = (byte_of(picture, 17) & 15) != 0;
+  const auto is_zero = [](const Rgb& pixel) { return pixel == Rgb{}; };
+  if (!has_bits && std::all_of(alpha.pixels.begin(), alpha.pixels.end(), is_zero))
+    std::fill(alpha.pixels.begin(), alpha.pixels.end(), white);
+  return alpha;
+}
 
 std::string encode_pfm(const Image& image, int channels) {
   std::string bytes = fmt::format("{}\n{} {}\n-1\n", channels == 1 ? "Pf" : "PF", image.width, image.height);

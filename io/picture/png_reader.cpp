@@ -27,6 +27,12 @@ void take(png_structp png, png_bytep to, std::size_t count) {
   rest.remove_prefix(count);
 }
 
+/// What is packed beside the pixels, texts and profiles, may be a thousand times as large as the file: of so
+/// many chunks, each of so many bytes at most, there is enough for all that pictures say. Others are left
+/// out.
+constexpr int most_texts = 100;
+constexpr std::size_t longest_text = 1 << 18;
+
 /// libpng's state of one file that is being read.
 struct PngState {
   png_structp png;
@@ -48,6 +54,8 @@ class PngFile {
  public:
   /// `check` sees the header.
   PngFile(const PictureBytes& picture, const HeaderCheck& check) : state_(picture), rest_(picture.bytes) {
+    png_set_chunk_cache_max(png(), most_texts);
+    png_set_chunk_malloc_max(png(), longest_text);
     png_set_user_limits(png(), PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_read_fn(png(), &rest_, take);
     png_read_info(png(), info());

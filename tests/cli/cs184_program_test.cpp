@@ -47,6 +47,13 @@ TEST_CASE("the lines of CS184's program are printed in its order, on its streams
         "[PathTracer] Saving to file: picture.png... Done!\n");
 }
 
+TEST_CASE("CS184's program writes what happens on a path, too") {
+  const TemporaryFolder folder;
+  const ProcessResult result = run_cs184(folder, lit_floor(), "-r 16 12 -s 2 --replay 8 6 1");
+  CHECK(result.exit_code == 0);
+  CHECK(result.out.starts_with("Pixel 8 6, sample 1 of 2: scene.dae, 16 x 12 pixels"));
+}
+
 TEST_CASE("with another engine the lines name what was built") {
   const TemporaryFolder folder;
   const ProcessResult brute = run_cs184(folder, lit_floor(), small_cs184 + "--accel=brute-force -m 0 ");

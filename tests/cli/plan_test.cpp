@@ -323,8 +323,17 @@ TEST_CASE("what a plan cannot be is said before anything is written") {
   CHECK(error_of("--folder=p --jobs=3 --frames=1:2") ==
         "twinray: --frames: the picture's name needs a place for the number, as in \"%04d\"; twinray.png has "
         "none");
-  CHECK(error_of("--folder=p --jobs=3 -o a.film") ==
-        "twinray: a plan is for pictures: it makes films, checkpoints and their names itself");
+  for (const auto& [option, word] : {std::pair("--output=FILM", "-o a.film"),
+                                     {"--replay", "--replay 1 1 1"},
+                                     {"--replay", "--replay 1 1 1 --replay-json=a.json"},
+                                     {"--accel=check", "--accel=check"},
+                                     {"--convert-textures", "--convert-textures"},
+                                     {"--checkpoint", "--checkpoint=a"}})
+    CHECK(
+        error_of(fmt::format("--folder=p --jobs=3 {}", word)) ==
+        fmt::format("twinray: {}: a plan is for pictures alone, and makes films, checkpoints and their names "
+                    "itself",
+                    option));
   CHECK(
       error_of("--folder=p --jobs=3 -o a.xyz").starts_with("twinray: a.xyz: a picture's name must end in "));
   CHECK(

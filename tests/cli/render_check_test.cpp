@@ -62,6 +62,15 @@ TEST_CASE("a checked render with a planted difference ends with 1 and names rays
   CHECK(again.out.find(seen.substr(0, seen.find(';'))) != std::string::npos);
 }
 
+TEST_CASE("CS184's program says what a check has found, also where all is the same") {
+  const TemporaryFolder folder;
+  const ProcessResult result =
+      run_program("--cs184 -r 16 12 -m 2 --accel=check -f " + quoted(folder.file("a.png")) + " " + bunny);
+  CHECK(result.exit_code == 0);
+  CHECK(result.out.find("\nDifferences    " + folder.file("a_differences.png") + "\n") != std::string::npos);
+  CHECK(result.out.find("\nnothing unexplained; ") != std::string::npos);
+}
+
 TEST_CASE("a ray of a scene that is read by CS184's rules has no command that would read it otherwise") {
   const TemporaryFolder folder;
   const ProcessResult result = run_program("--cs184 -r 16 12 -m 2 --accel=check --plant-difference -f " +

@@ -84,6 +84,9 @@ TEST_CASE("the picture of CS184's program is made again by its options") {
                                                      file_in(folder, "a.png"), quoted(scenes + "box.dae")));
   REQUIRE(made.exit_code == 0);
   CHECK(contains(verify(file_in(folder, "a.png")).out, "Same bits      9 of 9 tiles"));
+  const std::string by_brute_force = verify(file_in(folder, "a.png") + " --accel=brute-force").out;
+  CHECK(contains(by_brute_force, "by engine brute-force"));
+  CHECK(contains(by_brute_force, "Same bits      9 of 9 tiles"));
 }
 
 TEST_CASE("a merged picture is verified as that of one render") {

@@ -8,6 +8,7 @@
 #include "integrators/path_reference.h"
 #include "integrators/straight_on.h"
 #include "tests/support/catch.h"
+#include "tests/support/engines.h"
 #include "tests/support/estimate.h"
 #include "tests/support/film.h"
 #include "tests/support/film_bytes.h"
@@ -107,6 +108,20 @@ TEST_CASE("a clear interface changes no bit of what is seen through it, nor of l
     CHECK(same_bits(render_with(with, PathIntegrator(with, {.direct = method}), options).film, seen));
     CHECK(same_bits(render_with(with, PathReference(with, {.direct = method}), options).film, seen));
   }
+}
+
+TEST_CASE("waves have the reference's bits where a light almost lies on a body beside an interface") {
+  Scene scene = scene_of(floor_square(2, 0), {}, {0, 3, 5}, {0, 0, 0});
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  shapes.push_back(SphereSet{"ball", {{{0, -3, 0}, 0.5f}}});
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  Material glass{"glass", Dielectric{.roughness = {0.5f, 0.5f}}};
+  glass.interior.absorption = {1, 2, 3};
+  scene.materials = {glass, interface({absorption})};
+  scene.bindings = {{0}, {1}};
+  // Shadow rays begin above the floor, and end below it.
+  add_light(scene, PointLight{{0, 1e-6f, 0}, {9999, 9999, 9999}, {}});
+  check_waves(scene);
 }
 
 TEST_CASE("a ray that goes through an edge of a body goes in and out once") {

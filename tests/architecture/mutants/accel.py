@@ -192,4 +192,7 @@ MUTANTS = [
     Mutant("a packet's last ray is not active", "accel/embree/direct.cpp",
            "lane < count ? -1 : 0", "lane + 1 < count ? -1 : 0",
            ENGINES, PACKETS),
+    Mutant("the least scenes are not padded by what Embree takes as 0", "accel/embree/rounding.h",
+           "std::max(scene_size * (1 + reach) * 0x1p-20f, 0x1p-100f)", "scene_size * (1 + reach) * 0x1p-20f",
+           ENGINES, "engines agree at any scale"),
 ]

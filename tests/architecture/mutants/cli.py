@@ -125,4 +125,13 @@ MUTANTS = [
            "Transform::rotation({0, 1, 0}, double(placement.rotation_degrees)) * axes_of(placement.layout)",
            "axes_of(placement.layout) * Transform::rotation({0, 1, 0}, double(placement.rotation_degrees))",
            "test_cli", "a panorama is seen as it is, where a latitude-longitude picture is mirrored"),
+    Mutant("CS184's program writes nothing of a path", "cli/cs184/program.cpp",
+           "if (arguments.replay) arguments.quiet = false;", "", "test_cli_engines",
+           "CS184's program writes what happens on a path, too"),
+    Mutant("CS184's program says nothing of a check that finds nothing", "cli/engine_check.cpp",
+           "|| arguments_.load.interpretation == Interpretation::cs184;", ";", "test_cli_engines",
+           "CS184's program says what a check has found, also where all is the same"),
+    Mutant("a picture of CS184's program is verified by its own engine alone", "cli/verify/command.cpp",
+           "!asked.accel.empty() ? asked.accel : claim.is_cs184 ?", "claim.is_cs184 ?", "test_cli",
+           "the picture of CS184's program is made again by its options"),
 ]

@@ -407,4 +407,8 @@ MUTANTS = [
     Mutant("a replay leaves out what the last body on the way leaves", "integrators/path_reference.cpp",
            "passed * left}", "passed}", "test_cli",
            "a replay says what bodies on the way let through, with a boundary that refracts and without"),
+    Mutant("a wave takes the shadow ray's side of a surface for the sample's",
+           "integrators/wave/other_surfaces.cpp", "return other->at.interiors(light_.direction.at(surface));",
+           "return other->at.interiors(connections_.rays[connection].direction);", "test_integrators",
+           "waves have the reference's bits where a light almost lies on a body beside an interface"),
 ]

@@ -96,7 +96,8 @@ TEST_CASE("a projector needs a picture, and shines ahead alone where its file is
   CHECK(projector.intensity == Rgb{5, 5, 5});
   const LoadedScene even = load_pbrt_world("LightSource \"goniometric\"");
   REQUIRE(even.warnings.size() == 1);
-  CHECK(even.warnings[0].message == "this goniometric light names no picture; it is even");
+  CHECK(even.warnings[0].message ==
+        "this goniometric light names no picture; it shines alike in all directions");
 }
 
 TEST_CASE("an area light's picture is times its scale, and has its power over the mean") {

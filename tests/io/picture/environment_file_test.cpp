@@ -75,6 +75,24 @@ TEST_CASE("one wrong component is enough") {
     }
 }
 
+TEST_CASE("an environment that is a part of its frame has its place there, and black around") {
+  const TemporaryFolder folder;
+  const auto load_in = [&](const ImageFrame& frame) {
+    write_exr(folder.file("part.exr"), sky(), {}, frame);
+    return load_environment(folder.file("part.exr")).map;
+  };
+  const Image placed = load_in({2, 1, 8, 4});
+  REQUIRE((placed.width == 8 && placed.height == 4));
+  CHECK(placed.at(1, 1) == Rgb{});
+  CHECK(placed.at(2, 0) == Rgb{});
+  CHECK(placed.at(2, 1) == sky().at(0, 0));
+  CHECK(placed.at(5, 3) == sky().at(3, 2));
+  const Image cut = load_in({-1, -1, 2, 1});  // More than the frame was rendered.
+  REQUIRE((cut.width == 2 && cut.height == 1));
+  CHECK(cut.at(0, 0) == sky().at(1, 1));
+  CHECK(cut.at(1, 0) == sky().at(2, 1));
+}
+
 TEST_CASE("a PNG of 16 bits is sRGB as one of 8 bits is") {
   const TemporaryFolder folder;
   write_text(folder.file("a.png"), std::string(png_of_16_bits));

@@ -89,8 +89,29 @@ TEST_CASE("an EXR's colours are its own, else those of a layer, in large letters
   both.insert({{"R", {4}}, {"G", {5}}, {"B", {6}}});
   CHECK(first_of(both) == Rgb{4, 5, 6});
   CHECK(first_of({{"a", {9}}, {"b", {3}}, {"g", {2}}, {"r", {1}}}) == Rgb{1, 2, 3});
+  CHECK(first_of({{"Red", {1}}, {"Green", {2}}, {"Blue", {3}}, {"Alpha", {9}}}) == Rgb{1, 2, 3});
+  CHECK(first_of({{"rgba.red", {1}}, {"rgba.green", {2}}, {"rgba.blue", {3}}, {"rgba.alpha", {9}}}) ==
+        Rgb{1, 2, 3});
+  for (const std::string itself : {"View.Combined", "rgba", "x.beauty"}) {
+    Channels several{{"AO.R", {7}}, {"AO.G", {7}}, {"AO.B", {7}}};
+    several.insert({{itself + ".R", {1}}, {itself + ".G", {2}}, {itself + ".B", {3}}});
+    CHECK(first_of(several) == Rgb{1, 2, 3});
+  }
   CHECK(first_of({{"N.X", {1}}, {"N.Y", {2}}, {"N.Z", {3}}}) == Rgb{1, 2, 3});  // Any three numbers.
   CHECK(first_of({{"A", {9}}, {"depth.Z", {3}}, {"id", {2}}}) == Rgb{2, 2, 2});
+}
+
+TEST_CASE("the alpha of an EXR is that of the layer whose colours it shows") {
+  const auto alpha_of = [](const Channels& channels) {
+    return decode_exr_alpha({layered_exr(1, 1, channels), exr_name}, accept).pixels[0].r;
+  };
+  const Channels layer{{"a.R", {1}}, {"a.G", {2}}, {"a.B", {3}}, {"a.A", {0.25f}}, {"b.A", {0.5f}}};
+  CHECK(alpha_of(layer) == 0.25f);
+  Channels both = layer;
+  both.insert({{"R", {4}}, {"G", {5}}, {"B", {6}}});
+  CHECK(alpha_of(both) == 1);
+  both.insert({"A", {0.75f}});
+  CHECK(alpha_of(both) == 0.75f);
 }
 
 TEST_CASE("texts of an EXR are read as they were written, and no others") {

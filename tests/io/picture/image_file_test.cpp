@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <filesystem>
 #include <map>
 #include <string_view>
 
 #include "core/error.h"
 #include "io/picture/picture_header.h"
+#include "io/picture/srgb.h"
 #include "tests/support/catch.h"
 #include "tests/support/file_size_limit.h"
 #include "tests/support/layered_exr.h"
@@ -20,6 +22,8 @@
 
 namespace twinray::test {
 namespace {
+
+namespace fs = std::filesystem;
 
 Image gradient() {
   Image image(5, 3);
@@ -206,47 +210,38 @@ TEST_CASE("a file that is no picture, or another kind of one, is refused") {
   CHECK_THROWS_AS(read_image(folder.file("a.exr")), Error);
   CHECK_THROWS_WITH(read_image(folder.file("none.exr")),
                     fmt::format("{}: there is no such file", folder.file("none.exr")));
-  CHECK_THROWS_WITH(
-      read_image(folder.file("a.bmp")),
-      fmt::format(
-          "{}: not a picture that can be read; valid endings are .exr, .hdr, .png, .jpg, .pfm, .tga, .webp",
-          folder.file("a.bmp")));
+  CHECK_THROWS_WITH(read_image(folder.file("a.bmp")),
+                    fmt::format("{}: not a picture that can be read; valid endings are .exr, .hdr, .png, "
+                                ".jpg, .jpeg, .pfm, .tga, .webp",
+                                folder.file("a.bmp")));
 }
 
-TEST_CASE("PFM pictures are read from the bottom up, in both byte orders") {
-  const auto pixel = [](const char(&raw)[13]) { return std::string(raw, 12); };
-  const std::string one = pixel("\x00\x00\x80\x3f\x00\x00\x00\x40\x00\x00\x00\x00");  // 1 2 0
-  const std::string zero(12, '\0');
-  const Image image = decode_image("PF\n1 2\n-1.0\n" + zero + one, "a.pfm");
-  CHECK(image.at(0, 0) == Rgb{1, 2, 0});
-  CHECK(image.at(0, 1) == Rgb{0, 0, 0});
-  CHECK(decode_image(std::string("Pf 1 1 1\n\x3f\x80\x00\x00", 13), "a.pfm").at(0, 0) == Rgb{1, 1, 1});
-  CHECK_THROWS_WITH(decode_image("PF\n1 2\n-1.0\n" + one, "a.pfm"), "a.pfm: cannot be read: it is cut off");
-  CHECK_THROWS_WITH(decode_image("PF\n1 x\n-1.0\n" + one, "a.pfm"),
-                    "a.pfm: cannot be read: its header states no size");
+TEST_CASE("a picture is read as what its first bytes say, whatever its name is") {
+  const TemporaryFolder folder;
+  write_png(folder.file("a.png"), {1, 1, {255, 0, 0}});
+  write_exr(folder.file("b.exr"), Image(1, 1, Rgb{0, 5, 0}));
+  for (const char* name : {"a.jpg", "a", "a.tga"}) {
+    fs::copy_file(folder.file("a.png"), folder.file(name));
+    CHECK(read_image(folder.file(name)).at(0, 0) == Rgb{1, 0, 0});
+  }
+  fs::copy_file(folder.file("b.exr"), folder.file("b.png"));
+  CHECK(read_image(folder.file("b.png")).at(0, 0) == Rgb{0, 5, 0});
+  CHECK(read_layers(folder.file("b.png")).channels.size() == 3);
+  CHECK_THROWS_WITH(
+      decode_image("GIF89a", "image 0"),
+      "image 0: its first bytes are of no picture that is read; valid are PNG, JPEG, WebP, OpenEXR");
 }
 
-TEST_CASE("TGA pictures are read, packed in runs or not, from the bottom or the top") {
-  const auto header = [](char kind, char width, char height, char depth, char order) {
-    std::string bytes(18, '\0');
-    bytes[2] = kind, bytes[12] = width, bytes[14] = height, bytes[16] = depth, bytes[17] = order;
-    return bytes;
-  };
-  const std::string blue{'\xff', '\0', '\0'}, red{'\0', '\0', '\xff'};
-  const Image plain = decode_image(header(2, 1, 2, 24, 0) + blue + red, "a.tga");
-  CHECK(plain.at(0, 0) == Rgb{1, 0, 0});
-  CHECK(plain.at(0, 1) == Rgb{0, 0, 1});
-  const Image packed =
-      decode_image(header(10, 3, 1, 24, 32) + "\x81" + red + std::string(1, '\0') + blue, "a.tga");
-  CHECK(packed.at(1, 0) == Rgb{1, 0, 0});
-  CHECK(packed.at(2, 0) == Rgb{0, 0, 1});
-  CHECK(decode_image(header(3, 1, 1, 8, 0) + "\xff", "a.tga").at(0, 0) == Rgb{1, 1, 1});
-  CHECK_THROWS_WITH(decode_image(header(2, 1, 2, 24, 0) + blue, "a.tga"),
-                    "a.tga: cannot be read: it is cut off");
-  CHECK_THROWS_WITH(
-      decode_image(header(1, 1, 1, 8, 0) + "\xff", "a.tga"),
-      "a.tga: cannot be read: TGA pictures are read of 24 or 32 bits a pixel, or 8 of grey, without a "
-      "palette");
+TEST_CASE("colours of 8 and 16 bits are decoded as each number alone") {
+  for (const int side : {3, 300}) {
+    const TemporaryFolder folder;
+    ByteImage image{side, side, std::vector<std::uint8_t>(std::size_t(3 * side * side))};
+    for (std::size_t i = 0; i < image.bytes.size(); ++i) image.bytes[i] = std::uint8_t(i * 7 + i / 256);
+    write_png(folder.file("a.png"), image);
+    const Image read = read_image(folder.file("a.png"));
+    for (std::size_t i = 0; i < read.pixels.size(); ++i)
+      REQUIRE(read.pixels[i].g == decode_srgb(float(image.bytes[3 * i + 1]) * (1.0f / 255)));
+  }
 }
 
 TEST_CASE("an EXR cut short is refused") {
@@ -405,6 +400,7 @@ TEST_CASE("a Radiance picture has its rows and columns as its header says, and i
   CHECK(read(plain, "+Y 2 -X 2") == std::vector<Rgb>{white, blue, green, red});
   CHECK(read(plain + "EXPOSURE= 2\nEXPOSURE=0.25\n", "-Y 2 +X 2")[0] == Rgb{2, 0, 0});
   CHECK(read(plain + "EXPOSURE=x\n", "-Y 2 +X 2")[0] == red);
+  CHECK(read(plain + "COLORCORR= 2 4  8\nEXPOSURE=0.5\n", "-Y 2 +X 2")[3] == Rgb{1, 0.5f, 0.25f});
   CHECK_THROWS_WITH(read(plain, "+X 2 -Y 2"), Catch::Contains("its rows run from top to bottom"));
 }
 

@@ -42,9 +42,9 @@ std::vector<png_bytep> make_rows(const PngKind& kind, std::vector<std::vector<pn
   return places;
 }
 
-/// The file of a kind; what a palette holds, and which of it is transparent, may be given.
+/// The file of a kind; what a palette holds, which of it is transparent, and texts may be given.
 std::string png_file(const PngKind& kind, const std::vector<png_color>& palette = {},
-                     std::vector<png_byte> alphas = {}) {
+                     std::vector<png_byte> alphas = {}, const std::vector<png_text>& texts = {}) {
   std::string file;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   png_infop info = png_create_info_struct(png);
@@ -59,6 +59,7 @@ std::string png_file(const PngKind& kind, const std::vector<png_color>& palette 
                PNG_FILTER_TYPE_DEFAULT);
   if (!palette.empty()) png_set_PLTE(png, info, palette.data(), int(palette.size()));
   if (!alphas.empty()) png_set_tRNS(png, info, alphas.data(), int(alphas.size()), nullptr);
+  if (!texts.empty()) png_set_text(png, info, texts.data(), int(texts.size()));
   png_write_info(png, info);
   png_set_packing(png);
   std::vector<std::vector<png_byte>> rows;
@@ -153,6 +154,28 @@ TEST_CASE("a PNG's texts and time are read as they were written") {
   const ImageMetadata read = decode_png_metadata({bytes, name}, noting(header));
   CHECK(read.size() == 3);
   for (const auto& [key, value] : written) CHECK(value_of(read, key) == value);
+}
+
+TEST_CASE("packed texts of a PNG are read to a length and a number that pictures have") {
+  const auto texts = [](std::size_t count, std::size_t length) {
+    const std::string text(length, 'x');
+    std::vector<png_text> packed(count);
+    for (png_text& each : packed) {
+      each.compression = PNG_TEXT_COMPRESSION_zTXt;
+      each.key = const_cast<char*>("key");
+      each.text = const_cast<char*>(text.c_str());
+      each.text_length = length;
+    }
+    const std::string bytes = png_file({PNG_COLOR_TYPE_GRAY, 1, 8, false}, {}, {}, packed), name = "a.png";
+    CHECK(bytes.size() < 100'000);
+    PictureHeader header;
+    CHECK(decode_png({bytes, name}, noting(header)).width == png_width);
+    return decode_png_metadata({bytes, name}, noting(header));
+  };
+  CHECK(texts(1, 200'000).size() == 1);
+  CHECK(texts(1, 300'000).empty());
+  const std::size_t several = texts(150, 10).size();
+  CHECK((several >= 90 && several <= 110));
 }
 
 }  // namespace twinray::test
