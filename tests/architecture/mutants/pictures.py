@@ -116,7 +116,7 @@ MUTANTS = [
            PNG_TEXTS),
     Mutant("a number in a table of colors stands for its neighbours", "io/picture/image_file.cpp",
            "if (entry.encoded != encoded) entry =", "if (entry.encoded == 0) entry =", "test_io",
-           "colours of 8 and 16 bits are decoded as each number alone"),
+           "colours of 16 bits are decoded as each number alone"),
     Mutant("a picture is what its name says, whatever it begins with", "io/picture/image_file.cpp",
            "return format ? *format : picture_format(path);", "return picture_format(path);", "test_io",
            "a picture is read as what its first bytes say, whatever its name is"),

@@ -232,7 +232,7 @@ TEST_CASE("a picture is read as what its first bytes say, whatever its name is")
       "image 0: its first bytes are of no picture that is read; valid are PNG, JPEG, WebP, OpenEXR");
 }
 
-TEST_CASE("colours of 8 and 16 bits are decoded as each number alone") {
+TEST_CASE("colours of 8 bits are decoded as each number alone") {
   for (const int side : {3, 300}) {
     const TemporaryFolder folder;
     ByteImage image{side, side, std::vector<std::uint8_t>(std::size_t(3 * side * side))};

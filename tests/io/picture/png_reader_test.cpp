@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "io/picture/image_file.h"
 #include "io/picture/png.h"
+#include "io/picture/srgb.h"
 #include "tests/support/catch.h"
 
 namespace twinray::test {
@@ -107,6 +109,14 @@ TEST_CASE("PNGs of all bits and channels, in one pass or several, give the numbe
       check_kind({PNG_COLOR_TYPE_RGB_ALPHA, 4, bits, is_interlaced});
     }
   }
+}
+
+TEST_CASE("colours of 16 bits are decoded as each number alone") {
+  const PngKind kind{PNG_COLOR_TYPE_RGB, 3, 16, false};
+  const Image image = decode_image(png_file(kind), "a.png");
+  for (int y = 0; y < png_height; ++y)
+    for (int x = 0; x < png_width; ++x)
+      CHECK(image.at(x, y).g == decode_srgb(float(stored_value(kind, x, y, 1)) * (1.0f / 65535)));
 }
 
 TEST_CASE("a palette's colours and what is transparent of them are read") {
