@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
+#include <system_error>
 
 #include "cli/compare/command.h"
 #include "cli/convert_command.h"
@@ -22,6 +24,7 @@
 #include "cli/stats/command.h"
 #include "cli/study/command.h"
 #include "cli/verify/command.h"
+#include "io/diagnostic.h"
 
 namespace twinray {
 namespace {
@@ -123,6 +126,17 @@ bool is_subcommand(const std::string& word) {
                      [&](const Subcommand& subcommand) { return word == subcommand.name; });
 }
 
+/// Throws UsageError where the first word is no file, and almost a subcommand.
+void check_command(const std::string& word) {
+  std::error_code error;
+  if (word.find_first_of("-./:") != word.npos || std::filesystem::exists(word, error)) return;
+  std::vector<std::string_view> names;
+  for (const Subcommand& subcommand : subcommands) names.push_back(subcommand.name);
+  if (const std::string nearest = nearest_name(word, names); !nearest.empty())
+    throw UsageError(
+        fmt::format("there is no command {}, and no such file; did you mean {}?", word, nearest));
+}
+
 std::string usage_of(const std::string& name) {
   if (name == "render") return "twinray [render] SCENE.dae [options]; all options: twinray --help";
   if (name == "study")
@@ -165,8 +179,10 @@ Invocation read_invocation(std::span<const char* const> arguments) {
 int run_program(const Invocation& invocation) {
   Words words = invocation.words;
   if (invocation.is_cs184) return run_cs184(invocation.path, words);
-  if (words.empty() || !is_subcommand(words.front())) words.insert(words.begin(), "render");
+  const bool is_of_render = words.empty() || !is_subcommand(words.front());
+  if (is_of_render) words.insert(words.begin(), "render");
   try {
+    if (is_of_render && words.size() > 1) check_command(words[1]);
     return run_subcommand(subcommands, words);
   } catch (const UsageError& error) {
     throw UsageError(fmt::format("{}\nusage: {}", error.what(), usage_of(words.front())));

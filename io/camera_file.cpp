@@ -5,7 +5,9 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <system_error>
 #include <utility>
 
 #include "core/angle.h"
@@ -74,6 +76,8 @@ class CameraText {
 
 /// The file's first bytes, one more than there may be.
 std::string read(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) throw Error(path + ": there is no such file");
   std::ifstream file(path, std::ios::binary);
   std::string text(max_bytes + 1, '\0');
   file.read(text.data(), std::streamsize(text.size()));

@@ -26,6 +26,7 @@ std::vector<std::string> parse_engines(const std::string& text) {
     engines.push_back(name);
     begin = end + 1;
   }
+  if (engines.size() < 2) throw Error("two are needed, one of them bvh, bvh-2 or embree");
   return engines;
 }
 

@@ -9,6 +9,7 @@
 #include "io/gltf/uri.h"
 #include "io/picture/mirrored_picture.h"
 #include "io/picture/texture_store.h"
+#include "io/uri.h"
 
 namespace twinray {
 namespace {
@@ -102,7 +103,10 @@ LoadedTexture GltfTextures::load(int image, const PictureMeaning& meaning) {
   const std::string pointer = fmt::format("/images/{}", image);
   if (source.uri.empty() || is_data_uri(source.uri)) return load_embedded(image, meaning);
   const GltfContext& context = document_.context();
-  return load_texture(context.read_pictures ? gltf_path(source.uri, pointer, context) : "", meaning,
+  if (!context.read_pictures) return load_texture("", meaning, context.options);
+  // What lies on another machine is no file of this one, and shown as any that is missing.
+  const bool is_here = !is_remote(source.uri);
+  return load_texture(is_here ? gltf_path(source.uri, pointer, context) : source.uri, meaning,
                       context.options);
 }
 

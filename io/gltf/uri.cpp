@@ -13,11 +13,14 @@ namespace {
 
 constexpr std::string_view scheme = "data:", marker = ";base64";
 
-/// The value of each letter of base64 (and of its variant for URIs); 255 of all others.
+constexpr std::uint8_t no_letter = 255, blank = 254;
+
+/// The value of each letter of base64 (and of its variant for URIs), and of what lies between its lines.
 constexpr std::array<std::uint8_t, 256> base64_values() {
   constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::array<std::uint8_t, 256> values{};
-  values.fill(255);
+  values.fill(no_letter);
+  for (const char between : {' ', '\t', '\n', '\r'}) values[static_cast<unsigned char>(between)] = blank;
   for (std::size_t i = 0; i < letters.size(); ++i)
     values[static_cast<unsigned char>(letters[i])] = std::uint8_t(i);
   values['-'] = 62, values['_'] = 63;
@@ -26,14 +29,16 @@ constexpr std::array<std::uint8_t, 256> base64_values() {
 
 std::string decode_base64(std::string_view text, const std::string& pointer, const GltfContext& context) {
   constexpr auto values = base64_values();
-  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+  while (!text.empty() && (text.back() == '=' || values[static_cast<unsigned char>(text.back())] == blank))
+    text.remove_suffix(1);
   std::string bytes;
   bytes.reserve(text.size() / 4 * 3 + 3);
   std::uint32_t bits = 0;
   int count = 0;
   for (const char letter : text) {
     const std::uint32_t value = values[static_cast<unsigned char>(letter)];
-    if (value > 63) context.fail(pointer, "the data URI holds a character that is none of base64's");
+    if (value == blank) continue;
+    if (value == no_letter) context.fail(pointer, "the data URI holds a character that is none of base64's");
     bits = bits << 6 | value;
     count += 6;
     if (count < 8) continue;

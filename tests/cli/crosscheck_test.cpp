@@ -143,6 +143,9 @@ TEST_CASE("a wrong crosscheck command line ends with 2 and its own usage") {
   const ProcessResult result = run_program("crosscheck " + box_scene + " --engines=bvh,octree");
   CHECK(result.exit_code == 2);
   CHECK(result.err.find("there is no engine \"octree\"") != std::string::npos);
+  const ProcessResult alone = run_program("crosscheck " + box_scene + " --engines=bvh");
+  CHECK(alone.exit_code == 2);
+  CHECK(alone.err.starts_with("twinray: --engines: two are needed, one of them bvh, bvh-2 or embree\n"));
   CHECK(run_program("crosscheck " + box_scene + " --engines=bvh,bvh").err.find("bvh stands there twice") !=
         std::string::npos);
   CHECK(result.err.find("usage: twinray crosscheck SCENE.dae") != std::string::npos);

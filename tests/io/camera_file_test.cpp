@@ -69,7 +69,8 @@ TEST_CASE("a broken camera settings file is refused with its place") {
   CHECK(message_of("90 sixty", folder) != "accepted");
   CHECK(message_of(std::string(65537, ' '), folder) ==
         file + ": more than 65536 bytes; a camera settings file has 30 numbers");
-  CHECK_THROWS_WITH(load_camera_file(folder.file("none"), {}), folder.file("none") + ": cannot be read");
+  CHECK_THROWS_WITH(load_camera_file(folder.file("none"), {}),
+                    folder.file("none") + ": there is no such file");
 }
 
 TEST_CASE("a camera is never at a place, nor of a field of view, that is no finite number") {

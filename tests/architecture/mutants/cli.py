@@ -134,4 +134,7 @@ MUTANTS = [
     Mutant("a picture of CS184's program is verified by its own engine alone", "cli/verify/command.cpp",
            "!asked.accel.empty() ? asked.accel : claim.is_cs184 ?", "claim.is_cs184 ?", "test_cli",
            "the picture of CS184's program is made again by its options"),
+    Mutant("a misspelt command is a scene", "cli/program.cpp",
+           "if (is_of_render && words.size() > 1) check_command(words[1]);", "", "test_cli",
+           "an unknown option is an error that names the one it may stand for"),
 ]

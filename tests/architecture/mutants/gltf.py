@@ -226,4 +226,10 @@ MUTANTS = [
            "ior > 0 && ior < 0", GLTF, "gltf: indices of refraction and specular reflection"),
     Mutant("joints of a packed mesh may have any number of parts", "io/gltf/deform.cpp",
            "require_type(document_, attribute.second, type);", "", GLTF, PACKED),
+    Mutant("base64 of several lines is refused", "io/gltf/uri.cpp",
+           "if (value == blank) continue;", "", GLTF,
+           "gltf: pictures stand in buffers, in the text, or in files beside it"),
+    Mutant("a picture on another machine ends the scene", "io/gltf/texture.cpp",
+           "const bool is_here = !is_remote(source.uri);", "const bool is_here = true;", GLTF,
+           "gltf: a picture that cannot be read is magenta, and a warning says so"),
 ]

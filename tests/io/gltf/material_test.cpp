@@ -49,7 +49,7 @@ TEST_CASE("gltf: colors are encoded as sRGB has it, roughness is green and metal
 TEST_CASE("gltf: pictures stand in buffers, in the text, or in files beside it") {
   const TemporaryFolder folder;
   test::write_text(folder.file("a b.png"), picture_bytes());
-  for (const char* uri : {"", "data:image/png;base64,", "a%20b.png"}) {
+  for (const char* uri : {"", "data:image/png;base64,", "data:image/png;base64,\r\n ", "a%20b.png"}) {
     INFO(uri);
     GltfFile file = gltf_surface(json::object());
     file.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = add_picture(file);
@@ -71,6 +71,9 @@ TEST_CASE("gltf: a picture that cannot be read is magenta, and a warning says so
   file.json["images"] = {{{"uri", "missing.png"}}};
   file.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
   CHECK(file.warning() == "test.gltf: /images/0: missing.png: there is no such file; it is shown magenta");
+  file.json["images"][0]["uri"] = "https://a.b/c.png";
+  CHECK(file.warning() ==
+        "test.gltf: /images/0: https://a.b/c.png: there is no such file; it is shown magenta");
   file.json["images"][0]["uri"] = "data:image/gif;base64,R0lGODlhAQABAAAAACw=";
   CHECK(file.warning().find("it is shown magenta") != std::string::npos);
 }
