@@ -104,7 +104,7 @@ class MemberReader {
   void operator()(const char* key, Attenuation& member) const;
   /// A unit vector.
   void direction(const char* key, Vec3& member) const;
-  /// A member that files of earlier times do not have, and which then keeps its value.
+  /// A member that may be left out, as in files of earlier times, and then keeps its value.
   template <typename Member, typename... Validity>
   void later(const char* key, Member& member, Validity... valid) const {
     if (entry_.has(key)) (*this)(key, member, valid...);

@@ -198,9 +198,9 @@ template <typename Visit>
 void members(const Visit& visit, PixelFilter& filter) {
   visit("type", filter.kind);
   visit("radius", filter.radius);
-  visit("sigma", filter.sigma, Valid::positive);
-  visit("b", filter.b, Valid::part);
-  visit("c", filter.c, Valid::part);
+  visit.later("sigma", filter.sigma, Valid::positive);
+  visit.later("b", filter.b, Valid::part);
+  visit.later("c", filter.c, Valid::part);
 }
 
 /// The three coefficients of the fall-off with distance.
@@ -233,14 +233,14 @@ template <typename Visit>
 void members(const Visit& visit, PointLight& light) {
   visit("position", light.position);
   visit("intensity", light.intensity, Valid::not_negative);
-  visit("attenuation", light.attenuation);
+  visit.later("attenuation", light.attenuation);
 }
 template <typename Visit>
 void members(const Visit& visit, SpotLight& light) {
   visit("position", light.position);
   visit.direction("direction", light.direction);
   visit("intensity", light.intensity, Valid::not_negative);
-  visit("attenuation", light.attenuation);
+  visit.later("attenuation", light.attenuation);
   visit("falloff_angle_degrees", light.falloff_angle_degrees, Valid::positive);
   visit("falloff_exponent", light.falloff_exponent, Valid::not_negative);
   visit("penumbra_degrees", light.penumbra_degrees, Valid::not_negative);

@@ -292,14 +292,15 @@ class Reader {
       entry.fail("\"right\", \"up\" and \"forward\" must be at right angles");
     visit(is_at_distance ? "tan_half_width" : "half_width", camera.tan_half_width, Valid::positive);
     visit(is_at_distance ? "tan_half_height" : "half_height", camera.tan_half_height, Valid::positive);
-    visit("lens_radius", camera.lens_radius, Valid::not_negative);
-    visit("focal_distance", camera.focal_distance, Valid::positive);
-    visit("clip_near", camera.clip_near, Valid::not_negative);
+    visit.later("lens_radius", camera.lens_radius, Valid::not_negative);
+    visit.later("focal_distance", camera.focal_distance, Valid::positive);
+    visit.later("clip_near", camera.clip_near, Valid::not_negative);
     if (entry.has("frame_center")) visit("frame_center", camera.frame_center);
     if (entry.has("aperture")) read_aperture(entry.entry("aperture"), camera);
     if (entry.has("clip_far")) visit("clip_far", camera.clip_far, Valid::positive);
     if (camera.clip_far <= camera.clip_near) entry.fail("\"clip_far\" must lie beyond \"clip_near\"");
-    camera.clips_by_distance = entry.named<bool>("clip_along", {{"forward", false}, {"ray", true}}) &&
+    camera.clips_by_distance = entry.has("clip_along") &&
+                               entry.named<bool>("clip_along", {{"forward", false}, {"ray", true}}) &&
                                !is_panorama(camera.projection);
     if (!options_.clip_as_file) camera = without_clip(camera);
     set_frame(file, camera);
