@@ -173,7 +173,7 @@ std::string cs184_usage(const std::string& path) {
       "  -h               Print this help message\n"
       "  --accel=NAME, --integrator=normals and other long options of twinray, for light, engines, "
       "--sampler,\n"
-      "  --seed, --adaptive-rule, --replay and --stats\n"
+      "  --seed, --adaptive-rule, --replay, --stats, --tev, --instances and --strict\n"
       "\n",
       path);
 }

@@ -99,7 +99,7 @@ std::vector<std::string> places_in(const std::string& list) {
 
 void check_places(const std::vector<std::string>& places) {
   for (const std::string& place : places)
-    if (!fs::exists(place)) throw Error(fmt::format("--sandbox: there is no {}", place));
+    if (!fs::exists(place)) throw Error(fmt::format("--sandbox: there is no file or folder {}", place));
 }
 
 std::string enter_sandbox(const SandboxNeeds& needs) {

@@ -221,7 +221,7 @@ TEST_CASE("what writes beside the scene, or in another process, does not go with
   const Stranger stranger;
   stranger.write_scene("");
   CHECK(stranger.render("--sandbox --convert-textures").exit_code == 2);
-  CHECK(stranger.render("--sandbox=/nowhere").err.find("--sandbox: there is no /nowhere") !=
+  CHECK(stranger.render("--sandbox=/nowhere").err.find("--sandbox: there is no file or folder /nowhere") !=
         std::string::npos);
 }
 
