@@ -11,7 +11,6 @@
 #include "core/error.h"
 
 namespace twinray {
-
 namespace {
 
 /// So many indices, about, for each part of the guide table: their sums lie in one or two lines of a cache.

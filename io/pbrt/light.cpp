@@ -102,7 +102,8 @@ std::shared_ptr<const Image> picture_of(const PbrtParameters& parameters, PbrtCo
     if (!loaded.fault.empty()) place.warn(context.warnings, loaded.fault + "; such pixels are black");
     return std::make_shared<const Image>(std::move(loaded.map));
   } catch (const Error& error) {
-    place.warn(context.warnings, fmt::format("{}; the light shines alike in all directions", error.what()));
+    place.warn(context.warnings,
+               fmt::format("{}; the light is as bright in all of its directions", error.what()));
     return nullptr;
   }
 }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/memory.h"
 #include "core/radiance.h"
 #include "io/picture/image_file.h"
 
@@ -41,6 +42,10 @@ Image read_map(const std::string& path) {
   if (std::int64_t(frame->width) * frame->height > most_pixels || frame->width < 1 || frame->height < 1)
     throw Error(fmt::format("{}: its frame has {} x {} pixels; valid are up to 2^28", path, frame->width,
                             frame->height));
+  const MemoryNeed need{
+      fmt::format("the {} x {} pixels of the frame of {}", frame->width, frame->height, path),
+      std::uint64_t(frame->width) * std::uint64_t(frame->height) * sizeof(Rgb)};
+  check_memory({&need, 1});
   return framed(image, *frame);
 }
 

@@ -155,7 +155,8 @@ std::optional<PictureFormat> known_picture_format(const std::string& path) {
 std::optional<PictureFormat> signed_format(std::string_view bytes) {
   if (bytes.starts_with(png_signature)) return PictureFormat::png;
   if (bytes.starts_with(jpeg_signature)) return PictureFormat::jpeg;
-  if (bytes.starts_with("RIFF") && bytes.substr(8, 4) == "WEBP") return PictureFormat::webp;
+  if (bytes.starts_with("RIFF") && bytes.size() >= 12 && bytes.substr(8, 4) == "WEBP")
+    return PictureFormat::webp;
   if (bytes.starts_with(exr_signature)) return PictureFormat::exr;
   return std::nullopt;
 }
