@@ -26,8 +26,10 @@ float Coat::reflectance(float cosine) const {
 }
 
 Rgb Coat::diffuse_below(const Rgb& reflectance) const {
-  const float back = average_reflectance_below(), spread = ior_ * ior_;
-  const auto channel = [&](float r) { return r / ((1 - r * back) * spread); };
+  // r / ((1 - r back) ior^2), where of light from below 1 - back = (1 - average) / ior^2 gets out: written so
+  // that nothing cancels where the index is large.
+  const float out = 1 - average_reflectance_, spread = ior_ * ior_;
+  const auto channel = [&](float r) { return r / ((1 - r) * spread + r * out); };
   return {channel(reflectance.r), channel(reflectance.g), channel(reflectance.b)};
 }
 

@@ -156,8 +156,8 @@ void PrincipledLobe::set_film(const Principled& m) {
   const float squared_ior = gloss_.ior() * gloss_.ior();
   const Rgb color = m.base_color * m.base_weight;
   const auto channel = [&](float r, float reflected) {
-    const float through = (1 - reflected) / squared_ior;
-    return r / ((1 - r * (1 - through)) * squared_ior);
+    const float kept = (1 - r) * squared_ior + r * (1 - reflected);
+    return kept > 0 ? r / kept : 0;
   };
   diffuse_ = {channel(color.r, gloss_average_.r), channel(color.g, gloss_average_.g),
               channel(color.b, gloss_average_.b)};

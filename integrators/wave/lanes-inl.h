@@ -91,9 +91,10 @@ HWY_ATTR HWY_INLINE LaneMask is_positive(Lanes a) { return hn::Gt(a, hn::Zero(Fl
 HWY_ATTR HWY_INLINE LaneMask is_positive_and_finite(Lanes a) {
   return hn::And(is_positive(a), hn::Lt(a, splat(std::numeric_limits<float>::infinity())));
 }
+/// Not a number is not black, as with is_black(): Ne() says so on some processors alone.
 HWY_ATTR HWY_INLINE LaneMask is_not_black(const Lanes3& c) {
   const Lanes zero = hn::Zero(FloatTag());
-  return hn::Or(hn::Ne(c.x, zero), hn::Or(hn::Ne(c.y, zero), hn::Ne(c.z, zero)));
+  return hn::Not(hn::And(hn::Eq(c.x, zero), hn::And(hn::Eq(c.y, zero), hn::Eq(c.z, zero))));
 }
 /// Bit i: lane i of the mask.
 HWY_ATTR HWY_INLINE std::uint32_t bits_of(LaneMask mask) {

@@ -76,7 +76,7 @@ HWY_ATTR void sample_mesh_light(const Surfaces& surfaces, const MeshLightRequest
     const LaneMask arrives = hn::And(is_positive_and_finite(squared), emits(light.side, cos_front));
     store_arriving(arrives, direction, light.radiance, samples, i);
     const Lanes uniform = area_to_solid_angle(light.area, squared, cos_front);
-    store(hn::Mul(load(samples.density, i), uniform), samples.pdf, i);
+    store(select(arrives, hn::Mul(load(samples.density, i), uniform), splat(1)), samples.pdf, i);
     store_ray_to({position, normal, load(samples.point.offset, i)}, surfaces, samples, i);
   }
 }

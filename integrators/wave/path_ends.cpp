@@ -40,8 +40,8 @@ std::size_t PathWave::play_roulette(std::size_t kept) {
     const std::size_t i = wave_.kept[k];
     const Rgb throughput = paths_.throughput.at<Rgb>(i);
     const float probability = roulette.probability(throughput * paths_.eta_squared[i]);
-    if (probability < 1) {
-      if (wave_.ux[i] >= probability) continue;
+    if (!(probability >= 1)) {
+      if (!(wave_.ux[i] < probability)) continue;
       paths_.throughput.set(i, throughput / probability);
     }
     wave_.kept[surviving++] = std::uint32_t(i);

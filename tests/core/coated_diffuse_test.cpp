@@ -51,6 +51,14 @@ TEST_CASE("a coated white surface passes the furnace") {
     }
 }
 
+TEST_CASE("white below a coat of any index returns all of the light that comes in") {
+  for (const float ior : {1.5f, 100.0f, 1000.0f, 1e6f})
+    for (const float alpha : {0.0f, 0.3f}) {
+      const Coat coat = coat_of(alpha, ior);
+      CHECK(coat.diffuse_below(white).g == Approx(1 / (1 - coat.average_reflectance())).epsilon(1e-4));
+    }
+}
+
 TEST_CASE("a coat of the outside's own index is none") {
   const CoatedDiffuseLobe lobe(coat_of(0, 1), base_color);
   CHECK(lobe.evaluate(direction_at(0.5f), direction_at(0.7f)).value.g == Approx(base_color.g / pi));

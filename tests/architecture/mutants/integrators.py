@@ -411,4 +411,13 @@ MUTANTS = [
            "integrators/wave/other_surfaces.cpp", "return other->at.interiors(light_.direction.at(surface));",
            "return other->at.interiors(connections_.rays[connection].direction);", "test_integrators",
            "waves have the reference's bits where a light almost lies on a body beside an interface"),
+    Mutant("a light's point where the surface is has a density that is no number",
+           "integrators/wave/light-inl.h",
+           "store(select(arrives, hn::Mul(load(samples.density, i), uniform), splat(1)), samples.pdf, i);",
+           "store(hn::Mul(load(samples.density, i), uniform), samples.pdf, i);", "test_integrators",
+           "waves have the reference's bits where points of a light coincide with the one that is shaded"),
+    Mutant("white below a coat of a large index divides by zero", "core/lobes/coat.cpp",
+           "return r / ((1 - r) * spread + r * out);",
+           "return r / ((1 - r * (1 - out / spread)) * spread);", "test_core",
+           "white below a coat of any index returns all of the light that comes in"),
 ]
