@@ -31,7 +31,7 @@ MUTANTS = [
     Mutant("a coat lets light out as from a medium like the outside", "core/lobes/coat.cpp",
            "(1 - r * back) * spread", "(1 - r * back)", "test_core", COATED_FURNACE),
     Mutant("light below a coat leaves at the first try", "core/lobes/coat.cpp",
-           "(1 - r * back) * spread", "spread", "test_core", COATED_FURNACE),
+           "(1 - r) * spread + r * out", "spread", "test_core", COATED_FURNACE),
     Mutant("a metal's density is that within its coat", "core/lobes/coated_conductor.cpp",
            "below_coat.pdf * narrower", "below_coat.pdf", "test_core",
            "a coated conductor is sampled with its density, and is reciprocal"),
