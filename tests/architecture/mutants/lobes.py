@@ -29,7 +29,7 @@ MUTANTS = [
            "side == Side::outside ? ior : 1 / ior", "ior",
            "test_core", "a rough boundary is seen from the side that the viewer is on"),
     Mutant("a coat lets light out as from a medium like the outside", "core/lobes/coat.cpp",
-           "(1 - r * back) * spread", "(1 - r * back)", "test_core", COATED_FURNACE),
+           "return r / ((1", "return r * spread / ((1", "test_core", COATED_FURNACE),
     Mutant("light below a coat leaves at the first try", "core/lobes/coat.cpp",
            "(1 - r) * spread + r * out", "spread", "test_core", COATED_FURNACE),
     Mutant("a metal's density is that within its coat", "core/lobes/coated_conductor.cpp",
