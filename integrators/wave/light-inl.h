@@ -34,11 +34,13 @@ HWY_ATTR HWY_INLINE LaneMask emits(EmissionSide side, Lanes cos_front) {
   return side == EmissionSide::front ? hn::Gt(cos_front, zero) : hn::Lt(cos_front, zero);
 }
 
-/// What comes along the directions from a light, and nothing where it does not arrive.
+/// What comes along the directions from a light, with their density; where it does not arrive, what a
+/// LightSample is by itself: nothing, of density 1.
 HWY_ATTR HWY_INLINE void store_arriving(LaneMask arrives, const Lanes3& direction, const Rgb& radiance,
-                                        LightSamples& samples, std::size_t i) {
+                                        Lanes pdf, LightSamples& samples, std::size_t i) {
   store(zero_unless(arrives, direction), samples.direction, i);
   store(zero_unless(arrives, splat(radiance.r, radiance.g, radiance.b)), samples.radiance, i);
+  store(select(arrives, pdf, splat(1)), samples.pdf, i);
 }
 
 /// Points of lights.
@@ -74,9 +76,9 @@ HWY_ATTR void sample_mesh_light(const Surfaces& surfaces, const MeshLightRequest
     const Lanes3 direction = between / hn::Sqrt(squared);
     const Lanes cos_front = hn::Neg(dot(normal, direction));
     const LaneMask arrives = hn::And(is_positive_and_finite(squared), emits(light.side, cos_front));
-    store_arriving(arrives, direction, light.radiance, samples, i);
     const Lanes uniform = area_to_solid_angle(light.area, squared, cos_front);
-    store(select(arrives, hn::Mul(load(samples.density, i), uniform), splat(1)), samples.pdf, i);
+    store_arriving(arrives, direction, light.radiance, hn::Mul(load(samples.density, i), uniform), samples,
+                   i);
     store_ray_to({position, normal, load(samples.point.offset, i)}, surfaces, samples, i);
   }
 }

@@ -57,8 +57,8 @@ HWY_ATTR void sample_sphere_light(const Surfaces& surfaces, const SphereLightReq
                                   entry_normal(light, lower_half(from), lower_half(direction)));
     const Lanes3 position = center + normal * splat(light.radius);
     const LaneMask arrives = hn::And(is_positive_and_finite(squared), is_positive(cone));
-    store_arriving(arrives, direction, light.radiance, samples, i);
-    store(hn::Div(splat(1), hn::Mul(splat(2 * pi), cone)), samples.pdf, i);
+    const Lanes pdf = hn::Div(splat(1), hn::Mul(splat(2 * pi), cone));
+    store_arriving(arrives, direction, light.radiance, pdf, samples, i);
     store_ray_to({position, normal, splat(light.offset)}, surfaces, samples, i);
   }
 }

@@ -18,41 +18,30 @@ std::string word_of(const std::optional<XmlElement>& sampler, const char* name, 
   return word.empty() ? fallback : word;
 }
 
-/// What Maya's exporters, and those that follow them, say of where a picture lies: it is repeated so many
-/// times, and then moved. Calls turned(element) for an angle that is not 0, by which it would be turned.
-template <typename Turned>
-UvTransform read_placement(const XmlElement& texture, bool& mirrors_u, bool& mirrors_v,
-                           const Turned& turned) {
-  UvTransform uv;
-  for (const XmlElement& extra : texture.children("extra"))
-    for (const XmlElement& technique : extra.children("technique")) {
-      if (technique.attribute("profile") != "MAYA") continue;
-      const auto set = [&](const char* name, float& number) {
-        if (const auto element = technique.child(name)) number = float(number_in(*element, -1e6, 1e6));
-      };
-      const auto is_set = [&](const char* name) {
-        float number = 0;
-        set(name, number);
-        return number != 0;
-      };
-      set("repeatU", uv.m[0][0]);
-      set("repeatV", uv.m[1][1]);
-      set("offsetU", uv.m[0][2]);
-      set("offsetV", uv.m[1][2]);
-      mirrors_u |= is_set("mirrorU");
-      mirrors_v |= is_set("mirrorV");
-      for (const char* angle : {"rotateFrame", "rotateUV"})
-        if (is_set(angle)) turned(*technique.child(angle));
-    }
-  return uv;
-}
-
 WrapMode wrap_of(const std::string& word) {
   if (word == "CLAMP") return WrapMode::clamp;
   return word == "BORDER" || word == "NONE" ? WrapMode::black : WrapMode::repeat;
 }
 
 }  // namespace
+
+void ColladaTextures::place(const XmlElement& texture, Sampling& sampling) {
+  for (const XmlElement& extra : texture.children("extra"))
+    for (const XmlElement& technique : extra.children("technique")) {
+      if (technique.attribute("profile") != "MAYA") continue;
+      const auto number_of = [&](const char* name, float usual) {
+        const auto element = technique.child(name);
+        return element ? float(number_in(*element, -1e6, 1e6)) : usual;
+      };
+      sampling.uv = {{{number_of("repeatU", 1), 0, number_of("offsetU", 0)},
+                      {0, number_of("repeatV", 1), number_of("offsetV", 0)}}};
+      sampling.mirrors_u |= number_of("mirrorU", 0) != 0;
+      sampling.mirrors_v |= number_of("mirrorV", 0) != 0;
+      for (const char* angle : {"rotateFrame", "rotateUV"})
+        if (number_of(angle, 0) != 0)
+          document_.warn(*technique.child(angle), fmt::format("the picture is not turned by <{}>", angle));
+    }
+}
 
 ColladaTextures::Sampling ColladaTextures::sampling_of(const ColladaTextureUse& use) {
   Sampling sampling;
@@ -62,10 +51,9 @@ ColladaTextures::Sampling ColladaTextures::sampling_of(const ColladaTextureUse& 
   sampling.mirrors_v = t == "MIRROR";
   if (word_of(use.sampler, "magfilter", "") == "NEAREST") sampling.filter = TextureFilter::nearest;
   try {
-    sampling.uv =
-        read_placement(use.element, sampling.mirrors_u, sampling.mirrors_v, [&](const XmlElement& angle) {
-          document_.warn(angle, fmt::format("the picture is not turned by <{}>", angle.name()));
-        });
+    Sampling placed = sampling;
+    place(use.element, placed);
+    sampling = placed;
   } catch (const Error&) {
     document_.warn(use.element, "where this picture lies makes no sense; it lies as it is");
   }

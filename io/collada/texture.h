@@ -50,6 +50,9 @@ class ColladaTextures {
   };
 
   Sampling sampling_of(const ColladaTextureUse& use);
+  /// What Maya's exporters, and those that follow them, say of where a picture lies: it is repeated so many
+  /// times, perhaps mirrored, and then moved. Angles are warned of. Throws Error.
+  void place(const XmlElement& texture, Sampling& sampling);
   std::shared_ptr<const MipMap> image(const std::string& path, const ColladaTextureUse& use,
                                       const PictureMeaning& meaning, const Sampling& sampling);
 

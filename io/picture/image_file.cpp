@@ -188,6 +188,22 @@ Image decode(PictureFormat format, const PictureBytes& picture, const ReadOption
   return image;
 }
 
+bool is_whole(const Image& image, const ImageFrame& frame) {
+  return frame.x == 0 && frame.y == 0 && frame.width == image.width && frame.height == image.height;
+}
+
+/// A picture in its frame: black around, and without what lies outside.
+Image framed(const Image& image, const ImageFrame& frame) {
+  Image whole(frame.width, frame.height);
+  const auto end = [](int begin, int size, int most) {
+    return int(std::min(std::int64_t(begin) + size, std::int64_t(most)));
+  };
+  for (int y = std::max(0, frame.y); y < end(frame.y, image.height, frame.height); ++y)
+    for (int x = std::max(0, frame.x); x < end(frame.x, image.width, frame.width); ++x)
+      whole.at(x, y) = image.at(x - frame.x, y - frame.y);
+  return whole;
+}
+
 std::string read_bytes(const std::string& path) {
   check_regular_file(path, "picture");
   std::error_code error;
@@ -257,6 +273,21 @@ Image read_image(const std::string& path, const ReadOptions& options) {
   const PictureFormat format = format_of_file(path);
   const std::string bytes = read_bytes(path);
   return decode(format, {bytes, path}, options);
+}
+
+Image read_framed_image(const std::string& path) {
+  const PictureFormat format = format_of_file(path);
+  const std::string bytes = read_bytes(path);
+  const PictureBytes picture{bytes, path};
+  Image image = decode(format, picture, {});
+  if (format != PictureFormat::exr) return image;
+  const ImageFrame frame =
+      decode_exr_frame(picture, [&](const PictureHeader& header) { check_kind(header, format, picture); });
+  if (is_whole(image, frame)) return image;
+  const PictureSize size{frame.width, frame.height};
+  check_picture_size(format, size, picture);
+  check_pixel_room(size, picture);
+  return framed(image, frame);
 }
 
 StoredLayers read_layers(const std::string& path) {

@@ -48,10 +48,13 @@ struct ReadOptions {
 /// display shows, from 0 to 1. Throws Error where it is none that is read.
 bool holds_radiance(const std::string& path);
 
-/// Reads an EXR, HDR, PNG, JPEG, PFM or TGA picture of up to 2^28 pixels as linear colours, those of its file
-/// whatever their alpha: the first three channels, or the first one as grey; PNG and JPEG are of 8 bits or
-/// of 16. Throws Error.
+/// Reads an EXR, HDR, PNG, JPEG, WebP, PFM or TGA picture of up to 2^28 pixels as linear colours, those of
+/// its file whatever their alpha; one number a pixel is grey. What the file begins with says the format, else
+/// its ending. Throws Error.
 Image read_image(const std::string& path, const ReadOptions& options = {});
+
+/// The same of its whole frame, of which an EXR may hold a part, or more: what the file lacks is black.
+Image read_framed_image(const std::string& path);
 
 /// All channels of an EXR picture, with its metadata and frame. Throws Error.
 StoredLayers read_layers(const std::string& path);
@@ -67,7 +70,7 @@ std::optional<ImageFrame> read_frame(const std::string& path);
 /// or is no EXR. Throws Error.
 std::vector<float> read_channel(const std::string& path, const std::string& name);
 
-/// read_image from the bytes of a file; the name says the format, and messages begin with it.
+/// read_image from the bytes of a file; messages begin with the name.
 Image decode_image(std::string_view bytes, const std::string& name, const ReadOptions& options = {});
 
 }  // namespace twinray

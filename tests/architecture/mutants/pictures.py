@@ -143,7 +143,7 @@ MUTANTS = [
     Mutant("a Radiance picture keeps the correction of its colors", "io/picture/hdr_reader.cpp",
            "if (!is_of_all && !line.starts_with(of_each)) continue;", "if (!is_of_all) continue;", "test_io",
            "a Radiance picture has its rows and columns as its header says, and its light without exposure"),
-    Mutant("a part of an environment is stretched around", "io/picture/environment_file.cpp",
-           "return framed(image, *frame);", "return image;", "test_io",
+    Mutant("a part of an environment is stretched around", "io/picture/image_file.cpp",
+           "return framed(image, frame);", "return image;", "test_io",
            "an environment that is a part of its frame has its place there, and black around"),
 ]

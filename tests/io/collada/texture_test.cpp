@@ -140,6 +140,8 @@ TEST_CASE("a sampler says how a picture goes on beside itself, and a Maya techni
   CHECK(color_at(maya_mirrored, {0.25f, 1.75f}) == color_at(maya_mirrored, {0.25f, 0.75f}));
   CHECK(messages(load("", maya("<rotateFrame>0</rotateFrame><rotateUV>90</rotateUV>"))) ==
         std::vector<std::string>{"the picture is not turned by <rotateUV>"});
+  const LoadedScene senseless = load("", maya("<repeatU>3</repeatU><mirrorU>x</mirrorU>"));
+  CHECK(picture_of(senseless).uv == UvTransform{});
   CHECK(messages(load("", maya("<repeatU>two</repeatU>"))) ==
         std::vector<std::string>{"where this picture lies makes no sense; it lies as it is"});
 }

@@ -87,9 +87,8 @@ TEST_CASE("an environment that is a part of its frame has its place there, and b
   CHECK(placed.at(2, 0) == Rgb{});
   CHECK(placed.at(2, 1) == sky().at(0, 0));
   CHECK(placed.at(5, 3) == sky().at(3, 2));
-  CHECK_THROWS_WITH(
-      load_in({0, 0, 1 << 20, 1 << 20}),
-      folder.file("part.exr") + ": its frame has 1048576 x 1048576 pixels; valid are up to 2^28");
+  CHECK_THROWS_WITH(load_in({0, 0, 1 << 20, 1 << 20}),
+                    folder.file("part.exr") + ": 1048576 x 1048576 pixels; valid are up to 2^28");
   const Image cut = load_in({-1, -1, 2, 1});  // More than the frame was rendered.
   REQUIRE((cut.width == 2 && cut.height == 1));
   CHECK(cut.at(0, 0) == sky().at(1, 1));
