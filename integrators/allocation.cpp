@@ -10,7 +10,7 @@ namespace {
 
 /// A pixel's error is the mean of that of the pixels of the other colour which are so close, in either
 /// direction: 24 within the picture. One alone says little of 16 samples.
-constexpr int radius = 3;
+constexpr int reach = 3;
 /// Errors count by the brightness of their surroundings, as the eye has it: dark pixels by this part of the
 /// mean at least.
 constexpr double least_level = 1.0 / 16;
@@ -66,8 +66,8 @@ std::array<double, 2> means_by_color(const PilotPicture& picture, const Value& v
 float error_around(const PilotPicture& picture, int x, int y, double least) {
   double sum = 0;
   int count = 0;
-  for (int y1 = std::max(0, y - radius); y1 <= std::min(picture.height - 1, y + radius); ++y1)
-    for (int x1 = std::max(0, x - radius); x1 <= std::min(picture.width - 1, x + radius); ++x1) {
+  for (int y1 = std::max(0, y - reach); y1 <= std::min(picture.height - 1, y + reach); ++y1)
+    for (int x1 = std::max(0, x - reach); x1 <= std::min(picture.width - 1, x + reach); ++x1) {
       if (color_of(x1, y1) == color_of(x, y)) continue;
       const PilotPixel& pixel = picture.at(x1, y1);
       if (pixel.error > 0) sum += pixel.error / (pixel.level + least);

@@ -15,15 +15,9 @@
 #include "core/parallel.h"
 
 namespace twinray {
-namespace {
 
-namespace fs = std::filesystem;
-
-constexpr const char* library_name = "libOpenImageDenoise.so.2";
-constexpr int known_version = 2;
-constexpr int deepest = 8;  ///< Folders within a folder in which the library is looked for.
-
-// Its interface in C (oidn.h), as far as it is needed here.
+/// The library's interface in C (oidn.h), as far as it is needed here.
+namespace oidn {
 
 using Device = void*;
 using Filter = void*;
@@ -50,6 +44,17 @@ struct Functions {
   void (*commit_filter)(Filter);
   void (*execute_filter)(Filter);
 };
+
+}  // namespace oidn
+
+namespace {
+
+using namespace oidn;
+namespace fs = std::filesystem;
+
+constexpr const char* library_name = "libOpenImageDenoise.so.2";
+constexpr int known_version = 2;
+constexpr int deepest = 8;  ///< Folders within a folder in which the library is looked for.
 
 template <class Function>
 void find_function(void* library, const char* name, const std::string& path, Function& function) {

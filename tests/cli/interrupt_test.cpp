@@ -14,6 +14,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
+#include "tests/support/sanitizer.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/terminal.h"
 
@@ -128,6 +129,10 @@ TEST_CASE("an interruption while the picture is written lets it be written") {
 }
 
 TEST_CASE("with a checkpoint an interruption before the first sample says to try again: nothing is lost") {
+  if (has_thread_sanitizer) {
+    WARN("not run: the thread sanitizer keeps a signal back until the file is opened");
+    return;
+  }
   for (const auto& [checkpoint, code] : {std::pair{"--checkpoint=", 75}, {"--stats=", 143}}) {
     CAPTURE(checkpoint);
     const TemporaryFolder folder;

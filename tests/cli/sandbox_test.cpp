@@ -83,8 +83,8 @@ class Stranger {
                    lines + "\nShape \"sphere\"\n");
   }
   ProcessResult render(const std::string& more = "--sandbox") const {
-    return run_program(fmt::format("render {} -r 8 6 -s 1 -q {} -o {}", quoted(path("scene/a.pbrt")), more,
-                                   quoted(picture())));
+    return run_program(fmt::format("render {} -r 8 6 -s 1 -q {} {} -o {}", quoted(path("scene/a.pbrt")),
+                                   has_thread_sanitizer ? "-t 1" : "", more, quoted(picture())));
   }
 
  private:
