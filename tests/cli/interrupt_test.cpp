@@ -2,8 +2,10 @@
 // What becomes of a render that is interrupted.
 #include "cli/interrupt.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <utility>
@@ -129,10 +131,6 @@ TEST_CASE("an interruption while the picture is written lets it be written") {
 }
 
 TEST_CASE("with a checkpoint an interruption before the first sample says to try again: nothing is lost") {
-  if (has_thread_sanitizer) {
-    WARN("not run: the thread sanitizer keeps a signal back until the file is opened");
-    return;
-  }
   for (const auto& [checkpoint, code] : {std::pair{"--checkpoint=", 75}, {"--stats=", 143}}) {
     CAPTURE(checkpoint);
     const TemporaryFolder folder;
@@ -142,7 +140,10 @@ TEST_CASE("with a checkpoint an interruption before the first sample says to try
         {scene, "--progress=json", checkpoint + folder.file("a.ck"), "-o", folder.file("a.png")});
     REQUIRE(program.wait_for("\"loading\""));
     program.send(SIGTERM);
+    // The thread sanitizer hands it on when the file is open: it is, though nothing is written there either.
+    const int writer = has_thread_sanitizer ? open(scene.c_str(), O_RDWR) : -1;
     CHECK(program.exit_code() == code);
+    if (writer >= 0) close(writer);
     CHECK(folder.file_count() == 1);
   }
 }

@@ -21,7 +21,7 @@ import slurm_cluster
 PARTS = 8
 PROGRAM = "twinray"
 # A part takes some seconds, or as long as it is held where it is.
-SIZE, SAMPLES = ["-r", "320", "240"], 240
+SIZE, SAMPLES = ["-r", "320", "240"], 500
 
 
 def run(*words, cwd, environment=None):

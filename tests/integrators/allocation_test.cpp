@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 
 #include "core/error.h"
@@ -144,6 +145,19 @@ TEST_CASE("one noisy pixel does not take the samples of all others") {
   CHECK(allocation.samples_of(10, 11, 1016) == pilot + 125);
   // The pixels of its own colour have seen nothing.
   CHECK(allocation.samples_of(100, 50, 1016) == 1016);
+}
+
+TEST_CASE(
+    "noise gives samples to pixels at most three columns and rows away, on all sides") {
+  Pilot noisy({0, 0, 60, 40});
+  noisy.set_noise(30, 20, 1);
+  const SampleAllocation allocation = noisy.allocation();
+  for_each_pixel(noisy.window, [&](int x, int y) {
+    CAPTURE(x, y);
+    const int columns = std::abs(x - 30), rows = std::abs(y - 20);
+    if ((columns + rows) % 2 == 0) return;  // Of its own colour.
+    CHECK((allocation.samples_of(x, y, 1016) > 1016) == (columns <= 3 && rows <= 3));
+  });
 }
 
 TEST_CASE("the samples of a pixel do not depend on the pilot of any pixel of its colour") {

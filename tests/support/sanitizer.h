@@ -10,8 +10,8 @@ inline constexpr bool has_sanitizer = true;
 inline constexpr bool has_sanitizer = false;
 #endif
 
-/// Whether it is the thread sanitizer. It hands signals on when a call returns, so one that waits for ever is
-/// not ended by them; and in a sandbox it cannot read the names by which races of libraries are passed over.
+/// Whether it is the thread sanitizer. It hands a signal on when the call returns that it came in; and in a
+/// sandbox it cannot read the names by which races within libraries are passed over.
 #ifdef __SANITIZE_THREAD__
 inline constexpr bool has_thread_sanitizer = true;
 #else

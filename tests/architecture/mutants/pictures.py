@@ -146,4 +146,10 @@ MUTANTS = [
     Mutant("a part of an environment is stretched around", "io/picture/image_file.cpp",
            "return framed(image, frame);", "return image;", "test_io",
            "an environment that is a part of its frame has its place there, and black around"),
+    Mutant("an environment that lies lower in its frame is taken for the whole", "io/picture/image_file.cpp",
+           "frame.x == 0 && frame.y == 0 && frame.width", "frame.x == 0 && frame.width", "test_io",
+           "an environment that is a part of its frame has its place there, and black around"),
+    Mutant("an environment whose frame is higher is taken for the whole", "io/picture/image_file.cpp",
+           "frame.width == image.width && frame.height == image.height", "frame.width == image.width",
+           "test_io", "an environment that is a part of its frame has its place there, and black around"),
 ]

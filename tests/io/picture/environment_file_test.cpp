@@ -87,6 +87,18 @@ TEST_CASE("an environment that is a part of its frame has its place there, and b
   CHECK(placed.at(2, 0) == Rgb{});
   CHECK(placed.at(2, 1) == sky().at(0, 0));
   CHECK(placed.at(5, 3) == sky().at(3, 2));
+  // Where the frame is another in one number alone.
+  for (const ImageFrame& frame : {ImageFrame{1, 0, 4, 3}, {0, 1, 4, 3}, {0, 0, 5, 3}, {0, 0, 4, 4}}) {
+    CAPTURE(frame.x, frame.y, frame.width, frame.height);
+    const Image framed = load_in(frame);
+    REQUIRE((framed.width == frame.width && framed.height == frame.height));
+    for (int y = 0; y < framed.height; ++y)
+      for (int x = 0; x < framed.width; ++x) {
+        const int column = x - frame.x, row = y - frame.y;
+        const bool is_there = column >= 0 && column < 4 && row >= 0 && row < 3;
+        CHECK(framed.at(x, y) == (is_there ? sky().at(column, row) : Rgb{}));
+      }
+  }
   CHECK_THROWS_WITH(load_in({0, 0, 1 << 20, 1 << 20}),
                     folder.file("part.exr") + ": 1048576 x 1048576 pixels; valid are up to 2^28");
   const Image cut = load_in({-1, -1, 2, 1});  // More than the frame was rendered.
