@@ -8,8 +8,8 @@ import json
 import sys
 from pathlib import Path
 
-# How many files are compiled at a time, on average and at least: some of them stand alone, most of all where what they
-# do is timed.
+# How many files are compiled at a time, on average and at least: some of them stand alone, most of all where
+# what they do is timed.
 LIBRARIES = {"accel": 2, "check": 8, "cli": 8, "core": 8, "integrators": 3, "io": 8}
 
 

@@ -147,8 +147,7 @@ TEST_CASE("one noisy pixel does not take the samples of all others") {
   CHECK(allocation.samples_of(100, 50, 1016) == 1016);
 }
 
-TEST_CASE(
-    "noise gives samples to pixels at most three columns and rows away, on all sides") {
+TEST_CASE("noise gives samples to pixels at most three columns and rows away, on all sides") {
   Pilot noisy({0, 0, 60, 40});
   noisy.set_noise(30, 20, 1);
   const SampleAllocation allocation = noisy.allocation();
