@@ -97,8 +97,11 @@ std::string needs_direct_light(const Asked& asked) {
 std::string needs_more_bounces(const Asked& asked) {
   if (asked.arguments.integrator == IntegratorKind::furnace) return "";
   if (!asked.is_lit()) return needs_light(asked);
-  return asked.arguments.integrator == IntegratorKind::direct && asked.request.arguments.path.max_depth > 1
-             ? "for --integrator=direct ends paths after one bounce"
+  if (asked.request.arguments.path.max_depth <= 1) return "";
+  if (asked.arguments.integrator == IntegratorKind::direct)
+    return "for --integrator=direct ends paths after one bounce";
+  return asked.request.bounces == RenderRequest::Bounces::direct
+             ? "for --bounces=direct shows light of one bounce"
              : "";
 }
 
@@ -329,6 +332,16 @@ bool has_point_light(const Scene& scene) {
   });
 }
 
+/// Whether there are more lights of a kind than are sampled each.
+bool has_many_lights(const Scene& scene) {
+  std::size_t points = 0, surfaces = 0;
+  for (const Light& light : scene.lights) {
+    if (is_distant(light.source) || std::holds_alternative<DirectionalLight>(light.source)) continue;
+    ++(is_delta(light.source) ? points : surfaces);
+  }
+  return std::max(points, surfaces) > LightSet::most_alone;
+}
+
 bool is_diffuse(const Scene& scene) {
   return std::all_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
     return std::holds_alternative<Lambert>(material.model);
@@ -356,6 +369,9 @@ std::vector<std::string> options_without_effect(const Scene& scene, const Render
   if (is_given("--light-samples", arguments) && arguments.path.direct != DirectMethod::hemisphere &&
       !has_area_light(scene))
     found.push_back("--light-samples: no effect, for no light of the scene has an area");
+  if (is_given("--many-lights", arguments) && !has_many_lights(scene))
+    found.push_back(fmt::format("--many-lights: no effect, for up to {} lights of a kind are all sampled",
+                                LightSet::most_alone));
   if (arguments.lenient_environment && !has_environment(scene))
     found.push_back("--lenient-environment: no effect, for the scene has no environment");
   if (is_given("--attenuation", arguments) && is_collada(arguments.scene) && !has_point_light(scene))

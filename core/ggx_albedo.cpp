@@ -5,49 +5,23 @@
 #include "core/fresnel.h"
 #include "core/ggx_albedo_tables.h"
 #include "core/ggx_boundary_tables.h"
+#include "core/ggx_directions.h"
+#include "core/table_place.h"
 
 namespace twinray {
 namespace {
 
-/// Between two rows of a table with `count` equally spaced ones over [0, 1].
-struct Place {
-  int first;
-  float part;
-
-  Place(float x, int count) {
-    const float scaled = (x > 0 ? std::min(x, 1.0f) : 0) * float(count - 1);
-    first = std::min(int(scaled), count - 2);
-    part = scaled - float(first);
-  }
-};
-
-float mix(float a, float b, float part) { return a + (b - a) * part; }
-
-float at(const float* row, Place x) { return mix(row[x.first], row[x.first + 1], x.part); }
-
-template <int count>
-float at(const float (*table)[count], Place y, Place x) {
-  return mix(at(table[y.first], x), at(table[y.first + 1], x), y.part);
-}
-
-/// By the fourth root of the reflectance along the normal, relative to that of an ior of 3.
-Place place_of_ior(float ior, int count) {
-  return {std::sqrt(std::max(0.0f, 2 * (ior - 1) / (ior + 1))), count};
-}
-
-/// Where losses stand for a direction: they depend on how its cosine compares with alpha, mostly.
-Place place_of_angle(float cosine, float alpha, int count) {
-  return {std::sqrt(cosine * (1 + alpha) / std::max(cosine + alpha, 1e-6f)), count};
-}
-
 /// The rows of boundaries into the denser medium, or out of it, around an index.
 struct BoundaryPlace {
   bool is_inside;
-  Place layer;
+  TablePlace layer;
 
   explicit BoundaryPlace(float eta)
       : is_inside(eta < 1), layer(place_of_ior(eta < 1 ? 1 / eta : eta, tables::boundary_ior_count)) {}
 };
+
+/// A tabulated loss with a change, where that leaves [0, 1].
+float part_of_light(float loss) { return loss > 0 ? std::min(loss, 1.0f) : 0; }
 
 constexpr float last_ior = 3;  // of the tables
 
@@ -71,21 +45,23 @@ float reflected_part(const Ggx& facets, float ior, float cosine) {
 }  // namespace
 
 float ggx_loss(float cosine, float alpha) {
-  return at(tables::loss, Place(alpha, tables::loss_count),
+  return at(tables::loss, TablePlace(alpha, tables::loss_count),
             place_of_angle(cosine, alpha, tables::loss_count));
 }
 
-float average_ggx_loss(float alpha) { return at(tables::average_loss, Place(alpha, tables::loss_count)); }
+float average_ggx_loss(float alpha) {
+  return at(tables::average_loss, TablePlace(alpha, tables::loss_count));
+}
 
 GgxDielectricReflectance::GgxDielectricReflectance(float alpha, float ior) {
-  const Place layer = place_of_ior(ior, tables::ior_count), y(std::sqrt(alpha), tables::alpha_count);
+  const TablePlace layer = place_of_ior(ior, tables::ior_count), y(std::sqrt(alpha), tables::alpha_count);
   static_assert(std::tuple_size_v<decltype(row_)> == tables::cosine_count);
   const auto entry = [&](int i, int x) {
     const auto& rows = tables::dielectric[i];
-    return mix(rows[y.first][x], rows[y.first + 1][x], y.part);
+    return between(rows[y.first][x], rows[y.first + 1][x], y.part);
   };
   for (int x = 0; x < tables::cosine_count; ++x)
-    row_[std::size_t(x)] = mix(entry(layer.first, x), entry(layer.first + 1, x), layer.part);
+    row_[std::size_t(x)] = between(entry(layer.first, x), entry(layer.first + 1, x), layer.part);
   average_ = at(tables::average_dielectric, layer, y);
   if (ior > last_ior) integrate(alpha, ior);
 }
@@ -102,27 +78,36 @@ void GgxDielectricReflectance::integrate(float alpha, float ior) {
 }
 
 float GgxDielectricReflectance::operator()(float cosine) const {
-  return at(row_.data(), Place(std::sqrt(cosine), tables::cosine_count));
+  return at(row_.data(), TablePlace(std::sqrt(cosine), tables::cosine_count));
 }
 
 float ggx_boundary_loss(float cosine, float alpha, float eta) {
   const BoundaryPlace place(eta);
   const auto& layers = tables::boundary_loss[place.is_inside];
-  const Place y(alpha, tables::boundary_count), x = place_of_angle(cosine, alpha, tables::boundary_count);
-  return mix(at(layers[place.layer.first], y, x), at(layers[place.layer.first + 1], y, x), place.layer.part);
+  const TablePlace y(alpha, tables::boundary_count),
+      x = place_of_angle(cosine, alpha, tables::boundary_count);
+  return between(at(layers[place.layer.first], y, x), at(layers[place.layer.first + 1], y, x),
+                 place.layer.part);
 }
 
 float average_ggx_boundary_loss(float alpha, float eta) {
   const BoundaryPlace place(eta);
   return at(tables::average_boundary_loss[place.is_inside], place.layer,
-            Place(alpha, tables::boundary_count));
+            TablePlace(alpha, tables::boundary_count));
 }
 
 MultipleScattering::MultipleScattering(const Ggx& facets)
-    : alpha_(facets.mean_alpha()), average_loss_(average_ggx_loss(alpha_)) {}
+    : facets_(facets), alpha_(facets.mean_alpha()), average_loss_(average_ggx_loss(alpha_)) {
+  if (!facets.has_one_alpha()) average_loss_ = part_of_light(average_loss_ + average_ggx_loss_change(facets));
+}
 
-float MultipleScattering::evaluate(float cos_o, float cos_i) const {
-  return average_loss_ > 0 ? loss(cos_o) * loss(cos_i) / (pi * average_loss_) : 0;
+float MultipleScattering::loss(const Vec3& w) const {
+  const float loss = ggx_loss(w.z, alpha_);
+  return facets_.has_one_alpha() ? loss : part_of_light(loss + ggx_loss_change(facets_, w));
+}
+
+float MultipleScattering::evaluate(const Vec3& wo, const Vec3& wi) const {
+  return average_loss_ > 0 ? loss(wo) * loss(wi) / (pi * average_loss_) : 0;
 }
 
 Rgb MultipleScattering::absorption(const Rgb& average) const {
@@ -131,9 +116,8 @@ Rgb MultipleScattering::absorption(const Rgb& average) const {
 }
 
 DielectricMultipleScattering::DielectricMultipleScattering(const Ggx& facets, float eta)
-    : alpha_(facets.mean_alpha()), eta_(eta) {
-  const float here = average_ggx_boundary_loss(alpha_, eta),
-              there = average_ggx_boundary_loss(alpha_, 1 / eta);
+    : facets_(facets), alpha_(facets.mean_alpha()), eta_(eta) {
+  const float here = average_loss(eta), there = average_loss(1 / eta);
   // What a smooth boundary transmits of light from all directions: eta^2 times as much into the denser side.
   const float dense = eta < 1 ? 1 / eta : eta, in = 1 - GgxDielectricReflectance(0, dense).average();
   const float transmitted = eta < 1 ? in / (dense * dense) : in;
@@ -144,12 +128,23 @@ DielectricMultipleScattering::DielectricMultipleScattering(const Ggx& facets, fl
   transmitted_scale_ = share / (pi * eta * eta);
 }
 
-float DielectricMultipleScattering::reflection(float cos_o, float cos_i) const {
-  return reflected_scale_ * loss(cos_o) * loss(cos_i);
+float DielectricMultipleScattering::average_loss(float eta) const {
+  const float loss = average_ggx_boundary_loss(alpha_, eta);
+  return facets_.has_one_alpha() ? loss
+                                 : part_of_light(loss + average_ggx_boundary_loss_change(facets_, eta));
 }
 
-float DielectricMultipleScattering::transmission(float cos_o, float cos_i) const {
-  return transmitted_scale_ * loss(cos_o) * ggx_boundary_loss(cos_i, alpha_, 1 / eta_);
+float DielectricMultipleScattering::loss(const Vec3& w, float eta) const {
+  const float loss = ggx_boundary_loss(w.z, alpha_, eta);
+  return facets_.has_one_alpha() ? loss : part_of_light(loss + ggx_boundary_loss_change(facets_, w, eta));
+}
+
+float DielectricMultipleScattering::reflection(const Vec3& wo, const Vec3& wi) const {
+  return reflected_scale_ * loss(wo) * loss(wi);
+}
+
+float DielectricMultipleScattering::transmission(const Vec3& wo, const Vec3& wi) const {
+  return transmitted_scale_ * loss(wo) * loss({wi.x, wi.y, -wi.z}, 1 / eta_);
 }
 
 }  // namespace twinray

@@ -43,25 +43,27 @@ float ggx_boundary_loss(float cosine, float alpha, float eta);
 float average_ggx_boundary_loss(float alpha, float eta);
 
 /// What GGX facets reflect after light met several of them: nearly diffuse, reciprocal, and as much as is
-/// missing (Kulla and Conty, "Revisiting Physically Based Shading at Imageworks", 2017). Facets of two alphas
-/// count as those of their root mean square, whose losses differ by up to 0.05, and 0.1 at the horizon.
+/// missing (Kulla and Conty, "Revisiting Physically Based Shading at Imageworks", 2017).
 class MultipleScattering {
  public:
   explicit MultipleScattering(const Ggx& facets);
 
-  /// The part of light along a direction with this cosine that meets several facets.
+  /// The part of light along a direction, w.z > 0, that meets several facets.
+  float loss(const Vec3& w) const;
+  /// The mean of that around the normal, about.
   float loss(float cosine) const { return ggx_loss(cosine, alpha_); }
-  /// Of facets without direction that lose as much.
+  /// Of facets without direction that lose about as much.
   float alpha() const { return alpha_; }
-  /// The same for light that is the same from all directions.
+  /// The part of light that is the same from all directions.
   float average_loss() const { return average_loss_; }
-  /// f(wo, wi) of facets that absorb nothing, for the cosines of both.
-  float evaluate(float cos_o, float cos_i) const;
+  /// f(wo, wi) of facets that absorb nothing; both z > 0.
+  float evaluate(const Vec3& wo, const Vec3& wi) const;
   /// The factor of that for facets whose reflectance is `average` over all directions: some is absorbed at
   /// each of the reflections.
   Rgb absorption(const Rgb& average) const;
 
  private:
+  Ggx facets_;
   float alpha_, average_loss_;
 };
 
@@ -72,16 +74,21 @@ class DielectricMultipleScattering {
   /// eta: index of refraction on the other side, to that on the viewer's.
   DielectricMultipleScattering(const Ggx& facets, float eta);
 
-  /// The part of light along a direction on the viewer's side that meets several facets.
-  float loss(float cosine) const { return ggx_boundary_loss(cosine, alpha_, eta_); }
+  /// The part of light along a direction on the viewer's side, w.z > 0, that meets several facets.
+  float loss(const Vec3& w) const { return loss(w, eta_); }
   /// The part of that which is reflected in the end, in [0, 1].
   float reflected_part() const { return reflected_; }
-  /// f(wo, wi), for both cosines on the viewer's side.
-  float reflection(float cos_o, float cos_i) const;
-  /// f(wo, wi) of radiance, for a cosine on the viewer's side and one, > 0, on the other.
-  float transmission(float cos_o, float cos_i) const;
+  /// f(wo, wi), both on the viewer's side.
+  float reflection(const Vec3& wo, const Vec3& wi) const;
+  /// f(wo, wi) of radiance; wo on the viewer's side, wi on the other.
+  float transmission(const Vec3& wo, const Vec3& wi) const;
 
  private:
+  /// From a side whose other side has an index of refraction of eta to it.
+  float loss(const Vec3& w, float eta) const;
+  float average_loss(float eta) const;
+
+  Ggx facets_;
   float alpha_, eta_;
   float reflected_;
   float reflected_scale_, transmitted_scale_;  ///< Of the product of both directions' losses.

@@ -25,6 +25,12 @@ struct FacetReflection {
   float pdf = 0;     ///< Per solid angle, of wi, where wo is reflected at the normals that it sees.
 };
 
+/// How the ellipse of two alphas lies to a direction's azimuth.
+struct Azimuth {
+  float share = 0.5f;  ///< The alpha along the direction, over the sum of it and the alpha across it.
+  float skew2 = 0;     ///< The square of how much slopes along and across go together: 0 along the axes, < 1.
+};
+
 /// Facets distributed as on an ellipsoid: GGX (Walter et al. 2007), which is Trowbridge and Reitz's (1975);
 /// Smith's masking. Alphas along x and y, > 0; 1 is very rough.
 class Ggx {
@@ -36,6 +42,15 @@ class Ggx {
   float alpha_y() const { return y_; }
   /// The root mean square of both: the alpha of facets without direction that lose about as much.
   float mean_alpha() const { return std::sqrt(0.5f * (x_ * x_ + y_ * y_)); }
+  bool has_one_alpha() const { return x_ == y_; }
+  /// That of w; of the normal, that of x.
+  Azimuth azimuth(const Vec3& w) const {
+    const float xx = x_ * w.x, yy = y_ * w.y, xy = x_ * w.y, yx = y_ * w.x;
+    const float along2 = xx * xx + yy * yy, across2 = xy * xy + yx * yx, both2 = along2 + across2;
+    if (!(both2 > 0)) return {x_ / (x_ + y_), 0};
+    const float along = std::sqrt(along2), skew = 2 * (yx * yy - xx * xy) / both2;
+    return {along / (along + std::sqrt(across2)), skew * skew};
+  }
 
   /// The area of facets with the normal m, per solid angle and per area of the surface: the integral of
   /// D(m) m.z is 1. m.z >= 0.

@@ -30,13 +30,12 @@ Section direct_and_indirect(const Setting& setting, const Scenes& scenes) {
       Comparison::none,
       ""};
   for (const FoundScene* scene : scenes) {
-    const auto add = [&](const std::string& tag, const char* label, Words more) {
-      more.insert(more.begin(), {"-m", "5"});
-      section.figures.push_back({light(setting, *scene, tag, std::move(more)), scene->name, label, {}});
+    const auto add = [&](const std::string& tag, const char* label, const Words& options) {
+      section.figures.push_back({light(setting, *scene, tag, options), scene->name, label, {}});
     };
-    add("m5", "all light", {});
+    add("m5", "all light", {"-m", "5"});
     add("m5_direct", "direct light only", {"--bounces=direct"});
-    add("m5_indirect", "indirect light only", {"--bounces=indirect"});
+    add("m5_indirect", "indirect light only", {"-m", "5", "--bounces=indirect"});
   }
   return section;
 }

@@ -17,6 +17,16 @@ Ggx seen_through(const Coat& coat, const Ggx& facets) {
           std::sqrt(facets.alpha_y() * facets.alpha_y() + added)};
 }
 
+/// The alpha of facets without direction of which as many are tilted by half the critical angle, so that they
+/// reflect light along the normal to where the coat reflects all of it.
+float alpha_of_tilts(const Ggx& facets, float ior) {
+  if (facets.has_one_alpha()) return facets.mean_alpha();
+  // The slope, tan(asin(1 / ior) / 2), is exceeded by 1 - slope^2 / sqrt((slope^2 + x^2) (slope^2 + y^2)).
+  const float slope = 1 / (ior + std::sqrt(ior * ior - 1)), slope2 = slope * slope;
+  const float x2 = facets.alpha_x() * facets.alpha_x(), y2 = facets.alpha_y() * facets.alpha_y();
+  return std::sqrt(std::max(0.0f, std::sqrt((slope2 + x2) * (slope2 + y2)) - slope2));
+}
+
 }  // namespace
 
 Rgb SmoothCoatedConductorLobe::reflected(float cosine) const {
@@ -34,7 +44,7 @@ CoatedConductorLobe::CoatedConductorLobe(const Coat& coat, const Ggx& facets, co
                                          const Rgb& reflectance)
     : coat_(coat),
       metal_(seen_through(coat, facets), eta, k, reflectance),
-      log_alpha_(log_of(std::min(1.0f, seen_through(coat, facets).mean_alpha()))),
+      log_alpha_(log_of(std::min(1.0f, alpha_of_tilts(metal_.facets(), coat.ior())))),
       mean_kept_(0.13965396f * kept(0.21234054f) + 0.45848221f * kept(0.59053314f) +
                  0.40186383f * kept(0.91141204f)) {
   const Rgb metal = metal_.albedo();

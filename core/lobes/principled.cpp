@@ -215,7 +215,7 @@ BsdfValue PrincipledLobe::evaluate_opaque(const Seen& from, const Vec3& wi, cons
   BsdfValue all{{}, from.choice.facets * facets.pdf + from.choice.diffuse * cosine_hemisphere_pdf(wi.z)};
   if (metal_ > 0) {
     const Rgb once = metal_reflectance(facets.cosine) * facets.value;
-    const Rgb several = metal_multiple_ * multiple_.evaluate(wo.z, wi.z);
+    const Rgb several = metal_multiple_ * multiple_.evaluate(wo, wi);
     all.value += (once * of_facets + several * of_diffuse) * (metal_ * specular_weight_);
   }
   if (opaque_ > 0) {
@@ -290,7 +290,7 @@ PrincipledLobe::Choice PrincipledLobe::choice(const Seen& from) const {
     diffuse = opaque_ * max_component(diffuse_) * max_component(through);
   }
   if (const float metal = metal_ * specular_weight_; metal > 0) {
-    const float loss = multiple_.loss(cosine);
+    const float loss = multiple_.loss(from.wo);
     facets += metal * max_component(metal_reflectance(cosine)) * (1 - loss);
     diffuse += metal * max_component(metal_multiple_) * loss;
   }

@@ -21,7 +21,7 @@ Rgb RoughConductorLobe::albedo() const {
 }
 
 float RoughConductorLobe::multiple_probability(const Vec3& wo) const {
-  const float loss = multiple_.loss(wo.z);
+  const float loss = multiple_.loss(wo);
   const float once = (1 - loss) * max_component(average_fresnel_);
   const float more = loss * max_component(multiple_factor_);
   return more > 0 ? more / (once + more) : 0;
@@ -34,7 +34,7 @@ Rgb RoughConductorLobe::single_scattering(const FacetReflection& facets) const {
 BsdfValue RoughConductorLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
   const FacetReflection facets = facets_.reflection(wo, wi);
-  const Rgb more = reflectance_ * multiple_factor_ * multiple_.evaluate(wo.z, wi.z);
+  const Rgb more = reflectance_ * multiple_factor_ * multiple_.evaluate(wo, wi);
   const float multiple = multiple_probability(wo);
   return {single_scattering(facets) + more,
           (1 - multiple) * facets.pdf + multiple * cosine_hemisphere_pdf(wi.z)};

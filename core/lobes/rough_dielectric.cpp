@@ -11,23 +11,23 @@ RoughDielectricLobe::RoughDielectricLobe(const Ggx& facets, float eta, const Rgb
       reflectance_(reflectance),
       transmittance_(transmittance) {}
 
-float RoughDielectricLobe::multiple_probability(float cosine) const {
-  return is_black(reflectance_ + transmittance_) ? 0 : multiple_.loss(cosine);
+float RoughDielectricLobe::multiple_probability(const Vec3& wo) const {
+  return is_black(reflectance_ + transmittance_) ? 0 : multiple_.loss(wo);
 }
 
 BsdfValue RoughDielectricLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0) || wi.z == 0) return {};
   const BsdfValue once = facets_.evaluate(wo, wi);
-  const Rgb more = wi.z > 0 ? reflectance_ * multiple_.reflection(wo.z, wi.z)
-                            : transmittance_ * multiple_.transmission(wo.z, -wi.z);
-  const float multiple = multiple_probability(wo.z), reflected = multiple_.reflected_part();
+  const Rgb more = wi.z > 0 ? reflectance_ * multiple_.reflection(wo, wi)
+                            : transmittance_ * multiple_.transmission(wo, wi);
+  const float multiple = multiple_probability(wo), reflected = multiple_.reflected_part();
   const float diffuse = (wi.z > 0 ? reflected : 1 - reflected) * cosine_hemisphere_pdf(std::fabs(wi.z));
   return {once.value + more, (1 - multiple) * once.pdf + multiple * diffuse};
 }
 
 BsdfSample RoughDielectricLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
   if (!(wo.z > 0)) return {};
-  const float multiple = multiple_probability(wo.z);
+  const float multiple = multiple_probability(wo);
   Vec3 wi;
   if (lobe < multiple) {
     wi = square_to_cosine_hemisphere(u);

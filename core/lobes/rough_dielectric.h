@@ -20,7 +20,7 @@ class RoughDielectricLobe {
 
  private:
   /// The probability of sampling light that met several facets.
-  float multiple_probability(float cosine) const;
+  float multiple_probability(const Vec3& wo) const;
 
   DielectricFacets facets_;
   DielectricMultipleScattering multiple_;

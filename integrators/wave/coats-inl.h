@@ -62,7 +62,7 @@ class CoatedDiffuseLanes {
  private:
   /// Coat::reflectance.
   HWY_ATTR HWY_INLINE Lanes reflectance(Lanes cosine) const {
-    const Lanes rough = at(rows_, row_, TablePlace(hn::Sqrt(cosine), tables::cosine_count));
+    const Lanes rough = at(rows_, row_, TablePlaceLanes(hn::Sqrt(cosine), tables::cosine_count));
     if (hn::AllFalse(FloatTag(), is_smooth_)) return rough;
     return select(is_smooth_, fresnel_dielectric(cosine, ior_), rough);
   }

@@ -9,6 +9,7 @@
 #endif
 
 #include "core/ggx_albedo_tables.h"
+#include "core/ggx_direction_tables.h"
 #include "integrators/wave/warp-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,37 +24,47 @@ HWY_ATTR HWY_INLINE Lanes not_above_1(Lanes a) { return select(hn::Lt(a, splat(1
 
 HWY_ATTR HWY_INLINE Lanes3 normalize(const Lanes3& a) { return a / hn::Sqrt(dot(a, a)); }
 
-/// Between the equally spaced entries of a table over [0, 1]: Place in core/ggx_albedo.cpp.
-struct TablePlace {
+/// Between the equally spaced entries of a table over [0, 1]: TablePlace in core/table_place.h.
+struct TablePlaceLanes {
   IndexLanes first;
   Lanes part;
 
-  HWY_ATTR HWY_INLINE TablePlace(Lanes x, int count) {
+  HWY_ATTR HWY_INLINE TablePlaceLanes(Lanes x, int count) {
     const Lanes scaled = hn::Mul(hn::IfThenElseZero(is_positive(x), not_above_1(x)), splat(float(count - 1)));
     first = hn::Min(hn::ConvertTo(IndexTag(), scaled), hn::Set(IndexTag(), count - 2));
     part = hn::Sub(scaled, hn::ConvertTo(FloatTag(), first));
   }
 };
 
-HWY_ATTR HWY_INLINE Lanes mix(Lanes a, Lanes b, Lanes part) {
+HWY_ATTR HWY_INLINE Lanes between(Lanes a, Lanes b, Lanes part) {
   return hn::Add(a, hn::Mul(hn::Sub(b, a), part));
 }
 /// At a place of the row that begins at each lane's index.
-HWY_ATTR HWY_INLINE Lanes at(const float* table, IndexLanes row, const TablePlace& x) {
+HWY_ATTR HWY_INLINE Lanes at(const float* table, IndexLanes row, const TablePlaceLanes& x) {
   const FloatTag tag;
   const IndexLanes index = hn::Add(row, x.first);
-  return mix(hn::GatherIndex(tag, table, index), hn::GatherIndex(tag, table + 1, index), x.part);
+  return between(hn::GatherIndex(tag, table, index), hn::GatherIndex(tag, table + 1, index), x.part);
+}
+
+/// Between the rows at y of the table that begins at each lane's index.
+HWY_ATTR HWY_INLINE Lanes at(const float* table, IndexLanes first, const TablePlaceLanes& y,
+                             const TablePlaceLanes& x, int columns) {
+  const IndexLanes width = hn::Set(IndexTag(), columns);
+  const IndexLanes row = hn::Add(first, hn::Mul(y.first, width));
+  return between(at(table, row, x), at(table, hn::Add(row, width), x), y.part);
+}
+
+HWY_ATTR HWY_INLINE TablePlaceLanes place_of_angle(Lanes cosine, Lanes alpha, int count) {
+  const Lanes sum = hn::Add(cosine, alpha), least = splat(1e-6f);
+  return {
+      hn::Sqrt(hn::Div(hn::Mul(cosine, hn::Add(splat(1), alpha)), select(hn::Lt(sum, least), least, sum))),
+      count};
 }
 
 HWY_ATTR HWY_INLINE Lanes ggx_loss(Lanes cosine, Lanes alpha) {
   constexpr int count = tables::loss_count;
-  const TablePlace y(alpha, count);
-  const Lanes sum = hn::Add(cosine, alpha), least = splat(1e-6f);
-  const TablePlace x(
-      hn::Sqrt(hn::Div(hn::Mul(cosine, hn::Add(splat(1), alpha)), select(hn::Lt(sum, least), least, sum))),
-      count);
-  const IndexLanes row = hn::Mul(y.first, hn::Set(IndexTag(), count));
-  return mix(at(tables::loss[0], row, x), at(tables::loss[1], row, x), y.part);
+  return at(tables::loss[0], hn::Zero(IndexTag()), TablePlaceLanes(alpha, count),
+            place_of_angle(cosine, alpha, count), count);
 }
 
 HWY_ATTR HWY_INLINE Lanes fresnel_dielectric(Lanes cos_i, Lanes eta) {
@@ -91,10 +102,27 @@ struct FacetReflectionLanes {
   Lanes cosine, value, pdf;
 };
 
+/// Azimuth.
+struct AzimuthLanes {
+  Lanes share, skew2;
+};
+
 /// Ggx.
 struct GgxLanes {
   Lanes x, y;
 
+  HWY_ATTR HWY_INLINE LaneMask has_two_alphas() const { return hn::Ne(x, y); }
+  HWY_ATTR HWY_INLINE AzimuthLanes azimuth(const Lanes3& w) const {
+    const Lanes xx = hn::Mul(x, w.x), yy = hn::Mul(y, w.y), xy = hn::Mul(x, w.y), yx = hn::Mul(y, w.x);
+    const Lanes along2 = hn::Add(hn::Mul(xx, xx), hn::Mul(yy, yy));
+    const Lanes across2 = hn::Add(hn::Mul(xy, xy), hn::Mul(yx, yx)), both2 = hn::Add(along2, across2);
+    const Lanes along = hn::Sqrt(along2), mixed = hn::Sub(hn::Mul(yx, yy), hn::Mul(xx, xy));
+    const Lanes skew = hn::Div(hn::Mul(splat(2), mixed), both2);
+    const LaneMask has_azimuth = is_positive(both2);
+    const Lanes share_of_x = hn::Div(x, hn::Add(x, y));
+    return {select(has_azimuth, hn::Div(along, hn::Add(along, hn::Sqrt(across2))), share_of_x),
+            hn::IfThenElseZero(has_azimuth, hn::Mul(skew, skew))};
+  }
   HWY_ATTR HWY_INLINE Lanes density(const Lanes3& m) const {
     const Lanes mx = hn::Div(m.x, x), my = hn::Div(m.y, y);
     const Lanes ellipsoid = hn::Add(hn::Add(hn::Mul(mx, mx), hn::Mul(my, my)), hn::Mul(m.z, m.z));
@@ -129,6 +157,29 @@ struct GgxLanes {
     return normal * hn::Mul(splat(2), dot(w, normal)) - w;
   }
 };
+
+/// core/ggx_directions.h.
+HWY_ATTR HWY_INLINE Lanes ggx_loss_change(const GgxLanes& facets, Lanes alpha, const Lanes3& w) {
+  constexpr int shares = tables::share_count, angles = tables::change_angle_count;
+  const AzimuthLanes azimuth = facets.azimuth(w);
+  const TablePlaceLanes z(alpha, tables::change_alpha_count), y(azimuth.share, shares),
+      x = place_of_angle(w.z, alpha, angles);
+  const IndexLanes size = hn::Set(IndexTag(), (shares + 1) * angles), first = hn::Mul(z.first, size);
+  const float *table = tables::loss_change[0][0], *skew = tables::loss_change[0][shares];
+  const IndexLanes second = hn::Add(first, size);
+  const Lanes along = between(at(table, first, y, x, angles), at(table, second, y, x, angles), z.part);
+  const Lanes added = between(at(skew, first, x), at(skew, second, x), z.part);
+  return hn::Add(along, hn::Mul(added, azimuth.skew2));
+}
+
+/// MultipleScattering::loss.
+HWY_ATTR HWY_INLINE Lanes loss(const GgxLanes& facets, Lanes alpha, const Lanes3& w) {
+  const Lanes one_alpha = ggx_loss(w.z, alpha);
+  const LaneMask has_two = facets.has_two_alphas();
+  if (hn::AllFalse(FloatTag(), has_two)) return one_alpha;
+  const Lanes changed = hn::Add(one_alpha, ggx_loss_change(facets, alpha, w));
+  return select(has_two, not_above_1(not_below_0(changed)), one_alpha);
+}
 
 }  // namespace twinray::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -25,7 +25,7 @@ class RoughConductorLanes {
         multiple_factor_(load(at.multiple_factor, k)),
         alpha_(load(at.loss_alpha, k)),
         average_loss_(load(at.average_loss, k)),
-        loss_(ggx_loss(wo_.z, alpha_)) {
+        loss_(loss(facets_, alpha_, wo_)) {
     const Lanes once = hn::Mul(hn::Sub(splat(1), loss_), load(at.most_once, k));
     const Lanes more = hn::Mul(loss_, load(at.most_multiple, k));
     multiple_probability_ = hn::IfThenElseZero(is_positive(more), hn::Div(more, hn::Add(once, more)));
@@ -37,7 +37,7 @@ class RoughConductorLanes {
                          fresnel_conductor(facets.cosine, eta_.y, k_.y),
                          fresnel_conductor(facets.cosine, eta_.z, k_.z)};
     const Lanes3 once = reflectance_ * fresnel * facets.value;
-    const Lanes losses = hn::Mul(loss_, ggx_loss(wi.z, alpha_));
+    const Lanes losses = hn::Mul(loss_, loss(facets_, alpha_, wi));
     const Lanes multiple =
         hn::IfThenElseZero(is_positive(average_loss_), hn::Div(losses, hn::Mul(splat(pi), average_loss_)));
     const Lanes3 more = reflectance_ * multiple_factor_ * multiple;

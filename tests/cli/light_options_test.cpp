@@ -40,6 +40,15 @@ TEST_CASE("limits of bounces are none unless given, and have no effect on paths 
   CHECK_FALSE(no_effect({"--glossy-bounces=9"}).empty());
 }
 
+TEST_CASE("direct light alone is not longer for a greater depth") {
+  CHECK(no_effect({"--bounces=direct", "-m", "9"}) ==
+        "--max-depth: no effect, for --bounces=direct shows light of one bounce");
+  CHECK(no_effect({"--bounces=direct", "-m", "1"}) ==
+        "--bounces: no effect, for no other light than direct light is computed");
+  CHECK(no_effect({"--bounces=direct"}).empty());
+  CHECK(no_effect({"--bounces=indirect", "-m", "9"}).empty());
+}
+
 TEST_CASE("the furnace takes a depth and no light, ambient occlusion a distance") {
   CHECK(no_effect({"--integrator=furnace", "--default-light"}) ==
         "--default-light: no effect, for --integrator=furnace does not ask for the scene's light");

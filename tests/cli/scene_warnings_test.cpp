@@ -128,4 +128,24 @@ TEST_CASE("light samples have no effect where every light is a point or a direct
   CHECK(without_effect(scene, {"-l", "4"}).empty());
 }
 
+TEST_CASE("how one of many lights is chosen has no effect where all are sampled") {
+  Scene scene;
+  const auto without_effect = [&] {
+    return options_without_effect(scene, parse_render_arguments({"--many-lights=power", "scene.dae"}));
+  };
+  const Warnings none{"--many-lights: no effect, for up to 8 lights of a kind are all sampled"};
+  for (int i = 0; i < 8; ++i) {
+    scene.lights.push_back({"bulb", PointLight{}});
+    scene.lights.push_back({"lamp", SphereLight{}});
+    scene.lights.push_back({"sun", DirectionalLight{}});
+  }
+  CHECK(without_effect() == none);
+  scene.lights.push_back({"sun", DirectionalLight{}});
+  CHECK(without_effect() == none);
+  scene.lights.push_back({"torch", SpotLight{}});
+  CHECK(without_effect().empty());
+  scene.lights.back() = {"lamp", SphereLight{}};
+  CHECK(without_effect().empty());
+}
+
 }  // namespace twinray::test

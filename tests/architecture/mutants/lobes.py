@@ -4,6 +4,9 @@ from mutant import Mutant
 
 MITSUBA_CONDUCTORS = "rough conductors are Mitsuba's, but for light that meets several facets"
 COATED_FURNACE = "a coated white surface passes the furnace"
+BRUSHED = "what facets of two alphas lose along a direction is tabulated within the stated error"
+BRUSHED_BOUNDARY = ("what a boundary's facets of two alphas lose is nearer to the integral than that of "
+                    "one alpha")
 WAVES = "waves of paths have the bits and the rays of paths one after the other"
 
 MUTANTS = [
@@ -46,7 +49,27 @@ MUTANTS = [
     Mutant("in lanes rough coats are mirrors", "integrators/wave/coats-inl.h",
            "is_delta = hn::And(reflects, is_smooth_)", "is_delta = reflects", "test_integrators", WAVES),
     Mutant("in lanes metals lose light as seen from the viewer alone", "integrators/wave/metals-inl.h",
-           "hn::Mul(loss_, ggx_loss(wi.z, alpha_))", "hn::Mul(loss_, loss_)", "test_integrators", WAVES),
+           "hn::Mul(loss_, loss(facets_, alpha_, wi))", "hn::Mul(loss_, loss_)", "test_integrators", WAVES),
+    Mutant("in lanes brushed metal loses the same all around", "integrators/wave/facets-inl.h",
+           "if (hn::AllFalse(FloatTag(), has_two)) return one_alpha;", "return one_alpha;",
+           "test_integrators", WAVES),
+    Mutant("in lanes brushed metal has no skew", "integrators/wave/facets-inl.h",
+           "return hn::Add(along, hn::Mul(added, azimuth.skew2));", "return along;", "test_integrators",
+           WAVES),
+    Mutant("brushed metal loses the same all around", "core/ggx_albedo.cpp",
+           "return facets_.has_one_alpha() ? loss : part_of_light(loss + ggx_loss_change(facets_, w));",
+           "return loss;", "test_core", BRUSHED),
+    Mutant("brushed metal loses on average as metal of one alpha", "core/ggx_albedo.cpp",
+           "if (!facets.has_one_alpha()) average_loss_ =", "if (false) average_loss_ =", "test_core",
+           "facets of two alphas lose on average what they lose along all directions"),
+    Mutant("what rough glass loses out of it is tabulated as into it", "core/ggx_directions.cpp",
+           "is_out(eta < 1)", "is_out(false)", "test_core", BRUSHED_BOUNDARY),
+    Mutant("facets of two alphas have no skew", "core/microfacet.h", "skew * skew};", "0};", "test_core",
+           BRUSHED_BOUNDARY),
+    Mutant("below a coat facets of two alphas scatter as those of their mean",
+           "core/lobes/coated_conductor.cpp", "alpha_of_tilts(metal_.facets(), coat.ior())",
+           "metal_.facets().mean_alpha()", "test_core",
+           "a coated white metal of two alphas passes the furnace as one without direction does"),
     Mutant("in lanes no light is shared with rough surfaces", "integrators/wave/lobes-inl.h",
            "if (mis.is_shared) {", "if (false) {", "test_integrators", WAVES),
     Mutant("in lanes light leaks between the two normals of rough surfaces", "integrators/wave/lobes-inl.h",

@@ -6,7 +6,7 @@
 namespace twinray::test {
 namespace {
 
-GltfFile filmed(const json& film) {
+GltfFile filmed(const nlohmann::json& film) {
   return gltf_surface({{"extensions", {{"KHR_materials_iridescence", film}}}});
 }
 }  // namespace
@@ -22,17 +22,17 @@ TEST_CASE("gltf: iridescence is a film, as thick as its maximum without a pictur
                                           {"iridescenceThicknessMaximum", 1250}}));
   CHECK(own.thin_film_ior == 1.75f);
   CHECK(own.thin_film_thickness == Approx(1.25));
-  GltfFile pictured = filmed(json::object());
+  GltfFile pictured = filmed(nlohmann::json::object());
   pictured.json["materials"][0]["extensions"]["KHR_materials_iridescence"] = {
       {"iridescenceFactor", 1}, {"iridescenceThicknessTexture", {{"index", add_picture(pictured)}}}};
   CHECK(input_at(pictured.load(), MaterialInput::thin_film_thickness, left).r ==
         Approx(0.1 + 0.3 * 51 / 255));
   CHECK(model_of(filmed({{"iridescenceIor", 1.75}})).thin_film_weight == 0);
-  CHECK(model_of(filmed(json::object())).thin_film_weight == 0);
+  CHECK(model_of(filmed(nlohmann::json::object())).thin_film_weight == 0);
 }
 
 TEST_CASE("gltf: pictures of a film have its weight in red, and its thickness between two in green") {
-  GltfFile file = filmed(json::object());
+  GltfFile file = filmed(nlohmann::json::object());
   const int picture = add_picture(file);
   file.json["materials"][0]["extensions"]["KHR_materials_iridescence"] = {
       {"iridescenceFactor", 0.5},
@@ -50,8 +50,8 @@ TEST_CASE("gltf: pictures of a film have its weight in red, and its thickness be
 TEST_CASE("gltf: a picture of a film alone says which texture coordinates count") {
   for (const char* slot : {"iridescenceTexture", "iridescenceThicknessTexture"}) {
     INFO(slot);
-    GltfFile file = filmed(json::object());
-    json& attributes = file.primitive()["attributes"];
+    GltfFile file = filmed(nlohmann::json::object());
+    nlohmann::json& attributes = file.primitive()["attributes"];
     attributes["TEXCOORD_1"] = attributes["TEXCOORD_0"];
     attributes.erase("TEXCOORD_0");
     file.json["materials"][0]["extensions"]["KHR_materials_iridescence"] = {

@@ -2,6 +2,7 @@
 #include "io/gltf/material.h"
 
 #include "core/elementary.h"
+#include "core/textured_material.h"
 #include "tests/io/gltf/surface.h"
 #include "tests/support/temporary_folder.h"
 

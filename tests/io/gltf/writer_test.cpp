@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/alpha_test.h"
 #include "io/output_file.h"
 #include "io/scene_file.h"
 #include "io/scene_writer.h"
