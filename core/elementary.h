@@ -47,15 +47,31 @@ inline float exp_of(float x) {
   return (1 + (r + r * r * tail)) * std::bit_cast<float>(std::uint32_t(power + 127) << 23);
 }
 
+/// A normal x > 0 is e^series 2^power, series in ln 2 [-1/2, 1/2]; 0 for a power of two.
+struct PowerOf2 {
+  float power, series;
+
+  explicit PowerOf2(float x) {
+    // x = m 2^power with m in [sqrt(1/2), sqrt(2)); log(m) = 2 atanh((m - 1) / (m + 1)).
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(x);
+    const std::uint32_t shift = (bits - 0x3f3504f3u) & 0xff800000u;
+    const float m = std::bit_cast<float>(bits - shift);
+    const float s = (m - 1) / (m + 1), z = s * s;
+    power = float(std::int32_t(shift) >> 23);
+    series = 2 * s + 2 * s * z * (1.0f / 3 + z * (1.0f / 5 + z * (1.0f / 7 + z * (1.0f / 9))));
+  }
+};
+
 /// The natural logarithm of a normal x > 0. Relative error below 2^-21.
 inline float log_of(float x) {
-  // x = m 2^power with m in [sqrt(1/2), sqrt(2)); log(m) = 2 atanh((m - 1) / (m + 1)).
-  const std::uint32_t bits = std::bit_cast<std::uint32_t>(x);
-  const std::uint32_t shift = (bits - 0x3f3504f3u) & 0xff800000u;
-  const float m = std::bit_cast<float>(bits - shift);
-  const float s = (m - 1) / (m + 1), z = s * s;
-  const float series = 2 * s + 2 * s * z * (1.0f / 3 + z * (1.0f / 5 + z * (1.0f / 7 + z * (1.0f / 9))));
-  return float(std::int32_t(shift) >> 23) * 0.693147181f + series;
+  const PowerOf2 of(x);
+  return of.power * 0.693147181f + of.series;
+}
+
+/// The logarithm to base 2 of a normal x > 0, exact for powers of two. Relative error below 2^-21.
+inline float short_log2_of(float x) {
+  const PowerOf2 of(x);
+  return of.power + of.series * 1.44269504f;
 }
 
 /// The complementary error function of x >= 0. Absolute error below 2^-21.

@@ -20,6 +20,16 @@ class MipLevel {
 
   Rgb at(int x, int y) const { return image_ ? image_->at(x, y) : tiles_->texel(index_, x, y); }
 
+  /// Asks memory for a pixel; nothing of one in tiles.
+  void prefetch(int x, int y) const {
+    if (!image_) return;
+    const Rgb* const pixel = &image_->at(x, y);
+    // GCC takes a function that does no more than ask for memory for one without an effect, and leaves it
+    // out.
+    asm volatile("" : : "r"(pixel));
+    __builtin_prefetch(pixel);
+  }
+
   int width = 0, height = 0;
 
  private:

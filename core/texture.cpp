@@ -14,37 +14,72 @@
 namespace twinray {
 namespace {
 
+/// Numbers beyond which conversions to int are not used.
+constexpr double most_int = 0x1p30;
+
+/// The greatest whole number that is not above x; the library's function where it matters little.
+double floor_of(double x) {
+  if (!(std::fabs(x) < most_int)) return std::floor(x);
+  const int toward_zero = int(x);
+  return toward_zero > x ? toward_zero - 1 : toward_zero;
+}
+
 /// The column or row, of so many, that stands where there may be none: a whole number of any size, for
 /// coordinates may be large. None where nothing stands there.
 std::optional<int> wrapped(double place, int count, WrapMode wrap) {
-  if (wrap == WrapMode::repeat) place -= count * std::floor(place / count);
+  if (wrap == WrapMode::repeat) {
+    if (std::fabs(place) < most_int) {
+      const int past = int(place) % count;
+      return past < 0 ? past + count : past;
+    }
+    place -= count * std::floor(place / count);
+  }
   if (wrap == WrapMode::black && !(place >= 0 && place < count)) return {};
   return int(std::clamp(place, 0.0, double(count - 1)));
 }
 
-/// The pixel at a position.
-Rgb wrapped(const MipLevel& image, Wrap wrap, double x, double y) {
-  const auto column = wrapped(x, image.width, wrap.u), row = wrapped(y, image.height, wrap.v);
-  return column && row ? image.at(*column, *row) : Rgb{};
+/// A pixel of a level.
+struct Texel {
+  MipLevel level;
+  int column, row;
+
+  Rgb value() const { return level.at(column, row); }
+};
+
+/// The one at a position; none where nothing stands there.
+std::optional<Texel> texel_at(const MipLevel& level, Wrap wrap, double x, double y) {
+  const auto column = wrapped(x, level.width, wrap.u), row = wrapped(y, level.height, wrap.v);
+  if (!(column && row)) return {};
+  return Texel{level, *column, *row};
 }
+
+Rgb value_of(const std::optional<Texel>& texel) { return texel ? texel->value() : Rgb{}; }
 
 }  // namespace
 
 Rgb bilinear(const MipLevel& image, Wrap wrap, Vec2 uv) {
   if (!(std::isfinite(uv.x) && std::isfinite(uv.y))) return {};
   const double column = double(uv.x) * image.width - 0.5, row = (1 - double(uv.y)) * image.height - 0.5;
-  const double left = std::floor(column), above = std::floor(row);
+  const double left = floor_of(column), above = floor_of(row);
   const auto s = float(column - left), t = float(row - above);
-  const auto at = [&](int dx, int dy) { return wrapped(image, wrap, left + dx, above + dy); };
+  const auto at = [&](int dx, int dy) { return value_of(texel_at(image, wrap, left + dx, above + dy)); };
   const Rgb upper = at(0, 0) * (1 - s) + at(1, 0) * s;
   const Rgb lower = at(0, 1) * (1 - s) + at(1, 1) * s;
   return upper * (1 - t) + lower * t;
 }
 
+namespace {
+
+std::optional<Texel> nearest_texel(const MipLevel& image, Wrap wrap, Vec2 uv) {
+  return texel_at(image, wrap, floor_of(double(uv.x) * image.width),
+                  floor_of((1 - double(uv.y)) * image.height));
+}
+
+}  // namespace
+
 Rgb nearest(const MipLevel& image, Wrap wrap, Vec2 uv) {
   if (!(std::isfinite(uv.x) && std::isfinite(uv.y))) return {};
-  return wrapped(image, wrap, std::floor(double(uv.x) * image.width),
-                 std::floor((1 - double(uv.y)) * image.height));
+  return value_of(nearest_texel(image, wrap, uv));
 }
 
 namespace {
@@ -60,11 +95,11 @@ ChoiceOfTwo choose(float probability, float draw) {
 }
 
 /// One of the pixels that bilinear would mix, each with the probability that is its part there.
-Rgb stochastic(const MipLevel& image, Wrap wrap, Vec2 uv, Vec2 draw) {
+std::optional<Texel> stochastic_texel(const MipLevel& image, Wrap wrap, Vec2 uv, Vec2 draw) {
   const double column = double(uv.x) * image.width - 0.5, row = (1 - double(uv.y)) * image.height - 0.5;
-  const double left = std::floor(column), above = std::floor(row);
+  const double left = floor_of(column), above = floor_of(row);
   const bool is_right = draw.x < float(column - left), is_below = draw.y < float(row - above);
-  return wrapped(image, wrap, left + is_right, above + is_below);
+  return texel_at(image, wrap, left + is_right, above + is_below);
 }
 
 /// How much a transform stretches at most, about: the larger of its columns' lengths.
@@ -74,12 +109,46 @@ float stretch(const UvTransform& uv) {
 }
 
 /// The level whose pixels are as wide as the footprint, in [0, levels - 1].
-double level_of(const MipMap& image, float footprint) {
+float level_of(const MipMap& image, float footprint) {
   const MipLevel picture = image.level(0);
-  const double pixels = double(footprint) * std::max(picture.width, picture.height);
+  const float pixels = footprint * float(std::max(picture.width, picture.height));
   if (!(pixels > 1)) return 0;
-  const double coarsest = image.levels() - 1;
-  return pixels < 0x1p30 ? std::min(log2_of(pixels), coarsest) : coarsest;
+  const auto coarsest = float(image.levels() - 1);
+  return pixels < 0x1p30f ? std::min(short_log2_of(pixels), coarsest) : coarsest;
+}
+
+/// Where a picture is looked up.
+struct ImagePlace {
+  Vec2 uv;
+  int finer = 0;  ///< The level, and how far it is to the next one.
+  float t = 0;
+};
+
+bool has_levels(TextureFilter filter) {
+  return filter == TextureFilter::trilinear || filter == TextureFilter::stochastic;
+}
+
+ImagePlace place_of(const ImageTexture& texture, const TexturePoint& at) {
+  ImagePlace place{texture.uv(at.uv)};
+  if (!has_levels(texture.filter)) return place;
+  const float level = level_of(*texture.image, at.footprint * stretch(texture.uv));
+  place.finer = int(level);
+  place.t = level - float(place.finer);
+  return place;
+}
+
+/// The one pixel that the texture's value is there, of filters that take one; uv finite.
+std::optional<Texel> single_texel(const ImageTexture& texture, const ImagePlace& place, Vec2 draw) {
+  if (texture.filter == TextureFilter::nearest)
+    return nearest_texel(texture.image->level(0), texture.wrap, place.uv);
+  const ChoiceOfTwo coarser = choose(place.t, draw.x);
+  return stochastic_texel(texture.image->level(place.finer + coarser.second), texture.wrap, place.uv,
+                          {coarser.draw, draw.y});
+}
+
+bool takes_one(const ImageTexture& texture, const TexturePoint& at) {
+  return texture.filter == TextureFilter::nearest ||
+         (texture.filter == TextureFilter::stochastic && !at.is_smooth);
 }
 
 struct Evaluate {
@@ -100,22 +169,13 @@ struct Evaluate {
     return of(sum == 2 * std::floor(sum / 2) ? texture.first : texture.second);
   }
   Rgb operator()(const ImageTexture& texture) const {
-    const Vec2 uv = texture.uv(at.uv);
+    const ImagePlace place = place_of(texture, at);
+    const Vec2 uv = place.uv;
     if (!(std::isfinite(uv.x) && std::isfinite(uv.y))) return {};
-    const MipLevel picture = texture.image->level(0);
-    if (texture.filter == TextureFilter::nearest) return nearest(picture, texture.wrap, uv);
-    if (texture.filter == TextureFilter::bilinear) return bilinear(picture, texture.wrap, uv);
-    const double level = level_of(*texture.image, at.footprint * stretch(texture.uv));
-    const int finer = int(level);
-    const auto t = float(level - finer);
-    if (texture.filter == TextureFilter::stochastic && !at.is_smooth) {
-      const ChoiceOfTwo coarser = choose(t, at.draw.x);
-      return stochastic(texture.image->level(finer + coarser.second), texture.wrap, uv,
-                        {coarser.draw, at.draw.y});
-    }
-    const Rgb fine = bilinear(texture.image->level(finer), texture.wrap, uv);
-    if (t == 0) return fine;
-    return fine * (1 - t) + bilinear(texture.image->level(finer + 1), texture.wrap, uv) * t;
+    if (takes_one(texture, at)) return value_of(single_texel(texture, place, at.draw));
+    const Rgb fine = bilinear(texture.image->level(place.finer), texture.wrap, uv);
+    if (place.t == 0) return fine;
+    return fine * (1 - place.t) + bilinear(texture.image->level(place.finer + 1), texture.wrap, uv) * place.t;
   }
 };
 
@@ -131,6 +191,41 @@ struct ForEachNamed {
     of(texture.first), of(texture.second), of(texture.amount);
   }
   void operator()(const CheckerboardTexture& texture) const { of(texture.first), of(texture.second); }
+};
+
+/// Asks memory for what evaluate() is going to read.
+struct Prefetch {
+  std::span<const Texture> textures;
+  const TexturePoint& at;
+
+  void of(std::uint32_t index) const { prefetch_texels(textures, index, at); }
+  void operator()(const ImageTexture& texture) const {
+    if (is_near(texture)) return;
+    const ImagePlace place = place_of(texture, at);
+    if (!(std::isfinite(place.uv.x) && std::isfinite(place.uv.y))) return;
+    if (takes_one(texture, at)) return prefetch(single_texel(texture, place, at.draw));
+    // The middles of the two rows of four pixels; the coarser level has a quarter of the pixels.
+    const MipLevel level = texture.image->level(place.finer);
+    for (const float row : {-0.5f, 0.5f})
+      prefetch(nearest_texel(level, texture.wrap, {place.uv.x, place.uv.y + row / float(level.height)}));
+  }
+  template <typename Model>
+  void operator()(const Model& texture) const {
+    const auto each = [&](std::uint32_t part) { of(part); };
+    ForEachNamed<decltype(each)>{each}(texture);
+  }
+
+ private:
+  /// Whether the level is so small that it stays in the second cache, with others.
+  bool is_near(const ImageTexture& texture) const {
+    constexpr int few = 256;  // On a side, of 12 bytes each.
+    const MipLevel picture = texture.image->level(0);
+    if (std::max(picture.width, picture.height) <= few) return true;
+    return has_levels(texture.filter) && at.footprint * stretch(texture.uv) * few > 1;
+  }
+  static void prefetch(const std::optional<Texel>& texel) {
+    if (texel) texel->level.prefetch(texel->column, texel->row);
+  }
 };
 
 /// Checks a texture, and counts what it is made of: itself, and all that it names, as often as it does.
@@ -207,6 +302,10 @@ void keep_in_memory(std::span<Texture> textures, std::uint32_t index) {
 
 Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at) {
   return std::visit(Evaluate{textures, at}, textures[index].model);
+}
+
+void prefetch_texels(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at) {
+  std::visit(Prefetch{textures, at}, textures[index].model);
 }
 
 bool has_picture(std::span<const Texture> textures) {

@@ -109,6 +109,10 @@ Rgb nearest(const MipLevel& image, Wrap wrap, Vec2 uv);
 /// The value of a texture of a scene. The same bits on every machine.
 Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at);
 
+/// Asks memory for the texels that evaluate() reads there, so that they are near when it comes: many lookups
+/// wait for memory at once. Texels in tiles are not asked for.
+void prefetch_texels(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at);
+
 /// What a texture may be made of, each part counted as often as it is named: all are evaluated at each hit.
 inline constexpr std::uint64_t most_texture_parts = 4096;
 

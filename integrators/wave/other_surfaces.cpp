@@ -36,8 +36,8 @@ void PathWave::find_others() {
     const Hit& hit = wave_.hits[i];
     if (context_.shapes[hit.mesh].is_lambert) continue;
     const Viewing viewing{Materials(paths_.materials[i]), paths_.interiors_at(i)};
-    wave_.others.emplace_back(i, context_.bsdfs, with_footprint(found_surface(i), i),
-                              -normalize(paths_.direction.at(i)), viewing);
+    wave_.others.emplace_back(i, context_.bsdfs, found_surface(i), -normalize(paths_.direction.at(i)),
+                              viewing);
     if (!is_listed(wave_.others.back())) wave_.alone.push_back(std::uint32_t(wave_.others.size() - 1));
   }
 }
@@ -47,6 +47,12 @@ SurfacePoint PathWave::found_surface(std::size_t i) const {
   SurfacePoint point = point_at(i);
   point.shading_normal = surfaces_.shading.at(i);
   point.uv = {hit.u, hit.v};
+  if (has_textures()) {
+    const TexturePoint at = texture_point_at(i);
+    point.uv = at.uv;
+    point.footprint = at.footprint;
+    point.texture_draw = at.draw;
+  }
   point.shape = hit.mesh;
   point.primitive = hit.primitive;
   point.instance = hit.instance;

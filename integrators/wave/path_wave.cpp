@@ -122,6 +122,10 @@ void PathWave::arrive() {
   stages_.find_facets(surfaces_.triangle, surfaces_.point, paths_.size);
   stages_.find_points(surfaces_, paths_.size);
   place_others();
+  if (has_textures()) {
+    ask_for_texels();
+    find_textured_reflectances();
+  }
   find_others();
   stages_.find_interactions(paths_, surfaces_);
   std::fill_n(wave_.seeking.values, paths_.size, std::uint32_t(Seeking::zones));
@@ -175,7 +179,7 @@ void PathWave::expand_hits() {
     if (context_.prefetches) prefetch_surfaces(i);
     const Hit& hit = wave_.hits[i];
     const ShapeEntry& shape = context_.shapes[hit.mesh];
-    surfaces_.reflectance.set(i, shape.textured ? textured_reflectance(shape, i) : shape.reflectance);
+    surfaces_.reflectance.set(i, shape.reflectance);
     if (is_placed_alone(hit)) {
       wave_.placed_alone.push_back(std::uint32_t(i));
       // Lanes work out a point that no one reads: far from the edges of whatever triangle was there before.

@@ -104,9 +104,12 @@ class PathWave {
   SurfacePoint found_surface(std::size_t i) const;
   /// Where rays leave a surface from.
   SurfacePoint point_at(std::size_t surface) const;
-  /// The same with what textures need to know of it, if there are any.
-  SurfacePoint with_footprint(SurfacePoint point, std::size_t i) const;
-  Rgb textured_reflectance(const ShapeEntry& shape, std::size_t i) const;
+  /// Where textures are asked for, of all surfaces that may have any; and memory for their texels, so that
+  /// none is waited for alone.
+  void ask_for_texels();
+  TexturePoint texture_point_at(std::size_t i) const;
+  /// Of Lambert surfaces with textures.
+  void find_textured_reflectances();
   /// Whether lanes do not find the point of a hit: of a sphere, or of an instance.
   bool is_placed_alone(const Hit& hit) const {
     return !context_.shapes[hit.mesh].positions || hit.instance != no_instance;

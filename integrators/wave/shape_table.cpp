@@ -23,7 +23,7 @@ std::vector<ShapeEntry> shape_table(const Scene& scene) {
     const Material& material = scene.materials[binding.material];
     const auto* lambert = has_map(material) ? nullptr : std::get_if<Lambert>(&material.model);
     ShapeEntry entry{.reflectance = lambert ? lambert->reflectance : Rgb{},
-                     .textured = lambert && !material.textures.empty() ? &material : nullptr,
+                     .textured = material.textures.empty() ? nullptr : &material,
                      .is_lambert = lambert != nullptr,
                      .emits = binding.light != no_light};
     if (const Mesh* mesh = geometry.mesh(shape); mesh && !mesh->triangles.empty()) {

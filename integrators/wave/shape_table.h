@@ -20,7 +20,7 @@ struct ShapeEntry {
   const Vec2* uvs = nullptr;  ///< Null, too, where the scene has no textures.
   const Triangle* uv_indices = nullptr;
   Rgb reflectance;                     ///< Of a Lambert surface without textures.
-  const Material* textured = nullptr;  ///< A Lambert surface's material that has textures.
+  const Material* textured = nullptr;  ///< Its material, where that has textures.
   bool is_lambert = true;              ///< Of one material without maps, whose model is Lambert's.
   bool emits = false;
 };

@@ -13,21 +13,36 @@ void PathWave::prepare_textures() {
   }
 }
 
-SurfacePoint PathWave::with_footprint(SurfacePoint point, std::size_t i) const {
-  if (!has_textures()) return point;
-  const Geometry& geometry = *context_.transport.scene.geometry;
-  const Hit& hit = wave_.hits[i];
-  point.uv = texture_coordinates(geometry, hit);
-  point.footprint = texture_footprint(geometry, hit, point, paths_.cone_width[i], paths_.direction.at(i));
-  point.texture_draw = {wave_.texture_x[i], wave_.texture_y[i]};
-  return point;
+void PathWave::ask_for_texels() {
+  const Scene& scene = context_.transport.scene;
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    const Hit& hit = wave_.hits[i];
+    const ShapeEntry& shape = context_.shapes[hit.mesh];
+    if (!shape.textured && shape.is_lambert) continue;
+    const Vec2 uv = texture_coordinates(*scene.geometry, hit);
+    wave_.texture_u[i] = uv.x;
+    wave_.texture_v[i] = uv.y;
+    wave_.footprint[i] =
+        texture_footprint(*scene.geometry, hit, point_at(i), paths_.cone_width[i], paths_.direction.at(i));
+    if (!shape.textured) continue;
+    for (const TextureUse& use : shape.textured->textures)
+      prefetch_texels(scene.textures, use.texture, texture_point_at(i));
+  }
 }
 
-Rgb PathWave::textured_reflectance(const ShapeEntry& shape, std::size_t i) const {
-  const SurfacePoint point = surface_at(*context_.transport.scene.geometry, wave_.hits[i]);
-  const TexturePoint at = texture_point(with_footprint(point, i));
-  return std::get<Lambert>(textured_model(*shape.textured, context_.transport.scene.textures, at))
-      .reflectance;
+TexturePoint PathWave::texture_point_at(std::size_t i) const {
+  return {
+      {wave_.texture_u[i], wave_.texture_v[i]}, wave_.footprint[i], {wave_.texture_x[i], wave_.texture_y[i]}};
+}
+
+void PathWave::find_textured_reflectances() {
+  const Scene& scene = context_.transport.scene;
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    const ShapeEntry& shape = context_.shapes[wave_.hits[i].mesh];
+    if (!shape.textured || !shape.is_lambert) continue;
+    const SurfaceModel model = textured_model(*shape.textured, scene.textures, texture_point_at(i));
+    surfaces_.reflectance.set(i, std::get<Lambert>(model).reflectance);
+  }
 }
 
 void PathWave::widen_cones() {

@@ -141,9 +141,11 @@ struct Wave {
   RoughConductorSurfaces rough_conductor;
   Columns3 scattered_at_lobes;  ///< Of a light's sample, at a list's surfaces.
   LobePaths lobe_paths;
-  Floats ux, uy;                ///< Draws of a direction, or of roulette.
-  Floats lobe, unused;          ///< Draws of how other surfaces scatter, and what comes with them.
-  Floats texture_x, texture_y;  ///< Draws of the pixels of textures, where there are any.
+  Floats ux, uy;        ///< Draws of a direction, or of roulette.
+  Floats lobe, unused;  ///< Draws of how other surfaces scatter, and what comes with them.
+  // Where there are textures: where they are asked for, and draws of their pixels (TexturePoint).
+  Floats texture_u, texture_v, footprint;
+  Floats texture_x, texture_y;
   Words kept;     ///< The paths that go on; until they arrive, the surfaces that they come from.
   Floats pdf;     ///< At each surface: of the direction that goes on, per solid angle.
   Words kind;     ///< Likewise: how it is scattered, a ScatterKind; where that has a limit.

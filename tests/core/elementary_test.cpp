@@ -82,26 +82,31 @@ TEST_CASE("quarter turns are exact") {
 }
 
 TEST_CASE("exp, log and erfc in float are within their stated errors") {
-  Worst exp, log;
+  Worst exp, log, log2;
   double erfc = 0;
   for (int i = 0; i <= sweep; ++i) {
     const float part = float(i) / sweep;
     const float power = -87 + 175 * part;
     exp.see(exp_of(power), std::exp((long double)power));
     const float x = exp_of(power), close_to_1 = 0.5f + part;
-    if (x != 1) log.see(log_of(x), std::log((long double)x));
-    if (close_to_1 != 1) log.see(log_of(close_to_1), std::log((long double)close_to_1));
+    for (const float of : {x, close_to_1}) {
+      if (of == 1) continue;
+      log.see(log_of(of), std::log((long double)of));
+      log2.see(short_log2_of(of), std::log2((long double)of));
+    }
     const float distance = 10 * part;
     erfc = std::max(erfc, double(std::fabs(erfc_of(distance) - std::erfc((long double)distance))));
   }
   CHECK(exp.error < 0x1p-22);
   CHECK(log.error < 0x1p-21);
+  CHECK(log2.error < 0x1p-21);
   CHECK(erfc < 0x1p-21);
   CHECK(exp_of(0) == 1);
   CHECK(exp_of(-88) == 0);
   CHECK(exp_of(NAN) == 0);
   CHECK(exp_of(1e30f) == exp_of(88));
   CHECK(log_of(1) == 0);
+  for (int power = -126; power < 128; ++power) CHECK(short_log2_of(std::ldexp(1.0f, power)) == float(power));
   CHECK(erfc_of(1e10f) == 0);
 }
 

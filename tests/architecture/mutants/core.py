@@ -130,7 +130,7 @@ MUTANTS = [
            "(std::min(x + 1.0, end) - std::max(double(x), begin)) / ratio", "1 / ratio",
            "test_core", "a pixel of a mip-map is the mean of the pixels that it covers, or of their parts"),
     Mutant("a transform's scale does not widen the footprint", "core/texture.cpp",
-           "at.footprint * stretch(texture.uv)", "at.footprint",
+           "level_of(*texture.image, at.footprint * stretch(texture.uv))", "level_of(*texture.image, at.footprint)",
            "test_core", "trilinear filtering takes the level whose pixels are as wide as the footprint"),
     Mutant("a group's light has the density of one sampled alone", "core/light_set.h",
            "group_of_[light] == no_group ? alone : alone * probability_in_group(light, from)", "alone",
@@ -410,6 +410,6 @@ MUTANTS = [
            "for (int i = slots - 1; i >= 0; --i) {", "for (int i = 0; i < slots; ++i) {", "test_core",
            "what is shared with other interiors keeps the order in which it was entered"),
     Mutant("a picture goes on above as it does beside", "core/texture.cpp",
-           "wrapped(y, image.height, wrap.v)", "wrapped(y, image.height, wrap.u)", "test_core",
+           "wrapped(y, level.height, wrap.v)", "wrapped(y, level.height, wrap.u)", "test_core",
            "beside a picture lie the picture again, its edge, or nothing"),
 ]

@@ -92,7 +92,7 @@ MUTANTS = [
            "inside of walls that emit and reflect, radiance is the geometric series of all "
            "bounces"),
     Mutant("waves see a texture's surface as its constant", "integrators/wave/path_wave.cpp",
-           "shape.textured ? textured_reflectance(shape, i) : shape.reflectance", "shape.reflectance",
+           "    find_textured_reflectances();\n", "",
            "test_integrators", "waves of paths have the bits and the rays of paths one after the other"),
     Mutant("a bounce that escapes counts the environment again", "integrators/direct_light.cpp",
            "sum += weighted(light, radiance, pdf);", "sum += weighted(light, radiance, 0 * pdf);",
