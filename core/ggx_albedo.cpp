@@ -2,10 +2,10 @@
 // The numbers are in core/ggx_albedo_tables.h; here they are interpolated.
 #include "core/ggx_albedo.h"
 
-#include "core/fresnel.h"
 #include "core/ggx_albedo_tables.h"
 #include "core/ggx_boundary_tables.h"
 #include "core/ggx_directions.h"
+#include "core/ggx_high_index_tables.h"
 #include "core/table_place.h"
 
 namespace twinray {
@@ -17,30 +17,30 @@ struct BoundaryPlace {
   TablePlace layer;
 
   explicit BoundaryPlace(float eta)
-      : is_inside(eta < 1), layer(place_of_ior(eta < 1 ? 1 / eta : eta, tables::boundary_ior_count)) {}
+      : is_inside(eta < 1), layer(root_of_ior(eta < 1 ? 1 / eta : eta), tables::boundary_ior_count) {}
 };
 
 /// A tabulated loss with a change, where that leaves [0, 1].
 float part_of_light(float loss) { return loss > 0 ? std::min(loss, 1.0f) : 0; }
 
-constexpr float last_ior = 3;  // of the tables
+/// The tables of reflectances around an index, and between which of their layers it lies.
+struct DielectricPlace {
+  bool is_high;
+  TablePlace layer;
 
-/// What facets reflect of light along a direction, and away from all others: by the midpoints of equal parts
-/// of the normals that it sees.
-float reflected_part(const Ggx& facets, float ior, float cosine) {
-  constexpr int parts = 12;
-  const Vec3 wo{std::sqrt(1 - cosine * cosine), 0, cosine};
-  float sum = 0;
-  for (int i = 0; i < parts * parts; ++i) {
-    const Vec3 m =
-        facets.sample_visible(wo, {(float(i % parts) + 0.5f) / parts, (float(i / parts) + 0.5f) / parts});
-    const Vec3 wi = reflected(wo, m);
-    if (wi.z > 0)
-      sum += fresnel_dielectric(std::min(1.0f, dot(wo, m)), ior) * facets.shadowing_masking(wo, wi) /
-             facets.masking(wo);
-  }
-  return sum / (parts * parts);
-}
+  explicit DielectricPlace(float ior)
+      : is_high(ior > tables::least_high_ior),
+        layer(is_high ? TablePlace(1 - std::sqrt(tables::least_high_ior / ior), tables::high_ior_count)
+                      : TablePlace(root_of_ior(ior), tables::ior_count)) {}
+  const auto& lower() const { return all()[layer.first]; }
+  const auto& upper() const { return all()[layer.first + 1]; }
+
+ private:
+  using Layer = float[tables::alpha_count][tables::cosine_count];
+  const Layer* all() const { return is_high ? tables::high_dielectric : tables::dielectric; }
+};
+
+TablePlace row_of(float alpha) { return {std::sqrt(alpha), tables::alpha_count}; }
 
 }  // namespace
 
@@ -54,27 +54,22 @@ float average_ggx_loss(float alpha) {
 }
 
 GgxDielectricReflectance::GgxDielectricReflectance(float alpha, float ior) {
-  const TablePlace layer = place_of_ior(ior, tables::ior_count), y(std::sqrt(alpha), tables::alpha_count);
   static_assert(std::tuple_size_v<decltype(row_)> == tables::cosine_count);
-  const auto entry = [&](int i, int x) {
-    const auto& rows = tables::dielectric[i];
+  const DielectricPlace place(ior);
+  const TablePlace y = row_of(alpha);
+  const auto entry = [&](const auto& rows, int x) {
     return between(rows[y.first][x], rows[y.first + 1][x], y.part);
   };
   for (int x = 0; x < tables::cosine_count; ++x)
-    row_[std::size_t(x)] = between(entry(layer.first, x), entry(layer.first + 1, x), layer.part);
-  average_ = at(tables::average_dielectric, layer, y);
-  if (ior > last_ior) integrate(alpha, ior);
+    row_[std::size_t(x)] = between(entry(place.lower(), x), entry(place.upper(), x), place.layer.part);
+  average_ = place.is_high ? at(tables::average_high_dielectric, place.layer, y)
+                           : at(tables::average_dielectric, place.layer, y);
 }
 
-void GgxDielectricReflectance::integrate(float alpha, float ior) {
-  const Ggx facets(std::max(alpha, least_alpha));
-  for (int x = 0; x < tables::cosine_count; ++x) {
-    const float root = float(x) / (tables::cosine_count - 1);
-    row_[std::size_t(x)] = reflected_part(facets, ior, std::max(root * root, 1e-3f));
-  }
-  constexpr int parts = 32;
-  average_ = 0;
-  for (int i = 0; i < parts; ++i) average_ += (*this)(std::sqrt((float(i) + 0.5f) / parts)) / parts;
+float ggx_dielectric_reflectance(float cosine, float alpha, float ior) {
+  const DielectricPlace place(ior);
+  const TablePlace y = row_of(alpha), x(std::sqrt(cosine), tables::cosine_count);
+  return between(at(place.lower(), y, x), at(place.upper(), y, x), place.layer.part);
 }
 
 float GgxDielectricReflectance::operator()(float cosine) const {

@@ -17,7 +17,10 @@ float average_ggx_loss(float alpha);
 
 /// The part of light along a direction that facets of a dielectric reflect at once: the integral of
 /// F D G / (4 wo.z). alpha in [0, 1], ior (to the side of the light) of at least 1. Within 5e-3, 2e-2
-/// within 0.1 of the horizon; for an ior above 3, which no table has, within 0.015 and 0.05.
+/// within 0.1 of the horizon; for an ior above 3 within 0.015 and 0.05.
+float ggx_dielectric_reflectance(float cosine, float alpha, float ior);
+
+/// The same for one alpha and ior.
 class GgxDielectricReflectance {
  public:
   GgxDielectricReflectance(float alpha, float ior);
@@ -28,9 +31,6 @@ class GgxDielectricReflectance {
   const std::array<float, 16>& row() const { return row_; }
 
  private:
-  /// For an index beyond the tables: slower.
-  void integrate(float alpha, float ior);
-
   std::array<float, 16> row_;
   float average_;
 };

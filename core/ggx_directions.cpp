@@ -28,7 +28,7 @@ struct BoundaryChange {
   TablePlace layer;
 
   explicit BoundaryChange(float eta)
-      : is_out(eta < 1), layer(place_of_ior(eta < 1 ? 1 / eta : eta, tables::boundary_change_ior_count)) {}
+      : is_out(eta < 1), layer(root_of_ior(eta < 1 ? 1 / eta : eta), tables::boundary_change_ior_count) {}
 };
 
 }  // namespace

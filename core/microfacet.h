@@ -42,6 +42,12 @@ class Ggx {
   float alpha_y() const { return y_; }
   /// The root mean square of both: the alpha of facets without direction that lose about as much.
   float mean_alpha() const { return std::sqrt(0.5f * (x_ * x_ + y_ * y_)); }
+  /// Of facets without direction that reflect about as much of light along w where Fresnel's equations
+  /// decide: that along w at the horizon, mean_alpha() along the normal.
+  float alpha_towards(const Vec3& w) const {
+    const float x = x_ * w.x, y = y_ * w.y, z = mean_alpha() * w.z;
+    return std::sqrt(x * x + y * y + z * z);
+  }
   bool has_one_alpha() const { return x_ == y_; }
   /// That of w; of the normal, that of x.
   Azimuth azimuth(const Vec3& w) const {

@@ -32,10 +32,8 @@ float at(const float (*table)[rows][count], TablePlace z, TablePlace y, TablePla
   return between(at(table[z.first], y, x), at(table[z.first + 1], y, x), z.part);
 }
 
-/// By the fourth root of the reflectance along the normal, relative to that of an ior of 3.
-inline TablePlace place_of_ior(float ior, int count) {
-  return {std::sqrt(std::max(0.0f, 2 * (ior - 1) / (ior + 1))), count};
-}
+/// The fourth root of the reflectance along the normal, relative to that of an ior of 3.
+inline float root_of_ior(float ior) { return std::sqrt(std::max(0.0f, 2 * (ior - 1) / (ior + 1))); }
 
 /// Where losses stand for a direction: they depend on how its cosine compares with alpha, mostly.
 inline TablePlace place_of_angle(float cosine, float alpha, int count) {

@@ -20,11 +20,14 @@ class Coat {
   float alpha() const { return alpha_; }
   /// Of a rough coat.
   const Ggx& facets() const { return facets_; }
+  /// That of mean_alpha().
   const GgxDielectricReflectance& rough_reflectance() const { return rough_reflectance_; }
 
-  /// The part of light from a direction above that is reflected; the rest goes through.
+  /// The part of light from a direction above, w.z > 0, that is reflected; the rest goes through.
+  float reflectance(const Vec3& w) const;
+  float transmittance(const Vec3& w) const { return 1 - reflectance(w); }
+  /// The same of facets with mean_alpha(), for all directions of a cosine.
   float reflectance(float cosine) const;
-  float transmittance(float cosine) const { return 1 - reflectance(cosine); }
   /// The same of light from all directions above.
   float average_reflectance() const { return average_reflectance_; }
   /// The part of light from all directions below that is reflected back down, most of it totally.
@@ -41,6 +44,9 @@ class Coat {
   Vec3 sample(const Vec3& wo, Vec2 u) const;
 
  private:
+  /// How much more than reflectance(cosine) is reflected on average.
+  float average_change() const;
+
   bool is_smooth_;
   float ior_, alpha_;
   Ggx facets_;

@@ -78,8 +78,7 @@ CoatedConductorLobe::Choice CoatedConductorLobe::choice(float cosine) const {
 
 BsdfValue CoatedConductorLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
-  const float out = coat_.reflectance(wo.z), in = coat_.reflectance(wi.z),
-              squared = coat_.ior() * coat_.ior();
+  const float out = coat_.reflectance(wo), in = coat_.reflectance(wi), squared = coat_.ior() * coat_.ior();
   const Vec3 inside = below(wi);
   const FacetReflection coat = coat_.reflection(wo, wi);
   const BsdfValue below_coat = metal_.evaluate(below(wo), inside);
@@ -100,7 +99,7 @@ BsdfSample CoatedConductorLobe::sample(const Vec3& wo, float lobe, Vec2 u) const
   Vec3 wi;
   if (lobe < p.coat) {
     wi = coat_.sample(wo, u);
-    const Rgb factor = white * coat_.reflectance(wo.z);
+    const Rgb factor = white * coat_.reflectance(wo);
     if (coat_.is_smooth()) return {.wi = wi, .value = factor / wi.z, .pdf = p.coat, .is_delta = true};
   } else if (lobe < p.coat + p.metal) {
     const Vec3 inside = metal_.sample(below(wo), (lobe - p.coat) / p.metal, u).wi * coat_.ior();

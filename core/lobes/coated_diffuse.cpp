@@ -15,7 +15,7 @@ Rgb CoatedDiffuseLobe::albedo() const {
 
 Rgb CoatedDiffuseLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
-  return base_ * (coat_.transmittance(wo.z) * coat_.transmittance(wi.z) / pi);
+  return base_ * (coat_.transmittance(wo) * coat_.transmittance(wi) / pi);
 }
 
 float CoatedDiffuseLobe::coat_probability(float reflectance) const {
@@ -27,15 +27,15 @@ float CoatedDiffuseLobe::coat_probability(float reflectance) const {
 BsdfValue CoatedDiffuseLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
   const FacetReflection coat = coat_.reflection(wo, wi);
-  const float reflectance = coat_.reflectance(wo.z), probability = coat_probability(reflectance);
-  const float through = (1 - reflectance) * coat_.transmittance(wi.z);
+  const float reflectance = coat_.reflectance(wo), probability = coat_probability(reflectance);
+  const float through = (1 - reflectance) * coat_.transmittance(wi);
   return {Rgb{coat.value, coat.value, coat.value} + base_ * (through / pi),
           probability * coat.pdf + (1 - probability) * cosine_hemisphere_pdf(wi.z)};
 }
 
 BsdfSample CoatedDiffuseLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
   if (!(wo.z > 0)) return {};
-  const float reflectance = coat_.reflectance(wo.z), probability = coat_probability(reflectance);
+  const float reflectance = coat_.reflectance(wo), probability = coat_probability(reflectance);
   const bool reflects = lobe < probability;
   const Vec3 wi = reflects ? coat_.sample(wo, u) : square_to_cosine_hemisphere(u);
   if (!(wi.z > 0)) return {};

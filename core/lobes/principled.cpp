@@ -151,7 +151,8 @@ void PrincipledLobe::set_film(const Principled& m) {
   if (!film_) return;
   metal_ior_ = index_of_reflectance(m.base_color * m.base_weight);
   metal_average_ = average_over_directions([&](float cosine) { return metal_reflectance(cosine); });
-  gloss_average_ = average_over_directions([&](float cosine) { return white - through_gloss(cosine); });
+  gloss_average_ = average_over_directions(
+      [&](float cosine) { return white - through_gloss(cosine, gloss_.reflectance(cosine)); });
   // As Coat::diffuse_below, of a boundary that lets so much through in each channel, both ways.
   const float squared_ior = gloss_.ior() * gloss_.ior();
   const Rgb color = m.base_color * m.base_weight;
@@ -184,8 +185,8 @@ Rgb PrincipledLobe::gloss_reflectance(float cosine) const {
   return film_ ? film_->reflectance(cosine, gloss_.ior()) : white * fresnel_dielectric(cosine, gloss_.ior());
 }
 
-Rgb PrincipledLobe::through_gloss(float cosine) const {
-  const Rgb bare = white * gloss_.transmittance(cosine);
+Rgb PrincipledLobe::through_gloss(float cosine, float reflectance) const {
+  const Rgb bare = white * (1 - reflectance);
   if (!film_) return bare;
   // Of what meets facets as it meets the surface, all but what they lose to each other.
   const Rgb change = gloss_reflectance(cosine) - white * fresnel_dielectric(cosine, gloss_.ior());
@@ -220,7 +221,7 @@ BsdfValue PrincipledLobe::evaluate_opaque(const Seen& from, const Vec3& wi, cons
   }
   if (opaque_ > 0) {
     const Rgb gloss = specular_color_ * (gloss_reflectance(facets.cosine) * facets.value);
-    const Rgb through = from.through_gloss * through_gloss(wi.z);
+    const Rgb through = from.through_gloss * through_gloss(wi);
     const Rgb matte = diffuse_ * rough_.evaluate(wo, wi).value * through;
     all.value += (gloss * of_facets + matte * of_diffuse) * opaque_;
   }
@@ -267,7 +268,7 @@ BsdfValue PrincipledLobe::evaluate(const Seen& from, const Vec3& wi) const {
 Rgb PrincipledLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
   return from(wo, [&](const Seen& seen) {
-    const Rgb through = through_gloss(wi.z) * seen.through_gloss * through_layers(seen.past, past(wi.z), 1);
+    const Rgb through = through_gloss(wi) * seen.through_gloss * through_layers(seen.past, past(wi.z), 1);
     const Rgb base = diffuse_ * rough_.evaluate(wo, wi).value * (through * opaque_);
     return fuzz_ ? base + fuzz_color_ * (fuzz_weight_ * fuzz_->evaluate(wo, wi)) : base;
   });
@@ -275,7 +276,7 @@ Rgb PrincipledLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
 
 PrincipledLobe::Seen PrincipledLobe::seen(const Vec3& wo) const {
   if (!(wo.z > 0)) return {};
-  Seen seen{.wo = wo, .through_gloss = opaque_ > 0 ? through_gloss(wo.z) : white, .past = past(wo.z)};
+  Seen seen{.wo = wo, .through_gloss = opaque_ > 0 ? through_gloss(wo) : white, .past = past(wo.z)};
   seen.choice = choice(seen);
   return seen;
 }
@@ -285,7 +286,7 @@ PrincipledLobe::Choice PrincipledLobe::choice(const Seen& from) const {
   float facets = 0, diffuse = 0;
   if (opaque_ > 0) {
     const Rgb& through = from.through_gloss;
-    const float reflected = film_ ? max_component(white - through) : gloss_.reflectance(cosine);
+    const float reflected = film_ ? max_component(white - through) : gloss_.reflectance(from.wo);
     facets = opaque_ * max_component(specular_color_) * reflected;
     diffuse = opaque_ * max_component(diffuse_) * max_component(through);
   }

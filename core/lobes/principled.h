@@ -75,7 +75,9 @@ class PrincipledLobe {
   Rgb metal_reflectance(float cosine) const;
   Rgb gloss_reflectance(float cosine) const;
   /// What the gloss lets through along a direction.
-  Rgb through_gloss(float cosine) const;
+  Rgb through_gloss(const Vec3& w) const { return through_gloss(w.z, gloss_.reflectance(w)); }
+  /// The same, where the gloss reflects so much without a film.
+  Rgb through_gloss(float cosine, float reflectance) const;
   /// Works out what the film changes of light from all directions.
   void set_film(const Principled& model);
   void set_coat(const Principled& model);

@@ -19,7 +19,9 @@ void PathWave::for_each_lobe(F&& f) {
 bool PathWave::is_listed(const OtherSurface& other) {
   const Bsdf& bsdf = other.at.bsdf();
   if (other.at.is_mapped()) return false;
-  if (const auto* const lobe = bsdf.as<CoatedDiffuseLobe>())
+  const auto* const lobe = bsdf.as<CoatedDiffuseLobe>();
+  if (lobe && !lobe->coat().is_smooth() && !lobe->coat().facets().has_one_alpha()) return false;
+  if (lobe)
     wave_.coated_diffuse.add(other.index, other.at, *lobe);
   else if (const auto* const metal = bsdf.as<RoughConductorLobe>())
     wave_.rough_conductor.add(other.index, other.at, *metal);

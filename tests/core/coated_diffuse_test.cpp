@@ -51,6 +51,23 @@ TEST_CASE("a coated white surface passes the furnace") {
     }
 }
 
+TEST_CASE("a white surface below a coat of two alphas passes the furnace") {
+  double mean = 0, count = 0;
+  for (const Ggx& facets : {Ggx(0.05f, 0.2f), Ggx(0.5f, 0.1f), Ggx(0.3f, 0.7f), Ggx(0.02f, 1.0f)})
+    for (const float cosine : {0.95f, 0.7f, 0.4f, 0.2f, 0.1f})
+      for (const float turn : {0.0f, 0.05f, 0.125f, 0.2f, 0.25f}) {
+        CAPTURE(facets.alpha_x(), facets.alpha_y(), cosine, turn);
+        const SinCos angle = sincos_turns(turn);
+        const float sine = std::sqrt(1 - cosine * cosine);
+        const Vec3 wo{sine * angle.cos, sine * angle.sin, cosine};
+        const CoatedDiffuseLobe lobe(Coat(1.5f, facets), white);
+        const float all = test::sampled_albedo(lobe, wo, 20000).g;
+        CHECK(std::fabs(all - 1) <= (cosine < 0.3f ? 0.08 : 0.03));
+        mean += all * cosine, count += cosine;
+      }
+  CHECK(mean / count == Approx(1).margin(0.01));
+}
+
 TEST_CASE("white below a coat of any index returns all of the light that comes in") {
   for (const float ior : {1.5f, 100.0f, 1000.0f, 1e6f})
     for (const float alpha : {0.0f, 0.3f}) {

@@ -120,10 +120,10 @@ MUTANTS = [
            "input == inputs.x) return use(roughness.y)",
            "test_core", METAL_INPUTS),
     Mutant("a texture's v runs downwards", "core/texture.cpp",
-           "row = (1 - double(uv.y)) * image.height - 0.5;\n  const double left = std::floor(column), "
-           "above = std::floor(row);\n  const auto s",
-           "row = double(uv.y) * image.height - 0.5;\n  const double left = std::floor(column), "
-           "above = std::floor(row);\n  const auto s",
+           "row = (1 - double(uv.y)) * image.height - 0.5;\n  const double left = floor_of(column), "
+           "above = floor_of(row);\n  const auto s",
+           "row = double(uv.y) * image.height - 0.5;\n  const double left = floor_of(column), "
+           "above = floor_of(row);\n  const auto s",
            "test_core", "a picture's u runs to the right and its v upwards, and pixels' centres have their "
            "values"),
     Mutant("a mip-map's odd pixels count in full on both sides", "core/mip_map.cpp",
@@ -345,7 +345,7 @@ MUTANTS = [
            "p.coat * coat.pdf", "0", "test_core",
            "a principled surface is sampled with its density"),
     Mutant("a principled surface's gloss does not shade what is below", "core/lobes/principled.cpp",
-           "const Rgb through = from.through_gloss * through_gloss(wi.z);",
+           "const Rgb through = from.through_gloss * through_gloss(wi);",
            "const Rgb through = from.through_gloss;",
            "test_core",
            "at the ends of its weights a principled surface is one of the simple models"),
