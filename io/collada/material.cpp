@@ -213,6 +213,7 @@ void ColladaMaterials::read_emission(const ColladaEffect& effect, ColladaMateria
   made.glow.picture = std::make_shared<const Image>(picture.image->image(0));
   made.glow.uv = picture.uv;
   made.glow.wrap = picture.wrap;
+  if (picture.filter == TextureFilter::nearest) made.glow.filter = TextureFilter::nearest;
 }
 
 /// A texture cuts holes. An even transparency is meant in as many ways as there are programs that write it:

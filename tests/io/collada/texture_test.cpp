@@ -203,6 +203,10 @@ TEST_CASE("an emission texture is the picture of a light") {
   REQUIRE(lamp.picture);
   CHECK(lamp.uv({1, 1}) == Vec2{2, 2});
   CHECK(lamp.wrap == Wrap{WrapMode::clamp, WrapMode::repeat});
+  CHECK(lamp.filter == TextureFilter::bilinear);
+  const LoadedScene squares =
+      folder.load(document(sampler("<magfilter>NEAREST</magfilter>"), "<emission>" + twice + "</emission>"));
+  CHECK(std::get<MeshLight>(squares.scene.lights.at(0).source).filter == TextureFilter::nearest);
   // Coordinates beyond the picture are where it goes on.
   const std::string far = "<bind_vertex_input semantic=\"UV\" input_semantic=\"TEXCOORD\" input_set=\"3\"/>";
   const LoadedScene beside = folder.load(document("", "<emission>" + colors + "</emission>", far));
