@@ -30,7 +30,7 @@ bool is_within(const Rgb& color, float most) {
 /// Whether one of the values of the extension for physically based rendering stands there.
 bool is_physical(const tinyobj::material_t& m) {
   return m.roughness > 0 || m.metallic > 0 || m.sheen > 0 || m.clearcoat_thickness > 0 ||
-         !m.roughness_texname.empty() || !m.metallic_texname.empty();
+         !m.roughness_texname.empty() || !m.metallic_texname.empty() || !m.sheen_texname.empty();
 }
 
 /// Phong's exponent as a roughness: that of the distribution of facets which is as wide (Walter et al.,

@@ -95,6 +95,11 @@ bool matters(const Option& option, std::string_view value, std::string_view keyw
   return !option.plain.empty() && value != option.plain;
 }
 
+/// The name on the rest of a line, up to a comment, which begins behind blank space.
+std::string_view name_in(std::string_view line) {
+  return trimmed(line.substr(0, std::min(line.find(" #"), line.find("\t#"))));
+}
+
 /// The options and the name of a picture.
 std::string picture_words(std::string_view keyword, std::string_view line, LineFaults& faults) {
   std::string made;
@@ -102,7 +107,7 @@ std::string picture_words(std::string_view keyword, std::string_view line, LineF
     const std::string_view word = take_word(rest);
     const auto option =
         std::find_if(options.begin(), options.end(), [&](const Option& o) { return o.name == word; });
-    if (option == options.end()) return made + std::string(line);  // A name may have spaces.
+    if (option == options.end()) return fmt::format("{} {}", made, name_in(line));  // A name may have spaces.
     const std::string values = take_values(*option, rest);
     if (matters(*option, std::string_view(values).substr(1), keyword)) faults.left_out = word;
     if (word != "-cc") made += fmt::format(" {}{}", word, values);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/textured_material.h"
 #include "io/picture/image_file.h"
 #include "io/scene_file.h"
 #include "tests/support/catch.h"
@@ -99,6 +100,25 @@ TEST_CASE("an option that would change a picture of MTL and is not read is told"
   }
   for (const char* line : {"map_Kd -cc off a.exr", "map_Kd -blendu on a.exr", "map_d -imfchan g a.exr"})
     CHECK(warnings_of(std::string("Kd 1 1 1\n") + line).empty());
+}
+
+TEST_CASE("a picture of sheen alone makes a material of MTL a physical one") {
+  const TemporaryFolder folder;
+  write_exr(folder.file("a.exr"), Image(1, 1, {0.5f, 0.5f, 0.5f}));
+  const Scene scene = load_with_mtl(folder, "Kd 1 1 1\nmap_Ps a.exr").scene;
+  const auto model =
+      std::get<Principled>(textured_model(scene.materials.at(0), scene.textures, {.uv = {0.5f, 0.5f}}));
+  CHECK(model.fuzz_weight == 0.5f);
+}
+
+TEST_CASE("a comment of MTL is no part of a picture's name, which may have its sign") {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.exr", "a b.exr", "a#b.exr"}) {
+    CAPTURE(name);
+    write_exr(folder.file(name), Image(1, 1, {1, 1, 1}));
+    for (const char* comment : {"", " # a picture", "\t# a picture", "  #"})
+      CHECK(load_with_mtl(folder, fmt::format("map_Kd -s 2 2 {}{}", name, comment)).warnings.empty());
+  }
 }
 
 TEST_CASE("colors of MTL may be CIE's") {
