@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -166,6 +167,12 @@ std::string said(std::string text) {
   return text;
 }
 
+/// Assimp keeps what it caught as a text.
+[[noreturn]] void fail(const std::string& reason) {
+  if (reason == "std::bad_alloc") throw std::bad_alloc();
+  throw Error(said(reason));
+}
+
 ObjModel import_model(const ImportedFile& file) {
   const std::filesystem::path path(file.path);
   if (file.bytes.empty()) throw Error("the file is empty");
@@ -174,7 +181,7 @@ ObjModel import_model(const ImportedFile& file) {
   constexpr unsigned made = aiProcess_GenUVCoords | aiProcess_TransformUVCoords;
   const aiScene* const scene = importer.ReadFileFromMemory(file.bytes.data(), file.bytes.size(), made,
                                                            path.extension().string().c_str());
-  if (!scene || !scene->mRootNode) throw Error(said(importer.GetErrorString()));
+  if (!scene || !scene->mRootNode) fail(importer.GetErrorString());
   ObjModel model;
   model.name = path.stem().string();
   std::size_t embedded = 0;

@@ -232,7 +232,8 @@ TEST_CASE("a file that Assimp does not understand is an error with its name") {
   refuses("b.fbx", "nothing of the kind", "");
   refuses("b.stl", std::string(200, 'x'), "for *.stl");
   refuses("c.ac", "AC3Db\nOBJECT world\nkids 0\n", "");
-  refuses("d.off", "OFF\n353535235358 6 0\n0 0 0\n", "");
+  refuses("d.off", "OFF\n353535235358 6 0\n0 0 0\n",
+          has_sanitizer ? "" : "it would take more memory than its size allows");
   refuses("e.ac",
           "AC3Db\nMATERIAL \"\" rgb 1 1 1  amb 0 0 0  emis 0 0 0  spec 0 0 0  shi 0  trans 0\nOBJECT world\n"
           "kids 1\nOBJECT poly\nnumvert 3\n0 0 0\n1e30 0 0\n0 1 0\nnumsurf 1\nSURF 0x20\nmat 0\nrefs 3\n"
