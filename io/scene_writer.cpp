@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 #include <string_view>
 
 #include "core/error.h"
@@ -31,6 +32,29 @@ const WrittenFormat& format_of(const std::string& path) {
                   path));
 }
 
+/// Files that were not there before: unless they are kept, they go.
+class NewFiles {
+ public:
+  NewFiles() = default;
+  ~NewFiles() {
+    std::error_code ignored;
+    for (const std::string& path : paths_) std::filesystem::remove(path, ignored);
+  }
+  NewFiles(const NewFiles&) = delete;
+  NewFiles& operator=(const NewFiles&) = delete;
+
+  /// Before a file is written.
+  void note(const std::string& path) {
+    std::error_code ignored;
+    const std::filesystem::file_type type = std::filesystem::symlink_status(path, ignored).type();
+    if (type == std::filesystem::file_type::not_found) paths_.push_back(path);
+  }
+  void keep() { paths_.clear(); }
+
+ private:
+  std::vector<std::string> paths_;
+};
+
 }  // namespace
 
 void check_scene_output(const std::string& path) { format_of(path); }
@@ -40,7 +64,12 @@ WrittenScene written_scene(const SceneToWrite& input, const std::string& path) {
 }
 
 void write_files(const WrittenScene& written) {
-  for (const auto& [path, write] : written.files) write(path);
+  NewFiles added;
+  for (const auto& [path, write] : written.files) {
+    added.note(path);
+    write(path);
+  }
+  added.keep();
 }
 
 }  // namespace twinray

@@ -2,6 +2,7 @@
 #include "io/written_scene.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include "core/direction_map.h"
 #include "core/error.h"
@@ -9,6 +10,7 @@
 #include "io/picture/equal_area.h"
 #include "io/scene_writer.h"
 #include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
 
 namespace twinray::test {
 
@@ -119,6 +121,19 @@ TEST_CASE("a sky of latitude and longitude that is drawn anew has the same color
     CHECK(drawn.b == Approx(1));
     if (std::fabs(d.y) < 0.5f) CHECK(drawn.g == Approx(wanted.g).margin(1));
   }
+}
+
+TEST_CASE("where one file of a scene cannot be written, those that were not there before go") {
+  const TemporaryFolder folder;
+  const std::string old = folder.file("old"), added = folder.file("new"), bad = folder.file("bad");
+  write_text(old, "old");
+  const auto writes = [](const std::string& path) { write_text(path, "text"); };
+  const auto fails = [](const std::string&) { throw Error("the disk is full"); };
+  CHECK_THROWS_AS(write_files({{{old, writes}, {added, writes}, {bad, fails}}, {}}), Error);
+  CHECK(std::filesystem::exists(old));
+  CHECK_FALSE(std::filesystem::exists(added));
+  write_files({{{old, writes}, {added, writes}}, {}});
+  CHECK(std::filesystem::exists(added));
 }
 
 }  // namespace twinray::test
