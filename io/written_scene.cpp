@@ -5,10 +5,19 @@
 
 #include <filesystem>
 #include <utility>
+#include <variant>
 
 #include "io/output_file.h"
 
 namespace twinray {
+
+bool is_textured(const Scene& scene, const ShapeBinding& binding) {
+  const Material& material = scene.materials[binding.material];
+  const bool has_holes = binding.alpha != no_texture &&
+                         !std::holds_alternative<ConstantTexture>(scene.textures[binding.alpha].model);
+  return has_holes || !material.textures.empty() || material.normal_map != no_texture ||
+         material.bump_map != no_texture;
+}
 
 std::string name_of_file(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 

@@ -58,6 +58,9 @@ class UniqueNames {
   std::map<std::string, int> used_;  ///< How often each was wanted.
 };
 
+/// Whether what a shape looks like differs by its texture coordinates.
+bool is_textured(const Scene& scene, const ShapeBinding& binding);
+
 /// The name of a file without its folder.
 std::string name_of_file(const std::string& path);
 

@@ -123,9 +123,13 @@ class Shapes {
     file_.add_node({{"name", asset_name(shape)}, {"mesh", index}});
   }
 
-  void name_sphere() {
+  /// Ours have octahedral coordinates.
+  void name_sphere(std::uint32_t shape) {
     file_.output.losses.add("a sphere is a mesh of 256 edges around",
                             "{} spheres are meshes of 256 edges around");
+    if (is_textured(scene_, scene_.bindings[shape]))
+      file_.output.losses.add("the texture of a sphere lies around its z axis",
+                              "the textures of {} spheres lie around their z axes");
   }
 
   /// Nodes that scale one sphere of this material.
@@ -134,7 +138,7 @@ class Shapes {
     const auto [entry, is_new] = spheres_.try_emplace(material);
     if (is_new) entry->second = add_mesh(set.name, primitives(sphere_mesh({}), shape));
     for (const Sphere& sphere : set.spheres) {
-      name_sphere();
+      name_sphere(shape);
       const double r = shortest_decimal(sphere.radius);
       const Vec3& c = sphere.center;
       file_.add_node({{"name", asset_name(shape)},
@@ -164,7 +168,7 @@ class Shapes {
       if (is_left_out(shape)) continue;
       if (const SphereSet* set = scene_.geometry->sphere_set(shape))
         for (const Sphere& sphere : set->spheres) {
-          name_sphere();
+          name_sphere(shape);
           add_primitives(placed(sphere), shape, primitives, is_mirrored);
         }
       else if (const Mesh& mesh = *scene_.geometry->mesh(shape); !mesh.triangles.empty())

@@ -85,16 +85,10 @@ class Shapes {
     return pbrt_texture("alpha", textures_.named(binding.alpha, PbrtTextureKind::number));
   }
 
-  bool has_picture_of(std::uint32_t alpha) const {
-    return alpha != no_texture && !std::holds_alternative<ConstantTexture>(scene_.textures[alpha].model);
-  }
-
   /// pbrt's coordinates go around the z axis, ours are octahedral.
   void name_coordinates(const ShapeBinding& binding, std::size_t spheres) {
-    const Material& material = scene_.materials[binding.material];
-    const bool is_textured = !material.textures.empty() || material.normal_map != no_texture ||
-                             material.bump_map != no_texture || has_picture_of(binding.alpha);
-    for (std::size_t i = 0; i < spheres && is_textured; ++i)
+    if (!is_textured(scene_, binding)) return;
+    for (std::size_t i = 0; i < spheres; ++i)
       output_.losses.add("the texture of a sphere lies as pbrt's spheres have it",
                          "the textures of {} spheres lie as pbrt's spheres have them");
   }

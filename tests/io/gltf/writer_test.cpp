@@ -403,4 +403,17 @@ TEST_CASE("written gltf: the bounds of positions are said, and shapes without a 
   CHECK(json["buffers"][0]["uri"] == "a.bin");
 }
 
+TEST_CASE("written gltf: where the texture of a sphere lies is named") {
+  const std::string around = "2 spheres are meshes of 256 edges around";
+  Scene scene = scene_of(SphereSet{"spheres", {{{0, 0, 0}, 1}, {{3, 0, 0}, 1}}}, Lambert{});
+  scene.textures = {{"", ImageTexture{picture(), WrapMode::repeat, TextureFilter::nearest, {}}}};
+  CHECK(round_trip(scene, "a.gltf").warnings == std::vector<std::string>{around});
+  const std::vector<std::string> named = {around, "the textures of 2 spheres lie around their z axes"};
+  scene.bindings[0].alpha = 0;
+  CHECK(round_trip(scene, "a.gltf").warnings == named);
+  scene.bindings[0].alpha = no_texture;
+  scene.materials[0].textures = {{MaterialInput::reflectance, 0}};
+  CHECK(round_trip(scene, "a.gltf").warnings == named);
+}
+
 }  // namespace twinray::test
