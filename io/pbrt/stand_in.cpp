@@ -15,11 +15,17 @@ namespace {
 
 constexpr float half = 0.5f;
 
+/// What alpha along the tangent and across is, in squares of OpenPBR's roughness.
+Roughness facet_factors(float anisotropy) {
+  const float ratio = 1 - anisotropy, along = std::sqrt(2 / (1 + ratio * ratio));
+  return {along, ratio * along};
+}
+
 /// Alpha along the tangent and across, of OpenPBR's roughness and anisotropy.
 Roughness alpha_of(float roughness, float anisotropy) {
-  const float squared = roughness * roughness, ratio = 1 - anisotropy;
-  const float along = squared * std::sqrt(2 / (1 + ratio * ratio));
-  return {std::min(along, 1.0f), std::min(ratio * along, 1.0f)};
+  const float squared = roughness * roughness;
+  const auto [along, across] = facet_factors(anisotropy);
+  return {std::min(squared * along, 1.0f), std::min(squared * across, 1.0f)};
 }
 
 class StandIn {
@@ -92,6 +98,8 @@ class StandIn {
 
   SurfaceModel of(const Principled& model) {
     made_.squares_roughness = true;
+    made_.facet_factors = facet_factors(model.specular_roughness_anisotropy);
+    made_.base_weight = model.base_weight;
     const Roughness alpha = alpha_of(model.specular_roughness, model.specular_roughness_anisotropy);
     const Rgb base = model.base_color * model.base_weight;
     if (model.base_metalness >= half) return metal(model, base, alpha);
@@ -118,6 +126,8 @@ class StandIn {
   SurfaceModel clear(const Principled& model, const Roughness& alpha) {
     Dielectric dielectric{model.specular_ior, alpha};
     dielectric.is_thin = model.geometry_thin_walled;
+    const bool is_tinted = model.transmission_depth == 0 && model.transmission_color != white;
+    if (is_tinted && !texture_use(material_, MaterialInput::transmission_color)) lose("the color");
     if (dielectric.is_thin) return instead("thin dielectric", "thin dielectrics", dielectric);
     return instead("dielectric", "dielectrics", dielectric);
   }
@@ -131,6 +141,7 @@ class StandIn {
 
   /// Textures of the coat's roughness are those of the only one that there is.
   void use_coat() {
+    made_.facet_factors = {1, 1};
     std::vector<TextureUse>& uses = made_.material.textures;
     std::erase_if(uses, [](const TextureUse& use) { return use.input == MaterialInput::roughness; });
     for (TextureUse& use : uses)

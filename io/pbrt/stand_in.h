@@ -11,6 +11,8 @@ namespace twinray {
 struct PbrtStandIn {
   Material material;
   bool squares_roughness = false;  ///< The textures' roughness is the root of alpha, as OpenPBR has it.
+  Roughness facet_factors{1, 1};   ///< Of such a texture's alpha along the tangent and across.
+  float base_weight = 1;           ///< A factor of the texture of what is reflected.
 };
 PbrtStandIn pbrt_stand_in(const Material& material, Losses& losses);
 

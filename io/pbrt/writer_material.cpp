@@ -20,14 +20,15 @@ class Parameters {
   Parameters(const PbrtStandIn& made, PbrtTextureWriter& textures, SceneOutput& output,
              const std::vector<std::string>& names)
       : material_(made.material),
-        squares_roughness_(made.squares_roughness),
+        made_(made),
         textures_(textures),
         output_(output),
         names_(names),
         uses_(material_.textures) {
-    is_remapped_ = !squares_roughness_ && std::any_of(uses_.begin(), uses_.end(), [](const TextureUse& use) {
-      return use.meaning == InputMeaning::squared_roughness;
-    });
+    is_remapped_ =
+        !made.squares_roughness && std::any_of(uses_.begin(), uses_.end(), [](const TextureUse& use) {
+          return use.meaning == InputMeaning::squared_roughness;
+        });
   }
 
   std::string text() {
@@ -55,10 +56,14 @@ class Parameters {
   }
 
   void color(const char* name, MaterialInput input, const Rgb& value) {
-    if (const auto use = take(input))
-      text_ += pbrt_texture(name, textures_.named(use->texture, PbrtTextureKind::color));
-    else
+    const auto use = take(input);
+    if (!use) {
       text_ += pbrt_rgb(name, value);
+      return;
+    }
+    const bool is_base = input == reflectance || use->meaning == InputMeaning::metal_reflectance;
+    const std::uint32_t texture = textures_.scaled(use->texture, is_base ? made_.base_weight : 1);
+    text_ += pbrt_texture(name, textures_.named(texture, PbrtTextureKind::color));
   }
 
   /// A metal by its index, or by the texture of its reflectance.
@@ -71,14 +76,14 @@ class Parameters {
     color((prefix + "k").c_str(), k, k_value);
   }
 
-  /// One axis of a roughness: alpha or, where it is remapped, its square.
-  void axis(const std::string& name, const std::optional<TextureUse>& use, float alpha) {
+  /// One axis of a roughness: alpha or, where it is remapped, its square. `factor`: of a texture's.
+  void axis(const std::string& name, const std::optional<TextureUse>& use, float alpha, float factor) {
     if (!use) {
       text_ += pbrt_real(name, is_remapped_ ? alpha * alpha : alpha);
       return;
     }
-    const bool is_squared = squares_roughness_ || (is_remapped_ && use->meaning == InputMeaning::value);
-    text_ += pbrt_texture(name, is_squared ? textures_.squared(use->texture)
+    const bool is_squared = made_.squares_roughness || (is_remapped_ && use->meaning == InputMeaning::value);
+    text_ += pbrt_texture(name, is_squared ? textures_.squared(use->texture, factor)
                                            : textures_.named(use->texture, PbrtTextureKind::number));
   }
 
@@ -86,11 +91,12 @@ class Parameters {
   void rough(const std::string& prefix, MaterialInput input, const Roughness& alpha) {
     const auto both = take(input), u = take(MaterialInput(int(input) + 1)),
                v = take(MaterialInput(int(input) + 2));
-    if (!u && !v && (both || alpha.x == alpha.y)) {
-      axis(prefix + "roughness", both, alpha.x);
+    const Roughness factors = input == roughness ? made_.facet_factors : Roughness{1, 1};
+    if (!u && !v && (both ? factors.x == factors.y : alpha.x == alpha.y)) {
+      axis(prefix + "roughness", both, alpha.x, factors.x);
     } else {
-      axis(prefix + "uroughness", u ? u : both, alpha.x);
-      axis(prefix + "vroughness", v ? v : both, alpha.y);
+      axis(prefix + "uroughness", u ? u : both, alpha.x, factors.x);
+      axis(prefix + "vroughness", v ? v : both, alpha.y, factors.y);
     }
   }
   void remap() { text_ += pbrt_flag("remaproughness", is_remapped_); }
@@ -155,7 +161,7 @@ class Parameters {
   }
 
   const Material& material_;
-  const bool squares_roughness_;
+  const PbrtStandIn& made_;
   PbrtTextureWriter& textures_;
   SceneOutput& output_;
   const std::vector<std::string>& names_;

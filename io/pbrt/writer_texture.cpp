@@ -48,9 +48,16 @@ std::string PbrtTextureWriter::named(std::uint32_t texture, PbrtTextureKind kind
   return named_[{texture, kind}] = define(name, type_name(kind), rest);
 }
 
-std::string PbrtTextureWriter::squared(std::uint32_t texture) {
+std::uint32_t PbrtTextureWriter::scaled(std::uint32_t texture, float factor) {
+  if (factor == 1) return texture;
+  textures.push_back({"", ConstantTexture{white * factor}});
+  textures.push_back({"", ScaleTexture{texture, std::uint32_t(textures.size() - 1)}});
+  return std::uint32_t(textures.size() - 1);
+}
+
+std::string PbrtTextureWriter::squared(std::uint32_t texture, float factor) {
   textures.push_back({"", ScaleTexture{texture, texture}});
-  return named(std::uint32_t(textures.size() - 1), PbrtTextureKind::number);
+  return named(scaled(std::uint32_t(textures.size() - 1), factor), PbrtTextureKind::number);
 }
 
 std::string PbrtTextureWriter::normal_map(std::uint32_t texture) {

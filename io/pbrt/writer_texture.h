@@ -20,8 +20,10 @@ class PbrtTextureWriter {
 
   /// The name of a texture, whose statement is added to the text the first time. A number is its red.
   std::string named(std::uint32_t texture, PbrtTextureKind kind);
-  /// The name of a texture's product with itself.
-  std::string squared(std::uint32_t texture);
+  /// The index of a texture times a number, which is added.
+  std::uint32_t scaled(std::uint32_t texture, float factor);
+  /// The name of a texture's product with itself, times a number.
+  std::string squared(std::uint32_t texture, float factor);
   /// The name of an EXR file that has the directions of a normal map over the texture coordinates.
   std::string normal_map(std::uint32_t texture);
 
