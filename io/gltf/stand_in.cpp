@@ -21,9 +21,17 @@ Rgb reflected(const Rgb& eta, const Rgb& k) {
   return {channel(eta.r, k.r), channel(eta.g, k.g), channel(eta.b, k.b)};
 }
 
+/// A material without what io/gltf/layers.cpp mixes into the specular reflection where there is metal, which
+/// the format spares by itself; and the inputs that had it.
+struct PlainMaterial {
+  Material material;
+  std::vector<MaterialInput> spared;
+};
+
 class StandIn {
  public:
-  StandIn(const Material& material, Losses& losses) : material_(material), losses_(losses) {}
+  StandIn(const PlainMaterial& plain, Losses& losses)
+      : material_(plain.material), spared_(plain.spared), losses_(losses) {}
 
   GltfStandIn make() {
     made_.material = material_;
@@ -46,6 +54,8 @@ class StandIn {
     losses_.add(fmt::format("{} of a material is left out", what),
                 fmt::format("{} of {{}} materials is left out", what));
   }
+
+  bool has_texture(MaterialInput input) const { return texture_use(made_.material, input) != nullptr; }
 
   /// A diffuse surface, which reflects nothing by facets.
   void make_diffuse(const Rgb& reflectance) {
@@ -128,29 +138,75 @@ class StandIn {
   void take(const Mix&) {}  // One of its materials was taken.
   void take(const Principled& model) {
     model_ = model;
-    model_.base_color = model.base_color * model.base_weight;
-    model_.base_weight = 1;
+    if (!has_texture(MaterialInput::reflectance)) {
+      model_.base_color = model.base_color * model.base_weight;
+      model_.base_weight = 1;
+    }
     model_.emission_luminance = 0;
     if (model.base_diffuse_roughness != 0) lose("the roughness of the diffuse part");
-    const bool is_metal =
-        model.base_metalness == 1 && !texture_use(made_.material, MaterialInput::base_metalness);
-    if (is_metal && !(model.specular_weight == 1 && model.specular_color == white))
-      lose("the metal's specular color");
+    check_specular(model);
+    check_facets(model);
     check_clear(model);
     check_coat(model);
     if (model.fuzz_weight > 0 && max_component(model.fuzz_color) < 1)
       model_.fuzz_weight *= max_component(model.fuzz_color);
   }
 
-  /// Light that goes through is times the base color.
+  /// What changes the specular reflection changes that of dielectrics alone (see without_metal() in
+  /// io/gltf/writer_material.cpp).
+  bool keeps_specular(MaterialInput input, const Rgb& value) const {
+    const float metal = model_.base_metalness;
+    if (std::find(spared_.begin(), spared_.end(), input) != spared_.end()) return true;
+    if (has_texture(input)) return false;
+    if (metal == 1 || has_texture(MaterialInput::base_metalness)) return value == white;
+    return value.r >= metal && value.g >= metal && value.b >= metal;
+  }
+  void check_specular(const Principled& model) {
+    if (model.base_metalness == 0 && !has_texture(MaterialInput::base_metalness)) return;
+    if (!keeps_specular(MaterialInput::specular_weight, white * model.specular_weight) ||
+        !keeps_specular(MaterialInput::specular_color, model.specular_color))
+      lose("the metal's specular color");
+  }
+
+  /// By how much the format widens facets of the same anisotropy differs from roughness to roughness.
+  void check_facets(const Principled& model) {
+    if (model.specular_roughness_anisotropy == 0 || !has_texture(MaterialInput::roughness)) return;
+    if (!has_texture(MaterialInput::specular_roughness_anisotropy))
+      lose("the anisotropy beside a texture of the roughness");
+    model_.specular_roughness_anisotropy = 0;
+  }
+
+  /// The texture of the color of light that goes through, or no_texture.
+  std::uint32_t tint_texture() const {
+    const TextureUse* const use = texture_use(made_.material, MaterialInput::transmission_color);
+    return use && model_.transmission_depth == 0 ? use->texture : no_texture;
+  }
+  bool has_base_color(const Rgb& tint, std::uint32_t texture) const {
+    const TextureUse* const base = texture_use(made_.material, MaterialInput::reflectance);
+    if (!base) return texture == no_texture && tint == model_.base_color;
+    return base->texture == texture && model_.base_weight == 1;
+  }
+  void set_base_color(const Rgb& color, std::uint32_t texture) {
+    model_.base_color = model_.transmission_color = color;
+    model_.base_weight = 1;
+    std::vector<TextureUse>& uses = made_.material.textures;
+    std::erase_if(uses, [](const TextureUse& use) { return use.input == MaterialInput::reflectance; });
+    if (texture != no_texture) uses.push_back({MaterialInput::reflectance, texture});
+  }
+
+  /// Light that goes through is times the base color, which the diffuse part and the metal have, too.
   void check_clear(const Principled& model) {
-    if (model.transmission_weight == 0) return;
+    const bool has_metal_texture = has_texture(MaterialInput::base_metalness);
+    const bool is_metal = model.base_metalness == 1 && !has_metal_texture;
+    if (model.transmission_weight == 0 || is_metal) return;
     const Rgb tint = model.transmission_depth > 0 ? white : model.transmission_color;
-    if (tint == model_.base_color) return;
-    if (model.transmission_weight < 1)
+    const std::uint32_t texture = tint_texture();
+    if (has_base_color(tint, texture)) return;
+    if (model.transmission_weight < 1 || has_texture(MaterialInput::transmission_weight))
       lose("the color of the diffuse part, which is that of the clear part,");
-    model_.base_color = tint;
-    model_.transmission_color = tint;
+    if (model.base_metalness > 0 || has_metal_texture)
+      lose("the color of the metal, which is that of the clear part,");
+    set_base_color(tint, texture);
   }
   void check_coat(const Principled& model) {
     if (model.coat_weight == 0) return;
@@ -160,6 +216,7 @@ class StandIn {
   }
 
   const Material& material_;
+  const std::vector<MaterialInput>& spared_;
   Losses& losses_;
   Principled model_;
   GltfStandIn made_;
@@ -174,15 +231,15 @@ bool is_metalness(std::span<const Texture> textures, std::uint32_t texture, cons
   return constant && model && constant->value == white * model->base_metalness;
 }
 
-/// The material without what io/gltf/layers.cpp mixes into the specular reflection where there is metal,
-/// which the format spares by itself.
-Material without_spared_metal(const Scene& scene, Material material) {
+PlainMaterial without_spared_metal(const Scene& scene, Material material) {
+  std::vector<MaterialInput> spared;
   for (const MaterialInput input : {MaterialInput::specular_weight, MaterialInput::specular_color}) {
     TextureUse* const use = texture_use(material, input);
     const auto* mix = use ? std::get_if<MixTexture>(&scene.textures[use->texture].model) : nullptr;
     if (!mix || !is_metalness(scene.textures, mix->amount, material)) continue;
     const auto* lifted = std::get_if<ConstantTexture>(&scene.textures[mix->second].model);
     if (!lifted || lifted->value != white) continue;
+    spared.push_back(input);
     use->texture = mix->first;
     const auto* constant = std::get_if<ConstantTexture>(&scene.textures[mix->first].model);
     if (!constant) continue;
@@ -193,7 +250,7 @@ Material without_spared_metal(const Scene& scene, Material material) {
       model.specular_color = constant->value;
     material.textures.erase(material.textures.begin() + (use - material.textures.data()));
   }
-  return material;
+  return {std::move(material), std::move(spared)};
 }
 
 /// Of a mixture the part that most of its points show.
@@ -208,7 +265,7 @@ std::uint32_t unmixed(const Scene& scene, std::uint32_t material, Losses& losses
 }  // namespace
 
 GltfStandIn gltf_stand_in(const Scene& scene, std::uint32_t material, Losses& losses) {
-  const Material plain = without_spared_metal(scene, scene.materials[unmixed(scene, material, losses)]);
+  const PlainMaterial plain = without_spared_metal(scene, scene.materials[unmixed(scene, material, losses)]);
   return StandIn(plain, losses).make();
 }
 

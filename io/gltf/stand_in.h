@@ -8,7 +8,7 @@ namespace twinray {
 /// What glTF has in place of a material: one of OpenPBR whose numbers glTF can say (io/gltf/layers.h reads
 /// them). What differs is named.
 struct GltfStandIn {
-  Material material;  ///< Its model is Principled.
+  Material material;  ///< Its model is Principled, whose base_weight is a factor of a texture of its color.
   /// Its textures of roughnesses, to this power, are OpenPBR's: 1/2 of those of alpha.
   float roughness_power = 1;
 };

@@ -135,10 +135,11 @@ class Properties {
     GltfChannels color{.color = take(reflectance)};
     float opacity = 1;
     if (alpha != no_texture) opacity = add_alpha(scene, alpha, color);
-    GltfJson factor = gltf_color(color.color == no_texture ? model_.base_color : white);
+    GltfJson factor = gltf_color(color.color == no_texture ? model_.base_color : white * model_.base_weight);
     if (color.color != no_texture)
       if (const auto* even = std::get_if<ConstantTexture>(&scene.textures[color.color].model)) {
-        factor = gltf_color(within_unit(even->value));  // What has no texture coordinates shows no picture.
+        factor = gltf_color(within_unit(even->value) *
+                            model_.base_weight);  // What has no texture coordinates shows no picture.
         color.color = no_texture;
       }
     if (is_drawn(scene, color.color)) color.color = no_texture;  // Its vertices have the color.
@@ -344,7 +345,8 @@ bool GltfMaterialWriter::needs_handedness(const ShapeBinding& binding) const {
 
 std::vector<std::array<float, 4>> GltfMaterialWriter::vertex_colors(const ShapeBinding& binding,
                                                                     std::span<const Vec2> uvs) {
-  const std::uint32_t color = color_of(scene_.materials[binding.material]);
+  Losses named_before;
+  const std::uint32_t color = color_of(gltf_stand_in(scene_, binding.material, named_before).material);
   const std::uint32_t holes = uncut(scene_, binding.alpha);
   const bool has_color = is_drawn(scene_, color), has_alpha = is_drawn(scene_, holes);
   std::vector<std::array<float, 4>> colors;

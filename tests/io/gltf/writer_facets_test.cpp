@@ -69,4 +69,17 @@ TEST_CASE("written gltf: facets that are wider across than along are turned") {
   }
 }
 
+TEST_CASE("written gltf: facets of uneven widths beside a picture of the roughness are even, and are named") {
+  Scene scene = scene_of(triangle(), Principled{.specular_roughness_anisotropy = 0.75f});
+  scene.textures = {{"", ImageTexture{picture(), WrapMode::repeat, TextureFilter::nearest, {}}}};
+  scene.materials[0].textures = {{MaterialInput::roughness, 0}};
+  const RoundTrip trip = round_trip(scene, "a.gltf");
+  CHECK(trip.warnings == std::vector<std::string>{
+                             "the anisotropy beside a texture of the roughness of a material is left out"});
+  const auto read =
+      std::get<Principled>(textured_model(only_material(trip), trip.scene.textures, {.uv = {0.4f, 0.2f}}));
+  CHECK(read.specular_roughness_anisotropy == 0);
+  CHECK(read.specular_roughness == Approx(evaluate(scene.textures, 0, {.uv = {0.4f, 0.2f}}).r).margin(0.003));
+}
+
 }  // namespace twinray::test

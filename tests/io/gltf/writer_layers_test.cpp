@@ -84,4 +84,92 @@ TEST_CASE("written gltf: a picture of fuzz that also says how much there is come
   }
 }
 
+namespace {
+
+/// A triangle of this material, and two pictures.
+Scene scene_with_pictures(const Principled& model, std::vector<TextureUse> uses) {
+  Scene scene = scene_of(triangle(), model);
+  scene.textures = {{"", ImageTexture{test::picture(), WrapMode::repeat, TextureFilter::nearest, {}}},
+                    {"", ScaleTexture{0, 0}}};
+  scene.materials[0].textures = std::move(uses);
+  return scene;
+}
+
+Principled read_at(const Scene& scene, const Material& material, Vec2 uv) {
+  return std::get<Principled>(textured_model(material, scene.textures, {.uv = uv}));
+}
+
+}  // namespace
+
+TEST_CASE("written gltf: the weight of a base is a factor of the picture of its color") {
+  const Scene scene =
+      scene_with_pictures({.base_weight = 0.5f, .specular_weight = 0}, {{MaterialInput::reflectance, 0}});
+  const RoundTrip trip = round_trip(scene, "a.gltf");
+  CHECK(trip.warnings.empty());
+  for (const Vec2 uv : {Vec2{0.1f, 0.9f}, {0.9f, 0.9f}, {0.4f, 0.2f}}) {
+    const Principled a = read_at(scene, scene.materials[0], uv);
+    const Principled b = read_at(trip.scene, only_material(trip), uv);
+    CHECK(b.base_color.r * b.base_weight == Approx(a.base_color.r * 0.5f).margin(0.004));
+    CHECK(b.base_color.b * b.base_weight == Approx(a.base_color.b * 0.5f).margin(0.004));
+  }
+}
+
+TEST_CASE(
+    "written gltf: the color of what light goes through is that of the base, and what changes is named") {
+  const Principled clear{
+      .base_color = {0.5f, 0.25f, 0.125f}, .transmission_weight = 1, .geometry_thin_walled = true};
+  Principled half = clear, partly_metal = clear, metal = clear;
+  half.transmission_weight = 0.5f;
+  partly_metal.base_metalness = 0.5f, metal.base_metalness = 1;
+  const auto color = [](const Principled& model, std::vector<TextureUse> uses,
+                        const std::vector<std::string>& lost) {
+    const Scene scene = scene_with_pictures(model, std::move(uses));
+    const RoundTrip trip = round_trip(scene, "a.gltf");
+    CHECK(trip.warnings == lost);
+    const Vec2 uv{0.4f, 0.2f};
+    const Principled read = read_at(trip.scene, only_material(trip), uv);
+    const Principled wanted = read_at(scene, scene.materials[0], uv);
+    CHECK(read.transmission_color == read.base_color);
+    return std::pair{read.base_color.b, wanted.transmission_color.b};
+  };
+  const std::string lost = "which is that of the clear part, of a material is left out";
+  const std::string diffuse = "the color of the diffuse part, " + lost;
+  const std::string of_metal = "the color of the metal, " + lost;
+  const TextureUse base{MaterialInput::reflectance, 0}, tint{MaterialInput::transmission_color, 1};
+  const auto check = [&](const Principled& model, const std::vector<TextureUse>& uses,
+                         const std::vector<std::string>& named) {
+    const auto [read, wanted] = color(model, uses, named);
+    CHECK(read == Approx(wanted).margin(0.004));
+  };
+  check(clear, {}, {});
+  check(clear, {base}, {});
+  check(clear, {tint}, {});
+  check(clear, {base, tint}, {});
+  check(half, {base}, {diffuse});
+  check(half, {base, tint}, {diffuse});
+  check(half, {base, {MaterialInput::transmission_color, 0}}, {});
+  check(clear, {{MaterialInput::transmission_weight, 0}}, {diffuse});
+  check(partly_metal, {}, {of_metal});
+  check(clear, {{MaterialInput::base_metalness, 0}}, {of_metal});
+  CHECK(color(metal, {}, {}).first == 0.125f);  // Nothing goes through it.
+}
+
+TEST_CASE("written gltf: a specular reflection that metal has, too, is named") {
+  const std::vector<std::string> lost = {"the metal's specular color of a material is left out"};
+  const auto warnings = [](const Principled& model, std::vector<TextureUse> uses) {
+    return round_trip(scene_with_pictures(model, std::move(uses)), "a.gltf").warnings;
+  };
+  const TextureUse metalness{MaterialInput::base_metalness, 0}, weight{MaterialInput::specular_weight, 1};
+  CHECK(warnings({.specular_weight = 0.2f}, {metalness}) == lost);
+  CHECK(warnings({.specular_color = {1, 1, 0.5f}}, {metalness}) == lost);
+  CHECK(warnings({.base_metalness = 0.5f, .specular_weight = 0.2f}, {}) == lost);
+  CHECK(warnings({.base_metalness = 0.5f, .specular_color = {1, 1, 0.25f}}, {}) == lost);
+  CHECK(warnings({.base_metalness = 0.5f}, {weight}) == lost);
+  CHECK(warnings({.base_metalness = 1}, {weight}) == lost);
+  CHECK(warnings({.specular_weight = 0.2f}, {}).empty());
+  CHECK(warnings({}, {weight}).empty());
+  CHECK(warnings({}, {metalness}).empty());
+  CHECK(warnings({.base_metalness = 0.5f, .specular_weight = 0.75f}, {}).empty());
+}
+
 }  // namespace twinray::test
