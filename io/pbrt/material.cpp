@@ -81,6 +81,15 @@ struct Inputs {
     return value;
   }
 
+  /// Of a coat: below 1 it is none (core/lobes/coat.h).
+  float coat_ior(const char* name) const {
+    const float value = ior(name);
+    if (value < 1)
+      parameters.find(name)->place.warn(
+          context.warnings, fmt::format("a coat of the index {:g} is not rendered: it is taken as 1", value));
+    return value;
+  }
+
   /// The width of microfacets, of "roughness", "uroughness" and "vroughness" and what stands before these
   /// ("interface."). `input`: the model's.
   Roughness roughness(const std::string& prefix = "", MaterialInput input = MaterialInput::roughness) const {
@@ -117,9 +126,8 @@ struct Inputs {
     const float roughness = is_texture ? use(*found, PictureChannels::number, input, meaning).mean.r
                                        : parameters.real(found->name.c_str(), 0);
     if (!(roughness >= 0 && roughness <= 1))
-      parameters.place().warn(
-          context.warnings,
-          fmt::format("a roughness of {:g} is taken as the nearest one in [0, 1]", roughness));
+      found->place.warn(context.warnings,
+                        fmt::format("a roughness of {:g} is taken as the nearest one in [0, 1]", roughness));
     const float in_range = std::clamp(roughness, 0.0f, 1.0f);
     return is_remapped ? alpha_of_roughness(in_range) : in_range;
   }
@@ -169,7 +177,7 @@ void read_between(const Inputs& in) {
 
 SurfaceModel read_coated_diffuse(const Inputs& in) {
   read_between(in);
-  return CoatedDiffuse{in.color("reflectance", half), in.roughness(), in.ior("eta")};
+  return CoatedDiffuse{in.color("reflectance", half), in.roughness(), in.coat_ior("eta")};
 }
 
 SurfaceModel read_coated_conductor(const Inputs& in) {
@@ -177,7 +185,7 @@ SurfaceModel read_coated_conductor(const Inputs& in) {
   const Metal metal = read_metal(in, "conductor.");
   CoatedConductor coated{metal.eta, metal.k, in.roughness("conductor.")};
   coated.coat_roughness = in.roughness("interface.", MaterialInput::coat_roughness);
-  coated.coat_ior = in.ior("interface.eta");
+  coated.coat_ior = in.coat_ior("interface.eta");
   return coated;
 }
 
@@ -272,9 +280,9 @@ SurfaceModel instead(const Inputs& in, const char* what, const char* shown, cons
 SurfaceModel read_subsurface(const Inputs& in) {
   for (const char* known : {"sigma_a", "sigma_s", "mfp", "g", "scale", "name"}) in.parameters.find(known);
   const Rgb pale{0.8f, 0.8f, 0.8f};
-  return instead(
-      in, "light below a surface (subsurface)", "a coated diffuse surface",
-      CoatedDiffuse{in.color("reflectance", pale), in.roughness(), in.has("eta") ? in.ior("eta") : 1.33f});
+  return instead(in, "light below a surface (subsurface)", "a coated diffuse surface",
+                 CoatedDiffuse{in.color("reflectance", pale), in.roughness(),
+                               in.has("eta") ? in.coat_ior("eta") : 1.33f});
 }
 
 SurfaceModel read_hair(const Inputs& in) {

@@ -32,6 +32,21 @@ std::string warning_of(const std::string& statements) {
 
 }  // namespace
 
+TEST_CASE("an index below 1 of a coat, and roughnesses out of range, are named where they stand") {
+  for (const char* coated :
+       {"\"coateddiffuse\" \"float eta\" 0.6", "\"coatedconductor\" \"float interface.eta\" 0.6"})
+    CHECK(warning_of(std::string("Material ") + coated) ==
+          "a coat of the index 0.6 is not rendered: it is taken as 1");
+  CHECK(warning_of("Material \"coateddiffuse\" \"float eta\" 1") == "");
+  CHECK(warning_of("Material \"dielectric\" \"float eta\" 0.6") == "");
+  const LoadedScene rough = load_pbrt_world(
+      "Material \"coatedconductor\"\n  \"float interface.roughness\" 0.1\n  \"float conductor.roughness\" 7");
+  REQUIRE(rough.warnings.size() == 1);
+  CHECK(rough.warnings[0].message == "a roughness of 7 is taken as the nearest one in [0, 1]");
+  const auto line_of = [](const LoadedScene& loaded) { return loaded.warnings[0].place.line; };
+  CHECK(line_of(rough) == line_of(load_pbrt_world("Material \"coateddiffuse\" \"float roughness\" 7")) + 2);
+}
+
 TEST_CASE("each material becomes its model, with pbrt's values where the file has none") {
   CHECK(model_of<Lambert>("\"diffuse\"").reflectance == Rgb{0.5f, 0.5f, 0.5f});
   CHECK(model_of<Lambert>("\"diffuse\" \"rgb reflectance\" [ .1 .2 .3 ]").reflectance ==
