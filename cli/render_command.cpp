@@ -68,7 +68,7 @@ void protect_the_machine(const RenderArguments& arguments, RenderTalk& talk) {
 void check_checkpoint_stays(RenderOutputs outputs, const RenderOutputs& partial) {
   const std::string checkpoint = std::exchange(outputs.checkpoint, "");
   if (checkpoint.empty()) return;
-  for (const std::string& place : {checkpoint, checkpoint + ".before"})
+  for (const std::string& place : {checkpoint, earlier_film_name(checkpoint)})
     for (const std::string& name : all_names({outputs, partial}))
       if (is_same_place(destination_of(place), destination_of(name)))
         throw Error(fmt::format("--checkpoint={}: {} would be written there, too; choose another name",
@@ -88,6 +88,7 @@ class RenderRun {
         guard_(all_names({outputs_, partial_}), arguments.checkpoint.empty() ? 0 : try_again_code) {
     prepare_outputs(outputs_.names(), {arguments.scene, arguments.environment, arguments.camera_file});
     check_checkpoint_stays(outputs_, partial_);
+    if (!arguments.checkpoint.empty()) check_films_alone_are_replaced(arguments.checkpoint);
     if (arguments.denoiser) use_denoiser(*arguments.denoiser);
     arguments_.load.files = std::make_shared<std::vector<std::string>>();
     if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())

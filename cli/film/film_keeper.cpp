@@ -10,6 +10,7 @@
 #include "cli/film/render_identity.h"
 #include "cli/json_names.h"
 #include "core/error.h"
+#include "io/destination.h"
 
 namespace twinray {
 namespace {
@@ -23,6 +24,12 @@ constexpr int rarity = 100;
 void check_names(const FilmNotes& notes) {
   check_json_names(notes.words, "a film");
   for (const auto& [name, hash] : notes.identity.files) check_json_names({name}, "a film");
+}
+
+/// Whether the checkpoint takes the place of the film to go on with.
+bool is_kept_there(const RenderArguments& arguments) {
+  return !arguments.checkpoint.empty() &&
+         is_same_place(destination_of(arguments.checkpoint), destination_of(arguments.resumed));
 }
 
 }  // namespace
@@ -48,7 +55,7 @@ FilmKeeper::FilmKeeper(const RenderArguments& arguments, const PictureNotes& pic
   if (!arguments.resumed.empty()) {
     auto [film, fault] = open_film_to_resume(arguments.resumed, arguments.render.threads);
     if (!fault.empty()) console::warn(fault);
-    if (arguments.resumed == arguments.checkpoint) is_damaged_ = !fault.empty();
+    if (is_kept_there(arguments)) is_damaged_ = !fault.empty();
     check_can_resume(film, notes_);
     begun_.emplace(std::move(film));
     is_saved_ = !arguments.checkpoint.empty() && has_film(arguments.checkpoint);
@@ -76,7 +83,7 @@ void FilmKeeper::write(const std::string& path, const RenderState& state, bool i
 /// It would take the place of the good one before it.
 void FilmKeeper::drop_damaged() {
   std::error_code error;
-  if (is_damaged_) std::filesystem::remove(arguments_.checkpoint, error);
+  if (is_damaged_) std::filesystem::remove(destination_of(arguments_.checkpoint).path, error);
   is_damaged_ = false;
 }
 

@@ -46,13 +46,27 @@ auto open_or_earlier(const std::string& path, std::string& fault, const Open& op
   }
 }
 
+/// Whether it is there, and no empty file.
+bool holds_something(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error) && !std::filesystem::is_empty(path, error);
+}
+
 }  // namespace
 
 bool is_film_name(const std::string& path) { return std::filesystem::path(path).extension() == ".film"; }
 
 bool has_film(const std::string& path) {
-  std::error_code error;
-  return std::filesystem::exists(path, error) || std::filesystem::exists(earlier_film_name(path), error);
+  return holds_something(path) || holds_something(earlier_film_name(path));
+}
+
+void check_films_alone_are_replaced(const std::string& checkpoint) {
+  for (const std::string& name : {checkpoint, earlier_film_name(checkpoint)})
+    if (holds_something(name) && std::filesystem::is_regular_file(name) && !begins_as_film(name))
+      throw Error(fmt::format(
+          "--checkpoint={}: {} is no film file of this version of the program, and is not replaced; choose "
+          "another name",
+          checkpoint, name));
 }
 
 std::uint64_t write_film(const std::string& path, const FilmNotes& notes, const RenderState& state,

@@ -16,6 +16,10 @@ bool is_film_name(const std::string& path);
 /// Whether there is a film to go on with, by that name or as the one before.
 bool has_film(const std::string& path);
 
+/// Throws Error where a file that is no film is at the place of a checkpoint of this name, or of the one
+/// before. A damaged film is one, and an empty file is no loss.
+void check_films_alone_are_replaced(const std::string& checkpoint);
+
 /// Writes what there is of a render; the notes but for its progress. Returns the bytes. Throws Error.
 std::uint64_t write_film(const std::string& path, const FilmNotes& notes, const RenderState& state,
                          int threads);

@@ -19,9 +19,10 @@ std::vector<std::string> places_of_the_scene(const RenderArguments& arguments) {
     places.push_back(folder_of(arguments.scene));
     places.push_back(arguments.scene);  // It may be a link to elsewhere.
   }
-  for (const std::string& file : {arguments.environment, arguments.camera_file, arguments.resumed})
+  for (const std::string& file : {arguments.environment, arguments.camera_file})
     if (!file.empty()) places.push_back(file);
-  if (!arguments.resumed.empty()) places.push_back(earlier_film_name(arguments.resumed));
+  for (const std::string& film : {arguments.resumed, arguments.checkpoint})
+    if (!film.empty()) places.insert(places.end(), {film, earlier_film_name(film)});
   return places;
 }
 

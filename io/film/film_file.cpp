@@ -12,6 +12,7 @@
 #include "core/columns.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "io/destination.h"
 #include "io/film/content_hash.h"
 #include "io/film/zstd.h"
 #include "io/input_file.h"
@@ -89,7 +90,23 @@ std::size_t bands_together(int threads) {
 
 }  // namespace
 
-std::string earlier_film_name(const std::string& path) { return path + ".before"; }
+std::string earlier_film_name(const std::string& path) {
+  const auto resolved = [&] {
+    try {
+      const Destination place = destination_of(path);
+      return place.kind == Destination::Kind::file ? place.path : path;
+    } catch (const Error&) {  // Nothing can be there.
+      return path;
+    }
+  };
+  return resolved() + ".before";
+}
+
+bool begins_as_film(const std::string& path) {
+  std::string line(first_line.size(), '\0');
+  return std::ifstream(path, std::ios::binary).read(line.data(), std::streamsize(line.size())) &&
+         line == first_line;
+}
 
 std::uint64_t write_film_file(const std::string& path, std::span<const Film* const> films,
                               const std::string& notes, int threads) {

@@ -23,8 +23,12 @@ namespace twinray {
 std::uint64_t write_film_file(const std::string& path, std::span<const Film* const> films,
                               const std::string& notes, int threads = 0);
 
-/// "a/b.film" -> "a/b.film.before": the file that was replaced last.
+/// "a/b.film" -> "a/b.film.before": the file that was replaced last. Beside the film itself where the path is
+/// a link to it.
 std::string earlier_film_name(const std::string& path);
+
+/// Whether there is a file that begins as films do; the rest of it may be damaged.
+bool begins_as_film(const std::string& path);
 
 /// A film file that is open. Each function throws Error, which begins with the path, where the file is not as
 /// it was written.

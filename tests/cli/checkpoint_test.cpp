@@ -226,6 +226,61 @@ TEST_CASE("a copy of a checkpoint goes on where it is, and by the words that wer
   CHECK(samples_in(folder.file("c.ck")) == 5);
 }
 
+TEST_CASE("a checkpoint behind a link has its one before beside itself, under either name") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.file("far"));
+  const std::string link = folder.file("lk"), real = folder.file("far/real.ck");
+  fs::create_symlink("far/real.ck", link);
+  write_text(folder.file("far/lk.before"), "mine");
+  const std::string words =
+      box_words(fmt::format("-s 4 -o {} --checkpoint={}", quoted(folder.file("a.pfm")), quoted(link)));
+  run_well(words);
+  run_well(words);
+  CHECK(read_text(folder.file("far/lk.before")) == "mine");
+  const std::string before = read_text(real + ".before");
+  for (const std::string& name : {link, real}) {
+    CAPTURE(name);
+    std::string bytes = read_text(real);
+    bytes.resize(bytes.size() / 2);
+    write_text(real, bytes);
+    const ProcessResult result = run_program(fmt::format("resume {} -q", quoted(name)));
+    CHECK(result.exit_code == 0);
+    check_says(result.err, real + ".before is taken in its place");
+    CHECK(fs::is_symlink(link));
+    CHECK(samples_in(real) == 4);
+    CHECK(read_text(real + ".before") == before);
+  }
+}
+
+TEST_CASE("a checkpoint replaces films alone") {
+  const TemporaryFolder folder;
+  const std::string notes = folder.file("notes.txt");
+  const auto words = [&](const std::string& name) {
+    return box_words(
+        fmt::format("-s 2 -o {} --checkpoint={}", quoted(folder.file("a.pfm")), quoted(folder.file(name))));
+  };
+  write_text(notes, "all that I know");
+  fs::copy(notes, folder.file("b.ck.before"));
+  for (const std::string& more : {"", " --resume", " --sandbox"}) {
+    const std::string error = told_error(words("notes.txt") + more);
+    check_says(error, notes);
+    check_says(error, "is no film file of this version of the program");
+    check_says(told_error(words("b.ck") + more), folder.file("b.ck.before"));
+  }
+  CHECK(read_text(notes) == "all that I know");
+  CHECK(read_text(folder.file("b.ck.before")) == "all that I know");
+  CHECK(folder.file_count() == 2);
+  // Nothing is lost with an empty file; and a damaged film is still one.
+  write_text(folder.file("c.ck"), "");
+  run_well(words("c.ck"));
+  write_text(folder.file("c.ck"), read_text(folder.file("c.ck")).substr(0, 40));
+  for (const std::string& more : {"", " --sandbox"}) {
+    const ProcessResult again = run_program(words("c.ck") + more);
+    CHECK(again.exit_code == 0);
+    check_says(again.err, "the film that is there is replaced");
+  }
+}
+
 TEST_CASE("defaults of several words count as none, too") {
   const TemporaryFolder folder;
   const std::string film = quoted(folder.file("a.ck"));
