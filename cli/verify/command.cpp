@@ -121,12 +121,16 @@ std::uint64_t seed_of(const VerifyArguments& asked) {
   return asked.seed.value_or(std::uint64_t(std::chrono::system_clock::now().time_since_epoch().count()));
 }
 
+std::string value_text(const std::optional<float>& value) {
+  return value ? fmt::format("{}", *value) : "absent";
+}
+
 void print_differences(const std::vector<TileDifference>& differences) {
   for (std::size_t i = 0; i < std::min(most_named, differences.size()); ++i) {
     const auto& [tile, pixels] = differences[i];
     console::print_error("tile at {} {}: {} pixels differ, the first at {} {}: {} is {} there, and {} here\n",
-                         tile.x0, tile.y0, pixels.pixels, pixels.x, pixels.y, pixels.channel, pixels.there,
-                         pixels.here);
+                         tile.x0, tile.y0, pixels.pixels, pixels.x, pixels.y, pixels.channel,
+                         value_text(pixels.there), value_text(pixels.here));
   }
   if (differences.size() > most_named)
     console::print_error("and {} more tiles\n", differences.size() - most_named);

@@ -42,23 +42,27 @@ std::vector<Pair> compared_channels(const StoredLayers& picture, const StoredLay
   return pairs;
 }
 
-float value_at(const StoredLayers& picture, std::size_t channel, int x, int y) {
-  if (channel == absent) return 0;
+std::optional<float> value_at(const StoredLayers& picture, std::size_t channel, int x, int y) {
+  if (channel == absent) return {};
   return picture
       .values[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * picture.channels.size() +
               channel];
 }
 
-bool is_same(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
+bool is_same(const std::optional<float>& a, const std::optional<float>& b) {
+  return a && b && std::bit_cast<std::uint32_t>(*a) == std::bit_cast<std::uint32_t>(*b);
+}
 
 }  // namespace
 
 StoredLayers read_picture(const std::string& path) {
   if (picture_format(path) == PictureFormat::exr) return read_layers(path);
-  const Image image = read_image(path);
-  StoredLayers picture{image.width, image.height, {{"R"}, {"G"}, {"B"}}, {}, read_metadata(path), {}};
-  for (const Rgb& pixel : image.pixels)
-    picture.values.insert(picture.values.end(), {pixel.r, pixel.g, pixel.b});
+  const Image image = read_image(path), alpha = read_image(path, {.channels = PictureChannels::alpha});
+  StoredLayers picture{image.width, image.height, {{"R"}, {"G"}, {"B"}, {"A"}}, {}, read_metadata(path), {}};
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const auto& [r, g, b] = image.pixels[i];
+    picture.values.insert(picture.values.end(), {r, g, b, alpha.pixels[i].r});
+  }
   return picture;
 }
 
@@ -69,8 +73,8 @@ std::optional<PixelDifferences> differences(const StoredLayers& picture, const S
   for (int y = place.y0; y < place.y1; ++y)
     for (int x = place.x0; x < place.x1; ++x)
       for (const Pair& pair : pairs) {
-        const float there = value_at(picture, pair.there, x, y);
-        const float here = value_at(part, pair.here, x - place.x0, y - place.y0);
+        const std::optional<float> there = value_at(picture, pair.there, x, y);
+        const std::optional<float> here = value_at(part, pair.here, x - place.x0, y - place.y0);
         if (is_same(there, here)) continue;
         const PictureChannel& channel =
             pair.there == absent ? part.channels[pair.here] : picture.channels[pair.there];

@@ -2,12 +2,14 @@
 // twinray verify: whether pictures are what their metadata say.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "cli/input_files.h"
 #include "cli/shell_text.h"
 #include "cli/verify/tile_check.h"
 #include "io/picture/image_file.h"
+#include "io/picture/png.h"
 #include "tests/support/catch.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -132,12 +134,52 @@ TEST_CASE("a channel that was taken away is found, and a place that is another")
   write_with(3, picture.frame);
   CHECK(verify(file_in(folder, "b.exr")).exit_code == 0);
   write_with(2, picture.frame);
-  CHECK(contains(error_of(file_in(folder, "b.exr")), ": B is 0 there, and "));
+  CHECK(contains(error_of(file_in(folder, "b.exr")), ": B is absent there, and "));
   ImageFrame moved = picture.frame;
   ++moved.x;
   write_with(3, moved);
   CHECK(contains(error_of(file_in(folder, "b.exr")),
                  "it lies at 8 3 of its frame, and its command asks for 7 3"));
+}
+
+TEST_CASE("a channel that is added or taken away is a difference, even where it is 0 all over") {
+  const StoredLayers one{1, 1, {{"R"}}, {0}, {}, {}}, two{1, 1, {{"R"}, {"Z"}}, {0, 0}, {}, {}};
+  CHECK_FALSE(differences(two, two, {0, 0, 1, 1}, false));
+  const auto added = differences(two, one, {0, 0, 1, 1}, false);
+  REQUIRE(added);
+  CHECK(added->channel == "Z");
+  CHECK(added->there == 0);
+  CHECK_FALSE(added->here);
+  const auto removed = differences(one, two, {0, 0, 1, 1}, false);
+  REQUIRE(removed);
+  CHECK(removed->channel == "Z");
+  CHECK_FALSE(removed->there);
+  CHECK(removed->here == 0);
+}
+
+TEST_CASE("an alpha that was added to a picture of 8 bits is found") {
+  const TemporaryFolder folder;
+  render(scenes + "box.dae", "-s 4 -o " + file_in(folder, "a.png"));
+  const std::string stored = read_text(folder.file("a.png"));
+  const Image image = read_image(folder.file("a.png"), {.role = PictureRole::data});
+  const auto rewritten_with = [&](std::uint8_t alpha) {
+    AlphaImage edited{image.width, image.height, {}};
+    const auto byte = [](float value) { return std::uint8_t(std::lround(255 * value)); };
+    for (const Rgb& p : image.pixels)
+      edited.bytes.insert(edited.bytes.end(), {byte(p.r), byte(p.g), byte(p.b), 255});
+    edited.bytes[(20 * 48 + 33) * 4 + 3] = alpha;
+    const std::vector<unsigned char> bytes = encode_png(edited);
+    const std::string png(bytes.begin(), bytes.end());
+    constexpr std::size_t header = 33;  // With the signature; what else stands before the pixels says more.
+    write_text(folder.file("b.png"), png.substr(0, header) +
+                                         stored.substr(header, stored.find("IDAT") - 4 - header) +
+                                         png.substr(png.find("IDAT") - 4));
+    return verify(file_in(folder, "b.png"));
+  };
+  CHECK(rewritten_with(255).exit_code == 0);
+  const ProcessResult result = rewritten_with(51);
+  CHECK(result.exit_code == 1);
+  CHECK(contains(result.err, "tile at 32 16: 1 pixels differ, the first at 33 20: A is 0.2"));
 }
 
 TEST_CASE("another version is warned of, and another size is refused") {
