@@ -111,10 +111,17 @@ std::string needs_indirect_light(const Asked& asked) {
   return has_any ? "" : "for light of one bounce is left as it is";
 }
 
+/// Whether paths end after one bounce, whatever depth the scene states.
+bool is_direct_alone(const Asked& asked) {
+  return asked.arguments.integrator == IntegratorKind::direct ||
+         asked.request.bounces == RenderRequest::Bounces::direct;
+}
+
 /// Of a number of bounces of one kind. A scene may state the depth, too.
 std::string needs_longer_paths(const Asked& asked, int BounceLimits::*limit) {
   if (!asked.is_lit()) return needs_light(asked);
-  if (has_defaults(asked.arguments.scene) && !is_given("--max-depth", asked.arguments)) return "";
+  const bool is_of_scene = has_defaults(asked.arguments.scene) && !is_given("--max-depth", asked.arguments);
+  if (is_of_scene && !is_direct_alone(asked)) return "";
   const PathOptions& path = asked.arguments.path;
   return path.limits.*limit + 1 < path.depth_limit()
              ? ""

@@ -40,6 +40,17 @@ TEST_CASE("limits of bounces are none unless given, and have no effect on paths 
   CHECK_FALSE(no_effect({"--glossy-bounces=9"}).empty());
 }
 
+TEST_CASE("limits of bounces have no effect on direct light alone, whatever depth the scene states") {
+  for (const std::string direct : {"--integrator=direct", "--bounces=direct"})
+    for (const std::string option : {"--diffuse-bounces", "--glossy-bounces", "--transmission-bounces"})
+      for (const std::string scene : {"scene.dae", "scene.pbrt"}) {
+        CAPTURE(direct, option, scene);
+        CHECK(no_effect({direct, option + "=2"}, scene) ==
+              option + ": no effect, for paths of 1 bounces make no more");
+      }
+  CHECK(no_effect({"--bounces=indirect", "--diffuse-bounces=2"}, "scene.pbrt").empty());
+}
+
 TEST_CASE("direct light alone is not longer for a greater depth") {
   CHECK(no_effect({"--bounces=direct", "-m", "9"}) ==
         "--max-depth: no effect, for --bounces=direct shows light of one bounce");
