@@ -84,6 +84,14 @@ void write(const StoredLayers& picture, const RelightArguments& arguments, const
     write_image(arguments.output, colors_of(picture), metadata, picture.frame);
 }
 
+/// Throws UsageError for a group that has its change already.
+void add_change(const LightChange& change, std::vector<LightChange>& changes) {
+  for (const LightChange& other : changes)
+    if (other.group == change.group)
+      throw UsageError(fmt::format("{}: {} is named twice", option, change.group));
+  changes.push_back(change);
+}
+
 }  // namespace
 
 LightChange parse_light_change(const std::string& text) {
@@ -106,7 +114,7 @@ std::function<RelightArguments()> add_relight_options(CLI::App& app) {
   add_options(app, *request);
   return [request] {
     RelightArguments arguments = request->arguments;
-    for (const std::string& text : request->changes) arguments.changes.push_back(parse_light_change(text));
+    for (const std::string& text : request->changes) add_change(parse_light_change(text), arguments.changes);
     if (arguments.output.empty() && !arguments.changes.empty())
       throw UsageError("--light: where to? --output=FILE is missing");
     if (!arguments.output.empty()) check_image_name(arguments.output);

@@ -13,6 +13,7 @@
 #include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace twinray::test {
 namespace {
@@ -172,6 +173,8 @@ TEST_CASE("relight writes a picture, lists its groups, and says what it cannot d
             .ends_with("it has no light group \"rim\"; there are fill, key\n"));
   CHECK(
       complaint(two + " --light=key=2").starts_with("twinray: --light: where to? --output=FILE is missing"));
+  CHECK(contains(complaint(two + " --light=key=2 --light fill=1 --light=key=3 -o a.exr"),
+                 "--light: key is named twice"));
   CHECK(complaint(two + " --light=key=0 -o " + two)
             .ends_with("two.exr: this file is read; choose another name\n"));
   const std::string around = folder.file("around.exr");
