@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <filesystem>
 #include <memory>
 #include <string_view>
 
@@ -134,12 +136,41 @@ void OptionGroup::add_flag(const std::string& names, bool& target, const std::st
   app_.add_flag(names, target, description)->disable_flag_override()->group(name_);
 }
 
+namespace {
+
+bool is_number(const std::string& word) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() && end == word.data() + word.size();
+}
+
+/// "SCENE": a file that the command needs, and for which CLI11 took the last number of an option before it;
+/// empty where there is none. A file may have such a name.
+std::string file_taken_from_numbers(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->get_positional() || !option->get_required() || option->count() != 1) continue;
+    const std::string& word = option->results().front();
+    std::error_code error;
+    if (is_number(word) && !std::filesystem::exists(word, error)) return option->get_name(true);
+  }
+  return "";
+}
+
+/// Throws UsageError.
+void check_count(const CLI::App& app, const std::string& name, std::size_t given, std::size_t needed) {
+  if (given == needed) return;
+  const std::string missing = given + 1 == needed ? file_taken_from_numbers(app) : "";
+  if (!missing.empty()) throw UsageError(missing + " is missing");
+  throw UsageError(fmt::format("{}: {} numbers are needed, not {}", name, needed, given));
+}
+
+}  // namespace
+
 void OptionGroup::add_words(const OptionText& text, std::size_t count,
                             std::function<void(const Words&)> take) {
-  const std::function<void(const Words&)> take_all = [take = std::move(take), count,
+  const std::function<void(const Words&)> take_all = [take = std::move(take), count, &app = app_,
                                                       name = long_name(text.names)](const Words& words) {
-    if (words.size() != count)
-      throw UsageError(fmt::format("{}: {} numbers are needed, not {}", name, count, words.size()));
+    check_count(app, name, words.size(), count);
     if (std::find(words.begin(), words.end(), "") != words.end())
       throw UsageError(fmt::format("{}: its value is empty", name));
     take(words);

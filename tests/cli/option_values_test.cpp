@@ -285,4 +285,20 @@ TEST_CASE("an unknown option is an error that names the one it may stand for") {
   CHECK(answer("render", {"-z"}).find("usage: there is no option -z\n") == 0);
 }
 
+TEST_CASE("a scene that was forgotten behind the numbers of an option is missing, and no number is") {
+  const TemporaryFolder folder;
+  const auto error = [&](const std::string& words) {
+    const ProcessResult result = run_shell(
+        fmt::format("cd {}; {} render {}", quoted(folder.path().string()), quoted(TWINRAY_PROGRAM), words));
+    CHECK(result.exit_code == 2);
+    return result.err;
+  };
+  CHECK(error("-r 40 30").starts_with("twinray: SCENE is missing\n"));
+  CHECK(error("-s 4 --crop 1 2 3 4").starts_with("twinray: SCENE is missing\n"));
+  CHECK(error("-r 40 box.dae").starts_with("twinray: --resolution: 2 numbers are needed, not 1\n"));
+  CHECK(error("--crop 1 2 3").starts_with("twinray: --crop: 4 numbers are needed, not 2\n"));
+  write_text(folder.file("30"), "");
+  CHECK(error("-r 40 30").starts_with("twinray: --resolution: 2 numbers are needed, not 1\n"));
+}
+
 }  // namespace twinray::test
