@@ -54,7 +54,7 @@ int replay_command(const RenderArguments& asked) {
       replay({loaded.scene, *accelerator, *integrator}, arguments.path, arguments.render, request.sample);
   const ReplayedSample replayed{arguments, loaded.scene, made};
   write(request, replayed);
-  if (!arguments.quiet) console::write(replay_text(replayed));
+  if (!arguments.quiet || outputs.empty()) console::write(replay_text(replayed));
   if (same_bits(made.path.sum(), made.radiance)) return 0;
   console::print_error(
       "twinray: the sample that is rendered is not the path's sum: an error of this program\n");

@@ -220,6 +220,8 @@ TEST_CASE("what has no effect on a replay, or without one, is named") {
     CHECK(contains(result.err,
                    fmt::format("warning: {}: no effect, for --replay renders no picture\n", option)));
   CHECK(folder.file_count() == 0);
+  // Nothing else was asked for.
+  CHECK(contains(run_program(replayed + replay_frame + "-q --replay 1 1 0").out, "Pixel"));
   const ProcessResult without =
       run_program(replayed + replay_frame + "-q --replay-json b.json --replay-obj b.obj -o " +
                   quoted(folder.file("a.png")));
