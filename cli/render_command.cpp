@@ -78,23 +78,27 @@ void check_checkpoint_stays(RenderOutputs outputs, const RenderOutputs& partial)
 /// One render, step by step.
 class RenderRun {
  public:
-  /// What can be known before the scene is read.
+  /// From then on signals do what InterruptGuard says.
   RenderRun(const RenderArguments& arguments, const Words& words, RenderTalk& talk)
       : arguments_(arguments),
         words_(words),
         talk_(talk),
         outputs_(render_outputs(arguments)),
         partial_(partial_outputs(outputs_)),
-        guard_(all_names({outputs_, partial_}), arguments.checkpoint.empty() ? 0 : try_again_code) {
-    prepare_outputs(outputs_.names(), {arguments.scene, arguments.environment, arguments.camera_file});
+        guard_(all_names({outputs_, partial_}), arguments.checkpoint.empty() ? 0 : try_again_code) {}
+
+  /// What can be known before the scene is read.
+  void prepare() {
+    check_memory(memory_needs(arguments_.render));
+    prepare_outputs(outputs_.names(), {arguments_.scene, arguments_.environment, arguments_.camera_file});
     check_checkpoint_stays(outputs_, partial_);
-    if (!arguments.checkpoint.empty()) check_films_alone_are_replaced(arguments.checkpoint);
-    if (arguments.denoiser) use_denoiser(*arguments.denoiser);
+    if (!arguments_.checkpoint.empty()) check_films_alone_are_replaced(arguments_.checkpoint);
+    if (arguments_.denoiser) use_denoiser(*arguments_.denoiser);
     arguments_.load.files = std::make_shared<std::vector<std::string>>();
-    if (const std::string fewer = thread_warning(arguments.render.threads); !fewer.empty())
+    if (const std::string fewer = thread_warning(arguments_.render.threads); !fewer.empty())
       console::warn(fewer);
-    if (const std::string late = clock_warning(arguments); !late.empty()) console::warn(late);
-    if (codec_reads(arguments.environment) || (makes_picture() && codec_writes(outputs_.picture)))
+    if (const std::string late = clock_warning(arguments_); !late.empty()) console::warn(late);
+    if (codec_reads(arguments_.environment) || (makes_picture() && codec_writes(outputs_.picture)))
       codec_loader_ = load_image_codec_early();
   }
 
@@ -243,20 +247,36 @@ class RenderRun {
   std::optional<DenoisedPicture> denoised_;
 };
 
-}  // namespace
+bool renders(const RenderArguments& arguments) {
+  return arguments.load.camera_name != "?" && !arguments.convert_textures && !arguments.replay;
+}
 
-int render_command(const RenderArguments& arguments, const std::vector<std::string>& words,
-                   RenderTalk& talk) {
+int render_picture(const RenderArguments& arguments, const Words& words, RenderTalk& talk) {
+  RenderRun run(arguments, words, talk);
+  protect_the_machine(arguments, talk);
+  for (const std::string& warning : arguments.without_effect) console::warn(warning);
+  run.prepare();
+  return run.run();
+}
+
+/// What else the options of a render ask for.
+int answer(const RenderArguments& arguments, RenderTalk& talk) {
   protect_the_machine(arguments, talk);
   if (arguments.load.camera_name == "?") return list_cameras(arguments);
   if (arguments.convert_textures) return convert_textures(arguments);
   for (const std::string& warning : arguments.without_effect) console::warn(warning);
-  if (arguments.replay) return replay_command(arguments);
-  check_memory(memory_needs(arguments.render));
+  return replay_command(arguments);
+}
+
+}  // namespace
+
+int render_command(const RenderArguments& arguments, const std::vector<std::string>& words,
+                   RenderTalk& talk) {
+  if (!renders(arguments)) return answer(arguments, talk);
   std::vector<std::unique_ptr<StatusReporter>> reporters = status_reporters(arguments);
-  if (reporters.empty()) return RenderRun(arguments, words, talk).run();
+  if (reporters.empty()) return render_picture(arguments, words, talk);
   StatusTalk reporting(talk, std::move(reporters));
-  return RenderRun(arguments, words, reporting).run();
+  return render_picture(arguments, words, reporting);
 }
 
 int render_command(const RenderArguments& arguments, const std::vector<std::string>& words) {

@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/console.h"
 #include "core/error.h"
+#include "io/destination.h"
 #include "io/output_file.h"
 
 namespace twinray {
@@ -36,11 +39,43 @@ std::string head(const char* name, const char* description) {
   return fmt::format("# HELP twinray_{0} {1}.\n# TYPE twinray_{0} gauge\n", name, description);
 }
 
+constexpr const char* step_description = "1 for what the render is doing";
+
+/// Whether two names are of one place; one that cannot be written is of none.
+bool is_same(const std::string& a, const std::string& b) {
+  try {
+    return is_same_place(destination_of(a), destination_of(b));
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// Whether nothing is there but metrics, nor is anything else to be written there.
+bool is_free_for_metrics(const RenderArguments& arguments) {
+  const std::string& path = arguments.metrics_file;
+  for (const std::string& other :
+       {arguments.output, arguments.stats_file, arguments.checkpoint, arguments.scene})
+    if (!other.empty() && is_same(path, other)) return false;
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return true;
+  const std::string begin = head("step", step_description);
+  std::string there(begin.size(), '\0');
+  return std::filesystem::is_regular_file(path, error) &&
+         std::ifstream(path, std::ios::binary).read(there.data(), std::streamsize(there.size())) &&
+         there == begin;
+}
+
 }  // namespace
+
+MetricsFile::MetricsFile(const RenderArguments& arguments)
+    : path_(arguments.metrics_file),
+      scene_(arguments.scene),
+      output_(arguments.output),
+      may_write_(is_free_for_metrics(arguments)) {}
 
 std::string metrics_text(const RenderStatus& status, const std::string& scene, const std::string& output) {
   const std::string labels = label("scene", scene) + "," + label("output", output);
-  std::string text = head("step", "1 for what the render is doing");
+  std::string text = head("step", step_description);
   for (const RenderStatus::Step step : render_steps())
     text += fmt::format("twinray_step{{{},{}}} {}\n", labels, label("step", step_name(step)),
                         step == status.step ? 1 : 0);
@@ -52,6 +87,8 @@ std::string metrics_text(const RenderStatus& status, const std::string& scene, c
 }
 
 void MetricsFile::report(const RenderStatus& status) {
+  may_write_ |= status.step != RenderStatus::Step::failed;
+  if (!may_write_) return;
   const Clock::time_point begin = Clock::now();
   try {
     write_file(path_, metrics_text(status, scene_, output_));

@@ -16,15 +16,17 @@ std::string metrics_text(const RenderStatus& status, const std::string& scene, c
 /// that would take more than a hundredth of the time.
 class MetricsFile final : public StatusReporter {
  public:
-  explicit MetricsFile(const RenderArguments& arguments)
-      : path_(arguments.metrics_file), scene_(arguments.scene), output_(arguments.output) {}
+  explicit MetricsFile(const RenderArguments& arguments);
   bool is_due() const override { return Clock::now() >= next_; }
-  /// A file that cannot be written is a warning.
+  /// A file that cannot be written is a warning. A render that fails before it begins may have failed because
+  /// of this file's name: it is then written only where nothing can be lost.
   void report(const RenderStatus& status) override;
 
  private:
   using Clock = std::chrono::steady_clock;
   std::string path_, scene_, output_;
+  bool may_write_;  ///< Also before the outputs are checked: what is there is of metrics, if there is
+                    ///< anything.
   Clock::time_point next_;
 };
 

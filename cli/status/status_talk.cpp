@@ -21,7 +21,7 @@ std::vector<std::unique_ptr<StatusReporter>> status_reporters(const RenderArgume
 }
 
 StatusTalk::~StatusTalk() {
-  if (!has_begun_ || has_ended_) return;
+  if (has_ended_) return;
   try {
     enter(Step::failed);
   } catch (const std::bad_alloc&) {  // Perhaps that is why it failed.
@@ -43,8 +43,6 @@ void StatusTalk::enter(Step step) {
 }
 
 void StatusTalk::loading() {
-  has_begun_ = true;
-  start_ = Clock::now();
   enter(Step::loading);
   people_.loading();
 }

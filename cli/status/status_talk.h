@@ -12,8 +12,8 @@ namespace twinray {
 /// Those to whom a render reports by its options: lines of JSON, a file of metrics.
 std::vector<std::unique_ptr<StatusReporter>> status_reporters(const RenderArguments& arguments);
 
-/// Tells people what another talk tells them, and reports the render's status besides. A render that began
-/// and neither ended nor was interrupted when this ends has failed.
+/// Tells people what another talk tells them, and reports the render's status besides. A render that
+/// neither ended nor was interrupted when this ends has failed, also where it was refused before it began.
 class StatusTalk final : public RenderTalk {
  public:
   /// `people` must outlive it.
@@ -45,8 +45,8 @@ class StatusTalk final : public RenderTalk {
   RenderTalk& people_;
   std::vector<std::unique_ptr<StatusReporter>> reporters_;
   RenderStatus status_;
-  bool has_begun_ = false, has_ended_ = false;
-  Clock::time_point start_;
+  bool has_ended_ = false;
+  Clock::time_point start_ = Clock::now();
   std::optional<Clock::time_point> sampling_start_;
 };
 

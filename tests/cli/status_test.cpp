@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <regex>
 #include <sstream>
 #include <thread>
@@ -23,6 +24,7 @@
 namespace twinray::test {
 namespace {
 
+namespace fs = std::filesystem;
 using nlohmann::json;
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -225,6 +227,34 @@ TEST_CASE("a render that fails says so to machines") {
   CHECK(objects_of(result.err).back()["step"] == "failed");
   CHECK(metric(read_text(metrics), "step", "step=\"failed\"") == 1);
   CHECK(metric(read_text(metrics), "step", "step=\"done\"") == 0);
+}
+
+TEST_CASE("a render that is refused before it begins says to machines that it failed") {
+  const TemporaryFolder folder;
+  const std::string metrics = folder.file("a.prom"), picture = quoted(folder.file("a.png"));
+  const auto refused = [&](const std::string& words) {
+    const ProcessResult result = run_program(
+        fmt::format("render {} -q --progress=json --metrics-file={} {}", box_scene, quoted(metrics), words));
+    CHECK(result.exit_code == 1);
+    const std::vector<json> objects = objects_of(result.err);
+    REQUIRE(objects.size() == 1);
+    CHECK(objects[0]["step"] == "failed");
+    CHECK(objects[0]["scene"] == box_scene);
+  };
+  for (const std::string words :
+       {"-r 20000 20000 --memory=200 -o " + picture, "-r 4 3 -o " + quoted(folder.file("none/a.png"))}) {
+    CAPTURE(words);
+    fs::remove(metrics);
+    for (int time = 0; time < 2; ++time) {
+      refused(words);
+      CHECK(metric(read_text(metrics), "step", "step=\"failed\"") == 1);
+    }
+  }
+  // What is no file of metrics stays.
+  write_text(metrics, "mine");
+  refused("-r 20000 20000 --memory=200 -o " + picture);
+  CHECK(read_text(metrics) == "mine");
+  CHECK(folder.file_count() == 1);
 }
 
 TEST_CASE("a metrics file has the numbers of the render at its end, in Prometheus's words") {
