@@ -261,7 +261,7 @@ TEST_CASE("a checkpoint replaces films alone") {
   };
   write_text(notes, "all that I know");
   fs::copy(notes, folder.file("b.ck.before"));
-  for (const std::string& more : {"", " --resume", " --sandbox"}) {
+  for (const char* more : {"", " --resume", " --sandbox"}) {
     const std::string error = told_error(words("notes.txt") + more);
     check_says(error, notes);
     check_says(error, "is no film file of this version of the program");
@@ -274,7 +274,7 @@ TEST_CASE("a checkpoint replaces films alone") {
   write_text(folder.file("c.ck"), "");
   run_well(words("c.ck"));
   write_text(folder.file("c.ck"), read_text(folder.file("c.ck")).substr(0, 40));
-  for (const std::string& more : {"", " --sandbox"}) {
+  for (const char* more : {"", " --sandbox"}) {
     const ProcessResult again = run_program(words("c.ck") + more);
     CHECK(again.exit_code == 0);
     check_says(again.err, "the film that is there is replaced");

@@ -241,7 +241,7 @@ TEST_CASE("a render that is refused before it begins says to machines that it fa
     CHECK(objects[0]["step"] == "failed");
     CHECK(objects[0]["scene"] == box_scene);
   };
-  for (const std::string words :
+  for (const std::string& words :
        {"-r 20000 20000 --memory=200 -o " + picture, "-r 4 3 -o " + quoted(folder.file("none/a.png"))}) {
     CAPTURE(words);
     fs::remove(metrics);
