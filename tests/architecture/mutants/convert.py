@@ -3,7 +3,6 @@
 from mutant import Mutant
 
 IO = "test_io"
-GLTF = "test_io_gltf"
 PBRT_SCENES = "written pbrt: this project's scenes of plain materials come back as they were"
 PBRT_CAMERAS = "written pbrt: each camera that pbrt has sees the same"
 PBRT_MATERIALS = ("written pbrt: each material that pbrt has comes back, with every bit but the last of an "
@@ -227,7 +226,7 @@ MUTANTS = [
            "         render_text(picture) + ", "         ", "test_io",
            "exchange: what a file says of its picture comes back"),
     Mutant("glTF loses the weight of a base with a picture", "io/gltf/writer_material.cpp",
-           "model_.base_color : white * model_.base_weight", "model_.base_color : white", GLTF,
+           "model_.base_color : white * model_.base_weight", "model_.base_color : white", IO,
            "written gltf: the weight of a base is a factor of the picture of its color"),
     Mutant("pbrt loses the weight of a base with a picture", "io/pbrt/writer_material.cpp",
            "is_base ? made_.base_weight : 1", "is_base ? 1.0f : 1.0f", IO,
@@ -237,12 +236,12 @@ MUTANTS = [
     Mutant("a coat of pbrt has the facets of its base", "io/pbrt/stand_in.cpp",
            "made_.facet_factors = {1, 1};", "", IO, PBRT_UNEVEN),
     Mutant("pictures of what light goes through are like those of a base", "io/gltf/stand_in.cpp",
-           "base->texture == texture && model_.base_weight == 1", "true", GLTF, GLTF_CLEAR),
+           "base->texture == texture && model_.base_weight == 1", "true", IO, GLTF_CLEAR),
     Mutant("light that goes through an opaque metal colors it", "io/gltf/stand_in.cpp",
-           "is_metal = model.base_metalness == 1 && !has_metal_texture;", "is_metal = false;", GLTF,
+           "is_metal = model.base_metalness == 1 && !has_metal_texture;", "is_metal = false;", IO,
            GLTF_CLEAR),
     Mutant("a picture of the specular reflection is no metal's", "io/gltf/stand_in.cpp",
-           "if (has_texture(input)) return false;", "", GLTF,
+           "if (has_texture(input)) return false;", "", IO,
            "written gltf: a specular reflection that metal has, too, is named"),
     Mutant("what stays of a scene that is not written whole", "io/scene_writer.cpp",
            "type == std::filesystem::file_type::not_found", "type == std::filesystem::file_type::none", IO,
