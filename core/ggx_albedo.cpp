@@ -11,33 +11,42 @@
 namespace twinray {
 namespace {
 
-/// The rows of boundaries into the denser medium, or out of it, around an index.
-struct BoundaryPlace {
-  bool is_inside;
-  TablePlace layer;
-
-  explicit BoundaryPlace(float eta)
-      : is_inside(eta < 1), layer(root_of_ior(eta < 1 ? 1 / eta : eta), tables::boundary_ior_count) {}
-};
-
 /// A tabulated loss with a change, where that leaves [0, 1].
 float part_of_light(float loss) { return loss > 0 ? std::min(loss, 1.0f) : 0; }
 
-/// The tables of reflectances around an index, and between which of their layers it lies.
-struct DielectricPlace {
-  bool is_high;
-  TablePlace layer;
-
+/// Between which layers of the tables of reflectances an index lies.
+class DielectricPlace {
+ public:
   explicit DielectricPlace(float ior)
-      : is_high(ior > tables::least_high_ior),
-        layer(is_high ? TablePlace(1 - std::sqrt(tables::least_high_ior / ior), tables::high_ior_count)
-                      : TablePlace(root_of_ior(ior), tables::ior_count)) {}
-  const auto& lower() const { return all()[layer.first]; }
-  const auto& upper() const { return all()[layer.first + 1]; }
+      : is_high_(ior > least_high_ior),
+        layer_(is_high_ ? TablePlace(1 - std::sqrt(least_high_ior / ior), tables::high_ior_count + 1)
+                        : TablePlace(root_of_ior(ior), tables::ior_count)) {}
+
+  using Layer = float[tables::alpha_count][tables::cosine_count];
+  const Layer& lower() const { return layer(layer_.first); }
+  const Layer& upper() const { return layer(layer_.first + 1); }
+  float part() const { return layer_.part; }
+  /// Of light from all directions.
+  float average(const TablePlace& row) const {
+    return between(at(averages(layer_.first), row), at(averages(layer_.first + 1), row), layer_.part);
+  }
 
  private:
-  using Layer = float[tables::alpha_count][tables::cosine_count];
-  const Layer* all() const { return is_high ? tables::high_dielectric : tables::dielectric; }
+  static constexpr float least_high_ior = 3;
+  static constexpr int last =
+      tables::ior_count - 1;  ///< The layer of that index, which is the first of high ones.
+
+  const Layer& layer(int i) const {
+    if (!is_high_) return tables::dielectric[i];
+    return i == 0 ? tables::dielectric[last] : tables::high_dielectric[i - 1];
+  }
+  const float* averages(int i) const {
+    if (!is_high_) return tables::average_dielectric[i];
+    return i == 0 ? tables::average_dielectric[last] : tables::average_high_dielectric[i - 1];
+  }
+
+  bool is_high_;
+  TablePlace layer_;
 };
 
 TablePlace row_of(float alpha) { return {std::sqrt(alpha), tables::alpha_count}; }
@@ -61,15 +70,14 @@ GgxDielectricReflectance::GgxDielectricReflectance(float alpha, float ior) {
     return between(rows[y.first][x], rows[y.first + 1][x], y.part);
   };
   for (int x = 0; x < tables::cosine_count; ++x)
-    row_[std::size_t(x)] = between(entry(place.lower(), x), entry(place.upper(), x), place.layer.part);
-  average_ = place.is_high ? at(tables::average_high_dielectric, place.layer, y)
-                           : at(tables::average_dielectric, place.layer, y);
+    row_[std::size_t(x)] = between(entry(place.lower(), x), entry(place.upper(), x), place.part());
+  average_ = place.average(y);
 }
 
 float ggx_dielectric_reflectance(float cosine, float alpha, float ior) {
   const DielectricPlace place(ior);
   const TablePlace y = row_of(alpha), x(std::sqrt(cosine), tables::cosine_count);
-  return between(at(place.lower(), y, x), at(place.upper(), y, x), place.layer.part);
+  return between(at(place.lower(), y, x), at(place.upper(), y, x), place.part());
 }
 
 float GgxDielectricReflectance::operator()(float cosine) const {
@@ -77,8 +85,8 @@ float GgxDielectricReflectance::operator()(float cosine) const {
 }
 
 float ggx_boundary_loss(float cosine, float alpha, float eta) {
-  const BoundaryPlace place(eta);
-  const auto& layers = tables::boundary_loss[place.is_inside];
+  const BoundaryPlace place(eta, tables::boundary_ior_count);
+  const auto& layers = tables::boundary_loss[place.is_out];
   const TablePlace y(alpha, tables::boundary_count),
       x = place_of_angle(cosine, alpha, tables::boundary_count);
   return between(at(layers[place.layer.first], y, x), at(layers[place.layer.first + 1], y, x),
@@ -86,8 +94,8 @@ float ggx_boundary_loss(float cosine, float alpha, float eta) {
 }
 
 float average_ggx_boundary_loss(float alpha, float eta) {
-  const BoundaryPlace place(eta);
-  return at(tables::average_boundary_loss[place.is_inside], place.layer,
+  const BoundaryPlace place(eta, tables::boundary_ior_count);
+  return at(tables::average_boundary_loss[place.is_out], place.layer,
             TablePlace(alpha, tables::boundary_count));
 }
 

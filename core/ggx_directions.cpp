@@ -22,15 +22,6 @@ TablePlace place_of_axes(const Ggx& facets) {
   return {2 * std::min(x, y) / (x + y), tables::share_count};
 }
 
-/// Which tables are those of an index, and between which layers of them it lies.
-struct BoundaryChange {
-  bool is_out;
-  TablePlace layer;
-
-  explicit BoundaryChange(float eta)
-      : is_out(eta < 1), layer(root_of_ior(eta < 1 ? 1 / eta : eta), tables::boundary_change_ior_count) {}
-};
-
 }  // namespace
 
 float ggx_loss_change(const Ggx& facets, const Vec3& w) {
@@ -45,7 +36,7 @@ float average_ggx_loss_change(const Ggx& facets) {
 }
 
 float ggx_boundary_loss_change(const Ggx& facets, const Vec3& w, float eta) {
-  const BoundaryChange place(eta);
+  const BoundaryPlace place(eta, tables::boundary_change_ior_count);
   const auto& layers = tables::boundary_loss_change[place.is_out];
   const float alpha = facets.mean_alpha();
   const TablePlace of_alpha(alpha, tables::boundary_change_alpha_count),
@@ -56,7 +47,7 @@ float ggx_boundary_loss_change(const Ggx& facets, const Vec3& w, float eta) {
 }
 
 float average_ggx_boundary_loss_change(const Ggx& facets, float eta) {
-  const BoundaryChange place(eta);
+  const BoundaryPlace place(eta, tables::boundary_change_ior_count);
   return at(tables::average_boundary_loss_change[place.is_out], place.layer,
             TablePlace(facets.mean_alpha(), tables::boundary_change_alpha_count), place_of_axes(facets));
 }

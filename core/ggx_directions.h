@@ -9,7 +9,8 @@
 
 namespace twinray {
 
-/// What is to be added to ggx_loss(w.z, facets.mean_alpha()) along w, w.z > 0. Within 0.06.
+/// What is to be added to ggx_loss(w.z, facets.mean_alpha()) along w, w.z > 0. Within 0.06, and within 0.13
+/// nearer to the horizon than a cosine of 0.1.
 float ggx_loss_change(const Ggx& facets, const Vec3& w);
 /// The same for light that is the same from all directions, to average_ggx_loss.
 float average_ggx_loss_change(const Ggx& facets);

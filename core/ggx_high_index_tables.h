@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// More tables of core/ggx_albedo.cpp: what facets of a dielectric reflect whose index is 3 or more, by 260^2
+// More tables of core/ggx_albedo.cpp: what facets of a dielectric reflect whose index is above 3, by 260^2
 // visible normals.
 // clang-format off
 #pragma once
@@ -7,46 +7,11 @@
 
 namespace twinray::tables {
 
-inline constexpr int high_ior_count = 7;
-inline constexpr float least_high_ior = 3;
+inline constexpr int high_ior_count = 6;
 
-/// ggx_dielectric_reflectance: layers sqrt(3 / ior) = 1 - i / (high_ior_count - 1), rows and columns as
+/// ggx_dielectric_reflectance: layers sqrt(3 / ior) = 1 - (i + 1) / high_ior_count, rows and columns as
 /// `dielectric`.
 inline constexpr float high_dielectric[high_ior_count][alpha_count][cosine_count] = {
- {
- {0.9999f, 0.9694f, 0.8862f, 0.7722f, 0.6513f, 0.5415f, 0.4519f, 0.3843f, 0.336f, 0.303f, 0.2811f, 0.267f,
-  0.2583f, 0.2533f, 0.2507f, 0.25f},
- {0.8984f, 0.8144f, 0.8379f, 0.7604f, 0.6475f, 0.5401f, 0.4516f, 0.3842f, 0.336f, 0.303f, 0.2811f, 0.267f,
-  0.2583f, 0.2533f, 0.2507f, 0.25f},
- {0.7536f, 0.7235f, 0.6758f, 0.6551f, 0.6023f, 0.5223f, 0.4444f, 0.3813f, 0.3349f, 0.3026f, 0.2809f, 0.267f,
-  0.2584f, 0.2533f, 0.2507f, 0.25f},
- {0.6266f, 0.6131f, 0.578f, 0.541f, 0.5092f, 0.4685f, 0.4182f, 0.3695f, 0.3296f, 0.3002f, 0.2798f, 0.2664f,
-  0.2579f, 0.253f, 0.2504f, 0.25f},
- {0.5281f, 0.52f, 0.4971f, 0.4651f, 0.4331f, 0.4038f, 0.3741f, 0.3435f, 0.3154f, 0.2925f, 0.2754f, 0.2637f,
-  0.2561f, 0.2515f, 0.2493f, 0.2489f},
- {0.4555f, 0.4498f, 0.4332f, 0.4092f, 0.3819f, 0.3558f, 0.3328f, 0.3124f, 0.2943f, 0.279f, 0.2669f, 0.2581f,
-  0.2521f, 0.2486f, 0.2468f, 0.2465f},
- {0.4033f, 0.3986f, 0.3857f, 0.367f, 0.3449f, 0.3224f, 0.3022f, 0.2855f, 0.2722f, 0.2618f, 0.2539f, 0.2483f,
-  0.2447f, 0.2426f, 0.2418f, 0.242f},
- {0.3659f, 0.3618f, 0.351f, 0.3356f, 0.3172f, 0.298f, 0.2801f, 0.2649f, 0.2531f, 0.2446f, 0.2388f, 0.2353f,
-  0.2335f, 0.2329f, 0.2333f, 0.2345f},
- {0.3393f, 0.3353f, 0.3255f, 0.3118f, 0.2959f, 0.2791f, 0.2631f, 0.2489f, 0.2375f, 0.2291f, 0.2235f,
-  0.2204f, 0.2192f, 0.2195f, 0.2208f, 0.2227f},
- {0.3202f, 0.316f, 0.3066f, 0.2938f, 0.2791f, 0.2637f, 0.2488f, 0.2353f, 0.2239f, 0.2151f, 0.2088f, 0.2049f,
-  0.2031f, 0.2031f, 0.2043f, 0.2064f},
- {0.3064f, 0.3018f, 0.2923f, 0.2796f, 0.2653f, 0.2505f, 0.2361f, 0.2229f, 0.2113f, 0.2018f, 0.1944f,
-  0.1892f, 0.186f, 0.1846f, 0.1847f, 0.1861f},
- {0.2963f, 0.2914f, 0.2813f, 0.2682f, 0.2536f, 0.2388f, 0.2243f, 0.2109f, 0.1989f, 0.1886f, 0.1801f,
-  0.1734f, 0.1685f, 0.1652f, 0.1635f, 0.163f},
- {0.2889f, 0.2836f, 0.2725f, 0.2586f, 0.2434f, 0.2279f, 0.213f, 0.199f, 0.1864f, 0.1752f, 0.1655f, 0.1574f,
-  0.1508f, 0.1456f, 0.1418f, 0.1391f},
- {0.2834f, 0.2775f, 0.2653f, 0.2503f, 0.2341f, 0.2178f, 0.202f, 0.1872f, 0.1737f, 0.1616f, 0.1509f, 0.1415f,
-  0.1334f, 0.1265f, 0.1208f, 0.1161f},
- {0.2793f, 0.2727f, 0.2593f, 0.243f, 0.2256f, 0.2081f, 0.1913f, 0.1755f, 0.1611f, 0.148f, 0.1363f, 0.1259f,
-  0.1166f, 0.1085f, 0.1014f, 0.0951f},
- {0.2762f, 0.2688f, 0.2541f, 0.2363f, 0.2175f, 0.1987f, 0.1808f, 0.164f, 0.1486f, 0.1346f, 0.1221f, 0.1109f,
-  0.1008f, 0.0919f, 0.084f, 0.0769f},
- },
  {
  {0.9999f, 0.9599f, 0.856f, 0.7252f, 0.6025f, 0.5074f, 0.4438f, 0.4066f, 0.3881f, 0.3812f, 0.3806f, 0.3827f,
   0.3854f, 0.3876f, 0.389f, 0.3895f},
@@ -253,8 +218,6 @@ inline constexpr float high_dielectric[high_ior_count][alpha_count][cosine_count
 
 /// The same of light from all directions: rows as the layers above, columns as the rows.
 inline constexpr float average_high_dielectric[high_ior_count][alpha_count] = {
- {0.2761f, 0.276f, 0.275f, 0.2722f, 0.267f, 0.2598f, 0.2502f, 0.2384f, 0.2245f, 0.2088f, 0.1915f, 0.1734f,
-  0.1551f, 0.1371f, 0.1201f, 0.1043f},
  {0.3911f, 0.391f, 0.3902f, 0.3878f, 0.3827f, 0.3753f, 0.3645f, 0.3503f, 0.3323f, 0.311f, 0.2869f, 0.2609f,
   0.2342f, 0.2077f, 0.1823f, 0.1587f},
  {0.5303f, 0.5302f, 0.5296f, 0.5275f, 0.5224f, 0.5144f, 0.5018f, 0.4839f, 0.4607f, 0.4323f, 0.3997f,

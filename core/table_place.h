@@ -35,6 +35,15 @@ float at(const float (*table)[rows][count], TablePlace z, TablePlace y, TablePla
 /// The fourth root of the reflectance along the normal, relative to that of an ior of 3.
 inline float root_of_ior(float ior) { return std::sqrt(std::max(0.0f, 2 * (ior - 1) / (ior + 1))); }
 
+/// Which tables are those of a boundary to an index of refraction, relative to that in front, and between
+/// which of their layers it lies.
+struct BoundaryPlace {
+  bool is_out;  ///< Of the denser medium.
+  TablePlace layer;
+
+  BoundaryPlace(float eta, int count) : is_out(eta < 1), layer(root_of_ior(is_out ? 1 / eta : eta), count) {}
+};
+
 /// Where losses stand for a direction: they depend on how its cosine compares with alpha, mostly.
 inline TablePlace place_of_angle(float cosine, float alpha, int count) {
   return {std::sqrt(cosine * (1 + alpha) / std::max(cosine + alpha, 1e-6f)), count};

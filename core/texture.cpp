@@ -17,7 +17,8 @@ namespace {
 /// Numbers beyond which conversions to int are not used.
 constexpr double most_int = 0x1p30;
 
-/// The greatest whole number that is not above x; the library's function where it matters little.
+/// The greatest whole number that is not above x: std::floor, which is a call where the machine is any of
+/// x86-64.
 double floor_of(double x) {
   if (!(std::fabs(x) < most_int)) return std::floor(x);
   const int toward_zero = int(x);

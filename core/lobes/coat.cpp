@@ -19,22 +19,7 @@ Coat::Coat(float ior, const Ggx& facets)
       alpha_(facets.mean_alpha()),
       facets_(facets),
       rough_reflectance_(alpha_, ior_),
-      average_reflectance_(rough_reflectance_.average()) {
-  if (!facets.has_one_alpha()) average_reflectance_ += average_change();
-}
-
-float Coat::average_change() const {
-  // A quarter of the hemisphere, by midpoints of equal parts.
-  constexpr int rings = 6, around = 4;
-  float sum = 0;
-  for (int i = 0; i < rings; ++i)
-    for (int j = 0; j < around; ++j) {
-      const float sin2 = (float(i) + 0.5f) / rings, sine = std::sqrt(sin2), cosine = std::sqrt(1 - sin2);
-      const SinCos angle = sincos_turns((float(j) + 0.5f) / (4 * around));
-      sum += reflectance(Vec3{sine * angle.cos, sine * angle.sin, cosine}) - reflectance(cosine);
-    }
-  return sum / (rings * around);
-}
+      average_reflectance_(rough_reflectance_.average()) {}
 
 float Coat::reflectance(const Vec3& w) const {
   if (is_smooth_ || facets_.has_one_alpha()) return reflectance(w.z);

@@ -28,7 +28,8 @@ class Coat {
   float transmittance(const Vec3& w) const { return 1 - reflectance(w); }
   /// The same of facets with mean_alpha(), for all directions of a cosine.
   float reflectance(float cosine) const;
-  /// The same of light from all directions above.
+  /// The same of light from all directions above. Of facets of two alphas that of mean_alpha(), which differs
+  /// by up to 0.006.
   float average_reflectance() const { return average_reflectance_; }
   /// The part of light from all directions below that is reflected back down, most of it totally.
   float average_reflectance_below() const { return 1 - (1 - average_reflectance_) / (ior_ * ior_); }
@@ -44,9 +45,6 @@ class Coat {
   Vec3 sample(const Vec3& wo, Vec2 u) const;
 
  private:
-  /// How much more than reflectance(cosine) is reflected on average.
-  float average_change() const;
-
   bool is_smooth_;
   float ior_, alpha_;
   Ggx facets_;

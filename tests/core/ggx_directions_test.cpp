@@ -61,6 +61,16 @@ TEST_CASE("what facets of two alphas lose along a direction is tabulated within 
   CHECK(sum < 0.3 * of_one_alpha);
 }
 
+TEST_CASE("beside the horizon losses of facets of two alphas are within the stated error") {
+  for (const Ggx& facets : {Ggx(1.0f, 0.001f), Ggx(1.0f, 0.087f), Ggx(0.029f, 0.48f), Ggx(0.5f, 0.1f)})
+    for (const float cosine : {0.02f, 0.05f, 0.09f})
+      for (const float turn : {0.0f, 0.06f, 0.125f, 0.225f, 0.25f}) {
+        const Vec3 wo = direction(cosine, turn);
+        CAPTURE(facets.alpha_x(), facets.alpha_y(), cosine, turn);
+        CHECK(std::fabs(MultipleScattering(facets).loss(wo) - exact_loss(facets, wo, 100)) <= 0.13);
+      }
+}
+
 TEST_CASE("facets of two alphas lose on average what they lose along all directions") {
   for (const Ggx& facets : brushed) {
     CAPTURE(facets.alpha_x(), facets.alpha_y());

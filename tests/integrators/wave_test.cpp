@@ -189,8 +189,22 @@ Scene scene_of_many_lights() {
   return scene;
 }
 
+/// Texture coordinates for every other mesh; the others have the weights of their hits.
+void add_uvs(Scene& scene) {
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  Random random(50);
+  for (std::size_t i = 0; i < shapes.size(); i += 2)
+    if (auto* const mesh = std::get_if<Mesh>(&shapes[i])) {
+      mesh->uv_indices = mesh->triangles;
+      mesh->uvs.resize(mesh->positions.size());
+      for (Vec2& uv : mesh->uvs) uv = {random.unit(), random.unit()};
+    }
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+}
+
 /// The same, every input of every material by a texture, and meshes that emit by a picture.
 Scene textured(Scene scene, TextureFilter filter) {
+  add_uvs(scene);
   const ImageTexture image{
       std::make_shared<const MipMap>(*random_square()), WrapMode::repeat, filter, {{{7, 1, 0}, {0, 5, 0}}}};
   scene.textures = {{"", ConstantTexture{{0.2f, 0.6f, 0.9f}}},

@@ -2,6 +2,7 @@
 """Defects in core/lobes/ and what they stand on."""
 from mutant import Mutant
 
+HIGH_INDICES = "what dielectric facets of a high index reflect is tabulated within the stated error"
 MITSUBA_CONDUCTORS = "rough conductors are Mitsuba's, but for light that meets several facets"
 COATED_FURNACE = "a coated white surface passes the furnace"
 BRUSHED = "what facets of two alphas lose along a direction is tabulated within the stated error"
@@ -63,7 +64,21 @@ MUTANTS = [
            "if (!facets.has_one_alpha()) average_loss_ =", "if (false) average_loss_ =", "test_core",
            "facets of two alphas lose on average what they lose along all directions"),
     Mutant("what rough glass loses out of it is tabulated as into it", "core/ggx_directions.cpp",
-           "is_out(eta < 1)", "is_out(false)", "test_core", BRUSHED_BOUNDARY),
+           "boundary_loss_change[place.is_out];\n  const float",
+           "boundary_loss_change[0];\n  const float", "test_core", BRUSHED_BOUNDARY),
+    Mutant("averages of two alphas go by the larger share", "core/ggx_directions.cpp",
+           "2 * std::min(x, y) / (x + y)", "2 * std::max(x, y) / (x + y)", "test_core",
+           "facets of two alphas lose on average what they lose along all directions"),
+    Mutant("a coat's facets are as wide along its normal as along x", "core/microfacet.h",
+           "z = mean_alpha() * w.z;", "z = x_ * w.z;", "test_core",
+           "a white surface below a coat of two alphas passes the furnace"),
+    Mutant("high indices begin with another layer", "core/ggx_albedo.cpp",
+           "return i == 0 ? tables::dielectric[last] :", "return i == 0 ? tables::dielectric[last - 1] :",
+           "test_core", HIGH_INDICES),
+    Mutant("averages of high indices begin with another layer", "core/ggx_albedo.cpp",
+           "return i == 0 ? tables::average_dielectric[last] :",
+           "return i == 0 ? tables::average_dielectric[last - 1] :", "test_core",
+           HIGH_INDICES),
     Mutant("facets of two alphas have no skew", "core/microfacet.h", "skew * skew};", "0};", "test_core",
            BRUSHED_BOUNDARY),
     Mutant("below a coat facets of two alphas scatter as those of their mean",

@@ -71,7 +71,7 @@ MUTANTS = [
            "transmittance_ * ((1 - fresnel_dielectric(std::min(1.0f, cos_o), eta_)) * facets * geometry)",
            "test_core", COLOURS),
     Mutant("facets of an index above 3 reflect as those of 3", "core/ggx_albedo.cpp",
-           "is_high(ior > tables::least_high_ior)", "is_high(false)",
+           "is_high_(ior > least_high_ior)", "is_high_(false)",
            "test_core", "a white principled surface passes the furnace within what its layers' fits lose"),
     Mutant("older files without films are refused", "io/exchange/entry.h",
            "if (entry_.has(key)) (*this)(key, member, valid...);", "(*this)(key, member, valid...);",
