@@ -32,7 +32,9 @@ set(private_headers
   accel/canonical/load_ray-inl.h
   accel/canonical/moller_trumbore.h
   accel/canonical/nearest.h
+  accel/canonical/packet_test-inl.h
   accel/canonical/primitive_block.h
+  accel/canonical/ray_packet-inl.h
   accel/canonical/shape_test.h
   accel/canonical/slab.h
   accel/canonical/sphere.h
@@ -70,6 +72,7 @@ set(private_headers
   accel/wide/node.h
   accel/wide/occlusion.h
   accel/wide/open_leaves-inl.h
+  accel/wide/packets-inl.h
   accel/wide/queries-inl.h
   accel/wide/scalar.h
   accel/wide/scalar_query.h

@@ -40,22 +40,12 @@ struct NodePlanes : PlaneLanes {
   static std::uint32_t children(const Node&) { return ~0u; }
 };
 
-/// A ray in the form that the box test needs: in lanes, with its octant as places of rows in a node.
-class BoxRay : PlaneLanes {
+/// The test of a node's boxes. Self has near_at(axis, planes) and far_at(axis, planes): at which t planes
+/// across an axis are met where they are the near ones, or the far ones.
+template <typename Self>
+class BoxTest : protected PlaneLanes {
  public:
-  HWY_ATTR HWY_INLINE explicit BoxRay(const CheckedRay& ray)
-      : t_min_(hn::Set(IntTag(), std::bit_cast<std::int32_t>(ray.t_min + 0.0f))) {
-    for (int axis = 0; axis < 3; ++axis) {
-      near_origin_[axis] = hn::Set(Tag(), ray.near_origin[axis]);
-      far_origin_[axis] = hn::Set(Tag(), ray.far_origin[axis]);
-      near_inverse_[axis] = hn::Set(Tag(), ray.near_inverse[axis]);
-      far_inverse_[axis] = hn::Set(Tag(), ray.far_inverse[axis]);
-      near_row_[axis] = std::size_t(2 * axis + ray.is_negative[axis]) * WideNode::width;
-      far_row_[axis] = near_row_[axis] ^ WideNode::width;
-    }
-  }
-
-  /// Bit i: the ray intersects the box of child i within [t_min, t_max], at entries[i], which is never -0.
+  /// Bit i: the box of child i is met within [t_min, t_max], first at entries[i], which is never -0.
   template <typename Node>
   HWY_ATTR HWY_INLINE std::uint32_t intersect(const Node& node, float t_max, float* entries) const {
     const Lanes exit_limit = hn::Set(Tag(), t_max);
@@ -74,23 +64,57 @@ class BoxRay : PlaneLanes {
     return met & NodePlanes<Node>::children(node);
   }
 
+ protected:
+  HWY_ATTR HWY_INLINE explicit BoxTest(float t_min)
+      : t_min_(hn::Set(IntTag(), std::bit_cast<std::int32_t>(t_min + 0.0f))) {}
+  /// By the sign of the direction's component.
+  HWY_ATTR HWY_INLINE void set_rows(int axis, bool is_negative) {
+    near_row_[axis] = std::size_t(2 * axis + is_negative) * WideNode::width;
+    far_row_[axis] = near_row_[axis] ^ WideNode::width;
+  }
+
  private:
   using IntTag = hn::RebindToSigned<Tag>;
 
   template <typename Node>
   HWY_ATTR HWY_INLINE Lanes near_at(const Node& node, int axis, std::size_t first) const {
     const Lanes planes = NodePlanes<Node>::load(node, axis, near_row_[axis] + first);
-    return hn::Mul(hn::Sub(planes, near_origin_[axis]), near_inverse_[axis]);
+    return static_cast<const Self&>(*this).near_at(axis, planes);
   }
   template <typename Node>
   HWY_ATTR HWY_INLINE Lanes far_at(const Node& node, int axis, std::size_t first) const {
     const Lanes planes = NodePlanes<Node>::load(node, axis, far_row_[axis] + first);
+    return static_cast<const Self&>(*this).far_at(axis, planes);
+  }
+
+  hn::Vec<IntTag> t_min_;
+  std::size_t near_row_[3], far_row_[3];  ///< Where in a node's planes they are.
+};
+
+/// A ray in the form that the box test needs: in lanes, with its octant as places of rows in a node.
+class BoxRay : public BoxTest<BoxRay> {
+ public:
+  HWY_ATTR HWY_INLINE explicit BoxRay(const CheckedRay& ray) : BoxTest(ray.t_min) {
+    for (int axis = 0; axis < 3; ++axis) {
+      near_origin_[axis] = hn::Set(Tag(), ray.near_origin[axis]);
+      far_origin_[axis] = hn::Set(Tag(), ray.far_origin[axis]);
+      near_inverse_[axis] = hn::Set(Tag(), ray.near_inverse[axis]);
+      far_inverse_[axis] = hn::Set(Tag(), ray.far_inverse[axis]);
+      set_rows(axis, ray.is_negative[axis] != 0);
+    }
+  }
+
+ private:
+  friend BoxTest;
+
+  HWY_ATTR HWY_INLINE Lanes near_at(int axis, Lanes planes) const {
+    return hn::Mul(hn::Sub(planes, near_origin_[axis]), near_inverse_[axis]);
+  }
+  HWY_ATTR HWY_INLINE Lanes far_at(int axis, Lanes planes) const {
     return hn::Mul(hn::Sub(planes, far_origin_[axis]), far_inverse_[axis]);
   }
 
   Lanes near_origin_[3], far_origin_[3], near_inverse_[3], far_inverse_[3];
-  hn::Vec<IntTag> t_min_;
-  std::size_t near_row_[3], far_row_[3];  ///< Where in a node's planes they are.
 };
 
 }  // namespace twinray::HWY_NAMESPACE

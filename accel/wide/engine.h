@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Private: the hand-written eight-wide BVHs as accelerators.
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <utility>
@@ -36,12 +38,24 @@ class WideAccelerator final : public Accelerator {
   }
   void closest_batch(std::span<const Ray> rays, Hit* answers) const noexcept override {
     const bool is_cached = bvh_.bytes() <= cached_bytes;
-    (is_cached ? kernel_.closest_in_turn : kernel_.closest_batch)(bvh_, geometry(), rays, answers);
+    const auto singly = is_cached ? kernel_.closest_in_turn : kernel_.closest_batch;
+    // Where no packet is found, twice as many rays as the last time are traced before the next is looked for.
+    std::size_t apart = 0;
+    while (!rays.empty()) {
+      const std::size_t together = kernel_.closest_in_packets(bvh_, geometry(), rays, answers);
+      apart = together > 0 ? least_apart : std::max(2 * apart, least_apart);
+      const std::size_t count = std::min(apart, rays.size() - together);
+      singly(bvh_, geometry(), rays.subspan(together, count), answers + together);
+      rays = rays.subspan(together + count);
+      answers += together + count;
+    }
   }
   void any_batch(std::span<const Ray> rays, std::uint8_t* answers) const noexcept override {
     const bool is_cached = bvh_.bytes() <= cached_bytes;
     (is_cached ? kernel_.any_in_turn : kernel_.any_batch)(bvh_, geometry(), rays, answers);
   }
+
+  static constexpr std::size_t least_apart = 32;
 
   BasicWideKernel<Tree> kernel_;  ///< Chosen once, not for each ray.
   Tree bvh_;

@@ -2,6 +2,7 @@
 // Private: the traversals of the eight-wide BVH: one for each instruction set, and a scalar one, their
 // oracle. All give the same bits.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -28,6 +29,9 @@ struct BasicWideKernel {
   /// The same of many rays, several at a time.
   void (*closest_batch)(const Tree&, const Geometry&, std::span<const Ray>, Hit* hits, Counts...);
   void (*any_batch)(const Tree&, const Geometry&, std::span<const Ray>, std::uint8_t* hits, Counts...);
+  /// The closest hits of the first rays, sixteen at a time, as long as they run close together; how many rays
+  /// that are. Their bits are those of closest().
+  std::size_t (*closest_in_packets)(const Tree&, const Geometry&, std::span<const Ray>, Hit* hits, Counts...);
   /// The bits of load_ray().
   bool (*load)(const Ray&, CheckedRay&);
   /// The box test alone. Bit i: the ray intersects the box of child i within [ray.t_min, t_max]; it enters it

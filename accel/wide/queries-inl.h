@@ -19,6 +19,7 @@
 #include "accel/wide/batch-inl.h"
 #include "accel/wide/instanced-inl.h"
 #include "accel/wide/kernel.h"
+#include "accel/wide/packets-inl.h"
 #include "accel/wide/stack-inl.h"
 #include "core/instruction_sets.h"
 
@@ -277,6 +278,7 @@ BasicWideKernel<typename Queries::Tree, Counts&...> kernel() {
           any_in_turn<Queries, Counts...>,
           closest_batch<Queries, Counts...>,
           any_batch<Queries, Counts...>,
+          closest_in_packets<Queries, Counts...>,
           load,
           intersect_boxes<typename Queries::Tree::Node>};
 }

@@ -3,6 +3,7 @@
 // test, the nearest child first. It is the oracle of the fast kernels, and it counts.
 #pragma once
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -41,9 +42,8 @@ template <typename Tree>
 class ScalarKernel {
  public:
   static BasicWideKernel<Tree> kernel() {
-    return {"scalar",      closest,   any,
-            closest_batch, any_batch, closest_batch,
-            any_batch,     load_ray,  intersect_children<typename Tree::Node>};
+    return {"scalar",      closest,   any,        closest_batch, any_batch,
+            closest_batch, any_batch, no_packets, load_ray,      intersect_children<typename Tree::Node>};
   }
 
  private:
@@ -62,6 +62,7 @@ class ScalarKernel {
                         std::uint8_t* hits) {
     for (const Ray& ray : rays) *hits++ = any(bvh, geometry, ray);
   }
+  static std::size_t no_packets(const Tree&, const Geometry&, std::span<const Ray>, Hit*) { return 0; }
 };
 
 }  // namespace twinray
