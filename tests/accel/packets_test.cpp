@@ -92,6 +92,36 @@ void compare_all(const Kernels& kernels, const Build& build) {
   }
 }
 
+/// A grid of eight by eight squares in the plane z = 0, around the origin.
+Mesh square_grid() {
+  Mesh grid;
+  for (int x = 0; x < 9; ++x)
+    for (int y = 0; y < 9; ++y) grid.positions.push_back({float(x - 4), float(y - 4), 0});
+  for (std::uint32_t x = 0; x < 8; ++x)
+    for (std::uint32_t y = 0; y < 8; ++y) {
+      const std::uint32_t a = x * 9 + y;
+      grid.triangles.push_back({a, a + 9, a + 10});
+      grid.triangles.push_back({a, a + 10, a + 1});
+    }
+  return grid;
+}
+
+/// Rays through and just beside a corner of the grid, `farthest` squares from its middle at most, along an
+/// axis or askew, from one place or from many.
+Bundle towards_corner(Random& random, int number, float distance, int farthest) {
+  const Vec3 corner{float(random.between(-farthest, farthest)), float(random.between(-farthest, farthest)),
+                    0};
+  const Vec3 away = number % 2 == 0 ? Vec3{0, 0, 1} : Vec3{random.unit(), random.unit(), 1};
+  const Vec3 origin = corner + away * distance;
+  const float beside = std::max(0x1p-20f, distance * 0x1p-24f);  // What rounding may move a ray by.
+  Bundle rays;
+  for (int k = 0; k < packet_size; ++k) {
+    const Vec3 side = k % 4 == 0 ? Vec3{} : random.in_cube(beside * float(1 + random.below(3)));
+    rays.push_back({.origin = number % 3 == 0 ? origin + side : origin, .direction = corner + side - origin});
+  }
+  return rays;
+}
+
 /// Two triangles one behind the other, far beyond the rays below.
 std::shared_ptr<const Geometry> two_walls() {
   Mesh mesh;
@@ -137,37 +167,34 @@ TEST_CASE("each ray of a packet has the hit that it has alone in a compact tree"
 }
 
 TEST_CASE("packets along edges, through corners and beside boxes miss nothing") {
-  // A grid of squares: bundles around its corners, seen along the axes and askew, from near and far.
-  Mesh grid;
-  for (int x = 0; x < 9; ++x)
-    for (int y = 0; y < 9; ++y) grid.positions.push_back({float(x - 4), float(y - 4), 0});
-  for (std::uint32_t x = 0; x < 8; ++x)
-    for (std::uint32_t y = 0; y < 8; ++y) {
-      const std::uint32_t a = x * 9 + y;
-      grid.triangles.push_back({a, a + 9, a + 10});
-      grid.triangles.push_back({a, a + 10, a + 1});
-    }
-  const auto geometry = share({grid});
+  const auto geometry = share({square_grid()});
   const WideBvh bvh = build_wide(*geometry);
   for (const WideKernel& kernel : wide_kernels()) {
     if (kernel.name == "scalar") continue;
     CAPTURE(kernel.name);
     Random random(5);
     Seen seen;
-    for (int i = 0; i < 2000; ++i) {
-      const Vec3 corner{float(random.below(7) - 3), float(random.below(7) - 3), 0};
-      const float distance = std::ldexp(1.0f, random.between(-3, 6));
-      const Vec3 away = i % 2 == 0 ? Vec3{0, 0, 1} : Vec3{random.unit(), random.unit(), 1};
-      Bundle rays;
-      for (int k = 0; k < packet_size; ++k) {
-        const Vec3 side = k % 4 == 0 ? Vec3{} : random.in_cube(0x1p-20f * float(1 + random.below(3)));
-        const Vec3 origin = corner + away * distance;
-        rays.push_back({.origin = i % 3 == 0 ? origin + side : origin, .direction = corner + side - origin});
-      }
-      seen.ask(kernel, bvh, *geometry, rays);
-    }
+    for (int i = 0; i < 2000; ++i)
+      seen.ask(kernel, bvh, *geometry, towards_corner(random, i, std::ldexp(1.0f, random.between(-3, 6)), 3));
     CHECK(seen.packets > 200);
     CHECK(seen.hits == seen.packets * packet_size);
+  }
+}
+
+TEST_CASE("packets from far away hit what their rays hit by rounding") {
+  const auto geometry = share({square_grid()});
+  const WideBvh bvh = build_wide(*geometry);
+  for (const WideKernel& kernel : wide_kernels()) {
+    if (kernel.name == "scalar") continue;
+    CAPTURE(kernel.name);
+    Random random(6);
+    Seen seen;
+    for (int i = 0; i < 4000; ++i)
+      seen.ask(kernel, bvh, *geometry,
+               towards_corner(random, i, std::ldexp(1.0f, random.between(18, 26)), 4));
+    CHECK(seen.packets > 200);
+    CHECK(seen.hits > 200);
+    CHECK(seen.hits < seen.packets * packet_size);
   }
 }
 

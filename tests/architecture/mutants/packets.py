@@ -9,6 +9,7 @@ TREE = "accel/wide/packets-inl.h"
 
 ALONE = "each ray of a packet has the hit that it has alone"
 EDGES = "packets along edges, through corners and beside boxes miss nothing"
+FAR = "packets from far away hit what their rays hit by rounding"
 STEPS = "a packet of equal rays takes the steps of one"
 LEFT = "what is no packet is left alone"
 PARTED = "a packet whose rays part is given up"
@@ -32,7 +33,7 @@ MUTANTS = [
            TARGET, ALONE),
     Mutant("a packet's boxes have no margin for its origins", RAYS,
            "const float reach = sizes.largest() * slab_margin;", "const float reach = 0;",
-           TARGET, STEPS),
+           TARGET, FAR),
     Mutant("a packet's float test leaves no doubt", TEST,
            "hn::Set(Floats(), edge_margin)", "hn::Set(Floats(), -edge_margin)",
            TARGET, EDGES),
