@@ -9,7 +9,7 @@ TREE = "accel/wide/packets-inl.h"
 
 ALONE = "each ray of a packet has the hit that it has alone"
 EDGES = "packets along edges, through corners and beside boxes miss nothing"
-FAR = "packets from far away hit what their rays hit by rounding"
+BOUNDS = "the bounds of equal rays are those of one"
 STEPS = "a packet of equal rays takes the steps of one"
 LEFT = "what is no packet is left alone"
 PARTED = "a packet whose rays part is given up"
@@ -33,7 +33,7 @@ MUTANTS = [
            TARGET, ALONE),
     Mutant("a packet's boxes have no margin for its origins", RAYS,
            "const float reach = sizes.largest() * slab_margin;", "const float reach = 0;",
-           TARGET, FAR),
+           TARGET, BOUNDS),
     Mutant("a packet's float test leaves no doubt", TEST,
            "hn::Set(Floats(), edge_margin)", "hn::Set(Floats(), -edge_margin)",
            TARGET, EDGES),
@@ -47,6 +47,10 @@ MUTANTS = [
            "        test_triangle(rays, block, std::countr_zero(left));\n    }\n    find_latest();\n",
            "        test_triangle(rays, block, std::countr_zero(left));\n    }\n",
            TARGET, STEPS),
+    Mutant("the least origin of a packet is its first one", RAYS,
+           "      least_ = first == 0 ? lanes : hn::Min(least_, lanes);\n",
+           "      if (first == 0) least_ = lanes;\n",
+           TARGET, "a packet knows of each ray what it is alone, and bounds of all"),
     Mutant("a packet may have directions of other signs", RAYS,
            "lanes_of(hn::MaskFromVec(hn::BitCast(Floats(), sign))) != signs", "signs > all_lanes",
            TARGET, LEFT),
