@@ -42,7 +42,7 @@ std::string biases_of(const PathOptions& path) {
 
 }  // namespace
 
-ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vector<std::string>& words) {
+ImageMetadata option_metadata(const RenderArguments& arguments, const std::vector<std::string>& words) {
   ImageMetadata metadata{{"Software", version_name()},
                          {"twinray:scene", arguments.scene},
                          {"twinray:options", shell_text(words)},
@@ -52,6 +52,11 @@ ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vect
                          {"twinray:filter", filter_text(arguments.render.filter)}};
   if (const std::string biases = biases_of(arguments.path); !biases.empty())
     metadata.emplace_back("twinray:biased_by", biases);
+  return metadata;
+}
+
+ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vector<std::string>& words) {
+  ImageMetadata metadata = option_metadata(arguments, words);
   if (console::speaker() != "twinray") metadata.emplace_back("twinray:program", console::speaker());
   if (const char* time = std::getenv("SOURCE_DATE_EPOCH"); time && *time)
     metadata.emplace_back("DateTime", time_stamp(time));

@@ -10,9 +10,12 @@
 
 namespace twinray {
 
-/// What is stored in every picture of a render: the program, the words of its command line, and the time that
-/// the environment's SOURCE_DATE_EPOCH states, if it does, so that the same command gives the same bytes.
-/// Throws Error where that is not a time.
+/// The program, the words of a command line, and what these ask for.
+ImageMetadata option_metadata(const RenderArguments& arguments, const std::vector<std::string>& words);
+
+/// What is stored in every picture of a render: the above, the program's name where it is another, and the
+/// time that the environment's SOURCE_DATE_EPOCH states, if it does, so that the same command gives the same
+/// bytes. Throws Error where that is not a time.
 ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vector<std::string>& words);
 
 /// What is said of a render's picture: metadata, and the frame with the camera that sees it.

@@ -13,7 +13,7 @@
 #include "cli/resources.h"
 #include "cli/sandbox/child.h"
 #include "cli/sandbox/sandbox.h"
-#include "cli/verify/claim.h"
+#include "cli/verify/claim_check.h"
 #include "cli/verify/tile_check.h"
 #include "cli/version.h"
 #include "core/error.h"
@@ -166,6 +166,9 @@ int verify_command(const VerifyArguments& asked) {
   RenderTalk nobody;
   const LoadedScene loaded = load_for_render(arguments, nobody);
   check_inputs(asked, claim, arguments);
+  check_claim(asked.picture, picture.metadata, claim, arguments);
+  if (const std::string doubt = engine_doubt(claim, *loaded.scene.geometry); !doubt.empty())
+    console::warn(fmt::format("{}: {}", asked.picture, doubt));
   choose_engine(*loaded.scene.geometry, arguments);
   check_memory(memory_needs(arguments.backend, arguments.build, loaded.scene.geometry->primitive_count()));
   const PixelRect window = window_of(arguments.render);

@@ -118,6 +118,48 @@ TEST_CASE("one pixel that was changed is found, and where it is") {
   CHECK(contains(result.out, "Same bits      8 of 9 tiles"));
 }
 
+TEST_CASE("what a picture says beside its command must be what that asks for") {
+  const TemporaryFolder folder;
+  const auto verify_with = [&](const std::string& words, const char* name, const std::string& value) {
+    render(scenes + "box.dae", "-s 2 --seed=7 --crop 0 0 16 16 -o " + file_in(folder, "a.exr") + words);
+    StoredLayers picture = read_layers(folder.file("a.exr"));
+    const std::size_t channels = picture.channels.size();
+    const auto fill_row = [&](int y, std::span<float> values) {
+      std::copy_n(picture.values.begin() + std::ptrdiff_t(std::size_t(y) * 16 * channels), values.size(),
+                  values.begin());
+    };
+    if (value.empty())
+      std::erase_if(picture.metadata, [&](const auto& entry) { return entry.first == name; });
+    else
+      set_value(picture.metadata, name, value);
+    write_exr(folder.file("b.exr"), LayeredImage{16, 16, picture.channels, fill_row}, picture.metadata,
+              picture.frame);
+    return verify(file_in(folder, "b.exr"));
+  };
+  const auto refused = [&](const std::string& words, const char* name, const std::string& value) {
+    const ProcessResult result = verify_with(words, name, value);
+    CHECK(result.exit_code == 1);
+    const std::size_t begin = result.err.find("b.exr: ");
+    return begin == std::string::npos ? result.err : result.err.substr(begin);
+  };
+  CHECK(verify_with(" --clamp=2", "twinray:seed", "7").exit_code == 0);
+  CHECK(refused("", "twinray:seed", "8") == "b.exr: its twinray:seed is 8, and its command asks for 7\n");
+  CHECK(refused("", "twinray:seed", "") == "b.exr: its twinray:seed is none, and its command asks for 7\n");
+  CHECK(refused("", "twinray:filter", "box:0.5") ==
+        "b.exr: its twinray:filter is box:0.5, and its command asks for blackman-harris:1.5\n");
+  CHECK(contains(refused("", "twinray:scene", "other.dae"), "its twinray:scene is other.dae, and its "));
+  CHECK(refused(" --clamp=2", "twinray:biased_by", "") ==
+        "b.exr: its twinray:biased_by is none, and its command asks for clamp 2\n");
+  CHECK(refused("", "twinray:biased_by", "clamp 2") ==
+        "b.exr: its twinray:biased_by is clamp 2, and its command asks for none\n");
+  CHECK(refused(" --accel=brute-force", "twinray:engine", "bvh") ==
+        "b.exr: its twinray:engine is bvh, and its command asks for brute-force\n");
+  CHECK(verify_with(" --accel=bvh", "twinray:engine", "brute-force, bvh").exit_code == 0);  // Merged.
+  const ProcessResult doubtful = verify_with("", "twinray:engine", "brute-force");
+  CHECK(doubtful.exit_code == 0);
+  CHECK(contains(doubtful.err, "b.exr: its twinray:engine is brute-force, and --accel=auto chooses "));
+}
+
 TEST_CASE("a channel that was taken away is found, and a place that is another") {
   const TemporaryFolder folder;
   render(scenes + "box.dae", "-s 4 --crop 7 3 30 20 -o " + file_in(folder, "a.exr"));
