@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/options/common.h"
 
+#include "accel/engines.h"
 #include "cli/console.h"
 #include "cli/sandbox/sandbox.h"
 
@@ -34,6 +35,13 @@ void add_resolution(OptionGroup& group, int& width, int& height, const std::stri
 
 void add_view(OptionGroup& group, View& view) {
   group.add_choice("--view", view, views, "As the file's camera sees it, or all of it");
+}
+
+Choices<std::string> engine_choices() {
+  Choices<std::string> choices{{"auto", "auto"}};
+  for (const Backend backend : available_backends())
+    choices.emplace_back(backend_name(backend), backend_name(backend));
+  return choices;
 }
 
 void add_instances(OptionGroup& group, LoadOptions& load) {

@@ -34,6 +34,8 @@ inline constexpr Range<int> thread_counts{1, 1024};
 void add_resolution(OptionGroup& group, int& width, int& height, const std::string& description);
 void add_view(OptionGroup& group, View& view);
 void add_threads(OptionGroup& group, int& threads);
+/// The engines that --accel may name: auto, which leaves it to the scene, and those of this build.
+Choices<std::string> engine_choices();
 /// --instances: what becomes of shapes that a scene file shows more than once.
 void add_instances(OptionGroup& group, LoadOptions& load);
 /// That option for the end of a command line, behind a space; empty for the default.

@@ -7,10 +7,9 @@ namespace {
 
 constexpr Range<double> costs{1e-6, 1e6};
 
-Choices<std::string> engine_choices() {
-  Choices<std::string> choices{{"auto", "auto"}};
-  for (const Backend backend : available_backends())
-    choices.emplace_back(backend_name(backend), backend_name(backend));
+/// A render's engine, or that two are asked for each ray.
+Choices<std::string> accel_choices() {
+  Choices<std::string> choices = engine_choices();
   choices.emplace_back("check", "check");
   return choices;
 }
@@ -38,7 +37,7 @@ Choices<std::string> simd_choices() {
 }
 
 void add_engine_choice(OptionGroup& group, RenderRequest& request) {
-  group.add_choice<std::string>("--accel", request.accel, engine_choices(), words_of(engine_choices(), ", "),
+  group.add_choice<std::string>("--accel", request.accel, accel_choices(), words_of(accel_choices(), ", "),
                                 "NAME");
   group.add_choice<std::string>(
       "--check-with", request.check_with, check_choices(),

@@ -34,7 +34,8 @@ void add_options(CLI::App& app, VerifyArguments& arguments, std::string& sandbox
                    arguments.tiles, tile_counts);
   group.add_number({"--seed", "N", "Which tiles (others each time)"}, arguments.seed, seeds);
   group.add_word({"--scene", "FILE", "Where the scene is now (as the picture says)"}, arguments.scene);
-  group.add_word({"--accel", "NAME", "The engine (another one than made the picture)"}, arguments.accel);
+  group.add_choice<std::string>("--accel", arguments.accel, engine_choices(),
+                                "The engine (another one than made the picture)", "NAME");
   add_threads(group, arguments.threads);
   add_sandbox(group, "Read the folders of the picture and of --scene, and these", sandbox);
   add_limits(group, "End after so many seconds", arguments.limits);

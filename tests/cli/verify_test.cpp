@@ -160,6 +160,12 @@ TEST_CASE("what a picture says beside its command must be what that asks for") {
   CHECK(contains(doubtful.err, "b.exr: its twinray:engine is brute-force, and --accel=auto chooses "));
 }
 
+TEST_CASE("verify takes the engines that render one picture alone") {
+  const ProcessResult result = verify("a.png --accel=check");
+  CHECK(result.exit_code == 2);
+  CHECK(contains(result.err, "--accel: there is no \"check\"; valid are auto, "));
+}
+
 TEST_CASE("a channel that was taken away is found, and a place that is another") {
   const TemporaryFolder folder;
   render(scenes + "box.dae", "-s 4 --crop 7 3 30 20 -o " + file_in(folder, "a.exr"));
