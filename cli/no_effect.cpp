@@ -407,11 +407,15 @@ std::vector<std::string> options_without_effect(const SceneSummary& summary,
   std::vector<std::string> found;
   if (arguments.load.time && !summary.animation)
     found.push_back("--time: no effect, for nothing in the scene moves");
-  if (arguments.load.instances == InstanceUse::keep && summary.instances == 0)
+  const InstanceUse use = arguments.load.instances;
+  if (summary.instances == 0 &&
+      (use == InstanceUse::keep || (use == InstanceUse::copy && summary.repeated == 0)))
     found.push_back("--instances: no effect, for the scene's file shows nothing by instances");
-  if (arguments.load.instances == InstanceUse::copy && summary.instances > 0)
+  if (use == InstanceUse::copy && summary.instances > 0)
     found.push_back(
         "--instances: no effect, for generated scenes and the exchange form keep their instances");
+  if (arguments.load.keep_both_lamps && is_collada(arguments.scene) && !summary.has_double_lamps)
+    found.push_back("--keep-both-lamps: no effect, for the scene has no lamp that is given twice");
   return found;
 }
 

@@ -37,6 +37,8 @@ struct SceneSummary {
   std::size_t meshes = 0, triangles = 0, dropped_triangles = 0, spheres = 0, materials = 0;
   std::size_t prototypes = 0, instances = 0;  ///< The shapes of prototypes count once above.
   std::uint64_t seen_primitives = 0;          ///< Triangles and spheres, as often as instances show them.
+  std::size_t repeated = 0;                   ///< What the file shows more than once, as instances or copies.
+  bool has_double_lamps = false;              ///< One of two was left out, or would be (io/collada/lamp.h).
   std::vector<LightSummary> lights;
   std::vector<std::string> notes;  ///< Decisions of the reader, such as the one-lamp rule.
 };

@@ -96,11 +96,11 @@ LoadedScene read_document(ColladaDocument& document, const PictureReader& read_p
   check_node_tree(visual_scene, document);
   nodes.walk(visual_scene, turn_to_y_up(space.up_axis));
   if (nodes.parts.shapes.empty()) document.warn(visual_scene, "the scene has no shapes");
-  if (!document.options().keep_both_lamps) merge_lamps(nodes.parts);
-  add_rectangles(nodes.parts, materials);
-
   LoadedScene loaded;
   SceneSummary& summary = loaded.summary;
+  summary.has_double_lamps = has_double_lamps(nodes.parts);
+  if (!document.options().keep_both_lamps) merge_lamps(nodes.parts);
+  add_rectangles(nodes.parts, materials);
   summary.notes = nodes.parts.notes;
   if (!nodes.hidden.empty()) summary.notes.push_back(hidden_note(nodes.hidden));
   if (const auto names = names_among(nodes.without_attenuation, nodes.parts.lights); !names.empty())
@@ -123,6 +123,7 @@ LoadedScene read_document(ColladaDocument& document, const PictureReader& read_p
   summary.unit_meters = space.unit_meters;
   summary.up_axis = space.up_axis;
   summary.dropped_triangles = nodes.dropped_triangles();
+  summary.repeated = nodes.repeated();
   count_scene(loaded.scene, summary);
   loaded.warnings = document.warnings();
   return loaded;

@@ -64,23 +64,31 @@ Plane plane_of(const AreaLight& light) {
   return {(light.corners[0] + light.corners[2]) * 0.5f, normalize(x), normalize(y), normalize(cross(y, x))};
 }
 
-bool merge_area_light(const AreaLight& light, SceneParts& parts) {
+/// The mesh of a part that emits; null: it is none.
+const Mesh* lamp_of(const ScenePart& part) {
+  return emits(part.glow) ? std::get_if<Mesh>(&part.shape) : nullptr;
+}
+
+/// Whether the part is an area light's lamp, on one side.
+bool is_lamp_of(const AreaLight& light, const ScenePart& part) {
   const Plane plane = plane_of(light);
-  for (ScenePart& part : parts.shapes) {
-    const Mesh* mesh = std::get_if<Mesh>(&part.shape);
-    if (!mesh || !emits(part.glow) || !coincide(light, *mesh, plane)) continue;
-    const EmissionSide side = side_towards(*mesh, plane.normal);
-    if (side == EmissionSide::both) continue;
-    part.glow.radiance = light.radiance;
-    part.glow.side = side;
-    parts.notes.push_back(
-        fmt::format("one lamp: the area light \"{}\" and the emissive mesh \"{}\" coincide; the mesh is the "
-                    "lamp, with the area "
-                    "light's color and side",
-                    light.name, mesh->name));
-    return true;
-  }
-  return false;
+  const Mesh* mesh = lamp_of(part);
+  return mesh && coincide(light, *mesh, plane) && side_towards(*mesh, plane.normal) != EmissionSide::both;
+}
+
+bool merge_area_light(const AreaLight& light, SceneParts& parts) {
+  const auto part = std::find_if(parts.shapes.begin(), parts.shapes.end(),
+                                 [&](const ScenePart& each) { return is_lamp_of(light, each); });
+  if (part == parts.shapes.end()) return false;
+  const Mesh& mesh = std::get<Mesh>(part->shape);
+  part->glow.radiance = light.radiance;
+  part->glow.side = side_towards(mesh, plane_of(light).normal);
+  parts.notes.push_back(
+      fmt::format("one lamp: the area light \"{}\" and the emissive mesh \"{}\" coincide; the mesh is the "
+                  "lamp, with the area "
+                  "light's color and side",
+                  light.name, mesh.name));
+  return true;
 }
 
 /// The plane of a flat mesh's first triangle; none where it has no triangle.
@@ -115,20 +123,31 @@ bool lies_in(const Vec3& point, const Mesh& mesh) {
          lies_within(point, mesh, plane->normal);
 }
 
-bool merge_point_light(const Light& light, SceneParts& parts) {
+bool is_lamp_of(const Light& light, const ScenePart& part) {
   const auto* point = std::get_if<PointLight>(&light.source);
-  if (!point) return false;
-  for (const ScenePart& part : parts.shapes) {
-    const Mesh* mesh = std::get_if<Mesh>(&part.shape);
-    if (!mesh || !emits(part.glow) || !lies_in(point->position, *mesh)) continue;
-    parts.notes.push_back(
-        fmt::format("one lamp: the point light \"{}\" lies within the emissive mesh \"{}\"; the mesh is the "
-                    "lamp, and the point "
-                    "light is left out",
-                    light.name, mesh->name));
-    return true;
-  }
-  return false;
+  const Mesh* mesh = lamp_of(part);
+  return point && mesh && lies_in(point->position, *mesh);
+}
+
+bool merge_point_light(const Light& light, SceneParts& parts) {
+  const auto part = std::find_if(parts.shapes.begin(), parts.shapes.end(),
+                                 [&](const ScenePart& each) { return is_lamp_of(light, each); });
+  if (part == parts.shapes.end()) return false;
+  parts.notes.push_back(
+      fmt::format("one lamp: the point light \"{}\" lies within the emissive mesh \"{}\"; the mesh is the "
+                  "lamp, and the point "
+                  "light is left out",
+                  light.name, std::get<Mesh>(part->shape).name));
+  return true;
+}
+
+/// Whether one of the lights has its lamp among the parts.
+template <typename AnyLight>
+bool has_lamp(const std::vector<AnyLight>& lights, const std::vector<ScenePart>& parts) {
+  return std::any_of(lights.begin(), lights.end(), [&](const AnyLight& light) {
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const ScenePart& part) { return is_lamp_of(light, part); });
+  });
 }
 
 }  // namespace
@@ -136,6 +155,10 @@ bool merge_point_light(const Light& light, SceneParts& parts) {
 void merge_lamps(SceneParts& parts) {
   std::erase_if(parts.area_lights, [&](const AreaLight& light) { return merge_area_light(light, parts); });
   std::erase_if(parts.lights, [&](const Light& light) { return merge_point_light(light, parts); });
+}
+
+bool has_double_lamps(const SceneParts& parts) {
+  return has_lamp(parts.area_lights, parts.shapes) || has_lamp(parts.lights, parts.shapes);
 }
 
 }  // namespace twinray

@@ -16,4 +16,7 @@ namespace twinray {
 /// mesh of that kind coincides with it too (CBempty.dae): there the mesh keeps its own color.
 void merge_lamps(SceneParts& parts);
 
+/// Whether it would leave out a light.
+bool has_double_lamps(const SceneParts& parts);
+
 }  // namespace twinray

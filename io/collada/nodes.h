@@ -28,6 +28,7 @@ class ColladaNodes {
   void walk(const XmlElement& visual_scene, const Transform& to_world);
 
   std::size_t dropped_triangles() const { return shapes_.dropped_triangles; }
+  std::size_t repeated() const { return shapes_.repeated; }
 
   SceneParts parts;
   std::vector<ColladaCamera> cameras;

@@ -50,12 +50,16 @@ ColladaShapes::Key ColladaShapes::key_of(const Shown& shown) {
   return key;
 }
 
+bool ColladaShapes::can_be_shared(const Shown& shown) const {
+  return !is_cs184() && !shown.shape->parts.empty();
+}
+
 void ColladaShapes::place_all() {
   std::map<Key, std::size_t> times;
-  for (const Shown& shown : shown_) ++times[key_of(shown)];
+  for (const Shown& shown : shown_) repeated += ++times[key_of(shown)] == 2 && can_be_shared(shown);
   for (const Shown& shown : shown_) {
     const bool is_stored_once =
-        !is_cs184() && !shown.shape->parts.empty() &&
+        can_be_shared(shown) &&
         are_stored_once(document_.options().instances, triangles_of(*shown.shape), times[key_of(shown)]);
     if (is_stored_once && can_place(shown.to_world))
       place_instance(shown);

@@ -28,6 +28,7 @@ class ColladaShapes {
   void place_all();
 
   std::size_t dropped_triangles = 0;
+  std::size_t repeated = 0;  ///< Shapes that are shown more than once, and could be instances.
 
   static constexpr std::size_t max_triangles = std::size_t(1) << 28;
 
@@ -50,6 +51,8 @@ class ColladaShapes {
 
   bool is_cs184() const { return document_.options().interpretation == Interpretation::cs184; }
   static Key key_of(const Shown& shown);
+  /// Whether it may be one of many instances.
+  bool can_be_shared(const Shown& shown) const;
   void place(const Shown& shown);
   void place_instance(const Shown& shown);
   /// What it shares with others like it: made where it is seen first.

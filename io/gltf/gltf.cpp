@@ -36,6 +36,7 @@ class Builder {
     set_camera(loaded);
     add_notes();
     loaded.summary.dropped_triangles = shapes_.dropped_triangles;
+    loaded.summary.repeated = shapes_.repeated;
     count_scene(loaded.scene, loaded.summary);
     return loaded;
   }

@@ -69,9 +69,11 @@ std::set<int> GltfShapes::shared_meshes() {
   for (const Shown& shown : shown_)
     if (shown.deformation.is_none()) times[shown.mesh] += shown.to_world.size();
   std::set<int> shared;
-  for (const auto& [mesh, count] : times)
+  for (const auto& [mesh, count] : times) {
+    repeated += count > 1;
     if (are_stored_once(document_.context().options.instances, triangles_of(mesh), count))
       shared.insert(mesh);
+  }
   return shared;
 }
 

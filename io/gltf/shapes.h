@@ -32,6 +32,7 @@ class GltfShapes {
   std::vector<Instance> instances;  ///< Of the parts' prototypes.
   std::vector<std::string> assets;
   std::size_t dropped_triangles = 0, replaced_normals = 0;
+  std::size_t repeated = 0;  ///< Meshes that are shown more than once, and could be instances.
 
   static constexpr std::size_t max_triangles = std::size_t(1) << 28;
 

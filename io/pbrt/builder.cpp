@@ -308,6 +308,7 @@ LoadedScene PbrtBuilder::finish(float exposure) {
       cut_out(std::move(placed_.shapes), scene.bindings, scene.textures, std::move(instancing)));
   check_scene(scene);
   loaded.summary.dropped_triangles = account_.dropped_triangles;
+  for (const auto& [name, object] : objects_) loaded.summary.repeated += object.shown.size() > 1;
   if (account_.replaced_normals > 0)
     context_.notes.push_back(
         fmt::format("{} shading normals have no direction; those of their triangles stand for them",

@@ -70,6 +70,12 @@ TEST_CASE("what --instances may be, and where it has no effect") {
   CHECK(run_program("generated:woods:10" + copied).err.find("--instances: no effect, for generated scenes") !=
         std::string::npos);
   CHECK(run_program(quoted(pawns) + copied).err.find("no effect") == std::string::npos);
+  const std::string nothing = "--instances: no effect, for the scene's file shows nothing by instances";
+  const std::string sources = TWINRAY_SOURCE_DIR;
+  for (const std::string& scene : {box_scene, sources + "/scenes/table.gltf", sources + "/scenes/blocks.obj",
+                                   sources + "/scenes/materials.pbrt"})
+    CHECK(run_program(quoted(scene) + copied).err.find(nothing) != std::string::npos);
+  CHECK(run_program(quoted(box_scene) + " --strict" + copied).exit_code == 2);
 }
 
 TEST_CASE("statistics count the instances that rays enter") {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "cli/no_effect.h"
 #include "cli/render_command_line.h"
 #include "tests/support/catch.h"
 
@@ -77,6 +78,15 @@ TEST_CASE("the furnace takes a depth and no light, ambient occlusion a distance"
   CHECK_THROWS_WITH(parse_light({"--integrator=ambient-occlusion", "--ao-distance=0"}),
                     "--ao-distance: \"0\" is not a number from 1e-12 to inf");
   CHECK(std::isinf(parse_light({"--integrator=ambient-occlusion", "--ao-distance=inf"}).occlusion_distance));
+}
+
+TEST_CASE("both lamps are kept where there are two, and else that has no effect") {
+  SceneSummary summary;
+  CHECK(options_without_effect(summary, parse_light({"--keep-both-lamps"})) ==
+        Words{"--keep-both-lamps: no effect, for the scene has no lamp that is given twice"});
+  CHECK(options_without_effect(summary, parse_light({})).empty());
+  summary.has_double_lamps = true;
+  CHECK(options_without_effect(summary, parse_light({"--keep-both-lamps"})).empty());
 }
 
 }  // namespace twinray::test

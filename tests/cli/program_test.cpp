@@ -370,7 +370,8 @@ TEST_CASE("what only some files and cameras have is an option without effect for
         "warning: --keep-both-lamps: no effect, for the scene is no COLLADA file\n");
   CHECK(warnings("blocks.obj", "--attenuation=file") ==
         "warning: --attenuation: no effect, for the scene is no COLLADA file\n");
-  CHECK(warnings("box.dae", "--keep-both-lamps").empty());
+  CHECK(warnings("box.dae", "--keep-both-lamps") ==
+        "warning: --keep-both-lamps: no effect, for the scene has no lamp that is given twice\n");
   CHECK(warnings("materials.pbrt", "--projection=fisheye --aperture-blades=5") ==
         "warning: --aperture-blades: no effect, for panoramas have no lens\n");
 }

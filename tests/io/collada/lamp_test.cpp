@@ -52,6 +52,7 @@ TEST_CASE("where an area light and an emissive mesh coincide the mesh is the lam
               "one lamp: the area light \"Area\" and the emissive mesh \"mesh\" coincide; the mesh "
               "is the lamp, with the area light's color and side"});
     CHECK(loaded.warnings.empty());
+    CHECK(loaded.summary.has_double_lamps);
   }
 }
 
@@ -64,6 +65,7 @@ TEST_CASE("lamps that do not coincide are both kept") {
     CHECK(loaded.scene.lights.size() == 2);
     CHECK(std::get<MeshLight>(loaded.scene.lights[0].source).side == EmissionSide::both);
     CHECK(loaded.summary.notes.empty());
+    CHECK_FALSE(loaded.summary.has_double_lamps);
   }
 }
 
@@ -75,14 +77,20 @@ TEST_CASE("a point light within an emissive mesh is left out, and the mesh keeps
         std::vector<std::string>{
             "one lamp: the point light \"Area\" lies within the emissive mesh \"mesh\"; the mesh is "
             "the lamp, and the point light is left out"});
+  CHECK(loaded.summary.has_double_lamps);
+  CHECK_FALSE(load_collada(lamp_scene("0 0 1.48", down, point)).summary.has_double_lamps);
   CHECK(load_collada(lamp_scene("0 0 1.48", down, point)).scene.lights.size() == 2);
   CHECK(load_collada(lamp_scene("0.5 0 1.49", down, point)).scene.lights.size() == 2);
 }
 
 TEST_CASE("on request both lamps are kept") {
   const LoadOptions keep{.keep_both_lamps = true};
-  CHECK(load_collada(lamp_scene("0 0 1.49", down, area_lamp), keep).scene.lights.size() == 2);
-  CHECK(load_collada(lamp_scene("0 0 1.49", down, point), keep).scene.lights.size() == 2);
+  for (const std::string& light : {area_lamp, point}) {
+    const LoadedScene loaded = load_collada(lamp_scene("0 0 1.49", down, light), keep);
+    CHECK(loaded.scene.lights.size() == 2);
+    CHECK(loaded.summary.has_double_lamps);
+  }
+  CHECK_FALSE(load_collada(lamp_scene("0 0 1.48", down, point), keep).summary.has_double_lamps);
 }
 
 }  // namespace twinray

@@ -52,6 +52,11 @@ TEST_CASE("a geometry that nodes share is stored once, but for what emits") {
   CHECK(kept.scene.geometry->bounds() == copied.scene.geometry->bounds());
   CHECK(kept.scene.geometry->instances()[1].to_world.point({1, 0, 0}) == Vec3{3, 0, 0});
   CHECK(load(twice, InstanceUse::automatic).summary.instances == 0);
+  for (const InstanceUse use : {InstanceUse::automatic, InstanceUse::keep, InstanceUse::copy}) {
+    CHECK(load(twice, use).summary.repeated == 1);
+    CHECK(load(twice + twice, use).summary.repeated == 1);
+    CHECK(load(node(""), use).summary.repeated == 0);
+  }
 }
 
 TEST_CASE("instances have one material, and each other binding is a prototype of its own") {

@@ -213,6 +213,8 @@ TEST_CASE("gltf: what EXT_mesh_gpu_instancing shows lies within its node, copied
   const LoadedScene kept = file.load(keep);
   CHECK(kept.summary.meshes == 1);
   REQUIRE(kept.summary.instances == 2);
+  CHECK(kept.summary.repeated == 1);
+  CHECK(loaded.summary.repeated == 1);
   CHECK(kept.scene.geometry->bounds().upper == loaded.scene.geometry->bounds().upper);
   CHECK(kept.scene.geometry->instances()[1].to_world.point({1, 0, 0}) == Vec3{2, 0, 12});
   CHECK(asset_of(kept.scene, 0) == 0);

@@ -191,6 +191,8 @@ TEST_CASE("an object that is shown often is stored once, but for what emits") {
   const Geometry& geometry = *kept.scene.geometry;
   CHECK(kept.summary.instances == 2);
   CHECK(kept.summary.prototypes == 1);
+  CHECK(kept.summary.repeated == 1);
+  CHECK(copied.summary.repeated == 1);
   CHECK(kept.summary.seen_primitives == 7);
   CHECK(geometry.direct_shapes() == ShapeRange{0, 3});  // One beside the object, and its light twice.
   CHECK(geometry.prototypes() == std::vector<ShapeRange>{{3, 2}});
