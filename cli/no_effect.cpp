@@ -231,10 +231,22 @@ std::string needs_display(const Asked& asked) {
   return arguments.integrator == IntegratorKind::cost ? "for --integrator=cost shows no light" : "";
 }
 
+/// Whether camera rays or paths are made in lanes. A scene may have another number of samples.
+bool makes_samples_in_lanes(const Asked& asked) {
+  const RenderArguments& arguments = asked.arguments;
+  if (arguments.replay) return false;
+  const bool is_wave =
+      arguments.integrator == IntegratorKind::path || arguments.integrator == IntegratorKind::direct;
+  return is_wave || arguments.render.samples > 1 || has_defaults(arguments.scene);
+}
+
 std::string needs_lanes(const Asked& asked) {
-  return asked.arguments.is_auto || asked.is_wide() || asked.has(Backend::embree)
-             ? ""
-             : "for the engine has no code for it; embree, and bvh of width 8, have";
+  if (asked.arguments.is_auto || asked.is_wide() || asked.has(Backend::embree)) return "";
+  if (makes_samples_in_lanes(asked)) return "";
+  return asked.arguments.replay
+             ? "for neither --replay nor the engine has code for it; embree, and bvh of width 8, have"
+             : fmt::format("for neither the engine nor one sample a pixel of --integrator={} has code for it",
+                           integrator_name(asked.arguments.integrator));
 }
 
 std::string needs_native(const Asked& asked) {

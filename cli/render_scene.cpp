@@ -115,7 +115,7 @@ std::unique_ptr<Integrator> make_integrator(const RenderArguments& arguments, co
     return std::make_unique<FurnaceIntegrator>(scene, arguments.path.max_depth);
   if (arguments.integrator == IntegratorKind::path_reference)
     return std::make_unique<PathReference>(scene, arguments.path);
-  return std::make_unique<PathIntegrator>(scene, arguments.path);
+  return std::make_unique<PathIntegrator>(scene, arguments.path, arguments.render.simd);
 }
 
 }  // namespace twinray

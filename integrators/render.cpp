@@ -62,8 +62,10 @@ class Renderer {
         options_(options),
         report_(progress),
         camera_(fit_frame(scene.camera, options.width, options.height)),
-        camera_stage_(camera_, {options.width, options.height, options.samples, options.sampler, options.seed,
-                                options.filter}),
+        camera_stage_(
+            camera_,
+            {options.width, options.height, options.samples, options.sampler, options.seed, options.filter},
+            options.simd),
         camera_interiors_(scene, accelerator, camera_),
         visible_pixels_(pixels_with_light(scene, camera_, accelerator.bounds(), options)),
         range_(samples_of(options)),

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/film.h"
@@ -69,6 +70,8 @@ struct RenderOptions {
   std::uint64_t seed = 0;
   int threads = 0;        ///< 0: as many as the process may use.
   bool counting = false;  ///< Count what each ray does in the accelerator; slower.
+  /// Of the lanes that make camera rays: one of available_instruction_sets(). It changes no bit.
+  std::string simd = "best";
   /// If set, gets the rays of each sample once it is done: from any thread, those of one pixel one after the
   /// other.
   std::function<void(const PixelSample&, std::span<const RecordedRay>)> observe;

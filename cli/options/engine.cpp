@@ -52,7 +52,8 @@ void add_bvh_options(OptionGroup& group, RenderRequest& request) {
   group.add_choice<std::optional<int>>(
       "--bvh-width", request.bvh_width, {{"2", 2}, {"8", 8}},
       fmt::format("bvh: children of a node ({}; 2 to count)", build.bvh_width));
-  group.add_choice<std::string>("--simd", build.simd, simd_choices(), "bvh of width 8, leaves of embree");
+  group.add_choice<std::string>("--simd", build.simd, simd_choices(),
+                                "Of paths, bvh of width 8, leaves of embree");
   group.add_choice<BvhQuality>(
       "--bvh-quality", build.bvh_quality,
       {{"fast", BvhQuality::fast}, {"medium", BvhQuality::medium}, {"high", BvhQuality::high}},
@@ -185,6 +186,7 @@ std::string engine_name(const RenderArguments& arguments) {
 
 void resolve_engine(const RenderRequest& request, RenderArguments& arguments) {
   arguments.build.threads = arguments.render.threads;
+  arguments.render.simd = arguments.build.simd;
   choose_backend(request, arguments);
   check_builder(arguments);
   choose_cost(request.cost, arguments);

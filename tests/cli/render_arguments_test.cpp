@@ -78,21 +78,6 @@ TEST_CASE("the bvh is eight wide, but two wide for counts, unless a width is nam
         "--max-leaf-size: a BVH of width 8 has leaves of up to 4; --bvh-width=2 takes more");
 }
 
-TEST_CASE("the instruction set is that of the wide bvh, and a wrong one names the right ones") {
-  CHECK(parse({}).build.simd == "best");
-  CHECK(parse({"--accel=bvh", "--simd=scalar"}).build.simd == "scalar");
-  for (const Backend backend : available_backends())
-    if (backend == Backend::embree) CHECK(parse({"--accel=embree", "--simd=scalar"}).build.simd == "scalar");
-  for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"--simd=scalar", "--accel=brute-force"},
-        {"--simd=scalar", "--accel=bvh", "--bvh-width=2"},
-        {"--simd=scalar", "--accel=bvh", "--count"}})
-    CHECK(no_effect(words) ==
-          "--simd: no effect, for the engine has no code for it; embree, and bvh of width 8, have");
-  CHECK(message_of({"--accel=bvh", "--simd=none"}).find("--simd: there is no \"none\"; valid are best, ") ==
-        0);
-}
-
 TEST_CASE("check renders by the bvh and names the engine that it is checked with") {
   CHECK_FALSE(parse({}).check_with);
   const RenderArguments usual = parse({"--accel=check", "--bvh-split=mean"});
