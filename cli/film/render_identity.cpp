@@ -30,9 +30,10 @@ bool is_among(const std::string_view (&options)[count], const std::string& name)
   return std::find(std::begin(options), std::end(options), name) != std::end(options);
 }
 
-/// Whether the option's word says what holds without it, too. A scene file may have another number of
-/// bounces.
+/// Whether the option's word says what holds without it, too, or makes the same samples: path-reference is
+/// path. A scene file may have another number of bounces.
 bool is_default(const RenderArguments& arguments, const std::string& name) {
+  if (name == "--integrator" && arguments.integrator == IntegratorKind::path_reference) return true;
   if (name == "--max-depth" && has_defaults(arguments.scene)) return false;
   return std::find(arguments.given_defaults.begin(), arguments.given_defaults.end(), name) !=
          arguments.given_defaults.end();

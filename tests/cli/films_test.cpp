@@ -171,6 +171,38 @@ TEST_CASE("an option whose value is its default changes no samples: films go wit
   check_says(told_error("resume " + film("a.ck") + " -q --seed=1"), "it was made without --seed 1");
 }
 
+TEST_CASE("films of path and of path-reference merge and go on, with the name of the first") {
+  const TemporaryFolder folder;
+  const auto film = [&](const std::string& name) { return quoted(folder.file(name)); };
+  const auto part = [&](const std::string& name, const std::string& more) {
+    run_well(box_words("--of=8 --layers=normal,light " + more + " -o " + film(name)));
+  };
+  part("a.film", "--sample-range=0:4 --integrator=path-reference");
+  part("b.film", "--sample-range=4:8");
+  part("c.film", "--sample-range=4:8 --integrator=path");
+  run_well(box_words("-s 8 --layers=normal,light -o " + film("whole.exr")));
+  for (const auto& [first, second] : {std::pair("a.film", "b.film"), {"c.film", "a.film"}}) {
+    run_well(fmt::format("merge -q {} {} -o {}", film(first), film(second), film("m.exr")));
+    const StoredLayers merged = read_layers(folder.file("m.exr"));
+    CHECK(merged.values == read_layers(folder.file("whole.exr")).values);
+    const std::string options = value_of(merged.metadata, "twinray:options");
+    CHECK((options.find("--integrator=path-reference") != options.npos) == (first[0] == 'a'));
+  }
+  for (const auto& [begun, further] : {std::pair("path-reference", "path"), {"path", "path-reference"}}) {
+    const auto words = [&](int samples, const char* integrator) {
+      return box_words(fmt::format("-s {} --integrator={} --checkpoint={} --resume -o {}", samples,
+                                   integrator, film(std::string(begun) + ".ck"), film("r.pfm")));
+    };
+    run_well(words(4, begun));
+    run_well(words(8, further));
+    run_well(box_words("-s 8 -o " + film("w.pfm")));
+    CHECK(read_text(folder.file("r.pfm")) == read_text(folder.file("w.pfm")));
+  }
+  part("d.film", "--sample-range=4:8 --integrator=direct");
+  check_says(told_error(fmt::format("merge {} {} -o {}", film("a.film"), film("d.film"), film("x.exr"))),
+             "it was made with --integrator direct");
+}
+
 TEST_CASE("where a scene file says how deep paths are, the default of --max-depth is an option like others") {
   const TemporaryFolder folder;
   const std::string scene = folder.file("a.pbrt"), film = quoted(folder.file("a.ck"));
