@@ -203,6 +203,17 @@ TEST_CASE("films of path and of path-reference merge and go on, with the name of
              "it was made with --integrator direct");
 }
 
+TEST_CASE("films with layers make no picture that cannot hold them, as a render does not") {
+  const TemporaryFolder folder;
+  const auto film = [&](const std::string& name) { return quoted(folder.file(name)); };
+  run_well(box_words("-s 2 --layers=normal -o " + film("a.film")));
+  const std::string reason = "--layers: " + folder.file("a.png") + " cannot hold layers; ";
+  check_says(told_error(box_words("-s 2 --layers=normal -o " + film("a.png"))), reason);
+  check_says(told_error(fmt::format("merge {} -o {}", film("a.film"), film("a.png"))), reason);
+  check_says(told_error(fmt::format("resume {} -s 4 -o {}", film("a.film"), film("a.png"))), reason);
+  CHECK_FALSE(fs::exists(folder.file("a.png")));
+}
+
 TEST_CASE("where a scene file says how deep paths are, the default of --max-depth is an option like others") {
   const TemporaryFolder folder;
   const std::string scene = folder.file("a.pbrt"), film = quoted(folder.file("a.ck"));
