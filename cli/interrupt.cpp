@@ -84,7 +84,8 @@ void take_signal(int signal_number) {
 
 }  // namespace
 
-InterruptGuard::InterruptGuard(const std::vector<std::string>& outputs, int early_code) {
+InterruptGuard::InterruptGuard(const std::vector<std::string>& outputs, int early_code)
+    : code_before_(exit_code_before) {
   for (const std::string& output : outputs)
     if (std::string path = temporary_path(output); !path.empty()) paths_.push_back(std::move(path));
   if (!paths_.empty()) unfinished_paths = &paths_;
@@ -102,7 +103,7 @@ InterruptGuard::InterruptGuard(const std::vector<std::string>& outputs, int earl
 InterruptGuard::~InterruptGuard() {
   for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
   unfinished_paths = nullptr;
-  exit_code_before = 0;
+  exit_code_before = code_before_;
 }
 
 StopRequest::StopRequest() {

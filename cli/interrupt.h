@@ -12,7 +12,7 @@ namespace twinray {
 /// While it lives, Ctrl-C (SIGINT), SIGTERM, the end of the terminal (SIGHUP) and of the CPU time that is
 /// allowed (SIGXCPU) or of all time (SIGALRM) end the program at once, with a message and exit code 130, 143,
 /// 129, 152 or 142, after removing the unfinished files; whatever stood at the outputs' places stays. A
-/// signal that the program was started to ignore is ignored. One at a time.
+/// signal that the program was started to ignore is ignored. One within the life of another takes its place.
 class InterruptGuard {
  public:
   /// `early_code`, if not 0, is the exit code of a program that ends at once. Throws Error for a name that
@@ -25,6 +25,7 @@ class InterruptGuard {
  private:
   static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGALRM};
   std::vector<std::string> paths_;  ///< Where unfinished files are.
+  int code_before_;                 ///< The early code of the one whose place it takes.
   std::array<struct sigaction, signals.size()> before_{};
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -13,9 +14,11 @@
 #include "cli/crosscheck/command.h"
 #include "cli/cs184/program.h"
 #include "cli/error/command.h"
+#include "cli/film/film_keeper.h"
 #include "cli/film/merge_command.h"
 #include "cli/film/resume_command.h"
 #include "cli/info_command.h"
+#include "cli/interrupt.h"
 #include "cli/options/options.h"
 #include "cli/plan/command.h"
 #include "cli/relight/command.h"
@@ -157,6 +160,15 @@ std::string usage_of(const std::string& name) {
   return fmt::format("twinray {0} {1} [options]; all options: twinray {0} --help", name, scene);
 }
 
+/// Whether the same words can be said again after an interruption, and nothing is lost: a render's with a
+/// checkpoint, and resume's.
+bool can_be_tried_again(const Words& words) {
+  if (words.empty()) return false;
+  if (words.front() == "resume") return true;
+  const bool is_of_render = words.front() == "render" || !is_subcommand(words.front());
+  return is_of_render && !word_of_option(words, {"--checkpoint"}).empty();
+}
+
 }  // namespace
 
 Invocation read_invocation(std::span<const char* const> arguments) {
@@ -178,6 +190,9 @@ Invocation read_invocation(std::span<const char* const> arguments) {
 
 int run_program(const Invocation& invocation) {
   Words words = invocation.words;
+  // Until the render has its own: options are to be understood first, and a film to be opened.
+  std::optional<InterruptGuard> guard;
+  if (can_be_tried_again(words)) guard.emplace(Words{}, try_again_code);
   if (invocation.is_cs184) return run_cs184(invocation.path, words);
   const bool is_of_render = words.empty() || !is_subcommand(words.front());
   if (is_of_render) words.insert(words.begin(), "render");

@@ -130,6 +130,20 @@ TEST_CASE("an interruption while the picture is written lets it be written") {
   }
 }
 
+TEST_CASE("an interruption while the film to go on with is opened says to try again") {
+  const TemporaryFolder folder;
+  const std::string film = folder.file("a.ck");
+  REQUIRE(run_program(fmt::format("{} -r 8 6 -s 2 -q -o {} --checkpoint={}", quoted(box_scene),
+                                  quoted(folder.file("a.png")), quoted(film)))
+              .exit_code == 0);
+  const std::string at_open =
+      "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD='" TWINRAY_AT_SYNC "' AT_OPEN=" + quoted(film);
+  const ProcessResult result = run_program("resume " + quoted(film), at_open);
+  CHECK(result.exit_code == 75);
+  CHECK(result.err == "twinray: ended by a signal\n");
+  CHECK(run_program("resume " + quoted(film) + " -q -s 4").exit_code == 0);
+}
+
 TEST_CASE("with a checkpoint an interruption before the first sample says to try again: nothing is lost") {
   for (const auto& [checkpoint, code] : {std::pair{"--checkpoint=", 75}, {"--stats=", 143}}) {
     CAPTURE(checkpoint);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loaded before the C library: what happens while the program writes a file. The environment's AT_WRITE says
-// what does when half of it is written, AT_SYNC what does when it is flushed, that is, when all of it is
-// written and nothing has been renamed: "fail", as a broken disk does, "interrupt", as Ctrl-C at that very
-// moment, "interrupt-once" at the first such moment alone, "terminate" (SIGTERM) or "kill" (SIGKILL).
+// Loaded before the C library: what happens while the program writes a file, or opens one. The environment's
+// AT_WRITE says what does when half of it is written, AT_SYNC what does when it is flushed, that is, when all
+// of it is written and nothing has been renamed: "fail", as a broken disk does, "interrupt", as Ctrl-C at
+// that very moment, "interrupt-once" at the first such moment alone, "terminate" (SIGTERM) or "kill"
+// (SIGKILL). AT_OPEN names a file: SIGTERM comes when a stream opens it.
+#include <dlfcn.h>
 #include <errno.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -32,6 +35,12 @@ bool is_output(int descriptor) {
 }
 
 }  // namespace
+
+extern "C" FILE* fopen64(const char* name, const char* mode) {
+  const char* chosen = getenv("AT_OPEN");
+  if (chosen && strcmp(chosen, name) == 0) raise(SIGTERM);
+  return reinterpret_cast<FILE* (*)(const char*, const char*)>(dlsym(RTLD_NEXT, "fopen64"))(name, mode);
+}
 
 extern "C" int fsync(int) { return fails("AT_SYNC") ? -1 : 0; }
 
