@@ -2,6 +2,8 @@
 """Defects in cli/."""
 from mutant import Mutant
 
+SETS = "paths and camera rays are made by the instruction set that is asked for, or none"
+
 MUTANTS = [
     Mutant("the pictures of lamps take no memory", "cli/scene_info.cpp",
            "operator()(const MeshLight& light) const { return light.picture.get(); }",
@@ -11,6 +13,18 @@ MUTANTS = [
            "(progress.seconds_before + elapsed_seconds) * (1 - done) / done",
            "(progress.seconds_before + elapsed_seconds) * done / (1 - done)",
            "test_cli", "progress says per cent, samples, speed, elapsed and remaining time"),
+    Mutant("paths are made by the best instruction set, whatever is asked for", "cli/render_scene.cpp",
+           "arguments.path, arguments.render.simd)", "arguments.path)",
+           "test_cli", SETS),
+    Mutant("camera rays are made by the best instruction set", "integrators/render.cpp",
+           "options.simd)", '"best")',
+           "test_cli", SETS),
+    Mutant("both lamps are kept where there is one", "cli/no_effect.cpp",
+           "&& !summary.has_double_lamps)", "&& false)", "test_cli",
+           "both lamps are kept where there are two, and else that has no effect"),
+    Mutant("copies are made where nothing is repeated", "cli/no_effect.cpp",
+           "summary.repeated == 0", "false", "test_cli_engines",
+           "what --instances may be, and where it has no effect"),
     Mutant("seconds are cut off, not rounded", "io/progress_line.cpp",
            "std::max(0.0, seconds) + 0.5",
            "std::max(0.0, seconds)",

@@ -4,6 +4,7 @@ from mutant import Mutant
 
 PIXEL = "one pixel that was changed is found, and where it is"
 SAME = "pictures are what their metadata say, in every format that keeps bits"
+BESIDE = "what a picture says beside its command must be what that asks for"
 CHANGED = "a scene that has changed since is named"
 REFUSED = "pictures of which nothing can be said are refused, each with the reason"
 WAYS = "no path of a scene leads out of its folder in a sandbox"
@@ -25,6 +26,10 @@ MUTANTS = [
            "render.samples = claim.samples;", "", "test_cli", SAME),
     Mutant("costs are those of another engine", "cli/verify/command.cpp",
            "arguments.integrator == IntegratorKind::cost ||", "", "test_cli", SAME),
+    Mutant("the seed that a picture says is not compared", "cli/verify/claim_check.cpp",
+           '"twinray:seed", ', "", "test_cli", BESIDE),
+    Mutant("any engine may have made a picture", "cli/verify/claim_check.cpp",
+           "if (!arguments.is_auto && !is_among(engine, claim.engine))", "if (false)", "test_cli", BESIDE),
     Mutant("files are not looked at", "cli/verify/command.cpp",
            "if (!difference.empty()) throw", "if (false) throw", "test_cli", CHANGED),
     Mutant("a file more is none", "cli/input_files.cpp",
