@@ -124,6 +124,7 @@ set(private_headers
   io/gltf/writer_material.h
   io/gltf/writer_texture.h
   io/gltf/writer_view.h
+  io/obj/colors.h
   io/obj/material.h
   io/obj/material_text.h
   io/obj/reader.h

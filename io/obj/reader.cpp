@@ -16,9 +16,9 @@
 #include <tuple>
 
 #include "core/geometry.h"
+#include "io/obj/colors.h"
 #include "io/obj/material_text.h"
 #include "io/obj/text.h"
-#include "io/picture/srgb.h"
 #include "io/picture_path.h"
 #include "io/polygon.h"
 #include "io/uri.h"
@@ -68,14 +68,6 @@ class Lines {
  public:
   std::istream stream;
 };
-
-/// The color of "v x y z r g b", linear: it is encoded as sRGB has it. Nothing where a line has no such
-/// numbers.
-std::optional<Rgb> vertex_color(const ObjNumbers& numbers) {
-  if (numbers.count != 6 || !numbers.end.empty()) return std::nullopt;
-  const auto linear = [&](std::size_t i) { return decode_srgb(std::clamp(numbers.values[i], 0.0f, 1.0f)); };
-  return Rgb{linear(3), linear(4), linear(5)};
-}
 
 /// Material files, from the folder of the file that names them.
 class MaterialFiles : public tinyobj::MaterialReader {
@@ -139,6 +131,7 @@ class Reader {
   Reader(const std::string& path, std::string_view file, std::string_view text, const ReadFile& read,
          WarningList& warnings)
       : path_(path),
+        text_(text),
         warnings_(warnings),
         lines_(path, file, text),
         material_files_(path, read, lines_, warnings) {}
@@ -149,6 +142,8 @@ class Reader {
     tinyobj::LoadObjWithCallback(lines_.stream, callbacks(), this, &material_files_, &warning, &error);
     if (model_.faces.empty()) throw Error(path_ + ": the file has no faces (\"f\")");
     check_indices();
+    add_painted(text_.size());
+    model_.colors = colors_.take(model_.positions.size(), model_.notes);
     model_.material_files = std::move(material_files_.files);
     return std::move(model_);
   }
@@ -197,7 +192,9 @@ class Reader {
   }
 
   void add_vertex() {
-    const ObjNumbers numbers = read_numbers(lines_.line());
+    const std::string_view line = lines_.line();
+    add_painted(std::size_t(line.data() - text_.data()));
+    const ObjNumbers numbers = read_numbers(line);
     if (numbers.count < 3 && !numbers.end.empty())
       fail(fmt::format("a coordinate that is no number: \"{}\"", numbers.end));
     if (numbers.count < 3) fail(fmt::format("a vertex of {} coordinates; valid are 3", numbers.count));
@@ -205,16 +202,17 @@ class Reader {
     if (!(max_abs(position) <= max_coordinate))
       fail(fmt::format("a coordinate lies beyond +-{:g}", max_coordinate));
     model_.positions.push_back(position);
-    add_color(numbers);
+    const bool has_color = colors_.add_vertex(model_.positions.size() - 1, numbers);
+    if (!has_color && numbers.count > 3 && numbers.values[3] != 1) model_.has_weights = true;
   }
 
-  /// What stands behind the coordinates: a weight or a color.
-  void add_color(const ObjNumbers& numbers) {
-    const std::optional<Rgb> color = vertex_color(numbers);
-    if (!color && numbers.count > 3 && numbers.values[3] != 1) model_.has_weights = true;
-    if (!color && model_.colors.empty()) return;
-    model_.colors.resize(model_.positions.size(), {1, 1, 1});
-    if (color) model_.colors.back() = *color;
+  /// Takes the lines of ZBrush's colors, which are comments, up to a place in the text.
+  void add_painted(std::size_t end) {
+    for (; painted_ < end; painted_ = text_.find(painted_mark, painted_ + 1)) {
+      const bool is_line = painted_ == 0 || text_[painted_ - 1] == '\n' || text_[painted_ - 1] == '\r';
+      if (is_line)
+        colors_.add_painted(text_.substr(painted_, text_.find_first_of("\r\n", painted_) - painted_));
+    }
   }
 
   void add_normal() {
@@ -308,12 +306,17 @@ class Reader {
       }
   }
 
+  static constexpr std::string_view painted_mark = "#MRGB ";
+
   const std::string& path_;
+  std::string_view text_;
   WarningList& warnings_;
   Lines lines_;
   MaterialFiles material_files_;
   ObjModel model_;
-  std::vector<Corner> corners_;  ///< Of the last face.
+  ObjColors colors_;
+  std::size_t painted_ = text_.find(painted_mark);  ///< Where ZBrush's next colors are.
+  std::vector<Corner> corners_;                     ///< Of the last face.
   std::string object_, group_;
   std::map<std::string, int> material_numbers_;  ///< By names without spaces around.
   int material_ = -1;

@@ -44,7 +44,7 @@ struct ObjModel {
   std::vector<std::string> material_files;  ///< Of each material.
   std::size_t small_faces = 0;              ///< Faces of less than three corners: left out.
   bool has_weights = false;                 ///< Behind the coordinates of vertices: left out.
-  std::vector<std::string> notes;           ///< Of what else is left out.
+  std::vector<std::string> notes;           ///< Of what else is left out or guessed.
 };
 
 /// The bytes of the file of a name, or an Error.

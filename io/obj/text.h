@@ -24,7 +24,7 @@ bool is_number(std::string_view word);
 
 /// The numbers of a line behind its keyword, up to the first word that is none.
 struct ObjNumbers {
-  std::array<float, 7> values{};  ///< Of more, the first seven. Infinite where one is too large.
+  std::array<float, 8> values{};  ///< Of more, the first eight. Infinite where one is too large.
   std::size_t count = 0;
   std::string_view end;  ///< The word that is no number; "": the line ends.
 };

@@ -127,4 +127,53 @@ TEST_CASE("colors behind an OBJ file's coordinates are those of its vertices, wh
   CHECK(textured.scene.geometry->mesh(0)->uvs == std::vector<Vec2>{{0, 0}});
 }
 
+TEST_CASE("colors of an OBJ file's vertices are bytes where no fractions of 1 can be meant") {
+  const auto load = [](const std::string& second) {
+    return load_obj_text("v 0 0 0 51 0 0\nv 1 0 0 " + second + "\nv 0 1 0 1 1 1\nf 1 2 3\n");
+  };
+  using Notes = std::vector<std::string>;
+  for (const char* second : {"0 255 0", "0 255.0 0", "127.5 255 0"}) {
+    CAPTURE(second);
+    const LoadedScene loaded = load(second);
+    check_near(color_at(loaded, 0, 0, 0), {decode_srgb(0.2f), 0, 0});
+    CHECK(color_at(loaded, 0, 1, 0).g == 1);
+    CHECK(loaded.summary.notes == Notes{"colors of vertices are taken for bytes: the largest number is 255"});
+  }
+  CHECK(load("0 300 0").summary.notes ==
+        Notes{"colors of vertices are taken for bytes: the largest number is 300",
+              "colors of vertices above 255 are taken as 255"});
+  // Brighter than white, as some programs write light.
+  const LoadedScene bright = load_obj_text("v 0 0 0 1.5 0.5 0\nv 1 0 0 0 2 0\nv 0 1 0 0 0 0\nf 1 2 3\n");
+  check_near(color_at(bright, 0, 0, 0), {1, decode_srgb(0.5f), 0});
+  CHECK(bright.summary.notes == Notes{"colors of vertices above 1 are taken as 1"});
+}
+
+TEST_CASE("an alpha behind the color of an OBJ file's vertex is left out, and told") {
+  const LoadedScene loaded = load_obj_text("v 0 0 0 1 0 0 0.5\nv 1 0 0 0 1 0 1\nv 0 1 0 0 0 1 1\nf 1 2 3\n");
+  check_near(color_at(loaded, 0, 0, 0), {1, 0, 0});
+  check_near(color_at(loaded, 0, 0, 1), {0, 0, 1});
+  CHECK(loaded.summary.notes ==
+        std::vector<std::string>{"alphas of vertices, behind their colors, are left out"});
+  const LoadedScene longer = load_obj_text("v 0 0 0 1 0 0 1 9\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  CHECK(longer.scene.textures.empty());
+}
+
+TEST_CASE("ZBrush's colors of an OBJ file are those of the vertices before them") {
+  const std::string square = "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  const LoadedScene loaded = load_obj_text(square +
+                                           "# as ZBrush writes #MRGB 11\n#MRGB ffff0000ff00FF00\r\n"
+                                           "#MRGB 000000ffffbcbcbc\nv 8 8 8\nf 2 3 4 5\n");
+  const Rgb grey = white * decode_srgb(188 / 255.0f);
+  check_near(color_at(loaded, 0, 0, 0), {1, 0, 0});
+  check_near(color_at(loaded, 0, 1, 0), {0, 1, 0});
+  check_near(color_at(loaded, 0, 0, 1), {0, 0, 1});
+  check_near(color_at(loaded, 1, 0, 1), grey);
+  CHECK(loaded.summary.notes.empty());
+  const LoadedScene beyond = load_obj_text(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+      "#MRGB ff0000ffff00ff00ff00ff00ffff0000\n");
+  check_near(color_at(beyond, 0, 0, 0), {0, 0, 1});
+  CHECK(beyond.summary.notes == std::vector<std::string>{"colors (\"#MRGB\") of no vertex, left out: 1"});
+}
+
 }  // namespace twinray::test
