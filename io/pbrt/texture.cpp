@@ -233,9 +233,18 @@ PbrtTextures::Named PbrtTextures::inverted(const Named& from) {
 const PbrtTextures::Named& PbrtTextures::named(const PbrtParameters& parameters,
                                                const PbrtParameter& parameter, PictureChannels kind) const {
   const std::string name = parameters.text(parameter);
+  if (const auto found = named_.find({name, kind}); found != named_.end()) return found->second;
   const bool is_number = kind == PictureChannels::number;
-  for (const PictureChannels tried : {kind, is_number ? PictureChannels::color : PictureChannels::number})
-    if (const auto found = named_.find({name, tried}); found != named_.end()) return found->second;
+  const auto other = named_.find({name, is_number ? PictureChannels::color : PictureChannels::number});
+  if (other != named_.end()) {
+    constexpr const char *number = "float", *color = "spectrum";
+    parameter.place.warn(
+        context_.warnings,
+        fmt::format("\"{}\" needs a texture of type {}, and \"{}\" is one of type {}: {}, where pbrt fails",
+                    parameter.name, is_number ? number : color, name, is_number ? color : number,
+                    is_number ? "its red stands for the number" : "it is taken as grey"));
+    return other->second;
+  }
   parameter.place.fail(fmt::format("no texture \"{}\" is defined before this", name));
 }
 

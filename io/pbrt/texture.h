@@ -29,8 +29,9 @@ class PbrtTextures {
   /// Defines the texture that a Texture statement describes: its name, "float" or "spectrum", and its class.
   void define(const std::string& name, const std::string& type, const std::string& texture_class,
               const PbrtParameters& parameters);
-  /// The texture that a parameter of type texture names. Where there are both a "float" and a "spectrum" of
-  /// that name it is the one of this kind. Throws Error where none of this name was defined before.
+  /// The texture of this kind that a parameter of type texture names. Where there is only one of the other
+  /// kind it is that one, with a warning, since pbrt refuses it. Throws Error where none of this name was
+  /// defined before.
   const Named& named(const PbrtParameters& parameters, const PbrtParameter& parameter,
                      PictureChannels kind) const;
 

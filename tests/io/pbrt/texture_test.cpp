@@ -280,7 +280,7 @@ TEST_CASE("a number's texture and a color's may have one name") {
   CHECK(std::get<Conductor>(loaded.scene.materials[2].model).roughness.x == 0.125f);
 }
 
-TEST_CASE("where only a texture of the other type has the name, it is that one") {
+TEST_CASE("where only a texture of the other type has the name, it is that one, with a warning") {
   const LoadedScene loaded = load_pbrt_world(
       "Texture \"number\" \"float\" \"constant\" \"float value\" 0.125\n"
       "Texture \"color\" \"spectrum\" \"constant\" \"rgb value\" [ 0.25 0.75 0.5 ]\n"
@@ -290,6 +290,19 @@ TEST_CASE("where only a texture of the other type has the name, it is that one")
       test::pbrt_triangle);
   CHECK(std::get<Lambert>(loaded.scene.materials[1].model).reflectance == Rgb{0.125f, 0.125f, 0.125f});
   CHECK(std::get<Conductor>(loaded.scene.materials[2].model).roughness.x == 0.25f);
+  REQUIRE(loaded.warnings.size() == 2);
+  CHECK(
+      loaded.warnings[0].text().starts_with("scene.pbrt:4:20: \"reflectance\" needs a texture of type "
+                                            "spectrum, and \"number\" is one of type float: "
+                                            "it is taken as grey, where pbrt fails\n"));
+  CHECK(loaded.warnings[1].text().starts_with(
+      "scene.pbrt:6:22: \"roughness\" needs a texture of type float, and \"color\" is one of type spectrum: "
+      "its red stands for the number, where pbrt fails\n"));
+  CHECK_THROWS_AS(test::load_pbrt_text("WorldBegin\nTexture \"t\" \"float\" \"constant\"\n"
+                                       "Material \"diffuse\" \"texture reflectance\" \"t\"\n" +
+                                           test::pbrt_triangle,
+                                       {.strict = true}),
+                  Error);
 }
 
 TEST_CASE("a picture is encoded as the scene says, and in no other way") {
