@@ -120,6 +120,16 @@ ScenePart part_of(const ObjModel& model, const ObjFaces& faces, ObjMaterials& ma
   return part;
 }
 
+/// Drops the materials that no part has, such as those whose faces are all painted.
+void drop_unused(std::vector<Material>& materials, std::vector<ScenePart>& parts) {
+  std::vector<Triangle> uses;
+  for (const ScenePart& part : parts) uses.push_back({part.material, part.material, part.material});
+  std::vector<Material> used;
+  take(materials, uses, used);
+  for (std::size_t i = 0; i < parts.size(); ++i) parts[i].material = uses[i][0];
+  materials = std::move(used);
+}
+
 std::vector<std::string> notes_of(const ObjModel& model) {
   std::vector<std::string> notes = model.notes;
   if (model.small_faces > 0)
@@ -137,6 +147,7 @@ LoadedScene make_scene(const ObjModel& model, const LoadOptions& options, Warnin
   std::vector<ScenePart> parts;
   for (const ObjFaces& faces : model.faces)
     parts.push_back(part_of(model, faces, materials, assets, repairs));
+  drop_unused(materials.materials, parts);
   Scene rest;
   rest.materials = std::move(materials.materials);
   rest.textures = std::move(materials.textures);

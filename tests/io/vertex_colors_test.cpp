@@ -176,4 +176,20 @@ TEST_CASE("ZBrush's colors of an OBJ file are those of the vertices before them"
   CHECK(beyond.summary.notes == std::vector<std::string>{"colors (\"#MRGB\") of no vertex, left out: 1"});
 }
 
+TEST_CASE("a material of an OBJ file whose faces are all painted stands only as the painted one") {
+  const std::string vertices = "vt 0 0\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\n";
+  const auto names = [](const LoadedScene& loaded) {
+    std::vector<std::string> names;
+    for (const ShapeBinding& binding : loaded.scene.bindings)
+      names.push_back(loaded.scene.materials.at(binding.material).name);
+    CHECK(loaded.scene.materials.size() == loaded.scene.bindings.size());
+    return names;
+  };
+  CHECK(names(load_obj_text(vertices + "f 1 2 3\n")) == std::vector<std::string>{"none"});
+  const LoadedScene two = load_obj_text(
+      "mtllib a.mtl\n" + vertices + "usemtl m\nf 1/1 2/1 3/1\nusemtl n\nf 1/1 2/1 3/1\nusemtl o\nf 1 2 3\n",
+      {{"a.mtl", "newmtl m\nKd 1 1 1\nnewmtl n\nmap_Kd none.png\nnewmtl o\nKd 0 1 0\n"}});
+  CHECK(names(two) == std::vector<std::string>{"m", "n", "o"});
+}
+
 }  // namespace twinray::test
