@@ -9,6 +9,7 @@
 
 #include "core/angle.h"
 #include "io/affine_texture.h"
+#include "io/obj/material_text.h"
 #include "io/picture_path.h"
 #include "io/uri.h"
 
@@ -27,10 +28,12 @@ bool is_within(const Rgb& color, float most) {
          max_component(color) <= most + margin;
 }
 
-/// Whether one of the values of the extension for physically based rendering stands there.
+/// Whether one of the values of the extension for physically based rendering stands there: a roughness, also
+/// of 0, or another one that is not 0.
 bool is_physical(const tinyobj::material_t& m) {
-  return m.roughness > 0 || m.metallic > 0 || m.sheen > 0 || m.clearcoat_thickness > 0 ||
-         !m.roughness_texname.empty() || !m.metallic_texname.empty() || !m.sheen_texname.empty();
+  return m.unknown_parameter.count(roughness_mark) > 0 || m.roughness > 0 || m.metallic > 0 || m.sheen > 0 ||
+         m.clearcoat_thickness > 0 || !m.roughness_texname.empty() || !m.metallic_texname.empty() ||
+         !m.sheen_texname.empty();
 }
 
 /// Phong's exponent as a roughness: that of the distribution of facets which is as wide (Walter et al.,

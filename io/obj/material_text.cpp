@@ -213,6 +213,7 @@ std::string material_text(const std::string& path, const std::string& text, Warn
     made += keyword;
     made += words_of(keyword, rest, faults);
     if (keyword == "newmtl") made += "\nKd 0 0 0";
+    if (keyword == "Pr") made += fmt::format("\n{} 1", roughness_mark);
     made += '\n';
     warn(keyword, faults, place, warnings);
     unseen.read(keyword, rest, place);

@@ -44,6 +44,20 @@ TEST_CASE("a number of MTL beyond its range is the nearest within, with a warnin
   CHECK(load_with_mtl(folder, "Kd 1 0 1\nPr 1\nPm 0\nd 1").warnings.empty());
 }
 
+TEST_CASE("a roughness of MTL that is 0 makes a smooth surface, other values of 0 say nothing") {
+  const TemporaryFolder folder;
+  for (const char* lines :
+       {"Pr 0", "Kd .5 .5 .5\nPr 0.0\nPm 0\nPc 0\nillum 1", "Ks .5 .5 .5\nillum 2\nPr 0"}) {
+    CAPTURE(lines);
+    const LoadedScene loaded = load_with_mtl(folder, "Kd 1 0 0\n" + std::string(lines));
+    const auto& smooth = std::get<Principled>(loaded.scene.materials.at(0).model);
+    CHECK(smooth.specular_roughness == 0);
+    CHECK(smooth.specular_weight == 1);
+    CHECK(loaded.warnings.empty());
+  }
+  CHECK(reflectance_by(folder, "Kd 1 0 0\nPm 0\nPs 0\nPc 0") == Rgb{1, 0, 0});
+}
+
 TEST_CASE("a color of MTL beyond its range is the nearest within, with a warning") {
   const TemporaryFolder folder;
   const std::string file = folder.file("a.mtl");
