@@ -13,7 +13,7 @@ namespace twinray {
 namespace {
 
 constexpr int gl_nearest = 9728, gl_linear = 9729, gl_trilinear = 9987;
-constexpr int clamp_to_edge = 33071, repeat = 10497;
+constexpr int clamp_to_edge = 33071, repeat = 10497, mirrored_repeat = 33648;
 
 std::uint8_t byte_of(float number) {
   return std::uint8_t(std::lround(255 * (number > 0 ? std::min(number, 1.0f) : 0)));
@@ -53,7 +53,80 @@ ByteImage without_alpha(const AlphaImage& image) {
   return plain;
 }
 
+/// Whether the transform is no turn of a scale: what glTF cannot say.
+bool is_skewed(const UvTransform& uv) {
+  constexpr double tolerance = 1e-5;
+  const auto& [u, v] = uv.m;
+  const double u0 = double(u[0]), u1 = double(u[1]), v0 = double(v[0]), v1 = double(v[1]);
+  const double x = std::sqrt(u0 * u0 + v0 * v0), y = std::sqrt(u1 * u1 + v1 * v1);
+  return std::fabs(u0 * u1 + v0 * v1) > tolerance * x * (x + y);
+}
+
+/// From the coordinates of a picture to those of its left and its upper half: the inverse of halved()
+/// (io/picture/mirrored_picture.h).
+UvTransform doubled(const UvTransform& uv, const GltfMirrored& mirrored) {
+  UvTransform result = uv;
+  if (mirrored.below) result.m[1][2] -= 0.5f;
+  for (float& number : result.m[0]) number *= mirrored.to_right ? 2.0f : 1.0f;
+  for (float& number : result.m[1]) number *= mirrored.below ? 2.0f : 1.0f;
+  return result;
+}
+
+template <typename Picture>
+std::size_t channels_of(const Picture& picture) {
+  return picture.bytes.size() / (std::size_t(picture.width) * std::size_t(picture.height));
+}
+
+template <typename Picture>
+bool is_own_mirror(const Picture& picture, const GltfMirrored& how) {
+  if ((how.to_right && picture.width % 2 != 0) || (how.below && picture.height % 2 != 0)) return false;
+  const std::size_t channels = channels_of(picture);
+  const auto pixel = [&](int x, int y) {
+    return picture.bytes.begin() + std::ptrdiff_t(channels) * (std::ptrdiff_t(y) * picture.width + x);
+  };
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const auto at = pixel(x, y);
+      const auto other =
+          pixel(how.to_right ? picture.width - 1 - x : x, how.below ? picture.height - 1 - y : y);
+      if (!std::equal(at, at + std::ptrdiff_t(channels), other)) return false;
+    }
+  return true;
+}
+
+template <typename Picture>
+Picture half_of(const Picture& picture, const GltfMirrored& how) {
+  Picture result{picture.width / (how.to_right ? 2 : 1), picture.height / (how.below ? 2 : 1), {}};
+  const std::size_t channels = channels_of(picture);
+  for (int y = 0; y < result.height; ++y) {
+    const auto row = picture.bytes.begin() + std::ptrdiff_t(channels) * y * picture.width;
+    result.bytes.insert(result.bytes.end(), row, row + std::ptrdiff_t(channels) * result.width);
+  }
+  return result;
+}
+
+/// How to halve a picture so that its place is one that glTF has; not at all where there is no way.
+template <typename Picture>
+GltfMirrored mirrored_of(const Picture& picture, const BakedTexture& frame) {
+  if (!is_skewed(frame.uv)) return {};
+  for (const GltfMirrored how : {GltfMirrored{true, false}, GltfMirrored{false, true}}) {
+    const WrapMode wrap = how.to_right ? frame.wrap.u : frame.wrap.v;
+    if (wrap == WrapMode::repeat && !is_skewed(doubled(frame.uv, how)) && is_own_mirror(picture, how))
+      return how;
+  }
+  return {};
+}
+
 }  // namespace
+
+template <typename Picture>
+GltfJson GltfTextureWriter::placed_info(const std::string& name, const Picture& picture,
+                                        const BakedTexture& frame) {
+  const GltfMirrored mirrored = mirrored_of(picture, frame);
+  BakedTexture placed = frame;
+  placed.uv = doubled(frame.uv, mirrored);
+  return info_of(file_.add_image(name, png_bytes(half_of(picture, mirrored))), placed, mirrored);
+}
 
 GltfJson GltfTextureWriter::info(const GltfChannels& channels) {
   const auto [entry, is_new] = made_.try_emplace(channels);
@@ -93,19 +166,21 @@ GltfJson GltfTextureWriter::make(const GltfChannels& channels) {
       }
     }
   const bool has_alpha = numbers[alpha_channel] > 0;
-  const std::string png = has_alpha ? png_bytes(image) : png_bytes(without_alpha(image));
-  return info_of(file_.add_image(name, png), baked.frame);
+  return has_alpha ? placed_info(name, image, baked.frame)
+                   : placed_info(name, without_alpha(image), baked.frame);
 }
 
 GltfJson GltfTextureWriter::emission_info(const MeshLight& light, float brightest) {
-  const auto [entry, is_new] = pictures_.try_emplace(light.picture);
-  if (is_new) {
-    const Image picture = divided(*light.picture, brightest);
-    check_range(picture);
-    entry->second = file_.add_image("", png_bytes(encode_srgb(picture)));
-  }
   BakedTexture frame;
   frame.uv = light.uv, frame.wrap = light.wrap, frame.filter = light.filter;
+  const auto encoded = [&] {
+    const Image picture = divided(*light.picture, brightest);
+    check_range(picture);
+    return encode_srgb(picture);
+  };
+  if (is_skewed(light.uv)) return placed_info("", encoded(), frame);
+  const auto [entry, is_new] = pictures_.try_emplace(light.picture);
+  if (is_new) entry->second = file_.add_image("", png_bytes(encoded()));
   return info_of(entry->second, frame);
 }
 
@@ -122,21 +197,25 @@ void GltfTextureWriter::check_range(const Image& picture) {
         "{} pictures have colors below 0, which are 0, as colors of vertices in unlit surfaces");
 }
 
-GltfJson GltfTextureWriter::info_of(std::size_t image, const BakedTexture& frame) {
-  GltfJson info{{"index", file_.add("textures", {{"sampler", sampler(frame)}, {"source", image}})}};
+GltfJson GltfTextureWriter::info_of(std::size_t image, const BakedTexture& frame,
+                                    const GltfMirrored& mirrored) {
+  GltfJson info{{"index", file_.add("textures", {{"sampler", sampler(frame, mirrored)}, {"source", image}})}};
   if (frame.uv == UvTransform{}) return info;
   file_.use("KHR_texture_transform");
   info["extensions"]["KHR_texture_transform"] = transform(frame.uv);
   return info;
 }
 
-std::size_t GltfTextureWriter::sampler(const BakedTexture& frame) {
+std::size_t GltfTextureWriter::sampler(const BakedTexture& frame, const GltfMirrored& mirrored) {
   if (frame.wrap.u == WrapMode::black || frame.wrap.v == WrapMode::black)
     file_.output.losses.add("a picture that is black beside itself goes on as at its edge",
                             "{} pictures that are black beside themselves go on as at their edges");
   const bool is_nearest = frame.filter == TextureFilter::nearest;
-  const auto word = [](WrapMode wrap) { return wrap == WrapMode::repeat ? repeat : clamp_to_edge; };
-  const int s = word(frame.wrap.u), t = word(frame.wrap.v);
+  const auto word = [](WrapMode wrap, bool is_mirrored) {
+    if (is_mirrored) return mirrored_repeat;
+    return wrap == WrapMode::repeat ? repeat : clamp_to_edge;
+  };
+  const int s = word(frame.wrap.u, mirrored.to_right), t = word(frame.wrap.v, mirrored.below);
   const auto [entry, is_new] = samplers_.try_emplace({int(is_nearest), s, t});
   if (is_new)
     entry->second = file_.add("samplers", {{"magFilter", is_nearest ? gl_nearest : gl_linear},
@@ -152,8 +231,7 @@ GltfJson GltfTextureWriter::transform(const UvTransform& uv) {
   const double turns = atan2_turns(double(v[0]), double(u[0])), angle = 2 * pi_double * turns;
   const double s = sin_radians(angle), c = cos_radians(angle);
   const double sx = c * double(u[0]) + s * double(v[0]), sy = c * double(v[1]) - s * double(u[1]);
-  constexpr double tolerance = 1e-5;
-  if (std::fabs(c * double(u[1]) + s * double(v[1])) > tolerance * (std::fabs(sx) + std::fabs(sy)))
+  if (is_skewed(uv))
     file_.output.losses.add("a texture that is skewed is not skewed there",
                             "{} textures that are skewed are not skewed there");
   return {{"offset", {double(u[2]) - s * sy, 1 - c * sy - double(v[2])}},

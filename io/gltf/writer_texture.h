@@ -38,6 +38,11 @@ struct GltfChannels {
   auto operator<=>(const GltfChannels&) const = default;
 };
 
+/// Whether a picture goes on mirrored on its right, and below.
+struct GltfMirrored {
+  bool to_right = false, below = false;
+};
+
 class GltfTextureWriter {
  public:
   GltfTextureWriter(const Scene& scene, GltfFile& file) : scene_(scene), file_(file) {}
@@ -49,9 +54,14 @@ class GltfTextureWriter {
 
  private:
   GltfJson make(const GltfChannels& channels);
+  /// Of a picture that lies like this. What glTF cannot place is written as the half that it mirrors, if the
+  /// other half is its mirror image and it can place that: so the reader makes pictures that are mirrored
+  /// beside themselves (io/picture/mirrored_picture.h).
+  template <typename Picture>
+  GltfJson placed_info(const std::string& name, const Picture& picture, const BakedTexture& frame);
   /// Of an image of the file, by its number.
-  GltfJson info_of(std::size_t image, const BakedTexture& frame);
-  std::size_t sampler(const BakedTexture& frame);
+  GltfJson info_of(std::size_t image, const BakedTexture& frame, const GltfMirrored& mirrored = {});
+  std::size_t sampler(const BakedTexture& frame, const GltfMirrored& mirrored);
   GltfJson transform(const UvTransform& uv);
   void check_range(const Image& picture);
 
