@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "cli/counted.h"
 #include "cli/default_light.h"
 #include "cli/interrupt.h"
+#include "cli/json_names.h"
 #include "cli/options/options.h"
 #include "cli/outputs.h"
 #include "core/error.h"
@@ -51,6 +53,9 @@ EnvironmentLight read_environment(const ConvertArguments& arguments) {
 
 /// The scene, and its picture of the size that is asked for or, without one, the file's.
 LoadedScene load(const ConvertArguments& arguments, const LoadOptions& options) {
+  if (arguments.environment.empty())
+    for (const std::string& option : changed_options(arguments.placement))
+      console::warn(option + ": no effect, for there is no --environment");
   LoadedScene loaded = load_with_warnings(arguments.scene, options);
   if (arguments.load.time && !loaded.summary.animation)
     console::warn("--time: no effect, for nothing in the scene moves");
@@ -83,6 +88,8 @@ std::function<ConvertArguments()> add_convert_options(CLI::App& app) {
 
 int convert_command(const ConvertArguments& arguments) {
   check_scene_output(arguments.output);
+  if (std::filesystem::path(arguments.output).extension() == ".json")
+    check_json_names({arguments.output}, "the exchange form");
   prepare_outputs({arguments.output}, {});
   LoadOptions options = arguments.load;
   options.files = std::make_shared<std::vector<std::string>>();

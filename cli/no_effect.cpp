@@ -381,12 +381,13 @@ std::vector<std::string> options_without_effect(const RenderRequest& request,
   return found;
 }
 
-std::vector<std::string> options_without_effect(const Scene& scene, const RenderArguments& arguments) {
+std::vector<std::string> options_without_effect(const Scene& scene, bool gets_default_lights,
+                                                const RenderArguments& arguments) {
   std::vector<std::string> found;
   if (arguments.default_light == DefaultLight::if_dark && is_lit(scene))
     found.push_back("--default-light: no effect, for the scene has light; --default-light=always adds to it");
   if (is_given("--light-samples", arguments) && arguments.path.direct != DirectMethod::hemisphere &&
-      !has_area_light(scene))
+      !has_area_light(scene) && !gets_default_lights)
     found.push_back("--light-samples: no effect, for no light of the scene has an area");
   if (is_given("--many-lights", arguments) && !has_many_lights(scene))
     found.push_back(fmt::format("--many-lights: no effect, for up to {} lights of a kind are all sampled",

@@ -135,6 +135,7 @@ void check_command(const std::string& word) {
   if (word.find_first_of("-./:") != word.npos || std::filesystem::exists(word, error)) return;
   std::vector<std::string_view> names;
   for (const Subcommand& subcommand : subcommands) names.push_back(subcommand.name);
+  names.push_back("help");
   if (const std::string nearest = nearest_name(word, names); !nearest.empty())
     throw UsageError(
         fmt::format("there is no command {}, and no such file; did you mean {}?", word, nearest));
@@ -158,6 +159,16 @@ std::string usage_of(const std::string& name) {
     return "twinray plan SCENE.dae --folder DIR --jobs N [options]; all options: twinray plan --help";
   const char* scene = name == "agreement" ? "[SCENE.dae]..." : "SCENE.dae";
   return fmt::format("twinray {0} {1} [options]; all options: twinray {0} --help", name, scene);
+}
+
+/// Without "help" in front: the options that say the same.
+Words without_help(Words words) {
+  std::error_code error;
+  const bool is_help = !words.empty() && words.front() == "help" && !std::filesystem::exists("help", error);
+  if (!is_help) return words;
+  words.erase(words.begin());
+  words.push_back("--help");
+  return words;
 }
 
 /// Whether the same words can be said again after an interruption, and nothing is lost: a render's with a
@@ -189,7 +200,7 @@ Invocation read_invocation(std::span<const char* const> arguments) {
 }
 
 int run_program(const Invocation& invocation) {
-  Words words = invocation.words;
+  Words words = without_help(invocation.words);
   // Until the render has its own: options are to be understood first, and a film to be opened.
   std::optional<InterruptGuard> guard;
   if (can_be_tried_again(words)) guard.emplace(Words{}, try_again_code);

@@ -71,9 +71,12 @@ EnvironmentLight read_environment(const RenderArguments& arguments) {
 namespace {
 
 /// Of what cannot have a light, without being asked for.
-void add_default_lights(const RenderArguments& arguments, LoadedScene& loaded, RenderTalk& talk) {
+bool gets_default_lights(const RenderArguments& arguments, const LoadedScene& loaded) {
   const bool is_wanted = arguments.default_light != DefaultLight::none || loaded.wants_light;
-  if (!is_wanted || (arguments.default_light != DefaultLight::always && is_lit(loaded.scene))) return;
+  return is_wanted && (arguments.default_light == DefaultLight::always || !is_lit(loaded.scene));
+}
+
+void add_default_lights(const RenderArguments& arguments, LoadedScene& loaded, RenderTalk& talk) {
   for (Light& light : default_lights(loaded.scene.camera)) loaded.scene.lights.push_back(std::move(light));
   if (arguments.default_light == DefaultLight::none && traces_paths(arguments.integrator))
     talk.note("the file has no light: a soft sky, and a light at the camera");
@@ -92,12 +95,13 @@ LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk) {
   if (arguments.texture_filter) set_filter(loaded.scene.textures, *arguments.texture_filter);
   if (!arguments.environment.empty())
     loaded.scene.lights.push_back({"environment", read_environment(arguments)});
-  std::vector<std::string> without_effect = options_without_effect(loaded.scene, arguments);
+  const bool needs_light = gets_default_lights(arguments, loaded);
+  std::vector<std::string> without_effect = options_without_effect(loaded.scene, needs_light, arguments);
   for (std::string& each : options_without_effect(loaded.summary, arguments))
     without_effect.push_back(std::move(each));
   refuse_if_strict(without_effect, arguments);
   for (const std::string& warning : without_effect) console::warn(warning);
-  add_default_lights(arguments, loaded, talk);
+  if (needs_light) add_default_lights(arguments, loaded, talk);
   if (arguments.render.light_groups) group_lights(loaded.scene, arguments.light_groups);
   for (const std::string& warning : scene_warnings(loaded.scene, arguments)) console::warn(warning);
   talk.ready();

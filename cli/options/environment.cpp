@@ -34,6 +34,15 @@ void add_environment_placement(OptionGroup& group, EnvironmentPlacement& placeme
   group.add_number({"--environment-scale", "X", "Times its radiance"}, placement.scale, scales);
 }
 
+std::vector<std::string> changed_options(const EnvironmentPlacement& placement) {
+  const EnvironmentPlacement none;
+  std::vector<std::string> options;
+  if (placement.layout != none.layout) options.push_back("--environment-layout");
+  if (placement.rotation_degrees != none.rotation_degrees) options.push_back("--environment-rotation");
+  if (placement.scale != none.scale) options.push_back("--environment-scale");
+  return options;
+}
+
 EnvironmentLight placed_environment(Image map, const EnvironmentPlacement& placement,
                                     const std::string& file) {
   const bool is_square = placement.layout == EnvironmentLayout::equal_area;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the picture of --environment lies around the scene: the same options for all that load one.
 #pragma once
+#include <string>
+#include <vector>
+
 #include "cli/options/options.h"
 #include "core/light.h"
 
@@ -18,6 +21,8 @@ struct EnvironmentPlacement {
 
 /// --environment-layout, --environment-rotation, --environment-scale.
 void add_environment_placement(OptionGroup& group, EnvironmentPlacement& placement);
+/// Those of them whose words are not the defaults.
+std::vector<std::string> changed_options(const EnvironmentPlacement& placement);
 
 /// The light of a picture of radiance. Throws Error, which names the file, where it cannot be of that layout.
 EnvironmentLight placed_environment(Image map, const EnvironmentPlacement& placement,

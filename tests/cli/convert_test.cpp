@@ -250,6 +250,20 @@ TEST_CASE("convert writes what moves where it stands at a time") {
   CHECK(run_program("convert --time=soon " + box_scene + " a.json").exit_code == 2);
 }
 
+TEST_CASE("convert says where the place of an environment has no effect, and which names JSON cannot keep") {
+  const TemporaryFolder folder;
+  const std::string scale = "convert -q " + box_scene + " " + quoted(folder.file("a.json"));
+  CHECK(run_program(scale + " --environment-scale=2 --environment-layout=panorama").err ==
+        "warning: --environment-layout: no effect, for there is no --environment\n"
+        "warning: --environment-scale: no effect, for there is no --environment\n");
+  const std::size_t files = folder.file_count();
+  const ProcessResult named =
+      run_program("convert -q " + box_scene + " " + quoted(folder.file("n\xff.json")));
+  CHECK(named.exit_code == 1);
+  CHECK(named.err.find("this name is not UTF-8") != std::string::npos);
+  CHECK(folder.file_count() == files);
+}
+
 TEST_CASE("convert writes over no file that the scene is made of") {
   const TemporaryFolder folder;
   for (const auto& [name, found] : {std::pair{"box.pbrt", "box-pbrt-0.ply"}, {"box.json", "box-0.ply"}}) {

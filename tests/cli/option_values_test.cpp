@@ -280,6 +280,7 @@ TEST_CASE("an unknown option is an error that names the one it may stand for") {
   const auto said = [](const char* command) { return answer(command, {}); };
   CHECK(
       said("rendr").starts_with("usage: there is no command rendr, and no such file; did you mean render?"));
+  CHECK(said("hepl").starts_with("usage: there is no command hepl, and no such file; did you mean help?"));
   CHECK(said("cros-check").find("did you mean") == std::string::npos);  // It may be the name of a scene.
   CHECK(said("scene").find("did you mean") == std::string::npos);
   CHECK(answer("render", {"-z"}).find("usage: there is no option -z\n") == 0);

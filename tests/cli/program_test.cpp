@@ -158,6 +158,21 @@ TEST_CASE("a scene without a light is a warning") {
         "soft sky\n");
 }
 
+TEST_CASE("the word help is the option") {
+  const ProcessResult help = run_program("help");
+  CHECK(help.exit_code == 0);
+  CHECK(help.out == run_program("--help").out);
+  CHECK(run_program("help convert").out == run_program("convert --help").out);
+}
+
+TEST_CASE("samples per light have an effect on the light that a scene without any gets") {
+  const std::string blocks = quoted(std::string(TWINRAY_SOURCE_DIR) + "/scenes/blocks.obj");
+  const TemporaryFolder folder;
+  const std::string render = "-r 16 12 -s 1 -t 1 -q -l 4 -o " + quoted(folder.file("a.exr")) + " ";
+  CHECK(run_program(render + blocks).err.find("--light-samples") == std::string::npos);
+  CHECK(run_program(render + "--strict " + blocks).exit_code == 0);
+}
+
 TEST_CASE(
     "option --default-light lights a dark scene so that what stands before the camera has its own color") {
   const TemporaryFolder folder;
