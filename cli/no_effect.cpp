@@ -8,6 +8,7 @@
 #include "cli/default_light.h"
 #include "cli/film/saved_film.h"
 #include "cli/render_outputs.h"
+#include "cli/texture_command.h"
 #include "core/light_set.h"
 #include "integrators/layer_records.h"
 #include "io/picture/output_format.h"
@@ -152,6 +153,12 @@ std::string needs_batches(const Asked& asked) {
                                                                render.adaptive->batch, render.samples);
 }
 
+std::string needs_scene_camera(const Asked& asked) {
+  const RenderArguments& arguments = asked.arguments;
+  const bool is_list = arguments.load.camera_name == "?";
+  return arguments.camera_file.empty() || is_list ? "" : "for --camera's file is the camera";
+}
+
 std::string needs_clipped_view(const Asked& asked) {
   const bool is_of_file = !asked.arguments.changes.clip;
   return is_of_file && asked.arguments.view == View::whole ? "for --view=whole leaves no clip distances" : "";
@@ -290,6 +297,7 @@ constexpr Rule rules[]{
     {"--keep-both-lamps", needs_collada},
     {"--texture-filter", needs_materials},
     {"--clip", needs_clipped_view},
+    {"--camera-name", needs_scene_camera},
     {"--output", needs_picture},
     {"--crop", needs_picture},
     {"--overscan", needs_picture},
@@ -371,6 +379,8 @@ bool is_diffuse(const Scene& scene) {
 
 std::vector<std::string> options_without_effect(const RenderRequest& request,
                                                 const RenderArguments& arguments) {
+  if (arguments.convert_textures && arguments.load.camera_name != "?")
+    return options_without_effect_on_conversion(arguments);
   const Asked asked{request, arguments};
   std::vector<std::string> found;
   for (const Rule& rule : rules) {

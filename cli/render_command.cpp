@@ -263,8 +263,8 @@ int render_picture(const RenderArguments& arguments, const Words& words, RenderT
 int answer(const RenderArguments& arguments, RenderTalk& talk) {
   protect_the_machine(arguments, talk);
   if (arguments.load.camera_name == "?") return list_cameras(arguments);
-  if (arguments.convert_textures) return convert_textures(arguments);
   for (const std::string& warning : arguments.without_effect) console::warn(warning);
+  if (arguments.convert_textures) return convert_textures(arguments);
   return replay_command(arguments);
 }
 

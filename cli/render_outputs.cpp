@@ -109,10 +109,8 @@ std::vector<std::string> all_names(std::initializer_list<RenderOutputs> all) {
   return names;
 }
 
-RenderOutputs render_outputs(const RenderArguments& arguments) {
+RenderOutputs named_outputs(const RenderArguments& arguments) {
   const std::string& picture = arguments.output;
-  check_replaceable(arguments.checkpoint, "a checkpoint is a file that can be replaced and read again");
-  check_replaceable(arguments.metrics_file, "metrics are a file that can be replaced");
   RenderOutputs outputs{.statistics = arguments.stats_file,
                         .metrics = arguments.metrics_file,
                         .checkpoint = arguments.checkpoint};
@@ -120,14 +118,23 @@ RenderOutputs render_outputs(const RenderArguments& arguments) {
     outputs.film = picture;
     return outputs;
   }
-  check_name(arguments);
-  if (!arguments.display.ocio_view.empty())
-    displayed(Image(1, 1), arguments.display);  // Is there such a view?
   outputs.picture = picture;
   if (arguments.render.adaptive) outputs.rates = rate_name(arguments);
   if (arguments.integrator == IntegratorKind::cost) outputs.legend = name_beside(picture, "_legend.png");
   if (arguments.check_with) outputs.differences = name_beside(picture, "_differences.png");
   if (arguments.denoiser && !keeps_layers(picture)) outputs.noisy = noisy_name(picture);
+  return outputs;
+}
+
+RenderOutputs render_outputs(const RenderArguments& arguments) {
+  check_replaceable(arguments.checkpoint, "a checkpoint is a file that can be replaced and read again");
+  check_replaceable(arguments.metrics_file, "metrics are a file that can be replaced");
+  RenderOutputs outputs = named_outputs(arguments);
+  if (!outputs.film.empty()) return outputs;
+  check_name(arguments);
+  if (!arguments.display.ocio_view.empty())
+    displayed(Image(1, 1), arguments.display);  // Is there such a view?
+  const std::string& picture = outputs.picture;
   if (destination_of(picture).kind == Destination::Kind::file) return outputs;
   for (std::string* name : {&outputs.rates, &outputs.legend, &outputs.differences, &outputs.noisy})
     if (!std::exchange(*name, "").empty())

@@ -36,6 +36,9 @@ const char* output_word(const std::string& output);
 /// Whether what has this name keeps layers, and pixels beside the frame: an OpenEXR picture, or a film.
 bool keeps_layers(const std::string& output);
 
+/// The outputs that the command line names, whether they can be written or not.
+RenderOutputs named_outputs(const RenderArguments& arguments);
+
 /// The outputs that the command line asks for. What stands beside the picture is left out where the picture
 /// is no file. Throws Error for a name that cannot be written.
 RenderOutputs render_outputs(const RenderArguments& arguments);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/texture_command.h"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <string>
@@ -14,6 +16,10 @@
 
 namespace twinray {
 namespace {
+
+/// Those that the conversion knows.
+constexpr const char* conversion_options[] = {"--convert-textures", "--strict", "--memory", "--time-limit",
+                                              "--quiet"};
 
 std::vector<PictureUse> pictures_of(const RenderArguments& arguments) {
   LoadOptions options = arguments.load;
@@ -38,6 +44,15 @@ bool convert(const PictureUse& picture, bool is_quiet) {
 }
 
 }  // namespace
+
+std::vector<std::string> options_without_effect_on_conversion(const RenderArguments& arguments) {
+  std::vector<std::string> found;
+  for (const std::string& option : arguments.given)
+    if (std::find(std::begin(conversion_options), std::end(conversion_options), option) ==
+        std::end(conversion_options))
+      found.push_back(option + ": no effect, for --convert-textures renders nothing");
+  return found;
+}
 
 int convert_textures(const RenderArguments& arguments) {
   const std::vector<PictureUse> pictures = pictures_of(arguments);

@@ -150,11 +150,53 @@ struct PlanFile {
   bool is_script = false;
 };
 
+Error is_there(const std::string& folder) {
+  return Error(fmt::format("{}: it is there already; a plan needs a folder of its own", folder));
+}
+
+/// A new folder, with those that it lies in. Unless it is kept, it goes with all that is in it, and so do new
+/// ones around it in which nothing else is.
+class NewFolder {
+ public:
+  explicit NewFolder(const fs::path& path) : path_(path.has_filename() ? path : path.parent_path()) {
+    std::error_code error;
+    for (fs::path outer = path_.parent_path(); outer.has_relative_path() && !fs::exists(outer, error);
+         outer = outer.parent_path())
+      outer_.push_back(outer);
+  }
+  ~NewFolder() {
+    std::error_code error;
+    if (is_kept_) return;
+    if (is_made_) fs::remove_all(path_, error);
+    for (const fs::path& outer : outer_) fs::remove(outer, error);
+  }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+  /// Throws Error where it cannot be made, or is there.
+  void make() {
+    std::error_code error;
+    fs::create_directories(path_.parent_path(), error);
+    if (!error) is_made_ = fs::create_directory(path_, error);
+    if (error)
+      throw Error(fmt::format("{}: this folder cannot be made: {}", path_.string(), error.message()));
+    if (!is_made_) throw is_there(path_.string());
+  }
+  void keep() { is_kept_ = true; }
+
+ private:
+  fs::path path_;
+  std::vector<fs::path> outer_;  ///< Those that are not there yet, the innermost first.
+  bool is_made_ = false, is_kept_ = false;
+};
+
+/// Where not all of it can be written nothing of it stays, so that it can be tried again.
 void write(const FarmPlan& plan) {
   const fs::path folder = plan.folder;
+  NewFolder made(folder);
+  made.make();
   std::error_code error;
   for (const char* inner : {"parts", "logs", "slurm", "openjd"})
-    if (fs::create_directories(folder / inner, error); error)
+    if (fs::create_directory(folder / inner, error); error)
       throw Error(fmt::format("{}: this folder cannot be made: {}", plan.folder, error.message()));
   const PlanFile files[] = {{"render-part", render_script(plan), true},
                             {"merge-parts", merge_script(plan), true},
@@ -169,6 +211,7 @@ void write(const FarmPlan& plan) {
       fs::permissions(folder / name, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
                       fs::perm_options::add);
   }
+  made.keep();
 }
 
 void say(const FarmPlan& plan, const std::optional<double>& seconds) {
@@ -214,8 +257,7 @@ std::function<PlanArguments()> add_plan_options(CLI::App& app) {
 
 int plan_command(const PlanArguments& arguments, const Words& words) {
   const std::string folder = word_of_option(words, {"--folder"});
-  if (fs::exists(folder))
-    throw Error(fmt::format("{}: it is there already; a plan needs a folder of its own", folder));
+  if (fs::exists(folder)) throw is_there(folder);
   FarmPlan plan;
   plan.output = output_of(arguments, words);
   plan.words = without_options(without_options(words, plan_options), output_options);

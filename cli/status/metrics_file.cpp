@@ -9,8 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/console.h"
+#include "cli/outputs.h"
+#include "cli/render_outputs.h"
 #include "core/error.h"
 #include "io/destination.h"
+#include "io/film/film_file.h"
 #include "io/output_file.h"
 
 namespace twinray {
@@ -50,12 +53,36 @@ bool is_same(const std::string& a, const std::string& b) {
   }
 }
 
+/// What else the render may write or read, as far as its command line tells.
+std::vector<std::string> other_names(const RenderArguments& arguments) {
+  RenderOutputs outputs = named_outputs(arguments);
+  outputs.metrics.clear();
+  std::vector<std::string> names = outputs.names();
+  for (const std::string& name : outputs.names()) names.push_back(partial_name(name));
+  if (!arguments.checkpoint.empty()) names.push_back(earlier_film_name(arguments.checkpoint));
+  for (const std::string& read : {arguments.scene, arguments.environment, arguments.camera_file})
+    if (!read.empty()) names.push_back(read);
+  return names;
+}
+
+/// Whether metrics could be written to a file of this name, and nothing else has it.
+bool is_name_free(const RenderArguments& arguments) {
+  const std::string& path = arguments.metrics_file;
+  try {
+    check_outputs({path});
+    if (destination_of(path).kind != Destination::Kind::file) return false;
+    for (const std::string& other : other_names(arguments))
+      if (is_same(path, other)) return false;
+    return true;
+  } catch (const Error&) {  // The render is refused for it.
+    return false;
+  }
+}
+
 /// Whether nothing is there but metrics, nor is anything else to be written there.
 bool is_free_for_metrics(const RenderArguments& arguments) {
   const std::string& path = arguments.metrics_file;
-  for (const std::string& other :
-       {arguments.output, arguments.stats_file, arguments.checkpoint, arguments.scene})
-    if (!other.empty() && is_same(path, other)) return false;
+  if (!is_name_free(arguments)) return false;
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return true;
   const std::string begin = head("step", step_description);
@@ -87,7 +114,8 @@ std::string metrics_text(const RenderStatus& status, const std::string& scene, c
 }
 
 void MetricsFile::report(const RenderStatus& status) {
-  may_write_ |= status.step != RenderStatus::Step::failed;
+  using Step = RenderStatus::Step;
+  may_write_ |= status.step != Step::loading && status.step != Step::failed;
   if (!may_write_) return;
   const Clock::time_point begin = Clock::now();
   try {

@@ -18,15 +18,15 @@ class MetricsFile final : public StatusReporter {
  public:
   explicit MetricsFile(const RenderArguments& arguments);
   bool is_due() const override { return Clock::now() >= next_; }
-  /// A file that cannot be written is a warning. A render that fails before it begins may have failed because
-  /// of this file's name: it is then written only where nothing can be lost.
+  /// A file that cannot be written is a warning. Until the scene is read, this file may turn out to be a part
+  /// of it, and a render that is refused may be so because of this file's name: until then it is written only
+  /// where nothing can be lost.
   void report(const RenderStatus& status) override;
 
  private:
   using Clock = std::chrono::steady_clock;
   std::string path_, scene_, output_;
-  bool may_write_;  ///< Also before the outputs are checked: what is there is of metrics, if there is
-                    ///< anything.
+  bool may_write_;  ///< Also before the scene is read: what is there is of metrics, if there is anything.
   Clock::time_point next_;
 };
 

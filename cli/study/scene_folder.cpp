@@ -21,6 +21,16 @@ std::string lower(std::string text) {
   return text;
 }
 
+/// Throws Error with the reason where its list of files cannot be read. Folders below it may be closed.
+void check_folder(const std::string& folder) {
+  std::error_code error;
+  const fs::file_type type = fs::status(folder, error).type();
+  if (type != fs::file_type::none && type != fs::file_type::directory)
+    throw Error(fmt::format("{}: there is no such folder", folder));
+  if (type == fs::file_type::directory) fs::directory_iterator(folder, error);
+  if (error) throw Error(fmt::format("{}: this folder cannot be read: {}", folder, error.message()));
+}
+
 std::vector<fs::path> scene_files(const std::string& folder) {
   std::vector<fs::path> files;
   const auto options = fs::directory_options::skip_permission_denied;
@@ -57,7 +67,7 @@ const FoundScene* SceneFolder::find(const std::string& name) const {
 }
 
 SceneFolder read_scene_folder(const std::string& path) {
-  if (!fs::is_directory(path)) throw Error(fmt::format("{}: there is no such folder", path));
+  check_folder(path);
   SceneFolder folder{path, {}, {}};
   for (const fs::path& file : scene_files(path)) try {
       const LoadedScene loaded = load_scene(file.string());

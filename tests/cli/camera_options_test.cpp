@@ -27,6 +27,13 @@ std::string error_of(const CameraChanges& changes, const Camera& camera) {
 
 }  // namespace
 
+TEST_CASE("a camera's name has no effect beside a file that is the camera") {
+  CHECK(no_effect({"-c", "cam.info", "--camera-name=top"}) ==
+        "--camera-name: no effect, for --camera's file is the camera");
+  CHECK(no_effect({"--camera-name=top"}).empty());
+  CHECK(no_effect({"-c", "cam.info", "--camera-name=?"}).empty());
+}
+
 TEST_CASE("a pixel filter is a name, and a radius that has a default") {
   CHECK(parse({}).render.filter == usual_filter(FilterKind::blackman_harris));
   CHECK(parse({"--filter=mitchell"}).render.filter == usual_filter(FilterKind::mitchell));

@@ -2,7 +2,6 @@
 // Where the program's pictures and statistics go, and what becomes of the old ones.
 #include <fmt/format.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <tuple>
 
@@ -30,9 +29,6 @@ std::string while_writing(const std::string& moment, const std::string& what) {
 }
 
 std::string at_sync(const std::string& what) { return while_writing("AT_SYNC", what); }
-
-/// Before a command: root may write into any folder, unless it gives up that right.
-std::string without_rights() { return geteuid() == 0 ? "setpriv --bounding-set=-all --inh-caps=-all " : ""; }
 
 }  // namespace
 

@@ -49,6 +49,29 @@ void render_by(const TemporaryFolder& folder, const std::string& plan) {
 
 }  // namespace
 
+TEST_CASE("a plan that does not fit on the disk leaves nothing, and can be tried again") {
+  const TemporaryFolder folder;
+  const std::string words =
+      " plan " + quoted(box_scene) + " -r 16 12 -s 100 --jobs=100 -q -o a.pfm --folder=";
+  write_text(folder.file("old"), "old");
+  for (const char* plan : {"p", "new/er/p", "q/"}) {
+    CAPTURE(plan);
+    // Of what is larger than a block nothing can be written.
+    const ProcessResult full = shell_in(folder, "ulimit -f 1; " + quoted(TWINRAY_PROGRAM) + words + plan);
+    CHECK(full.exit_code == 1);
+    CHECK(full.err.find(": cannot be written: File too large\n") != std::string::npos);
+    CHECK(folder.file_count() == 1);
+    CHECK(shell_in(folder, quoted(TWINRAY_PROGRAM) + words + plan).exit_code == 0);
+    CHECK(fs::exists(folder.file(std::string(plan) + "/openjd/template.json")));
+    fs::remove_all(folder.file(plan));
+    fs::remove_all(folder.file("new"));
+  }
+  // Of others nothing is removed.
+  fs::create_symlink("nowhere", folder.file("link"));
+  CHECK(shell_in(folder, quoted(TWINRAY_PROGRAM) + words + "link").exit_code == 1);
+  CHECK(fs::is_symlink(folder.file("link")));
+}
+
 TEST_CASE("a task of Open Job Description renders several parts that follow on each other") {
   const TemporaryFolder folder;
   REQUIRE(

@@ -3,7 +3,6 @@
 #include "cli/render_command_line.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "accel/fastest_engine.h"
 #include "cli/picture_metadata.h"
@@ -12,17 +11,6 @@
 #include "tests/support/catch.h"
 
 namespace twinray::test {
-namespace {
-
-/// What is said of options that change nothing, one after the other. Strict runs must refuse the first.
-std::string no_effect(std::vector<std::string> words) {
-  const std::vector<std::string> said = parse(words).without_effect;
-  words.push_back("--strict");
-  CHECK(message_of(words) == (said.empty() ? "accepted" : said.front()));
-  return fmt::format("{}", fmt::join(said, "\n"));
-}
-
-}  // namespace
 
 TEST_CASE("CS184's options take the same arguments") {
   const RenderArguments arguments = parse({"-s",       "64", "-l",  "4",  "-t",  "2",   "-m", "7",       "-H",

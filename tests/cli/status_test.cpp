@@ -257,6 +257,34 @@ TEST_CASE("a render that is refused before it begins says to machines that it fa
   CHECK(folder.file_count() == 1);
 }
 
+TEST_CASE("a metrics file writes over no part of the scene, also before the scene is read") {
+  const TemporaryFolder folder;
+  for (const char* name : {"blocks.obj", "blocks.mtl"})
+    fs::copy_file(fs::path(TWINRAY_SOURCE_DIR "/scenes") / name, folder.file(name));
+  const std::string part = folder.file("blocks.mtl"), before = read_text(part);
+  const std::string render =
+      fmt::format("render {} -r 8 6 -s 1 -q -o {} --metrics-file=", quoted(folder.file("blocks.obj")),
+                  quoted(folder.file("a.png")));
+  const std::string refusal = fmt::format("twinray: {}: this file is read; choose another name\n", part);
+  const ProcessResult refused = run_program(render + quoted(part));
+  CHECK(refused.exit_code == 1);
+  CHECK(refused.err == refusal);
+  CHECK(read_text(part) == before);
+  const std::string film = folder.file("a.ck");
+  REQUIRE(run_program(render + quoted(folder.file("a.prom")) + " --checkpoint=" + quoted(film)).exit_code ==
+          0);
+  const ProcessResult resumed =
+      run_program(fmt::format("resume {} --metrics-file={}", quoted(film), quoted(part)));
+  CHECK(resumed.exit_code == 1);
+  CHECK(resumed.err == refusal);
+  CHECK(read_text(part) == before);
+  // What is no part of it is replaced, once that is known.
+  const std::string other = folder.file("other.prom");
+  write_text(other, "mine");
+  CHECK(run_program(render + quoted(other)).exit_code == 0);
+  CHECK(metric(read_text(other), "step", "step=\"done\"") == 1);
+}
+
 TEST_CASE("a metrics file has the numbers of the render at its end, in Prometheus's words") {
   const TemporaryFolder folder;
   const std::string metrics = folder.file("a.prom");
@@ -297,6 +325,20 @@ TEST_CASE("metrics go to a file that can be replaced, and to no other output's p
         std::string::npos);
   const std::string same = quoted(folder.file("a.png"));
   CHECK(error_of("-o " + same + " --metrics-file=" + same).find("a.png") != std::string::npos);
+  const std::string picture = "-q -o " + same, film = folder.file("a.ck");
+  CHECK(error_of(fmt::format("{0} --checkpoint={1} --metrics-file={1}.before", picture, quoted(film)))
+            .find("choose another name") != std::string::npos);
+  CHECK(error_of(picture + " -a 2 0.1 --metrics-file=" + quoted(folder.file("a_rate.png")))
+            .find("a_rate.png") != std::string::npos);
+  const std::string nowhere = folder.file("none/a.prom");
+  const std::string told = error_of(picture + " --metrics-file=" + quoted(nowhere));
+  CHECK(told.find(nowhere) != std::string::npos);
+  CHECK(told.find(nowhere) == told.rfind(nowhere));
+  CHECK(told.find("no metrics") == std::string::npos);
+  const ProcessResult standard =
+      run_program("render " + box_scene + " -r 4 3 -s 1 --metrics-file=- " + picture);
+  CHECK(standard.exit_code == 1);
+  CHECK(standard.out.empty());
   CHECK(folder.file_count() == 0);
 }
 

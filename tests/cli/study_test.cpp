@@ -17,6 +17,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/collada_text.h"
 #include "tests/support/html.h"
+#include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -206,6 +207,23 @@ TEST_CASE("a scene that cannot be read is named, and ends a study of the others 
                                     scenes.file("scenes/teapot.dae"))) != std::string::npos);
   CHECK(scenes.page().find("These scenes cannot be read:") != std::string::npos);
   CHECK(count(part_of(scenes.page(), 1), "<img ") == 3);
+}
+
+TEST_CASE("a study of a folder that may not be read says so") {
+  const TemporaryFolder folder;
+  const std::string closed = folder.file("closed");
+  fs::create_directories(closed + "/inner");
+  fs::copy_file(box_scene, closed + "/inner/box.dae");
+  fs::permissions(closed, fs::perms::none);
+  for (const std::string& name : {closed, closed + "/inner"}) {
+    const ProcessResult result =
+        run_shell(without_rights() +
+                  fmt::format("'{}' study '{}' --output '{}'", TWINRAY_PROGRAM, name, folder.file("study")));
+    CHECK(result.exit_code == 1);
+    CHECK(result.err == fmt::format("twinray: {}: this folder cannot be read: Permission denied\n", name));
+  }
+  fs::permissions(closed, fs::perms::owner_all);
+  CHECK(folder.file_count() == 1);
 }
 
 TEST_CASE("what a study cannot begin with is said before anything is rendered") {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "io/picture/image_file.h"
+#include "tests/support/arguments.h"
 #include "tests/support/catch.h"
 #include "tests/support/json.h"
 #include "tests/support/process.h"
@@ -98,6 +99,12 @@ TEST_CASE("pictures are converted once, and what is rendered from their tiles ha
         std::string::npos);
   CHECK(pixels("") == before);
   CHECK(pixels("--texture-memory=0.1") == before);
+  const ProcessResult vain = run_program(name + " --convert-textures -q -o b.png --replay 1 1 0");
+  CHECK(vain.exit_code == 0);
+  for (const char* option : {"--output", "--replay"})
+    CHECK(vain.err.find(fmt::format("warning: {}: no effect, for --convert-textures renders nothing\n",
+                                    option)) != std::string::npos);
+  CHECK(run_program(name + " --convert-textures --strict -s 4").exit_code == 2);
   std::filesystem::remove(folder.file("noise.png"));  // The tiles stand for it.
   CHECK(pixels("") == before);
   std::filesystem::remove(folder.file("holes.png.data.number.tx"));
@@ -105,6 +112,22 @@ TEST_CASE("pictures are converted once, and what is rendered from their tiles ha
   const ProcessResult broken = run_program(name + " --convert-textures");
   CHECK(broken.exit_code == 1);
   CHECK(broken.err.find("holes.png: there is no such file") != std::string::npos);
+}
+
+TEST_CASE("what has no effect on the conversion of pictures is named") {
+  const std::string reason = ": no effect, for --convert-textures renders nothing";
+  for (const char* option :
+       {"--output=a.png", "--stats=a.json", "--checkpoint=a.ck", "--denoise", "--samples=4", "--accel=bvh",
+        "--metrics-file=a.prom", "--serve", "--exposure=1", "--texture-memory=9", "--texture-filter=nearest",
+        "--threads=1", "--camera-name=top", "--instances=copy"}) {
+    const std::string text = option, name = text.substr(0, text.find('='));
+    CHECK(no_effect({"--convert-textures", option}) == name + reason);
+  }
+  CHECK(no_effect({"--convert-textures", "--layers=all", "-o", "a.exr"}) ==
+        "--output" + reason + "\n--layers" + reason);
+  CHECK(no_effect({"--convert-textures", "--replay", "1", "1", "0"}) == "--replay" + reason);
+  CHECK(no_effect({"--convert-textures", "-q", "--memory=2000", "--time-limit=9"}).empty());
+  CHECK(no_effect({"--convert-textures", "--camera-name=?"}).empty());
 }
 
 TEST_CASE("a wrong amount of memory for textures, and one without effect, are named") {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/render_command_line.h"
 #include "core/error.h"
+#include "tests/support/catch.h"
 
 namespace twinray::test {
 
@@ -23,6 +27,14 @@ inline std::string message_of(std::vector<std::string> words) {
     return error.what();
   }
   return "accepted";
+}
+
+/// What is said of options that change nothing, one after the other. Strict runs must refuse the first.
+inline std::string no_effect(std::vector<std::string> words) {
+  const std::vector<std::string> said = parse(words).without_effect;
+  words.push_back("--strict");
+  CHECK(message_of(words) == (said.empty() ? "accepted" : said.front()));
+  return fmt::format("{}", fmt::join(said, "\n"));
 }
 
 }  // namespace twinray::test

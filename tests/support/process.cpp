@@ -2,6 +2,7 @@
 #include "tests/support/process.h"
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
@@ -10,6 +11,8 @@
 namespace twinray::test {
 
 std::string quoted(const std::string& path) { return "'" + path + "'"; }
+
+std::string without_rights() { return geteuid() == 0 ? "setpriv --bounding-set=-all --inh-caps=-all " : ""; }
 
 ProcessResult run_shell(const std::string& shell_command) {
   const TemporaryFolder folder;

@@ -13,6 +13,9 @@ struct ProcessResult {
   std::string out, err;
 };
 
+/// Before a command: root may read and write any folder, unless it gives up that right.
+std::string without_rights();
+
 /// Runs a command of the shell; what it redirects itself does not arrive here.
 ProcessResult run_shell(const std::string& command);
 
