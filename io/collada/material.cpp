@@ -55,12 +55,12 @@ std::optional<XmlElement> cgl_model(const XmlElement& technique, ColladaDocument
   return models[0];
 }
 
-/// The set of texture coordinates that an <instance_material> binds to a name.
-std::optional<std::uint32_t> uv_set_of(const XmlElement& instance, const std::string& texcoord) {
+/// The element of an <instance_material> that binds a set of texture coordinates to a name.
+std::optional<XmlElement> uv_bind_of(const XmlElement& instance, const std::string& texcoord) {
   for (const XmlElement& bind : instance.children("bind_vertex_input"))
     if (bind.attribute("semantic") == texcoord &&
         bind.attribute("input_semantic").value_or("TEXCOORD") == "TEXCOORD")
-      return bind.index_attribute("input_set", 0);
+      return bind;
   return std::nullopt;
 }
 
@@ -81,20 +81,22 @@ ColladaBinding ColladaMaterials::bound(const XmlElement& instance, const std::st
   for (const XmlElement& candidate : candidates)
     if (symbol.empty() || symbol == candidate.required_attribute("symbol")) {
       const ColladaMaterial material = once(document_.resolve(candidate, "target", "material"));
-      return {material, uv_set_of(candidate, material.texcoord)};
+      const auto bind = uv_bind_of(candidate, material.texcoord);
+      if (!bind) return {material, {}, {}};
+      return {material, bind->index_attribute("input_set", 0), bind};
     }
   if (const auto named = document_.find(instance, symbol, "material")) {
     document_.warn(instance,
                    fmt::format("no <instance_material> binds the symbol \"{}\"; it is taken to mean the "
                                "<material> with that id",
                                symbol));
-    return {once(*named), {}};
+    return {once(*named), {}, {}};
   }
   if (!symbol.empty())
     document_.warn(
         instance,
         fmt::format("no <instance_material> binds the symbol \"{}\"; the surface is grey (0.5)", symbol));
-  return {{.index = shared(grey_, "default grey", Lambert{})}, {}};
+  return {{.index = shared(grey_, "default grey", Lambert{})}, {}, {}};
 }
 
 ColladaMaterial ColladaMaterials::once(const XmlElement& material) {

@@ -27,6 +27,7 @@ struct ColladaMaterial {
 struct ColladaBinding {
   ColladaMaterial material;
   std::optional<std::uint32_t> uv_set;  ///< The set of texture coordinates; none: the first one.
+  std::optional<XmlElement> bind;       ///< The <bind_vertex_input> that says it.
 };
 
 /// The materials that a scene uses, each read once, in the order of their first use.

@@ -24,6 +24,21 @@ std::uint32_t uv_set_of(const ColladaPart& part, const ColladaBinding& binding) 
   return binding.material.is_textured && is_there ? wanted : part.uv_set;
 }
 
+/// Says which of several sets is taken where the one that is bound is not named, which the specification
+/// leaves open, or not there.
+void check_uv_set(const ColladaPart& part, const ColladaBinding& binding, ColladaDocument& document) {
+  if (!binding.bind || part.more_uvs.empty()) return;
+  const std::uint32_t taken = uv_set_of(part, binding);
+  if (!binding.bind->attribute("input_set"))
+    document.warn(*binding.bind,
+                  fmt::format("the input_set is missing, and <{}> has {} sets of texture coordinates; set {} "
+                              "is used",
+                              part.element.name(), part.more_uvs.size() + 1, taken));
+  else if (taken != *binding.uv_set)
+    document.warn(*binding.bind, fmt::format("<{}> has no texture coordinates of the set {}; set {} is used",
+                                             part.element.name(), *binding.uv_set, taken));
+}
+
 std::string name_of(const ColladaGeometry& shape, const ColladaPart& part, const std::string& name) {
   return shape.parts.size() > 1 && !part.symbol.empty() ? name + "/" + part.symbol : name;
 }
@@ -108,6 +123,7 @@ const Mesh& ColladaShapes::mesh_with_uvs(const ColladaPart& part, const ColladaB
     made.uv_indices.assign(made.triangles.size(), {0, 0, 0});
     return made;
   }
+  check_uv_set(part, binding, document_);
   const std::uint32_t set = uv_set_of(part, binding);
   if (set == part.uv_set) return part.mesh;
   const auto uvs = std::find_if(part.more_uvs.begin(), part.more_uvs.end(),

@@ -112,6 +112,25 @@ TEST_CASE("bind_vertex_input says which set of texture coordinates a texture mea
   CHECK(uvs(bind("UV", "7")) == first);  // There is none.
 }
 
+TEST_CASE("where bind_vertex_input names no set, or one that is not there, the set that is used is told") {
+  const PictureFolder folder;
+  const auto warnings = [&](const std::string& attributes) {
+    std::vector<std::string> messages;
+    const std::string bind = "<bind_vertex_input semantic=\"UV\" " + attributes + "/>";
+    const LoadedScene loaded = folder.load(document("", diffuse(colors), bind));
+    CHECK(mesh_of(loaded).uvs == std::vector<Vec2>{{0, 0}, {1, 0}, {0, 1}});
+    for (const Diagnostic& warning : loaded.warnings) messages.push_back(warning.message);
+    return messages;
+  };
+  using Messages = std::vector<std::string>;
+  const std::string usual = "input_semantic=\"TEXCOORD\" ";
+  CHECK(warnings(usual + "input_set=\"0\"").empty());
+  CHECK(warnings(usual) == Messages{"the input_set is missing, and <triangles> has 2 sets of texture "
+                                    "coordinates; set 0 is used"});
+  CHECK(warnings(usual + "input_set=\"7\"") ==
+        Messages{"<triangles> has no texture coordinates of the set 7; set 0 is used"});
+}
+
 TEST_CASE("a sampler says how a picture goes on beside itself, and a Maya technique where it lies") {
   const PictureFolder folder;
   const auto load = [&](const std::string& words, const std::string& extra = "") {
