@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "io/decimal.h"
 #include "io/picture/image_codec.h"
@@ -51,6 +54,67 @@ Rgb exposure_of(std::string_view header) {
   return {factor_of(product[0]), factor_of(product[1]), factor_of(product[2])};
 }
 
+/// The pixels of an older file: four bytes each, a repetition of the one before them being 1 1 1 and a count,
+/// times 256 for each repetition right before it (Ward, "Real Pixels", Graphics Gems II). OpenImageIO takes
+/// these for pixels.
+class OldRows {
+ public:
+  OldRows(std::string_view stored, int width, int height)
+      : stored_(stored), row_bytes_(pixel_bytes * std::size_t(width)), height_(std::size_t(height)) {}
+
+  /// Of the rows without repetitions; none where they have none, or are no such rows.
+  std::optional<std::string> plain() {
+    if (is_newer() || stored_.size() >= row_bytes_ * height_) return std::nullopt;
+    for (std::size_t row = 0; row < height_; ++row)
+      if (!add_row()) return std::nullopt;
+    return std::move(made_);
+  }
+
+ private:
+  static constexpr std::size_t pixel_bytes = 4;
+
+  /// Whether each row begins with 2, 2 and its width, and has each channel for itself.
+  bool is_newer() const {
+    const std::size_t width = row_bytes_ / pixel_bytes;
+    return width >= 8 && width < 32768 && stored_.starts_with("\2\2") && stored_.size() > 2 &&
+           static_cast<unsigned char>(stored_[2]) < 128;
+  }
+  bool add_row() {
+    const std::size_t begin = made_.size(), end = begin + row_bytes_;
+    for (std::size_t unit = 1; made_.size() < end;) {
+      if (stored_.size() < pixel_bytes) return false;
+      const std::string_view pixel = stored_.substr(0, pixel_bytes);
+      stored_.remove_prefix(pixel_bytes);
+      if (pixel.starts_with("\1\1\1")) {
+        const std::size_t count = unit * static_cast<unsigned char>(pixel[3]);
+        if (made_.size() == begin || count > (end - made_.size()) / pixel_bytes) return false;
+        const std::string last = made_.substr(made_.size() - pixel_bytes);
+        for (std::size_t i = 0; i < count; ++i) made_ += last;
+        unit *= 256;
+        if (unit > most_unit) return false;
+      } else {
+        made_ += pixel;
+        unit = 1;
+      }
+    }
+    return true;
+  }
+
+  static constexpr std::size_t most_unit = std::size_t(1) << 32;
+
+  std::string_view stored_;
+  std::size_t row_bytes_, height_;
+  std::string made_;
+};
+
+/// The whole file with such pixels.
+std::optional<std::string> without_repetitions(const PictureBytes& picture, std::string_view pixels) {
+  const PictureSize size = check_picture_header(PictureFormat::hdr, picture);
+  auto plain = OldRows(pixels, int(size.width), int(size.height)).plain();
+  if (plain) plain->insert(0, picture.bytes.substr(0, picture.bytes.size() - pixels.size()));
+  return plain;
+}
+
 }  // namespace
 
 Image decode_hdr(const PictureBytes& picture, const HeaderCheck& check) {
@@ -59,7 +123,8 @@ Image decode_hdr(const PictureBytes& picture, const HeaderCheck& check) {
   const std::string_view size = take_line(rest);
   const std::size_t x = size.find('X'), y = size.find('Y');
   if (x < y) fail_picture(picture, "its rows run from top to bottom; valid are sizes such as -Y 480 +X 640");
-  Image image = image_codec().read_hdr(picture, check);
+  const auto plain = without_repetitions(picture, rest);
+  Image image = image_codec().read_hdr(plain ? PictureBytes{*plain, picture.path} : picture, check);
   if (const Rgb exposure = exposure_of(picture.bytes.substr(0, end)); exposure != white)
     for (Rgb& pixel : image.pixels) pixel = pixel * Rgb{1 / exposure.r, 1 / exposure.g, 1 / exposure.b};
   const auto row = [&](int number) { return image.pixels.begin() + std::ptrdiff_t(number) * image.width; };

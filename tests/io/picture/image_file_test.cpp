@@ -387,24 +387,6 @@ TEST_CASE("a number of a picture is its brightness whatever its alpha is") {
   CHECK(number(PictureChannels::number) == 0.75f);
 }
 
-TEST_CASE("a Radiance picture has its rows and columns as its header says, and its light without exposure") {
-  // Two rows of two pixels: the bytes of each are those of its channels and the exponent of all.
-  const std::string pixels("\x80\0\0\x81\0\x80\0\x81\0\0\x80\x81\x80\x80\x80\x81", 16);
-  const auto read = [&](const std::string& lines, const std::string& size) {
-    return decode_image("#?RADIANCE\n" + lines + "\n" + size + "\n" + pixels, "a.hdr").pixels;
-  };
-  const std::string plain = "FORMAT=32-bit_rle_rgbe\n";
-  const Rgb red{1, 0, 0}, green{0, 1, 0}, blue{0, 0, 1};
-  CHECK(read(plain, "-Y 2 +X 2") == std::vector<Rgb>{red, green, blue, white});
-  CHECK(read(plain, "+Y 2 +X 2") == std::vector<Rgb>{blue, white, red, green});
-  CHECK(read(plain, "-Y 2 -X 2") == std::vector<Rgb>{green, red, white, blue});
-  CHECK(read(plain, "+Y 2 -X 2") == std::vector<Rgb>{white, blue, green, red});
-  CHECK(read(plain + "EXPOSURE= 2\nEXPOSURE=0.25\n", "-Y 2 +X 2")[0] == Rgb{2, 0, 0});
-  CHECK(read(plain + "EXPOSURE=x\n", "-Y 2 +X 2")[0] == red);
-  CHECK(read(plain + "COLORCORR= 2 4  8\nEXPOSURE=0.5\n", "-Y 2 +X 2")[3] == Rgb{1, 0.5f, 0.25f});
-  CHECK_THROWS_WITH(read(plain, "+X 2 -Y 2"), Catch::Contains("its rows run from top to bottom"));
-}
-
 TEST_CASE("the readers find the sizes that are found before") {
   for (const std::string name :
        {"flat.hdr", "runs.hdr", "grey.jpg", "rgb.jpg", "palette.png", "grey16.png", "zip.exr", "tiled.exr"}) {
