@@ -148,8 +148,18 @@ class StandIn {
     check_facets(model);
     check_clear(model);
     check_coat(model);
-    if (model.fuzz_weight > 0 && max_component(model.fuzz_color) < 1)
-      model_.fuzz_weight *= max_component(model.fuzz_color);
+    if (model.fuzz_weight > 0) check_fuzz(model);
+  }
+
+  /// The format's fuzz hides as much of what is below it as its brightest channel, OpenPBR's as its weight.
+  void check_fuzz(const Principled& model) {
+    const TextureUse* const color = texture_use(made_.material, MaterialInput::fuzz_color);
+    if (color && color->meaning == InputMeaning::weighted_color) return;
+    const float brightest = max_component(model.fuzz_color);
+    if (!color && brightest >= 1) return;
+    losses_.add("dark fuzz of a material hides less of what is below it",
+                "dark fuzz of {} materials hides less of what is below it");
+    if (!color) model_.fuzz_weight *= brightest;
   }
 
   /// What changes the specular reflection changes that of dielectrics alone (see without_metal() in

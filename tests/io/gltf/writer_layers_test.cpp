@@ -64,13 +64,35 @@ TEST_CASE("written gltf: what the reader gives metal of specular reflection is n
     }
 }
 
+namespace {
+
+const std::string dark_fuzz = "dark fuzz of a material hides less of what is below it";
+
+}  // namespace
+
+TEST_CASE("written gltf: dark fuzz reflects as before, and that it hides less is told") {
+  for (const Rgb& color : {Rgb{0.5f, 0.25f, 0.125f}, Rgb{1, 0.5f, 0.25f}, Rgb{}}) {
+    Principled fuzzy{.fuzz_weight = 0.5f, .fuzz_roughness = 0.5f};
+    fuzzy.fuzz_color = color;
+    const RoundTrip trip = round_trip(scene_of(triangle(), fuzzy), "a.gltf");
+    const float most = max_component(color);
+    CHECK(trip.warnings == std::vector<std::string>(most < 1 ? 1 : 0, dark_fuzz));
+    const auto& read = std::get<Principled>(only_material(trip).model);
+    CHECK(read.fuzz_weight == 0.5f * most);
+    if (most > 0) CHECK(read.fuzz_color == color / most);
+  }
+}
+
 TEST_CASE("written gltf: a picture of fuzz that also says how much there is comes back") {
-  Scene scene = scene_of(triangle(), Principled{.fuzz_weight = 0.75f, .fuzz_roughness = 0.5f});
+  Principled fuzzy{.fuzz_weight = 0.75f, .fuzz_roughness = 0.5f};
+  fuzzy.fuzz_color = {0.25f, 0.125f, 0.5f};  // As readers take it from the picture, which it stands for.
+  Scene scene = scene_of(triangle(), fuzzy);
   scene.textures = {{"", ImageTexture{picture(), WrapMode::repeat, TextureFilter::nearest, {}}}};
   for (const InputMeaning meaning : {InputMeaning::value, InputMeaning::weighted_color}) {
     scene.materials[0].textures = {{MaterialInput::fuzz_color, 0, meaning}};
     const RoundTrip trip = round_trip(scene, "a.gltf");
-    CHECK(trip.warnings.empty());
+    const bool is_dark = meaning == InputMeaning::value;
+    CHECK(trip.warnings == std::vector<std::string>(is_dark ? 1 : 0, dark_fuzz));
     for (const Vec2 uv : {Vec2{0.1f, 0.9f}, {0.9f, 0.9f}, {0.4f, 0.2f}}) {
       const auto a = std::get<Principled>(textured_model(scene.materials[0], scene.textures, {.uv = uv}));
       const auto b =
