@@ -40,12 +40,33 @@ std::string picture_of(const aiMaterial& material, aiTextureType type, std::size
   return "";
 }
 
+/// The same, by the first of two kinds that has one.
+std::string picture_of(const aiMaterial& material, aiTextureType first, aiTextureType second,
+                       std::size_t& embedded) {
+  const bool has_first = material.GetTextureCount(first) > 0;
+  return picture_of(material, has_first ? first : second, embedded);
+}
+
+/// Pictures that are left out, as a note calls them.
+struct LeftOut {
+  aiTextureType type;
+  const char* name;
+};
+constexpr LeftOut left_out[] = {{aiTextureType_SPECULAR, "pictures of specular colors"},
+                                {aiTextureType_SHININESS, "pictures of gloss"},
+                                {aiTextureType_HEIGHT, "bump maps"},
+                                {aiTextureType_DISPLACEMENT, "displacement maps"},
+                                {aiTextureType_REFLECTION, "pictures of reflections"},
+                                {aiTextureType_SHEEN, "pictures of sheen"},
+                                {aiTextureType_CLEARCOAT, "pictures of coats"},
+                                {aiTextureType_TRANSMISSION, "pictures of transmission"}};
+
 /// As MTL says it, whose values most formats share.
 tinyobj::material_t material_of(const aiMaterial& from, std::size_t& embedded) {
   tinyobj::material_t to{};
   aiString name;
   if (from.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS) to.name = name.C_Str();
-  to.diffuse_texname = picture_of(from, aiTextureType_DIFFUSE, embedded);
+  to.diffuse_texname = picture_of(from, aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR, embedded);
   aiColor3D color;
   const float usual = to.diffuse_texname.empty() ? 0.5f : 1;
   set(to.diffuse,
@@ -60,12 +81,14 @@ tinyobj::material_t material_of(const aiMaterial& from, std::size_t& embedded) {
   from.Get(AI_MATKEY_METALLIC_FACTOR, to.metallic);
   from.Get(AI_MATKEY_ROUGHNESS_FACTOR, to.roughness);
   to.illum = to.shininess > 0 ? 2 : 1;
-  for (tinyobj::texture_option_t* const how :
-       {&to.diffuse_texopt, &to.alpha_texopt, &to.emissive_texopt, &to.normal_texopt})
+  for (tinyobj::texture_option_t* const how : {&to.diffuse_texopt, &to.alpha_texopt, &to.emissive_texopt,
+                                               &to.normal_texopt, &to.metallic_texopt, &to.roughness_texopt})
     how->scale[0] = how->scale[1] = how->contrast = 1;
   to.alpha_texname = picture_of(from, aiTextureType_OPACITY, embedded);
-  to.emissive_texname = picture_of(from, aiTextureType_EMISSIVE, embedded);
-  to.normal_texname = picture_of(from, aiTextureType_NORMALS, embedded);
+  to.emissive_texname = picture_of(from, aiTextureType_EMISSIVE, aiTextureType_EMISSION_COLOR, embedded);
+  to.normal_texname = picture_of(from, aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA, embedded);
+  to.metallic_texname = picture_of(from, aiTextureType_METALNESS, embedded);
+  to.roughness_texname = picture_of(from, aiTextureType_DIFFUSE_ROUGHNESS, embedded);
   return to;
 }
 
@@ -202,6 +225,12 @@ ObjModel import_model(const ImportedFile& file) {
   add_note(model, scene->mNumLights, "lights");
   add_note(model, scene->mNumAnimations, "animations");
   add_note(model, embedded, "pictures within it");
+  for (const LeftOut& kind : left_out)
+    add_note(model,
+             std::size_t(std::count_if(
+                 scene->mMaterials, scene->mMaterials + scene->mNumMaterials,
+                 [&](const aiMaterial* material) { return material->GetTextureCount(kind.type) > 0; })),
+             kind.name);
   add_note(model, walk.painted(), "meshes' colors of vertices");
   const auto count = [&](const auto& has) {
     return std::size_t(std::count_if(scene->mMeshes, scene->mMeshes + scene->mNumMeshes, has));

@@ -18,9 +18,11 @@ void for_each_part_of_material(Material& m, const Visit& visit) {
   for (auto* color : {&m.diffuse, &m.specular, &m.emission}) visit(*color);
   for (auto* number : {&m.shininess, &m.ior, &m.dissolve, &m.roughness, &m.metallic}) visit(*number);
   visit(m.illum);
-  for (auto* name : {&m.diffuse_texname, &m.alpha_texname, &m.emissive_texname, &m.normal_texname})
+  for (auto* name : {&m.diffuse_texname, &m.alpha_texname, &m.emissive_texname, &m.normal_texname,
+                     &m.metallic_texname, &m.roughness_texname})
     visit(*name);
-  for (auto* how : {&m.diffuse_texopt, &m.alpha_texopt, &m.emissive_texopt, &m.normal_texopt}) {
+  for (auto* how : {&m.diffuse_texopt, &m.alpha_texopt, &m.emissive_texopt, &m.normal_texopt,
+                    &m.metallic_texopt, &m.roughness_texopt}) {
     visit(how->scale);
     visit(how->contrast);
   }

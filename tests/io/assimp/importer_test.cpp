@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes that Assimp reads, and the process of its own that it does so in.
+#include <fmt/format.h>
+
 #include <csignal>
 
+#include "core/textured_material.h"
 #include "io/assimp/apart.h"
 #include "io/assimp/model_bytes.h"
 #include "io/picture/image_file.h"
@@ -153,6 +156,44 @@ TEST_CASE("skins and morph targets that Assimp reads are told") {
   CHECK(notes(fbx_triangle("", "")).empty());
   CHECK(notes(skinned) == std::vector<std::string>{"meshes' skins of the file, left out: 1"});
   CHECK(notes(morphed) == std::vector<std::string>{"meshes' morph targets of the file, left out: 1"});
+}
+
+TEST_CASE("metalness and roughness of FBX may be pictures, as the color, and other pictures are told") {
+  const TemporaryFolder folder;
+  for (const char* name : {"wood.png", "metal.png", "rough.png", "gloss.png"})
+    write_png(folder.file(name), {1, 1, {200, 100, 100}});
+  const auto load = [&](const std::string& connections) {
+    std::string text = painted;
+    const auto texture = [](int number, const std::string& name) {
+      return fmt::format(" Texture: {}, \"Texture::{}\", \"\" {{\n  RelativeFilename: \"{}.png\"\n }}\n",
+                         number, name, name);
+    };
+    text.insert(text.find("}\nConnections"), texture(5, "metal") + texture(6, "rough") + texture(7, "gloss"));
+    text.insert(text.rfind("}\n"), connections);
+    write_text(folder.file("a.fbx"), text);
+    return load_scene(folder.file("a.fbx"));
+  };
+  CHECK(load("").summary.notes.empty());
+  for (const auto& [metalness, roughness] :
+       {std::pair{"Maya|metalness", "Maya|diffuseRoughness"},
+        std::pair{"Maya|TEX_metallic_map", "Maya|TEX_roughness_map"},
+        std::pair{"3dsMax|Parameters|metalness_map", "3dsMax|Parameters|roughness_map"}}) {
+    CAPTURE(metalness);
+    const LoadedScene loaded =
+        load(fmt::format(" C: \"OP\",5,3, \"{}\"\n C: \"OP\",6,3, \"{}\"\n", metalness, roughness));
+    CHECK(loaded.warnings.empty());
+    CHECK(loaded.summary.notes.empty());
+    const Material& material = loaded.scene.materials.at(0);
+    const auto picture = [&](MaterialInput input) {
+      const TextureUse* const use = texture_use(material, input);
+      return use ? loaded.scene.textures[use->texture].name : "none";
+    };
+    CHECK(picture(MaterialInput::reflectance) == "wood.png");
+    CHECK(picture(MaterialInput::base_metalness) == "metal.png");
+    CHECK(picture(MaterialInput::roughness) == "rough.png");
+  }
+  CHECK(load(" C: \"OP\",7,3, \"ShininessExponent\"\n").summary.notes ==
+        std::vector<std::string>{"pictures of gloss of the file, left out: 1"});
 }
 
 TEST_CASE("an STL file is a scene, lit by default") {
