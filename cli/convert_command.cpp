@@ -47,6 +47,7 @@ void add_options(CLI::App& app, ConvertArguments& arguments) {
 
 EnvironmentLight read_environment(const ConvertArguments& arguments) {
   LoadedEnvironment loaded = load_environment(arguments.environment);
+  if (!loaded.warning.empty()) console::warn(loaded.warning);
   if (!loaded.fault.empty()) throw Error(loaded.fault);
   return placed_environment(std::move(loaded.map), arguments.placement, arguments.environment);
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/console.h"
 #include "core/error.h"
 #include "io/picture/image_file.h"
 
@@ -14,6 +15,7 @@ Image read_finite_image(const std::string& path) {
     for (int x = 0; x < image.width; ++x)
       if (!is_finite(image.at(x, y)))
         throw Error(fmt::format("{}: pixel {} {} is not finite: it cannot be compared", path, x, y));
+  if (const std::string warning = unread_parts(path); !warning.empty()) console::warn(warning);
   return image;
 }
 

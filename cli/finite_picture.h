@@ -7,7 +7,7 @@
 namespace twinray {
 
 /// Reads a picture that is to be compared with others. Throws Error where it cannot be read, or a pixel is
-/// not finite.
+/// not finite. Warns of parts of the file that are not read.
 Image read_finite_image(const std::string& path);
 
 }  // namespace twinray

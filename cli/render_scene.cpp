@@ -60,6 +60,7 @@ Camera camera_of(const RenderArguments& arguments, const Scene& scene, RenderTal
 
 EnvironmentLight read_environment(const RenderArguments& arguments) {
   LoadedEnvironment loaded = load_environment(arguments.environment);
+  if (!loaded.warning.empty()) console::warn(loaded.warning);
   if (!loaded.fault.empty() && !arguments.lenient_environment)
     throw Error(loaded.fault + "; with --lenient-environment such pixels are black");
   if (!loaded.fault.empty()) console::warn(loaded.fault + "; such pixels are black");

@@ -127,6 +127,7 @@ int relight_command(const RelightArguments& arguments, const Words& words) {
   const InterruptGuard guard(outputs);
   prepare_outputs(outputs, {arguments.picture});
   StoredLayers picture = read_layers(arguments.picture);
+  if (const std::string parts = unread_parts(arguments.picture); !parts.empty()) console::warn(parts);
   check_frame(picture, arguments.output);
   const bool is_noisy_again = is_denoised_alone(picture);
   relight(picture, arguments.changes, arguments.picture);

@@ -157,6 +157,7 @@ int verify_command(const VerifyArguments& asked) {
   const InterruptGuard guard({});  // Whatever ends it says so.
   protect_the_machine(asked, folder);
   const StoredLayers picture = read_picture(asked.picture);
+  if (const std::string parts = unread_parts(asked.picture); !parts.empty()) console::warn(parts);
   const PictureClaim claim = read_claim(asked.picture, picture.metadata);
   if (claim.program != version_name())
     console::warn(

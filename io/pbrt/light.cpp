@@ -99,6 +99,7 @@ std::shared_ptr<const Image> picture_of(const PbrtParameters& parameters, PbrtCo
     const std::string path = context.files.path(place, name);
     context.options.add_file(path);
     LoadedEnvironment loaded = load_environment(path);
+    if (!loaded.warning.empty()) place.warn(context.warnings, loaded.warning);
     if (!loaded.fault.empty()) place.warn(context.warnings, loaded.fault + "; such pixels are black");
     return std::make_shared<const Image>(std::move(loaded.map));
   } catch (const Error& error) {

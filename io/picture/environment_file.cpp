@@ -17,7 +17,7 @@ bool is_radiance(const Rgb& c) { return is_valid(c.r) && is_valid(c.g) && is_val
 }  // namespace
 
 LoadedEnvironment load_environment(const std::string& path) {
-  LoadedEnvironment loaded{read_framed_image(path), {}};
+  LoadedEnvironment loaded{read_framed_image(path), {}, unread_parts(path)};
   Image& map = loaded.map;
   std::size_t count = 0, first = 0;
   for (std::size_t i = 0; i < map.pixels.size(); ++i) {

@@ -11,6 +11,7 @@ struct LoadedEnvironment {
   Image map;          ///< Every component lies in [0, max_radiance].
   std::string fault;  ///< Pixels that were not radiance, and have become black: how many, and the first one.
                       ///< Empty where there are none.
+  std::string warning = {};  ///< What else is to be told of the file; or empty.
 };
 
 /// Reads a picture of radiance; io/picture/image_file.h says which files are valid. Throws Error.

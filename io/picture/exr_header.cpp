@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 
 #include "io/picture/picture_header.h"
 
@@ -53,6 +54,10 @@ class HeaderReader {
  public:
   explicit HeaderReader(const PictureBytes& picture) : picture_(picture), rest_(picture.bytes) {}
 
+  /// How many pictures the file has, and the name of the first one; once it is read.
+  std::size_t parts() const { return parts_; }
+  const std::string& first_name() const { return first_name_; }
+
   PictureSize read() {
     if (number() != magic) fail("it does not begin as an OpenEXR picture does");
     const std::uint32_t flags = number();
@@ -65,6 +70,7 @@ class HeaderReader {
  private:
   void read_part() {
     bool has_window = false;
+    ++parts_;
     for (std::string_view attribute = name(); !attribute.empty(); attribute = name()) {
       const std::string_view type = name();
       const std::uint32_t size = number();
@@ -84,6 +90,7 @@ class HeaderReader {
     if (const auto size = size_of_type(type); size && *size != rest_.size()) return false;
     if (attribute == "dataWindow" && type != "box2i") return false;
     if (attribute == "dataWindow") read_window();
+    if (attribute == "name" && type == "string" && parts_ == 1) first_name_ = rest_;
     if (type == "tiledesc") read_tile();
     if (type == "chlist") return skip_channels();
     if (type == "preview") return skip_preview();
@@ -153,10 +160,26 @@ class HeaderReader {
   const PictureBytes& picture_;
   std::string_view rest_;
   PictureSize largest_;
+  std::size_t parts_ = 0;
+  std::string first_name_;
 };
 
 }  // namespace
 
 PictureSize check_exr_header(const PictureBytes& picture) { return HeaderReader(picture).read(); }
+
+bool has_exr_parts(std::string_view begin) {
+  const auto byte = [&](std::size_t i) { return std::uint32_t{static_cast<unsigned char>(begin[i])}; };
+  return signed_format(begin) == PictureFormat::exr && begin.size() >= exr_flags_end &&
+         (byte(5) << 8 & flag_parts) != 0;
+}
+
+std::string unread_exr_parts(const PictureBytes& picture) {
+  HeaderReader reader(picture);
+  reader.read();
+  if (reader.parts() < 2) return "";
+  return fmt::format("{}: it has {} parts; the first one, \"{}\", is read", picture.path, reader.parts(),
+                     reader.first_name());
+}
 
 }  // namespace twinray

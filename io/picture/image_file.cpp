@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -299,6 +300,17 @@ StoredLayers read_layers(const std::string& path) {
   return decode_exr_layers(picture, [&](const PictureHeader& header) {
     check_kind(header, PictureFormat::exr, picture, std::size_t(header.channels) * sizeof(float));
   });
+}
+
+/// Files of one part, which most are, are not read a second time for this.
+std::string unread_parts(const std::string& path) {
+  std::array<char, exr_flags_end> begin{};
+  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
+  return has_exr_parts({begin.data(), begin.size()}) ? unread_parts(read_bytes(path), path) : "";
+}
+
+std::string unread_parts(std::string_view bytes, const std::string& name) {
+  return signed_format(bytes) == PictureFormat::exr ? unread_exr_parts({bytes, name}) : "";
 }
 
 ImageMetadata read_metadata(const std::string& path) {

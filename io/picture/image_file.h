@@ -59,6 +59,12 @@ Image read_framed_image(const std::string& path);
 /// All channels of an EXR picture, with its metadata and frame. Throws Error.
 StoredLayers read_layers(const std::string& path);
 
+/// A warning where an OpenEXR picture that can be read has several parts, of which all readers take the first
+/// one: how many they are, and its name. Else "".
+std::string unread_parts(const std::string& path);
+/// The same of the bytes of a file.
+std::string unread_parts(std::string_view bytes, const std::string& name);
+
 /// The texts beside the pixels of an EXR, HDR, PNG or JPEG picture; none of other formats. Throws Error.
 ImageMetadata read_metadata(const std::string& path);
 

@@ -33,6 +33,13 @@ PictureSize check_picture_header(PictureFormat format, const PictureBytes& pictu
 /// The same for OpenEXR, which may hold several pictures: the size of the largest.
 PictureSize check_exr_header(const PictureBytes& picture);
 
+/// What an OpenEXR picture begins with that says whether it has parts.
+inline constexpr std::size_t exr_flags_end = 8;
+bool has_exr_parts(std::string_view begin);
+/// What is to be told of an OpenEXR picture whose header is checked: how many parts it has where there are
+/// several, and which one is read; else "".
+std::string unread_exr_parts(const PictureBytes& picture);
+
 /// What a picture's reader finds in its header.
 struct PictureHeader {
   int width = 0, height = 0, channels = 0;

@@ -51,9 +51,10 @@ ReadOptions options_of(const PictureMeaning& meaning) {
 ReadPicture read(const PictureUse& picture) {
   Image image = read_image(picture.path, options_of(picture.meaning));
   const std::size_t blackened = blacken(image);
-  if (blackened == 0) return {std::move(image), ""};
-  std::string warning = fmt::format("{}: {} of {} x {} pixels are not finite; they are black", picture.path,
-                                    blackened, image.width, image.height);
+  std::string warning = unread_parts(picture.path);
+  if (blackened > 0)
+    warning += fmt::format("{}{}: {} of {} x {} pixels are not finite; they are black",
+                           warning.empty() ? "" : "; ", picture.path, blackened, image.width, image.height);
   return {std::move(image), std::move(warning)};
 }
 
@@ -158,7 +159,7 @@ LoadedTexture decode_texture(std::string_view bytes, const std::string& name, co
   TextureStore* const store = options.textures.get();
   if (options.pictures) return {kept(picture_of(magenta), nullptr), ""};
   try {
-    return {kept(decode_image(bytes, name, options_of(meaning)), store), ""};
+    return {kept(decode_image(bytes, name, options_of(meaning)), store), unread_parts(bytes, name)};
   } catch (const Error& error) {
     return missing_texture(error.what());
   }

@@ -50,6 +50,17 @@ std::string line_of(const std::string& text, const std::string& name) {
 
 }  // namespace
 
+TEST_CASE("compare warns of the parts of a picture that it does not read") {
+  const TemporaryFolder folder;
+  write_text(folder.file("parts.exr"), exr_of_parts({{"left", 0.25f}, {"right", 4}}));
+  write_image(folder.file("one.exr"), Image(1, 1, {0.25f, 0.25f, 0.25f}));
+  const ProcessResult result =
+      run_program("compare " + quoted(folder.file("parts.exr")) + " " + quoted(folder.file("one.exr")));
+  CHECK(result.exit_code == 0);
+  CHECK(contains(result.err, "parts.exr: it has 2 parts; the first one, \"left\", is read"));
+  CHECK(contains(result.out, "0 of them differ"));
+}
+
 TEST_CASE("compare says by how much radiance differs, in which channel and where") {
   const Pair pair(".exr");
   const ProcessResult result = pair.compare();

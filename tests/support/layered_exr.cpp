@@ -48,8 +48,8 @@ std::string window(int x, int y, int width, int height) {
   return bytes_of<std::int32_t>({x, y, x + width - 1, y + height - 1});
 }
 
-std::string header_of(int width, int height, const Channels& channels, const ExrHeader& stated) {
-  std::string header = bytes_of<std::uint8_t>({0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0});
+std::string attributes_of(int width, int height, const Channels& channels, const ExrHeader& stated) {
+  std::string header;
   add_attribute(header, "channels", "chlist", channel_list(width, height, channels));
   add_attribute(header, "compression", "compression", std::string(1, '\0'));
   add_attribute(header, "dataWindow", "box2i", window(stated.x, stated.y, width, height));
@@ -59,7 +59,12 @@ std::string header_of(int width, int height, const Channels& channels, const Exr
   add_attribute(header, "screenWindowCenter", "v2f", bytes_of<float>({0, 0}));
   add_attribute(header, "screenWindowWidth", "float", bytes_of<float>({1}));
   for (const auto& [name, text] : stated.texts) add_attribute(header, name, "string", text);
-  return header + '\0';
+  return header;
+}
+
+std::string header_of(int width, int height, const Channels& channels, const ExrHeader& stated) {
+  return bytes_of<std::uint8_t>({0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0}) +
+         attributes_of(width, height, channels, stated) + '\0';
 }
 
 }  // namespace
@@ -81,6 +86,25 @@ std::string layered_exr(int width, int height, const Channels& channels, const E
     rows += row;
   }
   return bytes + rows;
+}
+
+std::string exr_of_parts(const std::vector<std::pair<std::string, float>>& parts) {
+  std::string bytes = bytes_of<std::uint8_t>({0x76, 0x2f, 0x31, 0x01, 2, 0x10, 0, 0});
+  for (const auto& [name, value] : parts) {
+    bytes += attributes_of(1, 1, {{"Y", {value}}}, {.texts = {{"name", name}, {"type", "scanlineimage"}}});
+    add_attribute(bytes, "chunkCount", "int", bytes_of<std::int32_t>({1}));
+    bytes += '\0';
+  }
+  bytes += '\0';
+  // Number of the part, row, bytes, and the value.
+  constexpr std::size_t chunk_bytes = 16;
+  const std::size_t first = bytes.size() + parts.size() * sizeof(std::uint64_t);
+  for (std::size_t i = 0; i < parts.size(); ++i) add(bytes, std::uint64_t(first + i * chunk_bytes));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    bytes += bytes_of<std::int32_t>({std::int32_t(i), 0, 4});
+    add(bytes, parts[i].second);
+  }
+  return bytes;
 }
 
 }  // namespace twinray::test

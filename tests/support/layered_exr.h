@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace twinray::test {
@@ -18,5 +19,8 @@ struct ExrHeader {
 
 /// The bytes of an OpenEXR file of 32-bit floats, not compressed ("OpenEXR File Layout").
 std::string layered_exr(int width, int height, const Channels& channels, const ExrHeader& stated = {});
+
+/// The bytes of an OpenEXR file of several parts, each of one grey pixel and a name.
+std::string exr_of_parts(const std::vector<std::pair<std::string, float>>& parts);
 
 }  // namespace twinray::test

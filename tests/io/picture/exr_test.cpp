@@ -3,9 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "io/picture/environment_file.h"
 #include "io/picture/exr_reader.h"
 #include "io/picture/exr_tiled_file.h"
 #include "io/picture/exr_writer.h"
+#include "io/picture/image_file.h"
+#include "io/picture/texture_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/layered_exr.h"
 #include "tests/support/temporary_folder.h"
@@ -171,6 +174,26 @@ TEST_CASE("an EXR is refused before memory is taken for its pixels") {
   const HeaderCheck refuse = [](const PictureHeader&) { throw Error("too large"); };
   CHECK_THROWS_WITH(decode_exr({bytes, exr_name}, refuse), "too large");
   CHECK_THROWS_WITH(decode_exr_channel({bytes, exr_name}, "Y", refuse), "too large");
+}
+
+TEST_CASE("of an OpenEXR picture of several parts the first one is read, and the others are told") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("parts.exr"),
+                    told = path + ": it has 3 parts; the first one, \"left\", is read";
+  write_text(path, exr_of_parts({{"left", 0.25f}, {"right", 4}, {"depth", 8}}));
+  CHECK(read_image(path).pixels == std::vector<Rgb>{{0.25f, 0.25f, 0.25f}});
+  CHECK(unread_parts(path) == told);
+  CHECK(load_environment(path).warning == told);
+  const LoadedTexture texture = load_texture(path, {PictureRole::data, PictureChannels::color}, {});
+  CHECK(texture.warning == told);
+  CHECK(!texture.is_stand_in);
+  CHECK(texture.image->level(0).at(0, 0) == Rgb{0.25f, 0.25f, 0.25f});
+  CHECK(decode_texture(read_text(path), "a", {PictureRole::data, PictureChannels::color}, {}).warning ==
+        "a: it has 3 parts; the first one, \"left\", is read");
+  write_text(path, exr_of_parts({{"only", 0.25f}}));
+  CHECK(unread_parts(path).empty());
+  write_exr(path, Image(1, 1));
+  CHECK(unread_parts(path).empty());
 }
 
 }  // namespace twinray::test
