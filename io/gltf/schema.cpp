@@ -87,16 +87,33 @@ class Checker {
 
   void check() {
     if (!root_.is_object()) context_.fail("/", "a glTF file is one JSON object");
-    check_object(root_, "", "");
     check_version();
+    check_object(root_, "", "");
+    check_least_version();
     check_extensions();
   }
 
  private:
+  /// Before the shape, which is another one in glTF 1.0: objects in place of lists, numbers for versions.
   void check_version() const {
-    const std::string version = root_["asset"]["version"];
-    if (version.substr(0, 2) != "2.")
-      context_.fail("/asset/version", fmt::format("the version is \"{}\"; valid is 2.0", version));
+    const Json::json_pointer place("/asset/version");
+    if (!root_.contains(place)) return check_is_list("nodes"), check_is_list("meshes");
+    const Json& version = root_[place];
+    const std::string text = version.is_string()   ? version.get<std::string>()
+                             : version.is_number() ? fmt::format("{:.1f}", version.get<double>())
+                                                   : "2.0";  // What else it is, its rule says.
+    if (text.substr(0, 2) != "2.")
+      context_.fail("/asset/version", fmt::format("the version of glTF is \"{}\"; valid is 2.0", text));
+  }
+
+  /// Of a file that does not say its version.
+  void check_is_list(const char* name) const {
+    if (root_.contains(name) && root_[name].is_object())
+      context_.fail(fmt::format("/{}", name),
+                    "this is an object, as in glTF 1.0; valid is an array, as in glTF 2.0");
+  }
+
+  void check_least_version() const {
     const std::string least = root_["asset"].value("minVersion", "2.0");
     if (least != "2.0")
       context_.fail("/asset/minVersion",

@@ -247,7 +247,7 @@ TEST_CASE("gltf: each fault of the text is an error with its pointer and what is
     const char *pointer, *value, *message;
   };
   const Fault faults[] = {
-      {"/asset/version", "\"1.0\"", "/asset/version: the version is \"1.0\"; valid is 2.0"},
+      {"/asset/version", "\"1.0\"", "/asset/version: the version of glTF is \"1.0\"; valid is 2.0"},
       {"/asset", "3", "/asset: this is 3; valid is an object"},
       {"/asset/minVersion", "\"2.1\"",
        "/asset/minVersion: the file asks for version \"2.1\"; what is read is 2.0"},
@@ -357,6 +357,19 @@ TEST_CASE("gltf: text that is no JSON is an error with its line, and so is deep 
         std::string::npos);
   CHECK(error("[]") == "test.glb: /: a glTF file is one JSON object");
   CHECK(error("{}") == "test.glb: /: \"asset\" is missing, and required");
+}
+
+TEST_CASE("gltf: a file of version 1 is called that, whatever its shape") {
+  const std::string lists = R"("accessors": {"a": {}}, "nodes": {"n": {}}, "meshes": {}})";
+  const std::string old = "test.glb: /asset/version: the version of glTF is \"1.0\"; valid is 2.0";
+  CHECK(error_of(R"({"asset": {"version": "1.0", "premultipliedAlpha": true}, )" + lists) == old);
+  CHECK(error_of(R"({"asset": {"version": 1}, )" + lists) == old);
+  CHECK(error_of(R"({"asset": {"version": 1.0}, )" + lists) == old);
+  CHECK(error_of("{" + lists) ==
+        "test.glb: /nodes: this is an object, as in glTF 1.0; valid is an array, as in glTF 2.0");
+  CHECK(error_of(R"({"asset": {"version": 2}})") == "test.glb: /asset/version: this is 2; valid is text");
+  CHECK(error_of(R"({"asset": {"version": null}})") ==
+        "test.glb: /asset/version: this is null; valid is text");
 }
 
 TEST_CASE("gltf: names that are not known are warned of, with the nearest one") {
