@@ -88,6 +88,17 @@ void check_inputs(const VerifyArguments& asked, const PictureClaim& claim, const
   if (!difference.empty()) throw Error(fmt::format("{}: {}", asked.picture, difference));
 }
 
+/// Of the files that the command names: another one may be no scene any more, and its faults say little.
+/// Those that the scene names in turn are known once it is read.
+void check_named_inputs(const VerifyArguments& asked, const PictureClaim& claim, RenderArguments arguments) {
+  arguments.load.files = std::make_shared<std::vector<std::string>>(1, arguments.scene);
+  for (const auto& [name, hash] : input_files(arguments)) {
+    const auto said = claim.inputs.find(name);
+    if (hash != "none" && said != claim.inputs.end() && said->second != hash)
+      throw Error(fmt::format("{}: {} is another file here", asked.picture, name));
+  }
+}
+
 void check_size(const std::string& path, const StoredLayers& picture, const PixelRect& window) {
   if (picture.width != window.width() || picture.height != window.height())
     throw Error(fmt::format("{}: it has {} x {} pixels, and its command asks for {} x {}", path,
@@ -165,6 +176,7 @@ int verify_command(const VerifyArguments& asked) {
   RenderArguments arguments = render_arguments(asked, claim);
   if (const std::string loss = loss_of(arguments, claim, picture); !loss.empty())
     throw Error(fmt::format("{}: {}", asked.picture, loss));
+  check_named_inputs(asked, claim, arguments);
   RenderTalk nobody;
   const LoadedScene loaded = load_for_render(arguments, nobody);
   check_inputs(asked, claim, arguments);

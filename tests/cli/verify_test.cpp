@@ -258,6 +258,8 @@ TEST_CASE("a scene that has changed since is named") {
   CHECK(contains(error_of(file_in(folder, "a.png")), "a.png: box.dae is another file here"));
   CHECK(contains(verify(file_in(folder, "a.png") + " --scene " + quoted(scenes + "box.dae")).out,
                  "Same bits      9 of 9 tiles"));
+  write_text(folder.file("box.dae"), "no COLLADA any more");
+  CHECK(contains(error_of(file_in(folder, "a.png")), "a.png: box.dae is another file here"));
   fs::remove(folder.file("box.dae"));
   CHECK(contains(error_of(file_in(folder, "a.png")), "box.dae"));
 }
