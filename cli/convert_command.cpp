@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -11,7 +10,6 @@
 #include "cli/counted.h"
 #include "cli/default_light.h"
 #include "cli/interrupt.h"
-#include "cli/json_names.h"
 #include "cli/options/options.h"
 #include "cli/outputs.h"
 #include "core/error.h"
@@ -89,8 +87,6 @@ std::function<ConvertArguments()> add_convert_options(CLI::App& app) {
 
 int convert_command(const ConvertArguments& arguments) {
   check_scene_output(arguments.output);
-  if (std::filesystem::path(arguments.output).extension() == ".json")
-    check_json_names({arguments.output}, "the exchange form");
   prepare_outputs({arguments.output}, {});
   LoadOptions options = arguments.load;
   options.files = std::make_shared<std::vector<std::string>>();

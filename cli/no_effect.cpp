@@ -347,8 +347,8 @@ constexpr Rule rules[]{
     {"--count", needs_counts},
 };
 
-bool has_area_light(const Scene& scene) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(),
+bool has_area_light(const std::vector<Light>& lights) {
+  return std::any_of(lights.begin(), lights.end(),
                      [](const Light& light) { return !is_delta(light.source); });
 }
 
@@ -360,9 +360,9 @@ bool has_point_light(const Scene& scene) {
 }
 
 /// Whether there are more lights of a kind than are sampled each.
-bool has_many_lights(const Scene& scene) {
+bool has_many_lights(const std::vector<Light>& lights) {
   std::size_t points = 0, surfaces = 0;
-  for (const Light& light : scene.lights) {
+  for (const Light& light : lights) {
     if (is_distant(light.source) || std::holds_alternative<DirectionalLight>(light.source)) continue;
     ++(is_delta(light.source) ? points : surfaces);
   }
@@ -391,15 +391,17 @@ std::vector<std::string> options_without_effect(const RenderRequest& request,
   return found;
 }
 
-std::vector<std::string> options_without_effect(const Scene& scene, bool gets_default_lights,
-                                                const RenderArguments& arguments) {
+std::vector<std::string> options_without_effect(const Scene& scene, const RenderArguments& arguments,
+                                                const std::vector<Light>& added) {
   std::vector<std::string> found;
+  std::vector<Light> lights = scene.lights;
+  lights.insert(lights.end(), added.begin(), added.end());
   if (arguments.default_light == DefaultLight::if_dark && is_lit(scene))
     found.push_back("--default-light: no effect, for the scene has light; --default-light=always adds to it");
   if (is_given("--light-samples", arguments) && arguments.path.direct != DirectMethod::hemisphere &&
-      !has_area_light(scene) && !gets_default_lights)
+      !has_area_light(lights))
     found.push_back("--light-samples: no effect, for no light of the scene has an area");
-  if (is_given("--many-lights", arguments) && !has_many_lights(scene))
+  if (is_given("--many-lights", arguments) && !has_many_lights(lights))
     found.push_back(fmt::format("--many-lights: no effect, for up to {} lights of a kind are all sampled",
                                 LightSet::most_alone));
   if (arguments.lenient_environment && !has_environment(scene))

@@ -14,9 +14,10 @@ namespace twinray {
 std::vector<std::string> options_without_effect(const RenderRequest& request,
                                                 const RenderArguments& arguments);
 
-/// The same for given options that change nothing in this scene, which may get default_lights() besides.
-std::vector<std::string> options_without_effect(const Scene& scene, bool gets_default_lights,
-                                                const RenderArguments& arguments);
+/// The same for given options that change nothing in this scene; the lights that it is given beside its own
+/// count as well.
+std::vector<std::string> options_without_effect(const Scene& scene, const RenderArguments& arguments,
+                                                const std::vector<Light>& added = {});
 /// The same of what its file says of it.
 std::vector<std::string> options_without_effect(const SceneSummary& summary,
                                                 const RenderArguments& arguments);

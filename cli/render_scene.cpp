@@ -72,15 +72,27 @@ EnvironmentLight read_environment(const RenderArguments& arguments) {
 namespace {
 
 /// Of what cannot have a light, without being asked for.
-bool gets_default_lights(const RenderArguments& arguments, const LoadedScene& loaded) {
+/// For a scene that asks for light, or is to have it; most have their own.
+std::vector<Light> lights_to_add(const RenderArguments& arguments, const LoadedScene& loaded) {
   const bool is_wanted = arguments.default_light != DefaultLight::none || loaded.wants_light;
-  return is_wanted && (arguments.default_light == DefaultLight::always || !is_lit(loaded.scene));
+  if (!is_wanted || (arguments.default_light != DefaultLight::always && is_lit(loaded.scene))) return {};
+  return default_lights(loaded.scene.camera);
 }
 
-void add_default_lights(const RenderArguments& arguments, LoadedScene& loaded, RenderTalk& talk) {
-  for (Light& light : default_lights(loaded.scene.camera)) loaded.scene.lights.push_back(std::move(light));
-  if (arguments.default_light == DefaultLight::none && traces_paths(arguments.integrator))
+/// The given options that change nothing in the scene, each with the reason.
+std::vector<std::string> useless_options(const RenderArguments& arguments, const LoadedScene& loaded,
+                                         const std::vector<Light>& added) {
+  std::vector<std::string> found = options_without_effect(loaded.scene, arguments, added);
+  for (std::string& each : options_without_effect(loaded.summary, arguments))
+    found.push_back(std::move(each));
+  return found;
+}
+
+void add_lights(std::vector<Light> added, const RenderArguments& arguments, LoadedScene& loaded,
+                RenderTalk& talk) {
+  if (!added.empty() && arguments.default_light == DefaultLight::none && traces_paths(arguments.integrator))
     talk.note("the file has no light: a soft sky, and a light at the camera");
+  for (Light& light : added) loaded.scene.lights.push_back(std::move(light));
 }
 
 }  // namespace
@@ -96,13 +108,11 @@ LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk) {
   if (arguments.texture_filter) set_filter(loaded.scene.textures, *arguments.texture_filter);
   if (!arguments.environment.empty())
     loaded.scene.lights.push_back({"environment", read_environment(arguments)});
-  const bool needs_light = gets_default_lights(arguments, loaded);
-  std::vector<std::string> without_effect = options_without_effect(loaded.scene, needs_light, arguments);
-  for (std::string& each : options_without_effect(loaded.summary, arguments))
-    without_effect.push_back(std::move(each));
+  std::vector<Light> added = lights_to_add(arguments, loaded);
+  const std::vector<std::string> without_effect = useless_options(arguments, loaded, added);
   refuse_if_strict(without_effect, arguments);
   for (const std::string& warning : without_effect) console::warn(warning);
-  if (needs_light) add_default_lights(arguments, loaded, talk);
+  add_lights(std::move(added), arguments, loaded, talk);
   if (arguments.render.light_groups) group_lights(loaded.scene, arguments.light_groups);
   for (const std::string& warning : scene_warnings(loaded.scene, arguments)) console::warn(warning);
   talk.ready();

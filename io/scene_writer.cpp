@@ -11,6 +11,7 @@
 #include "io/exchange/writer.h"
 #include "io/gltf/writer.h"
 #include "io/pbrt/writer.h"
+#include "io/utf8.h"
 
 namespace twinray {
 namespace {
@@ -22,10 +23,22 @@ struct WrittenFormat {
 constexpr std::array<WrittenFormat, 4> written_formats{
     {{".json", written_exchange}, {".pbrt", written_pbrt}, {".gltf", written_gltf}, {".glb", written_gltf}}};
 
+/// The exchange form names the files beside it, after itself, in JSON.
+void check_name(const std::string& name, const WrittenFormat& format) {
+  if (format.written == written_exchange && !is_utf8(name))
+    throw Error(
+        fmt::format("{}: this name is not UTF-8, as all names in JSON are, which names the files beside it "
+                    "after it; give it another one",
+                    name));
+}
+
 const WrittenFormat& format_of(const std::string& path) {
   const std::string name = name_of_file(path);
   for (const WrittenFormat& format : written_formats)
-    if (name.size() > format.ending.size() && name.ends_with(format.ending)) return format;
+    if (name.size() > format.ending.size() && name.ends_with(format.ending)) {
+      check_name(name, format);
+      return format;
+    }
   throw Error(
       fmt::format("{}: a scene is written to a file whose name ends in .json, .pbrt, .gltf or .glb; other "
                   "files of it are put beside it",

@@ -93,7 +93,7 @@ TEST_CASE("options of lights and surfaces that a scene has not are without effec
   scene.materials.push_back({"wall", Lambert{}});
   scene.lights.push_back({"sun", DirectionalLight{}});
   const auto found = [&](const std::string& option) {
-    return options_without_effect(scene, false, parse_render_arguments({"scene.dae", option}));
+    return options_without_effect(scene, parse_render_arguments({"scene.dae", option}));
   };
   for (const std::string name : {"--glossy-bounces", "--transmission-bounces", "--regularize"}) {
     scene.materials[0].model = Lambert{};
@@ -118,12 +118,12 @@ TEST_CASE("light samples have no effect where every light is a point or a direct
   scene.lights.push_back({"sun", DirectionalLight{}});
   const auto without_effect = [](const Scene& of, std::vector<std::string> words) {
     words.push_back("scene.dae");
-    return options_without_effect(of, false, parse_render_arguments(words));
+    return options_without_effect(of, parse_render_arguments(words));
   };
   CHECK(without_effect(scene, {"-l", "4"}) ==
         Warnings{"--light-samples: no effect, for no light of the scene has an area"});
   CHECK(without_effect(scene, {}).empty());
-  CHECK(options_without_effect(scene, true, parse_render_arguments({"-l", "4", "scene.dae"})).empty());
+  CHECK(options_without_effect(scene, parse_render_arguments({"-l", "4", "scene.dae"}), {{"sky", AmbientLight{}}}).empty());
   CHECK(without_effect(scene, {"-l", "4", "-H"}).empty());
   scene.lights.push_back({"sky", AmbientLight{}});
   CHECK(without_effect(scene, {"-l", "4"}).empty());
@@ -132,7 +132,7 @@ TEST_CASE("light samples have no effect where every light is a point or a direct
 TEST_CASE("how one of many lights is chosen has no effect where all are sampled") {
   Scene scene;
   const auto without_effect = [&] {
-    return options_without_effect(scene, false, parse_render_arguments({"--many-lights=power", "scene.dae"}));
+    return options_without_effect(scene, parse_render_arguments({"--many-lights=power", "scene.dae"}));
   };
   const Warnings none{"--many-lights: no effect, for up to 8 lights of a kind are all sampled"};
   for (int i = 0; i < 8; ++i) {

@@ -196,7 +196,7 @@ MUTANTS = [
            "  if (!is_help) return words;\n", "  if (is_help) return words;\n", "test_cli",
            "the word help is the option"),
     Mutant("the default light has no samples", "cli/no_effect.cpp",
-           "!has_area_light(scene) && !gets_default_lights", "!has_area_light(scene)", "test_cli",
+           "!has_area_light(lights)", "!has_area_light(scene.lights)", "test_cli",
            "samples per light have an effect on the light that a scene without any gets"),
     Mutant("a film that was completed is still called incomplete", "cli/film/merge_command.cpp",
            'return entry.first == "twinray:missing"; });', "return entry.first.empty(); });", "test_cli",

@@ -59,7 +59,7 @@ MUTANTS = [
            "arguments.default_light != DefaultLight::none;",
            "test_cli_engines", LIT),
     Mutant("the sky is there beside a picture of one", "cli/render_scene.cpp",
-           "== DefaultLight::always || !is_lit(loaded.scene))", "== DefaultLight::always || true)",
+           "!= DefaultLight::always && is_lit(loaded.scene))", "!= DefaultLight::always && false)",
            "test_cli_engines", LIT),
     Mutant("mirrored nodes show their backs", "io/assimp/assimp_importer.cpp",
            "const bool mirrors = to_world.Determinant() < 0;", "const bool mirrors = false;", "test_io",
