@@ -19,6 +19,7 @@
 #include <cstdint>
 
 #include "accel/canonical/block_lanes-inl.h"
+#include "accel/canonical/edge_lanes-inl.h"
 #include "accel/canonical/sphere_test-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -132,39 +133,44 @@ class BlockRay : BlockLanes {
     return false;
   }
 
-  /// The edge functions of lane_count triangles, and their corners' depths before scaling.
-  struct Edges {
-    DoubleLanes a, b, c;
+  /// The sheared corners of lane_count triangles, before z is scaled.
+  struct Corners {
+    DoubleLanes x[3], y[3];
     FloatLanes z[3];
 
-    HWY_ATTR HWY_INLINE Edges(const BlockRay& ray, const PrimitiveBlock& block, std::size_t first) {
-      DoubleLanes x[3], y[3];
+    HWY_ATTR HWY_INLINE Corners(const BlockRay& ray, const PrimitiveBlock& block, std::size_t first) {
       for (int corner = 0; corner < 3; ++corner) {
         const float* const rows = block.corners[corner][0] + first;
         z[corner] = hn::Sub(hn::Load(Floats(), rows + ray.z_row_), ray.oz_);
         x[corner] = sheared(hn::Sub(hn::Load(Floats(), rows + ray.x_row_), ray.ox_), ray.sx_, z[corner]);
         y[corner] = sheared(hn::Sub(hn::Load(Floats(), rows + ray.y_row_), ray.oy_), ray.sy_, z[corner]);
       }
-      a = hn::MulSub(x[2], y[1], hn::Mul(y[2], x[1]));
-      b = hn::MulSub(x[0], y[2], hn::Mul(y[0], x[2]));
-      c = hn::MulSub(x[1], y[0], hn::Mul(y[1], x[0]));
-    }
-    /// Bit i: the ray's line intersects triangle i of those named, or sees it edge-on.
-    HWY_ATTR HWY_INLINE std::uint32_t met(std::uint32_t triangles, std::size_t first) const {
-      const DoubleLanes zero = hn::Zero(Doubles());
-      const auto beside = hn::And(hn::Lt(hn::Min(a, hn::Min(b, c)), zero),  //
-                                  hn::Gt(hn::Max(a, hn::Max(b, c)), zero));
-      return ~bits_of(Doubles(), beside) & some_of(triangles, first);
-    }
-    HWY_ATTR HWY_INLINE DoubleLanes determinant() const { return hn::Add(hn::Add(a, b), c); }
-    HWY_ATTR HWY_INLINE FloatLanes t(const BlockRay& ray, DoubleLanes determinant) const {
-      const DoubleLanes p = hn::Mul(a, ray.scaled(z[0])), q = hn::Mul(b, ray.scaled(z[1]));
-      const DoubleLanes sum = hn::Add(hn::Add(p, q), hn::Mul(c, ray.scaled(z[2])));
-      return hn::DemoteTo(Floats(), hn::Div(sum, determinant));
     }
     static HWY_ATTR HWY_INLINE DoubleLanes sheared(FloatLanes x, FloatLanes slope, FloatLanes z) {
       return hn::PromoteTo(Doubles(), hn::Sub(x, hn::Mul(slope, z)));
     }
+  };
+
+  /// Their edge functions.
+  class Edges : public EdgeLanes<Doubles> {
+   public:
+    HWY_ATTR HWY_INLINE Edges(const BlockRay& ray, const PrimitiveBlock& block, std::size_t first)
+        : Edges(Corners(ray, block, first)) {}
+
+    /// Bit i: the ray's line intersects triangle i of those named, or sees it edge-on.
+    HWY_ATTR HWY_INLINE std::uint32_t met(std::uint32_t triangles, std::size_t first) const {
+      return ~bits_of(Doubles(), this->are_beside()) & some_of(triangles, first);
+    }
+    HWY_ATTR HWY_INLINE FloatLanes t(const BlockRay& ray, DoubleLanes determinant) const {
+      const DoubleLanes sum = this->weighted(ray.scaled(z_[0]), ray.scaled(z_[1]), ray.scaled(z_[2]));
+      return hn::DemoteTo(Floats(), hn::Div(sum, determinant));
+    }
+
+   private:
+    HWY_ATTR HWY_INLINE explicit Edges(const Corners& corners)
+        : EdgeLanes<Doubles>(corners.x, corners.y), z_{corners.z[0], corners.z[1], corners.z[2]} {}
+
+    FloatLanes z_[3];
   };
 
   HWY_ATTR HWY_INLINE DoubleLanes scaled(FloatLanes z) const {

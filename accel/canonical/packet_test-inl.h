@@ -17,6 +17,7 @@
 #include <cstdint>
 
 #include "accel/canonical/block_test-inl.h"
+#include "accel/canonical/edge_lanes-inl.h"
 #include "accel/canonical/load_ray-inl.h"
 #include "accel/canonical/ray_packet-inl.h"
 #include "accel/canonical/triangle.h"
@@ -57,9 +58,32 @@ class PacketHits : PacketLanes {
   using DoubleLanes = hn::Vec<Doubles>;
   static constexpr std::size_t half_count = lane_count / 2;
 
-  /// ShearedVertex of a vector's rays, z not yet in units of t.
-  struct Vertex {
-    FloatLanes x, y, z;
+  /// The sheared corners of a triangle for a vector's rays, before z is scaled.
+  struct Corners {
+    FloatLanes x[3], y[3], z[3];
+
+    HWY_ATTR HWY_INLINE Corners(const RayPacket& rays, const PrimitiveBlock& block, int lane,
+                                std::size_t first) {
+      for (int corner = 0; corner < 3; ++corner) {
+        FloatLanes from_ray[3];
+        for (int k = 0; k < 3; ++k)
+          from_ray[k] = hn::Sub(hn::Set(Floats(), block.corners[corner][rays.axes[k]][lane]),
+                                rays.turned_origin[k].at(first));
+        z[corner] = from_ray[2];
+        x[corner] = hn::Sub(from_ray[0], hn::Mul(rays.shear[0].at(first), z[corner]));
+        y[corner] = hn::Sub(from_ray[1], hn::Mul(rays.shear[1].at(first), z[corner]));
+      }
+    }
+    /// The canonical edge_error().
+    HWY_ATTR HWY_INLINE FloatLanes edge_error() const {
+      return hn::MulAdd(hn::Set(Floats(), edge_margin), hn::Mul(largest(x), largest(y)),
+                        hn::Set(Floats(), edge_underflow));
+    }
+
+   private:
+    static HWY_ATTR HWY_INLINE FloatLanes largest(const FloatLanes (&of)[3]) {
+      return hn::Max(hn::Abs(of[0]), hn::Max(hn::Abs(of[1]), hn::Abs(of[2])));
+    }
   };
 
   HWY_ATTR HWY_INLINE void find_latest() {
@@ -70,62 +94,28 @@ class PacketHits : PacketLanes {
 
   HWY_ATTR HWY_INLINE void test_triangle(const RayPacket& rays, const PrimitiveBlock& block, int lane) {
     for (std::size_t first = 0; first < packet_size; first += lane_count) {
-      const Vertex p = vertex(rays, block, 0, lane, first), q = vertex(rays, block, 1, lane, first),
-                   r = vertex(rays, block, 2, lane, first);
-      if (lanes_of(is_beside(p, q, r)) == all_lanes) continue;
+      const Corners corners(rays, block, lane, first);
+      const EdgeLanes<Floats> edges(corners.x, corners.y);
+      if (lanes_of(edges.are_beside(corners.edge_error())) == all_lanes) continue;
       const FloatLanes scale = rays.shear[2].at(first);
-      const PrimitiveId id = block.ids[lane];
-      keep(
-          rays, id, first, [](FloatLanes v) HWY_ATTR { return hn::LowerHalf(Halves(), v); }, p, q, r, scale);
-      keep(
-          rays, id, first + half_count, [](FloatLanes v) HWY_ATTR { return hn::UpperHalf(Halves(), v); }, p,
-          q, r, scale);
+      const auto lower = [](FloatLanes v) HWY_ATTR { return hn::LowerHalf(Halves(), v); };
+      const auto upper = [](FloatLanes v) HWY_ATTR { return hn::UpperHalf(Halves(), v); };
+      keep(rays, block.ids[lane], first, corners, scale, lower);
+      keep(rays, block.ids[lane], first + half_count, corners, scale, upper);
     }
   }
 
-  static HWY_ATTR HWY_INLINE Vertex vertex(const RayPacket& rays, const PrimitiveBlock& block, int corner,
-                                           int lane, std::size_t first) {
-    FloatLanes from_ray[3];
-    for (int k = 0; k < 3; ++k)
-      from_ray[k] = hn::Sub(hn::Set(Floats(), block.corners[corner][rays.axes[k]][lane]),
-                            rays.turned_origin[k].at(first));
-    const FloatLanes z = from_ray[2];
-    return {hn::Sub(from_ray[0], hn::Mul(rays.shear[0].at(first), z)),
-            hn::Sub(from_ray[1], hn::Mul(rays.shear[1].at(first), z)), z};
-  }
-
-  /// The canonical is_beside().
-  static HWY_ATTR HWY_INLINE hn::Mask<Floats> is_beside(const Vertex& p, const Vertex& q, const Vertex& r) {
-    const FloatLanes a = cross(r, q), b = cross(p, r), c = cross(q, p);
-    const FloatLanes x = hn::Max(hn::Abs(p.x), hn::Max(hn::Abs(q.x), hn::Abs(r.x)));
-    const FloatLanes y = hn::Max(hn::Abs(p.y), hn::Max(hn::Abs(q.y), hn::Abs(r.y)));
-    const FloatLanes error =
-        hn::Add(hn::Mul(hn::Set(Floats(), edge_margin), hn::Mul(x, y)), hn::Set(Floats(), edge_underflow));
-    return hn::And(hn::Lt(hn::Min(a, hn::Min(b, c)), hn::Neg(error)),
-                   hn::Gt(hn::Max(a, hn::Max(b, c)), error));
-  }
-  static HWY_ATTR HWY_INLINE FloatLanes cross(const Vertex& p, const Vertex& q) {
-    return hn::Sub(hn::Mul(p.x, q.y), hn::Mul(q.x, p.y));
-  }
-
-  /// EdgeFunctions<double> of half a vector's rays, and what follows from them. A product of two floats is
-  /// exact in double, and so a fused multiply-subtract has the bits of separate steps.
+  /// Decides about half of a vector's rays, and keeps the hits that are nearer.
   template <typename HalfOf>
-  HWY_ATTR HWY_INLINE void keep(const RayPacket& rays, PrimitiveId id, std::size_t first, const HalfOf& half,
-                                const Vertex& p, const Vertex& q, const Vertex& r, FloatLanes scale) {
+  HWY_ATTR HWY_INLINE void keep(const RayPacket& rays, PrimitiveId id, std::size_t first,
+                                const Corners& corners, FloatLanes scale, const HalfOf& half) {
     const auto wide = [&](FloatLanes v) HWY_ATTR { return hn::PromoteTo(Doubles(), half(v)); };
-    const DoubleLanes px = wide(p.x), py = wide(p.y), qx = wide(q.x), qy = wide(q.y), rx = wide(r.x),
-                      ry = wide(r.y);
-    const DoubleLanes a = hn::MulSub(rx, qy, hn::Mul(ry, qx)), b = hn::MulSub(px, ry, hn::Mul(py, rx)),
-                      c = hn::MulSub(qx, py, hn::Mul(qy, px));
-    const DoubleLanes zero = hn::Zero(Doubles());
-    const auto is_beside = hn::And(hn::Lt(hn::Min(a, hn::Min(b, c)), zero),  //
-                                   hn::Gt(hn::Max(a, hn::Max(b, c)), zero));
-    const DoubleLanes determinant = hn::Add(hn::Add(a, b), c);
-    const auto is_met = hn::AndNot(is_beside, hn::Ne(determinant, zero));
-    const auto depth = [&](const Vertex& v) HWY_ATTR { return wide(hn::Mul(scale, v.z)); };
-    const DoubleLanes sum =
-        hn::Add(hn::Add(hn::Mul(a, depth(p)), hn::Mul(b, depth(q))), hn::Mul(c, depth(r)));
+    const auto depth = [&](int corner) HWY_ATTR { return wide(hn::Mul(scale, corners.z[corner])); };
+    const EdgeLanes<Doubles> edges({wide(corners.x[0]), wide(corners.x[1]), wide(corners.x[2])},
+                                   {wide(corners.y[0]), wide(corners.y[1]), wide(corners.y[2])});
+    const DoubleLanes determinant = edges.determinant();
+    const auto is_met = hn::AndNot(edges.are_beside(), hn::Ne(determinant, hn::Zero(Doubles())));
+    const DoubleLanes sum = edges.weighted(depth(0), depth(1), depth(2));
     const HalfLanes t = hn::DemoteTo(Halves(), hn::Div(sum, determinant));
     const HalfLanes nearest = hn::Load(Halves(), t_.values + first);
     const auto is_within =
@@ -136,8 +126,8 @@ class PacketHits : PacketLanes {
     const std::uint8_t bits[8] = {std::uint8_t(hits)};
     hn::BlendedStore(t, hn::LoadMaskBits(Halves(), bits), Halves(), t_.values + first);
     const auto is_hit = hn::LoadMaskBits(Doubles(), bits);
-    hn::BlendedStore(b, is_hit, Doubles(), terms_[0] + first);
-    hn::BlendedStore(c, is_hit, Doubles(), terms_[1] + first);
+    hn::BlendedStore(edges.b, is_hit, Doubles(), terms_[0] + first);
+    hn::BlendedStore(edges.c, is_hit, Doubles(), terms_[1] + first);
     hn::BlendedStore(determinant, is_hit, Doubles(), terms_[2] + first);
     found_ |= hits << first;
     for (; hits != 0; hits &= hits - 1) ids_[first + std::size_t(std::countr_zero(hits))] = id;

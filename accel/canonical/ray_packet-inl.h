@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 #include "accel/canonical/checked_ray.h"
 #include "accel/canonical/lane_bits-inl.h"

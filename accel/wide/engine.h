@@ -39,13 +39,11 @@ class WideAccelerator final : public Accelerator {
   void closest_batch(std::span<const Ray> rays, Hit* answers) const noexcept override {
     const bool is_cached = bvh_.bytes() <= cached_bytes;
     const auto singly = is_cached ? kernel_.closest_in_turn : kernel_.closest_batch;
-    // Where no packet is found, twice as many rays as the last time are traced before the next is looked for.
-    std::size_t apart = 0;
-    while (!rays.empty()) {
+    for (std::size_t apart = least_apart; !rays.empty(); apart *= 2) {
       const std::size_t together = kernel_.closest_in_packets(bvh_, geometry(), rays, answers);
-      apart = together > 0 ? least_apart : std::max(2 * apart, least_apart);
+      if (together > 0) apart = least_apart;
       const std::size_t count = std::min(apart, rays.size() - together);
-      singly(bvh_, geometry(), rays.subspan(together, count), answers + together);
+      if (count > 0) singly(bvh_, geometry(), rays.subspan(together, count), answers + together);
       rays = rays.subspan(together + count);
       answers += together + count;
     }
@@ -55,6 +53,8 @@ class WideAccelerator final : public Accelerator {
     (is_cached ? kernel_.any_in_turn : kernel_.any_batch)(bvh_, geometry(), rays, answers);
   }
 
+  /// So many rays are traced singly behind the packets before the next one is looked for, and twice as many
+  /// each time that none was found.
   static constexpr std::size_t least_apart = 32;
 
   BasicWideKernel<Tree> kernel_;  ///< Chosen once, not for each ray.

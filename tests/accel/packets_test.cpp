@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Packets of rays that run close together: each ray gets the answer that it gets alone, and what is no packet
 // is left to others.
+#include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "accel/wide/scalar.h"
 #include "tests/support/block_kernels.h"
@@ -122,6 +125,29 @@ Bundle towards_corner(Random& random, int number, float distance, int farthest) 
   return rays;
 }
 
+/// Asks for so many bundles towards corners of a grid, from distances between two powers of two.
+Seen ask_towards_corners(const WideKernel& kernel, int bundles, std::pair<int, int> powers, int farthest) {
+  const auto geometry = share({square_grid()});
+  const WideBvh bvh = build_wide(*geometry);
+  Random random(5);
+  Seen seen;
+  for (int i = 0; i < bundles; ++i) {
+    const float distance = std::ldexp(1.0f, random.between(powers.first, powers.second));
+    seen.ask(kernel, bvh, *geometry, towards_corner(random, i, distance, farthest));
+  }
+  return seen;
+}
+
+/// For each but the scalar one, which has no packets.
+template <typename Check>
+void for_each_kernel(const Check& check) {
+  for (const WideKernel& kernel : wide_kernels()) {
+    if (kernel.name == "scalar") continue;
+    CAPTURE(kernel.name);
+    check(kernel);
+  }
+}
+
 /// Two triangles one behind the other, far beyond the rays below.
 std::shared_ptr<const Geometry> two_walls() {
   Mesh mesh;
@@ -141,18 +167,14 @@ Bundle towards_walls() {
 /// How many rays of the bundle are answered in packets; the same by every kernel.
 std::size_t answered(const Geometry& geometry, const Bundle& rays) {
   const WideBvh bvh = build_wide(geometry);
-  std::size_t count = 0;
-  bool is_first = true;
-  for (const WideKernel& kernel : wide_kernels()) {
-    if (kernel.name == "scalar") continue;
-    CAPTURE(kernel.name);
+  std::optional<std::size_t> count;
+  for_each_kernel([&](const WideKernel& kernel) {
     std::vector<Hit> hits(rays.size());
     const std::size_t by_kernel = kernel.closest_in_packets(bvh, geometry, rays, hits.data());
-    if (!is_first) CHECK(by_kernel == count);
+    CHECK(by_kernel == count.value_or(by_kernel));
     count = by_kernel;
-    is_first = false;
-  }
-  return count;
+  });
+  return count.value_or(0);
 }
 
 }  // namespace
@@ -167,35 +189,20 @@ TEST_CASE("each ray of a packet has the hit that it has alone in a compact tree"
 }
 
 TEST_CASE("packets along edges, through corners and beside boxes miss nothing") {
-  const auto geometry = share({square_grid()});
-  const WideBvh bvh = build_wide(*geometry);
-  for (const WideKernel& kernel : wide_kernels()) {
-    if (kernel.name == "scalar") continue;
-    CAPTURE(kernel.name);
-    Random random(5);
-    Seen seen;
-    for (int i = 0; i < 2000; ++i)
-      seen.ask(kernel, bvh, *geometry, towards_corner(random, i, std::ldexp(1.0f, random.between(-3, 6)), 3));
+  for_each_kernel([](const WideKernel& kernel) {
+    const Seen seen = ask_towards_corners(kernel, 2000, {-3, 6}, 3);
     CHECK(seen.packets > 200);
     CHECK(seen.hits == seen.packets * packet_size);
-  }
+  });
 }
 
 TEST_CASE("packets from far away hit what their rays hit by rounding") {
-  const auto geometry = share({square_grid()});
-  const WideBvh bvh = build_wide(*geometry);
-  for (const WideKernel& kernel : wide_kernels()) {
-    if (kernel.name == "scalar") continue;
-    CAPTURE(kernel.name);
-    Random random(6);
-    Seen seen;
-    for (int i = 0; i < 4000; ++i)
-      seen.ask(kernel, bvh, *geometry,
-               towards_corner(random, i, std::ldexp(1.0f, random.between(18, 26)), 4));
+  for_each_kernel([](const WideKernel& kernel) {
+    const Seen seen = ask_towards_corners(kernel, 4000, {18, 26}, 4);
     CHECK(seen.packets > 200);
     CHECK(seen.hits > 200);
     CHECK(seen.hits < seen.packets * packet_size);
-  }
+  });
 }
 
 TEST_CASE("a packet of equal rays takes the steps of one") {

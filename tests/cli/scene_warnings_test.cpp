@@ -123,7 +123,9 @@ TEST_CASE("light samples have no effect where every light is a point or a direct
   CHECK(without_effect(scene, {"-l", "4"}) ==
         Warnings{"--light-samples: no effect, for no light of the scene has an area"});
   CHECK(without_effect(scene, {}).empty());
-  CHECK(options_without_effect(scene, parse_render_arguments({"-l", "4", "scene.dae"}), {{"sky", AmbientLight{}}}).empty());
+  CHECK(options_without_effect(scene, parse_render_arguments({"-l", "4", "scene.dae"}),
+                               {{"sky", AmbientLight{}}})
+            .empty());
   CHECK(without_effect(scene, {"-l", "4", "-H"}).empty());
   scene.lights.push_back({"sky", AmbientLight{}});
   CHECK(without_effect(scene, {"-l", "4"}).empty());
