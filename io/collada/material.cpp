@@ -81,9 +81,9 @@ ColladaBinding ColladaMaterials::bound(const XmlElement& instance, const std::st
   for (const XmlElement& candidate : candidates)
     if (symbol.empty() || symbol == candidate.required_attribute("symbol")) {
       const ColladaMaterial material = once(document_.resolve(candidate, "target", "material"));
-      const auto bind = uv_bind_of(candidate, material.texcoord);
-      if (!bind) return {material, {}, {}};
-      return {material, bind->index_attribute("input_set", 0), bind};
+      const auto set = uv_bind_of(candidate, material.texcoord);
+      if (!set) return {material, {}, {}};
+      return {material, set->index_attribute("input_set", 0), set};
     }
   if (const auto named = document_.find(instance, symbol, "material")) {
     document_.warn(instance,
