@@ -27,6 +27,7 @@ set(private_headers
   accel/canonical/block_test-inl.h
   accel/canonical/checked_ray.h
   accel/canonical/edge_lanes-inl.h
+  accel/canonical/instance_packet-inl.h
   accel/canonical/instance_ray-inl.h
   accel/canonical/instance_ray.h
   accel/canonical/lane_bits-inl.h

@@ -28,10 +28,16 @@ namespace twinray::HWY_NAMESPACE {
 /// The nearest hits so far of a packet's rays.
 class PacketHits : PacketLanes {
  public:
-  HWY_ATTR HWY_INLINE explicit PacketHits(const RayPacket& rays) : t_(rays.t_max) { find_latest(); }
+  HWY_ATTR HWY_INLINE explicit PacketHits(const RayPacket& rays) : t_(rays.t_max), instance_(rays.instance) {
+    find_latest();
+  }
 
-  /// The largest t that counts for any ray.
+  /// Up to which t each ray may still hit something.
+  const Numbers& t_max() const { return t_; }
+  /// The largest of them.
   float latest() const { return latest_; }
+  /// Bit i: ray i has one.
+  std::uint32_t found() const { return found_; }
 
   HWY_ATTR HWY_INLINE void test(const Geometry& geometry, const RayPacket& rays,
                                 const PrimitiveBlock& block) {
@@ -47,7 +53,7 @@ class PacketHits : PacketLanes {
   Hit hit(std::size_t ray) const {
     if ((found_ >> ray & 1) == 0) return {};
     const float u = float(terms_[0][ray] / terms_[2][ray]), v = float(terms_[1][ray] / terms_[2][ray]);
-    return {t_.values[ray], u, v, ids_[ray].primitive, ids_[ray].mesh, no_instance};
+    return {t_.values[ray], u, v, ids_[ray].primitive, ids_[ray].mesh, instance_};
   }
 
  private:
@@ -146,7 +152,8 @@ class PacketHits : PacketLanes {
                                              const PrimitiveBlock& block) {
     for (std::size_t i = 0; i < packet_size; ++i) {
       CheckedRay ray;
-      RayLoader::load(rays.given[i], ray);
+      if (!RayLoader::load(rays.given->ray(i), ray)) continue;
+      ray.instance = instance_;
       Nearest best;
       best.other = hit(i);
       best.t = best.other.t;
@@ -162,7 +169,8 @@ class PacketHits : PacketLanes {
 
   Numbers t_;  ///< The ray's t_max where there is none yet.
   float latest_;
-  std::uint32_t found_ = 0;  ///< Bit i: ray i has one, and there is of it:
+  std::uint32_t instance_;   ///< In whose space they are.
+  std::uint32_t found_ = 0;  ///< Of each ray that has one there is:
   PrimitiveId ids_[packet_size];
   alignas(64) double terms_[3][packet_size];  ///< What u and v are made of, as in Nearest.
 };

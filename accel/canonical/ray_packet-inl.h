@@ -64,6 +64,65 @@ struct PacketLanes {
   }
 };
 
+/// Sixteen rays.
+struct RayLanes : PacketLanes {
+  Numbers origin[3], direction[3];
+  Numbers t_min, t_max;
+
+  /// False where one is invalid, or has a direction that must be scaled.
+  HWY_ATTR HWY_INLINE bool load(const Ray* rays) {
+    for (std::size_t i = 0; i < packet_size; i += lane_count) {
+      gather(rays, i);
+      if (!are_valid(i)) return false;
+    }
+    return true;
+  }
+  /// Takes a vector's rays as they are given.
+  HWY_ATTR HWY_INLINE void gather(const Ray* rays, std::size_t first) {
+    static_assert(sizeof(Ray) == 32 && offsetof(Ray, origin) == 0 && offsetof(Ray, direction) == 12 &&
+                  offsetof(Ray, t_min) == 24 && offsetof(Ray, t_max) == 28);
+    const auto place = hn::ShiftLeft<3>(hn::Iota(Ints(), 0));
+    const auto number = [&](int which) HWY_ATTR {
+      return hn::GatherIndex(Floats(), &rays[first].origin.x + which, place);
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+      origin[axis].set(first, number(axis));
+      direction[axis].set(first, number(3 + axis));
+    }
+    t_min.set(first, number(6));
+    t_max.set(first, number(7));
+  }
+  /// Whether a vector's rays are valid, and need not be scaled; brings t_max down to what is finite.
+  HWY_ATTR HWY_INLINE bool are_valid(std::size_t first) {
+    const FloatLanes most = hn::Set(Floats(), max_t), begin = t_min.at(first), end = t_max.at(first);
+    const auto is_interval =
+        hn::And(hn::Ge(begin, hn::Zero(Floats())), hn::And(hn::Le(begin, end), hn::Le(begin, most)));
+    t_max.set(first, hn::Min(end, most));
+    return lanes_of(hn::And(is_interval, are_in_range(first))) == all_lanes;
+  }
+  /// Whether the origins and directions of a vector need not be scaled.
+  HWY_ATTR HWY_INLINE hn::Mask<Floats> are_in_range(std::size_t first) const {
+    FloatLanes size = hn::Zero(Floats());
+    auto are_in = hn::Eq(size, size);
+    for (int axis = 0; axis < 3; ++axis) {
+      const FloatLanes o = hn::Abs(origin[axis].at(first)), d = hn::Abs(direction[axis].at(first));
+      are_in = hn::And(are_in, hn::And(hn::Le(o, hn::Set(Floats(), max_origin)),
+                                       hn::Le(d, hn::Set(Floats(), max_direction))));
+      size = hn::Max(size, d);
+    }
+    return hn::And(are_in, hn::Ge(size, hn::Set(Floats(), min_direction)));
+  }
+  static HWY_ATTR HWY_INLINE FloatLanes largest_of_three(const Numbers (&of)[3], std::size_t first) {
+    return hn::Max(hn::Max(hn::Abs(of[0].at(first)), hn::Abs(of[1].at(first))), hn::Abs(of[2].at(first)));
+  }
+  Ray ray(std::size_t i) const {
+    return {.origin = {origin[0].values[i], origin[1].values[i], origin[2].values[i]},
+            .direction = {direction[0].values[i], direction[1].values[i], direction[2].values[i]},
+            .t_min = t_min.values[i],
+            .t_max = t_max.values[i]};
+  }
+};
+
 /// What the box test needs of all rays, along one axis: of their origins those that give the earliest entry
 /// and the latest exit, and between which numbers their reciprocals lie.
 struct PacketAxis {
@@ -74,8 +133,9 @@ struct PacketAxis {
 
 /// Sixteen rays whose directions have the same signs and the same dominant axis.
 struct RayPacket : PacketLanes {
-  const Ray* given;
-  Numbers t_min, t_max;
+  const RayLanes* given;
+  std::uint32_t instance = no_instance;  ///< In whose space they are given.
+  Numbers t_min, t_max;                  ///< Where t_min is larger, a ray hits nothing.
   float least_t_min;
   int axes[3];  ///< This and the next two as in a CheckedRay.
   Numbers shear[3], turned_origin[3];
@@ -90,50 +150,30 @@ struct RayPacket : PacketLanes {
            max_abs(last.origin - first.origin) <= close;
   }
 
-  /// False where they are no such rays, or one is invalid or has a direction that must be scaled.
-  HWY_ATTR HWY_INLINE bool load(const Ray* rays) {
-    given = rays;
-    Numbers origin[3], direction[3];
-    for (std::size_t i = 0; i < packet_size; i += lane_count)
-      if (!load(rays + i, i, origin, direction)) return false;
-    if (!load_axes(direction)) return false;
+  /// Of rays that outlive this: valid ones, or such that hit nothing. False where they are no packet.
+  HWY_ATTR HWY_INLINE bool load(const RayLanes& lanes) {
+    given = &lanes;
+    if (!load_axes(lanes.direction)) return false;
+    t_min = lanes.t_min;
+    t_max = lanes.t_max;
     Range starts;
     starts.add(t_min);
     least_t_min = starts.least();
-    load_slab(origin, direction);
-    load_shear(origin, direction);
+    load_slab(lanes);
+    load_shear(lanes.origin, lanes.direction);
     return true;
   }
 
- private:
-  /// The rays of a vector; false where one is none for a packet.
-  HWY_ATTR HWY_INLINE bool load(const Ray* rays, std::size_t first, Numbers (&origin)[3],
-                                Numbers (&direction)[3]) {
-    static_assert(sizeof(Ray) == 32 && offsetof(Ray, origin) == 0 && offsetof(Ray, direction) == 12 &&
-                  offsetof(Ray, t_min) == 24 && offsetof(Ray, t_max) == 28);
-    const auto place = hn::ShiftLeft<3>(hn::Iota(Ints(), 0));
-    const FloatLanes most = hn::Set(Floats(), max_t), begin = gather(rays, 6, place);
-    const FloatLanes end = gather(rays, 7, place);
-    auto is_good =
-        hn::And(hn::Ge(begin, hn::Zero(Floats())), hn::And(hn::Le(begin, end), hn::Le(begin, most)));
-    FloatLanes size = hn::Zero(Floats());
-    for (int axis = 0; axis < 3; ++axis) {
-      const FloatLanes o = gather(rays, axis, place), d = gather(rays, 3 + axis, place);
-      is_good = hn::And(is_good, hn::And(hn::Le(hn::Abs(o), hn::Set(Floats(), max_origin)),
-                                         hn::Le(hn::Abs(d), hn::Set(Floats(), max_direction))));
-      size = hn::Max(size, hn::Abs(d));
-      origin[axis].set(first, o);
-      direction[axis].set(first, d);
-    }
-    t_min.set(first, begin);
-    t_max.set(first, hn::Min(end, most));
-    is_good = hn::And(is_good, hn::Ge(size, hn::Set(Floats(), min_direction)));
-    return lanes_of(is_good) == all_lanes;
-  }
-  static HWY_ATTR HWY_INLINE FloatLanes gather(const Ray* rays, int number, hn::Vec<Ints> place) {
-    return hn::GatherIndex(Floats(), &rays->origin.x + number, place);
+  /// The reciprocals of a vector's components along an axis, as load_ray() works them out.
+  HWY_ATTR HWY_INLINE FloatLanes inverse(const RayLanes& rays, int axis, std::size_t first) const {
+    const FloatLanes d = rays.direction[axis].at(first);
+    const FloatLanes least =
+        hn::Mul(hn::Abs(rays.direction[axes[2]].at(first)), hn::Set(Floats(), least_component));
+    const FloatLanes size = hn::Max(hn::Abs(d), least);
+    return hn::Div(hn::Set(Floats(), 1.0f), hn::CopySignToAbs(size, d));
   }
 
+ private:
   /// The signs and the dominant axis of the first direction; false where others have none of them.
   HWY_ATTR HWY_INLINE bool load_axes(const Numbers (&direction)[3]) {
     const float x = std::fabs(direction[0].values[0]), y = std::fabs(direction[1].values[0]),
@@ -157,22 +197,15 @@ struct RayPacket : PacketLanes {
   }
 
   /// All steps of load_ray() are monotone, so the bounds of what goes in give those of what comes out.
-  HWY_ATTR HWY_INLINE void load_slab(const Numbers (&origin)[3], const Numbers (&direction)[3]) {
+  HWY_ATTR HWY_INLINE void load_slab(const RayLanes& rays) {
     Range sizes;
     for (std::size_t i = 0; i < packet_size; i += lane_count)
-      sizes.add(
-          i, hn::Max(hn::Max(hn::Abs(origin[0].at(i)), hn::Abs(origin[1].at(i))), hn::Abs(origin[2].at(i))));
+      sizes.add(i, RayLanes::largest_of_three(rays.origin, i));
     const float reach = sizes.largest() * slab_margin;
     for (int axis = 0; axis < 3; ++axis) {
       Range origins, inverses;
-      for (std::size_t i = 0; i < packet_size; i += lane_count) {
-        const FloatLanes d = direction[axis].at(i);
-        const FloatLanes least =
-            hn::Mul(hn::Abs(direction[axes[2]].at(i)), hn::Set(Floats(), least_component));
-        const FloatLanes size = hn::Max(hn::Abs(d), least);
-        inverses.add(i, hn::Div(hn::Set(Floats(), 1.0f), hn::CopySignToAbs(size, d)));
-      }
-      origins.add(origin[axis]);
+      for (std::size_t i = 0; i < packet_size; i += lane_count) inverses.add(i, inverse(rays, axis, i));
+      origins.add(rays.origin[axis]);
       PacketAxis& of = slab[axis];
       const float backward = origins.least() - reach, forward = origins.largest() + reach;
       of.near_origin = of.is_negative ? backward : forward;

@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "accel/wide/scalar.h"
-#include "tests/support/block_kernels.h"
 #include "tests/support/catch.h"
 #include "tests/support/cut_outs.h"
+#include "tests/support/instances.h"
+#include "tests/support/packets.h"
 #include "tests/support/shapes.h"
 #include "tests/support/wide_engine.h"
 
@@ -17,29 +17,6 @@ using namespace twinray;
 using namespace twinray::test;
 
 namespace {
-
-constexpr int packet_size = 16;
-using Bundle = std::vector<Ray>;
-
-/// Sixteen rays from about one place towards about one other, of lengths of their own.
-Bundle bundle(Random& random, float origins, float targets) {
-  const Vec3 origin = random.in_cube(2), target = random.in_cube(0.9f);
-  Bundle rays;
-  for (int i = 0; i < packet_size; ++i) {
-    const Vec3 from = origin + random.in_cube(origins);
-    const Vec3 direction = target + random.in_cube(targets) - from;
-    rays.push_back({.origin = from, .direction = direction * random.uniform(0.97f, 1.03f)});
-  }
-  return rays;
-}
-
-/// Intervals that end before and begin behind what is hit, for some.
-void shorten(Random& random, Bundle& rays) {
-  for (Ray& ray : rays) {
-    if (random.below(3) == 0) ray.t_max = random.unit();
-    if (random.below(3) == 0) ray.t_min = std::min(ray.t_max, random.unit() * 0.5f);
-  }
-}
 
 std::vector<std::shared_ptr<const Geometry>> geometries() {
   Mesh twice = soup(100, 0.4f, 3);  // Ties, which the name decides.
@@ -52,32 +29,29 @@ std::vector<std::shared_ptr<const Geometry>> geometries() {
           share_cut_out({soup(30, 0.8f, 6), random_spheres(3, 0.5f, 7)}, {random_alpha(8), random_alpha(9)})};
 }
 
-/// How many packets there were and how many rays of them hit something, all of which are compared with what
-/// each ray finds alone.
-struct Seen {
-  int packets = 0, hits = 0;
+/// Instances of every kind, with shapes beside them and without; some with holes.
+std::vector<std::shared_ptr<const Geometry>> instanced_geometries() {
+  const std::vector<std::vector<Shape>> prototypes{{soup(60, 0.3f, 1), random_spheres(3, 0.3f, 2)},
+                                                   {icosphere_mesh(1)}};
+  std::vector<std::shared_ptr<const Geometry>> geometries;
+  for (const Kind kind : {Kind::rigid, Kind::mirrored, Kind::sheared, Kind::squashed})
+    geometries.push_back(share_instanced({soup(20, 0.5f, 3)}, prototypes, {kind}, 5, 4));
+  geometries.push_back(share_instanced({}, {{icosphere_mesh(2)}}, {Kind::rigid, Kind::scaled}, 8, 5));
+  const auto whole = share_instanced({}, {{soup(60, 0.4f, 6)}, {random_spheres(9, 0.4f, 7)}},
+                                     {Kind::rigid, Kind::mirrored}, 6, 8);
+  const std::vector<Texture> alphas{random_alpha(1), constant_alpha(0.5f)};
+  std::vector<ShapeBinding> bindings(2);
+  bindings[0].alpha = 0, bindings[1].alpha = 1;
+  geometries.push_back(std::make_shared<const Geometry>(
+      cut_out(whole->shapes(), bindings, alphas, {whole->prototypes(), whole->instances()})));
+  return geometries;
+}
 
-  template <typename Tree>
-  void ask(const BasicWideKernel<Tree>& kernel, const Tree& bvh, const Geometry& geometry,
-           const Bundle& rays) {
-    Hit answers[packet_size];
-    const std::size_t answered = kernel.closest_in_packets(bvh, geometry, rays, answers);
-    if (answered == 0) return;
-    REQUIRE(answered == packet_size);
-    ++packets;
-    for (std::size_t i = 0; i < answered; ++i) {
-      QueryCounts ignored;
-      const Hit alone = scalar_closest(bvh, geometry, rays[i], ignored);
-      if (!test::has_same_bits(answers[i], alone))
-        FAIL("ray " << i << " of a packet has another hit than alone");
-      hits += bool(alone);
-    }
-  }
-};
-
+/// Asks every kernel for bundles of rays in scenes of a size.
 template <typename Kernels, typename Build>
-void compare_all(const Kernels& kernels, const Build& build) {
-  for (const auto& geometry : geometries()) {
+void compare_all(const std::vector<std::shared_ptr<const Geometry>>& geometries, float size,
+                 const Kernels& kernels, const Build& build) {
+  for (const auto& geometry : geometries) {
     const auto bvh = build(*geometry);
     for (const auto& kernel : kernels) {
       if (kernel.name == "scalar") continue;
@@ -85,7 +59,7 @@ void compare_all(const Kernels& kernels, const Build& build) {
       Random random(11);
       Seen seen;
       for (int i = 0; i < 600; ++i) {
-        Bundle rays = bundle(random, i % 3 == 0 ? 0 : 0.02f, i % 2 == 0 ? 0.02f : 0.1f);
+        Bundle rays = bundle(random, i % 3 == 0 ? 0 : 0.02f, i % 2 == 0 ? 0.02f : 0.1f, size);
         if (i % 4 == 0) shorten(random, rays);
         seen.ask(kernel, bvh, *geometry, rays);
       }
@@ -180,11 +154,21 @@ std::size_t answered(const Geometry& geometry, const Bundle& rays) {
 }  // namespace
 
 TEST_CASE("each ray of a packet has the hit that it has alone") {
-  compare_all(wide_kernels(), [](const Geometry& geometry) { return build_wide(geometry); });
+  compare_all(geometries(), 1, wide_kernels(), [](const Geometry& geometry) { return build_wide(geometry); });
 }
 
 TEST_CASE("each ray of a packet has the hit that it has alone in a compact tree") {
-  compare_all(compact_kernels(WideTrees::plain),
+  compare_all(geometries(), 1, compact_kernels(),
+              [](const Geometry& geometry) { return build_compact(geometry); });
+}
+
+TEST_CASE("each ray of a packet has the hit that it has alone in a scene with instances") {
+  compare_all(instanced_geometries(), 1.5f, wide_kernels(WideTrees::instanced),
+              [](const Geometry& geometry) { return build_wide(geometry); });
+}
+
+TEST_CASE("each ray of a packet has the hit that it has alone in a compact tree with instances") {
+  compare_all(instanced_geometries(), 1.5f, compact_kernels(WideTrees::instanced),
               [](const Geometry& geometry) { return build_compact(geometry); });
 }
 

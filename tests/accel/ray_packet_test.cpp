@@ -67,8 +67,9 @@ TEST_CASE("a packet knows of each ray what it is alone, and bounds of all") {
   int packets = 0;
   for (int round = 0; round < 400; ++round) {
     const std::vector<Ray> rays = rays_close_together(random);
+    HWY_NAMESPACE::RayLanes lanes;
     Packet packet;
-    if (!packet.load(rays.data())) continue;
+    if (!lanes.load(rays.data()) || !packet.load(lanes)) continue;
     ++packets;
     for (std::size_t i = 0; i < packet_rays; ++i) {
       CheckedRay ray;
@@ -84,8 +85,10 @@ TEST_CASE("the bounds of equal rays are those of one") {
   Random random(18);
   for (int round = 0; round < 100; ++round) {
     const std::vector<Ray> rays(packet_rays, rays_close_together(random).front());
+    HWY_NAMESPACE::RayLanes lanes;
     Packet packet;
-    REQUIRE(packet.load(rays.data()));
+    REQUIRE(lanes.load(rays.data()));
+    REQUIRE(packet.load(lanes));
     CheckedRay ray;
     REQUIRE(load_ray_scalar(rays.front(), ray));
     for (int axis = 0; axis < 3; ++axis) {

@@ -16,7 +16,7 @@ using test::trace_sphere;
 
 // In units of 2^-24 of centre - origin plus radius: the double computation of the closest point rounds by up
 // to 32 times 2^-53 of that.
-constexpr double decision_margin = 0x1p-23;
+constexpr double sphere_margin = 0x1p-23;
 
 double length_of(const Vec3& d) {
   return std::sqrt(double(d.x) * d.x + double(d.y) * d.y + double(d.z) * d.z);
@@ -41,10 +41,10 @@ TEST_CASE("a ray hits a sphere where the judge says, unless tangent within round
     const RayAndSphere pair = hostile_sphere(random);
     const SphereJudgement truth = judge_sphere(pair.ray, pair.sphere);
     const auto hit = trace_sphere(pair.ray, pair.sphere);
-    const bool misses_clearly = truth.margin_ulps() < -decision_margin;
+    const bool misses_clearly = truth.margin_ulps() < -sphere_margin;
     if (misses_clearly && hit) FAIL("draw " << i << " should miss");
     misses += misses_clearly;
-    if (truth.margin_ulps() < decision_margin) continue;
+    if (truth.margin_ulps() < sphere_margin) continue;
     const double near_bound = t_bound(truth, pair, 0), far_bound = t_bound(truth, pair, 1);
     const bool near_counts = truth.t[0].value > near_bound;
     if (truth.t[1].value > far_bound && truth.t[1].value < 0x1p127 && !hit)

@@ -189,9 +189,10 @@ TEST_CASE("films of path and of path-reference merge and go on, with the name of
     CHECK((options.find("--integrator=path-reference") != options.npos) == (first[0] == 'a'));
   }
   for (const auto& [begun, further] : {std::pair("path-reference", "path"), {"path", "path-reference"}}) {
+    const std::string checkpoint = film(std::string(begun) + ".ck");
     const auto words = [&](int samples, const char* integrator) {
       return box_words(fmt::format("-s {} --integrator={} --checkpoint={} --resume -o {}", samples,
-                                   integrator, film(std::string(begun) + ".ck"), film("r.pfm")));
+                                   integrator, checkpoint, film("r.pfm")));
     };
     run_well(words(4, begun));
     run_well(words(8, further));

@@ -6,6 +6,7 @@ TARGET = "test_accel"
 RAYS = "accel/canonical/ray_packet-inl.h"
 TEST = "accel/canonical/packet_test-inl.h"
 TREE = "accel/wide/packets-inl.h"
+WORLD = "accel/canonical/instance_packet-inl.h"
 
 ALONE = "each ray of a packet has the hit that it has alone"
 EDGES = "packets along edges, through corners and beside boxes miss nothing"
@@ -13,6 +14,9 @@ BOUNDS = "the bounds of equal rays are those of one"
 STEPS = "a packet of equal rays takes the steps of one"
 LEFT = "what is no packet is left alone"
 PARTED = "a packet whose rays part is given up"
+IN_SCENES = "each ray of a packet has the hit that it has alone in a scene with instances"
+IN_INSTANCES = "a packet has in a scene with instances and in each of them the rays that it has alone"
+NO_WORLD = "what is no packet in a scene with instances is left alone"
 
 MUTANTS = [
     Mutant("a packet enters boxes by the latest origin", RAYS,
@@ -67,9 +71,49 @@ MUTANTS = [
            "hn::Ge(size, hn::Set(Floats(), min_direction))", "hn::Ge(size, hn::Zero(Floats()))",
            TARGET, LEFT),
     Mutant("a packet is never given up", TREE,
-           "      if (tested > most_primitives) return false;\n", "",
+           "      if (tested > Others::most_primitives) return false;\n", "",
            TARGET, PARTED),
     Mutant("a packet's spheres are tested without what was found before", TEST,
            "      best.other = hit(i);\n      best.t = best.other.t;\n", "",
            TARGET, ALONE),
+    Mutant("a packet is clipped to an instance's box by the reciprocals as they are", WORLD,
+           "hn::Mul(inverse, hn::Set(Floats(), 1 - slab_margin))", "inverse",
+           TARGET, IN_INSTANCES),
+    Mutant("a packet is moved into an instance without its place", WORLD,
+           "hn::Add(turned, hn::Set(tag, m[3]))", "turned",
+           TARGET, IN_INSTANCES),
+    Mutant("a packet's t keeps its unit where directions are scaled", WORLD,
+           "rays_.t_min.set(first, hn::Mul(rays_.t_min.at(first), power));", "",
+           TARGET, IN_INSTANCES),
+    Mutant("a packet's hits are not scaled back", WORLD,
+           "power != 1) hit.t", "power == 0) hit.t",
+           TARGET, IN_INSTANCES),
+    Mutant("a packet looks on in a scene with instances to where t is not finite", WORLD,
+           "hn::Min(power_.at(i), hn::Set(Floats(), 1.0f))", "hn::Set(Floats(), 1.0f)",
+           TARGET, IN_INSTANCES),
+    Mutant("a packet's rays beside an instance hit what is in it", WORLD,
+           "hn::IfThenElse(is_left, end, hn::Set(Floats(), -1.0f))", "end",
+           TARGET, IN_INSTANCES),
+    Mutant("a packet's rays beside an instance are bounds of it", WORLD,
+           "    replace_others(met, own);\n", "",
+           TARGET, IN_INSTANCES),
+    Mutant("a packet may come from beyond a scene with instances", WORLD,
+           "if (!is_near || !scale(i)", "if (!scale(i)",
+           TARGET, NO_WORLD),
+    Mutant("a packet in an instance may have origins too far", WORLD,
+           "if (lanes_of(own.are_in_range(i)) != all_lanes) return Entry::parted;", "",
+           TARGET, "a packet that an instance takes out of range is none in it"),
+    Mutant("a packet keeps the last of what it hits in instances", TREE,
+           "if (!precedes(hit, best_[ray])) continue;", "",
+           TARGET, IN_SCENES),
+    Mutant("what a packet hits in instances hides what is before them", TREE,
+           "precedes(direct, instances.best(i)) ? direct : instances.best(i)",
+           "instances.best(i) ? instances.best(i) : direct",
+           TARGET, IN_SCENES),
+    Mutant("a packet's hits in an instance are not its own", TEST,
+           "ids_[ray].mesh, instance_};", "ids_[ray].mesh, no_instance};",
+           TARGET, IN_SCENES),
+    Mutant("a packet's holes in an instance are those of the scene", TEST,
+           "      ray.instance = instance_;\n", "",
+           TARGET, IN_SCENES),
 ]
