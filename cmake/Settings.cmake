@@ -82,6 +82,10 @@ if(TWINRAY_SANITIZE)
   # GCC 12 takes strings that are put together for writes beyond their ends where it also counts accesses.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(twinray_developer INTERFACE -Wno-array-bounds -Wno-stringop-overflow)
+  elseif(TWINRAY_SANITIZE MATCHES "address")
+    target_compile_definitions(twinray_developer INTERFACE __SANITIZE_ADDRESS__)  # As GCC itself does.
+  elseif(TWINRAY_SANITIZE MATCHES "thread")
+    target_compile_definitions(twinray_developer INTERFACE __SANITIZE_THREAD__)
   endif()
   # A sanitizer opens libraries in the program's place: it sees the program's RPATH, but no RUNPATH.
   target_link_options(twinray_developer INTERFACE -fsanitize=${TWINRAY_SANITIZE} LINKER:--disable-new-dtags)

@@ -140,7 +140,7 @@ class BlockRay : BlockLanes {
 
     HWY_ATTR HWY_INLINE Corners(const BlockRay& ray, const PrimitiveBlock& block, std::size_t first) {
       for (int corner = 0; corner < 3; ++corner) {
-        const float* const rows = block.corners[corner][0] + first;
+        const auto* const rows = reinterpret_cast<const float*>(&block.corners[corner]) + first;
         z[corner] = hn::Sub(hn::Load(Floats(), rows + ray.z_row_), ray.oz_);
         x[corner] = sheared(hn::Sub(hn::Load(Floats(), rows + ray.x_row_), ray.ox_), ray.sx_, z[corner]);
         y[corner] = sheared(hn::Sub(hn::Load(Floats(), rows + ray.y_row_), ray.oy_), ray.sy_, z[corner]);

@@ -25,7 +25,8 @@ struct NodePlanes<CompactNode> : PlaneLanes {
   static HWY_ATTR HWY_INLINE Lanes load(const CompactNode& node, int axis, std::size_t place) {
     const hn::Rebind<std::uint8_t, Tag> bytes;
     const hn::Rebind<std::int32_t, Tag> integers;
-    const auto steps = hn::PromoteTo(integers, hn::LoadU(bytes, node.planes[0][0] + place));
+    const auto steps = hn::PromoteTo(
+        integers, hn::LoadU(bytes, reinterpret_cast<const std::uint8_t*>(&node.planes) + place));
     return hn::Add(hn::Mul(hn::ConvertTo(Tag(), steps), hn::Set(Tag(), node.grids[axis].step)),
                    hn::Set(Tag(), node.grids[axis].origin));
   }

@@ -34,7 +34,7 @@ template <typename Node>
 struct NodePlanes : PlaneLanes {
   /// Those across an axis, from a place in the node's table of planes on.
   static HWY_ATTR HWY_INLINE Lanes load(const Node& node, int /*axis*/, std::size_t place) {
-    return hn::Load(Tag(), node.planes[0][0] + place);
+    return hn::Load(Tag(), reinterpret_cast<const float*>(&node.planes) + place);  // Of the whole table.
   }
   /// Bit i: there is a child i. No empty box is intersected, so it need not be asked here.
   static std::uint32_t children(const Node&) { return ~0u; }

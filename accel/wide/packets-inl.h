@@ -3,8 +3,8 @@
 //
 // Sixteen rays that run close together, such as those through one pixel, share each visit of a node: one test
 // of its eight boxes, by bounds of all rays, that culls none which one of them intersects. So each ray gets
-// the answer that it gets alone. Where the rays part, too many blocks are tested for the sake of one: then
-// the packet is given up.
+// the answer that it gets alone. An instance takes all of them to its space at once. Where the rays part, too
+// many blocks are tested for the sake of one: then the packet is given up.
 #if defined(TWINRAY_ACCEL_WIDE_PACKETS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef TWINRAY_ACCEL_WIDE_PACKETS_INL_H
 #undef TWINRAY_ACCEL_WIDE_PACKETS_INL_H

@@ -46,58 +46,82 @@ Bundle scaled_by(Bundle rays, float size) {
   return rays;
 }
 
+/// How often there was what, all of which is compared with each ray alone.
+struct Entries {
+  int worlds = 0, entered = 0, missed = 0, parted = 0, beside = 0;
+
+  void ask(const Geometry& geometry, const Bundle& rays) {
+    WorldPacket world;
+    if (!world.load(geometry.placed(), rays.data())) return;
+    ++worlds;
+    Numbers t_max;
+    std::vector<CheckedRay> alone(packet_size);
+    for (std::size_t i = 0; i < packet_size; ++i) {
+      REQUIRE(load_ray_into(geometry, rays[i], alone[i]));
+      REQUIRE(is_ray(world.packet(), i, alone[i]));
+      Hit hit{.t = 3, .mesh = 0};
+      const Hit back = world.scaled_back(hit, i);
+      alone[i].scale_back(hit);
+      REQUIRE(has_bits(back.t, hit.t));
+      t_max.values[i] = i % 3 == 0 ? 6.0f : alone[i].t_max;
+    }
+    for (std::uint32_t number = 0; number < geometry.instances().size(); ++number)
+      enter(geometry.placed(), world, alone, number, t_max);
+  }
+
+ private:
+  void enter(const PlacedInstances& placed, const WorldPacket& world, const std::vector<CheckedRay>& alone,
+             std::uint32_t number, const Numbers& t_max) {
+    std::vector<CheckedRay> there(packet_size);
+    std::vector<std::size_t> in, others;
+    for (std::size_t i = 0; i < packet_size; ++i)
+      (enter_instance(placed, number, alone[i], t_max.values[i], there[i]) ? in : others).push_back(i);
+    RayLanes rays;
+    RayPacket own;
+    switch (world.enter(placed, number, t_max, rays, own)) {
+      case WorldPacket::Entry::missed:
+        ++missed;
+        CHECK(in.empty());
+        return;
+      case WorldPacket::Entry::parted:
+        ++parted;
+        return;
+      case WorldPacket::Entry::entered:
+        ++entered;
+    }
+    REQUIRE(own.instance == number);
+    REQUIRE_FALSE(in.empty());
+    for (const std::size_t i : in) REQUIRE(is_ray(own, i, there[i]));
+    beside += int(others.size());
+    for (const std::size_t i : others) {  // They hit nothing, and change no bounds of those that come there.
+      REQUIRE(own.t_min.values[i] == Aabb::infinity);
+      REQUIRE(own.t_max.values[i] < 0);
+      const Ray stand_in = rays.ray(i), one = rays.ray(in[0]);
+      REQUIRE(stand_in.origin == one.origin);
+      REQUIRE(stand_in.direction == one.direction);
+    }
+  }
+};
+
 }  // namespace
 
 TEST_CASE("a packet has in a scene with instances and in each of them the rays that it has alone") {
-  int worlds = 0, entered = 0, missed = 0, parted = 0, beside = 0;
+  Entries seen;
   for (const Kind kind : {Kind::rigid, Kind::mirrored, Kind::sheared, Kind::squashed}) {
     CAPTURE(int(kind));
     const auto geometry = instances_of(kind);
-    const PlacedInstances& placed = geometry->placed();
     Random random(3);
     for (int round = 0; round < 300; ++round) {
       Bundle rays = bundle(random, round % 2 == 0 ? 0 : 0.02f, 0.1f, 1.5f);
       if (round % 3 == 0) shorten(random, rays);
-      rays = scaled_by(rays, std::ldexp(1.0f, random.between(-59, 58)));
-      WorldPacket world;
-      if (!world.load(placed, rays.data())) continue;
-      ++worlds;
-      Numbers t_max;
-      std::vector<CheckedRay> alone(packet_size);
-      for (std::size_t i = 0; i < packet_size; ++i) {
-        REQUIRE(load_ray_into(*geometry, rays[i], alone[i]));
-        REQUIRE(is_ray(world.packet(), i, alone[i]));
-        Hit expected{.t = 3, .mesh = 0};
-        const Hit back = world.scaled_back(expected, i);
-        alone[i].scale_back(expected);
-        CHECK(has_bits(back.t, expected.t));
-        t_max.values[i] = i % 3 == 0 ? 6.0f : alone[i].t_max;
-      }
-      for (std::uint32_t number = 0; number < geometry->instances().size(); ++number) {
-        RayLanes rays_there;
-        RayPacket own;
-        const WorldPacket::Entry entry = world.enter(placed, number, t_max, rays_there, own);
-        missed += entry == WorldPacket::Entry::missed;
-        parted += entry == WorldPacket::Entry::parted;
-        entered += entry == WorldPacket::Entry::entered;
-        for (std::size_t i = 0; i < packet_size; ++i) {
-          CheckedRay ray;
-          const bool is_in = enter_instance(placed, number, alone[i], t_max.values[i], ray);
-          if (entry == WorldPacket::Entry::missed) CHECK_FALSE(is_in);
-          if (entry != WorldPacket::Entry::entered) continue;
-          REQUIRE(own.instance == number);
-          beside += !is_in;
-          REQUIRE(is_in == (own.t_min.values[i] <= own.t_max.values[i]));
-          if (is_in) REQUIRE(is_ray(own, i, ray));
-        }
-      }
+      seen.ask(*geometry, scaled_by(rays, std::ldexp(1.0f, random.between(-59, 58))));
     }
   }
-  CHECK(worlds > 600);
-  CHECK(entered > 400);
-  CHECK(missed > 1000);
-  CHECK(parted > 10);
-  CHECK(beside > 400);
+  CHECK(seen.worlds > 600);
+  CHECK(seen.entered > 400);
+  CHECK(seen.missed > 1000);
+  CHECK(seen.parted > 10);
+  CHECK(seen.beside > 400);
 }
 
 TEST_CASE("a packet that an instance takes out of range is none in it") {

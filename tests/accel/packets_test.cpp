@@ -37,6 +37,10 @@ std::vector<std::shared_ptr<const Geometry>> instanced_geometries() {
   for (const Kind kind : {Kind::rigid, Kind::mirrored, Kind::sheared, Kind::squashed})
     geometries.push_back(share_instanced({soup(20, 0.5f, 3)}, prototypes, {kind}, 5, 4));
   geometries.push_back(share_instanced({}, {{icosphere_mesh(2)}}, {Kind::rigid, Kind::scaled}, 8, 5));
+  Instancing twice{{{0, 1}}, {{0, {}}, {0, Transform::translation(3, 0, 0)}}};  // Ties, as above.
+  twice.instances.insert(twice.instances.end(), twice.instances.begin(), twice.instances.begin() + 2);
+  geometries.push_back(
+      std::make_shared<const Geometry>(std::vector<Shape>{icosphere_mesh(2)}, nullptr, twice));
   const auto whole = share_instanced({}, {{soup(60, 0.4f, 6)}, {random_spheres(9, 0.4f, 7)}},
                                      {Kind::rigid, Kind::mirrored}, 6, 8);
   const std::vector<Texture> alphas{random_alpha(1), constant_alpha(0.5f)};

@@ -167,7 +167,7 @@ TEST_CASE("checkpoints, films, metrics and layers are written in a sandbox as ou
   stranger.write_scene("");
   const std::string more = fmt::format(
       "--sandbox --checkpoint={} --checkpoint-seconds=0.001 --metrics-file={} "
-      "--stats={} -a 2 0.1 -t 2",
+      "--stats={} -a 2 0.1",
       quoted(stranger.path("out/a.ck")), quoted(stranger.path("out/a.prom")),
       quoted(stranger.path("out/a.json")));
   for (int i = 0; i < 2; ++i) CHECK(stranger.render(more).exit_code == 0);
@@ -183,6 +183,10 @@ TEST_CASE("a page of the picture is served from a sandbox") {
 }
 
 TEST_CASE("a picture is verified in a sandbox, with a scene of the places that are named alone") {
+  if (has_thread_sanitizer) {
+    WARN("not run: the sanitizer has a thread of its own before there is a sandbox");
+    return;
+  }
   const Stranger stranger;
   write_png(stranger.path("scene/own.png"), gray_picture());
   stranger.write_scene(image_texture("own.png"));
