@@ -10,6 +10,7 @@
 
 #include "io/picture/image_file.h"
 #include "tests/support/film_commands.h"
+#include "tests/support/sanitizer.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/terminal.h"
 
@@ -253,6 +254,7 @@ TEST_CASE("a checkpoint behind a link has its one before beside itself, under ei
 }
 
 TEST_CASE("a checkpoint replaces films alone") {
+  const NoLeakSearch without_leaks;  // For the sandbox.
   const TemporaryFolder folder;
   const std::string notes = folder.file("notes.txt");
   const auto words = [&](const std::string& name) {

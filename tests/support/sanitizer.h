@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdlib>
 
 namespace twinray::test {
 
@@ -17,5 +18,14 @@ inline constexpr bool has_thread_sanitizer = true;
 #else
 inline constexpr bool has_thread_sanitizer = false;
 #endif
+
+/// A sandbox keeps out the search for leaks, which a sanitizer makes from a process of its own: programs do
+/// without it meanwhile.
+struct NoLeakSearch {
+  NoLeakSearch() { setenv("ASAN_OPTIONS", "detect_leaks=0", 1); }
+  ~NoLeakSearch() { unsetenv("ASAN_OPTIONS"); }
+  NoLeakSearch(const NoLeakSearch&) = delete;
+  NoLeakSearch& operator=(const NoLeakSearch&) = delete;
+};
 
 }  // namespace twinray::test
