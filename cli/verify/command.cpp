@@ -137,7 +137,7 @@ std::string value_text(const std::optional<float>& value) {
   return value ? fmt::format("{}", *value) : "absent";
 }
 
-void print_differences(const std::vector<TileDifference>& differences) {
+void print_differences(const std::vector<WrongTile>& differences) {
   for (std::size_t i = 0; i < std::min(most_named, differences.size()); ++i) {
     const auto& [tile, pixels] = differences[i];
     console::print_error("tile at {} {}: {} pixels differ, the first at {} {}: {} is {} there, and {} here\n",
@@ -189,7 +189,7 @@ int verify_command(const VerifyArguments& asked) {
   check_size(asked.picture, picture, window);
   const std::uint64_t seed = seed_of(asked);
   const std::vector<PixelRect> tiles = chosen_tiles(window, asked.tiles, seed);
-  const std::vector<TileDifference> differences =
+  const std::vector<WrongTile> differences =
       check_tiles({picture, claim.is_denoised}, arguments, loaded.scene, tiles, folder);
   print_differences(differences);
   const std::uint32_t all = tile_grid(window, tile_size).count();

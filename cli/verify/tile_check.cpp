@@ -45,7 +45,7 @@ std::vector<PixelRect> chosen_tiles(const PixelRect& window, std::uint32_t count
   return tiles;
 }
 
-std::vector<TileDifference> check_tiles(const ClaimedPicture& picture, const RenderArguments& arguments,
+std::vector<WrongTile> check_tiles(const ClaimedPicture& picture, const RenderArguments& arguments,
                                         const Scene& scene, const std::vector<PixelRect>& tiles,
                                         const ScratchFolder& folder) {
   const auto integrator = make_integrator(arguments, scene);
@@ -57,7 +57,7 @@ std::vector<TileDifference> check_tiles(const ClaimedPicture& picture, const Ren
   const PixelRect window = window_of(arguments.render);
   const SceneNames names = scene_names(scene, film_contents(arguments.render, scene));
   const std::string part = folder.file("tile" + fs::path(arguments.output).extension().string());
-  std::vector<TileDifference> found;
+  std::vector<WrongTile> found;
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     write_pictures({.picture = part}, arguments, {results[i]->film}, {{}, {}, names});
     const PixelRect place = in_picture(tiles[i], window);

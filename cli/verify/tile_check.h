@@ -16,7 +16,7 @@ namespace twinray {
 std::vector<PixelRect> chosen_tiles(const PixelRect& window, std::uint32_t count, std::uint64_t seed);
 
 /// A tile whose pixels are not those of the picture.
-struct TileDifference {
+struct WrongTile {
   PixelRect tile;
   PixelDifferences pixels;
 };
@@ -29,7 +29,7 @@ struct ClaimedPicture {
 
 /// Renders these tiles, and writes each as the picture is written, to a file in the folder, to read it again:
 /// so that every way of encoding is that of the picture. Throws Error.
-std::vector<TileDifference> check_tiles(const ClaimedPicture& picture, const RenderArguments& arguments,
+std::vector<WrongTile> check_tiles(const ClaimedPicture& picture, const RenderArguments& arguments,
                                         const Scene& scene, const std::vector<PixelRect>& tiles,
                                         const ScratchFolder& folder);
 

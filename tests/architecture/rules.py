@@ -85,6 +85,9 @@ NOT_COUNTED = re.compile(r"\bSKIP\s*\(|\[!(?:mayfail|shouldfail)\]|\[\.[\w]*\]|\
 # name that begins with a dash is an option of Catch2's.
 BROKEN_NAME = re.compile(r'TEST_CASE\(\s*"(?:-|[^"]*[][;\\])')
 
+# The line that a type's definition begins with; its members' definitions and specialisations are others.
+TYPE = re.compile(r"(?:struct|class|enum class) (?:alignas\(\w+\) )?(\w+)(?!\w|::|<)[^;(]*\{")
+
 MAX_LINES = 450
 MAX_COLUMNS = 110
 
@@ -352,10 +355,32 @@ def no_circles(tree):
                 yield found[0], 1, f"includes in a circle: {' -> '.join(found)}"
 
 
+def types(text):
+    """(line, name with its namespaces) of each type that a file defines outside of nameless namespaces."""
+    scope = []
+    for number, line in lines(text):
+        if match := re.match(r"namespace ?([\w:]*) ?\{", line):
+            scope.append(match[1])
+        elif line.startswith("}  // namespace"):
+            scope = scope[:-1]
+        elif match := re.match(TYPE, line):
+            if "" not in scope:
+                yield number, "::".join([*scope, match[1]])
+
+
+def one_definition(tree):
+    """Of two types with one name the linker would take the functions of either."""
+    first = {}
+    for name, text in sorted(tree.items()):
+        for number, defined in types(text) if is_cpp(name) else ():
+            if first.setdefault(defined, name) != name:
+                yield name, number, f"{first[defined]} defines another {defined}"
+
+
 RULES = (layers, includes_from_root, doors, privacy, installed_headers, public_headers, headers_guarded,
          licensed, sizes, same_bits, random_numbers, quiet_libraries, loaded_libraries, nothing_left_open,
          no_machine_paths, portable_builds, every_test_counts, whole_names, all_listed, sets_before_highway,
-         no_circles)
+         no_circles, one_definition)
 
 
 def read_tree(root):

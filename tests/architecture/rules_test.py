@@ -174,6 +174,16 @@ class Rules(unittest.TestCase):
         self.expect({"accel/CMakeLists.txt": listed, "accel/a.h": HEADER,
                      "accel/a.cpp": CPP + '#include "accel/a.h"\n'})
 
+    def test_a_type_is_defined_once(self):
+        first = HEADER + "namespace twinray {\nstruct Tile {\n};\n}  // namespace twinray\n"
+        derived = first.replace("struct Tile {", "class Tile final : public Other {")
+        self.expect({"accel/a.h": first, "bench/b.h": derived},
+                    "bench/b.h:4: accel/a.h defines another twinray::Tile")
+        for other in (first.replace("twinray", "other"), first.replace("Tile {\n}", "Tile"),
+                      first.replace("Tile {", "Tile::Part {"), first.replace("Tile {", "Tile<int> {"),
+                      first.replace("struct", "namespace {\nstruct").replace("};", "};\n}  // namespace")):
+            self.expect({"accel/a.h": first, "bench/b.h": other})
+
 
 if __name__ == "__main__":
     unittest.main()

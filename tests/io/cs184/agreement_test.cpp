@@ -173,9 +173,10 @@ TEST_CASE("normals of random patches under random transforms and cameras are tho
     test::Random random(seed);
     const std::string libraries = random_patch(random, seed % 3 != 0) + cameras;
     std::string nodes;
-    for (int i = 0; i < 3; ++i)
-      nodes += "<node>" + random_matrix(random) + "<node>" + random_matrix(random) + shape_instance +
-               "</node></node>";
+    for (int i = 0; i < 3; ++i) {
+      const std::string inner = random_matrix(random), outer = random_matrix(random);
+      nodes += "<node>" + outer + "<node>" + inner + shape_instance + "</node></node>";
+    }
     nodes += "<node>" + random_matrix(random) + "<instance_camera url=\"#" + (seed % 2 ? "near" : "far") +
              "\"/></node>";
     const char* axes[] = {"X_UP", "Y_UP", "Z_UP"};
