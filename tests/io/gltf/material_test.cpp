@@ -420,7 +420,7 @@ TEST_CASE("gltf: a picture in WebP is shown in place of the one for readers with
 
 TEST_CASE("gltf: what is not rendered is named") {
   GltfFile file = gltf_surface({{"occlusionTexture", {{"index", 0}}}, {"name", "wall"}});
-  file.json["textures"] = {json::object()};
+  file.json["textures"] = json::array({json::object()});
   CHECK(file.load().summary.notes ==
         std::vector<std::string>{"occlusion textures are left out, for light is traced: that of \"wall\""});
   file.json["extensionsUsed"] = {"KHR_materials_dispersion"};

@@ -238,7 +238,7 @@ TEST_CASE("gltf: what EXT_mesh_gpu_instancing shows lies within its node, copied
 
 TEST_CASE("gltf: texture coordinates run upwards here, and downwards there") {
   GltfFile file = test::gltf_surface({{"name", "wood"}});
-  file.json["textures"] = {nlohmann::json::object()};
+  file.json["textures"] = nlohmann::json::array({nlohmann::json::object()});
   file.json["materials"][0]["emissiveTexture"] = {{"index", 0}};
   CHECK(only_mesh(file.load()).uvs == std::vector<Vec2>{{0, 0}, {1, 0}, {0, 1}});
 }

@@ -25,7 +25,7 @@ GltfFile with_camera(const json& camera) {
 
 GltfFile with_light(const json& light) {
   GltfFile file = gltf_triangle();
-  file.json["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+  file.json["extensions"]["KHR_lights_punctual"]["lights"] = json::array({light});
   file.add_node({{"translation", {0, 4, 0}},
                  {"scale", {2, 2, 2}},
                  {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
