@@ -151,8 +151,9 @@ class PacketHits : PacketLanes {
   HWY_ATTR HWY_NOINLINE void test_one_by_one(const Geometry& geometry, const RayPacket& rays,
                                              const PrimitiveBlock& block) {
     for (std::size_t i = 0; i < packet_size; ++i) {
+      Ray room;
       CheckedRay ray;
-      if (!RayLoader::load(rays.given->ray(i), ray)) continue;
+      if (!RayLoader::load(rays.given->ray(i, room), ray)) continue;
       ray.instance = instance_;
       Nearest best;
       best.other = hit(i);

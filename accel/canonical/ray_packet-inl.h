@@ -68,6 +68,7 @@ struct PacketLanes {
 struct RayLanes : PacketLanes {
   Numbers origin[3], direction[3];
   Numbers t_min, t_max;
+  const Ray* given = nullptr;  ///< The same rays one by one, where there are such.
 
   /// False where one is invalid, or has a direction that must be scaled.
   HWY_ATTR HWY_INLINE bool load(const Ray* rays) {
@@ -75,6 +76,7 @@ struct RayLanes : PacketLanes {
       gather(rays, i);
       if (!are_valid(i)) return false;
     }
+    given = rays;
     return true;
   }
   /// Takes a vector's rays as they are given.
@@ -115,11 +117,14 @@ struct RayLanes : PacketLanes {
   static HWY_ATTR HWY_INLINE FloatLanes largest_of_three(const Numbers (&of)[3], std::size_t first) {
     return hn::Max(hn::Max(hn::Abs(of[0].at(first)), hn::Abs(of[1].at(first))), hn::Abs(of[2].at(first)));
   }
-  Ray ray(std::size_t i) const {
-    return {.origin = {origin[0].values[i], origin[1].values[i], origin[2].values[i]},
+  /// One of them: as it was given, for a copy would be read before it is written, or else put into `room`.
+  const Ray& ray(std::size_t i, Ray& room) const {
+    if (given) return given[i];
+    room = {.origin = {origin[0].values[i], origin[1].values[i], origin[2].values[i]},
             .direction = {direction[0].values[i], direction[1].values[i], direction[2].values[i]},
             .t_min = t_min.values[i],
             .t_max = t_max.values[i]};
+    return room;
   }
 };
 

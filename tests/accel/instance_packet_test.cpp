@@ -26,7 +26,8 @@ bool has_bits(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std:
 
 /// Whether a ray of a packet is this one, bit for bit.
 bool is_ray(const RayPacket& packet, std::size_t i, const CheckedRay& ray) {
-  const Ray given = packet.given->ray(i);
+  Ray room;
+  const Ray& given = packet.given->ray(i, room);
   bool is = has_bits(packet.t_min.values[i], ray.t_min) && has_bits(packet.t_max.values[i], ray.t_max);
   for (int axis = 0; axis < 3; ++axis)
     is = is && has_bits(given.origin[axis], ray.origin[axis]) &&
@@ -96,7 +97,8 @@ struct Entries {
     for (const std::size_t i : others) {  // They hit nothing, and change no bounds of those that come there.
       REQUIRE(own.t_min.values[i] == Aabb::infinity);
       REQUIRE(own.t_max.values[i] < 0);
-      const Ray stand_in = rays.ray(i), one = rays.ray(in[0]);
+      Ray room, other;
+      const Ray &stand_in = rays.ray(i, room), &one = rays.ray(in[0], other);
       REQUIRE(stand_in.origin == one.origin);
       REQUIRE(stand_in.direction == one.direction);
     }
