@@ -46,8 +46,8 @@ std::vector<PixelRect> chosen_tiles(const PixelRect& window, std::uint32_t count
 }
 
 std::vector<WrongTile> check_tiles(const ClaimedPicture& picture, const RenderArguments& arguments,
-                                        const Scene& scene, const std::vector<PixelRect>& tiles,
-                                        const ScratchFolder& folder) {
+                                   const Scene& scene, const std::vector<PixelRect>& tiles,
+                                   const ScratchFolder& folder) {
   const auto integrator = make_integrator(arguments, scene);
   const auto accelerator = build_accelerator(arguments.backend, scene.geometry, arguments.build);
   std::vector<std::optional<RenderResult>> results(tiles.size());
