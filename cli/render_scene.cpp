@@ -71,7 +71,6 @@ EnvironmentLight read_environment(const RenderArguments& arguments) {
 
 namespace {
 
-/// Of what cannot have a light, without being asked for.
 /// For a scene that asks for light, or is to have it; most have their own.
 std::vector<Light> lights_to_add(const RenderArguments& arguments, const LoadedScene& loaded) {
   const bool is_wanted = arguments.default_light != DefaultLight::none || loaded.wants_light;
