@@ -67,6 +67,8 @@ endfunction()
 add_library(twinray_developer INTERFACE)
 target_compile_options(twinray_developer INTERFACE -Wall -Wextra -Wno-missing-field-initializers
                        $<$<BOOL:${TWINRAY_WERROR}>:-Werror>)
+# A program loads only the libraries that it calls: not Highway's, for one, where its headers are all that is used.
+target_link_options(twinray_developer INTERFACE LINKER:--as-needed)
 # Clang also finds names hidden that another file has, where files are compiled together.
 if(NOT (TWINRAY_UNITY AND CMAKE_CXX_COMPILER_ID MATCHES "Clang"))
   target_compile_options(twinray_developer INTERFACE -Wshadow)

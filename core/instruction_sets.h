@@ -2,6 +2,7 @@
 // The instruction sets that kernels are compiled for, and the choice of one. To be included before
 // Highway, which it tells for which of its targets.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,11 @@ namespace twinray {
 
 /// The name of a Highway target for users: "avx512", "avx2", "sse4", "neon".
 std::string simd_name(const char* target);
+
+/// The bits of those Highway targets that are compiled for here and that this machine has. They are what
+/// hwy::SupportedTargets() says; but Highway's library measures a clock when it is loaded, which takes 3 ms,
+/// so on x86 it is not.
+std::int64_t supported_targets() noexcept;
 
 /// The names that BuildOptions::simd may have on this machine: "best", then from the fastest on "avx512",
 /// "avx2", "sse4" and "neon" where it has them, and "scalar".

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -44,8 +45,20 @@ Bounds bounds_of(Valid valid) {
 bool is_unit(const Vec3& v) { return std::fabs(length_squared(v) - 1) <= rounding; }
 bool is_right_angle(const Vec3& a, const Vec3& b) { return std::fabs(dot(a, b)) <= rounding; }
 
-Entry::Entry(const Json& json, std::string place) : json_(json), place_(std::move(place)) {
+Entry::Entry(const Json& json, std::string place, WarningList& warnings)
+    : json_(json), place_(std::move(place)), warnings_(warnings) {
   if (!json.is_object()) fail("it must be an object");
+}
+
+void Entry::warn_of_unknown_keys() const {
+  for (const auto& [key, value] : json_.items()) {
+    if (key.starts_with('_') || std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
+    const std::string nearest = nearest_name(key, asked_);
+    warnings_.add([&] { return Place{.file = place_}; },
+                  fmt::format("the key {} means nothing here{}",
+                              Json(key).dump(-1, ' ', true, Json::error_handler_t::replace),
+                              nearest.empty() ? "" : fmt::format("; is \"{}\" meant?", nearest)));
+  }
 }
 
 void Entry::fail(const std::string& what) const { throw Error(fmt::format("{}: {}", place_, what)); }
@@ -53,17 +66,22 @@ void Entry::fail(const char* key, const std::string& what) const {
   fail(fmt::format("\"{}\" {}", key, what));
 }
 
+std::string Entry::place_of(const char* key) const { return fmt::format("{}: {}", place_, key); }
 std::string Entry::place_of(const char* key, std::size_t i) const {
-  return fmt::format("{}: {}[{}]", place_, key, i);
+  return fmt::format("{}[{}]", place_of(key), i);
+}
+
+bool Entry::has(const char* key) const {
+  asked_.push_back(key);
+  return json_.contains(key);
 }
 
 const Json& Entry::at(const char* key) const {
+  asked_.push_back(key);
   const auto found = json_.find(key);
   if (found == json_.end()) fail(key, "is missing");
   return *found;
 }
-
-Entry Entry::entry(const char* key) const { return {at(key), fmt::format("{}: {}", place_, key)}; }
 
 const Json& Entry::list(const char* key) const {
   const Json& found = at(key);
@@ -167,16 +185,17 @@ void MemberReader::operator()(const char* key, Wrap& member) const {
 }
 
 void MemberReader::operator()(const char* key, Transform& rotation) const {
-  const Entry axes = entry_.entry(key);
-  constexpr const char* names[] = {"x", "y", "z"};
-  for (std::size_t column = 0; column < 3; ++column) {
-    const Json& axis = axes.list(names[column], 3);
-    for (std::size_t row = 0; row < 3; ++row) rotation.m[row][column] = axes.real(names[column], axis[row]);
-  }
+  entry_.within(key, [&](const Entry& axes) {
+    constexpr const char* names[] = {"x", "y", "z"};
+    for (std::size_t column = 0; column < 3; ++column) {
+      const Json& axis = axes.list(names[column], 3);
+      for (std::size_t row = 0; row < 3; ++row) rotation.m[row][column] = axes.real(names[column], axis[row]);
+    }
+  });
 }
 
 void MemberReader::operator()(const char* key, Attenuation& member) const {
-  members(MemberReader(entry_.entry(key)), member);
+  entry_.within(key, [&](const Entry& entry) { members(MemberReader(entry), member); });
 }
 
 void MemberReader::direction(const char* key, Vec3& member) const {

@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "io/diagnostic.h"
 #include "io/exchange/json.h"
 #include "io/exchange/words.h"
 
@@ -24,16 +26,28 @@ bool is_right_angle(const Vec3& a, const Vec3& b);
 /// asked; all throw Error where it is not, with the place and what would be valid.
 class Entry {
  public:
-  /// The JSON must outlive it.
-  Entry(const Json& json, std::string place);
+  /// Calls take(entry) for an object, then warns of its keys that were not asked for: each may be a misspelt
+  /// one. Those that begin with "_" are remarks.
+  template <typename Take>
+  static void read(const Json& json, std::string place, WarningList& warnings, const Take& take) {
+    const Entry entry(json, std::move(place), warnings);
+    take(entry);
+    entry.warn_of_unknown_keys();
+  }
+  Entry(const Entry&) = delete;
+  Entry& operator=(const Entry&) = delete;
 
   const std::string& place() const { return place_; }
   [[noreturn]] void fail(const std::string& what) const;
   [[noreturn]] void fail(const char* key, const std::string& what) const;
 
-  bool has(const char* key) const { return json_.contains(key); }
+  bool has(const char* key) const;
   const Json& at(const char* key) const;
-  Entry entry(const char* key) const;
+  /// Calls take(entry) for an object.
+  template <typename Take>
+  void within(const char* key, const Take& take) const {
+    read(at(key), place_of(key), warnings_, take);
+  }
   /// Of a list, which may have to have so many.
   const Json& list(const char* key) const;
   const Json& list(const char* key, std::size_t count) const;
@@ -41,7 +55,7 @@ class Entry {
   template <typename Take>
   void for_each(const char* key, const Take& take) const {
     std::size_t i = 0;
-    for (const Json& each : list(key)) take(Entry(each, place_of(key, i++)));
+    for (const Json& each : list(key)) read(each, place_of(key, i++), warnings_, take);
   }
 
   float number(const char* key, Valid valid = Valid::any) const { return number(key, at(key), valid); }
@@ -76,13 +90,19 @@ class Entry {
   }
 
  private:
+  Entry(const Json& json, std::string place, WarningList& warnings);
+
+  void warn_of_unknown_keys() const;
+  std::string place_of(const char* key) const;
   std::string place_of(const char* key, std::size_t i) const;
 
   const Json& json_;
-  std::string place_;
+  const std::string place_;
+  WarningList& warnings_;
+  mutable std::vector<std::string_view> asked_;  ///< The keys that were asked for, once or more often.
 };
 
-/// Reads members out of an object.
+/// Reads members out of an object, which must outlive it.
 class MemberReader {
  public:
   explicit MemberReader(const Entry& entry) : entry_(entry) {}
@@ -112,7 +132,7 @@ class MemberReader {
   void constant(const char* key, const char* word) const;
 
  private:
-  const Entry entry_;
+  const Entry& entry_;
 };
 
 /// Of a variant with each of its types, the one that an entry names, with its members.

@@ -55,21 +55,22 @@ bool has_luminance(const Rgb& pixel) { return luminance(pixel) >= 0; }
 class Reader {
  public:
   Reader(const std::string& path, const LoadOptions& options, const ExchangeRead& read)
-      : path_(path), options_(options), read_(read) {}
+      : path_(path), options_(options), read_(read), warnings_(options.strict) {}
 
   LoadedScene read(const std::string& text) {
-    const Json json = parse(text);
-    const Entry file(json, path_);
-    check_version(file);
-    WarningList warnings(options_.strict);
-    loaded_.scene.textures = read_textures(file, path_, options_, warnings);
-    loaded_.warnings = warnings.items();
-    read_materials(file);
-    if (!options_.surfaces_only) read_lights(file);
-    read_shapes(file);
-    assemble({prototypes_, read_instances(file)});
-    read_camera(file);
-    if (file.has("render")) read_render(file.entry("render"));
+    Entry::read(parse(text), path_, warnings_, [&](const Entry& file) {
+      check_version(file);
+      loaded_.scene.textures = read_textures(file, path_, options_, warnings_);
+      read_materials(file);
+      if (options_.surfaces_only)
+        file.has("lights");  // A known key, though nothing of it is read.
+      else
+        read_lights(file);
+      read_shapes(file);
+      assemble({prototypes_, read_instances(file)});
+      file.within("camera", [&](const Entry& entry) { read_camera(file, entry); });
+      if (file.has("render")) file.within("render", [&](const Entry& entry) { read_render(entry); });
+    });
     finish();
     return std::move(loaded_);
   }
@@ -95,7 +96,9 @@ class Reader {
   void read_materials(const Entry& file) {
     file.for_each("materials", [&](const Entry& entry) {
       Material material{.name = entry.word("name"), .model = read_model(entry), .textures = {}};
-      if (entry.has("interior")) members(MemberReader(entry.entry("interior")), material.interior);
+      if (entry.has("interior"))
+        entry.within("interior",
+                     [&](const Entry& inside) { members(MemberReader(inside), material.interior); });
       if (entry.has("textures"))
         entry.for_each("textures", [&](const Entry& each) {
           TextureUse use;
@@ -272,8 +275,7 @@ class Reader {
     return instances;
   }
 
-  void read_camera(const Entry& file) {
-    const Entry entry = file.entry("camera");
+  void read_camera(const Entry& file, const Entry& entry) {
     const MemberReader visit(entry);
     Camera camera;
     std::vector<std::pair<std::string, Projection>> projections;
@@ -296,7 +298,8 @@ class Reader {
     visit.later("focal_distance", camera.focal_distance, Valid::positive);
     visit.later("clip_near", camera.clip_near, Valid::not_negative);
     if (entry.has("frame_center")) visit("frame_center", camera.frame_center);
-    if (entry.has("aperture")) read_aperture(entry.entry("aperture"), camera);
+    if (entry.has("aperture"))
+      entry.within("aperture", [&](const Entry& aperture) { read_aperture(aperture, camera); });
     if (entry.has("clip_far")) visit("clip_far", camera.clip_far, Valid::positive);
     if (camera.clip_far <= camera.clip_near) entry.fail("\"clip_far\" must lie beyond \"clip_near\"");
     camera.clips_by_distance = entry.has("clip_along") &&
@@ -318,7 +321,7 @@ class Reader {
     if (entry.has("crop")) read_crop(entry);
     if (!entry.has("filter")) return;
     PixelFilter filter;
-    members(MemberReader(entry.entry("filter")), filter);
+    entry.within("filter", [&](const Entry& described) { members(MemberReader(described), filter); });
     at_place(entry.place() + ".filter", [&] { check(filter); });
     defaults.filter = filter;
   }
@@ -359,6 +362,7 @@ class Reader {
 
   void finish() {
     SceneSummary& summary = loaded_.summary;
+    loaded_.warnings = warnings_.items();
     summary.unit_name.clear();
     summary.camera = "camera";
     summary.cameras = {"camera"};
@@ -369,6 +373,7 @@ class Reader {
   const std::string path_;
   const LoadOptions& options_;
   const ExchangeRead& read_;
+  WarningList warnings_;
   LoadedScene loaded_;
   std::vector<Shape> shapes_;
   std::vector<PendingMesh> meshes_;

@@ -27,7 +27,8 @@ SOURCE_FOLDERS = (*MAY_INCLUDE, "tests")
 DOORS = {
     "Embree": (r"embree[34]?/", r"accel/embree/"),
     "Highway and intrinsics": (r"hwy/|\w+intrin\.h",  # denormals: FTZ and DAZ
-                               r"accel/|core/(denormals|instruction_sets|map_points)\.cpp|integrators/wave/"),
+                               r"accel/|core/(denormals|instruction_sets|map_points)\.cpp|integrators/wave/|"
+                               r"tests/core/instruction_sets_test\.cpp"),
     "Boost": (r"boost/", r"check/(exact\.h|welch\.cpp)"),
     "oneTBB": (r"tbb/|oneapi/", r"core/parallel\.cpp"),
     "OpenEXR": (r"Imf\w+\.h|Iex\.h|half\.h|OpenEXR/|Imath/", r"io/picture/exr_\w+\.(h|cpp)"),
