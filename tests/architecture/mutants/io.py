@@ -4,6 +4,8 @@ from mutant import Mutant
 
 EXCHANGED = "a scene in exchange form is read with all its bits, whatever is in it"
 
+UNKNOWN = "a key of an exchange form that means nothing is named, with the one that it may stand for"
+
 PICTURES = "a picture of an exchange form has the role and the smaller copies that each texture asks for"
 
 MUTANTS = [
@@ -19,6 +21,15 @@ MUTANTS = [
            "std::to_chars(digits, digits + sizeof digits, x);",
            "std::to_chars(digits, digits + sizeof digits, x, std::chars_format::general, 6);",
            "test_io", "every number of the JSON file is read back with all its bits"),
+    Mutant("a remark in exchange form is an unknown key", "io/exchange/entry.cpp",
+           "if (key.starts_with('_') || std::find", "if (std::find",
+           "test_io", "keys of an exchange form that begin with an underscore are remarks"),
+    Mutant("keys in exchange form that may be there are unknown", "io/exchange/entry.cpp",
+           "  asked_.push_back(key);\n  return json_.contains(key);", "  return json_.contains(key);",
+           "test_io", "lights are known to a reader that leaves them out"),
+    Mutant("unknown keys of nested objects in exchange form are silent", "io/exchange/entry.h",
+           "read(at(key), place_of(key), warnings_, take);",
+           "take(Entry(at(key), place_of(key), warnings_));", "test_io", UNKNOWN),
     Mutant("transforms in exchange form are floats", "io/exchange/writer.cpp",
            "for (const auto& row : to_world.m) rows.push_back(row);",
            "for (const auto& row : to_world.m)\n"
