@@ -19,6 +19,9 @@ namespace {
 std::atomic<const std::vector<std::string>*> unfinished_paths = nullptr;
 static_assert(std::atomic<const std::vector<std::string>*>::is_always_lock_free);
 
+/// Of outputs that have no temporary name, such as standard output.
+std::atomic<bool> is_lost_at_the_end = false;
+
 /// Of a program that ends before it can be stopped; 0: that of the signal.
 std::atomic<int> exit_code_before = 0;
 std::atomic<bool> is_stoppable = false;
@@ -65,7 +68,10 @@ void say(std::string_view text) {
   say(console::speaker());
   say(": ");
   say(signal_number == SIGINT || signal_number == SIGALRM ? stop_text(signal_number) : "ended by a signal");
-  if (unfinished_paths) say("; unfinished outputs are removed, old files are as they were");
+  if (unfinished_paths)
+    say("; unfinished outputs are removed, old files are as they were");
+  else if (is_lost_at_the_end)
+    say("; the output is not finished");
   say("\n");
   _exit(exit_code);
 }
@@ -89,6 +95,7 @@ InterruptGuard::InterruptGuard(const std::vector<std::string>& outputs, int earl
   for (const std::string& output : outputs)
     if (std::string path = temporary_path(output); !path.empty()) paths_.push_back(std::move(path));
   if (!paths_.empty()) unfinished_paths = &paths_;
+  is_lost_at_the_end = !outputs.empty();
   exit_code_before = early_code;
   struct sigaction action {};
   action.sa_handler = take_signal;
@@ -103,6 +110,7 @@ InterruptGuard::InterruptGuard(const std::vector<std::string>& outputs, int earl
 InterruptGuard::~InterruptGuard() {
   for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
   unfinished_paths = nullptr;
+  is_lost_at_the_end = false;
   exit_code_before = code_before_;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 #include <string_view>
 
@@ -38,11 +39,40 @@ bool names(const LightGroupRule& rule, const std::string& light) {
                      [&](const std::string& pattern) { return matches(pattern, light); });
 }
 
-std::string group_of(const Light& light, std::span<const LightGroupRule> rules) {
-  for (const LightGroupRule& rule : rules)
-    if (names(rule, light.name)) return rule.name;
-  return layer_word(light.name.empty() ? "light" : light.name);
-}
+/// The names of groups, as lights ask for them.
+class GroupNames {
+ public:
+  explicit GroupNames(std::span<const LightGroupRule> rules) : rules_(rules) {}
+
+  const std::string& of(const Light& light) {
+    for (const LightGroupRule& rule : rules_)
+      if (names(rule, light.name)) return rule.name;
+    const std::string own = light.name.empty() ? "light" : light.name;
+    const auto known = own_.find(own);
+    return known != own_.end() ? known->second : own_.emplace(own, word_for(own)).first->second;
+  }
+
+ private:
+  /// Names that are one word in a layer's letters are numbered: "lamp_1", "lamp_1_2".
+  std::string word_for(const std::string& own) const {
+    const std::string word = layer_word(own);
+    for (const LightGroupRule& rule : rules_)
+      if (rule.name == word)
+        throw Error(
+            fmt::format("--light-group: the light \"{}\" is no part of the group \"{}\", and has its "
+                        "name; give the group another one",
+                        own, word));
+    std::string numbered = word;
+    for (int n = 2; is_taken(numbered); ++n) numbered = fmt::format("{}_{}", word, n);
+    return numbered;
+  }
+  bool is_taken(const std::string& word) const {
+    return std::any_of(own_.begin(), own_.end(), [&](const auto& known) { return known.second == word; });
+  }
+
+  const std::span<const LightGroupRule> rules_;
+  std::map<std::string, std::string> own_;  ///< Of lights that no rule names, by their names.
+};
 
 /// The lights' names in quotes, the first few of them.
 std::string list_lights(const Scene& scene) {
@@ -100,8 +130,9 @@ void group_lights(Scene& scene, std::span<const LightGroupRule> rules) {
   for (const LightGroupRule& rule : rules) check_rule(rule, scene);
   std::vector<std::string>& groups = scene.light_groups;
   groups.clear();
+  GroupNames names(rules);
   for (Light& light : scene.lights) {
-    const std::string name = group_of(light, rules);
+    const std::string& name = names.of(light);
     const auto known = std::find(groups.begin(), groups.end(), name);
     light.group = std::uint32_t(known - groups.begin());
     if (known == groups.end()) groups.push_back(name);

@@ -125,6 +125,17 @@ inline bool is_cs184(const RenderArguments& arguments) {
   return arguments.load.interpretation == Interpretation::cs184;
 }
 
+/// Whether the bvh runs the triangle test that has bits of its own; other engines have no choice of tests.
+inline bool has_other_triangle_test(const RenderArguments& arguments) {
+  return !arguments.is_auto && arguments.backend == Backend::bvh &&
+         arguments.build.triangle_test == TriangleTest::moller_trumbore;
+}
+/// Whether the picture is another one with another engine.
+inline bool depends_on_engine(const RenderArguments& arguments) {
+  return arguments.integrator == IntegratorKind::cost || arguments.backend == Backend::embree_native ||
+         has_other_triangle_test(arguments);
+}
+
 /// Shortens the seconds that the render has to those that are left until it is to end.
 void heed_the_clock(RenderArguments& arguments);
 /// That this time is over; empty where it is not.

@@ -23,7 +23,11 @@ std::function<void()> add_options(CLI::App& app, RenderRequest& request, const W
   add_engine_options(app, request);
   return [&app, &request, &given, &set] {
     Words all = given;
-    for (std::string& name : given_options(app)) all.push_back(std::move(name));
+    for (std::string& name : given_options(app)) {
+      if (name == "--seed")
+        throw UsageError("the pictures of all settings have the same seeds: --seed of error");
+      all.push_back(std::move(name));
+    }
     set.arguments = resolved_render(request, all);
   };
 }

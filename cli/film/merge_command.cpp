@@ -43,8 +43,10 @@ Words film_names(const Words& words) {
     }
     std::istringstream lines(read_input_file(word.substr(1), "list of films"));
     const std::size_t before = names.size();
-    for (std::string line; std::getline(lines, line);)
+    for (std::string line; std::getline(lines, line);) {
+      if (line.ends_with('\r')) line.pop_back();  // A list may come from Windows.
       if (!line.empty()) names.push_back(line);
+    }
     if (names.size() == before) throw Error(fmt::format("{}: this list names no film", word.substr(1)));
   }
   return names;

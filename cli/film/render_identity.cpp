@@ -23,7 +23,7 @@ constexpr std::string_view free_options[] = {
 constexpr std::string_view engine_options[] = {
     "--accel",       "--simd",       "--bvh-width",     "--bvh-quality",    "--bvh-split",
     "--bvh-builder", "--bvh-bins",   "--max-leaf-size", "--traversal-cost", "--intersection-cost",
-    "--embree-mode", "--embree-isa", "--memory-mode"};
+    "--embree-mode", "--embree-isa", "--memory-mode",   "--triangle-test"};
 
 template <std::size_t count>
 bool is_among(const std::string_view (&options)[count], const std::string& name) {
@@ -37,10 +37,6 @@ bool is_default(const RenderArguments& arguments, const std::string& name) {
   if (name == "--max-depth" && has_defaults(arguments.scene)) return false;
   return std::find(arguments.given_defaults.begin(), arguments.given_defaults.end(), name) !=
          arguments.given_defaults.end();
-}
-
-bool depends_on_engine(const RenderArguments& arguments) {
-  return arguments.integrator == IntegratorKind::cost || arguments.backend == Backend::embree_native;
 }
 
 }  // namespace

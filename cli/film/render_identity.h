@@ -6,8 +6,8 @@
 namespace twinray {
 
 /// What decides about the samples of a render that reads these files. What changes none is left out: words
-/// that are their options' defaults, path-reference, which is path, engines but for embree-native and
-/// pictures of cost, threads, outputs, how many samples.
+/// that are their options' defaults, path-reference, which is path, engines but where the picture
+/// depends on them, threads, outputs, how many samples.
 RenderIdentity render_identity(const RenderArguments& arguments, const InputFiles& inputs);
 
 }  // namespace twinray

@@ -35,6 +35,10 @@ bool is_kept_in(const std::string& checkpoint, const std::string& file) {
   return place(checkpoint) == place(file) || place(earlier_film_name(checkpoint)) == place(file);
 }
 
+/// Options that may be given several times. Where they stand behind a film's name they replace all of its
+/// own.
+const std::vector<std::string> repeated_options{"--light-group"};
+
 /// The words of a film, and those behind its name, which count more. A job that calls itself again and again
 /// says the same each time: once is enough.
 Words words_to_resume(const Words& of_film, const std::string& file, const Words& further) {
@@ -45,7 +49,9 @@ Words words_to_resume(const Words& of_film, const std::string& file, const Words
     words = without_options(words, {"--checkpoint"});
     words.insert(words.end(), {"--checkpoint", file});
   }
-  if (!ends_with(words, further)) words.insert(words.end(), further.begin(), further.end());
+  if (ends_with(words, further)) return words;
+  if (!word_of_option(further, repeated_options).empty()) words = without_options(words, repeated_options);
+  words.insert(words.end(), further.begin(), further.end());
   return words;
 }
 

@@ -98,6 +98,16 @@ std::string output_of(const PlanArguments& arguments, const Words& words) {
   return output;
 }
 
+/// Frames of which the render's other words say nothing are the same picture.
+void check_frames_differ(const PlanArguments& arguments, const Words& words) {
+  const Words others = without_options(words, output_options);
+  if (!arguments.frames || std::any_of(others.begin(), others.end(), has_frame_number)) return;
+  const std::string same =
+      "--frames: only the picture's name has a place for the number, so all frames are the same picture";
+  if (arguments.render.load.strict) throw UsageError(same);
+  console::warn(same);
+}
+
 /// Throws Error where a picture could not be written. The last job alone would find out.
 void check_pictures(const FarmPlan& plan, const std::vector<std::string>& files) {
   for (std::uint32_t i = 0; i < plan.frame_count(); ++i) {
@@ -283,6 +293,7 @@ int plan_command(const PlanArguments& arguments, const Words& words) {
   const double wanted = seconds ? std::ceil(*seconds / (60 * *arguments.part_minutes)) : *arguments.jobs;
   plan.parts = std::uint32_t(std::clamp(wanted, 1.0, double(plan.units)));
   check_size(plan);
+  check_frames_differ(arguments, words);
   write(plan);
   if (!arguments.render.quiet) say(plan, seconds);
   return 0;

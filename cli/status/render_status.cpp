@@ -58,7 +58,8 @@ std::vector<StatusNumber> status_numbers(const RenderStatus& status) {
   getrusage(RUSAGE_SELF, &usage);
   return {{"progress_ratio", "How much of the samples, the time or the noise target is reached",
            known([&](const RenderProgress& p) { return share_done(status, p); })},
-          {"samples_done", "Samples of all pixels, with those of earlier processes",
+          {"samples_done",
+           "Samples of all pixels, with those of earlier processes and those that adaptive sampling saved",
            known([](const RenderProgress& p) { return p.samples_done; })},
           {"samples_wanted", "Samples of all pixels, at most",
            known([](const RenderProgress& p) { return p.samples_total; })},

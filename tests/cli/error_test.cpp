@@ -106,6 +106,8 @@ TEST_CASE("wrong command lines of error are refused with what would be valid") {
       {"--converge --settings \"a: 'b\"", "--settings: ' is not closed in: 'b"},
       {"--converge --settings 'a: -m x'", "--settings \"a\": --max-depth: \"x\" is not a whole number"},
       {"--converge --settings 'a: -r 3 4'", "--settings \"a\": there is no option -r"},
+      {"--converge --settings 'a: --seed=3'",
+       "--settings \"a\": the pictures of all settings have the same seeds: --seed of error"},
       {"--converge --settings 'a: --accel=check'", "--accel=check goes with render; error takes one engine"},
   };
   for (const auto& [options, message] : wrong) {

@@ -68,7 +68,7 @@ TEST_CASE("a list names more films than a command line has room for") {
   run_well(box_words("--sample-range=1:2 --of=3 -o " + film("b.film")));
   run_well(box_words("--sample-range=2:3 --of=3 -o " + film("c.film")));
   run_well(box_words("-s 3 -o " + film("x.pfm")));
-  write_text(folder.file("list"), folder.file("b.film") + "\n\n" + folder.file("c.film"));
+  write_text(folder.file("list"), folder.file("b.film") + "\r\n\n" + folder.file("c.film"));
   run_well(fmt::format("merge -q {} @{} -o {}", film("a.film"), film("list"), film("y.pfm")));
   CHECK(read_text(folder.file("y.pfm")) == read_text(folder.file("x.pfm")));
   write_text(folder.file("list"), "\n");
@@ -169,6 +169,40 @@ TEST_CASE("an option whose value is its default changes no samples: films go wit
   CHECK(read_text(folder.file("m.pfm")) == read_text(folder.file("w.pfm")));
   run_well("resume " + film("a.ck") + " -q --seed=0 -s 9");
   check_says(told_error("resume " + film("a.ck") + " -q --seed=1"), "it was made without --seed 1");
+}
+
+TEST_CASE("the groups of lights of a film may be said again, and no others") {
+  const TemporaryFolder folder;
+  const std::string film = quoted(folder.file("a.film")), groups = "--light-group=a=sun --light-group=b=spot";
+  run_well(quoted(TWINRAY_SOURCE_DIR "/scenes/lights.dae") +
+           " -r 24 18 -q -s 2 --layers=light-groups --light-group=a=sun --light-group=b=spot -o " + film);
+  run_well("resume " + film + " -q -s 3 " + groups);
+  CHECK(samples_in(folder.file("a.film")) == 3);
+  run_well("resume " + film + " -q -s 4");
+  CHECK(samples_in(folder.file("a.film")) == 4);
+  check_says(told_error("resume " + film + " -q -s 5 --light-group=a=sun"), "--light-group");
+}
+
+TEST_CASE("films of another triangle test go with films of the same engine alone") {
+  const TemporaryFolder folder;
+  const auto part = [&](const std::string& name, const std::string& words) {
+    const ProcessResult result = run_program(box_words(words + " --of=8 -o " + quoted(folder.file(name))));
+    CHECK(result.exit_code == 0);
+    CHECK(result.err.empty() == contains(words, "--accel=bvh"));  // That the test has no effect.
+  };
+  const auto merge = [&](const std::string& first, const std::string& second) {
+    return fmt::format("merge -q {} {} -o {}", quoted(folder.file(first)), quoted(folder.file(second)),
+                       quoted(folder.file("m.pfm")));
+  };
+  const std::string own_test = " --triangle-test=moller-trumbore";
+  part("a.film", "--sample-range=0:4 --accel=bvh" + own_test);
+  part("b.film", "--sample-range=4:8 --accel=bvh" + own_test);
+  part("c.film", "--sample-range=4:8 --accel=brute-force" + own_test);
+  part("d.film", "--sample-range=0:4 --accel=bvh");
+  run_well(merge("a.film", "b.film"));
+  check_says(told_error(merge("a.film", "c.film")), "--accel bvh");
+  check_says(told_error(merge("d.film", "b.film")), "it does not go with");
+  run_well(merge("d.film", "c.film"));  // Both by the usual test.
 }
 
 TEST_CASE("films of path and of path-reference merge and go on, with the name of the first") {

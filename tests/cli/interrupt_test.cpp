@@ -180,6 +180,14 @@ TEST_CASE("a picture that has no name has no partial one: Ctrl-C ends at once") 
   CHECK(program.shown().find("_partial") == std::string::npos);
 }
 
+TEST_CASE("where the picture goes to a pipe an interruption says that it is not finished") {
+  const ProcessResult result =
+      run_program(fmt::format("render {} -r 48 36 -s 4000000 -q -o - --time-limit=1", box_scene));
+  CHECK(result.exit_code != 0);
+  CHECK(result.out.empty());
+  CHECK(contains(result.err, "; the output is not finished\n"));
+}
+
 TEST_CASE("a partial picture is named like the whole one, and states the samples that its pixels have") {
   const TemporaryFolder folder;
   CHECK(partial_outputs({.picture = folder.file("c.d.exr")}).picture == folder.file("c.d_partial.exr"));

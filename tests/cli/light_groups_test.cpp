@@ -71,6 +71,19 @@ TEST_CASE("each light is a group of its own name, in letters that layers can hav
         std::vector<std::string>{"Sun", "Lamp_001", "area_light__line_4", "Sun", "light"});
 }
 
+TEST_CASE("lights whose names differ in other signs alone are groups of their own, numbered") {
+  CHECK(groups_of({"lamp.1", "lamp_1", "lamp 1", "lamp_1", "lamp_1_2"}, {}) ==
+        std::vector<std::string>{"lamp_1", "lamp_1_2", "lamp_1_3", "lamp_1_2", "lamp_1_2_2"});
+}
+
+TEST_CASE("a group that has the name of a light beside it is refused") {
+  CHECK(groups_of({"sun", "spot"}, {"sun=sun,spot"}) == std::vector<std::string>{"sun", "sun"});
+  CHECK_THROWS_WITH(
+      groups_of({"a lamp", "spot"}, {"a_lamp=spot"}),
+      "--light-group: the light \"a lamp\" is no part of the group \"a_lamp\", and has its name; "
+      "give the group another one");
+}
+
 TEST_CASE("a light belongs to the first group that names it, by its name or any text in it") {
   CHECK(groups_of({"lamp 1", "lamp 2", "sun", "sky"}, {"warm=lamp 1", "all=lamp*,*un"}) ==
         std::vector<std::string>{"warm", "all", "all", "sky"});

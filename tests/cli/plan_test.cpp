@@ -217,6 +217,19 @@ TEST_CASE("each frame of a plan has a place for its picture") {
   CHECK(plan_in(folder, "s.dae --folder=p --jobs=1 --convert-textures -o x.png").exit_code == 2);
 }
 
+TEST_CASE("frames that are all the same picture are warned of, and refused where that is asked for") {
+  const TemporaryFolder folder;
+  const std::string words = quoted(box_scene) + " -r 24 18 -s 2 --frames=5:6 --jobs=1 -o x%d.png --folder=";
+  const std::string same =
+      "--frames: only the picture's name has a place for the number, so all frames are the same picture";
+  const ProcessResult planned = plan_in(folder, words + "p");
+  CHECK(planned.exit_code == 0);
+  CHECK(planned.err == "warning: " + same + "\n");
+  const ProcessResult strict = plan_in(folder, words + "q --strict");
+  CHECK(strict.exit_code == 2);
+  CHECK(strict.err.starts_with("twinray: " + same));
+}
+
 TEST_CASE("options of numbers may have the frame's number, and options of a frame are those of its picture") {
   const TemporaryFolder folder;
   const ProcessResult planned =

@@ -166,6 +166,20 @@ TEST_CASE("verify takes the engines that render one picture alone") {
   CHECK(contains(result.err, "--accel: there is no \"check\"; valid are auto, "));
 }
 
+TEST_CASE("a picture of another triangle test is made again by its own engine") {
+  const TemporaryFolder folder;
+  const std::string own_test = "-s 4 --triangle-test=moller-trumbore -o ", picture = file_in(folder, "a.exr");
+  render(scenes + "box.dae", own_test + picture + " --accel=bvh");
+  const ProcessResult own = verify(picture + " --tiles=4 --seed=1");
+  CHECK(own.err == "");
+  CHECK(contains(own.out, "Same bits      4 of 4 tiles"));
+  // Where it had no effect it has none with another engine.
+  CHECK(run_program(fmt::format("render {} -r 48 36 -q {} --accel=brute-force", quoted(scenes + "box.dae"),
+                                own_test + picture))
+            .exit_code == 0);
+  CHECK(contains(verify(picture + " --tiles=4 --seed=1 --accel=bvh").out, "Same bits      4 of 4 tiles"));
+}
+
 TEST_CASE("a channel that was taken away is found, and a place that is another") {
   const TemporaryFolder folder;
   render(scenes + "box.dae", "-s 4 --crop 7 3 30 20 -o " + file_in(folder, "a.exr"));
