@@ -11,6 +11,7 @@
 #include "tests/support/film_commands.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/terminal.h"
+#include "tests/support/text.h"
 
 namespace twinray::test {
 namespace {

@@ -19,6 +19,7 @@
 #include "tests/support/sanitizer.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/terminal.h"
+#include "tests/support/text.h"
 
 namespace twinray::test {
 namespace {
