@@ -130,9 +130,9 @@ void group_lights(Scene& scene, std::span<const LightGroupRule> rules) {
   for (const LightGroupRule& rule : rules) check_rule(rule, scene);
   std::vector<std::string>& groups = scene.light_groups;
   groups.clear();
-  GroupNames names(rules);
+  GroupNames group_names(rules);
   for (Light& light : scene.lights) {
-    const std::string& name = names.of(light);
+    const std::string& name = group_names.of(light);
     const auto known = std::find(groups.begin(), groups.end(), name);
     light.group = std::uint32_t(known - groups.begin());
     if (known == groups.end()) groups.push_back(name);
