@@ -8,7 +8,11 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <optional>
+#include <utility>
 
+#include "bench/engines.h"
+#include "bench/pattern.h"
 #include "core/error.h"
 
 namespace twinray::bench {
@@ -20,12 +24,24 @@ std::vector<std::size_t> parse_sizes(const std::string& list) {
   for (const char *at = list.data(), *const end = at + list.size(); at < end;) {
     double size = 0;
     const auto [next, error] = std::from_chars(at, end, size);
-    if (error != std::errc{} || !(size >= 1 && size <= 1e9) || (next != end && *next != ','))
+    if (error != std::errc{} || !(size >= 1 && size <= 1e9) || size != std::floor(size) ||
+        (next != end && *next != ','))
       throw Error(fmt::format("--sizes={}: numbers of triangles such as 1e4,1e5,1000000 are wanted", list));
     sizes.push_back(std::size_t(std::llround(size)));
     at = next == end ? end : next + 1;
   }
   return sizes;
+}
+
+/// Throws Error where a pattern names no engine.
+void check_engines(const std::string& pattern) {
+  if (pattern.empty()) return;
+  std::string names;
+  for (const Engine& engine : engines()) {
+    if (Pattern(pattern).matches(engine.name)) return;
+    names += (names.empty() ? "" : ", ") + engine.name;
+  }
+  throw Error(fmt::format("--engines={}: no engine has such a name; there are {}", pattern, names));
 }
 
 /// How thorough a run is.
@@ -47,7 +63,7 @@ struct Words {
   bool is_quick = false, is_full = false, has_no_renders = false, are_write_ups = false;
   int repetitions = 0;
   std::string sizes, picture;
-  std::uint32_t samples = 16;
+  std::optional<std::uint32_t> samples;
 };
 
 void add_options(CLI::App& app, Options& options, Words& words) {
@@ -82,8 +98,21 @@ void add_options(CLI::App& app, Options& options, Words& words) {
   app.set_help_flag("-h,--help", "Print this help");
 }
 
-void apply(const Words& words, Options& options) {
+void check(const Words& words, const Options& options) {
   if (words.is_quick && words.is_full) throw Error("--quick and --full exclude each other");
+  if (words.samples && words.picture.empty()) throw Error("--samples goes with --picture");
+  const std::pair<const char*, bool> of_rays[] = {
+      {"--json", !options.json_file.empty()}, {"--csv", !options.csv_file.empty()},
+      {"--html", !options.html_file.empty()}, {"--engines", !options.trace.engine_pattern.empty()},
+      {"--sizes", !words.sizes.empty()},      {"--no-renders", words.has_no_renders},
+      {"--picture", !words.picture.empty()}};
+  for (const auto& [option, is_given] : of_rays)
+    if (words.are_write_ups && is_given) throw Error(fmt::format("{} does not go with --write-ups", option));
+  check_engines(options.trace.engine_pattern);
+}
+
+void apply(const Words& words, Options& options) {
+  check(words, options);
   const Effort& effort = words.is_quick ? quick : words.is_full ? full : usual;
   options.trace.rounds.count = words.repetitions > 0 ? words.repetitions : effort.rounds;
   options.trace.rounds.least_seconds = effort.least_seconds;
@@ -101,7 +130,7 @@ void apply(const Words& words, Options& options) {
   if (words.are_write_ups)
     options.write_ups = WriteUpOptions{options.scenes.folder, words.repetitions > 0 ? words.repetitions : 3,
                                        words.is_quick, options.scenes.only};
-  if (!words.picture.empty()) options.picture = PictureOrder{words.picture, words.samples};
+  if (!words.picture.empty()) options.picture = PictureOrder{words.picture, words.samples.value_or(16)};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "cli/console.h"
 #include "cli/info_report.h"
 #include "cli/json_names.h"
+#include "cli/no_effect.h"
 #include "cli/render_command_line.h"
 #include "cli/resources.h"
 
@@ -22,6 +23,15 @@ void add_options(CLI::App& app, InfoArguments& arguments) {
   add_instances(group, arguments.load);
   group.add_flag("--strict", arguments.load.strict, "What a scene file says must have an effect");
   group.add_flag("--json", arguments.json, "Print JSON");
+}
+
+/// Names the options that change nothing in this scene; strict: the first one is an error.
+void tell_what_has_no_effect(const InfoArguments& asked, const SceneSummary& summary) {
+  RenderArguments arguments = parse_render_arguments({asked.scene});
+  arguments.load = asked.load;
+  const std::vector<std::string> without_effect = options_without_effect(summary, arguments);
+  refuse_if_strict(without_effect, arguments);
+  for (const std::string& warning : without_effect) console::warn(warning);
 }
 
 /// As render takes it by its defaults.
@@ -54,6 +64,7 @@ int info_command(const InfoArguments& arguments) {
   LoadOptions options = arguments.load;
   options.files = std::make_shared<std::vector<std::string>>();
   const LoadedScene loaded = load_with_warnings(arguments.scene, options);
+  tell_what_has_no_effect(arguments, loaded.summary);
   SceneInfo info = scene_info(arguments.scene, loaded);
   info.files = once(*options.files);
   if (arguments.json) check_json_names(info.files, "--json");

@@ -18,15 +18,18 @@ namespace {
 
 std::vector<std::string> parse_engines(const std::string& text) {
   std::vector<std::string> engines;
+  bool has_reference = false;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string name = named_engine(text.substr(begin, end - begin)).name;
+    const Engine engine = named_engine(text.substr(begin, end - begin));
+    const std::string& name = engine.name;
+    has_reference |= engine.is_canonical() && engine.backend != Backend::brute_force;
     if (std::find(engines.begin(), engines.end(), name) != engines.end())
       throw Error(fmt::format("{} stands there twice; an engine says nothing about itself", name));
     engines.push_back(name);
     begin = end + 1;
   }
-  if (engines.size() < 2) throw Error("two are needed, one of them bvh, bvh-2 or embree");
+  if (engines.size() < 2 || !has_reference) throw Error("two are needed, one of them bvh, bvh-2 or embree");
   return engines;
 }
 

@@ -33,7 +33,7 @@ int check_scene(const CrosscheckArguments& arguments, const Scene& scene) {
                           duration_text(elapsed.count() * (1 - fraction) / fraction)));
   });
   line.finish();
-  const std::string replay = replay_command(arguments.scene, arguments.load);
+  const std::string replay = replay_command(arguments.scene, arguments.load, arguments.options.engines);
   console::write(arguments.json ? crosscheck_json(result, arguments.scene, replay, arguments.ceilings)
                                 : crosscheck_text(result, replay, arguments.ceilings));
   return is_passed(result.report, arguments.ceilings) ? 0 : 1;

@@ -2,6 +2,7 @@
 #include "cli/crosscheck/report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -108,9 +109,12 @@ bool is_passed(const CrosscheckReport& report, Ceilings ceilings) {
   return report.unexplained() == 0 && wrong_ceilings(report, ceilings).empty();
 }
 
-std::string replay_command(const std::string& scene, const LoadOptions& load) {
-  return fmt::format("twinray crosscheck {}{}{}", shell_text({scene}),
-                     load.keep_both_lamps ? " --keep-both-lamps" : "", instances_words(load.instances));
+std::string replay_command(const std::string& scene, const LoadOptions& load,
+                           const std::vector<std::string>& engines) {
+  const bool are_usual = engines == default_crosscheck_engines();
+  return fmt::format("twinray crosscheck {}{}{}{}", shell_text({scene}),
+                     load.keep_both_lamps ? " --keep-both-lamps" : "", instances_words(load.instances),
+                     are_usual ? "" : fmt::format(" --engines={}", fmt::join(engines, ",")));
 }
 
 std::string ray_label(const Finding& finding) {

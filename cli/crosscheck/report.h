@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "check/ceilings.h"
 #include "check/scene_crosscheck.h"
@@ -10,7 +11,8 @@
 namespace twinray {
 
 /// The command that shoots rays of a scene again, up to the options that name the ray.
-std::string replay_command(const std::string& scene, const LoadOptions& load);
+std::string replay_command(const std::string& scene, const LoadOptions& load,
+                           const std::vector<std::string>& engines = default_crosscheck_engines());
 
 /// How a ray is called: "camera 1234", by its class and its number in it.
 std::string ray_label(const Finding& finding);

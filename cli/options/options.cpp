@@ -99,7 +99,7 @@ void check_values(const CLI::App& app, const Words& words) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     if (word.starts_with("--") && word.size() > 3 && word.find('=') == word.size() - 1)
-      throw UsageError(fmt::format("{} its value is missing", word));
+      throw UsageError(fmt::format("{}: its value is missing", word.substr(0, word.size() - 1)));
     if (i + 1 < words.size() && takes_value(option_named(app, word)) && option_named(app, words[i + 1]))
       throw UsageError(fmt::format("{}: its value is missing; {} is an option", word, words[i + 1]));
   }

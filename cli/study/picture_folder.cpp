@@ -133,12 +133,19 @@ bool PictureFolder::is_outdated(const Picture& picture) const {
 std::optional<Record> PictureFolder::finished(const Picture& picture) const {
   const std::optional<Record> record = old_record(picture);
   if (!record || !is_of(*record, picture)) return std::nullopt;
+  return files_hash(picture) == record->files_hash ? record : std::nullopt;
+}
+
+std::optional<std::uint64_t> PictureFolder::files_hash(const Picture& picture) const {
   Words endings{".png", ".exr"};
   if (!picture.adaptive.empty()) endings.push_back("_rate.png");
-  const bool is_whole = std::all_of(endings.begin(), endings.end(), [&](const std::string& ending) {
-    return fs::is_regular_file(file(picture, ending));
-  });
-  return is_whole ? record : std::nullopt;
+  std::string hashes;
+  for (const std::string& ending : endings) {
+    const std::optional<std::string> bytes = read(file(picture, ending));
+    if (!bytes) return std::nullopt;
+    hashes += fmt::format("{} ", hash_of(*bytes));
+  }
+  return hash_of(hashes);
 }
 
 double PictureFolder::count_tests(const Picture& picture) const {
@@ -166,6 +173,7 @@ int PictureFolder::make(const Picture& picture) const {
   const int code = render_command(parse_render_arguments(rendering), typed_words(picture), talk);
   if (code != 0) return code;
   write_exr(file(picture, ".exr"), talk.picture());
+  record.files_hash = files_hash(picture).value_or(0);
   write_file(file(picture, ".json"), record_text(record));
   return 0;
 }

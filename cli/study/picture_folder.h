@@ -19,7 +19,7 @@ class PictureFolder {
   PictureFolder(std::string path, const Scale& scale, int threads);
 
   /// The picture's record, if it was finished by the same program with the same command and scene, and its
-  /// files are there.
+  /// files are as they were then.
   std::optional<Record> finished(const Picture& picture) const;
 
   /// Whether the picture is there by another command, program or scene.
@@ -42,6 +42,8 @@ class PictureFolder {
   Words typed_words(const Picture& picture) const;
   std::string command(const Picture& picture) const;
   std::uint64_t scene_hash(const std::string& scene) const;
+  /// Of the picture's files; none where one is missing.
+  std::optional<std::uint64_t> files_hash(const Picture& picture) const;
   double count_tests(const Picture& picture) const;
 
   std::string path_;

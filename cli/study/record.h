@@ -12,6 +12,7 @@ struct Record {
   std::string command;           ///< As a reader would type it.
   std::string program;           ///< Name and version.
   std::uint64_t scene_hash = 0;  ///< Of the bytes of the scene's file.
+  std::uint64_t files_hash = 0;  ///< Of those of the picture's files.
   std::string engine;
   double build_seconds = 0, render_seconds = 0;  ///< Wall-clock.
   std::uint64_t rays = 0, camera_rays = 0;

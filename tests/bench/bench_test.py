@@ -245,7 +245,11 @@ class CommandLine(unittest.TestCase):
         self.expect(["--quick", "nosuchfile.dae"], "nosuchfile.dae: there is no such file")
         self.expect(["--only", "("], "is not a regular expression")
         self.expect(["--sizes=1e4;5"], "numbers of triangles such as 1e4,1e5,1000000 are wanted")
+        self.expect(["--sizes=1e4,1.5"], "numbers of triangles such as 1e4,1e5,1000000 are wanted")
         self.expect(["--quick", "--full"], "exclude each other")
+        self.expect(["--engines=typo"], "--engines=typo: no engine has such a name; there are ")
+        self.expect(["--samples=4"], "--samples goes with --picture")
+        self.expect(["--write-ups", "--csv=a.csv"], "--csv does not go with --write-ups")
         self.expect(["--scenes=/nowhere"], "/nowhere is not a folder of scenes")
 
     def test_a_picture_of_a_scene_is_rendered(self):

@@ -88,6 +88,8 @@ TEST_CASE("an unexplained ray is printed as the command that shoots it again") {
             .find("twinray crosscheck 'a b.dae' --keep-both-lamps --placement=moved --ray=0x1p+0,") == 0);
   CHECK(replay_command("a.pbrt", {.instances = InstanceUse::keep}) ==
         "twinray crosscheck a.pbrt --instances=keep");
+  CHECK(replay_command("a.dae", {}, {"bvh", "embree-native-fast"}) ==
+        "twinray crosscheck a.dae --engines=bvh,embree-native-fast");
   CHECK(replay_command("it's.dae", {}) == "twinray crosscheck 'it'\\''s.dae'");
   CHECK(primitive_text(3, 7, no_instance) == "3:7");
   CHECK(primitive_text(3, 7, 0) == "3:7 of instance 0");
@@ -146,6 +148,7 @@ TEST_CASE("a wrong crosscheck command line ends with 2 and its own usage") {
   const ProcessResult alone = run_program("crosscheck " + box_scene + " --engines=bvh");
   CHECK(alone.exit_code == 2);
   CHECK(alone.err.starts_with("twinray: --engines: two are needed, one of them bvh, bvh-2 or embree\n"));
+  CHECK(run_program("crosscheck " + box_scene + " --engines=brute-force,brute-force").exit_code == 2);
   CHECK(run_program("crosscheck " + box_scene + " --engines=bvh,bvh").err.find("bvh stands there twice") !=
         std::string::npos);
   CHECK(result.err.find("usage: twinray crosscheck SCENE.dae") != std::string::npos);

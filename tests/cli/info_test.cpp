@@ -126,6 +126,17 @@ TEST_CASE("info tells what is stored, and what instances show") {
   CHECK(contains(text.out, "instances: 33 of 1 prototype, by which 9539 triangles and spheres are seen\n"));
 }
 
+TEST_CASE("info names options that change nothing, as render does") {
+  const std::string command = "info generated:woods:10 --instances=copy";
+  const ProcessResult told = run_program(command);
+  CHECK(told.exit_code == 0);
+  CHECK(contains(told.err, "warning: --instances: no effect, for generated scenes "));
+  const ProcessResult strict = run_program(command + " --strict");
+  CHECK(strict.exit_code == 2);
+  CHECK(strict.out.empty());
+  CHECK(contains(strict.err, "twinray: --instances: no effect, for generated scenes "));
+}
+
 TEST_CASE("info tells the same in words, of many things the largest") {
   const Leaf leaf;
   const ProcessResult result = run_program("info " + quoted(leaf.scene()));

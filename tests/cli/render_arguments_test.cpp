@@ -368,7 +368,7 @@ TEST_CASE("words that are missing, unknown or too many are named") {
   CHECK(message_of({"--no-such-option"}) == "there is no option --no-such-option");
   CHECK(message_of({"other.dae"}) == "\"scene.dae\" is one word too many");
   CHECK(message_of({"--quiet=5"}) == "--quiet takes no value");
-  CHECK(message_of({"--stats="}) == "--stats= its value is missing");
+  CHECK(message_of({"--stats="}) == "--stats: its value is missing");
   try {
     parse_render_arguments({"-o", "a.png"});
     FAIL("accepted");

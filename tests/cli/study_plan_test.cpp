@@ -168,6 +168,7 @@ TEST_CASE("a record is what was written, and nothing else is one") {
   Record record{.command = "twinray render 'a b.dae'",
                 .program = "twinray 1",
                 .scene_hash = 0xfedcba9876543210,
+                .files_hash = 0x123456789abcdef,
                 .engine = "bvh",
                 .build_seconds = 0.25,
                 .render_seconds = 1.5,
@@ -178,6 +179,7 @@ TEST_CASE("a record is what was written, and nothing else is one") {
   REQUIRE(again);
   CHECK(record_text(*again) == record_text(record));
   CHECK(again->scene_hash == record.scene_hash);
+  CHECK(again->files_hash == record.files_hash);
   CHECK_FALSE(parse_record("{}"));
   CHECK_FALSE(parse_record(record_text(record).substr(0, 40)));
   CHECK(hash_of("") == 0xcbf29ce484222325);

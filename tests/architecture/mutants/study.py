@@ -2,7 +2,8 @@
 """Defects in twinray study, and in what all pages share."""
 from mutant import Mutant
 
-RESUMED = "a picture is made again where its file is gone, its command or its scene another, and no other"
+RESUMED = (
+    "a picture is made again where its file is gone or damaged, its command or scene another, and no other")
 
 MUTANTS = [
     Mutant("a picture of another command is kept", "cli/study/picture_folder.cpp",
@@ -14,8 +15,12 @@ MUTANTS = [
            "true",
            "test_cli", RESUMED),
     Mutant("a picture that is gone is not missed", "cli/study/picture_folder.cpp",
-           "return is_whole ? record : std::nullopt;",
-           "return record;",
+           "if (!bytes) return std::nullopt;",
+           "if (!bytes) return old_record(picture)->files_hash;",
+           "test_cli", RESUMED),
+    Mutant("a picture that was damaged is kept", "cli/study/picture_folder.cpp",
+           "return files_hash(picture) == record->files_hash ? record : std::nullopt;",
+           "return files_hash(picture) ? record : std::nullopt;",
            "test_cli", RESUMED),
     Mutant("every picture is made anew", "cli/study/command.cpp",
            "if (study_.pictures.finished(picture)) {",
