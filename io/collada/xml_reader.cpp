@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <set>
 
 #include "io/collada/xml_lexer.h"
@@ -124,6 +125,28 @@ void blank_markup(std::string& text) {
       ++i;
     }
   }
+}
+
+/// References to white space, such as "&#13;", become spaces, as many as they have characters.
+void blank_space_references(std::string& text) {
+  for (std::size_t i = text.find("&#"); i != npos; i = text.find("&#", i + 1)) {
+    const std::size_t end = text.find(';', i);
+    if (end == npos) return;
+    const bool is_hex = text[i + 2] == 'x';
+    unsigned code = 0;
+    const char *const digits = text.data() + i + (is_hex ? 3 : 2), *const behind_digits = text.data() + end;
+    const auto [stop, error] = std::from_chars(digits, behind_digits, code, is_hex ? 16 : 10);
+    const bool is_space = code == ' ' || code == '\t' || code == '\n' || code == '\r';
+    if (error == std::errc{} && stop == behind_digits && is_space) blank(text, i, end + 1);
+  }
+}
+
+/// What the element says before its first child, its references decoded.
+std::string decoded_text(const tinyxml2::XMLElement& element) {
+  std::string text;
+  for (auto* node = element.FirstChild(); node && !node->ToElement(); node = node->NextSibling())
+    text += node->ToText() ? node->Value() : " ";
+  return text;
 }
 
 /// The end of the contents that start at `begin`: the next tag that is neither a comment nor CDATA.
@@ -296,7 +319,7 @@ std::uint32_t XmlElement::required_index_attribute(const char* wanted) const {
   }
 }
 
-std::string XmlElement::text() const { return std::string(trimmed(content().text())); }
+std::string XmlElement::text() const { return std::string(trimmed(decoded_text(*element_))); }
 
 template <typename Parse>
 auto XmlElement::parse_numbers(const Parse& parse) const {
@@ -348,9 +371,10 @@ XmlElement::Content XmlElement::content() const {
   const std::size_t begin = behind_tag(text, offset());
   if (begin >= 2 && text[begin - 2] == '/') return {begin, {}, {}};
   Content result{begin, text.substr(begin, content_end(text, begin) - begin), {}};
-  if (result.raw.find('<') != npos) {
+  if (result.raw.find_first_of("<&") != npos) {
     result.blanked = result.raw;
     blank_markup(result.blanked);
+    blank_space_references(result.blanked);
   }
   return result;
 }

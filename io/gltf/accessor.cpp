@@ -112,6 +112,10 @@ Span span_of(GltfDocument& document, const Extent& extent, const std::string& po
   const tinygltf::BufferView& view = document.model().bufferViews[extent.view];
   const std::string_view bytes = document.buffer_view(extent.view);
   const std::size_t stride = view.byteStride > 0 ? view.byteStride : extent.element_bytes;
+  if (stride < extent.element_bytes)
+    document.context().fail(
+        fmt::format("/bufferViews/{}/byteStride", extent.view),
+        fmt::format("is {}, and {} has elements of {} bytes", stride, pointer, extent.element_bytes));
   const bool is_within = extent.offset <= bytes.size() &&
                          extent.element_bytes <= bytes.size() - extent.offset &&
                          (extent.count - 1) <= (bytes.size() - extent.offset - extent.element_bytes) / stride;

@@ -168,7 +168,13 @@ class MaterialReader {
       inputs_.context.fail(pointer_ + "/emissiveFactor",
                            fmt::format("times its strength it is {:g}; valid are up to {:g}",
                                        max_component(surface_.glow.radiance), max_radiance));
-    if (!is_black(surface_.glow.radiance)) set_glow(slots_.emissive);
+    if (is_black(surface_.glow.radiance)) return;
+    set_glow(slots_.emissive);
+    // All of the surface would be as bright as its brightest part may be.
+    if (slots_.emissive && inputs_.uv_set >= 0 && slots_.emissive.uv_set != inputs_.uv_set) {
+      surface_.glow.radiance = {0, 0, 0};
+      inputs_.context.warn(slots_.emissive.pointer, "the light of the surface is left out with its texture");
+    }
   }
 
   void set_glow(const GltfSlot& slot) {

@@ -72,6 +72,16 @@ TEST_CASE("numbers run on past comments and within CDATA, and keep their places"
         std::vector<float>{1, 2, 3, 4, 5});
 }
 
+TEST_CASE("references in texts are decoded, and those to white space part numbers") {
+  CHECK(parse("<p> a&amp;b&#50; &lt;&#xe9;&#13;</p>")->root().text() == "a&b2 <\xc3\xa9");
+  CHECK(parse("<p>a<!-- no --><![CDATA[&amp;]]><q>not this</q> nor this</p>")->root().text() == "a &amp;");
+  const auto xml = parse("<p>1 2&#13;\n3&#xD;&#9;4&#x20;x</p>");
+  CHECK(error_of([&] { xml->root().floats(); }).find("a.xml:2:18: \"x\" is not a number") == 0);
+  CHECK(parse("<p>1&#10;2&#13;\n3&#xd;</p>")->root().indices() == std::vector<std::uint32_t>{1, 2, 3});
+  // A reference to anything else is no part of a number.
+  CHECK(error_of([&] { parse("<p>1 2&#50;</p>")->root().floats(); }).find("a.xml:1:6: \"2&#50;\" is") == 0);
+}
+
 TEST_CASE("an empty element has no numbers and no text") {
   CHECK(parse("<p/>")->root().floats().empty());
   CHECK(parse("<p></p>")->root().text().empty());

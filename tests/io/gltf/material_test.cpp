@@ -205,6 +205,18 @@ TEST_CASE("gltf: a picture of light lies, goes on and has texels as its transfor
   CHECK(light.picture->width == 2);
 }
 
+TEST_CASE("gltf: a surface whose picture of light goes by other coordinates does not emit") {
+  GltfFile file = gltf_surface({{"emissiveFactor", {1, 1, 1}}});
+  const int picture = add_picture(file);
+  file.primitive()["attributes"]["TEXCOORD_1"] = file.accessor<float>({0, 0, 0, 0, 0, 0}, "VEC2");
+  file.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = picture;
+  file.json["materials"][0]["emissiveTexture"] = {{"index", picture}, {"texCoord", 1}};
+  const LoadedScene loaded = file.load();
+  CHECK(loaded.scene.lights.empty());
+  CHECK(loaded.warnings.back().text() ==
+        "test.gltf: /materials/0/emissiveTexture: the light of the surface is left out with its texture");
+}
+
 TEST_CASE("gltf: an unlit surface emits its color and reflects nothing") {
   GltfFile file = extended("KHR_materials_unlit", json::object());
   file.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.25, 0.5, 1, 1};

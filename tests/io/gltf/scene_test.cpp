@@ -349,6 +349,13 @@ TEST_CASE("gltf: the last element of an accessor ends with its view") {
         "/bufferViews/0");
 }
 
+TEST_CASE("gltf: elements that would overlap are refused") {
+  GltfFile file = gltf_triangle();
+  file.json["bufferViews"][0]["byteStride"] = 8;
+  CHECK(file.error() ==
+        "test.gltf: /bufferViews/0/byteStride: is 8, and /accessors/0 has elements of 12 bytes");
+}
+
 TEST_CASE("gltf: text that is no JSON is an error with its line, and so is deep nesting") {
   const auto error = [](const std::string& text) { return error_of(text); };
   CHECK(error("{\"asset\":\n  {\"version\": }}").find("test.glb:2:15: the text is not JSON here") == 0);
