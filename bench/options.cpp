@@ -35,10 +35,10 @@ std::vector<std::size_t> parse_sizes(const std::string& list) {
 
 /// Throws Error where a pattern names no engine.
 void check_engines(const std::string& pattern) {
-  if (pattern.empty()) return;
+  const Pattern wanted(pattern);
   std::string names;
   for (const Engine& engine : engines()) {
-    if (Pattern(pattern).matches(engine.name)) return;
+    if (wanted.matches(engine.name)) return;
     names += (names.empty() ? "" : ", ") + engine.name;
   }
   throw Error(fmt::format("--engines={}: no engine has such a name; there are {}", pattern, names));
@@ -58,6 +58,8 @@ struct Effort {
 constexpr Effort usual{7, 0.03, 3, 288, 216, 1, "1e4,1e5,1e6", 5, 64};
 constexpr Effort quick{3, 0.002, 1, 96, 72, 10, "1e4,3e4,1e5", 2, 16};
 constexpr Effort full{15, 0.1, 5, 384, 288, 1, "1e4,3e4,1e5,3e5,1e6,3e6,1e7", 11, 512};
+
+constexpr std::uint32_t usual_picture_samples = 16;
 
 struct Words {
   bool is_quick = false, is_full = false, has_no_renders = false, are_write_ups = false;
@@ -91,7 +93,8 @@ void add_options(CLI::App& app, Options& options, Words& words) {
   app.add_option("--html", options.html_file, "Write one page with tables and plots")->type_name("FILE");
   app.add_option("--picture", words.picture, "Render the one scene of --only instead of measuring")
       ->type_name("FILE");
-  app.add_option("--samples", words.samples, "Of the picture, per pixel (16)")
+  app.add_option("--samples", words.samples,
+                 fmt::format("Of the picture, per pixel ({})", usual_picture_samples))
       ->type_name("N")
       ->check(CLI::Range(1, 1 << 20));
   app.add_option("--worker", options.worker, "For the program itself")->expected(2)->group("");
@@ -130,7 +133,8 @@ void apply(const Words& words, Options& options) {
   if (words.are_write_ups)
     options.write_ups = WriteUpOptions{options.scenes.folder, words.repetitions > 0 ? words.repetitions : 3,
                                        words.is_quick, options.scenes.only};
-  if (!words.picture.empty()) options.picture = PictureOrder{words.picture, words.samples.value_or(16)};
+  if (!words.picture.empty())
+    options.picture = PictureOrder{words.picture, words.samples.value_or(usual_picture_samples)};
 }
 
 }  // namespace

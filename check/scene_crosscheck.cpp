@@ -25,13 +25,11 @@ std::uint64_t share_of(RayClass ray_class) {
   return ray_class == RayClass::moved ? moved_share : other_share;
 }
 
-/// The engines with a reference first that can be asked for every ray.
+/// The engines with a reference first.
 std::vector<Engine> ordered(const CrosscheckOptions& options) {
   std::vector<Engine> engines;
   for (const std::string& name : options.engines) engines.push_back(named_engine(name, options.build));
-  const auto reference = std::find_if(engines.begin(), engines.end(), [](const Engine& engine) {
-    return engine.is_canonical() && engine.backend != Backend::brute_force;
-  });
+  const auto reference = std::find_if(engines.begin(), engines.end(), can_be_reference);
   if (engines.size() < 2 || reference == engines.end())
     throw Error("a crosscheck needs two engines, one of them bvh, bvh-2 or embree");
   std::rotate(engines.begin(), reference, reference + 1);
@@ -138,6 +136,10 @@ class Run {
 };
 
 }  // namespace
+
+bool can_be_reference(const Engine& engine) {
+  return engine.is_canonical() && engine.backend != Backend::brute_force;
+}
 
 std::vector<std::string> default_crosscheck_engines() {
   std::vector<std::string> engines = engine_names();

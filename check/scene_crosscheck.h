@@ -28,6 +28,9 @@ struct SceneCrosscheck {
   double seconds = 0;  ///< Building included.
 };
 
+/// Whether others can be held to the engine: it has the promised bits, and can be asked for every ray.
+bool can_be_reference(const Engine& engine);
+
 /// The engines that are checked where none are named: all of this build but brute force, which takes part
 /// only where there is no Embree. bvh is the first.
 std::vector<std::string> default_crosscheck_engines();

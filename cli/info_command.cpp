@@ -25,20 +25,23 @@ void add_options(CLI::App& app, InfoArguments& arguments) {
   group.add_flag("--json", arguments.json, "Print JSON");
 }
 
-/// Names the options that change nothing in this scene; strict: the first one is an error.
-void tell_what_has_no_effect(const InfoArguments& asked, const SceneSummary& summary) {
+/// As render takes it by its defaults.
+RenderArguments as_render(const InfoArguments& asked) {
   RenderArguments arguments = parse_render_arguments({asked.scene});
   arguments.load = asked.load;
+  arguments.render.width = asked.width;
+  arguments.render.height = asked.height;
+  return arguments;
+}
+
+/// Names the options that change nothing in this scene; strict: the first one is an error.
+void tell_what_has_no_effect(const RenderArguments& arguments, const SceneSummary& summary) {
   const std::vector<std::string> without_effect = options_without_effect(summary, arguments);
   refuse_if_strict(without_effect, arguments);
   for (const std::string& warning : without_effect) console::warn(warning);
 }
 
-/// As render takes it by its defaults.
-std::vector<MemoryNeed> needs_of(const InfoArguments& asked, const Scene& scene) {
-  RenderArguments arguments = parse_render_arguments({asked.scene});
-  arguments.render.width = asked.width;
-  arguments.render.height = asked.height;
+std::vector<MemoryNeed> needs_of(RenderArguments arguments, const Scene& scene) {
   choose_engine(*scene.geometry, arguments);
   return memory_needs(arguments, scene);
 }
@@ -64,11 +67,12 @@ int info_command(const InfoArguments& arguments) {
   LoadOptions options = arguments.load;
   options.files = std::make_shared<std::vector<std::string>>();
   const LoadedScene loaded = load_with_warnings(arguments.scene, options);
-  tell_what_has_no_effect(arguments, loaded.summary);
+  const RenderArguments render = as_render(arguments);
+  tell_what_has_no_effect(render, loaded.summary);
   SceneInfo info = scene_info(arguments.scene, loaded);
   info.files = once(*options.files);
   if (arguments.json) check_json_names(info.files, "--json");
-  info.needs = needs_of(arguments, loaded.scene);
+  info.needs = needs_of(render, loaded.scene);
   console::write(arguments.json ? info_json(info) : info_text(info));
   return 0;
 }

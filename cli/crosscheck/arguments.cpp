@@ -23,7 +23,7 @@ std::vector<std::string> parse_engines(const std::string& text) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const Engine engine = named_engine(text.substr(begin, end - begin));
     const std::string& name = engine.name;
-    has_reference |= engine.is_canonical() && engine.backend != Backend::brute_force;
+    has_reference |= can_be_reference(engine);
     if (std::find(engines.begin(), engines.end(), name) != engines.end())
       throw Error(fmt::format("{} stands there twice; an engine says nothing about itself", name));
     engines.push_back(name);

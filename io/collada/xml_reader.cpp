@@ -129,9 +129,11 @@ void blank_markup(std::string& text) {
 
 /// References to white space, such as "&#13;", become spaces, as many as they have characters.
 void blank_space_references(std::string& text) {
+  constexpr std::size_t longest = 16;  // However many zeros it begins with; so the time stays linear.
   for (std::size_t i = text.find("&#"); i != npos; i = text.find("&#", i + 1)) {
-    const std::size_t end = text.find(';', i);
-    if (end == npos) return;
+    const std::size_t length = std::string_view(text).substr(i, longest).find(';');
+    if (length == npos) continue;
+    const std::size_t end = i + length;
     const bool is_hex = text[i + 2] == 'x';
     unsigned code = 0;
     const char *const digits = text.data() + i + (is_hex ? 3 : 2), *const behind_digits = text.data() + end;
