@@ -126,16 +126,21 @@ set(private_headers
   io/gltf/writer_material.h
   io/gltf/writer_texture.h
   io/gltf/writer_view.h
+  io/lower_case.h
   io/obj/colors.h
   io/obj/material.h
   io/obj/material_text.h
   io/obj/reader.h
   io/obj/scene.h
+  io/obj/statements.h
   io/obj/text.h
   io/picture/exr_attributes.h
   io/picture/exr_failures.h
   io/picture/exr_streams.h
-  io/picture/openimageio_view.h)
+  io/picture/openimageio_view.h
+  io/stl/ascii.h
+  io/stl/reader.h
+  io/stl/scene.h)
 list(TRANSFORM private_headers REPLACE "\\." "\\\\." OUTPUT_VARIABLE private_patterns)
 list(JOIN private_patterns "|" private_patterns)
 

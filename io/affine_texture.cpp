@@ -14,4 +14,9 @@ std::uint32_t add_affine(std::vector<Texture>& textures, std::uint32_t texture, 
   return add(MixTexture{offset, slope, add(ConstantTexture{white * 0.5f})});
 }
 
+std::uint32_t add_leaning(std::vector<Texture>& textures, std::uint32_t map, float red, float green) {
+  if (red == 1 && green == 1) return map;
+  return add_affine(textures, map, {red, green, 1}, Rgb{1 - red, 1 - green, 0} * 0.5f);
+}
+
 }  // namespace twinray

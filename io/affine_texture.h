@@ -12,4 +12,8 @@ namespace twinray {
 std::uint32_t add_affine(std::vector<Texture>& textures, std::uint32_t texture, const Rgb& gain,
                          const Rgb& base);
 
+/// Adds a normal map whose normals lean as far along its red and green as those of `map` times a factor each,
+/// and returns its index: `map` itself where both factors are 1.
+std::uint32_t add_leaning(std::vector<Texture>& textures, std::uint32_t map, float red, float green);
+
 }  // namespace twinray

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <string_view>
@@ -19,9 +18,11 @@
 #include "io/generated/generated.h"
 #include "io/gltf/gltf.h"
 #include "io/gzip.h"
+#include "io/lower_case.h"
 #include "io/obj/scene.h"
 #include "io/pbrt/scene.h"
 #include "io/ply/scene.h"
+#include "io/stl/scene.h"
 
 namespace twinray {
 
@@ -31,9 +32,7 @@ namespace {
 std::string scene_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   if (extension.size() == 3) extension = path.stem().extension().string() + extension;
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return char(std::tolower(static_cast<unsigned char>(c))); });
-  return extension;
+  return lower_case(extension);
 }
 
 LoadedScene load_dae(const std::string& path, const LoadOptions& options) {
@@ -57,7 +56,7 @@ constexpr std::array formats{Format{".dae", "COLLADA", load_dae, true},
                              Format{".obj", "Wavefront", load_obj},
                              Format{".ply", "a mesh", load_ply},
                              Format{".ply.gz", "a mesh", load_ply},
-                             Format{".stl", "by Assimp", import_scene},
+                             Format{".stl", "STL", load_stl},
                              Format{".fbx", "by Assimp", import_scene},
                              Format{".3ds", "by Assimp", import_scene},
                              Format{".off", "by Assimp", import_scene},

@@ -83,7 +83,7 @@ tinyobj::material_t material_of(const aiMaterial& from, std::size_t& embedded) {
   to.illum = to.shininess > 0 ? 2 : 1;
   for (tinyobj::texture_option_t* const how : {&to.diffuse_texopt, &to.alpha_texopt, &to.emissive_texopt,
                                                &to.normal_texopt, &to.metallic_texopt, &to.roughness_texopt})
-    how->scale[0] = how->scale[1] = how->contrast = 1;
+    how->scale[0] = how->scale[1] = how->contrast = how->bump_multiplier = 1;
   to.alpha_texname = picture_of(from, aiTextureType_OPACITY, embedded);
   to.emissive_texname = picture_of(from, aiTextureType_EMISSIVE, aiTextureType_EMISSION_COLOR, embedded);
   to.normal_texname = picture_of(from, aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA, embedded);
@@ -174,15 +174,6 @@ void add_note(ObjModel& model, std::size_t count, const char* what) {
   if (count > 0) model.notes.push_back(fmt::format("{} of the file, left out: {}", what, count));
 }
 
-/// The normals of STL say again what its triangles say, and may say it wrongly.
-void drop_normals(ObjModel& model) {
-  model.normals.clear();
-  for (ObjFaces& faces : model.faces) {
-    faces.has_normals = false;
-    for (ObjCorner& corner : faces.corners) corner.normal = no_element;
-  }
-}
-
 /// Assimp calls a file in memory by a name of its own.
 std::string said(std::string text) {
   constexpr std::string_view own = "$$$___magic___$$$.";
@@ -210,16 +201,12 @@ ObjModel import_model(const ImportedFile& file) {
   std::size_t embedded = 0;
   for (unsigned i = 0; i < scene->mNumMaterials; ++i)
     model.materials.push_back(material_of(*scene->mMaterials[i], embedded));
-  const auto is_of = [&](const char* extension) {
-    return strcasecmp(path.extension().c_str(), extension) == 0;
-  };
-  if (is_of(".fbx"))  // There a picture takes the color's place.
+  if (strcasecmp(path.extension().c_str(), ".fbx") == 0)  // There a picture takes the color's place.
     for (tinyobj::material_t& material : model.materials)
       if (!material.diffuse_texname.empty()) set(material.diffuse, aiColor3D(1, 1, 1));
   model.material_files.assign(model.materials.size(), file.path);
   Walk walk(*scene, model);
   walk.add(*scene->mRootNode, aiMatrix4x4(), 0);
-  if (is_of(".stl")) drop_normals(model);
   if (model.faces.empty()) throw Error("the file has no faces");
   add_note(model, scene->mNumCameras, "cameras");
   add_note(model, scene->mNumLights, "lights");

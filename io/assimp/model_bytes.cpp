@@ -25,6 +25,7 @@ void for_each_part_of_material(Material& m, const Visit& visit) {
                     &m.metallic_texopt, &m.roughness_texopt}) {
     visit(how->scale);
     visit(how->contrast);
+    visit(how->bump_multiplier);
   }
 }
 

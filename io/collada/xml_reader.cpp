@@ -5,13 +5,13 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <set>
 
 #include "io/collada/xml_lexer.h"
 #include "io/collada/xml_skeleton.h"
 #include "io/input_file.h"
+#include "io/lower_case.h"
 #include "io/number_list.h"
 
 namespace twinray {
@@ -245,9 +245,7 @@ std::string XmlDocument::foreign_encoding() const {
   if (begin == npos || begin + 10 >= text.size()) return "";
   const std::size_t end = text.find(text[begin + 9], begin + 10);
   const std::string name(text.substr(begin + 10, end == npos ? end : end - begin - 10));
-  std::string lower = name;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string lower = lower_case(name);
   const bool is_ascii = std::none_of(text_.begin(), text_.end(), [](char c) { return (c & 0x80) != 0; });
   return lower == "utf-8" || lower == "utf8" || is_ascii ? "" : name;
 }

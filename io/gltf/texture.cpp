@@ -145,8 +145,7 @@ std::uint32_t GltfTextures::directions(const GltfSlot& slot, float x, float y) {
   std::uint32_t map = picture(slot, {PictureRole::data, PictureChannels::color});
   if (auto* image = std::get_if<ImageTexture>(&textures_[map].model))
     if (image->filter == TextureFilter::stochastic) image->filter = TextureFilter::bilinear;
-  if (x == 1 && y == 1) return map;
-  return add_affine(textures_, map, {x, y, 1}, Rgb{1 - x, 1 - y, 0} * 0.5f);
+  return add_leaning(textures_, map, x, y);
 }
 
 std::uint32_t GltfTextures::at_least(std::uint32_t texture, float factor, float limit) {

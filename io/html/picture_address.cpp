@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "core/error.h"
+#include "io/lower_case.h"
 #include "io/picture/png.h"
 
 namespace twinray::html {
@@ -19,9 +19,7 @@ namespace {
 
 /// The media type that browsers know a picture by.
 std::string media_type(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string ending = lower_case(std::filesystem::path(path).extension().string());
   if (ending == ".png" || ending == ".gif" || ending == ".webp") return "image/" + ending.substr(1);
   if (ending == ".jpg" || ending == ".jpeg") return "image/jpeg";
   throw Error(fmt::format("{}: not a picture for a page; valid endings are .png, .jpg, .gif, .webp", path));

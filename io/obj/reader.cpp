@@ -18,6 +18,7 @@
 #include "core/geometry.h"
 #include "io/obj/colors.h"
 #include "io/obj/material_text.h"
+#include "io/obj/statements.h"
 #include "io/obj/text.h"
 #include "io/picture_path.h"
 #include "io/polygon.h"
@@ -48,8 +49,10 @@ class Lines {
   /// `text` is the file's with its continued lines joined.
   Lines(const std::string& path, std::string_view file, std::string_view text)
       : path_(path), file_(file), text_(text), buffer_(text), stream(&buffer_) {}
-  /// Of the line that was read last.
-  Place place() const { return place_of(path_, file_, std::size_t(line().data() - text_.data())); }
+  /// Where the line that was read last begins in the text.
+  std::size_t begin() const { return std::size_t(line().data() - text_.data()); }
+  Place place() const { return place(begin()); }
+  Place place(std::size_t offset) const { return place_of(path_, file_, offset); }
   std::string_view line() const {
     std::size_t end = buffer_.position();
     while (end > 0 && is_line_end(text_[end - 1])) --end;
@@ -142,6 +145,8 @@ class Reader {
     tinyobj::LoadObjWithCallback(lines_.stream, callbacks(), this, &material_files_, &warning, &error);
     if (model_.faces.empty()) throw Error(path_ + ": the file has no faces (\"f\")");
     check_indices();
+    model_.notes = check_obj_statements(
+        text_, [&](std::size_t at) { return lines_.place(at); }, warnings_);
     add_painted(text_.size());
     model_.colors = colors_.take(model_.positions.size(), model_.notes);
     model_.material_files = std::move(material_files_.files);
@@ -150,6 +155,11 @@ class Reader {
 
  private:
   using Corner = std::array<int, 3>;  ///< Vertex, texture coordinates, normal.
+
+  /// How many elements of a kind the faces need so far, and the first line that needs so many.
+  struct Need {
+    std::size_t count = 0, line = 0;
+  };
 
   static Reader& self(void* reader) { return *static_cast<Reader*>(reader); }
 
@@ -193,7 +203,7 @@ class Reader {
 
   void add_vertex() {
     const std::string_view line = lines_.line();
-    add_painted(std::size_t(line.data() - text_.data()));
+    add_painted(lines_.begin());
     const ObjNumbers numbers = read_numbers(line);
     if (numbers.count < 3 && !numbers.end.empty())
       fail(fmt::format("a coordinate that is no number: \"{}\"", numbers.end));
@@ -231,12 +241,12 @@ class Reader {
   }
 
   /// "3", "3/1", "3//2" or "3/1/2": of the vertex, its texture coordinates and its normal; 0 stands for one
-  /// that is left out.
+  /// that is left out, as in "3/", "3//" or "3/1/".
   Corner corner_of(std::string_view word) const {
     Corner corner{};
     const char *at = word.data(), *const end = at + word.size();
     for (std::size_t part = 0; part < corner.size(); ++part) {
-      const bool is_left_out = part > 0 && at != end && *at == '/';
+      const bool is_left_out = part > 0 && (at == end || *at == '/');
       if (!is_left_out) {
         const auto [stop, error] = std::from_chars(at, end, corner[part]);
         if (error != std::errc{} || corner[part] == 0) break;
@@ -267,10 +277,11 @@ class Reader {
                          [&](const Corner& corner) { return corner[part] != 0; });
     };
     ObjFaces& faces = faces_of(all(2), all(1));
+    const std::size_t begin = lines_.begin();
     for (const auto& [vertex, uv, normal] : corners_) {
-      ObjCorner read{element(vertex, model_.positions.size(), "vertices")};
-      if (faces.has_normals) read.normal = element(normal, model_.normals.size(), "normals");
-      if (faces.has_uvs) read.uv = element(uv, model_.uvs.size(), "texture coordinates");
+      ObjCorner read{element(vertex, model_.positions.size(), "vertices", begin, positions_)};
+      if (faces.has_normals) read.normal = element(normal, model_.normals.size(), "normals", begin, normals_);
+      if (faces.has_uvs) read.uv = element(uv, model_.uvs.size(), "texture coordinates", begin, uvs_);
       faces.corners.push_back(read);
     }
     faces.sizes.push_back(std::uint32_t(corners_.size()));
@@ -283,27 +294,25 @@ class Reader {
     return model_.faces[entry->second];
   }
 
-  /// Indices count from 1; from -1 downwards, from the last element back.
-  std::uint32_t element(int index, std::size_t count, const char* what) const {
-    if (index > 0) return std::uint32_t(index) - 1;
-    if (std::size_t(-std::int64_t(index)) > count)
+  /// Indices count from 1; from -1 downwards, from the last element back. The others may have elements that
+  /// follow, and are checked at the end.
+  std::uint32_t element(int index, std::size_t count, const char* what, std::size_t line, Need& need) const {
+    if (index < 0 && std::size_t(-std::int64_t(index)) > count)
       fail(fmt::format("there is no element {} among the {} {} so far", index, count, what));
-    return std::uint32_t(std::int64_t(count) + index);
+    if (index < 0) return std::uint32_t(std::int64_t(count) + index);
+    if (std::size_t(index) > need.count) need = {std::size_t(index), line};
+    return std::uint32_t(index) - 1;
   }
 
-  /// Elements may stand behind the faces that use them.
   void check_indices() const {
-    const auto check = [&](std::uint32_t index, std::size_t count, const char* what) {
-      if (index != no_element && index >= count)
-        throw Error(fmt::format("{}: a face has element {} of the {} {}", path_, std::uint64_t(index) + 1,
-                                count, what));
+    const auto check = [&](const Need& need, std::size_t count, const char* what) {
+      if (need.count > count)
+        throw error_at(lines_.place(need.line),
+                       fmt::format("there is no element {} among the {} {}", need.count, count, what));
     };
-    for (const ObjFaces& faces : model_.faces)
-      for (const ObjCorner& corner : faces.corners) {
-        check(corner.position, model_.positions.size(), "vertices");
-        check(corner.normal, model_.normals.size(), "normals");
-        check(corner.uv, model_.uvs.size(), "texture coordinates");
-      }
+    check(positions_, model_.positions.size(), "vertices");
+    check(normals_, model_.normals.size(), "normals");
+    check(uvs_, model_.uvs.size(), "texture coordinates");
   }
 
   static constexpr std::string_view painted_mark = "#MRGB ";
@@ -317,6 +326,7 @@ class Reader {
   ObjColors colors_;
   std::size_t painted_ = text_.find(painted_mark);  ///< Where ZBrush's next colors are.
   std::vector<Corner> corners_;                     ///< Of the last face.
+  Need positions_, normals_, uvs_;
   std::string object_, group_;
   std::map<std::string, int> material_numbers_;  ///< By names without spaces around.
   int material_ = -1;

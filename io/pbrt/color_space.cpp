@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
+
+#include "io/lower_case.h"
 
 namespace twinray {
 namespace {
@@ -33,17 +34,11 @@ constexpr std::array<Space, 4> spaces{
         {-0.276480, 1.372719, -0.096239},
         {-0.015378, -0.152975, 1.168353}}}}}};
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
 }  // namespace
 
 std::optional<PbrtColorSpace> color_space_named(std::string_view name) {
   for (const Space& space : spaces)
-    if (space.name == lower(name)) return space.space;
+    if (space.name == lower_case(std::string(name))) return space.space;
   return std::nullopt;
 }
 

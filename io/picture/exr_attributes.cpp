@@ -7,11 +7,12 @@
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstring>
 #include <iterator>
 #include <string_view>
 #include <tuple>
+
+#include "io/lower_case.h"
 
 namespace twinray {
 namespace {
@@ -62,9 +63,7 @@ std::pair<std::string_view, std::string_view> layer_and_name(std::string_view ch
 std::string_view usual_channel(std::string_view name) {
   constexpr std::pair<std::string_view, std::string_view> words[] = {
       {"r", "R"}, {"g", "G"}, {"b", "B"}, {"red", "R"}, {"green", "G"}, {"blue", "B"}, {"alpha", "A"}};
-  std::string small(name);
-  std::transform(small.begin(), small.end(), small.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string small = lower_case(std::string(name));
   for (const auto& [word, usual] : words)
     if (small == word) return usual;
   return name;

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <filesystem>
 
 #include "core/error.h"
+#include "io/lower_case.h"
 #include "io/picture/plain_picture.h"
 #include "io/picture/webp_reader.h"
 
@@ -134,10 +134,7 @@ PictureSize stated_size(PictureFormat format, const PictureBytes& picture) {
 }  // namespace
 
 std::string picture_ending(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return ending;
+  return lower_case(std::filesystem::path(path).extension().string());
 }
 
 std::optional<PictureFormat> known_picture_format(const std::string& path) {

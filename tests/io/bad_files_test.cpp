@@ -93,7 +93,7 @@ TEST_CASE("a missing file, a directory and another format are named") {
   CHECK(message(text) ==
         text +
             ": \".txt\" is not the extension of a scene file; valid are .dae .zae (COLLADA), "
-            ".obj (Wavefront), .ply .ply.gz (a mesh), .stl .fbx .3ds .off .x .lwo .ase .ac .dxf "
+            ".stl (STL), .obj (Wavefront), .ply .ply.gz (a mesh), .fbx .3ds .off .x .lwo .ase .ac .dxf "
             ".3mf .amf .x3d (by Assimp), .gltf .glb (glTF 2.0), .pbrt .pbrt.gz (pbrt-v4), .json (twinray's "
             "exchange form)");
 }

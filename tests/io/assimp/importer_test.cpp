@@ -16,10 +16,6 @@
 namespace twinray::test {
 namespace {
 
-const std::string triangle =
-    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\nendloop\nendfacet\n"
-    "endsolid a\n";
-
 /// A square of a red material with a picture, moved, and a mirrored copy of it.
 const std::string squares =
     "AC3Db\n"
@@ -196,16 +192,6 @@ TEST_CASE("metalness and roughness of FBX may be pictures, as the color, and oth
         std::vector<std::string>{"pictures of gloss of the file, left out: 1"});
 }
 
-TEST_CASE("an STL file is a scene, lit by default") {
-  const TemporaryFolder folder;
-  write_text(folder.file("a.stl"), triangle);
-  const LoadedScene loaded = load_scene(folder.file("a.stl"));
-  CHECK(loaded.scene.geometry->triangle_count() == 1);
-  CHECK(loaded.scene.geometry->bounds().upper == Vec3{1, 2, 0});
-  CHECK(loaded.wants_light);
-  CHECK(loaded.scene.geometry->mesh(0)->normals.empty());  // The file's are those of triangles, or wrong.
-}
-
 TEST_CASE("pictures of an imported scene are placed as it says") {
   const TemporaryFolder folder;
   write_png(folder.file("wood.png"), {1, 1, {200, 200, 200}});
@@ -269,9 +255,9 @@ TEST_CASE("a file that Assimp does not understand is an error with its name") {
     CHECK(error_of(path).starts_with(path + ": "));
     CHECK(error_of(path).find(said) != std::string::npos);
   };
-  refuses("a.stl", "", "the file is empty");
+  refuses("a.off", "", "the file is empty");
   refuses("b.fbx", "nothing of the kind", "");
-  refuses("b.stl", std::string(200, 'x'), "for *.stl");
+  refuses("b.3mf", std::string(200, 'x'), "file *.3mf");
   refuses("c.ac", "AC3Db\nOBJECT world\nkids 0\n", "");
   refuses("d.off", "OFF\n353535235358 6 0\n0 0 0\n",
           has_sanitizer ? "" : "it would take more memory than its size allows");

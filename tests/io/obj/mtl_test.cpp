@@ -116,6 +116,19 @@ TEST_CASE("an option that would change a picture of MTL and is not read is told"
     CHECK(warnings_of(std::string("Kd 1 1 1\n") + line).empty());
 }
 
+TEST_CASE("the normals of a map lean as far as its option says") {
+  const TemporaryFolder folder;
+  write_exr(folder.file("n.exr"), Image(1, 1, {0.75f, 0.25f, 1}));
+  const auto normal_by = [&](const std::string& line) {
+    const Scene scene = load_with_mtl(folder, "Kd 1 1 1\n" + line).scene;
+    REQUIRE(scene.materials[0].normal_map != no_texture);
+    return evaluate(scene.textures, scene.materials[0].normal_map, {});
+  };
+  CHECK(normal_by("norm n.exr") == Rgb{0.75f, 0.25f, 1});
+  CHECK(normal_by("norm -bm 0.5 n.exr") == Rgb{0.625f, 0.375f, 1});
+  CHECK(normal_by("bump -bm 2 n.exr") == Rgb{1, 0, 1});
+}
+
 TEST_CASE("a picture of sheen alone makes a material of MTL a physical one") {
   const TemporaryFolder folder;
   write_exr(folder.file("a.exr"), Image(1, 1, {0.5f, 0.5f, 0.5f}));
