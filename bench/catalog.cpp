@@ -72,7 +72,10 @@ void add_generated(std::vector<SceneSource>& all, const SceneChoice& choice) {
     for (const std::size_t size : choice.sizes) {
       const bool is_growth =
           maker.make == generated::make_forest || (choice.is_full && maker.make == generated::make_ball);
-      if (is_growth || !choice.only.empty())
+      if (size < maker.least && is_growth && choice.only.empty())
+        throw UsageError(fmt::format("--sizes: the scene {} can have {} triangles and more, but not {}",
+                                     maker.name, maker.least, size));
+      if (size >= maker.least && (is_growth || !choice.only.empty()))
         all.push_back(from_maker(maker, size, fmt::format("{}-{}", maker.name, size)));
     }
 }
@@ -98,7 +101,7 @@ std::vector<SceneSource> choose_scenes(const SceneChoice& choice) {
     check_regular_file(file, "scene");  // Its turn comes last, after hours.
     chosen.push_back(from_file(fs::path(file).stem().string(), file));
   }
-  if (chosen.empty()) throw Error("no scene has such a name");
+  if (chosen.empty()) throw UsageError("no scene has such a name");
   return chosen;
 }
 

@@ -21,8 +21,8 @@ struct SceneChoice {
 
 /// Two scenes of our own; the well-known ones that the folder holds (cow, CBbunny, CBlucy, CBdragon, CBgems,
 /// CBspheres_lambertian); room, ball and forest; and the forest in each of the sizes, as "forest-10000".
-/// Small ones come first within each kind. Throws Error for a folder that is none, a bad regular expression,
-/// or where nothing is left.
+/// Small ones come first within each kind. Throws Error for a folder that is none, and UsageError for a
+/// bad regular expression, a size that the forest cannot have, or where nothing is left.
 std::vector<SceneSource> choose_scenes(const SceneChoice& choice);
 
 }  // namespace twinray::bench

@@ -135,7 +135,7 @@ int run(const std::vector<std::string>& words) {
   }
   if (!options->picture) return measure(*options);
   const std::vector<SceneSource> sources = choose_scenes(options->scenes);
-  if (sources.size() != 1) throw Error("--picture wants one scene: name it by --only='^name$'");
+  if (sources.size() != 1) throw UsageError("--picture wants one scene: name it by --only='^name$'");
   write_picture(sources.front(), *options->picture);
   return 0;
 }
@@ -150,7 +150,7 @@ int run(int argc, char** argv) {
     return twinray::bench::run({argv + 1, argv + argc});
   } catch (const std::exception& error) {
     twinray::bench::print(stderr, fmt::format("twinray_bench: {}\n", error.what()));
-    return 1;
+    return dynamic_cast<const twinray::UsageError*>(&error) ? 2 : 1;
   }
 }
 

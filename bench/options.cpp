@@ -14,6 +14,7 @@
 #include "bench/engines.h"
 #include "bench/pattern.h"
 #include "core/error.h"
+#include "io/generated/generated.h"
 
 namespace twinray::bench {
 namespace {
@@ -24,16 +25,18 @@ std::vector<std::size_t> parse_sizes(const std::string& list) {
   for (const char *at = list.data(), *const end = at + list.size(); at < end;) {
     double size = 0;
     const auto [next, error] = std::from_chars(at, end, size);
-    if (error != std::errc{} || !(size >= 1 && size <= 1e9) || size != std::floor(size) ||
-        (next != end && *next != ','))
-      throw Error(fmt::format("--sizes={}: numbers of triangles such as 1e4,1e5,1000000 are wanted", list));
+    if (error != std::errc{} || !(size >= 1 && size <= double(generated::most_triangles)) ||
+        size != std::floor(size) || (next != end && *next != ','))
+      throw UsageError(
+          fmt::format("--sizes={}: numbers of triangles such as 1e4,1e5,1000000 are wanted, up to {}", list,
+                      generated::most_triangles));
     sizes.push_back(std::size_t(std::llround(size)));
     at = next == end ? end : next + 1;
   }
   return sizes;
 }
 
-/// Throws Error where a pattern names no engine.
+/// Throws UsageError where a pattern names no engine.
 void check_engines(const std::string& pattern) {
   const Pattern wanted(pattern);
   std::string names;
@@ -41,7 +44,7 @@ void check_engines(const std::string& pattern) {
     if (wanted.matches(engine.name)) return;
     names += (names.empty() ? "" : ", ") + engine.name;
   }
-  throw Error(fmt::format("--engines={}: no engine has such a name; there are {}", pattern, names));
+  throw UsageError(fmt::format("--engines={}: no engine has such a name; there are {}", pattern, names));
 }
 
 /// How thorough a run is.
@@ -102,15 +105,16 @@ void add_options(CLI::App& app, Options& options, Words& words) {
 }
 
 void check(const Words& words, const Options& options) {
-  if (words.is_quick && words.is_full) throw Error("--quick and --full exclude each other");
-  if (words.samples && words.picture.empty()) throw Error("--samples goes with --picture");
+  if (words.is_quick && words.is_full) throw UsageError("--quick and --full exclude each other");
+  if (words.samples && words.picture.empty()) throw UsageError("--samples goes with --picture");
   const std::pair<const char*, bool> of_rays[] = {
       {"--json", !options.json_file.empty()}, {"--csv", !options.csv_file.empty()},
       {"--html", !options.html_file.empty()}, {"--engines", !options.trace.engine_pattern.empty()},
       {"--sizes", !words.sizes.empty()},      {"--no-renders", words.has_no_renders},
       {"--picture", !words.picture.empty()}};
   for (const auto& [option, is_given] : of_rays)
-    if (words.are_write_ups && is_given) throw Error(fmt::format("{} does not go with --write-ups", option));
+    if (words.are_write_ups && is_given)
+      throw UsageError(fmt::format("{} does not go with --write-ups", option));
   check_engines(options.trace.engine_pattern);
 }
 
@@ -160,7 +164,7 @@ std::optional<Options> parse_options(const std::vector<std::string>& arguments) 
     fmt::print("{}", app.help());
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
-    throw Error(error.what());
+    throw UsageError(error.what());
   }
   apply(words, options);
   options.whole.worker_command = {"/proc/self/exe"};

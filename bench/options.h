@@ -29,8 +29,8 @@ struct Options {
   std::vector<std::string> worker;  ///< Instead of measuring: the scene and the engine of serve_renders().
 };
 
-/// Nothing where help was asked for, and printed. Throws Error, with what is wrong, for a command line that
-/// cannot be understood. The arguments come without the program's name.
+/// Nothing where help was asked for, and printed. Throws UsageError, with what is wrong, for a command line
+/// that cannot be understood. The arguments come without the program's name.
 std::optional<Options> parse_options(const std::vector<std::string>& words);
 
 }  // namespace twinray::bench

@@ -12,7 +12,7 @@ struct Pattern::Compiled {
   regex_t regex;
   explicit Compiled(const std::string& expression) {
     if (regcomp(&regex, expression.c_str(), REG_EXTENDED | REG_NOSUB) != 0)
-      throw Error(fmt::format("\"{}\" is not a regular expression", expression));
+      throw UsageError(fmt::format("\"{}\" is not a regular expression", expression));
   }
   ~Compiled() { regfree(&regex); }
   Compiled(const Compiled&) = delete;

@@ -8,7 +8,7 @@ namespace twinray::bench {
 /// An extended regular expression (POSIX), compiled once.
 class Pattern {
  public:
-  /// Throws Error for what is no regular expression.
+  /// Throws UsageError for what is no regular expression.
   explicit Pattern(const std::string& expression);
   /// Whether some part of the text matches; the empty expression matches everything.
   bool matches(const std::string& text) const;

@@ -37,7 +37,7 @@ void add_walls(SceneMaker& scene) {
 }  // namespace
 
 Scene make_ball(std::size_t triangles) {
-  check_size("ball", triangles, 1'000);
+  check_size("ball", triangles, least_ball);
   SceneMaker scene;
   add_walls(scene);
   const int n = int(std::lround(std::sqrt(double(triangles - scene.triangles()) / 12)));

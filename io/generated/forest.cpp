@@ -86,7 +86,7 @@ Mesh make_grass(Forest& forest, std::size_t blades) {
 }  // namespace
 
 Scene make_forest(std::size_t triangles) {
-  check_size("forest", triangles, 10'000);
+  check_size("forest", triangles, least_forest);
   const ForestPlan plan = plan_of(triangles);
   Forest forest{plan, {Random(forest_seed), plan.leaves_of_tree}};
   SceneMaker scene;

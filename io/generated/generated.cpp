@@ -26,14 +26,15 @@ std::string valid_names() {
 }  // namespace
 
 std::span<const GeneratedScene> generated_scenes() {
-  static constexpr std::array<GeneratedScene, 3> all{
-      {{"room", 600'000, make_room}, {"ball", 900'000, make_ball}, {"forest", 2'000'000, make_forest}}};
+  static constexpr std::array<GeneratedScene, 3> all{{{"room", 600'000, least_room, make_room},
+                                                      {"ball", 900'000, least_ball, make_ball},
+                                                      {"forest", 2'000'000, least_forest, make_forest}}};
   return all;
 }
 
 std::span<const GeneratedScene> instanced_scenes() {
   static constexpr std::array<GeneratedScene, 2> all{
-      {{"woods", 10'000, make_woods}, {"stadium", 30'000, make_stadium}}};
+      {{"woods", 10'000, 1, make_woods}, {"stadium", 30'000, 1, make_stadium}}};
   return all;
 }
 

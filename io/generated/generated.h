@@ -10,17 +10,22 @@
 
 namespace twinray::generated {
 
+/// How many triangles the scenes have at least: the room's furniture alone takes more than 42,000.
+inline constexpr std::size_t least_room = 50'000, least_ball = 1'000, least_forest = 10'000;
+/// The most that any may have; of a scene of instances, how many of these.
+inline constexpr std::size_t most_triangles = std::size_t(1) << 28;
+
 /// A furnished room, closed all around, lit through blinds and by a lamp: huge walls and hair-thin pile,
-/// slats, chairs, a draped cloth, curtains, books, thousands of little facets on balls. 50,000 triangles at
-/// least.
+/// slats, chairs, a draped cloth, curtains, books, thousands of little facets on balls. At least `least_room`
+/// triangles.
 Scene make_room(std::size_t triangles);
 
-/// A sphere in a closed box, displaced by fractal noise: triangles of equal size, all over one surface. 1,000
-/// triangles at least.
+/// A sphere in a closed box, displaced by fractal noise: triangles of equal size, all over one surface. At
+/// least `least_ball` of them.
 Scene make_ball(std::size_t triangles);
 
 /// Trees and grass on rough ground under a sky: leaves and blades that overlap without order, in a forest
-/// that grows with its size. 10,000 triangles at least.
+/// that grows with its size. At least `least_forest` triangles.
 Scene make_forest(std::size_t triangles);
 
 /// A wood of instances of a dozen plants of 600 to 10,000 triangles.
@@ -33,8 +38,10 @@ Scene make_stadium(std::size_t instances);
 /// A maker of scenes, and the size that benchmarks take where none is asked for.
 struct GeneratedScene {
   const char* name;
-  std::size_t size;  ///< In triangles; of a scene of instances, in these.
-  /// Gives that many triangles, within 2 %; throws Error for fewer than the least, or more than 2^28.
+  std::size_t size;   ///< In triangles; of a scene of instances, in these.
+  std::size_t least;  ///< The smallest size.
+  /// Gives that many triangles, within 2 %; throws Error for fewer than the least, or more than
+  /// most_triangles.
   Scene (*make)(std::size_t size);
 };
 

@@ -107,7 +107,7 @@ void add_lamps(SceneMaker& scene) {
 }  // namespace
 
 Scene make_room(std::size_t triangles) {
-  check_size("room", triangles, 50'000);  // The furniture alone takes more than 42,000.
+  check_size("room", triangles, least_room);
   SceneMaker scene;
   add_shell(scene);
   add_boards(scene);

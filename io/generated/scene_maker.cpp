@@ -6,13 +6,9 @@
 #include <utility>
 
 #include "core/error.h"
+#include "io/generated/generated.h"
 
 namespace twinray::generated {
-namespace {
-
-constexpr std::size_t most_triangles = std::size_t(1) << 28;
-
-}  // namespace
 
 void SceneMaker::add(Mesh mesh, const Rgb& reflectance) { add(std::move(mesh), Lambert{reflectance}); }
 

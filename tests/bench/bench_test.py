@@ -235,22 +235,25 @@ class Reports(unittest.TestCase):
 
 
 class CommandLine(unittest.TestCase):
-    def expect(self, arguments, message):
+    def expect(self, arguments, message, code=2):
         done = bench(*arguments)
-        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.returncode, code)
         self.assertIn(message, done.stderr)
 
     def test_what_cannot_be_understood_is_said(self):
         self.expect(["--only", "nosuchscene"], "no scene has such a name")
-        self.expect(["--quick", "nosuchfile.dae"], "nosuchfile.dae: there is no such file")
+        self.expect(["--quick", "nosuchfile.dae"], "nosuchfile.dae: there is no such file", code=1)
         self.expect(["--only", "("], "is not a regular expression")
         self.expect(["--sizes=1e4;5"], "numbers of triangles such as 1e4,1e5,1000000 are wanted")
         self.expect(["--sizes=1e4,1.5"], "numbers of triangles such as 1e4,1e5,1000000 are wanted")
+        self.expect(["--sizes=1e9"], "1e4,1e5,1000000 are wanted, up to 268435456")
+        self.expect(["--sizes=20000,9999"], "the scene forest can have 10000 triangles and more, but not 9999")
+        self.expect(["--sizes=9999", "--only=^forest-9999$"], "no scene has such a name")
         self.expect(["--quick", "--full"], "exclude each other")
         self.expect(["--engines=typo"], "--engines=typo: no engine has such a name; there are ")
         self.expect(["--samples=4"], "--samples goes with --picture")
         self.expect(["--write-ups", "--csv=a.csv"], "--csv does not go with --write-ups")
-        self.expect(["--scenes=/nowhere"], "/nowhere is not a folder of scenes")
+        self.expect(["--scenes=/nowhere"], "/nowhere is not a folder of scenes", code=1)
 
     def test_a_picture_of_a_scene_is_rendered(self):
         with tempfile.TemporaryDirectory() as folder:
