@@ -247,7 +247,7 @@ class CommandLine(unittest.TestCase):
         self.expect(["--sizes=1e4;5"], "numbers of triangles such as 1e4,1e5,1000000 are wanted")
         self.expect(["--sizes=1e4,1.5"], "numbers of triangles such as 1e4,1e5,1000000 are wanted")
         self.expect(["--sizes=1e9"], "1e4,1e5,1000000 are wanted, up to 268435456")
-        self.expect(["--sizes=20000,9999"], "the scene forest can have 10000 triangles and more, but not 9999")
+        self.expect(["--sizes=20000,9999"], "forest can have 10000 triangles and more, but not 9999")
         self.expect(["--sizes=9999", "--only=^forest-9999$"], "no scene has such a name")
         self.expect(["--quick", "--full"], "exclude each other")
         self.expect(["--engines=typo"], "--engines=typo: no engine has such a name; there are ")
