@@ -154,21 +154,33 @@ TEST_CASE("skins and morph targets that Assimp reads are told") {
   CHECK(notes(morphed) == std::vector<std::string>{"meshes' morph targets of the file, left out: 1"});
 }
 
+/// A painted triangle with three more pictures, 5 to 7, in a file of the folder.
+LoadedScene load_painted(const TemporaryFolder& folder, const std::string& connections) {
+  const auto texture = [&](int number, const std::string& name) {
+    write_png(folder.file(name + ".png"), {1, 1, {200, 100, 100}});
+    return fmt::format(" Texture: {}, \"Texture::{}\", \"\" {{\n  RelativeFilename: \"{}.png\"\n }}\n",
+                       number, name, name);
+  };
+  write_png(folder.file("wood.png"), {1, 1, {200, 100, 100}});
+  std::string text = painted;
+  text.insert(text.find("}\nConnections"), texture(5, "metal") + texture(6, "rough") + texture(7, "gloss"));
+  text.insert(text.rfind("}\n"), connections);
+  write_text(folder.file("a.fbx"), text);
+  return load_scene(folder.file("a.fbx"));
+}
+
+TEST_CASE("the normal map of an imported scene leans as its picture says") {
+  const TemporaryFolder folder;
+  const LoadedScene loaded = load_painted(folder, " C: \"OP\",5,3, \"NormalMap\"\n");
+  const std::uint32_t map = loaded.scene.materials.at(0).normal_map;
+  REQUIRE(map != no_texture);
+  CHECK(loaded.scene.textures[map].name == "metal.png");
+  CHECK(std::holds_alternative<ImageTexture>(loaded.scene.textures[map].model));
+}
+
 TEST_CASE("metalness and roughness of FBX may be pictures, as the color, and other pictures are told") {
   const TemporaryFolder folder;
-  for (const char* name : {"wood.png", "metal.png", "rough.png", "gloss.png"})
-    write_png(folder.file(name), {1, 1, {200, 100, 100}});
-  const auto load = [&](const std::string& connections) {
-    std::string text = painted;
-    const auto texture = [](int number, const std::string& name) {
-      return fmt::format(" Texture: {}, \"Texture::{}\", \"\" {{\n  RelativeFilename: \"{}.png\"\n }}\n",
-                         number, name, name);
-    };
-    text.insert(text.find("}\nConnections"), texture(5, "metal") + texture(6, "rough") + texture(7, "gloss"));
-    text.insert(text.rfind("}\n"), connections);
-    write_text(folder.file("a.fbx"), text);
-    return load_scene(folder.file("a.fbx"));
-  };
+  const auto load = [&](const std::string& connections) { return load_painted(folder, connections); };
   CHECK(load("").summary.notes.empty());
   for (const auto& [metalness, roughness] :
        {std::pair{"Maya|metalness", "Maya|diffuseRoughness"},
