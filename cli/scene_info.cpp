@@ -18,7 +18,8 @@ std::uint64_t bytes_of(const Shape& shape) {
   if (const auto* const set = std::get_if<SphereSet>(&shape)) return bytes_of(set->spheres);
   const Mesh& mesh = std::get<Mesh>(shape);
   return bytes_of(mesh.positions) + bytes_of(mesh.triangles) + bytes_of(mesh.normals) +
-         bytes_of(mesh.normal_indices) + bytes_of(mesh.uvs) + bytes_of(mesh.uv_indices);
+         bytes_of(mesh.normal_indices) + bytes_of(mesh.uvs) + bytes_of(mesh.uv_indices) +
+         bytes_of(mesh.second_uvs) + bytes_of(mesh.second_uv_indices);
 }
 
 std::size_t triangles_of(const Shape& shape) {

@@ -46,6 +46,7 @@ Aabb check(const Mesh& mesh, const std::string& label) {
   check_indices(mesh.triangles, mesh.positions.size(), label, "vertex");
   check_attribute(mesh.normal_indices, mesh.normals.size(), mesh, label, "normal");
   check_attribute(mesh.uv_indices, mesh.uvs.size(), mesh, label, "uv");
+  check_attribute(mesh.second_uv_indices, mesh.second_uvs.size(), mesh, label, "second uv");
   Aabb bounds;
   for (const Triangle& triangle : mesh.triangles)
     for (const std::uint32_t index : triangle) bounds.extend(mesh.positions[index]);
@@ -68,20 +69,19 @@ Aabb check(const SphereSet& set, const std::string& label) {
 }  // namespace
 
 std::size_t drop_degenerate_triangles(Mesh& mesh) {
+  const std::array lists{&mesh.triangles, &mesh.normal_indices, &mesh.uv_indices, &mesh.second_uv_indices};
   std::size_t kept = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto [a, b, c] = mesh.triangles[i];
     const Vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
     if (!is_finite(p) || !is_finite(q) || !is_finite(r) || !has_area(p, q, r)) continue;
-    mesh.triangles[kept] = mesh.triangles[i];
-    if (!mesh.normal_indices.empty()) mesh.normal_indices[kept] = mesh.normal_indices[i];
-    if (!mesh.uv_indices.empty()) mesh.uv_indices[kept] = mesh.uv_indices[i];
+    for (std::vector<Triangle>* const list : lists)
+      if (!list->empty()) (*list)[kept] = (*list)[i];
     ++kept;
   }
   const std::size_t dropped = mesh.triangles.size() - kept;
-  mesh.triangles.resize(kept);
-  if (!mesh.normal_indices.empty()) mesh.normal_indices.resize(kept);
-  if (!mesh.uv_indices.empty()) mesh.uv_indices.resize(kept);
+  for (std::vector<Triangle>* const list : lists)
+    if (!list->empty()) list->resize(kept);
   return dropped;
 }
 

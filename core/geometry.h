@@ -32,7 +32,9 @@ struct Mesh {
   std::vector<Triangle> normal_indices;  ///< One for each triangle where there are normals.
   std::vector<Vec2> uvs;                 ///< Texture coordinates, or empty.
   std::vector<Triangle> uv_indices;      ///< One for each triangle where there are uvs.
-  bool is_opaque = true;                 ///< Every hit counts; else Geometry::accepts() is asked.
+  std::vector<Vec2> second_uvs;          ///< Further ones, by which colours and numbers may go, or empty.
+  std::vector<Triangle> second_uv_indices;
+  bool is_opaque = true;  ///< Every hit counts; else Geometry::accepts() is asked.
 };
 
 struct Sphere {

@@ -17,7 +17,7 @@ constexpr float least_cosine = 1e-3f;
 
 /// How many units of texture coordinates lie on a unit of length of the surface, on the average over the
 /// surface's directions: the square root of the ratio of a triangle's two areas. In the space of its shape.
-float own_texture_density(const Geometry& geometry, const Hit& hit) {
+float own_texture_density(const Geometry& geometry, const Hit& hit, CoordinateSet set) {
   const Mesh* mesh = geometry.mesh(hit.mesh);
   if (!mesh) {  // The octahedral map has the unit square for the whole sphere.
     constexpr float four_pi = 12.566370614f;
@@ -27,16 +27,18 @@ float own_texture_density(const Geometry& geometry, const Hit& hit) {
   const auto& [a, b, c] = mesh->triangles[hit.primitive];
   const Vec3& corner = mesh->positions[a];
   const float area = length(cross(mesh->positions[b] - corner, mesh->positions[c] - corner));
-  if (mesh->uvs.empty()) return 1 / std::sqrt(area);
-  const auto& [i, j, k] = mesh->uv_indices[hit.primitive];
-  const Vec2 s = mesh->uvs[j] - mesh->uvs[i], t = mesh->uvs[k] - mesh->uvs[i];
+  const bool is_second = set == CoordinateSet::second && !mesh->second_uvs.empty();
+  const std::vector<Vec2>& uvs = is_second ? mesh->second_uvs : mesh->uvs;
+  if (uvs.empty()) return 1 / std::sqrt(area);
+  const auto& [i, j, k] = (is_second ? mesh->second_uv_indices : mesh->uv_indices)[hit.primitive];
+  const Vec2 s = uvs[j] - uvs[i], t = uvs[k] - uvs[i];
   return std::sqrt(std::fabs(s.x * t.y - s.y * t.x) / area);
 }
 
 /// In the scene, where an instance's matrix A makes |det A| / |A^T n| of an area with the unit normal n
 /// there.
-float texture_density(const Geometry& geometry, const Hit& hit, const Vec3& normal) {
-  const float own = own_texture_density(geometry, hit);
+float texture_density(const Geometry& geometry, const Hit& hit, const Vec3& normal, CoordinateSet set) {
+  const float own = own_texture_density(geometry, hit, set);
   const Transform* const to_world = geometry.to_world(hit.instance);
   if (!to_world) return own;
   const double area = std::fabs(to_world->determinant()) / length(to_world->transposed_vector(normal));
@@ -57,9 +59,9 @@ RayCone pixel_cone(const Camera& camera, int width, int height) {
 }
 
 float texture_footprint(const Geometry& geometry, const Hit& hit, const SurfacePoint& point, float width,
-                        const Vec3& direction) {
+                        const Vec3& direction, CoordinateSet set) {
   const float cosine = std::fabs(dot(point.geometric_normal, direction)) / length(direction);
-  return width * texture_density(geometry, hit, point.geometric_normal) /
+  return width * texture_density(geometry, hit, point.geometric_normal, set) /
          std::sqrt(std::max(cosine, least_cosine));
 }
 

@@ -40,6 +40,6 @@ inline float part_of_pixel(std::uint32_t sample) {
 /// How wide, in texture coordinates, a cone's section with a surface is, on the average over its directions:
 /// the cone is `width` wide where it arrives along a direction of any length.
 float texture_footprint(const Geometry& geometry, const Hit& hit, const SurfacePoint& point, float width,
-                        const Vec3& direction);
+                        const Vec3& direction, CoordinateSet set = CoordinateSet::first);
 
 }  // namespace twinray

@@ -49,6 +49,11 @@ void check_binding(const Scene& scene, std::uint32_t shape) {
   if (has_alpha && binding.alpha >= scene.textures.size())
     throw Error(
         fmt::format("shape {} names texture {}; there are {}", shape, binding.alpha, scene.textures.size()));
+  if (has_alpha && goes_by_second_uvs(scene.textures, binding.alpha))
+    throw Error(
+        fmt::format("shape {} has an alpha, texture {}, by second texture coordinates; valid are the "
+                    "first ones",
+                    shape, binding.alpha));
   if (scene.geometry->is_opaque(shape) == has_alpha)
     throw Error(fmt::format("shape {} has {} alpha, but its geometry is{} opaque", shape,
                             has_alpha ? "an" : "no", has_alpha ? "" : " not"));
@@ -76,10 +81,17 @@ void check_material(const Scene& scene, std::size_t index) {
   if (mix && (mix->first >= index || mix->second >= index))
     throw Error(fmt::format("material {} mixes materials {} and {}; valid are those before it", index,
                             mix->first, mix->second));
-  for (const std::uint32_t map : {material.normal_map, material.bump_map, material.tangent_map})
-    if (map != no_texture && map >= scene.textures.size())
+  for (const std::uint32_t map : {material.normal_map, material.bump_map, material.tangent_map}) {
+    if (map == no_texture) continue;
+    if (map >= scene.textures.size())
       throw Error(
           fmt::format("material {} names texture {}; there are {}", index, map, scene.textures.size()));
+    if (goes_by_second_uvs(scene.textures, map))
+      throw Error(
+          fmt::format("material {} has a map, texture {}, by second texture coordinates; valid are "
+                      "the first ones",
+                      index, map));
+  }
   for (const TextureUse& use : material.textures) {
     if (use.texture >= scene.textures.size())
       throw Error(fmt::format("material {} names texture {}; there are {}", index, use.texture,

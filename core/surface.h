@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The step after a query: what the small Hit means.
 #pragma once
+#include "core/coordinate_set.h"
 #include "core/geometry.h"
 #include "core/hit.h"
 #include "core/vec.h"
@@ -16,6 +17,7 @@ struct SurfacePoint {
   Vec3 shading_normal;  ///< Unit; the file's, interpolated, on whichever side that has it, else the geometric
                         ///< one.
   Vec2 uv;              ///< Texture coordinates; a mesh without has the hit's weights.
+  Vec2 second_uv;       ///< Those of the second set; a mesh without has the same again.
   float offset =
       0;  ///< How far along the geometric normal a ray must start to leave the surface (core/offset.h).
   std::uint32_t shape = 0;
@@ -23,6 +25,7 @@ struct SurfacePoint {
   std::uint32_t instance = no_instance;  ///< Of which the shape is; all above is in the scene's space.
   // What a path adds, where textures are looked up:
   float footprint = 0;            ///< how wide, in texture coordinates, what it sees is (core/ray_cone.h),
+  float second_footprint = 0;     ///< by the second set, too,
   Vec2 texture_draw{0.5f, 0.5f};  ///< and what chooses pixels of pictures at random, in [0, 1)^2.
 };
 
@@ -30,7 +33,7 @@ struct SurfacePoint {
 SurfacePoint surface_at(const Geometry& geometry, const Hit& hit);
 
 /// The texture coordinates of a hit: of a mesh without, and of a sphere, the hit's u and v.
-Vec2 texture_coordinates(const Geometry& geometry, const Hit& hit);
+Vec2 texture_coordinates(const Geometry& geometry, const Hit& hit, CoordinateSet set = CoordinateSet::first);
 
 /// The normals of the triangle's corners mixed by the hit's weights, of whatever length; without such normals
 /// the geometric one. Of a sphere its unit normal. Of an instance that of a copy: each corner's normal, as a

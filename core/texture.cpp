@@ -129,10 +129,17 @@ bool has_levels(TextureFilter filter) {
   return filter == TextureFilter::trilinear || filter == TextureFilter::stochastic;
 }
 
+bool is_second(const ImageTexture& texture) { return texture.coordinates == CoordinateSet::second; }
+
+/// In the picture's own coordinates, in which it is 1 wide and high.
+float footprint_in(const ImageTexture& texture, const TexturePoint& at) {
+  return (is_second(texture) ? at.second_footprint : at.footprint) * stretch(texture.uv);
+}
+
 ImagePlace place_of(const ImageTexture& texture, const TexturePoint& at) {
-  ImagePlace place{texture.uv(at.uv)};
+  ImagePlace place{texture.uv(is_second(texture) ? at.second_uv : at.uv)};
   if (!has_levels(texture.filter)) return place;
-  const float level = level_of(*texture.image, at.footprint * stretch(texture.uv));
+  const float level = level_of(*texture.image, footprint_in(texture, at));
   place.finer = int(level);
   place.t = level - float(place.finer);
   return place;
@@ -222,7 +229,7 @@ struct Prefetch {
     constexpr int few = 256;  // On a side, of 12 bytes each.
     const MipLevel picture = texture.image->level(0);
     if (std::max(picture.width, picture.height) <= few) return true;
-    return has_levels(texture.filter) && at.footprint * stretch(texture.uv) * few > 1;
+    return has_levels(texture.filter) && footprint_in(texture, at) * few > 1;
   }
   static void prefetch(const std::optional<Texel>& texel) {
     if (texel) texel->level.prefetch(texel->column, texel->row);
@@ -313,6 +320,15 @@ bool has_picture(std::span<const Texture> textures) {
   return std::any_of(textures.begin(), textures.end(), [](const Texture& texture) {
     return std::holds_alternative<ImageTexture>(texture.model);
   });
+}
+
+bool goes_by_second_uvs(std::span<const Texture> textures, std::uint32_t index) {
+  const TextureModel& model = textures[index].model;
+  const auto* image = std::get_if<ImageTexture>(&model);
+  bool found = image && is_second(*image);
+  const auto each = [&](std::uint32_t part) { found = found || goes_by_second_uvs(textures, part); };
+  std::visit(ForEachNamed<decltype(each)>{each}, model);
+  return found;
 }
 
 void check_textures(std::span<const Texture> textures) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <variant>
 
+#include "core/coordinate_set.h"
 #include "core/mip_map.h"
 #include "core/rgb.h"
 #include "core/vec.h"
@@ -54,6 +55,7 @@ struct ImageTexture {
   Wrap wrap;
   TextureFilter filter = TextureFilter::stochastic;
   UvTransform uv;
+  CoordinateSet coordinates = CoordinateSet::first;  ///< Those that `uv` maps.
 };
 
 /// The product of two textures.
@@ -88,6 +90,8 @@ struct TexturePoint {
   /// point of the surface is shaded, and the mean over the draws is that of shaded points.
   Vec2 draw{0.5f, 0.5f};
   bool is_smooth = false;  ///< Stochastic filters are trilinear here: for normals, heights and holes.
+  Vec2 second_uv;          ///< By the second set of coordinates, for pictures that go by it.
+  float second_footprint = 0;
 };
 
 /// Gives all pictures this filter but those of `nearest` pixels, and `bilinear` ones that have no mip-map.
@@ -96,6 +100,9 @@ void set_filter(std::span<Texture> textures, TextureFilter filter);
 
 /// Whether any of them is a picture.
 bool has_picture(std::span<const Texture> textures);
+
+/// Whether one of the pictures that a texture is made of goes by the second set of coordinates.
+bool goes_by_second_uvs(std::span<const Texture> textures, std::uint32_t index);
 
 /// Brings the pictures that a texture is made of into memory as a whole.
 void keep_in_memory(std::span<Texture> textures, std::uint32_t index);

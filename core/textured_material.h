@@ -16,7 +16,7 @@ bool has_input(const SurfaceModel& model, MaterialInput input);
 
 /// Where a surface's textures are asked for.
 inline TexturePoint texture_point(const SurfacePoint& point) {
-  return {point.uv, point.footprint, point.texture_draw};
+  return {point.uv, point.footprint, point.texture_draw, false, point.second_uv, point.second_footprint};
 }
 
 /// The k of a metal of eta 1 of this reflectance where light falls straight on it, as pbrt has it.

@@ -120,7 +120,11 @@ SurfacePoint PathReference::arrive(const Hit& hit, const VertexSampler& sampler,
   if (scene_.textures.empty()) return point;
   const Vec3& direction = path.ray.direction;
   path.cone = path.cone.at(hit.t * length(direction));
-  point.footprint = texture_footprint(*scene_.geometry, hit, point, path.cone.width, direction);
+  const auto footprint = [&](CoordinateSet set) {
+    return texture_footprint(*scene_.geometry, hit, point, path.cone.width, direction, set);
+  };
+  point.footprint = footprint(CoordinateSet::first);
+  point.second_footprint = footprint(CoordinateSet::second);
   point.texture_draw = sampler.draw_2d(Purpose::texture);
   return point;
 }

@@ -23,7 +23,7 @@ void move_positions(Mesh& mesh, const Transform& to_world, const FailPlacing& fa
 namespace {
 
 void turn_winding(Mesh& mesh) {
-  for (auto* indices : {&mesh.triangles, &mesh.normal_indices, &mesh.uv_indices})
+  for (auto* indices : {&mesh.triangles, &mesh.normal_indices, &mesh.uv_indices, &mesh.second_uv_indices})
     for (Triangle& triangle : *indices) std::swap(triangle[1], triangle[2]);
 }
 

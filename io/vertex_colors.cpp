@@ -81,15 +81,18 @@ ImageTexture draw_vertices(const Mesh& mesh, const std::function<Rgb(std::uint32
           .filter = TextureFilter::bilinear};
 }
 
-void set_drawn_uvs(Mesh& mesh) {
+void set_drawn_uvs(Mesh& mesh, CoordinateSet set) {
+  const bool is_first = set == CoordinateSet::first;
+  std::vector<Vec2>& uvs = is_first ? mesh.uvs : mesh.second_uvs;
+  std::vector<Triangle>& indices = is_first ? mesh.uv_indices : mesh.second_uv_indices;
   const Blocks blocks(mesh.triangles.size());
-  mesh.uvs.clear();
-  mesh.uv_indices.clear();
+  uvs.clear();
+  indices.clear();
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto first = std::uint32_t(mesh.uvs.size());
+    const auto first = std::uint32_t(uvs.size());
     const int x = blocks.x(i), y = blocks.y(i);
-    for (const Vec2 uv : {blocks.uv(x, y), blocks.uv(x + 1, y), blocks.uv(x, y + 1)}) mesh.uvs.push_back(uv);
-    mesh.uv_indices.push_back({first, first + 1, first + 2});
+    for (const Vec2 uv : {blocks.uv(x, y), blocks.uv(x + 1, y), blocks.uv(x, y + 1)}) uvs.push_back(uv);
+    indices.push_back({first, first + 1, first + 2});
   }
 }
 

@@ -22,7 +22,7 @@ ImageTexture draw_vertices(const Mesh& mesh, const std::function<Rgb(std::uint32
 bool is_drawn_of_vertices(std::span<const Texture> textures, std::uint32_t texture);
 bool is_drawn_of_vertices(const ImageTexture& picture);
 
-/// Gives a mesh the texture coordinates of such pictures of it, in place of its own.
-void set_drawn_uvs(Mesh& mesh);
+/// Gives a mesh the texture coordinates of such pictures of it, in place of its own; or as its second ones.
+void set_drawn_uvs(Mesh& mesh, CoordinateSet set = CoordinateSet::first);
 
 }  // namespace twinray

@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ struct SceneFile {
 struct WrittenScene {
   std::vector<SceneFile> files;
   std::vector<std::string> warnings;  ///< What the format cannot say, a line for each kind.
+  std::shared_ptr<const Scene> scene =
+      nullptr;  ///< What the files are made of, where it is not what was given.
 };
 
 /// A scene that is being written: its files so far, and what was lost.

@@ -48,11 +48,13 @@ SurfacePoint PathWave::found_surface(std::size_t i) const {
   const Hit& hit = wave_.hits[i];
   SurfacePoint point = point_at(i);
   point.shading_normal = surfaces_.shading.at(i);
-  point.uv = {hit.u, hit.v};
+  point.uv = point.second_uv = {hit.u, hit.v};
   if (has_textures()) {
     const TexturePoint at = texture_point_at(i);
     point.uv = at.uv;
+    point.second_uv = at.second_uv;
     point.footprint = at.footprint;
+    point.second_footprint = at.second_footprint;
     point.texture_draw = at.draw;
   }
   point.shape = hit.mesh;

@@ -26,6 +26,7 @@ struct WaveContext {
   bool has_interiors = false;           ///< Of the scene: paths must know where they are.
   bool has_environment = false;         ///< Of the scene: it is seen where nothing is hit.
   bool prefetches = true;               ///< Its surfaces do not stay in a cache.
+  bool has_second_uvs = false;          ///< Of the scene: some textures may go by them.
 };
 
 /// The paths of up to wave_size samples, grown together vertex by vertex: all of them to their next surfaces,
@@ -108,6 +109,8 @@ class PathWave {
   /// none is waited for alone.
   void ask_for_texels();
   TexturePoint texture_point_at(std::size_t i) const;
+  /// Where a path's textures of one set of coordinates are asked for, and how wide what it sees is there.
+  void find_coordinates(std::size_t i, CoordinateSet set, float& u, float& v, float& footprint) const;
   /// Of Lambert surfaces with textures.
   void find_textured_reflectances();
   /// Whether lanes do not find the point of a hit: of a sphere, or of an instance.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/wave/shape_table.h"
 
+#include <algorithm>
+
 #include "core/shading_map.h"
 
 namespace twinray {
@@ -41,6 +43,14 @@ std::vector<ShapeEntry> shape_table(const Scene& scene) {
     table.push_back(entry);
   }
   return table;
+}
+
+bool has_second_uvs(const Scene& scene) {
+  const std::vector<Shape>& shapes = scene.geometry->shapes();
+  return !scene.textures.empty() && std::any_of(shapes.begin(), shapes.end(), [](const Shape& shape) {
+    const auto* mesh = std::get_if<Mesh>(&shape);
+    return mesh && !mesh->second_uvs.empty();
+  });
 }
 
 bool exceeds_cache(const Geometry& geometry) {

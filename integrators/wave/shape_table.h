@@ -28,6 +28,9 @@ struct ShapeEntry {
 /// One entry for each shape of the scene, which must outlive them.
 std::vector<ShapeEntry> shape_table(const Scene& scene);
 
+/// Whether a mesh of it has two sets of texture coordinates, and there are textures.
+bool has_second_uvs(const Scene& scene);
+
 /// Whether there are too many triangles for all that is known of them to stay in the second cache.
 bool exceeds_cache(const Geometry& geometry);
 

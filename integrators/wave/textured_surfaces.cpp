@@ -19,20 +19,35 @@ void PathWave::ask_for_texels() {
     const Hit& hit = wave_.hits[i];
     const ShapeEntry& shape = context_.shapes[hit.mesh];
     if (!shape.textured && shape.is_lambert) continue;
-    const Vec2 uv = texture_coordinates(*scene.geometry, hit);
-    wave_.texture_u[i] = uv.x;
-    wave_.texture_v[i] = uv.y;
-    wave_.footprint[i] =
-        texture_footprint(*scene.geometry, hit, point_at(i), paths_.cone_width[i], paths_.direction.at(i));
+    find_coordinates(i, CoordinateSet::first, wave_.texture_u[i], wave_.texture_v[i], wave_.footprint[i]);
+    if (context_.has_second_uvs)
+      find_coordinates(i, CoordinateSet::second, wave_.second_u[i], wave_.second_v[i],
+                       wave_.second_footprint[i]);
     if (!shape.textured) continue;
     for (const TextureUse& use : shape.textured->textures)
       prefetch_texels(scene.textures, use.texture, texture_point_at(i));
   }
 }
 
+void PathWave::find_coordinates(std::size_t i, CoordinateSet set, float& u, float& v,
+                                float& footprint) const {
+  const Geometry& geometry = *context_.transport.scene.geometry;
+  const Hit& hit = wave_.hits[i];
+  const Vec2 uv = texture_coordinates(geometry, hit, set);
+  u = uv.x;
+  v = uv.y;
+  footprint =
+      texture_footprint(geometry, hit, point_at(i), paths_.cone_width[i], paths_.direction.at(i), set);
+}
+
 TexturePoint PathWave::texture_point_at(std::size_t i) const {
-  return {
-      {wave_.texture_u[i], wave_.texture_v[i]}, wave_.footprint[i], {wave_.texture_x[i], wave_.texture_y[i]}};
+  TexturePoint at{.uv = {wave_.texture_u[i], wave_.texture_v[i]},
+                  .footprint = wave_.footprint[i],
+                  .draw = {wave_.texture_x[i], wave_.texture_y[i]}};
+  const bool has_second = context_.has_second_uvs;
+  at.second_uv = has_second ? Vec2{wave_.second_u[i], wave_.second_v[i]} : at.uv;
+  at.second_footprint = has_second ? wave_.second_footprint[i] : at.footprint;
+  return at;
 }
 
 void PathWave::find_textured_reflectances() {

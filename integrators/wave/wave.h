@@ -145,6 +145,7 @@ struct Wave {
   Floats lobe, unused;  ///< Draws of how other surfaces scatter, and what comes with them.
   // Where there are textures: where they are asked for, and draws of their pixels (TexturePoint).
   Floats texture_u, texture_v, footprint;
+  Floats second_u, second_v, second_footprint;  ///< Where a mesh has a second set of coordinates.
   Floats texture_x, texture_y;
   Words kept;     ///< The paths that go on; until they arrive, the surfaces that they come from.
   Floats pdf;     ///< At each surface: of the direction that goes on, per solid angle.

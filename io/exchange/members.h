@@ -55,6 +55,7 @@ void members(const Visit& visit, ImageTexture& texture) {
   visit("wrap", texture.wrap);
   visit("filter", texture.filter);
   visit("uv", texture.uv);
+  visit.later("coordinates", texture.coordinates);
 }
 template <typename Visit>
 void members(const Visit& visit, ScaleTexture& texture) {

@@ -21,6 +21,11 @@ Words<WrapMode> words() {
 }
 
 template <>
+Words<CoordinateSet> words() {
+  return {{"first", CoordinateSet::first}, {"second", CoordinateSet::second}};
+}
+
+template <>
 Words<TextureFilter> words() {
   return {{"nearest", TextureFilter::nearest},
           {"bilinear", TextureFilter::bilinear},

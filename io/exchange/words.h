@@ -28,6 +28,8 @@ Words<WrapMode> words();
 template <>
 Words<TextureFilter> words();
 template <>
+Words<CoordinateSet> words();
+template <>
 Words<MaterialInput> words();
 template <>
 Words<InputMeaning> words();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/colors.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "io/gltf/context.h"
@@ -40,15 +42,19 @@ bool has_alpha(const VertexColors& colors) {
 
 }  // namespace
 
-const GltfColors::Drawn& GltfColors::drawn(const GltfPrimitive& primitive, const Mesh& mesh) {
+/// Holes go by the first coordinates alone.
+const GltfColors::Drawn& GltfColors::drawn(const GltfPrimitive& primitive, const Mesh& mesh,
+                                           CoordinateSet set) {
   const auto [entry, is_new] = known_.try_emplace(primitive.pointer);
   if (!is_new) return entry->second;
   const VertexColors& colors = primitive.colors;
   const auto add = [&](const std::function<Rgb(std::uint32_t)>& value) {
-    return textures_.add("colors of vertices", draw_vertices(mesh, value));
+    ImageTexture picture = draw_vertices(mesh, value);
+    picture.coordinates = set;
+    return textures_.add("colors of vertices", picture);
   };
   entry->second.color = add([&](std::uint32_t i) { return color_of(colors, i); });
-  if (has_alpha(colors))
+  if (set == CoordinateSet::first && has_alpha(colors))
     entry->second.alpha = add([&](std::uint32_t i) {
       const float alpha = alpha_of(colors, i);
       return Rgb{alpha, alpha, alpha};
@@ -67,7 +73,7 @@ void GltfColors::put_darkest_first(const GltfPrimitive& primitive, Mesh& mesh) {
   if (!mesh.normal_indices.empty()) mesh.normal_indices = mesh.triangles;
 }
 
-void GltfColors::add(const GltfPrimitive& primitive, Mesh& mesh, GltfUse& use) {
+void GltfColors::add(const GltfPrimitive& primitive, bool is_unlit, Mesh& mesh, GltfUse& use) {
   const VertexColors& colors = primitive.colors;
   if (colors.count == 0) return;
   if (are_equal(colors)) {
@@ -76,12 +82,17 @@ void GltfColors::add(const GltfPrimitive& primitive, Mesh& mesh, GltfUse& use) {
     if (alpha != 1) use.alpha = textures_.constant({alpha, alpha, alpha});
     return;
   }
-  if (use.has_uvs || !can_draw_vertices(mesh))
-    return context_.warn(primitive.pointer + "/attributes/COLOR_0",
-                         "colors of vertices beside textures are not rendered, and left out");
-  use.color = drawn(primitive, mesh).color;
-  use.alpha = drawn(primitive, mesh).alpha;
-  set_drawn_uvs(mesh);
+  const auto leave_out = [&](const char* what) {
+    context_.warn(primitive.pointer + "/attributes/COLOR_0", fmt::format("{} are left out", what));
+  };
+  if (!can_draw_vertices(mesh)) return leave_out("colors of so many vertices");
+  if (use.has_uvs && (use.has_second_uvs || is_unlit))
+    return leave_out("colors of vertices beside these textures");
+  const CoordinateSet set = use.has_uvs ? CoordinateSet::second : CoordinateSet::first;
+  use.color = drawn(primitive, mesh, set).color;
+  use.alpha = drawn(primitive, mesh, set).alpha;
+  set_drawn_uvs(mesh, set);
+  if (use.has_uvs && has_alpha(colors)) leave_out("alphas of vertices beside textures");
 }
 
 }  // namespace twinray

@@ -17,10 +17,11 @@ class GltfColors {
   GltfColors(GltfTextures& textures, GltfContext& context) : textures_(textures), context_(context) {}
 
   /// Adds the colours of a primitive's vertices, if it has any, to the use of its material: the same one for
-  /// all as a constant; else a picture, by whose texture coordinates the mesh goes. A mesh that has some of
-  /// its own keeps these, and a warning says that its colours are left out. A primitive has the same picture
-  /// wherever it is placed.
-  void add(const GltfPrimitive& primitive, Mesh& mesh, GltfUse& use);
+  /// all as a constant; else a picture, by whose texture coordinates the mesh goes. They are the second ones
+  /// of a mesh that has some of its own; where that has two sets, or holes and light would have to go by
+  /// them, a warning says that colours or alphas are left out. A primitive has the same picture wherever it
+  /// is placed.
+  void add(const GltfPrimitive& primitive, bool is_unlit, Mesh& mesh, GltfUse& use);
 
   /// Turns the corners of triangles so that the darkest is first, if there are colours. Of four texels, whose
   /// last one is what the second and third have beyond the first, the mean is then black for black triangles
@@ -32,7 +33,7 @@ class GltfColors {
     std::uint32_t color = no_texture, alpha = no_texture;
   };
 
-  const Drawn& drawn(const GltfPrimitive& primitive, const Mesh& mesh);
+  const Drawn& drawn(const GltfPrimitive& primitive, const Mesh& mesh, CoordinateSet set);
 
   GltfTextures& textures_;
   GltfContext& context_;

@@ -12,28 +12,43 @@ bool GltfInputs::can_use(const GltfSlot& slot) const {
   if (slot.uv_set == uv_set) return true;
   context.warn(slot.pointer,
                uv_set < 0 ? fmt::format("the mesh has no TEXCOORD_{}; this texture is left out", slot.uv_set)
-                          : fmt::format("one set of texture coordinates is rendered, here TEXCOORD_{}; this "
-                                        "texture goes by TEXCOORD_{}, and is left out",
+                          : fmt::format("a texture of this kind must go by the coordinates of most, here "
+                                        "TEXCOORD_{}; this one goes by TEXCOORD_{}, and is left out",
                                         uv_set, slot.uv_set));
   return false;
 }
 
+std::optional<CoordinateSet> GltfInputs::coordinates(const GltfSlot& slot) const {
+  if (!slot) return std::nullopt;
+  if (uv_set >= 0 && slot.uv_set == second_uv_set) return CoordinateSet::second;
+  if (uv_set < 0 || second_uv_set < 0 || slot.uv_set == uv_set)
+    return can_use(slot) ? std::optional(CoordinateSet::first) : std::nullopt;
+  context.warn(slot.pointer,
+               fmt::format("two sets of texture coordinates are rendered, here TEXCOORD_{} and TEXCOORD_{}; "
+                           "this texture goes by TEXCOORD_{}, and is left out",
+                           uv_set, second_uv_set, slot.uv_set));
+  return std::nullopt;
+}
+
 void GltfInputs::color(MaterialInput input, const GltfSlot& slot, const Rgb& factor) {
-  if (!can_use(slot)) return;
-  const std::uint32_t picture = textures.picture(slot, {PictureRole::color, PictureChannels::color});
+  const auto set = coordinates(slot);
+  if (!set) return;
+  const std::uint32_t picture = textures.picture(slot, {PictureRole::color, PictureChannels::color}, *set);
   material.textures.push_back({input, textures.scaled(picture, factor)});
 }
 
 void GltfInputs::number(MaterialInput input, const GltfSlot& slot, PictureChannels channel, float factor) {
-  if (!can_use(slot)) return;
-  const std::uint32_t picture = textures.picture(slot, {PictureRole::data, channel});
+  const auto set = coordinates(slot);
+  if (!set) return;
+  const std::uint32_t picture = textures.picture(slot, {PictureRole::data, channel}, *set);
   material.textures.push_back({input, textures.scaled(picture, {factor, factor, factor})});
 }
 
 void GltfInputs::between(MaterialInput input, const GltfSlot& slot, PictureChannels channel, float at_0,
                          float at_1) {
-  if (!can_use(slot)) return;
-  const std::uint32_t picture = textures.picture(slot, {PictureRole::data, channel});
+  const auto set = coordinates(slot);
+  if (!set) return;
+  const std::uint32_t picture = textures.picture(slot, {PictureRole::data, channel}, *set);
   const std::uint32_t first = textures.constant(white * at_0), second = textures.constant(white * at_1);
   material.textures.push_back({input, textures.add("", MixTexture{first, second, picture})});
 }

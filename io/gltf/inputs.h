@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <optional>
 #include <string>
 
 #include "core/material.h"
@@ -14,13 +15,17 @@ struct GltfContext;
 struct GltfInputs {
   GltfTextures& textures;
   GltfContext& context;
-  int uv_set = -1;           ///< The only set of texture coordinates that is there; -1: none.
-  bool is_mirrored = false;  ///< They run the other way round.
+  int uv_set = -1;           ///< The first set of texture coordinates of the mesh; -1: none.
+  int second_uv_set = -1;    ///< The second one, by which colors and numbers may go, but no more; -1: none.
+  bool is_mirrored = false;  ///< The first ones run the other way round.
   Material material = {};
   Principled model = {};
 
-  /// Whether a slot has a picture that can be used. Warns where it goes by other texture coordinates.
+  /// Whether a slot has a picture that goes by the first texture coordinates. Warns where it goes by others.
   bool can_use(const GltfSlot& slot) const;
+  /// The texture coordinates by which a slot's picture goes; none where it has no picture or, with a warning,
+  /// goes by further ones.
+  std::optional<CoordinateSet> coordinates(const GltfSlot& slot) const;
   /// Colours encoded as sRGB has it, times a factor.
   void color(MaterialInput input, const GltfSlot& slot, const Rgb& factor);
   /// One channel as it stands, times a factor.

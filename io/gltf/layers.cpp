@@ -209,7 +209,7 @@ class Layers {
     model_.fuzz_roughness = sheen.number("sheenRoughnessFactor", 0);
     const GltfSlot picture = sheen.slot("sheenColorTexture");
     inputs_.color(fuzz_color, picture, color);
-    if (inputs_.can_use(picture)) inputs_.material.textures.back().meaning = InputMeaning::weighted_color;
+    if (inputs_.coordinates(picture)) inputs_.material.textures.back().meaning = InputMeaning::weighted_color;
     inputs_.number(fuzz_roughness, sheen.slot("sheenRoughnessTexture"), PictureChannels::alpha,
                    model_.fuzz_roughness);
   }

@@ -27,11 +27,11 @@ Rgb color_of(const std::vector<double>& numbers) {
   return {float(numbers[0]), float(numbers[1]), float(numbers[2])};
 }
 
-/// All slots whose texture coordinates matter, the base color's first.
-std::vector<GltfSlot> rendered_slots(const tinygltf::Material& source, const std::string& pointer) {
+/// The slots of colors and numbers, the base color's first.
+std::vector<GltfSlot> input_slots(const tinygltf::Material& source, const std::string& pointer) {
   const GltfSlots slots = slots_of(source, pointer);
-  std::vector<GltfSlot> list{slots.base_color, slots.metallic_roughness, slots.normal, slots.emissive};
-  constexpr std::array<std::pair<const char*, const char*>, 11> further{
+  std::vector<GltfSlot> list{slots.base_color, slots.metallic_roughness};
+  constexpr std::array<std::pair<const char*, const char*>, 10> further{
       {{glossiness_extension, "diffuseTexture"},
        {"KHR_materials_transmission", "transmissionTexture"},
        {"KHR_materials_clearcoat", "clearcoatTexture"},
@@ -40,11 +40,20 @@ std::vector<GltfSlot> rendered_slots(const tinygltf::Material& source, const std
        {"KHR_materials_sheen", "sheenRoughnessTexture"},
        {"KHR_materials_specular", "specularTexture"},
        {"KHR_materials_specular", "specularColorTexture"},
-       {"KHR_materials_anisotropy", "anisotropyTexture"},
        {"KHR_materials_iridescence", "iridescenceTexture"},
        {"KHR_materials_iridescence", "iridescenceThicknessTexture"}}};
   for (const auto& [extension, property] : further)
     list.push_back(GltfExtension(source.extensions, extension, pointer).slot(property));
+  return list;
+}
+
+/// All slots whose texture coordinates matter, the base color's first.
+std::vector<GltfSlot> rendered_slots(const tinygltf::Material& source, const std::string& pointer) {
+  const GltfSlots slots = slots_of(source, pointer);
+  std::vector<GltfSlot> list{slots.base_color, slots.metallic_roughness, slots.normal, slots.emissive};
+  for (GltfSlot& slot : input_slots(source, pointer)) list.push_back(std::move(slot));
+  const GltfExtension anisotropy(source.extensions, "KHR_materials_anisotropy", pointer);
+  list.push_back(anisotropy.slot("anisotropyTexture"));
   return list;
 }
 
@@ -209,6 +218,13 @@ std::optional<int> GltfMaterials::uv_set(int material) const {
   return std::nullopt;
 }
 
+std::optional<int> GltfMaterials::second_uv_set(int material) const {
+  const std::optional<int> first = uv_set(material);
+  for (const GltfSlot& slot : input_slots(material_at(document_, material), material_pointer(material)))
+    if (slot && slot.uv_set != first) return slot.uv_set;
+  return std::nullopt;
+}
+
 bool GltfMaterials::needs_handedness(int material) const {
   const tinygltf::Material& source = material_at(document_, material);
   const GltfExtension anisotropy(source.extensions, "KHR_materials_anisotropy", "");
@@ -230,7 +246,7 @@ const GltfSurface& GltfMaterials::surface(int index, const GltfUse& use) {
   const tinygltf::Material& source = material_at(document_, index);
   const std::string pointer = material_pointer(index);
   GltfInputs inputs{textures, document_.context(), use.has_uvs ? uv_set(index).value_or(-1) : -1,
-                    use.is_mirrored};
+                    use.has_second_uvs ? second_uv_set(index).value_or(-1) : -1, use.is_mirrored};
   GltfSurface surface = MaterialReader(source, pointer, inputs).read(use);
   inputs.material.name = index < 0             ? "default"
                          : source.name.empty() ? fmt::format("material {}", index)

@@ -26,6 +26,7 @@ struct GltfSurface {
 /// What a primitive has that its material's textures go by.
 struct GltfUse {
   bool has_uvs = false;              ///< Texture coordinates of the set that uv_set() says.
+  bool has_second_uvs = false;       ///< Those that second_uv_set() says, too.
   bool is_mirrored = false;          ///< They run the other way round, as tangents say.
   std::uint32_t color = no_texture;  ///< Of the vertices, times which the base color is.
   std::uint32_t alpha = no_texture;  ///< Of the vertices.
@@ -41,6 +42,8 @@ class GltfMaterials {
   /// if it has a picture, else of the first one that has; the first set where it has none, but facets of a
   /// direction; else none.
   std::optional<int> uv_set(int material) const;
+  /// The next other set by which its colors and numbers go.
+  std::optional<int> second_uv_set(int material) const;
   /// Whether it has a normal map or a tangent, which are not the same for both ways round of texture
   /// coordinates.
   bool needs_handedness(int material) const;

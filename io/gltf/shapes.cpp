@@ -37,7 +37,20 @@ Mesh vertices_of(const GltfPrimitive& primitive, const std::string& name) {
 void set_triangles(Mesh& mesh, std::vector<Triangle> triangles) {
   if (!mesh.normals.empty()) mesh.normal_indices = triangles;
   if (!mesh.uvs.empty()) mesh.uv_indices = triangles;
+  if (!mesh.second_uvs.empty()) mesh.second_uv_indices = triangles;
   mesh.triangles = std::move(triangles);
+}
+
+/// The mesh of some of the triangles, by their numbers.
+Mesh part_of(Mesh mesh, const std::vector<std::size_t>& chosen) {
+  for (auto* const list :
+       {&mesh.triangles, &mesh.normal_indices, &mesh.uv_indices, &mesh.second_uv_indices}) {
+    if (list->empty()) continue;
+    std::vector<Triangle> kept;
+    for (const std::size_t i : chosen) kept.push_back((*list)[i]);
+    *list = std::move(kept);
+  }
+  return mesh;
 }
 
 }  // namespace
@@ -137,26 +150,29 @@ void GltfShapes::check_room(const Mesh& mesh, const std::string& pointer) {
 void GltfShapes::place(const GltfPrimitive& primitive, const std::string& name, const Place& place) {
   const auto set = materials_.uv_set(primitive.material);
   const auto uvs = set ? primitive.uvs.find(*set) : primitive.uvs.end();
+  const auto second_set = materials_.second_uv_set(primitive.material);
+  const auto second = second_set ? primitive.uvs.find(*second_set) : primitive.uvs.end();
   GltfUse use{.has_uvs = uvs != primitive.uvs.end()};
+  use.has_second_uvs = use.has_uvs && second != primitive.uvs.end();
   Mesh mesh = vertices_of(primitive, name);
   if (use.has_uvs) mesh.uvs = uvs->second;
+  if (use.has_second_uvs) mesh.second_uvs = second->second;
   set_triangles(mesh, primitive.triangles);
   if (!use.has_uvs && materials_.is_unlit(primitive.material)) GltfColors::put_darkest_first(primitive, mesh);
-  colors_.add(primitive, mesh, use);
+  colors_.add(primitive, materials_.is_unlit(primitive.material), mesh, use);
   if (use.has_uvs && materials_.goes_by_tangents(primitive.material) && primitive.turned_uvs.contains(*set))
     document_.context().warn(primitive.pointer + "/attributes/TANGENT",
                              "these tangents are not those of the texture coordinates, by which normal maps "
                              "and brushed facets go");
   if (!use.has_uvs || !materials_.needs_handedness(primitive.material))
     return place_part(primitive, std::move(mesh), use, place);
-  std::vector<Triangle> sides[2];
-  for (const Triangle& triangle : primitive.triangles)
-    sides[is_mirrored(primitive, uvs->second, triangle) != place.is_mirrored].push_back(triangle);
+  std::vector<std::size_t> sides[2];
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    sides[is_mirrored(primitive, uvs->second, mesh.triangles[i]) != place.is_mirrored].push_back(i);
   for (const bool is_mirrored_part : {false, true}) {
     if (sides[is_mirrored_part].empty()) continue;
     use.is_mirrored = is_mirrored_part;
-    set_triangles(mesh, std::move(sides[is_mirrored_part]));
-    place_part(primitive, mesh, use, place);
+    place_part(primitive, part_of(mesh, sides[is_mirrored_part]), use, place);
   }
 }
 

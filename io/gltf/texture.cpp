@@ -59,15 +59,18 @@ std::string GltfTextures::name_of(const GltfSlot& slot) const {
   return image.uri.empty() || is_data_uri(image.uri) ? fmt::format("image {}", source) : image.uri;
 }
 
-std::uint32_t GltfTextures::picture(const GltfSlot& slot, const PictureMeaning& meaning) {
+std::uint32_t GltfTextures::picture(const GltfSlot& slot, const PictureMeaning& meaning,
+                                    CoordinateSet coordinates) {
   std::vector<float> transform(&slot.uv.m[0][0], &slot.uv.m[0][0] + 6);
-  const PictureKey key{slot.texture, int(meaning.role), int(meaning.channels), std::move(transform)};
+  const PictureKey key{slot.texture, int(meaning.role), int(meaning.channels), coordinates,
+                       std::move(transform)};
   if (const auto found = pictures_.find(key); found != pictures_.end()) return found->second;
   if (source_of(slot) < 0) {
     document_.context().warn(slot.pointer, "the texture has no picture that is read here; it is white");
     return pictures_[key] = constant({1, 1, 1});
   }
-  const ImageTexture texture = image_texture(slot, meaning);
+  ImageTexture texture = image_texture(slot, meaning);
+  texture.coordinates = coordinates;
   return pictures_[key] = add(name_of(slot), texture);
 }
 

@@ -28,7 +28,8 @@ class GltfTextures {
   std::uint32_t constant(const Rgb& value);
   /// A slot's picture. One that cannot be used is magenta, which a warning says; without a picture that is
   /// known here it is white.
-  std::uint32_t picture(const GltfSlot& slot, const PictureMeaning& meaning);
+  std::uint32_t picture(const GltfSlot& slot, const PictureMeaning& meaning,
+                        CoordinateSet coordinates = CoordinateSet::first);
   /// A texture times a factor.
   std::uint32_t scaled(std::uint32_t texture, const Rgb& factor);
   /// Two textures, the second of which may be no_texture.
@@ -71,7 +72,7 @@ class GltfTextures {
   std::vector<Texture> textures_;
   /// By image, role, channels and in which directions it is mirrored.
   std::map<std::tuple<int, int, int, int>, std::shared_ptr<const MipMap>> images_;
-  using PictureKey = std::tuple<int, int, int, std::vector<float>>;
+  using PictureKey = std::tuple<int, int, int, CoordinateSet, std::vector<float>>;
   std::map<PictureKey, std::uint32_t> pictures_;
   std::map<std::tuple<float, float, float>, std::uint32_t> constants_;
 };

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/first_coordinates.h"
 #include "io/gltf/uv_area.h"
 #include "io/gltf/writer_material.h"
 #include "io/gltf/writer_view.h"
@@ -191,10 +192,13 @@ class Shapes {
 WrittenScene written_gltf(const SceneToWrite& input, const std::string& path) {
   SceneOutput output(path);
   GltfFile file(output, path.ends_with(".glb"));
+  const auto scene = by_first_coordinates(input.scene, output.losses);
   add_gltf_camera(input, file);
-  add_gltf_lights(input.scene, file);
-  Shapes(input.scene, file).add();
-  return file.finish();
+  add_gltf_lights(*scene, file);
+  Shapes(*scene, file).add();
+  WrittenScene written = file.finish();
+  written.scene = scene;
+  return written;
 }
 
 }  // namespace twinray

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "io/first_coordinates.h"
 #include "io/output_file.h"
 #include "io/pbrt/text.h"
 #include "io/pbrt/writer_camera.h"
@@ -118,12 +119,16 @@ class Shapes {
 
 WrittenScene written_pbrt(const SceneToWrite& input, const std::string& path) {
   SceneOutput output(path);
-  PbrtTextureWriter textures(input.scene, output);
+  const auto scene = by_first_coordinates(input.scene, output.losses);
+  PbrtTextureWriter textures(*scene, output);
   const std::string view = pbrt_view(input, output);
-  const PbrtMaterialTexts materials = pbrt_materials(input.scene, textures, output);
-  const std::string lights = pbrt_lights(input.scene, output);
-  const std::string shapes = Shapes(input.scene, materials, textures, output).text();
-  return output.finish(view + "WorldBegin\n" + textures.text + materials.text + lights + shapes);
+  const PbrtMaterialTexts materials = pbrt_materials(*scene, textures, output);
+  const std::string lights = pbrt_lights(*scene, output);
+  const std::string shapes = Shapes(*scene, materials, textures, output).text();
+  WrittenScene written =
+      output.finish(view + "WorldBegin\n" + textures.text + materials.text + lights + shapes);
+  written.scene = scene;
+  return written;
 }
 
 }  // namespace twinray

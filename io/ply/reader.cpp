@@ -107,7 +107,7 @@ class Numbers {
 /// Where a vertex has what.
 struct VertexLayout {
   std::array<int, 3> position, normal, color;
-  std::array<int, 2> uv;
+  std::array<int, 2> uv, second_uv;
   float white = 1;  ///< The number that stands for 1 in a color: bytes go up to 255.
 
   explicit VertexLayout(const PlyElement& vertex) {
@@ -123,6 +123,7 @@ struct VertexLayout {
     for (const auto& [u, v] :
          {std::pair{"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}})
       if (!has(uv)) uv = {vertex.find(u), vertex.find(v)};
+    second_uv = {vertex.find("u2"), vertex.find("v2")};
   }
   /// Whole numbers go up to the largest one of their type, others up to 1.
   static float whitest(PlyType type) {
@@ -198,11 +199,13 @@ class Reader {
     if (!VertexLayout::has(layout.position))
       throw Error(name_ + ": the vertices need the properties x, y and z");
     const bool has_normal = VertexLayout::has(layout.normal), has_uv = VertexLayout::has(layout.uv),
+               has_second_uv = VertexLayout::has(layout.second_uv),
                has_color = reads_colors_ && VertexLayout::has(layout.color);
     Mesh& mesh = ply_.mesh;
     mesh.positions.reserve(vertex.count);
     if (has_normal) mesh.normals.reserve(vertex.count);
     if (has_uv) mesh.uvs.reserve(vertex.count);
+    if (has_second_uv) mesh.second_uvs.reserve(vertex.count);
     if (has_color) ply_.colors.reserve(vertex.count);
     std::vector<float> row(vertex.properties.size());
     const auto at = [&](int property) { return row[std::size_t(property)]; };
@@ -214,6 +217,7 @@ class Reader {
       if (has_normal)
         mesh.normals.push_back({at(layout.normal[0]), at(layout.normal[1]), at(layout.normal[2])});
       if (has_uv) mesh.uvs.push_back({at(layout.uv[0]), at(layout.uv[1])});
+      if (has_second_uv) mesh.second_uvs.push_back({at(layout.second_uv[0]), at(layout.second_uv[1])});
       if (has_color) ply_.colors.push_back(color_of(layout, row));
     }
   }
@@ -308,6 +312,7 @@ class Reader {
     Mesh& mesh = ply_.mesh;
     if (!mesh.normals.empty()) mesh.normal_indices = mesh.triangles;
     if (!mesh.uvs.empty()) mesh.uv_indices = mesh.triangles;
+    if (!mesh.second_uvs.empty()) mesh.second_uv_indices = mesh.triangles;
   }
 
   PlyHeader header_;

@@ -16,8 +16,8 @@ namespace twinray {
 /// What a PLY file holds of a mesh.
 struct PlyMesh {
   /// Normals, if the vertices have nx, ny, nz: of the file's length, which may be 0. Texture coordinates, if
-  /// they have u and v, s and t, or texture_u and the like. Faces of four corners are cut in two, those of
-  /// more into as many as it takes, with their winding.
+  /// they have u and v, s and t, or texture_u and the like; second ones, if they have u2 and v2. Faces of
+  /// four corners are cut in two, those of more into as many as it takes, with their winding.
   Mesh mesh;
   std::size_t flat_faces = 0;  ///< Faces of less than three corners: left out.
   /// Colours of the vertices, if they have red, green and blue (or diffuse_red and the like, or r, g, b) and

@@ -30,11 +30,7 @@ std::size_t count_of(std::string_view bytes) {
   return count;
 }
 
-bool is_exactly_binary(std::string_view bytes) {
-  return bytes.size() >= head_bytes && bytes.size() == head_bytes + triangle_bytes * count_of(bytes);
-}
-
-/// Binary files may begin with the word of a text, but not go on like one.
+/// Binary files may begin with the word of a text, but not go on like one: there are zeros in their count.
 bool looks_like_text(std::string_view bytes) {
   const std::string_view head = bytes.substr(0, 512);
   const std::size_t begin = head.find_first_not_of(" \t\r\n");
@@ -83,7 +79,7 @@ ObjModel read_stl(std::string_view bytes, const std::string& path, WarningList& 
   ObjModel model;
   model.name = std::filesystem::path(path).stem().string();
   const std::string_view text = bytes.substr(bytes.starts_with(utf8_mark) ? utf8_mark.size() : 0);
-  if (!is_exactly_binary(bytes) && looks_like_text(text))
+  if (looks_like_text(text))
     read_ascii_stl(text, path, warnings, model);
   else
     read_binary(bytes, path, model);

@@ -88,6 +88,9 @@ TEST_CASE("normals and uvs that do not match the triangles are named") {
   CHECK(message_of({mesh}).empty());
   mesh.uv_indices = {{0, 0, 0}};
   CHECK(message_of({mesh}) == "shape 0 \"corner\": triangle 0 names uv 0; there are 0");
+  mesh.uv_indices.clear();
+  mesh.second_uvs = {{0, 0}};
+  CHECK(message_of({mesh}) == "shape 0 \"corner\": 1 triangles but 0 triples of second uv indices");
 }
 
 TEST_CASE("a sphere's centre and radius out of range are named") {
@@ -108,10 +111,13 @@ TEST_CASE("degenerate triangles are dropped, and the attributes stay in step") {
   mesh.normal_indices = {{10, 0, 0}, {11, 0, 0}, {12, 0, 0}, {13, 0, 0}, {14, 0, 0}};
   mesh.uvs = {{0, 0}};
   mesh.uv_indices = {{20, 0, 0}, {21, 0, 0}, {22, 0, 0}, {23, 0, 0}, {24, 0, 0}};
+  mesh.second_uvs = {{0, 0}};
+  mesh.second_uv_indices = {{30, 0, 0}, {31, 0, 0}, {32, 0, 0}, {33, 0, 0}, {34, 0, 0}};
   CHECK(drop_degenerate_triangles(mesh) == 3);
   CHECK(mesh.triangles == std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}});
   CHECK(mesh.normal_indices == std::vector<Triangle>{{11, 0, 0}, {13, 0, 0}});
   CHECK(mesh.uv_indices == std::vector<Triangle>{{21, 0, 0}, {23, 0, 0}});
+  CHECK(mesh.second_uv_indices == std::vector<Triangle>{{31, 0, 0}, {33, 0, 0}});
   CHECK(drop_degenerate_triangles(mesh) == 0);
 }
 

@@ -30,11 +30,12 @@ Geometry rectangle(float u, float v) {
   return Geometry({mesh});
 }
 
-float footprint(const Geometry& geometry, float width, const Vec3& direction) {
+float footprint(const Geometry& geometry, float width, const Vec3& direction,
+                CoordinateSet set = CoordinateSet::first) {
   Hit hit;
   hit.t = 1, hit.u = hit.v = 0.3f;
   hit.primitive = hit.mesh = 0;
-  return texture_footprint(geometry, hit, surface_at(geometry, hit), width, direction);
+  return texture_footprint(geometry, hit, surface_at(geometry, hit), width, direction, set);
 }
 
 }  // namespace
@@ -67,6 +68,17 @@ TEST_CASE("a surface widens a cone by a quarter of the root of the solid angle t
   CHECK(before.scattered(25).spread == Approx(0.01 + 0.25 / 5).epsilon(rounding));
   CHECK(before.scattered(25).width == before.width);
   CHECK(before.scattered(1e-20f).spread == Approx(1.01).epsilon(rounding));
+}
+
+TEST_CASE("a footprint by second texture coordinates is theirs, and that of the first where there are none") {
+  const Geometry one_set = rectangle(1, 4);
+  CHECK(footprint(one_set, 0.1f, {0, 0, -1}, CoordinateSet::second) == footprint(one_set, 0.1f, {0, 0, -1}));
+  Mesh mesh = *one_set.mesh(0);
+  mesh.second_uvs = {{0, 0}, {4, 0}, {4, 16}, {0, 16}};
+  mesh.second_uv_indices = mesh.triangles;
+  const Geometry two_sets({mesh});
+  CHECK(footprint(two_sets, 0.1f, {0, 0, -1}, CoordinateSet::second) == Approx(0.2).epsilon(rounding));
+  CHECK(footprint(two_sets, 0.1f, {0, 0, -1}) == Approx(0.05).epsilon(rounding));
 }
 
 TEST_CASE("a footprint is what a cone covers of a surface's texture coordinates") {

@@ -80,6 +80,26 @@ TEST_CASE("an alpha, or a map, that names no texture, or a shape that is not cut
   CHECK(message_of(scene) == "material 1 names texture 0; there are 0");
 }
 
+TEST_CASE("an alpha, or a map, by second texture coordinates is refused, however deep it stands") {
+  const std::vector<Texture> textures{
+      {"first", ImageTexture{std::make_shared<const MipMap>(Image(1, 1, white))}},
+      {"second", ImageTexture{.image = std::make_shared<const MipMap>(Image(1, 1, white)),
+                              .coordinates = CoordinateSet::second}},
+      {"product", ScaleTexture{0, 1}}};
+  Scene scene = valid_scene();
+  scene.textures = textures;
+  scene.materials[1].normal_map = 0;
+  CHECK(message_of(scene) == "valid");
+  scene.materials[1].normal_map = 2;
+  CHECK(message_of(scene) ==
+        "material 1 has a map, texture 2, by second texture coordinates; valid are the first ones");
+  scene = valid_scene();
+  scene.textures = textures;
+  scene.bindings[1].alpha = 1;
+  CHECK(message_of(scene) ==
+        "shape 1 has an alpha, texture 1, by second texture coordinates; valid are the first ones");
+}
+
 TEST_CASE("a tangent that is turned too far, and what widens something else, are named") {
   Scene scene = valid_scene();
   scene.materials[0].tangent_degrees = -360;

@@ -21,6 +21,8 @@ Geometry attributed() {
   mesh.normal_indices = {{0, 1, 2}};
   mesh.uvs = {{0, 0}, {2, 0}, {0, 8}};
   mesh.uv_indices = {{0, 1, 2}};
+  mesh.second_uvs = {{1, 0}, {0, 4}};
+  mesh.second_uv_indices = {{1, 0, 0}};
   return Geometry({mesh});
 }
 
@@ -50,6 +52,7 @@ TEST_CASE("a triangle's point has the weights' position, normal and uv") {
   CHECK(point.position == Vec3{1, 2, 0});
   CHECK(point.geometric_normal == Vec3{0, 0, 1});
   CHECK(point.uv == Vec2{0.5f, 4});
+  CHECK(point.second_uv == Vec2{0.75f, 1});
   CHECK(point.offset == triangle_offset({0, 0, 0}, {4, 0, 0}, {0, 4, 0}));
   CHECK(length(point.shading_normal) == Approx(1).epsilon(1e-6));
   const Vec3 expected = normalize(Vec3{0.15f, 0.3f, 0.05f});
@@ -76,6 +79,7 @@ TEST_CASE("without normals and uvs a point has the geometric normal and the weig
       surface_at(single({Vec3{0, 0, 0}, {0, 2, 0}, {0, 0, 2}}), {.t = 1, .u = 0.5f, .v = 0.25f});
   CHECK(point.shading_normal == Vec3{1, 0, 0});
   CHECK(point.uv == Vec2{0.5f, 0.25f});
+  CHECK(point.second_uv == point.uv);
 }
 
 TEST_CASE("normals that cancel leave the geometric one") {

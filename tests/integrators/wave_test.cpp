@@ -198,6 +198,10 @@ void add_uvs(Scene& scene) {
       mesh->uv_indices = mesh->triangles;
       mesh->uvs.resize(mesh->positions.size());
       for (Vec2& uv : mesh->uvs) uv = {random.unit(), random.unit()};
+      if (i % 4 == 0) continue;
+      mesh->second_uv_indices = mesh->triangles;
+      mesh->second_uvs.resize(mesh->positions.size());
+      for (Vec2& uv : mesh->second_uvs) uv = {random.unit(), 3 * random.unit()};
     }
   scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
 }
@@ -207,13 +211,16 @@ Scene textured(Scene scene, TextureFilter filter) {
   add_uvs(scene);
   const ImageTexture image{
       std::make_shared<const MipMap>(*random_square()), WrapMode::repeat, filter, {{{7, 1, 0}, {0, 5, 0}}}};
+  ImageTexture second = image;
+  second.coordinates = CoordinateSet::second;
   scene.textures = {{"", ConstantTexture{{0.2f, 0.6f, 0.9f}}},
                     {"", image},
-                    {"", CheckerboardTexture{0, 1, {{{4, 0, 0}, {0, 4, 0}}}}}};
+                    {"", CheckerboardTexture{0, 1, {{{4, 0, 0}, {0, 4, 0}}}}},
+                    {"", second}};
   for (Material& material : scene.materials)
     for (int i = 0; i < material_inputs; ++i)
       if (const auto input = MaterialInput(i); has_input(material.model, input))
-        material.textures.push_back({input, std::uint32_t(i) % 2 + 1});
+        material.textures.push_back({input, std::uint32_t(i) % 3 + 1});
   for (Light& light : scene.lights)
     if (auto* const mesh = std::get_if<MeshLight>(&light.source)) mesh->picture = random_square();
   check_scene(scene);

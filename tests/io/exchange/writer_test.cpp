@@ -346,11 +346,12 @@ TEST_CASE("textures in exchange form are of its third version, and each picture 
   CHECK(list_text(scene, "textures") == R"(  "textures": [
     {"name":"even","type":"constant","value":[0.25,0.5,1.0]},
     {"name":"wood","type":"image","wrap":"clamp","filter":"nearest","uv":[[1.0,0.0,0.0],[0.0,1.0,0.0]],)"
-                                        R"("file":"a-texture-1.exr"},
+                                        R"("coordinates":"first","file":"a-texture-1.exr"},
     {"name":"same","type":"image","wrap":["repeat","black"],"filter":"stochastic",)"
-                                        R"("uv":[[1.0,0.0,0.0],[0.0,1.0,0.0]],"file":"a-texture-1.exr"},
+                                        R"("uv":[[1.0,0.0,0.0],[0.0,1.0,0.0]],"coordinates":"first",)"
+                                        R"("file":"a-texture-1.exr"},
     {"name":"drawn","type":"image","wrap":"repeat","filter":"stochastic","uv":[[1.0,0.0,0.0],[0.0,1.0,0.0]],)"
-                                        R"("file":"a-texture-3.exr","mip_map":false})");
+                                        R"("coordinates":"first","file":"a-texture-3.exr","mip_map":false})");
   CHECK(nlohmann::json::parse(exchange_json(scene, "a.json", {}))["version"] == 3);
   const WrittenScene written = written_scene({scene, {.resolution = {{480, 360}}}}, path);
   std::vector<std::string> paths;

@@ -115,24 +115,6 @@ TEST_CASE("gltf: KHR_texture_transform scales, then turns counter-clockwise, the
   CHECK(uv.y == Approx(1 - 0.05));
 }
 
-TEST_CASE("gltf: textures go by one set of coordinates, that of the base color") {
-  GltfFile file = gltf_surface(json::object());
-  const int picture = add_picture(file);
-  file.primitive()["attributes"]["TEXCOORD_1"] = file.accessor<float>({0, 0, 0, 0, 0, 0}, "VEC2");
-  file.json["materials"][0]["pbrMetallicRoughness"] = {
-      {"baseColorTexture", {{"index", picture}, {"texCoord", 1}}},
-      {"metallicRoughnessTexture", {{"index", picture}}}};
-  const LoadedScene loaded = file.load();
-  CHECK(only_mesh(loaded).uvs[2] == Vec2{0, 1});
-  REQUIRE(loaded.warnings.size() == 1);
-  CHECK(
-      loaded.warnings[0].text() ==
-      "test.gltf: /materials/0/pbrMetallicRoughness/metallicRoughnessTexture: one set of texture coordinates "
-      "is rendered, here TEXCOORD_1; this texture goes by TEXCOORD_0, and is left out (2 times)");
-  file.primitive()["attributes"].erase("TEXCOORD_1");
-  CHECK(file.load().scene.materials[0].textures.empty());
-}
-
 TEST_CASE("gltf: a mask cuts off at its limit, a blend is there by its alpha") {
   GltfFile file = gltf_surface({{"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.25}}}}});
   const auto alpha = [&](const char* mode, double cutoff) {

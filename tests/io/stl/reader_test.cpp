@@ -47,7 +47,8 @@ std::string binary(std::uint32_t count, const std::string& title = "", std::uint
   add(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto x = float(i);
-    for (const float number : {9.f, 9.f, 9.f, x, 0.f, 0.f, x + 0.5f, 0.f, 0.f, x, 0.5f, 0.25f}) add(number);
+    for (const float coordinate : {9.f, 9.f, 9.f, x, 0.f, 0.f, x + 0.5f, 0.f, 0.f, x, 0.5f, 0.25f})
+      add(coordinate);
     add(mark);
   }
   return bytes;
