@@ -63,6 +63,11 @@ void write_colors(const RenderOutputs& outputs, const RenderArguments& arguments
   if (keeps_layers(outputs.picture)) {
     LayeredImage image = layered_picture(film, notes.names, denoised);
     image.compression = arguments.compression;
+    if (image.compression == ExrCompression::dwab && !fits_dwab(image)) {
+      console::warn(
+          "--exr-compression: dwab holds radiance up to 65504, and there is more: zip packs the picture");
+      image.compression = ExrCompression::zip;
+    }
     return write_exr(outputs.picture, image, with_layers(notes, film.contents()), notes.frame);
   }
   const Image mean = mean_image(film);

@@ -28,7 +28,7 @@ void add_options(CLI::App& app, MergeArguments& arguments) {
   OptionGroup group(app, "Options");
   group.add_word({"-o,--output", "FILE", "The picture, or a .film of all samples"}, arguments.output);
   group.add_flag("--allow-gaps", arguments.allow_gaps,
-                 "Merge what there is; the picture's metadata says what is missing");
+                 "Make a picture of what there is; its metadata says what is missing");
   add_threads(group, arguments.threads);
   group.add_flag("-q,--quiet", arguments.quiet, "Print errors and warnings only");
 }
@@ -145,10 +145,14 @@ void check_film_output(const MergeArguments& arguments, const FilmParts& parts) 
 void say_what_was_merged(const MergeArguments& arguments, const FilmParts& parts) {
   for (const std::string& path : parts.repeated)
     console::warn(fmt::format("{}: the same samples as in another film; they count once", path));
-  for (const std::string& missing : parts.missing) console::warn(fmt::format("{} are missing", missing));
+  const bool is_part = is_film_name(arguments.output);
+  if (!is_part)
+    for (const std::string& missing : parts.missing) console::warn(fmt::format("{} are missing", missing));
   if (arguments.quiet) return;
   console::print("Films          {}\n{:<15}{}\n", parts.parts.size(), output_word(arguments.output),
                  arguments.output);
+  if (is_part && !parts.missing.empty())
+    console::print("Not in it      {}\n", fmt::join(parts.missing, ", "));
 }
 
 }  // namespace
@@ -165,11 +169,13 @@ std::function<MergeArguments()> add_merge_options(CLI::App& app) {
 int merge_command(const MergeArguments& given) {
   MergeArguments asked = given;
   asked.films = film_names(given.films);
-  const FilmParts parts = read_film_parts(asked.films, asked.allow_gaps ? Gaps::allowed : Gaps::refused);
+  // A film of some parts is a part of the whole itself.
+  const bool may_lack = asked.allow_gaps || is_film_name(asked.output);
+  const FilmParts parts = read_film_parts(asked.films, may_lack ? Gaps::allowed : Gaps::refused);
   check_film_output(asked, parts);
   warn_of_differences(asked.films.front(), parts);
   const FilmNotes& first = parts.notes;
-  Words words = words_of_whole(first.words);
+  Words words = without_options(words_of_whole(first.words), {"--samples", "-s"});
   words.insert(words.end(), {"--samples", fmt::format("{}", first.samples), "--output", asked.output});
   RenderArguments arguments = arguments_of(words, first);
   arguments.render.threads = asked.threads;

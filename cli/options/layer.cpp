@@ -58,6 +58,20 @@ bool has_mattes(const RenderOptions& render) {
                      [](Layer layer) { return layer_info(layer).gathering == Gathering::coverage; });
 }
 
+/// Of layers only colours stay what they are with a loss that is hardly seen.
+void check_dwab(const RenderOptions& render) {
+  const auto fail = [](const std::string& what) {
+    throw UsageError(
+        fmt::format("--exr-compression: dwab changes numbers, and with them the {}; zip does not", what));
+  };
+  if (has_mattes(render)) fail("ids of cryptomatte");
+  for (const Layer layer : render.layers) {
+    const LayerInfo& info = layer_info(layer);
+    const bool is_changed = std::any_of(info.channels.begin(), info.channels.end(), is_lossy);
+    if (is_changed && layer != Layer::albedo) fail(fmt::format("layer {}", info.name));
+  }
+}
+
 }  // namespace
 
 void add_layer_options(CLI::App& app, RenderRequest& request) {
@@ -85,9 +99,7 @@ void resolve_layers(const RenderRequest& request, RenderArguments& arguments) {
     throw UsageError(
         fmt::format("--layers: --integrator={} knows of none; path, path-reference and direct do",
                     integrator_name(arguments.integrator)));
-  if (arguments.compression == ExrCompression::dwab && has_mattes(arguments.render))
-    throw UsageError(
-        "--exr-compression: dwab changes numbers, and with them the ids of cryptomatte; zip does not");
+  if (arguments.compression == ExrCompression::dwab) check_dwab(arguments.render);
 }
 
 }  // namespace twinray

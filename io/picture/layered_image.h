@@ -18,8 +18,11 @@ struct PictureChannel {
 /// How an OpenEXR picture is packed.
 enum class ExrCompression {
   zip,   ///< Without any loss.
-  dwab,  ///< Colours lose what is hardly seen; other channels nothing, but what is named like a colour.
+  dwab,  ///< Channels named like a colour's lose what is hardly seen in one: see is_lossy().
 };
+
+/// Whether `dwab` changes the numbers of a channel: by the last part of its name (R, G, B, Y, RY or BY).
+bool is_lossy(const std::string& channel);
 
 /// A picture of any channels. It is asked for its rows from the top on, so that it need not be in memory as a
 /// whole.
@@ -30,6 +33,9 @@ struct LayeredImage {
   std::function<void(int y, std::span<float> values)> fill_row;
   ExrCompression compression = ExrCompression::zip;
 };
+
+/// Whether `dwab` can hold all numbers of the channels that it changes: those up to 65504.
+bool fits_dwab(const LayeredImage& image);
 
 /// What an OpenEXR picture holds.
 struct StoredLayers {

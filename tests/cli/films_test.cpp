@@ -49,17 +49,53 @@ TEST_CASE("films merge in steps, and a merged film takes more samples") {
   for (int i = 0; i < 4; ++i)
     run_well(box_words(fmt::format("--sample-range={}:{} --of=16 -o {}", 4 * i, 4 * i + 4,
                                    film(fmt::format("{}.film", i)))));
-  run_well("merge -q " + film("1.film") + " " + film("0.film") + " -o " + film("01.film") + " --allow-gaps");
-  run_well("merge -q " + film("2.film") + " " + film("3.film") + " -o " + film("23.film") + " --allow-gaps");
+  run_well("merge -q " + film("1.film") + " " + film("0.film") + " -o " + film("01.film"));
+  const ProcessResult later =
+      run_program("merge " + film("2.film") + " " + film("3.film") + " -o " + film("23.film"));
+  CHECK(later.exit_code == 0);
+  CHECK(later.err.empty());
+  CHECK(later.out.find("\nNot in it      samples 0:8 of 16\n") != std::string::npos);
   // In either order: what was missing before is not missing any more.
   for (const auto& [first, second] : {std::pair("23.film", "01.film"), std::pair("01.film", "23.film")}) {
     run_well("merge -q " + film(first) + " " + film(second) + " -o " + film("all.film"));
     run_well("merge -q " + film(first) + " " + film(second) + " -o " + film("all.png"));
     CHECK(run_program("verify -q " + film("all.png")).exit_code == 0);
   }
+  const Words& said = open_film(folder.file("all.film")).notes.words;
+  CHECK(std::count(said.begin(), said.end(), "--samples") == 1);
+  CHECK(std::count(said.begin(), said.end(), "-s") == 0);
   run_well("resume " + film("all.film") + " -q -s 40 -o " + film("a.pfm"));
   run_well(box_words("-s 40 -o " + film("b.pfm")));
   CHECK(read_text(folder.file("a.pfm")) == read_text(folder.file("b.pfm")));
+}
+
+TEST_CASE(
+    "a film goes on where it is, and keeps what there is of a picture, without a checkpoint of its own") {
+  const TemporaryFolder folder;
+  const auto film = [&](const std::string& name) { return quoted(folder.file(name)); };
+  run_well(box_words("-s 4 -o " + film("a.film")));
+  fs::rename(folder.file("a.film"), folder.file("b.film"));
+  run_well("resume " + film("b.film") + " -q -s 6");
+  CHECK_FALSE(fs::exists(folder.file("a.film")));
+  CHECK(samples_in(folder.file("b.film")) == 6);
+  run_well("resume " + film("b.film") + " -q -s 9 -o " + film("p.pfm"));
+  CHECK(samples_in(folder.file("b.film")) == 9);
+  run_well("resume " + film("b.film") + " -q -s 11 -o " + film("b.film"));
+  run_well("resume " + film("b.film") + " -q -s 12 --checkpoint=" + film("c.ck") + " -o " + film("p.pfm"));
+  CHECK(samples_in(folder.file("b.film")) == 11);
+  CHECK(samples_in(folder.file("c.ck")) == 12);
+  run_well(box_words("-s 12 -o " + film("q.pfm")));
+  CHECK(read_text(folder.file("p.pfm")) == read_text(folder.file("q.pfm")));
+}
+
+TEST_CASE("a sample of a film is replayed without a word of the options of its picture") {
+  const TemporaryFolder folder;
+  const auto film = [&](const std::string& name) { return quoted(folder.file(name)); };
+  run_well(box_words("-s 2 -t 1 --strict --checkpoint=" + film("a.ck") + " -o " + film("a.png")));
+  const ProcessResult replayed = run_program("resume " + film("a.ck") + " --replay 3 4 1");
+  CHECK(replayed.exit_code == 0);
+  CHECK(replayed.err.empty());
+  CHECK(replayed.out.find("Pixel 3 4, sample 1") != std::string::npos);
 }
 
 TEST_CASE("a list names more films than a command line has room for") {

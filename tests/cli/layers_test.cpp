@@ -16,6 +16,7 @@
 #include "tests/support/own_scenes.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace twinray::test {
 namespace {
@@ -153,6 +154,26 @@ TEST_CASE("an EXR is packed as asked for, but mattes never with a loss") {
   CHECK(compression("--exr-compression=dwab") == dwab);
   CHECK(message_of({"--layers=cryptomatte", "--exr-compression=dwab", "-o", "a.exr"}) ==
         "--exr-compression: dwab changes numbers, and with them the ids of cryptomatte; zip does not");
+  for (const char* layer : {"position", "normal", "geometric-normal", "variance"})
+    CHECK(message_of({std::string("--layers=") + layer, "--exr-compression=dwab", "-o", "a.exr"}) ==
+          fmt::format("--exr-compression: dwab changes numbers, and with them the layer {}; zip does not",
+                      layer));
+  CHECK(compression("--exr-compression=dwab --layers=albedo,depth,uv,ids,samples,alpha,light") == dwab);
+}
+
+TEST_CASE("a picture too bright for a packing with loss is packed without, and said to be") {
+  const TemporaryFolder folder;
+  write_exr(folder.file("sky.exr"), Image(2, 1, {70000, 1, 1}));
+  const auto render = [&](const std::string& name, const std::string& options) {
+    const ProcessResult done =
+        run_program(fmt::format("{} -r 8 6 -s 1 -q -e {} {} -o {}", TWINRAY_SOURCE_DIR "/scenes/blocks.obj",
+                                folder.file("sky.exr"), options, folder.file(name)));
+    CHECK(done.exit_code == 0);
+    return done.err;
+  };
+  CHECK(render("a.exr", "").empty());
+  CHECK(contains(render("b.exr", "--exr-compression=dwab"), "dwab holds radiance up to 65504"));
+  CHECK(read_image(folder.file("a.exr")).pixels == read_image(folder.file("b.exr")).pixels);
 }
 
 TEST_CASE("a part of the frame with layers is that part of the whole") {
