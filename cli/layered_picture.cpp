@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "io/picture/cryptomatte.h"
+#include "io/utf8.h"
 
 namespace twinray {
 namespace {
@@ -16,6 +17,17 @@ float* append(const Rgb& value, std::size_t count, float* to) {
   const float channels[] = {value.r, value.g, value.b};
   for (std::size_t i = 0; i < count; ++i) *to++ = channels[i];
   return to;
+}
+
+/// Names, one a line, in UTF-8 as other programs expect text of OpenEXR.
+std::string lines_of(const std::vector<std::string>& names) {
+  std::vector<std::string> lines;
+  for (const std::string& name : names) {
+    std::string& line = lines.emplace_back(as_utf8(name));
+    for (char& c : line)
+      if (c == '\n' || c == '\r') c = ' ';
+  }
+  return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
 bool is_matte(Layer layer) { return layer_info(layer).gathering == Gathering::coverage; }
@@ -135,8 +147,8 @@ ImageMetadata layer_metadata(const FilmContents& contents, const SceneNames& nam
   ImageMetadata metadata;
   for (const Layer layer : contents.layers) {
     if (layer == Layer::ids) {
-      metadata.emplace_back("twinray:object_id", fmt::format("{}", fmt::join(names.objects, "\n")));
-      metadata.emplace_back("twinray:material_id", fmt::format("{}", fmt::join(names.materials, "\n")));
+      metadata.emplace_back("twinray:object_id", lines_of(names.objects));
+      metadata.emplace_back("twinray:material_id", lines_of(names.materials));
     }
     if (!is_matte(layer)) continue;
     const auto& [kind, things] = matte_kind(layer, names);

@@ -59,11 +59,17 @@ bool is_denoised_alone(const StoredLayers& picture) {
   return has("noisy.") && !has("noisy_" + light_group_layer(""));
 }
 
+/// Whether it says something of layers, which most pictures have none of.
+bool is_of_layers(const std::string& name) {
+  return name.starts_with("cryptomatte/") || name == "twinray:object_id" || name == "twinray:material_id";
+}
+
 /// What a file says of its pixels, but for what it says of itself.
-ImageMetadata carried(const ImageMetadata& stored, const Words& words) {
+ImageMetadata carried(const ImageMetadata& stored, const Words& words, bool has_layers) {
   ImageMetadata metadata;
   for (const auto& [name, value] : stored)
-    if (!name.starts_with("oiio:") && !name.starts_with("openexr:") && name != "compression")
+    if (!name.starts_with("oiio:") && !name.starts_with("openexr:") && name != "compression" &&
+        (has_layers || !is_of_layers(name)))
       metadata.emplace_back(name, value);
   metadata.emplace_back("twinray:relit", "twinray relight " + shell_text(words));
   return metadata;
@@ -77,8 +83,9 @@ LayeredImage layered(const StoredLayers& stored) {
 }
 
 void write(const StoredLayers& picture, const RelightArguments& arguments, const Words& words) {
-  const ImageMetadata metadata = carried(picture.metadata, words);
-  if (output_format(arguments.output) == OutputFormat::exr)
+  const bool has_layers = output_format(arguments.output) == OutputFormat::exr;
+  const ImageMetadata metadata = carried(picture.metadata, words, has_layers);
+  if (has_layers)
     write_exr(arguments.output, layered(picture), metadata, picture.frame);
   else
     write_image(arguments.output, colors_of(picture), metadata, picture.frame);

@@ -62,10 +62,22 @@ Rgb factor_of(const std::string& group, std::span<const LightChange> changes) {
   return factor;
 }
 
+/// Throws Error where a group has not all three channels: its light would be left out.
+void check_whole(const StoredLayers& picture, const std::string& path) {
+  const std::string prefix = light_group_layer("");
+  for (const auto& [name, is_half] : picture.channels) {
+    const std::string layer = name.substr(0, name.rfind('.'));
+    if (!name.starts_with(prefix) || color_place(picture, layer)) continue;
+    throw Error(fmt::format("{}: the light group \"{}\" lacks one of its channels R, G and B", path,
+                            layer.substr(prefix.size())));
+  }
+}
+
 void check(const StoredLayers& picture, std::span<const LightChange> changes, const std::string& path) {
   const std::vector<std::string> groups = light_groups_of(picture);
   if (groups.empty() || !color_place(picture, ""))
     throw Error(path + ": it has no light groups; a render with --layers=light-groups writes them");
+  check_whole(picture, path);
   for (const LightChange& change : changes)
     if (std::find(groups.begin(), groups.end(), change.group) == groups.end())
       throw Error(fmt::format("{}: it has no light group \"{}\"; there are {}", path, change.group,

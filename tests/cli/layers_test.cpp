@@ -161,6 +161,16 @@ TEST_CASE("an EXR is packed as asked for, but mattes never with a loss") {
   CHECK(compression("--exr-compression=dwab --layers=albedo,depth,uv,ids,samples,alpha,light") == dwab);
 }
 
+TEST_CASE("names of ids are UTF-8, one a line, whatever bytes they have in the scene") {
+  const FilmContents contents{{Layer::ids}, {0, 0}};
+  SceneNames names;
+  names.objects = {"w\xfcrfel", "a\nb\r\nc", "\xc3\xa4"};
+  names.materials = {"plain"};
+  const auto stored = layer_metadata(contents, names);
+  CHECK(value_of(stored, "twinray:object_id") == "w\xc3\xbcrfel\na b  c\n\xc3\xa4");
+  CHECK(value_of(stored, "twinray:material_id") == "plain");
+}
+
 TEST_CASE("a picture too bright for a packing with loss is packed without, and said to be") {
   const TemporaryFolder folder;
   write_exr(folder.file("sky.exr"), Image(2, 1, {70000, 1, 1}));

@@ -152,6 +152,15 @@ TEST_CASE("lights are mixed anew: the colours are the sum of the groups, each ti
   CHECK(picture.values[std::size_t(depth - picture.channels.begin())] == 7);
 }
 
+TEST_CASE("a light group that lacks a channel is not left out in silence") {
+  const TemporaryFolder folder;
+  StoredLayers picture = read_layers(two_groups(folder));
+  for (PictureChannel& channel : picture.channels)
+    if (channel.name == "light_key.G") channel.name = "light_key.Q";
+  CHECK_THROWS_WITH(relight(picture, {}, "two.exr"),
+                    "two.exr: the light group \"key\" lacks one of its channels R, G and B");
+}
+
 TEST_CASE("relight says where a picture is denoised and its groups are not") {
   const TemporaryFolder folder;
   const std::string picture = quoted(folder.file("a.exr")), again = folder.file("b.exr");
@@ -212,6 +221,11 @@ TEST_CASE("a render's light groups, mixed as they are, are the render") {
   REQUIRE(run_program(fmt::format("relight {} -o {}", picture, again)).exit_code == 0);
   CHECK(read_image(again).pixels == read_image(picture).pixels);
   CHECK(light_groups_of(read_layers(again)).size() > 1);
+  const std::string png = folder.file("again.png");
+  REQUIRE(run_program(fmt::format("relight {} -o {}", picture, png)).exit_code == 0);
+  CHECK(contains(read_text(again), "cryptomatte/"));
+  CHECK_FALSE(contains(read_text(png), "cryptomatte/"));
+  CHECK_FALSE(contains(read_text(png), "object_id"));
 }
 
 }  // namespace twinray::test

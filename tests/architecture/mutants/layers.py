@@ -9,6 +9,15 @@ WAVE_BITS = "waves of paths have the bits and the rays of paths one after the ot
 TOGETHER = "samples that are added together give what they give one by one, however large they are"
 
 MUTANTS = [
+    Mutant("a group that lacks a channel is left out", "cli/relight/relight.cpp",
+           "  check_whole(picture, path);", "", "test_cli",
+           "a light group that lacks a channel is not left out in silence"),
+    Mutant("light beyond halves is packed as it fits", "cli/render_outputs.cpp",
+           "!fits_dwab(image)", "false", "test_cli",
+           "a picture too bright for a packing with loss is packed without, and said to be"),
+    Mutant("only colors are named like a color's channels", "io/picture/layered_image.cpp",
+           '"R", "G", "B", "Y", "RY", "BY"', '"R", "G", "B", "YY", "RY", "BY"', "test_cli",
+           "an EXR is packed as asked for, but mattes never with a loss"),
     Mutant("a sum of a layer forgets what 64 bits cannot hold", "core/exact_sums.cpp",
            "  if (rest != 0) carries_.add(place, std::int64_t(rest >> 64));\n", "",
            "test_core", "sums hold every unit, however large they become"),
