@@ -95,6 +95,7 @@ std::string output_of(const PlanArguments& arguments, const Words& words) {
                     "has none",
                     output));
   check_image_name(output);  // The last job alone would find out.
+  if (output == "-") throw UsageError("--output=-: the last job of a plan writes its picture to a file");
   return output;
 }
 
@@ -224,13 +225,17 @@ void write(const FarmPlan& plan) {
   made.keep();
 }
 
+std::string time_of_part(double seconds) {
+  return seconds < 60 ? fmt::format("{:.1f} seconds", seconds) : fmt::format("{:.1f} minutes", seconds / 60);
+}
+
 void say(const FarmPlan& plan, const std::optional<double>& seconds) {
   const std::string folder = shell_text({plan.folder});
   console::print("Plan           {} {} in {} {}{}\n", plan.units, plan.is_by_tiles ? "tiles" : "samples",
                  plan.parts, plan.parts == 1 ? "part" : "parts",
                  plan.frames ? fmt::format(", for each of {} frames", plan.frame_count()) : "");
   if (seconds)
-    console::print("A part         {:.1f} minutes on a machine as this one\n", *seconds / plan.parts / 60);
+    console::print("A part         {} on a machine as this one\n", time_of_part(*seconds / plan.parts));
   console::print("Here           parallel -j1 < {0}/commands.txt && {0}/merge-parts\n", folder);
   console::print("Slurm          {}/slurm/submit --time=60\n", folder);
   console::print("OpenJD         openjd run {}/openjd/template.json\n", folder);

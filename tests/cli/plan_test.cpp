@@ -256,6 +256,20 @@ TEST_CASE("a part's minutes say how many parts there are") {
   const std::string list = read_text(folder.file("p/commands.txt"));
   CHECK(std::count(list.begin(), list.end(), '\n') > 10);
   CHECK(planned.out.find("A part         ") != std::string::npos);
+  const ProcessResult small =
+      plan_in(folder, quoted(box_scene) + " -s 1000000 --folder=q --part-minutes=0.05 -o a.pfm");
+  const std::size_t begin = small.out.find("A part         ");
+  REQUIRE(begin != std::string::npos);
+  CHECK(small.out.substr(begin, small.out.find('\n', begin) - begin).find(" seconds on a machine") !=
+        std::string::npos);
+}
+
+TEST_CASE("a plan's picture is a file, for its last job writes it") {
+  const TemporaryFolder folder;
+  const ProcessResult refused = plan_in(folder, quoted(box_scene) + " -s 4 --folder=p --jobs=2 -o -");
+  CHECK(refused.exit_code == 2);
+  CHECK(refused.err.find("--output=-: the last job of a plan writes its picture to a file") !=
+        std::string::npos);
 }
 
 TEST_CASE("a place for a frame's number is that of printf") {

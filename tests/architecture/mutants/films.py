@@ -8,6 +8,10 @@ FEWER = "a render with more samples in a single pixel than are wanted does not g
 COLUMNS = "a film comes back from the columns of its bands with every layer and sum"
 PARTS = "films that are no parts of one render are refused by name"
 REFUSED = "what is no part or frame of a plan is refused, and the others are merged where one is missing"
+MOVED = (
+    "a film goes on where it is, and keeps what there is of a picture, without a checkpoint "
+    "of its own"
+)
 COPY = "a copy of a checkpoint goes on where it is, and by the words that were last said"
 ASKED = "where SIGUSR1's picture cannot be written, or is a film of a checkpoint, the render goes on"
 OTHERS = "a checkpoint of another scene, option or file does not go on"
@@ -142,11 +146,9 @@ MUTANTS = [
     Mutant("a copy of a checkpoint goes on in the other one's place", "cli/film/resume_command.cpp",
            "is_kept_in(checkpoint, file)) return", "!checkpoint.empty()) return", "test_cli", COPY),
     Mutant("a moved film goes on in its old place", "cli/film/resume_command.cpp",
-           "return is_here ? of_film", "return true ? of_film", "test_cli",
-           "a film goes on where it is, and keeps what there is of a picture, without a checkpoint of its own"),
+           "return is_here ? of_film", "return true ? of_film", "test_cli", MOVED),
     Mutant("what there is of a picture is kept nowhere", "cli/film/resume_command.cpp",
-           'return with_option(of_film, {"--checkpoint"}, file);', "return of_film;", "test_cli",
-           "a film goes on where it is, and keeps what there is of a picture, without a checkpoint of its own"),
+           'return with_option(of_film, {"--checkpoint"}, file);', "return of_film;", "test_cli", MOVED),
     Mutant("a part of two films is refused for what is in others", "cli/film/merge_command.cpp",
            "asked.allow_gaps || is_film_name(asked.output)", "asked.allow_gaps", "test_cli",
            "films merge in steps, and a merged film takes more samples"),
