@@ -12,6 +12,7 @@
 
 #include "core/aabb.h"
 #include "core/acceptance.h"
+#include "core/coordinate_set.h"
 #include "core/coordinates.h"
 #include "core/facet.h"
 #include "core/hit.h"
@@ -36,6 +37,18 @@ struct Mesh {
   std::vector<Triangle> second_uv_indices;
   bool is_opaque = true;  ///< Every hit counts; else Geometry::accepts() is asked.
 };
+
+/// A set of a mesh's texture coordinates: both are empty where it has none.
+struct UvSet {
+  const std::vector<Vec2>& uvs;
+  const std::vector<Triangle>& indices;
+};
+/// The second of a mesh of one set is its first.
+inline UvSet uv_set(const Mesh& mesh, CoordinateSet set) {
+  if (set == CoordinateSet::second && !mesh.second_uvs.empty())
+    return {mesh.second_uvs, mesh.second_uv_indices};
+  return {mesh.uvs, mesh.uv_indices};
+}
 
 struct Sphere {
   Vec3 center;

@@ -27,10 +27,9 @@ float own_texture_density(const Geometry& geometry, const Hit& hit, CoordinateSe
   const auto& [a, b, c] = mesh->triangles[hit.primitive];
   const Vec3& corner = mesh->positions[a];
   const float area = length(cross(mesh->positions[b] - corner, mesh->positions[c] - corner));
-  const bool is_second = set == CoordinateSet::second && !mesh->second_uvs.empty();
-  const std::vector<Vec2>& uvs = is_second ? mesh->second_uvs : mesh->uvs;
+  const auto& [uvs, indices] = uv_set(*mesh, set);
   if (uvs.empty()) return 1 / std::sqrt(area);
-  const auto& [i, j, k] = (is_second ? mesh->second_uv_indices : mesh->uv_indices)[hit.primitive];
+  const auto& [i, j, k] = indices[hit.primitive];
   const Vec2 s = uvs[j] - uvs[i], t = uvs[k] - uvs[i];
   return std::sqrt(std::fabs(s.x * t.y - s.y * t.x) / area);
 }

@@ -41,18 +41,11 @@ Vec3 shading_normal(const Mesh& mesh, const Hit& hit, const Transform* to_world,
   return n / std::sqrt(squared);
 }
 
-Vec2 mixed(const std::vector<Vec2>& uvs, const Triangle& corners, float u, float v) {
-  const auto& [a, b, c] = corners;
+Vec2 texture_coordinates(const Mesh& mesh, std::uint32_t triangle, float u, float v, CoordinateSet set) {
+  const auto& [uvs, indices] = uv_set(mesh, set);
+  if (uvs.empty()) return {u, v};
+  const auto& [a, b, c] = indices[triangle];
   return uvs[a] * (1 - u - v) + uvs[b] * u + uvs[c] * v;
-}
-
-Vec2 texture_coordinates(const Mesh& mesh, std::uint32_t triangle, float u, float v) {
-  return mesh.uvs.empty() ? Vec2{u, v} : mixed(mesh.uvs, mesh.uv_indices[triangle], u, v);
-}
-
-Vec2 second_texture_coordinates(const Mesh& mesh, std::uint32_t triangle, float u, float v) {
-  return mesh.second_uvs.empty() ? texture_coordinates(mesh, triangle, u, v)
-                                 : mixed(mesh.second_uvs, mesh.second_uv_indices[triangle], u, v);
 }
 
 }  // namespace
@@ -89,9 +82,11 @@ namespace {
 
 SurfacePoint mesh_point(const Geometry& geometry, const Mesh& mesh, const Hit& hit) {
   SurfacePoint point = triangle_point(geometry, hit.mesh, hit.primitive, hit.u, hit.v);
-  point.uv = point.second_uv = texture_coordinates(mesh, hit.primitive, hit.u, hit.v);
-  if (!mesh.second_uvs.empty())
-    point.second_uv = second_texture_coordinates(mesh, hit.primitive, hit.u, hit.v);
+  const auto uv = [&](CoordinateSet set) {
+    return texture_coordinates(mesh, hit.primitive, hit.u, hit.v, set);
+  };
+  point.uv = uv(CoordinateSet::first);
+  point.second_uv = mesh.second_uvs.empty() ? point.uv : uv(CoordinateSet::second);
   return point;
 }
 
@@ -134,9 +129,7 @@ SurfacePoint surface_at(const Geometry& geometry, const Hit& hit) {
 
 Vec2 texture_coordinates(const Geometry& geometry, const Hit& hit, CoordinateSet set) {
   const Mesh* mesh = geometry.mesh(hit.mesh);
-  if (!mesh) return {hit.u, hit.v};
-  return set == CoordinateSet::first ? texture_coordinates(*mesh, hit.primitive, hit.u, hit.v)
-                                     : second_texture_coordinates(*mesh, hit.primitive, hit.u, hit.v);
+  return mesh ? texture_coordinates(*mesh, hit.primitive, hit.u, hit.v, set) : Vec2{hit.u, hit.v};
 }
 
 Vec3 mixed_normal(const Geometry& geometry, const Hit& hit) {

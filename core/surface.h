@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The step after a query: what the small Hit means.
 #pragma once
-#include "core/coordinate_set.h"
 #include "core/geometry.h"
 #include "core/hit.h"
 #include "core/vec.h"

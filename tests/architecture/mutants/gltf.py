@@ -245,6 +245,6 @@ MUTANTS = [
            "&mesh.uv_indices, &mesh.second_uv_indices}) {", "&mesh.uv_indices}) {", "test_io",
            "gltf: parts of a mesh whose coordinates are mirrored keep the colors of their vertices"),
     Mutant("the footprint of second coordinates is that of the first", "core/ray_cone.cpp",
-           "set == CoordinateSet::second && !mesh->second_uvs.empty()", "false", "test_core",
+           "uv_set(*mesh, set)", "uv_set(*mesh, CoordinateSet::first)", "test_core",
            "a footprint by second texture coordinates is theirs, and that of the first where there are none"),
 ]
