@@ -265,8 +265,8 @@ void ObjMaterials::add_relief(const tinyobj::material_t& from, Material& to) {
     ImageTexture map = placed(loaded.image, how);
     map.filter = TextureFilter::bilinear;
     textures.push_back({name, map});
-    to.normal_map = add_leaning(textures, std::uint32_t(textures.size() - 1), how.bump_multiplier,
-                                how.bump_multiplier);
+    to.normal_map =
+        add_leaning(textures, std::uint32_t(textures.size() - 1), how.bump_multiplier, how.bump_multiplier);
   };
   if (!from.normal_texname.empty()) return add_normals(from.normal_texname, from.normal_texopt);
   if (from.bump_texname.empty()) return;
