@@ -198,7 +198,7 @@ void add_uvs(Scene& scene) {
       mesh->uv_indices = mesh->triangles;
       mesh->uvs.resize(mesh->positions.size());
       for (Vec2& uv : mesh->uvs) uv = {random.unit(), random.unit()};
-      if (i % 4 == 0) continue;
+      if (i % 8 == 0) continue;
       mesh->second_uv_indices = mesh->triangles;
       mesh->second_uvs.resize(mesh->positions.size());
       for (Vec2& uv : mesh->second_uvs) uv = {random.unit(), 3 * random.unit()};
@@ -220,7 +220,7 @@ Scene textured(Scene scene, TextureFilter filter) {
   for (Material& material : scene.materials)
     for (int i = 0; i < material_inputs; ++i)
       if (const auto input = MaterialInput(i); has_input(material.model, input))
-        material.textures.push_back({input, std::uint32_t(i) % 3 + 1});
+        material.textures.push_back({input, (std::uint32_t(i) + 2) % 3 + 1});
   for (Light& light : scene.lights)
     if (auto* const mesh = std::get_if<MeshLight>(&light.source)) mesh->picture = random_square();
   check_scene(scene);
