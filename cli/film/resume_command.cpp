@@ -40,8 +40,6 @@ bool is_kept_in(const std::string& checkpoint, const std::string& file) {
   return is_same_place(checkpoint, file) || is_same_place(earlier_film_name(checkpoint), file);
 }
 
-const std::vector<std::string> output_options{"--output", "-o", "-f"};
-
 /// Options that may be given several times. Where they stand behind a film's name they replace all of its
 /// own.
 const std::vector<std::string> repeated_options{"--light-group"};

@@ -193,6 +193,9 @@ std::map<std::string, Words> given_words(const CLI::App& app);
 /// The long names of those whose word is their default.
 Words given_defaults(const CLI::App& app);
 
+/// The names of the option that says where a picture goes.
+inline const std::vector<std::string> output_options{"--output", "-o", "-f"};
+
 /// The words but for these options, of one word each, in any of their forms: "--of=8", "--of 8", "-o a",
 /// "-oa".
 Words without_options(const Words& words, const std::vector<std::string>& names);

@@ -30,7 +30,6 @@ constexpr Range<int> frame_numbers{0, 999999};
 /// So long the machine is tried.
 constexpr double pilot_seconds = 3;
 const std::vector<std::string> plan_options{"--folder", "--jobs", "--part-minutes", "--frames"};
-const std::vector<std::string> output_options{"--output", "-o", "-f"};
 
 constexpr const char* writes_one_file =
     "all parts would write the same file; their films have samples, rays and seconds";

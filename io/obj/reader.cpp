@@ -96,7 +96,7 @@ class MaterialFiles : public tinyobj::MaterialReader {
   void add(const std::string& file, std::vector<tinyobj::material_t>& materials,
            std::map<std::string, int>& numbers) {
     try {
-      const std::string text = material_text(file, without_mark(read_(file)), warnings_);
+      const std::string text = material_text(file, std::string(without_mark(read_(file))), warnings_);
       TextBuffer buffer(text);
       std::istream stream(&buffer);
       std::string warning, error;
@@ -336,7 +336,7 @@ class Reader {
 }  // namespace
 
 ObjModel read_obj(const std::string& path, const ReadFile& read, WarningList& warnings) {
-  const std::string text = without_mark(read(path));
+  const std::string text(without_mark(read(path)));
   if (text.starts_with("\xfe\xff") || text.starts_with("\xff\xfe"))
     throw Error(path + ": the file is UTF-16; OBJ files are ASCII or UTF-8");
   if (!has_continued_lines(text)) return Reader(path, text, text, read, warnings).read();

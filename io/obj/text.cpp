@@ -31,9 +31,9 @@ float value_of(const Decimal<float>& number) {
 
 }  // namespace
 
-std::string without_mark(std::string text) {
-  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-  return text;
+std::string_view without_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  return text.substr(text.starts_with(mark) ? mark.size() : 0);
 }
 
 bool has_continued_lines(std::string_view text) { return find_continuation(text, 0) != text.npos; }

@@ -9,7 +9,7 @@
 namespace twinray {
 
 /// The text without the mark that it is UTF-8, if it begins with that.
-std::string without_mark(std::string text);
+std::string_view without_mark(std::string_view text);
 
 /// Whether a line goes on behind a backslash at its end; a comment does not.
 bool has_continued_lines(std::string_view text);

@@ -11,14 +11,13 @@
 
 #include "core/geometry.h"
 #include "io/lower_case.h"
+#include "io/obj/text.h"
 #include "io/stl/ascii.h"
 
 namespace twinray {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "a file's numbers are copied as they are");
-
-constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
 
 /// A binary file: a title, the count of triangles, and of each its normal, its vertices and two bytes more.
 constexpr std::size_t title_bytes = 80, head_bytes = title_bytes + 4, triangle_bytes = 50, normal_bytes = 12;
@@ -58,7 +57,7 @@ void read_binary(std::string_view bytes, const std::string& path, ObjModel& mode
     std::memcpy(&mark, at + normal_bytes + sizeof corners, sizeof mark);
     marked += mark != 0;
     for (const Vec3& corner : corners) {
-      if (!(max_abs(corner) <= max_coordinate))
+      if (!is_finite(corner) || max_abs(corner) > max_coordinate)
         throw Error(fmt::format("{}: a coordinate of triangle {} lies beyond +-{:g}, or is no number", path,
                                 i + 1, max_coordinate));
       faces.corners.push_back({std::uint32_t(model.positions.size())});
@@ -78,7 +77,7 @@ ObjModel read_stl(std::string_view bytes, const std::string& path, WarningList& 
   if (bytes.empty()) throw Error(path + ": the file is empty");
   ObjModel model;
   model.name = std::filesystem::path(path).stem().string();
-  const std::string_view text = bytes.substr(bytes.starts_with(utf8_mark) ? utf8_mark.size() : 0);
+  const std::string_view text = without_mark(bytes);
   if (looks_like_text(text))
     read_ascii_stl(text, path, warnings, model);
   else

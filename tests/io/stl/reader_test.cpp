@@ -124,12 +124,13 @@ TEST_CASE("what is wrong with an STL file is an error that says where") {
   CHECK(in_solid(facet("0 1 nan")).starts_with("a.stl:6:14: a coordinate that is no number: \"nan\"\n"));
   CHECK(in_solid(facet("0 1e13 0")).starts_with("a.stl:6:12: a coordinate lies beyond +-1e+12\n"));
   CHECK(in_solid(facet("0 1e999 0")).starts_with("a.stl:6:12: a coordinate lies beyond +-1e+12\n"));
-  std::string bytes = binary(2);
   const float too_large = 2e12f;
-  for (const float value : {too_large, std::numeric_limits<float>::quiet_NaN()}) {
-    std::memcpy(bytes.data() + 84 + 50 + 12, &value, 4);
-    CHECK(error_of(bytes) == "a.stl: a coordinate of triangle 2 lies beyond +-1e+12, or is no number");
-  }
+  for (const float value : {too_large, std::numeric_limits<float>::quiet_NaN()})
+    for (const std::size_t coordinate : {0u, 1u, 2u, 8u}) {
+      std::string bytes = binary(2);
+      std::memcpy(bytes.data() + 84 + 50 + 12 + 4 * coordinate, &value, 4);
+      CHECK(error_of(bytes) == "a.stl: a coordinate of triangle 2 lies beyond +-1e+12, or is no number");
+    }
   const std::string flat = facet("0 1 0"),
                     cut = flat.substr(0, flat.find("  vertex 1")) + " endloop endfacet\n";
   CHECK(read("solid a\n" + flat + cut + "endsolid").model.small_faces == 1);
