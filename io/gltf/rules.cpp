@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/rules.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <vector>
+
+#include "io/diagnostic.h"
 
 namespace twinray {
 namespace {
@@ -231,26 +236,49 @@ constexpr GltfRule rules[] = {
     texture("KHR_materials_iridescence", "iridescenceThicknessTexture"),
 };
 
-/// Extensions without properties that are read, too.
-constexpr std::array<std::string_view, 19> read_extensions{"EXT_mesh_gpu_instancing",
-                                                           "EXT_meshopt_compression",
-                                                           "EXT_texture_webp",
-                                                           "KHR_draco_mesh_compression",
-                                                           "KHR_lights_punctual",
-                                                           "KHR_materials_anisotropy",
-                                                           "KHR_materials_clearcoat",
-                                                           "KHR_materials_emissive_strength",
-                                                           "KHR_materials_iridescence",
-                                                           "KHR_materials_ior",
-                                                           "KHR_materials_pbrSpecularGlossiness",
-                                                           "KHR_materials_sheen",
-                                                           "KHR_materials_specular",
-                                                           "KHR_materials_transmission",
-                                                           "KHR_materials_unlit",
-                                                           "KHR_materials_volume",
-                                                           "KHR_mesh_quantization",
-                                                           "KHR_node_visibility",
-                                                           "KHR_texture_transform"};
+struct ReadExtension {
+  std::string_view name, owners;  ///< Kinds of objects between spaces; "file" is the file as a whole.
+  std::string_view belongs_to = "a material";
+};
+
+constexpr std::string_view file_or_node = "the file as a whole, and to a node";
+/// Extensions without properties that are read, too; of one without an object the owners are "".
+constexpr ReadExtension read_extensions[] = {
+    {"EXT_mesh_gpu_instancing", "node", "a node"},
+    {"EXT_meshopt_compression", "bufferView buffer", "a buffer view, and to a buffer"},
+    {"EXT_texture_webp", "texture", "a texture"},
+    {"KHR_draco_mesh_compression", "primitive", "a primitive of a mesh"},
+    {"KHR_lights_punctual", "file node", file_or_node},
+    {"KHR_materials_anisotropy", "material"},
+    {"KHR_materials_clearcoat", "material"},
+    {"KHR_materials_emissive_strength", "material"},
+    {"KHR_materials_iridescence", "material"},
+    {"KHR_materials_ior", "material"},
+    {"KHR_materials_pbrSpecularGlossiness", "material"},
+    {"KHR_materials_sheen", "material"},
+    {"KHR_materials_specular", "material"},
+    {"KHR_materials_transmission", "material"},
+    {"KHR_materials_unlit", "material"},
+    {"KHR_materials_volume", "material"},
+    {"KHR_mesh_quantization", "", "\"extensionsUsed\" alone"},
+    {"KHR_node_visibility", "node", "a node"},
+    {"KHR_texture_transform", "textureInfo", "what names a texture, such as \"baseColorTexture\""}};
+
+const ReadExtension* find_extension(std::string_view name) {
+  const auto found = std::find_if(std::begin(read_extensions), std::end(read_extensions),
+                                  [&](const ReadExtension& each) { return each.name == name; });
+  return found == std::end(read_extensions) ? nullptr : &*found;
+}
+
+/// Whether what follows the beginning that two names share is alike, too, and so are their vendors.
+bool are_alike(std::string_view name, std::string_view other) {
+  const std::string_view vendors[] = {other.substr(0, other.find('_'))};
+  if (nearest_name(name.substr(0, name.find('_')), vendors).empty()) return false;
+  const auto end = std::mismatch(name.begin(), name.end(), other.begin(), other.end()).first;
+  const auto common = std::size_t(std::max<std::ptrdiff_t>(end - name.begin() - 1, 0));
+  const std::string_view ends[] = {other.substr(common)};
+  return !nearest_name(name.substr(common), ends).empty();
+}
 
 constexpr std::array<std::string_view, 5> silent_extensions{"KHR_xmp", "KHR_xmp_json_ld", "MSFT_lod",
                                                             "EXT_mesh_manifold", "KHR_materials_variants"};
@@ -259,9 +287,22 @@ constexpr std::array<std::string_view, 5> silent_extensions{"KHR_xmp", "KHR_xmp_
 
 std::span<const GltfRule> gltf_rules() { return rules; }
 
-bool is_read_extension(std::string_view name) {
-  return !name.empty() &&
-         std::find(read_extensions.begin(), read_extensions.end(), name) != read_extensions.end();
+bool is_read_extension(std::string_view name) { return find_extension(name) != nullptr; }
+
+bool may_have_extension(std::string_view object, std::string_view name) {
+  const ReadExtension* const extension = find_extension(name);
+  if (!extension) return false;
+  const std::string_view kind = object.empty() ? "file" : object;
+  return fmt::format(" {} ", extension->owners).find(fmt::format(" {} ", kind)) != std::string::npos;
+}
+
+std::string_view owner_of_extension(std::string_view name) { return find_extension(name)->belongs_to; }
+
+std::string nearest_extension(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const ReadExtension& each : read_extensions) names.push_back(each.name);
+  const std::string nearest = nearest_name(name, names);
+  return !nearest.empty() && are_alike(name, nearest) ? nearest : "";
 }
 
 bool is_silent_extension(std::string_view name) {

@@ -3,6 +3,7 @@
 // Specification", 2.0.1, chapter 5, and the extensions' own pages).
 #pragma once
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace twinray {
@@ -38,6 +39,12 @@ std::span<const GltfRule> gltf_rules();
 
 /// Whether an extension is read, wherever it stands.
 bool is_read_extension(std::string_view name);
+/// Whether an extension that is read means something on an object of a kind of the rules.
+bool may_have_extension(std::string_view object, std::string_view name);
+/// What an extension that is read belongs to: "a material".
+std::string_view owner_of_extension(std::string_view name);
+/// The extension that is read whose name is nearest, as nearest_name says; "" where none is near.
+std::string nearest_extension(std::string_view name);
 /// Whether an extension says nothing of a picture, so that nobody misses it.
 bool is_silent_extension(std::string_view name);
 

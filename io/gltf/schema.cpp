@@ -8,36 +8,15 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "io/gltf/attributes.h"
 #include "io/gltf/context.h"
 #include "io/gltf/rules.h"
+#include "io/gltf/text.h"
 
 namespace twinray {
 namespace {
 
 using Json = nlohmann::json;
-
-/// What a file may nest; the format itself needs less than ten levels, what tools add may have more.
-constexpr int most_depth = 100;
-
-/// Throws Error where brackets nest too deeply for readers that call themselves.
-void check_depth(const std::string& text, const GltfContext& context) {
-  int depth = 0;
-  bool is_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (is_string && c == '\\')
-      ++i;
-    else if (c == '"')
-      is_string = !is_string;
-    else if (!is_string && (c == '{' || c == '['))
-      ++depth;
-    else if (!is_string && (c == '}' || c == ']'))
-      --depth;
-    if (depth > most_depth)
-      throw error_at(place_of(context.file, text, i),
-                     fmt::format("objects and arrays nest deeper than {} levels", most_depth));
-  }
-}
 
 Json parse(const std::string& text, const GltfContext& context) {
   check_depth(text, context);
@@ -47,7 +26,8 @@ Json parse(const std::string& text, const GltfContext& context) {
     throw error_at(place_of(context.file, text, error.byte > 0 ? error.byte - 1 : 0),
                    "the text is not JSON here, or ends too early");
   } catch (const Json::exception&) {
-    throw error_at({context.file}, "the JSON text holds a number that is too large");
+    throw error_at(place_of(context.file, text, too_large_number(text)),
+                   "the JSON text holds a number that is too large");
   }
 }
 
@@ -127,10 +107,11 @@ class Checker {
         const std::string name = root_[list][i];
         const std::string pointer = fmt::format("/{}/{}", list, i);
         if (is_read_extension(name) || is_silent_extension(name)) continue;
-        const std::string message = fmt::format("the extension {} is not rendered", name);
         if (list == std::string_view("extensionsRequired"))
-          context_.fail(pointer, message + ", and the file cannot be shown without it");
-        context_.warn(pointer, message);
+          context_.fail(pointer, fmt::format("the extension {} is not rendered, and the file cannot be shown "
+                                             "without it",
+                                             name));
+        context_.warn(pointer, unread(name));
       }
     }
   }
@@ -153,7 +134,9 @@ class Checker {
     if (object.contains("name") && !object["name"].is_string())
       fail_of(object["name"], pointer + "/name", "text");
     if (kind == "camera") check_lens(object, pointer);
+    if (kind == "mesh") check_targets(object, pointer);
     if (kind == "node") check_one_transform(object, pointer);
+    if (kind == "node") check_weights_of_node(object, pointer);
     if (kind == "light") complete_spot(object, pointer);
     if (object.contains("extensions")) check_extensions_of(object["extensions"], kind, pointer);
     if (has_rule) warn_of_unknown(object, known, pointer);
@@ -194,11 +177,40 @@ class Checker {
   void check_extensions_of(Json& extensions, std::string_view kind, const std::string& pointer) {
     const std::string place = pointer + "/extensions";
     if (!extensions.is_object()) fail_of(extensions, place, "an object");
+    std::vector<std::string> misplaced;
     for (auto& [name, value] : extensions.items()) {
-      if (!is_read_extension(name)) continue;
-      if (!value.is_object()) fail_of(value, place + "/" + name, "an object");
-      check_object(value, rules_of(kind, name), place + "/" + name);
+      const std::string own = place + "/" + escaped(name);
+      if (!is_read_extension(name)) {
+        warn_of_undeclared(name, own);
+      } else if (!may_have_extension(kind, name)) {
+        context_.warn(own,
+                      fmt::format("{} has no effect here: it belongs to {}", name, owner_of_extension(name)));
+        misplaced.push_back(name);
+      } else {
+        if (!value.is_object()) fail_of(value, own, "an object");
+        check_object(value, rules_of(kind, name), own);
+      }
     }
+    for (const std::string& name : misplaced) extensions.erase(name);  // Its values were not checked.
+  }
+
+  bool is_declared(const std::string& name) const {
+    for (const char* list : {"extensionsUsed", "extensionsRequired"})
+      if (root_.contains(list) && root_[list].is_array() &&
+          std::find(root_[list].begin(), root_[list].end(), name) != root_[list].end())
+        return true;
+    return false;
+  }
+
+  /// Those that are declared are told of there.
+  void warn_of_undeclared(const std::string& name, const std::string& pointer) {
+    if (!is_declared(name) && !is_silent_extension(name)) context_.warn(pointer, unread(name));
+  }
+
+  static std::string unread(const std::string& name) {
+    const std::string nearest = nearest_extension(name);
+    return nearest.empty() ? fmt::format("the extension {} is not rendered", name)
+                           : fmt::format("the extension {} is not rendered; did you mean {}?", name, nearest);
   }
 
   [[noreturn]] void fail_of(const Json& value, const std::string& pointer, const std::string& valid) const {
@@ -234,9 +246,7 @@ class Checker {
         return check_object(value, rule.of, pointer);
       case GltfKind::accessors:
         if (!value.is_object()) fail_of(value, pointer, "an object");
-        for (auto& [name, each] : value.items())
-          check_index(each, "accessors", pointer + "/" + escaped(name));
-        return;
+        return check_attributes(value, rule.object, pointer);
       default:
         return check_array(value, rule, pointer);
     }
@@ -267,7 +277,51 @@ class Checker {
 
   void check_element(Json& object, std::string_view kind, const std::string& pointer) {
     if (kind != "target") return check_object(object, kind, pointer);
-    for (auto& [name, each] : object.items()) check_index(each, "accessors", pointer + "/" + escaped(name));
+    check_attributes(object, kind, pointer);
+  }
+
+  void check_attributes(Json& attributes, std::string_view kind, const std::string& pointer) {
+    for (auto& [name, each] : attributes.items()) {
+      const std::string place = pointer + "/" + escaped(name);
+      check_index(each, "accessors", place);
+      if (const std::string fault = fault_of_attribute(kind, name); !fault.empty())
+        context_.warn(place, fault);
+      for (const std::string& other : needed_beside(name))
+        if (!attributes.contains(other))
+          context_.fail(place, fmt::format("{} is here, and {}, which it needs, is not", name, other));
+    }
+  }
+
+  static std::size_t targets_of(const Json& primitive) {
+    return primitive.contains("targets") ? primitive["targets"].size() : 0;
+  }
+
+  void check_targets(const Json& mesh, const std::string& pointer) const {
+    const Json& primitives = mesh["primitives"];
+    const std::size_t targets = targets_of(primitives[0]);
+    for (std::size_t i = 0; i < primitives.size(); ++i)
+      if (targets_of(primitives[i]) != targets)
+        context_.fail(fmt::format("{}/primitives/{}", pointer, i),
+                      fmt::format("{} morph targets, and primitive 0 has {}; all of a mesh must have as many",
+                                  targets_of(primitives[i]), targets));
+    check_weights(mesh, targets, pointer);
+  }
+
+  /// An empty list is none.
+  void check_weights(const Json& object, std::size_t targets, const std::string& pointer) const {
+    const std::size_t weights = object.contains("weights") ? object["weights"].size() : 0;
+    if (weights > 0 && weights != targets)
+      context_.fail(pointer + "/weights",
+                    fmt::format("{} weights for {} morph targets; there must be as many", weights, targets));
+  }
+
+  /// The meshes were checked before.
+  void check_weights_of_node(const Json& node, const std::string& pointer) {
+    if (node.contains("mesh"))
+      check_weights(node, targets_of(root_["meshes"][node["mesh"].get<std::size_t>()]["primitives"][0]),
+                    pointer);
+    else if (node.contains("weights"))
+      context_.warn(pointer + "/weights", "weights of a node without a mesh have no effect");
   }
 
   void check_number(const Json& value, const GltfRule& rule, const std::string& pointer) const {

@@ -40,7 +40,7 @@ MUTANTS = [
     Mutant("zeros take as much memory as their count says", "io/gltf/accessor.cpp",
            "if (accessor.bufferView < 0 && accessor.count > most)", "if (false)",
            GLTF, "gltf: a small file that says it is large takes no memory"),
-    Mutant("a file may nest as deep as it likes", "io/gltf/schema.cpp",
+    Mutant("a file may nest as deep as it likes", "io/gltf/text.cpp",
            "if (depth > most_depth)", "if (false)",
            GLTF, "gltf: text that is no JSON is an error with its line, and so is deep nesting"),
     Mutant("numbers are in any range", "io/gltf/schema.cpp",

@@ -362,6 +362,8 @@ TEST_CASE("gltf: text that is no JSON is an error with its line, and so is deep 
   CHECK(error(std::string(100000, '[')).find("nest deeper than 100 levels") != std::string::npos);
   CHECK(error("{\"asset\": {\"version\": \"2.0\"}, \"scene\": 1e999}").find("too large") !=
         std::string::npos);
+  CHECK(error("{\"asset\": {\"version\": \"2.0 1e999\"},\n \"scene\": [1, 2e-9, -1e999]}")
+            .find("test.glb:2:21: the JSON text holds a number that is too large\n") == 0);
   CHECK(error("[]") == "test.glb: /: a glTF file is one JSON object");
   CHECK(error("{}") == "test.glb: /: \"asset\" is missing, and required");
 }

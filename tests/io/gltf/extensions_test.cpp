@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Objects of extensions in glTF files: those that nobody reads, and those that stand where they mean nothing.
+#include "tests/io/gltf/file.h"
+#include "tests/support/catch.h"
+
+namespace twinray {
+namespace {
+
+using nlohmann::json;
+using test::gltf_surface;
+using test::gltf_triangle;
+using test::GltfFile;
+
+}  // namespace
+
+TEST_CASE("gltf: an extension that is not read is named where it stands, unless it is declared") {
+  GltfFile file = gltf_triangle();
+  json& extensions = file.json["nodes"][0]["extensions"];
+  extensions["KHR_light_punctual"] = {{"light", 7}};
+  CHECK(
+      file.warning() ==
+      "test.gltf: /nodes/0/extensions/KHR_light_punctual: the extension KHR_light_punctual is not rendered; "
+      "did you mean KHR_lights_punctual?");
+  LoadOptions strict;
+  strict.strict = true;
+  CHECK(file.error(strict) == file.warning());
+  file.json["extensionsUsed"] = {"KHR_light_punctual"};
+  CHECK(file.warning() ==
+        "test.gltf: /extensionsUsed/0: the extension KHR_light_punctual is not rendered; did you mean "
+        "KHR_lights_punctual?");
+  file = gltf_triangle();
+  file.json["nodes"][0]["extensions"]["A/B"] = 3;
+  CHECK(file.warning() == "test.gltf: /nodes/0/extensions/A~1B: the extension A/B is not rendered");
+}
+
+TEST_CASE("gltf: an extension that changes no picture needs no declaration") {
+  GltfFile file = gltf_triangle();
+  file.json["extensions"]["KHR_xmp_json_ld"] = {{"packets", json::array()}};
+  file.json["nodes"][0]["extensions"]["MSFT_lod"] = {{"ids", {0}}};
+  CHECK(file.load().warnings.empty());
+}
+
+TEST_CASE("gltf: a long beginning that names of extensions share is no likeness") {
+  const auto warning = [](const char* name) {
+    GltfFile file = gltf_triangle();
+    file.json["extensionsUsed"] = {name};
+    const std::string text = file.warning();
+    const std::size_t at = text.find("; did you mean ");
+    return at == std::string::npos ? "" : text.substr(at + 15);
+  };
+  for (const char* other : {"KHR_materials_dispersion", "KHR_materials_diffuse_transmission",
+                            "KHR_materials_volume_scatter", "EXT_texture_avif", "KHR_texture_basisu",
+                            "KHR_meshopt_compression", "ADOBE_materials_clearcoat_specular"})
+    CHECK(warning(other) == "");
+  CHECK(warning("KHR_materials_unlt") == "KHR_materials_unlit?");
+  CHECK(warning("KHR_materials_unli") == "KHR_materials_unlit?");
+  CHECK(warning("KHR_material_unlit") == "KHR_materials_unlit?");
+  CHECK(warning("khr_materials_unlit") == "KHR_materials_unlit?");
+  CHECK(warning("KRH_texture_transfrom") == "KHR_texture_transform?");
+}
+
+TEST_CASE("gltf: an extension where it means nothing is named, and its values are not read") {
+  struct Fault {
+    const char *place, *name, *owner;
+  };
+  const Fault faults[] = {
+      {"/materials/0/pbrMetallicRoughness", "KHR_materials_unlit", "a material"},
+      {"/nodes/0", "KHR_materials_unlit", "a material"},
+      {"", "KHR_materials_unlit", "a material"},
+      {"/textures/0", "KHR_texture_transform", "what names a texture, such as \"baseColorTexture\""},
+      {"/scenes/0", "KHR_lights_punctual", "the file as a whole, and to a node"},
+      {"/materials/0", "KHR_draco_mesh_compression", "a primitive of a mesh"},
+      {"/meshes/0", "KHR_node_visibility", "a node"},
+      {"/accessors/0", "EXT_meshopt_compression", "a buffer view, and to a buffer"},
+      {"/materials/0", "EXT_texture_webp", "a texture"},
+      {"/meshes/0/primitives/0", "EXT_mesh_gpu_instancing", "a node"},
+      {"/meshes/0/primitives/0", "KHR_mesh_quantization", "\"extensionsUsed\" alone"},
+      {"/materials/0/extensions/KHR_materials_clearcoat", "KHR_materials_ior", "a material"},
+  };
+  for (const Fault& fault : faults) {
+    INFO(fault.place << " " << fault.name);
+    GltfFile file = gltf_surface({{"pbrMetallicRoughness", json::object()},
+                                  {"extensions", {{"KHR_materials_clearcoat", json::object()}}}});
+    file.json["textures"] = {json::object()};
+    const std::string place = std::string(fault.place) + "/extensions/" + fault.name;
+    file.json[json::json_pointer(place)] = "no object";
+    CHECK(file.warning() ==
+          "test.gltf: " + place + ": " + fault.name + " has no effect here: it belongs to " + fault.owner);
+  }
+}
+
+}  // namespace twinray
