@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 #include "io/gltf/document.h"
+#include "io/gltf/formats.h"
 
 namespace twinray {
 namespace {
@@ -106,7 +108,20 @@ struct Span {
 /// A run of elements that a buffer view must hold.
 struct Extent {
   std::size_t view, offset, count, element_bytes;
+  std::size_t component_bytes;
 };
+
+/// Numbers begin at multiples of their size. What was compressed begins where its view does.
+void check_alignment(const GltfDocument& document, const Extent& extent, const std::string& pointer) {
+  const tinygltf::BufferView& view = document.model().bufferViews[extent.view];
+  const bool is_packed = view.extensions.count("EXT_meshopt_compression") > 0;
+  const std::size_t begin = (is_packed ? 0 : view.byteOffset) + extent.offset;
+  if (begin % extent.component_bytes != 0)
+    document.context().fail(pointer,
+                            fmt::format("the numbers begin at byte {} of the buffer (with the byteOffset of "
+                                        "/bufferViews/{}); it must be a multiple of their {} bytes",
+                                        begin, extent.view, extent.component_bytes));
+}
 
 Span span_of(GltfDocument& document, const Extent& extent, const std::string& pointer) {
   const tinygltf::BufferView& view = document.model().bufferViews[extent.view];
@@ -125,6 +140,7 @@ Span span_of(GltfDocument& document, const Extent& extent, const std::string& po
         fmt::format("{} elements of {} bytes, {} apart, from byte {} on reach beyond the {} bytes of "
                     "/bufferViews/{}",
                     extent.count, extent.element_bytes, stride, extent.offset, bytes.size(), extent.view));
+  check_alignment(document, extent, pointer);
   return {bytes.substr(extent.offset), stride};
 }
 
@@ -154,10 +170,10 @@ class ComponentReader {
   }
 
   void read_all() {
-    const Span span =
-        span_of(document_,
-                {std::size_t(accessor_.bufferView), accessor_.byteOffset, accessor_.count, element_bytes()},
-                pointer_);
+    const Span span = span_of(
+        document_,
+        {std::size_t(accessor_.bufferView), accessor_.byteOffset, accessor_.count, element_bytes(), bytes_},
+        pointer_);
     for (std::size_t row = 0; row < accessor_.count; ++row) take_row(row, span.at(row));
   }
 
@@ -167,14 +183,14 @@ class ComponentReader {
     if (count > accessor_.count)
       document_.context().fail(pointer_ + "/sparse/count",
                                fmt::format("{} elements of {} are replaced", count, accessor_.count));
-    const Span indices =
-        span_of(document_,
-                {std::size_t(sparse.indices.bufferView), std::size_t(sparse.indices.byteOffset), count,
-                 component_bytes(sparse.indices.componentType)},
-                pointer_ + "/sparse/indices");
+    const Span indices = span_of(
+        document_,
+        {std::size_t(sparse.indices.bufferView), std::size_t(sparse.indices.byteOffset), count,
+         component_bytes(sparse.indices.componentType), component_bytes(sparse.indices.componentType)},
+        pointer_ + "/sparse/indices");
     const Span values = span_of(document_,
                                 {std::size_t(sparse.values.bufferView), std::size_t(sparse.values.byteOffset),
-                                 count, element_bytes()},
+                                 count, element_bytes(), bytes_},
                                 pointer_ + "/sparse/values");
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint32_t row = load_bits(indices.at(i), sparse.indices.componentType);
@@ -193,9 +209,8 @@ class ComponentReader {
   const Take& take_;
 };
 
-/// Throws Error unless the accessor has one of these types, and no more elements than data may stand for.
-void check(GltfDocument& document, int index, const char* wanted) {
-  require_type(document, index, wanted);
+/// Throws Error where the accessor has more elements than data may stand for, or these are not there.
+void check_data(GltfDocument& document, int index) {
   const tinygltf::Accessor& accessor = document.model().accessors[std::size_t(index)];
   const std::size_t most = document.byte_count() + most_without_data;
   if (accessor.bufferView < 0 && accessor.count > most)
@@ -205,19 +220,79 @@ void check(GltfDocument& document, int index, const char* wanted) {
   if (accessor.bufferView >= 0)  // Before memory is taken.
     span_of(document,
             {std::size_t(accessor.bufferView), accessor.byteOffset, accessor.count,
-             type_of(accessor).components * component_bytes(accessor.componentType)},
+             type_of(accessor).components * component_bytes(accessor.componentType),
+             component_bytes(accessor.componentType)},
             accessor_pointer(index));
+}
+
+bool has_word(std::string_view words, std::string_view word) {
+  return fmt::format(" {} ", words).find(fmt::format(" {} ", word)) != std::string::npos;
+}
+
+void require_type(const GltfDocument& document, int index, std::string_view wanted) {
+  const char* name = type_of(document.model().accessors[std::size_t(index)]).name;
+  if (!has_word(wanted, name))
+    document.context().fail(accessor_pointer(index),
+                            fmt::format("the type is {}; what names this accessor takes {}", name, wanted));
+}
+
+/// As formats have it.
+std::string component_of(const tinygltf::Accessor& accessor) {
+  const bool is_float = accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT;
+  return fmt::format("{}{}", accessor.componentType, accessor.normalized && !is_float ? "n" : "");
+}
+
+/// "5126, 5121 normalized and 5123 normalized" of a format's components.
+std::string describe(std::string_view components) {
+  std::vector<std::string> words;
+  while (!components.empty()) {
+    const std::size_t space = std::min(components.find(' '), components.size());
+    const std::string_view word = components.substr(0, space);
+    words.push_back(word.ends_with('n') ? fmt::format("{} normalized", word.substr(0, word.size() - 1))
+                                        : std::string(word));
+    components.remove_prefix(std::min(space + 1, components.size()));
+  }
+  const std::string last = words.back();
+  words.pop_back();
+  return words.empty() ? last : fmt::format("{} and {}", fmt::join(words, ", "), last);
+}
+
+bool uses(const GltfDocument& document, std::string_view extension) {
+  const auto& used = document.model().extensionsUsed;
+  return std::find(used.begin(), used.end(), extension) != used.end();
 }
 
 }  // namespace
 
 std::string accessor_pointer(int accessor) { return fmt::format("/accessors/{}", accessor); }
 
-void require_type(const GltfDocument& document, int index, const char* wanted) {
-  const char* name = type_of(document.model().accessors[std::size_t(index)]).name;
-  if (fmt::format(" {} ", wanted).find(fmt::format(" {} ", name)) == std::string::npos)
-    document.context().fail(accessor_pointer(index),
-                            fmt::format("the type is {}; what names this accessor takes {}", name, wanted));
+void require_format(const GltfDocument& document, int index, const GltfFormat& format) {
+  const tinygltf::Accessor& accessor = document.model().accessors[std::size_t(index)];
+  require_type(document, index, format.types);
+  const std::string own = component_of(accessor);
+  if (has_word(format.components, own)) return;
+  const bool is_quantized = uses(document, "KHR_mesh_quantization");
+  if (is_quantized && has_word(format.quantized, own)) return;
+  std::string valid = describe(format.components);
+  if (!format.quantized.empty())
+    valid += fmt::format("{}{}", is_quantized ? ", and " : "; with KHR_mesh_quantization also ",
+                         describe(format.quantized));
+  document.context().fail(
+      accessor_pointer(index) + "/componentType",
+      fmt::format("this is {}; valid for {} {} {}", describe(own), format.use,
+                  format.components.find(' ') == std::string_view::npos ? "is" : "are", valid));
+}
+
+void require_finite(const GltfDocument& document, int index, const GltfFormat& format,
+                    const GltfNumbers& numbers) {
+  if (!format.is_finite) return;
+  const auto found = std::find_if(numbers.values.begin(), numbers.values.end(),
+                                  [](float number) { return !std::isfinite(number); });
+  if (found == numbers.values.end()) return;
+  document.context().fail(
+      accessor_pointer(index),
+      fmt::format("element {} holds {}; {} must be finite",
+                  std::size_t(found - numbers.values.begin()) / numbers.components, *found, format.use));
 }
 
 float accessor_number(std::uint32_t bits, const GltfDocument& document, int accessor) {
@@ -230,8 +305,9 @@ std::size_t accessor_count(const GltfDocument& document, int accessor) {
   return document.model().accessors[std::size_t(accessor)].count;
 }
 
-GltfNumbers read_numbers(GltfDocument& document, int index, const char* wanted) {
-  check(document, index, wanted);
+GltfNumbers read_numbers(GltfDocument& document, int index, const GltfFormat& format) {
+  require_format(document, index, format);
+  check_data(document, index);
   const tinygltf::Accessor& accessor = document.model().accessors[std::size_t(index)];
   GltfNumbers numbers{accessor.count, type_of(accessor).components, {}};
   numbers.values.resize(numbers.count * numbers.components);
@@ -239,24 +315,28 @@ GltfNumbers read_numbers(GltfDocument& document, int index, const char* wanted) 
     numbers.values[row * numbers.components + component] = number_of(bits, accessor);
   };
   ComponentReader(document, index, take).read();
+  require_finite(document, index, format, numbers);
   return numbers;
 }
 
-std::vector<std::uint32_t> read_integers(GltfDocument& document, int index, const char* wanted) {
-  check(document, index, wanted);
+std::vector<std::uint32_t> read_indices(GltfDocument& document, int index) {
+  require_type(document, index, "SCALAR");
   const tinygltf::Accessor& accessor = document.model().accessors[std::size_t(index)];
   const int type = accessor.componentType;
   if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
       type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
     document.context().fail(accessor_pointer(index) + "/componentType",
                             fmt::format("this is {}; valid for indices are 5121, 5123 and 5125", type));
-  const std::size_t components = type_of(accessor).components;
-  std::vector<std::uint32_t> integers(accessor.count * components);
-  const auto take = [&](std::size_t row, std::size_t component, std::uint32_t bits) {
-    integers[row * components + component] = bits;
-  };
+  check_data(document, index);
+  std::vector<std::uint32_t> integers(accessor.count);
+  const auto take = [&](std::size_t row, std::size_t, std::uint32_t bits) { integers[row] = bits; };
   ComponentReader(document, index, take).read();
   return integers;
+}
+
+std::uint32_t largest_index(const GltfDocument& document, int index) {
+  const int type = document.model().accessors[std::size_t(index)].componentType;
+  return std::uint32_t((1ull << (8 * component_bytes(type))) - 1);
 }
 
 }  // namespace twinray

@@ -11,6 +11,7 @@
 namespace twinray {
 
 class GltfDocument;
+struct GltfFormat;
 
 /// Rows of so many numbers each.
 struct GltfNumbers {
@@ -28,18 +29,24 @@ std::string accessor_pointer(int accessor);
 std::size_t accessor_count(const GltfDocument& document, int accessor);
 
 /// The numbers of an accessor as floats: normalised integers in [0, 1] or [-1, 1], others as they are.
-/// Without a buffer view they are 0. Throws Error, with the place, where it does not have one of the `types`
-/// (words between spaces), its data reach beyond their buffer, or it has more elements than the file has
-/// bytes.
-GltfNumbers read_numbers(GltfDocument& document, int accessor, const char* types);
+/// Without a buffer view they are 0. Throws Error, with the place, where it does not have the format, its
+/// data reach beyond their buffer or are not aligned, or it has more elements than the file has bytes.
+GltfNumbers read_numbers(GltfDocument& document, int accessor, const GltfFormat& format);
 
-/// Throws Error unless the accessor has one of the types.
-void require_type(const GltfDocument& document, int accessor, const char* types);
+/// Throws Error unless the accessor has the format's type and numbers.
+void require_format(const GltfDocument& document, int accessor, const GltfFormat& format);
+
+/// Throws Error, with the accessor and the element, where one of its numbers must be finite and is not.
+void require_finite(const GltfDocument& document, int accessor, const GltfFormat& format,
+                    const GltfNumbers& numbers);
 
 /// What an accessor's numbers are, of a whole number (or the bits of one that is negative): see read_numbers.
 float accessor_number(std::uint32_t bits, const GltfDocument& document, int accessor);
 
-/// As read_numbers, of whole numbers >= 0, such as indices, as they are.
-std::vector<std::uint32_t> read_integers(GltfDocument& document, int accessor, const char* types);
+/// Indices of vertices, whole numbers >= 0 as they are; otherwise as read_numbers.
+std::vector<std::uint32_t> read_indices(GltfDocument& document, int accessor);
+
+/// The number that no index may be: the largest of its type.
+std::uint32_t largest_index(const GltfDocument& document, int accessor);
 
 }  // namespace twinray

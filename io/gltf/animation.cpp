@@ -11,6 +11,7 @@
 #include "io/gltf/accessor.h"
 #include "io/gltf/curve.h"
 #include "io/gltf/document.h"
+#include "io/gltf/formats.h"
 
 namespace twinray {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 /// What a channel moves.
 struct Target {
   std::size_t numbers;  ///< Of one key.
-  const char* types;    ///< Of the accessor.
+  const GltfFormat& format;
   bool is_rotation = false;
 };
 
@@ -53,7 +54,7 @@ class Animator {
     if (path == "weights") {
       const std::size_t targets = targets_of(channel.target_node);
       if (targets == 0) return document_.context().warn(place, "the node has no morph targets to weigh");
-      pose.weights = value(sampler, {targets, "SCALAR"}, sampler_pointer);
+      pose.weights = value(sampler, {targets, output_format(path)}, sampler_pointer);
       return;
     }
     if (path != "translation" && path != "rotation" && path != "scale")
@@ -63,9 +64,10 @@ class Animator {
       pose.matrix.reset();
     }
     if (path == "rotation")
-      assign(value(sampler, {4, "VEC4", true}, sampler_pointer), pose.rotation);
+      assign(value(sampler, {4, output_format(path), true}, sampler_pointer), pose.rotation);
     else
-      assign(value(sampler, {3, "VEC3"}, sampler_pointer), path == "scale" ? pose.scale : pose.translation);
+      assign(value(sampler, {3, output_format(path)}, sampler_pointer),
+             path == "scale" ? pose.scale : pose.translation);
   }
 
   template <std::size_t n>
@@ -83,20 +85,28 @@ class Animator {
 
   std::vector<double> value(const tinygltf::AnimationSampler& sampler, const Target& target,
                             const std::string& pointer) {
-    const GltfNumbers times = read_numbers(document_, sampler.input, "SCALAR");
+    const GltfNumbers times = read_numbers(document_, sampler.input, time_format);
     for (std::size_t i = 0; i < times.count; ++i)
       if (!std::isfinite(times.values[i]) || (i > 0 && !(times.values[i] > times.values[i - 1])))
         document_.context().fail(
             pointer + "/input",
             fmt::format("the time {} (number {}) is not behind the one before it", times.values[i], i));
-    const GltfNumbers values = read_numbers(document_, sampler.output, target.types);
+    const GltfNumbers values = read_numbers(document_, sampler.output, target.format);
     const std::size_t wanted =
         times.count * target.numbers * (sampler.interpolation == "CUBICSPLINE" ? 3 : 1);
     if (values.values.size() != wanted)
       document_.context().fail(pointer + "/output", fmt::format("{} numbers for {} keys; there must be {}",
                                                                 values.values.size(), times.count, wanted));
+    if (target.is_rotation)
+      for (std::size_t key = 0; key < times.count; ++key)
+        check_rotation(values, sampler.interpolation == "CUBICSPLINE" ? 3 * key + 1 : key, pointer);
     return GltfCurve{times.values, values.values, target.numbers, sampler.interpolation, target.is_rotation}
         .at(seconds_);
+  }
+
+  void check_rotation(const GltfNumbers& values, std::size_t row, const std::string& pointer) {
+    warn_unless_rotation({values.at(row, 0), values.at(row, 1), values.at(row, 2), values.at(row, 3)},
+                         pointer + "/output", document_.context());
   }
 
   GltfDocument& document_;
@@ -113,7 +123,7 @@ std::optional<GltfDuration> duration_of(GltfDocument& document) {
   for (const tinygltf::Animation& animation : document.model().animations)
     for (const tinygltf::AnimationSampler& sampler : animation.samplers) inputs.insert(sampler.input);
   for (const int input : inputs)
-    for (const float time : read_numbers(document, input, "SCALAR").values) {
+    for (const float time : read_numbers(document, input, time_format).values) {
       if (!std::isfinite(time)) continue;
       if (!duration) duration = {time, time};
       duration->first = std::min(duration->first, double(time));

@@ -5,8 +5,11 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/gltf/document.h"
+#include "io/gltf/formats.h"
+#include "io/gltf/nodes.h"
 
 namespace twinray {
 namespace {
@@ -22,9 +25,9 @@ GltfNumbers checked_rows(GltfDocument& document, GltfNumbers rows, std::size_t p
   return rows;
 }
 
-GltfNumbers rows_of(GltfDocument& document, int accessor, const char* types, std::size_t positions,
+GltfNumbers rows_of(GltfDocument& document, int accessor, const GltfFormat& format, std::size_t positions,
                     const std::string& pointer) {
-  return checked_rows(document, read_numbers(document, accessor, types), positions, pointer);
+  return checked_rows(document, read_numbers(document, accessor, format), positions, pointer);
 }
 
 void add_to(std::vector<Vec3>& values, const GltfNumbers& changes, float weight) {
@@ -41,7 +44,7 @@ void morph(GltfDocument& document, const Attributes& target, float weight, const
     if (!values && name != "TANGENT")
       document.context().warn(place, fmt::format("{} of a morph target is not rendered, and left out", name));
     if (values && !values->empty())
-      add_to(*values, rows_of(document, accessor, "VEC3", made.positions.size(), place), weight);
+      add_to(*values, rows_of(document, accessor, target_format(name), made.positions.size(), place), weight);
   }
 }
 
@@ -54,11 +57,29 @@ class Skinning {
       const auto joints = attributes.find(fmt::format("JOINTS_{}", set));
       const auto weights = attributes.find(fmt::format("WEIGHTS_{}", set));
       if (joints == attributes.end() || weights == attributes.end()) break;
-      sets_.push_back({numbers("VEC4", *joints), numbers("VEC4", *weights)});
+      sets_.push_back({numbers(*joints), numbers(*weights)});
     }
   }
 
   bool is_empty() const { return sets_.empty(); }
+
+  /// Bytes that stand for numbers up to 1 add up to it but for their rounding.
+  void check_weights() const {
+    constexpr float rounding = 0.02f;
+    for (std::size_t i = 0; i < primitive_.positions.size() && !sets_.empty(); ++i) {
+      float sum = 0, least = 0;
+      for (const Set& set : sets_)
+        for (std::size_t k = 0; k < 4; ++k) {
+          sum += set.weights.at(i, k);
+          least = std::min(least, set.weights.at(i, k));
+        }
+      if (least < 0 || !(std::abs(sum - 1) <= rounding))
+        document_.context().warn(
+            primitive_.pointer + "/attributes/WEIGHTS_0",
+            "a vertex has weights below 0, or that do not add up to 1: those above 0 count, divided by their "
+            "sum; without any the vertex stays where it is");
+    }
+  }
 
   /// The mean of a vertex's joints; the identity where no joint moves it.
   Transform of(std::size_t vertex, const std::vector<Transform>& joints) const {
@@ -83,14 +104,16 @@ class Skinning {
     GltfNumbers joints, weights;
   };
 
-  GltfNumbers numbers(const char* type, const Attributes::value_type& attribute) {
-    require_type(document_, attribute.second, type);
+  GltfNumbers numbers(const Attributes::value_type& attribute) {
+    const GltfFormat& format = vertex_format(attribute.first);
+    require_format(document_, attribute.second, format);
     const auto unpacked = primitive_.unpacked.find(attribute.first);
-    return checked_rows(
-        document_,
-        unpacked != primitive_.unpacked.end() ? unpacked->second
-                                              : read_numbers(document_, attribute.second, type),
-        primitive_.positions.size(), fmt::format("{}/attributes/{}", primitive_.pointer, attribute.first));
+    const GltfNumbers rows = unpacked != primitive_.unpacked.end()
+                                 ? unpacked->second
+                                 : read_numbers(document_, attribute.second, format);
+    require_finite(document_, attribute.second, format, rows);
+    return checked_rows(document_, rows, primitive_.positions.size(),
+                        fmt::format("{}/attributes/{}", primitive_.pointer, attribute.first));
   }
 
   std::size_t joint(const Set& set, std::size_t vertex, std::size_t k, std::size_t count) const {
@@ -120,6 +143,18 @@ void skin(const Skinning& skinning, const std::vector<Transform>& joints, GltfPr
   }
 }
 
+/// A matrix whose last row is 0 0 0 1 where it is so but for what inverting it rounded.
+std::vector<double> affine_row(const GltfNumbers& matrices, std::size_t row) {
+  constexpr double rounding = 1e-5;
+  std::vector<double> numbers(16);
+  for (std::size_t c = 0; c < 16; ++c) {
+    numbers[c] = double(matrices.at(row, c));
+    const double exact = c == 15 ? 1 : 0;
+    if (c % 4 == 3 && std::abs(numbers[c] - exact) <= rounding) numbers[c] = exact;
+  }
+  return numbers;
+}
+
 }  // namespace
 
 bool GltfDeformation::is_none() const {
@@ -132,16 +167,13 @@ std::vector<Transform> joint_transforms(GltfDocument& document, int index,
   std::vector<Transform> joints;
   for (const int node : skin.joints) joints.push_back(world[std::size_t(node)]);
   if (skin.inverseBindMatrices < 0) return joints;
-  const GltfNumbers matrices = read_numbers(document, skin.inverseBindMatrices, "MAT4");
+  const GltfNumbers matrices = read_numbers(document, skin.inverseBindMatrices, matrix_format);
   if (matrices.count < joints.size())
     document.context().fail(fmt::format("/skins/{}/inverseBindMatrices", index),
                             fmt::format("{} matrices for {} joints", matrices.count, joints.size()));
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    Transform inverse;
-    for (std::size_t row = 0; row < 3; ++row)
-      for (std::size_t column = 0; column < 4; ++column)
-        inverse.m[row][column] = matrices.at(i, column * 4 + row);
-    joints[i] = joints[i] * inverse;
+    const std::string place = fmt::format("{}: matrix {}", accessor_pointer(skin.inverseBindMatrices), i);
+    joints[i] = joints[i] * matrix_of(affine_row(matrices, i), place, document.context());
   }
   return joints;
 }
@@ -166,6 +198,7 @@ GltfPrimitive deformed(GltfDocument& document, const GltfPrimitive& rest,
   const Skinning skinning(document, rest, source.attributes);
   if (skinning.is_empty())
     document.context().warn(rest.pointer, "a node has a skin for it, and it has no JOINTS_0 and WEIGHTS_0");
+  skinning.check_weights();
   skin(skinning, deformation.joints, made);
   return made;
 }

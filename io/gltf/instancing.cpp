@@ -8,6 +8,7 @@
 
 #include "io/gltf/accessor.h"
 #include "io/gltf/document.h"
+#include "io/gltf/formats.h"
 #include "io/gltf/nodes.h"
 
 namespace twinray {
@@ -27,13 +28,14 @@ class Instances {
         pointer_(fmt::format("/nodes/{}/extensions/{}/attributes", node, extension_name)) {}
 
   std::vector<GltfPose> poses() {
-    read("TRANSLATION", "VEC3", [](GltfPose& pose, const GltfNumbers& rows, std::size_t i) {
+    read("TRANSLATION", [](GltfPose& pose, const GltfNumbers& rows, std::size_t i) {
       for (std::size_t c = 0; c < 3; ++c) pose.translation[c] = rows.at(i, c);
     });
-    read("ROTATION", "VEC4", [](GltfPose& pose, const GltfNumbers& rows, std::size_t i) {
+    read("ROTATION", [this](GltfPose& pose, const GltfNumbers& rows, std::size_t i) {
       for (std::size_t c = 0; c < 4; ++c) pose.rotation[c] = rows.at(i, c);
+      warn_unless_rotation(pose.rotation, pointer_ + "/ROTATION", document_.context());
     });
-    read("SCALE", "VEC3", [](GltfPose& pose, const GltfNumbers& rows, std::size_t i) {
+    read("SCALE", [](GltfPose& pose, const GltfNumbers& rows, std::size_t i) {
       for (std::size_t c = 0; c < 3; ++c) pose.scale[c] = rows.at(i, c);
     });
     if (!poses_) document_.context().fail(pointer_, "instances need TRANSLATION, ROTATION or SCALE");
@@ -42,9 +44,10 @@ class Instances {
 
  private:
   template <typename Set>
-  void read(const char* name, const char* type, const Set& set) {
+  void read(const char* name, const Set& set) {
     if (!attributes_.Has(name)) return;
-    const GltfNumbers rows = read_numbers(document_, attributes_.Get(name).GetNumberAsInt(), type);
+    const GltfNumbers rows =
+        read_numbers(document_, attributes_.Get(name).GetNumberAsInt(), instance_format(name));
     if (!poses_) poses_.emplace(rows.count);
     if (poses_->size() != rows.count)
       document_.context().fail(

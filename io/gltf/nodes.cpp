@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/gltf/document.h"
@@ -26,17 +27,6 @@ Transform rotation_of(const std::array<double, 4>& q) {
            {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y), 0}}};
 }
 
-/// Column by column.
-Transform matrix_of(const std::vector<double>& m, int node, const GltfContext& context) {
-  if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
-    context.fail(node_pointer(node) + "/matrix",
-                 fmt::format("the last row is {} {} {} {}; it must be 0 0 0 1", m[3], m[7], m[11], m[15]));
-  Transform t;
-  for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t column = 0; column < 4; ++column) t.m[row][column] = m[column * 4 + row];
-  return t;
-}
-
 template <std::size_t n>
 void assign(std::array<double, n>& target, const std::vector<double>& numbers) {
   if (numbers.size() == n) std::copy(numbers.begin(), numbers.end(), target.begin());
@@ -48,7 +38,9 @@ GltfPose rest_pose(GltfDocument& document, int index) {
   assign(pose.translation, node.translation);
   assign(pose.rotation, node.rotation);
   assign(pose.scale, node.scale);
-  if (!node.matrix.empty()) pose.matrix = matrix_of(node.matrix, index, document.context());
+  warn_unless_rotation(pose.rotation, node_pointer(index) + "/rotation", document.context());
+  if (!node.matrix.empty())
+    pose.matrix = matrix_of(node.matrix, node_pointer(index) + "/matrix", document.context());
   pose.weights = node.weights;
   if (pose.weights.empty() && node.mesh >= 0)
     pose.weights = document.model().meshes[std::size_t(node.mesh)].weights;
@@ -87,6 +79,21 @@ std::vector<int> roots_of(const std::vector<int>& parents) {
 }
 
 }  // namespace
+
+Transform matrix_of(const std::vector<double>& m, const std::string& pointer, const GltfContext& context) {
+  if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
+    context.fail(pointer,
+                 fmt::format("the last row is {} {} {} {}; it must be 0 0 0 1", m[3], m[7], m[11], m[15]));
+  Transform t;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 4; ++column) t.m[row][column] = m[column * 4 + row];
+  return t;
+}
+
+void warn_unless_rotation(const std::array<double, 4>& q, const std::string& pointer, GltfContext& context) {
+  if (std::all_of(q.begin(), q.end(), [](double number) { return number == 0; }))
+    context.warn(pointer, "0 0 0 0 is no rotation: nothing is turned by it");
+}
 
 Transform transform_of(const GltfPose& pose) {
   if (pose.matrix) return *pose.matrix;

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/transform.h"
@@ -10,6 +11,7 @@
 namespace twinray {
 
 class GltfDocument;
+struct GltfContext;
 
 /// What a node says of its place, within its parent.
 struct GltfPose {
@@ -22,6 +24,14 @@ struct GltfPose {
 
 /// From the node's space to its parent's: translation, rotation and scale, or the matrix.
 Transform transform_of(const GltfPose& pose);
+
+/// Sixteen numbers, column by column. Throws Error, with this place, unless the last row is 0 0 0 1.
+Transform matrix_of(const std::vector<double>& numbers, const std::string& pointer,
+                    const GltfContext& context);
+
+/// Warns of a quaternion without a direction, 0 0 0 0, which transform_of takes for no rotation.
+void warn_unless_rotation(const std::array<double, 4>& quaternion, const std::string& pointer,
+                          GltfContext& context);
 
 /// The poses of all nodes as the file has them. Throws Error where a matrix is projective, or a node has
 /// both a matrix and one of the three.

@@ -9,6 +9,7 @@
 
 #include "io/gltf/document.h"
 #include "io/gltf/draco.h"
+#include "io/gltf/formats.h"
 #include "io/gltf/schema.h"
 #include "io/gltf/slot.h"
 #include "io/gltf/uv_area.h"
@@ -48,12 +49,13 @@ class Attributes {
     return fmt::format("{}/attributes/{}", pointer_, name);
   }
 
-  GltfNumbers numbers(const std::string& name, const char* types) {
-    require_type(document_, primitive_.attributes.at(name), types);
-    if (draco_)
-      if (const auto found = draco_->attributes.find(name); found != draco_->attributes.end())
-        return found->second;
-    return read_numbers(document_, primitive_.attributes.at(name), types);
+  GltfNumbers numbers(const std::string& name) {
+    const int accessor = primitive_.attributes.at(name);
+    const GltfFormat& format = vertex_format(name);
+    if (!draco_ || !draco_->attributes.contains(name)) return read_numbers(document_, accessor, format);
+    require_format(document_, accessor, format);
+    require_finite(document_, accessor, format, draco_->attributes[name]);
+    return draco_->attributes[name];
   }
 
   /// Those that only what moves the vertices asks for.
@@ -76,7 +78,8 @@ class Attributes {
     if (draco_) {
       corners = draco_->indices;
     } else if (const int accessor = indices(); accessor >= 0) {
-      corners = read_integers(document_, accessor, "SCALAR");
+      corners = read_indices(document_, accessor);
+      check_restart(corners, largest_index(document_, accessor), positions);
     } else {
       corners.resize(positions);
       for (std::size_t i = 0; i < positions; ++i) corners[i] = std::uint32_t(i);
@@ -90,6 +93,18 @@ class Attributes {
   }
 
  private:
+  void check_restart(const std::vector<std::uint32_t>& corners, std::uint32_t largest,
+                     std::size_t positions) const {
+    const auto found = std::find(corners.begin(), corners.end(), largest);
+    if (found != corners.end())
+      document_.context().fail(
+          pointer_ + "/indices",
+          fmt::format(
+              "the index {} (number {}) is the largest of its type, which names no vertex (elsewhere it "
+              "restarts a strip); valid are 0 to {}",
+              largest, found - corners.begin(), std::min<std::size_t>(positions, largest) - 1));
+  }
+
   /// The accessor; -1: none.
   int indices() const {
     const GltfExtension moved(primitive_.extensions, moved_indices, pointer_);
@@ -111,7 +126,7 @@ class Builder {
   }
 
   GltfPrimitive build() {
-    made_.positions = vectors("POSITION", "VEC3");
+    made_.positions = vectors("POSITION");
     const std::vector<std::uint32_t> corners = attributes_.corners(made_.positions.size());
     if (attributes_.mode() == TINYGLTF_MODE_TRIANGLES && corners.size() % 3 != 0)
       document_.context().warn(made_.pointer,
@@ -119,8 +134,8 @@ class Builder {
                                            corners.size(), corners.size() % 3));
     made_.triangles = triangles_of(corners, attributes_.mode());
     made_.unpacked = attributes_.of_joints();
-    if (attributes_.has("NORMAL")) made_.normals = vectors("NORMAL", "VEC3");
-    if (attributes_.has("COLOR_0")) made_.colors = numbers("COLOR_0", "VEC3 VEC4");
+    if (attributes_.has("NORMAL")) made_.normals = vectors("NORMAL");
+    if (attributes_.has("COLOR_0")) made_.colors = numbers("COLOR_0");
     for (const auto& [name, accessor] : source_.attributes) read_uvs(name);
     if (attributes_.has("TANGENT")) read_tangents();
     return std::move(made_);
@@ -128,8 +143,8 @@ class Builder {
 
  private:
   /// One row for each position.
-  GltfNumbers numbers(const std::string& name, const char* types) {
-    GltfNumbers numbers = attributes_.numbers(name, types);
+  GltfNumbers numbers(const std::string& name) {
+    GltfNumbers numbers = attributes_.numbers(name);
     if (name != "POSITION" && numbers.count != made_.positions.size())
       document_.context().fail(attributes_.pointer_of(name),
                                fmt::format("{} values for {} positions; there must be as many", numbers.count,
@@ -137,8 +152,8 @@ class Builder {
     return numbers;
   }
 
-  std::vector<Vec3> vectors(const std::string& name, const char* types) {
-    const GltfNumbers list = numbers(name, types);
+  std::vector<Vec3> vectors(const std::string& name) {
+    const GltfNumbers list = numbers(name);
     std::vector<Vec3> vectors(list.count);
     for (std::size_t i = 0; i < list.count; ++i) vectors[i] = list.vec3(i);
     return vectors;
@@ -146,7 +161,7 @@ class Builder {
 
   /// Where tangents point is the texture coordinates' matter; a file that has it otherwise is told so.
   void read_tangents() {
-    const GltfNumbers list = numbers("TANGENT", "VEC4");
+    const GltfNumbers list = numbers("TANGENT");
     std::vector<Vec3> tangents;
     for (std::size_t i = 0; i < list.count; ++i) {
       tangents.push_back(list.vec3(i));
@@ -178,7 +193,7 @@ class Builder {
   void read_uvs(const std::string& name) {
     constexpr std::string_view prefix = "TEXCOORD_";
     if (name.size() != prefix.size() + 1 || name.substr(0, prefix.size()) != prefix) return;
-    const GltfNumbers list = numbers(name, "VEC2");
+    const GltfNumbers list = numbers(name);
     std::vector<Vec2>& uvs = made_.uvs[name.back() - '0'];
     uvs.reserve(list.count);
     for (std::size_t i = 0; i < list.count; ++i) {

@@ -36,6 +36,7 @@ std::vector<Vec3> positions_of(Number x, bool is_normalized) {
   const int positions = file.accessor<Number>({x, 0, 0, 0, 0, x, 0, 0, 0, 0, x, 0}, "VEC4", is_normalized);
   file.json["accessors"][0]["type"] = "VEC3";
   file.json["bufferViews"][0]["byteStride"] = 4 * sizeof(Number);
+  file.json["extensionsUsed"] = {"KHR_mesh_quantization"};
   file.show({{"attributes", {{"POSITION", positions}}}});
   return only_mesh(file.load()).positions;
 }
