@@ -58,7 +58,7 @@ class Layers {
   /// The extension changes dielectrics alone; OpenPBR's numbers metals, too.
   void read_specular() {
     const GltfExtension specular = extension("KHR_materials_specular");
-    if (!specular || is_all_metal()) return;
+    if (!specular || is_all_metal() || extension(glossiness_extension)) return;
     if (!keeps_refraction(specular)) read_specular_weight(specular);
     const Rgb color = specular.color("specularColorFactor", {1, 1, 1});
     model_.specular_color = {std::min(color.r, 1.0f), std::min(color.g, 1.0f), std::min(color.b, 1.0f)};

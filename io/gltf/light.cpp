@@ -52,7 +52,7 @@ std::optional<Light> read_gltf_light(GltfDocument& document, int index, int node
         fmt::format("the index {} is out of range; the file has {} lights", index, model.lights.size()));
   const tinygltf::Light& source = model.lights[std::size_t(index)];
   const std::string pointer = fmt::format("/extensions/KHR_lights_punctual/lights/{}", index);
-  if (source.range > 0)
+  if (source.range > 0 && source.type != "directional")
     context.warn(pointer + "/range", "light without an end is rendered: a range is left out");
   const Rgb amount = amount_of(source);
   Light light;

@@ -100,21 +100,22 @@ class MaterialReader {
                    model.specular_roughness);
   }
 
-  /// A dielectric of any index and color: so are metals here, too.
+  /// A dielectric of any index and color: so are metals here, too. What is unlit shows its diffuse color.
   void read_glossiness(const GltfExtension& glossy) {
     constexpr float highest_ior = 1000;
     Principled& model = inputs_.model;
     const Rgb specular = glossy.color("specularFactor", {1, 1, 1});
     const float reflected = max_component(specular), root = std::sqrt(reflected);
+    const bool is_unlit = bool(GltfExtension(source_.extensions, "KHR_materials_unlit", pointer_));
     slots_.base_color = glossy.slot("diffuseTexture");
     slots_.metallic_roughness = {};
-    model.base_color = glossy.color("diffuseFactor", {1, 1, 1}) * (1 - reflected);
+    model.base_color = glossy.color("diffuseFactor", {1, 1, 1}) * (is_unlit ? 1 : 1 - reflected);
     model.base_metalness = 0;
     model.specular_roughness = 1 - glossy.number("glossinessFactor", 1);
     model.specular_ior = root < 1 ? std::min((1 + root) / (1 - root), highest_ior) : highest_ior;
     if (reflected > 0) model.specular_color = specular / reflected;
     opacity_ = glossy.component("diffuseFactor", 3, 1);
-    if (glossy.slot("specularGlossinessTexture"))
+    if (glossy.slot("specularGlossinessTexture") && !is_unlit)
       inputs_.context.warn(glossy.pointer() + "/specularGlossinessTexture",
                            "this texture is not rendered: its factors hold all over");
   }

@@ -10,6 +10,7 @@
 
 #include "io/gltf/attributes.h"
 #include "io/gltf/context.h"
+#include "io/gltf/exclusions.h"
 #include "io/gltf/rules.h"
 #include "io/gltf/text.h"
 
@@ -138,6 +139,9 @@ class Checker {
     if (kind == "node") check_one_transform(object, pointer);
     if (kind == "node") check_weights_of_node(object, pointer);
     if (kind == "light") complete_spot(object, pointer);
+    if (kind == "bufferView") check_stride(object, pointer);
+    if (kind == "image" && object.contains("uri") && object.contains("bufferView"))
+      context_.fail(pointer, "an image has its \"uri\" or its \"bufferView\"; not both");
     if (object.contains("extensions")) check_extensions_of(object["extensions"], kind, pointer);
     if (has_rule) warn_of_unknown(object, known, pointer);
   }
@@ -153,6 +157,11 @@ class Checker {
     const std::string type = camera["type"];
     if (!camera.contains(type))
       context_.fail(pointer, fmt::format("\"{}\" is missing, and required of such a camera", type));
+  }
+
+  void check_stride(const Json& view, const std::string& pointer) const {
+    if (view.contains("byteStride") && view["byteStride"].get<int>() % 4 != 0)
+      fail_of(view["byteStride"], pointer + "/byteStride", "a multiple of 4 from 4 to 252");
   }
 
   /// Drafts of the extension let a spot light be without its angles.
@@ -192,6 +201,17 @@ class Checker {
       }
     }
     for (const std::string& name : misplaced) extensions.erase(name);  // Its values were not checked.
+    if (kind == "material") warn_of_excluded(extensions, place);
+  }
+
+  void warn_of_excluded(const Json& extensions, const std::string& pointer) {
+    for (const std::string_view exclusive : exclusive_extensions) {
+      if (!extensions.contains(std::string(exclusive))) continue;
+      for (const auto& [name, value] : extensions.items())
+        if (const std::string fault = fault_beside(exclusive, name); !fault.empty())
+          context_.warn(pointer + "/" + escaped(name), fault);
+      return;
+    }
   }
 
   bool is_declared(const std::string& name) const {

@@ -89,4 +89,53 @@ TEST_CASE("gltf: an extension where it means nothing is named, and its values ar
   }
 }
 
+TEST_CASE("gltf: an extension that an unlit surface excludes is named, and has no effect") {
+  const json none = json::object();
+  for (const char* name :
+       {"KHR_materials_anisotropy", "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
+        "KHR_materials_ior", "KHR_materials_iridescence", "KHR_materials_sheen", "KHR_materials_specular",
+        "KHR_materials_transmission", "KHR_materials_volume"}) {
+    const GltfFile file = gltf_surface({{"extensions", {{"KHR_materials_unlit", none}, {name, none}}}});
+    CHECK(file.warning() == "test.gltf: /materials/0/extensions/" + std::string(name) + ": " + name +
+                                " has no effect beside KHR_materials_unlit");
+  }
+  const GltfFile alone = gltf_surface({{"extensions", {{"KHR_materials_unlit", none}}}});
+  CHECK(alone.load().warnings.empty());
+}
+
+TEST_CASE("gltf: an unlit surface of specular and glossiness shows its diffuse color") {
+  const GltfFile file =
+      gltf_surface({{"extensions",
+                     {{"KHR_materials_unlit", json::object()},
+                      {"KHR_materials_pbrSpecularGlossiness", {{"diffuseFactor", {0.5, 0.25, 1, 1}}}}}}});
+  CHECK(file.warning() ==
+        "test.gltf: /materials/0/extensions/KHR_materials_pbrSpecularGlossiness: beside KHR_materials_unlit "
+        "its "
+        "diffuse color alone counts");
+  const LoadedScene loaded = file.load();
+  CHECK(std::get<MeshLight>(loaded.scene.lights.at(0).source).radiance == Rgb{0.5f, 0.25f, 1});
+}
+
+TEST_CASE("gltf: beside specular and glossiness nothing else says what is reflected") {
+  const json glossy = {{"specularFactor", {0.25, 0.125, 0}}};
+  const auto with = [&](const char* name, const json& value) {
+    return gltf_surface({{"extensions", {{"KHR_materials_pbrSpecularGlossiness", glossy}, {name, value}}}});
+  };
+  const std::string place = "test.gltf: /materials/0/extensions/";
+  const GltfFile specular = with("KHR_materials_specular", {{"specularColorFactor", {0, 0, 1}}});
+  CHECK(specular.warning() == place +
+                                  "KHR_materials_specular: KHR_materials_specular has no effect beside "
+                                  "KHR_materials_pbrSpecularGlossiness, which says what is reflected");
+  CHECK(std::get<Principled>(specular.load().scene.materials[0].model).specular_color == Rgb{1, 0.5f, 0});
+  CHECK(with("KHR_materials_ior", {{"ior", 2}}).warning() ==
+        place +
+            "KHR_materials_ior: KHR_materials_ior has no effect beside "
+            "KHR_materials_pbrSpecularGlossiness, which says what is reflected");
+  CHECK(with("KHR_materials_sheen", json::object()).warning() ==
+        place +
+            "KHR_materials_sheen: the format excludes KHR_materials_sheen beside "
+            "KHR_materials_pbrSpecularGlossiness; both are rendered");
+  CHECK(with("KHR_materials_emissive_strength", json::object()).load().warnings.empty());
+}
+
 }  // namespace twinray

@@ -126,6 +126,14 @@ TEST_CASE("gltf: candela are intensity and lux irradiance, whatever the node's s
   CHECK(spot.penumbra_degrees == Approx(14.323945));
 }
 
+TEST_CASE("gltf: a range ends the light of a point or a spot, but for a sun it means nothing") {
+  CHECK(with_light({{"type", "directional"}, {"range", 3}}).load().warnings.empty());
+  CHECK(with_light({{"type", "point"}, {"range", 3}}).warning() ==
+        "test.gltf: /extensions/KHR_lights_punctual/lights/0/range: light without an end is rendered: a "
+        "range is "
+        "left out");
+}
+
 TEST_CASE("gltf: a camera without what its type asks for is an error with its place") {
   CHECK(with_camera({{"type", "perspective"}}).error() ==
         "test.gltf: /cameras/0: \"perspective\" is missing, and required of such a camera");
@@ -274,6 +282,10 @@ TEST_CASE("gltf: each fault of the text is an error with its pointer and what is
        "/accessors/0/bufferView: this is 7; valid is a whole number from 0 to 0"},
       {"/bufferViews/0/byteLength", "100",
        "/bufferViews/0: bytes 0 to 100 are asked for, and the buffer 0 has 36"},
+      {"/bufferViews/0/byteStride", "18",
+       "/bufferViews/0/byteStride: this is 18; valid is a multiple of 4 from 4 to 252"},
+      {"/images/0", R"({"uri": "a.png", "bufferView": 0})",
+       "/images/0: an image has its \"uri\" or its \"bufferView\"; not both"},
       {"/bufferViews/0/byteOffset", "40",
        "/bufferViews/0: bytes 40 to 76 are asked for, and the buffer 0 has 36"},
       {"/buffers/0/byteLength", "1e15",
