@@ -16,7 +16,7 @@ namespace twinray {
 
 GltfDocument::GltfDocument(std::string bytes, GltfContext& context)
     : context_(context), model_(std::make_unique<tinygltf::Model>()) {
-  GltfContainer container = open_gltf(std::move(bytes), context.file);
+  GltfContainer container = open_gltf(std::move(bytes), context);
   CheckedGltf checked = check_gltf(container.json, context);
   sources_ = std::move(checked.buffers);
   images_ = std::move(checked.images);

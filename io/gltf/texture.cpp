@@ -107,10 +107,8 @@ LoadedTexture GltfTextures::load(int image, const PictureMeaning& meaning) {
   if (source.uri.empty() || is_data_uri(source.uri)) return load_embedded(image, meaning);
   const GltfContext& context = document_.context();
   if (!context.read_pictures) return load_texture("", meaning, context.options);
-  // What lies on another machine is no file of this one, and shown as any that is missing.
-  const bool is_here = !is_remote(source.uri);
-  return load_texture(is_here ? gltf_path(source.uri, pointer, context) : source.uri, meaning,
-                      context.options);
+  if (is_remote(source.uri)) return missing_texture(remote_fault(source.uri));
+  return load_texture(gltf_path(source.uri, pointer, context), meaning, context.options);
 }
 
 LoadedTexture GltfTextures::load_embedded(int image, const PictureMeaning& meaning) {

@@ -60,9 +60,12 @@ std::string data_of_uri(std::string_view uri, const std::string& pointer, const 
   return is_base64 ? decode_base64(data, pointer, context) : decoded_uri(data);
 }
 
+std::string remote_fault(const std::string& uri) {
+  return fmt::format("\"{}\" lies on another machine; files of this one are read", uri);
+}
+
 std::string gltf_path(const std::string& uri, const std::string& pointer, const GltfContext& context) {
-  if (is_remote(uri))
-    context.fail(pointer, fmt::format("\"{}\" lies on another machine; files of this one are read", uri));
+  if (is_remote(uri)) context.fail(pointer, remote_fault(uri));
   return path_of_uri(uri, context.file);
 }
 

@@ -2,8 +2,6 @@
 // Cameras and lights of glTF files, their two forms, and what is wrong with others.
 #include "io/gltf/gltf.h"
 
-#include <cstring>
-
 #include "core/elementary.h"
 #include "io/scene_file.h"
 #include "tests/io/gltf/file.h"
@@ -35,27 +33,6 @@ GltfFile with_light(const json& light) {
 template <typename Source>
 Source light_of(const GltfFile& file) {
   return std::get<Source>(file.load().scene.lights.at(0).source);
-}
-
-void append_word(std::string& bytes, std::size_t word) {
-  for (int i = 0; i < 4; ++i) bytes.push_back(char(word >> (8 * i)));
-}
-
-/// The file as .glb: its JSON and, if it is wanted, its buffer as a chunk.
-std::string binary(const GltfFile& file) {
-  json whole = file.json;
-  whole["buffers"] = {{{"byteLength", file.buffer.size()}}};
-  std::string text = whole.dump();
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  std::string buffer = file.buffer;
-  buffer.resize((buffer.size() + 3) / 4 * 4);
-  std::string bytes = "glTF";
-  append_word(bytes, 2);
-  append_word(bytes, 12 + 8 + text.size() + 8 + buffer.size());
-  append_word(bytes, text.size());
-  bytes += "JSON" + text;
-  append_word(bytes, buffer.size());
-  return bytes + std::string("BIN\0", 4) + buffer;
 }
 
 std::string error_of(const std::string& bytes) {
@@ -204,27 +181,6 @@ TEST_CASE("gltf: a node that is not visible hides its mesh, its light and what i
   CHECK(file.error() ==
         "test.gltf: /nodes/1/extensions/KHR_node_visibility/visible: this is 1; valid is true or "
         "false");
-}
-
-TEST_CASE("gltf: a binary file holds the same scene") {
-  const LoadedScene loaded = read_gltf(binary(gltf_triangle()), "test.glb");
-  CHECK(loaded.summary.triangles == 1);
-  CHECK(loaded.warnings.empty());
-}
-
-TEST_CASE("gltf: a binary file that is damaged says where") {
-  const std::string bytes = binary(gltf_triangle());
-  CHECK(error_of(bytes.substr(0, 8)) == "test.glb: not a binary glTF file: 8 bytes are less than its header");
-  CHECK(error_of(bytes.substr(0, 100)).find("the file ends after 100") != std::string::npos);
-  std::string other = bytes;
-  other[4] = 1;
-  CHECK(error_of(other) == "test.glb: not a binary glTF file: its version is 1; valid is 2");
-  other = bytes;
-  other[16] = 'X';
-  CHECK(error_of(other) == "test.glb: not a binary glTF file: the first chunk must be the JSON one");
-  other = bytes;
-  std::memset(&other[12], 0xff, 3);
-  CHECK(error_of(other).find("the chunk at byte 12 says") != std::string::npos);
 }
 
 TEST_CASE("gltf: buffers lie beside the file, and what they lack is said") {
