@@ -3,25 +3,38 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/gltf/context.h"
 
 namespace twinray {
 
+bool GltfInputs::is_missing(int set) const {
+  return std::find(missing_sets.begin(), missing_sets.end(), set) != missing_sets.end();
+}
+
 bool GltfInputs::can_use(const GltfSlot& slot) const {
   if (!slot) return false;
   if (slot.uv_set == uv_set) return true;
-  context.warn(slot.pointer,
-               uv_set < 0 ? fmt::format("the mesh has no TEXCOORD_{}; this texture is left out", slot.uv_set)
-                          : fmt::format("a texture of this kind must go by the coordinates of most, here "
-                                        "TEXCOORD_{}; this one goes by TEXCOORD_{}, and is left out",
-                                        uv_set, slot.uv_set));
+  const std::string fault =
+      is_missing(slot.uv_set)
+          ? fmt::format("the mesh has no TEXCOORD_{}; this texture is left out", slot.uv_set)
+      : uv_set < 0 ? fmt::format(
+                         "the mesh has no coordinates of the material's first texture; so this one, of "
+                         "TEXCOORD_{}, is left out, too",
+                         slot.uv_set)
+                   : fmt::format(
+                         "a texture of this kind must go by the coordinates of most, here "
+                         "TEXCOORD_{}; this one goes by TEXCOORD_{}, and is left out",
+                         uv_set, slot.uv_set);
+  context.warn(slot.pointer, fault);
   return false;
 }
 
 std::optional<CoordinateSet> GltfInputs::coordinates(const GltfSlot& slot) const {
   if (!slot) return std::nullopt;
   if (uv_set >= 0 && slot.uv_set == second_uv_set) return CoordinateSet::second;
-  if (uv_set < 0 || second_uv_set < 0 || slot.uv_set == uv_set)
+  if (is_missing(slot.uv_set) || uv_set < 0 || second_uv_set < 0 || slot.uv_set == uv_set)
     return can_use(slot) ? std::optional(CoordinateSet::first) : std::nullopt;
   context.warn(slot.pointer,
                fmt::format("two sets of texture coordinates are rendered, here TEXCOORD_{} and TEXCOORD_{}; "

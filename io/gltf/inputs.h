@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/material.h"
 #include "io/gltf/texture.h"
@@ -20,12 +21,14 @@ struct GltfInputs {
   bool is_mirrored = false;  ///< The first ones run the other way round.
   Material material = {};
   Principled model = {};
+  std::vector<int> missing_sets = {};  ///< That textures name and the mesh does not have.
 
   /// Whether a slot has a picture that goes by the first texture coordinates. Warns where it goes by others.
   bool can_use(const GltfSlot& slot) const;
   /// The texture coordinates by which a slot's picture goes; none where it has no picture or, with a warning,
   /// goes by further ones.
   std::optional<CoordinateSet> coordinates(const GltfSlot& slot) const;
+  bool is_missing(int set) const;
   /// Colours encoded as sRGB has it, times a factor.
   void color(MaterialInput input, const GltfSlot& slot, const Rgb& factor);
   /// One channel as it stands, times a factor.

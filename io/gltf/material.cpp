@@ -226,6 +226,13 @@ std::optional<int> GltfMaterials::second_uv_set(int material) const {
   return std::nullopt;
 }
 
+std::set<int> GltfMaterials::uv_sets(int material) const {
+  std::set<int> sets;
+  for (const GltfSlot& slot : rendered_slots(material_at(document_, material), material_pointer(material)))
+    if (slot) sets.insert(slot.uv_set);
+  return sets;
+}
+
 bool GltfMaterials::needs_handedness(int material) const {
   const tinygltf::Material& source = material_at(document_, material);
   const GltfExtension anisotropy(source.extensions, "KHR_materials_anisotropy", "");
@@ -248,6 +255,7 @@ const GltfSurface& GltfMaterials::surface(int index, const GltfUse& use) {
   const std::string pointer = material_pointer(index);
   GltfInputs inputs{textures, document_.context(), use.has_uvs ? uv_set(index).value_or(-1) : -1,
                     use.has_second_uvs ? second_uv_set(index).value_or(-1) : -1, use.is_mirrored};
+  inputs.missing_sets = use.missing_sets;
   GltfSurface surface = MaterialReader(source, pointer, inputs).read(use);
   inputs.material.name = index < 0             ? "default"
                          : source.name.empty() ? fmt::format("material {}", index)

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,7 @@ struct GltfUse {
   bool is_mirrored = false;          ///< They run the other way round, as tangents say.
   std::uint32_t color = no_texture;  ///< Of the vertices, times which the base color is.
   std::uint32_t alpha = no_texture;  ///< Of the vertices.
+  std::vector<int> missing_sets;     ///< Of uv_sets() those of which the primitive has no coordinates.
 
   auto operator<=>(const GltfUse&) const = default;
 };
@@ -44,6 +46,8 @@ class GltfMaterials {
   std::optional<int> uv_set(int material) const;
   /// The next other set by which its colors and numbers go.
   std::optional<int> second_uv_set(int material) const;
+  /// The numbers of all sets that its textures name.
+  std::set<int> uv_sets(int material) const;
   /// Whether it has a normal map or a tangent, which are not the same for both ways round of texture
   /// coordinates.
   bool needs_handedness(int material) const;

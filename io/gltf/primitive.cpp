@@ -5,8 +5,10 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <charconv>
 #include <iterator>
 
+#include "io/gltf/attributes.h"
 #include "io/gltf/document.h"
 #include "io/gltf/draco.h"
 #include "io/gltf/formats.h"
@@ -189,12 +191,15 @@ class Builder {
     return turned > made_.triangles.size() / 20;
   }
 
-  /// Sets of texture coordinates have one digit. The format's v runs downwards, ours upwards.
+  /// A material names sets up to 255. The format's v runs downwards, ours upwards.
   void read_uvs(const std::string& name) {
     constexpr std::string_view prefix = "TEXCOORD_";
-    if (name.size() != prefix.size() + 1 || name.substr(0, prefix.size()) != prefix) return;
+    if (!name.starts_with(prefix) || !fault_of_attribute("primitive", name).empty()) return;
+    std::uint8_t set = 0;
+    const char* const end = name.data() + name.size();
+    if (std::from_chars(name.data() + prefix.size(), end, set).ec != std::errc{}) return;
     const GltfNumbers list = numbers(name);
-    std::vector<Vec2>& uvs = made_.uvs[name.back() - '0'];
+    std::vector<Vec2>& uvs = made_.uvs[set];
     uvs.reserve(list.count);
     for (std::size_t i = 0; i < list.count; ++i) {
       const Vec2 uv = list.vec2(i);

@@ -153,6 +153,8 @@ void GltfShapes::place(const GltfPrimitive& primitive, const std::string& name, 
   const auto second_set = materials_.second_uv_set(primitive.material);
   const auto second = second_set ? primitive.uvs.find(*second_set) : primitive.uvs.end();
   GltfUse use{.has_uvs = uvs != primitive.uvs.end()};
+  for (const int each : materials_.uv_sets(primitive.material))
+    if (!primitive.uvs.contains(each)) use.missing_sets.push_back(each);
   use.has_second_uvs = use.has_uvs && second != primitive.uvs.end();
   Mesh mesh = vertices_of(primitive, name);
   if (use.has_uvs) mesh.uvs = uvs->second;

@@ -77,6 +77,35 @@ TEST_CASE("gltf: a texture that cannot go by its coordinates is left out, and to
   CHECK(none.warnings.size() == 3);
 }
 
+TEST_CASE("gltf: coordinates that a mesh does not have are called that, whatever others it has") {
+  GltfFile file = two_sets();
+  json& material = file.json["materials"][0];
+  const std::string missing = ": the mesh has no TEXCOORD_3; this texture is left out";
+  material["normalTexture"] = by_set(3);
+  CHECK(file.warning() == "test.gltf: /materials/0/normalTexture" + missing);
+  material.erase("normalTexture");
+  json& metallic = material["pbrMetallicRoughness"];
+  metallic["metallicRoughnessTexture"] = by_set(3);
+  CHECK(file.warning() ==
+        "test.gltf: /materials/0/pbrMetallicRoughness/metallicRoughnessTexture" + missing + " (2 times)");
+  metallic["baseColorTexture"] = by_set(1);
+  file.json["extensionsUsed"] = {"KHR_materials_sheen"};
+  material["extensions"]["KHR_materials_sheen"] = {{"sheenColorFactor", {1, 1, 1}},
+                                                   {"sheenColorTexture", by_set(0)}};
+  metallic.erase("metallicRoughnessTexture");
+  CHECK(file.load().warnings.empty());
+}
+
+TEST_CASE("gltf: sets of texture coordinates may have numbers of several digits") {
+  GltfFile file = two_sets();
+  json& attributes = file.primitive()["attributes"];
+  attributes["TEXCOORD_10"] = attributes["TEXCOORD_1"];
+  file.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 10;
+  const LoadedScene loaded = file.load();
+  CHECK(loaded.warnings.empty());
+  CHECK(input_within(loaded.scene, MaterialInput::reflectance, 0.25f, 0.5f).b == 1);
+}
+
 TEST_CASE("gltf: colors of vertices multiply a texture, and are mixed as their triangle mixes them") {
   GltfFile file = two_sets();
   json& attributes = file.primitive()["attributes"];
