@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "io/diagnostic.h"
@@ -270,14 +271,20 @@ const ReadExtension* find_extension(std::string_view name) {
   return found == std::end(read_extensions) ? nullptr : &*found;
 }
 
-/// Whether what follows the beginning that two names share is alike, too, and so are their vendors.
+/// Two names without the beginning and the end that they share, but for a letter each.
+std::pair<std::string_view, std::string_view> parts_apart(std::string_view a, std::string_view b) {
+  const auto beginning = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin();
+  const auto first = std::size_t(std::max<std::ptrdiff_t>(beginning - 1, 0));
+  a.remove_prefix(first), b.remove_prefix(first);
+  while (a.size() > 1 && b.size() > 1 && a.back() == b.back()) a.remove_suffix(1), b.remove_suffix(1);
+  return {a, b};
+}
+
+/// Whether the parts of two names that they do not share are alike, and so are their vendors.
 bool are_alike(std::string_view name, std::string_view other) {
-  const std::string_view vendors[] = {other.substr(0, other.find('_'))};
-  if (nearest_name(name.substr(0, name.find('_')), vendors).empty()) return false;
-  const auto end = std::mismatch(name.begin(), name.end(), other.begin(), other.end()).first;
-  const auto common = std::size_t(std::max<std::ptrdiff_t>(end - name.begin() - 1, 0));
-  const std::string_view ends[] = {other.substr(common)};
-  return !nearest_name(name.substr(common), ends).empty();
+  const auto near = [](std::string_view a, std::string_view b) { return !nearest_name(a, {&b, 1}).empty(); };
+  const auto [own, its] = parts_apart(name, other);
+  return near(name.substr(0, name.find('_')), other.substr(0, other.find('_'))) && near(own, its);
 }
 
 constexpr std::array<std::string_view, 5> silent_extensions{"KHR_xmp", "KHR_xmp_json_ld", "MSFT_lod",

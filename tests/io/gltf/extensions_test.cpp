@@ -40,7 +40,7 @@ TEST_CASE("gltf: an extension that changes no picture needs no declaration") {
   CHECK(file.load().warnings.empty());
 }
 
-TEST_CASE("gltf: a long beginning that names of extensions share is no likeness") {
+TEST_CASE("gltf: a long beginning or end that names of extensions share is no likeness") {
   const auto warning = [](const char* name) {
     GltfFile file = gltf_triangle();
     file.json["extensionsUsed"] = {name};
@@ -48,12 +48,15 @@ TEST_CASE("gltf: a long beginning that names of extensions share is no likeness"
     const std::size_t at = text.find("; did you mean ");
     return at == std::string::npos ? "" : text.substr(at + 15);
   };
-  for (const char* other : {"KHR_materials_dispersion", "KHR_materials_diffuse_transmission",
-                            "KHR_materials_volume_scatter", "EXT_texture_avif", "KHR_texture_basisu",
-                            "KHR_meshopt_compression", "ADOBE_materials_clearcoat_specular"})
+  for (const char* other :
+       {"KHR_materials_dispersion", "KHR_materials_diffuse_transmission", "KHR_materials_volume_scatter",
+        "EXT_texture_avif", "KHR_texture_basisu", "KHR_meshopt_compression", "EXT_foo_compression",
+        "ADOBE_materials_clearcoat_specular"})
     CHECK(warning(other) == "");
   CHECK(warning("KHR_materials_unlt") == "KHR_materials_unlit?");
   CHECK(warning("KHR_materials_unli") == "KHR_materials_unlit?");
+  CHECK(warning("KHR_materials_transmision") == "KHR_materials_transmission?");
+  CHECK(warning("EXT_meshopt_compresion") == "EXT_meshopt_compression?");
   CHECK(warning("KHR_material_unlit") == "KHR_materials_unlit?");
   CHECK(warning("khr_materials_unlit") == "KHR_materials_unlit?");
   CHECK(warning("KRH_texture_transfrom") == "KHR_texture_transform?");
