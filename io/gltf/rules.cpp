@@ -280,13 +280,6 @@ std::pair<std::string_view, std::string_view> parts_apart(std::string_view a, st
   return {a, b};
 }
 
-/// Whether the parts of two names that they do not share are alike, and so are their vendors.
-bool are_alike(std::string_view name, std::string_view other) {
-  const auto near = [](std::string_view a, std::string_view b) { return !nearest_name(a, {&b, 1}).empty(); };
-  const auto [own, its] = parts_apart(name, other);
-  return near(name.substr(0, name.find('_')), other.substr(0, other.find('_'))) && near(own, its);
-}
-
 constexpr std::array<std::string_view, 5> silent_extensions{"KHR_xmp", "KHR_xmp_json_ld", "MSFT_lod",
                                                             "EXT_mesh_manifold", "KHR_materials_variants"};
 
@@ -309,7 +302,8 @@ std::string nearest_extension(std::string_view name) {
   std::vector<std::string_view> names;
   for (const ReadExtension& each : read_extensions) names.push_back(each.name);
   const std::string nearest = nearest_name(name, names);
-  return !nearest.empty() && are_alike(name, nearest) ? nearest : "";
+  const auto [own, its] = parts_apart(name, nearest);
+  return nearest_name(own, {&its, 1}).empty() ? "" : nearest;
 }
 
 bool is_silent_extension(std::string_view name) {
