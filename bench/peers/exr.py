@@ -55,13 +55,28 @@ def unpacked(block, size):
     return bytes(joined)
 
 
+def checked_header(data, path):
+    if data[:5] != MAGIC[:5] or data[5] & NOT_SCAN_LINES:
+        raise ValueError(f"{path}: no OpenEXR file of scan lines")
+    return attributes(data)
+
+
+def data_window(header):
+    """Left, top, right and bottom, the last two within the picture."""
+    return struct.unpack("<4i", header["dataWindow"])
+
+
+def size(path):
+    """(width, height) of an OpenEXR file of scan lines, whatever its compression."""
+    left, top, right, bottom = data_window(checked_header(Path(path).read_bytes(), path)[0])
+    return right - left + 1, bottom - top + 1
+
+
 def read(path):
     """The R, G and B of an OpenEXR file; other channels are left out."""
     data = Path(path).read_bytes()
-    if data[:5] != MAGIC[:5] or data[5] & NOT_SCAN_LINES:
-        raise ValueError(f"{path}: no OpenEXR file of scan lines")
-    header, offset = attributes(data)
-    left, top, right, bottom = struct.unpack("<4i", header["dataWindow"])
+    header, offset = checked_header(data, path)
+    left, top, right, bottom = data_window(header)
     width, height = right - left + 1, bottom - top + 1
     names = list(channels(header["channels"]))
     lines = COMPRESSIONS.get(header["compression"][0])

@@ -4,6 +4,7 @@
 mitsuba_render.py gives it to Mitsuba. Our depth m is Mitsuba's max_depth m + 1, for it counts the light's
 vertex, too.
 """
+import exr
 from exchange import (Unsupported, columns_as_rows, cross, half_size, has_inverse_square_law, has_normals,
                       light_of, read_ply, rectangle, refuse_holes, refuse_picture, scaled, textures_of, unit)
 
@@ -160,8 +161,11 @@ def emitter(light):
 
 
 def environment(light):
-    """Mitsuba's map looks along -z where ours looks along +x."""
+    """Mitsuba's map looks along -z where ours looks along +x; for a single pixel it has a light of its own."""
     axes, scale = light["rotation"], light["scale"]
+    if light["file"].endswith(".exr") and exr.size(light["file"]) == (1, 1):
+        return {"type": "constant",
+                "radiance": rgb(x * factor for x, factor in zip(exr.read(light["file"]).pixels, scale))}
     if light["layout"] != "latitude-longitude" or len(set(scale)) > 1:
         raise Unsupported(f"Mitsuba has no equal-area environment and no coloured scale: \"{light['name']}\"")
     return {"type": "envmap", "filename": light["file"], "scale": scale[0],

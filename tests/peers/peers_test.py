@@ -266,6 +266,23 @@ class Mitsuba(Folder):
             with self.assertRaisesRegex(exchange.Unsupported, text):
                 self.convert(scene)
 
+    def environment(self, width, height, pixels, **more):
+        exr.write(self.folder / "sky.exr", exr.Picture(width, height, array("f", pixels)))
+        axes = {"x": [1, 0, 0], "y": [0, 1, 0], "z": [0, 0, 1]}
+        light = {"name": "sky", "type": "environment", "layout": "latitude-longitude", "rotation": axes,
+                 "scale": [2, 2, 2], "file": "sky.exr", **more}
+        return self.convert(self.scene(lights=[light]))["light_0"]
+
+    def test_skies_are_maps_or_of_one_colour(self):
+        sky = self.environment(4, 3, range(36))
+        self.assertEqual((sky["type"], sky["scale"]), ("envmap", 2))
+        self.assertEqual(sky["to_world"], [[0, 0, 1, 0], [0, 1, 0, 0], [1, 0, 0, 0], [0, 0, 0, 1]])
+        even = self.environment(1, 1, [1, 2, 3], scale=[1, 2, 4], layout="equal-area")
+        self.assertEqual(even, {"type": "constant", "radiance": {"type": "rgb", "value": [1, 4, 12]}})
+        for more in {"layout": "equal-area"}, {"scale": [1, 2, 4]}:
+            with self.assertRaisesRegex(exchange.Unsupported, "no equal-area environment .* \"sky\""):
+                self.environment(4, 4, range(48), **more)
+
     def test_what_mitsuba_has_not_is_named(self):
         law = {"constant": 0, "linear": 0, "quadratic": 1}
         point = {"name": "p", "type": "point", "position": [0, 0, 0], "intensity": [1, 1, 1],
