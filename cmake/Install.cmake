@@ -100,8 +100,11 @@ set(private_headers
   integrators/wave/draws-inl.h
   integrators/wave/double_lanes-inl.h
   integrators/wave/facets-inl.h
+  integrators/wave/fetch-inl.h
+  integrators/wave/lamps-inl.h
   integrators/wave/lanes-inl.h
   integrators/wave/light-inl.h
+  integrators/wave/light_tree-inl.h
   integrators/wave/lobe_surfaces.h
   integrators/wave/lobes-inl.h
   integrators/wave/metals-inl.h

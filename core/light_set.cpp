@@ -276,13 +276,21 @@ LightSample LightSet::sample_group(const Group& group, const SurfacePoint& from,
                                    Vec2 u) const {
   const auto pick = group.tree.pick(receiver, u.x);
   if (!pick) return {};
-  // The pick takes most of u.x: what is left of it would be a few points. A hash of both stands in.
+  return sample_chosen(group.lights[pick->light], pick->probability, from, receiver, fresh_draws(u));
+}
+
+Vec2 LightSet::fresh_draws(Vec2 u) {
+  // The choice takes most of u.x: what is left of it would be a few points. A hash of both stands in.
   const std::uint64_t bits =
       std::uint64_t(std::bit_cast<std::uint32_t>(u.x)) << 32 | std::bit_cast<std::uint32_t>(u.y);
-  const float fresh = float(mix(bits + hash_step) >> 40) * 0x1p-24f;
-  LightSample chosen = sample(group.lights[pick->light], from, receiver, {fresh, u.y});
-  chosen.light = group.lights[pick->light];
-  chosen.pdf *= pick->probability;
+  return {float(mix(bits + hash_step) >> 40) * 0x1p-24f, u.y};
+}
+
+LightSample LightSet::sample_chosen(std::uint32_t light, float probability, const SurfacePoint& from,
+                                    const Receiver& receiver, Vec2 u) const {
+  LightSample chosen = sample(light, from, receiver, u);
+  chosen.light = light;
+  chosen.pdf *= probability;
   if (!(chosen.pdf > 0)) return {};
   return chosen;
 }

@@ -59,6 +59,14 @@ class LightSet {
 
   /// More lights than these of one kind (such that have a surface; points) are sampled as a group.
   static constexpr std::size_t most_alone = 8;
+  /// Lights that are chosen from.
+  struct Group {
+    std::vector<std::uint32_t> lights;
+    LightTree tree;
+  };
+  /// That of a number behind those of all lights.
+  const Group& group(std::uint32_t number) const { return groups_[number - size()]; }
+
   /// What is sampled at a surface: lights, and groups, whose numbers follow those of all lights. A sample of
   /// a group is one of one of its lights.
   std::span<const std::uint32_t> sampled() const { return sampled_; }
@@ -95,6 +103,11 @@ class LightSet {
   /// Light of one source at a point, which is the receiver; black where none of this sample can arrive. u in
   /// [0, 1)^2.
   LightSample sample(std::uint32_t light, const SurfacePoint& from, const Receiver& receiver, Vec2 u) const;
+  /// The draws of a point on the light that was chosen from a group by u.x.
+  static Vec2 fresh_draws(Vec2 u);
+  /// A sample of a group by fresh draws, once one of its lights is chosen with a probability > 0.
+  LightSample sample_chosen(std::uint32_t light, float probability, const SurfacePoint& from,
+                            const Receiver& receiver, Vec2 u) const;
   /// The light that a sample comes from: of a group of lights, the one that was chosen.
   std::uint32_t source(std::uint32_t light, std::uint32_t chosen) const {
     return light < size() ? light : chosen;
@@ -127,11 +140,6 @@ class LightSet {
   void background(std::span<const Vec3> directions, std::span<Rgb> radiances) const;
 
  private:
-  /// Lights that are chosen from.
-  struct Group {
-    std::vector<std::uint32_t> lights;
-    LightTree tree;
-  };
   static constexpr std::uint32_t surfaces = 0, points = 1, no_group = 2;  ///< Indices into groups_.
 
   void prepare(std::uint32_t light, double compensation);

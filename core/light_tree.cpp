@@ -105,8 +105,6 @@ float cos_less(float sin_a, float cos_a, float sin_b, float cos_b) {
 float sin_less(float sin_a, float cos_a, float sin_b, float cos_b) {
   return cos_a > cos_b ? 0 : sin_a * cos_b - cos_a * sin_b;
 }
-/// Rounding must not cut off light that goes just within a cone.
-constexpr float slack = 1e-5f;
 
 float sine_of(float cosine) { return std::sqrt(std::max(0.0f, 1 - cosine * cosine)); }
 

@@ -42,6 +42,9 @@ struct LightNode {
   /// A measure of how much light of these bounds a receiver gets at most.
   float importance(const Receiver& receiver) const;
 
+  /// Rounding must not cut off light that goes just within a cone.
+  static constexpr float slack = 1e-5f;
+
   Vec3 center, axis;
   float squared_radius = 0, power = 0;
   float cos_normals = -1, sin_normals = 0, cos_emission = 0;
@@ -55,6 +58,13 @@ class LightTree {
     std::uint32_t light;  ///< Index into the bounds that the tree was built of.
     float probability;    ///< > 0.
   };
+  static constexpr std::uint32_t none = 0xffffffff;
+  struct Node {
+    LightNode bounds;
+    std::uint32_t parent = none;
+    std::uint32_t second = none;  ///< The first child follows its parent. None: a leaf.
+    std::uint32_t light = none;
+  };
 
   LightTree() = default;
   /// Lights of no power are never picked.
@@ -66,15 +76,11 @@ class LightTree {
   float probability(std::uint32_t light, const Receiver& receiver) const;
   /// How many nodes lie between the root and the deepest light, both counted; 0 for an empty tree.
   int depth() const { return depth_; }
+  Choice choice() const { return choice_; }
+  /// The root first.
+  std::span<const Node> nodes() const { return nodes_; }
 
  private:
-  static constexpr std::uint32_t none = 0xffffffff;
-  struct Node {
-    LightNode bounds;
-    std::uint32_t parent = none;
-    std::uint32_t second = none;  ///< The first child follows its parent. None: a leaf.
-    std::uint32_t light = none;
-  };
   /// The node of these lights, and all below it; order holds their indices, at least one.
   LightBounds build(std::span<const LightBounds> lights, std::span<std::uint32_t> order, std::uint32_t parent,
                     int level);

@@ -35,14 +35,15 @@ class PathIntegrator::Waves {
         options_(options),
         shapes_(shape_table(scene)),
         patches_(patch_tables(scene, reference.transport().lights)),
+        lamps_(lamp_table(scene, reference.transport().lights)),
         has_interiors_(std::any_of(scene.materials.begin(), scene.materials.end(), has_interior)),
         has_environment_(has_environment(scene)),
         exceeds_cache_(exceeds_cache(*scene.geometry)),
         has_second_uvs_(has_second_uvs(scene)) {}
 
   WaveContext context() const {
-    return {*stages,  options_,       reference.transport(), reference.bsdfs(), shapes_,
-            patches_, has_interiors_, has_environment_,      exceeds_cache_,    has_second_uvs_};
+    return {*stages, options_,       reference.transport(), reference.bsdfs(), shapes_,        patches_,
+            lamps_,  has_interiors_, has_environment_,      exceeds_cache_,    has_second_uvs_};
   }
 
   const PathReference reference;
@@ -52,6 +53,7 @@ class PathIntegrator::Waves {
   const PathOptions options_;
   const std::vector<ShapeEntry> shapes_;
   const std::vector<PatchTable> patches_;
+  const std::vector<Lamp> lamps_;
   const bool has_interiors_, has_environment_, exceeds_cache_, has_second_uvs_;
 };
 

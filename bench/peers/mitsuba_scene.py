@@ -161,13 +161,14 @@ def emitter(light):
 
 
 def environment(light):
-    """Mitsuba's map looks along -z where ours looks along +x; for a single pixel it has a light of its own."""
+    """Mitsuba's map looks along -z where ours looks along +x. Of a single pixel it makes no map."""
     axes, scale = light["rotation"], light["scale"]
     if light["file"].endswith(".exr") and exr.size(light["file"]) == (1, 1):
         return {"type": "constant",
                 "radiance": rgb(x * factor for x, factor in zip(exr.read(light["file"]).pixels, scale))}
     if light["layout"] != "latitude-longitude" or len(set(scale)) > 1:
-        raise Unsupported(f"Mitsuba has no equal-area environment and no coloured scale: \"{light['name']}\"")
+        raise Unsupported("Mitsuba has no equal-area environment and no coloured scale: "
+                          f"\"{light['name']}\"")
     return {"type": "envmap", "filename": light["file"], "scale": scale[0],
             "to_world": columns_as_rows(axes["z"], axes["y"], axes["x"], [0, 0, 0])}
 

@@ -39,7 +39,7 @@ class CoatedDiffuseLanes {
     coat.pdf = hn::IfThenZeroElse(is_smooth_, coat.pdf);
     const Lanes through = hn::Mul(hn::Sub(one, reflectance_), hn::Sub(one, reflectance(wi.z)));
     const Lanes3 value = Lanes3{coat.value, coat.value, coat.value} + base_ * hn::Div(through, splat(pi));
-    const Lanes cosine_pdf = hn::Div(not_below_0(wi.z), splat(pi));
+    const Lanes cosine_pdf = hn::Div(positive(wi.z), splat(pi));
     const Lanes pdf =
         hn::Add(hn::Mul(probability_, coat.pdf), hn::Mul(hn::Sub(one, probability_), cosine_pdf));
     const LaneMask reflects = hn::And(is_positive(wo_.z), is_positive(wi.z));

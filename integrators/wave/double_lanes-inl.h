@@ -13,6 +13,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 
+/// Doubles of the lower and of the upper half of the lanes.
+struct DoubleHalves {
+  DoubleLanes lower, upper;
+};
+
 struct HalfLanes3 {
   HalfLanes x, y, z;
 };

@@ -18,8 +18,7 @@ namespace twinray::HWY_NAMESPACE {
 using IndexTag = hn::RebindToSigned<FloatTag>;
 using IndexLanes = hn::Vec<IndexTag>;
 
-/// std::max(0, a) and std::min(1, a): 0, or 1, where a is NaN.
-HWY_ATTR HWY_INLINE Lanes not_below_0(Lanes a) { return hn::IfThenElseZero(is_positive(a), a); }
+/// std::min(1, a): 1 where a is NaN.
 HWY_ATTR HWY_INLINE Lanes not_above_1(Lanes a) { return select(hn::Lt(a, splat(1)), a, splat(1)); }
 
 HWY_ATTR HWY_INLINE Lanes3 normalize(const Lanes3& a) { return a / hn::Sqrt(dot(a, a)); }
@@ -70,7 +69,7 @@ HWY_ATTR HWY_INLINE Lanes ggx_loss(Lanes cosine, Lanes alpha) {
 HWY_ATTR HWY_INLINE Lanes fresnel_dielectric(Lanes cos_i, Lanes eta) {
   const Lanes one = splat(1);
   const Lanes squared = hn::Add(hn::Sub(hn::Mul(eta, eta), one), hn::Mul(cos_i, cos_i));
-  const Lanes cos_t = hn::Div(hn::Sqrt(not_below_0(squared)), eta);
+  const Lanes cos_t = hn::Div(hn::Sqrt(positive(squared)), eta);
   const Lanes along = hn::Mul(eta, cos_i), across = hn::Mul(eta, cos_t);
   const Lanes parallel = hn::Div(hn::Sub(along, cos_t), hn::Add(along, cos_t));
   const Lanes perpendicular = hn::Div(hn::Sub(cos_i, across), hn::Add(cos_i, across));
@@ -86,13 +85,13 @@ HWY_ATTR HWY_INLINE Lanes fresnel_conductor(Lanes cos_i, Lanes eta, Lanes k) {
   const Lanes difference = hn::Sub(hn::Sub(hn::Mul(eta, eta), hn::Mul(k, k)), sin2);
   const Lanes product = hn::Mul(hn::Mul(hn::Mul(hn::Mul(splat(4), eta), eta), k), k);
   const Lanes squares = hn::Sqrt(hn::Add(hn::Mul(difference, difference), product));
-  const Lanes a = hn::Sqrt(not_below_0(hn::Mul(half, hn::Add(squares, difference))));
+  const Lanes a = hn::Sqrt(positive(hn::Mul(half, hn::Add(squares, difference))));
   const Lanes across = hn::Mul(hn::Mul(splat(2), a), cos_i);
   const Lanes perpendicular =
-      hn::Div(not_below_0(hn::Sub(hn::Add(squares, cos2), across)), hn::Add(hn::Add(squares, cos2), across));
+      hn::Div(positive(hn::Sub(hn::Add(squares, cos2), across)), hn::Add(hn::Add(squares, cos2), across));
   const Lanes along = hn::Mul(across, sin2), rest = hn::Add(hn::Mul(cos2, squares), hn::Mul(sin2, sin2));
   const Lanes both = hn::Add(rest, along);
-  const Lanes parallel = hn::Div(not_below_0(hn::Sub(rest, along)), both);
+  const Lanes parallel = hn::Div(positive(hn::Sub(rest, along)), both);
   const Lanes reflected = hn::Mul(hn::Mul(half, perpendicular), hn::Add(one, parallel));
   return select(is_positive(cos_i), select(is_positive(both), reflected, perpendicular), one);
 }
@@ -147,11 +146,11 @@ struct GgxLanes {
     const Lanes one = splat(1);
     const Lanes3 stretched = normalize(Lanes3{hn::Mul(x, w.x), hn::Mul(y, w.y), w.z});
     const Lanes z = hn::Sub(hn::Mul(hn::Sub(one, v), hn::Add(one, stretched.z)), stretched.z);
-    const Lanes r = hn::Sqrt(not_below_0(hn::Mul(hn::Sub(one, z), hn::Add(one, z))));
+    const Lanes r = hn::Sqrt(positive(hn::Mul(hn::Sub(one, z), hn::Add(one, z))));
     const SinCosLanes angle = sincos_turns(u);
     const Lanes3 m{hn::Mul(x, hn::Add(hn::Mul(r, angle.cos), stretched.x)),
                    hn::Mul(y, hn::Add(hn::Mul(r, angle.sin), stretched.y)),
-                   not_below_0(hn::Add(z, stretched.z))};
+                   positive(hn::Add(z, stretched.z))};
     const Lanes length2 = dot(m, m);
     const Lanes3 normal = select(is_positive(length2), m / hn::Sqrt(length2), splat(0, 0, 1));
     return normal * hn::Mul(splat(2), dot(w, normal)) - w;
@@ -178,7 +177,7 @@ HWY_ATTR HWY_INLINE Lanes loss(const GgxLanes& facets, Lanes alpha, const Lanes3
   const LaneMask has_two = facets.has_two_alphas();
   if (hn::AllFalse(FloatTag(), has_two)) return one_alpha;
   const Lanes changed = hn::Add(one_alpha, ggx_loss_change(facets, alpha, w));
-  return select(has_two, not_above_1(not_below_0(changed)), one_alpha);
+  return select(has_two, not_above_1(positive(changed)), one_alpha);
 }
 
 }  // namespace twinray::HWY_NAMESPACE

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/rgb.h"
 #include "integrators/wave/columns.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -62,6 +63,8 @@ HWY_ATTR HWY_INLINE void store(const Lanes3& a, Columns3& columns, std::size_t i
   store(a.z, columns.z, i);
 }
 HWY_ATTR HWY_INLINE Lanes3 splat(float a, float b, float c) { return {splat(a), splat(b), splat(c)}; }
+HWY_ATTR HWY_INLINE Lanes3 splat(const Vec3& v) { return splat(v.x, v.y, v.z); }
+HWY_ATTR HWY_INLINE Lanes3 splat(const Rgb& c) { return splat(c.r, c.g, c.b); }
 HWY_ATTR HWY_INLINE Lanes3 operator+(const Lanes3& a, const Lanes3& b) {
   return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
 }
@@ -91,6 +94,8 @@ HWY_ATTR HWY_INLINE LaneMask is_positive(Lanes a) { return hn::Gt(a, hn::Zero(Fl
 HWY_ATTR HWY_INLINE LaneMask is_positive_and_finite(Lanes a) {
   return hn::And(is_positive(a), hn::Lt(a, splat(std::numeric_limits<float>::infinity())));
 }
+/// std::max(0, a): 0 where a is NaN.
+HWY_ATTR HWY_INLINE Lanes positive(Lanes a) { return hn::IfThenElseZero(is_positive(a), a); }
 /// Not a number is not black, as with is_black(): Ne() says so on some processors alone.
 HWY_ATTR HWY_INLINE LaneMask is_not_black(const Lanes3& c) {
   const Lanes zero = hn::Zero(FloatTag());

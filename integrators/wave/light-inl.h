@@ -16,16 +16,18 @@ HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 
 /// Density per solid angle of points chosen with density 1 / area; in double, since areas may be tiny.
-HWY_ATTR HWY_INLINE HalfLanes area_to_solid_angle(double area, HalfLanes distance_squared, HalfLanes cosine) {
-  const auto projected = hn::Mul(hn::PromoteTo(DoubleTag(), hn::Abs(cosine)), hn::Set(DoubleTag(), area));
+HWY_ATTR HWY_INLINE HalfLanes area_to_solid_angle(DoubleLanes area, HalfLanes distance_squared,
+                                                  HalfLanes cosine) {
+  const auto projected = hn::Mul(hn::PromoteTo(DoubleTag(), hn::Abs(cosine)), area);
   return hn::DemoteTo(HalfTag(), hn::Div(hn::PromoteTo(DoubleTag(), distance_squared), projected));
 }
-HWY_ATTR HWY_INLINE Lanes area_to_solid_angle(double area, Lanes distance_squared, Lanes cosine) {
+HWY_ATTR HWY_INLINE Lanes area_to_solid_angle(const DoubleHalves& area, Lanes distance_squared,
+                                              Lanes cosine) {
   const HalfTag half;
   return hn::Combine(
       FloatTag(),
-      area_to_solid_angle(area, hn::UpperHalf(half, distance_squared), hn::UpperHalf(half, cosine)),
-      area_to_solid_angle(area, hn::LowerHalf(half, distance_squared), hn::LowerHalf(half, cosine)));
+      area_to_solid_angle(area.upper, hn::UpperHalf(half, distance_squared), hn::UpperHalf(half, cosine)),
+      area_to_solid_angle(area.lower, hn::LowerHalf(half, distance_squared), hn::LowerHalf(half, cosine)));
 }
 
 HWY_ATTR HWY_INLINE LaneMask emits(EmissionSide side, Lanes cos_front) {
@@ -36,10 +38,10 @@ HWY_ATTR HWY_INLINE LaneMask emits(EmissionSide side, Lanes cos_front) {
 
 /// What comes along the directions from a light, with their density; where it does not arrive, what a
 /// LightSample is by itself: nothing, of density 1.
-HWY_ATTR HWY_INLINE void store_arriving(LaneMask arrives, const Lanes3& direction, const Rgb& radiance,
+HWY_ATTR HWY_INLINE void store_arriving(LaneMask arrives, const Lanes3& direction, const Lanes3& radiance,
                                         Lanes pdf, LightSamples& samples, std::size_t i) {
   store(zero_unless(arrives, direction), samples.direction, i);
-  store(zero_unless(arrives, splat(radiance.r, radiance.g, radiance.b)), samples.radiance, i);
+  store(zero_unless(arrives, radiance), samples.radiance, i);
   store(select(arrives, pdf, splat(1)), samples.pdf, i);
 }
 
@@ -65,22 +67,35 @@ HWY_ATTR HWY_INLINE void store_ray_to(const PointLanes& to, const Surfaces& surf
   store(splat(1), samples.t_max, i);
 }
 
+/// What a mesh light emits.
+struct MeshEmission {
+  Lanes3 radiance;
+  EmissionSide side;
+  DoubleHalves area;
+};
+
+/// Light of the points that have been chosen. Emission: that of one light, or of one of each lane.
+template <typename Emission>
+HWY_ATTR HWY_INLINE void sample_emitter(const Surfaces& surfaces, const Emission& light,
+                                        LightSamples& samples, std::size_t i) {
+  const WeightLanes weights = weights_of(load(samples.triangle.u, i), load(samples.triangle.v, i));
+  const Lanes3 position = position_of(samples.triangle, samples.point.offset, i, weights);
+  const Lanes3 normal = load(samples.point.normal, i);
+  const Lanes3 between = position - load(surfaces.point.position, i);
+  const Lanes squared = dot(between, between);
+  const Lanes3 direction = between / hn::Sqrt(squared);
+  const Lanes cos_front = hn::Neg(dot(normal, direction));
+  const LaneMask arrives = hn::And(is_positive_and_finite(squared), emits(light.side, cos_front));
+  const Lanes uniform = area_to_solid_angle(light.area, squared, cos_front);
+  store_arriving(arrives, direction, light.radiance, hn::Mul(load(samples.density, i), uniform), samples, i);
+  store_ray_to({position, normal, load(samples.point.offset, i)}, surfaces, samples, i);
+}
+
 HWY_ATTR void sample_mesh_light(const Surfaces& surfaces, const MeshLightRequest& light,
                                 LightSamples& samples, std::size_t size) {
-  for (std::size_t i = 0; i < size; i += lane_count) {
-    const WeightLanes weights = weights_of(load(samples.triangle.u, i), load(samples.triangle.v, i));
-    const Lanes3 position = position_of(samples.triangle, samples.point.offset, i, weights);
-    const Lanes3 normal = load(samples.point.normal, i);
-    const Lanes3 between = position - load(surfaces.point.position, i);
-    const Lanes squared = dot(between, between);
-    const Lanes3 direction = between / hn::Sqrt(squared);
-    const Lanes cos_front = hn::Neg(dot(normal, direction));
-    const LaneMask arrives = hn::And(is_positive_and_finite(squared), emits(light.side, cos_front));
-    const Lanes uniform = area_to_solid_angle(light.area, squared, cos_front);
-    store_arriving(arrives, direction, light.radiance, hn::Mul(load(samples.density, i), uniform), samples,
-                   i);
-    store_ray_to({position, normal, load(samples.point.offset, i)}, surfaces, samples, i);
-  }
+  const DoubleLanes area = hn::Set(DoubleTag(), light.area);
+  const MeshEmission emission{splat(light.radiance), light.side, {area, area}};
+  for (std::size_t i = 0; i < size; i += lane_count) sample_emitter(surfaces, emission, samples, i);
 }
 
 HWY_ATTR void sample_hemisphere(const Surfaces& surfaces, LightSamples& samples, std::size_t size) {

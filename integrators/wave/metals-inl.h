@@ -41,7 +41,7 @@ class RoughConductorLanes {
     const Lanes multiple =
         hn::IfThenElseZero(is_positive(average_loss_), hn::Div(losses, hn::Mul(splat(pi), average_loss_)));
     const Lanes3 more = reflectance_ * multiple_factor_ * multiple;
-    const Lanes cosine_pdf = hn::Div(not_below_0(wi.z), splat(pi));
+    const Lanes cosine_pdf = hn::Div(positive(wi.z), splat(pi));
     const Lanes pdf = hn::Add(hn::Mul(hn::Sub(splat(1), multiple_probability_), facets.pdf),
                               hn::Mul(multiple_probability_, cosine_pdf));
     const LaneMask reflects = hn::And(is_positive(wo_.z), is_positive(wi.z));

@@ -15,9 +15,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
 
-HWY_ATTR HWY_INLINE Lanes3 splat(const Vec3& v) { return splat(v.x, v.y, v.z); }
-HWY_ATTR HWY_INLINE Lanes positive(Lanes a) { return hn::IfThenElseZero(is_positive(a), a); }
-
 /// The weights of a patch's corners.
 struct CornerLanes {
   Lanes at[4];
@@ -26,20 +23,37 @@ struct CornerLanes {
   HWY_ATTR HWY_INLINE CornerLanes() {}
 };
 
-HWY_ATTR HWY_INLINE Lanes corner_weight(const Lanes3& position, const Lanes3& normal, const Vec3& corner,
-                                        const Lanes3& emitter, EmissionSide side) {
-  const Lanes3 between = splat(corner) - position;
-  const Lanes squared = dot(between, between);
-  const Lanes front = hn::Neg(dot(emitter, between));
-  const Lanes emitted = side == EmissionSide::both    ? hn::Abs(front)
-                        : side == EmissionSide::front ? positive(front)
-                                                      : positive(hn::Neg(front));
-  return hn::Mul(hn::Div(positive(dot(normal, between)), squared), hn::Div(emitted, squared));
+/// What a side emits, by its cosine to the front.
+HWY_ATTR HWY_INLINE Lanes emitted(EmissionSide side, Lanes front) {
+  if (side == EmissionSide::both) return hn::Abs(front);
+  return positive(side == EmissionSide::front ? front : hn::Neg(front));
 }
 
-HWY_ATTR HWY_INLINE Lanes probability(const LightPatch& patch, const CornerLanes& corners) {
+/// Side: an EmissionSide, or one of each lane.
+template <typename Side>
+HWY_ATTR HWY_INLINE Lanes corner_weight(const Lanes3& position, const Lanes3& normal, const Lanes3& corner,
+                                        const Lanes3& emitter, const Side& side) {
+  const Lanes3 between = corner - position;
+  const Lanes squared = dot(between, between);
+  const Lanes front = hn::Neg(dot(emitter, between));
+  return hn::Mul(hn::Div(positive(dot(normal, between)), squared), hn::Div(emitted(side, front), squared));
+}
+
+/// That a patch of this share is chosen.
+HWY_ATTR HWY_INLINE Lanes probability(Lanes share, const CornerLanes& corners) {
   const auto& [a, b, c, d] = corners.at;
-  return hn::Mul(splat(patch.share), hn::Mul(splat(0.25f), hn::Add(hn::Add(a, b), hn::Add(c, d))));
+  return hn::Mul(share, hn::Mul(splat(0.25f), hn::Add(hn::Add(a, b), hn::Add(c, d))));
+}
+HWY_ATTR HWY_INLINE Lanes probability(const LightPatch& patch, const CornerLanes& corners) {
+  return probability(splat(patch.share), corners);
+}
+
+/// Makes weights relative to their mean over the light, which no point gets much too little of.
+HWY_ATTR HWY_INLINE void normalise(CornerLanes& weights, Lanes mean) {
+  const LaneMask is_known = is_positive_and_finite(mean);
+  const Lanes floor = splat(PatchLight::floor), scale = splat(1 / (1 + PatchLight::floor));
+  for (Lanes& weight : weights.at)
+    weight = select(is_known, hn::Mul(hn::Add(hn::Div(weight, mean), floor), scale), splat(1));
 }
 
 /// The constructor of PatchWeights.
@@ -50,21 +64,23 @@ HWY_ATTR HWY_INLINE void weigh_corners(const PatchLight& light, const Lanes3& po
     const LightPatch& patch = light.patches[i];
     const Lanes3 emitter = splat(patch.normal);
     for (std::size_t k = 0; k < 4; ++k)
-      weights[i].at[k] = corner_weight(position, normal, patch.corners[k], emitter, light.side);
+      weights[i].at[k] = corner_weight(position, normal, splat(patch.corners[k]), emitter, light.side);
     mean = hn::Add(mean, probability(patch, weights[i]));
   }
-  const LaneMask is_known = is_positive_and_finite(mean);
-  const Lanes floor = splat(PatchLight::floor), scale = splat(1 / (1 + PatchLight::floor));
-  for (std::size_t i = 0; i < light.patches.size(); ++i)
-    for (Lanes& weight : weights[i].at)
-      weight = select(is_known, hn::Mul(hn::Add(hn::Div(weight, mean), floor), scale), splat(1));
+  for (std::size_t i = 0; i < light.patches.size(); ++i) normalise(weights[i], mean);
 }
 
-/// Which patch a draw falls on, and where in it.
-struct PatchChoice {
-  Lanes index, within;
+/// Where in a patch a draw falls, and its corners' weights.
+struct PatchDraw {
+  Lanes within;
   CornerLanes corners;
 };
+/// Which patch a draw falls on, and where in it.
+struct PatchChoice {
+  Lanes index;
+  PatchDraw draw;
+};
+HWY_ATTR HWY_INLINE Lanes within_unit(Lanes a) { return hn::Min(a, splat(0x1.fffffep-1f)); }
 HWY_ATTR HWY_INLINE PatchChoice choose_patch(const PatchLight& light, const CornerLanes* weights, Lanes u) {
   Lanes total = hn::Zero(FloatTag());
   for (std::size_t i = 0; i < light.patches.size(); ++i)
@@ -81,8 +97,7 @@ HWY_ATTR HWY_INLINE PatchChoice choose_patch(const PatchLight& light, const Corn
     own = select(is_later, probability(light.patches[i], weights[i]), own);
     for (std::size_t k = 0; k < 4; ++k) corners.at[k] = select(is_later, weights[i].at[k], corners.at[k]);
   }
-  const Lanes within = hn::Min(hn::Div(hn::Sub(target, before), own), splat(0x1.fffffep-1f));
-  return {index, within, corners};
+  return {index, {within_unit(hn::Div(hn::Sub(target, before), own)), corners}};
 }
 
 HWY_ATTR HWY_INLINE Lanes linear_sample(Lanes u, Lanes a, Lanes b) {
@@ -99,11 +114,11 @@ HWY_ATTR HWY_INLINE Lanes mix_of(Lanes a, Lanes b, Lanes t) {
 struct SquareLanes {
   Lanes x, y, density;
 };
-HWY_ATTR HWY_INLINE SquareLanes choose_in_square(const PatchChoice& choice, Lanes v) {
-  const auto& [a, b, c, d] = choice.corners.at;
+HWY_ATTR HWY_INLINE SquareLanes choose_in_square(const PatchDraw& draw, Lanes v) {
+  const auto& [a, b, c, d] = draw.corners.at;
   const Lanes y = linear_sample(v, hn::Add(a, b), hn::Add(d, c));
   const Lanes left = mix_of(a, d, y), right = mix_of(b, c, y);
-  const Lanes x = linear_sample(choice.within, left, right);
+  const Lanes x = linear_sample(draw.within, left, right);
   return {x, y, mix_of(left, right, x)};
 }
 
@@ -146,6 +161,18 @@ HWY_ATTR HWY_INLINE TriangleLanes point_of_patch(const LightPatch& patch, const 
                 triangle_lanes(triangles[1], above[second[1]], above[second[2]]));
 }
 
+HWY_ATTR HWY_INLINE void store_triangle(const TriangleLanes& point, Lanes density, LightSamples& samples,
+                                        std::size_t i) {
+  store(point.a, samples.triangle.a, i);
+  store(point.b, samples.triangle.b, i);
+  store(point.c, samples.triangle.c, i);
+  store(point.u, samples.triangle.u, i);
+  store(point.v, samples.triangle.v, i);
+  store(point.normal, samples.point.normal, i);
+  store(point.offset, samples.point.offset, i);
+  store(density, samples.density, i);
+}
+
 HWY_ATTR void weigh_patches(const PatchLight& light, const Surfaces& surfaces, std::size_t size,
                             PatchCorners& corners) {
   CornerLanes weights[PatchLight::most];
@@ -164,19 +191,12 @@ HWY_ATTR void choose_of_patches(const PatchTable& table, const PatchCorners& cor
     for (std::size_t patch = 0; patch < light.patches.size(); ++patch)
       for (std::size_t k = 0; k < 4; ++k) weights[patch].at[k] = load(corners.weights[patch][k], i);
     const PatchChoice choice = choose_patch(light, weights, load(samples.ux, i));
-    const SquareLanes square = choose_in_square(choice, load(samples.uy, i));
+    const SquareLanes square = choose_in_square(choice.draw, load(samples.uy, i));
     TriangleLanes point = point_of_patch(light.patches[0], table.triangles[0], square);
     for (std::size_t k = 1; k < light.patches.size(); ++k)
       point = select(hn::Eq(choice.index, splat(float(k))),
                      point_of_patch(light.patches[k], table.triangles[k], square), point);
-    store(point.a, samples.triangle.a, i);
-    store(point.b, samples.triangle.b, i);
-    store(point.c, samples.triangle.c, i);
-    store(point.u, samples.triangle.u, i);
-    store(point.v, samples.triangle.v, i);
-    store(point.normal, samples.point.normal, i);
-    store(point.offset, samples.point.offset, i);
-    store(square.density, samples.density, i);
+    store_triangle(point, square.density, samples, i);
   }
 }
 

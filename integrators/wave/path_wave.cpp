@@ -274,6 +274,8 @@ void PathWave::sample_light(std::uint32_t light) {
       sample_sphere_light(*sphere);
     else if (environment)
       sample_environment(*environment);
+    else if (light >= context_.transport.lights.size())
+      sample_group(light);
     else
       sample_other_light(light);
     stages_.scatter_light(surfaces_, light_, paths_.size, mis, connections_);
@@ -344,17 +346,9 @@ SurfacePoint PathWave::point_at(std::size_t surface) const {
 }
 
 void PathWave::sample_other_light(std::uint32_t light) {
-  for (std::size_t i = 0; i < paths_.size; ++i) {
-    const LightSample sample =
-        context_.transport.lights.sample(light, point_at(i), receiver_at(i), {light_.ux[i], light_.uy[i]});
-    light_.direction.set(i, sample.direction);
-    light_.radiance.set(i, sample.radiance);
-    light_.pdf[i] = sample.pdf;
-    light_.origin.set(i, sample.shadow_ray.origin);
-    light_.towards.set(i, sample.shadow_ray.direction);
-    light_.t_max[i] = sample.shadow_ray.t_max;
-    light_.source[i] = sample.light;
-  }
+  for (std::size_t i = 0; i < paths_.size; ++i)
+    keep_light_sample(i, context_.transport.lights.sample(light, point_at(i), receiver_at(i),
+                                                          {light_.ux[i], light_.uy[i]}));
 }
 
 void PathWave::connect() {

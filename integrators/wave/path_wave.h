@@ -23,6 +23,7 @@ struct WaveContext {
   const BsdfTable& bsdfs;
   std::span<const ShapeEntry> shapes;
   std::span<const PatchTable> patches;  ///< Of each light.
+  std::span<const Lamp> lamps;          ///< Likewise, where there are groups of lights.
   bool has_interiors = false;           ///< Of the scene: paths must know where they are.
   bool has_environment = false;         ///< Of the scene: it is seen where nothing is hit.
   bool prefetches = true;               ///< Its surfaces do not stay in a cache.
@@ -152,6 +153,10 @@ class PathWave {
   void sample_sphere_light(const SphereLight& light);
   void sample_environment(const Environment& environment);
   void sample_other_light(std::uint32_t light);
+  /// Of a group of lights (integrators/wave/light_choice.cpp).
+  void sample_group(std::uint32_t group);
+  /// The sample that surface `i` has of a light, worked out alone.
+  void keep_light_sample(std::size_t i, const LightSample& sample);
   void connect();
   /// What the ray of a hemisphere sample's connection brings, once it has been followed.
   Rgb found_around(std::size_t connection);

@@ -61,6 +61,19 @@ struct PatchTriangle {
   float offset = 0;
 };
 
+/// A light of a group, as each lane fetches its own: a mesh of one patch that emits evenly.
+struct Lamp {
+  Vec3 corners[4];
+  Vec3 normal;
+  float share = 0;  ///< LightPatch::share; 0: the light is another one, which lanes do not know.
+  Rgb radiance;
+  PatchTriangle triangles[2];
+  std::uint32_t second_corner[2], third_corner[2];  ///< LightPatch::corner_of, of either triangle.
+  std::uint32_t is_parallelogram = 0;
+  std::uint32_t side = 0;                     ///< An EmissionSide.
+  std::uint32_t area_low = 0, area_high = 0;  ///< The halves of a double.
+};
+
 /// A mesh light of few patches, with the two triangles of each.
 struct PatchTable {
   const PatchLight* light = nullptr;  ///< Null: the light is no mesh, or has more.

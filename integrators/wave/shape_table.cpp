@@ -2,6 +2,7 @@
 #include "integrators/wave/shape_table.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/shading_map.h"
 
@@ -13,6 +14,24 @@ PatchTriangle patch_triangle(const Geometry& geometry, std::uint32_t shape, std:
   const auto& [a, b, c] = mesh.triangles[triangle];
   const Facet facet = geometry.facet(shape, triangle);
   return {mesh.positions[a], mesh.positions[b], mesh.positions[c], facet.normal, facet.offset};
+}
+
+Lamp lamp_of(const Geometry& geometry, const MeshLight& light, const LightPatch& patch, double area) {
+  const auto bits = std::bit_cast<std::uint64_t>(area);
+  Lamp lamp{.normal = patch.normal,
+            .share = patch.share,
+            .radiance = light.radiance,
+            .is_parallelogram = patch.is_parallelogram,
+            .side = std::uint32_t(light.side),
+            .area_low = std::uint32_t(bits),
+            .area_high = std::uint32_t(bits >> 32)};
+  std::copy(patch.corners.begin(), patch.corners.end(), lamp.corners);
+  for (std::size_t half = 0; half < 2; ++half) {
+    lamp.triangles[half] = patch_triangle(geometry, light.shape, patch.triangles[half]);
+    lamp.second_corner[half] = patch.corner_of[half][1];
+    lamp.third_corner[half] = patch.corner_of[half][2];
+  }
+  return lamp;
 }
 
 }  // namespace
@@ -73,6 +92,19 @@ std::vector<PatchTable> patch_tables(const Scene& scene, const LightSet& lights)
         tables[light].triangles[i][half] = patch_triangle(*scene.geometry, shape, patches[i].triangles[half]);
   }
   return tables;
+}
+
+std::vector<Lamp> lamp_table(const Scene& scene, const LightSet& lights) {
+  if (lights.sampled().empty() || lights.sampled().back() < lights.size()) return {};
+  std::vector<Lamp> table(lights.size());
+  for (std::uint32_t light = 0; light < lights.size(); ++light) {
+    const std::vector<LightPatch>& patches = lights.patches(light).patches;
+    if (patches.size() != 1 || lights.has_alpha(light)) continue;
+    const auto& mesh = std::get<MeshLight>(lights.light(light).source);
+    if (mesh.picture) continue;
+    table[light] = lamp_of(*scene.geometry, mesh, patches[0], lights.triangles(light).total());
+  }
+  return table;
 }
 
 }  // namespace twinray

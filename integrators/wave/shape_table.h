@@ -37,4 +37,7 @@ bool exceeds_cache(const Geometry& geometry);
 /// One entry for each light; scene and lights must outlive them.
 std::vector<PatchTable> patch_tables(const Scene& scene, const LightSet& lights);
 
+/// One for each light, where there are groups of lights; else none.
+std::vector<Lamp> lamp_table(const Scene& scene, const LightSet& lights);
+
 }  // namespace twinray

@@ -58,7 +58,7 @@ HWY_ATTR void sample_sphere_light(const Surfaces& surfaces, const SphereLightReq
     const Lanes3 position = center + normal * splat(light.radius);
     const LaneMask arrives = hn::And(is_positive_and_finite(squared), is_positive(cone));
     const Lanes pdf = hn::Div(splat(1), hn::Mul(splat(2 * pi), cone));
-    store_arriving(arrives, direction, light.radiance, pdf, samples, i);
+    store_arriving(arrives, direction, splat(light.radiance), pdf, samples, i);
     store_ray_to({position, normal, splat(light.offset)}, surfaces, samples, i);
   }
 }

@@ -12,7 +12,9 @@
 #include "integrators/wave/camera-inl.h"
 #include "integrators/wave/coats-inl.h"
 #include "integrators/wave/draws-inl.h"
+#include "integrators/wave/lamps-inl.h"
 #include "integrators/wave/light-inl.h"
+#include "integrators/wave/light_tree-inl.h"
 #include "integrators/wave/metals-inl.h"
 #include "integrators/wave/patches-inl.h"
 #include "integrators/wave/scatter-inl.h"
@@ -39,6 +41,8 @@ WaveStages stages() {
           weigh_patches,
           choose_of_patches,
           sample_mesh_light,
+          choose_lights,
+          sample_lamps,
           sample_sphere_light,
           sample_hemisphere,
           scatter_light,

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,13 @@ struct WaveStages {
   /// LightSamples::triangle, point.normal, point.offset, density -> the rest of them: LightSet::sample of a
   /// mesh light.
   void (*sample_mesh_light)(const Surfaces&, const MeshLightRequest&, LightSamples&, std::size_t size);
+  /// Draws -> which of a group's lights: LightTree::pick.
+  void (*choose_lights)(const LightSet::Group&, const Surfaces&, const Floats& u, std::size_t size,
+                        LightPicks&);
+  /// That and fresh draws -> LightSamples: LightSet::sample_chosen, where the lights are lamps. One for each
+  /// light of the scene.
+  void (*sample_lamps)(std::span<const Lamp>, const LightPicks&, const Surfaces&, LightSamples&,
+                       std::size_t size);
   /// Draws -> LightSamples: LightSet::sample of a sphere light.
   void (*sample_sphere_light)(const Surfaces&, const SphereLightRequest&, LightSamples&, std::size_t size);
   /// Draws -> directions, with the radiance 1: uniform in the hemisphere.

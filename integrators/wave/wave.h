@@ -110,6 +110,12 @@ struct LightSamples {
   }
 };
 
+/// Which light of a group each surface is lit by.
+struct LightPicks {
+  Words light;         ///< Of the scene; 0 where there is none.
+  Floats probability;  ///< That it is chosen; 0 where none is.
+};
+
 /// What each surface receives of the corners of a light's patches; of as many as it has.
 struct PatchCorners {
   Floats weights[PatchLight::most][4];
@@ -132,6 +138,7 @@ struct Wave {
   Paths paths;
   Surfaces surfaces;
   PatchCorners corners;
+  LightPicks picks;
   LightSamples light;
   Connections connections;
   std::vector<OtherSurface> others;         ///< In the order of the surfaces.

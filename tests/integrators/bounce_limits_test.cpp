@@ -32,16 +32,17 @@ Film film_of(const Scene& scene, const PathOptions& options) {
   return render_with(scene, PathIntegrator(scene, options), picture).film;
 }
 
-struct Kind {
+struct LimitedKind {
   SurfaceModel model;  ///< That scatters in this way alone.
   int BounceLimits::*limit;
 };
 
-const Kind kinds[] = {{Lambert{{0.9f, 0.8f, 0.7f}}, &BounceLimits::diffuse},
-                      {RoughDiffuse{{0.9f, 0.8f, 0.7f}, 0.5f}, &BounceLimits::diffuse},
-                      {Mirror{{0.9f, 0.8f, 0.7f}}, &BounceLimits::glossy},
-                      {Conductor{.roughness = {0.4f, 0.4f}}, &BounceLimits::glossy},
-                      {DiffuseTransmission{{0, 0, 0}, {0.9f, 0.8f, 0.7f}}, &BounceLimits::transmission}};
+const LimitedKind limited_kinds[] = {
+    {Lambert{{0.9f, 0.8f, 0.7f}}, &BounceLimits::diffuse},
+    {RoughDiffuse{{0.9f, 0.8f, 0.7f}, 0.5f}, &BounceLimits::diffuse},
+    {Mirror{{0.9f, 0.8f, 0.7f}}, &BounceLimits::glossy},
+    {Conductor{.roughness = {0.4f, 0.4f}}, &BounceLimits::glossy},
+    {DiffuseTransmission{{0, 0, 0}, {0.9f, 0.8f, 0.7f}}, &BounceLimits::transmission}};
 
 BounceLimits limited(int BounceLimits::*limit, int bounces) {
   BounceLimits limits;
@@ -52,7 +53,7 @@ BounceLimits limited(int BounceLimits::*limit, int bounces) {
 }  // namespace
 
 TEST_CASE("where surfaces scatter in one way alone, its limit is the depth without the direct bounce") {
-  for (const Kind& kind : kinds) {
+  for (const LimitedKind& kind : limited_kinds) {
     const Scene scene = thicket_of(kind.model);
     for (const DirectMethod method : {DirectMethod::mis, DirectMethod::lights})
       for (const int bounces : {0, 1, 3}) {
@@ -67,7 +68,7 @@ TEST_CASE("where surfaces scatter in one way alone, its limit is the depth witho
 }
 
 TEST_CASE("a limit of one kind leaves the others alone") {
-  for (const Kind& kind : kinds) {
+  for (const LimitedKind& kind : limited_kinds) {
     const Scene scene = thicket_of(kind.model);
     BounceLimits others{0, 0, 0};
     others.*kind.limit = BounceLimits::most;

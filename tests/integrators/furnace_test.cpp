@@ -12,7 +12,7 @@ namespace twinray::test {
 namespace {
 
 /// A ball of a material that fills the picture, beside a lamp and under a sky of its own.
-Scene ball_of(const SurfaceModel& model) {
+Scene ball_in_furnace(const SurfaceModel& model) {
   Scene scene = scene_of({}, {}, {0, 0, 3}, {0, 0, 0});
   scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{SphereSet{"ball", {{{0, 0, 0}, 1}}}});
   scene.materials = {{"ball", model}};
@@ -30,7 +30,7 @@ Estimate furnace(const Scene& scene, int max_depth, std::uint32_t samples = 64) 
 
 TEST_CASE("in a furnace a convex Lambert shape has the radiance of its albedo, sample by sample") {
   for (const float albedo : {1.0f, 0.5f}) {
-    const Estimate found = furnace(ball_of(Lambert{{albedo, albedo, albedo}}), 5);
+    const Estimate found = furnace(ball_in_furnace(Lambert{{albedo, albedo, albedo}}), 5);
     CHECK(found.mean == Approx(albedo).epsilon(render_rounding));
     CHECK(found.standard_error < render_rounding);
   }
@@ -41,7 +41,7 @@ TEST_CASE("in a furnace smooth surfaces that lose no light are not seen, once pa
        {SurfaceModel(Mirror{}), SurfaceModel(Dielectric{}), SurfaceModel(Dielectric{.is_thin = true}),
         SurfaceModel(DiffuseTransmission{{0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f}})}) {
     CAPTURE(model.index());
-    const Estimate found = furnace(ball_of(model), 100);
+    const Estimate found = furnace(ball_in_furnace(model), 100);
     CHECK(found.mean == Approx(1).epsilon(render_rounding));
     CHECK(found.standard_error < render_rounding);
   }
@@ -50,7 +50,7 @@ TEST_CASE("in a furnace smooth surfaces that lose no light are not seen, once pa
 TEST_CASE("in a furnace a rough metal that loses nothing is white on the whole") {
   const Conductor metal{.eta = {1, 1, 1}, .k = {1e4f, 1e4f, 1e4f}, .roughness = {0.5f, 0.5f}};
   // A metal so bright reflects all but 1e-3; its compensation is a table's, within 1e-2.
-  const Estimate found = furnace(ball_of(metal), 5, 4096);
+  const Estimate found = furnace(ball_in_furnace(metal), 5, 4096);
   CHECK(found.mean == Approx(1).margin(0.012));
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("in a furnace several materials have the radiance that paths find unde
 }
 
 TEST_CASE("in a furnace a body is darker by what it absorbs") {
-  Scene scene = ball_of(Dielectric{.ior = 1});
+  Scene scene = ball_in_furnace(Dielectric{.ior = 1});
   scene.materials[0].interior.absorption = {0.5f, 0.5f, 0.5f};
   scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-3f;
   CHECK(furnace(scene, 5).mean == Approx(std::exp(-0.5 * 2)).epsilon(1e-4));  // Pixels see shorter ways, too.
@@ -81,14 +81,14 @@ TEST_CASE("in a furnace a body is darker by what it absorbs") {
 TEST_CASE("in a furnace light is lost that is scattered more often than the depth allows") {
   // Within a closed box no path ever leaves; a ball that only refracts is left at the second event.
   CHECK(furnace(emissive_enclosure(1, 1), 100).mean == 0);
-  const Scene scene = ball_of(Refraction{});
+  const Scene scene = ball_in_furnace(Refraction{});
   CHECK(furnace(scene, 1).mean == 0);
   CHECK(furnace(scene, 2).mean == Approx(1).epsilon(render_rounding));
-  CHECK(furnace(ball_of(Lambert{{1, 1, 1}}), 0).mean == 0);
+  CHECK(furnace(ball_in_furnace(Lambert{{1, 1, 1}}), 0).mean == 0);
 }
 
 TEST_CASE("the sky of a furnace is white where there is nothing") {
-  Scene scene = ball_of(Lambert{});
+  Scene scene = ball_in_furnace(Lambert{});
   scene.camera = camera_at({0, 0, 3}, {0, 0, 9});
   CHECK(furnace(scene, 0).mean == Approx(1).epsilon(render_rounding));
 }
@@ -101,7 +101,7 @@ TEST_CASE("in a furnace the mean of stochastic textures is that of the pixels ar
                            WrapMode::clamp,
                            TextureFilter::stochastic,
                            {{{0, 0, 0.5f}, {0, 0, 0.5f}}}};
-  Scene scene = ball_of(Lambert{});
+  Scene scene = ball_in_furnace(Lambert{});
   scene.textures = {{"", image}};
   scene.materials[0].textures = {{MaterialInput::reflectance, 0}};
   check_mean(furnace(scene, 5, 65536), 0.5, 0.02);

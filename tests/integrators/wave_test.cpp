@@ -14,218 +14,11 @@
 #include "integrators/replay.h"
 #include "tests/support/catch.h"
 #include "tests/support/instances.h"
-#include "tests/support/random.h"
 #include "tests/support/scenes.h"
-#include "tests/support/shapes.h"
+#include "tests/support/wave_scenes.h"
 
 namespace twinray::test {
 namespace {
-
-/// A picture of random colours, some of them black.
-std::shared_ptr<const Image> random_picture(int width, int height) {
-  auto map = std::make_shared<Image>(width, height);
-  Random random(5);
-  for (Rgb& pixel : map->pixels) pixel = {random.below(3) == 0 ? 0 : random.unit(), random.unit(), 0.25f};
-  return map;
-}
-
-std::shared_ptr<const Image> random_sky() { return random_picture(8, 4); }
-std::shared_ptr<const Image> random_square() { return random_picture(5, 5); }
-
-/// Corner normals that contradict the geometry here and there.
-void add_normals(Mesh& mesh) {
-  Random random(11);
-  for (const Triangle& triangle : mesh.triangles) {
-    const auto first = std::uint32_t(mesh.normals.size());
-    for (int corner = 0; corner < 3; ++corner) mesh.normals.push_back(normalize(random.in_ball()));
-    mesh.normal_indices.push_back({first, first + 1, first + 2});
-    static_cast<void>(triangle);
-  }
-}
-
-/// A lamp of triangles of very different areas, the last of them without any.
-Mesh lamp_of(int triangles) {
-  Mesh mesh{.name = "lamp"};
-  float size = 0.001f;
-  for (int i = 0; i < triangles; ++i, size *= 5)
-    add_triangle(mesh, {size, 1.3f, size}, {2 * size, 1.4f, size}, {size, 1.5f, -size});
-  mesh.triangles.back()[2] = mesh.triangles.back()[1];
-  return mesh;
-}
-
-/// Random triangles of each of the models.
-void add_models(Scene& scene, const std::vector<SurfaceModel>& models) {
-  std::vector<Shape> shapes = scene.geometry->shapes();
-  for (const SurfaceModel& model : models) {
-    scene.bindings.push_back({std::uint32_t(scene.materials.size())});
-    scene.materials.push_back({"", model});
-    shapes.push_back(soup(12, 0.7f, scene.materials.size()));
-  }
-  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
-}
-
-/// Every light that rays find by leaving the scene.
-void add_distant_lights(Scene& scene) {
-  add_light(scene, AmbientLight{{0, 1, 0}, {0.1f, 0.2f, 0.1f}});
-  add_light(scene, EnvironmentLight{random_sky()});
-  EnvironmentLight square{random_square(), MapLayout::equal_area};
-  square.rotation = Transform::rotation({1, 2, 3}, 40);
-  square.scale = {0.5f, 0.25f, 1};
-  add_light(scene, std::move(square));
-  add_light(scene, SunLight{normalize({-1, -2, 1}), {0.5f, 0.3f, 0.2f}, 5});
-}
-
-/// Random triangles, some of them mirrors, with nothing but skies around.
-Scene scene_under_skies() {
-  Scene scene = scene_of(soup(40, 0.7f, 3), {0.8f, 0.7f, 0.6f}, {0, 0.3f, 1.6f}, {0, 0, 0});
-  add_models(scene, {Conductor{}});
-  add_distant_lights(scene);
-  return scene;
-}
-
-/// Random triangles of which many lie close to an edge of another, spheres, and a light of every kind.
-Scene scene_of_everything() {
-  Mesh mesh = soup(60, 0.7f, 3);
-  add_normals(mesh);
-  Scene scene = scene_of(std::move(mesh), {0.8f, 0.7f, 0}, {0, 0.3f, 1.6f}, {0, 0, 0});
-  add_lamp(scene, floor_square(0.5f, 1.2f), {3, 2, 1}, EmissionSide::both);
-  add_lamp(scene, floor_square(0.25f, -0.9f), {1, 2, 3}, EmissionSide::front);
-  add_lamp(scene, lamp_of(4), {1, 1, 2}, EmissionSide::both);
-  add_lamp(scene, lamp_of(5), {2, 1, 1}, EmissionSide::both);
-  Mesh bulb = icosphere(1);
-  for (Vec3& p : bulb.positions) p = p * 0.15f + Vec3{-0.6f, 0.4f, 0.5f};
-  add_lamp(scene, std::move(bulb), {3, 2, 3}, EmissionSide::front);
-  add_lamp(scene, inward_box(1.7f), {0.1f, 0.1f, 0.2f}, EmissionSide::back);
-  add_lamp(scene, SphereSet{"ball", {{{0.3f, 0.8f, 0.4f}, 0.2f}}}, {2, 2, 2}, EmissionSide::front);
-  add_light(scene, PointLight{{0.3f, 0.2f, 0.1f}, {1, 2, 3}, {}});
-  add_light(scene, SpotLight{{0, 1, 0}, {0, -1, 0}, {4, 4, 4}, {}, 70, 2});
-  add_light(scene, DirectionalLight{normalize({1, -2, -1}), {0.5f, 0.5f, 0.4f}});
-  add_distant_lights(scene);
-  add_light(scene, GoniometricLight{{-0.4f, 0.5f, 0.6f}, {1, 2, 1}, random_square()});
-  ProjectionLight slide{.position = {0.5f, 0.5f, 1.2f}, .intensity = {3, 2, 1}, .picture = random_sky()};
-  add_light(scene, std::move(slide));
-  return scene;
-}
-
-/// The same lights upon surfaces of every model, balls among them.
-Scene scene_of_every_model() {
-  Scene scene = scene_of_everything();
-  const SurfaceModel models[] = {Mirror{{0.9f, 0.8f, 0.7f}},
-                                 Refraction{.ior = 1.3f},
-                                 Glass{{0.9f, 1, 0.8f}, {1, 0.5f, 1}, 0, 1.5f},
-                                 Microfacet{.alpha = 0.4f},
-                                 Dielectric{.ior = 1.4f},
-                                 Dielectric{.ior = 1.5f, .roughness = {0.3f, 0.2f}},
-                                 Dielectric{.is_thin = true},
-                                 Conductor{},
-                                 Conductor{.roughness = {0.1f, 0.4f}},
-                                 DiffuseTransmission{},
-                                 RoughDiffuse{},
-                                 CoatedDiffuse{},
-                                 CoatedDiffuse{.roughness = {0.2f, 0.2f}},
-                                 CoatedConductor{},
-                                 CoatedConductor{.roughness = {0.3f, 0.3f}, .coat_roughness = {0.2f, 0.2f}},
-                                 Mix{0, 4, 0.3f}};
-  std::vector<Shape> shapes = scene.geometry->shapes();
-  std::uint64_t seed = 20;
-  for (const SurfaceModel& model : models) {
-    scene.materials.push_back({"", model});
-    const auto material = std::uint32_t(scene.materials.size() - 1);
-    Mesh mesh = soup(12, 0.7f, seed++);
-    if (seed % 2 == 0) add_normals(mesh);
-    shapes.push_back(std::move(mesh));
-    shapes.push_back(SphereSet{"", {{Random(seed).in_ball(), 0.2f}}});
-    scene.bindings.push_back({material});
-    scene.bindings.push_back({material});
-  }
-  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
-  return scene;
-}
-
-/// The same in fog, with overlapping bodies that absorb or hide each other.
-Scene scene_of_interiors() {
-  Scene scene = scene_of_every_model();
-  std::vector<Shape> shapes = scene.geometry->shapes();
-  Random random(30);
-  for (int i = 0; i < 12; ++i) {
-    const float ior = 1.1f + 0.1f * float(i % 5);
-    Material material{"", i % 3 == 0 ? SurfaceModel(Interface{}) : Dielectric{ior}};
-    if (i % 4 == 1) material.model = Dielectric{ior, {0.3f, 0.3f}};
-    material.interior = {{random.unit(), i % 2 == 0 ? 0 : random.unit(), 0.5f}, i % 4};
-    scene.materials.push_back(material);
-    scene.bindings.push_back({std::uint32_t(scene.materials.size() - 1)});
-    shapes.push_back(SphereSet{"", {{random.in_ball() * 0.3f, i == 0 ? 1.3f : 0.5f}}});
-  }
-  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
-  check_scene(scene);
-  return scene;
-}
-
-/// The same without surfaces that are not there.
-Scene scene_without_passages() {
-  Scene scene = scene_of_interiors();
-  for (Material& material : scene.materials)
-    if (std::holds_alternative<Interface>(material.model)) material.model = Dielectric{1.2f};
-  return scene;
-}
-
-/// Lamps, balls and points of light, more of each than are sampled alone, some of them behind surfaces that
-/// let light through.
-Scene scene_of_many_lights() {
-  Scene scene = scene_of(soup(60, 0.7f, 3), {0.8f, 0.7f, 0.6f}, {0, 0.3f, 1.6f}, {0, 0, 0});
-  add_models(scene, {DiffuseTransmission{}, Dielectric{.ior = 1.5f, .roughness = {0.3f, 0.2f}}});
-  Random random(8);
-  for (int i = 0; i < 7; ++i) {
-    const Vec3 place = random.in_ball() * 1.4f;
-    Mesh lamp = floor_square(0.1f, 0);
-    for (Vec3& p : lamp.positions) p = p + place;
-    add_lamp(scene, std::move(lamp), {3, 2, float(i)}, i % 2 ? EmissionSide::back : EmissionSide::both);
-    const Vec3 center = random.in_ball() * 1.3f;
-    add_lamp(scene, SphereSet{"ball", {{center, 0.1f}}}, {2, 2, 2}, EmissionSide::front);
-    add_light(scene, PointLight{random.in_ball(), {0.1f, 0.2f, 0.3f}, {}});
-    add_light(scene, SpotLight{random.in_ball(), {0, -1, 0}, {1, 1, 1}, {}, 70, 2});
-  }
-  add_light(scene, EnvironmentLight{random_sky()});
-  return scene;
-}
-
-/// Texture coordinates for every other mesh; the others have the weights of their hits.
-void add_uvs(Scene& scene) {
-  std::vector<Shape> shapes = scene.geometry->shapes();
-  Random random(50);
-  for (std::size_t i = 0; i < shapes.size(); i += 2)
-    if (auto* const mesh = std::get_if<Mesh>(&shapes[i])) {
-      mesh->uv_indices = mesh->triangles;
-      mesh->uvs.resize(mesh->positions.size());
-      for (Vec2& uv : mesh->uvs) uv = {random.unit(), random.unit()};
-      if (i % 8 == 0) continue;
-      mesh->second_uv_indices = mesh->triangles;
-      mesh->second_uvs.resize(mesh->positions.size());
-      for (Vec2& uv : mesh->second_uvs) uv = {random.unit(), 3 * random.unit()};
-    }
-  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
-}
-
-/// The same, every input of every material by a texture, and meshes that emit by a picture.
-Scene textured(Scene scene, TextureFilter filter) {
-  add_uvs(scene);
-  const ImageTexture image{
-      std::make_shared<const MipMap>(*random_square()), WrapMode::repeat, filter, {{{7, 1, 0}, {0, 5, 0}}}};
-  ImageTexture second = image;
-  second.coordinates = CoordinateSet::second;
-  scene.textures = {{"", ConstantTexture{{0.2f, 0.6f, 0.9f}}},
-                    {"", image},
-                    {"", CheckerboardTexture{0, 1, {{{4, 0, 0}, {0, 4, 0}}}}},
-                    {"", second}};
-  for (Material& material : scene.materials)
-    for (int i = 0; i < material_inputs; ++i)
-      if (const auto input = MaterialInput(i); has_input(material.model, input))
-        material.textures.push_back({input, (std::uint32_t(i) + 2) % 3 + 1});
-  for (Light& light : scene.lights)
-    if (auto* const mesh = std::get_if<MeshLight>(&light.source)) mesh->picture = random_square();
-  check_scene(scene);
-  return scene;
-}
 
 /// Of the whole frame. Every third starts in the interior of the last material, if that has one.
 std::vector<CameraSample> samples_of(const Scene& scene, std::uint32_t count) {
@@ -396,6 +189,16 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
       for (int k = 0; k < 2; ++k)
         if (i == 0 || (i + j) % 2 == std::size_t(k)) check_bits(*scenes[j], cases[i], count, samplers[k]);
     }
+}
+
+TEST_CASE("waves have the bits of paths that choose from many lights by power, and from lights without any") {
+  const Scene lit = scene_of_many_lights();
+  Scene dark = small_room();
+  for (int i = 0; i < 9; ++i) add_light(dark, PointLight{{0.1f * float(i), 0.5f, 0}, {0, 0, 0}, {}});
+  for (const SamplerKind kind : samplers) {
+    check_bits(lit, {.many_lights = ManyLights::power}, 500, kind);
+    check_bits(dark, {}, 200, kind);
+  }
 }
 
 TEST_CASE("waves have the bits of paths at a sphere lamp that reflects, outside and inside") {

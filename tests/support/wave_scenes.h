@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes in which much occurs that a path may meet, made in code from fixed numbers.
+#pragma once
+#include "core/scene.h"
+
+namespace twinray::test {
+
+/// Random triangles, some of them mirrors, with nothing but skies around.
+Scene scene_under_skies();
+/// Random triangles of which many lie close to an edge of another, spheres, and a light of every kind.
+Scene scene_of_everything();
+/// The same lights upon surfaces of every model, balls among them.
+Scene scene_of_every_model();
+/// The same in fog, with overlapping bodies that absorb or hide each other.
+Scene scene_of_interiors();
+/// The same without surfaces that are not there.
+Scene scene_without_passages();
+/// Lamps, balls and points of light, more of each than are sampled alone, some of them behind surfaces that
+/// let light through.
+Scene scene_of_many_lights();
+/// The same, every input of every material by a texture, and meshes that emit by a picture.
+Scene textured(Scene scene, TextureFilter filter);
+
+}  // namespace twinray::test
