@@ -143,7 +143,11 @@ set(private_headers
   io/picture/openimageio_view.h
   io/stl/ascii.h
   io/stl/reader.h
-  io/stl/scene.h)
+  io/stl/scene.h
+  io/three_mf/mesh.h
+  io/three_mf/package.h
+  io/three_mf/properties.h
+  io/three_mf/scene.h)
 list(TRANSFORM private_headers REPLACE "\\." "\\\\." OUTPUT_VARIABLE private_patterns)
 list(JOIN private_patterns "|" private_patterns)
 

@@ -19,8 +19,9 @@ void repair_mesh(Mesh& mesh, MeshRepairs& repairs) {
   mesh = std::move(placed.mesh);
 }
 
-LoadedScene mesh_scene(std::vector<ScenePart> parts, Scene rest, const MeshRepairs& repairs) {
-  LoadedScene loaded{.scene = assemble(std::move(parts), std::move(rest))};
+LoadedScene mesh_scene(std::vector<ScenePart> parts, Scene rest, const MeshRepairs& repairs,
+                       std::vector<Instance> instances) {
+  LoadedScene loaded{.scene = assemble(std::move(parts), std::move(rest), std::move(instances))};
   loaded.scene.camera = default_camera(loaded.scene.geometry->bounds());
   loaded.wants_light = loaded.scene.lights.empty();
   SceneSummary& summary = loaded.summary;

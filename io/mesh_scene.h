@@ -20,6 +20,7 @@ void repair_mesh(Mesh& mesh, MeshRepairs& repairs);
 
 /// Such a scene, seen as a whole in three-quarter view; where nothing emits, it is to be lit by default
 /// (LoadedScene::wants_light). Throws Error as assemble() does.
-LoadedScene mesh_scene(std::vector<ScenePart> parts, Scene rest, const MeshRepairs& repairs);
+LoadedScene mesh_scene(std::vector<ScenePart> parts, Scene rest, const MeshRepairs& repairs,
+                       std::vector<Instance> instances = {});
 
 }  // namespace twinray

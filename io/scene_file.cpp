@@ -13,7 +13,6 @@
 #include "io/assimp/scene_importer.h"
 #include "io/collada/archive.h"
 #include "io/collada/collada.h"
-#include "io/collada/xml_reader.h"
 #include "io/exchange/reader.h"
 #include "io/generated/generated.h"
 #include "io/gltf/gltf.h"
@@ -23,6 +22,8 @@
 #include "io/pbrt/scene.h"
 #include "io/ply/scene.h"
 #include "io/stl/scene.h"
+#include "io/three_mf/scene.h"
+#include "io/xml/reader.h"
 
 namespace twinray {
 
@@ -57,6 +58,7 @@ constexpr std::array formats{Format{".dae", "COLLADA", load_dae, true},
                              Format{".ply", "a mesh", load_ply},
                              Format{".ply.gz", "a mesh", load_ply},
                              Format{".stl", "STL", load_stl},
+                             Format{".3mf", "3MF", load_three_mf},
                              Format{".fbx", "by Assimp", import_scene},
                              Format{".3ds", "by Assimp", import_scene},
                              Format{".off", "by Assimp", import_scene},
@@ -65,7 +67,6 @@ constexpr std::array formats{Format{".dae", "COLLADA", load_dae, true},
                              Format{".ase", "by Assimp", import_scene},
                              Format{".ac", "by Assimp", import_scene},
                              Format{".dxf", "by Assimp", import_scene},
-                             Format{".3mf", "by Assimp", import_scene},
                              Format{".amf", "by Assimp", import_scene},
                              Format{".x3d", "by Assimp", import_scene}};
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "io/collada/collada.h"
-#include "io/collada/zip_archive.h"
+#include "io/zip_archive.h"
 #include "io/uri.h"
 
 namespace twinray {

@@ -11,7 +11,7 @@ namespace twinray {
 /// manifest.xml names the document to start with in its <dae_root>; documents may refer to each other within
 /// the archive, and to nothing outside. Without a manifest an archive's only document is read, with a
 /// warning. Messages name a file in it "archive.zae/folder/file.dae". Throws Error as read_collada() does,
-/// and for an archive that is damaged, or whose files would be too large (io/collada/zip_archive.h).
+/// and for an archive that is damaged, or whose files would be too large (io/zip_archive.h).
 LoadedScene read_zae(const std::string& path, const LoadOptions& options);
 
 }  // namespace twinray

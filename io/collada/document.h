@@ -10,7 +10,7 @@
 
 #include "core/rgb.h"
 #include "io/collada/space.h"
-#include "io/collada/xml_reader.h"
+#include "io/xml/reader.h"
 #include "io/diagnostic.h"
 #include "io/load_options.h"
 

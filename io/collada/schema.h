@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "io/collada/xml_reader.h"
+#include "io/xml/reader.h"
 #include "io/diagnostic.h"
 
 namespace twinray {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/transform.h"
-#include "io/collada/xml_reader.h"
+#include "io/xml/reader.h"
 #include "io/diagnostic.h"
 
 namespace twinray {

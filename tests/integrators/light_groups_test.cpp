@@ -11,6 +11,7 @@
 #include "tests/support/film.h"
 #include "tests/support/film_bytes.h"
 #include "tests/support/scenes.h"
+#include "tests/support/wave_scenes.h"
 #include "tests/support/traced_records.h"
 
 namespace twinray::test {
@@ -152,6 +153,17 @@ TEST_CASE("waves have the groups of the path tracer that traces one path after t
       CHECK(same_bits(render_with(scene, PathIntegrator(scene, path), with_groups(8)).film,
                       render_with(scene, PathReference(scene, path), with_groups(8)).film));
   }
+}
+
+TEST_CASE("waves have the groups of the path tracer for lamps that are chosen from") {
+  Scene scene = scene_of_many_lights();
+  scene.light_groups = {"first", "second", "third"};
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) scene.lights[i].group = std::uint32_t(i % 3);
+  const PathOptions path{.max_depth = 2};
+  RenderOptions options = with_groups(4);
+  options.width = options.height = 24;
+  CHECK(same_bits(render_with(scene, PathIntegrator(scene, path), options).film,
+                  render_with(scene, PathReference(scene, path), options).film));
 }
 
 TEST_CASE("of many lights that are chosen from, each brings light to its own group") {

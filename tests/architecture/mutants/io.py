@@ -24,7 +24,7 @@ MUTANTS = [
     Mutant("elements of a glTF file may overlap", "io/gltf/accessor.cpp",
            "if (stride < extent.element_bytes)", "if (false)",
            "test_io_gltf", "gltf: elements that would overlap are refused"),
-    Mutant("a reference to white space is no space", "io/collada/xml_reader.cpp",
+    Mutant("a reference to white space is no space", "io/xml/reader.cpp",
            "blank_space_references(result.blanked);", "",
            "test_io", "references in texts are decoded, and those to white space part numbers"),
     Mutant("a lamp without its picture is as bright as can be", "io/gltf/material.cpp",

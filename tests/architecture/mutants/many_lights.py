@@ -36,5 +36,6 @@ MUTANTS = [
            "integrators/wave/shape_table.cpp", "patches.size() != 1", "patches.empty()", "test_integrators",
            WAVE_BITS),
     Mutant("a lamp whose sample is made in lanes has no source", "integrators/wave/light_choice.cpp",
-           "light_.source[i] = picks.light[i];", "light_.source[i] = 0;", "test_integrators"),
+           "light_.source[i] = picks.light[i];", "light_.source[i] = 0;", "test_integrators",
+           "waves have the groups of the path tracer for lamps that are chosen from"),
 ]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/collada/xml_skeleton.h"
+#include "io/xml/skeleton.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/collada/xml_skeleton.h"
+#include "io/xml/skeleton.h"
 
 #include <algorithm>
 
-#include "io/collada/xml_lexer.h"
+#include "io/xml/lexer.h"
 
 namespace twinray {
 namespace {

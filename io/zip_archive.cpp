@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/collada/zip_archive.h"
+#include "io/zip_archive.h"
 
 #include <fmt/format.h>
 #include <zip.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/collada/xml_reader.h"
+#include "io/xml/reader.h"
 
 #include <filesystem>
 

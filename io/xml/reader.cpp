@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/collada/xml_reader.h"
+#include "io/xml/reader.h"
 
 #include <fmt/format.h>
 #include <tinyxml2.h>
@@ -8,11 +8,11 @@
 #include <charconv>
 #include <set>
 
-#include "io/collada/xml_lexer.h"
-#include "io/collada/xml_skeleton.h"
 #include "io/input_file.h"
 #include "io/lower_case.h"
 #include "io/number_list.h"
+#include "io/xml/lexer.h"
+#include "io/xml/skeleton.h"
 
 namespace twinray {
 namespace {
