@@ -90,13 +90,12 @@ TEST_CASE("a missing file, a directory and another format are named") {
   CHECK(message("no/such.obj") == "no/such.obj: there is no such file");
   CHECK(message(folder.string()) == folder.string() + ": this is a directory; a scene file is needed");
   const std::string text = (folder / "empty.txt").string();
-  CHECK(
-      message(text) ==
-      text +
-          ": \".txt\" is not the extension of a scene file; valid are .dae .zae (COLLADA), "
-          ".stl (STL), .3mf (3MF), .obj (Wavefront), .ply .ply.gz (a mesh), .fbx .3ds .off .x .lwo .ase .ac "
-          ".dxf .amf .x3d (by Assimp), .gltf .glb (glTF 2.0), .pbrt .pbrt.gz (pbrt-v4), .json (twinray's "
-          "exchange form)");
+  CHECK(message(text) ==
+        text +
+            ": \".txt\" is not the extension of a scene file; valid are .3mf (3MF), .dae .zae (COLLADA), "
+            ".stl (STL), .obj (Wavefront), .ply .ply.gz (a mesh), .fbx .3ds .off .x .lwo .ase .ac "
+            ".dxf .amf .x3d (by Assimp), .gltf .glb (glTF 2.0), .pbrt .pbrt.gz (pbrt-v4), .json (twinray's "
+            "exchange form)");
 }
 
 }  // namespace twinray
