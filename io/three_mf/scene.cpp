@@ -216,7 +216,8 @@ class Builder {
         place(object, asset, to_world, named_by, {});
         continue;
       }
-      check_reach(box, to_world, [&](const std::string& message) { named_by.fail(message); });
+      check_reach(box, to_world,
+                  [&named_by = named_by](const std::string& message) { named_by.fail(message); });
       instances_.push_back({prototype, to_world});
     }
   }
