@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "cli/default_light.h"
 #include "core/light_set.h"
+#include "core/radiance.h"
 
 namespace twinray {
 namespace {
@@ -25,6 +28,20 @@ std::string unmet_lights(const Scene& scene) {
       fmt::join(names, ", "), names.size() == 1 ? "adds" : "add", names.size() == 1 ? "it" : "them");
 }
 
+/// Of an environment some of whose pixels are brighter than what a film takes: they count as that
+/// (core/environment.h).
+std::string cut_off(const Light& light) {
+  const auto* const sky = std::get_if<EnvironmentLight>(&light.source);
+  if (!sky) return {};
+  const std::size_t count =
+      std::size_t(std::count_if(sky->map->pixels.begin(), sky->map->pixels.end(), [&](const Rgb& pixel) {
+        return max_component(sky->scale * pixel) > max_radiance;
+      }));
+  if (count == 0) return {};
+  return fmt::format("{} of the pixels of \"{}\" are brighter than 1e9, and count as that", count,
+                     light.name);
+}
+
 }  // namespace
 
 std::vector<std::string> scene_warnings(const Scene& scene, const RenderArguments& arguments) {
@@ -36,6 +53,7 @@ std::vector<std::string> scene_warnings(const Scene& scene, const RenderArgument
   if (!is_lit(scene))
     add("the scene has no light: the picture will be black; --default-light lights it by a soft sky");
   if (arguments.path.direct == DirectMethod::hemisphere) add(unmet_lights(scene));
+  for (const Light& light : scene.lights) add(cut_off(light));
   return warnings;
 }
 

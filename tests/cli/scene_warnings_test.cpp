@@ -40,6 +40,20 @@ TEST_CASE("a scene without a light is warned of, once, and not where normals are
   CHECK(warnings_of(Scene{}, {"--integrator=normals"}).empty());
 }
 
+TEST_CASE("pixels of a sky that are brighter than a film takes are counted") {
+  auto map = std::make_shared<Image>(2, 1);
+  map->pixels = {{5e8f, 0, 0}, {0, 1e9f, 0}};
+  Scene scene;
+  scene.lights.push_back({"sky", EnvironmentLight{map}});
+  CHECK(warnings_of(scene).empty());
+  std::get<EnvironmentLight>(scene.lights[0].source).scale = {1, 2, 1};
+  CHECK(warnings_of(scene) ==
+        Warnings{"1 of the pixels of \"sky\" are brighter than 1e9, and count as that"});
+  std::get<EnvironmentLight>(scene.lights[0].source).scale = {3, 2, 1};
+  CHECK(warnings_of(scene) ==
+        Warnings{"2 of the pixels of \"sky\" are brighter than 1e9, and count as that"});
+}
+
 TEST_CASE("lights of radiance 0 are none") {
   const Warnings none{
       "the scene has no light: the picture will be black; --default-light lights it by a soft sky"};
