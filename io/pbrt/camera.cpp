@@ -10,6 +10,7 @@
 #include "core/elementary.h"
 #include "core/geometry.h"
 #include "io/pbrt/transform.h"
+#include "io/pbrt/version_three.h"
 
 namespace twinray {
 namespace {
@@ -148,8 +149,8 @@ PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters
 
 PbrtFilm read_film(const std::string& type, const PbrtParameters& parameters, PbrtContext& context) {
   if (type != "rgb" && type != "gbuffer" && type != "spectral")
-    parameters.place().fail(
-        fmt::format("there is no film \"{}\"; valid are rgb, gbuffer and spectral", type));
+    parameters.place().fail(fmt::format("there is no film \"{}\"; valid are rgb, gbuffer and spectral{}",
+                                        type, version_three_hint(type)));
   if (type != "rgb")
     parameters.place().warn(context.warnings,
                             fmt::format("a {} film is not rendered: the picture is rgb", type));

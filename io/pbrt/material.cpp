@@ -15,6 +15,7 @@
 #include "core/radiance.h"
 #include "core/textured_material.h"
 #include "io/pbrt/spectrum.h"
+#include "io/pbrt/version_three.h"
 
 namespace twinray {
 namespace {
@@ -320,8 +321,8 @@ SurfaceModel read_model(const std::string& type, const Inputs& in) {
   std::vector<std::string_view> names;
   for (const MaterialReader& each : material_readers) names.push_back(each.type);
   for (const char* name : {"mix", "interface"}) names.push_back(name);
-  in.parameters.place().fail(
-      fmt::format("there is no material \"{}\"; valid are {}", type, list_names(names)));
+  in.parameters.place().fail(fmt::format("there is no material \"{}\"; valid are {}{}", type,
+                                         list_names(names), version_three_hint(type)));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "io/pbrt/version_three.h"
+
 namespace twinray {
 namespace {
 
@@ -85,8 +87,9 @@ const Grammar& grammar_of(const PbrtToken& token) {
     return *found;
   const std::string nearest = nearest_name(token.text, directive_names());
   token.place.fail(fmt::format(
-      "{} is not a directive of pbrt's format{}", shown(token),
-      nearest.empty() ? ", such as Shape or Translate" : fmt::format("; {} is the nearest one", nearest)));
+      "{} is not a directive of pbrt's format{}{}", shown(token),
+      nearest.empty() ? ", such as Shape or Translate" : fmt::format("; {} is the nearest one", nearest),
+      version_three_hint(token.text)));
 }
 
 void read_numbers(PbrtLexer& lexer, std::size_t count, PbrtStatement& statement) {

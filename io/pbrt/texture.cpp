@@ -11,6 +11,7 @@
 #include "io/affine_texture.h"
 #include "io/decimal.h"
 #include "io/pbrt/spectrum.h"
+#include "io/pbrt/version_three.h"
 #include "io/picture/texture_file.h"
 
 namespace twinray {
@@ -56,7 +57,8 @@ void PbrtTextures::define(const std::string& name, const std::string& type, cons
                           const PbrtParameters& parameters) {
   if (type != "float" && type != "spectrum")
     parameters.place().fail(
-        fmt::format("the texture \"{}\" is of type \"{}\"; valid are float and spectrum", name, type));
+        fmt::format("the texture \"{}\" is of type \"{}\"; valid are float and spectrum{}", name, type,
+                    version_three_hint(type)));
   if (std::find(classes.begin(), classes.end(), texture_class) == classes.end())
     parameters.place().fail(
         fmt::format("there is no texture class \"{}\"; valid are {}", texture_class, list_names(classes)));

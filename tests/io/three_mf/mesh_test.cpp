@@ -29,14 +29,14 @@ std::string mesh_error(const std::string& vertices, const std::string& triangles
   return "";
 }
 
-const std::string square =
+const std::string square_vertices =
     "<vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1e0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"+1\" z=\"0\"/>"
     "<vertex x=\"0\" y=\"1\" z=\"-0.5\"/>";
 
 }  // namespace
 
 TEST_CASE("triangles of a 3MF mesh that look alike are a piece, with the vertices that they use") {
-  const auto pieces = pieces_of(square,
+  const auto pieces = pieces_of(square_vertices,
                                 "<triangle v1=\"1\" v2=\"2\" v3=\"3\" pid=\"2\" p1=\"1\"/>"
                                 "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>"
                                 "<triangle v1=\"3\" v2=\"2\" v3=\"1\" pid=\"2\" p1=\"1\" p2=\"1\"/>");
@@ -52,7 +52,7 @@ TEST_CASE("triangles of a 3MF mesh that look alike are a piece, with the vertice
 
 TEST_CASE("corners of a 3MF triangle that differ in colour have vertices of their own") {
   const auto pieces =
-      pieces_of(square,
+      pieces_of(square_vertices,
                 "<triangle v1=\"1\" v2=\"2\" v3=\"3\" pid=\"2\" p1=\"1\" p2=\"0\" p3=\"0\"/>"
                 "<triangle v1=\"1\" v2=\"3\" v3=\"0\" pid=\"2\" p1=\"0\" p2=\"0\" p3=\"1\"/>");
   REQUIRE(pieces.size() == 1);
@@ -72,11 +72,11 @@ TEST_CASE("vertices and triangles of 3MF that are none are refused where they st
         "\"0,5\" is no coordinate; valid are finite numbers");
   names(mesh_error("<vertex x=\"0\" y=\"nan\" z=\"0\"/>", ""), "\"nan\" is no coordinate");
   names(mesh_error("<vertex x=\"0\" y=\"0\"/>", ""), "z");
-  names(mesh_error(square, "<triangle v1=\"0\" v2=\"1\" v3=\"4\"/>"),
+  names(mesh_error(square_vertices, "<triangle v1=\"0\" v2=\"1\" v3=\"4\"/>"),
         "the index 4 is out of range; there are 4 vertices");
-  names(mesh_error(square, "<triangle v1=\"0\" v2=\"1\"/>"), "v3");
-  names(mesh_error(square, "<triangle v1=\"0\" v2=\"-1\" v3=\"2\"/>"), "-1");
-  names(mesh_error(square, "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" p1=\"2\"/>"),
+  names(mesh_error(square_vertices, "<triangle v1=\"0\" v2=\"1\"/>"), "v3");
+  names(mesh_error(square_vertices, "<triangle v1=\"0\" v2=\"-1\" v3=\"2\"/>"), "-1");
+  names(mesh_error(square_vertices, "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" p1=\"2\"/>"),
         "the index 2 is out of range; the group 2 has 2");
 }
 
