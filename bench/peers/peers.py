@@ -21,6 +21,7 @@ import compare
 import exr
 import measure
 import page
+import panorama
 import renderers
 
 OWN_SCENE = Path(__file__).resolve().parents[2] / "scenes" / "cornell-bunny.dae"
@@ -194,6 +195,7 @@ def measured(arguments, scene, found):
     with tempfile.TemporaryDirectory() as folder:
         exchange = str(Path(folder) / "scene.json")
         convert(arguments.program, scene, exchange, arguments)
+        panorama.draw_squares_anew(exchange)
         picture = renderers.Picture(scene, exchange, arguments.view, *arguments.resolution,
                                     arguments.depth, arguments.threads)
         bench = Bench(arguments, picture, found)
