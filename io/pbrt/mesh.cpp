@@ -8,7 +8,6 @@
 #include "io/ply/reader.h"
 
 namespace twinray {
-namespace {
 
 std::vector<Vec3> triples(std::span<const float> numbers) {
   std::vector<Vec3> list;
@@ -17,6 +16,8 @@ std::vector<Vec3> triples(std::span<const float> numbers) {
     list.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
   return list;
 }
+
+namespace {
 
 std::vector<Vec2> pairs(std::span<const float> numbers) {
   std::vector<Vec2> list;

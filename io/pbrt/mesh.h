@@ -8,6 +8,9 @@
 
 namespace twinray {
 
+/// Numbers in threes.
+std::vector<Vec3> triples(std::span<const float> numbers);
+
 // Each gives a mesh without indices of normals and uvs: they are those of the positions. Throws Error where
 // positions are missing or not enough, or an index is out of range.
 

@@ -8,6 +8,8 @@
 #include <cmath>
 
 #include "core/mesh_area.h"
+#include "io/pbrt/curve.h"
+#include "io/pbrt/curve_reader.h"
 #include "io/pbrt/mesh.h"
 #include "io/pbrt/quadric.h"
 #include "io/pbrt/transform.h"
@@ -86,10 +88,11 @@ std::optional<PbrtShape> read_subdivision(const PbrtParameters& parameters, Pbrt
 }
 
 std::optional<PbrtShape> read_curve(const PbrtParameters& parameters, PbrtContext& context) {
-  for (const char* known : {"P", "basis", "degree", "type", "N", "width", "width0", "width1", "splitdepth"})
-    parameters.find(known);
-  parameters.place().warn(context.warnings, "curves are not rendered; this one is left out");
-  return std::nullopt;
+  const Curve curve = read_curve_points(parameters, context.warnings);
+  PbrtShape shape{curve_mesh(curve)};
+  const int splits = parameters.integer("splitdepth", 3, {0, 10});
+  shape.pieces = segments_of(curve.basis, curve.degree, curve.points.size()) << splits;
+  return shape;
 }
 
 struct ShapeReader {

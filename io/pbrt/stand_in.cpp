@@ -13,7 +13,7 @@
 namespace twinray {
 namespace {
 
-constexpr float half = 0.5f;
+constexpr float at_least_half = 0.5f;
 
 /// What alpha along the tangent and across is, in squares of OpenPBR's roughness.
 Roughness facet_factors(float anisotropy) {
@@ -102,9 +102,9 @@ class StandIn {
     made_.base_weight = model.base_weight;
     const Roughness alpha = alpha_of(model.specular_roughness, model.specular_roughness_anisotropy);
     const Rgb base = model.base_color * model.base_weight;
-    if (model.base_metalness >= half) return metal(model, base, alpha);
-    if (model.transmission_weight >= half) return clear(model, alpha);
-    if (model.coat_weight >= half) {
+    if (model.base_metalness >= at_least_half) return metal(model, base, alpha);
+    if (model.transmission_weight >= at_least_half) return clear(model, alpha);
+    if (model.coat_weight >= at_least_half) {
       use_coat();
       const Roughness coat = alpha_of(model.coat_roughness, 0);
       return instead("coated diffuse surface", "coated diffuse surfaces",
@@ -116,7 +116,7 @@ class StandIn {
   }
   SurfaceModel metal(const Principled& model, const Rgb& color, const Roughness& alpha) {
     use_as_metal();
-    if (model.coat_weight < half)
+    if (model.coat_weight < at_least_half)
       return instead("conductor", "conductors", Conductor{white, metal_k(color), alpha});
     CoatedConductor coated{white, metal_k(color), alpha};
     coated.coat_roughness = alpha_of(model.coat_roughness, 0);

@@ -84,7 +84,7 @@ TEST_CASE("gltf: an extension where it means nothing is named, and its values ar
     INFO(fault.place << " " << fault.name);
     GltfFile file = gltf_surface({{"pbrMetallicRoughness", json::object()},
                                   {"extensions", {{"KHR_materials_clearcoat", json::object()}}}});
-    file.json["textures"] = {json::object()};
+    file.json["textures"] = json::array({json::object()});
     const std::string place = std::string(fault.place) + "/extensions/" + fault.name;
     file.json[json::json_pointer(place)] = "no object";
     CHECK(file.warning() ==

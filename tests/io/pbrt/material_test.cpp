@@ -234,8 +234,6 @@ TEST_CASE("what is not rendered is named, with what stands for it") {
         "light below a surface (subsurface) is not rendered; a coated diffuse surface stands for it");
   CHECK(warning_of("Material \"measured\" \"string filename\" \"a\"") ==
         "a measured material is not rendered; a diffuse surface of 0.5 stands for it");
-  CHECK(warning_of("Shape \"curve\" \"point3 P\" [ 0 0 0 1 1 1 2 2 2 3 3 3 ]") ==
-        "curves are not rendered; this one is left out");
   CHECK(pbrt_error("Material \"plastic\"").find("there is no material \"plastic\"; valid are diffuse") !=
         std::string::npos);
   CHECK(pbrt_error("Material \"diffuse\" \"rgb reflectance\" [ 1 1.5 1 ]")
