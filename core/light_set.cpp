@@ -274,16 +274,15 @@ bool LightSet::is_in_a_zone(const Vec3& position) const {
 
 LightSample LightSet::sample_group(const Group& group, const SurfacePoint& from, const Receiver& receiver,
                                    Vec2 u) const {
-  const auto pick = group.tree.pick(receiver, u.x);
+  const auto pick = group.tree.pick(receiver, double(u.x) + double(finer_bits(u)));
   if (!pick) return {};
-  return sample_chosen(group.lights[pick->light], pick->probability, from, receiver, fresh_draws(u));
+  return sample_chosen(group.lights[pick->light], pick->probability, from, receiver, {pick->rest, u.y});
 }
 
-Vec2 LightSet::fresh_draws(Vec2 u) {
-  // The choice takes most of u.x: what is left of it would be a few points. A hash of both stands in.
+float LightSet::finer_bits(Vec2 u) {
   const std::uint64_t bits =
       std::uint64_t(std::bit_cast<std::uint32_t>(u.x)) << 32 | std::bit_cast<std::uint32_t>(u.y);
-  return {float(mix(bits + hash_step) >> 40) * 0x1p-24f, u.y};
+  return float(mix(bits + hash_step) >> 40) * 0x1p-48f;
 }
 
 LightSample LightSet::sample_chosen(std::uint32_t light, float probability, const SurfacePoint& from,

@@ -103,9 +103,11 @@ class LightSet {
   /// Light of one source at a point, which is the receiver; black where none of this sample can arrive. u in
   /// [0, 1)^2.
   LightSample sample(std::uint32_t light, const SurfacePoint& from, const Receiver& receiver, Vec2 u) const;
-  /// The draws of a point on the light that was chosen from a group by u.x.
-  static Vec2 fresh_draws(Vec2 u);
-  /// A sample of a group by fresh draws, once one of its lights is chosen with a probability > 0.
+  /// How much the draw that chooses from a group lies behind u.x: below its 24 bits, so that enough is left
+  /// of it for a point on the light.
+  static float finer_bits(Vec2 u);
+  /// A sample of a group by what is left of the draws, once one of its lights is chosen with a probability >
+  /// 0.
   LightSample sample_chosen(std::uint32_t light, float probability, const SurfacePoint& from,
                             const Receiver& receiver, Vec2 u) const;
   /// The light that a sample comes from: of a group of lights, the one that was chosen.

@@ -203,7 +203,7 @@ float LightTree::first_probability(std::uint32_t node, const Receiver& receiver)
   return std::isfinite(sum) ? first / sum : 0.5f;
 }
 
-std::optional<LightTree::Pick> LightTree::pick(const Receiver& receiver, float u) const {
+std::optional<LightTree::Pick> LightTree::pick(const Receiver& receiver, double u) const {
   if (nodes_.empty()) return std::nullopt;
   std::uint32_t node = 0;
   float probability = 1;
@@ -217,7 +217,7 @@ std::optional<LightTree::Pick> LightTree::pick(const Receiver& receiver, float u
     node = is_first ? node + 1 : nodes_[node].second;
   }
   if (!(probability > 0)) return std::nullopt;
-  return Pick{nodes_[node].light, probability};
+  return Pick{nodes_[node].light, probability, std::min(float(rest), 0x1.fffffep-1f)};
 }
 
 float LightTree::probability(std::uint32_t light, const Receiver& receiver) const {

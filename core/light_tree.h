@@ -57,6 +57,7 @@ class LightTree {
   struct Pick {
     std::uint32_t light;  ///< Index into the bounds that the tree was built of.
     float probability;    ///< > 0.
+    float rest;           ///< Of the draw: in [0, 1), uniform again.
   };
   static constexpr std::uint32_t none = 0xffffffff;
   struct Node {
@@ -71,7 +72,7 @@ class LightTree {
   explicit LightTree(std::span<const LightBounds> lights, Choice choice = Choice::importance);
 
   /// u in [0, 1). None where no light can reach the receiver.
-  std::optional<Pick> pick(const Receiver& receiver, float u) const;
+  std::optional<Pick> pick(const Receiver& receiver, double u) const;
   /// The probability with which pick() chooses a light.
   float probability(std::uint32_t light, const Receiver& receiver) const;
   /// How many nodes lie between the root and the deepest light, both counted; 0 for an empty tree.

@@ -8,9 +8,9 @@ namespace twinray {
 void PathWave::sample_group(std::uint32_t group) {
   const LightSet& lights = context_.transport.lights;
   LightPicks& picks = wave_.picks;
-  stages_.choose_lights(lights.group(group), surfaces_, light_.ux, paths_.size, picks);
   for (std::size_t i = 0; i < paths_.size; ++i)
-    light_.ux[i] = LightSet::fresh_draws({light_.ux[i], light_.uy[i]}).x;
+    picks.finer[i] = LightSet::finer_bits({light_.ux[i], light_.uy[i]});
+  stages_.choose_lights(lights.group(group), surfaces_, light_.ux, paths_.size, picks);
   stages_.sample_lamps(context_.lamps, picks, surfaces_, light_, paths_.size);
   for (std::size_t i = 0; i < paths_.size; ++i) {
     light_.source[i] = picks.light[i];

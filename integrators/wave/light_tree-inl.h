@@ -77,9 +77,10 @@ HWY_ATTR HWY_INLINE HalfLanes falls_on_first(DoubleLanes& draw, HalfLanes probab
 /// Uniform draws in [0, 1), from which choices are made one after the other.
 class DrawLanes {
  public:
-  HWY_ATTR HWY_INLINE explicit DrawLanes(Lanes u)
-      : lower_(hn::PromoteTo(DoubleTag(), hn::LowerHalf(HalfTag(), u))),
-        upper_(hn::PromoteTo(DoubleTag(), hn::UpperHalf(HalfTag(), u))) {}
+  /// Their sums.
+  HWY_ATTR HWY_INLINE DrawLanes(Lanes coarse, Lanes fine)
+      : lower_(sum(hn::LowerHalf(HalfTag(), coarse), hn::LowerHalf(HalfTag(), fine))),
+        upper_(sum(hn::UpperHalf(HalfTag(), coarse), hn::UpperHalf(HalfTag(), fine))) {}
 
   HWY_ATTR HWY_INLINE LaneMask choose_first(Lanes probability) {
     const HalfLanes lower = falls_on_first(lower_, hn::LowerHalf(HalfTag(), probability));
@@ -87,7 +88,18 @@ class DrawLanes {
     return is_positive(hn::Combine(FloatTag(), upper, lower));
   }
 
+  /// What is left of them.
+  HWY_ATTR HWY_INLINE Lanes rest() const {
+    const HalfTag half;
+    const Lanes rest = hn::Combine(FloatTag(), hn::DemoteTo(half, upper_), hn::DemoteTo(half, lower_));
+    return hn::Min(rest, splat(0x1.fffffep-1f));
+  }
+
  private:
+  static HWY_ATTR HWY_INLINE DoubleLanes sum(HalfLanes a, HalfLanes b) {
+    return hn::Add(hn::PromoteTo(DoubleTag(), a), hn::PromoteTo(DoubleTag(), b));
+  }
+
   DoubleLanes lower_, upper_;
 };
 
@@ -95,9 +107,9 @@ class DrawLanes {
 /// lanes that are wanted.
 struct LeafLanes {
   WordLanes node;
-  Lanes probability;
+  Lanes probability, rest;
 };
-HWY_ATTR HWY_INLINE LeafLanes pick(const LightTree& tree, const ReceiverLanes& receiver, Lanes u,
+HWY_ATTR HWY_INLINE LeafLanes pick(const LightTree& tree, const ReceiverLanes& receiver, DrawLanes draw,
                                    LaneMask is_wanted) {
   const std::span<const LightTree::Node> nodes = tree.nodes();
   const WordLanes root = hn::Zero(WordTag()), none = hn::Set(WordTag(), LightTree::none);
@@ -108,19 +120,19 @@ HWY_ATTR HWY_INLINE LeafLanes pick(const LightTree& tree, const ReceiverLanes& r
   };
   WordLanes node = root;
   Lanes probability = hn::IfThenElseZero(is_wanted, splat(1));
-  DrawLanes draw(u);
   for (;;) {
     const Fetch fetch(node, sizeof nodes[0]);
     const auto is_inner = hn::Eq(fetch.word(nodes[0].light), none);
     const LaneMask walks = hn::And(is_positive(probability), hn::RebindMask(FloatTag(), is_inner));
-    if (hn::AllFalse(FloatTag(), walks)) return {node, probability};
+    if (hn::AllFalse(FloatTag(), walks)) return {node, probability, draw.rest()};
     const auto of_walking = hn::RebindMask(WordTag(), walks);
     const WordLanes first = hn::IfThenElseZero(of_walking, hn::Add(node, hn::Set(WordTag(), 1)));
     const WordLanes second = hn::IfThenElseZero(of_walking, fetch.word(nodes[0].second));
     const Lanes of_first = weight(first), sum = hn::Add(of_first, weight(second));
     const Lanes share = select(hn::Lt(sum, splat(std::numeric_limits<float>::infinity())),
                                hn::Div(of_first, sum), splat(0.5f));
-    const LaneMask is_first = draw.choose_first(share);
+    // Where a lane has arrived, all of the draw is left.
+    const LaneMask is_first = draw.choose_first(select(walks, share, splat(1)));
     const Lanes chosen = select(is_first, share, hn::Sub(splat(1), share));
     const Lanes product = hn::IfThenElseZero(is_positive(sum), hn::Mul(probability, chosen));
     probability = select(walks, product, probability);
@@ -129,7 +141,7 @@ HWY_ATTR HWY_INLINE LeafLanes pick(const LightTree& tree, const ReceiverLanes& r
   }
 }
 
-HWY_ATTR void choose_lights(const LightSet::Group& group, const Surfaces& surfaces, const Floats& u,
+HWY_ATTR void choose_lights(const LightSet::Group& group, const Surfaces& surfaces, Floats& u,
                             std::size_t size, LightPicks& picks) {
   const std::span<const LightTree::Node> nodes = group.tree.nodes();
   for (std::size_t i = 0; i < size; i += lane_count) {
@@ -139,12 +151,14 @@ HWY_ATTR void choose_lights(const LightSet::Group& group, const Surfaces& surfac
     const ReceiverLanes receiver{
         load(surfaces.point.position, i), load(surfaces.shading, i),
         hn::RebindMask(FloatTag(), hn::Ne(load(surfaces.lets_through, i), hn::Zero(WordTag())))};
-    const LeafLanes leaf = pick(group.tree, receiver, load(u, i), within(i, size));
+    const DrawLanes draw(load(u, i), load(picks.finer, i));
+    const LeafLanes leaf = pick(group.tree, receiver, draw, within(i, size));
     const auto is_picked = hn::RebindMask(WordTag(), is_positive(leaf.probability));
     const WordLanes place = Fetch(leaf.node, sizeof nodes[0]).word(nodes[0].light);
     const Fetch light(hn::IfThenElseZero(is_picked, place), sizeof(std::uint32_t));
     store(hn::IfThenElseZero(is_picked, light.word(group.lights[0])), picks.light, i);
     store(leaf.probability, picks.probability, i);
+    store(leaf.rest, u, i);
   }
 }
 

@@ -49,10 +49,9 @@ struct WaveStages {
   /// LightSamples::triangle, point.normal, point.offset, density -> the rest of them: LightSet::sample of a
   /// mesh light.
   void (*sample_mesh_light)(const Surfaces&, const MeshLightRequest&, LightSamples&, std::size_t size);
-  /// Draws -> which of a group's lights: LightTree::pick.
-  void (*choose_lights)(const LightSet::Group&, const Surfaces&, const Floats& u, std::size_t size,
-                        LightPicks&);
-  /// That and fresh draws -> LightSamples: LightSet::sample_chosen, where the lights are lamps. One for each
+  /// Draws -> which of a group's lights, and what is left of the draws: LightTree::pick.
+  void (*choose_lights)(const LightSet::Group&, const Surfaces&, Floats& u, std::size_t size, LightPicks&);
+  /// Both -> LightSamples: LightSet::sample_chosen, where the lights are lamps. One for each
   /// light of the scene.
   void (*sample_lamps)(std::span<const Lamp>, const LightPicks&, const Surfaces&, LightSamples&,
                        std::size_t size);

@@ -114,6 +114,7 @@ struct LightSamples {
 struct LightPicks {
   Words light;         ///< Of the scene; 0 where there is none.
   Floats probability;  ///< That it is chosen; 0 where none is.
+  Floats finer;        ///< LightSet::finer_bits of the draws.
 };
 
 /// What each surface receives of the corners of a light's patches; of as many as it has.

@@ -46,6 +46,21 @@ SampleMean inverse_density(const Scene& scene, int seed) {
 
 }  // namespace
 
+TEST_CASE("draws that choose from groups of lights have bits below their 24, other ones for each") {
+  Random random(3);
+  std::vector<float> found;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 u{random.unit(), random.unit()};
+    found.push_back(LightSet::finer_bits(u));
+    CHECK(found.back() >= 0);
+    CHECK(found.back() < 0x1p-24f);
+    CHECK(LightSet::finer_bits(u) == found.back());
+  }
+  std::sort(found.begin(), found.end());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    CHECK(std::fabs(double(found[i]) * 0x1p24 - double(i) / 1000) < 0.07);  // Kolmogorov: once in 10^4 runs.
+}
+
 TEST_CASE("a sphere is sampled within the solid angle it covers, and uniformly") {
   const Scene scene = scene_with(SphereSet{"", {{{0.2f, 2, 0.3f}, 1}}});
   const double solid_angle = 2 * M_PI * (1 - std::sqrt(1 - 1.0 / 9));

@@ -84,6 +84,31 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("what a choice leaves of a draw is a draw, and as even as the draws were") {
+  const std::vector<LightBounds> lamps = random_lamps(20);
+  const LightTree tree(lamps);
+  Random random(9);
+  constexpr std::size_t draws = 20000;
+  for (int i = 0; i < 5; ++i) {
+    Receiver receiver = random_receiver(random);
+    receiver.lets_light_through = true;
+    std::vector<std::vector<float>> rests(lamps.size());
+    for (std::size_t n = 0; n < draws; ++n)
+      if (const auto pick = tree.pick(receiver, (double(n) + 0.5) / draws))
+        rests[pick->light].push_back(pick->rest);
+    for (const std::vector<float>& rest : rests)
+      for (std::size_t n = 0; n < rest.size(); ++n) {
+        // Each of so many parts of [0, 1) has one, but for two at its ends and the roundings of
+        // probabilities.
+        CHECK(std::fabs(double(rest[n]) - (double(n) + 0.5) / double(rest.size())) <
+              2.0 / double(rest.size()));
+        CHECK(rest[n] < 1);
+      }
+  }
+  const auto last = tree.pick(random_receiver(random), std::nextafter(1.0, 0.0));
+  if (last) CHECK(last->rest < 1);
+}
+
 TEST_CASE("by power alone a light's probability is its share of the power, wherever it is seen from") {
   const std::vector<LightBounds> lamps = random_lamps(50);
   const LightTree tree(lamps, Choice::power);
