@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/light_set.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "accel/accelerator.h"
