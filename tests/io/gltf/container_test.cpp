@@ -42,15 +42,6 @@ std::string with_length(std::string bytes, std::size_t length) {
   return bytes.replace(8, 4, word);
 }
 
-std::string fault_of(const std::string& bytes) {
-  try {
-    read_gltf(bytes, "test.glb");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 }  // namespace
 
 TEST_CASE("gltf: a binary file holds the same scene") {
@@ -62,28 +53,29 @@ TEST_CASE("gltf: a binary file holds the same scene") {
 TEST_CASE("gltf: a binary file that is damaged says where") {
   const std::string bytes = binary(gltf_triangle());
   const std::string start = "test.glb: not a binary glTF file: ";
-  CHECK(fault_of(bytes.substr(0, 8)) == "test.glb: not a binary glTF file: 8 bytes are less than its header");
-  CHECK(fault_of(bytes.substr(0, 100)).find("the file ends after 100") != std::string::npos);
+  CHECK(test::glb_error(bytes.substr(0, 8)) ==
+        "test.glb: not a binary glTF file: 8 bytes are less than its header");
+  CHECK(test::glb_error(bytes.substr(0, 100)).find("the file ends after 100") != std::string::npos);
   std::string other = bytes;
   other[4] = 1;
-  CHECK(fault_of(other) == "test.glb: not a binary glTF file: its version is 1; valid is 2");
+  CHECK(test::glb_error(other) == "test.glb: not a binary glTF file: its version is 1; valid is 2");
   other = bytes;
   other[16] = 'X';
-  CHECK(fault_of(other) == "test.glb: not a binary glTF file: the first chunk must be the JSON one");
+  CHECK(test::glb_error(other) == "test.glb: not a binary glTF file: the first chunk must be the JSON one");
   other = bytes;
   std::memset(&other[12], 0xff, 3);
-  CHECK(fault_of(other).find("the chunk at byte 12 says") != std::string::npos);
-  CHECK(fault_of("glTX" + bytes.substr(4)) ==
+  CHECK(test::glb_error(other).find("the chunk at byte 12 says") != std::string::npos);
+  CHECK(test::glb_error("glTX" + bytes.substr(4)) ==
         start + "its first bytes are 67 6c 54 58; valid are 67 6c 54 46, \"glTF\"");
-  CHECK(fault_of("\x1f\x8b") == start + "2 bytes are less than its header");
+  CHECK(test::glb_error("\x1f\x8b") == start + "2 bytes are less than its header");
   const std::string size = std::to_string(bytes.size());
-  CHECK(fault_of(with_length(bytes, 19)) ==
+  CHECK(test::glb_error(with_length(bytes, 19)) ==
         start + "its header says 19 bytes, which are too few for a chunk; the file has " + size);
   const std::string buffer = std::to_string(bytes.size() - 44);
-  CHECK(fault_of(with_length(bytes, bytes.size() - 4)) ==
+  CHECK(test::glb_error(with_length(bytes, bytes.size() - 4)) ==
         start + "the chunk at byte " + buffer + " says 36 bytes, and the file's header, which says " +
             std::to_string(bytes.size() - 4) + " in all, leaves it 32");
-  CHECK(fault_of(with_length(bytes.substr(0, bytes.size() - 38), bytes.size() - 38)) ==
+  CHECK(test::glb_error(with_length(bytes.substr(0, bytes.size() - 38), bytes.size() - 38)) ==
         start + "the chunk at byte " + buffer + " is cut: of its header of 8 bytes there are 6");
 }
 

@@ -125,4 +125,14 @@ inline GltfFile gltf_surface(const nlohmann::json& material) {
 
 inline const Mesh& only_mesh(const LoadedScene& loaded) { return *loaded.scene.geometry->mesh(0); }
 
+/// What reading these bytes of "test.glb" fails with; empty where it does not.
+inline std::string glb_error(const std::string& bytes) {
+  try {
+    read_gltf(bytes, "test.glb");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
 }  // namespace twinray::test

@@ -35,15 +35,6 @@ Source light_of(const GltfFile& file) {
   return std::get<Source>(file.load().scene.lights.at(0).source);
 }
 
-std::string error_of(const std::string& bytes) {
-  try {
-    read_gltf(bytes, "test.glb");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 }  // namespace
 
 TEST_CASE("gltf: a camera keeps its height whatever the picture's shape") {
@@ -303,7 +294,7 @@ TEST_CASE("gltf: a small file that says it is large takes no memory") {
       R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":90000000000}],"scenes":[{"nodes":[0]}],)"
       R"("accessors":[{"componentType":5126,"count":4000000000,"type":"VEC3"}],"nodes":[{"mesh":0}],)"
       R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]})";
-  CHECK(error_of(promise).starts_with("test.glb: " + refused));
+  CHECK(test::glb_error(promise).starts_with("test.glb: " + refused));
 }
 
 TEST_CASE("gltf: the last element of an accessor ends with its view") {
@@ -325,7 +316,7 @@ TEST_CASE("gltf: elements that would overlap are refused") {
 }
 
 TEST_CASE("gltf: text that is no JSON is an error with its line, and so is deep nesting") {
-  const auto error = [](const std::string& text) { return error_of(text); };
+  const auto error = [](const std::string& text) { return test::glb_error(text); };
   CHECK(error("{\"asset\":\n  {\"version\": }}").find("test.glb:2:15: the text is not JSON here") == 0);
   CHECK(error(std::string(100000, '[')).find("nest deeper than 100 levels") != std::string::npos);
   CHECK(error("{\"asset\": {\"version\": \"2.0\"}, \"scene\": 1e999}").find("too large") !=
@@ -339,13 +330,14 @@ TEST_CASE("gltf: text that is no JSON is an error with its line, and so is deep 
 TEST_CASE("gltf: a file of version 1 is called that, whatever its shape") {
   const std::string lists = R"("accessors": {"a": {}}, "nodes": {"n": {}}, "meshes": {}})";
   const std::string old = "test.glb: /asset/version: the version of glTF is \"1.0\"; valid is 2.0";
-  CHECK(error_of(R"({"asset": {"version": "1.0", "premultipliedAlpha": true}, )" + lists) == old);
-  CHECK(error_of(R"({"asset": {"version": 1}, )" + lists) == old);
-  CHECK(error_of(R"({"asset": {"version": 1.0}, )" + lists) == old);
-  CHECK(error_of("{" + lists) ==
+  CHECK(test::glb_error(R"({"asset": {"version": "1.0", "premultipliedAlpha": true}, )" + lists) == old);
+  CHECK(test::glb_error(R"({"asset": {"version": 1}, )" + lists) == old);
+  CHECK(test::glb_error(R"({"asset": {"version": 1.0}, )" + lists) == old);
+  CHECK(test::glb_error("{" + lists) ==
         "test.glb: /nodes: this is an object, as in glTF 1.0; valid is an array, as in glTF 2.0");
-  CHECK(error_of(R"({"asset": {"version": 2}})") == "test.glb: /asset/version: this is 2; valid is text");
-  CHECK(error_of(R"({"asset": {"version": null}})") ==
+  CHECK(test::glb_error(R"({"asset": {"version": 2}})") ==
+        "test.glb: /asset/version: this is 2; valid is text");
+  CHECK(test::glb_error(R"({"asset": {"version": null}})") ==
         "test.glb: /asset/version: this is null; valid is text");
 }
 
