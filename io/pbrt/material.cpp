@@ -286,11 +286,27 @@ SurfaceModel read_subsurface(const Inputs& in) {
                                in.has("eta") ? in.coat_ior("eta") : 1.33f});
 }
 
+/// What fibres absorb, by their pigments, as pbrt has it.
+Rgb hair_absorption(const Inputs& in) {
+  if (in.has("sigma_a")) return in.color("sigma_a", {}, ColorRole::unbounded);
+  const bool has_pigments = in.has("eumelanin") || in.has("pheomelanin");
+  return Rgb{0.419f, 0.697f, 1.37f} * in.parameters.real("eumelanin", has_pigments ? 0 : 1.3f, {0, 1e6}) +
+         Rgb{0.187f, 0.4f, 1.05f} * in.parameters.real("pheomelanin", 0, {0, 1e6});
+}
+
+/// The colour that many such fibres have together (Chiang et al., "A Practical and Controllable Hair and Fur
+/// Model for Production Path Tracing", 2016, equation 9, solved for the colour).
+Rgb hair_color(const Rgb& absorption, float beta) {
+  const float reach =
+      5.969f + beta * (-0.215f + beta * (2.532f + beta * (-10.73f + beta * (5.574f + beta * 0.245f))));
+  const auto channel = [&](float a) { return std::min(exp_of(-reach * std::sqrt(a)), 1.0f); };
+  return {channel(absorption.r), channel(absorption.g), channel(absorption.b)};
+}
+
 SurfaceModel read_hair(const Inputs& in) {
-  for (const char* known : {"sigma_a", "eumelanin", "pheomelanin", "eta", "beta_m", "beta_n", "alpha"})
-    in.parameters.find(known);
-  const Rgb brown{0.2f, 0.12f, 0.08f};
-  return instead(in, "hair", "a diffuse surface", Lambert{in.color("reflectance", in.color("color", brown))});
+  for (const char* known : {"eta", "beta_m", "alpha"}) in.parameters.find(known);
+  const Rgb color = hair_color(hair_absorption(in), in.parameters.real("beta_n", 0.3f, {0, 1}));
+  return instead(in, "hair", "a diffuse surface", Lambert{in.color("reflectance", in.color("color", color))});
 }
 
 SurfaceModel read_measured(const Inputs& in) {

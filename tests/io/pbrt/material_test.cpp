@@ -228,6 +228,23 @@ TEST_CASE("named materials may be used before they are made, and a mix is of tho
             .find("a mix is of materials that are made before it; \"m\" is not") != std::string::npos);
 }
 
+TEST_CASE("a surface that stands for hair has the colour of its pigments") {
+  const auto color = [](const std::string& parameters) {
+    const LoadedScene loaded = load_pbrt_world("Material \"hair\" " + parameters);
+    return std::get<Lambert>(loaded.scene.materials.at(1).model).reflectance;
+  };
+  const Rgb black = color("\"float eumelanin\" 8"), blonde = color("\"float eumelanin\" 0.2"),
+            red = color("\"float pheomelanin\" 2"), brown = color("");
+  CHECK(max_component(black) < 0.001f);
+  CHECK(blonde.r == Approx(std::exp(-5.9 * std::sqrt(0.2 * 0.419))).epsilon(0.03));
+  CHECK(blonde.r > 2 * blonde.b);
+  CHECK(red.r > 3 * red.g);
+  CHECK(max_component(brown) < blonde.r);
+  CHECK(max_component(black) < max_component(brown));
+  CHECK(color("\"rgb sigma_a\" [ 0 0 0 ]") == Rgb{1, 1, 1});
+  CHECK(color("\"rgb reflectance\" [ 0.5 0.25 0.125 ]") == Rgb{0.5f, 0.25f, 0.125f});
+}
+
 TEST_CASE("what is not rendered is named, with what stands for it") {
   CHECK(warning_of("Material \"hair\"") == "hair is not rendered; a diffuse surface stands for it");
   CHECK(warning_of("Material \"subsurface\"") ==
