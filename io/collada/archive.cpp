@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "io/collada/collada.h"
-#include "io/zip_archive.h"
 #include "io/uri.h"
+#include "io/zip_archive.h"
 
 namespace twinray {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "core/rgb.h"
 #include "io/collada/space.h"
-#include "io/xml/reader.h"
 #include "io/diagnostic.h"
 #include "io/load_options.h"
+#include "io/xml/reader.h"
 
 namespace twinray {
 

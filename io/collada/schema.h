@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "io/xml/reader.h"
 #include "io/diagnostic.h"
+#include "io/xml/reader.h"
 
 namespace twinray {
 

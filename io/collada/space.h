@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/transform.h"
-#include "io/xml/reader.h"
 #include "io/diagnostic.h"
+#include "io/xml/reader.h"
 
 namespace twinray {
 

@@ -11,8 +11,8 @@
 #include "tests/support/film.h"
 #include "tests/support/film_bytes.h"
 #include "tests/support/scenes.h"
-#include "tests/support/wave_scenes.h"
 #include "tests/support/traced_records.h"
+#include "tests/support/wave_scenes.h"
 
 namespace twinray::test {
 namespace {
