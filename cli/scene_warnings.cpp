@@ -38,8 +38,7 @@ std::string cut_off(const Light& light) {
         return max_component(sky->scale * pixel) > max_radiance;
       }));
   if (count == 0) return {};
-  return fmt::format("{} of the pixels of \"{}\" are brighter than 1e9, and count as that", count,
-                     light.name);
+  return fmt::format("\"{}\": pixels brighter than 1e9, which count as that: {}", light.name, count);
 }
 
 }  // namespace

@@ -95,6 +95,7 @@ std::vector<PatchTable> patch_tables(const Scene& scene, const LightSet& lights)
 }
 
 std::vector<Lamp> lamp_table(const Scene& scene, const LightSet& lights) {
+  // In order, so that groups come last.
   if (lights.sampled().empty() || lights.sampled().back() < lights.size()) return {};
   std::vector<Lamp> table(lights.size());
   for (std::uint32_t light = 0; light < lights.size(); ++light) {

@@ -2,6 +2,7 @@
 #include "io/pbrt/curve.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/angle.h"

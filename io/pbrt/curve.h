@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Curves, such as hair and grass, cut into triangles: tubes with smooth normals, and ribbons.
 #pragma once
-#include <array>
 #include <cstddef>
 #include <vector>
 

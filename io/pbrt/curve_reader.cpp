@@ -3,29 +3,21 @@
 
 #include <fmt/format.h>
 
-#include <string_view>
+#include <array>
 #include <utility>
 
 #include "io/pbrt/mesh.h"
+#include "io/pbrt/word.h"
 
 namespace twinray {
 namespace {
 
 constexpr NumberRange widths{0, 1e12};
 
-/// One of some words; the first one where the parameter is missing.
-template <typename Value, std::size_t n>
-Value one_of(const PbrtParameters& parameters, const char* name,
-             const std::pair<std::string_view, Value> (&words)[n]) {
-  const std::string text = parameters.text(name, std::string(words[0].first));
-  std::string known;
-  for (const auto& [word, value] : words) {
-    if (word == text) return value;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", word);
-  }
-  parameters.find(name)->place.fail(
-      fmt::format("there is no {} \"{}\" of curves; valid are {}", name, text, known));
-}
+constexpr std::array<PbrtWord<CurveKind>, 3> kinds_of_curves{
+    {{"flat", CurveKind::flat}, {"cylinder", CurveKind::cylinder}, {"ribbon", CurveKind::ribbon}}};
+constexpr std::array<PbrtWord<CurveBasis>, 2> bases{
+    {{"bezier", CurveBasis::bezier}, {"bspline", CurveBasis::bspline}}};
 
 void check_points(const Curve& curve, const PbrtPlace& place) {
   if (segments_of(curve.basis, curve.degree, curve.points.size()) > 0) return;
@@ -40,11 +32,8 @@ void check_points(const Curve& curve, const PbrtPlace& place) {
 
 Curve read_curve_points(const PbrtParameters& parameters, WarningList& warnings) {
   Curve curve;
-  curve.kind = one_of<CurveKind>(
-      parameters, "type",
-      {{"flat", CurveKind::flat}, {"cylinder", CurveKind::cylinder}, {"ribbon", CurveKind::ribbon}});
-  curve.basis = one_of<CurveBasis>(parameters, "basis",
-                                   {{"bezier", CurveBasis::bezier}, {"bspline", CurveBasis::bspline}});
+  curve.kind = word_of(parameters, "type", kinds_of_curves);
+  curve.basis = word_of(parameters, "basis", bases);
   curve.degree = parameters.integer("degree", 3, {2, 3});
   curve.points = triples(parameters.tuples("P", 3));
   check_points(curve, parameters.place());

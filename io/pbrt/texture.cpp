@@ -12,6 +12,7 @@
 #include "io/decimal.h"
 #include "io/pbrt/spectrum.h"
 #include "io/pbrt/version_three.h"
+#include "io/pbrt/word.h"
 #include "io/picture/texture_file.h"
 
 namespace twinray {
@@ -21,33 +22,14 @@ constexpr std::array<std::string_view, 13> classes{
     "constant", "scale", "mix",    "directionmix", "imagemap", "checkerboard", "dots",
     "bilerp",   "fbm",   "marble", "windy",        "wrinkled", "ptex"};
 
-/// Words with what they stand for; the first one is pbrt's default.
-template <typename Value>
-struct Word {
-  std::string_view word;
-  Value value;
-};
-
-template <typename Value, std::size_t n>
-Value word_of(const PbrtParameters& parameters, const char* name, const std::array<Word<Value>, n>& words) {
-  const std::string text = parameters.text(name, std::string(words[0].word));
-  std::vector<std::string_view> known;
-  for (const auto& [word, value] : words) {
-    if (word == text) return value;
-    known.push_back(word);
-  }
-  parameters.find(name)->place.fail(
-      fmt::format("there is no {} \"{}\"; valid are {}", name, text, list_names(known)));
-}
-
-constexpr std::array<Word<TextureFilter>, 4> filters{{{"bilinear", TextureFilter::bilinear},
-                                                      {"trilinear", TextureFilter::trilinear},
-                                                      {"EWA", TextureFilter::trilinear},
-                                                      {"point", TextureFilter::nearest}}};
-constexpr std::array<Word<WrapMode>, 4> wraps{{{"repeat", WrapMode::repeat},
-                                               {"clamp", WrapMode::clamp},
-                                               {"black", WrapMode::black},
-                                               {"octahedralsphere", WrapMode::clamp}}};
+constexpr std::array<PbrtWord<TextureFilter>, 4> filters{{{"bilinear", TextureFilter::bilinear},
+                                                          {"trilinear", TextureFilter::trilinear},
+                                                          {"EWA", TextureFilter::trilinear},
+                                                          {"point", TextureFilter::nearest}}};
+constexpr std::array<PbrtWord<WrapMode>, 4> wraps{{{"repeat", WrapMode::repeat},
+                                                   {"clamp", WrapMode::clamp},
+                                                   {"black", WrapMode::black},
+                                                   {"octahedralsphere", WrapMode::clamp}}};
 
 Rgb lerp(const Rgb& a, const Rgb& b, const Rgb& amount) { return a + (b - a) * amount; }
 

@@ -45,11 +45,11 @@ Triangle read_corners(const XmlElement& triangle, std::size_t vertices) {
 /// What the corners of a triangle wear.
 using Worn = std::array<std::optional<ThreeMfProperty>, 3>;
 
-Worn read_worn(const XmlElement& triangle, const ThreeMfProperties& properties,
-               const std::optional<ThreeMfProperty>& own) {
-  constexpr std::uint32_t none = 0xffffffff;
-  const std::uint32_t group = triangle.index_attribute("pid", none);
-  if (group == none) return {own, own, own};
+Worn read_worn(const XmlElement& triangle, const ThreeMfProperties& properties, const ThreeMfDefault& own) {
+  const bool names_group = triangle.attribute("pid").has_value();
+  if (!names_group && !(own.group && triangle.attribute("p1")))
+    return {own.property, own.property, own.property};
+  const std::uint32_t group = names_group ? triangle.required_index_attribute("pid") : *own.group;
   const std::uint32_t p1 = triangle.index_attribute("p1", 0);
   const auto find = [&](std::uint32_t index) { return properties.find(triangle, {group, index}); };
   return {find(p1), find(triangle.index_attribute("p2", p1)), find(triangle.index_attribute("p3", p1))};
@@ -115,8 +115,7 @@ class Pieces {
 }  // namespace
 
 std::vector<ThreeMfPiece> read_pieces(const XmlElement& mesh, const std::string& name,
-                                      const ThreeMfProperties& properties,
-                                      const std::optional<ThreeMfProperty>& own) {
+                                      const ThreeMfProperties& properties, const ThreeMfDefault& own) {
   const std::vector<Vec3> positions = read_vertices(mesh.required_child("vertices"));
   Pieces pieces(name, positions);
   for (const XmlElement& triangle : mesh.required_child("triangles").children("triangle"))

@@ -17,10 +17,15 @@ struct ThreeMfPiece {
   std::vector<Rgb> colors;  ///< Of each vertex, where the corners of a triangle have different ones.
 };
 
-/// Reads <mesh>. `own` is what triangles wear that name nothing themselves. Throws Error, with the place,
-/// where a vertex is not three numbers, or a triangle's index is out of range.
+/// What an object gives its triangles.
+struct ThreeMfDefault {
+  std::optional<ThreeMfProperty> property;  ///< Of those that name nothing themselves.
+  std::optional<std::uint32_t> group = {};  ///< Of those that name a number alone: the object's own group.
+};
+
+/// Reads <mesh>. Throws Error, with the place, where a vertex is not three numbers, or a triangle's index is
+/// out of range.
 std::vector<ThreeMfPiece> read_pieces(const XmlElement& mesh, const std::string& name,
-                                      const ThreeMfProperties& properties,
-                                      const std::optional<ThreeMfProperty>& own);
+                                      const ThreeMfProperties& properties, const ThreeMfDefault& own);
 
 }  // namespace twinray

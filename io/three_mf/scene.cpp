@@ -92,6 +92,7 @@ struct Resources {
 struct ShownObject {
   std::string name;
   std::vector<ThreeMfPiece> pieces;
+  std::vector<std::uint32_t> materials;                  ///< Of each piece.
   std::vector<std::pair<Transform, XmlElement>> places;  ///< And the item or component that says so.
 
   std::size_t triangles() const {
@@ -177,9 +178,11 @@ class Builder {
     if (is_new) {
       const std::string name = object.attribute("name").value_or("");
       objects_.push_back(
-          {name.empty() ? fmt::format("object {}", object.required_attribute("id")) : name, {}, {}});
+          {name.empty() ? fmt::format("object {}", object.required_attribute("id")) : name, {}, {}, {}});
+      ThreeMfDefault worn_by_all{own};
+      if (object.attribute("pid")) worn_by_all.group = object.required_index_attribute("pid");
       objects_.back().pieces =
-          read_pieces(*mesh, objects_.back().name, *resources_of(object.document()).properties, own);
+          read_pieces(*mesh, objects_.back().name, *resources_of(object.document()).properties, worn_by_all);
     }
     objects_[entry->second].places.emplace_back(to_world, named_by);
   }
@@ -194,7 +197,7 @@ class Builder {
   void place_all() {
     for (ShownObject& object : objects_) {
       repeated_ += object.places.size() > 1;
-      for (ThreeMfPiece& piece : object.pieces) paint(piece);
+      for (ThreeMfPiece& piece : object.pieces) object.materials.push_back(material_of(piece));
       const bool is_shared = are_stored_once(options_.instances, object.triangles(), object.places.size());
       const auto asset = std::uint32_t(rest_.assets.size());
       rest_.assets.push_back(object.name);
@@ -224,56 +227,53 @@ class Builder {
 
   void place(const ShownObject& object, std::uint32_t asset, const Transform& to_world,
              const XmlElement& named_by, const std::optional<std::uint32_t>& prototype) {
-    for (const ThreeMfPiece& piece : object.pieces) {
-      PlacedMesh placed =
-          place_mesh(piece.mesh, to_world, [&](const std::string& message) { named_by.fail(message); });
+    for (std::size_t i = 0; i < object.pieces.size(); ++i) {
+      PlacedMesh placed = place_mesh(object.pieces[i].mesh, to_world,
+                                     [&](const std::string& message) { named_by.fail(message); });
       repairs_.dropped_triangles += placed.dropped;
       if (placed.mesh.triangles.empty()) continue;
       ScenePart part;
       part.shape = std::move(placed.mesh);
-      part.material = material_of(piece);
+      part.material = object.materials[i];
       part.asset = asset;
       part.prototype = prototype;
       parts_.push_back(std::move(part));
     }
   }
 
-  /// Gives a piece whose vertices have colours a picture of these; where it is too large for one, their mean.
-  void paint(ThreeMfPiece& piece) {
-    if (piece.colors.empty()) return;
-    if (!can_draw_vertices(piece.mesh)) {
+  /// Of a piece whose vertices have colours one with a picture of these; where it is too large for that, of
+  /// their mean.
+  std::uint32_t material_of(ThreeMfPiece& piece) {
+    if (!piece.colors.empty() && can_draw_vertices(piece.mesh)) return painted(piece);
+    if (!piece.colors.empty()) {
       const Rgb sum = std::accumulate(piece.colors.begin(), piece.colors.end(), Rgb{});
-      piece.property = ThreeMfProperty{"", sum / float(piece.colors.size())};
+      piece.property = ThreeMfProperty{"mean", sum / float(piece.colors.size())};
       warnings_.add([&] { return Place{path_}; },
                     "an object has too many triangles whose corners differ in colour; "
                     "they have the mean colour");
-      return;
     }
-    pictures_[&piece] = std::uint32_t(rest_.textures.size());
-    rest_.textures.push_back(
-        {"colors of vertices", draw_vertices(piece.mesh, [&](std::uint32_t i) { return piece.colors[i]; })});
-    set_drawn_uvs(piece.mesh);
+    if (!piece.property) return made({"none", Lambert{}});
+    return made({piece.property->name, Lambert{piece.property->color}});
   }
 
-  std::uint32_t material_of(const ThreeMfPiece& piece) {
-    const auto picture = pictures_.find(&piece);
-    Material material{"none", Lambert{}};
-    if (piece.property) material = {piece.property->name, Lambert{piece.property->color}};
-    if (picture != pictures_.end()) {
-      material.name = "colors of vertices";
-      material.textures.push_back({MaterialInput::reflectance, picture->second});
-    }
+  std::uint32_t painted(ThreeMfPiece& piece) {
+    Material material{"colors of vertices", Lambert{}};
+    material.textures.push_back({MaterialInput::reflectance, std::uint32_t(rest_.textures.size())});
+    rest_.textures.push_back(
+        {material.name, draw_vertices(piece.mesh, [&](std::uint32_t i) { return piece.colors[i]; })});
+    set_drawn_uvs(piece.mesh);
+    rest_.materials.push_back(std::move(material));
+    return std::uint32_t(rest_.materials.size() - 1);
+  }
+
+  /// The number of a material without textures, made once.
+  std::uint32_t made(const Material& material) {
     const Rgb& color = std::get<Lambert>(material.model).reflectance;
-    const auto [entry, is_new] =
-        materials_.try_emplace({material.name,
-                                {color.r, color.g, color.b},
-                                picture == pictures_.end() ? no_texture : picture->second},
-                               std::uint32_t(rest_.materials.size()));
-    if (is_new) rest_.materials.push_back(std::move(material));
+    const auto [entry, is_new] = materials_.try_emplace({material.name, color.r, color.g, color.b},
+                                                        std::uint32_t(rest_.materials.size()));
+    if (is_new) rest_.materials.push_back(material);
     return entry->second;
   }
-
-  using MaterialKey = std::tuple<std::string, std::array<float, 3>, std::uint32_t>;
 
   const std::string& path_;
   const LoadOptions& options_;
@@ -284,8 +284,7 @@ class Builder {
   std::size_t shown_ = 0, repeated_ = 0;
   std::vector<ShownObject> objects_;
   std::map<std::pair<XmlElement, std::string>, std::size_t> numbers_;  ///< By object and what it inherits.
-  std::map<const ThreeMfPiece*, std::uint32_t> pictures_;
-  std::map<MaterialKey, std::uint32_t> materials_;
+  std::map<std::tuple<std::string, float, float, float>, std::uint32_t> materials_;  ///< By name and colour.
   std::vector<ScenePart> parts_;
   std::vector<Instance> instances_;
   std::uint32_t prototypes_ = 0;

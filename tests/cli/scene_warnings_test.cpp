@@ -47,11 +47,9 @@ TEST_CASE("pixels of a sky that are brighter than a film takes are counted") {
   scene.lights.push_back({"sky", EnvironmentLight{map}});
   CHECK(warnings_of(scene).empty());
   std::get<EnvironmentLight>(scene.lights[0].source).scale = {1, 2, 1};
-  CHECK(warnings_of(scene) ==
-        Warnings{"1 of the pixels of \"sky\" are brighter than 1e9, and count as that"});
+  CHECK(warnings_of(scene) == Warnings{"\"sky\": pixels brighter than 1e9, which count as that: 1"});
   std::get<EnvironmentLight>(scene.lights[0].source).scale = {3, 2, 1};
-  CHECK(warnings_of(scene) ==
-        Warnings{"2 of the pixels of \"sky\" are brighter than 1e9, and count as that"});
+  CHECK(warnings_of(scene) == Warnings{"\"sky\": pixels brighter than 1e9, which count as that: 2"});
 }
 
 TEST_CASE("lights of radiance 0 are none") {

@@ -48,9 +48,8 @@ TEST_CASE("curves that are none are refused where they stand") {
   refuses("\"string basis\" \"bspline\" \"point3 P\" [ 0 0 0 1 1 1 2 2 2 ]",
           "a curve of 3 points; valid are 4 or more");
   refuses("\"string type\" \"round\" " + four,
-          "there is no type \"round\" of curves; valid are flat, cylinder, ribbon");
-  refuses("\"string basis\" \"nurbs\" " + four,
-          "there is no basis \"nurbs\" of curves; valid are bezier, bspline");
+          "there is no type \"round\"; valid are flat, cylinder or ribbon");
+  refuses("\"string basis\" \"nurbs\" " + four, "there is no basis \"nurbs\"; valid are bezier or bspline");
   refuses("\"integer degree\" 4 " + four, "degree");
   refuses("\"float width0\" -1 " + four, "width0");
   refuses("\"string type\" \"ribbon\" " + four,

@@ -117,6 +117,8 @@ TEST_CASE(
   CHECK(colors(tetrahedron(1, "pid=\"8\" pindex=\"1\"")) == std::vector{green});
   CHECK(colors(tetrahedron(1, "pid=\"9\"", "pid=\"8\" p1=\"0\"")) == std::vector{red, green});
   CHECK(colors(tetrahedron(1, "", "pid=\"9\" p1=\"1\"")) == std::vector{red, grey});
+  CHECK(colors(tetrahedron(1, "pid=\"9\"", "p1=\"1\"")) == std::vector{red, green});
+  CHECK(colors(tetrahedron(1, "", "p1=\"1\"")) == std::vector{grey});
   CHECK(colors(tetrahedron(2) + "<object id=\"1\" pid=\"8\" pindex=\"1\"><components>"
                                 "<component objectid=\"2\"/></components></object>") == std::vector{green});
   const LoadedScene named =
