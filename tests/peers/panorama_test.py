@@ -41,6 +41,16 @@ class Panoramas(Folder):
             for a, b in zip(direction, back):
                 self.assertAlmostEqual(a, b)
 
+    def test_each_edge_is_folded_in_its_middle(self):
+        for t in (0.1, 0.3, 0.5):
+            for a, b in (((0, t), (0, 1 - t)), ((1, t), (1, 1 - t)), ((t, 0), (1 - t, 0)),
+                         ((t, 1), (1 - t, 1))):
+                for x, y in zip(direction_in_square(*a), direction_in_square(*b)):
+                    self.assertAlmostEqual(x, y)
+        for beside, pixel in (((-1, 2), (0, 5)), ((8, 2), (7, 5)), ((2, -1), (5, 0)), ((2, 8), (5, 7)),
+                              ((-1, -1), (7, 7)), ((3, 4), (3, 4))):
+            self.assertEqual(panorama.folded(*beside, 8), pixel)
+
     def test_a_sky_stays_what_it_is_in_all_directions(self):
         made = panorama.latitude_longitude(square(64), (1, 2, 1))
         self.assertEqual((made.width, made.height), (128, 64))

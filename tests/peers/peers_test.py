@@ -3,10 +3,12 @@
 """What bench/peers does without a peer: peers_test.py PROGRAM"""
 import contextlib
 import io
+import json
 import struct
 import subprocess
 import sys
 import unittest
+from pathlib import Path
 from unittest import mock
 
 from scene_folder import ROOT, Folder
@@ -65,6 +67,16 @@ class Runs(Folder):
         self.assertIn("box: round 2 of 2", said)
         picture = (self.folder / "out" / "box.png").read_bytes()
         self.assertEqual(struct.unpack(">2I", picture[16:24]), (64, 24))
+
+    def test_peers_get_a_scene_whose_skies_they_have(self):
+        told = []
+
+        def note(path):
+            told.append(json.loads(Path(path).read_text(encoding="utf-8"))["format"])
+
+        with mock.patch("panorama.draw_squares_anew", side_effect=note):
+            self.run_peers("--samples", "4")
+        self.assertEqual(told, ["twinray scene"])
 
     def test_a_picture_that_differs_ends_with_1(self):
         code, _ = self.run_peers("--only", "other", peer=("-m", "2"))

@@ -28,6 +28,9 @@ MUTANTS = [
     Mutant("a curve that stands still has no direction", CURVE,
            "if (!(length(place.along) > 0)) place.along = sections.empty()",
            "if (false) place.along = sections.empty()", "test_io", STILL),
+    Mutant("a curve's end has no width of its own, nor that of all of it", "io/pbrt/curve_reader.cpp",
+           'parameters.real("width1", width, widths)', 'parameters.real("width1", 1, widths)', "test_io",
+           "curves of pbrt are tubes where they stand, and ribbons"),
     Mutant("a ribbon may have too few normals", "io/pbrt/curve_reader.cpp", "if (normals.size() != count)",
            "if (normals.empty() && count == 0)", "test_io", NONE),
 ]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/pbrt/curve_reader.h"
 
+#include <cmath>
+
 #include "tests/support/catch.h"
 #include "tests/support/pbrt_text.h"
 #include "tests/support/text.h"
@@ -27,6 +29,10 @@ TEST_CASE("curves of pbrt are tubes where they stand, and ribbons") {
   CHECK(loaded.scene.geometry->mesh(1)->triangles.size() == 2);
   CHECK(loaded.scene.geometry->mesh(2)->triangles.size() == 8);
   CHECK(loaded.scene.geometry->bounds().lower.y > 4);
+  const auto radius = [&](const Vec3& p) { return std::hypot(p.y - 5, p.z); };
+  const std::vector<Vec3>& tube = loaded.scene.geometry->mesh(0)->positions;
+  for (const Vec3& p : tube) CHECK(radius(p) == Approx(radius(tube[0])).epsilon(1e-5));
+  CHECK(radius(tube[0]) == Approx(0.25).epsilon(0.03));
 }
 
 TEST_CASE("normals of a curve that is no ribbon are named") {

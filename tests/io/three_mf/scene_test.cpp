@@ -81,6 +81,21 @@ TEST_CASE("a 3MF package shows its items where they stand, z up") {
   CHECK(first.upper == Vec3{0, 137, 0});
 }
 
+TEST_CASE("units of 3MF packages are told in metres, and coordinates stay in them") {
+  const std::pair<const char*, double> units[] = {{"micron", 1e-6},     {"millimeter", 1e-3},
+                                                  {"centimeter", 0.01}, {"inch", 0.0254},
+                                                  {"foot", 0.3048},     {"meter", 1}};
+  for (const auto& [name, meters] : units) {
+    const Package package(
+        three_mf_model("<resources>" + tetrahedron(1) + "</resources><build>" + item + "</build>",
+                       "unit=\"" + std::string(name) + "\""));
+    const LoadedScene loaded = package.load();
+    CHECK(loaded.summary.unit_name == name);
+    CHECK(loaded.summary.unit_meters == meters);
+    CHECK(loaded.scene.geometry->bounds().upper == Vec3{5, 7, 0});
+  }
+}
+
 TEST_CASE("objects of a 3MF package may lie in other parts of it") {
   const Package package(
       shown("<object id=\"1\"><components><component objectid=\"7\" p:path=\"/3D/Objects/b.model\"/>"
