@@ -22,7 +22,8 @@ using namespace twinray::test;
 
 namespace {
 
-WideNode random_node(Random& random, int count) {
+/// A node of `count` random boxes of any size, some of them flat, some points.
+WideNode random_tight_node(Random& random, int count) {
   WideNode node;
   const float extent = random.below(4) == 0 ? 1e12f : random.below(2) ? 1 : 1e-12f;
   const Vec3 middle = random.in_cube(random.below(3) == 0 ? 0 : 1);
@@ -58,7 +59,7 @@ TEST_CASE("a compact node's boxes contain those of the ordinary one, and are at 
   Random random(3);
   for (int i = 0; i < 20000; ++i) {
     CAPTURE(i);
-    const WideNode node = random_node(random, 2 + random.below(7));
+    const WideNode node = random_tight_node(random, 2 + random.below(7));
     const CompactNode compact(node);
     REQUIRE(compact.count() == node.count());
     for (int child = 0; child < node.count(); ++child) {
@@ -254,7 +255,7 @@ TEST_CASE("the fast kernels take the steps of the scalar traversal in a compact 
 TEST_CASE("every kernel tests the boxes of a compact node with the bits of the canonical box test") {
   Random random(6);
   for (int i = 0; i < 20000; ++i) {
-    const CompactNode node(random_node(random, 2 + random.below(7)));
+    const CompactNode node(random_tight_node(random, 2 + random.below(7)));
     CheckedRay ray;
     Ray given{.origin = random.in_cube(2), .direction = random.in_cube()};
     if (random.below(3) == 0) given.direction[random.below(3)] = 0;

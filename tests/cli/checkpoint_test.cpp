@@ -97,7 +97,7 @@ TEST_CASE("a render that was killed goes on from its last checkpoint, or the one
 TEST_CASE("a second signal soon after the first is the same request, but for Ctrl-C") {
   const TemporaryFolder folder;
   const std::string command = fmt::format(
-      "cd {}; {} {} -r 48 36 -s 4000000 -o a.pfm --checkpoint=a.ck --checkpoint-seconds=1000 2>errors & "
+      "cd {}; {} {} -r 48 36 -s 4000000 -t 1 -o a.pfm --checkpoint=a.ck --checkpoint-seconds=1000 2>errors & "
       "program=$!; until grep -q samples errors; do sleep 0.05; done; ",
       quoted(folder.path().string()), quoted(TWINRAY_PROGRAM), quoted(box_scene));
   const auto code_after = [&](const std::string& signals) {
@@ -128,7 +128,8 @@ TEST_CASE(
 
 TEST_CASE("a render without a checkpoint ends as it did, and its film can go on") {
   const TemporaryFolder folder;
-  TerminalProgram program({box_scene, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.film")});
+  TerminalProgram program(
+      {box_scene, "-r", "48", "36", "-s", "4000000", "-t", "1", "-o", folder.file("a.film")});
   REQUIRE(program.wait_for(" samples |"));
   program.send(SIGTERM);
   CHECK(program.exit_code() == 143);
@@ -155,7 +156,7 @@ TEST_CASE("a checkpoint of before counts where none can be written any more") {
   interrupted(folder, {}, SIGTERM);
   const std::string film = read_text(folder.file("a.ck"));
   TerminalProgram program(
-      {"resume", folder.file("a.ck"), "-s", "4000000", "--checkpoint-seconds=1000"},
+      {"resume", folder.file("a.ck"), "-s", "4000000", "-t", "1", "--checkpoint-seconds=1000"},
       {"ASAN_OPTIONS=verify_asan_link_order=0", "LD_PRELOAD=" TWINRAY_AT_SYNC, "AT_SYNC=fail"});
   REQUIRE(program.wait_for(" samples |"));
   program.send(SIGTERM);
@@ -167,7 +168,8 @@ TEST_CASE("a checkpoint of before counts where none can be written any more") {
 
 TEST_CASE("SIGUSR1 writes a picture of what there is, and the render goes on") {
   const TemporaryFolder folder;
-  TerminalProgram program({box_scene, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.png")});
+  TerminalProgram program(
+      {box_scene, "-r", "48", "36", "-s", "4000000", "-t", "1", "-o", folder.file("a.png")});
   REQUIRE(program.wait_for(" samples |"));
   program.send(SIGUSR1);
   REQUIRE(program.wait_for("note: " + folder.file("a_partial.png") + " holds what there is"));
@@ -180,7 +182,8 @@ TEST_CASE("SIGUSR1 writes a picture of what there is, and the render goes on") {
 TEST_CASE("where SIGUSR1's picture cannot be written, or is a film of a checkpoint, the render goes on") {
   const TemporaryFolder folder;
   const auto asked = [&](const std::string& output, const std::vector<std::string>& more) {
-    std::vector<std::string> all{box_scene, "-r", "48", "36", "-s", "4000000", "-o", folder.file(output)};
+    std::vector<std::string> all{box_scene, "-r", "48", "36", "-s",
+                                 "4000000", "-t", "1",  "-o", folder.file(output)};
     all.insert(all.end(), more.begin(), more.end());
     auto program = std::make_unique<TerminalProgram>(all);
     REQUIRE(program->wait_for(" samples |"));

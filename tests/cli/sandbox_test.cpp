@@ -294,12 +294,12 @@ TEST_CASE("a render that needs more memory than it may have says so before it be
 TEST_CASE("a time limit ends a render like a signal, also while it loads") {
   const TemporaryFolder folder;
   const std::string box = TWINRAY_SOURCE_DIR "/scenes/box.dae", picture = folder.file("a.png");
-  const ProcessResult late = run_program(
-      fmt::format("render {} -r 48 36 -s 4000000 -q --time-limit=1 -o {}", quoted(box), quoted(picture)));
+  const ProcessResult late = run_program(fmt::format(
+      "render {} -r 48 36 -s 4000000 -t 1 -q --time-limit=1 -o {}", quoted(box), quoted(picture)));
   CHECK(late.exit_code == 142);
   CHECK(late.err.starts_with("twinray: the time of --time-limit is over; " + folder.file("a_partial.png")));
   const ProcessResult kept =
-      run_program(fmt::format("render {} -r 48 36 -s 4000000 -q --time-limit=1 --checkpoint={} -o {}",
+      run_program(fmt::format("render {} -r 48 36 -s 4000000 -t 1 -q --time-limit=1 --checkpoint={} -o {}",
                               quoted(box), quoted(folder.file("a.ck")), quoted(picture)));
   CHECK(kept.exit_code == 75);
   const ProcessResult loading = run_program(

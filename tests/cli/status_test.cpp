@@ -182,8 +182,8 @@ TEST_CASE("a line for machines says that a render is done which ended before its
 
 TEST_CASE("a line of progress comes each second, and the last says that it was interrupted") {
   const TemporaryFolder folder;
-  TerminalProgram program(
-      {box_scene, "-r", "48", "36", "-s", "4000000", "--progress=json", "-o", folder.file("a.png")});
+  TerminalProgram program({box_scene, "-r", "48", "36", "-s", "4000000", "-t", "1", "--progress=json", "-o",
+                           folder.file("a.png")});
   REQUIRE(program.wait_for("\"elapsed_seconds\":1."));
   REQUIRE(program.wait_for("\"elapsed_seconds\":2."));
   program.press_control_c();
@@ -195,8 +195,8 @@ TEST_CASE("a line of progress comes each second, and the last says that it was i
 TEST_CASE("a metrics file follows a render while it goes on") {
   const TemporaryFolder folder;
   const std::string metrics = folder.file("a.prom");
-  TerminalProgram program({box_scene, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.png"),
-                           "--metrics-file=" + metrics});
+  TerminalProgram program({box_scene, "-r", "48", "36", "-s", "4000000", "-t", "1", "-o",
+                           folder.file("a.png"), "--metrics-file=" + metrics});
   const auto samples = [&] { return metric(read_text(metrics), "samples_done"); };
   for (int i = 0; i < 600 && !samples(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   CHECK(samples() > 0);
@@ -207,8 +207,9 @@ TEST_CASE("a metrics file follows a render while it goes on") {
 
 TEST_CASE("an interrupted render tells machines of its last checkpoint") {
   const TemporaryFolder folder;
-  TerminalProgram program({box_scene, "-r", "48", "36", "-s", "4000000", "-o", folder.file("a.png"),
-                           "--checkpoint=" + folder.file("a.ck"), "--metrics-file=" + folder.file("a.prom")});
+  TerminalProgram program({box_scene, "-r", "48", "36", "-s", "4000000", "-t", "1", "-o",
+                           folder.file("a.png"), "--checkpoint=" + folder.file("a.ck"),
+                           "--metrics-file=" + folder.file("a.prom")});
   REQUIRE(program.wait_for(" samples |"));
   program.press_control_c();
   CHECK(program.exit_code() == 75);

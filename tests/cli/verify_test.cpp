@@ -304,7 +304,7 @@ TEST_CASE("pictures of which nothing can be said are refused, each with the reas
                                   file_in(folder, "p.png")))
               .exit_code == 0);
   CHECK(contains(refused("p.png"), "it was merged without samples 3:8 of 8"));
-  REQUIRE(run_program(fmt::format("render {} -r 48 36 -s 4000000 -q --time-limit=1 -o {}",
+  REQUIRE(run_program(fmt::format("render {} -r 48 36 -s 4000000 -t 1 -q --time-limit=1 -o {}",
                                   quoted(scenes + "box.dae"), file_in(folder, "i.png")))
               .exit_code == 142);
   CHECK(contains(refused("i_partial.png"), "it is what an interrupted render left: "));

@@ -12,7 +12,7 @@ namespace {
 constexpr Side sides[] = {Side::outside, Side::inside};
 constexpr Materials all_materials[] = {Materials::exact, Materials::regularized};
 
-Scene scene_of(std::vector<Material> materials) {
+Scene scene_with_materials(std::vector<Material> materials) {
   Scene scene;
   scene.materials = std::move(materials);
   return scene;
@@ -38,11 +38,11 @@ bool are_alike(const Bsdf& a, const Bsdf& b, Random& random) {
 }  // namespace
 
 TEST_CASE("a table has the scattering function of each material, side and kind") {
-  const Scene scene = scene_of({{"chalk", Lambert{}},
-                                {"glass", Glass{}},
-                                {"frosted", Dielectric{.roughness = {0.2f, 0.3f}}},
-                                {"gold", Conductor{}},
-                                {"varnish", CoatedDiffuse{}}});
+  const Scene scene = scene_with_materials({{"chalk", Lambert{}},
+                                            {"glass", Glass{}},
+                                            {"frosted", Dielectric{.roughness = {0.2f, 0.3f}}},
+                                            {"gold", Conductor{}},
+                                            {"varnish", CoatedDiffuse{}}});
   const BsdfTable table(scene);
   Random random(1);
   for (std::uint32_t material = 0; material < scene.materials.size(); ++material)
@@ -57,7 +57,8 @@ TEST_CASE("a table has the scattering function of each material, side and kind")
 }
 
 TEST_CASE("a function that looks from a direction scatters as before, and so does what it was copied to") {
-  const Scene scene = scene_of({{"gold", Conductor{}}, {"paint", Principled{.coat_weight = 0.5f}}});
+  const Scene scene =
+      scene_with_materials({{"gold", Conductor{}}, {"paint", Principled{.coat_weight = 0.5f}}});
   const BsdfTable table(scene);
   Random random(2);
   for (std::uint32_t material = 0; material < scene.materials.size(); ++material) {
@@ -73,7 +74,7 @@ TEST_CASE("a function that looks from a direction scatters as before, and so doe
 }
 
 TEST_CASE("a function of a table is kept where the table goes") {
-  const Scene scene = scene_of({{"gold", Conductor{}}});
+  const Scene scene = scene_with_materials({{"gold", Conductor{}}});
   auto table = std::make_unique<BsdfTable>(scene);
   BsdfAt kept = table->at(0, {}, Side::outside);
   CHECK(&*kept == &*table->at(0, {}, Side::outside));
@@ -85,7 +86,7 @@ TEST_CASE("a function of a table is kept where the table goes") {
 }
 
 TEST_CASE("where a texture has a part in a material, its function is that of the point") {
-  Scene scene = scene_of({{"squares", CoatedDiffuse{}}});
+  Scene scene = scene_with_materials({{"squares", CoatedDiffuse{}}});
   const Rgb red{1, 0, 0}, blue{0, 0, 1};
   scene.textures = {{"", ConstantTexture{red}}, {"", ConstantTexture{blue}}, {"", CheckerboardTexture{0, 1}}};
   scene.materials[0].textures = {{MaterialInput::reflectance, 2}};
@@ -101,7 +102,7 @@ TEST_CASE("where a texture has a part in a material, its function is that of the
 }
 
 TEST_CASE("within something else, the function is that of a boundary to it, or of none") {
-  Scene scene = scene_of({{"glass", Glass{.ior = 1.5f}}, {"water", Glass{.ior = 1.25f}}});
+  Scene scene = scene_with_materials({{"glass", Glass{.ior = 1.5f}}, {"water", Glass{.ior = 1.25f}}});
   scene.materials[0].interior.priority = 1;
   scene.materials[1].interior.priority = 2;
   const BsdfTable table(scene);

@@ -8,8 +8,6 @@
 namespace twinray {
 namespace {
 
-const float infinity = Aabb::infinity;
-
 Mesh corner() {
   return {.name = "corner", .positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}};
 }
@@ -35,7 +33,7 @@ TEST_CASE("a geometry counts its primitives and knows their box") {
   CHECK(geometry.sphere_set(0) == nullptr);
   CHECK(geometry.sphere_set(1)->spheres.size() == 2);
   CHECK(geometry.bounds().contains(Aabb{{0, 0, 0}, {6, 7, 8}}));
-  CHECK(geometry.bounds().upper.x == std::nextafter(6.0f, infinity));
+  CHECK(geometry.bounds().upper.x == std::nextafter(6.0f, Aabb::infinity));
 }
 
 TEST_CASE("a triangle's facet is its unit normal and its offset") {
@@ -64,7 +62,7 @@ TEST_CASE("a vertex index out of range is named") {
 
 TEST_CASE("a coordinate that is not finite or too large is named") {
   Mesh mesh = corner();
-  mesh.positions[2].y = infinity;
+  mesh.positions[2].y = Aabb::infinity;
   CHECK(message_of({SphereSet{}, mesh}) ==
         "shape 1 \"corner\": vertex 2 is (0, inf, 0); coordinates must be finite and within +-1e+12");
   mesh.positions[2].y = 2e12f;
@@ -96,16 +94,16 @@ TEST_CASE("normals and uvs that do not match the triangles are named") {
 TEST_CASE("a sphere's centre and radius out of range are named") {
   CHECK(message_of({SphereSet{.spheres = {{}, {{0, 0, 0}, -1}}}}) ==
         "shape 0: the radius of sphere 1 is -1; it must lie in [0, 1e+12]");
-  CHECK(message_of({SphereSet{.spheres = {{{0, 0, 0}, infinity}}}}) ==
+  CHECK(message_of({SphereSet{.spheres = {{{0, 0, 0}, Aabb::infinity}}}}) ==
         "shape 0: the radius of sphere 0 is inf; it must lie in [0, 1e+12]");
-  CHECK(message_of({SphereSet{.name = "drops", .spheres = {{{0, infinity, 0}, 1}}}}) ==
+  CHECK(message_of({SphereSet{.name = "drops", .spheres = {{{0, Aabb::infinity, 0}, 1}}}}) ==
         "shape 0 \"drops\": the centre of sphere 0 is (0, inf, 0); coordinates must be finite and within "
         "+-1e+12");
 }
 
 TEST_CASE("degenerate triangles are dropped, and the attributes stay in step") {
   Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {0, infinity, 0}};
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {0, Aabb::infinity, 0}};
   mesh.triangles = {{0, 1, 1}, {0, 1, 2}, {0, 1, 3}, {1, 3, 2}, {0, 1, 4}};
   mesh.normals = {{0, 0, 1}};
   mesh.normal_indices = {{10, 0, 0}, {11, 0, 0}, {12, 0, 0}, {13, 0, 0}, {14, 0, 0}};
@@ -123,8 +121,9 @@ TEST_CASE("degenerate triangles are dropped, and the attributes stay in step") {
 
 TEST_CASE("the smallest of triangles has area, however far from the origin of space") {
   Mesh mesh = corner();
-  mesh.positions = {
-      {1e6f, 1e6f, 0}, {std::nextafter(1e6f, infinity), 1e6f, 0}, {1e6f, std::nextafter(1e6f, infinity), 0}};
+  mesh.positions = {{1e6f, 1e6f, 0},
+                    {std::nextafter(1e6f, Aabb::infinity), 1e6f, 0},
+                    {1e6f, std::nextafter(1e6f, Aabb::infinity), 0}};
   CHECK(drop_degenerate_triangles(mesh) == 0);
   mesh.positions = {{0, 0, 0}, {0x1p-149f, 0, 0}, {0, 0x1p-149f, 0}};
   CHECK(drop_degenerate_triangles(mesh) == 0);

@@ -16,7 +16,7 @@ namespace twinray::test {
 namespace {
 
 /// Densities are products and quotients of a few floats.
-constexpr double rounding = 1e-4;
+constexpr double of_few_floats = 1e-4;
 
 SurfacePoint below() {
   SurfacePoint point;
@@ -65,7 +65,7 @@ TEST_CASE("draws that choose from groups of lights have bits below their 24, oth
 TEST_CASE("a sphere is sampled within the solid angle it covers, and uniformly") {
   const Scene scene = scene_with(SphereSet{"", {{{0.2f, 2, 0.3f}, 1}}});
   const double solid_angle = 2 * M_PI * (1 - std::sqrt(1 - 1.0 / 9));
-  CHECK(inverse_density(scene, 1).mean() == Approx(solid_angle).epsilon(rounding));
+  CHECK(inverse_density(scene, 1).mean() == Approx(solid_angle).epsilon(of_few_floats));
 }
 
 TEST_CASE("a sphere light's own surface gets none of its light, inside as outside") {

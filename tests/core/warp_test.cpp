@@ -15,10 +15,10 @@ using test::Grid;
 using test::in_square;
 using test::Random;
 
-constexpr int samples = 200000, columns = 24, rows = 16;
+constexpr int samples = 200000, grid_columns = 24, grid_rows = 16;
 constexpr double two_pi = 6.283185307179586;
 /// Points are rounded to float, so they may be this far from where they belong.
-constexpr double rounding = 4e-7;
+constexpr double of_rounding = 4e-7;
 /// u on and just inside the edges of the square.
 constexpr float edges[] = {0.0f, 0x1p-24f, 0.25f, 0.5f, 0.75f, 0x1.fffffep-1f};
 
@@ -44,17 +44,18 @@ struct Counts {
 Counts count_directions(const std::function<Vec3(Vec2)>& warp, const std::function<double(double)>& pdf,
                         double low) {
   Random random(17);
-  Grid grid(columns, rows);
+  Grid grid(grid_columns, grid_rows);
   for (int i = 0; i < samples; ++i) {
     const Vec3 w = warp(in_square(random));
-    REQUIRE(unit_error(w) <= rounding);
-    REQUIRE(w.z >= low - rounding);
+    REQUIRE(unit_error(w) <= of_rounding);
+    REQUIRE(w.z >= low - of_rounding);
     grid.add(turn(w.x, w.y), (w.z - low) / (1 - low));
   }
   std::vector<double> expected;
-  for (int row = 0; row < rows; ++row) {
-    const double height = (1 - low) / rows, z = low + (row + 0.5) * height;  // The densities are linear in z.
-    expected.insert(expected.end(), columns, samples * pdf(z) * height * two_pi / columns);
+  for (int row = 0; row < grid_rows; ++row) {
+    const double height = (1 - low) / grid_rows,
+                 z = low + (row + 0.5) * height;  // The densities are linear in z.
+    expected.insert(expected.end(), grid_columns, samples * pdf(z) * height * two_pi / grid_columns);
   }
   return {{grid.counts().begin(), grid.counts().end()}, expected};
 }
@@ -63,11 +64,11 @@ Counts count_directions(const std::function<Vec3(Vec2)>& warp, const std::functi
 
 TEST_CASE("points of the disc are uniform by area") {
   Random random(3);
-  Grid grid(columns, rows);
+  Grid grid(grid_columns, grid_rows);
   for (int i = 0; i < samples; ++i) {
     const Vec2 p = square_to_disc(in_square(random));
     const double r2 = double(p.x) * p.x + double(p.y) * p.y;
-    REQUIRE(r2 <= 1 + rounding);
+    REQUIRE(r2 <= 1 + of_rounding);
     grid.add(turn(p.x, p.y), r2);
   }
   test::check_uniform(grid.counts(), 1, 0.03);
@@ -96,12 +97,12 @@ TEST_CASE("directions of a cone are uniform, in narrow cones too") {
   for (const float one_minus_cos : cones) {
     CAPTURE(one_minus_cos);
     Random random(5);
-    Grid grid(columns, rows);
+    Grid grid(grid_columns, grid_rows);
     for (int i = 0; i < samples; ++i) {
       const Vec3 w = square_to_uniform_cone(in_square(random), one_minus_cos);
-      REQUIRE(unit_error(w) <= rounding);
+      REQUIRE(unit_error(w) <= of_rounding);
       const double depth = w.z < 0 ? 1.0 - w.z : one_minus_z(w);
-      REQUIRE(depth <= one_minus_cos * (1 + 4 * rounding));
+      REQUIRE(depth <= one_minus_cos * (1 + 4 * of_rounding));
       grid.add(turn(w.x, w.y), depth / one_minus_cos);
     }
     test::check_uniform(grid.counts(), int(std::size(cones)), 0.03);
@@ -111,7 +112,7 @@ TEST_CASE("directions of a cone are uniform, in narrow cones too") {
 
 TEST_CASE("points of the triangle are uniform by area") {
   Random random(7);
-  Grid grid(columns, rows);
+  Grid grid(grid_columns, grid_rows);
   for (int i = 0; i < samples; ++i) {
     const Vec2 weights = square_to_triangle(in_square(random));
     REQUIRE(weights.x >= 0);
@@ -135,13 +136,13 @@ TEST_CASE("warps stay in their domain on the edges of the square") {
     for (const float y : edges) {
       CAPTURE(x, y);
       const Vec2 u = {x, y};
-      CHECK(length_squared({square_to_disc(u).x, square_to_disc(u).y, 0}) <= 1 + rounding);
-      CHECK(unit_error(square_to_cosine_hemisphere(u)) <= rounding);
+      CHECK(length_squared({square_to_disc(u).x, square_to_disc(u).y, 0}) <= 1 + of_rounding);
+      CHECK(unit_error(square_to_cosine_hemisphere(u)) <= of_rounding);
       CHECK(square_to_cosine_hemisphere(u).z >= 0);
-      CHECK(unit_error(square_to_uniform_hemisphere(u)) <= rounding);
+      CHECK(unit_error(square_to_uniform_hemisphere(u)) <= of_rounding);
       CHECK(square_to_uniform_hemisphere(u).z > 0);
-      CHECK(unit_error(square_to_uniform_sphere(u)) <= rounding);
-      CHECK(unit_error(square_to_uniform_cone(u, 1e-20f)) <= rounding);
+      CHECK(unit_error(square_to_uniform_sphere(u)) <= of_rounding);
+      CHECK(unit_error(square_to_uniform_cone(u, 1e-20f)) <= of_rounding);
       const Vec2 weights = square_to_triangle(u);
       CHECK(weights.x >= 0);
       CHECK(weights.y >= 0);
@@ -154,7 +155,7 @@ TEST_CASE("the disc's centre and corners come from the square's") {
   const float diagonal = std::sqrt(0.5f);
   CHECK(square_to_disc({0, 0}).x == Approx(-diagonal));
   CHECK(square_to_disc({0, 0}).y == Approx(-diagonal));
-  CHECK(square_to_disc({0.5f, 0}).x == Approx(0).margin(rounding));
+  CHECK(square_to_disc({0.5f, 0}).x == Approx(0).margin(of_rounding));
   CHECK(square_to_disc({0.5f, 0}).y == Approx(-1));
 }
 
@@ -180,7 +181,7 @@ TEST_CASE("points of a polygon are uniform by area within its corners") {
 
 TEST_CASE("the corners of a polygon lie on the unit circle, the first one as far around as is said") {
   const Vec2 corner = square_to_polygon({0, 1}, 5, 0.25f), middle = square_to_polygon({0.4f, 0}, 5, 0.25f);
-  CHECK(corner.x == Approx(0).margin(rounding));
+  CHECK(corner.x == Approx(0).margin(of_rounding));
   CHECK(corner.y == Approx(1));
   CHECK(middle == Vec2{0, 0});
   const Vec2 side = square_to_polygon({0.125f, 1}, 4, 0);

@@ -86,12 +86,6 @@ double squared_error(const Film& film) {
   return sum;
 }
 
-std::uint64_t sample_count(const Film& film) {
-  std::uint64_t count = 0;
-  for_each_pixel(film.window(), [&](int x, int y) { count += film.pixel(x, y).count; });
-  return count;
-}
-
 }  // namespace
 
 TEST_CASE("samples are even up to the pilot, more where the pilot has noise, and as many on average") {

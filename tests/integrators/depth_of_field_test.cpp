@@ -11,12 +11,13 @@ namespace twinray::test {
 namespace {
 
 constexpr int side = 80;
-constexpr float half_frame = 0.1f, ball = 0.004f, lens_radius = 0.2f;
+constexpr float half_frame = 0.1f, ball_ratio = 0.004f, lens_radius = 0.2f;
 
 /// A small glowing ball at a distance straight ahead.
 Scene glowing_ball(float distance) {
   Scene scene = scene_of(floor_square(1, -9), {0, 0, 0}, {0, 0, 0}, {0, 0, -1});
-  add_lamp(scene, SphereSet{"ball", {{{0, 0, -distance}, ball * distance}}}, {1, 1, 1}, EmissionSide::front);
+  add_lamp(scene, SphereSet{"ball", {{{0, 0, -distance}, ball_ratio * distance}}}, {1, 1, 1},
+           EmissionSide::front);
   scene.camera.tan_half_width = scene.camera.tan_half_height = half_frame;
   scene.camera.lens_radius = lens_radius;
   return scene;
@@ -72,9 +73,9 @@ TEST_CASE("a small light out of focus fills the circle of confusion, before and 
     scene.camera.focal_distance = focus;
     const double radius = circle_of_confusion(double(distance), double(focus));
     const Spot spot = spot_of(picture(scene));
-    const double of_ball = double(ball) * double(ball) / 2, of_pixel = pixel * pixel / 6;
+    const double of_ball = double(ball_ratio) * double(ball_ratio) / 2, of_pixel = pixel * pixel / 6;
     CHECK(spot.squared == Approx(radius * radius * polygon_moment(0) + of_ball + of_pixel).epsilon(noise));
-    CHECK(spot.farthest < radius + 2 * double(ball) + pixel);
+    CHECK(spot.farthest < radius + 2 * double(ball_ratio) + pixel);
     CHECK(spot.farthest > radius - pixel);
     CHECK(std::hypot(spot.x, spot.y) < noise * radius);
   }
@@ -84,7 +85,7 @@ TEST_CASE("a light in the plane in focus is sharp, and has as much light as one 
   Scene scene = glowing_ball(4);
   scene.camera.focal_distance = 4;
   const Spot sharp = spot_of(picture(scene));
-  CHECK(sharp.farthest < double(ball) * 1.1 + pixel);
+  CHECK(sharp.farthest < double(ball_ratio) * 1.1 + pixel);
   scene.camera.focal_distance = 2;
   CHECK(spot_of(picture(scene)).sum == Approx(sharp.sum).epsilon(3 * noise));
 }
@@ -97,7 +98,7 @@ TEST_CASE("a light out of focus has the shape of the aperture's blades") {
     scene.camera.aperture_blades = blades;
     const double radius = circle_of_confusion(4, 2);
     const Spot spot = spot_of(picture(scene));
-    const double of_ball = double(ball) * double(ball) / 2, of_pixel = pixel * pixel / 6;
+    const double of_ball = double(ball_ratio) * double(ball_ratio) / 2, of_pixel = pixel * pixel / 6;
     CHECK(spot.squared ==
           Approx(radius * radius * polygon_moment(blades) + of_ball + of_pixel).epsilon(noise));
   }

@@ -25,7 +25,7 @@ Material interface(const Interior& interior) {
   return material;
 }
 
-SphereSet ball(float radius) { return {"ball", {{{0, 0, 0}, radius}}}; }
+SphereSet ball_of(float radius) { return {"ball", {{{0, 0, 0}, radius}}}; }
 
 }  // namespace
 
@@ -33,7 +33,7 @@ TEST_CASE("a ray that passes interfaces stays the same ray, and begins behind th
   Scene scene = scene_of({}, {}, {0, 0, 3}, {0, 0, 0});
   scene.materials = {interface({absorption}), interface({.is_clear = true})};
   scene.bindings = {{0}, {1}};
-  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{ball(1), ball(0.5f)});
+  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{ball_of(1), ball_of(0.5f)});
   const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
   Tracer tracer(*engine, false);
   const Passages passages(scene);

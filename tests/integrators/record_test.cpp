@@ -19,7 +19,7 @@ constexpr int record_width = 16, record_height = 12;
 constexpr double off_edges = 1e-4;
 
 /// A coloured ball before the sky.
-Scene ball() { return scene_of(icosphere(2), {0.8f, 0.4f, 0.2f}, {0, 0, 4}, {0, 0, 0}); }
+Scene ball_and_sky() { return scene_of(icosphere(2), {0.8f, 0.4f, 0.2f}, {0, 0, 4}, {0, 0, 0}); }
 
 RenderOptions with_layers(std::vector<Layer> layers) {
   return {.width = record_width,
@@ -107,7 +107,7 @@ TEST_CASE("layers have the same bits by any engine, path tracer, number of threa
 TEST_CASE("texture coordinates are 0 where a shape has none") {
   const CameraSample sample[] = {{{.origin = {0.1f, 0.2f, 4}, .direction = {0, 0, -1}}, {}}};
   const auto recorded = [&](const Shape& shape) {
-    Scene scene = ball();
+    Scene scene = ball_and_sky();
     scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{shape});
     std::vector<Records> records = records_of(scene, {}, sample);
     const Rgb uv = records[0].spans(1)[Layer::uv][0];
@@ -127,7 +127,7 @@ TEST_CASE("albedo and normal are those of the surface that is hit first, on the 
   const CameraSample samples[] = {{{.origin = {0, 0, 4}, .direction = {0.1f, 0.2f, -4}}, {}},
                                   {{.origin = {0, 0, 4}, .direction = {0, 0, 1}}, {}},
                                   {{.origin = {0, 0, 0}, .direction = {1, 0.2f, 0.1f}}, {}}};
-  for (Records& records : records_of(ball(), {.max_depth = 0}, samples)) {
+  for (Records& records : records_of(ball_and_sky(), {.max_depth = 0}, samples)) {
     const auto albedo = records.spans(3)[Layer::albedo], normal = records.spans(3)[Layer::normal];
     CHECK(albedo[0] == Rgb{0.8f, 0.4f, 0.2f});
     CHECK(albedo[1] == Rgb{});
@@ -222,7 +222,7 @@ TEST_CASE("shapes of one material have one material id") {
 }
 
 TEST_CASE("an environment covers the picture, other distant light does not") {
-  Scene scene = ball();
+  Scene scene = ball_and_sky();
   add_light(scene, SunLight{{0, -1, 0}, {1, 1, 1}, 1});
   CHECK_FALSE(has_environment(scene));
   const CameraSample away{{.origin = {0, 0, 4}, .direction = {0, 0, 1}}, {}};
@@ -233,7 +233,7 @@ TEST_CASE("an environment covers the picture, other distant light does not") {
 }
 
 TEST_CASE("an integrator that knows nothing of a layer leaves it blank") {
-  const Scene scene = ball();
+  const Scene scene = ball_and_sky();
   const Film film =
       render_with(scene, NormalsIntegrator(scene), with_layers({Layer::albedo, Layer::depth})).film;
   CHECK_FALSE(is_black(film.pixel(record_width / 2, record_height / 2).mean()));
@@ -242,7 +242,7 @@ TEST_CASE("an integrator that knows nothing of a layer leaves it blank") {
 }
 
 TEST_CASE("no layer of a render comes twice") {
-  const Scene scene = ball();
+  const Scene scene = ball_and_sky();
   CHECK_THROWS_AS(render_with(scene, NormalsIntegrator(scene), with_layers({Layer::normal, Layer::normal})),
                   Error);
 }

@@ -28,14 +28,6 @@ std::vector<Backend> canonical_backends() {
   return backends;
 }
 
-/// Of all pixels of such a picture.
-std::uint64_t sample_count(const Film& film) {
-  std::uint64_t count = 0;
-  for (int y = 0; y < 30; ++y)
-    for (int x = 0; x < 40; ++x) count += film.pixel(x, y).count;
-  return count;
-}
-
 /// A path integrator that spoils the samples of one pixel.
 class SpoiledIntegrator final : public PlainIntegrator {
   Rgb radiance_of(const CameraSample& sample, SamplerKind, Tracer&) const override {

@@ -55,6 +55,14 @@ void check_same_mean(const Estimate& a, const Estimate& b, double sees) {
   check_mean({a.mean, std::hypot(a.standard_error, b.standard_error)}, b.mean, sees);
 }
 
+std::uint64_t sample_count(const Film& film) {
+  std::uint64_t count = 0;
+  const PixelRect& window = film.window();
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x) count += film.pixel(x, y).count;
+  return count;
+}
+
 bool same_bits(const Film& a, const Film& b) { return a.window() == b.window() && !first_difference(a, b); }
 
 }  // namespace twinray::test

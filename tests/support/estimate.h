@@ -43,6 +43,9 @@ void check_mean(const Estimate& found, double expected, double sees);
 /// The same for two estimates of one mean; `sees` is relative to the second one's.
 void check_same_mean(const Estimate& a, const Estimate& b, double sees);
 
+/// Of all pixels.
+std::uint64_t sample_count(const Film& film);
+
 /// Whether every pixel of every layer has the same sums and counts.
 bool same_bits(const Film& a, const Film& b);
 

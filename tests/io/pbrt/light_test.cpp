@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/angle.h"
 #include "core/direction_map.h"
 #include "io/picture/image_file.h"
 #include "io/scene_file.h"
@@ -17,8 +18,6 @@ namespace {
 using test::load_pbrt_text;
 using test::load_pbrt_world;
 using test::pbrt_triangle;
-
-constexpr double pi = 3.14159265358979323846;
 
 template <typename Source>
 Source light_of(const std::string& statements) {
@@ -42,24 +41,25 @@ TEST_CASE("an area light emits from the outside of its shape, or from both sides
 
 TEST_CASE("an area light of a power has it, over the area and both sides") {
   const std::string light = "AreaLightSource \"diffuse\" \"float power\" 100 ";
-  CHECK(light_of<MeshLight>(light + pbrt_triangle).radiance.g == Approx(100 / (pi * 0.5)));
+  CHECK(light_of<MeshLight>(light + pbrt_triangle).radiance.g == Approx(100 / (pi_double * 0.5)));
   CHECK(light_of<MeshLight>(light + "\"bool twosided\" true " + pbrt_triangle).radiance.g ==
-        Approx(100 / pi));
+        Approx(100 / pi_double));
   CHECK(light_of<SphereLight>(light + "Shape \"sphere\" \"float radius\" 2").radiance.g ==
-        Approx(100 / (pi * 16 * pi)));
+        Approx(100 / (pi_double * 16 * pi_double)));
 }
 
 TEST_CASE("an area light's power is that of each triangle and of each patch, as in pbrt") {
   const std::string light = "AreaLightSource \"diffuse\" \"float power\" 100 ";
   const std::string quad = " \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ] ";
   CHECK(light_of<MeshLight>(light + "Shape \"trianglemesh\"" + quad + "\"integer indices\" [ 0 1 3 0 3 2 ]")
-            .radiance.g == Approx(100 / (pi * 0.5)));
-  CHECK(light_of<MeshLight>(light + "Shape \"bilinearmesh\"" + quad).radiance.g == Approx(100 / pi));
-  CHECK(light_of<MeshLight>(light + "Shape \"disk\"").radiance.g == Approx(100 / (pi * pi)).epsilon(1e-3));
+            .radiance.g == Approx(100 / (pi_double * 0.5)));
+  CHECK(light_of<MeshLight>(light + "Shape \"bilinearmesh\"" + quad).radiance.g == Approx(100 / pi_double));
+  CHECK(light_of<MeshLight>(light + "Shape \"disk\"").radiance.g ==
+        Approx(100 / (pi_double * pi_double)).epsilon(1e-3));
   // What has no area is none of them.
   CHECK(light_of<MeshLight>(light + "Shape \"trianglemesh\"" + quad +
                             "\"integer indices\" [ 0 1 3  1 1 1  0 3 2 ]")
-            .radiance.g == Approx(100 / (pi * 0.5)));
+            .radiance.g == Approx(100 / (pi_double * 0.5)));
 }
 
 TEST_CASE("an area light's power is that of each face of a PLY file, of four corners, too") {
@@ -76,10 +76,10 @@ TEST_CASE("an area light's power is that of each face of a PLY file, of four cor
                      "filename\" \"a.ply\"\n");
     return std::get<MeshLight>(load_scene(folder.file("a.pbrt"), {}).scene.lights.at(0).source).radiance.g;
   };
-  CHECK(radiance("4 0 1 2 3\n", 1) == Approx(100 / pi));
-  CHECK(radiance("3 0 1 2\n3 0 2 3\n", 2) == Approx(100 / (pi * 0.5)));
-  CHECK(radiance("4 0 1 2 3\n3 0 1 2\n3 1 1 2\n", 3) == Approx(100 / (pi * 0.75)));
-  CHECK(radiance("4 0 1 2 2\n", 1) == Approx(100 / (pi * 0.5)));
+  CHECK(radiance("4 0 1 2 3\n", 1) == Approx(100 / pi_double));
+  CHECK(radiance("3 0 1 2\n3 0 2 3\n", 2) == Approx(100 / (pi_double * 0.5)));
+  CHECK(radiance("4 0 1 2 3\n3 0 1 2\n3 1 1 2\n", 3) == Approx(100 / (pi_double * 0.75)));
+  CHECK(radiance("4 0 1 2 2\n", 1) == Approx(100 / (pi_double * 0.5)));
 }
 
 TEST_CASE("a projector needs a picture, and shines ahead alone where its file is missing") {
@@ -121,7 +121,7 @@ TEST_CASE("an area light's picture is times its scale, and has its power over th
   CHECK(plain.picture->pixels == std::vector<Rgb>{{0.5f, 1, 0.25f}, {}});
   const double mean = double(luminance(Rgb{0.25f, 0.5f, 0.125f}));
   CHECK(light("\"float power\" 100 \"bool twosided\" true", pbrt_triangle).radiance.g ==
-        Approx(100 / (pi * mean)));
+        Approx(100 / (pi_double * mean)));
   // A sphere emits by its texture coordinates: it is a mesh that has them. So has a mesh without.
   CHECK(light("", "Shape \"sphere\"").side == EmissionSide::front);
   CHECK(load("", pbrt_triangle).scene.geometry->mesh(0)->uvs.size() == 3);
@@ -146,7 +146,7 @@ TEST_CASE("point, spot and distant lights stand where the transform puts them") 
       "Translate 1 0 0 LightSource \"point\" \"point3 from\" [ 0 2 0 ] \"rgb I\" [ 1 2 3 ] \"float power\" "
       "10");
   CHECK(point.position == Vec3{1, 2, 0});
-  CHECK(point.intensity.b == Approx(3 * 10 / (4 * pi)));
+  CHECK(point.intensity.b == Approx(3 * 10 / (4 * pi_double)));
   const auto distant = light_of<DirectionalLight>(
       "Rotate 90 0 0 1 LightSource \"distant\" \"point3 from\" [ 0 0 0 ] \"point3 to\" [ 2 0 0 ] \"rgb L\" [ "
       "1 1 1 ]"
@@ -189,10 +189,10 @@ TEST_CASE("a picture of latitude and longitude lies as in pbrt-v3, +z above, fro
     return map_point(MapLayout::latitude_longitude, rotation.inverse().vector(direction));
   };
   for (const auto& [x, y, z] : {Vec3{0.5f, 0.25f, 1}, {-1, 0.5f, 0.3f}, {-0.2f, -0.7f, -1}, {3, -1, 0}}) {
-    const double turns = std::atan2(y, x) / (2 * pi), length = std::sqrt(x * x + y * y + z * z);
+    const double turns = std::atan2(y, x) / (2 * pi_double), length = std::sqrt(x * x + y * y + z * z);
     const MapPoint sky = point_of("infinite", {x, y, z}), lamp = point_of("goniometric", {x, z, y});
     CHECK(sky.x == Approx(turns < 0 ? turns + 1 : turns));
-    CHECK(sky.y == Approx(std::acos(double(z) / length) / pi));
+    CHECK(sky.y == Approx(std::acos(double(z) / length) / pi_double));
     CHECK(lamp.x == Approx(sky.x));
     CHECK(lamp.y == Approx(sky.y));
   }
