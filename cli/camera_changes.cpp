@@ -37,7 +37,7 @@ Camera with_parallel_rays(const Camera& camera, const AskedProjection& asked, co
   if (camera.projection == Projection::orthographic) return camera;
   const float depth = box.is_empty() ? 1 : dot(box.center() - camera.position, camera.forward);
   if (is_panorama(camera.projection) || !(depth > 0))
-    throw Error(
+    throw UsageError(
         "--projection=orthographic: the camera does not look at the scene, so the frame's height must be "
         "given, in scene units, as in orthographic:2");
   Camera parallel = camera;
@@ -50,7 +50,7 @@ Camera with_parallel_rays(const Camera& camera, const AskedProjection& asked, co
 
 void refuse_for_panorama(bool is_given, const char* option, const Camera& camera) {
   if (is_given && is_panorama(camera.projection))
-    throw Error(fmt::format("{} goes with perspective and orthographic cameras; this one is {}", option,
+    throw UsageError(fmt::format("{} goes with perspective and orthographic cameras; this one is {}", option,
                             projection_name(camera.projection)));
 }
 

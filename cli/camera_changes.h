@@ -39,10 +39,10 @@ struct CameraChanges {
 };
 
 /// The camera with another projection, for a picture of this shape. Without a size an orthographic frame is
-/// what the camera saw around the middle of the box. Throws Error where that lies behind it.
+/// what the camera saw around the middle of the box. Throws UsageError where that lies behind it.
 Camera with_projection(const Camera& camera, const AskedProjection& asked, const Aabb& box, double aspect);
 
-/// The camera with the other changes; `fitted` has the frame that the picture shows. Throws Error for a lens
+/// The camera with the other changes; `fitted` has the frame that the picture shows. Throws UsageError for a lens
 /// or a shift of a panorama.
 Camera changed(const Camera& camera, const CameraChanges& changes, const Camera& fitted);
 

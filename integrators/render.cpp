@@ -298,9 +298,12 @@ class Renderer {
   /// Calls `take(sample)` for the samples of a pass that the tile's pixels still need, until it is stopped.
   template <typename Take>
   void for_each_sample(const PixelRect& tile, std::uint32_t begin, std::uint32_t end, const Take& take) {
+    // A large film is not in the cache: its next row is asked for while this one is sampled.
+    for (int x = tile.x0; x < tile.x1; ++x) film_.prefetch(x, tile.y0);
     for (int y = tile.y0; y < tile.y1; ++y)
       for (int x = tile.x0; x < tile.x1; ++x) {
         if (is_stopped()) return;
+        if (y + 1 < tile.y1) film_.prefetch(x, y + 1);
         if (is_converged(x, y, begin)) continue;
         const std::uint32_t end_of_pixel = end_index(x, y, end);
         for (std::uint32_t index = next_index(x, y); index < end_of_pixel; ++index)
