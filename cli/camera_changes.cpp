@@ -51,7 +51,7 @@ Camera with_parallel_rays(const Camera& camera, const AskedProjection& asked, co
 void refuse_for_panorama(bool is_given, const char* option, const Camera& camera) {
   if (is_given && is_panorama(camera.projection))
     throw UsageError(fmt::format("{} goes with perspective and orthographic cameras; this one is {}", option,
-                            projection_name(camera.projection)));
+                                 projection_name(camera.projection)));
 }
 
 }  // namespace

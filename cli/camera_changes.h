@@ -42,8 +42,8 @@ struct CameraChanges {
 /// what the camera saw around the middle of the box. Throws UsageError where that lies behind it.
 Camera with_projection(const Camera& camera, const AskedProjection& asked, const Aabb& box, double aspect);
 
-/// The camera with the other changes; `fitted` has the frame that the picture shows. Throws UsageError for a lens
-/// or a shift of a panorama.
+/// The camera with the other changes; `fitted` has the frame that the picture shows. Throws UsageError for a
+/// lens or a shift of a panorama.
 Camera changed(const Camera& camera, const CameraChanges& changes, const Camera& fitted);
 
 }  // namespace twinray

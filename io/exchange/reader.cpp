@@ -52,9 +52,9 @@ bool is_not_negative(const Rgb& pixel) { return at_least_zero(pixel) == pixel; }
 bool has_luminance(const Rgb& pixel) { return luminance(pixel) >= 0; }
 
 /// Reads one file.
-class Reader {
+class SceneReader {
  public:
-  Reader(const std::string& path, const LoadOptions& options, const ExchangeRead& read)
+  SceneReader(const std::string& path, const LoadOptions& options, const ExchangeRead& read)
       : path_(path), options_(options), read_(read), warnings_(options.strict) {}
 
   LoadedScene read(const std::string& text) {
@@ -385,7 +385,7 @@ class Reader {
 
 LoadedScene read_exchange(const std::string& json, const std::string& path, const LoadOptions& options,
                           const ExchangeRead& read) {
-  return Reader(path, options, read).read(json);
+  return SceneReader(path, options, read).read(json);
 }
 
 LoadedScene load_exchange(const std::string& path, const LoadOptions& options) {

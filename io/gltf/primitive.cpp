@@ -39,9 +39,9 @@ std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& corners, in
 }
 
 /// The vertex attributes of a primitive, wherever they are.
-class Attributes {
+class PrimitiveAttributes {
  public:
-  Attributes(GltfDocument& document, const tinygltf::Primitive& primitive, std::string pointer)
+  PrimitiveAttributes(GltfDocument& document, const tinygltf::Primitive& primitive, std::string pointer)
       : document_(document), primitive_(primitive), pointer_(std::move(pointer)) {
     if (primitive.extensions.count(draco_extension) > 0) draco_ = decode_draco(document, primitive, pointer_);
   }
@@ -119,9 +119,9 @@ class Attributes {
   std::optional<DracoMesh> draco_;
 };
 
-class Builder {
+class PrimitiveBuilder {
  public:
-  Builder(GltfDocument& document, const tinygltf::Primitive& source, const std::string& pointer)
+  PrimitiveBuilder(GltfDocument& document, const tinygltf::Primitive& source, const std::string& pointer)
       : document_(document), source_(source), attributes_(document, source, pointer) {
     made_.pointer = pointer;
     made_.material = source.material;
@@ -213,7 +213,7 @@ class Builder {
 
   GltfDocument& document_;
   const tinygltf::Primitive& source_;
-  Attributes attributes_;
+  PrimitiveAttributes attributes_;
   GltfPrimitive made_;
 };
 
@@ -233,7 +233,7 @@ std::optional<GltfPrimitive> read_primitive(GltfDocument& document, int mesh, in
     document.context().warn(pointer, "this primitive has no POSITION, and is left out");
     return std::nullopt;
   }
-  GltfPrimitive made = Builder(document, source, pointer).build();
+  GltfPrimitive made = PrimitiveBuilder(document, source, pointer).build();
   made.mesh = mesh, made.index = primitive;
   return made;
 }

@@ -134,9 +134,9 @@ struct Inputs {
   }
 };
 
-constexpr Rgb half{0.5f, 0.5f, 0.5f}, quarter{0.25f, 0.25f, 0.25f};
+constexpr Rgb half_grey{0.5f, 0.5f, 0.5f}, quarter_grey{0.25f, 0.25f, 0.25f};
 
-SurfaceModel read_diffuse(const Inputs& in) { return Lambert{in.color("reflectance", half)}; }
+SurfaceModel read_diffuse(const Inputs& in) { return Lambert{in.color("reflectance", half_grey)}; }
 
 struct Metal {
   Rgb eta, k;
@@ -178,7 +178,7 @@ void read_between(const Inputs& in) {
 
 SurfaceModel read_coated_diffuse(const Inputs& in) {
   read_between(in);
-  return CoatedDiffuse{in.color("reflectance", half), in.roughness(), in.coat_ior("eta")};
+  return CoatedDiffuse{in.color("reflectance", half_grey), in.roughness(), in.coat_ior("eta")};
 }
 
 SurfaceModel read_coated_conductor(const Inputs& in) {
@@ -192,8 +192,8 @@ SurfaceModel read_coated_conductor(const Inputs& in) {
 
 SurfaceModel read_transmission(const Inputs& in) {
   const float scale = in.parameters.real("scale", 1, {0, 1e6});
-  const DiffuseTransmission sheet{within_unit(in.color("reflectance", quarter) * scale),
-                                  within_unit(in.color("transmittance", quarter) * scale)};
+  const DiffuseTransmission sheet{within_unit(in.color("reflectance", quarter_grey) * scale),
+                                  within_unit(in.color("transmittance", quarter_grey) * scale)};
   if (scale != 1)
     for (TextureUse& use : in.uses) use.texture = in.textures.scaled(use.texture, scale);
   const float most = max_component(sheet.reflectance + sheet.transmittance);
@@ -311,7 +311,7 @@ SurfaceModel read_hair(const Inputs& in) {
 
 SurfaceModel read_measured(const Inputs& in) {
   in.parameters.find("filename");
-  return instead(in, "a measured material", "a diffuse surface of 0.5", Lambert{half});
+  return instead(in, "a measured material", "a diffuse surface of 0.5", Lambert{half_grey});
 }
 
 struct MaterialReader {

@@ -117,7 +117,8 @@ TEST_CASE("a camera gets another projection where it stands") {
   CHECK(with_projection(ahead, {Projection::orthographic, 8}, box_ahead, 1.5).tan_half_width == Approx(6));
   const Camera eye = with_projection(ahead, {Projection::fisheye, {}}, box_ahead, 2);
   CHECK(eye.tan_half_height == Approx(M_PI / 2));
-  CHECK_THROWS_AS(with_projection(ahead, {Projection::orthographic, {}}, {{0, 0, 1}, {1, 1, 2}}, 1), UsageError);
+  CHECK_THROWS_AS(with_projection(ahead, {Projection::orthographic, {}}, {{0, 0, 1}, {1, 1, 2}}, 1),
+                  UsageError);
 }
 
 TEST_CASE("a frame that lies aside stays as many of its parts aside, in scene units, too") {
