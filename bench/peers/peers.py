@@ -196,6 +196,8 @@ def measured(arguments, scene, found):
         exchange = str(Path(folder) / "scene.json")
         convert(arguments.program, scene, exchange, arguments)
         panorama.draw_squares_anew(exchange)
+        if any(one.family == "pbrt" for one in found):
+            convert(arguments.program, scene, renderers.pbrt_form(exchange), arguments)
         picture = renderers.Picture(scene, exchange, arguments.view, *arguments.resolution,
                                     arguments.depth, arguments.threads)
         bench = Bench(arguments, picture, found)

@@ -3,6 +3,7 @@
 import os
 import shutil
 import subprocess
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,14 +13,15 @@ HOW_TO_INSTALL = """No peer was found in {folder}.
 A folder for them, outside of the repository, is made by:
   python3 -m venv DIR && DIR/bin/pip install mitsuba bpy
 and given by --peers=DIR or the environment variable TWINRAY_PEERS. Mitsuba's llvm variants need an LLVM
-library; DRJIT_LIBLLVM_PATH=FILE names one, where none is found or the one that is found is too old."""
+library; DRJIT_LIBLLVM_PATH=FILE names one, where none is found or the one that is found is too old.
+pbrt-v4's program is looked for in DIR/bin, too, and where all programs are."""
 
 
 @dataclass(frozen=True)
 class Picture:
     """What is rendered."""
     scene: str       # the scene file
-    exchange: str    # the same in exchange form
+    exchange: str    # the same in exchange form; beside it, for pbrt, in pbrt-v4's format
     view: str        # of twinray's --view
     width: int
     height: int
@@ -54,8 +56,13 @@ def twinray(program, options=()):
     return call
 
 
-def common_words(picture, request):
-    return [picture.exchange, request.output, "--samples", str(request.samples),
+def pbrt_form(exchange):
+    """Where the scene is in pbrt-v4's format."""
+    return str(Path(exchange).with_suffix(".pbrt"))
+
+
+def common_words(picture, request, scene=""):
+    return [scene or picture.exchange, request.output, "--samples", str(request.samples),
             "--depth", str(picture.depth), "--seed", str(request.seed), "--threads", str(picture.threads),
             *(["--roulette"] if request.roulette else []),
             *(["--size", *map(str, request.size)] if request.size else [])]
@@ -70,6 +77,13 @@ def mitsuba(python, variant, sampler):
 
 def cycles(start):
     return lambda picture, request: [*start, *common_words(picture, request)]
+
+
+def pbrt(program):
+    def call(picture, request):
+        return [sys.executable, str(HERE / "pbrt_render.py"),
+                *common_words(picture, request, pbrt_form(picture.exchange)), "--program", program]
+    return call
 
 
 def has_module(python, name):
@@ -91,4 +105,6 @@ def installed(program, folder):
         found.append(Renderer("Cycles", "Cycles", cycles([python, script])))
     elif shutil.which("blender"):
         found.append(Renderer("Cycles", "Cycles", cycles(blender)))
+    if program := shutil.which("pbrt", path=os.pathsep.join([str(Path(folder) / "bin"), os.environ.get("PATH", "")])):
+        found.append(Renderer("pbrt-v4", "pbrt", pbrt(program)))
     return found
