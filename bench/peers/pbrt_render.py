@@ -21,7 +21,8 @@ def pbrt_scene(text, arguments):
     width, height = arguments.size or [int(re.search(rf'"integer {side}resolution" \[ (\d+) \]', film)[1])
                                        for side in "xy"]
     lines = [line for line in lines if not line.startswith(STATEMENTS)]
-    lines += [f'Film "rgb" "integer xresolution" {width} "integer yresolution" {height} "bool savefp16" false',
+    size = f'"integer xresolution" {width} "integer yresolution" {height}'
+    lines += [f'Film "rgb" {size} "bool savefp16" false',
               'PixelFilter "box"',
               f'Sampler "zsobol" "integer pixelsamples" {arguments.samples} "integer seed" {arguments.seed}',
               f'Integrator "path" "integer maxdepth" {arguments.depth}']
@@ -44,7 +45,8 @@ def main():
     scene = Path(arguments.scene)
     made = scene.with_name("made.pbrt")  # in the same folder, where its meshes are
     made.write_text(pbrt_scene(scene.read_text(encoding="utf-8"), arguments), encoding="utf-8")
-    said = call(arguments.program, ["--nthreads", str(arguments.threads), "--outfile", arguments.output, str(made)])
+    said = call(arguments.program,
+                ["--nthreads", str(arguments.threads), "--outfile", arguments.output, str(made)])
     version = re.search(r"pbrt version \S+", said)
     print(version[0] if version else "pbrt")
 

@@ -105,6 +105,7 @@ def installed(program, folder):
         found.append(Renderer("Cycles", "Cycles", cycles([python, script])))
     elif shutil.which("blender"):
         found.append(Renderer("Cycles", "Cycles", cycles(blender)))
-    if program := shutil.which("pbrt", path=os.pathsep.join([str(Path(folder) / "bin"), os.environ.get("PATH", "")])):
+    places = os.pathsep.join([str(Path(folder) / "bin"), os.environ.get("PATH", os.defpath)])
+    if program := shutil.which("pbrt", path=places):
         found.append(Renderer("pbrt-v4", "pbrt", pbrt(program)))
     return found

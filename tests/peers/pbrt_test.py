@@ -71,8 +71,8 @@ class Calls(Folder):
         said = io.StringIO()
         with mock.patch.dict(os.environ, {"PATH": "/usr/bin:/bin"}), contextlib.redirect_stderr(said):
             names = [one.name for one in renderers.installed(PROGRAM, str(self.folder))]
-            code = peers.main([PROGRAM, str(BOX), "--peers", str(self.folder), "--only", "pbrt", "-r", "40", "30",
-                               "--samples", "256", "--seconds", "0.1", "--rounds", "1",
+            code = peers.main([PROGRAM, str(BOX), "--peers", str(self.folder), "--only", "pbrt",
+                               "-r", "40", "30", "--samples", "256", "--seconds", "0.1", "--rounds", "1",
                                "-o", str(self.folder / "out")])
         self.assertIn("pbrt-v4", names)
         table = (self.folder / "out" / "table.md").read_text()
