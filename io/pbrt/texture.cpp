@@ -22,9 +22,10 @@ constexpr std::array<std::string_view, 13> classes{
     "constant", "scale", "mix",    "directionmix", "imagemap", "checkerboard", "dots",
     "bilerp",   "fbm",   "marble", "windy",        "wrinkled", "ptex"};
 
-constexpr std::array<PbrtWord<TextureFilter>, 4> filters{{{"bilinear", TextureFilter::bilinear},
+constexpr std::array<PbrtWord<TextureFilter>, 5> filters{{{"bilinear", TextureFilter::bilinear},
                                                           {"trilinear", TextureFilter::trilinear},
                                                           {"EWA", TextureFilter::trilinear},
+                                                          {"ewa", TextureFilter::trilinear},
                                                           {"point", TextureFilter::nearest}}};
 constexpr std::array<PbrtWord<WrapMode>, 4> wraps{{{"repeat", WrapMode::repeat},
                                                    {"clamp", WrapMode::clamp},

@@ -326,6 +326,22 @@ TEST_CASE("a picture is encoded as the scene says, and in no other way") {
                       Catch::Contains("there is no encoding \"" + wrong + "\"; valid are sRGB"));
 }
 
+TEST_CASE("a picture is filtered as pbrt's word says, whose last one has two spellings") {
+  const Folder folder;
+  write_png(folder.folder.file("grey.png"), ByteImage{1, 1, {128, 128, 128}});
+  const auto filter = [&](const std::string& word) {
+    const LoadedScene loaded = folder.load(
+        "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"grey.png\" \"string filter\" \"" +
+        word + "\"\nMaterial \"diffuse\" \"texture reflectance\" \"t\"\n");
+    CHECK(loaded.warnings.empty());
+    return std::get<ImageTexture>(loaded.scene.textures.at(0).model).filter;
+  };
+  CHECK(filter("point") == TextureFilter::nearest);
+  CHECK(filter("bilinear") == TextureFilter::bilinear);
+  for (const char* word : {"trilinear", "EWA", "ewa"}) CHECK(filter(word) == TextureFilter::trilinear);
+  CHECK_THROWS_WITH(filter("Ewa"), Catch::Contains("there is no filter \"Ewa\"; valid are bilinear"));
+}
+
 TEST_CASE("a way to go on beyond a picture's border that is another one here is named") {
   const Folder folder;
   write_png(folder.folder.file("grey.png"), ByteImage{1, 1, {128, 128, 128}});
