@@ -198,6 +198,24 @@ TEST_CASE("a metal of a reflectance has it where light falls straight on it") {
             .find("a metal has \"reflectance\" or \"eta\" and \"k\", not both") != std::string::npos);
 }
 
+TEST_CASE("how pbrt follows light below a coat is named where it is not as usual") {
+  const auto warnings = [](const std::string& words) {
+    std::string all;
+    for (const char* material : {"coateddiffuse", "coatedconductor"})
+      for (const Diagnostic& warning : test::load_pbrt_world("Material \"" + std::string(material) + "\" " +
+                                                             words + "\n" + test::pbrt_triangle)
+                                           .warnings)
+        all += warning.message + "\n";
+    return all;
+  };
+  CHECK(warnings("\"float thickness\" 0.01 \"integer maxdepth\" 10 \"integer nsamples\" 4 \"float g\" 0")
+            .empty());
+  const std::string thick = "what pbrt's coats absorb by their thickness is not rendered\n";
+  CHECK(warnings("\"float thickness\" 0.011") == thick + thick);
+  const std::string shallow = "light between the layers is followed to its end\n";
+  CHECK(warnings("\"integer maxdepth\" 9") == shallow + shallow);
+}
+
 TEST_CASE("the layers of a coated conductor have names of their own") {
   const auto coated = model_of<CoatedConductor>(
       "\"coatedconductor\" \"float interface.roughness\" 0.04 \"float conductor.roughness\" 0.25 \"float "
