@@ -2,6 +2,7 @@
 #include "core/film.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <thread>
 
@@ -62,6 +63,15 @@ void check_equal(const Film& a, const Film& b) {
 }
 
 }  // namespace
+
+TEST_CASE("each pixel lies in one line of a cache, which may be asked for before it is read") {
+  const Film film(5, 3, {-1, 0, 5, 3});
+  for (int y = 0; y < 3; ++y)
+    for (int x = -1; x < 5; ++x) {
+      film.prefetch(x, y);
+      CHECK(reinterpret_cast<std::uintptr_t>(&film.pixel(x, y)) % 64 == 0);
+    }
+}
 
 TEST_CASE("a pixel takes 64 bytes for colour, variance, count and rejections") {
   CHECK(sizeof(PixelSums) <= 64);
