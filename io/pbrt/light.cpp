@@ -9,6 +9,7 @@
 
 #include "core/angle.h"
 #include "core/elementary.h"
+#include "io/pbrt/light_strength.h"
 #include "io/pbrt/spectrum.h"
 #include "io/pbrt/transform.h"
 #include "io/picture/environment_file.h"
@@ -29,7 +30,7 @@ Rgb scaled_color(const PbrtParameters& parameters, const char* name, PbrtContext
 /// it is not given.
 Rgb with_strength(const Rgb& color, const char* name, double unit, const PbrtParameters& parameters) {
   const float wanted = parameters.real(name, -1, any_power);
-  return wanted > 0 ? color * float(double(wanted) / unit) : color;
+  return wanted > 0 && unit > 0 ? color * float(double(wanted) / unit) : color;
 }
 
 Vec3 direction(const Vec3& from, const Vec3& to, const Transform& to_world,
@@ -125,12 +126,6 @@ std::shared_ptr<const Image> emission_of(const PbrtParameters& parameters, PbrtC
   return picture;
 }
 
-/// "power" and "illuminance" of pictures are integrals over their pixels.
-void warn_of_strength(const char* name, const PbrtParameters& parameters, PbrtContext& context) {
-  if (const PbrtParameter* strength = parameters.find(name))
-    strength->place.warn(context.warnings, fmt::format("\"{}\" of a light with a picture is left out", name));
-}
-
 std::shared_ptr<const Image> one_pixel(const Rgb& value) {
   auto map = std::make_shared<Image>(1, 1);
   map->at(0, 0) = value;
@@ -156,9 +151,10 @@ std::optional<LightSource> read_infinite(const PbrtParameters& parameters, const
     color->place.fail("an infinite light has a color \"L\" or a picture \"filename\", not both");
   const Rgb radiance = scaled_color(parameters, "L", context);
   if (const auto map = picture_of(parameters, context)) {
-    warn_of_strength("illuminance", parameters, context);
-    return EnvironmentLight{map, layout_of(*map),
-                            rotation_of(to_world, parameters, context) * axes_of(layout_of(*map)), radiance};
+    const MapLayout layout = layout_of(*map);
+    const double unit = illuminance_sum(*map, layout, axes_of(layout));
+    return EnvironmentLight{map, layout, rotation_of(to_world, parameters, context) * axes_of(layout),
+                            with_strength(radiance, "illuminance", unit, parameters)};
   }
   return EnvironmentLight{one_pixel(with_strength(radiance, "illuminance", pi_double, parameters))};
 }
@@ -171,16 +167,17 @@ std::optional<LightSource> read_goniometric(const PbrtParameters& parameters, co
     parameters.place().warn(context.warnings,
                             "this goniometric light names no picture; it shines alike in all directions");
   if (!map) return read_point(parameters, to_world, context);
-  warn_of_strength("power", parameters, context);
   auto grey = std::make_shared<Image>(*map);
   for (Rgb& pixel : grey->pixels) {
     const float mean = (pixel.r + pixel.g + pixel.b) / 3;
     pixel = {mean, mean, mean};
   }
   const Transform swap{{{1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}}};
-  return GoniometricLight{to_world.point({0, 0, 0}), scaled_color(parameters, "I", context), grey,
-                          layout_of(*grey),
-                          rotation_of(to_world, parameters, context) * swap * axes_of(layout_of(*grey))};
+  const MapLayout layout = layout_of(*grey);
+  const Rgb intensity =
+      with_strength(scaled_color(parameters, "I", context), "power", sphere_sum(*grey, layout), parameters);
+  return GoniometricLight{to_world.point({0, 0, 0}), intensity, grey, layout,
+                          rotation_of(to_world, parameters, context) * swap * axes_of(layout)};
 }
 
 std::optional<LightSource> read_projection(const PbrtParameters& parameters, const Transform& to_world,
@@ -190,15 +187,20 @@ std::optional<LightSource> read_projection(const PbrtParameters& parameters, con
     parameters.place().fail("a projection light needs its picture, \"string filename\"");
   auto picture = picture_of(parameters, context);
   if (!picture) picture = one_pixel(white);
-  warn_of_strength("power", parameters, context);
   const Transform turn = rotation_of(to_world, parameters, context);
   const double half = tan_radians(fov * radians_per_degree / 2);
   const double aspect = double(picture->width) / double(picture->height);
-  const float strength = parameters.real("scale", 1, scales);
-  return ProjectionLight{to_world.point({0, 0, 0}),           normalize(turn.vector({1, 0, 0})),
-                         normalize(turn.vector({0, 1, 0})),   normalize(turn.vector({0, 0, 1})),
-                         float(half * std::max(aspect, 1.0)), float(half * std::max(1 / aspect, 1.0)),
-                         {strength, strength, strength},      picture};
+  const double half_width = half * std::max(aspect, 1.0), half_height = half * std::max(1 / aspect, 1.0);
+  const Rgb strength = with_strength(white * parameters.real("scale", 1, scales), "power",
+                                     frame_sum(*picture, half_width, half_height), parameters);
+  return ProjectionLight{to_world.point({0, 0, 0}),
+                         normalize(turn.vector({1, 0, 0})),
+                         normalize(turn.vector({0, 1, 0})),
+                         normalize(turn.vector({0, 0, 1})),
+                         float(half_width),
+                         float(half_height),
+                         strength,
+                         picture};
 }
 
 struct LightReader {

@@ -168,8 +168,8 @@ SurfaceModel read_thin(const Inputs& in) {
   return sheet;
 }
 
-/// What lies between the layers of a coated material, and how pbrt follows light there: where that is as
-/// usual, our closed form differs little (docs/materials.md).
+/// What lies between the layers of a coated material, and how pbrt follows light there. How far our closed
+/// form is from pbrt's usual way is known (docs/materials.md).
 void read_between(const Inputs& in) {
   for (const char* known : {"g", "nsamples"}) in.parameters.find(known);
   const auto warn = [&](const char* name, const char* reason) {
@@ -177,7 +177,7 @@ void read_between(const Inputs& in) {
   };
   if (!is_black(in.color("albedo", {}))) warn("albedo", "what scatters between the layers is not rendered");
   constexpr float usual_thickness = 0.01f;
-  if (in.parameters.real("thickness", usual_thickness) > usual_thickness)
+  if (in.number("thickness", usual_thickness) > usual_thickness)
     warn("thickness", "what pbrt's coats absorb by their thickness is not rendered");
   constexpr int usual_depth = 10;
   if (in.parameters.integer("maxdepth", usual_depth, {0, 1e9}) < usual_depth)

@@ -212,6 +212,13 @@ TEST_CASE("how pbrt follows light below a coat is named where it is not as usual
             .empty());
   const std::string thick = "what pbrt's coats absorb by their thickness is not rendered\n";
   CHECK(warnings("\"float thickness\" 0.011") == thick + thick);
+  CHECK(load_pbrt_world("Texture \"t\" \"float\" \"constant\" \"float value\" 0.02\n"
+                        "Material \"coateddiffuse\" \"texture thickness\" \"t\"\n" +
+                        test::pbrt_triangle)
+                .warnings.back()
+                .message +
+            "\n" ==
+        thick);
   const std::string shallow = "light between the layers is followed to its end\n";
   CHECK(warnings("\"integer maxdepth\" 9") == shallow + shallow);
 }
