@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private: what the picture of a light adds up to. Its "power" or "illuminance" is divided by that.
+// What the picture of a light adds up to, by which its "power" or "illuminance" is divided.
 #pragma once
 #include "core/image.h"
 #include "core/light.h"
