@@ -201,4 +201,7 @@ MUTANTS = [
     Mutant("a projector's power is of its width alone", "io/pbrt/light.cpp",
            "frame_sum(*picture, half_width, half_height)", "frame_sum(*picture, half_width, 1)", "test_io",
            "a light with a picture has pbrt's power, or illuminance, times its color"),
+    Mutant("latitudes turn around a horizontal axis where their illuminance is found", "io/pbrt/light.cpp",
+           "illuminance_sum(*map, layout, axes_of(layout))", "illuminance_sum(*map, layout, {})", "test_io",
+           "a light with a picture has pbrt's power, or illuminance, times its color"),
 ]

@@ -87,6 +87,13 @@ TEST_CASE("a light with a picture has pbrt's power, or illuminance, times its co
   // Of four by four pixels the upper ones' middles stand for them.
   const double unit = illuminance_sum(filled(4, 4, {1, 1, 1}), MapLayout::equal_area, {}) * mean;
   CHECK(environment("\"float illuminance\" 50") == Approx(3 * 50 / unit));
+  // Light from above alone, by latitudes, gives a plane what even light does.
+  Image above = filled(64, 32, {});
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 64; ++x) above.at(x, y) = {1, 1, 1};
+  write_exr(folder.file("sky.exr"), above);
+  CHECK(environment("\"float illuminance\" 50") == Approx(3 * 50 / (pi_double / 2)).epsilon(0.01));
+  write_exr(folder.file("sky.exr"), filled(4, 4, {0.25f, 0.5f, 0.75f}));
   const auto projection = [&](const std::string& words) {
     return std::get<ProjectionLight>(light_of("\"projection\" \"float fov\" 60 " + words)).intensity.r;
   };
