@@ -35,7 +35,7 @@ endfunction()
 # To compile most files is mostly to read the headers that they include, and to make the templates in them: sixteen
 # together take little longer than one. The preset dev takes each alone, and so sees whether it includes what it needs.
 # What traverses (accel) and the waves (integrators) stand alone in any case.
-option(TWINRAY_UNITY "Compile files sixteen at a time: half of the time of a build from nothing" ON)
+option(TWINRAY_UNITY "Compile many files at a time: half of the time of a build from nothing" ON)
 set(twinray_files_together 16)
 # twinray_compile_together(TARGET [file...]): these of its files, or all. No two that are taken together may use a name for
 # two things: the compiler says so, and one of them takes a better name.

@@ -33,6 +33,12 @@ Rgb with_strength(const Rgb& color, const char* name, double unit, const PbrtPar
   return wanted > 0 && unit > 0 ? color * float(double(wanted) / unit) : color;
 }
 
+/// The same of a picture, which is added up by `sum` only where that is needed.
+template <typename Sum>
+Rgb with_strength_of(const Rgb& color, const char* name, const Sum& sum, const PbrtParameters& parameters) {
+  return parameters.real(name, -1, any_power) > 0 ? with_strength(color, name, sum(), parameters) : color;
+}
+
 Vec3 direction(const Vec3& from, const Vec3& to, const Transform& to_world,
                const PbrtParameters& parameters) {
   const Vec3 d = to_world.vector(to - from);
@@ -152,9 +158,9 @@ std::optional<LightSource> read_infinite(const PbrtParameters& parameters, const
   const Rgb radiance = scaled_color(parameters, "L", context);
   if (const auto map = picture_of(parameters, context)) {
     const MapLayout layout = layout_of(*map);
-    const double unit = illuminance_sum(*map, layout, axes_of(layout));
+    const auto sum = [&] { return illuminance_sum(*map, layout, axes_of(layout)); };
     return EnvironmentLight{map, layout, rotation_of(to_world, parameters, context) * axes_of(layout),
-                            with_strength(radiance, "illuminance", unit, parameters)};
+                            with_strength_of(radiance, "illuminance", sum, parameters)};
   }
   return EnvironmentLight{one_pixel(with_strength(radiance, "illuminance", pi_double, parameters))};
 }
@@ -174,8 +180,8 @@ std::optional<LightSource> read_goniometric(const PbrtParameters& parameters, co
   }
   const Transform swap{{{1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}}};
   const MapLayout layout = layout_of(*grey);
-  const Rgb intensity =
-      with_strength(scaled_color(parameters, "I", context), "power", sphere_sum(*grey, layout), parameters);
+  const auto sum = [&] { return sphere_sum(*grey, layout); };
+  const Rgb intensity = with_strength_of(scaled_color(parameters, "I", context), "power", sum, parameters);
   return GoniometricLight{to_world.point({0, 0, 0}), intensity, grey, layout,
                           rotation_of(to_world, parameters, context) * swap * axes_of(layout)};
 }
@@ -191,8 +197,9 @@ std::optional<LightSource> read_projection(const PbrtParameters& parameters, con
   const double half = tan_radians(fov * radians_per_degree / 2);
   const double aspect = double(picture->width) / double(picture->height);
   const double half_width = half * std::max(aspect, 1.0), half_height = half * std::max(1 / aspect, 1.0);
-  const Rgb strength = with_strength(white * parameters.real("scale", 1, scales), "power",
-                                     frame_sum(*picture, half_width, half_height), parameters);
+  const auto sum = [&] { return frame_sum(*picture, half_width, half_height); };
+  const Rgb strength =
+      with_strength_of(white * parameters.real("scale", 1, scales), "power", sum, parameters);
   return ProjectionLight{to_world.point({0, 0, 0}),
                          normalize(turn.vector({1, 0, 0})),
                          normalize(turn.vector({0, 1, 0})),
