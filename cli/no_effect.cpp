@@ -10,6 +10,7 @@
 #include "cli/render_outputs.h"
 #include "cli/texture_command.h"
 #include "core/light_set.h"
+#include "core/scene_textures.h"
 #include "integrators/layer_records.h"
 #include "io/picture/output_format.h"
 #include "io/scene_file.h"

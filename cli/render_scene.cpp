@@ -12,6 +12,7 @@
 #include "cli/render_command_line.h"
 #include "cli/scene_warnings.h"
 #include "core/error.h"
+#include "core/scene_textures.h"
 #include "integrators/ambient_occlusion.h"
 #include "integrators/furnace.h"
 #include "integrators/normals.h"

@@ -7,7 +7,9 @@
 
 #include "core/hash.h"
 #include "core/octahedron.h"
+#include "core/scene_textures.h"
 #include "core/surface.h"
+#include "core/textured_material.h"
 
 namespace twinray {
 namespace {
@@ -40,16 +42,22 @@ std::vector<Texture> for_traversal(std::span<const Texture> textures, std::span<
 
 }  // namespace
 
-float alpha_at(std::span<const Texture> textures, std::uint32_t texture, Vec2 uv) {
-  const float alpha = evaluate(textures, texture, {.uv = uv, .is_smooth = true}).r;
+float alpha_at(std::span<const Texture> textures, std::uint32_t texture, TexturePoint at) {
+  at.is_smooth = true;
+  const float alpha = evaluate(textures, texture, at).r;
   return alpha > 0 ? std::min(alpha, 1.0f) : 0;
 }
+
+AlphaTest::AlphaTest(std::vector<Texture> textures, std::vector<std::uint32_t> alphas)
+    : textures_(std::move(textures)), alphas_(std::move(alphas)), by_position_(go_by_position(textures_)) {}
 
 bool AlphaTest::accepts(const Geometry& geometry, const Vec3& origin, const Vec3& direction,
                         const Hit& hit) const noexcept {
   const std::uint32_t texture = alphas_[hit.mesh];
   if (texture == no_texture) return true;
-  const float alpha = alpha_at(textures_, texture, texture_coordinates(geometry, hit));
+  const TexturePoint at = by_position_[texture] ? texture_point(surface_at(geometry, hit))
+                                                : TexturePoint{.uv = texture_coordinates(geometry, hit)};
+  const float alpha = alpha_at(textures_, texture, at);
   if (alpha == 0 || alpha == 1) return alpha == 1;
   return random_of(geometry, origin, direction, hit) < alpha;
 }

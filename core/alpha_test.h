@@ -14,21 +14,21 @@
 
 namespace twinray {
 
-/// How much there is of a surface at texture coordinates: a texture's red, in [0, 1].
-float alpha_at(std::span<const Texture> textures, std::uint32_t texture, Vec2 uv);
+/// How much there is of a surface at a point: a texture's red, in [0, 1].
+float alpha_at(std::span<const Texture> textures, std::uint32_t texture, TexturePoint at);
 
 /// The acceptance of shapes by their alpha.
 class AlphaTest final : public Acceptance {
  public:
   /// `alphas`: of each shape an index into `textures`, or no_texture where it is opaque.
-  AlphaTest(std::vector<Texture> textures, std::vector<std::uint32_t> alphas)
-      : textures_(std::move(textures)), alphas_(std::move(alphas)) {}
+  AlphaTest(std::vector<Texture> textures, std::vector<std::uint32_t> alphas);
   bool accepts(const Geometry& geometry, const Vec3& origin, const Vec3& direction,
                const Hit& hit) const noexcept override;
 
  private:
   std::vector<Texture> textures_;
   std::vector<std::uint32_t> alphas_;
+  std::vector<bool> by_position_;  ///< Of each texture: whether it goes by the point in the scene.
 };
 
 /// The geometry of shapes that are cut out as their bindings say. One binding for each shape.

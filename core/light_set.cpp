@@ -19,6 +19,7 @@
 #include "core/point_light.h"
 #include "core/spawn_ray.h"
 #include "core/texture.h"
+#include "core/textured_material.h"
 #include "core/warp.h"
 
 namespace twinray {
@@ -300,7 +301,7 @@ float LightSet::probability_in_group(std::uint32_t light, const Receiver& from) 
 
 float LightSet::alpha_of(std::uint32_t light, const Hit& hit) const {
   if (!has_alpha(light) || is_invisible_[light]) return 1;
-  return alpha_at(textures_, alphas_[light], texture_coordinates(geometry_, hit));
+  return alpha_at(textures_, alphas_[light], texture_point(surface_at(geometry_, hit)));
 }
 
 LightSample LightSet::sample(std::uint32_t light, const SurfacePoint& from, const Receiver& receiver,

@@ -78,6 +78,15 @@ Image MipMap::image(int index) const {
   return copy;
 }
 
+Rgb MipMap::mean() const {
+  if (levels() > 1) return level(levels() - 1).at(0, 0);
+  const Image picture = image(0);
+  double r = 0, g = 0, b = 0;
+  for (const Rgb& pixel : picture.pixels) r += double(pixel.r), g += double(pixel.g), b += double(pixel.b);
+  const auto count = double(picture.pixels.size());
+  return {float(r / count), float(g / count), float(b / count)};
+}
+
 std::shared_ptr<const MipMap> in_memory(const std::shared_ptr<const MipMap>& map) {
   if (map->is_in_memory()) return map;
   std::vector<Image> levels;

@@ -62,6 +62,8 @@ class MipMap {
   bool is_in_memory() const { return !tiles_; }
   /// Whether all channels of all texels lie in [0, 1].
   bool is_within_unit() const { return is_within_unit_; }
+  /// Of all pixels of the picture.
+  Rgb mean() const;
 
  private:
   std::vector<Image> levels_;

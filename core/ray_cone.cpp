@@ -57,11 +57,14 @@ RayCone pixel_cone(const Camera& camera, int width, int height) {
   return camera.projection == Projection::orthographic ? RayCone{pixel, 0} : RayCone{0, pixel};
 }
 
+float section_width(const SurfacePoint& point, float width, const Vec3& direction) {
+  const float cosine = std::fabs(dot(point.geometric_normal, direction)) / length(direction);
+  return width / std::sqrt(std::max(cosine, least_cosine));
+}
+
 float texture_footprint(const Geometry& geometry, const Hit& hit, const SurfacePoint& point, float width,
                         const Vec3& direction, CoordinateSet set) {
-  const float cosine = std::fabs(dot(point.geometric_normal, direction)) / length(direction);
-  return width * texture_density(geometry, hit, point.geometric_normal, set) /
-         std::sqrt(std::max(cosine, least_cosine));
+  return section_width(point, width * texture_density(geometry, hit, point.geometric_normal, set), direction);
 }
 
 }  // namespace twinray

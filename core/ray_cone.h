@@ -37,8 +37,10 @@ inline float part_of_pixel(std::uint32_t sample) {
   return sample < 1 ? 1.0f : sample < 4 ? 1.0f / 2 : sample < 16 ? 1.0f / 4 : 1.0f / 8;
 }
 
-/// How wide, in texture coordinates, a cone's section with a surface is, on the average over its directions:
-/// the cone is `width` wide where it arrives along a direction of any length.
+/// How wide a cone's section with a surface is, on the average over its directions: the cone is `width` wide
+/// where it arrives along a direction of any length.
+float section_width(const SurfacePoint& point, float width, const Vec3& direction);
+/// The same in texture coordinates.
 float texture_footprint(const Geometry& geometry, const Hit& hit, const SurfacePoint& point, float width,
                         const Vec3& direction, CoordinateSet set = CoordinateSet::first);
 

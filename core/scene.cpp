@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/interiors.h"
 #include "core/nested_mixes.h"
+#include "core/scene_textures.h"
 #include "core/textured_material.h"
 
 namespace twinray {

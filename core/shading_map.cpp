@@ -9,6 +9,7 @@
 #include "core/elementary.h"
 #include "core/frame.h"
 #include "core/tangents.h"
+#include "core/textured_material.h"
 
 namespace twinray {
 namespace {
@@ -28,7 +29,9 @@ Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
 /// The direction that a map says at a point, in the map's axes. Between pixels it turns from one to the next:
 /// of stochastic filters, surfaces would look as if they were made of facets as large as pixels.
 Vec3 direction_of(const Scene& scene, std::uint32_t map, const SurfacePoint& point) {
-  const Rgb color = evaluate(scene.textures, map, {point.uv, point.footprint, point.texture_draw, true});
+  TexturePoint at = texture_point(point);
+  at.is_smooth = true;
+  const Rgb color = evaluate(scene.textures, map, at);
   return {2 * color.r - 1, 2 * color.g - 1, 2 * color.b - 1};
 }
 
@@ -43,8 +46,11 @@ Vec3 by_normal_map(const Scene& scene, std::uint32_t map, const SurfacePoint& po
 Vec3 by_bump_map(const Scene& scene, std::uint32_t map, const SurfacePoint& point, const Tangents& tangents) {
   const Vec3& n = point.shading_normal;
   const auto height = [&](float du, float dv) {
-    const Vec2 uv{point.uv.x + du, point.uv.y + dv};
-    return evaluate(scene.textures, map, {uv, point.footprint, {}, true}).r;
+    TexturePoint at = texture_point(point);
+    at.is_smooth = true;
+    at.uv = {point.uv.x + du, point.uv.y + dv};
+    at.position += tangents.du * du + tangents.dv * dv;
+    return evaluate(scene.textures, map, at).r;
   };
   const float rise_u = (height(bump_step, 0) - height(-bump_step, 0)) / (2 * bump_step);
   const float rise_v = (height(0, bump_step) - height(0, -bump_step)) / (2 * bump_step);

@@ -25,6 +25,7 @@ struct SurfacePoint {
   // What a path adds, where textures are looked up:
   float footprint = 0;            ///< how wide, in texture coordinates, what it sees is (core/ray_cone.h),
   float second_footprint = 0;     ///< by the second set, too,
+  float width = 0;                ///< and in the scene,
   Vec2 texture_draw{0.5f, 0.5f};  ///< and what chooses pixels of pictures at random, in [0, 1)^2.
 };
 

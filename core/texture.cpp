@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/texture.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <vector>
 
 #include "core/elementary.h"
-#include "core/error.h"
+#include "core/texture_parts.h"
+#include "core/texture_pattern.h"
+#include "core/texture_placement.h"
 
 namespace twinray {
 namespace {
@@ -172,9 +171,22 @@ struct Evaluate {
     return of(texture.first) * (1 - amount) + of(texture.second) * amount;
   }
   Rgb operator()(const CheckerboardTexture& texture) const {
-    const Vec2 uv = texture.uv(at.uv);
-    const double sum = std::floor(double(uv.x)) + std::floor(double(uv.y));
-    return of(sum == 2 * std::floor(sum / 2) ? texture.first : texture.second);
+    return of(shows_first(texture, at) ? texture.first : texture.second);
+  }
+  Rgb operator()(const CubesTexture& texture) const {
+    return of(shows_first(texture, at) ? texture.first : texture.second);
+  }
+  Rgb operator()(const DotsTexture& texture) const {
+    return of(shows_first(texture, at) ? texture.first : texture.second);
+  }
+  Rgb operator()(const BilinearTexture& texture) const { return value_of_pattern(texture, at); }
+  Rgb operator()(const NoiseTexture& texture) const { return value_of_pattern(texture, at); }
+  Rgb operator()(const DirectionMixTexture& texture) const {
+    const float amount = std::min(std::fabs(dot(at.normal, texture.direction)), 1.0f);
+    return of(texture.first) * amount + of(texture.second) * (1 - amount);
+  }
+  Rgb operator()(const PlacedTexture& texture) const {
+    return evaluate(textures, texture.texture, placed_point(texture, at));
   }
   Rgb operator()(const ImageTexture& texture) const {
     const ImagePlace place = place_of(texture, at);
@@ -185,20 +197,6 @@ struct Evaluate {
     if (place.t == 0) return fine;
     return fine * (1 - place.t) + bilinear(texture.image->level(place.finer + 1), texture.wrap, uv) * place.t;
   }
-};
-
-/// Calls of(index) for each texture that one names.
-template <typename Of>
-struct ForEachNamed {
-  const Of& of;
-
-  void operator()(const ConstantTexture&) const {}
-  void operator()(const ImageTexture&) const {}
-  void operator()(const ScaleTexture& texture) const { of(texture.first), of(texture.second); }
-  void operator()(const MixTexture& texture) const {
-    of(texture.first), of(texture.second), of(texture.amount);
-  }
-  void operator()(const CheckerboardTexture& texture) const { of(texture.first), of(texture.second); }
 };
 
 /// Asks memory for what evaluate() is going to read.
@@ -217,10 +215,12 @@ struct Prefetch {
     for (const float row : {-0.5f, 0.5f})
       prefetch(nearest_texel(level, texture.wrap, {place.uv.x, place.uv.y + row / float(level.height)}));
   }
+  void operator()(const PlacedTexture& texture) const {
+    prefetch_texels(textures, texture.texture, placed_point(texture, at));
+  }
   template <typename Model>
   void operator()(const Model& texture) const {
-    const auto each = [&](std::uint32_t part) { of(part); };
-    ForEachNamed<decltype(each)>{each}(texture);
+    for_each_part(texture, [&](std::uint32_t part) { of(part); });
   }
 
  private:
@@ -236,77 +236,7 @@ struct Prefetch {
   }
 };
 
-/// Checks a texture, and counts what it is made of: itself, and all that it names, as often as it does.
-struct Check {
-  std::size_t index;
-  const std::vector<std::uint64_t>& parts;  ///< Of the textures before it.
-
-  std::uint64_t of(std::uint32_t other) const {
-    if (other >= index)
-      throw Error(fmt::format("texture {} names texture {}, which does not stand before it", index, other));
-    return parts[other];
-  }
-  std::uint64_t operator()(const ConstantTexture&) const { return 1; }
-  std::uint64_t operator()(const ImageTexture& texture) const {
-    if (!texture.image) throw Error(fmt::format("texture {} has no picture", index));
-    return 1;
-  }
-  std::uint64_t operator()(const ScaleTexture& texture) const {
-    return 1 + of(texture.first) + of(texture.second);
-  }
-  std::uint64_t operator()(const MixTexture& texture) const {
-    return 1 + of(texture.first) + of(texture.second) + of(texture.amount);
-  }
-  std::uint64_t operator()(const CheckerboardTexture& texture) const {
-    return 1 + of(texture.first) + of(texture.second);
-  }
-};
-
-/// Of each texture, whether it is a part of one whose values may lie outside of [0, 1], where materials cut
-/// them off: what is left of the mean is more than the mean of what is left of single pixels.
-std::vector<bool> cut_off(std::span<const Texture> textures) {
-  std::vector<bool> is_cut(textures.size());
-  for (std::size_t i = 0; i < textures.size(); ++i) {
-    if (const auto* constant = std::get_if<ConstantTexture>(&textures[i].model))
-      is_cut[i] = within_unit(constant->value) != constant->value;
-    if (const auto* image = std::get_if<ImageTexture>(&textures[i].model))
-      is_cut[i] = !image->image->is_within_unit();
-    const auto of = [&](std::uint32_t part) { is_cut[i] = is_cut[i] || is_cut[part]; };
-    std::visit(ForEachNamed<decltype(of)>{of}, textures[i].model);
-  }
-  for (std::size_t i = textures.size(); i-- > 0;) {
-    const auto of = [&](std::uint32_t part) { is_cut[part] = is_cut[part] || is_cut[i]; };
-    std::visit(ForEachNamed<decltype(of)>{of}, textures[i].model);
-  }
-  return is_cut;
-}
-
 }  // namespace
-
-void set_filter(std::span<Texture> textures, TextureFilter filter) {
-  const std::vector<bool> is_cut = cut_off(textures);
-  // Whoever asks for pixels wants to see them; and a picture that vertices were drawn into
-  // is exact as it is: pixels by chance would add noise to it.
-  const auto is_meant = [](const ImageTexture& image) {
-    const MipLevel picture = image.image->level(0);
-    const bool has_levels = image.image->levels() > 1 || picture.width * picture.height == 1;
-    return image.filter == TextureFilter::nearest || (image.filter == TextureFilter::bilinear && !has_levels);
-  };
-  for (std::size_t i = 0; i < textures.size(); ++i)
-    if (auto* image = std::get_if<ImageTexture>(&textures[i].model); image && !is_meant(*image))
-      image->filter = filter == TextureFilter::stochastic && is_cut[i] ? TextureFilter::trilinear : filter;
-}
-
-void keep_in_memory(std::span<Texture> textures, std::uint32_t index) {
-  std::vector<bool> is_wanted(index + 1);
-  is_wanted[index] = true;
-  for (std::uint32_t i = index + 1; i-- > 0;) {  // A texture is made of some that stand before it.
-    if (!is_wanted[i]) continue;
-    if (auto* image = std::get_if<ImageTexture>(&textures[i].model)) image->image = in_memory(image->image);
-    const auto of = [&](std::uint32_t other) { is_wanted[std::min(other, i)] = true; };
-    std::visit(ForEachNamed<decltype(of)>{of}, textures[i].model);
-  }
-}
 
 Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at) {
   return std::visit(Evaluate{textures, at}, textures[index].model);
@@ -314,31 +244,6 @@ Rgb evaluate(std::span<const Texture> textures, std::uint32_t index, const Textu
 
 void prefetch_texels(std::span<const Texture> textures, std::uint32_t index, const TexturePoint& at) {
   std::visit(Prefetch{textures, at}, textures[index].model);
-}
-
-bool has_picture(std::span<const Texture> textures) {
-  return std::any_of(textures.begin(), textures.end(), [](const Texture& texture) {
-    return std::holds_alternative<ImageTexture>(texture.model);
-  });
-}
-
-bool goes_by_second_uvs(std::span<const Texture> textures, std::uint32_t index) {
-  const TextureModel& model = textures[index].model;
-  const auto* image = std::get_if<ImageTexture>(&model);
-  bool found = image && is_second(*image);
-  const auto each = [&](std::uint32_t part) { found = found || goes_by_second_uvs(textures, part); };
-  std::visit(ForEachNamed<decltype(each)>{each}, model);
-  return found;
-}
-
-void check_textures(std::span<const Texture> textures) {
-  std::vector<std::uint64_t> parts;
-  parts.reserve(textures.size());
-  for (std::size_t i = 0; i < textures.size(); ++i) {
-    parts.push_back(std::visit(Check{i, parts}, textures[i].model));
-    if (parts.back() > most_texture_parts)
-      throw Error(fmt::format("texture {} is made of more than {} textures", i, most_texture_parts));
-  }
 }
 
 }  // namespace twinray

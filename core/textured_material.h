@@ -16,7 +16,14 @@ bool has_input(const SurfaceModel& model, MaterialInput input);
 
 /// Where a surface's textures are asked for.
 inline TexturePoint texture_point(const SurfacePoint& point) {
-  return {point.uv, point.footprint, point.texture_draw, false, point.second_uv, point.second_footprint};
+  return {.uv = point.uv,
+          .footprint = point.footprint,
+          .draw = point.texture_draw,
+          .second_uv = point.second_uv,
+          .second_footprint = point.second_footprint,
+          .position = point.position,
+          .normal = point.geometric_normal,
+          .width = point.width};
 }
 
 /// The k of a metal of eta 1 of this reflectance where light falls straight on it, as pbrt has it.

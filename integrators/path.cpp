@@ -39,11 +39,22 @@ class PathIntegrator::Waves {
         has_interiors_(std::any_of(scene.materials.begin(), scene.materials.end(), has_interior)),
         has_environment_(has_environment(scene)),
         exceeds_cache_(exceeds_cache(*scene.geometry)),
-        has_second_uvs_(has_second_uvs(scene)) {}
+        has_second_uvs_(has_second_uvs(scene)),
+        has_placed_textures_(has_placed_textures(scene)) {}
 
   WaveContext context() const {
-    return {*stages, options_,       reference.transport(), reference.bsdfs(), shapes_,        patches_,
-            lamps_,  has_interiors_, has_environment_,      exceeds_cache_,    has_second_uvs_};
+    return {.stages = *stages,
+            .options = options_,
+            .transport = reference.transport(),
+            .bsdfs = reference.bsdfs(),
+            .shapes = shapes_,
+            .patches = patches_,
+            .lamps = lamps_,
+            .has_interiors = has_interiors_,
+            .has_environment = has_environment_,
+            .prefetches = exceeds_cache_,
+            .has_second_uvs = has_second_uvs_,
+            .has_placed_textures = has_placed_textures_};
   }
 
   const PathReference reference;
@@ -54,7 +65,7 @@ class PathIntegrator::Waves {
   const std::vector<ShapeEntry> shapes_;
   const std::vector<PatchTable> patches_;
   const std::vector<Lamp> lamps_;
-  const bool has_interiors_, has_environment_, exceeds_cache_, has_second_uvs_;
+  const bool has_interiors_, has_environment_, exceeds_cache_, has_second_uvs_, has_placed_textures_;
 };
 
 PathIntegrator::PathIntegrator(const Scene& scene, const PathOptions& options, const std::string& simd)

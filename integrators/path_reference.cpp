@@ -125,6 +125,7 @@ SurfacePoint PathReference::arrive(const Hit& hit, const VertexSampler& sampler,
   };
   point.footprint = footprint(CoordinateSet::first);
   point.second_footprint = footprint(CoordinateSet::second);
+  point.width = section_width(point, path.cone.width, direction);
   point.texture_draw = sampler.draw_2d(Purpose::texture);
   return point;
 }

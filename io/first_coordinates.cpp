@@ -2,19 +2,9 @@
 #include "io/first_coordinates.h"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace twinray {
 namespace {
-
-Rgb mean_of(const MipMap& picture) {
-  if (picture.levels() > 1) return picture.level(picture.levels() - 1).at(0, 0);
-  const Image image = picture.image(0);
-  double r = 0, g = 0, b = 0;
-  for (const Rgb& pixel : image.pixels) r += double(pixel.r), g += double(pixel.g), b += double(pixel.b);
-  const auto count = double(image.pixels.size());
-  return {float(r / count), float(g / count), float(b / count)};
-}
 
 bool is_second(const Texture& texture) {
   const auto* image = std::get_if<ImageTexture>(&texture.model);
@@ -29,7 +19,7 @@ std::shared_ptr<const Scene> by_first_coordinates(const Scene& scene, Losses& lo
   auto made = std::make_shared<Scene>(scene);
   for (Texture& texture : made->textures) {
     if (!is_second(texture)) continue;
-    texture.model = ConstantTexture{mean_of(*std::get<ImageTexture>(texture.model).image)};
+    texture.model = ConstantTexture{std::get<ImageTexture>(texture.model).image->mean()};
     losses.add("a picture by second texture coordinates is its mean color",
                "{} pictures by second texture coordinates are their mean colors");
   }

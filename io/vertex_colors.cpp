@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/texture_parts.h"
 #include "io/picture/picture_meaning.h"
 
 namespace twinray {
@@ -33,22 +34,6 @@ class Blocks {
   std::size_t columns_, rows_;
 };
 
-/// Whether one of the pictures that a texture is made of is drawn of vertices.
-struct IsDrawn {
-  std::span<const Texture> textures;
-
-  bool of(std::uint32_t texture) const { return std::visit(*this, textures[texture].model); }
-  bool operator()(const ConstantTexture&) const { return false; }
-  bool operator()(const ImageTexture& texture) const { return is_drawn_of_vertices(texture); }
-  bool operator()(const ScaleTexture& texture) const { return of(texture.first) || of(texture.second); }
-  bool operator()(const MixTexture& texture) const {
-    return of(texture.first) || of(texture.second) || of(texture.amount);
-  }
-  bool operator()(const CheckerboardTexture& texture) const {
-    return of(texture.first) || of(texture.second);
-  }
-};
-
 }  // namespace
 
 bool is_drawn_of_vertices(const ImageTexture& picture) {
@@ -57,7 +42,11 @@ bool is_drawn_of_vertices(const ImageTexture& picture) {
 }
 
 bool is_drawn_of_vertices(std::span<const Texture> textures, std::uint32_t texture) {
-  return IsDrawn{textures}.of(texture);
+  const TextureModel& model = textures[texture].model;
+  const auto* picture = std::get_if<ImageTexture>(&model);
+  bool found = picture && is_drawn_of_vertices(*picture);
+  for_each_part(model, [&](std::uint32_t part) { found = found || is_drawn_of_vertices(textures, part); });
+  return found;
 }
 
 bool can_draw_vertices(const Mesh& mesh) {

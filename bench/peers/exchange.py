@@ -59,8 +59,8 @@ def columns_as_rows(x, y, z, origin):
 def read_scene(path):
     """The scene as its JSON file has it, each "file" as a whole path."""
     scene = json.loads(Path(path).read_text(encoding="utf-8"))
-    if scene.get("format") != "twinray scene" or scene.get("version") not in (1, 2, 3):
-        raise Unsupported(f"{path}: this is no scene in twinray's exchange form, version 1 to 3")
+    if scene.get("format") != "twinray scene" or scene.get("version") not in (1, 2, 3, 4):
+        raise Unsupported(f"{path}: this is no scene in twinray's exchange form, version 1 to 4")
     for entry in scene["shapes"] + scene["lights"] + scene.setdefault("textures", []):
         if "file" in entry:
             entry["file"] = str(Path(path).resolve().parent / entry["file"])

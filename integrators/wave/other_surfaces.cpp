@@ -55,6 +55,7 @@ SurfacePoint PathWave::found_surface(std::size_t i) const {
     point.second_uv = at.second_uv;
     point.footprint = at.footprint;
     point.second_footprint = at.second_footprint;
+    point.width = at.width;
     point.texture_draw = at.draw;
   }
   point.shape = hit.mesh;

@@ -27,7 +27,8 @@ struct WaveContext {
   bool has_interiors = false;           ///< Of the scene: paths must know where they are.
   bool has_environment = false;         ///< Of the scene: it is seen where nothing is hit.
   bool prefetches = true;               ///< Its surfaces do not stay in a cache.
-  bool has_second_uvs = false;          ///< Of the scene: some textures may go by them.
+  bool has_second_uvs = false;          ///< Of the scene: some textures may go by them,
+  bool has_placed_textures = false;     ///< and some by the points of the scene.
 };
 
 /// The paths of up to wave_size samples, grown together vertex by vertex: all of them to their next surfaces,

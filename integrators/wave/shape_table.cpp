@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/scene_textures.h"
 #include "core/shading_map.h"
 
 namespace twinray {
@@ -70,6 +71,11 @@ bool has_second_uvs(const Scene& scene) {
     const auto* mesh = std::get_if<Mesh>(&shape);
     return mesh && !mesh->second_uvs.empty();
   });
+}
+
+bool has_placed_textures(const Scene& scene) {
+  const std::vector<bool> placed = go_by_position(scene.textures);
+  return std::find(placed.begin(), placed.end(), true) != placed.end();
 }
 
 bool exceeds_cache(const Geometry& geometry) {

@@ -31,6 +31,9 @@ std::vector<ShapeEntry> shape_table(const Scene& scene);
 /// Whether a mesh of it has two sets of texture coordinates, and there are textures.
 bool has_second_uvs(const Scene& scene);
 
+/// Whether some of its textures go by the points of the scene.
+bool has_placed_textures(const Scene& scene);
+
 /// Whether there are too many triangles for all that is known of them to stay in the second cache.
 bool exceeds_cache(const Geometry& geometry);
 

@@ -47,6 +47,12 @@ TexturePoint PathWave::texture_point_at(std::size_t i) const {
   const bool has_second = context_.has_second_uvs;
   at.second_uv = has_second ? Vec2{wave_.second_u[i], wave_.second_v[i]} : at.uv;
   at.second_footprint = has_second ? wave_.second_footprint[i] : at.footprint;
+  if (context_.has_placed_textures) {
+    const SurfacePoint point = point_at(i);
+    at.position = point.position;
+    at.normal = point.geometric_normal;
+    at.width = section_width(point, paths_.cone_width[i], paths_.direction.at(i));
+  }
   return at;
 }
 

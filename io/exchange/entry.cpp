@@ -166,14 +166,18 @@ void MemberReader::operator()(const char* key, Vec3& member) const {
   member = {n[0], n[1], n[2]};
 }
 
-void MemberReader::operator()(const char* key, UvTransform& member) const {
-  const Json& rows = entry_.list(key, 2);
-  for (std::size_t row = 0; row < 2; ++row) {
-    if (!rows[row].is_array() || rows[row].size() != 3) entry_.fail(key, "must be 2 rows of 3 numbers");
-    for (std::size_t column = 0; column < 3; ++column)
-      member.m[row][column] = entry_.number(key, rows[row][column]);
+template <std::size_t rows, std::size_t columns>
+void MemberReader::read_rows(const char* key, float (&matrix)[rows][columns]) const {
+  const Json& list = entry_.list(key, rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (!list[row].is_array() || list[row].size() != columns)
+      entry_.fail(key, fmt::format("must be {} rows of {} numbers", rows, columns));
+    for (std::size_t column = 0; column < columns; ++column)
+      matrix[row][column] = entry_.number(key, list[row][column]);
   }
 }
+template void MemberReader::read_rows(const char* key, float (&matrix)[2][3]) const;
+template void MemberReader::read_rows(const char* key, float (&matrix)[3][4]) const;
 
 void MemberReader::operator()(const char* key, Wrap& member) const {
   if (!entry_.at(key).is_array()) {

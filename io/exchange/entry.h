@@ -115,7 +115,8 @@ class MemberReader {
   void operator()(const char* key, bool& member) const { member = entry_.flag(key); }
   void operator()(const char* key, std::uint32_t& member) const { member = entry_.index(key); }
   void operator()(const char* key, std::int32_t& member) const { member = std::int32_t(entry_.index(key)); }
-  void operator()(const char* key, UvTransform& member) const;
+  void operator()(const char* key, UvTransform& member) const { read_rows(key, member.m); }
+  void operator()(const char* key, PointTransform& member) const { read_rows(key, member.m); }
   template <typename Word>
   requires std::is_enum_v<Word>
   void operator()(const char* key, Word& member) const { member = entry_.named(key, words<Word>()); }
@@ -132,6 +133,10 @@ class MemberReader {
   void constant(const char* key, const char* word) const;
 
  private:
+  /// The rows of a matrix.
+  template <std::size_t rows, std::size_t columns>
+  void read_rows(const char* key, float (&matrix)[rows][columns]) const;
+
   const Entry& entry_;
 };
 

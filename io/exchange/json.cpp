@@ -46,11 +46,22 @@ Json json_of(const Wrap& wrap) {
   return Json::array({json_of(wrap.u), json_of(wrap.v)});
 }
 
-Json json_of(const UvTransform& uv) {
+namespace {
+
+template <typename Matrix>
+Json rows_of(const Matrix& matrix) {
   Json rows = Json::array();
-  for (const auto& row : uv.m) rows.push_back({json_of(row[0]), json_of(row[1]), json_of(row[2])});
+  for (const auto& row : matrix) {
+    rows.push_back(Json::array());
+    for (const float number : row) rows.back().push_back(json_of(number));
+  }
   return rows;
 }
+
+}  // namespace
+
+Json json_of(const UvTransform& uv) { return rows_of(uv.m); }
+Json json_of(const PointTransform& map) { return rows_of(map.m); }
 
 std::string exchange_mesh_file(const std::string& path, std::size_t shape) {
   return beside(path, fmt::format("-{}.ply", shape));

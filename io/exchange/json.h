@@ -37,6 +37,7 @@ Json json_of(const Attenuation& attenuation);
 Json json_of(const Wrap& wrap);
 /// Its two rows.
 Json json_of(const UvTransform& uv);
+Json json_of(const PointTransform& map);
 inline Json json_of(std::uint32_t index) { return index; }
 inline Json json_of(std::int32_t number) { return number; }
 inline Json json_of(bool flag) { return flag; }

@@ -19,6 +19,12 @@ inline const char* type_name(const ImageTexture&) { return "image"; }
 inline const char* type_name(const ScaleTexture&) { return "scale"; }
 inline const char* type_name(const MixTexture&) { return "mix"; }
 inline const char* type_name(const CheckerboardTexture&) { return "checkerboard"; }
+inline const char* type_name(const CubesTexture&) { return "cubes"; }
+inline const char* type_name(const DotsTexture&) { return "dots"; }
+inline const char* type_name(const BilinearTexture&) { return "bilinear"; }
+inline const char* type_name(const DirectionMixTexture&) { return "direction_mix"; }
+inline const char* type_name(const NoiseTexture&) { return "noise"; }
+inline const char* type_name(const PlacedTexture&) { return "placed"; }
 // of materials,
 inline const char* type_name(const Lambert&) { return "lambert"; }
 inline const char* type_name(const Mirror&) { return "mirror"; }
@@ -73,6 +79,46 @@ void members(const Visit& visit, CheckerboardTexture& texture) {
   visit("first", texture.first);
   visit("second", texture.second);
   visit("uv", texture.uv);
+}
+
+template <typename Visit>
+void members(const Visit& visit, CubesTexture& texture) {
+  visit("first", texture.first);
+  visit("second", texture.second);
+}
+template <typename Visit>
+void members(const Visit& visit, DotsTexture& texture) {
+  visit("first", texture.first);
+  visit("second", texture.second);
+  visit("uv", texture.uv);
+}
+template <typename Visit>
+void members(const Visit& visit, BilinearTexture& texture) {
+  visit("v00", texture.v00, Valid::any);
+  visit("v10", texture.v10, Valid::any);
+  visit("v01", texture.v01, Valid::any);
+  visit("v11", texture.v11, Valid::any);
+  visit("uv", texture.uv);
+}
+template <typename Visit>
+void members(const Visit& visit, DirectionMixTexture& texture) {
+  visit("first", texture.first);
+  visit("second", texture.second);
+  visit.direction("direction", texture.direction);
+}
+template <typename Visit>
+void members(const Visit& visit, NoiseTexture& texture) {
+  visit("pattern", texture.pattern);
+  visit("octaves", texture.octaves.most);
+  visit("roughness", texture.octaves.roughness, Valid::any);
+  visit("scale", texture.scale, Valid::any);
+  visit("variation", texture.variation, Valid::any);
+}
+template <typename Visit>
+void members(const Visit& visit, PlacedTexture& texture) {
+  visit("texture", texture.texture);
+  visit("placement", texture.placement);
+  visit("to_texture", texture.to_texture);
 }
 
 /// What a texture gives a material.

@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/film.h"
 #include "core/parallel.h"
+#include "core/scene_textures.h"
 #include "io/exchange/entry.h"
 #include "io/exchange/texture.h"
 #include "io/input_file.h"
@@ -89,8 +90,8 @@ class SceneReader {
   void check_version(const Entry& file) const {
     if (!file.has("format") || file.word("format") != "twinray scene")
       file.fail("format", "is not \"twinray scene\": this is another kind of JSON file");
-    if (const std::uint32_t version = file.index("version"); version < 1 || version > 3)
-      file.fail("version", fmt::format("is {}; versions 1 to 3 are known", version));
+    if (const std::uint32_t version = file.index("version"); version < 1 || version > 4)
+      file.fail("version", fmt::format("is {}; versions 1 to 4 are known", version));
   }
 
   void read_materials(const Entry& file) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/exchange/texture.h"
 
+#include <fmt/format.h>
+
 #include <map>
 #include <memory>
 #include <tuple>
@@ -51,8 +53,12 @@ std::vector<Texture> read_textures(const Entry& file, const std::string& path, c
   Pictures pictures(path, options, warnings);
   file.for_each("textures", [&](const Entry& entry) {
     Texture texture{entry.word("name"),
-                    described_by<TextureModel>(entry, {ConstantTexture{}, ImageTexture{}, ScaleTexture{},
-                                                       MixTexture{}, CheckerboardTexture{}})};
+                    described_by<TextureModel>(
+                        entry, {ConstantTexture{}, ImageTexture{}, ScaleTexture{}, MixTexture{},
+                                CheckerboardTexture{}, CubesTexture{}, DotsTexture{}, BilinearTexture{},
+                                DirectionMixTexture{}, NoiseTexture{}, PlacedTexture{}})};
+    if (const auto* noise = std::get_if<NoiseTexture>(&texture.model); noise && noise->octaves.most > 64)
+      entry.fail("octaves", fmt::format("is {}; at most 64 are valid", noise->octaves.most));
     if (auto* image = std::get_if<ImageTexture>(&texture.model)) image->image = pictures.of(entry);
     textures.push_back(std::move(texture));
   });

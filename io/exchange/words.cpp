@@ -34,6 +34,22 @@ Words<TextureFilter> words() {
 }
 
 template <>
+Words<NoisePattern> words() {
+  return {{"fbm", NoisePattern::fbm},
+          {"wrinkled", NoisePattern::wrinkled},
+          {"windy", NoisePattern::windy},
+          {"marble", NoisePattern::marble}};
+}
+
+template <>
+Words<TexturePlacement> words() {
+  return {{"space", TexturePlacement::space},
+          {"planar", TexturePlacement::planar},
+          {"spherical", TexturePlacement::spherical},
+          {"cylindrical", TexturePlacement::cylindrical}};
+}
+
+template <>
 Words<MaterialInput> words() {
   Words<MaterialInput> inputs;
   for (int i = 0; i < material_inputs; ++i)

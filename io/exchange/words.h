@@ -28,6 +28,10 @@ Words<WrapMode> words();
 template <>
 Words<TextureFilter> words();
 template <>
+Words<NoisePattern> words();
+template <>
+Words<TexturePlacement> words();
+template <>
 Words<CoordinateSet> words();
 template <>
 Words<MaterialInput> words();

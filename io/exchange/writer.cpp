@@ -188,6 +188,24 @@ std::string render_text(const ExchangePicture& picture) {
   return json.empty() ? "" : fmt::format("  \"render\": {},\n", line(json));
 }
 
+/// Whether a texture is one of those that the third version has.
+struct IsOfThirdVersion {
+  template <typename Model>
+  bool operator()(const Model&) const {
+    return std::is_same_v<Model, ConstantTexture> || std::is_same_v<Model, ImageTexture> ||
+           std::is_same_v<Model, ScaleTexture> || std::is_same_v<Model, MixTexture> ||
+           std::is_same_v<Model, CheckerboardTexture>;
+  }
+};
+
+/// The first version that has all that is in the scene.
+int version_of(const Scene& scene) {
+  for (const Texture& texture : scene.textures)
+    if (!std::visit(IsOfThirdVersion{}, texture.model)) return 4;
+  if (!scene.textures.empty()) return 3;
+  return scene.geometry->has_instances() ? 2 : 1;
+}
+
 std::string exchange_json(const Scene& scene, const std::string& path, const ExchangePicture& picture) {
   const Camera camera = fit_frame(scene.camera, picture.width, picture.height);
   const bool has_instances = scene.geometry->has_instances(), has_textures = !scene.textures.empty();
@@ -195,10 +213,7 @@ std::string exchange_json(const Scene& scene, const std::string& path, const Exc
     return fmt::format(",\n  \"{}\": {}", key, lines(json));
   };
   return fmt::format("{{\n  \"format\": \"twinray scene\",\n  \"version\": {},\n  \"resolution\": [{},{}],\n",
-                     has_textures    ? 3
-                     : has_instances ? 2
-                                     : 1,
-                     picture.width, picture.height) +
+                     version_of(scene), picture.width, picture.height) +
          render_text(picture) + "  \"camera\": " + line(camera_json(camera)) +
          (has_textures ? list("textures", textures_json(scene, path)) : "") +
          list("materials", materials_json(scene)) + list("lights", lights_json(scene, path)) +

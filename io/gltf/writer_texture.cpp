@@ -148,8 +148,10 @@ GltfJson GltfTextureWriter::make(const GltfChannels& channels) {
   for (std::size_t k = 0; k < 4; ++k) numbers[k] = add_index(channels.number[k]);
   const BakedTextures baked = bake_together(scene_.textures, indices);
   if (!baked.frame.is_exact)
-    file_.output.losses.add("a picture stands for textures that lie differently over one surface",
-                            "{} pictures stand for textures that lie differently over one surface");
+    file_.output.losses.add(
+        "a picture stands for textures that lie differently over one surface, or by the points of the scene",
+        "{} pictures stand for textures that lie differently over one surface, or by the points of the "
+        "scene");
   if (color > 0) check_range(baked.pictures[color - 1]);
   const Image& size = baked.pictures.at(0);
   AlphaImage image{size.width, size.height, std::vector<std::uint8_t>(4 * size.pixels.size(), 255)};

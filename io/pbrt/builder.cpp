@@ -147,14 +147,16 @@ Rgb PbrtBuilder::glow_of(std::uint32_t material) const {
 bool PbrtBuilder::is_textured(std::uint32_t material) const {
   const Material& made = materials_.materials[material];
   const auto* mix = std::get_if<Mix>(&made.model);
-  return !made.textures.empty() || needs_tangents(made) ||
+  const auto by_coordinates = [&](const TextureUse& use) {
+    return materials_.textures.needs_coordinates(use.texture);
+  };
+  return std::any_of(made.textures.begin(), made.textures.end(), by_coordinates) || needs_tangents(made) ||
          (mix && (is_textured(mix->first) || is_textured(mix->second)));
 }
 
 bool PbrtBuilder::needs_uvs(const Part& part) const {
-  const bool is_even = part.alpha == no_texture || std::holds_alternative<ConstantTexture>(
-                                                       materials_.textures.textures[part.alpha].model);
-  return !is_even || is_textured(part.material) || (part.light && part.light->picture);
+  const bool has_holes = part.alpha != no_texture && materials_.textures.needs_coordinates(part.alpha);
+  return has_holes || is_textured(part.material) || (part.light && part.light->picture);
 }
 
 std::shared_ptr<const PbrtShape> PbrtBuilder::with_uvs(const Part& part) const {

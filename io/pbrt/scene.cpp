@@ -181,7 +181,9 @@ class Reader {
         break;
       case texture:
         parameters.set_defaults(states_.defaults(PbrtTarget::texture));
-        builder_.materials().textures.define(type, statement.words[1], statement.words[2], parameters);
+        builder_.materials().textures.define(
+            type, statement.words[1],
+            {.texture_class = statement.words[2], .parameters = parameters, .to_world = state.transform});
         break;
       case make_named_medium:
         parameters.set_defaults(states_.defaults(PbrtTarget::medium));

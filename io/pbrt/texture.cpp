@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
-#include "core/angle.h"
+#include "core/scene_textures.h"
 #include "io/affine_texture.h"
 #include "io/decimal.h"
 #include "io/pbrt/spectrum.h"
+#include "io/pbrt/transform.h"
 #include "io/pbrt/version_three.h"
 #include "io/pbrt/word.h"
 #include "io/picture/texture_file.h"
@@ -32,12 +34,22 @@ constexpr std::array<PbrtWord<WrapMode>, 4> wraps{{{"repeat", WrapMode::repeat},
                                                    {"black", WrapMode::black},
                                                    {"octahedralsphere", WrapMode::clamp}}};
 
-Rgb lerp(const Rgb& a, const Rgb& b, const Rgb& amount) { return a + (b - a) * amount; }
+enum class PbrtMapping { uv, planar, spherical, cylindrical };
+constexpr std::array<PbrtWord<PbrtMapping>, 4> mappings{{{"uv", PbrtMapping::uv},
+                                                         {"planar", PbrtMapping::planar},
+                                                         {"spherical", PbrtMapping::spherical},
+                                                         {"cylindrical", PbrtMapping::cylindrical}}};
+
+constexpr std::array<PbrtWord<NoisePattern>, 4> patterns{{{"fbm", NoisePattern::fbm},
+                                                          {"wrinkled", NoisePattern::wrinkled},
+                                                          {"windy", NoisePattern::windy},
+                                                          {"marble", NoisePattern::marble}}};
 
 }  // namespace
 
-void PbrtTextures::define(const std::string& name, const std::string& type, const std::string& texture_class,
-                          const PbrtParameters& parameters) {
+void PbrtTextures::define(const std::string& name, const std::string& type,
+                          const PbrtTextureStatement& statement) {
+  const auto& [texture_class, parameters, to_world] = statement;
   if (type != "float" && type != "spectrum")
     parameters.place().fail(
         fmt::format("the texture \"{}\" is of type \"{}\"; valid are float and spectrum{}", name, type,
@@ -50,21 +62,24 @@ void PbrtTextures::define(const std::string& name, const std::string& type, cons
     parameters.place().warn(
         context_.warnings,
         fmt::format("the texture \"{}\" is defined a second time; the last one counts", name));
-  const Named made = make(texture_class, parameters, kind);
+  const Named made = make(statement, kind);
   textures[made.index].name = name;
   named_[{name, kind}] = made;
   parameters.warn_of_unused(context_.warnings);
 }
 
-PbrtTextures::Named PbrtTextures::add(const TextureModel& model, const Rgb& mean) {
-  textures.push_back({"", model});
-  return {std::uint32_t(textures.size() - 1), mean};
+PbrtTextures::Named PbrtTextures::named(std::uint32_t index) {
+  while (means_.size() < textures.size()) {
+    const TextureModel& model = textures[means_.size()].model;
+    means_.push_back(mean_value(model, means_));
+    by_coordinates_.push_back(goes_by_coordinates(model, by_coordinates_));
+  }
+  return {index, means_[index]};
 }
 
-PbrtTextures::Named PbrtTextures::instead(const Rgb& mean, const PbrtParameters& parameters,
-                                          const char* why) {
-  parameters.place().warn(context_.warnings, fmt::format("{}: the texture's mean stands for it", why));
-  return constant(mean);
+PbrtTextures::Named PbrtTextures::add(const TextureModel& model) {
+  textures.push_back({"", model});
+  return named(std::uint32_t(textures.size() - 1));
 }
 
 PbrtTextures::Named PbrtTextures::value(const PbrtParameters& parameters, const char* name, float fallback,
@@ -84,7 +99,7 @@ std::uint32_t PbrtTextures::normal_map(const PbrtParameters& parameters) {
   if (!loaded.warning.empty()) place.warn(context_.warnings, loaded.warning);
   ImageTexture picture{.image = loaded.image};
   picture.filter = TextureFilter::bilinear;
-  return add(picture, {0.5f, 0.5f, 1}).index;
+  return add(picture).index;
 }
 
 std::uint32_t PbrtTextures::bump_map(const PbrtParameters& parameters) {
@@ -104,7 +119,7 @@ std::uint32_t PbrtTextures::alpha(const PbrtParameters& parameters) {
 }
 
 std::uint32_t PbrtTextures::scaled(std::uint32_t texture, float scale) {
-  return add(ScaleTexture{texture, constant({scale, scale, scale}).index}, {}).index;
+  return add(ScaleTexture{texture, constant({scale, scale, scale}).index}).index;
 }
 
 bool PbrtTextures::is_at_most(std::uint32_t texture, float number) const {
@@ -112,63 +127,159 @@ bool PbrtTextures::is_at_most(std::uint32_t texture, float number) const {
   return constant && !(constant->value.r > number);
 }
 
-/// Of the mappings only that by the surface's coordinates is there.
-UvTransform PbrtTextures::read_mapping(const PbrtParameters& parameters) {
-  const float u = parameters.real("uscale", 1), v = parameters.real("vscale", 1);
-  const float du = parameters.real("udelta", 0), dv = parameters.real("vdelta", 0);
-  for (const char* unused : {"v1", "v2"}) parameters.find(unused);
-  const std::string mapping = parameters.text("mapping", "uv");
-  if (mapping != "uv")
-    parameters.find("mapping")->place.warn(
-        context_.warnings,
-        fmt::format("the mapping \"{}\" is not rendered: the surface's own coordinates are used", mapping));
-  return {{{u, 0, du}, {0, v, dv}}};
+namespace {
+
+/// From the scene to where a texture's patterns lie.
+Transform from_world(const PbrtTextureStatement& statement) {
+  const auto found = inverse(statement.to_world);
+  if (!found)
+    statement.parameters.place().fail("the transform here flattens space: no texture can be placed by it");
+  return *found;
 }
 
-PbrtTextures::Named PbrtTextures::make(const std::string& texture_class, const PbrtParameters& parameters,
-                                       PictureChannels channels) {
+void set_row(PointTransform& map, int row, const Transform& from_world, const Vec3& axis, float shift) {
+  for (int column = 0; column < 4; ++column) {
+    double sum = column == 3 ? double(shift) : 0;
+    for (int i = 0; i < 3; ++i) sum += double(axis[i]) * from_world.m[i][column];
+    map.m[row][column] = float(sum);
+  }
+}
+
+PointTransform in_floats(const Transform& transform) {
+  PointTransform map;
+  constexpr Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int row = 0; row < 3; ++row) set_row(map, row, transform, axes[row], 0);
+  return map;
+}
+
+}  // namespace
+
+PbrtTextures::Mapping PbrtTextures::read_mapping(const PbrtTextureStatement& statement) {
+  const PbrtParameters& parameters = statement.parameters;
+  const auto mapping = word_of(parameters, "mapping", mappings);
+  const float u = parameters.real("uscale", 1), v = parameters.real("vscale", 1);
+  const float du = parameters.real("udelta", 0), dv = parameters.real("vdelta", 0);
+  const Vec3 v1 = parameters.point("v1", {1, 0, 0}), v2 = parameters.point("v2", {0, 1, 0});
+  if (mapping == PbrtMapping::uv) return {{{{u, 0, du}, {0, v, dv}}}, {}};
+  PlacedTexture place{.to_texture = in_floats(from_world(statement))};
+  place.placement =
+      mapping == PbrtMapping::spherical ? TexturePlacement::spherical : TexturePlacement::cylindrical;
+  if (mapping == PbrtMapping::planar) {
+    place.placement = TexturePlacement::planar;
+    set_row(place.to_texture, 0, from_world(statement), v1, du);
+    set_row(place.to_texture, 1, from_world(statement), v2, dv);
+  }
+  return {{}, place};
+}
+
+std::optional<PlacedTexture> PbrtTextures::space_of(const PbrtTextureStatement& statement) {
+  const PointTransform to_texture = in_floats(from_world(statement));
+  if (to_texture == PointTransform{}) return std::nullopt;
+  return PlacedTexture{.to_texture = to_texture};
+}
+
+PbrtTextures::Named PbrtTextures::placed(const TextureModel& pattern,
+                                         const std::optional<PlacedTexture>& place) {
+  const Named made = add(pattern);
+  if (!place) return made;
+  PlacedTexture placed = *place;
+  placed.texture = made.index;
+  return add(placed);
+}
+
+template <typename Pattern>
+PbrtTextures::Named PbrtTextures::placed_parts(Pattern pattern, const std::optional<PlacedTexture>& place) {
+  if (!place) return add(pattern);
+  const std::uint32_t first = pattern.first, second = pattern.second;
+  pattern.first = constant({}).index;
+  pattern.second = constant(white).index;
+  return add(MixTexture{first, second, placed(pattern, place).index});
+}
+
+PbrtTextures::Named PbrtTextures::make(const PbrtTextureStatement& statement, PictureChannels channels) {
+  const auto& [texture_class, parameters, to_world] = statement;
   if (texture_class == "constant") return value(parameters, "value", 1, channels);
-  if (texture_class == "imagemap") return read_picture(parameters, channels);
+  if (texture_class == "imagemap") return read_picture(statement, channels);
   if (texture_class == "scale") {
     const Named tex = value(parameters, "tex", 1, channels),
                 scale = value(parameters, "scale", 1, PictureChannels::number);
-    return add(ScaleTexture{tex.index, scale.index}, tex.mean * scale.mean);
+    return add(ScaleTexture{tex.index, scale.index});
   }
-  if (texture_class == "mix" || texture_class == "directionmix") {
+  if (texture_class == "mix") {
     const Named first = value(parameters, "tex1", 0, channels),
                 second = value(parameters, "tex2", 1, channels);
-    const Named amount = value(parameters, "amount", 0.5f, PictureChannels::number);
-    parameters.find("dir");
-    const Rgb mean = lerp(first.mean, second.mean, amount.mean);
-    if (texture_class == "directionmix")
-      return instead(mean, parameters, "a mix by direction is not rendered");
-    return add(MixTexture{first.index, second.index, amount.index}, mean);
+    return add(MixTexture{first.index, second.index,
+                          value(parameters, "amount", 0.5f, PictureChannels::number).index});
   }
-  const UvTransform uv = read_mapping(parameters);
-  if (texture_class == "checkerboard") {
-    const Named first = value(parameters, "tex1", 1, channels),
-                second = value(parameters, "tex2", 0, channels);
-    const Rgb mean = (first.mean + second.mean) * 0.5f;
-    if (parameters.integer("dimension", 2, {2, 3}) == 3)
-      return instead(mean, parameters, "a checkerboard of cubes is not rendered");
-    return add(CheckerboardTexture{first.index, second.index, uv}, mean);
-  }
-  const auto part = [&](const char* name, float usual) {
-    return value(parameters, name, usual, channels).mean;
-  };
-  if (texture_class == "bilerp")
-    return instead((part("v00", 0) + part("v01", 1) + part("v10", 0) + part("v11", 1)) * 0.25f, parameters,
-                   "colors between corners are not rendered");
+  if (texture_class == "directionmix") return mix_by_direction(statement, channels);
+  if (texture_class == "checkerboard") return checkerboard(statement, channels);
   if (texture_class == "dots") {
-    // Every other square has a dot, whose radius is 0.35 of its side.
-    constexpr float inside = 0.5f * pi * 0.35f * 0.35f;
-    return instead(lerp(part("outside", 0), part("inside", 1), white * inside), parameters,
-                   "dots are not rendered");
+    const Named inside = value(parameters, "inside", 1, channels),
+                outside = value(parameters, "outside", 0, channels);
+    const Mapping mapping = read_mapping(statement);
+    return placed_parts(DotsTexture{inside.index, outside.index, mapping.uv}, mapping.by_points);
   }
-  for (const char* known : {"octaves", "roughness", "scale", "variation", "filename", "encoding"})
-    parameters.find(known);
-  parameters.place().warn(context_.warnings, "this pattern is not rendered: 0.5 stands for it");
-  return constant({0.5f, 0.5f, 0.5f});
+  if (texture_class == "bilerp") return corners(statement, channels);
+  if (texture_class == "ptex") {
+    for (const char* known : {"filename", "encoding", "scale"}) parameters.find(known);
+    parameters.place().warn(context_.warnings, "a picture by faces is not rendered: 0.5 stands for it");
+    return constant({0.5f, 0.5f, 0.5f});
+  }
+  return noise(statement, channels);
+}
+
+PbrtTextures::Named PbrtTextures::mix_by_direction(const PbrtTextureStatement& statement,
+                                                   PictureChannels channels) {
+  const PbrtParameters& parameters = statement.parameters;
+  const Named first = value(parameters, "tex1", 0, channels), second = value(parameters, "tex2", 1, channels);
+  const Vec3 direction = statement.to_world.vector(parameters.point("dir", {0, 1, 0}));
+  const float along = length(direction);
+  if (!(along > 0 && std::isfinite(along)))
+    parameters.place().fail("the \"dir\" of a directionmix is no direction here");
+  return add(DirectionMixTexture{first.index, second.index, direction / along});
+}
+
+PbrtTextures::Named PbrtTextures::checkerboard(const PbrtTextureStatement& statement,
+                                               PictureChannels channels) {
+  const PbrtParameters& parameters = statement.parameters;
+  const std::uint32_t first = value(parameters, "tex1", 1, channels).index,
+                      second = value(parameters, "tex2", 0, channels).index;
+  const Mapping mapping = read_mapping(statement);
+  if (parameters.integer("dimension", 2, {2, 3}) == 3)
+    return placed_parts(CubesTexture{first, second}, space_of(statement));
+  return placed_parts(CheckerboardTexture{first, second, mapping.uv}, mapping.by_points);
+}
+
+PbrtTextures::Named PbrtTextures::corners(const PbrtTextureStatement& statement, PictureChannels channels) {
+  const auto corner = [&](const char* name, float usual) {
+    return value(statement.parameters, name, usual, channels).mean;
+  };
+  const Mapping mapping = read_mapping(statement);
+  return placed(BilinearTexture{.v00 = corner("v00", 0),
+                                .v10 = corner("v10", 0),
+                                .v01 = corner("v01", 1),
+                                .v11 = corner("v11", 1),
+                                .uv = mapping.uv},
+                mapping.by_points);
+}
+
+PbrtTextures::Named PbrtTextures::noise(const PbrtTextureStatement& statement, PictureChannels channels) {
+  const auto& [texture_class, parameters, to_world] = statement;
+  NoiseTexture made;
+  for (const auto& [word, pattern] : patterns)
+    if (word == texture_class) made.pattern = pattern;
+  const bool is_marble = made.pattern == NoisePattern::marble;
+  if (is_marble != (channels == PictureChannels::color))
+    parameters.place().warn(context_.warnings,
+                            fmt::format("{} is a texture of type {} in pbrt, which fails here", texture_class,
+                                        is_marble ? "spectrum" : "float"));
+  if (made.pattern != NoisePattern::windy)
+    made.octaves = {parameters.integer("octaves", 8, {0, 64}), parameters.real("roughness", 0.5f)};
+  if (is_marble) {
+    made.scale = parameters.real("scale", 1);
+    made.variation = parameters.real("variation", 0.2f);
+  }
+  return placed(made, space_of(statement));
 }
 
 PictureRole PbrtTextures::role_of(const PbrtParameters& parameters) {
@@ -186,9 +297,12 @@ PictureRole PbrtTextures::role_of(const PbrtParameters& parameters) {
   return PictureRole::color;
 }
 
-PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters, PictureChannels channels) {
+PbrtTextures::Named PbrtTextures::read_picture(const PbrtTextureStatement& statement,
+                                               PictureChannels channels) {
+  const PbrtParameters& parameters = statement.parameters;
+  const Mapping mapping = read_mapping(statement);
   ImageTexture picture;
-  picture.uv = read_mapping(parameters);
+  picture.uv = mapping.uv;
   picture.filter = word_of(parameters, "filter", filters);
   picture.wrap = word_of(parameters, "wrap", wraps);
   if (parameters.text("wrap", "") == "octahedralsphere")
@@ -203,16 +317,14 @@ PbrtTextures::Named PbrtTextures::read_picture(const PbrtParameters& parameters,
   LoadedTexture loaded = load_texture(path, {role, channels}, context_.options);
   if (!loaded.warning.empty()) place.warn(context_.warnings, loaded.warning);
   picture.image = loaded.image;
-  const MipMap& map = *loaded.image;
-  const Rgb mean = map.level(map.levels() - 1).at(0, 0);
-  const Named read = add(picture, mean);
+  const Named read = placed(picture, mapping.by_points);
   const float scale = parameters.real("scale", 1);
-  const Named result = scale == 1 ? read : Named{scaled(read.index, scale), mean * scale};
+  const Named result = scale == 1 ? read : named(scaled(read.index, scale));
   return parameters.flag("invert", false) ? inverted(result) : result;
 }
 
 PbrtTextures::Named PbrtTextures::inverted(const Named& from) {
-  return {add_affine(textures, from.index, white * -1, white), white - from.mean};
+  return named(add_affine(textures, from.index, white * -1, white));
 }
 
 const PbrtTextures::Named& PbrtTextures::named(const PbrtParameters& parameters,

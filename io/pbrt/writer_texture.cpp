@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <tuple>
+#include <utility>
 
+#include "core/scene_textures.h"
 #include "io/pbrt/text.h"
+#include "io/pbrt/transform.h"
 #include "io/picture/baked_texture.h"
 #include "io/picture/image_file.h"
 #include "io/vertex_colors.h"
@@ -28,6 +32,14 @@ Image red_of(Image image) {
   return image;
 }
 
+/// Whether a texture is of a kind that has no colours in pbrt.
+bool is_number(std::span<const Texture> textures, std::uint32_t index) {
+  if (const auto* placed = std::get_if<PlacedTexture>(&textures[index].model))
+    return is_number(textures, placed->texture);
+  const auto* noise = std::get_if<NoiseTexture>(&textures[index].model);
+  return noise && noise->pattern != NoisePattern::marble;
+}
+
 const ConstantTexture* constant_of(std::span<const Texture> textures, std::uint32_t index) {
   return std::get_if<ConstantTexture>(&textures[index].model);
 }
@@ -43,9 +55,20 @@ std::string PbrtTextureWriter::define(const std::string& name, const std::string
 std::string PbrtTextureWriter::named(std::uint32_t texture, PbrtTextureKind kind) {
   const auto known = named_.find({texture, kind});
   if (known != named_.end()) return known->second;
+  const auto unique_name = [&] {
+    return names_.unique(textures[texture].name, fmt::format("texture {}", texture));
+  };
+  if (kind == PbrtTextureKind::color && is_number(textures, texture)) {
+    const std::string grey = "\"mix\"" + pbrt_rgb("tex1", {}) + pbrt_rgb("tex2", white) +
+                             pbrt_texture("amount", named(texture, PbrtTextureKind::number));
+    return named_[{texture, kind}] = define(unique_name(), type_name(kind), grey);
+  }
+  if (const auto* found = std::get_if<PlacedTexture>(&textures[texture].model)) {
+    const PlacedTexture placed = *found;
+    return named_[{texture, kind}] = define_placed(unique_name(), placed, kind);
+  }
   const std::string rest = rest_of(texture, kind);  // First, for it may define what it is made of.
-  const std::string name = names_.unique(textures[texture].name, fmt::format("texture {}", texture));
-  return named_[{texture, kind}] = define(name, type_name(kind), rest);
+  return named_[{texture, kind}] = define(unique_name(), type_name(kind), rest);
 }
 
 std::uint32_t PbrtTextureWriter::scaled(std::uint32_t texture, float factor) {
@@ -122,8 +145,9 @@ std::string PbrtTextureWriter::image_rest(const ImageTexture& texture, PbrtTextu
 std::string PbrtTextureWriter::baked_rest(std::uint32_t texture, PbrtTextureKind kind) {
   BakedTexture baked = bake(textures, texture);
   if (!baked.is_exact)
-    output_.losses.add("a product of textures that lie differently is a picture over the unit square",
-                       "{} products of textures that lie differently are pictures over the unit square");
+    output_.losses.add(
+        "a product of textures that lie differently, or by points, is a picture over the unit square",
+        "{} products of textures that lie differently, or by points, are pictures over the unit square");
   if (kind == PbrtTextureKind::number) baked.picture = red_of(std::move(baked.picture));
   return "\"imagemap\"" + pbrt_word("filename", add_file(std::move(baked.picture))) +
          pbrt_word("filter", filter_name(baked.filter)) + wrap(baked.wrap) + mapping(baked.uv);
@@ -152,9 +176,99 @@ std::string PbrtTextureWriter::rest_of(std::uint32_t index, PbrtTextureKind kind
   if (const auto* mix = std::get_if<MixTexture>(&model))
     return "\"mix\"" + part("tex1", mix->first, kind) + part("tex2", mix->second, kind) +
            part("amount", mix->amount, PbrtTextureKind::number);
-  const auto& board = std::get<CheckerboardTexture>(model);
+  if (const auto* noise = std::get_if<NoiseTexture>(&model)) return noise_rest(*noise, kind);
+  return std::visit(
+      [&](const auto& pattern) -> std::string {
+        if constexpr (requires { pattern_rest(pattern, kind); }) return pattern_rest(pattern, kind);
+        return {};  // named() places what is placed.
+      },
+      model);
+}
+
+std::string PbrtTextureWriter::pattern_rest(const CheckerboardTexture& board, PbrtTextureKind kind) {
   return "\"checkerboard\"" + part("tex1", board.first, kind) + part("tex2", board.second, kind) +
          mapping(board.uv);
+}
+
+std::string PbrtTextureWriter::pattern_rest(const CubesTexture& cubes, PbrtTextureKind kind) {
+  return "\"checkerboard\" \"integer dimension\" 3" + part("tex1", cubes.first, kind) +
+         part("tex2", cubes.second, kind);
+}
+
+std::string PbrtTextureWriter::pattern_rest(const DotsTexture& dots, PbrtTextureKind kind) {
+  return "\"dots\"" + part("inside", dots.first, kind) + part("outside", dots.second, kind) +
+         mapping(dots.uv);
+}
+
+std::string PbrtTextureWriter::pattern_rest(const BilinearTexture& square, PbrtTextureKind kind) {
+  const auto corner = [&](const char* name, const Rgb& value) {
+    return kind == PbrtTextureKind::color ? pbrt_rgb(name, value) : pbrt_real(name, value.r);
+  };
+  return "\"bilerp\"" + corner("v00", square.v00) + corner("v10", square.v10) + corner("v01", square.v01) +
+         corner("v11", square.v11) + mapping(square.uv);
+}
+
+std::string PbrtTextureWriter::pattern_rest(const DirectionMixTexture& mix, PbrtTextureKind kind) {
+  const Vec3& d = mix.direction;
+  return "\"directionmix\"" + part("tex1", mix.first, kind) + part("tex2", mix.second, kind) +
+         fmt::format(" \"vector3 dir\" [ {} {} {} ]", d.x, d.y, d.z);
+}
+
+std::string PbrtTextureWriter::noise_rest(const NoiseTexture& texture, PbrtTextureKind kind) {
+  const bool is_marble = texture.pattern == NoisePattern::marble;
+  if (is_marble && kind == PbrtTextureKind::number) {
+    output_.losses.add("marble that gives a number is its mean", "{} textures of marble are their means");
+    return "\"constant\"" + pbrt_real("value", mean_value(texture, {}).r);
+  }
+  constexpr const char* names[] = {"fbm", "wrinkled", "windy", "marble"};
+  std::string rest = fmt::format("\"{}\"", names[int(texture.pattern)]);
+  if (texture.pattern != NoisePattern::windy)
+    rest += fmt::format(" \"integer octaves\" {}", texture.octaves.most) +
+            pbrt_real("roughness", texture.octaves.roughness);
+  if (is_marble) rest += pbrt_real("scale", texture.scale) + pbrt_real("variation", texture.variation);
+  return rest;
+}
+
+std::string PbrtTextureWriter::planar(const PlacedTexture& texture, const UvTransform& uv) {
+  std::string words;
+  for (int i = 0; i < 2; ++i) {
+    float row[4];
+    for (int k = 0; k < 4; ++k)
+      row[k] = uv.m[i][0] * texture.to_texture.m[0][k] + uv.m[i][1] * texture.to_texture.m[1][k] +
+               (k == 3 ? uv.m[i][2] : 0);
+    words += fmt::format(" \"vector3 v{}\" [ {} {} {} ]", i + 1, row[0], row[1], row[2]) +
+             pbrt_real(i == 0 ? "udelta" : "vdelta", row[3]);
+  }
+  return words;
+}
+
+std::string PbrtTextureWriter::define_placed(const std::string& name, const PlacedTexture& texture,
+                                             PbrtTextureKind kind) {
+  TextureModel pattern = textures[texture.texture].model;
+  UvTransform uv;
+  std::visit(
+      [&](auto& model) {
+        if constexpr (requires { model.uv; }) uv = std::exchange(model.uv, {});
+      },
+      pattern);
+  textures.push_back({"", pattern});
+  const std::string rest = rest_of(std::uint32_t(textures.size() - 1), kind);
+  if (texture.placement == TexturePlacement::planar)
+    return define(name, type_name(kind), rest + pbrt_word("mapping", "planar") + planar(texture, uv));
+  Transform to_texture;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column)
+      to_texture.m[row][column] = double(texture.to_texture.m[row][column]);
+  const auto to_world = inverse(to_texture);
+  if (!to_world || uv != UvTransform{})
+    output_.losses.add("a texture that goes by points lies elsewhere",
+                       "{} textures that go by points lie elsewhere");
+  const bool is_round = texture.placement != TexturePlacement::space;
+  const char* const word = texture.placement == TexturePlacement::spherical ? "spherical" : "cylindrical";
+  text += "AttributeBegin\n" + pbrt_transform(to_world.value_or(Transform{}));
+  define(name, type_name(kind), rest + (is_round ? pbrt_word("mapping", word) : ""));
+  text += "AttributeEnd\n";
+  return name;
 }
 
 }  // namespace twinray

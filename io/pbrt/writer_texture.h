@@ -41,6 +41,16 @@ class PbrtTextureWriter {
   std::string baked_rest(std::uint32_t texture, PbrtTextureKind kind);
   std::string scale_rest(std::uint32_t index, const ScaleTexture& texture, PbrtTextureKind kind);
   std::string rest_of(std::uint32_t index, PbrtTextureKind kind);
+  std::string pattern_rest(const CheckerboardTexture& board, PbrtTextureKind kind);
+  std::string pattern_rest(const CubesTexture& cubes, PbrtTextureKind kind);
+  std::string pattern_rest(const DotsTexture& dots, PbrtTextureKind kind);
+  std::string pattern_rest(const BilinearTexture& square, PbrtTextureKind kind);
+  std::string pattern_rest(const DirectionMixTexture& mix, PbrtTextureKind kind);
+  std::string noise_rest(const NoiseTexture& texture, PbrtTextureKind kind);
+  /// The words of a pattern in the plane that has a transform of its own there.
+  std::string planar(const PlacedTexture& texture, const UvTransform& uv);
+  /// The statement, within the transform by which the pattern lies.
+  std::string define_placed(const std::string& name, const PlacedTexture& texture, PbrtTextureKind kind);
   std::string add_file(Image image);
 
   SceneOutput& output_;

@@ -6,6 +6,9 @@
 #include <variant>
 #include <vector>
 
+#include "core/scene_textures.h"
+#include "core/texture_parts.h"
+
 namespace twinray {
 namespace {
 
@@ -16,6 +19,7 @@ struct Part {
   int width = 1, height = 1;
   Wrap wrap;
   TextureFilter filter = TextureFilter::nearest;
+  bool is_exact = true;  ///< So drawn, it shows all that there is.
 };
 
 bool lie_alike(const Part& a, const Part& b) { return a.wrap == b.wrap && a.uv == b.uv; }
@@ -33,30 +37,30 @@ class Parts {
  public:
   explicit Parts(std::span<const Texture> textures) : textures_(textures) {}
 
-  void add(std::uint32_t index) { std::visit(*this, textures_[index].model); }
-  void operator()(const ConstantTexture&) {}
-  void operator()(const ImageTexture& texture) {
-    const MipLevel level = texture.image->level(0);
-    list.push_back({texture.uv, 1, level.width, level.height, texture.wrap, texture.filter});
-  }
-  void operator()(const ScaleTexture& texture) {
-    add(texture.first);
-    add(texture.second);
-  }
-  void operator()(const MixTexture& texture) {
-    add(texture.first);
-    add(texture.second);
-    add(texture.amount);
-  }
-  void operator()(const CheckerboardTexture& texture) {
-    list.push_back({texture.uv, 2, 2, 2, WrapMode::repeat, TextureFilter::nearest});
-    add(texture.first);
-    add(texture.second);
+  void add(std::uint32_t index) {
+    const TextureModel& model = textures_[index].model;
+    std::visit([&](const auto& texture) { add_own(texture); }, model);
+    for_each_part(model, [&](std::uint32_t part) { add(part); });
   }
 
   std::vector<Part> list;
 
  private:
+  void add_own(const auto& /*texture*/) {}
+  void add_own(const ImageTexture& texture) {
+    const MipLevel level = texture.image->level(0);
+    list.push_back({texture.uv, 1, level.width, level.height, texture.wrap, texture.filter});
+  }
+  void add_own(const CheckerboardTexture& texture) {
+    list.push_back({texture.uv, 2, 2, 2, WrapMode::repeat, TextureFilter::nearest});
+  }
+  /// Eight dots to each side, of those that never repeat; and what lies between the corners, not beyond.
+  void add_own(const DotsTexture& texture) {
+    list.push_back({texture.uv, 8, 256, 256, WrapMode::repeat, TextureFilter::nearest, false});
+  }
+  void add_own(const BilinearTexture& texture) {
+    list.push_back({texture.uv, 1, 256, 256, WrapMode::clamp, TextureFilter::bilinear, false});
+  }
   std::span<const Texture> textures_;
 };
 
@@ -87,7 +91,9 @@ PictureFrame frame_of(const std::vector<Part>& parts) {
     if (!is_nearest(part)) frame.part.filter = part.filter;
   }
   const bool is_mixed = !is_nearest(frame.part) && std::any_of(parts.begin(), parts.end(), is_nearest);
-  frame.is_exact = frame.lies_alike && !is_mixed;
+  const bool are_exact =
+      std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.is_exact; });
+  frame.is_exact = frame.lies_alike && !is_mixed && are_exact;
   if (!frame.lies_alike) frame.part.uv = {}, frame.part.period = 1, frame.part.wrap = WrapMode::repeat;
   return frame;
 }
@@ -97,11 +103,21 @@ std::vector<Texture> in_frame(std::span<const Texture> textures, const PictureFr
   std::vector<Texture> list(textures.begin(), textures.end());
   if (!frame.lies_alike) return list;
   const UvTransform uv = scaled({}, float(frame.part.period));
-  for (Texture& texture : list)
-    if (auto* image = std::get_if<ImageTexture>(&texture.model))
-      image->uv = uv;
-    else if (auto* board = std::get_if<CheckerboardTexture>(&texture.model))
-      board->uv = uv;
+  const auto place = [&](auto& texture) {
+    if constexpr (requires { texture.uv; }) texture.uv = uv;
+  };
+  for (Texture& texture : list) std::visit(place, texture.model);
+  return list;
+}
+
+/// The textures, where those that go by the point in the scene are their means.
+std::vector<Texture> by_surface(std::span<const Texture> textures, const std::vector<bool>& by_position) {
+  std::vector<Texture> list(textures.begin(), textures.end());
+  std::vector<Rgb> means;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    means.push_back(mean_value(textures[i].model, means));
+    if (by_position[i]) list[i].model = ConstantTexture{means[i]};
+  }
   return list;
 }
 
@@ -117,14 +133,19 @@ Image drawn(std::span<const Texture> textures, std::uint32_t index, int width, i
 
 }  // namespace
 
-BakedTextures bake_together(std::span<const Texture> textures, std::span<const std::uint32_t> indices) {
+BakedTextures bake_together(std::span<const Texture> all, std::span<const std::uint32_t> indices) {
+  const std::vector<bool> by_position = go_by_position(all);
+  const bool are_by_surface =
+      std::none_of(indices.begin(), indices.end(), [&](std::uint32_t i) { return by_position[i]; });
+  const std::vector<Texture> textures = by_surface(all, by_position);
   Parts parts(textures);
   for (const std::uint32_t index : indices) parts.add(index);
   const PictureFrame frame = frame_of(parts.list);
   const Part& part = frame.part;
   const std::vector<Texture> placed = in_frame(textures, frame);
   BakedTextures baked;
-  baked.frame = {{}, scaled(part.uv, 1 / float(part.period)), part.wrap, part.filter, frame.is_exact};
+  baked.frame = {
+      {}, scaled(part.uv, 1 / float(part.period)), part.wrap, part.filter, frame.is_exact && are_by_surface};
   for (const std::uint32_t index : indices) {
     const auto* image = std::get_if<ImageTexture>(&textures[index].model);
     const bool is_itself = image && frame.lies_alike && part.period == 1 && has_size(*image->image, part);

@@ -2,7 +2,8 @@
 // Textures that are made of others as one picture, for formats that have no more than pictures.
 //
 // Pictures and boards that lie over the surface in the same way are drawn into a picture that lies as they
-// do; where they lie in different ways, into one over the unit square of the surface's own coordinates.
+// do; where they lie in different ways, into one over the unit square of the surface's own coordinates. What
+// goes by the points of the scene is its mean there.
 #pragma once
 #include <cstdint>
 #include <span>

@@ -143,6 +143,26 @@ TEST_CASE("a checkerboard of alpha lets rays through its dark squares alone") {
     }
 }
 
+TEST_CASE("holes may go by the points of the scene, also those of instances") {
+  // A checkerboard of cubes, of which the square is a slice. One instance lies as the square does, one is
+  // moved by a side to the right: its holes are those of the points where it is.
+  const std::vector<Texture> textures{constant_alpha(1), constant_alpha(0), {"cubes", CubesTexture{0, 1}}};
+  std::vector<ShapeBinding> bindings(1);
+  bindings[0].alpha = 2;
+  const std::vector<Instance> instances{{0, {}}, {0, Transform::translation(3, 0, 0)}};
+  for (const Backend backend : {Backend::bvh, Backend::brute_force}) {
+    const auto engine = build_accelerator(
+        backend, std::make_shared<const Geometry>(
+                     cut_out({square(0.25f)}, bindings, textures, Instancing{{{0, 1}}, instances})));
+    for (const float x : {-0.6f, 0.6f, 2.4f, 3.4f})
+      for (const float y : {-0.3f, 0.7f}) {
+        CAPTURE(x, y);
+        const bool is_even = (int(std::floor(x)) + int(std::floor(y))) % 2 == 0;
+        CHECK(engine->any_hit({.origin = {x, y, 1}, .direction = {0, 0, -1}}) == is_even);
+      }
+  }
+}
+
 TEST_CASE("alpha is interpolated between the pixels of a picture that is filtered") {
   Image picture(2, 1);
   picture.at(1, 0) = {1, 1, 1};
@@ -151,8 +171,8 @@ TEST_CASE("alpha is interpolated between the pixels of a picture that is filtere
     ImageTexture image{.image = std::make_shared<const MipMap>(picture)};
     image.filter = filter;
     const std::vector<Texture> textures{{"ramp", image}};
-    CHECK(alpha_at(textures, 0, {0.5f, 0.5f}) == Approx(0.5));
-    CHECK(alpha_at(textures, 0, {0.35f, 0.5f}) == Approx(0.2));
+    CHECK(alpha_at(textures, 0, {.uv = {0.5f, 0.5f}}) == Approx(0.5));
+    CHECK(alpha_at(textures, 0, {.uv = {0.35f, 0.5f}}) == Approx(0.2));
   }
 }
 

@@ -159,7 +159,7 @@ TEST_CASE("a picture of a scene that is converted is that of the scene") {
 TEST_CASE("a scene in exchange form renders to the bits of the scene that it was made of") {
   const std::string folder_of_scenes = TWINRAY_SOURCE_DIR "/scenes/";
   for (const std::string name : {"lights.dae", "spheres.dae", "still-life.pbrt", "pawns.pbrt", "layers.pbrt",
-                                 "films.pbrt", "table.gltf"}) {
+                                 "films.pbrt", "patterns.pbrt", "table.gltf"}) {
     INFO(name);
     const TemporaryFolder folder;
     const std::string converted = folder.file("a.json"), options = " -q -s 2 -m 3 --filter=box ";

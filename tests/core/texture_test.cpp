@@ -4,28 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene_textures.h"
 #include "core/shading_map.h"
 #include "core/textured_material.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
+#include "tests/support/textures.h"
 
 namespace twinray::test {
 namespace {
-
-/// Red grows to the right, green upwards, blue is 1.
-std::shared_ptr<const MipMap> ramp(int width, int height) {
-  Image image(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) image.at(x, y) = {float(x), float(height - 1 - y), 1};
-  return std::make_shared<const MipMap>(image);
-}
 
 Rgb value(const TextureModel& model, Vec2 uv, float footprint = 0) {
   const Texture texture{"", model};
   return evaluate({&texture, 1}, 0, {uv, footprint});
 }
-
-const Texture red{"red", ConstantTexture{{1, 0, 0}}}, half{"half", ConstantTexture{{0.5f, 0.25f, 1}}};
 
 }  // namespace
 
@@ -124,45 +116,6 @@ TEST_CASE("stochastic filtering has one pixel for each draw, and trilinear filte
   }
 }
 
-TEST_CASE("a filter is set for all pictures but those whose pixels are to be seen, or are exact") {
-  const auto alone = std::make_shared<const MipMap>(std::vector<Image>{Image(4, 2)});
-  std::vector<Texture> textures{half,
-                                {"", ImageTexture{ramp(4, 2), WrapMode::clamp, TextureFilter::nearest, {}}},
-                                {"", ImageTexture{ramp(4, 2), WrapMode::clamp, TextureFilter::bilinear, {}}},
-                                {"", ImageTexture{alone, WrapMode::clamp, TextureFilter::bilinear, {}}}};
-  set_filter(textures, TextureFilter::trilinear);
-  CHECK(std::get<ImageTexture>(textures[1].model).filter == TextureFilter::nearest);
-  CHECK(std::get<ImageTexture>(textures[2].model).filter == TextureFilter::trilinear);
-  CHECK(std::get<ImageTexture>(textures[3].model).filter == TextureFilter::bilinear);
-}
-
-TEST_CASE("pictures whose values are cut off somewhere are not filtered by chance") {
-  const auto image = [](const Rgb& pixel) {
-    return ImageTexture{std::make_shared<const MipMap>(Image(2, 2, pixel))};
-  };
-  const auto filters = [](std::vector<Texture> textures) {
-    set_filter(textures, TextureFilter::stochastic);
-    std::vector<TextureFilter> found;
-    for (const Texture& texture : textures)
-      if (const auto* picture = std::get_if<ImageTexture>(&texture.model)) found.push_back(picture->filter);
-    return found;
-  };
-  constexpr auto stochastic = TextureFilter::stochastic, trilinear = TextureFilter::trilinear;
-  using Filters = std::vector<TextureFilter>;
-  const Texture plain{"", image({0, 0.5f, 1})};
-  CHECK(filters({plain, {"", image({0, 1.25f, 1})}, {"", image({-0.25f, 0, 0})}}) ==
-        Filters{stochastic, trilinear, trilinear});
-  // A factor of 2 counts for what it scales alone, and for what else that is mixed with.
-  const Texture twice{"", ConstantTexture{{2, 2, 2}}}, once{"", ConstantTexture{{1, 0, 1}}};
-  CHECK(filters({plain, plain, twice, {"", ScaleTexture{1, 2}}}) == Filters{stochastic, trilinear});
-  CHECK(filters({plain, plain, once, {"", ScaleTexture{1, 2}}}) == Filters{stochastic, stochastic});
-  CHECK(filters({plain, plain, plain, twice, {"", ScaleTexture{0, 3}}, {"", MixTexture{1, 4, 2}}}) ==
-        Filters{trilinear, trilinear, trilinear});
-  std::vector<Texture> others{{"", image({2, 2, 2})}};
-  set_filter(others, TextureFilter::bilinear);
-  CHECK(std::get<ImageTexture>(others[0].model).filter == TextureFilter::bilinear);
-}
-
 TEST_CASE("coordinates are transformed before a picture is looked up") {
   const UvTransform turned{{{0, 1, 0.25f}, {-1, 0, 1}}};
   const ImageTexture plain{ramp(4, 4), WrapMode::repeat, TextureFilter::bilinear, {}};
@@ -187,24 +140,6 @@ TEST_CASE("textures scale, mix and alternate those that stand before them") {
   CHECK(evaluate(textures, 4, {{-0.2f, 0.3f}}) == second);
   CHECK(evaluate(textures, 4, {{-0.2f, -0.3f}}) == first);
   CHECK(evaluate(textures, 5, {{0.7f, 0.3f}}) == second * second);
-}
-
-TEST_CASE("a texture of which few statements make very many is an error") {
-  std::vector<Texture> doubled{red};
-  for (std::uint32_t i = 0; i < 11; ++i) doubled.push_back({"", ScaleTexture{i, i}});
-  CHECK_NOTHROW(check_textures(doubled));  // 2^12 - 1 parts.
-  doubled.push_back({"", ScaleTexture{11, 0}});
-  CHECK_THROWS_WITH(check_textures(doubled), "texture 12 is made of more than 4096 textures");
-}
-
-TEST_CASE("a texture that names itself, a later one or no picture is an error") {
-  CHECK_THROWS_WITH(check_textures(std::vector<Texture>{red, {"", ScaleTexture{0, 1}}}),
-                    "texture 1 names texture 1, which does not stand before it");
-  CHECK_THROWS_WITH(check_textures(std::vector<Texture>{red, {"", MixTexture{0, 0, 2}}, half}),
-                    "texture 1 names texture 2, which does not stand before it");
-  CHECK_THROWS_WITH(check_textures(std::vector<Texture>{{"", CheckerboardTexture{0, 0}}}),
-                    "texture 0 names texture 0, which does not stand before it");
-  CHECK_THROWS_WITH(check_textures(std::vector<Texture>{{"", ImageTexture{}}}), "texture 0 has no picture");
 }
 
 TEST_CASE("a material takes its numbers from textures, within their range, and keeps the rest") {

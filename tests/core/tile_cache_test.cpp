@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/mip_map.h"
 #include "core/parallel.h"
+#include "core/scene_textures.h"
 #include "core/texture.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"

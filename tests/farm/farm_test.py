@@ -20,8 +20,8 @@ import slurm_cluster
 
 PARTS = 8
 PROGRAM = "twinray"
-# A part takes some seconds, or as long as it is held where it is.
-SIZE, SAMPLES = ["-r", "320", "240"], 500
+# On Slurm a part takes some seconds, or as long as it is held where it is.
+SIZE, SAMPLES, FEW_SAMPLES = ["-r", "320", "240"], 500, 24
 
 
 def run(*words, cwd, environment=None):
@@ -32,7 +32,12 @@ def run(*words, cwd, environment=None):
     return done.stdout
 
 
-def make_plan(program, scene, folder, name, samples=SAMPLES):
+def render_alone(program, scene, folder, samples):
+    run(program, "render", scene, *SIZE, "-s", str(samples), "-q", "-o", "alone.pfm", cwd=folder)
+    return (folder / "alone.pfm").read_bytes()
+
+
+def make_plan(program, scene, folder, name, samples):
     run(program, "plan", scene, *SIZE, "-s", str(samples), "--checkpoint-seconds=0.5", f"--folder={name}",
         f"--jobs={PARTS}", f"--output={name}.pfm", cwd=folder)
 
@@ -111,31 +116,29 @@ def main(arguments):
         print(__doc__, file=sys.stderr)
         return 2
     program, scene = (str(Path(word).resolve()) for word in arguments[:2])
-    done = []
+    expected = {}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         folder.chmod(0o755)
-        run(program, "render", scene, *SIZE, "-s", str(SAMPLES), "-q", "-o", "alone.pfm", cwd=folder)
-        expected = (folder / "alone.pfm").read_bytes()
         if reason := slurm_cluster.missing():
             print(f"Slurm: not tried: {reason}")
         else:
-            make_plan(program, scene, folder, "slurm")
+            expected["slurm"] = render_alone(program, scene, folder, SAMPLES)
+            make_plan(program, scene, folder, "slurm", SAMPLES)
             make_plan(program, scene, folder, "cancelled", 10 * SAMPLES)  # No part ends in time.
             render_on_slurm(folder)
-            done.append("slurm")
         if len(arguments) < 3:
             print("Open Job Description: not tried: PyPI's openjd-cli is not there")
         else:
-            make_plan(program, scene, folder, "openjd")
+            expected["openjd"] = render_alone(program, scene, folder, FEW_SAMPLES)
+            make_plan(program, scene, folder, "openjd", FEW_SAMPLES)
             run(arguments[2], "run", "openjd/openjd/template.json", cwd=folder)
-            done.append("openjd")
-        for name in done:
-            if (folder / f"{name}.pfm").read_bytes() != expected:
+        for name, picture in expected.items():
+            if (folder / f"{name}.pfm").read_bytes() != picture:
                 print(f"{name}: the picture has other bits than that of one run")
                 return 1
             print(f"{name}: {PARTS} parts have the bits of one run")
-    return 0 if done else 1
+    return 0 if expected else 1
 
 
 if __name__ == "__main__":

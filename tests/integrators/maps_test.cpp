@@ -184,6 +184,18 @@ TEST_CASE("a bump map that rises evenly shades as a plane that rises so") {
   CHECK(length(Interaction(bsdfs, point, normalize({0.2f, -1, 0})).normal() + expected) < 1e-3f);
 }
 
+TEST_CASE("a bump map in space rises as one by texture coordinates") {
+  // Its height is three times x, wherever the coordinates are.
+  Scene scene = lit(mapped_square(), {0, 1, 0});
+  scene.textures = {{"ramp", BilinearTexture{.v10 = {1, 1, 1}, .v11 = {1, 1, 1}}}};
+  set_bump_map(scene,
+               {"along x", PlacedTexture{0, TexturePlacement::planar, {{{3, 0, 0, 0}, {0, 0, 1, 0}}}}});
+  const BsdfTable bsdfs(scene);
+  const auto point = surface_at(*scene.geometry, {.t = 1, .u = 0.3f, .v = 0.2f});
+  const Interaction at(bsdfs, point, {0, 1, 0});
+  CHECK(length(at.normal() - normalize({-3, 1, 0})) < 1e-3f);
+}
+
 TEST_CASE("red of a normal map points along u, green along v, blue along the normal, on both sides") {
   Scene scene = lit(mapped_square(), {0, 1, 0});
   set_normal_map(scene, constant(encoded(normalize({0.3f, 0.5f, 1}))));

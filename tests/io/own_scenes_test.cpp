@@ -193,4 +193,21 @@ TEST_CASE("films.pbrt shows films of six thicknesses on steel, on enamel, and al
   CHECK(thicknesses.size() == 6);
 }
 
+TEST_CASE("patterns.pbrt shows every kind of texture that needs no picture, on ten balls and around them") {
+  const LoadedScene loaded = load("patterns.pbrt");
+  CHECK(loaded.warnings.empty());
+  std::set<std::size_t> kinds;
+  std::set<NoisePattern> patterns;
+  std::set<TexturePlacement> placements;
+  for (const Texture& texture : loaded.scene.textures) {
+    kinds.insert(texture.model.index());
+    if (const auto* noise = std::get_if<NoiseTexture>(&texture.model)) patterns.insert(noise->pattern);
+    if (const auto* placed = std::get_if<PlacedTexture>(&texture.model)) placements.insert(placed->placement);
+  }
+  CHECK(kinds.size() == std::variant_size_v<TextureModel> - 1);
+  CHECK(patterns.size() == 4);
+  CHECK(placements.size() == 4);
+  CHECK(loaded.scene.geometry->sphere_count() == 9);  // One within another; two with bumps are meshes.
+}
+
 }  // namespace twinray

@@ -62,9 +62,9 @@ class Exchange(Folder):
 
     def test_another_version_is_refused(self):
         path = self.folder / "a.json"
-        path.write_text('{"format": "twinray scene", "version": 4}')
+        path.write_text('{"format": "twinray scene", "version": 5}')
         with self.assertRaisesRegex(exchange.Unsupported,
-                                    "no scene in twinray's exchange form, version 1 to 3"):
+                                    "no scene in twinray's exchange form, version 1 to 4"):
             exchange.read_scene(path)
 
     def test_our_scenes_are_converted_for_both_peers(self):

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "check/bias.h"
+#include "core/scene_textures.h"
 #include "integrators/path.h"
 #include "integrators/render.h"
 #include "io/picture/image_file.h"

@@ -209,14 +209,21 @@ Scene textured(Scene scene, TextureFilter filter) {
       std::make_shared<const MipMap>(*random_square()), WrapMode::repeat, filter, {{{7, 1, 0}, {0, 5, 0}}}};
   ImageTexture second = image;
   second.coordinates = CoordinateSet::second;
-  scene.textures = {{"", ConstantTexture{{0.2f, 0.6f, 0.9f}}},
-                    {"", image},
-                    {"", CheckerboardTexture{0, 1, {{{4, 0, 0}, {0, 4, 0}}}}},
-                    {"", second}};
+  scene.textures = {
+      {"", ConstantTexture{{0.2f, 0.6f, 0.9f}}},
+      {"", image},
+      {"", CheckerboardTexture{0, 1, {{{4, 0, 0}, {0, 4, 0}}}}},
+      {"", second},
+      {"", NoiseTexture{.pattern = NoisePattern::marble, .scale = 9}},
+      {"", NoiseTexture{.pattern = NoisePattern::wrinkled}},
+      {"", PlacedTexture{5, TexturePlacement::space, {{{7, 0, 1, 0}, {0, 8, 0, 0}, {1, 0, 9, 0}}}}},
+      {"", DirectionMixTexture{6, 3}},
+      {"", PlacedTexture{1, TexturePlacement::spherical, {}}}};
+  constexpr std::uint32_t cycle[] = {1, 8, 2, 4, 3, 7};
   for (Material& material : scene.materials)
     for (int i = 0; i < material_inputs; ++i)
       if (const auto input = MaterialInput(i); has_input(material.model, input))
-        material.textures.push_back({input, (std::uint32_t(i) + 2) % 3 + 1});
+        material.textures.push_back({input, cycle[std::size_t(i) % 6]});
   for (Light& light : scene.lights)
     if (auto* const mesh = std::get_if<MeshLight>(&light.source)) mesh->picture = random_square();
   check_scene(scene);

@@ -189,7 +189,7 @@ MUTANTS = [
            "written gltf: textures come back as they lie, each in its channel"),
     Mutant("an exchange form says how a picture goes on along u alone", "io/exchange/json.cpp",
            "if (wrap.u == wrap.v) return json_of(wrap.u);", "return json_of(wrap.u);", IO,
-           "textures in exchange form are of its third version, and each picture is a file"),
+           "textures in exchange form are of its third version, patterns of its fourth"),
     Mutant("a picture that emits may be dark below nothing", "io/exchange/reader.cpp",
            "{ return luminance(pixel) >= 0; }", "{ return luminance(pixel) >= -1; }", IO,
            "a picture that a mesh emits may be below 0 in a channel, no other, and not in its luminance"),

@@ -109,7 +109,7 @@ MUTANTS = [
            "is_used_.store(true, std::memory_order_relaxed)",
            "is_used_.store(false, std::memory_order_relaxed)",
            "test_core", "a cache holds no more than its bound, and gives up the tile that was not asked for"),
-    Mutant("pictures that alphas are made of stay in tiles", "core/texture.cpp",
+    Mutant("pictures that alphas are made of stay in tiles", "core/scene_textures.cpp",
            "is_wanted[std::min(other, i)] = true;", "is_wanted[std::max(other, i)] = true;",
            "test_core", "the pictures that an alpha is made of are brought into memory, and no others"),
     Mutant("a metal's texture of a reflectance is its k", "core/textured_material.cpp",

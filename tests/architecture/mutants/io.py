@@ -58,7 +58,7 @@ MUTANTS = [
     Mutant("an exchange form writes a picture once for each of its textures", "io/exchange/writer.cpp",
            "first.push_back(known.try_emplace(picture_of(scene.textures[i]), i).first->second);",
            "first.push_back(i);", "test_io",
-           "textures in exchange form are of its third version, and each picture is a file"),
+           "textures in exchange form are of its third version, patterns of its fourth"),
     Mutant("a picture of an exchange form is data, whatever its role", "io/exchange/texture.cpp",
            "load_texture(picture, {.role = role}, options_)",
            "load_texture(picture, {PictureRole::data}, options_)",

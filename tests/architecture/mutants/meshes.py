@@ -89,7 +89,7 @@ MUTANTS = [
     Mutant("vertices before the first color have its", "io/obj/colors.cpp",
            "colors.resize(index + 1, no_color)", "colors.resize(index + 1, color)",
            "test_io", BEHIND),
-    Mutant("pixels of vertices' colors are chosen by chance", "core/texture.cpp",
+    Mutant("pixels of vertices' colors are chosen by chance", "core/scene_textures.cpp",
            "(image.filter == TextureFilter::bilinear && !has_levels)", "false",
            "test_core", FILTER),
     Mutant("a picture says nothing of its colour", "io/obj/material.cpp",

@@ -6,9 +6,11 @@
 
 #include "core/alpha_test.h"
 #include "core/error.h"
+#include "core/scene_textures.h"
 #include "io/exchange/writer.h"
 #include "io/picture/image_file.h"
 #include "io/scene_file.h"
+#include "tests/io/exchange/small_scene.h"
 #include "tests/support/catch.h"
 #include "tests/support/json.h"
 #include "tests/support/meshes.h"
@@ -43,13 +45,27 @@ void add_textures(Scene& scene) {
   const auto shared = std::make_shared<const MipMap>(*picture(4, 2));
   const auto single = std::make_shared<const MipMap>(std::vector{*picture(5, 3)});
   const UvTransform uv{{{third, 2, seventh}, {-1, third, 0.5f}}};
-  scene.textures = {{"red", ConstantTexture{{third, seventh, -2}}},
-                    {"wood", ImageTexture{shared, WrapMode::clamp, TextureFilter::trilinear, uv}},
-                    {"wood", ImageTexture{shared, WrapMode::black, TextureFilter::nearest, {}}},
-                    {"", ImageTexture{single, WrapMode::repeat, TextureFilter::bilinear, uv}},
-                    {"product", ScaleTexture{0, 2}},
-                    {"mixture", MixTexture{1, 2, 3}},
-                    {"board", CheckerboardTexture{0, 4, uv}}};
+  const PointTransform there{{{third, 2, 0, seventh}, {-2, third, 1, 0.5f}, {0, seventh, -third, 3}}};
+  scene.textures = {
+      {"red", ConstantTexture{{third, seventh, -2}}},
+      {"wood", ImageTexture{shared, WrapMode::clamp, TextureFilter::trilinear, uv}},
+      {"wood", ImageTexture{shared, WrapMode::black, TextureFilter::nearest, {}}},
+      {"", ImageTexture{single, WrapMode::repeat, TextureFilter::bilinear, uv}},
+      {"product", ScaleTexture{0, 2}},
+      {"mixture", MixTexture{1, 2, 3}},
+      {"board", CheckerboardTexture{0, 4, uv}},
+      {"cubes", CubesTexture{0, 4}},
+      {"dots", DotsTexture{4, 0, uv}},
+      {"corners", BilinearTexture{{third, 0, 1}, {0, -third, 2}, {1, 1, 0}, {0, 0, seventh}, uv}},
+      {"leaning", DirectionMixTexture{1, 0, {0.6f, -0.8f, 0}}},
+      {"clouds", NoiseTexture{NoisePattern::fbm, {5, seventh}}},
+      {"wrinkles", NoiseTexture{NoisePattern::wrinkled, {3, third}}},
+      {"waves", NoiseTexture{.pattern = NoisePattern::windy}},
+      {"marble", NoiseTexture{NoisePattern::marble, {2, third}, seventh, 3}},
+      {"there", PlacedTexture{14, TexturePlacement::space, there}},
+      {"on a plane", PlacedTexture{3, TexturePlacement::planar, there}},
+      {"around", PlacedTexture{9, TexturePlacement::spherical, there}},
+      {"about", PlacedTexture{9, TexturePlacement::cylindrical, there}}};
   scene.materials[0].textures = {{MaterialInput::reflectance, 1}};
   scene.materials[10].textures = {{MaterialInput::roughness_u, 5, InputMeaning::squared_roughness},
                                   {MaterialInput::reflectance, 6}};
@@ -125,28 +141,6 @@ Scene everything() {
                                                scene.textures, Instancing{{{2, 1}}, {{0, place}, {0, {}}}}));
   scene.camera.position = {third, 1, 5};
   return scene;
-}
-
-/// The error that a text gives.
-std::string error_of(const nlohmann::json& json) {
-  try {
-    read_exchange(json.dump(), "a.json", {}, [](const std::string& path) -> std::string {
-      throw Error(path + ": there is no such file");
-    });
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
-/// A scene without files.
-nlohmann::json small() {
-  Scene scene;
-  scene.materials = {{"grey", Lambert{}}, {"metal", Conductor{}}};
-  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{SphereSet{"ball", {{{0, 0, 0}, 1}}}});
-  scene.bindings = {{.material = 1, .light = 0}};
-  scene.lights = {{"lamp", SphereLight{0, {1, 1, 1}}}, {"spot", SpotLight{}}};
-  return nlohmann::json::parse(exchange_json(scene, "a.json", frame));
 }
 
 }  // namespace
@@ -228,7 +222,11 @@ TEST_CASE("textures come back from exchange form with all that they are made of"
   for (std::uint32_t i = 0; i < scene.textures.size(); ++i)
     for (const float u : {-0.3f, 0.1f, 0.4f, 1.2f}) {
       CAPTURE(i, u);
-      const TexturePoint at{.uv = {u, 0.7f - u}, .footprint = 0.4f};
+      const TexturePoint at{.uv = {u, 0.7f - u},
+                            .footprint = 0.4f,
+                            .position = {3 * u, 1 - u, u * u},
+                            .normal = {0.6f, u > 0 ? 0.8f : -0.8f, 0},
+                            .width = 0.02f};
       CHECK(evaluate(trip.scene.textures, i, at) == evaluate(scene.textures, i, at));
     }
   const auto image = [&](std::size_t i) {
@@ -316,53 +314,6 @@ TEST_CASE("a picture that a mesh emits may be below 0 in a channel, no other, an
   CHECK(error(EnvironmentLight{}, dark).ends_with("a-light-0.exr has a pixel that is no radiance"));
 }
 
-TEST_CASE("what is wrong with the textures of an exchange form is said with its entry") {
-  nlohmann::json right = small();
-  right["version"] = 3;
-  right["textures"] = {{{"name", "red"}, {"type", "constant"}, {"value", {1, 0, 0}}},
-                       {{"name", "product"}, {"type", "scale"}, {"first", 0}, {"second", 0}}};
-  right["materials"][0]["textures"] = {{{"input", "reflectance"}, {"texture", 1}, {"meaning", "value"}}};
-  right["shapes"][0]["alpha"] = 0;
-  CHECK(error_of(right) == "");
-  const auto wrong = [&](const char* pointer, const nlohmann::json& value) {
-    nlohmann::json json = right;
-    json[nlohmann::json::json_pointer(pointer)] = value;
-    return error_of(json);
-  };
-  CHECK(wrong("/textures/0/type", "marble") ==
-        "a.json: textures[0]: \"type\" is \"marble\"; valid are constant, image, scale, mix, checkerboard");
-  CHECK(wrong("/textures/0/value", "red") == "a.json: textures[0]: \"value\" must be a list");
-  const nlohmann::json image = {
-      {"name", ""},           {"type", "image"},       {"wrap", "repeat"},
-      {"filter", "bilinear"}, {"file", "no-such.exr"}, {"uv", {{1, 0, 0}, {0, 1, 0}}}};
-  const auto wrapped = [&](const nlohmann::json& wrap) {
-    nlohmann::json changed = image;
-    changed["wrap"] = wrap;
-    return wrong("/textures/0", changed);
-  };
-  CHECK(wrapped("repeat") == "");
-  CHECK(wrapped({"clamp", "black"}) == "");
-  CHECK(wrapped({"clamp", "mirror"}) ==
-        "a.json: textures[0]: \"wrap\" is \"mirror\"; valid are repeat, clamp, black");
-  CHECK(wrapped({"clamp", 1}) == "a.json: textures[0]: \"wrap\" must be a string");
-  CHECK(wrapped({"clamp"}).starts_with("a.json: textures[0]: \"wrap\" "));
-  CHECK(wrong("/textures/1/first", 1).starts_with("a.json: texture 1 "));
-  CHECK(
-      wrong("/materials/0/textures/0/input", "shine")
-          .starts_with("a.json: materials[0]: textures[0]: \"input\" is \"shine\"; valid are reflectance, "));
-  CHECK(wrong("/materials/0/textures/0/texture", 2) == "a.json: material 0 names texture 2; there are 2");
-  CHECK(wrong("/materials/0/textures/0/input", "eta") ==
-        "a.json: material 0 has a texture for its eta, and its model has none");
-  CHECK(wrong("/materials/0/bump_map", 7) == "a.json: material 0 names texture 7; there are 2");
-  CHECK(wrong("/shapes/0/alpha", 2) == "a.json: shapes[0]: \"alpha\" is 2; there are 2 textures");
-  right["textures"].push_back({{"name", "board"},
-                               {"type", "checkerboard"},
-                               {"first", 0},
-                               {"second", 1},
-                               {"uv", {{1, 0, 0}, {0, 1}}}});
-  CHECK(error_of(right) == "a.json: textures[2]: \"uv\" must be 2 rows of 3 numbers");
-}
-
 TEST_CASE("what is wrong in an exchange form is said with its entry and what would be valid") {
   CHECK(error_of(small()) == "");
   const auto wrong = [](const char* pointer, const nlohmann::json& value) {
@@ -377,7 +328,7 @@ TEST_CASE("what is wrong in an exchange form is said with its entry and what wou
   };
   CHECK(wrong("/format", "gltf") ==
         "a.json: \"format\" is not \"twinray scene\": this is another kind of JSON file");
-  CHECK(wrong("/version", 4) == "a.json: \"version\" is 4; versions 1 to 3 are known");
+  CHECK(wrong("/version", 5) == "a.json: \"version\" is 5; versions 1 to 4 are known");
   CHECK(wrong("/materials/1/type", "gold")
             .starts_with("a.json: materials[1]: \"type\" is \"gold\"; valid are lambert, mirror,"));
   CHECK(wrong("/materials/1/eta", {1, 2}) == "a.json: materials[1]: \"eta\" has 2 elements; it must have 3");

@@ -332,7 +332,7 @@ TEST_CASE("the files of a scene, the JSON file last") {
   CHECK(std::memcmp(read.pixels.data(), map->pixels.data(), sizeof(Rgb) * 2) == 0);
 }
 
-TEST_CASE("textures in exchange form are of its third version, and each picture is a file") {
+TEST_CASE("textures in exchange form are of its third version, patterns of its fourth") {
   const TemporaryFolder folder;
   const std::string path = folder.file("room.json");
   Scene scene;
@@ -352,7 +352,11 @@ TEST_CASE("textures in exchange form are of its third version, and each picture 
                                         R"("file":"a-texture-1.exr"},
     {"name":"drawn","type":"image","wrap":"repeat","filter":"stochastic","uv":[[1.0,0.0,0.0],[0.0,1.0,0.0]],)"
                                         R"("coordinates":"first","file":"a-texture-3.exr","mip_map":false})");
-  CHECK(nlohmann::json::parse(exchange_json(scene, "a.json", {}))["version"] == 3);
+  const auto version = [&] { return nlohmann::json::parse(exchange_json(scene, "a.json", {}))["version"]; };
+  CHECK(version() == 3);
+  scene.textures.push_back({"clouds", NoiseTexture{}});
+  CHECK(version() == 4);
+  scene.textures.pop_back();
   const WrittenScene written = written_scene({scene, {.resolution = {{480, 360}}}}, path);
   std::vector<std::string> paths;
   for (const SceneFile& file : written.files) paths.push_back(file.path);

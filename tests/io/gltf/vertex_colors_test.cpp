@@ -93,7 +93,7 @@ TEST_CASE("written gltf: a limit of the alphas of vertices comes back as one") {
   const RoundTrip trip = written(scene);
   for (const Vec2 part : {Vec2{0.2f, 0.1f}, {0.5f, 0.05f}, {0.6f, 0.2f}, {0.1f, 0.8f}}) {
     const auto alpha = [&](const Scene& of) {
-      return alpha_at(of.textures, of.bindings[0].alpha, uv_at(of, 0, part));
+      return alpha_at(of.textures, of.bindings[0].alpha, {.uv = uv_at(of, 0, part)});
     };
     CHECK(alpha(scene) == (0.5f * part.x + part.y > limit ? 1 : 0));
     CHECK(alpha(trip.scene) == alpha(scene));

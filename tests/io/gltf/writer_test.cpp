@@ -301,8 +301,8 @@ TEST_CASE("written gltf: holes come back, those below a limit and those of a cha
     CHECK(trip.warnings.empty());
     CHECK_FALSE(trip.scene.geometry->is_opaque(0));
     for (const Vec2 uv : {Vec2{0.1f, 0.9f}, {0.6f, 0.9f}, {0.4f, 0.2f}, {0.9f, 0.2f}})
-      CHECK(alpha_at(trip.scene.textures, trip.scene.bindings[0].alpha, uv) ==
-            Approx(alpha_at(textures, alpha, uv)).margin(0.5 / 255 + 1e-6));
+      CHECK(alpha_at(trip.scene.textures, trip.scene.bindings[0].alpha, {.uv = uv}) ==
+            Approx(alpha_at(textures, alpha, {.uv = uv})).margin(0.5 / 255 + 1e-6));
     return trip.text;
   };
   const Texture points{"", ImageTexture{picture(), WrapMode::repeat, TextureFilter::nearest, {}}};

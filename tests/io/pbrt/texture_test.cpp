@@ -219,27 +219,6 @@ TEST_CASE("inputs that take no texture take its mean, with a warning") {
   CHECK(std::get<Principled>(loaded.scene.materials[1].model).emission_color == Rgb{0.5f, 0, 0});
 }
 
-TEST_CASE("of what is not rendered of a pattern, its mean is shown where it is known") {
-  const auto shown = [](const std::string& texture) {
-    const LoadedScene loaded = load_pbrt_world("Texture \"t\" \"spectrum\" " + texture +
-                                               " Material \"diffuse\" \"texture reflectance\" \"t\"");
-    REQUIRE(loaded.warnings.size() == 1);
-    const Material& material = loaded.scene.materials[1];
-    return std::pair(std::get<Lambert>(textured_model(material, loaded.scene.textures, {})).reflectance,
-                     loaded.warnings[0].message);
-  };
-  const auto [between, corners] = shown(
-      "\"bilerp\" \"rgb v00\" [ .1 .1 .1 ] \"rgb v01\" [ .2 .2 .2 ] \"rgb v10\" [ .3 .3 .3 ] \"rgb v11\" [ "
-      ".4 .4 0 ]");
-  CHECK(between.r == Approx(0.25));
-  CHECK(between.b == Approx(0.15));
-  CHECK(corners == "colors between corners are not rendered: the texture's mean stands for it");
-  CHECK(shown("\"bilerp\"").first.g == Approx(0.5));
-  CHECK(shown("\"dots\" \"rgb inside\" [ .2 .2 .2 ] \"rgb outside\" [ .2 .2 .2 ]").first.r == Approx(0.2));
-  CHECK(shown("\"dots\"").first.r == Approx(0.5 * 3.14159265 * 0.35 * 0.35));
-  CHECK(shown("\"fbm\"").second == "this pattern is not rendered: 0.5 stands for it");
-}
-
 TEST_CASE("the picture of an infinite light is turned with it, and a square one has equal areas") {
   const Folder folder;
   const LoadedScene loaded = folder.load(

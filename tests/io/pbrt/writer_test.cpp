@@ -10,6 +10,7 @@
 #include "core/textured_material.h"
 #include "io/scene_file.h"
 #include "io/scene_writer.h"
+#include "tests/io/pbrt/written_parts.h"
 #include "tests/support/catch.h"
 #include "tests/support/round_trip.h"
 #include "tests/support/temporary_folder.h"
@@ -17,42 +18,8 @@
 namespace twinray::test {
 namespace {
 
-/// Of a number whose text is exact, after a product with a rotation.
-constexpr float rounding = 1e-6f;
-
 LoadedScene load(const std::string& name) {
   return load_scene(TWINRAY_SOURCE_DIR "/scenes/" + name, {.instances = InstanceUse::keep});
-}
-
-Mesh triangle() {
-  return {.name = "triangle", .positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}};
-}
-Mesh triangle_with_uvs() {
-  Mesh mesh = triangle();
-  mesh.uvs = {{0.25f, 0.1f}, {3, -0.7f}, {0.3f, 0.9f}};
-  mesh.uv_indices = mesh.triangles;
-  return mesh;
-}
-
-/// A picture of some numbers that no byte has.
-std::shared_ptr<const MipMap> picture() {
-  Image image(3, 2);
-  for (std::size_t i = 0; i < 6; ++i)
-    image.pixels[i] = {0.1f * float(i), 0.05f * float(i) + 0.01f, 0.9f - 0.1f * float(i)};
-  return std::make_shared<const MipMap>(std::move(image));
-}
-
-/// Whether two textures give the same values where a grid of points lies.
-bool are_alike(const Scene& a, std::uint32_t texture, const Scene& b, std::uint32_t other, bool red_alone) {
-  for (int i = 0; i < 81; ++i) {
-    const TexturePoint at{.uv = {0.37f * float(i % 9) - 1, 0.29f * float(i / 9) - 1}, .is_smooth = true};
-    const Rgb x = evaluate(a.textures, texture, at), y = evaluate(b.textures, other, at);
-    const float apart =
-        red_alone ? std::fabs(x.r - y.r)
-                  : max_component({std::fabs(x.r - y.r), std::fabs(x.g - y.g), std::fabs(x.b - y.b)});
-    if (!(apart <= rounding)) return false;
-  }
-  return true;
 }
 
 }  // namespace
@@ -82,7 +49,7 @@ TEST_CASE("written pbrt: each camera that pbrt has sees the same") {
   base.forward = normalize(Vec3{1, 2, -3});
   base.right = normalize(cross(base.forward, {0, 1, 0}));
   base.up = cross(base.right, base.forward);
-  Scene scene = scene_of(triangle(), Lambert{});
+  Scene scene = scene_of(plain_triangle(), Lambert{});
   const auto comes_back = [&](const Camera& camera) {
     scene.camera = camera;
     const RoundTrip trip = round_trip(scene, "a.pbrt");
@@ -111,7 +78,7 @@ TEST_CASE("written pbrt: each camera that pbrt has sees the same") {
 }
 
 TEST_CASE("written pbrt: what pbrt's cameras have not is named") {
-  Scene scene = scene_of(triangle(), Lambert{});
+  Scene scene = scene_of(plain_triangle(), Lambert{});
   scene.camera.clip_far = 10;
   scene.camera.lens_radius = 0.5f, scene.camera.aperture_blades = 5;
   CHECK(round_trip(scene, "a.pbrt").warnings ==
@@ -126,7 +93,7 @@ TEST_CASE("written pbrt: what pbrt's cameras have not is named") {
 }
 
 TEST_CASE("written pbrt: what a file said of its picture stays, and nothing else is said of the filter") {
-  const Scene scene = scene_of(triangle(), Lambert{});
+  const Scene scene = scene_of(plain_triangle(), Lambert{});
   RenderDefaults picture{
       .resolution = {{320, 200}}, .crop = {{10, 20, 30, 40}}, .samples = 48, .max_depth = 7};
   picture.filter = PixelFilter{FilterKind::mitchell, {1.5f, 2.5f}, 0.5f, 0.25f, 0.5f};
@@ -155,7 +122,7 @@ TEST_CASE("written pbrt: each material that pbrt has comes back, with every bit 
            DiffuseTransmission{{0.1f, 0.2f, 0.3f}, {0.5f, 0.4f, 0.3f}},
            CoatedDiffuse{{0.1f, 0.2f, 0.3f}, even, 1.6f},
            CoatedConductor{{0.3f, 0.4f, 1.5f}, {3.1f, 2.2f, 1.9f}, even, {1, 1, 1}, uneven, 1.45f}}) {
-    const Scene scene = scene_of(triangle(), model);
+    const Scene scene = scene_of(plain_triangle(), model);
     const RoundTrip trip = round_trip(scene, "a.pbrt");
     CHECK(trip.warnings.empty());
     auto wanted = surfaces(scene), read = surfaces(trip.scene);
@@ -170,7 +137,7 @@ TEST_CASE("written pbrt: each material that pbrt has comes back, with every bit 
 }
 
 TEST_CASE("written pbrt: mixtures, bodies that absorb, and names that are not unique") {
-  Scene scene = scene_of(triangle(), Lambert{{0.1f, 0.2f, 0.3f}});
+  Scene scene = scene_of(plain_triangle(), Lambert{{0.1f, 0.2f, 0.3f}});
   scene.materials.push_back({"stuff", Conductor{}});
   scene.materials.push_back({"\"mixed\\", Mix{0, 1, 0.25f}});
   scene.bindings[0].material = 2;
@@ -182,7 +149,7 @@ TEST_CASE("written pbrt: mixtures, bodies that absorb, and names that are not un
   CHECK(mix.amount == 0.25f);
   CHECK(std::get<Lambert>(trip.scene.materials[mix.first].model).reflectance == Rgb{0.1f, 0.2f, 0.3f});
   CHECK(trip.scene.materials[mix.second].name == "stuff 2");
-  scene = scene_of(triangle(), Dielectric{});
+  scene = scene_of(plain_triangle(), Dielectric{});
   scene.materials[0].interior = {{0.5f, 0.25f, 0}, 3};
   trip = round_trip(scene, "a.pbrt");
   CHECK(only_material(trip).interior.absorption == Rgb{0.5f, 0.25f, 0});
@@ -191,7 +158,7 @@ TEST_CASE("written pbrt: mixtures, bodies that absorb, and names that are not un
 
 TEST_CASE("written pbrt: a material that pbrt has not is the nearest one, and is named") {
   const auto comes_back = [](const SurfaceModel& model, const std::string& warning) {
-    const RoundTrip trip = round_trip(scene_of(triangle(), model), "a.pbrt");
+    const RoundTrip trip = round_trip(scene_of(plain_triangle(), model), "a.pbrt");
     CHECK(trip.warnings == std::vector<std::string>{warning});
     return only_material(trip).model;
   };
@@ -221,67 +188,17 @@ TEST_CASE("written pbrt: a material that pbrt has not is the nearest one, and is
   model.base_metalness = 0, model.transmission_weight = 1, model.specular_ior = 1.25f;
   CHECK(std::get<Dielectric>(comes_back(model, "a material of the type openpbr is written as a dielectric"))
             .ior == 1.25f);
-  Scene several = scene_of(triangle(), Mirror{});
+  Scene several = scene_of(plain_triangle(), Mirror{});
   several.materials.push_back({"b", Mirror{}});
   several.materials.push_back({"no shape has this", Mirror{}});
   several.bindings = {{0}, {1}};
-  several.geometry = std::make_shared<const Geometry>(std::vector<Shape>{triangle(), triangle()});
+  several.geometry = std::make_shared<const Geometry>(std::vector<Shape>{plain_triangle(), plain_triangle()});
   CHECK(round_trip(several, "a.pbrt").warnings ==
         std::vector<std::string>{"2 materials of the type mirror are written as smooth conductors"});
 }
 
-TEST_CASE("written pbrt: textures of each class give the same values, as colors and as numbers") {
-  Scene scene = scene_of(triangle_with_uvs(), CoatedDiffuse{});
-  const UvTransform uv{{{2, 0, 0.25f}, {0, -3, 0.5f}}};
-  scene.textures = {{"picture", ImageTexture{picture(), WrapMode::clamp, TextureFilter::bilinear, uv}},
-                    {"half", ConstantTexture{{0.5f, 0.5f, 0.5f}}},
-                    {"tint", ConstantTexture{{0.5f, 0.25f, 1}}},
-                    {"halved", ScaleTexture{1, 0}},
-                    {"mixed", MixTexture{0, 2, 3}},
-                    {"board", CheckerboardTexture{4, 2, uv}},
-                    {"points", ImageTexture{picture(), WrapMode::repeat, TextureFilter::nearest, {}}},
-                    {"black beside", ImageTexture{picture(), WrapMode::black, TextureFilter::bilinear, {}}},
-                    {"tinted", ScaleTexture{6, 2}}};
-  for (std::uint32_t texture = 0; texture < scene.textures.size(); ++texture) {
-    INFO(scene.textures[texture].name);
-    scene.materials[0].textures = {{MaterialInput::reflectance, texture},
-                                   {MaterialInput::roughness, texture}};
-    const RoundTrip trip = round_trip(scene, "a.pbrt");
-    CHECK(trip.warnings.empty());
-    const std::vector<TextureUse>& uses = only_material(trip).textures;
-    REQUIRE(uses.size() == 2);
-    for (const TextureUse& use : uses) {
-      CHECK(use.meaning == InputMeaning::value);
-      CHECK(are_alike(scene, texture, trip.scene, use.texture, use.input == MaterialInput::roughness));
-    }
-  }
-}
-
-TEST_CASE("written pbrt: textures of roughnesses and of metals keep what they mean") {
-  Scene scene = scene_of(triangle_with_uvs(), CoatedConductor{});
-  scene.textures = {{"picture", ImageTexture{picture(), WrapMode::repeat, TextureFilter::bilinear, {}}}};
-  const TextureUse squared{MaterialInput::roughness_u, 0, InputMeaning::squared_roughness};
-  const TextureUse metal{MaterialInput::k, 0, InputMeaning::metal_reflectance};
-  const TextureUse plain{MaterialInput::coat_roughness, 0, InputMeaning::value};
-  std::get<CoatedConductor>(scene.materials[0].model).roughness = {0, 0.25f};
-  std::get<CoatedConductor>(scene.materials[0].model).eta = {1, 1, 1};
-  scene.materials[0].textures = {squared, metal, plain};
-  const RoundTrip trip = round_trip(scene, "a.pbrt");
-  CHECK(trip.warnings.empty());
-  for (const Vec2 uv : {Vec2{0.2f, 0.3f}, {0.6f, 0.9f}}) {
-    const TexturePoint at{.uv = uv, .is_smooth = true};
-    const auto a = std::get<CoatedConductor>(textured_model(scene.materials[0], scene.textures, at));
-    const auto b = std::get<CoatedConductor>(textured_model(only_material(trip), trip.scene.textures, at));
-    CHECK(a.roughness.x == Approx(b.roughness.x));
-    CHECK(a.roughness.y == Approx(b.roughness.y));
-    CHECK(a.coat_roughness.x == Approx(b.coat_roughness.x));
-    CHECK(a.k.g == Approx(b.k.g));
-    CHECK(b.eta == Rgb{1, 1, 1});
-  }
-}
-
 TEST_CASE("written pbrt: the direction of facets is named where it is not that of the texture coordinates") {
-  Scene scene = scene_of(triangle_with_uvs(), Conductor{.roughness = {0.125f, 0.5f}});
+  Scene scene = scene_of(mapped_triangle(), Conductor{.roughness = {0.125f, 0.5f}});
   CHECK(round_trip(scene, "a.pbrt").warnings.empty());
   scene.materials[0].tangent_degrees = 30;
   CHECK(round_trip(scene, "a.pbrt").warnings ==
@@ -291,38 +208,8 @@ TEST_CASE("written pbrt: the direction of facets is named where it is not that o
   CHECK(round_trip(scene, "a.pbrt").warnings.empty());
 }
 
-TEST_CASE("written pbrt: holes, bumps and normal maps come back, and turned textures are named") {
-  Scene scene = scene_of(triangle_with_uvs(), Lambert{});
-  scene.textures = {
-      {"picture", ImageTexture{picture(), WrapMode::repeat, TextureFilter::bilinear, {}}},
-      {"third", ConstantTexture{{0.25f, 0.25f, 0.25f}}},
-      {"turned",
-       ImageTexture{picture(), WrapMode::repeat, TextureFilter::bilinear, {{{0, 1, 0}, {-1, 0, 0}}}}}};
-  scene.materials[0].normal_map = scene.materials[0].bump_map = 0;
-  for (const std::uint32_t alpha : {0u, 1u}) {
-    scene.bindings[0].alpha = alpha;
-    scene.geometry =
-        std::make_shared<const Geometry>(cut_out({triangle_with_uvs()}, scene.bindings, scene.textures, {}));
-    const RoundTrip trip = round_trip(scene, "a.pbrt");
-    CHECK(trip.warnings.empty());
-    CHECK(are_alike(scene, alpha, trip.scene, trip.scene.bindings[0].alpha, true));
-    CHECK(are_alike(scene, 0, trip.scene, only_material(trip).normal_map, false));
-    CHECK(are_alike(scene, 0, trip.scene, only_material(trip).bump_map, true));
-  }
-  scene.materials[0].textures = {{MaterialInput::reflectance, 2}};
-  CHECK(round_trip(scene, "a.pbrt").warnings ==
-        std::vector<std::string>{"a texture that is turned lies as if it were not"});
-  scene.textures[2].model = ImageTexture{picture(), {WrapMode::clamp, WrapMode::repeat}};
-  const RoundTrip trip = round_trip(scene, "a.pbrt");
-  CHECK(trip.warnings ==
-        std::vector<std::string>{"a picture that goes on otherwise along v than along u does "
-                                 "so along both as along u"});
-  const std::uint32_t color = only_material(trip).textures.at(0).texture;
-  CHECK(std::get<ImageTexture>(trip.scene.textures[color].model).wrap == WrapMode::clamp);
-}
-
 TEST_CASE("written pbrt: each light that pbrt has comes back") {
-  Scene scene = scene_of(triangle(), Lambert{});
+  Scene scene = scene_of(plain_triangle(), Lambert{});
   const auto square = std::make_shared<Image>(2, 2);
   square->pixels = {{0.1f, 0.1f, 0.1f}, {2, 2, 2}, {3, 3, 3}, {4, 4, 4}};
   const auto wide = std::make_shared<Image>(2, 1);
@@ -356,7 +243,7 @@ TEST_CASE("written pbrt: each light that pbrt has comes back") {
 }
 
 TEST_CASE("written pbrt: lights that pbrt has not are others of the same strength, and are named") {
-  Scene scene = scene_of(triangle(), Lambert{});
+  Scene scene = scene_of(plain_triangle(), Lambert{});
   const auto map = std::make_shared<Image>(64, 32);
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 64; ++x) map->at(x, y) = {float(y), 1 + float(x % 7), 0.5f};
@@ -391,7 +278,7 @@ TEST_CASE("written pbrt: lights that pbrt has not are others of the same strengt
 TEST_CASE("written pbrt: emitters come back with their side, radiance and picture") {
   const auto glow = std::make_shared<Image>(2, 1);
   glow->pixels = {{0.1f, 0.2f, 0.3f}, {2, 3, 4}};
-  Mesh mesh = triangle_with_uvs();
+  Mesh mesh = mapped_triangle();
   for (const EmissionSide side : {EmissionSide::front, EmissionSide::back, EmissionSide::both}) {
     Scene scene = scene_of(mesh, Lambert{});
     scene.bindings[0].light = 0;
@@ -413,7 +300,7 @@ TEST_CASE("written pbrt: emitters come back with their side, radiance and pictur
 }
 
 TEST_CASE("written pbrt: normals on the other side of a triangle are turned, so that its front stays") {
-  Mesh mesh = triangle();
+  Mesh mesh = plain_triangle();
   mesh.positions.push_back({1, 1, 0});
   mesh.triangles.push_back({1, 3, 2});
   mesh.normals = {{0, 0, 1}, {0, 0.6f, -0.8f}};
@@ -429,12 +316,12 @@ TEST_CASE("written pbrt: normals on the other side of a triangle are turned, so 
 }
 
 TEST_CASE("written pbrt: what is shown by instances is stored once, wherever it stands") {
-  Scene scene = scene_of(triangle(), Lambert{});
+  Scene scene = scene_of(plain_triangle(), Lambert{});
   Transform place = Transform::translation(1, 2, 3) * Transform::rotation({1, 1, 0}, 30);
   place.m[0][0] += 0.1;
   scene.bindings.resize(3);
   scene.geometry = std::make_shared<const Geometry>(
-      std::vector<Shape>{triangle(), SphereSet{"ball", {{{1, 2, 3}, 0.5f}}}, triangle()}, nullptr,
+      std::vector<Shape>{plain_triangle(), SphereSet{"ball", {{{1, 2, 3}, 0.5f}}}, plain_triangle()}, nullptr,
       Instancing{{{1, 2}}, {{0, place}, {0, {}}}});
   const RoundTrip trip = round_trip(scene, "a.pbrt");
   CHECK(trip.warnings.empty());
