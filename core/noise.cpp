@@ -55,8 +55,9 @@ struct SeenOctaves {
   float part;  ///< Of the one behind them; in [0, 1].
 
   SeenOctaves(float width, int most) {
-    const float seen =
-        width < std::numeric_limits<float>::min() ? float(most) : -1 - short_log2_of(std::min(width, 1.0f));
+    const float seen = !(width < 1)                                ? 0
+                       : width < std::numeric_limits<float>::min() ? float(most)
+                                                                   : -1 - short_log2_of(width);
     const float count = std::clamp(seen, 0.0f, float(most));
     whole = int(count);
     part = smooth_step(count - float(whole), 0.3f, 0.7f);

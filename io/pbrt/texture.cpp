@@ -145,12 +145,21 @@ void set_row(PointTransform& map, int row, const Transform& from_world, const Ve
   }
 }
 
-PointTransform in_floats(const Transform& transform) {
+/// From the scene to coordinates along the axes, shifted.
+PointTransform along_axes(const PbrtTextureStatement& statement, const std::array<Vec3, 3>& axes,
+                          const Vec3& shift) {
+  const Transform from_scene = from_world(statement);
   PointTransform map;
-  constexpr Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  for (int row = 0; row < 3; ++row) set_row(map, row, transform, axes[row], 0);
+  bool is_finite = true;
+  for (int row = 0; row < 3; ++row) {
+    set_row(map, row, from_scene, axes[std::size_t(row)], shift[row]);
+    for (const float number : map.m[row]) is_finite = is_finite && std::isfinite(number);
+  }
+  if (!is_finite)
+    statement.parameters.place().fail("the coordinates of this texture are too large for single precision");
   return map;
 }
+constexpr std::array<Vec3, 3> own_axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 }  // namespace
 
@@ -161,19 +170,20 @@ PbrtTextures::Mapping PbrtTextures::read_mapping(const PbrtTextureStatement& sta
   const float du = parameters.real("udelta", 0), dv = parameters.real("vdelta", 0);
   const Vec3 v1 = parameters.point("v1", {1, 0, 0}), v2 = parameters.point("v2", {0, 1, 0});
   if (mapping == PbrtMapping::uv) return {{{{u, 0, du}, {0, v, dv}}}, {}};
-  PlacedTexture place{.to_texture = in_floats(from_world(statement))};
-  place.placement =
-      mapping == PbrtMapping::spherical ? TexturePlacement::spherical : TexturePlacement::cylindrical;
+  PlacedTexture place;
   if (mapping == PbrtMapping::planar) {
     place.placement = TexturePlacement::planar;
-    set_row(place.to_texture, 0, from_world(statement), v1, du);
-    set_row(place.to_texture, 1, from_world(statement), v2, dv);
+    place.to_texture = along_axes(statement, {v1, v2, own_axes[2]}, {du, dv, 0});
+  } else {
+    place.placement =
+        mapping == PbrtMapping::spherical ? TexturePlacement::spherical : TexturePlacement::cylindrical;
+    place.to_texture = along_axes(statement, own_axes, {});
   }
   return {{}, place};
 }
 
 std::optional<PlacedTexture> PbrtTextures::space_of(const PbrtTextureStatement& statement) {
-  const PointTransform to_texture = in_floats(from_world(statement));
+  const PointTransform to_texture = along_axes(statement, own_axes, {});
   if (to_texture == PointTransform{}) return std::nullopt;
   return PlacedTexture{.to_texture = to_texture};
 }

@@ -160,6 +160,10 @@ TEST_CASE("a pattern in the plane is placed by its mapping") {
 TEST_CASE("what is wrong with a texture that is placed is said at its statement") {
   CHECK(contains(error("Texture \"t\" \"float\" \"dots\" \"string mapping\" \"cubic\""),
                  "there is no mapping \"cubic\"; valid are uv, planar, spherical or cylindrical"));
+  for (const char* statement : {"Scale 1e-20 1 1 Texture \"t\" \"float\" \"dots\" \"string mapping\" "
+                                "\"planar\" \"vector3 v1\" [ 1e30 0 0 ]",
+                                "Scale 1e-39 1 1 Texture \"t\" \"float\" \"fbm\""})
+    CHECK(contains(error(statement), "the coordinates of this texture are too large for single precision"));
   for (const char* octaves : {"65", "-1"})
     CHECK(contains(error(std::string("Texture \"t\" \"float\" \"fbm\" \"integer octaves\" ") + octaves),
                    "it must lie in [0, 64]"));
