@@ -220,10 +220,11 @@ Scene textured(Scene scene, TextureFilter filter) {
       {"", DirectionMixTexture{6, 3}},
       {"", PlacedTexture{1, TexturePlacement::spherical, {}}}};
   constexpr std::uint32_t cycle[] = {1, 8, 2, 4, 3, 7};
+  std::size_t next = 0;
   for (Material& material : scene.materials)
     for (int i = 0; i < material_inputs; ++i)
       if (const auto input = MaterialInput(i); has_input(material.model, input))
-        material.textures.push_back({input, cycle[std::size_t(i) % 6]});
+        material.textures.push_back({input, cycle[next++ % 6]});
   for (Light& light : scene.lights)
     if (auto* const mesh = std::get_if<MeshLight>(&light.source)) mesh->picture = random_square();
   check_scene(scene);
