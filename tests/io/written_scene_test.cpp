@@ -53,6 +53,39 @@ TEST_CASE("files beside a scene have its name, in its folder") {
   CHECK(written.files[1].path == "folder.x/room.pbrt");
 }
 
+TEST_CASE("what goes by the points of the scene is baked as its mean, and what never repeats in part") {
+  const UvTransform uv{{{2, 0, 0.25f}, {0, 4, 0}}};
+  const std::vector<Texture> textures{
+      {"red", ConstantTexture{{1, 0, 0}}},
+      {"blue", ConstantTexture{{0, 0, 0.5f}}},
+      {"cubes", CubesTexture{0, 1}},
+      {"half of them", ScaleTexture{2, 0}},
+      {"dots", DotsTexture{0, 1, uv}},
+      {"corners", BilinearTexture{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, uv}}};
+  const BakedTexture cubes = bake(textures, 2), half = bake(textures, 3);
+  CHECK(cubes.picture.pixels == std::vector<Rgb>{{0.5f, 0, 0.25f}});
+  CHECK_FALSE(cubes.is_exact);
+  CHECK(half.picture.pixels == std::vector<Rgb>{{0.5f, 0, 0}});
+  CHECK_FALSE(half.is_exact);
+  for (const std::uint32_t index : {4u, 5u}) {
+    const BakedTexture baked = bake(textures, index);
+    CHECK_FALSE(baked.is_exact);
+    const std::vector<Texture> picture{{"", ImageTexture{std::make_shared<const MipMap>(baked.picture),
+                                                         baked.wrap, baked.filter, baked.uv}}};
+    // Both have all of the unit square of the transformed coordinates, dots of eight by eight, in steps of
+    // 1/32.
+    const float side = index == 4 ? 8 : 1;
+    int other = 0;
+    for (int i = 0; i < 400; ++i) {
+      const float u = side * (0.02f + 0.048f * float(i % 20)), v = side * (0.02f + 0.048f * float(i / 20));
+      const TexturePoint at{.uv = {(u - 0.25f) / 2, v / 4}, .is_smooth = true};
+      const Rgb wanted = evaluate(textures, index, at), found = evaluate(picture, 0, at);
+      other += std::fabs(wanted.r - found.r) > 0.003f || std::fabs(wanted.g - found.g) > 0.003f;
+    }
+    CHECK(other <= (index == 4 ? 12 : 0));
+  }
+}
+
 TEST_CASE("a baked board is a picture of two by two points, which repeats as it does") {
   const UvTransform uv{{{4, 0, 0.5f}, {0, 2, 0}}};
   const std::vector<Texture> textures{{"", ConstantTexture{{1, 0, 0}}},

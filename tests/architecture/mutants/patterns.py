@@ -22,6 +22,7 @@ IN_SPACE = "patterns in space lie where their transform puts them"
 DIRECTION = "a mix by direction turns with its transform, and goes by the normal of the geometry"
 WRITTEN = "written pbrt: textures of each class give the same values, as colors and as numbers"
 EXCHANGED = "textures come back from exchange form with all that they are made of"
+BAKED = "what goes by the points of the scene is baked as its mean, and what never repeats in part"
 VERSION = "textures in exchange form are of its third version, patterns of its fourth"
 
 MUTANTS = [
@@ -98,6 +99,12 @@ MUTANTS = [
     Mutant("a pattern on a plane is written without its own coordinates", "io/pbrt/writer_texture.cpp",
            "uv.m[i][0] * texture.to_texture.m[0][k] + uv.m[i][1] * texture.to_texture.m[1][k]",
            "texture.to_texture.m[i][k]", "test_io", WRITTEN),
+    Mutant("cubes are baked as they are at the origin", "io/picture/baked_texture.cpp",
+           "if (by_position[i]) list[i].model = ConstantTexture{means[i]};", "", "test_io", BAKED),
+    Mutant("nobody is told that cubes are baked", "io/picture/baked_texture.cpp",
+           "frame.is_exact && are_by_surface", "frame.is_exact", "test_io", BAKED),
+    Mutant("dots are baked as one", "io/picture/baked_texture.cpp",
+           "{texture.uv, 8, 256, 256", "{texture.uv, 1, 256, 256", "test_io", BAKED),
     Mutant("an exchange form has no roughness of noise", "io/exchange/members.h",
            'visit("roughness", texture.octaves.roughness, Valid::any);', "", "test_io", EXCHANGED),
     Mutant("an exchange form with noise is of the third version", "io/exchange/writer.cpp",
