@@ -7,6 +7,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "core/texture_parts.h"
 
@@ -89,10 +90,8 @@ struct GoesByPosition {
 
 /// Whether a texture goes by the surface's coordinates, whatever it is made of.
 struct GoesByCoordinates {
-  template <typename Model>
-  bool operator()(const Model&) const {
-    return std::is_same_v<Model, ImageTexture> || std::is_same_v<Model, CheckerboardTexture> ||
-           std::is_same_v<Model, DotsTexture> || std::is_same_v<Model, BilinearTexture>;
+  bool operator()(const auto& texture) const {
+    return requires { texture.uv; };
   }
 };
 
@@ -121,7 +120,7 @@ struct MeanValue {
       case NoisePattern::marble: {
         constexpr int phases = 64;
         Rgb sum;
-        for (int i = 0; i < phases; ++i) sum += marble_color(6.2831853f * (float(i) + 0.5f) / phases);
+        for (int i = 0; i < phases; ++i) sum += marble_color(2 * pi * (float(i) + 0.5f) / phases);
         return sum * (1.0f / phases);
       }
     }

@@ -63,33 +63,34 @@ void members(const Visit& visit, ImageTexture& texture) {
   visit("uv", texture.uv);
   visit.later("coordinates", texture.coordinates);
 }
+/// The textures that one is made of.
 template <typename Visit>
-void members(const Visit& visit, ScaleTexture& texture) {
+void two_parts(const Visit& visit, auto& texture) {
   visit("first", texture.first);
   visit("second", texture.second);
 }
 template <typename Visit>
+void members(const Visit& visit, ScaleTexture& texture) {
+  two_parts(visit, texture);
+}
+template <typename Visit>
 void members(const Visit& visit, MixTexture& texture) {
-  visit("first", texture.first);
-  visit("second", texture.second);
+  two_parts(visit, texture);
   visit("amount", texture.amount);
 }
 template <typename Visit>
 void members(const Visit& visit, CheckerboardTexture& texture) {
-  visit("first", texture.first);
-  visit("second", texture.second);
+  two_parts(visit, texture);
   visit("uv", texture.uv);
 }
 
 template <typename Visit>
 void members(const Visit& visit, CubesTexture& texture) {
-  visit("first", texture.first);
-  visit("second", texture.second);
+  two_parts(visit, texture);
 }
 template <typename Visit>
 void members(const Visit& visit, DotsTexture& texture) {
-  visit("first", texture.first);
-  visit("second", texture.second);
+  two_parts(visit, texture);
   visit("uv", texture.uv);
 }
 template <typename Visit>
@@ -102,8 +103,7 @@ void members(const Visit& visit, BilinearTexture& texture) {
 }
 template <typename Visit>
 void members(const Visit& visit, DirectionMixTexture& texture) {
-  visit("first", texture.first);
-  visit("second", texture.second);
+  two_parts(visit, texture);
   visit.direction("direction", texture.direction);
 }
 template <typename Visit>

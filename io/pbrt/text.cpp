@@ -30,6 +30,9 @@ std::string pbrt_rgb(std::string_view name, const Rgb& value) {
 std::string pbrt_point(std::string_view name, const Vec3& value) {
   return fmt::format(" \"point3 {}\" [ {} {} {} ]", name, value.x, value.y, value.z);
 }
+std::string pbrt_vector(std::string_view name, const Vec3& value) {
+  return fmt::format(" \"vector3 {}\" [ {} {} {} ]", name, value.x, value.y, value.z);
+}
 std::string pbrt_word(std::string_view name, std::string_view value) {
   return fmt::format(" \"string {}\" [ {} ]", name, pbrt_string(value));
 }

@@ -20,6 +20,7 @@ std::string pbrt_integer(std::string_view name, int value);
 std::string pbrt_flag(std::string_view name, bool value);
 std::string pbrt_rgb(std::string_view name, const Rgb& value);
 std::string pbrt_point(std::string_view name, const Vec3& value);
+std::string pbrt_vector(std::string_view name, const Vec3& value);
 std::string pbrt_word(std::string_view name, std::string_view value);
 /// The value is the name of a texture.
 std::string pbrt_texture(std::string_view name, std::string_view texture);

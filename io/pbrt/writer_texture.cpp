@@ -209,9 +209,8 @@ std::string PbrtTextureWriter::pattern_rest(const BilinearTexture& square, PbrtT
 }
 
 std::string PbrtTextureWriter::pattern_rest(const DirectionMixTexture& mix, PbrtTextureKind kind) {
-  const Vec3& d = mix.direction;
   return "\"directionmix\"" + part("tex1", mix.first, kind) + part("tex2", mix.second, kind) +
-         fmt::format(" \"vector3 dir\" [ {} {} {} ]", d.x, d.y, d.z);
+         pbrt_vector("dir", mix.direction);
 }
 
 std::string PbrtTextureWriter::noise_rest(const NoiseTexture& texture, PbrtTextureKind kind) {
@@ -236,7 +235,7 @@ std::string PbrtTextureWriter::planar(const PlacedTexture& texture, const UvTran
     for (int k = 0; k < 4; ++k)
       row[k] = uv.m[i][0] * texture.to_texture.m[0][k] + uv.m[i][1] * texture.to_texture.m[1][k] +
                (k == 3 ? uv.m[i][2] : 0);
-    words += fmt::format(" \"vector3 v{}\" [ {} {} {} ]", i + 1, row[0], row[1], row[2]) +
+    words += pbrt_vector(i == 0 ? "v1" : "v2", {row[0], row[1], row[2]}) +
              pbrt_real(i == 0 ? "udelta" : "vdelta", row[3]);
   }
   return words;

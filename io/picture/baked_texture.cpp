@@ -137,7 +137,9 @@ BakedTextures bake_together(std::span<const Texture> all, std::span<const std::u
   const std::vector<bool> by_position = go_by_position(all);
   const bool are_by_surface =
       std::none_of(indices.begin(), indices.end(), [&](std::uint32_t i) { return by_position[i]; });
-  const std::vector<Texture> textures = by_surface(all, by_position);
+  const std::vector<Texture> on_surface =
+      are_by_surface ? std::vector<Texture>() : by_surface(all, by_position);
+  const std::span<const Texture> textures = are_by_surface ? all : on_surface;
   Parts parts(textures);
   for (const std::uint32_t index : indices) parts.add(index);
   const PictureFrame frame = frame_of(parts.list);

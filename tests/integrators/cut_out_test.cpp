@@ -136,6 +136,20 @@ TEST_CASE("an emitter of alpha a emits this part of its light, by every way of f
   check_mean(estimate(scene, {.max_depth = 0}, small_picture(10000)), 0.25 * 4, 0.05);
 }
 
+TEST_CASE("a lamp with holes by points of the scene emits from what is left, by every way of finding it") {
+  // Two opposite quarters of the lamp are there.
+  Scene scene = lamp_scene();
+  const PathOptions by_lights{.max_depth = 1, .direct = DirectMethod::lights};
+  const Estimate full = estimate(scene, by_lights, small_picture(5000));
+  scene.textures = {constant_alpha(1), constant_alpha(0)};
+  set_alpha(scene, 1, {"cubes", CubesTexture{0, 1}});
+  for (const DirectMethod method : all_methods) {
+    Estimate part = estimate(scene, {.max_depth = 1, .direct = method}, small_picture(20000));
+    part.mean *= 2, part.standard_error *= 2;
+    check_same_mean(part, full, 0.15);
+  }
+}
+
 TEST_CASE("a ball that emits with holes is as bright by every way of finding its light") {
   Scene scene = scene_of(floor_square(2, 0), {0.5f, 0.5f, 0.5f}, {0, 1, 2}, {0, 0, 0});
   add_lamp(scene, SphereSet{"ball", {{{0, 1, 0}, 0.3f}}}, {4, 4, 4}, EmissionSide::front);

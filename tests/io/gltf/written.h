@@ -5,6 +5,7 @@
 
 #include "core/geometry.h"
 #include "core/mip_map.h"
+#include "tests/support/graded_picture.h"
 
 namespace twinray::test {
 
@@ -15,12 +16,6 @@ inline Mesh triangle() {
   return mesh;
 }
 
-/// Of colours that bytes of sRGB have, about.
-inline std::shared_ptr<const MipMap> picture() {
-  Image image(4, 2);
-  for (std::size_t i = 0; i < 8; ++i)
-    image.pixels[i] = {0.1f * float(i), 0.05f * float(i) + 0.01f, 0.9f - 0.1f * float(i)};
-  return std::make_shared<const MipMap>(std::move(image));
-}
+inline std::shared_ptr<const MipMap> picture() { return graded_picture(4, 2); }
 
 }  // namespace twinray::test

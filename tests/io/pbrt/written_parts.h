@@ -6,6 +6,7 @@
 
 #include "core/scene.h"
 #include "core/texture.h"
+#include "tests/support/graded_picture.h"
 
 namespace twinray::test {
 
@@ -22,13 +23,7 @@ inline Mesh mapped_triangle() {
   return mesh;
 }
 
-/// A picture of some numbers that no byte has.
-inline std::shared_ptr<const MipMap> odd_picture() {
-  Image image(3, 2);
-  for (std::size_t i = 0; i < 6; ++i)
-    image.pixels[i] = {0.1f * float(i), 0.05f * float(i) + 0.01f, 0.9f - 0.1f * float(i)};
-  return std::make_shared<const MipMap>(std::move(image));
-}
+inline std::shared_ptr<const MipMap> odd_picture() { return graded_picture(3, 2); }
 
 /// Whether two textures give the same values where a grid of points lies.
 inline bool are_alike(const Scene& a, std::uint32_t texture, const Scene& b, std::uint32_t other,
