@@ -57,17 +57,15 @@ std::string slurm_render_job(const FarmPlan& plan) {
   const TaskNumbers parts{plan.task_count()};
   return head(plan, "render") + "#SBATCH --signal=B:USR2@60\n" + parts.array() +
          "export TWINRAY_THREADS=${SLURM_CPUS_PER_TASK:-}\n" +
+         "is_told=no\n"
+         "trap 'is_told=yes; kill -TERM \"$part\"' USR2\n"
+         "trap : TERM  # Slurm sends it to the part as well.\n" +
          fmt::format("{} {} &\n", shell_text({plan.folder + "/render-part"}), parts.range()) +
-         "part=$! is_told=no\n"
-         "trap 'is_signalled=yes; is_told=yes; kill -TERM \"$part\"' USR2\n"
-         "trap 'is_signalled=yes' TERM  # Slurm sends it to the part as well.\n"
-         "is_signalled=yes\n"
-         "while [[ $is_signalled = yes ]]; do\n"
-         "  is_signalled=no\n"
-         "  wait \"$part\"  # A signal ends it with a code of its own, though the part may have ended as "
-         "well.\n"
-         "  code=$?\n"
-         "done\n"
+         "part=$!\n"
+         "# Where a signal ends bash's wait just as the part ends, the part's code is lost. So it waits after that.\n"
+         "while [[ $(jobs -pr) ]]; do sleep 0.5; done\n"
+         "wait \"$part\"\n"
+         "code=$?\n"
          "# 75: it was stopped, and its checkpoint has what was done.\n"
          "if [[ $is_told = yes && $code = 75 ]]; then scontrol requeue \"$SLURM_JOB_ID\"; fi\n"
          "exit $code\n";

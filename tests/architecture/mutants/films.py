@@ -90,7 +90,7 @@ MUTANTS = [
            'std::string("%%")', 'std::string("%")',
            "test_cli", "a folder of any name is that of Slurm's logs"),
     Mutant("a task of Slurm takes its signal for the end of the part", "cli/plan/slurm.cpp",
-           '"while [[ $is_signalled = yes ]]; do\\n"', '"for once in 1; do\\n"', "test_cli",
+           '"while [[ $(jobs -pr) ]]; do sleep 0.5; done\\n"', "", "test_cli",
            "a task of Slurm queues itself again once its time is over, and not where it is cancelled"),
     Mutant("a damaged checkpoint is the end", "cli/film/saved_film.cpp",
            "if (!std::filesystem::exists(earlier)) throw;", "throw;", "test_cli",
