@@ -43,6 +43,8 @@ std::string with_frame_number(const std::string& word, int frame);
 /// one that merges the parts of frames of such numbers, or of all.
 std::string render_script(const FarmPlan& plan);
 std::string merge_script(const FarmPlan& plan);
+/// Bash's lines that wait for the child $part, whatever signals come meanwhile, and keep its code as $status.
+std::string wait_for_part(const std::string& indent = "");
 /// One command a line: all that render_script() is to be called with, in any order.
 std::string command_list(const FarmPlan& plan);
 

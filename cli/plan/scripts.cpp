@@ -85,6 +85,12 @@ std::string with_frame_number(const std::string& word, int frame) {
   return text + word.substr(done);
 }
 
+// Where a signal ends bash's wait just as the child ends, the child's code is lost.
+std::string wait_for_part(const std::string& indent) {
+  return indent + "while [[ $(jobs -pr) ]]; do sleep 0.2; done # wait loses the code if a signal ends it\n" +
+         indent + "status=0\n" + indent + "wait \"$part\" || status=$?\n";
+}
+
 std::string render_script(const FarmPlan& plan) {
   std::string text = fmt::format(
       fmt::runtime(first_lines),
@@ -106,13 +112,9 @@ first=$((10#${{BASH_REMATCH[1]}})) last=$((10#${{BASH_REMATCH[3]:-${{BASH_REMATC
   trap 'stopped=75; kill -TERM "$part" 2>/dev/null || true' TERM INT
   for ((number = first; number <= last; ++number)); do
     "$0" "$number" &
-    part=$! status=0
-    wait "$part" || status=$?
-    if ((status > 128)); then # A signal ends the wait, and the part by its own ways.
-      status=0
-      wait "$part" || status=$?
-    fi
-    ((status == 0)) || exit "$status"
+    part=$!
+)" + wait_for_part("    ") +
+      R"(    ((status == 0)) || exit "$status"
     ((stopped == 0)) || exit "$stopped"
   done
   exit

@@ -60,15 +60,11 @@ std::string slurm_render_job(const FarmPlan& plan) {
          "is_told=no\n"
          "trap 'is_told=yes; kill -TERM \"$part\"' USR2\n"
          "trap : TERM  # Slurm sends it to the part as well.\n" +
-         fmt::format("{} {} &\n", shell_text({plan.folder + "/render-part"}), parts.range()) +
-         "part=$!\n"
-         "# Where a signal ends bash's wait just as the part ends, the part's code is lost. So it waits after that.\n"
-         "while [[ $(jobs -pr) ]]; do sleep 0.5; done\n"
-         "wait \"$part\"\n"
-         "code=$?\n"
+         fmt::format("{} {} &\n", shell_text({plan.folder + "/render-part"}), parts.range()) + "part=$!\n" +
+         wait_for_part() +
          "# 75: it was stopped, and its checkpoint has what was done.\n"
-         "if [[ $is_told = yes && $code = 75 ]]; then scontrol requeue \"$SLURM_JOB_ID\"; fi\n"
-         "exit $code\n";
+         "if [[ $is_told = yes && $status = 75 ]]; then scontrol requeue \"$SLURM_JOB_ID\"; fi\n"
+         "exit $status\n";
 }
 
 std::string slurm_merge_job(const FarmPlan& plan) {

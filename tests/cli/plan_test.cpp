@@ -318,13 +318,13 @@ TEST_CASE("a task of Slurm has the code of a part that ends just as the task is 
   write_text(folder.file("render-part"),
              "#!/bin/bash\ntrap 'exit 75' TERM\necho $$ >begun\nwhile :; do :; done\n");
   write_text(folder.file("impatient"), "sleep() { command sleep 0.01; }\n");
-  const ProcessResult result = shell_in(
-      folder,
-      "chmod +x render-part && export SLURM_ARRAY_TASK_ID=1 && for pause in $(seq 0 20 1180); do "
-      "rm -f begun; BASH_ENV=\"$PWD/impatient\" bash job.sh & job=$!; "
-      "while [ ! -s begun ]; do sleep 0.003; done; kill -TERM $(cat begun); "
-      "while [ $pause -gt 0 ]; do pause=$((pause - 1)); done; kill -TERM $job; wait $job; echo $?; "
-      "done | sort | uniq -c");
+  const ProcessResult result =
+      shell_in(folder,
+               "chmod +x render-part && export SLURM_ARRAY_TASK_ID=1 && for pause in $(seq 0 20 1180); do "
+               "rm -f begun; BASH_ENV=\"$PWD/impatient\" bash job.sh & job=$!; "
+               "while [ ! -s begun ]; do sleep 0.003; done; kill -TERM $(cat begun); "
+               "while [ $pause -gt 0 ]; do pause=$((pause - 1)); done; kill -TERM $job; wait $job; echo $?; "
+               "done | sort | uniq -c");
   CHECK(result.out == "     60 75\n");
 }
 
