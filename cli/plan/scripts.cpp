@@ -87,7 +87,8 @@ std::string with_frame_number(const std::string& word, int frame) {
 
 // Where a signal ends bash's wait just as the child ends, the child's code is lost.
 std::string wait_for_part(const std::string& indent) {
-  return indent + "while [[ $(jobs -pr) ]]; do sleep 0.2; done # wait loses the code if a signal ends it\n" +
+  return indent +
+         "while [[ $(jobs -pr) ]]; do sleep 0.2 || true; done # Wait loses the code if a signal ends it.\n" +
          indent + "status=0\n" + indent + "wait \"$part\" || status=$?\n";
 }
 
