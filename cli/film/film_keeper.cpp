@@ -18,7 +18,7 @@ namespace {
 /// Between two checkpoints, where no option says how many.
 constexpr std::chrono::duration<double> usual_interval{60};
 /// Then they take at most one part in so many of the time.
-constexpr int rarity = 100;
+constexpr int checkpoint_rarity = 100;
 
 /// Of the command line, and of the scene's files.
 void check_names(const FilmNotes& notes) {
@@ -109,7 +109,7 @@ bool FilmKeeper::save(const RenderState& state) {
   const std::chrono::duration<double> interval =
       arguments_.checkpoint_seconds
           ? std::chrono::duration<double>(*arguments_.checkpoint_seconds)
-          : std::max<std::chrono::duration<double>>(usual_interval, rarity * (end - begin));
+          : std::max<std::chrono::duration<double>>(usual_interval, checkpoint_rarity * (end - begin));
   next_ = end + std::chrono::duration_cast<Clock::duration>(interval);
   return is_written;
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::chrono::milliseconds shortest_interval{250};
 /// From one copy to the next, in lengths of a copy.
-constexpr int rarity = 50;
+constexpr int picture_rarity = 50;
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void LivePicture::show_pass(const Film& film) {
   for (const auto& viewer : viewers_)
     if (viewer->is_ready()) viewer->show(film);
   const Clock::time_point end = Clock::now();
-  next_ = end + std::max<Clock::duration>(shortest_interval, rarity * (end - begin));
+  next_ = end + std::max<Clock::duration>(shortest_interval, picture_rarity * (end - begin));
 }
 
 void LivePicture::show_last(const RenderResult& result) {

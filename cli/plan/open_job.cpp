@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 /// The scheduler has about so many tasks at most: more numbers are taken together.
-constexpr std::uint32_t most_tasks = 1000;
+constexpr std::uint32_t most_job_tasks = 1000;
 constexpr const char* chunk_size = "PartsPerTask";
 
 /// Numbers from 0 on, one for each call.
@@ -41,7 +41,7 @@ json chunk_size_of(const FarmPlan& plan) {
   return {{"name", chunk_size},
           {"type", "INT"},
           {"minValue", 1},
-          {"default", (plan.task_count() + most_tasks - 1) / most_tasks}};
+          {"default", (plan.task_count() + most_job_tasks - 1) / most_job_tasks}};
 }
 
 }  // namespace

@@ -20,12 +20,12 @@ std::string head(const FarmPlan& plan, const char* step) {
 }
 
 /// A usual Slurm takes arrays of a thousand tasks (MaxArraySize, 1001).
-constexpr std::uint32_t most_tasks = 1000;
+constexpr std::uint32_t most_array_tasks = 1000;
 
 /// Numbers from 0 to count - 1 for the tasks of an array: one each or, where they are too many, several.
 struct TaskNumbers {
   std::uint32_t count;
-  std::uint32_t together = (count + most_tasks - 1) / most_tasks;
+  std::uint32_t together = (count + most_array_tasks - 1) / most_array_tasks;
 
   /// The array's option and, of several numbers, what they are: $first to $last.
   std::string array() const {

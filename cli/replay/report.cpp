@@ -76,7 +76,7 @@ Json surface_json(const Scene& scene, const PathVertex& vertex) {
   const SurfacePoint& point = at.point();
   const Material& material = scene.materials[at.material()];
   const Hit& hit = vertex.arrival.hit;
-  Json json{
+  Json result{
       {"shape", hit.mesh},
       {"shape_name", std::visit([](const auto& s) { return s.name; }, scene.geometry->shapes()[hit.mesh])},
       {"primitive", hit.primitive},
@@ -88,8 +88,8 @@ Json surface_json(const Scene& scene, const PathVertex& vertex) {
       {"model", type_of(material.model)},
       {"albedo", json_of(at.bsdf().albedo())},
       {"is_regularized", vertex.materials == Materials::regularized}};
-  if (hit.instance != no_instance) json["instance"] = hit.instance;
-  return json;
+  if (hit.instance != no_instance) result["instance"] = hit.instance;
+  return result;
 }
 
 Json json_of(const LoggedScattering& scattering) {
@@ -122,21 +122,21 @@ Json list_json(const Scene& scene, const List& list) {
 }
 
 Json json_of(const Scene& scene, const PathVertex& vertex) {
-  Json json{{"ray", json_of(vertex.arrival.ray)},
-            {"is_miss", vertex.arrival.hit.is_miss()},
-            {"transmittance", json_of(vertex.arrival.transmittance)},
-            {"throughput", json_of(vertex.arrival.throughput)},
-            {"found_lights", list_json(scene, vertex.found)},
-            {"emission", json_of(vertex.emission)}};
-  if (!vertex.surface) return json;
-  json["t"] = vertex.arrival.hit.t;
-  json["surface"] = surface_json(scene, vertex);
-  json["light_samples"] = list_json(scene, vertex.light_samples);
-  json["directions"] = list_json(scene, vertex.directions);
-  json["direct_light"] = json_of(vertex.direct_light);
-  if (vertex.scattering) json["scattering"] = json_of(*vertex.scattering);
-  if (vertex.roulette) json["roulette"] = json_of(*vertex.roulette);
-  return json;
+  Json result{{"ray", json_of(vertex.arrival.ray)},
+              {"is_miss", vertex.arrival.hit.is_miss()},
+              {"transmittance", json_of(vertex.arrival.transmittance)},
+              {"throughput", json_of(vertex.arrival.throughput)},
+              {"found_lights", list_json(scene, vertex.found)},
+              {"emission", json_of(vertex.emission)}};
+  if (!vertex.surface) return result;
+  result["t"] = vertex.arrival.hit.t;
+  result["surface"] = surface_json(scene, vertex);
+  result["light_samples"] = list_json(scene, vertex.light_samples);
+  result["directions"] = list_json(scene, vertex.directions);
+  result["direct_light"] = json_of(vertex.direct_light);
+  if (vertex.scattering) result["scattering"] = json_of(*vertex.scattering);
+  if (vertex.roulette) result["roulette"] = json_of(*vertex.roulette);
+  return result;
 }
 
 }  // namespace
@@ -144,21 +144,21 @@ Json json_of(const Scene& scene, const PathVertex& vertex) {
 std::string replay_json(const ReplayedSample& replayed) {
   const RenderOptions& render = replayed.arguments.render;
   const PathLog& path = replayed.replay.path;
-  const Json json{{"program", version_name()},
-                  {"scene", replayed.arguments.scene},
-                  {"resolution", {render.width, render.height}},
-                  {"samples_per_pixel", render.samples},
-                  {"seed", render.seed},
-                  {"sampler", sampler_name(render.sampler)},
-                  {"filter", filter_text(render.filter)},
-                  {"weight", json_of(replayed.replay.sample.weight)},
-                  {"pixel", {replayed.place().x, replayed.place().y}},
-                  {"sample", replayed.place().index},
-                  {"vertices", list_json(replayed.scene, path.vertices())},
-                  {"end", end_text(path.end())},
-                  {"sum", json_of(path.sum())},
-                  {"rendered", json_of(replayed.replay.radiance)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const Json result{{"program", version_name()},
+                    {"scene", replayed.arguments.scene},
+                    {"resolution", {render.width, render.height}},
+                    {"samples_per_pixel", render.samples},
+                    {"seed", render.seed},
+                    {"sampler", sampler_name(render.sampler)},
+                    {"filter", filter_text(render.filter)},
+                    {"weight", json_of(replayed.replay.sample.weight)},
+                    {"pixel", {replayed.place().x, replayed.place().y}},
+                    {"sample", replayed.place().index},
+                    {"vertices", list_json(replayed.scene, path.vertices())},
+                    {"end", end_text(path.end())},
+                    {"sum", json_of(path.sum())},
+                    {"rendered", json_of(replayed.replay.radiance)}};
+  return result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace twinray

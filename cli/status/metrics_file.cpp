@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::chrono::steady_clock::duration usual_interval = std::chrono::seconds(5);
 /// Writing takes at most one part in so many of the time.
-constexpr int rarity = 100;
+constexpr int metrics_rarity = 100;
 
 /// A file's name may hold bytes that are no letters.
 std::string only_letters(const std::string& text) {
@@ -124,7 +124,7 @@ void MetricsFile::report(const RenderStatus& status) {
     console::warn(fmt::format("no metrics: {}", error.what()));
   }
   const Clock::time_point end = Clock::now();
-  next_ = end + std::max(usual_interval, rarity * (end - begin));
+  next_ = end + std::max(usual_interval, metrics_rarity * (end - begin));
 }
 
 }  // namespace twinray

@@ -22,7 +22,7 @@ FaceList faces_of(const ColladaPart& part) {
   return faces;
 }
 
-std::vector<DoublePoint> transformed(const std::vector<Vec3>& positions, const Transform& t) {
+std::vector<DoublePoint> all_transformed(const std::vector<Vec3>& positions, const Transform& t) {
   std::vector<DoublePoint> points;
   points.reserve(positions.size());
   for (const Vec3& p : positions) {
@@ -46,7 +46,7 @@ PlacedMesh place_mesh(const Mesh& local, const Transform& to_world, const XmlEle
 PlacedMesh place_cs184_mesh(const ColladaPart& part, const Transform& to_world, const XmlElement& instance,
                             ColladaDocument& document, Aabb& bounds) {
   const FaceList faces = faces_of(part);
-  VertexNormals smooth = cs184_normals(faces, transformed(part.mesh.positions, to_world));
+  VertexNormals smooth = cs184_normals(faces, all_transformed(part.mesh.positions, to_world));
   if (!smooth.fault.empty())
     document.warn(
         part.element,

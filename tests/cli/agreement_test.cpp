@@ -108,8 +108,8 @@ TEST_CASE("the agreement command ends with 1 and names what differs") {
 TEST_CASE("without a scene the agreement command takes ours and those of TWINRAY_SCENES") {
   const TemporaryFolder folder;
   write_text(folder.file("box.dae"), read_text(scenes + "box.dae"));
-  const ProcessResult result =
-      run_program("agreement -r 2 1 -s 1", fmt::format("TWINRAY_SCENES='{}'", folder.path().string()));
+  const ProcessResult result = run_program("agreement -r 2 1 -s 1 --view file",
+                                           fmt::format("TWINRAY_SCENES='{}'", folder.path().string()));
   CHECK(result.exit_code == 0);
   CHECK(result.out.find("\nscenes/box.dae ") != std::string::npos);
   CHECK(result.out.find("\nscenes/lights.dae ") != std::string::npos);

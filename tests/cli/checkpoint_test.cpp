@@ -97,7 +97,8 @@ TEST_CASE("a render that was killed goes on from its last checkpoint, or the one
 TEST_CASE("a second signal soon after the first is the same request, but for Ctrl-C") {
   const TemporaryFolder folder;
   const std::string command = fmt::format(
-      "cd {}; {} {} -r 48 36 -s 4000000 -t 1 -o a.pfm --checkpoint=a.ck --checkpoint-seconds=1000 2>errors & "
+      "cd {}; {} {} -r 48 36 -s 4000000 -t 1 -o a.pfm --checkpoint=a.ck --checkpoint-seconds=1000 "
+      "--progress=json 2>errors & "
       "program=$!; until grep -q samples errors; do sleep 0.05; done; ",
       quoted(folder.path().string()), quoted(TWINRAY_PROGRAM), quoted(box_scene));
   const auto code_after = [&](const std::string& signals) {

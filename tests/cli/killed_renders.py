@@ -4,7 +4,7 @@
 
 killed_renders.py PROGRAM SCENE FAILING_DISK [KILLS [SECONDS]]
 
-KILLS (200): that many processes get SIGKILL at seeded instants of their first SECONDS (0.1); each is
+KILLS (200): that many processes get SIGKILL at seeded instants of their first SECONDS (0.06); each is
 resumed, by another number of threads or another engine, and perhaps killed again, until it is done. Then the
 disk fails, or tears what is written, at each of the first events of a checkpoint
 (tests/support/failing_disk.cpp). Every film must have the sums of the undisturbed one, and no checkpoint may
@@ -36,7 +36,7 @@ class Renders:
 
     def __init__(self, program, scene, folder):
         self.program, self.folder = program, Path(folder)
-        self.options = [scene, "-r", "64", "48", "-s", "96", "-q", "--layers=ids,normal", "-o", "a.film"]
+        self.options = [scene, "-r", "64", "48", "-s", "48", "-q", "--layers=ids,normal", "-o", "a.film"]
         self.checkpoint = self.folder / "a.ck"
         self.expected = self.undisturbed()
 
@@ -137,7 +137,7 @@ def main(arguments):
     program, scene, disk = arguments[:3]
     with tempfile.TemporaryDirectory() as folder:
         renders = Renders(program, scene, folder)
-        kills, seconds = (*arguments[3:], *("200", "0.1")[len(arguments) - 3:])
+        kills, seconds = (*arguments[3:], *("200", "0.06")[len(arguments) - 3:])
         fault = kill_at_random(renders, int(kills), float(seconds))
         if not fault and disk != "none":
             fault = fail_at_events(renders, disk)

@@ -251,13 +251,13 @@ TEST_CASE("options of numbers may have the frame's number, and options of a fram
 TEST_CASE("a part's minutes say how many parts there are") {
   const TemporaryFolder folder;
   const ProcessResult planned =
-      plan_in(folder, quoted(box_scene) + " -s 1000000 --folder=p --part-minutes=1 -o a.pfm");
+      plan_in(folder, quoted(box_scene) + " -s 1000000 -t 1 --folder=p --part-minutes=1 -o a.pfm");
   REQUIRE(planned.exit_code == 0);
   const std::string list = read_text(folder.file("p/commands.txt"));
   CHECK(std::count(list.begin(), list.end(), '\n') > 10);
   CHECK(planned.out.find("A part         ") != std::string::npos);
   const ProcessResult small =
-      plan_in(folder, quoted(box_scene) + " -s 1000000 --folder=q --part-minutes=0.05 -o a.pfm");
+      plan_in(folder, quoted(box_scene) + " -s 1000000 -t 1 --folder=q --part-minutes=0.05 -o a.pfm");
   const std::size_t begin = small.out.find("A part         ");
   REQUIRE(begin != std::string::npos);
   CHECK(small.out.substr(begin, small.out.find('\n', begin) - begin).find(" seconds on a machine") !=

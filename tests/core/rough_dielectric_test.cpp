@@ -10,7 +10,7 @@ namespace {
 using test::direction_at;
 
 /// Refraction narrows peaks, and ends at an edge.
-constexpr int fine = 48;
+constexpr int fine = 32;
 const float glass_cosines[] = {1.0f, 0.6f, 0.2f};
 const Ggx glass_distributions[] = {Ggx(0.15f), Ggx(0.4f), Ggx(1.0f), Ggx(0.15f, 0.5f), Ggx(1.0f, 0.05f)};
 /// Into glass, out of it, and out of diamond.

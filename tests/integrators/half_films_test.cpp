@@ -40,8 +40,9 @@ double relative_error(const Image& picture, const Image& converged) {
 }
 
 /// By other samples than those of halved().
-Image converged_picture(const Scene& scene, const Integrator& integrator) {
-  RenderOptions options = halved(4096);
+Image converged_picture(const Scene& scene, const Integrator& integrator, std::uint32_t samples) {
+  RenderOptions options = halved(samples);
+  options.half_layers.reset();
   options.seed = 77;
   return mean_image(render_with(scene, integrator, options).film);
 }
@@ -145,7 +146,7 @@ TEST_CASE("the halves of independent noise tell its size, in whatever shares the
 TEST_CASE("the error that halves tell of a room is the one that it has") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, three_bounces);
-  const Image reference = converged_picture(scene, path);
+  const Image reference = converged_picture(scene, path, 2048);
   for (const std::uint32_t samples : {16u, 64u}) {
     const RenderResult result = render_with(scene, path, halved(samples));
     const double is = relative_error(mean_image(result.film), reference);
@@ -178,7 +179,7 @@ TEST_CASE("halves with independent noise tell how far a filter without noise is 
 TEST_CASE("the error that halves tell of a denoised room is about the one that it has") {
   const Scene scene = small_room();
   const PathIntegrator path(scene, three_bounces);
-  const Image reference = converged_picture(scene, path);
+  const Image reference = converged_picture(scene, path, 4096);
   for (const std::uint32_t samples : {16u, 64u, 256u}) {
     const HalfPictures noisy = half_pictures(*render_with(scene, path, halved(samples)).halves);
     const double is = relative_error(denoised(noisy), reference);
